@@ -1,0 +1,12 @@
+# cmake -DROOT=<shader folder> -DOUTPUT=<file.cpp> -P embed.cmake
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/*.glsl ${ROOT}/*.h ${ROOT}/*.comp ${ROOT}/*.vert ${ROOT}/*.frag)
+list(SORT files)
+set(text "#include <map>\n#include <string>\n#include <string_view>\n\nnamespace knuckle {\n\n")
+string(APPEND text "const std::map<std::string, std::string_view>& embeddedShaders()\n{\n")
+string(APPEND text "    static const std::map<std::string, std::string_view> shaders = {\n")
+foreach(file IN LISTS files)
+  file(READ ${ROOT}/${file} content)
+  string(APPEND text "{\"${file}\", R\"__glsl__(${content})__glsl__\"},\n")
+endforeach()
+string(APPEND text "    };\n    return shaders;\n}\n\n}  // namespace knuckle\n")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace knuckle {
+
+/// 8-bit sRGB pixels, top row first.
+struct Image {
+    uint32_t width = 0, height = 0;
+    std::vector<uint8_t> rgb;    ///< width * height * 3
+};
+
+/// @throws InputError (missing, not an image) or RunError (disk full, not writable: nothing is left half-written).
+Image readImage(const std::string& path);
+void writePng(const std::string& path, const Image& image);
+
+struct ImageDifference {
+    double meanAbsolute = 0.0;   ///< Mean over all channels, 0-255.
+    uint32_t worst = 0;          ///< Largest channel difference, 0-255.
+    double changedShare = 0.0;   ///< Share of pixels with a channel that differs by more than the threshold, 0-1.
+    Image picture;               ///< |a - b| per channel, brightened to be seen.
+};
+
+/// @throws InputError when the sizes differ.
+ImageDifference compareImages(const Image& a, const Image& b, uint32_t threshold);
+
+}  // namespace knuckle

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+
+namespace knuckle {
+
+enum class CameraKind : uint32_t { Fixed, Orbit, Follow };
+
+struct CameraSettings {
+    CameraKind kind = CameraKind::Fixed;
+    bool automatic = true;                      ///< Position and target chosen to frame the world's first state.
+    Eigen::Vector3f position{4.0f, 2.5f, 6.0f}; ///< [m]; Follow: offset from the followed body.
+    Eigen::Vector3f target{0.0f, 1.0f, 0.0f};   ///< [m]; Orbit: the centre. Follow: offset added to the body's centre.
+    float fieldOfView = 40.0f;                  ///< Vertical [degrees], 5 ... 120.
+    float orbitSpeed = 15.0f;                   ///< Orbit only [degrees/s], about +Y.
+    std::string follow;                         ///< Follow only: name of the object.
+};
+
+struct LightSettings {
+    Eigen::Vector3f direction{0.45f, 0.8f, 0.4f}; ///< Towards the key light; normalized when used.
+    float intensity = 3.0f;                       ///< Key light, 0 ... 20.
+    float softness = 2.0f;                        ///< Angular radius of the key light [degrees], 0 ... 20.
+    Eigen::Vector3f skyColor{0.55f, 0.68f, 0.9f};
+    Eigen::Vector3f groundColor{0.32f, 0.30f, 0.28f};
+};
+
+enum class ColorBy : uint32_t { Body, Material, Particle, Speed };
+
+struct RenderSettings {
+    uint32_t width = 1280, height = 720;        ///< [pixels], 16 ... 8192
+    CameraSettings camera;
+    LightSettings light;
+    ColorBy colorBy = ColorBy::Body;
+    bool highlightJoints = false;               ///< Shared particles red, as in the paper's figures.
+    float speedScale = 5.0f;                    ///< ColorBy::Speed: the speed [m/s] at the end of the colour scale.
+    float exposure = 1.0f;                      ///< Linear factor before tone mapping, 0.01 ... 100.
+    uint32_t antialiasing = 2;                  ///< Supersampling factor an axis, 1 ... 4.
+};
+
+}  // namespace knuckle

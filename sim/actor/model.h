@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace knuckle {
+
+/// A node of the skeleton. Parents come before their children.
+struct Bone {
+    std::string name;
+    int32_t parent = -1;
+    Eigen::Matrix4f restPose = Eigen::Matrix4f::Identity();   ///< Bone to model at rest, metres.
+};
+
+/// One vertex's skin: up to 8 bones, weights normalized to sum 1 (0 for unused slots).
+struct SkinWeights {
+    std::array<uint32_t, 8> bones{};
+    std::array<float, 8> weights{};
+};
+
+/// A sampled clip: local poses per bone at keyTimes.
+struct Clip {
+    std::string name;
+    double duration = 0.0;                                    ///< [s]
+    std::vector<double> keyTimes;                             ///< [s], ascending
+    std::vector<std::vector<Eigen::Matrix4f>> poses;          ///< [key][bone], bone to model.
+};
+
+/// What import() hands over: triangles in metres, +Y up, in the rest pose, and the skeleton.
+struct Model {
+    std::string name;
+    std::vector<Eigen::Vector3f> vertices;
+    std::vector<std::array<uint32_t, 3>> triangles;
+    std::vector<SkinWeights> skin;                            ///< Empty, or one per vertex.
+    std::vector<Bone> bones;
+    std::vector<Clip> clips;
+    std::vector<std::string> notes;                           ///< What import repaired or assumed, one sentence each.
+};
+
+/// Reads a model with assimp in a child process with limits on memory and time, since libassimp crashes or allocates
+/// without bound on some broken files. @throws InputError naming the file, what is wrong and the remedy.
+struct ImportOptions {
+    double scale = 0.0;             ///< Metres per file unit; 0: what the file says, else guessed and noted.
+    bool clips = true;
+};
+Model importModel(const std::string& path, const ImportOptions& options = {});
+
+}  // namespace knuckle

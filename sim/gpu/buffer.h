@@ -1,0 +1,64 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace knuckle {
+
+/// An untyped, labelled GL buffer with, on demand, a buffer texture that views it.
+class RawBuffer {
+public:
+    RawBuffer() = default;
+    /// @param bytes at least 16 are allocated, so that an empty array still binds.
+    /// @throws DeviceError when the driver has no memory for it.
+    RawBuffer(std::string label, size_t bytes, const void* data = nullptr);
+    ~RawBuffer();
+    RawBuffer(RawBuffer&& other) noexcept;
+    RawBuffer& operator=(RawBuffer&& other) noexcept;
+
+    GLuint id() const { return id_; }
+    size_t bytes() const { return bytes_; }
+    const std::string& label() const { return label_; }
+    /// A buffer texture over the same storage; the format is fixed by the first call (GL_RGBA32F, GL_R32UI, ...).
+    GLuint texture(GLenum format);
+    void read(void* out, size_t byteCount, size_t byteOffset = 0) const;
+    void write(const void* data, size_t byteCount, size_t byteOffset = 0);
+    void clear();
+
+private:
+    GLuint id_ = 0, texture_ = 0;
+    size_t bytes_ = 0;
+    std::string label_;
+};
+
+/// A RawBuffer of `size` elements of T (trivially copyable, laid out as in std430).
+template <typename T>
+class Buffer : public RawBuffer {
+    static_assert(std::is_trivially_copyable_v<T>);
+
+public:
+    Buffer() = default;
+    Buffer(std::string label, size_t size) : RawBuffer(std::move(label), size * sizeof(T)), size_(size) { clear(); }
+    Buffer(std::string label, std::span<const T> data)
+        : RawBuffer(std::move(label), data.size_bytes(), data.data()), size_(data.size()) {}
+
+    size_t size() const { return size_; }
+    /// Stalls until the GPU is done: for exports, hashes and tests only.
+    std::vector<T> download() const
+    {
+        std::vector<T> out(size_);
+        if (size_ > 0) read(out.data(), size_ * sizeof(T));
+        return out;
+    }
+    void upload(std::span<const T> data) { write(data.data(), data.size_bytes()); }
+
+private:
+    size_t size_ = 0;
+};
+
+}  // namespace knuckle

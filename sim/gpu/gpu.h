@@ -1,0 +1,76 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/gpu/shader_source.h"
+
+namespace knuckle {
+
+/// What `--device` says.
+struct DeviceChoice {
+    enum class Kind { Auto, Gpu, Software, Index } kind = Kind::Auto;
+    uint32_t index = 0;
+
+    /// Reads "auto", "gpu", "software" or a number. @throws InputError otherwise.
+    static DeviceChoice parse(const std::string& text);
+};
+
+/// One EGL device, as `knuckle info` lists it.
+struct DeviceInfo {
+    uint32_t index = 0;
+    bool software = false;
+    std::string name;        ///< GL_RENDERER, or the EGL name where no context could be made.
+    std::string version;     ///< GL_VERSION, empty where no context could be made.
+    std::string problem;     ///< Empty when usable, else why not.
+};
+
+/// GL limits that the solver and the renderer rely on.
+struct DeviceLimits {
+    int64_t storageBlockSize = 0;    ///< [bytes]
+    int32_t computeStorageBlocks = 0;
+    int32_t textureBufferSize = 0;   ///< [texels]
+    int32_t textureSize = 0;         ///< [pixels]
+    int32_t workGroupCountX = 0;
+};
+
+/// Every EGL device, with a context tried on each. Never throws for a device that cannot be used.
+std::vector<DeviceInfo> listDevices();
+
+/// One headless OpenGL 4.3 core context, current on the thread that made it for as long as it lives.
+///
+/// GL debug messages of high severity become a DeviceError at the next checkErrors().
+class Gpu {
+public:
+    /// @throws DeviceError when no device fits or the context lacks a needed limit, in words.
+    explicit Gpu(const DeviceChoice& choice = {}, std::string shaderFolder = {});
+    ~Gpu();
+    Gpu(const Gpu&) = delete;
+    Gpu& operator=(const Gpu&) = delete;
+
+    const DeviceInfo& device() const { return device_; }
+    const DeviceLimits& limits() const { return limits_; }
+    /// One line for the user where Auto had to fall back to software, else empty.
+    const std::string& notice() const { return notice_; }
+    const ShaderSource& shaders() const { return shaders_; }
+    /// @throws DeviceError with the first high-severity message since the last call.
+    void checkErrors();
+
+private:
+    struct Egl;
+    void makeContext(const DeviceChoice& choice);
+    void readLimits();
+    std::unique_ptr<Egl> egl_;
+    DeviceInfo device_;
+    DeviceLimits limits_;
+    std::string notice_;
+    std::string pendingError_;
+    ShaderSource shaders_;
+};
+
+}  // namespace knuckle

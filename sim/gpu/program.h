@@ -1,0 +1,32 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <string>
+
+#include "sim/gpu/gpu.h"
+
+namespace knuckle {
+
+/// A linked GL program, named after its first file. @throws DeviceError with the log in file:line of the real files.
+class Program {
+public:
+    Program() = default;
+    static Program compute(const Gpu& gpu, const std::string& path, const Defines& defines = {});
+    static Program graphics(const Gpu& gpu, const std::string& vertexPath, const std::string& fragmentPath,
+                            const Defines& defines = {});
+    ~Program();
+    Program(Program&& other) noexcept;
+    Program& operator=(Program&& other) noexcept;
+
+    GLuint id() const { return id_; }
+    const std::string& name() const { return name_; }
+    /// -1 when the program has no such active uniform (GL ignores writes to -1).
+    GLint uniform(const char* name) const { return glGetUniformLocation(id_, name); }
+
+private:
+    GLuint id_ = 0;
+    std::string name_;
+};
+
+}  // namespace knuckle

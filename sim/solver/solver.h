@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/gpu/gpu.h"
+#include "sim/solver/particle_view.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+struct ParticleState {
+    std::vector<Vector3f> positions;    ///< [m]
+    std::vector<Vector3f> velocities;   ///< [m/s]
+};
+
+struct BodyState {
+    Vector3f position{0, 0, 0};         ///< Mass centre [m].
+    Quaternionf rotation{1, 0, 0, 0};   ///< From the body's axes at rest to the world.
+    Vector3f velocity{0, 0, 0};         ///< Of the mass centre [m/s].
+    Vector3f angularVelocity{0, 0, 0};  ///< About the mass centre [rad/s].
+};
+
+/// How well the state holds together. Depths and gaps in metres.
+struct Measures {
+    uint32_t contactCount = 0;          ///< Pairs of particles that overlap, each once, and particle-collider overlaps.
+    float meanPenetration = 0.0f;       ///< Over the overlapping contacts.
+    float worstPenetration = 0.0f;
+    float meanJointGap = 0.0f;          ///< Distance between the places two bodies want a shared particle at.
+    float worstJointGap = 0.0f;
+    float maxSpeed = 0.0f;              ///< [m/s]
+    double kineticEnergy = 0.0;         ///< [J]
+};
+
+struct PassTime {
+    std::string name;                   ///< The kernel's: `contact_find`, ...
+    double milliseconds = 0.0;          ///< Total since the solver was made.
+    uint64_t count = 0;                 ///< Dispatches.
+};
+
+/// A World on the GPU, and its step.
+class Solver {
+public:
+    /// Uploads the world once. @throws DeviceError when the device's limits are too small for it, with the number.
+    Solver(Gpu& gpu, const World& world);
+    ~Solver();
+    Solver(const Solver&) = delete;
+    Solver& operator=(const Solver&) = delete;
+
+    /// Advances by Settings::timeStep. Only records GL work: nothing is uploaded, nothing read back.
+    void step();
+    /// Once a frame: reads the 64-byte counters buffer, grows what overflowed, and
+    /// @throws RunError for NaN or for an overflow that cannot be mended, naming frame, particle and the number to raise.
+    void checkCounters(uint64_t frame);
+
+    ParticleView view() const;
+    // Everything below stalls until the GPU is done.
+    ParticleState readParticles();
+    std::vector<BodyState> readBodies();
+    Measures measure();
+    /// FNV-1a over the bits of all positions and velocities.
+    uint64_t stateHash();
+    std::vector<PassTime> passTimes();
+    /// Turns the GL_TIMESTAMP queries around every pass on or off (off at first).
+    void setTiming(bool on);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace knuckle

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// A rigid pose: x -> rotation * x + translation.
+struct Pose {
+    Vector3f translation{0, 0, 0};
+    Quaternionf rotation{1, 0, 0, 0};         ///< Eigen's constructor order is wxyz.
+    Vector3f apply(const Vector3f& p) const { return rotation * p + translation; }
+};
+
+/// How the two bodies of a joint meet. All positions in the frame in which the bodies were added (the rest pose).
+struct JointSpec {
+    JointType type = JointType::Ball;
+    std::string name;
+    Vector3f anchor{0, 0, 0};                 ///< Where the joint sits [m].
+    Vector3f axis{0, 0, 1};                   ///< Hinge: its axis. Universal: the axis of the hinge at body A.
+    Vector3f along{1, 0, 0};                  ///< From A to B, perpendicular to axis; fixed up if it is not.
+    /// Hinge: which side of the plane of axis and `along` is blocked by limiting particles: +1 (the side of
+    /// along x axis), -1 (the other) or 0 (free on both sides).
+    int limitSide = 0;
+};
+
+/// Builds a World: bodies from particle positions, joints by sharing particles (paper, section 4), colliders.
+///
+/// Indices handed out stay valid. Bodies, joints and particles are added in the rest pose of their object, then
+/// placed as a whole: beginObject(), addBody()..., addJoint()..., endObject(pose, velocity).
+class WorldBuilder {
+public:
+    explicit WorldBuilder(float particleRadius, Settings settings = {});
+
+    uint32_t addMaterial(Material material);
+    void addCollider(Collider collider);
+
+    /// All bodies and joints up to endObject() belong to one object named `name`.
+    void beginObject(std::string name);
+    /// A rigid body of particles at `positions` (rest pose of the object) [m]. @returns the body's index.
+    /// @throws InputError for an empty span or a position that is not finite.
+    uint32_t addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
+                     Motion motion = Motion::Dynamic);
+    /// Joins two bodies by particles shared between them. Particles of A or B within half a diameter of a place the
+    /// joint needs become the shared ones; elsewhere new particles are made. @returns the joint's index.
+    uint32_t addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec& spec);
+    /// Makes an existing particle part of one more body: the paper's joint itself.
+    void shareParticle(uint32_t particle, uint32_t body);
+    /// Places the open object; `velocity` [m/s] and `spin` [rad/s] about its mass centre. @returns the object's index.
+    uint32_t endObject(const Pose& pose = {}, const Vector3f& velocity = {0, 0, 0},
+                       const Vector3f& spin = {0, 0, 0});
+    /// The body that a camera following the open object looks at; the first added unless told.
+    void setRootBody(uint32_t body);
+
+    /// A particle of no body (grains and, later, fluids). @returns its index.
+    uint32_t addLooseParticle(const Particle& particle);
+
+    uint32_t particleCount() const { return static_cast<uint32_t>(world_.particles.size()); }
+    float diameter() const { return world_.diameter(); }
+
+    /// Groups links by body, fills centres, masses and assemblies, and validates. The builder is spent afterwards.
+    World build();
+
+private:
+    void addLink(uint32_t particle, uint32_t body);
+    uint32_t findOrCreate(const Vector3f& position, uint32_t bodyA, uint32_t bodyB, uint32_t material);
+    uint32_t newParticle(const Vector3f& position, uint32_t material);
+    std::vector<Vector3f> jointPositions(const JointSpec& spec) const;
+    void addLimits(const JointSpec& spec, uint32_t bodyA);
+    void addUniversal(const JointSpec& spec, Joint& joint);
+    void shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB, Joint& joint);
+
+    World world_;
+    std::vector<std::vector<uint32_t>> bodyParticles_;   ///< Per body, the particles in its block.
+    std::vector<std::vector<uint32_t>> particleBodies_;  ///< Per particle, the bodies it belongs to.
+    bool objectOpen_ = false;
+    uint32_t objectFirstParticle_ = 0;
+};
+
+/// Lattice points of a box of `counts` particles an axis, spaced by `diameter`, centred on the origin [m].
+std::vector<Vector3f> boxLattice(const Eigen::Vector3i& counts, float diameter);
+/// Lattice points inside a sphere whose surface lies at `radius` from the origin [m].
+std::vector<Vector3f> sphereLattice(float radius, float diameter);
+/// Lattice points inside a capsule along y; `halfHeight` between the centre and a cap's centre [m].
+std::vector<Vector3f> capsuleLattice(float radius, float halfHeight, float diameter);
+
+}  // namespace knuckle

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/world/settings.h"
+
+/// Plain data that describes a world before the GPU sees it.
+///
+/// Conventions, valid everywhere: SI units, right-handed, +Y up, quaternions stored xyzw (Eigen's order), angles in
+/// radians, colours linear RGB in 0-1.
+namespace knuckle {
+
+using Eigen::Quaternionf;
+using Eigen::Vector3f;
+
+/// "Belongs to nothing" for every index below.
+inline constexpr uint32_t NO_INDEX = 0xffffffffu;
+
+/// What particles are made of.
+struct Material {
+    std::string name;
+    float density = 1000.0f;                  ///< [kg/m3], > 0. A particle of a body weighs density * diameter^3.
+    float staticFriction = 0.5f;              ///< Coulomb's mu while sticking, >= 0. A contact takes both sides' mean.
+    float kineticFriction = 0.5f;             ///< Coulomb's mu while sliding, 0 ... staticFriction.
+    Vector3f color{0.8f, 0.8f, 0.8f};         ///< Linear RGB, 0-1, used when colouring by material.
+};
+
+struct Particle {
+    Vector3f position{0, 0, 0};               ///< [m]
+    Vector3f velocity{0, 0, 0};               ///< [m/s]
+    float mass = 1.0f;                        ///< [kg], > 0. Ignored in a fixed body.
+    uint32_t material = 0;                    ///< Index into World::materials.
+    uint32_t body = NO_INDEX;                 ///< The first body it belongs to, NO_INDEX for loose particles.
+    uint32_t bodyCount = 0;                   ///< How many bodies share it: 0 loose, 1 ordinary, 2 or more a joint.
+    uint32_t assembly = NO_INDEX;             ///< Index of the set of bodies connected by joints.
+    /// Where it stands in the rest pose of its assembly [m]. Two particles of one assembly nearer to each other there
+    /// than a diameter never touch (physics: self-collision filtered by rest distance).
+    Vector3f restPosition{0, 0, 0};
+};
+
+/// The paper's listing 1, on the host. Links are grouped by body: a body's block is linkStart ... linkStart+linkCount.
+struct Link {
+    uint32_t particle = 0;
+    uint32_t body = 0;
+    Vector3f restOffset{0, 0, 0};             ///< posInRigidBody, r of eq. 8: from the body's centre at rest [m].
+    float mass = 0.0f;                        ///< The share of the particle's mass that counts in this body [kg].
+};
+
+enum class Motion : uint32_t {
+    Dynamic,                                  ///< Simulated.
+    Fixed,                                    ///< Never moves; its particles have infinite mass.
+};
+
+/// A rigid body: a block of links.
+struct Body {
+    std::string name;
+    Motion motion = Motion::Dynamic;
+    uint32_t material = 0;
+    uint32_t assembly = NO_INDEX;
+    uint32_t linkStart = 0, linkCount = 0;
+    uint32_t object = NO_INDEX;               ///< Index into World::objects: what the scene calls one thing.
+    float mass = 0.0f;                        ///< Sum of its links' masses [kg].
+    Vector3f restCentre{0, 0, 0};             ///< Mass centre in the rest pose [m]; body axes there are the world's.
+};
+
+enum class JointType : uint32_t { Ball, Hinge, Stiff, Universal };
+
+/// What a joint was built as. The solver never reads it: behaviour comes from the shared particles alone (section 4).
+struct Joint {
+    JointType type = JointType::Ball;
+    std::string name;
+    uint32_t bodyA = 0, bodyB = 0;
+    uint32_t middleBody = NO_INDEX;           ///< Universal only: the flat body between the two crossed hinges.
+    std::vector<uint32_t> sharedParticles;
+};
+
+/// One thing of the scene: a ragdoll, a jointed pair, a single rigid body. For names in exports and for cameras.
+struct Object {
+    std::string name;
+    uint32_t bodyStart = 0, bodyCount = 0;
+    uint32_t rootBody = NO_INDEX;             ///< The body that a following camera looks at.
+};
+
+enum class ColliderShape : uint32_t { Plane, Box, Sphere, Capsule };
+
+/// An immovable obstacle.
+struct Collider {
+    ColliderShape shape = ColliderShape::Plane;
+    Vector3f position{0, 0, 0};               ///< A point of the plane, else the centre [m].
+    Quaternionf orientation{1, 0, 0, 0};      ///< A plane's normal and a capsule's axis are its +Y (Eigen ctor is wxyz).
+    Vector3f halfExtents{0.5f, 0.5f, 0.5f};   ///< Box only [m].
+    float radius = 0.5f;                      ///< Sphere and capsule [m].
+    float halfHeight = 0.5f;                  ///< Capsule: half the distance between its two sphere centres [m].
+    float staticFriction = 0.5f;
+    float kineticFriction = 0.5f;
+    Vector3f color{0.45f, 0.47f, 0.5f};
+    bool visible = true;                      ///< Walls of a container are often felt but not drawn.
+};
+
+struct World {
+    float particleRadius = 0.05f;             ///< [m], > 0; one for all.
+    Settings settings;
+    std::vector<Material> materials;
+    std::vector<Particle> particles;
+    std::vector<Body> bodies;
+    std::vector<Link> links;
+    std::vector<Joint> joints;
+    std::vector<Object> objects;
+    std::vector<Collider> colliders;
+    uint32_t assemblyCount = 0;
+
+    float diameter() const { return 2.0f * particleRadius; }
+};
+
+/// Checks every invariant that the solver relies on: indices in range, links grouped by body, finite positions,
+/// positive masses, shared particles consistent with the links. @throws InputError naming the first that fails.
+void validate(const World& world);
+
+}  // namespace knuckle
