@@ -1,0 +1,91 @@
+#include "sim/gpu/egl.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "sim/world/errors.h"
+
+namespace knuckle::egl {
+
+namespace {
+
+const char* errorWord(EGLint code)
+{
+    switch (code) {
+        case EGL_NOT_INITIALIZED: return "the driver could not be initialized";
+        case EGL_BAD_ACCESS: return "no permission to use the device";
+        case EGL_BAD_ALLOC: return "the driver is out of memory or refuses another context";
+        case EGL_BAD_MATCH: return "the driver has no OpenGL 4.3 core profile";
+        case EGL_BAD_ATTRIBUTE: return "the driver does not know OpenGL 4.3 contexts";
+        default: return "the driver refused";
+    }
+}
+
+bool has(const char* extensions, const char* name)
+{
+    return extensions != nullptr && std::strstr(extensions, name) != nullptr;
+}
+
+}  // namespace
+
+std::vector<Device> devices()
+{
+    const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    if (!has(extensions, "EGL_EXT_device_enumeration") && !has(extensions, "EGL_EXT_device_base"))
+        throw DeviceError("EGL cannot list devices: no driver is installed; install libegl1 and libgl1-mesa-dri "
+                          "(Mesa), or the vendor's driver");
+    EGLint count = 0;
+    eglQueryDevicesEXT(0, nullptr, &count);
+    std::vector<EGLDeviceEXT> handles(static_cast<size_t>(count));
+    if (count > 0) eglQueryDevicesEXT(count, handles.data(), &count);
+    std::vector<Device> found;
+    for (EGLDeviceEXT handle : handles) {
+        const char* names = eglQueryDeviceStringEXT(handle, EGL_EXTENSIONS);
+        Device device;
+        device.handle = handle;
+        device.software = has(names, "EGL_MESA_device_software");
+        if (has(names, "EGL_EXT_device_drm")) {
+            if (const char* file = eglQueryDeviceStringEXT(handle, EGL_DRM_DEVICE_FILE_EXT)) device.drmFile = file;
+        }
+        found.push_back(device);
+    }
+    return found;
+}
+
+Context create(const Device& device, std::string& problem)
+{
+    Context result;
+    result.display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device.handle, nullptr);
+    if (result.display == EGL_NO_DISPLAY || !eglInitialize(result.display, nullptr, nullptr)) {
+        problem = fmt::format("no display: {}", errorWord(eglGetError()));
+        return {};
+    }
+    eglBindAPI(EGL_OPENGL_API);
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 3,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE, EGL_NONE};
+    result.context = eglCreateContext(result.display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    if (result.context == EGL_NO_CONTEXT) {
+        problem = fmt::format("no OpenGL 4.3 context: {}", errorWord(eglGetError()));
+        destroy(result);
+        return {};
+    }
+    if (!eglMakeCurrent(result.display, EGL_NO_SURFACE, EGL_NO_SURFACE, result.context)) {
+        problem = fmt::format("the context cannot be used without a window: {}", errorWord(eglGetError()));
+        destroy(result);
+        return {};
+    }
+    return result;
+}
+
+void destroy(Context& context)
+{
+    if (context.display == EGL_NO_DISPLAY) return;
+    eglMakeCurrent(context.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context.context != EGL_NO_CONTEXT) eglDestroyContext(context.display, context.context);
+    // The display stays initialized: EGL shares it between all users of the process, and another context may be alive.
+    context = {};
+}
+
+}  // namespace knuckle::egl

@@ -1,0 +1,33 @@
+#pragma once
+
+// epoxy must come before any EGL header: it replaces them.
+#include <epoxy/gl.h>
+#include <epoxy/egl.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace knuckle::egl {
+
+/// One EGL device of EGL_EXT_device_enumeration.
+struct Device {
+    EGLDeviceEXT handle = nullptr;
+    bool software = false;
+    std::string drmFile;       ///< Empty for Mesa's software device.
+};
+
+/// @throws DeviceError when EGL itself is missing or cannot enumerate devices, in words.
+std::vector<Device> devices();
+
+/// A display and a context without a surface.
+struct Context {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+};
+
+/// A GL 4.3 core context on `device`, current on this thread. On failure the context is empty and `problem` says why.
+Context create(const Device& device, std::string& problem);
+void destroy(Context& context);
+
+}  // namespace knuckle::egl
