@@ -66,17 +66,16 @@ public:
     World build();
 
 private:
-    void addLink(uint32_t particle, uint32_t body);
-    uint32_t findOrCreate(const Vector3f& position, uint32_t bodyA, uint32_t bodyB, uint32_t material);
     uint32_t newParticle(const Vector3f& position, uint32_t material);
-    std::vector<Vector3f> jointPositions(const JointSpec& spec) const;
-    void addLimits(const JointSpec& spec, uint32_t bodyA);
-    void addUniversal(const JointSpec& spec, Joint& joint);
+    uint32_t findOrCreate(const Vector3f& position, uint32_t bodyA, uint32_t bodyB);
     void shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB, Joint& joint);
+    void requireObject(const char* what) const;
+    void assignAssemblies();
+    void makeLinks();
+    void makeBodyLinks(uint32_t bodyIndex);
 
     World world_;
-    std::vector<std::vector<uint32_t>> bodyParticles_;   ///< Per body, the particles in its block.
-    std::vector<std::vector<uint32_t>> particleBodies_;  ///< Per particle, the bodies it belongs to.
+    std::vector<std::vector<uint32_t>> bodyParticles_;   ///< Per body, the particles in its block, in order.
     bool objectOpen_ = false;
     uint32_t objectFirstParticle_ = 0;
 };

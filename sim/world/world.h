@@ -63,9 +63,18 @@ struct Body {
     uint32_t assembly = NO_INDEX;
     uint32_t linkStart = 0, linkCount = 0;
     uint32_t object = NO_INDEX;               ///< Index into World::objects: what the scene calls one thing.
-    float mass = 0.0f;                        ///< Sum of its links' masses [kg].
-    Vector3f restCentre{0, 0, 0};             ///< Mass centre in the rest pose [m]; body axes there are the world's.
+    float mass = 0.0f;                        ///< Sum of its particles' shares of mass, pins left out [kg].
+    /// The weighted centre that shape matching turns the body about, in the object's rest pose [m]. The mass centre,
+    /// but for a body pinned to a fixed one, whose pinned particles weigh PIN_WEIGHT times the rest of it.
+    Vector3f restCentre{0, 0, 0};
+    Vector3f massCentre{0, 0, 0};             ///< Mass centre in the object's rest pose [m].
+    Vector3f position{0, 0, 0};               ///< Where restCentre starts [m].
+    Quaternionf rotation{1, 0, 0, 0};         ///< How the rest pose is turned at the start.
 };
+
+/// What a body's pinned particles (shared with a fixed body) weigh together in its shape match, in masses of the
+/// body: large, so that the pin holds, and small enough for single precision.
+inline constexpr float PIN_WEIGHT = 100.0f;
 
 enum class JointType : uint32_t { Ball, Hinge, Stiff, Universal };
 

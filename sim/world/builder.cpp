@@ -1,0 +1,255 @@
+#include "sim/world/builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/world/errors.h"
+#include "sim/world/joints.h"
+
+namespace knuckle {
+
+WorldBuilder::WorldBuilder(float particleRadius, Settings settings)
+{
+    if (!(particleRadius > 0.0f) || !std::isfinite(particleRadius))
+        throw InputError(fmt::format("particle radius {} m: must be above 0", particleRadius));
+    world_.particleRadius = particleRadius;
+    world_.settings = settings;
+}
+
+uint32_t WorldBuilder::addMaterial(Material material)
+{
+    world_.materials.push_back(std::move(material));
+    return static_cast<uint32_t>(world_.materials.size() - 1);
+}
+
+void WorldBuilder::addCollider(Collider collider)
+{
+    world_.colliders.push_back(collider);
+}
+
+void WorldBuilder::requireObject(const char* what) const
+{
+    if (!objectOpen_) throw InputError(fmt::format("{}: call beginObject() first", what));
+}
+
+void WorldBuilder::beginObject(std::string name)
+{
+    if (objectOpen_) throw InputError(fmt::format("object \"{}\": the one before is still open", name));
+    objectOpen_ = true;
+    objectFirstParticle_ = particleCount();
+    Object object;
+    object.name = std::move(name);
+    object.bodyStart = static_cast<uint32_t>(world_.bodies.size());
+    world_.objects.push_back(std::move(object));
+}
+
+uint32_t WorldBuilder::newParticle(const Vector3f& position, uint32_t material)
+{
+    Particle particle;
+    particle.position = particle.restPosition = position;
+    particle.material = material;
+    particle.mass = world_.materials.at(material).density * std::pow(world_.diameter(), 3.0f);
+    world_.particles.push_back(particle);
+    return particleCount() - 1;
+}
+
+uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
+                               Motion motion)
+{
+    requireObject("addBody");
+    if (material >= world_.materials.size())
+        throw InputError(fmt::format("body \"{}\": there is no material {}", name, material));
+    if (positions.empty()) throw InputError(fmt::format("body \"{}\" has no particles", name));
+    Body body;
+    body.name = std::move(name);
+    body.motion = motion;
+    body.material = material;
+    body.object = static_cast<uint32_t>(world_.objects.size() - 1);
+    const auto index = static_cast<uint32_t>(world_.bodies.size());
+    bodyParticles_.emplace_back();
+    for (const Vector3f& position : positions) {
+        if (!position.allFinite())
+            throw InputError(fmt::format("body \"{}\": a particle's position is not finite", body.name));
+        bodyParticles_[index].push_back(newParticle(position, material));
+    }
+    Object& object = world_.objects.back();
+    if (object.rootBody == NO_INDEX) object.rootBody = index;
+    ++object.bodyCount;
+    world_.bodies.push_back(std::move(body));
+    return index;
+}
+
+void WorldBuilder::setRootBody(uint32_t body)
+{
+    requireObject("setRootBody");
+    world_.objects.back().rootBody = body;
+}
+
+void WorldBuilder::shareParticle(uint32_t particle, uint32_t body)
+{
+    auto& members = bodyParticles_.at(body);
+    if (std::find(members.begin(), members.end(), particle) == members.end()) members.push_back(particle);
+}
+
+uint32_t WorldBuilder::findOrCreate(const Vector3f& position, uint32_t bodyA, uint32_t bodyB)
+{
+    // Just under half a diameter: a place midway between two lattice points gets a particle of its own.
+    float nearest = 0.49f * world_.diameter();
+    uint32_t found = NO_INDEX;
+    for (uint32_t body : {bodyA, bodyB})
+        for (uint32_t particle : bodyParticles_[body]) {
+            const float distance = (world_.particles[particle].position - position).norm();
+            if (distance < nearest) {
+                nearest = distance;
+                found = particle;
+            }
+        }
+    return found != NO_INDEX ? found : newParticle(position, world_.bodies[bodyA].material);
+}
+
+void WorldBuilder::shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB, Joint& joint)
+{
+    for (const Vector3f& place : places) {
+        const uint32_t particle = findOrCreate(place, bodyA, bodyB);
+        shareParticle(particle, bodyA);
+        shareParticle(particle, bodyB);
+        joint.sharedParticles.push_back(particle);
+    }
+}
+
+uint32_t WorldBuilder::addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec& spec)
+{
+    requireObject("addJoint");
+    if (bodyA == bodyB || std::max(bodyA, bodyB) >= world_.bodies.size())
+        throw InputError(fmt::format("joint \"{}\": needs two different bodies that exist", spec.name));
+    const JointPlaces places = jointPlaces(spec, world_.diameter());
+    Joint joint;
+    joint.type = spec.type;
+    joint.name = spec.name;
+    joint.bodyA = bodyA;
+    joint.bodyB = bodyB;
+    shareAt(places.shared, bodyA, bodyB, joint);
+    for (const Vector3f& place : places.limits)
+        shareParticle(newParticle(place, world_.bodies[bodyA].material), bodyA);
+    if (spec.type == JointType::Universal) {
+        joint.middleBody = addBody(spec.name + ".cross", places.middle, world_.bodies[bodyA].material);
+        shareAt(places.sharedWithA, bodyA, joint.middleBody, joint);
+        shareAt(places.sharedWithB, bodyB, joint.middleBody, joint);
+    }
+    world_.joints.push_back(std::move(joint));
+    return static_cast<uint32_t>(world_.joints.size() - 1);
+}
+
+uint32_t WorldBuilder::endObject(const Pose& pose, const Vector3f& velocity, const Vector3f& spin)
+{
+    requireObject("endObject");
+    objectOpen_ = false;
+    Vector3f weighted = Vector3f::Zero();
+    float mass = 0.0f;
+    for (uint32_t i = objectFirstParticle_; i < particleCount(); ++i) {
+        weighted += world_.particles[i].mass * world_.particles[i].position;
+        mass += world_.particles[i].mass;
+    }
+    const Vector3f centre = pose.apply(mass > 0.0f ? Vector3f(weighted / mass) : Vector3f::Zero());
+    for (uint32_t i = objectFirstParticle_; i < particleCount(); ++i) {
+        Particle& particle = world_.particles[i];
+        particle.position = pose.apply(particle.position);
+        particle.velocity = velocity + spin.cross(particle.position - centre);
+    }
+    const Object& object = world_.objects.back();
+    for (uint32_t b = object.bodyStart; b < object.bodyStart + object.bodyCount; ++b) {
+        world_.bodies[b].rotation = pose.rotation;
+        world_.bodies[b].position = pose.translation;   // moved to the body's centre by build()
+    }
+    return static_cast<uint32_t>(world_.objects.size() - 1);
+}
+
+uint32_t WorldBuilder::addLooseParticle(const Particle& particle)
+{
+    world_.particles.push_back(particle);
+    return particleCount() - 1;
+}
+
+void WorldBuilder::assignAssemblies()
+{
+    // Bodies that share a particle are of one assembly; the smallest body index names it until it is numbered.
+    std::vector<uint32_t> root(world_.bodies.size());
+    for (uint32_t b = 0; b < root.size(); ++b) root[b] = b;
+    const auto find = [&](uint32_t b) {
+        while (root[b] != b) b = root[b] = root[root[b]];
+        return b;
+    };
+    for (uint32_t b = 0; b < bodyParticles_.size(); ++b)
+        for (uint32_t p : bodyParticles_[b]) {
+            Particle& particle = world_.particles[p];
+            if (particle.body == NO_INDEX) particle.body = b;
+            ++particle.bodyCount;
+            const uint32_t first = find(particle.body), second = find(b);
+            root[std::max(first, second)] = std::min(first, second);
+        }
+    for (uint32_t b = 0; b < root.size(); ++b) {
+        const uint32_t top = find(b);
+        world_.bodies[b].assembly = top == b ? world_.assemblyCount++ : world_.bodies[top].assembly;
+    }
+    for (Particle& particle : world_.particles)
+        if (particle.body != NO_INDEX) particle.assembly = world_.bodies[particle.body].assembly;
+}
+
+void WorldBuilder::makeBodyLinks(uint32_t bodyIndex)
+{
+    Body& body = world_.bodies[bodyIndex];
+    body.linkStart = static_cast<uint32_t>(world_.links.size());
+    body.linkCount = static_cast<uint32_t>(bodyParticles_[bodyIndex].size());
+    std::vector<bool> pinned;
+    uint32_t pinCount = 0;
+    Eigen::Vector3d massCentre = Eigen::Vector3d::Zero();
+    double mass = 0.0;
+    for (uint32_t p : bodyParticles_[bodyIndex]) {
+        const Particle& particle = world_.particles[p];
+        const bool pin = body.motion == Motion::Dynamic && world_.bodies[particle.body].motion == Motion::Fixed;
+        Link link{p, bodyIndex, particle.restPosition, particle.mass};
+        if (world_.settings.splitSharedMass) link.mass /= static_cast<float>(particle.bodyCount);
+        pinned.push_back(pin);
+        pinCount += pin;
+        if (!pin) {
+            mass += link.mass;
+            massCentre += link.mass * particle.restPosition.cast<double>();
+        }
+        world_.links.push_back(link);
+    }
+    body.mass = static_cast<float>(mass);
+    if (mass > 0.0) massCentre /= mass;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    double weight = 0.0;
+    for (uint32_t i = 0; i < body.linkCount; ++i) {
+        Link& link = world_.links[body.linkStart + i];
+        if (pinned[i]) link.mass = PIN_WEIGHT * std::max(body.mass, link.mass) / static_cast<float>(pinCount);
+        weight += link.mass;
+        centre += link.mass * link.restOffset.cast<double>();
+    }
+    centre /= weight;
+    body.restCentre = centre.cast<float>();
+    body.massCentre = mass > 0.0 ? Vector3f(massCentre.cast<float>()) : body.restCentre;
+    for (uint32_t i = 0; i < body.linkCount; ++i) {
+        Vector3f& offset = world_.links[body.linkStart + i].restOffset;
+        offset = (offset.cast<double>() - centre).cast<float>();
+    }
+    body.position += body.rotation * body.restCentre;
+}
+
+World WorldBuilder::build()
+{
+    if (objectOpen_) throw InputError("build(): the last object is still open");
+    // A particle that any fixed body owns is fixed: that body must come first in its list of owners.
+    for (uint32_t b = 0; b < bodyParticles_.size(); ++b)
+        if (world_.bodies[b].motion == Motion::Fixed)
+            for (uint32_t p : bodyParticles_[b]) world_.particles[p].body = b;
+    assignAssemblies();
+    for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
+    validate(world_);
+    return std::move(world_);
+}
+
+}  // namespace knuckle

@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim/world/errors.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+namespace {
+
+template <typename... Args>
+void require(bool holds, fmt::format_string<Args...> format, Args&&... args)
+{
+    if (!holds) throw InputError(fmt::format(format, std::forward<Args>(args)...));
+}
+
+bool within(float value, float low, float high)
+{
+    return value >= low && value <= high;   // false for NaN
+}
+
+void validateSettings(const Settings& s)
+{
+    require(within(s.timeStep, 1e-4f, 0.1f), "solver time step {} s: must be 0.0001 to 0.1", s.timeStep);
+    require(s.substeps >= 1 && s.substeps <= 64, "solver substeps {}: must be 1 to 64", s.substeps);
+    require(s.iterations >= 1 && s.iterations <= 64, "solver iterations {}: must be 1 to 64", s.iterations);
+    require(s.stabilization <= 16, "solver stabilization {}: must be 0 to 16", s.stabilization);
+    require(within(s.contactMargin, 0.05f, 1.0f), "solver contact margin {}: must be 0.05 to 1", s.contactMargin);
+    require(within(s.freeze, 0.0f, 10.0f), "solver freeze {}: must be 0 to 10 radii", s.freeze);
+    require(within(s.virtualParticles, 0.0f, 1.0f), "solver virtual particles {}: must be 0 to 1", s.virtualParticles);
+    require(within(s.linearDamping, 0.0f, 100.0f), "solver damping {} 1/s: must be 0 to 100", s.linearDamping);
+    require(s.maxSpeed > 0.0f, "solver maximum speed {} m/s: must be above 0", s.maxSpeed);
+    require(s.gravity.allFinite(), "gravity must be finite");
+}
+
+void validateMaterials(const World& world)
+{
+    for (const Material& m : world.materials) {
+        require(m.density > 0.0f && std::isfinite(m.density), "material \"{}\": density {} kg/m3 must be above 0",
+                m.name, m.density);
+        require(m.kineticFriction >= 0.0f && m.kineticFriction <= m.staticFriction,
+                "material \"{}\": kinetic friction {} must be 0 to its static friction {}", m.name, m.kineticFriction,
+                m.staticFriction);
+    }
+}
+
+void validateParticles(const World& world)
+{
+    for (size_t i = 0; i < world.particles.size(); ++i) {
+        const Particle& p = world.particles[i];
+        require(p.position.allFinite() && p.velocity.allFinite(), "particle {}: position or velocity is not finite", i);
+        require(p.mass > 0.0f && std::isfinite(p.mass), "particle {}: mass {} kg must be above 0", i, p.mass);
+        require(p.material < world.materials.size(), "particle {}: there is no material {}", i, p.material);
+        require(p.body == NO_INDEX || p.body < world.bodies.size(), "particle {}: there is no body {}", i, p.body);
+    }
+}
+
+void validateLinks(const World& world)
+{
+    std::vector<uint32_t> bodiesOf(world.particles.size(), 0);
+    size_t next = 0;
+    for (uint32_t b = 0; b < world.bodies.size(); ++b) {
+        const Body& body = world.bodies[b];
+        require(body.linkStart == next && body.linkCount > 0, "body \"{}\": its links are not one block", body.name);
+        next += body.linkCount;
+        require(next <= world.links.size(), "body \"{}\": its links reach beyond the array", body.name);
+        require(body.rotation.coeffs().allFinite() && std::abs(body.rotation.norm() - 1.0f) < 1e-3f,
+                "body \"{}\": its rotation is not a unit quaternion", body.name);
+        for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
+            const Link& link = world.links[l];
+            require(link.body == b && link.particle < world.particles.size(), "link {}: body or particle is wrong", l);
+            require(link.mass > 0.0f, "link {}: mass {} kg must be above 0", l, link.mass);
+            ++bodiesOf[link.particle];
+        }
+    }
+    require(next == world.links.size(), "there are links of no body");
+    for (size_t i = 0; i < bodiesOf.size(); ++i)
+        require(bodiesOf[i] == world.particles[i].bodyCount, "particle {}: {} links name it, but it counts {} bodies", i,
+                bodiesOf[i], world.particles[i].bodyCount);
+}
+
+void validateColliders(const World& world)
+{
+    for (size_t i = 0; i < world.colliders.size(); ++i) {
+        const Collider& c = world.colliders[i];
+        require(c.position.allFinite() && std::abs(c.orientation.norm() - 1.0f) < 1e-3f,
+                "collider {}: position or orientation is not finite", i);
+        require(c.halfExtents.minCoeff() > 0.0f && c.radius > 0.0f && c.halfHeight >= 0.0f,
+                "collider {}: sizes must be above 0", i);
+        require(c.kineticFriction >= 0.0f && c.kineticFriction <= c.staticFriction,
+                "collider {}: kinetic friction {} must be 0 to its static friction {}", i, c.kineticFriction,
+                c.staticFriction);
+    }
+}
+
+}  // namespace
+
+void validate(const World& world)
+{
+    require(world.particleRadius > 0.0f && std::isfinite(world.particleRadius),
+            "particle radius {} m: must be above 0", world.particleRadius);
+    require(!world.particles.empty(), "the world has no particles: add an object");
+    validateSettings(world.settings);
+    validateMaterials(world);
+    validateParticles(world);
+    validateLinks(world);
+    validateColliders(world);
+}
+
+}  // namespace knuckle
