@@ -1,0 +1,46 @@
+// Quaternions xyzw.
+
+vec3 rotate(vec4 q, vec3 v)
+{
+    vec3 t = 2.0 * cross(q.xyz, v);
+    return v + q.w * t + cross(q.xyz, t);
+}
+
+vec4 quaternionProduct(vec4 a, vec4 b)
+{
+    return vec4(a.w * b.xyz + b.w * a.xyz + cross(a.xyz, b.xyz), a.w * b.w - dot(a.xyz, b.xyz));
+}
+
+vec4 conjugate(vec4 q)
+{
+    return vec4(-q.xyz, q.w);
+}
+
+/// The rotation by |w| radians about w.
+vec4 quaternionFromRotation(vec3 w)
+{
+    float angle = length(w);
+    float s = angle > 1e-6 ? sin(0.5 * angle) / angle : 0.5;
+    return vec4(s * w, cos(0.5 * angle));
+}
+
+mat3 matrixFromQuaternion(vec4 q)
+{
+    return mat3(rotate(q, vec3(1, 0, 0)), rotate(q, vec3(0, 1, 0)), rotate(q, vec3(0, 0, 1)));
+}
+
+vec4 quaternionFromMatrix(mat3 m)
+{
+    // The largest component first, so that the division is safe.
+    float t = m[0][0] + m[1][1] + m[2][2];
+    vec4 q;
+    if (t > 0.0)
+        q = vec4(m[1][2] - m[2][1], m[2][0] - m[0][2], m[0][1] - m[1][0], 1.0 + t);
+    else if (m[0][0] > m[1][1] && m[0][0] > m[2][2])
+        q = vec4(1.0 + m[0][0] - m[1][1] - m[2][2], m[0][1] + m[1][0], m[2][0] + m[0][2], m[1][2] - m[2][1]);
+    else if (m[1][1] > m[2][2])
+        q = vec4(m[0][1] + m[1][0], 1.0 + m[1][1] - m[0][0] - m[2][2], m[1][2] + m[2][1], m[2][0] - m[0][2]);
+    else
+        q = vec4(m[2][0] + m[0][2], m[1][2] + m[2][1], 1.0 + m[2][2] - m[0][0] - m[1][1], m[0][1] - m[1][0]);
+    return normalize(q);
+}

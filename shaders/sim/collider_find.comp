@@ -1,0 +1,43 @@
+// One thread a particle: the static colliders that it may touch, with the impulses of those that it had before.
+#include "shared/kernel.glsl"
+#include "shared/colliders.glsl"
+#include "shared/contact_lists.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer predicted;
+BUFFER(uint, Candidates, candidates);
+BUFFER(vec4, Impulses, impulses);
+BUFFER(uvec2, CandidateCounts, candidateCounts);
+BUFFER(Counters, CountersBlock, counters);
+
+vec4 oldImpulse(uint i, uint collider, uint oldParity)
+{
+    uint count = candidateCounts[oldParity * step.particleCount + i].y;
+    for (uint s = 0u; s < count; ++s)
+        if (candidates[colliderSlot(oldParity, s, i)] == collider) return impulses[colliderSlot(oldParity, s, i)];
+    return vec4(0);
+}
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= step.particleCount) return;
+    vec3 x = texelFetch(predicted, int(i)).xyz;
+    uint parity = counters[0].listParity;
+    float reach = step.contactRadius - 0.5 * step.diameter;
+    uint count = 0u;
+    for (uint c = 0u; c < step.colliderCount; ++c) {
+        if (colliderDistance(c, x).w > reach) continue;
+        if (count < COLLIDER_SLOTS) {
+            uint slot = colliderSlot(parity, count, i);
+            candidates[slot] = c;
+            impulses[slot] = oldImpulse(i, c, parity ^ 1u);
+        }
+        ++count;
+    }
+    if (count > COLLIDER_SLOTS) {
+        atomicOr(counters[0].problems, PROBLEM_COLLIDERS);
+        atomicMax(counters[0].wantedColliders, count);
+    }
+    candidateCounts[parity * step.particleCount + i].y = min(count, COLLIDER_SLOTS);
+}

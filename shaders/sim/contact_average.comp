@@ -1,0 +1,62 @@
+// One thread a particle: one iteration of the paper's count-averaged Jacobi over its contacts and colliders (eqs. 3-7;
+// Macklin et al. 2014, 4.2), on single particles.
+#include "shared/kernel.glsl"
+#include "shared/colliders.glsl"
+#include "shared/contact_lists.glsl"
+#include "shared/averaged_contact.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer predicted;
+uniform samplerBuffer positions;
+uniform samplerBuffer masses;
+uniform usamplerBuffer candidates;
+uniform usamplerBuffer candidateCounts;
+BUFFER(vec4, Moved, moved);
+BUFFER(Counters, CountersBlock, counters);
+
+#ifdef STABILIZE
+BUFFER(vec4, Stabilized, stabilized);
+#define CONTACT_POSITIONS positions
+#else
+#define CONTACT_POSITIONS predicted
+#endif
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= step.particleCount) return;
+    vec3 own = texelFetch(CONTACT_POSITIONS, int(i)).xyz;
+    vec3 start = texelFetch(positions, int(i)).xyz;
+    vec4 mass = texelFetch(masses, int(i));
+    uint parity = counters[0].listParity;
+    uvec2 count = texelFetch(candidateCounts, int(parity * step.particleCount + i)).xy;
+    vec3 push = vec3(0);
+    float acting = 0.0;
+    for (uint s = 0u; s < count.x; ++s) {
+        uint j = texelFetch(candidates, int(contactSlot(parity, s, i))).x;
+        vec3 r = own - texelFetch(CONTACT_POSITIONS, int(j)).xyz;
+        float far = length(r);
+        vec4 otherMass = texelFetch(masses, int(j));
+        float both = mass.x + otherMass.x;
+        if (far >= step.diameter || both == 0.0) continue;
+        vec3 slide = r - (start - texelFetch(positions, int(j)).xyz);
+        push += averagedContact(contactNormal(r, far, i, j), far - step.diameter, mass.x / both, slide,
+                                0.5 * (mass.zw + otherMass.zw));
+        acting += 1.0;
+    }
+    for (uint s = 0u; s < count.y; ++s) {
+        uint c = texelFetch(candidates, int(colliderSlot(parity, s, i))).x;
+        vec4 surface = colliderDistance(c, own);
+        float gap = surface.w - 0.5 * step.diameter;
+        if (gap >= 0.0 || mass.x == 0.0) continue;
+        push += averagedContact(surface.xyz, gap, 1.0, own - start, 0.5 * (mass.zw + colliders[c].friction.xy));
+        acting += 1.0;
+    }
+    push /= max(acting, 1.0);
+#ifdef STABILIZE
+    stabilized[i] = vec4(own + push, 0);
+    moved[i] = vec4(texelFetch(predicted, int(i)).xyz + push, acting);
+#else
+    moved[i] = vec4(own + push, acting);
+#endif
+}

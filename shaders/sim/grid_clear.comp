@@ -1,0 +1,11 @@
+// One thread a cell: empties it.
+#include "shared/kernel.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+BUFFER(uint, CellCounts, cellCounts);
+
+void main()
+{
+    uint cell = gl_GlobalInvocationID.x;
+    if (cell <= step.cellMask) cellCounts[cell] = 0u;
+}

@@ -1,0 +1,15 @@
+// One thread a particle: its id into its cell, in the order of arrival (which differs from run to run).
+#include "shared/kernel.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform usamplerBuffer cellStarts;
+uniform usamplerBuffer particleCells;
+BUFFER(uint, CellMembers, cellMembers);
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= step.particleCount) return;
+    uvec2 place = texelFetch(particleCells, int(i)).xy;
+    cellMembers[texelFetch(cellStarts, int(place.x)).x + place.y] = i;
+}

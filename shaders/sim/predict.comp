@@ -1,0 +1,42 @@
+// One thread a particle: where it would be at the end of the substep if nothing touched it, and whether its contact
+// candidates are still good. BDF2 (design: second-order velocities) where nothing touched its assembly lately, else
+// symplectic Euler.
+#include "shared/kernel.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer positions;
+uniform samplerBuffer velocities;
+uniform samplerBuffer oldPositions;
+uniform samplerBuffer oldVelocities;
+uniform samplerBuffer foundPositions;
+uniform usamplerBuffer particleInfo;
+uniform samplerBuffer masses;            // inverse mass, effective inverse mass, static and kinetic friction
+BUFFER(vec4, Predicted, predicted);
+BUFFER(uvec2, AssemblyState, assemblyState);   // last substep with a contact, order of this one
+BUFFER(Counters, CountersBlock, counters);
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= step.particleCount) return;
+    vec4 x = texelFetch(positions, int(i));
+    float inverseMass = texelFetch(masses, int(i)).x;
+    uint assembly = texelFetch(particleInfo, int(i)).z;
+    uint now = counters[0].substep;
+    bool second = step.secondOrder == 1u && now > 0u && assemblyState[assembly].x + 1u != now;
+    assemblyState[assembly].y = second ? 2u : 1u;
+
+    float h = step.substepTime;
+    vec3 v = texelFetch(velocities, int(i)).xyz;
+    vec3 target = x.xyz;
+    if (inverseMass > 0.0 && second) {
+        vec3 x1 = texelFetch(oldPositions, int(i)).xyz;
+        vec3 v1 = texelFetch(oldVelocities, int(i)).xyz;
+        target += (x.xyz - x1) / 3.0 + h * (8.0 * v - 2.0 * v1 + 4.0 * h * step.gravity.xyz) / 9.0;
+    } else if (inverseMass > 0.0)
+        target += h * (v + h * step.gravity.xyz);
+    predicted[i] = vec4(target, inverseMass);
+
+    vec3 moved = target - texelFetch(foundPositions, int(i)).xyz;
+    if (dot(moved, moved) > step.drift * step.drift) counters[0].due = 1u;
+}

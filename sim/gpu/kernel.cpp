@@ -1,0 +1,178 @@
+#include "sim/gpu/kernel.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "shared/gpu_types.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+std::string resourceName(GLuint program, GLenum interface, GLuint index)
+{
+    char name[128] = "";
+    glGetProgramResourceName(program, interface, index, sizeof name, nullptr, name);
+    name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+    return name;
+}
+
+GLuint resourceCount(GLuint program, GLenum interface)
+{
+    GLint count = 0;
+    glGetProgramInterfaceiv(program, interface, GL_ACTIVE_RESOURCES, &count);
+    return static_cast<GLuint>(count);
+}
+
+GLenum texelFormat(uint32_t bytes, bool isUnsigned)
+{
+    switch (bytes) {
+        case 4: return isUnsigned ? GL_R32UI : GL_R32F;
+        case 8: return isUnsigned ? GL_RG32UI : GL_RG32F;
+        default: return isUnsigned ? GL_RGBA32UI : GL_RGBA32F;
+    }
+}
+
+}  // namespace
+
+void BufferTable::add(const std::string& name, RawBuffer& buffer, uint32_t texelBytes)
+{
+    entries_[name] = {&buffer, texelBytes};
+}
+
+const BufferTable::Entry& BufferTable::find(const std::string& name, const std::string& kernel) const
+{
+    const auto found = entries_.find(name);
+    if (found == entries_.end())
+        throw DeviceError(fmt::format("kernel {} wants a buffer \"{}\" that the solver does not have", kernel, name));
+    return found->second;
+}
+
+KernelTimer::~KernelTimer()
+{
+    for (const Span& span : spans_) {
+        glDeleteQueries(1, &span.start);
+        glDeleteQueries(1, &span.stop);
+    }
+}
+
+void KernelTimer::begin(const std::string& name)
+{
+    if (!enabled_) return;
+    size_t total = 0;
+    while (total < totals_.size() && totals_[total].first != name) ++total;
+    if (total == totals_.size()) totals_.push_back({name, {}});
+    if (used_ == spans_.size()) {
+        Span span;
+        glGenQueries(1, &span.start);
+        glGenQueries(1, &span.stop);
+        spans_.push_back(span);
+    }
+    spans_[used_].total = total;
+    glQueryCounter(spans_[used_].start, GL_TIMESTAMP);
+}
+
+void KernelTimer::end()
+{
+    if (enabled_) glQueryCounter(spans_[used_++].stop, GL_TIMESTAMP);
+}
+
+void KernelTimer::collect()
+{
+    for (size_t i = 0; i < used_; ++i) {
+        GLuint64 start = 0, stop = 0;
+        glGetQueryObjectui64v(spans_[i].start, GL_QUERY_RESULT, &start);
+        glGetQueryObjectui64v(spans_[i].stop, GL_QUERY_RESULT, &stop);
+        Total& total = totals_[spans_[i].total].second;
+        total.milliseconds += 1e-6 * static_cast<double>(stop - start);
+        ++total.count;
+    }
+    used_ = 0;
+}
+
+Kernel::Kernel(const Gpu& gpu, const BufferTable& buffers, const std::string& path, const Defines& defines)
+    : program_(Program::compute(gpu, path, defines))
+{
+    bindStorage(buffers);
+    bindTextures(buffers);
+    bindUniformBlocks(buffers);
+    if (storage_.size() > 8)
+        throw DeviceError(fmt::format("kernel {} uses {} storage buffers; OpenGL 4.3 promises 8", name(),
+                                      storage_.size()));
+}
+
+void Kernel::bindStorage(const BufferTable& buffers)
+{
+    for (GLuint i = 0; i < resourceCount(program_.id(), GL_SHADER_STORAGE_BLOCK); ++i) {
+        const std::string block = resourceName(program_.id(), GL_SHADER_STORAGE_BLOCK, i);
+        glShaderStorageBlockBinding(program_.id(), i, static_cast<GLuint>(storage_.size()));
+        storage_.push_back(buffers.find(block, name()).buffer->id());
+    }
+}
+
+void Kernel::bindTextures(const BufferTable& buffers)
+{
+    for (GLuint i = 0; i < resourceCount(program_.id(), GL_UNIFORM); ++i) {
+        const GLenum asked[] = {GL_TYPE, GL_LOCATION};
+        GLint values[2] = {};
+        glGetProgramResourceiv(program_.id(), GL_UNIFORM, i, 2, asked, 2, nullptr, values);
+        const bool isFloat = values[0] == GL_SAMPLER_BUFFER;
+        if (!isFloat && values[0] != GL_UNSIGNED_INT_SAMPLER_BUFFER) continue;
+        const auto& entry = buffers.find(resourceName(program_.id(), GL_UNIFORM, i), name());
+        glProgramUniform1i(program_.id(), values[1], static_cast<GLint>(textures_.size()));
+        textures_.push_back(entry.buffer->texture(texelFormat(entry.texelBytes, !isFloat)));
+    }
+}
+
+void Kernel::bindUniformBlocks(const BufferTable& buffers)
+{
+    for (GLuint i = 0; i < resourceCount(program_.id(), GL_UNIFORM_BLOCK); ++i) {
+        glUniformBlockBinding(program_.id(), i, static_cast<GLuint>(uniforms_.size()));
+        const std::string block = resourceName(program_.id(), GL_UNIFORM_BLOCK, i);
+        uniforms_.push_back(buffers.find(block, name()).buffer->id());
+    }
+}
+
+void Kernel::begin(KernelTimer& timer) const
+{
+    glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name().c_str());
+    glUseProgram(program_.id());
+    for (GLuint i = 0; i < storage_.size(); ++i) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, storage_[i]);
+    for (GLuint i = 0; i < uniforms_.size(); ++i) glBindBufferBase(GL_UNIFORM_BUFFER, i, uniforms_[i]);
+    for (GLuint i = 0; i < textures_.size(); ++i) {
+        glActiveTexture(GL_TEXTURE0 + i);
+        glBindTexture(GL_TEXTURE_BUFFER, textures_[i]);
+    }
+    timer.begin(name());
+}
+
+void Kernel::end(KernelTimer& timer)
+{
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    timer.end();
+    glPopDebugGroup();
+}
+
+void Kernel::dispatch(KernelTimer& timer, uint32_t groups) const
+{
+    begin(timer);
+    glDispatchCompute(groups, 1, 1);
+    end(timer);
+}
+
+void Kernel::dispatchIndirect(KernelTimer& timer, const RawBuffer& arguments, uint32_t index) const
+{
+    begin(timer);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.id());
+    glDispatchComputeIndirect(static_cast<GLintptr>(index * 16u));
+    end(timer);
+}
+
+uint32_t groupsFor(uint64_t threads)
+{
+    return static_cast<uint32_t>((threads + GROUP_SIZE - 1) / GROUP_SIZE);
+}
+
+}  // namespace knuckle

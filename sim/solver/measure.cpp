@@ -1,0 +1,183 @@
+#include "sim/solver/measure.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace knuckle {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+bool inBody(const World& world, uint32_t particle, uint32_t bodyIndex)
+{
+    const Body& body = world.bodies[bodyIndex];
+    for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l)
+        if (world.links[l].particle == particle) return true;
+    return false;
+}
+
+/// Particles sorted by cells of one diameter.
+struct Cells {
+    Cells(const std::vector<Vector3f>& positions, float size) : inverseSize(1.0f / size)
+    {
+        for (uint32_t i = 0; i < positions.size(); ++i) members[cellOf(positions[i])].push_back(i);
+    }
+    std::array<int, 3> cellOf(const Vector3f& x) const
+    {
+        const Eigen::Vector3i c = (x * inverseSize).array().floor().cast<int>();
+        return {c.x(), c.y(), c.z()};
+    }
+    float inverseSize;
+    std::map<std::array<int, 3>, std::vector<uint32_t>> members;
+};
+
+struct Depths {
+    uint32_t count = 0;
+    double sum = 0.0;
+    float worst = 0.0f;
+    void add(float depth)
+    {
+        ++count;
+        sum += depth;
+        worst = std::max(worst, depth);
+    }
+    float mean() const { return count > 0 ? static_cast<float>(sum / count) : 0.0f; }
+};
+
+Depths penetrations(const World& world, const std::vector<Vector3f>& positions)
+{
+    Depths depths;
+    const float diameter = world.diameter();
+    const Cells cells(positions, diameter);
+    for (const auto& [cell, members] : cells.members)
+        for (int k = 0; k < 27; ++k) {
+            const auto found = cells.members.find({cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1});
+            if (found == cells.members.end()) continue;
+            for (uint32_t i : members)
+                for (uint32_t j : found->second) {
+                    if (j <= i) continue;
+                    const float depth = diameter - (positions[i] - positions[j]).norm();
+                    if (depth > 0.0f && mayTouch(world, i, j)) depths.add(depth);
+                }
+        }
+    for (uint32_t i = 0; i < positions.size(); ++i) {
+        const uint32_t body = world.particles[i].body;
+        if (body != NO_INDEX && world.bodies[body].motion == Motion::Fixed) continue;
+        for (const Collider& collider : world.colliders) {
+            const float depth = world.particleRadius - colliderDistance(collider, positions[i]);
+            if (depth > 0.0f) depths.add(depth);
+        }
+    }
+    return depths;
+}
+
+Vector3f wantedPlace(const World& world, const Link& link, const BodyState& state)
+{
+    const Body& body = world.bodies[link.body];
+    return state.position + state.rotation * (link.restOffset + body.restCentre - body.massCentre);
+}
+
+Depths jointGaps(const World& world, const std::vector<BodyState>& bodies)
+{
+    Depths gaps;
+    std::map<uint32_t, std::vector<Vector3f>> places;
+    for (const Link& link : world.links)
+        if (world.particles[link.particle].bodyCount > 1)
+            places[link.particle].push_back(wantedPlace(world, link, bodies[link.body]));
+    for (const auto& [particle, wanted] : places) {
+        float gap = 0.0f;
+        for (size_t a = 0; a < wanted.size(); ++a)
+            for (size_t b = a + 1; b < wanted.size(); ++b) gap = std::max(gap, (wanted[a] - wanted[b]).norm());
+        gaps.add(gap);
+    }
+    return gaps;
+}
+
+}  // namespace
+
+bool mayTouch(const World& world, uint32_t a, uint32_t b)
+{
+    const Particle& first = world.particles[a];
+    const Particle& second = world.particles[b];
+    if (first.assembly != second.assembly || first.assembly == NO_INDEX) return true;
+    if (first.body == second.body) return false;
+    if ((first.restPosition - second.restPosition).norm() <= 0.99f * world.diameter()) return false;
+    if (first.bodyCount < 2 && second.bodyCount < 2) return true;
+    for (uint32_t body = 0; body < world.bodies.size(); ++body)
+        if (world.bodies[body].assembly == first.assembly && inBody(world, a, body) && inBody(world, b, body))
+            return false;
+    return true;
+}
+
+float colliderDistance(const Collider& c, const Vector3f& point)
+{
+    const Vector3f p = c.orientation.conjugate() * (point - c.position);
+    switch (c.shape) {
+        case ColliderShape::Plane: return p.y();
+        case ColliderShape::Box: {
+            const Vector3f q = p.cwiseAbs() - c.halfExtents;
+            return q.cwiseMax(0.0f).norm() + std::min(q.maxCoeff(), 0.0f);
+        }
+        case ColliderShape::Sphere: return p.norm() - c.radius;
+        case ColliderShape::Capsule:
+            return (p - Vector3f(0, std::clamp(p.y(), -c.halfHeight, c.halfHeight), 0)).norm() - c.radius;
+    }
+    return 0.0f;
+}
+
+BodyState bodyState(const World& world, const Body& body, const ParticleState& particles, const Vector3f& centre,
+                    const Quaternionf& rotation)
+{
+    BodyState state;
+    state.rotation = rotation;
+    state.position = centre + rotation * (body.massCentre - body.restCentre);
+    if (body.motion == Motion::Fixed) return state;
+    Vector3d momentum = Vector3d::Zero();
+    double mass = 0.0;
+    for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
+        const Link& link = world.links[l];
+        momentum += link.mass * particles.velocities[link.particle].cast<double>();
+        mass += link.mass;
+    }
+    const Vector3d mean = momentum / mass;
+    // The velocity field of a rigid body through its own particles, about the centre of its shape match.
+    Vector3d angular = Vector3d::Zero();
+    Matrix3d inertia = Matrix3d::Zero();
+    for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
+        const Link& link = world.links[l];
+        const Vector3d r = (rotation * link.restOffset).cast<double>();
+        angular += link.mass * r.cross(particles.velocities[link.particle].cast<double>() - mean);
+        inertia += link.mass * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
+    }
+    inertia += 1e-9 * (inertia.trace() + 1e-30) * Matrix3d::Identity();
+    const Vector3d spin = inertia.ldlt().solve(angular);
+    state.angularVelocity = spin.cast<float>();
+    state.velocity = (mean + spin.cross((state.position - centre).cast<double>())).cast<float>();
+    return state;
+}
+
+Measures measureState(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies)
+{
+    Measures m;
+    const Depths depths = penetrations(world, particles.positions);
+    const Depths gaps = jointGaps(world, bodies);
+    m.contactCount = depths.count;
+    m.meanPenetration = depths.mean();
+    m.worstPenetration = depths.worst;
+    m.meanJointGap = gaps.mean();
+    m.worstJointGap = gaps.worst;
+    for (size_t i = 0; i < particles.velocities.size(); ++i) {
+        const float speed = particles.velocities[i].norm();
+        m.maxSpeed = std::max(m.maxSpeed, speed);
+        m.kineticEnergy += 0.5 * world.particles[i].mass * speed * speed;
+    }
+    return m;
+}
+
+}  // namespace knuckle

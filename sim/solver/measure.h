@@ -1,0 +1,22 @@
+#pragma once
+
+#include "sim/solver/solver.h"
+
+namespace knuckle {
+
+/// Where a body is and how it moves, by its particles: velocity of the mass centre, angular velocity from the angular
+/// momentum about it. @param centre, rotation of its shape match.
+BodyState bodyState(const World& world, const Body& body, const ParticleState& particles, const Vector3f& centre,
+                    const Quaternionf& rotation);
+
+/// Contacts, gaps and energies of a state, on the host: every pair of particles that may touch, independently of the
+/// solver's own lists.
+Measures measureState(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies);
+
+/// Signed distance of a point to a collider's surface [m], negative inside.
+float colliderDistance(const Collider& collider, const Vector3f& point);
+
+/// Whether two particles may touch: not of one body, and of one assembly only if they do not overlap at rest.
+bool mayTouch(const World& world, uint32_t a, uint32_t b);
+
+}  // namespace knuckle
