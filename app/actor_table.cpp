@@ -1,0 +1,58 @@
+#include "app/actor_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/scene_fields.h"
+
+namespace knuckle {
+
+namespace {
+
+using Row = std::array<std::string, 6>;
+
+Row bodyRow(const Actor& actor, uint32_t index)
+{
+    const ActorBody& body = actor.bodies[index];
+    Row row{body.name, body.parent < 0 ? "-" : actor.bodies[static_cast<size_t>(body.parent)].name,
+            std::to_string(body.particles.size()), "-", "-", fmt::format("{}", fmt::join(body.mergedBones, ", "))};
+    for (const ActorJoint& joint : actor.joints) {
+        if (joint.child != index) continue;
+        row[3] = wordOf(joint.type);
+        row[4] = std::to_string(joint.sharedParticles.size());
+    }
+    return row;
+}
+
+}  // namespace
+
+std::string actorTable(const Actor& actor)
+{
+    std::vector<Row> rows{{"body", "parent", "particles", "joint", "shared", "merged bones"}};
+    size_t mergedCount = 0;
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
+        rows.push_back(bodyRow(actor, b));
+        mergedCount += actor.bodies[b].mergedBones.size();
+    }
+    std::array<size_t, 6> widths{};
+    for (const Row& row : rows) {
+        for (size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+    }
+    std::string text;
+    for (const Row& row : rows) {
+        std::string line = fmt::format("{:<{}}  {:<{}}  {:>{}}  {:<{}}  {:>{}}  {}", row[0], widths[0], row[1], widths[1],
+                                       row[2], widths[2], row[3], widths[3], row[4], widths[4], row[5]);
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
+    }
+    text += fmt::format("\n{}: {} particles of {} m, {} bodies, {} joints, {} bones merged\n",
+                        actor.name.empty() ? "actor" : actor.name, actor.particles.size(), actor.diameter,
+                        actor.bodies.size(), actor.joints.size(), mergedCount);
+    for (const std::string& note : actor.notes) text += fmt::format("note: {}\n", note);
+    return text;
+}
+
+}  // namespace knuckle

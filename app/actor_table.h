@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "sim/actor/actor.h"
+
+namespace knuckle {
+
+/// What `knuckle voxelize` prints: a line for each body with the bones in it, its particles, its joint to the parent;
+/// totals; and what was merged, dropped or assumed.
+std::string actorTable(const Actor& actor);
+
+}  // namespace knuckle

@@ -1,0 +1,115 @@
+#include "app/export.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstring>
+#include <filesystem>
+
+#include "app/json.h"
+
+namespace knuckle {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the PLY writer copies values as they lie in memory");
+
+template <typename T>
+void append(std::string& out, const T& value)
+{
+    out.append(reinterpret_cast<const char*>(&value), sizeof(T));
+}
+
+/// A CSV field: quoted where it must be.
+std::string field(const std::string& text)
+{
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string out = "\"";
+    for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+    return out + '"';
+}
+
+}  // namespace
+
+void writePly(const std::string& folder, uint64_t frame, const World& world, const ParticleState& state)
+{
+    std::string text = fmt::format("ply\nformat binary_little_endian 1.0\ncomment frame {}\nelement vertex {}\n", frame,
+                                   state.positions.size());
+    text += "property uint id\nproperty float x\nproperty float y\nproperty float z\nproperty float vx\n"
+            "property float vy\nproperty float vz\nproperty int body\nproperty uint material\nend_header\n";
+    for (uint32_t i = 0; i < state.positions.size(); ++i) {
+        const Particle& particle = world.particles[i];
+        append(text, i);
+        for (const Vector3f& vector : {state.positions[i], state.velocities[i]}) {
+            for (int axis = 0; axis < 3; ++axis) append(text, vector[axis]);
+        }
+        append(text, static_cast<int32_t>(particle.body));    // NO_INDEX becomes -1
+        append(text, particle.material);
+    }
+    OutputFile file((std::filesystem::path(folder) / fmt::format("frame_{:04}.ply", frame)).string());
+    file.write(text);
+    file.commit();
+}
+
+BodyTable::BodyTable(const std::string& path) : file_(path)
+{
+    file_.write("frame,body,object,name,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n");
+}
+
+void BodyTable::write(uint64_t frame, const World& world, const std::vector<BodyState>& states)
+{
+    std::string text;
+    for (size_t i = 0; i < states.size(); ++i) {
+        const BodyState& state = states[i];
+        const Body& body = world.bodies[i];
+        const std::string object = body.object == NO_INDEX ? "" : world.objects[body.object].name;
+        text += fmt::format("{},{},{},{}", frame, i, field(object), field(body.name));
+        for (const float value : state.position) text += fmt::format(",{}", value);
+        for (const float value : state.rotation.coeffs()) text += fmt::format(",{}", value);
+        for (const float value : state.velocity) text += fmt::format(",{}", value);
+        for (const float value : state.angularVelocity) text += fmt::format(",{}", value);
+        text += '\n';
+    }
+    file_.write(text);
+}
+
+std::string hashText(uint64_t hash)
+{
+    return fmt::format("{:016x}", hash);
+}
+
+std::string statsText(const RunFigures& figures, const World& world, Solver& solver)
+{
+    const Measures measures = solver.measure();
+    Json passes = Json::array();
+    for (const PassTime& pass : solver.passTimes()) {
+        passes.push_back({{"name", pass.name}, {"milliseconds", pass.milliseconds}, {"count", pass.count}});
+    }
+    const Json stats = {
+        {"device", figures.device},
+        {"particles", world.particles.size()},
+        {"bodies", world.bodies.size()},
+        {"joints", world.joints.size()},
+        {"frames", figures.frames},
+        {"drawnFrames", figures.drawnFrames},
+        {"steps", figures.steps},
+        {"timeStep", world.settings.timeStep},
+        {"substeps", world.settings.substeps},
+        {"iterations", world.settings.iterations},
+        {"simulationSeconds", figures.simulationSeconds},
+        {"drawingSeconds", figures.drawingSeconds},
+        {"totalSeconds", figures.totalSeconds},
+        {"contacts", measures.contactCount},
+        {"meanPenetration", measures.meanPenetration},
+        {"worstPenetration", measures.worstPenetration},
+        {"meanJointGap", measures.meanJointGap},
+        {"worstJointGap", measures.worstJointGap},
+        {"maxSpeed", measures.maxSpeed},
+        {"kineticEnergy", measures.kineticEnergy},
+        {"stateHash", hashText(solver.stateHash())},
+        {"passes", passes},
+    };
+    return stats.dump(2) + "\n";
+}
+
+}  // namespace knuckle

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/output.h"
+#include "sim/solver/solver.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// Writes frame_0001.ply: binary PLY with id, position [m], velocity [m/s], body (-1: none) and material (index).
+/// @throws RunError from a full disk.
+void writePly(const std::string& folder, uint64_t frame, const World& world, const ParticleState& state);
+
+/// One CSV file for all frames: frame, body, object, name, position [m], quaternion (xyzw), velocity [m/s], angular
+/// velocity [rad/s].
+class BodyTable {
+public:
+    /// @throws InputError when the file cannot be written.
+    explicit BodyTable(const std::string& path);
+    void write(uint64_t frame, const World& world, const std::vector<BodyState>& states);
+    void finish() { file_.commit(); }
+
+private:
+    OutputFile file_;
+};
+
+/// What `--stats` tells beside what the solver knows.
+struct RunFigures {
+    std::string device;
+    uint64_t frames = 0, drawnFrames = 0, steps = 0;
+    double simulationSeconds = 0.0, drawingSeconds = 0.0, totalSeconds = 0.0;
+};
+
+/// The text of `--stats`: JSON.
+std::string statsText(const RunFigures& figures, const World& world, Solver& solver);
+
+/// A state hash as it is printed everywhere: 16 hexadecimal digits.
+std::string hashText(uint64_t hash);
+
+}  // namespace knuckle

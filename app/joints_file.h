@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "sim/actor/articulate.h"
+
+namespace knuckle {
+
+/// Reads joint overrides, schema assets/schema/joints.schema.json, into `options`. @throws InputError.
+void readJoints(const std::string& path, ArticulationOptions& options);
+
+}  // namespace knuckle

@@ -1,0 +1,6 @@
+#include "app/commands.h"
+
+int main(int argc, char** argv)
+{
+    return knuckle::runProgram(argc, argv);
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace knuckle {
+
+/// Frames done, rate and time left on stderr: one line rewritten on a terminal, elsewhere a line every ten seconds.
+class Progress {
+public:
+    Progress(std::string what, uint64_t total, bool quiet);
+    /// Ends a rewritten line.
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void update(uint64_t done);
+    /// Since the start [s].
+    double seconds() const;
+
+private:
+    using Clock = std::chrono::steady_clock;
+    std::string what_;
+    uint64_t total_;
+    bool shown_, terminal_, dirty_ = false;
+    Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+/// "12 s", "3 min 05 s", "2 h 10 min".
+std::string durationText(double seconds);
+
+}  // namespace knuckle

@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "app/scene_fields.h"
+#include "app/scene_file.h"
+#include "app/scene_parts.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+/// One entry of `objects` while its copies are made.
+struct Entry {
+    SceneContext& context;
+    const Json& json;
+    std::string pointer;
+    std::string name;
+    uint32_t material = 0;
+    Vector3f velocity{0, 0, 0}, spin{0, 0, 0};
+    std::vector<Pose> poses = {};
+
+    [[noreturn]] void fail(const std::string& field, const std::string& message) const
+    {
+        failAt(context.path, pointer + field, message);
+    }
+    std::string copyName(size_t copy) const
+    {
+        return poses.size() == 1 ? name : fmt::format("{}_{}", name, copy + 1);
+    }
+};
+
+uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer)
+{
+    const auto found = context.materials.find(name);
+    if (found != context.materials.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [known, index] : context.materials) names.push_back(known);
+    failAt(context.path, pointer, fmt::format("there is no material \"{}\"; {}", name, suggestion(name, names)));
+}
+
+/// Refuses before anything large is allocated. `count`: particles of one copy.
+void limitParticles(const Entry& entry, double count)
+{
+    const double total = entry.context.builder.particleCount() + count * static_cast<double>(copyCount(entry.json));
+    if (total <= static_cast<double>(MAX_PARTICLES)) return;
+    const std::string number = total < 1e15 ? fmt::format("{:.0f}", total) : fmt::format("{:.1e}", total);
+    entry.fail("", fmt::format("brings the scene to {} particles, the limit is {}; raise /diameter, or make it "
+                               "smaller or fewer", number, MAX_PARTICLES));
+}
+
+std::vector<Vector3f> boxPositions(const Entry& entry, float diameter)
+{
+    Vector3f size;
+    readValue(entry.json["size"], size);
+    const Vector3f counts = (size / diameter).array().round().max(1.0f);
+    limitParticles(entry, static_cast<double>(counts.x()) * counts.y() * counts.z());
+    return boxLattice(counts.cast<int>(), diameter);
+}
+
+std::vector<Vector3f> roundPositions(const Entry& entry, float diameter)
+{
+    const float radius = entry.json["radius"], length = entry.json.value("length", 0.0f);
+    const double r = radius / diameter, l = length / diameter;
+    limitParticles(entry, std::numbers::pi * r * r * (4.0 / 3.0 * r + l));
+    return entry.json["shape"] == "sphere" ? sphereLattice(radius, diameter)
+                                           : capsuleLattice(radius, 0.5f * length, diameter);
+}
+
+std::vector<Vector3f> rigidPositions(const Entry& entry)
+{
+    const float diameter = entry.context.builder.diameter();
+    const std::string shape = entry.json["shape"];
+    if (shape == "box") return boxPositions(entry, diameter);
+    if (shape == "mesh") return findActor(entry.context, entry.json, entry.pointer).particles;
+    return roundPositions(entry, diameter);
+}
+
+void addRigid(const Entry& entry)
+{
+    WorldBuilder& builder = entry.context.builder;
+    const std::vector<Vector3f> positions = rigidPositions(entry);
+    if (positions.empty()) {
+        entry.fail("", fmt::format("holds no particle of diameter {} m; make it larger", builder.diameter()));
+    }
+    limitParticles(entry, static_cast<double>(positions.size()));
+    const Motion motion = entry.json["fixed"].get<bool>() ? Motion::Fixed : Motion::Dynamic;
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
+        builder.beginObject(entry.copyName(copy));
+        builder.addBody("body", positions, entry.material, motion);
+        builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
+    }
+}
+
+/// Adds the boxes and joints of one chain; the object is open.
+void addChain(const Entry& entry, const JointSpec& common, uint32_t lastMaterial, size_t copy)
+{
+    WorldBuilder& builder = entry.context.builder;
+    const Json& json = entry.json;
+    const uint32_t bodies = json["bodies"];
+    const Eigen::Vector3i size(json["size"][0].get<int>(), json["size"][1].get<int>(), json["size"][2].get<int>());
+    const std::string hold = json["hold"];
+    const std::vector<Vector3f> lattice = boxLattice(size, builder.diameter());
+    const float pitch = static_cast<float>(size.x() + 1) * builder.diameter();
+    const auto centre = [&](float place) { return Vector3f(pitch * (place - 0.5f * static_cast<float>(bodies - 1)), 0, 0); };
+    std::vector<uint32_t> indices;
+    for (uint32_t b = 0; b < bodies; ++b) {
+        std::vector<Vector3f> positions = lattice;
+        for (Vector3f& position : positions) position += centre(static_cast<float>(b));
+        const bool last = b + 1 == bodies;
+        const bool held = (b == 0 && (hold == "first" || hold == "both")) || (last && (hold == "last" || hold == "both"));
+        indices.push_back(builder.addBody(fmt::format("body_{}", b + 1), positions, last ? lastMaterial : entry.material,
+                                          held ? Motion::Fixed : Motion::Dynamic));
+    }
+    const Json& types = json["joints"];
+    for (uint32_t j = 0; j + 1 < bodies; ++j) {
+        JointSpec spec = common;
+        spec.type = valueOf<JointType>(types[(copy * (bodies - 1) + j) % types.size()].get<std::string>());
+        spec.name = fmt::format("joint_{}", j + 1);
+        spec.anchor = centre(static_cast<float>(j) + 0.5f);
+        builder.addJoint(indices[j], indices[j + 1], spec);
+    }
+    // The middle of the chain is what a camera wants to see.
+    builder.setRootBody(indices[bodies / 2]);
+}
+
+void addJoined(const Entry& entry)
+{
+    const Json& json = entry.json;
+    double particles = json["bodies"].get<double>();
+    for (const Json& side : json["size"]) particles *= side.get<double>();
+    limitParticles(entry, particles);
+    JointSpec common;
+    readValue(json["axis"], common.axis);
+    common.limitSide = json["limitSide"];
+    if (common.axis.cross(Vector3f::UnitX()).norm() < 1e-3f) {
+        entry.fail("/axis", "must not be zero or along x, the chain's own direction; for instance [0, 0, 1]");
+    }
+    const std::string last = json["lastMaterial"];
+    const uint32_t lastMaterial =
+        last.empty() ? entry.material : findMaterial(entry.context, last, entry.pointer + "/lastMaterial");
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
+        entry.context.builder.beginObject(entry.copyName(copy));
+        addChain(entry, common, lastMaterial, copy);
+        entry.context.builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
+    }
+}
+
+void addActors(const Entry& entry)
+{
+    Actor actor = findActor(entry.context, entry.json, entry.pointer);
+    limitParticles(entry, static_cast<double>(actor.particles.size()));
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
+        actor.name = entry.copyName(copy);
+        addActor(entry.context.builder, actor, entry.material, entry.poses[copy], entry.velocity);
+    }
+}
+
+}  // namespace
+
+void addObjects(SceneContext& context, const Json& json, size_t index)
+{
+    const std::string given = json["name"];
+    Entry entry{context, json, fmt::format("/objects/{}", index),
+                given.empty() ? fmt::format("object_{}", index + 1) : given};
+    entry.material = findMaterial(context, json["material"], entry.pointer + "/material");
+    readValue(json["velocity"], entry.velocity);
+    if (json.contains("spin")) readValue(json["spin"], entry.spin);
+    limitParticles(entry, 1.0);
+    entry.poses = repeatedPoses(json);
+    const std::string type = json["type"];
+    const auto add = type == "rigid" ? addRigid : type == "joined" ? addJoined : addActors;
+    try {
+        add(entry);
+    } catch (const InputError& error) {
+        const std::string text = error.what();
+        // What the builder says knows nothing of the file that asked for it.
+        throw text.starts_with(context.path) ? error
+                                             : InputError(fmt::format("{}: {}: {}", context.path, entry.pointer, text));
+    }
+}
+
+}  // namespace knuckle
