@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# Installs what is missing and builds a preset: scripts/build.sh [release|ci|debug|asan]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+preset=${1:-release}
+bash scripts/install.sh
+cmake --preset "$preset" >/dev/null
+cmake --build --preset "$preset"

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that Knuckle is built from, those that are missing only.
+set -euo pipefail
+
+packages=(build-essential cmake ninja-build pkg-config ccache libegl-dev libgl-dev libepoxy-dev libegl1
+    libgl1-mesa-dri libeigen3-dev libassimp-dev libstb-dev libdeflate-dev nlohmann-json3-dev libcli11-dev libfmt-dev
+    libgtest-dev ffmpeg git ca-certificates)
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    # Elsewhere the build itself says what it does not find.
+    echo "Without apt nothing is installed; the build needs what these Debian 12 packages hold: ${packages[*]}" >&2
+    exit 0
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+    status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+    [[ $status == installed ]] || missing+=("$package")
+done
+[[ ${#missing[@]} -eq 0 ]] && exit 0
+
+echo "Installing ${missing[*]}" >&2
+root=()
+if [[ $EUID -ne 0 ]]; then
+    if ! command -v sudo >/dev/null; then
+        echo "Run as root, or install these packages first: ${missing[*]}" >&2
+        exit 1
+    fi
+    root=(sudo)
+fi
+"${root[@]}" apt-get update -qq
+"${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
