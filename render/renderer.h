@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "render/image.h"
 #include "render/settings.h"
@@ -13,17 +14,22 @@ namespace knuckle {
 /// Draws the particles as spheres straight from the solver's buffers, with the world's colliders around them.
 class Renderer {
 public:
-    /// @throws InputError for a camera that follows an unknown object or an impossible size.
+    /// @throws InputError for a camera that follows an unknown object or a setting out of range.
+    /// @throws DeviceError when the device cannot draw at that size.
     Renderer(Gpu& gpu, const World& world, const RenderSettings& settings);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Draws one frame; `time` [s] moves an orbiting camera. Uploads nothing but one small uniform block.
+    /// Draws one frame and starts the copy of its picture; `time` [s] moves an orbiting camera. Uploads nothing but one
+    /// small uniform block. @throws RunError when the view does not fit the world that the renderer was made for.
     void draw(const ParticleView& view, double time);
-    /// The frame drawn last. Reads back the picture only. Two pixel buffers in turn, so that with `latency` of one
-    /// frame the read does not stall.
+    /// The picture of the last draw(); waits for it. The simple way: draw(), readImage(), draw(), readImage().
     Image readImage();
+    /// The picture of the draw() before the last, once: nothing after the first draw() and nothing the second time.
+    /// The pipelined way, in which the device never waits for the host: after each draw() take what is finished, and
+    /// after the last one readImage().
+    std::optional<Image> takeFinished();
 
 private:
     struct Impl;

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace knuckle {
+
+/// Where a program stands in PATH, empty when it does not.
+std::string findProgram(const std::string& name);
+
+/// A running ffmpeg that reads its standard input from us. Killed when destroyed before finish().
+class Ffmpeg {
+public:
+    /// @param arguments without the program's own name. @param purpose names the film in messages.
+    /// @throws RunError when it cannot be started.
+    Ffmpeg(const std::string& program, std::vector<std::string> arguments, std::string purpose);
+    ~Ffmpeg();
+    Ffmpeg(const Ffmpeg&) = delete;
+    Ffmpeg& operator=(const Ffmpeg&) = delete;
+
+    /// The calling thread must have SIGPIPE blocked. @throws RunError with what ffmpeg said when it has stopped.
+    void write(const void* data, size_t byteCount);
+    /// Closes its input and waits. @throws RunError with what ffmpeg said when it failed.
+    void finish();
+
+private:
+    void closeInput();
+    std::string messages() const;
+
+    std::string purpose_;
+    pid_t child_ = -1;
+    int input_ = -1, log_ = -1;
+};
+
+}  // namespace knuckle

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "render/ffmpeg.h"
+#include "render/frame_queue.h"
+#include "render/frame_sink.h"
+#include "render/temporary_file.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+bool hasMovieAtoms(const std::string& path)
+{
+    return !path.ends_with(".mkv");
+}
+
+std::vector<std::string> encoderArguments(const std::string& path, const std::string& output, uint32_t width,
+                                          uint32_t height, double framesPerSecond)
+{
+    std::vector<std::string> arguments = {
+        "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24",
+        "-video_size", fmt::format("{}x{}", width, height), "-framerate", fmt::format("{}", framesPerSecond),
+        "-i", "pipe:0", "-an"};
+    const auto add = [&](std::initializer_list<const char*> more) {
+        arguments.insert(arguments.end(), more.begin(), more.end());
+    };
+    // Chroma at half the resolution wants even sizes.
+    if (width % 2 != 0 || height % 2 != 0) add({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"});
+    add({"-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "18", "-preset", "veryfast"});
+    if (hasMovieAtoms(path)) add({"-movflags", "+faststart"});
+    arguments.push_back("file:" + output);
+    return arguments;
+}
+
+class FilmSink : public FrameSink {
+public:
+    FilmSink(const std::string& ffmpeg, const std::string& path, uint32_t width, uint32_t height,
+             double framesPerSecond)
+        : width_(width), height_(height), file_(path),
+          ffmpeg_(ffmpeg, encoderArguments(path, file_.name(), width, height, framesPerSecond), path),
+          queue_([this](const Image& image, uint64_t) { ffmpeg_.write(image.rgb.data(), image.rgb.size()); })
+    {
+    }
+
+    void write(Image image, uint64_t number) override
+    {
+        if (image.width != width_ || image.height != height_)
+            throw RunError(fmt::format("frame {} is {}x{}, but the film is {}x{}", number, image.width, image.height,
+                                       width_, height_));
+        queue_.push(std::move(image), number);
+    }
+
+    void finish() override
+    {
+        queue_.drain();
+        ffmpeg_.finish();
+        file_.commit();
+    }
+
+private:
+    uint32_t width_, height_;
+    // In this order: the queue's thread ends first, then ffmpeg is stopped, then what it wrote is removed.
+    TemporaryFile file_;
+    Ffmpeg ffmpeg_;
+    FrameQueue queue_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSink> filmSink(const std::string& path, uint32_t width, uint32_t height, double framesPerSecond)
+{
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (extension != ".mp4" && extension != ".mov" && extension != ".mkv")
+        throw InputError(fmt::format("film {}: its kind is not known; name it .mp4, .mov or .mkv", path));
+    const std::string ffmpeg = findProgram("ffmpeg");
+    if (ffmpeg.empty())
+        throw InputError(fmt::format("film {}: the program ffmpeg is not in PATH; install it (apt install ffmpeg), or "
+                                     "write PNG frames with -o FOLDER", path));
+    requireWritableFolder(folderOf(path));
+    return std::make_unique<FilmSink>(ffmpeg, path, width, height, framesPerSecond);
+}
+
+}  // namespace knuckle

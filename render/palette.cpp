@@ -1,0 +1,67 @@
+#include "render/palette.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace knuckle {
+
+namespace {
+
+const Vector3f JOINT_COLOR{0.80f, 0.015f, 0.012f};
+const Vector3f LOOSE_COLOR{0.62f, 0.50f, 0.33f};
+
+/// packAlbedo of shaders/shared/surface.glsl.
+uint32_t packColor(const Vector3f& color)
+{
+    const Eigen::Array3f root = (color.array().max(0.0f).min(1.0f).sqrt() * 255.0f).round();
+    return static_cast<uint32_t>(root.x()) | static_cast<uint32_t>(root.y()) << 8 |
+           static_cast<uint32_t>(root.z()) << 16 | 0xff000000u;
+}
+
+uint32_t colorWord(const World& world, uint32_t index, const RenderSettings& settings)
+{
+    const Particle& particle = world.particles[index];
+    if (settings.highlightJoints && particle.bodyCount > 1) return packColor(JOINT_COLOR);
+    switch (settings.colorBy) {
+        case ColorBy::Speed: return 0;
+        case ColorBy::Material: return packColor(world.materials[particle.material].color);
+        case ColorBy::Particle: return packColor(paletteColor(index));
+        case ColorBy::Body: break;
+    }
+    return packColor(particle.body == NO_INDEX ? LOOSE_COLOR : paletteColor(particle.body));
+}
+
+}  // namespace
+
+Vector3f fromOklch(float lightness, float chroma, float hue)
+{
+    const float a = chroma * std::cos(hue), b = chroma * std::sin(hue);
+    const float l = lightness + 0.3963377774f * a + 0.2158037573f * b;
+    const float m = lightness - 0.1055613458f * a - 0.0638541728f * b;
+    const float s = lightness - 0.0894841775f * a - 1.2914855480f * b;
+    const Vector3f cone(l * l * l, m * m * m, s * s * s);
+    const Vector3f rgb(4.0767416621f * cone.x() - 3.3077115913f * cone.y() + 0.2309699292f * cone.z(),
+                       -1.2684380046f * cone.x() + 2.6097574011f * cone.y() - 0.3413193965f * cone.z(),
+                       -0.0041960863f * cone.x() - 0.7034186147f * cone.y() + 1.7076147010f * cone.z());
+    return rgb.cwiseMax(0.0f).cwiseMin(1.0f);
+}
+
+Vector3f paletteColor(uint32_t index)
+{
+    // In double: a float has lost the fraction by the millionth particle.
+    const double turns = 0.08 + index * (std::numbers::phi - 1.0);
+    const double hue = (turns - std::floor(turns)) * 2.0 * std::numbers::pi;
+    // Three tones, so that hues that come round again still differ.
+    const float tone = static_cast<float>(index % 3);
+    return fromOklch(0.70f - 0.06f * tone, 0.125f + 0.01f * tone, static_cast<float>(hue));
+}
+
+std::vector<uint32_t> particleColors(const World& world, const RenderSettings& settings)
+{
+    std::vector<uint32_t> colors(world.particles.size());
+    for (uint32_t i = 0; i < colors.size(); ++i) colors[i] = colorWord(world, i, settings);
+    return colors;
+}
+
+}  // namespace knuckle

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/settings.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// OKLCH (B. Ottosson, "A perceptual color space for image processing", 2020) to linear RGB, clipped to 0-1.
+/// @param hue [rad]
+Vector3f fromOklch(float lightness, float chroma, float hue);
+
+/// The colour number `index` of an endless palette whose neighbours differ: hues a golden section apart.
+Vector3f paletteColor(uint32_t index);
+
+/// One colour word per particle, as shaders/shared/surface.glsl unpacks it; 0 where the GPU makes it from the speed.
+std::vector<uint32_t> particleColors(const World& world, const RenderSettings& settings);
+
+}  // namespace knuckle

@@ -1,0 +1,78 @@
+#include "render/picture_reader.h"
+
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr size_t BYTES_PER_PIXEL = 4;
+
+}  // namespace
+
+PictureReader::PictureReader(uint32_t width, uint32_t height) : width_(width), height_(height)
+{
+    glGenBuffers(2, buffers_);
+    for (GLuint buffer : buffers_) {
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+        glBufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(BYTES_PER_PIXEL * width * height), nullptr,
+                     GL_STREAM_READ);
+        glObjectLabel(GL_BUFFER, buffer, -1, "picture read-back");
+    }
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+}
+
+PictureReader::~PictureReader()
+{
+    glDeleteBuffers(2, buffers_);
+}
+
+void PictureReader::start(GLuint framebuffer)
+{
+    current_ ^= 1u;
+    previousWaits_ = started_ > 0;
+    ++started_;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffers_[current_]);
+    glReadPixels(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_), GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+}
+
+Image PictureReader::last()
+{
+    if (started_ == 0) throw RunError("there is no picture to read: nothing has been drawn yet");
+    return map(buffers_[current_]);
+}
+
+std::optional<Image> PictureReader::previous()
+{
+    if (!previousWaits_) return std::nullopt;
+    previousWaits_ = false;
+    return map(buffers_[current_ ^ 1u]);
+}
+
+Image PictureReader::map(GLuint buffer) const
+{
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+    const size_t rowBytes = BYTES_PER_PIXEL * width_;
+    const auto* pixels = static_cast<const uint8_t*>(
+        glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(rowBytes * height_), GL_MAP_READ_BIT));
+    if (pixels == nullptr) throw RunError("the picture cannot be read back: the device is out of memory");
+    Image image{width_, height_, std::vector<uint8_t>(size_t{3} * width_ * height_)};
+    uint8_t* out = image.rgb.data();
+    // GL's first row is the lowest.
+    for (uint32_t y = height_; y-- > 0;) {
+        const uint8_t* in = pixels + y * rowBytes;
+        for (uint32_t x = 0; x < width_; ++x, in += BYTES_PER_PIXEL, out += 3) {
+            out[0] = in[0];
+            out[1] = in[1];
+            out[2] = in[2];
+        }
+    }
+    glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    return image;
+}
+
+}  // namespace knuckle

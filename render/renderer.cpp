@@ -1,0 +1,261 @@
+#include "render/renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "render/camera.h"
+#include "render/picture_reader.h"
+#include "render/render_targets.h"
+#include "render/sphere_pass.h"
+#include "render/static_geometry.h"
+#include "sim/world/errors.h"
+
+// A frame:
+//   frame_bounds, frame_view     aim the camera and fit the shadow map, on the GPU, since only it knows the positions
+//   sphere_shadow, collider_shadow   what the key light sees
+//   plane, collider, sphere      normal, colour and depth of what the camera sees (spheres after a cull and a list)
+//   occlusion, occlusion_blur    ambient and key light that arrives, at half resolution
+//   lighting                     colours, ready to be seen
+//   edge_filter, resolve         antialiasing
+namespace knuckle {
+
+namespace {
+
+constexpr float DEGREE = std::numbers::pi_v<float> / 180.0f;
+/// View depth of the depth buffer's 1 [m]; depth is linear in floats, so it can be generous.
+constexpr float FAR_DEPTH = 20000.0f;
+const Vector3f KEY_TINT{1.0f, 0.955f, 0.89f};
+const Vector3f GROUND_ALBEDO{0.5f, 0.5f, 0.5f};
+
+gpu::vec4 vec4Of(const Vector3f& v, float w = 0.0f)
+{
+    return {v.x(), v.y(), v.z(), w};
+}
+
+void requireRange(double value, double low, double high, const char* field)
+{
+    if (value >= low && value <= high) return;
+    throw InputError(fmt::format("render.{}: {} is outside {} ... {}", field, value, low, high));
+}
+
+void check(const RenderSettings& settings)
+{
+    requireRange(settings.width, 16, 8192, "width");
+    requireRange(settings.height, 16, 8192, "height");
+    requireRange(settings.antialiasing, 1, 4, "antialiasing");
+    requireRange(settings.exposure, 0.01, 100, "exposure");
+    requireRange(settings.speedScale, 1e-6, 1e6, "speedScale");
+    requireRange(settings.light.intensity, 0, 20, "light.intensity");
+    requireRange(settings.light.softness, 0, 20, "light.softness");
+    if (!(settings.light.direction.norm() > 1e-6f))
+        throw InputError("render.light.direction: it has no length; point it towards the light");
+}
+
+/// 1, 2 or 5 times a power of ten, at most `size`.
+float roundLength(float size)
+{
+    const float power = std::pow(10.0f, std::floor(std::log10(size)));
+    return power * (size >= 5.0f * power ? 5.0f : size >= 2.0f * power ? 2.0f : 1.0f);
+}
+
+/// A debug group around a pass, for traces.
+class Scope {
+public:
+    explicit Scope(const char* name) { glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name); }
+    ~Scope() { glPopDebugGroup(); }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+};
+
+}  // namespace
+
+struct Renderer::Impl {
+    Impl(Gpu& device, const World& world, const RenderSettings& chosen);
+    ~Impl() { glDeleteVertexArrays(1, &emptyArray); }
+
+    void fillInput(const World& world);
+    void aim(const ParticleView& view, double time);
+    void drawShadowMap();
+    void drawGeometry();
+    void drawOcclusion();
+    void drawPicture();
+    void fullScreen(const char* name, const Framebuffer& target, const Program& program) const;
+
+    Gpu& gpu;
+    RenderSettings settings;
+    SceneExtent extent;
+    Camera camera;
+    RenderTargets targets;
+    StaticGeometry solids;
+    SpherePass spheres;
+    PictureReader reader;
+    Program bounds, frameView, occlusion, occlusionBlur, lighting, edgeFilter, resolve;
+    gpu::FrameInput input{};
+    Buffer<gpu::FrameInput> inputBuffer{"frame input", 1};
+    Buffer<gpu::FrameView> viewBuffer{"frame view", 1};
+    Buffer<gpu::vec4> boundsBuffer{"particle bounds", size_t{2} * BOUNDS_THREADS};
+    GLuint emptyArray = 0;
+};
+
+Renderer::Impl::Impl(Gpu& device, const World& world, const RenderSettings& chosen)
+    : gpu(device), settings((check(chosen), chosen)), extent(sceneExtent(world)),
+      camera(settings.camera, world, extent, float(settings.width) / float(settings.height)),
+      targets(settings.width, settings.height, settings.antialiasing), solids(gpu, world, extent),
+      spheres(gpu, world, settings), reader(settings.width, settings.height),
+      bounds(Program::compute(gpu, "render/frame_bounds.comp")),
+      frameView(Program::compute(gpu, "render/frame_view.comp")),
+      occlusion(Program::graphics(gpu, "render/screen.vert", "render/occlusion.frag")),
+      occlusionBlur(Program::graphics(gpu, "render/screen.vert", "render/occlusion_blur.frag")),
+      lighting(Program::graphics(gpu, "render/screen.vert", "render/lighting.frag")),
+      edgeFilter(Program::graphics(gpu, "render/screen.vert", "render/edge_filter.frag")),
+      resolve(Program::graphics(gpu, "render/screen.vert", "render/resolve.frag"))
+{
+    glGenVertexArrays(1, &emptyArray);
+    fillInput(world);
+    gpu.checkErrors();
+}
+
+void Renderer::Impl::fillInput(const World& world)
+{
+    const LightSettings& light = settings.light;
+    input.keyDirection = vec4Of(light.direction.normalized(), std::tan(light.softness * DEGREE));
+    input.keyColor = vec4Of(KEY_TINT * light.intensity);
+    input.skyColor = vec4Of(light.skyColor);
+    input.groundColor = vec4Of(light.groundColor, settings.exposure);
+    input.groundAlbedo = vec4Of(GROUND_ALBEDO, extent.ground);
+    input.shadowLimitLow = vec4Of(extent.limit.min());
+    input.shadowLimitHigh = vec4Of(extent.limit.max());
+    input.solidLow = vec4Of(extent.solids.min());
+    input.solidHigh = vec4Of(extent.solids.max());
+    input.width = settings.width * settings.antialiasing;
+    input.height = settings.height * settings.antialiasing;
+    input.particleCount = static_cast<uint32_t>(world.particles.size());
+    input.followedBody = camera.followedBody();
+    input.tanHalfFov = camera.tanHalfFov();
+    input.farDepth = FAR_DEPTH;
+    input.pointSizeLimit = spheres.pointSizeLimit();
+    input.speedScale = settings.speedScale;
+    input.shadowSize = static_cast<float>(SHADOW_SIZE);
+    input.occlusionRadius = std::clamp(0.05f * extent.size, 4.0f * world.particleRadius, 14.0f * world.particleRadius);
+    input.patternScale = roundLength(0.25f * extent.size);
+    input.groundFade = 9.0f * extent.size;
+}
+
+void Renderer::Impl::aim(const ParticleView& view, double time)
+{
+    const Scope scope("frame_view");
+    const CameraAim aim = camera.at(time);
+    input.cameraPosition = vec4Of(aim.position);
+    input.cameraTarget = vec4Of(aim.target);
+    input.radius = view.radius;
+    inputBuffer.upload({&input, 1});
+    spheres.attach(view);
+    glBindBufferBase(GL_UNIFORM_BUFFER, FRAME_INPUT_SLOT, inputBuffer.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, FRAME_VIEW_SLOT, viewBuffer.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RENDER_POSITIONS_SLOT, view.positions);
+    if (view.bodyCentres != 0) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RENDER_CENTRES_SLOT, view.bodyCentres);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RENDER_BOUNDS_SLOT, boundsBuffer.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RENDER_VIEW_SLOT, viewBuffer.id());
+    // The solver's last step wrote what all of the following read.
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    glUseProgram(bounds.id());
+    glDispatchCompute(BOUNDS_THREADS / RENDER_GROUP_SIZE, 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glUseProgram(frameView.id());
+    glDispatchCompute(1, 1, 1);
+    glMemoryBarrier(GL_UNIFORM_BARRIER_BIT);
+}
+
+void Renderer::Impl::drawShadowMap()
+{
+    const Scope scope("shadow map");
+    targets.shadowMap.bind();
+    glEnable(GL_DEPTH_TEST);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    solids.drawShadow();
+    spheres.drawShadow();
+}
+
+void Renderer::Impl::drawGeometry()
+{
+    const Scope scope("geometry");
+    targets.geometry.bind();
+    const GLuint nothing[4] = {0, 0, 0, 0};
+    glClearBufferuiv(GL_COLOR, 0, nothing);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    solids.draw();
+    spheres.draw();
+    glDisable(GL_DEPTH_TEST);
+}
+
+void Renderer::Impl::drawOcclusion()
+{
+    const GLfloat open[4] = {1, 1, 0, 0};
+    targets.depth.bind(DEPTH_UNIT);
+    targets.surface.bind(SURFACE_UNIT);
+    targets.shadow.bind(SHADOW_UNIT);
+    targets.occlusion.bind();
+    glClearBufferfv(GL_COLOR, 0, open);
+    fullScreen("occlusion", targets.occlusion, occlusion);
+    targets.blur.bind();
+    glClearBufferfv(GL_COLOR, 0, open);
+    targets.rawShade.bind(SHADE_UNIT);
+    fullScreen("occlusion_blur", targets.blur, occlusionBlur);
+}
+
+void Renderer::Impl::drawPicture()
+{
+    targets.shade.bind(SHADE_UNIT);
+    fullScreen("lighting", targets.lighting, lighting);
+    targets.picture.bind(PICTURE_UNIT);
+    fullScreen("edge_filter", targets.edges, edgeFilter);
+    if (settings.antialiasing == 1) return;
+    targets.smoothed.bind(PICTURE_UNIT);
+    glProgramUniform1i(resolve.id(), 0, static_cast<GLint>(settings.antialiasing));
+    fullScreen("resolve", targets.resolve, resolve);
+}
+
+void Renderer::Impl::fullScreen(const char* name, const Framebuffer& target, const Program& program) const
+{
+    const Scope scope(name);
+    target.bind();
+    glUseProgram(program.id());
+    glBindVertexArray(emptyArray);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+Renderer::Renderer(Gpu& gpu, const World& world, const RenderSettings& settings)
+    : impl_(std::make_unique<Impl>(gpu, world, settings))
+{
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::draw(const ParticleView& view, double time)
+{
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glEnable(GL_DEPTH_CLAMP);
+    glDisable(GL_BLEND);
+    impl_->aim(view, time);
+    impl_->drawShadowMap();
+    impl_->drawGeometry();
+    impl_->drawOcclusion();
+    impl_->drawPicture();
+    const bool resolved = impl_->settings.antialiasing > 1;
+    impl_->reader.start((resolved ? impl_->targets.resolve : impl_->targets.edges).id());
+}
+
+Image Renderer::readImage()
+{
+    return impl_->reader.last();
+}
+
+std::optional<Image> Renderer::takeFinished()
+{
+    return impl_->reader.previous();
+}
+
+}  // namespace knuckle

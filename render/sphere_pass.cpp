@@ -1,0 +1,139 @@
+#include "render/sphere_pass.h"
+
+#include <fmt/format.h>
+
+#include "render/palette.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr size_t DRAW_COUNT = 2;
+
+Defines colorDefines(const RenderSettings& settings)
+{
+    if (settings.colorBy == ColorBy::Speed) return {{"COLOR_BY_SPEED", "1"}};
+    return {};
+}
+
+size_t chunkCount(size_t particleCount)
+{
+    return (particleCount + LIST_CHUNK - 1) / LIST_CHUNK;
+}
+
+void bindBufferTexture(GLuint unit, GLuint texture)
+{
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_BUFFER, texture);
+}
+
+void viewBuffer(GLuint& texture, GLuint buffer)
+{
+    if (texture == 0) glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_BUFFER, texture);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer);
+}
+
+}  // namespace
+
+SpherePass::SpherePass(const Gpu& gpu, const World& world, const RenderSettings& settings)
+    : cull_(Program::compute(gpu, "render/sphere_cull.comp")),
+      offsets_(Program::compute(gpu, "render/sphere_offsets.comp")),
+      list_(Program::compute(gpu, "render/sphere_list.comp")),
+      points_(Program::graphics(gpu, "render/sphere.vert", "render/sphere.frag", colorDefines(settings))),
+      quads_(Program::graphics(gpu, "render/sphere_quad.vert", "render/sphere.frag", colorDefines(settings))),
+      shadow_(Program::graphics(gpu, "render/sphere_shadow.vert", "render/sphere_shadow.frag")),
+      colors_("sphere colours", particleColors(world, settings)), visible_("sphere visible", world.particles.size()),
+      counts_("sphere counts", 2 * chunkCount(world.particles.size())),
+      indices_("sphere list", 2 * world.particles.size()), draws_("sphere draws", DRAW_COUNT)
+{
+    GLfloat range[2] = {1, 1};
+    glGetFloatv(GL_POINT_SIZE_RANGE, range);
+    pointSizeLimit_ = range[1];
+    glGenVertexArrays(1, &pointArray_);
+    glGenVertexArrays(1, &quadArray_);
+}
+
+SpherePass::~SpherePass()
+{
+    glDeleteTextures(1, &positionTexture_);
+    glDeleteTextures(1, &velocityTexture_);
+    glDeleteVertexArrays(1, &pointArray_);
+    glDeleteVertexArrays(1, &quadArray_);
+}
+
+void SpherePass::attach(const ParticleView& view)
+{
+    if (view.particleCount != colors_.size())
+        throw RunError(fmt::format("the renderer was made for {} particles, and the solver has {}", colors_.size(),
+                                   view.particleCount));
+    // Also when the name is the same: the solver may have grown the buffer and been given its old name again.
+    viewBuffer(positionTexture_, view.positions);
+    viewBuffer(velocityTexture_, view.velocities);
+    attached_ = view;
+    bindAttributes(view.positions);
+    bindBufferTexture(POSITIONS_UNIT, positionTexture_);
+    bindBufferTexture(VELOCITIES_UNIT, velocityTexture_);
+    bindBufferTexture(COLORS_UNIT, colors_.texture(GL_R32UI));
+}
+
+void SpherePass::bindAttributes(GLuint positions)
+{
+    glBindVertexArray(pointArray_);
+    glBindBuffer(GL_ARRAY_BUFFER, positions);
+    glEnableVertexAttribArray(POSITION_ATTRIBUTE);
+    glVertexAttribPointer(POSITION_ATTRIBUTE, 3, GL_FLOAT, GL_FALSE, sizeof(gpu::vec4), nullptr);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+
+    glBindVertexArray(quadArray_);
+    glBindBuffer(GL_ARRAY_BUFFER, indices_.id());
+    glEnableVertexAttribArray(INDEX_ATTRIBUTE);
+    const size_t firstQuad = attached_.particleCount * sizeof(uint32_t);
+    glVertexAttribIPointer(INDEX_ATTRIBUTE, 1, GL_UNSIGNED_INT, sizeof(uint32_t),
+                           reinterpret_cast<const void*>(firstQuad));
+    glVertexAttribDivisor(INDEX_ATTRIBUTE, 1);
+}
+
+void SpherePass::drawShadow() const
+{
+    if (attached_.particleCount == 0) return;
+    glUseProgram(shadow_.id());
+    glBindVertexArray(pointArray_);
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(attached_.particleCount));
+}
+
+void SpherePass::list() const
+{
+    const auto chunks = static_cast<GLuint>(chunkCount(attached_.particleCount));
+    const GLuint groups = (chunks + RENDER_GROUP_SIZE - 1) / RENDER_GROUP_SIZE;
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RENDER_VISIBLE_SLOT, visible_.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RENDER_COUNTS_SLOT, counts_.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RENDER_LIST_SLOT, indices_.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RENDER_DRAWS_SLOT, draws_.id());
+    glUseProgram(cull_.id());
+    glDispatchCompute(groups, 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glUseProgram(offsets_.id());
+    glDispatchCompute(1, 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glUseProgram(list_.id());
+    glDispatchCompute(groups, 1, 1);
+    glMemoryBarrier(GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+}
+
+void SpherePass::draw()
+{
+    if (attached_.particleCount == 0) return;
+    list();
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, draws_.id());
+    glUseProgram(points_.id());
+    glBindVertexArray(pointArray_);
+    glDrawElementsIndirect(GL_POINTS, GL_UNSIGNED_INT, nullptr);
+    glUseProgram(quads_.id());
+    glBindVertexArray(quadArray_);
+    glDrawArraysIndirect(GL_TRIANGLE_STRIP, reinterpret_cast<const void*>(sizeof(gpu::DrawArguments)));
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
+}  // namespace knuckle

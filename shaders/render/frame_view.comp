@@ -1,0 +1,63 @@
+// One thread aims the camera, at a body where it follows one, and fits the shadow map to the particles' bounds.
+#include "shared/frame_types.h"
+
+layout(local_size_x = 1) in;
+layout(std140, binding = FRAME_INPUT_SLOT) uniform FrameInputBlock { FrameInput frame; };
+layout(std430, binding = RENDER_CENTRES_SLOT) readonly buffer Centres { vec4 centres[]; };
+layout(std430, binding = RENDER_BOUNDS_SLOT) readonly buffer Bounds { vec4 bounds[]; };
+layout(std430, binding = RENDER_VIEW_SLOT) writeonly buffer View { FrameView view; };
+
+// The map grows in steps, so that its texels stand still while the scene breathes.
+const float SIZE_STEPS_PER_OCTAVE = 3.0;
+
+vec3 perpendicular(vec3 direction)
+{
+    vec3 side = cross(abs(direction.y) > 0.999 ? vec3(0.0, 0.0, -1.0) : vec3(0.0, 1.0, 0.0), direction);
+    return normalize(side);
+}
+
+void main()
+{
+    vec3 followed = frame.followedBody != NO_BODY ? centres[frame.followedBody].xyz : vec3(0.0);
+    vec3 target = frame.cameraTarget.xyz + followed;
+    vec3 eye = frame.cameraPosition.xyz + followed;
+    vec3 back = normalize(eye - target);
+    vec3 right = perpendicular(back);
+    vec3 up = cross(back, right);
+
+    vec3 low = frame.solidLow.xyz, high = frame.solidHigh.xyz;
+    for (uint i = 0u; i < BOUNDS_THREADS; ++i) {
+        low = min(low, bounds[2u * i].xyz);
+        high = max(high, bounds[2u * i + 1u].xyz);
+    }
+    low = clamp(low, frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz) - 2.0 * frame.radius;
+    high = clamp(high, frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz) + 2.0 * frame.radius;
+
+    vec3 key = frame.keyDirection.xyz;
+    vec3 lightRight = perpendicular(key);
+    vec3 lightUp = cross(key, lightRight);
+    vec3 centre = 0.5 * (low + high), extent = 0.5 * (high - low);
+    float halfSide = max(dot(abs(lightRight), extent), dot(abs(lightUp), extent));
+    halfSide = exp2(ceil(log2(halfSide) * SIZE_STEPS_PER_OCTAVE) / SIZE_STEPS_PER_OCTAVE);
+    float halfDepth = dot(abs(key), extent) * 1.05;
+    float texel = 2.0 * halfSide / frame.shadowSize;
+    vec2 place = vec2(dot(centre, lightRight), dot(centre, lightUp));
+    vec2 snap = floor(place / texel + 0.5) * texel - place;
+    centre += snap.x * lightRight + snap.y * lightUp;
+
+    view.cameraRight = vec4(right, 0.0);
+    view.cameraUp = vec4(up, 0.0);
+    view.cameraBack = vec4(back, 0.0);
+    view.cameraPosition = vec4(eye, 0.0);
+    view.lightRight = vec4(lightRight, 0.0);
+    view.lightUp = vec4(lightUp, 0.0);
+    view.lightCentre = vec4(centre, halfSide);
+    view.lightDepth = vec4(halfDepth);
+    mat3 toCamera = transpose(mat3(right, up, back));
+    vec3 offset = eye - centre;
+    view.viewToLightX = vec4(toCamera * lightRight, dot(offset, lightRight)) / halfSide;
+    view.viewToLightY = vec4(toCamera * lightUp, dot(offset, lightUp)) / halfSide;
+    view.viewToLightZ = -vec4(toCamera * key, dot(offset, key)) / halfDepth;
+    view.keyInView = vec4(toCamera * key, 0.0);
+    view.upInView = vec4(toCamera * vec3(0.0, 1.0, 0.0), 0.0);
+}

@@ -1,0 +1,73 @@
+// Lights the surfaces and paints the sky behind them, ready to be seen.
+#include "shared/frame_blocks.glsl"
+#include "shared/surface.glsl"
+#include "shared/sky.glsl"
+#include "shared/tone_map.glsl"
+
+layout(binding = DEPTH_UNIT) uniform sampler2D depthPicture;
+layout(binding = SURFACE_UNIT) uniform usampler2D surfacePicture;
+layout(binding = SHADE_UNIT) uniform sampler2D shadePicture;
+// The same picture twice: edge_filter.frag reads one and mends the other.
+layout(location = 0) out vec4 picture;
+layout(location = 1) out vec4 pictureCopy;
+
+// The half-resolution shade, from the four nearest pixels of about this depth.
+vec2 shadeAt(ivec2 pixel, float depth)
+{
+    ivec2 last = textureSize(shadePicture, 0) - 1;
+    ivec2 base = pixel >> 1;
+    ivec2 away = pixel & 1;
+    vec2 sum = vec2(0.0);
+    float weights = 0.0;
+    float sharpness = 1.0 / (0.2 * frame.radius + 0.002 * depth);
+    for (int i = 0; i < 4; ++i) {
+        vec3 there = texelFetch(shadePicture, min(base + away * ivec2(i & 1, i >> 1), last), 0).xyz;
+        float weight = 1.0 / (1e-3 + abs(there.z - depth) * sharpness);
+        sum += weight * there.xy;
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+vec3 litSurface(ivec2 pixel, vec3 p, uvec2 surface, float depth)
+{
+    vec3 n = unpackNormal(surface.x);
+    vec3 albedo = unpackAlbedo(surface.y);
+    vec2 reach = shadeAt(pixel, depth);
+    vec3 toEye = -normalize(p);
+    vec3 key = view.keyInView.xyz;
+    float facing = max(dot(n, key), 0.0) * reach.y;
+    vec3 halfway = normalize(key + toEye);
+
+    vec3 sky = mix(frame.groundColor.rgb, frame.skyColor.rgb, 0.5 + 0.5 * dot(n, view.upInView.xyz));
+    // Light between pale surfaces bounces on (Jimenez et al. 2016, "Practical Real-Time Strategies for Accurate
+    // Indirect Occlusion", eq. 10).
+    vec3 a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417, c = 2.7552 * albedo + 0.6903;
+    vec3 ambient = max(vec3(reach.x), ((reach.x * a + b) * reach.x + c) * reach.x);
+    vec3 light = albedo * (frame.keyColor.rgb * facing * (1.0 / 3.14159265) + sky * ambient);
+
+    float grazing = 1.0 - max(dot(n, toEye), 0.0);
+    float grazing2 = grazing * grazing;
+    float gloss = max(dot(n, halfway), 0.0);
+    gloss *= gloss; gloss *= gloss; gloss *= gloss; gloss *= gloss; gloss *= gloss;
+    bool ground = surface.y >> 24 == 0u;
+    vec3 sheen = frame.keyColor.rgb * (0.06 * gloss * facing) + sky * (0.30 * grazing2 * grazing2 * reach.x);
+    return light + (ground ? vec3(0.0) : sheen);
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float depth = texelFetch(depthPicture, pixel, 0).r * frame.farDepth;
+    vec3 ray = viewRay(gl_FragCoord.xy);
+    uvec2 surface = texelFetch(surfacePicture, pixel, 0).xy;
+    vec3 lit = litSurface(pixel, ray * depth, surface, depth);
+    vec3 sky = skyRadiance(dot(normalize(ray), view.upInView.xyz));
+    float far = depth * length(ray) / frame.groundFade;
+    float haze = surface.y >> 24 == 0u ? 1.0 - exp(-far * far) : 0.0;
+    vec3 radiance = depth >= frame.farDepth ? sky : mix(lit, horizonColor(), haze);
+    vec3 color = encodeSrgb(filmicCurve(radiance * frame.groundColor.w));
+    // The filter compares lightness, as the eye sees it.
+    picture = vec4(color, dot(color, vec3(0.299, 0.587, 0.114)));
+    pictureCopy = picture;
+}

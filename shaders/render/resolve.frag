@@ -1,0 +1,14 @@
+// The mean of the samples of one pixel of the finished picture.
+#include "shared/frame_types.h"
+
+layout(binding = PICTURE_UNIT) uniform sampler2D picture;
+layout(location = 0) uniform int factor;
+layout(location = 0) out vec4 resolved;
+
+void main()
+{
+    vec3 sum = vec3(0.0);
+    for (int y = 0; y < factor; ++y)
+        for (int x = 0; x < factor; ++x) sum += texelFetch(picture, ivec2(gl_FragCoord.xy) * factor + ivec2(x, y), 0).rgb;
+    resolved = vec4(sum / float(factor * factor), 1.0);
+}

@@ -1,0 +1,39 @@
+// One thread decides how a run of LIST_CHUNK particles is drawn, and counts them: as points, as quads (too large for
+// the driver's points, or the point's centre clipped away), or not at all.
+#include "shared/frame_blocks.glsl"
+#include "shared/sphere_bounds.glsl"
+#include "shared/sphere_lists.glsl"
+
+layout(local_size_x = RENDER_GROUP_SIZE) in;
+layout(binding = POSITIONS_UNIT) uniform samplerBuffer positions;
+layout(std430, binding = RENDER_VISIBLE_SLOT) writeonly buffer Visible { uint visible[]; };
+layout(std430, binding = RENDER_COUNTS_SLOT) writeonly buffer Counts { uvec2 counts[]; };
+
+uint howDrawn(vec3 position)
+{
+    vec3 centre = toView(position);
+    vec2 size = vec2(frame.width, frame.height);
+    vec4 bounds = sphereBounds(centre, frame.radius, vec2(size.y / size.x, 1.0) / frame.tanHalfFov);
+    // An eye inside the sphere sees through it.
+    bool inFront = centre.z < frame.radius && dot(centre, centre) > frame.radius * frame.radius;
+    bool inside = all(lessThan(bounds.xy, vec2(1.0))) && all(greaterThan(bounds.zw, vec2(-1.0)));
+    vec2 extent = 0.5 * (bounds.zw - bounds.xy) * size;
+    vec2 middle = 0.5 * (bounds.xy + bounds.zw);
+    bool asPoint = max(extent.x, extent.y) + 1.0 <= frame.pointSizeLimit && all(lessThan(abs(middle), vec2(1.0))) &&
+                   -centre.z > 1.01 * frame.radius;
+    return !inFront || !inside ? NOT_DRAWN : asPoint ? DRAWN_AS_POINT : DRAWN_AS_QUAD;
+}
+
+void main()
+{
+    uint begin = gl_GlobalInvocationID.x * LIST_CHUNK;
+    uint end = min(begin + LIST_CHUNK, frame.particleCount);
+    if (begin >= end) return;
+    uvec2 count = uvec2(0u);
+    for (uint i = begin; i < end; ++i) {
+        uint how = howDrawn(texelFetch(positions, int(i)).xyz);
+        visible[i] = how;
+        count += uvec2(how == DRAWN_AS_POINT, how == DRAWN_AS_QUAD);
+    }
+    counts[gl_GlobalInvocationID.x] = count;
+}
