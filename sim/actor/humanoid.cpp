@@ -28,8 +28,8 @@ struct BoneSpec {
 
 // Proportions of an adult of 1.75 m: 7.5 heads, hips at 53 % of the height.
 const BoneSpec SPECS[HUMANOID_BONE_COUNT] = {
-    {"hips", -1, {0, 0.95, -0.005}, {0, 1.04, -0.01}, 0.12},
-    {"spine", HIPS, {0, 1.05, -0.01}, {0, 1.18, -0.01}, 0.11},
+    {"hips", -1, {0, 0.95, -0.005}, {0, 1.04, -0.01}, 0.115},
+    {"spine", HIPS, {0, 1.05, -0.01}, {0, 1.18, -0.01}, 0.14},
     {"chest", SPINE, {0, 1.19, -0.01}, {0, 1.41, -0.01}, 0.15},
     {"neck", CHEST, {0, 1.46, -0.012}, {0, 1.53, 0.0}, 0.055},
     {"head", NECK, {0, 1.545, 0.005}, {0, 1.70, 0.015}, 0.09},

@@ -1,0 +1,58 @@
+#include "sim/actor/actor.h"
+
+#include <fmt/format.h>
+
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+// A shared particle is added with the smallest of its bodies, which may have nothing else to begin with.
+std::vector<uint32_t> ownersOf(const Actor& actor)
+{
+    std::vector<uint32_t> owners(actor.particles.size(), NO_INDEX);
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
+        for (uint32_t particle : actor.bodies[b].particles) {
+            uint32_t& owner = owners[particle];
+            if (owner == NO_INDEX || actor.bodies[b].particles.size() < actor.bodies[owner].particles.size()) {
+                owner = b;
+            }
+        }
+    }
+    return owners;
+}
+
+}  // namespace
+
+uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, const Pose& pose,
+                  const Vector3f& velocity)
+{
+    const std::vector<uint32_t> owners = ownersOf(actor);
+    std::vector<uint32_t> particles(actor.particles.size(), NO_INDEX), bodies;
+    builder.beginObject(actor.name);
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
+        std::vector<Vector3f> positions;
+        for (uint32_t particle : actor.bodies[b].particles) {
+            if (owners[particle] == b) {
+                particles[particle] = builder.particleCount() + static_cast<uint32_t>(positions.size());
+                positions.push_back(actor.particles[particle]);
+            }
+        }
+        if (positions.empty()) {
+            throw InputError(fmt::format("actor '{}': body '{}' has no particle that it does not share", actor.name,
+                                         actor.bodies[b].name));
+        }
+        bodies.push_back(builder.addBody(actor.bodies[b].name, positions, material));
+    }
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
+        for (uint32_t particle : actor.bodies[b].particles) {
+            if (owners[particle] != b) {
+                builder.shareParticle(particles[particle], bodies[b]);
+            }
+        }
+    }
+    return builder.endObject(pose, velocity);
+}
+
+}  // namespace knuckle

@@ -1,0 +1,382 @@
+#include "sim/actor/bone_bodies.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace knuckle {
+
+using Eigen::Vector3f;
+using Eigen::Vector3i;
+
+namespace {
+
+constexpr size_t SPACE_POINTS = 4;              // the fewest particles that can span space
+constexpr float TOUCH = 1.8f;                   // lattice neighbours, diagonals included, are nearer than this [d]
+constexpr float LOOSE = 2.6f;                   // bodies farther apart than this are looked at again [d]
+constexpr float NEAR_JOINT = 2.5f;              // a bone's head is believed up to this distance from its body [d]
+constexpr size_t PAIR_LIMIT = 1500;             // particles a side when two bodies' distance is measured
+constexpr double ISLAND_PART = 0.25;            // a cut-off part below this share of its body changes sides
+
+using Particles = std::vector<uint32_t>;
+
+std::vector<uint32_t> assignBones(const Model& model, const Voxels& voxels)
+{
+    std::vector<uint32_t> bones;
+    std::vector<float> sums(model.bones.size());
+    for (const SurfacePoint& point : voxels.nearest) {
+        std::fill(sums.begin(), sums.end(), 0.0f);
+        for (int corner = 0; corner < 3; ++corner) {
+            const SkinWeights& skin = model.skin[model.triangles[point.triangle][corner]];
+            for (size_t i = 0; i < skin.bones.size(); ++i) {
+                sums[skin.bones[i]] += point.barycentric[corner] * skin.weights[i];
+            }
+        }
+        bones.push_back(static_cast<uint32_t>(std::max_element(sums.begin(), sums.end()) - sums.begin()));
+    }
+    return bones;
+}
+
+// The lattice again, from the positions: which particle stands in which cell.
+class Cells {
+public:
+    explicit Cells(const Voxels& voxels) : voxels_(voxels)
+    {
+        for (uint32_t p = 0; p < voxels.positions.size(); ++p) {
+            cells_.emplace_back(key(cellOf(p)), p);
+        }
+        std::sort(cells_.begin(), cells_.end());
+    }
+    template <typename Visit>
+    void forNeighbours(uint32_t particle, Visit visit) const
+    {
+        const Vector3i centre = cellOf(particle);
+        for (int i = 0; i < 27; ++i) {
+            const int64_t wanted = key(centre + Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+            const auto found = std::lower_bound(cells_.begin(), cells_.end(), std::pair(wanted, 0u));
+            if (i != 13 && found != cells_.end() && found->first == wanted) {
+                visit(found->second);
+            }
+        }
+    }
+
+private:
+    Vector3i cellOf(uint32_t particle) const
+    {
+        const Vector3f cell = (voxels_.positions[particle] - voxels_.positions.front()) / voxels_.diameter;
+        return cell.array().round().cast<int>();
+    }
+    static int64_t key(const Vector3i& cell)
+    {
+        constexpr int64_t SPAN = 1 << 20;
+        return (cell.z() * SPAN + cell.y()) * SPAN + cell.x();
+    }
+    const Voxels& voxels_;
+    std::vector<std::pair<int64_t, uint32_t>> cells_;
+};
+
+// Small parts that the skin cuts off from their bone's other particles, and that touch another bone's, go there.
+void moveIslands(std::vector<uint32_t>& bones, const Voxels& voxels)
+{
+    const Cells cells(voxels);
+    std::vector<Particles> parts;
+    std::vector<uint8_t> seen(bones.size(), 0);
+    std::map<uint32_t, size_t> sizes;
+    for (uint32_t seed = 0; seed < bones.size(); ++seed) {
+        ++sizes[bones[seed]];
+        if (seen[seed]) {
+            continue;
+        }
+        seen[seed] = 1;
+        Particles part{seed};
+        for (size_t i = 0; i < part.size(); ++i) {
+            cells.forNeighbours(part[i], [&](uint32_t other) {
+                if (!seen[other] && bones[other] == bones[seed]) {
+                    seen[other] = 1;
+                    part.push_back(other);
+                }
+            });
+        }
+        parts.push_back(std::move(part));
+    }
+    const std::vector<uint32_t> before = bones;
+    for (const Particles& part : parts) {
+        const uint32_t own = before[part.front()];
+        if (static_cast<double>(part.size()) >= ISLAND_PART * static_cast<double>(sizes[own])) {
+            continue;
+        }
+        std::map<uint32_t, size_t> touching;
+        for (uint32_t particle : part) {
+            cells.forNeighbours(particle, [&](uint32_t other) { touching[before[other]] += before[other] != own; });
+        }
+        touching.erase(own);
+        const auto most = std::max_element(touching.begin(), touching.end(),
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+        for (uint32_t particle : part) {
+            bones[particle] = most == touching.end() ? own : most->first;
+        }
+    }
+}
+
+std::vector<Vector3f> positionsOf(const Particles& particles, const Voxels& voxels)
+{
+    std::vector<Vector3f> positions;
+    for (uint32_t particle : particles) {
+        positions.push_back(voxels.positions[particle]);
+    }
+    return positions;
+}
+
+std::vector<uint8_t> deformingBones(const Model& model)
+{
+    std::vector<uint8_t> deforms(model.bones.size(), 0);
+    for (const SkinWeights& skin : model.skin) {
+        for (size_t i = 0; i < skin.bones.size(); ++i) {
+            deforms[skin.bones[i]] |= skin.weights[i] > 0.0f;
+        }
+    }
+    return deforms;
+}
+
+struct Contact {
+    float distance = std::numeric_limits<float>::infinity();
+    Vector3f middle{0, 0, 0};                   // mean of the middles of the nearest pairs
+};
+
+// Where two bodies come nearest. Large bodies are looked at in every n-th particle.
+Contact contactOf(const Particles& a, const Particles& b, const Voxels& voxels)
+{
+    const size_t strideA = a.size() / PAIR_LIMIT + 1, strideB = b.size() / PAIR_LIMIT + 1;
+    Contact contact;
+    for (const bool measure : {true, false}) {
+        Vector3f sum = Vector3f::Zero();
+        int pairs = 0;
+        for (size_t i = 0; i < a.size(); i += strideA) {
+            for (size_t j = 0; j < b.size(); j += strideB) {
+                const Vector3f &p = voxels.positions[a[i]], &q = voxels.positions[b[j]];
+                const float distance = (p - q).norm();
+                if (measure) {
+                    contact.distance = std::min(contact.distance, distance);
+                } else if (distance < contact.distance + 0.3f * voxels.diameter) {
+                    sum += 0.5f * (p + q);
+                    ++pairs;
+                }
+            }
+        }
+        contact.middle = pairs > 0 ? Vector3f(sum / static_cast<float>(pairs)) : contact.middle;
+    }
+    return contact;
+}
+
+float distanceTo(const Vector3f& point, const Particles& particles, const Voxels& voxels)
+{
+    float nearest = std::numeric_limits<float>::infinity();
+    for (uint32_t particle : particles) {
+        nearest = std::min(nearest, (voxels.positions[particle] - point).norm());
+    }
+    return nearest;
+}
+
+// Gives every bone its particles, then lets bones too small for a body join their parents, children first.
+struct BoneCut {
+    std::vector<Particles> particles;
+    std::vector<std::vector<std::string>> merged;
+};
+
+BoneCut mergeSmall(const Model& model, const Voxels& voxels, const std::vector<uint32_t>& bones)
+{
+    BoneCut cut{std::vector<Particles>(model.bones.size()),
+                std::vector<std::vector<std::string>>(model.bones.size())};
+    const std::vector<uint8_t> deforms = deformingBones(model);
+    for (uint32_t p = 0; p < bones.size(); ++p) {
+        cut.particles[bones[p]].push_back(p);
+    }
+    const auto join = [&](size_t from, size_t to) {
+        cut.particles[to].insert(cut.particles[to].end(), cut.particles[from].begin(), cut.particles[from].end());
+        cut.merged[to].insert(cut.merged[to].end(), cut.merged[from].begin(), cut.merged[from].end());
+        if (deforms[from]) {
+            cut.merged[to].push_back(model.bones[from].name);
+        }
+        cut.particles[from].clear();
+        cut.merged[from].clear();
+    };
+    for (size_t b = model.bones.size(); b-- > 0;) {
+        if (!spansSpace(positionsOf(cut.particles[b], voxels), voxels.diameter) && model.bones[b].parent >= 0) {
+            join(b, static_cast<size_t>(model.bones[b].parent));
+        }
+    }
+    // A root that is too small joins the largest body there is.
+    for (size_t b = 0; b < model.bones.size(); ++b) {
+        const auto largest = std::max_element(cut.particles.begin(), cut.particles.end(),
+                                              [](const auto& x, const auto& y) { return x.size() < y.size(); });
+        const size_t target = static_cast<size_t>(largest - cut.particles.begin());
+        const bool tooSmall = !cut.particles[b].empty() &&
+                              !spansSpace(positionsOf(cut.particles[b], voxels), voxels.diameter);
+        if (target != b && (tooSmall || (cut.particles[b].empty() && !cut.merged[b].empty()))) {
+            join(b, target);
+        }
+    }
+    return cut;
+}
+
+std::vector<BodyDraft> draftBodies(const Model& model, BoneCut& cut)
+{
+    std::vector<BodyDraft> drafts;
+    std::vector<int32_t> draftOf(model.bones.size(), -1);
+    for (uint32_t b = 0; b < model.bones.size(); ++b) {
+        if (cut.particles[b].empty()) {
+            continue;
+        }
+        draftOf[b] = static_cast<int32_t>(drafts.size());
+        int32_t ancestor = model.bones[b].parent;
+        while (ancestor >= 0 && draftOf[ancestor] < 0) {
+            ancestor = model.bones[ancestor].parent;
+        }
+        std::sort(cut.particles[b].begin(), cut.particles[b].end());
+        drafts.push_back({model.bones[b].name, b, ancestor < 0 ? -1 : draftOf[ancestor],
+                          std::move(cut.particles[b]), std::move(cut.merged[b]), boneHead(model, b)});
+    }
+    return drafts;
+}
+
+bool isBelow(const std::vector<BodyDraft>& drafts, int32_t body, int32_t ancestor)
+{
+    while (body >= 0 && body != ancestor) {
+        body = drafts[body].parent;
+    }
+    return body == ancestor;
+}
+
+// The parentless body that most particles hang from.
+int32_t mainRoot(const std::vector<BodyDraft>& drafts)
+{
+    std::vector<size_t> weight(drafts.size(), 0);
+    int32_t best = 0;
+    for (size_t b = drafts.size(); b-- > 0;) {
+        weight[b] += drafts[b].particles.size();
+        if (drafts[b].parent >= 0) {
+            weight[drafts[b].parent] += weight[b];
+        }
+    }
+    for (size_t b = 1; b < drafts.size(); ++b) {
+        if (drafts[b].parent < 0 && (drafts[best].parent >= 0 || weight[b] > weight[best])) {
+            best = static_cast<int32_t>(b);
+        }
+    }
+    return best;
+}
+
+// Feet that hang from an inverse-kinematics control instead of the shin, and second roots, join the body they touch.
+void joinLooseBodies(std::vector<BodyDraft>& drafts, const Voxels& voxels, std::vector<std::string>& notes)
+{
+    const float d = voxels.diameter;
+    const int32_t root = mainRoot(drafts);
+    for (int32_t b = 0; b < static_cast<int32_t>(drafts.size()); ++b) {
+        if (b == root) {
+            continue;
+        }
+        BodyDraft& body = drafts[b];
+        Contact kept;
+        if (body.parent >= 0) {
+            kept = contactOf(body.particles, drafts[body.parent].particles, voxels);
+        }
+        int32_t better = body.parent;
+        Contact best = kept;
+        for (int32_t other = 0; kept.distance > LOOSE * d && other < static_cast<int32_t>(drafts.size()); ++other) {
+            if (!isBelow(drafts, other, b) && (body.parent >= 0 || isBelow(drafts, other, root))) {
+                const Contact contact = contactOf(body.particles, drafts[other].particles, voxels);
+                if (contact.distance < std::min(best.distance, 0.5f * kept.distance)) {
+                    best = contact;
+                    better = other;
+                }
+            }
+        }
+        if (better != body.parent) {
+            notes.push_back(fmt::format("{} is joined to {}, which it touches{}.", body.name, drafts[better].name,
+                                        body.parent < 0 ? "" : ", instead of " + drafts[body.parent].name));
+            body.parent = better;
+            body.anchor = best.middle;
+        } else if (distanceTo(body.anchor, body.particles, voxels) > NEAR_JOINT * d ||
+                   (distanceTo(body.anchor, drafts[body.parent].particles, voxels) > NEAR_JOINT * d &&
+                    best.distance < TOUCH * d)) {
+            notes.push_back(fmt::format("The joint of {} sits where it meets {}, since the bone's head is away from it.",
+                                        body.name, drafts[better].name));
+            body.anchor = best.middle;
+        }
+    }
+}
+
+// Parents first, otherwise in the old order.
+std::vector<BodyDraft> parentsFirst(std::vector<BodyDraft> drafts)
+{
+    std::vector<int32_t> order, place(drafts.size(), -1);
+    for (size_t i = 0; order.size() < drafts.size(); ++i) {
+        const int32_t above = i == 0 ? -1 : order[i - 1];
+        for (int32_t b = 0; b < static_cast<int32_t>(drafts.size()); ++b) {
+            if (drafts[b].parent == above) {
+                place[b] = static_cast<int32_t>(order.size());
+                order.push_back(b);
+            }
+        }
+    }
+    std::vector<BodyDraft> sorted;
+    for (int32_t b : order) {
+        sorted.push_back(std::move(drafts[b]));
+        sorted.back().parent = sorted.back().parent < 0 ? -1 : place[sorted.back().parent];
+    }
+    return sorted;
+}
+
+}  // namespace
+
+Vector3f boneHead(const Model& model, uint32_t bone)
+{
+    return model.bones[bone].restPose.block<3, 1>(0, 3);
+}
+
+bool spansSpace(const std::vector<Vector3f>& points, float diameter)
+{
+    if (points.size() < SPACE_POINTS) {
+        return false;
+    }
+    Vector3f mean = Vector3f::Zero();
+    for (const Vector3f& p : points) {
+        mean += p / static_cast<float>(points.size());
+    }
+    Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
+    for (const Vector3f& p : points) {
+        covariance += (p - mean) * (p - mean).transpose() / static_cast<float>(points.size());
+    }
+    const float thinnest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(covariance).eigenvalues()[0];
+    return thinnest > 0.01f * diameter * diameter;
+}
+
+std::vector<BodyDraft> cutIntoBodies(const Model& model, const Voxels& voxels, std::vector<std::string>& notes)
+{
+    if (model.bones.empty() || model.skin.size() != model.vertices.size()) {
+        BodyDraft whole;
+        whole.name = model.name;
+        whole.particles.resize(voxels.positions.size());
+        std::iota(whole.particles.begin(), whole.particles.end(), 0u);
+        return {whole};
+    }
+    std::vector<uint32_t> bones = assignBones(model, voxels);
+    moveIslands(bones, voxels);
+    BoneCut cut = mergeSmall(model, voxels, bones);
+    std::vector<BodyDraft> drafts = draftBodies(model, cut);
+    joinLooseBodies(drafts, voxels, notes);
+    for (const BodyDraft& draft : drafts) {
+        if (!draft.mergedBones.empty()) {
+            notes.push_back(fmt::format("{} took in {}, too small for four particles that span space.", draft.name,
+                                        fmt::join(draft.mergedBones, ", ")));
+        }
+    }
+    return parentsFirst(std::move(drafts));
+}
+
+}  // namespace knuckle
