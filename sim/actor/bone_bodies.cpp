@@ -205,19 +205,31 @@ BoneCut mergeSmall(const Model& model, const Voxels& voxels, const std::vector<u
         cut.particles[from].clear();
         cut.merged[from].clear();
     };
+    const auto large = [&](size_t b) { return spansSpace(positionsOf(cut.particles[b], voxels), voxels.diameter); };
     for (size_t b = model.bones.size(); b-- > 0;) {
-        if (!spansSpace(positionsOf(cut.particles[b], voxels), voxels.diameter) && model.bones[b].parent >= 0) {
-            join(b, static_cast<size_t>(model.bones[b].parent));
+        int32_t ancestor = model.bones[b].parent;
+        while (ancestor >= 0 && cut.particles[ancestor].empty()) {
+            ancestor = model.bones[ancestor].parent;
+        }
+        if (ancestor >= 0 && !large(b)) {
+            join(b, static_cast<size_t>(ancestor));
         }
     }
-    // A root that is too small joins the largest body there is.
+    // Nothing above: the nearest body that is large enough.
     for (size_t b = 0; b < model.bones.size(); ++b) {
-        const auto largest = std::max_element(cut.particles.begin(), cut.particles.end(),
-                                              [](const auto& x, const auto& y) { return x.size() < y.size(); });
-        const size_t target = static_cast<size_t>(largest - cut.particles.begin());
-        const bool tooSmall = !cut.particles[b].empty() &&
-                              !spansSpace(positionsOf(cut.particles[b], voxels), voxels.diameter);
-        if (target != b && (tooSmall || (cut.particles[b].empty() && !cut.merged[b].empty()))) {
+        if (cut.particles[b].empty() || large(b)) {
+            continue;
+        }
+        float nearest = std::numeric_limits<float>::infinity();
+        size_t target = b;
+        for (size_t other = 0; other < model.bones.size(); ++other) {
+            if (other != b && large(other)) {
+                const float distance = contactOf(cut.particles[b], cut.particles[other], voxels).distance;
+                target = distance < nearest ? other : target;
+                nearest = std::min(nearest, distance);
+            }
+        }
+        if (target != b) {
             join(b, target);
         }
     }
@@ -271,39 +283,70 @@ int32_t mainRoot(const std::vector<BodyDraft>& drafts)
     return best;
 }
 
-// Feet that hang from an inverse-kinematics control instead of the shin, and second roots, join the body they touch.
-void joinLooseBodies(std::vector<BodyDraft>& drafts, const Voxels& voxels, std::vector<std::string>& notes)
+// Joins the trees of a skeleton with several roots: always the root next that is nearest to the main tree.
+void joinRoots(std::vector<BodyDraft>& drafts, int32_t root, const Voxels& voxels, std::vector<std::string>& notes)
 {
-    const float d = voxels.diameter;
-    const int32_t root = mainRoot(drafts);
-    for (int32_t b = 0; b < static_cast<int32_t>(drafts.size()); ++b) {
-        if (b == root) {
-            continue;
-        }
-        BodyDraft& body = drafts[b];
-        Contact kept;
-        if (body.parent >= 0) {
-            kept = contactOf(body.particles, drafts[body.parent].particles, voxels);
-        }
-        int32_t better = body.parent;
-        Contact best = kept;
-        for (int32_t other = 0; kept.distance > LOOSE * d && other < static_cast<int32_t>(drafts.size()); ++other) {
-            if (!isBelow(drafts, other, b) && (body.parent >= 0 || isBelow(drafts, other, root))) {
-                const Contact contact = contactOf(body.particles, drafts[other].particles, voxels);
-                if (contact.distance < std::min(best.distance, 0.5f * kept.distance)) {
+    while (true) {
+        Contact best;
+        int32_t child = -1, parent = -1;
+        for (int32_t b = 0; b < static_cast<int32_t>(drafts.size()); ++b) {
+            for (int32_t other = 0; b != root && drafts[b].parent < 0 && other < static_cast<int32_t>(drafts.size());
+                 ++other) {
+                if (!isBelow(drafts, other, root)) {
+                    continue;
+                }
+                const Contact contact = contactOf(drafts[b].particles, drafts[other].particles, voxels);
+                if (contact.distance < best.distance) {
                     best = contact;
-                    better = other;
+                    child = b;
+                    parent = other;
                 }
             }
         }
+        if (child < 0) {
+            return;
+        }
+        drafts[child].parent = parent;
+        notes.push_back(fmt::format("{} is joined to {}, the body nearest to it.", drafts[child].name,
+                                    drafts[parent].name));
+        if (distanceTo(drafts[child].anchor, drafts[parent].particles, voxels) > NEAR_JOINT * voxels.diameter ||
+            distanceTo(drafts[child].anchor, drafts[child].particles, voxels) > NEAR_JOINT * voxels.diameter) {
+            drafts[child].anchor = best.middle;
+        }
+    }
+}
+
+// Bodies that stand apart from their parent but touch another (feet that hang from an inverse-kinematics control)
+// join that; joints move to where the bodies meet if the bone's head is away from there.
+void tightenJoints(std::vector<BodyDraft>& drafts, int32_t root, const Voxels& voxels, std::vector<std::string>& notes)
+{
+    const float d = voxels.diameter;
+    for (int32_t b = 0; b < static_cast<int32_t>(drafts.size()); ++b) {
+        BodyDraft& body = drafts[b];
+        if (b == root) {
+            continue;
+        }
+        const Contact kept = contactOf(body.particles, drafts[body.parent].particles, voxels);
+        Contact best = kept;
+        int32_t better = body.parent;
+        for (int32_t other = 0; kept.distance > LOOSE * d && other < static_cast<int32_t>(drafts.size()); ++other) {
+            if (isBelow(drafts, other, b)) {
+                continue;
+            }
+            const Contact contact = contactOf(body.particles, drafts[other].particles, voxels);
+            if (contact.distance < std::min(best.distance, 0.5f * kept.distance)) {
+                best = contact;
+                better = other;
+            }
+        }
+        const float offBody = distanceTo(body.anchor, body.particles, voxels);
+        const float offParent = distanceTo(body.anchor, drafts[better].particles, voxels);
         if (better != body.parent) {
-            notes.push_back(fmt::format("{} is joined to {}, which it touches{}.", body.name, drafts[better].name,
-                                        body.parent < 0 ? "" : ", instead of " + drafts[body.parent].name));
+            notes.push_back(fmt::format("{} is joined to {}, which it touches, instead of {}.", body.name,
+                                        drafts[better].name, drafts[body.parent].name));
             body.parent = better;
             body.anchor = best.middle;
-        } else if (distanceTo(body.anchor, body.particles, voxels) > NEAR_JOINT * d ||
-                   (distanceTo(body.anchor, drafts[body.parent].particles, voxels) > NEAR_JOINT * d &&
-                    best.distance < TOUCH * d)) {
+        } else if (offBody > NEAR_JOINT * d || (offParent > NEAR_JOINT * d && best.distance < TOUCH * d)) {
             notes.push_back(fmt::format("The joint of {} sits where it meets {}, since the bone's head is away from it.",
                                         body.name, drafts[better].name));
             body.anchor = best.middle;
@@ -369,7 +412,9 @@ std::vector<BodyDraft> cutIntoBodies(const Model& model, const Voxels& voxels, s
     moveIslands(bones, voxels);
     BoneCut cut = mergeSmall(model, voxels, bones);
     std::vector<BodyDraft> drafts = draftBodies(model, cut);
-    joinLooseBodies(drafts, voxels, notes);
+    const int32_t root = mainRoot(drafts);
+    joinRoots(drafts, root, voxels, notes);
+    tightenJoints(drafts, root, voxels, notes);
     for (const BodyDraft& draft : drafts) {
         if (!draft.mergedBones.empty()) {
             notes.push_back(fmt::format("{} took in {}, too small for four particles that span space.", draft.name,

@@ -19,7 +19,7 @@ constexpr int SIDES = 10;                    // of a capsule, around
 constexpr int CAP_RINGS = 3;                 // of each of its ends
 constexpr float SAME_PLACE = 1e-3f;          // of the figure's size
 constexpr float FOLDED = 0.3f;               // second longest over longest side of the bounds
-constexpr float THICK_PART = 0.5f;           // a capsule is no thicker than this share of its length ...
+constexpr float THICK_PART = 0.5f;           // a capsule, but the skull, is no thicker than this share of its length ...
 constexpr float THINNEST = 0.012f;           // ... unless that would be thinner than this share of the figure's size
 
 struct Thickness {
@@ -65,7 +65,8 @@ float radiusFor(const std::string& name, float length, float size)
             break;
         }
     }
-    return std::min(part * size, std::max(THICK_PART * length, THINNEST * size));
+    const bool skull = lower.find("head") != std::string::npos;
+    return skull ? part * size : std::min(part * size, std::max(THICK_PART * length, THINNEST * size));
 }
 
 // Rings from the tip of one cap to the tip of the other; the tips are single vertices.
