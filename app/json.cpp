@@ -32,8 +32,9 @@ std::string placeOf(const std::string& text, size_t offset)
 /// The library's message without its own words about where.
 std::string plainMessage(const std::string& what)
 {
-    const size_t column = what.find(": ");
-    std::string text = column == std::string::npos ? what : what.substr(column + 2);
+    const size_t place = what.find(": "), tag = what.find("] ");
+    std::string text = place != std::string::npos ? what.substr(place + 2)
+                       : tag != std::string::npos ? what.substr(tag + 2) : what;
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
 }

@@ -48,7 +48,7 @@ int parseAndRun(int argc, char** argv)
     addCommonOptions(program, common);
     const CommandLine line{program, common, chosen};
     for (const auto add : {addRenderCommand, addVoxelizeCommand, addCheckCommand, addCompareCommand, addInfoCommand,
-                           addSchemaCommand}) {
+                           addSchemaCommand, addModelCommand}) {
         add(line);
     }
     try {

@@ -20,8 +20,9 @@ bool hasMovieAtoms(const std::string& path)
 std::vector<std::string> encoderArguments(const std::string& path, const std::string& output, uint32_t width,
                                           uint32_t height, double framesPerSecond)
 {
+    // Without -xerror ffmpeg calls a film that did not fit on the disk a success.
     std::vector<std::string> arguments = {
-        "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24",
+        "-hide_banner", "-loglevel", "error", "-xerror", "-nostdin", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24",
         "-video_size", fmt::format("{}x{}", width, height), "-framerate", fmt::format("{}", framesPerSecond),
         "-i", "pipe:0", "-an"};
     const auto add = [&](std::initializer_list<const char*> more) {

@@ -1,0 +1,168 @@
+#include "app/actor_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+#include "app/actor_table.h"
+#include "app/joints_file.h"
+#include "app/scene_file.h"
+#include "sim/world/errors.h"
+#include "tests/temp_folder.h"
+
+namespace knuckle {
+namespace {
+
+/// Two bodies with one particle in common, at positions with every kind of bits.
+Actor makePair()
+{
+    Actor actor;
+    actor.name = "pa\"ir\\";
+    actor.diameter = 0.1f / 3.0f;
+    std::mt19937 random(1);
+    for (int i = 0; i < 2000; ++i) {
+        const auto number = [&] { return std::ldexp(static_cast<float>(random()), static_cast<int>(random() % 60) - 80); };
+        actor.particles.emplace_back(number(), -number(), number());
+        actor.signedDistances.push_back(-number());
+    }
+    actor.bodies = {{"hip", {}, -1, {"pelvis", "belly"}}, {"leg", {}, 0, {}}};
+    for (uint32_t i = 0; i < 2000; ++i) actor.bodies[i < 1200 ? 0 : 1].particles.push_back(i);
+    actor.bodies[1].particles.push_back(7);
+    actor.joints = {{"leg", JointType::Hinge, 0, 1, {0.1f, -0.2f, 1e-7f}, {0, 1, 0}, {7}}};
+    actor.notes = {"pelvis has 2 particles and became part of hip"};
+    return actor;
+}
+
+bool sameBits(const Vector3f& a, const Vector3f& b)
+{
+    return std::memcmp(a.data(), b.data(), sizeof(float) * 3) == 0;
+}
+
+TEST(ActorFile, ReadsBackExactlyWhatWasWritten)
+{
+    const test::TempFolder folder;
+    const Actor actor = makePair();
+    writeActor(folder.path("actor.json"), actor);
+    const Actor back = readActor(folder.path("actor.json"));
+    EXPECT_EQ(back.name, actor.name);
+    EXPECT_EQ(back.diameter, actor.diameter);
+    EXPECT_EQ(back.signedDistances, actor.signedDistances);
+    EXPECT_EQ(back.notes, actor.notes);
+    ASSERT_EQ(back.particles.size(), actor.particles.size());
+    for (size_t i = 0; i < actor.particles.size(); ++i) EXPECT_TRUE(sameBits(back.particles[i], actor.particles[i]));
+    ASSERT_EQ(back.bodies.size(), 2u);
+    EXPECT_EQ(back.bodies[0].mergedBones, actor.bodies[0].mergedBones);
+    EXPECT_EQ(back.bodies[1].particles, actor.bodies[1].particles);
+    EXPECT_EQ(back.bodies[1].parent, 0);
+    ASSERT_EQ(back.joints.size(), 1u);
+    EXPECT_EQ(back.joints[0].type, JointType::Hinge);
+    EXPECT_TRUE(sameBits(back.joints[0].anchor, actor.joints[0].anchor));
+    EXPECT_TRUE(sameBits(back.joints[0].axis, actor.joints[0].axis));
+    EXPECT_EQ(back.joints[0].sharedParticles, actor.joints[0].sharedParticles);
+    EXPECT_EQ(actorText(back), actorText(actor));
+}
+
+std::string messageOf(const test::TempFolder& folder, const std::string& from, const std::string& to)
+{
+    std::string text = R"({ "format": "knuckle-actor", "version": 1, "diameter": 0.1,
+        "particles": [[0, 0, 0], [0.1, 0, 0]],
+        "bodies": [{ "name": "a", "particles": [0, 1] }, { "name": "b", "parent": 0, "particles": [1] }],
+        "joints": [{ "name": "b", "type": "ball", "parent": 0, "child": 1, "sharedParticles": [1] }] })";
+    const size_t at = text.find(from);
+    if (at != std::string::npos) text.replace(at, from.size(), to);
+    const std::string path = folder.write("actor.json", text);
+    try {
+        readActor(path);
+    } catch (const InputError& error) {
+        return std::string(error.what()).substr(path.size());
+    }
+    return "fine";
+}
+
+TEST(ActorFile, TellsWhatIsWrong)
+{
+    const test::TempFolder folder;
+    EXPECT_EQ(messageOf(folder, "knuckle", "knuckle"), "fine");
+    EXPECT_EQ(messageOf(folder, "knuckle-actor", "gltf"),
+              ": /format: \"gltf\" is unknown; known: knuckle-actor");
+    EXPECT_EQ(messageOf(folder, "\"version\": 1", "\"version\": 2"), ": /version: 2 is above the maximum 1");
+    EXPECT_EQ(messageOf(folder, "[0, 1] }", "[0, 5] }"), ": /bodies/0/particles/1: 5 is not one of the 2 particles");
+    EXPECT_EQ(messageOf(folder, "\"child\": 1", "\"child\": 4"), ": /joints/0/child: 4 is not one of the 2 bodies");
+    EXPECT_EQ(messageOf(folder, "\"parent\": 0, \"particles\"", "\"parent\": 1, \"particles\""),
+              ": /bodies/1/parent: 1 must be smaller than the body's own place, 1");
+    EXPECT_EQ(messageOf(folder, "[0, 1] }", "[1] }"), ": /particles/0: belongs to no body; remove it");
+}
+
+TEST(ActorFile, MustHaveTheScenesDiameter)
+{
+    const test::TempFolder folder;
+    messageOf(folder, "", "");
+    const std::string scene = folder.write("scene.json", R"({ "diameter": 0.05,
+        "objects": [{ "type": "actor", "file": "actor.json" }] })");
+    try {
+        loadScene(scene);
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.what(), scene + ": /objects/0/file: " + folder.path("actor.json") +
+                                    " is made of particles of 0.1 m, the scene of 0.05 m; set /diameter to 0.1, or "
+                                    "make the actor with knuckle voxelize --diameter 0.05");
+    }
+}
+
+TEST(ActorFile, StandsInASceneAsOftenAsItIsRepeated)
+{
+    const test::TempFolder folder;
+    messageOf(folder, "", "");
+    const Scene scene = loadScene(folder.write("scene.json", R"({
+        "objects": [{ "type": "actor", "name": "doll", "file": "actor.json", "repeat": { "counts": [3, 1, 1] } }] })"));
+    ASSERT_EQ(scene.world.objects.size(), 3u);
+    EXPECT_EQ(scene.world.objects[2].name, "doll_3");
+    EXPECT_EQ(scene.world.particles.size(), 6u);
+    EXPECT_EQ(scene.world.bodies.size(), 6u);
+}
+
+TEST(JointsFile, GivesTypesAndAxes)
+{
+    const test::TempFolder folder;
+    ArticulationOptions options;
+    readJoints(folder.write("joints.json", R"({ "Knee": "hinge", "Tail": { "type": "universal", "axis": [0, 0.5, 0] },
+        "Neck": { "axis": [1, 0, 0] } // the type as it is
+        })"), options);
+    EXPECT_EQ(options.types, (std::map<std::string, JointType>{{"Knee", JointType::Hinge},
+                                                               {"Tail", JointType::Universal}}));
+    EXPECT_EQ(options.axes.at("Tail"), Vector3f(0, 1, 0));
+    EXPECT_EQ(options.axes.at("Neck"), Vector3f(1, 0, 0));
+}
+
+TEST(JointsFile, TellsWhatIsWrong)
+{
+    const test::TempFolder folder;
+    const auto message = [&](const std::string& text) {
+        const std::string path = folder.write("joints.json", text);
+        ArticulationOptions options;
+        try {
+            readJoints(path, options);
+        } catch (const InputError& error) {
+            return std::string(error.what()).substr(path.size());
+        }
+        return std::string("fine");
+    };
+    EXPECT_EQ(message(R"({ "Knee": "hing" })"), ": /Knee: \"hing\" is unknown; did you mean \"hinge\"?");
+    EXPECT_EQ(message(R"({ "Knee": 3 })"), ": /Knee: is 3 (a number), must be a string or an object");
+    EXPECT_EQ(message(R"({ "Knee": { "axis": [0, 0, 0] } })"), ": /Knee/axis: must not be zero");
+}
+
+TEST(ActorTable, TellsBodiesJointsAndWhatWasMerged)
+{
+    EXPECT_EQ(actorTable(makePair()),
+              "body  parent  particles  joint  shared  merged bones\n"
+              "hip   -            1200  -           -  pelvis, belly\n"
+              "leg   hip           801  hinge       1\n"
+              "\n"
+              "pa\"ir\\: 2000 particles of 0.033333335 m, 2 bodies, 1 joints, 2 bones merged\n"
+              "note: pelvis has 2 particles and became part of hip\n");
+}
+
+}  // namespace
+}  // namespace knuckle

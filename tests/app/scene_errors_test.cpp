@@ -1,0 +1,150 @@
+#include <gtest/gtest.h>
+
+#include "app/scene_file.h"
+#include "sim/world/errors.h"
+#include "tests/temp_folder.h"
+
+namespace knuckle {
+namespace {
+
+struct BadScene {
+    const char* name;
+    const char* text;
+    const char* message;    ///< Behind the file's name.
+};
+
+/// A scene of one box with `fields` added at the top.
+#define WITH(fields) R"({ "objects": [{ "type": "rigid", "shape": "box" }], )" fields " }"
+#define OBJECT(fields) R"({ "objects": [{ )" fields " }] }"
+
+const BadScene BAD_SCENES[] = {
+    {"UnknownField", WITH(R"("durration": 3)"), ": /durration: unknown field; did you mean \"duration\"?"},
+    {"UnknownNestedField", WITH(R"("solver": {"substep": 3})"),
+     ": /solver/substep: unknown field; did you mean \"substeps\"?"},
+    {"FarFetchedField", WITH(R"("light": {"zzzzzzzz": 3})"),
+     ": /light/zzzzzzzz: unknown field; known: direction, intensity, softness, skyColor, groundColor"},
+    {"BelowRange", WITH(R"("solver": {"substeps": 0})"), ": /solver/substeps: 0 is below the minimum 1"},
+    {"AboveRange", WITH(R"("fps": 1000)"), ": /fps: 1000 is above the maximum 480 [1/s]"},
+    {"ZeroDuration", WITH(R"("duration": 0)"), ": /duration: 0 must be above 0 [s]"},
+    {"NegativeRadius", OBJECT(R"("type": "rigid", "shape": "sphere", "radius": -0.5)"),
+     ": /objects/0/radius: -0.5 must be above 0 [m]"},
+    {"NegativeDiameter", WITH(R"("diameter": -1)"), ": /diameter: -1 is below the minimum 0.001 [m]"},
+    {"WrongType", WITH(R"("duration": "long")"), ": /duration: is \"long\" (a string), must be a number [s]"},
+    {"WrongIntegerType", WITH(R"("solver": {"substeps": 1.5})"),
+     ": /solver/substeps: is 1.5 (a number), must be an integer"},
+    {"WrongVectorLength", WITH(R"("solver": {"gravity": [0, 1]})"),
+     ": /solver/gravity: is an array of 2, must be an array of 3 numbers [m/s2]"},
+    {"WrongVectorElement", WITH(R"("camera": {"target": [0, "up", 0]})"),
+     ": /camera/target/1: is \"up\" (a string), must be a number"},
+    {"WrongRoot", "[1, 2]", ": /: is an array of 2, must be an object"},
+    {"WrongSolverType", WITH(R"("solver": 3)"), ": /solver: is 3 (a number), must be a string or an object"},
+    {"UnknownPreset", WITH(R"("solver": "papr")"), ": /solver: \"papr\" is unknown; did you mean \"paper\"?"},
+    {"UnknownWord", WITH(R"("render": {"colorBy": "bod"})"),
+     ": /render/colorBy: \"bod\" is unknown; did you mean \"body\"?"},
+    {"NoObjects", "{}", ": /: \"objects\" is missing; add it: What moves."},
+    {"EmptyObjects", R"({"objects": []})", ": /objects: is an array of 0, must be at least 1"},
+    {"NoType", OBJECT(R"("shape": "box")"), ": /objects/0: \"type\" is missing; known: rigid, joined, actor"},
+    {"UnknownType", OBJECT(R"("type": "joint")"), ": /objects/0/type: \"joint\" is unknown; did you mean \"joined\"?"},
+    {"UnknownShape", OBJECT(R"("type": "rigid", "shape": "cone")"),
+     ": /objects/0/shape: \"cone\" is unknown; known: box, sphere, capsule, mesh"},
+    {"FieldOfAnotherShape", OBJECT(R"("type": "rigid", "shape": "box", "radius": 1)"),
+     ": /objects/0/radius: unknown field; known: type, shape, size, name, position, rotation, velocity, spin, "
+     "material, fixed, repeat"},
+    {"MeshWithoutFile", OBJECT(R"("type": "rigid", "shape": "mesh")"),
+     ": /objects/0: \"file\" is missing; add it: Path relative to the scene file."},
+    {"UnknownMaterial", OBJECT(R"("type": "rigid", "shape": "box", "material": "wod")"),
+     ": /objects/0/material: there is no material \"wod\"; known: default"},
+    {"FrictionTheWrongWayRound", WITH(R"("materials": {"ice": {"staticFriction": 0.1, "kineticFriction": 0.2}})"),
+     ": /materials/ice/kineticFriction: 0.2 is above staticFriction, 0.1; lower it or raise the other"},
+    {"AxisAlongTheChain", OBJECT(R"("type": "joined", "axis": [1, 0, 0])"),
+     ": /objects/0/axis: must not be zero or along x, the chain's own direction; for instance [0, 0, 1]"},
+    {"UnknownFollowed", WITH(R"("camera": {"kind": "follow", "follow": "dol"})"),
+     ": /camera/follow: there is no object \"dol\"; known: object_1"},
+    {"DarkLight", WITH(R"("light": {"direction": [0, 0, 0]})"), ": /light/direction: must not be zero"},
+    {"TwoMillionParticles",
+     OBJECT(R"("type": "rigid", "shape": "box", "size": [20, 20, 5])"),
+     ": /objects/0: brings the scene to 2000000 particles, the limit is 1000000; raise /diameter, or make it smaller "
+     "or fewer"},
+    {"ParticlesBeyondCounting",
+     OBJECT(R"("type": "rigid", "shape": "sphere", "radius": 9000, "repeat": {"counts": [1000, 1000, 1000]})"),
+     ": /objects/0: brings the scene to 1000000000 particles, the limit is 1000000; raise /diameter, or make it smaller "
+     "or fewer"},
+    {"TooManyCopies", OBJECT(R"("type": "joined", "repeat": {"counts": [100, 100, 5]})"),
+     ": /objects/0: brings the scene to 2700000 particles, the limit is 1000000; raise /diameter, or make it smaller "
+     "or fewer"},
+    {"TwinKeys", WITH(R"("fps": 30, "fps": 60)"),
+     ": the key \"fps\" stands twice in one object; remove one of them"},
+};
+
+class SceneErrors : public testing::TestWithParam<BadScene> {};
+
+std::string messageOf(const std::string& path, const std::vector<Override>& overrides = {})
+{
+    try {
+        loadScene(path, overrides);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST_P(SceneErrors, AreToldInOneLine)
+{
+    const test::TempFolder folder;
+    const std::string path = folder.write("scene.json", GetParam().text);
+    const std::string message = messageOf(path);
+    EXPECT_EQ(message, path + GetParam().message);
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SceneErrors, testing::ValuesIn(BAD_SCENES),
+                         [](const auto& entry) { return std::string(entry.param.name); });
+
+TEST(SceneFileErrors, TellLineAndColumnOfASyntaxError)
+{
+    const test::TempFolder folder;
+    const std::string path = folder.write("scene.json", "// a comment\n{\n  \"fps\": 60,,\n}\n");
+    EXPECT_TRUE(messageOf(path).starts_with(path + ":3:13: syntax error")) << messageOf(path);
+    const std::string empty = folder.write("empty.json", "");
+    EXPECT_TRUE(messageOf(empty).starts_with(empty + ":1:1: ")) << messageOf(empty);
+}
+
+TEST(SceneFileErrors, TellNumbersTooLargeToStore)
+{
+    const test::TempFolder folder;
+    const std::string path = folder.write("scene.json", WITH(R"("fps": 1e999)"));
+    EXPECT_TRUE(messageOf(path).starts_with(path + ": number overflow parsing '1e999'")) << messageOf(path);
+}
+
+TEST(SceneFileErrors, TellMissingFiles)
+{
+    const test::TempFolder folder;
+    EXPECT_EQ(messageOf(folder.path("none.json")), folder.path("none.json") + ": there is no such file");
+    EXPECT_EQ(messageOf(folder.path()), folder.path() + ": is a folder, not a file");
+    const std::string path = folder.write("scene.json", OBJECT(R"("type": "actor", "file": "none.glb")"));
+    EXPECT_EQ(messageOf(path), path + ": /objects/0/file: there is no file " + folder.path("none.glb") +
+                                   "; paths are relative to the scene");
+}
+
+TEST(SceneFileErrors, ComeBeforeAnythingLargeIsMade)
+{
+    const test::TempFolder folder;
+    const std::string path = folder.write("scene.json",
+        OBJECT(R"("type": "joined", "bodies": 10000, "size": [1000, 1000, 1000])"));
+    EXPECT_NE(messageOf(path).find("10000000000000 particles"), std::string::npos) << messageOf(path);
+}
+
+TEST(OverrideErrors, NameTheOption)
+{
+    const test::TempFolder folder;
+    const std::string path = folder.write("scene.json", WITH(R"("fps": 60)"));
+    EXPECT_EQ(messageOf(path, {{"objects.3.size", 1}}),
+              "--set objects.3.size: \"3\" is not one of the list's 1 places; they count from 0");
+    EXPECT_EQ(messageOf(path, {{"fps.x", 1}}), "--set fps.x: there is nothing below \"x\" to set");
+    EXPECT_EQ(messageOf(path, {{"a..b", 1}}), "--set a..b: a part of the path is empty");
+    EXPECT_THROW(parseOverride("fps"), InputError);
+    EXPECT_THROW(parseOverride("=3"), InputError);
+}
+
+}  // namespace
+}  // namespace knuckle

@@ -1,0 +1,210 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/scene_file.h"
+#include "app/scene_parts.h"
+#include "tests/temp_folder.h"
+
+namespace knuckle {
+namespace {
+
+Scene load(const std::string& text, const std::vector<Override>& overrides = {})
+{
+    const test::TempFolder folder;
+    return loadScene(folder.write("some_scene.json", text), overrides);
+}
+
+const char* const ONE_BOX = R"({ "objects": [{ "type": "rigid", "shape": "box" }] })";
+
+TEST(Scene, NeedsNothingButAnObject)
+{
+    const Scene scene = load(ONE_BOX);
+    EXPECT_EQ(scene.name, "some_scene");
+    EXPECT_EQ(scene.world.particles.size(), 27u);
+    EXPECT_EQ(scene.frameCount(), 300u);
+    EXPECT_EQ(scene.world.settings.substeps, Settings{}.substeps);
+    EXPECT_TRUE(scene.render.camera.automatic);
+}
+
+TEST(Scene, MayHoldComments)
+{
+    EXPECT_NO_THROW(load("// first\n{ /* second */ \"objects\": [{ \"type\": \"joined\" }] }"));
+}
+
+TEST(Scene, TakesThePapersChoicesExceptWhatItSaysItself)
+{
+    const Settings paper = load(ONE_BOX, {{"solver", "paper"}}).world.settings;
+    EXPECT_EQ(paper.solver, SolverKind::Paper);
+    EXPECT_EQ(paper.substeps, paperSettings().substeps);
+    EXPECT_EQ(paper.grid, GridKind::Hash);
+    const Settings mixed = load(ONE_BOX, {{"solver", "paper"}, {"solver.iterations", 9}}).world.settings;
+    EXPECT_EQ(mixed.iterations, 9u);
+    EXPECT_EQ(mixed.rotation, RotationMethod::Householder);
+}
+
+TEST(Scene, TakesOverridesBeforeItIsChecked)
+{
+    const Scene scene = load(ONE_BOX, {parseOverride("render.colorBy=speed"), parseOverride("objects.0.size=[1,1,1]"),
+                                       parseOverride("duration=0.5"), parseOverride("name=other")});
+    EXPECT_EQ(scene.render.colorBy, ColorBy::Speed);
+    EXPECT_EQ(scene.world.particles.size(), 1000u);
+    EXPECT_EQ(scene.frameCount(), 30u);
+    EXPECT_EQ(scene.name, "other");
+}
+
+TEST(Scene, StandsStillWithItsCameraWhereItIsTold)
+{
+    EXPECT_FALSE(load(ONE_BOX, {parseOverride("camera.target=[0,2,0]")}).render.camera.automatic);
+    EXPECT_TRUE(load(ONE_BOX, {parseOverride("camera.fieldOfView=30")}).render.camera.automatic);
+}
+
+TEST(Scene, FollowsItsFirstObjectUnlessTold)
+{
+    EXPECT_EQ(load(ONE_BOX, {parseOverride("camera.kind=follow")}).render.camera.follow, "object_1");
+}
+
+TEST(Scene, TakesTheStaticFrictionForBothWhereOneIsGiven)
+{
+    const Scene scene = load(ONE_BOX, {parseOverride("materials.default.staticFriction=0.2")});
+    EXPECT_FLOAT_EQ(scene.world.materials[0].kineticFriction, 0.2f);
+}
+
+TEST(FrameSteps, AreAsNearToTheTimeStepAsCanBe)
+{
+    const double step = 1.0 / 60.0;
+    EXPECT_EQ(stepsForFrame(60, step), 1u);
+    EXPECT_EQ(stepsForFrame(30, step), 2u);
+    EXPECT_EQ(stepsForFrame(24, step), 3u);     // 1/72 is 0.0028 away, 1/48 is 0.0042
+    EXPECT_EQ(stepsForFrame(240, step), 1u);
+    const Scene scene = load(ONE_BOX, {parseOverride("fps=24")});
+    EXPECT_FLOAT_EQ(scene.world.settings.timeStep, 1.0f / 72.0f);
+}
+
+TEST(Repetition, MakesEveryCopyOfTheGrid)
+{
+    const Scene scene = load(R"({ "objects": [{ "type": "rigid", "shape": "box", "name": "cube", "position": [1, 2, 3],
+        "repeat": { "counts": [3, 2, 4], "spacing": [1, 2, 1] } }] })");
+    ASSERT_EQ(scene.world.objects.size(), 24u);
+    EXPECT_EQ(scene.world.particles.size(), 24u * 27u);
+    EXPECT_EQ(scene.world.objects.front().name, "cube_1");
+    EXPECT_EQ(scene.world.objects.back().name, "cube_24");
+    Vector3f low = Vector3f::Constant(1e9f), high = -low;
+    for (const Particle& particle : scene.world.particles) {
+        low = low.cwiseMin(particle.position);
+        high = high.cwiseMax(particle.position);
+    }
+    // Centred in x and z, upwards from the position in y; a cube reaches one diameter, 0.1 m, about its centre.
+    EXPECT_LT((low - Vector3f(-0.1f, 1.9f, 1.4f)).norm(), 1e-5f);
+    EXPECT_LT((high - Vector3f(2.1f, 4.1f, 4.6f)).norm(), 1e-5f);
+}
+
+TEST(Repetition, GivesEachJointTypeItsShare)
+{
+    const Scene scene = load(R"({ "objects": [{ "type": "joined", "joints": ["ball", "hinge", "stiff", "universal"],
+        "repeat": { "counts": [5, 1, 8], "spacing": [2, 2, 2] } }] })");
+    ASSERT_EQ(scene.world.joints.size(), 40u);
+    for (const JointType type : {JointType::Ball, JointType::Hinge, JointType::Stiff, JointType::Universal}) {
+        EXPECT_EQ(std::count_if(scene.world.joints.begin(), scene.world.joints.end(),
+                                [&](const Joint& joint) { return joint.type == type; }), 10);
+    }
+}
+
+TEST(Repetition, IsTheSameForTheSameSeed)
+{
+    const auto positions = [](int seed) {
+        const Scene scene = load(R"({ "objects": [{ "type": "rigid", "shape": "box", "repeat": { "counts": [2, 2, 2],
+            "jitter": 0.3, "randomRotation": true } }] })", {{"objects.0.repeat.seed", seed}});
+        std::vector<float> all;
+        for (const Particle& particle : scene.world.particles) {
+            all.insert(all.end(), particle.position.begin(), particle.position.end());
+        }
+        return all;
+    };
+    EXPECT_EQ(positions(3), positions(3));
+    EXPECT_NE(positions(3), positions(4));
+}
+
+TEST(Repetition, MovesNoCopyByMoreThanTheJitter)
+{
+    Json object = Json::parse(R"({ "position": [0, 0, 0], "rotation": [0, 0, 0], "repeat": { "counts": [500, 1, 1],
+        "spacing": [0, 0, 0], "jitter": 0.25, "randomRotation": true, "seed": 5 } })");
+    Vector3f mean = Vector3f::Zero();
+    for (const Pose& pose : repeatedPoses(object)) {
+        EXPECT_LE(pose.translation.cwiseAbs().maxCoeff(), 0.25f);
+        EXPECT_NEAR(pose.rotation.norm(), 1.0f, 1e-5f);
+        mean += pose.translation / 500.0f;
+    }
+    // The mean of 500 uniform numbers in +-0.25 has a standard deviation of 0.25 / sqrt(3 * 500) = 0.0065.
+    EXPECT_LT(mean.cwiseAbs().maxCoeff(), 5.0f * 0.0065f);
+}
+
+TEST(Chain, HoldsTheEndThatItIsTold)
+{
+    const Scene scene = load(R"({ "objects": [{ "type": "joined", "bodies": 5, "hold": "last" }] })");
+    ASSERT_EQ(scene.world.bodies.size(), 5u);
+    EXPECT_EQ(scene.world.bodies.front().motion, Motion::Dynamic);
+    EXPECT_EQ(scene.world.bodies.back().motion, Motion::Fixed);
+    EXPECT_EQ(scene.world.particles.size(), 5u * 27u + 4u);
+}
+
+TEST(Chain, LeavesALayerForTheJointsParticles)
+{
+    const Scene scene = load(R"({ "objects": [{ "type": "joined" }] })");
+    const Vector3f distance = scene.world.bodies[1].restCentre - scene.world.bodies[0].restCentre;
+    // Four diameters from box to box, less what the shared particle in between adds to both centres of mass: half its
+    // mass in each, 0.5 / 27.5 of 0.2 m on each side.
+    EXPECT_NEAR(distance.norm(), 0.4f - 2.0f * 0.2f * 0.5f / 27.5f, 1e-4f);
+}
+
+TEST(Colliders, OfAContainerAreAFloorAndFourWalls)
+{
+    const char* text = R"({ "objects": [{ "type": "joined" }],
+                            "colliders": [{ "type": "container", "width": 4, "depth": 2, "height": 0 }] })";
+    const Scene planes = load(text);
+    ASSERT_EQ(planes.world.colliders.size(), 5u);
+    for (const Collider& wall : planes.world.colliders) {
+        EXPECT_EQ(wall.shape, ColliderShape::Plane);
+        // The middle of the box, one metre up, is on the free side of all.
+        const Vector3f normal = wall.orientation * Vector3f::UnitY();
+        EXPECT_GT(normal.dot(Vector3f(0, 1, 0) - wall.position), 0.9f);
+    }
+    const Scene boxes = load(text, {{"colliders.0.height", 1}});
+    ASSERT_EQ(boxes.world.colliders.size(), 5u);
+    EXPECT_EQ(boxes.world.colliders[1].shape, ColliderShape::Box);
+    EXPECT_NEAR(boxes.world.colliders[1].position.x() + boxes.world.colliders[1].halfExtents.x(), -2.0f, 1e-5f);
+}
+
+TEST(Colliders, OfStairsClimbTowardsMinusZ)
+{
+    const Scene scene = load(R"({ "objects": [{ "type": "joined" }],
+        "colliders": [{ "type": "stairs", "steps": 4, "rise": 0.2, "run": 0.3 }] })");
+    ASSERT_EQ(scene.world.colliders.size(), 4u);
+    for (size_t i = 0; i < 4; ++i) {
+        const Collider& step = scene.world.colliders[i];
+        const auto n = static_cast<float>(i);
+        EXPECT_NEAR(step.position.y() + step.halfExtents.y(), 0.2f * (n + 1.0f), 1e-5f);
+        EXPECT_NEAR(step.position.z() + step.halfExtents.z(), -0.3f * n, 1e-5f);
+    }
+}
+
+TEST(Colliders, TurnAboutXThenYThenZ)
+{
+    const Json json{{"rotation", {90, 90, 0}}};
+    // About x first: +z goes to -y, and the turn about y leaves it there.
+    EXPECT_LT((readRotation(json) * Vector3f::UnitZ() - Vector3f(0, -1, 0)).norm(), 1e-5f);
+}
+
+TEST(SceneFolder, HoldsOnlyScenesThatCanBeRead)
+{
+    for (const auto& entry : std::filesystem::directory_iterator(KNUCKLE_ROOT "/assets/scenes")) {
+        EXPECT_NO_THROW(loadScene(entry.path().string())) << entry.path();
+        const std::string text = test::readText(entry.path().string());
+        EXPECT_TRUE(text.starts_with("// ")) << entry.path() << ": the first line describes the scene";
+        EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 40) << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace knuckle

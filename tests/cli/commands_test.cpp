@@ -1,0 +1,113 @@
+#include "app/json.h"
+#include "render/image.h"
+#include "tests/cli/cli_test.h"
+
+namespace knuckle {
+namespace {
+
+using test::RunResult;
+using Cli = test::CliTest;
+
+TEST_F(Cli, TellsItsVersionAndHelp)
+{
+    const RunResult version = run({"--version"});
+    EXPECT_EQ(version.code, 0);
+    EXPECT_TRUE(version.out.starts_with("knuckle 0.")) << version.out;
+    for (const char* command : {"", "render", "voxelize", "check", "compare", "info", "schema"}) {
+        const RunResult help = run(*command ? std::vector<std::string>{command, "--help"}
+                                            : std::vector<std::string>{"--help"});
+        EXPECT_EQ(help.code, 0);
+        EXPECT_NE(help.out.find("Usage:"), std::string::npos) << command;
+        EXPECT_EQ(help.err, "");
+    }
+}
+
+TEST_F(Cli, RefusesWrongOptionsInOneLine)
+{
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {}, {"rendr"}, {"render"}, {"render", scene, "--nonsense"}, {"render", scene, "--fps", "fast"},
+             {"render", scene, "--fps", "1"}, {"compare", "a.png"}, {"schema", "nothing"},
+             {"voxelize", "a.glb", "--diameter", "-1"}, {"render", scene, "--size", "64"},
+             {"render", scene, "--size", "0x0"}, {"render", scene, "--frames", "0:3"},
+             {"render", scene, "--frames", "3:2"}, {"render", scene, "--frames", "x"},
+             {"render", scene, "--export", "obj=x"}, {"render", scene, "--export", "ply="},
+             {"render", scene, "--set", "fps"}, {"render", scene, "-o", "film.gif"}}) {
+        const RunResult result = run(words);
+        EXPECT_EQ(result.code, 2) << (words.empty() ? "" : words.back());
+        EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
+        EXPECT_EQ(result.out, "");
+    }
+    EXPECT_TRUE(madeFiles().empty());
+}
+
+TEST_F(Cli, RefusesDevicesThatAreNotThere)
+{
+    const RunResult word = test::runKnuckle({"info", "--device", "quantum"});
+    EXPECT_EQ(word.code, 2);
+    EXPECT_TRUE(test::isOneLine(word.err)) << word.err;
+    const RunResult number = test::runKnuckle({"render", scene, "--device", "99"}, {.folder = folder.path()});
+    EXPECT_EQ(number.code, 2) << number.err;
+    EXPECT_TRUE(test::isOneLine(number.err)) << number.err;
+}
+
+TEST_F(Cli, ListsDevicesAndLimits)
+{
+    const RunResult result = run({"info"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("software"), std::string::npos);
+    EXPECT_NE(result.out.find("largest storage buffer"), std::string::npos);
+}
+
+TEST_F(Cli, ChecksEveryScene)
+{
+    const std::string bad = folder.write("bad.json", R"({ "objects": [], "fps": 60 })");
+    const RunResult result = run({"check", bad, scene});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, scene + ": 55 particles, 2 bodies, 1 joints, 1 colliders, 0.0667 s (4 frames)\n");
+    EXPECT_EQ(result.err, "knuckle: " + bad + ": /objects: is an array of 0, must be at least 1\n");
+    EXPECT_EQ(run({"check", scene}).code, 0);
+    EXPECT_EQ(run({"check", scene, "--quiet"}).out, "");
+}
+
+TEST_F(Cli, PrintsItsSchemas)
+{
+    for (const char* document : {"scene", "actor", "joints"}) {
+        const RunResult result = run({"schema", document});
+        EXPECT_EQ(result.code, 0);
+        EXPECT_NO_THROW(parseJson(result.out, document));
+    }
+    EXPECT_TRUE(run({"schema", "--markdown"}).out.starts_with("# Scene files"));
+}
+
+TEST_F(Cli, TellsAFullStandardOutput)
+{
+    const RunResult result = run({"schema"}, {.standardOutput = "/dev/full"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
+    EXPECT_NE(result.err.find("No space left"), std::string::npos) << result.err;
+}
+
+TEST_F(Cli, ComparesImages)
+{
+    Image image{64, 64, std::vector<uint8_t>(64 * 64 * 3, 100)};
+    writePng(folder.path("a.png"), image);
+    image.rgb[300] = 200;    // one pixel of 4096: 0.024 %, less than the 0.1 % that are allowed
+    writePng(folder.path("b.png"), image);
+    EXPECT_EQ(run({"compare", "a.png", "a.png"}).code, 0);
+    EXPECT_EQ(run({"compare", "a.png", "b.png"}).code, 0);
+    const RunResult strict = run({"compare", "a.png", "b.png", "--max-changed", "0", "--difference", "d.png"});
+    EXPECT_EQ(strict.code, 4);
+    EXPECT_TRUE(strict.out.starts_with("different: 0.0244 %")) << strict.out;
+    EXPECT_EQ(readImage(folder.path("d.png")).width, 64u);
+    EXPECT_EQ(run({"compare", "a.png", "b.png", "--max-changed", "0", "--threshold", "100"}).code, 0);
+
+    writePng(folder.path("small.png"), {8, 8, std::vector<uint8_t>(8 * 8 * 3, 100)});
+    for (const char* other : {"small.png", "none.png", "tiny.json"}) {
+        const RunResult result = run({"compare", "a.png", other});
+        EXPECT_EQ(result.code, 2) << other;
+        EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
+    }
+}
+
+}  // namespace
+}  // namespace knuckle

@@ -1,0 +1,126 @@
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+#include "app/json.h"
+#include "render/image.h"
+#include "tests/cli/cli_test.h"
+
+namespace knuckle {
+namespace {
+
+using test::RunResult;
+using Render = test::CliTest;
+
+TEST_F(Render, WritesFramesToAFolderOfTheScenesName)
+{
+    const RunResult result = run({"render", "tiny.json"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(madeFiles(), (std::vector<std::string>{"out", "out/tiny", "out/tiny/frame_0001.png",
+                                                     "out/tiny/frame_0002.png", "out/tiny/frame_0003.png",
+                                                     "out/tiny/frame_0004.png"}));
+    const Image frame = readImage(folder.path("out/tiny/frame_0004.png"));
+    EXPECT_EQ(frame.width, 64u);
+    EXPECT_EQ(frame.height, 36u);
+}
+
+TEST_F(Render, DrawsTheSameFramesWithAndWithoutThoseBefore)
+{
+    ASSERT_EQ(run({"render", scene, "-o", "all"}).code, 0);
+    const RunResult part = run({"render", scene, "-o", "part", "--frames", "3:3"});
+    ASSERT_EQ(part.code, 0) << part.err;
+    EXPECT_EQ(test::listFolder(folder.path("part")), std::vector<std::string>{"frame_0003.png"});
+    EXPECT_EQ(test::readText(folder.path("part/frame_0003.png")), test::readText(folder.path("all/frame_0003.png")));
+}
+
+TEST_F(Render, GivesTheSameStateAtAnyNumberOfDriverThreads)
+{
+    std::string first;
+    for (const char* threads : {"LP_NUM_THREADS=0", "LP_NUM_THREADS=1", "LP_NUM_THREADS=2"}) {
+        const RunResult result = run({"render", scene, "-o", "out", "--hash", "--quiet"}, {.environment = {threads}});
+        ASSERT_EQ(result.code, 0) << result.err;
+        EXPECT_TRUE(result.out.starts_with("state hash ") && result.out.size() == 28) << result.out;
+        const std::string state = result.out + test::readText(folder.path("out/frame_0004.png"));
+        if (first.empty()) first = state;
+        EXPECT_TRUE(state == first) << threads;
+    }
+}
+
+TEST_F(Render, TakesSizeRateAndFieldsFromTheCommandLine)
+{
+    const RunResult result = run({"render", scene, "-o", "out", "--size", "32x16", "--fps", "30", "--set",
+                                  "duration=0.1", "--set", "render.colorBy=speed"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(test::listFolder(folder.path("out")).size(), 3u);
+    EXPECT_EQ(readImage(folder.path("out/frame_0001.png")).width, 32u);
+    EXPECT_EQ(run({"render", scene, "--frames", "2:9"}).err,
+              "knuckle: --frames 2:9: the scene has frames 1 to 4; choose among them or raise /duration\n");
+}
+
+TEST_F(Render, SaysNothingWhenQuiet)
+{
+    const RunResult result = run({"--quiet", "render", scene});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.out + result.err, "");
+}
+
+TEST_F(Render, WritesFigures)
+{
+    const RunResult result = run({"render", scene, "-o", "out", "--stats", "made/stats.json", "--hash"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const Json stats = parseJson(test::readText(folder.path("made/stats.json")), "stats");
+    EXPECT_EQ(stats["particles"], 55);
+    EXPECT_EQ(stats["frames"], 4);
+    EXPECT_EQ(stats["steps"], 3);
+    EXPECT_GT(stats["passes"].size(), 3u);
+    EXPECT_GT(stats["simulationSeconds"].get<double>(), 0.0);
+    for (const char* key : {"device", "contacts", "substeps", "worstPenetration", "worstJointGap", "drawingSeconds"}) {
+        EXPECT_TRUE(stats.contains(key)) << key;
+    }
+    EXPECT_NE(result.out.find("state hash " + stats["stateHash"].get<std::string>()), std::string::npos);
+}
+
+TEST_F(Render, ExportsParticles)
+{
+    ASSERT_EQ(run({"render", scene, "-o", "out", "--export", "ply=ply", "--frames", "1:2"}).code, 0);
+    const std::string ply = test::readText(folder.path("ply/frame_0001.ply"));
+    EXPECT_EQ(test::listFolder(folder.path("ply")).size(), 2u);
+    EXPECT_TRUE(ply.starts_with("ply\nformat binary_little_endian 1.0\n"));
+    EXPECT_NE(ply.find("element vertex 55\n"), std::string::npos);
+    const size_t start = ply.find("end_header\n") + 11;
+    constexpr size_t ROW = 9 * 4;    // id, position, velocity, body, material
+    ASSERT_EQ(ply.size() - start, 55 * ROW);
+    float y = 0.0f;
+    int32_t body = -1;
+    std::memcpy(&y, ply.data() + start + 2 * 4, 4);
+    std::memcpy(&body, ply.data() + start + 7 * 4, 4);
+    EXPECT_NEAR(y, 0.2f, 1e-5f);     // the lowest layer of a cube of three whose middle is at 0.3 m
+    EXPECT_EQ(body, 0);
+}
+
+TEST_F(Render, ExportsBodies)
+{
+    ASSERT_EQ(run({"render", scene, "-o", "out", "--export", "bodies=bodies.csv"}).code, 0);
+    std::istringstream table(test::readText(folder.path("bodies.csv")));
+    std::string line;
+    std::getline(table, line);
+    EXPECT_EQ(line, "frame,body,object,name,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz");
+    std::getline(table, line);
+    EXPECT_TRUE(line.starts_with("1,0,pair,body_1,-0.19")) << line;
+    size_t rows = 1;
+    while (std::getline(table, line)) ++rows;
+    EXPECT_EQ(rows, 4u * 2u);
+}
+
+TEST_F(Render, FilmsAndWritesFramesInOneRun)
+{
+    const RunResult result = run({"render", scene, "-o", "out", "-o", "film.mp4"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_GT(std::filesystem::file_size(folder.path("film.mp4")), 500u);
+    EXPECT_EQ(test::readText(folder.path("film.mp4")).substr(4, 4), "ftyp");
+    EXPECT_EQ(test::listFolder(folder.path("out")).size(), 4u);
+    EXPECT_EQ(madeFiles().size(), 6u);
+}
+
+}  // namespace
+}  // namespace knuckle
