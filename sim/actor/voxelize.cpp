@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "sim/world/errors.h"
@@ -66,7 +67,7 @@ public:
     // Slightly towards the lower point, so that a plate midway between two layers takes one of them throughout.
     Vector3i round(const Vector3f& p) const
     {
-        const Vector3f cell = ((p - origin_) / spacing_).array() + 0.499f;
+        const Vector3f cell = ((p - origin_) / spacing_).array() + 0.45f;
         return cell.array().floor().cast<int>().cwiseMax(1).matrix().cwiseMin(counts_ - 2 * Vector3i::Ones());
     }
     bool taken(const Vector3i& cell) const { return taken_[index(cell)] != 0; }
@@ -110,15 +111,19 @@ private:
     size_t count_ = 0;
 };
 
-// How deep the solid goes behind a surface sample, in quarters of a diameter: 0 for an open sheet or a very thin
-// plate, MAX_PROBES for what the lattice fills by itself.
-constexpr int MAX_PROBES = 7;
-int probeDepth(const TriangleTree& tree, const Vector3f& sample, const Vector3f& inward, float diameter)
+// Depths behind the surface at which the solid is probed [d]; what reaches beyond the last fills itself.
+constexpr float PROBES[] = {0.03f, 0.06f, 0.12f, 0.25f, 0.5f, 0.75f, 1.0f, 1.25f, 1.5f, 1.75f};
+constexpr float DEEPEST = PROBES[std::size(PROBES) - 1];
+
+// How deep the solid goes behind a surface sample, at most DEEPEST [d]; 0 for an open sheet.
+float probeDepth(const TriangleTree& tree, const Vector3f& sample, const Vector3f& inward, float diameter)
 {
-    int depth = 0;
-    while (depth < MAX_PROBES &&
-           tree.inside(sample + 0.25f * diameter * static_cast<float>(depth + 1) * inward)) {
-        ++depth;
+    float depth = 0.0f;
+    for (const float probe : PROBES) {
+        if (!tree.inside(sample + probe * diameter * inward)) {
+            break;
+        }
+        depth = probe;
     }
     return depth;
 }
@@ -132,12 +137,12 @@ void keepThinPart(Lattice& lattice, const TriangleTree& tree, const Vector3f& sa
         return;
     }
     for (const float side : {-1.0f, 1.0f}) {
-        const int depth = probeDepth(tree, sample, side * normal, d);
-        if (depth == MAX_PROBES) {
+        const float depth = probeDepth(tree, sample, side * normal, d);
+        if (depth >= DEEPEST) {
             return;
         }
-        if (depth > 0 || side > 0.0f) {
-            const Vector3f middle = sample + 0.125f * d * static_cast<float>(depth) * side * normal;
+        if (depth > 0.0f || side > 0.0f) {
+            const Vector3f middle = sample + 0.5f * depth * d * side * normal;
             // Half the diagonal of a cell is 0.87: with less, nothing could cover the middle of a cell.
             if (!lattice.covered(middle, 0.9f * d)) {
                 lattice.take(lattice.round(middle));
