@@ -104,7 +104,7 @@ void addChain(const Entry& entry, const JointSpec& common, uint32_t lastMaterial
     const Eigen::Vector3i size(json["size"][0].get<int>(), json["size"][1].get<int>(), json["size"][2].get<int>());
     const std::string hold = json["hold"];
     const std::vector<Vector3f> lattice = boxLattice(size, builder.diameter());
-    const float pitch = static_cast<float>(size.x() + 1) * builder.diameter();
+    const float pitch = static_cast<float>(size.x() + json["gap"].get<int>()) * builder.diameter();
     const auto centre = [&](float place) { return Vector3f(pitch * (place - 0.5f * static_cast<float>(bodies - 1)), 0, 0); };
     std::vector<uint32_t> indices;
     for (uint32_t b = 0; b < bodies; ++b) {
