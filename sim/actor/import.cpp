@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <optional>
+#include <string_view>
 
 #include "sim/actor/child_process.h"
 #include "sim/actor/import_scene.h"
@@ -155,6 +157,15 @@ void checkFile(const std::string& path)
     const uintmax_t size = std::filesystem::file_size(path, error);
     if (error || size == 0) {
         throw InputError(fmt::format("{}: is empty: export the model again", path));
+    }
+    // Binary glTF says how long it is; assimp reads what is left of a shorter one.
+    std::array<char, 12> header{};
+    std::ifstream(path, std::ios::binary).read(header.data(), header.size());
+    uint32_t promised = 0;
+    std::memcpy(&promised, header.data() + 8, sizeof promised);
+    if (std::string_view(header.data(), 4) == "glTF" && promised > size) {
+        throw InputError(fmt::format("{}: is cut off: {} of {} bytes are there; export the model again", path, size,
+                                     promised));
     }
     if (size > FILE_LIMIT) {
         throw InputError(fmt::format("{}: is larger than {} MiB: simplify the model", path, FILE_LIMIT >> 20));

@@ -6,6 +6,7 @@
 
 #include <assimp/Importer.hpp>
 #include <filesystem>
+#include <new>
 #include <set>
 #include <utility>
 
@@ -155,6 +156,9 @@ Model readScene(const std::string& path, bool clips)
                                                        aiProcess_GlobalScale);
     if (scene == nullptr || scene->mRootNode == nullptr) {
         const std::string reason = importer.GetErrorString();
+        if (reason.find("bad_alloc") != std::string::npos) {
+            throw std::bad_alloc();   // assimp caught it; the limit on memory has its own sentence
+        }
         const std::string line = reason.substr(0, reason.find('\n'));
         throw InputError(fmt::format("it cannot be read: {}", line.empty() ? "it holds no scene" : line));
     }

@@ -78,6 +78,13 @@ std::string walker(const std::string& frames, const std::string& row)
     return std::string(WALKER_BVH) + "MOTION\nFrames: " + frames + "\nFrame Time: 0.05\n" + row + "\n" + row + "\n";
 }
 
+// The limit on memory is off under the address sanitizer, which ends the child in its own way.
+#if defined(__SANITIZE_ADDRESS__)
+const char* const MEMORY = "the importer";
+#else
+const char* const MEMORY = "memory";
+#endif
+
 const std::string STILL = "0 90 0 0 0 0 0 0 0 0 0 0";
 
 // The humanoid's file with something in its JSON or its numbers replaced by text of the same length.
@@ -178,7 +185,7 @@ TEST_F(Import, truncatedFileIsRefused)
 {
     const std::string whole = toGlb(makeHumanoid());
     for (const size_t size : {size_t{10}, size_t{200}, whole.size() / 2, whole.size() - 1000}) {
-        expectRefused(write("cut.glb", whole.substr(0, size)), "");
+        expectRefused(write("cut.glb", whole.substr(0, size)), size < 100 ? "" : "cut off");
     }
     expectRefused(write("cut.bvh", std::string(WALKER_BVH).substr(0, 150)), "");
 }
@@ -212,7 +219,7 @@ TEST_F(Import, singularBindMatrixIsRefused)
 
 TEST_F(Import, hugeCountsEndInOneLine)
 {
-    expectRefused(write("frames.bvh", walker("2147483647", STILL)), "");
+    expectRefused(write("frames.bvh", walker("2147483647", STILL)), MEMORY);
     expectRefused(write("count.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\n"
                                      "property float y\nproperty float z\nelement face 4000000000\n"
                                      "property list uchar int vertex_indices\nend_header\n0 0 0\n"), "");
