@@ -14,11 +14,18 @@ namespace {
 
 using Row = std::array<std::string, 6>;
 
+/// The first name and how many more there are; the notes below the table have them all.
+std::string shortList(const std::vector<std::string>& names)
+{
+    if (names.size() <= 2) return fmt::format("{}", fmt::join(names, ", "));
+    return fmt::format("{} and {} more", names.front(), names.size() - 1);
+}
+
 Row bodyRow(const Actor& actor, uint32_t index)
 {
     const ActorBody& body = actor.bodies[index];
     Row row{body.name, body.parent < 0 ? "-" : actor.bodies[static_cast<size_t>(body.parent)].name,
-            std::to_string(body.particles.size()), "-", "-", fmt::format("{}", fmt::join(body.mergedBones, ", "))};
+            std::to_string(body.particles.size()), "-", "-", shortList(body.mergedBones)};
     for (const ActorJoint& joint : actor.joints) {
         if (joint.child != index) continue;
         row[3] = wordOf(joint.type);

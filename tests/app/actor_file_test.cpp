@@ -26,7 +26,7 @@ Actor makePair()
         actor.particles.emplace_back(number(), -number(), number());
         actor.signedDistances.push_back(-number());
     }
-    actor.bodies = {{"hip", {}, -1, {"pelvis", "belly"}}, {"leg", {}, 0, {}}};
+    actor.bodies = {{"hip", {}, -1, {"pelvis", "belly"}}, {"leg", {}, 0, {"knee", "shin", "toe"}}};
     for (uint32_t i = 0; i < 2000; ++i) actor.bodies[i < 1200 ? 0 : 1].particles.push_back(i);
     actor.bodies[1].particles.push_back(7);
     actor.joints = {{"leg", JointType::Hinge, 0, 1, {0.1f, -0.2f, 1e-7f}, {0, 1, 0}, {7}}};
@@ -158,9 +158,9 @@ TEST(ActorTable, TellsBodiesJointsAndWhatWasMerged)
     EXPECT_EQ(actorTable(makePair()),
               "body  parent  particles  joint  shared  merged bones\n"
               "hip   -            1200  -           -  pelvis, belly\n"
-              "leg   hip           801  hinge       1\n"
+              "leg   hip           801  hinge       1  knee and 2 more\n"
               "\n"
-              "pa\"ir\\: 2000 particles of 0.033333335 m, 2 bodies, 1 joints, 2 bones merged\n"
+              "pa\"ir\\: 2000 particles of 0.033333335 m, 2 bodies, 1 joints, 5 bones merged\n"
               "note: pelvis has 2 particles and became part of hip\n");
 }
 

@@ -158,6 +158,18 @@ TEST(Chain, LeavesALayerForTheJointsParticles)
     EXPECT_NEAR(distance.norm(), 0.4f - 2.0f * 0.2f * 0.5f / 27.5f, 1e-4f);
 }
 
+TEST(Chain, MayLeaveMoreRoomAtItsJoints)
+{
+    const Scene scene = load(R"({ "objects": [{ "type": "joined", "joints": ["universal"], "gap": 2 }] })");
+    float left = -1e9f, right = 1e9f;
+    for (const Particle& particle : scene.world.particles) {
+        if (particle.bodyCount > 1 || std::abs(particle.position.x()) < 0.01f) continue;
+        if (particle.position.x() < 0.0f) left = std::max(left, particle.position.x());
+        if (particle.position.x() > 0.0f) right = std::min(right, particle.position.x());
+    }
+    EXPECT_NEAR(right - left, 0.3f, 1e-5f);    // two layers of 0.1 m between the two faces' centres
+}
+
 TEST(Colliders, OfAContainerAreAFloorAndFourWalls)
 {
     const char* text = R"({ "objects": [{ "type": "joined" }],

@@ -112,6 +112,20 @@ TEST_F(Render, ExportsBodies)
     EXPECT_EQ(rows, 4u * 2u);
 }
 
+TEST_F(Render, FallsWithAnActorThatWasVoxelizedBefore)
+{
+    const RunResult made = run({"voxelize", KNUCKLE_ROOT "/assets/models/humanoid.glb", "-o", "actor.json",
+                                "--diameter", "0.08", "--preview", "actor.png"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.out.find("shin.L"), std::string::npos) << made.out;
+    EXPECT_EQ(readImage(folder.path("actor.png")).width, 1280u);
+    folder.write("doll.json", R"({ "diameter": 0.08, "duration": 0.05, "colliders": [{ "type": "plane" }],
+        "objects": [{ "type": "actor", "file": "actor.json" }], "render": { "width": 64, "height": 36 } })");
+    const RunResult filmed = run({"render", "doll.json"});
+    EXPECT_EQ(filmed.code, 0) << filmed.err;
+    EXPECT_TRUE(std::filesystem::exists(folder.path("out/doll/frame_0003.png")));
+}
+
 TEST_F(Render, FilmsAndWritesFramesInOneRun)
 {
     const RunResult result = run({"render", scene, "-o", "out", "-o", "film.mp4"});
