@@ -19,7 +19,7 @@ constexpr float DEGREE = std::numbers::pi_v<float> / 180.0f;
 constexpr float PLEASANT_AZIMUTH = 28.0f * DEGREE;
 constexpr float PLEASANT_ELEVATION = 17.0f * DEGREE;
 /// Room around what is framed.
-constexpr float FRAME_MARGIN = 1.12f;
+constexpr float FRAME_MARGIN = 0.98f;
 
 AlignedBox3f boundsOf(const Collider& collider)
 {
@@ -105,7 +105,7 @@ SceneExtent sceneExtent(const World& world)
     const AlignedBox3f near = grown(box, 0.75f * reach, 0.5f * reach);
     const AlignedBox3f seenSolids = extent.solids.isEmpty() ? extent.solids : near.intersection(extent.solids);
     // What falls spreads.
-    extent.stage = grown(box, 0.12f * height, 0.0f);
+    extent.stage = grown(box, 0.08f * height, 0.0f);
     if (!seenSolids.isEmpty()) extent.stage.extend(seenSolids);
     if (extent.groundCollider == NO_INDEX) extent.ground = extent.stage.min().y();
     extent.size = std::max(extent.stage.sizes().maxCoeff(), 4.0f * world.particleRadius);

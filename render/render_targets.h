@@ -54,10 +54,10 @@ struct RenderTargets {
 
     Texture surface, depth;             ///< Normals and colours, and depth, of what is seen.
     Texture shadow;                     ///< Depth as the key light sees it.
-    Texture rawShade, shade;            ///< Half resolution: ambient and key light that arrives, depth.
+    Texture shade;                      ///< Half resolution: see occlusion.frag.
     Texture picture, smoothed;          ///< As displayed, before and after the edges are smoothed.
     Texture resolved;                   ///< The frame.
-    Framebuffer geometry, shadowMap, occlusion, blur, lighting, edges, resolve;
+    Framebuffer geometry, shadowMap, occlusion, lighting, edges, resolve;
 };
 
 /// Texels a side of the shadow map.

@@ -17,7 +17,7 @@
 //   frame_bounds, frame_view     aim the camera and fit the shadow map, on the GPU, since only it knows the positions
 //   sphere_shadow, collider_shadow   what the key light sees
 //   plane, collider, sphere      normal, colour and depth of what the camera sees (spheres after a cull and a list)
-//   occlusion, occlusion_blur    ambient and key light that arrives, at half resolution
+//   occlusion                    ambient and key light that arrives, at half resolution
 //   lighting                     colours, ready to be seen
 //   edge_filter, resolve         antialiasing
 namespace knuckle {
@@ -82,6 +82,7 @@ struct Renderer::Impl {
     void drawGeometry();
     void drawOcclusion();
     void drawPicture();
+    void smoothEdges() const;
     void fullScreen(const char* name, const Framebuffer& target, const Program& program) const;
 
     Gpu& gpu;
@@ -92,7 +93,7 @@ struct Renderer::Impl {
     StaticGeometry solids;
     SpherePass spheres;
     PictureReader reader;
-    Program bounds, frameView, occlusion, occlusionBlur, lighting, edgeFilter, resolve;
+    Program bounds, frameView, occlusion, lighting, edgeFilter, resolve;
     gpu::FrameInput input{};
     Buffer<gpu::FrameInput> inputBuffer{"frame input", 1};
     Buffer<gpu::FrameView> viewBuffer{"frame view", 1};
@@ -108,9 +109,8 @@ Renderer::Impl::Impl(Gpu& device, const World& world, const RenderSettings& chos
       bounds(Program::compute(gpu, "render/frame_bounds.comp")),
       frameView(Program::compute(gpu, "render/frame_view.comp")),
       occlusion(Program::graphics(gpu, "render/screen.vert", "render/occlusion.frag")),
-      occlusionBlur(Program::graphics(gpu, "render/screen.vert", "render/occlusion_blur.frag")),
       lighting(Program::graphics(gpu, "render/screen.vert", "render/lighting.frag")),
-      edgeFilter(Program::graphics(gpu, "render/screen.vert", "render/edge_filter.frag")),
+      edgeFilter(Program::graphics(gpu, "render/edge_tile.vert", "render/edge_filter.frag")),
       resolve(Program::graphics(gpu, "render/screen.vert", "render/resolve.frag"))
 {
     glGenVertexArrays(1, &emptyArray);
@@ -200,10 +200,6 @@ void Renderer::Impl::drawOcclusion()
     targets.occlusion.bind();
     glClearBufferfv(GL_COLOR, 0, open);
     fullScreen("occlusion", targets.occlusion, occlusion);
-    targets.blur.bind();
-    glClearBufferfv(GL_COLOR, 0, open);
-    targets.rawShade.bind(SHADE_UNIT);
-    fullScreen("occlusion_blur", targets.blur, occlusionBlur);
 }
 
 void Renderer::Impl::drawPicture()
@@ -211,11 +207,21 @@ void Renderer::Impl::drawPicture()
     targets.shade.bind(SHADE_UNIT);
     fullScreen("lighting", targets.lighting, lighting);
     targets.picture.bind(PICTURE_UNIT);
-    fullScreen("edge_filter", targets.edges, edgeFilter);
+    smoothEdges();
     if (settings.antialiasing == 1) return;
     targets.smoothed.bind(PICTURE_UNIT);
     glProgramUniform1i(resolve.id(), 0, static_cast<GLint>(settings.antialiasing));
     fullScreen("resolve", targets.resolve, resolve);
+}
+
+void Renderer::Impl::smoothEdges() const
+{
+    const Scope scope("edge_filter");
+    targets.edges.bind();
+    glUseProgram(edgeFilter.id());
+    glBindVertexArray(emptyArray);
+    const uint32_t tiles = ((input.width + EDGE_TILE - 1) / EDGE_TILE) * ((input.height + EDGE_TILE - 1) / EDGE_TILE);
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(tiles));
 }
 
 void Renderer::Impl::fullScreen(const char* name, const Framebuffer& target, const Program& program) const

@@ -19,7 +19,7 @@ struct CameraSettings {
 };
 
 struct LightSettings {
-    Eigen::Vector3f direction{0.45f, 0.8f, 0.4f}; ///< Towards the key light; normalized when used.
+    Eigen::Vector3f direction{-0.5f, 0.85f, 0.45f}; ///< Towards the key light; normalized when used.
     float intensity = 3.0f;                       ///< Key light, 0 ... 20.
     float softness = 2.0f;                        ///< Angular radius of the key light [degrees], 0 ... 20.
     Eigen::Vector3f skyColor{0.55f, 0.68f, 0.9f};

@@ -30,7 +30,7 @@ gpu::ColliderInstance instanceOf(const Collider& collider)
 }  // namespace
 
 StaticGeometry::StaticGeometry(const Gpu& gpu, const World& world, const SceneExtent& extent)
-    : planeProgram_(Program::graphics(gpu, "render/screen.vert", "render/plane.frag")),
+    : planeProgram_(Program::graphics(gpu, "render/plane.vert", "render/plane.frag")),
       shapeProgram_(Program::graphics(gpu, "render/collider.vert", "render/collider.frag")),
       shadowProgram_(Program::graphics(gpu, "render/collider.vert", "render/collider_shadow.frag",
                                        {{"LIGHT_VIEW", "1"}}))

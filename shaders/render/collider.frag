@@ -19,6 +19,6 @@ void main()
                            shapePosition.w, normal);
     if (depth <= 0.0) discard;
     surface = uvec2(packNormal(directionToView(rotate(shapeOrientation, normal))),
-                    packAlbedo(shapeColor.rgb));
+                    packAlbedo(shapeColor.rgb, 1.0));
     gl_FragDepth = depth / frame.farDepth;
 }

@@ -11,18 +11,24 @@ layout(binding = SHADE_UNIT) uniform sampler2D shadePicture;
 layout(location = 0) out vec4 picture;
 layout(location = 1) out vec4 pictureCopy;
 
-// The half-resolution shade, from the four nearest pixels of about this depth.
-vec2 shadeAt(ivec2 pixel, float depth)
+// Diffuse reflection of the key light is 1/pi of what arrives; these are that and the sky's, balanced by eye.
+const float KEY_SHARE = 0.40;
+const float AMBIENT_SHARE = 0.62;
+
+// The half-resolution shade: the mean over a block of 2x2, which together hold the whole pattern of taps, of those at
+// about this depth.
+vec2 shadeAt(ivec2 pixel, float depth, float facing)
 {
-    ivec2 last = textureSize(shadePicture, 0) - 1;
     ivec2 base = pixel >> 1;
-    ivec2 away = pixel & 1;
+    ivec2 next = min(base + 1, textureSize(shadePicture, 0) - 1);
     vec2 sum = vec2(0.0);
     float weights = 0.0;
-    float sharpness = 1.0 / (0.2 * frame.radius + 0.002 * depth);
+    // A surface seen at a slant changes its depth from pixel to pixel.
+    float slope = 2.0 * frame.tanHalfFov / float(frame.height) * depth / max(facing, 0.08);
+    float sharpness = 1.0 / (0.3 * frame.radius + 6.0 * slope);
     for (int i = 0; i < 4; ++i) {
-        vec3 there = texelFetch(shadePicture, min(base + away * ivec2(i & 1, i >> 1), last), 0).xyz;
-        float weight = 1.0 / (1e-3 + abs(there.z - depth) * sharpness);
+        vec3 there = texelFetch(shadePicture, ivec2((i & 1) != 0 ? next.x : base.x, (i & 2) != 0 ? next.y : base.y), 0).xyz;
+        float weight = max(1.0 - abs(there.z - depth) * sharpness, 0.001);
         sum += weight * there.xy;
         weights += weight;
     }
@@ -33,8 +39,9 @@ vec3 litSurface(ivec2 pixel, vec3 p, uvec2 surface, float depth)
 {
     vec3 n = unpackNormal(surface.x);
     vec3 albedo = unpackAlbedo(surface.y);
-    vec2 reach = shadeAt(pixel, depth);
     vec3 toEye = -normalize(p);
+    float upright = max(dot(n, toEye), 0.0);
+    vec2 reach = shadeAt(pixel, depth, upright);
     vec3 key = view.keyInView.xyz;
     float facing = max(dot(n, key), 0.0) * reach.y;
     vec3 halfway = normalize(key + toEye);
@@ -44,15 +51,14 @@ vec3 litSurface(ivec2 pixel, vec3 p, uvec2 surface, float depth)
     // Indirect Occlusion", eq. 10).
     vec3 a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417, c = 2.7552 * albedo + 0.6903;
     vec3 ambient = max(vec3(reach.x), ((reach.x * a + b) * reach.x + c) * reach.x);
-    vec3 light = albedo * (frame.keyColor.rgb * facing * (1.0 / 3.14159265) + sky * ambient);
+    vec3 light = albedo * (frame.keyColor.rgb * facing * KEY_SHARE + sky * ambient * AMBIENT_SHARE);
 
-    float grazing = 1.0 - max(dot(n, toEye), 0.0);
+    float grazing = 1.0 - upright;
     float grazing2 = grazing * grazing;
     float gloss = max(dot(n, halfway), 0.0);
     gloss *= gloss; gloss *= gloss; gloss *= gloss; gloss *= gloss; gloss *= gloss;
-    bool ground = surface.y >> 24 == 0u;
-    vec3 sheen = frame.keyColor.rgb * (0.06 * gloss * facing) + sky * (0.30 * grazing2 * grazing2 * reach.x);
-    return light + (ground ? vec3(0.0) : sheen);
+    vec3 sheen = frame.keyColor.rgb * (0.05 * gloss * facing) + sky * (0.16 * grazing2 * grazing2 * reach.x * reach.x);
+    return light + (isGround(surface) ? vec3(0.0) : sheen);
 }
 
 void main()
@@ -64,9 +70,9 @@ void main()
     vec3 lit = litSurface(pixel, ray * depth, surface, depth);
     vec3 sky = skyRadiance(dot(normalize(ray), view.upInView.xyz));
     float far = depth * length(ray) / frame.groundFade;
-    float haze = surface.y >> 24 == 0u ? 1.0 - exp(-far * far) : 0.0;
+    float haze = isGround(surface) ? far * far / (1.0 + far * far) : 0.0;
     vec3 radiance = depth >= frame.farDepth ? sky : mix(lit, horizonColor(), haze);
-    vec3 color = encodeSrgb(filmicCurve(radiance * frame.groundColor.w));
+    vec3 color = filmic(radiance * frame.groundColor.w);
     // The filter compares lightness, as the eye sees it.
     picture = vec4(color, dot(color, vec3(0.299, 0.587, 0.114)));
     pictureCopy = picture;

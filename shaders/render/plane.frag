@@ -2,8 +2,9 @@
 #include "shared/frame_blocks.glsl"
 #include "shared/surface.glsl"
 
-layout(location = 0) uniform vec4 plane;        // world: unit normal, and the normal's component of its points
 layout(location = 1) uniform vec4 planeColor;   // rgb; w: 1 for the ground
+flat in vec4 planeInView;                       // normal; w: the eye's height above the plane
+flat in uint normalWord;
 layout(location = 0) out uvec2 surface;
 
 // Share of a pixel of width `w` covered by lines of half-width `h` around the whole numbers: the integral of the line
@@ -32,14 +33,12 @@ vec3 groundPattern(vec2 place, vec2 width)
 void main()
 {
     vec3 ray = viewRay(gl_FragCoord.xy);
-    vec3 normal = directionToView(plane.xyz);
-    float height = dot(view.cameraPosition.xyz, plane.xyz) - plane.w;
-    float fall = -dot(ray, normal);
-    float depth = height / fall;
-    if (height <= 0.0 || fall <= 1e-6 || depth >= frame.farDepth) discard;
+    float fall = -dot(ray, planeInView.xyz);
+    float depth = planeInView.w / fall;
+    if (planeInView.w <= 0.0 || fall <= 1e-6 || depth >= frame.farDepth) discard;
     vec3 world = view.cameraPosition.xyz + depth * directionToWorld(ray);
     vec3 color = planeColor.rgb;
     if (planeColor.w > 0.5) color = groundPattern(world.xz, fwidth(world.xz));
-    surface = uvec2(packNormal(normal), packAlbedo(color) & 0x00ffffffu | (planeColor.w > 0.5 ? 0u : 0xff000000u));
+    surface = uvec2(normalWord, packAlbedo(color, planeColor.w > 0.5 ? 0.0 : 1.0));
     gl_FragDepth = depth / frame.farDepth;
 }

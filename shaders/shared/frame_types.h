@@ -27,7 +27,6 @@ namespace knuckle::gpu {
 #define SHADOW_UNIT 2
 #define SHADE_UNIT 3
 #define PICTURE_UNIT 4
-#define TILES_UNIT 5
 #define POSITIONS_UNIT 6
 #define COLORS_UNIT 7
 #define VELOCITIES_UNIT 8
@@ -40,8 +39,8 @@ namespace knuckle::gpu {
 #define BOUNDS_THREADS 1024
 // Particles that one thread counts and lists, in order.
 #define LIST_CHUNK 64
-// Pixels a side of the tiles that hold the farthest depth, for the occlusion test.
-#define TILE_SIZE 8
+// Pixels a side of the tiles that the edge filter takes or leaves.
+#define EDGE_TILE 16
 
 // Shapes, as in ColliderShape.
 #define SHAPE_PLANE 0u

@@ -9,8 +9,9 @@ vec3 horizonColor()
 // `up`: the vertical component of the unit direction looked in.
 vec3 skyRadiance(float up)
 {
-    float rise = 1.0 - exp(-3.2 * max(up, 0.0));
-    vec3 zenith = frame.skyColor.rgb * vec3(0.42, 0.52, 0.68);
-    vec3 below = mix(horizonColor(), frame.groundColor.rgb, 0.55 * (1.0 - exp(4.0 * min(up, 0.0))));
+    float high = max(up, 0.0), low = max(-up, 0.0);
+    float rise = high / (high + 0.25);
+    vec3 zenith = frame.skyColor.rgb * vec3(0.30, 0.41, 0.60);
+    vec3 below = mix(horizonColor(), frame.groundColor.rgb, 0.6 * low / (low + 0.25));
     return up >= 0.0 ? mix(horizonColor(), zenith, rise) : below;
 }

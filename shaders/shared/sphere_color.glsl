@@ -20,7 +20,7 @@ uint sphereColor(int particle)
 {
     // A stored colour is a highlighted joint's.
     uint stored = texelFetch(colors, particle).x;
-    uint moving = packAlbedo(speedColor(length(texelFetch(velocities, particle).xyz) / frame.speedScale));
+    uint moving = packAlbedo(speedColor(length(texelFetch(velocities, particle).xyz) / frame.speedScale), 1.0);
     return stored != 0u ? stored : moving;
 }
 #else

@@ -1,15 +1,21 @@
 // What the geometry passes leave per pixel for the lighting: a normal and a colour in two words.
 
 // Square roots spend the 8 bits a channel where the eye sees steps.
-uint packAlbedo(vec3 albedo)
+uint packAlbedo(vec3 albedo, float alpha)
 {
-    return packUnorm4x8(vec4(sqrt(clamp(albedo, 0.0, 1.0)), 1.0));
+    return packUnorm4x8(vec4(sqrt(clamp(albedo, 0.0, 1.0)), alpha));
 }
 
 vec3 unpackAlbedo(uint word)
 {
     vec3 root = unpackUnorm4x8(word).rgb;
     return root * root;
+}
+
+// The ground's colour words have no alpha.
+bool isGround(uvec2 surface)
+{
+    return surface.y >> 24 == 0u;
 }
 
 // Octahedral map of the unit sphere (Meyer et al. 2010).

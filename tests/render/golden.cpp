@@ -1,0 +1,36 @@
+#include "tests/render/golden.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace knuckle::test {
+
+namespace {
+
+constexpr double MAX_MEAN = 1.0;
+constexpr double MAX_CHANGED_SHARE = 0.01;
+constexpr uint32_t CHANGED_BEYOND = 24;
+
+}  // namespace
+
+void expectGolden(const std::string& name, const Image& image)
+{
+    const std::string golden = std::string(KNUCKLE_ROOT) + "/tests/render/golden/" + name + ".png";
+    if (std::getenv("KNUCKLE_RENEW_GOLDEN") != nullptr) {
+        writePng(golden, image);
+        return;
+    }
+    const ImageDifference difference = compareImages(image, readImage(golden), CHANGED_BEYOND);
+    if (difference.meanAbsolute <= MAX_MEAN && difference.changedShare <= MAX_CHANGED_SHARE) return;
+    const std::string folder = std::filesystem::path(KNUCKLE_PROGRAM).parent_path().string() + "/golden_failures";
+    std::filesystem::create_directories(folder);
+    writePng(folder + "/" + name + ".png", image);
+    writePng(folder + "/" + name + "_difference.png", difference.picture);
+    ADD_FAILURE() << name << ": mean difference " << difference.meanAbsolute << " (at most " << MAX_MEAN
+                  << "), changed share " << difference.changedShare << " (at most " << MAX_CHANGED_SHARE
+                  << "); see " << folder << "/" << name << ".png and _difference.png";
+}
+
+}  // namespace knuckle::test

@@ -1,0 +1,166 @@
+#include "render/renderer.h"
+
+#include <cstddef>
+
+#include "render/palette.h"
+#include "shared/frame_types.h"
+#include "sim/gpu/program.h"
+#include "sim/world/errors.h"
+#include "tests/render/render_fixture.h"
+
+namespace knuckle::test {
+namespace {
+
+World twoCubes()
+{
+    StillWorld still(0.1f);
+    still.addGround();
+    still.addBody(cubeLattice(3, 0.2f), {0, 0.3f, 0});
+    still.addBody(cubeLattice(3, 0.2f), {0.1f, 1.2f, 0});
+    return still.world;
+}
+
+RenderSettings tiny()
+{
+    RenderSettings settings;
+    settings.width = 96;
+    settings.height = 54;
+    return settings;
+}
+
+TEST(Renderer, DrawsTheSameStateToTheSameBits)
+{
+    EXPECT_EQ(drawn(twoCubes(), tiny()).rgb, drawn(twoCubes(), tiny()).rgb);
+}
+
+TEST(Renderer, HandsOutEachFinishedPictureOnce)
+{
+    RenderSettings settings = tiny();
+    settings.camera.kind = CameraKind::Orbit;
+    settings.camera.orbitSpeed = 90.0f;
+    const World world = twoCubes();
+    Gpu& gpu = sharedGpu();
+    const StillBuffers buffers(world);
+    Renderer renderer(gpu, world, settings);
+    EXPECT_THROW(renderer.readImage(), RunError);
+    renderer.draw(buffers.view(), 0.0);
+    const Image first = renderer.readImage();
+    EXPECT_FALSE(renderer.takeFinished());
+    renderer.draw(buffers.view(), 1.0);
+    const std::optional<Image> taken = renderer.takeFinished();
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(taken->rgb, first.rgb);
+    EXPECT_FALSE(renderer.takeFinished());
+    EXPECT_NE(renderer.readImage().rgb, first.rgb);
+}
+
+TEST(Renderer, DrawsOddSizesAndNoParticlesAtAll)
+{
+    StillWorld still(0.1f);
+    still.addGround();
+    RenderSettings settings = tiny();
+    settings.width = 37;
+    settings.height = 19;
+    const Image image = drawn(still.world, settings);
+    EXPECT_EQ(image.rgb.size(), size_t{37} * 19 * 3);
+}
+
+template <typename Change>
+void expectRefused(Change change)
+{
+    RenderSettings settings = tiny();
+    change(settings);
+    const World world = twoCubes();
+    EXPECT_THROW(Renderer(sharedGpu(), world, settings), InputError);
+}
+
+TEST(Renderer, RefusesSettingsOutOfRange)
+{
+    expectRefused([](RenderSettings& s) { s.width = 15; });
+    expectRefused([](RenderSettings& s) { s.height = 8193; });
+    expectRefused([](RenderSettings& s) { s.antialiasing = 0; });
+    expectRefused([](RenderSettings& s) { s.exposure = 0.0f; });
+    expectRefused([](RenderSettings& s) { s.light.direction.setZero(); });
+    expectRefused([](RenderSettings& s) { s.camera.fieldOfView = 121.0f; });
+    expectRefused([](RenderSettings& s) {
+        s.camera.automatic = false;
+        s.camera.target = s.camera.position;
+    });
+    expectRefused([](RenderSettings& s) {
+        s.camera.kind = CameraKind::Follow;
+        s.camera.follow = "nobody";
+    });
+}
+
+TEST(Renderer, RefusesAViewOfAnotherWorld)
+{
+    const World world = twoCubes();
+    Gpu& gpu = sharedGpu();
+    const StillBuffers buffers(world);
+    ParticleView view = buffers.view();
+    view.particleCount -= 1;
+    Renderer renderer(gpu, world, tiny());
+    EXPECT_THROW(renderer.draw(view, 0.0), RunError);
+}
+
+struct Member {
+    const char* name;
+    size_t offset;
+};
+
+void expectOffsets(const Program& program, const char* block, size_t size, std::initializer_list<Member> members)
+{
+    const GLuint index = glGetProgramResourceIndex(program.id(), GL_UNIFORM_BLOCK, block);
+    ASSERT_NE(index, GL_INVALID_INDEX) << block;
+    const GLenum sizeProperty = GL_BUFFER_DATA_SIZE, offsetProperty = GL_OFFSET;
+    GLint value = 0;
+    glGetProgramResourceiv(program.id(), GL_UNIFORM_BLOCK, index, 1, &sizeProperty, 1, nullptr, &value);
+    EXPECT_EQ(static_cast<size_t>(value), size) << block;
+    for (const Member& member : members) {
+        const GLuint uniform = glGetProgramResourceIndex(program.id(), GL_UNIFORM, member.name);
+        ASSERT_NE(uniform, GL_INVALID_INDEX) << member.name;
+        glGetProgramResourceiv(program.id(), GL_UNIFORM, uniform, 1, &offsetProperty, 1, nullptr, &value);
+        EXPECT_EQ(static_cast<size_t>(value), member.offset) << member.name;
+    }
+}
+
+TEST(Renderer, HostAndDriverAgreeOnTheFramesBlocks)
+{
+    const Program program = Program::graphics(sharedGpu(), "render/screen.vert", "render/lighting.frag");
+    using gpu::FrameInput;
+    using gpu::FrameView;
+    expectOffsets(program, "FrameInputBlock", sizeof(FrameInput),
+                  {{"frame.keyDirection", offsetof(FrameInput, keyDirection)},
+                   {"frame.solidHigh", offsetof(FrameInput, solidHigh)},
+                   {"frame.width", offsetof(FrameInput, width)},
+                   {"frame.radius", offsetof(FrameInput, radius)},
+                   {"frame.groundFade", offsetof(FrameInput, groundFade)}});
+    expectOffsets(program, "FrameViewBlock", sizeof(FrameView),
+                  {{"view.cameraPosition", offsetof(FrameView, cameraPosition)},
+                   {"view.lightDepth", offsetof(FrameView, lightDepth)},
+                   {"view.upInView", offsetof(FrameView, upInView)}});
+}
+
+TEST(Palette, NeighboursDifferAndColoursAreInRange)
+{
+    for (uint32_t i = 0; i < 1000; ++i) {
+        const Vector3f color = paletteColor(i), next = paletteColor(i + 1);
+        EXPECT_GE(color.minCoeff(), 0.0f);
+        EXPECT_LE(color.maxCoeff(), 1.0f);
+        EXPECT_GT((color - next).norm(), 0.15f) << i;
+    }
+}
+
+TEST(Palette, SharedParticlesAreRedOnlyWhenAskedFor)
+{
+    World world = twoCubes();
+    world.particles[3].bodyCount = 2;
+    RenderSettings settings;
+    EXPECT_EQ(particleColors(world, settings)[3], particleColors(world, settings)[4]);
+    settings.highlightJoints = true;
+    EXPECT_NE(particleColors(world, settings)[3], particleColors(world, settings)[4]);
+    EXPECT_GT(particleColors(world, settings)[3] & 0xffu, 200u);
+}
+
+}  // namespace
+}  // namespace knuckle::test

@@ -1,0 +1,106 @@
+#include "tests/render/still_world.h"
+
+namespace knuckle::test {
+
+namespace {
+
+template <typename T, typename Make>
+Buffer<gpu::vec4> vectors(const char* label, const std::vector<T>& items, Make make)
+{
+    std::vector<gpu::vec4> out;
+    for (const T& item : items) {
+        const Vector3f v = make(item);
+        out.push_back({v.x(), v.y(), v.z(), 0.0f});
+    }
+    return {label, out};
+}
+
+Buffer<gpu::ParticleInfo> infoOf(const World& world)
+{
+    std::vector<gpu::ParticleInfo> out;
+    for (const Particle& p : world.particles) {
+        gpu::ParticleInfo info{};
+        info.body = p.body;
+        info.bodyCount = p.bodyCount;
+        info.assembly = p.assembly;
+        info.material = p.material;
+        out.push_back(info);
+    }
+    return {"info", out};
+}
+
+}  // namespace
+
+StillWorld::StillWorld(float radius)
+{
+    world.particleRadius = radius;
+    world.materials = {{.name = "clay", .color = {0.72f, 0.33f, 0.20f}}, {.name = "stone", .color = {0.5f, 0.5f, 0.45f}}};
+}
+
+uint32_t StillWorld::addBody(const std::vector<Vector3f>& offsets, const Vector3f& position,
+                             const Quaternionf& rotation, const Vector3f& velocity)
+{
+    const auto index = static_cast<uint32_t>(world.bodies.size());
+    Body body;
+    body.name = "body " + std::to_string(index);
+    body.material = index % 2;
+    body.assembly = body.object = index;
+    body.linkStart = static_cast<uint32_t>(world.links.size());
+    body.linkCount = static_cast<uint32_t>(offsets.size());
+    body.restCentre = position;
+    world.objects.push_back({body.name, index, 1, index});
+    world.bodies.push_back(body);
+    for (const Vector3f& offset : offsets) {
+        Particle particle;
+        particle.position = position + rotation * offset;
+        particle.velocity = velocity;
+        particle.material = body.material;
+        particle.body = particle.assembly = index;
+        particle.bodyCount = 1;
+        world.links.push_back({static_cast<uint32_t>(world.particles.size()), index, offset, 1.0f});
+        world.particles.push_back(particle);
+    }
+    return index;
+}
+
+void StillWorld::addGround()
+{
+    addCollider(ColliderShape::Plane, Vector3f::Zero());
+}
+
+Collider& StillWorld::addCollider(ColliderShape shape, const Vector3f& position)
+{
+    Collider collider;
+    collider.shape = shape;
+    collider.position = position;
+    return world.colliders.emplace_back(collider);
+}
+
+StillBuffers::StillBuffers(const World& world)
+    : radius_(world.particleRadius),
+      positions_(vectors("positions", world.particles, [](const Particle& p) { return p.position; })),
+      velocities_(vectors("velocities", world.particles, [](const Particle& p) { return p.velocity; })),
+      centres_(vectors("centres", world.bodies, [](const Body& b) { return b.restCentre; })),
+      rotations_(vectors("rotations", world.bodies, [](const Body&) { return Vector3f(0, 0, 0); })),
+      info_(infoOf(world))
+{
+}
+
+ParticleView StillBuffers::view() const
+{
+    return {positions_.id(), velocities_.id(), info_.id(), centres_.id(), rotations_.id(),
+            static_cast<uint32_t>(positions_.size()), static_cast<uint32_t>(centres_.size()), radius_};
+}
+
+std::vector<Vector3f> cubeLattice(int count, float diameter)
+{
+    std::vector<Vector3f> points;
+    const float middle = 0.5f * static_cast<float>(count - 1);
+    for (int z = 0; z < count; ++z)
+        for (int y = 0; y < count; ++y)
+            for (int x = 0; x < count; ++x)
+                points.push_back(diameter * (Vector3f(float(x), float(y), float(z)).array() - middle).matrix());
+    return points;
+}
+
+}  // namespace knuckle::test

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "shared/gpu_types.h"
+#include "sim/gpu/buffer.h"
+#include "sim/solver/particle_view.h"
+#include "sim/world/world.h"
+
+namespace knuckle::test {
+
+/// A world that never moves, made particle by particle, for pictures of known states.
+class StillWorld {
+public:
+    explicit StillWorld(float radius);
+
+    /// A body of particles at `offsets`, turned and put at `pose`. @returns its index.
+    uint32_t addBody(const std::vector<Vector3f>& offsets, const Vector3f& position,
+                     const Quaternionf& rotation = Quaternionf::Identity(),
+                     const Vector3f& velocity = Vector3f::Zero());
+    void addGround();
+    Collider& addCollider(ColliderShape shape, const Vector3f& position);
+
+    World world;
+};
+
+/// Its state in buffers as the solver has them.
+class StillBuffers {
+public:
+    explicit StillBuffers(const World& world);
+    ParticleView view() const;
+
+private:
+    float radius_;
+    Buffer<gpu::vec4> positions_, velocities_, centres_, rotations_;
+    Buffer<gpu::ParticleInfo> info_;
+};
+
+/// Lattice points of a cube of `count` particles a side, spaced by `diameter`, centred on the origin [m].
+std::vector<Vector3f> cubeLattice(int count, float diameter);
+
+}  // namespace knuckle::test
