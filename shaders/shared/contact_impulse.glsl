@@ -15,7 +15,8 @@ struct Contact {
 /// the accumulated normal impulse (Macklin et al. 2014, eq. 24).
 vec4 solveContact(Contact c, vec4 impulse)
 {
-    float error = c.gap - (1.0 - step.correction) * min(c.startGap, 0.0);
+    float depth = max(-c.startGap, 0.0);
+    float error = c.gap + depth - min(step.correction * depth, step.maxCorrection);
     float scale = c.inverseMass > 0.0 ? step.relaxation / c.inverseMass : 0.0;
     float normal = max(impulse.w - scale * error, 0.0);
     vec3 tangent = impulse.xyz - scale * c.slide;

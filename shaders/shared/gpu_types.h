@@ -95,6 +95,10 @@ struct StepParameters {
     uint secondOrder;               // 1: BDF2 where nothing touches
     uint alwaysFind;                // 1: candidates every substep (the paper), 0: when due
     uint rotationIterations;
+    float maxCorrection;            // of a penetration per substep [m]
+    float jointCorrection;          // share of a joint gap that one substep takes back
+    float jointRelaxation;          // of the joints' impulses
+    float jointWarmStart;
     float impulseGrowth;            // how fast a warm start may grow: an acceleration times substepTime^2 [m]
 };
 

@@ -12,13 +12,17 @@ uniform samplerBuffer masses;
 uniform usamplerBuffer candidates;
 uniform usamplerBuffer candidateCounts;
 BUFFER(vec4, Moved, moved);
+uniform usamplerBuffer particleInfo;
+BUFFER(uvec2, AssemblyState, assemblyState);
 BUFFER(Counters, CountersBlock, counters);
 
 #ifdef STABILIZE
 BUFFER(vec4, Stabilized, stabilized);
 #define CONTACT_POSITIONS positions
+#define CONTACT_ERROR(gap, startGap) (gap)
 #else
 #define CONTACT_POSITIONS predicted
+#define CONTACT_ERROR(gap, startGap) contactError(gap, startGap)
 #endif
 
 void main()
@@ -39,8 +43,9 @@ void main()
         vec4 otherMass = texelFetch(masses, int(j));
         float both = mass.x + otherMass.x;
         if (far >= step.diameter || both == 0.0) continue;
-        vec3 slide = r - (start - texelFetch(positions, int(j)).xyz);
-        push += averagedContact(contactNormal(r, far, i, j), far - step.diameter, mass.x / both, slide,
+        vec3 startApart = start - texelFetch(positions, int(j)).xyz;
+        float error = CONTACT_ERROR(far - step.diameter, length(startApart) - step.diameter);
+        push += averagedContact(contactNormal(r, far, i, j), error, mass.x / both, r - startApart,
                                 0.5 * (mass.zw + otherMass.zw));
         acting += 1.0;
     }
@@ -49,10 +54,12 @@ void main()
         vec4 surface = colliderDistance(c, own);
         float gap = surface.w - 0.5 * step.diameter;
         if (gap >= 0.0 || mass.x == 0.0) continue;
-        push += averagedContact(surface.xyz, gap, 1.0, own - start, 0.5 * (mass.zw + colliders[c].friction.xy));
+        float error = CONTACT_ERROR(gap, colliderDistance(c, start).w - 0.5 * step.diameter);
+        push += averagedContact(surface.xyz, error, 1.0, own - start, 0.5 * (mass.zw + colliders[c].friction.xy));
         acting += 1.0;
     }
     push /= max(acting, 1.0);
+    if (acting > 0.0) assemblyState[texelFetch(particleInfo, int(i)).z].x = counters[0].substep - 1u;
 #ifdef STABILIZE
     stabilized[i] = vec4(own + push, 0);
     moved[i] = vec4(texelFetch(predicted, int(i)).xyz + push, acting);

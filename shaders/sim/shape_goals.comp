@@ -52,11 +52,11 @@ vec4 sharedGoal(uint i, uint assembly)
         vec3 gap = mean - goal(linkBody.y, link.r);
 #ifdef LAST
         linkGaps[linkBody.x] = vec4(gap, 0);
-        linkOffsets[linkBody.x] = step.warmStart * linkImpulses[linkBody.x];
-        linkImpulses[linkBody.x] *= step.warmStart;
+        linkOffsets[linkBody.x] = step.jointWarmStart * linkImpulses[linkBody.x];
+        linkImpulses[linkBody.x] *= step.jointWarmStart;
 #else
-        vec3 error = gap - (1.0 - step.correction) * linkGaps[linkBody.x].xyz;
-        float scale = step.relaxation * bodies / (inverseMass * link.mass * factor);
+        vec3 error = gap - (1.0 - step.jointCorrection) * linkGaps[linkBody.x].xyz;
+        float scale = step.jointRelaxation * bodies / (inverseMass * link.mass * factor);
         linkOffsets[linkBody.x] = vec4(scale * error, 0);
         linkImpulses[linkBody.x].xyz += scale * error;
 #endif

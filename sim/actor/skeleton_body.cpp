@@ -15,8 +15,8 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr int SIDES = 10;                    // of a capsule, around
-constexpr int CAP_RINGS = 3;                 // of each of its ends
+constexpr int SIDES = 8;                     // of a capsule, around
+constexpr int CAP_RINGS = 2;                 // of each of its ends
 constexpr float SAME_PLACE = 1e-3f;          // of the figure's size
 constexpr float FOLDED = 0.3f;               // second longest over longest side of the bounds
 constexpr float THICK_PART = 0.5f;           // a capsule, but the skull, is no thicker than this share of its length ...

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "sim/solver/buffers.h"
 #include "sim/world/errors.h"
@@ -178,6 +179,22 @@ void makeGrid(SolverBuffers& out, uint32_t particleCount)
     out.sortedIds = {"sortedIds", 2 * size_t(particleCount)};
 }
 
+/// The numbers of the impulse solver, and what turns the same kernels into the paper's (docs/physics.md has the figures
+/// that decided them).
+void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
+{
+    const bool paper = s.solver == SolverKind::Paper;
+    const float h = s.timeStep / static_cast<float>(s.substeps);
+    p.correction = paper ? 1.0f : 0.3f;
+    p.maxCorrection = paper ? std::numeric_limits<float>::max() : 0.5f * h;
+    p.relaxation = 1.8f;
+    p.warmStart = 0.9f;
+    p.impulseGrowth = 2.0f * s.gravity.norm() * h * h;
+    p.jointCorrection = 0.2f;
+    p.jointRelaxation = paper ? 0.0f : 1.0f;
+    p.jointWarmStart = paper ? 0.0f : 0.9f;
+}
+
 void setParameters(SolverBuffers& out, const World& world)
 {
     const Settings& s = world.settings;
@@ -194,9 +211,7 @@ void setParameters(SolverBuffers& out, const World& world)
     p.inverseCellSize = 1.0f / p.contactRadius;
     p.drift = 0.5f * s.contactMargin * world.diameter();
     p.substepTime = h;
-    p.correction = 0.2f;
-    p.relaxation = paper ? 0.0f : 1.0f;
-    p.warmStart = paper ? 0.0f : 0.95f;
+    setImpulseParameters(p, s);
     p.virtualParticles = s.virtualParticles;
     p.freeze = s.freeze * world.particleRadius;
     p.damping = std::exp(-s.linearDamping * h);
@@ -204,7 +219,6 @@ void setParameters(SolverBuffers& out, const World& world)
     p.secondOrder = s.velocityOrder == VelocityOrder::Second ? 1u : 0u;
     p.alwaysFind = paper ? 1u : 0u;
     p.rotationIterations = 3;
-    p.impulseGrowth = 2.0f * s.gravity.norm() * h * h;
 }
 
 }  // namespace
