@@ -233,6 +233,24 @@ TEST(Articulate, boneTooSmallForABodyMergesIntoItsParentAndIsNoted)
                             [](const std::string& note) { return note.find("tip") != std::string::npos; }));
 }
 
+TEST(Articulate, smallBoneMergesIntoItsParentEvenWhereAnotherBodyIsNearer)
+{
+    Model model = twoBoneBox("other");
+    const TriangleMesh rod = boxMesh({0, 0, 2.4f}, {0.02f, 0.02f, 0.2f});
+    for (const Triangle& t : rod.triangles) {
+        model.triangles.push_back({t[0] + 16, t[1] + 16, t[2] + 16});
+    }
+    for (const Vector3f& v : rod.vertices) {
+        model.vertices.push_back(v);
+        model.skin.push_back({{2}, {1.0f}});
+    }
+    model.bones.push_back({"rod", 0});
+    const Actor actor = make(model, 0.1f);
+    ASSERT_EQ(actor.bodies.size(), 2u);
+    EXPECT_EQ(actor.bodies[0].name, "root");
+    EXPECT_EQ(actor.bodies[0].mergedBones, std::vector<std::string>{"rod"});
+}
+
 TEST(Articulate, partsThatDoNotTouchAreBridgedAtTheJoint)
 {
     Model model = twoBoneBox("tip");
