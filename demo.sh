@@ -3,5 +3,5 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-bash scripts/build.sh release
+bash scripts/build.sh release knuckle
 build/release/bin/knuckle render assets/scenes/ragdoll.json -o out/ragdoll -o out/ragdoll.mp4

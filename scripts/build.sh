@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs what is missing and builds a preset: scripts/build.sh [release|ci|debug|asan]
+# Installs what is missing and builds a preset, all of it or one target: scripts/build.sh [release|ci|debug|asan] [TARGET]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 preset=${1:-release}
 bash scripts/install.sh
 cmake --preset "$preset" >/dev/null
-cmake --build --preset "$preset"
+cmake --build --preset "$preset" ${2:+--target "$2"}
