@@ -98,13 +98,13 @@ RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor)
     surface = Texture("surface", GL_RG32UI, w, h);
     depth = Texture("depth", GL_DEPTH_COMPONENT32F, w, h);
     shadow = Texture("shadow", GL_DEPTH_COMPONENT32F, SHADOW_SIZE, SHADOW_SIZE);
-    shade = Texture("shade", GL_RGBA32F, halfW, halfH);
+    shade = Texture("shade", GL_R32UI, halfW, halfH);
     picture = Texture("picture", GL_RGBA8, w, h, GL_LINEAR);
     smoothed = Texture("smoothed", GL_RGBA8, w, h);
     geometry = Framebuffer("geometry", {&surface}, &depth);
     shadowMap = Framebuffer("shadow map", {}, &shadow);
     occlusion = Framebuffer("occlusion", {&shade}, nullptr);
-    lighting = Framebuffer("lighting", {&picture, &smoothed}, nullptr);
+    lighting = Framebuffer("lighting", {&picture}, nullptr);
     edges = Framebuffer("edge filter", {&smoothed}, nullptr);
     if (factor == 1) return;
     resolved = Texture("resolved", GL_RGBA8, width, height);

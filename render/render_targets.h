@@ -54,7 +54,7 @@ struct RenderTargets {
 
     Texture surface, depth;             ///< Normals and colours, and depth, of what is seen.
     Texture shadow;                     ///< Depth as the key light sees it.
-    Texture shade;                      ///< Half resolution: see occlusion.frag.
+    Texture shade;                      ///< Half resolution: see shade.glsl.
     Texture picture, smoothed;          ///< As displayed, before and after the edges are smoothed.
     Texture resolved;                   ///< The frame.
     Framebuffer geometry, shadowMap, occlusion, lighting, edges, resolve;

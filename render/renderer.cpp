@@ -15,8 +15,9 @@
 
 // A frame:
 //   frame_bounds, frame_view     aim the camera and fit the shadow map, on the GPU, since only it knows the positions
+//   burial_*, sphere_cull/offsets/list   which particles can be seen, and from where
 //   sphere_shadow, collider_shadow   what the key light sees
-//   plane, collider, sphere      normal, colour and depth of what the camera sees (spheres after a cull and a list)
+//   plane, collider, sphere      normal, colour and depth of what the camera sees
 //   occlusion                    ambient and key light that arrives, at half resolution
 //   lighting                     colours, ready to be seen
 //   edge_filter, resolve         antialiasing
@@ -171,6 +172,10 @@ void Renderer::Impl::aim(const ParticleView& view, double time)
 
 void Renderer::Impl::drawShadowMap()
 {
+    {
+        const Scope scope("sphere_list");
+        spheres.list();
+    }
     const Scope scope("shadow map");
     targets.shadowMap.bind();
     glEnable(GL_DEPTH_TEST);
@@ -193,12 +198,12 @@ void Renderer::Impl::drawGeometry()
 
 void Renderer::Impl::drawOcclusion()
 {
-    const GLfloat open[4] = {1, 1, 0, 0};
+    const GLuint nothing[4] = {0, 0, 0, 0};
     targets.depth.bind(DEPTH_UNIT);
     targets.surface.bind(SURFACE_UNIT);
     targets.shadow.bind(SHADOW_UNIT);
     targets.occlusion.bind();
-    glClearBufferfv(GL_COLOR, 0, open);
+    glClearBufferuiv(GL_COLOR, 0, nothing);
     fullScreen("occlusion", targets.occlusion, occlusion);
 }
 
@@ -217,6 +222,9 @@ void Renderer::Impl::drawPicture()
 void Renderer::Impl::smoothEdges() const
 {
     const Scope scope("edge_filter");
+    // What the filter leaves alone must be there already.
+    glCopyImageSubData(targets.picture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, targets.smoothed.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                       static_cast<GLsizei>(input.width), static_cast<GLsizei>(input.height), 1);
     targets.edges.bind();
     glUseProgram(edgeFilter.id());
     glBindVertexArray(emptyArray);

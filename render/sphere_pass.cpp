@@ -9,7 +9,13 @@ namespace knuckle {
 
 namespace {
 
-constexpr size_t DRAW_COUNT = 2;
+constexpr size_t CELL_COUNT = size_t{BURIAL_CELLS} * BURIAL_CELLS * BURIAL_CELLS;
+
+/// Where one of the indirect draws has its arguments.
+const void* argumentsOf(size_t draw)
+{
+    return reinterpret_cast<const void*>(draw * sizeof(gpu::DrawArguments));
+}
 
 Defines colorDefines(const RenderSettings& settings)
 {
@@ -38,15 +44,18 @@ void viewBuffer(GLuint& texture, GLuint buffer)
 }  // namespace
 
 SpherePass::SpherePass(const Gpu& gpu, const World& world, const RenderSettings& settings)
-    : cull_(Program::compute(gpu, "render/sphere_cull.comp")),
+    : burialCount_(Program::compute(gpu, "render/burial_count.comp")),
+      burialCells_(Program::compute(gpu, "render/burial_cells.comp")),
+      cull_(Program::compute(gpu, "render/sphere_cull.comp")),
       offsets_(Program::compute(gpu, "render/sphere_offsets.comp")),
       list_(Program::compute(gpu, "render/sphere_list.comp")),
       points_(Program::graphics(gpu, "render/sphere.vert", "render/sphere.frag", colorDefines(settings))),
       quads_(Program::graphics(gpu, "render/sphere_quad.vert", "render/sphere.frag", colorDefines(settings))),
       shadow_(Program::graphics(gpu, "render/sphere_shadow.vert", "render/sphere_shadow.frag")),
       colors_("sphere colours", particleColors(world, settings)), visible_("sphere visible", world.particles.size()),
-      counts_("sphere counts", 2 * chunkCount(world.particles.size())),
-      indices_("sphere list", 2 * world.particles.size()), draws_("sphere draws", DRAW_COUNT)
+      counts_("sphere counts", 4 * chunkCount(world.particles.size())),
+      indices_("sphere list", 3 * world.particles.size()),
+      cells_("burial cells", CELL_COUNT), buried_("buried cells", CELL_COUNT), draws_("sphere draws", DRAW_COUNT)
 {
     GLfloat range[2] = {1, 1};
     glGetFloatv(GL_POINT_SIZE_RANGE, range);
@@ -73,9 +82,11 @@ void SpherePass::attach(const ParticleView& view)
     viewBuffer(velocityTexture_, view.velocities);
     attached_ = view;
     bindAttributes(view.positions);
+    // Asked for first: making it disturbs the active unit.
+    const GLuint colorTexture = colors_.texture(GL_R32UI);
     bindBufferTexture(POSITIONS_UNIT, positionTexture_);
     bindBufferTexture(VELOCITIES_UNIT, velocityTexture_);
-    bindBufferTexture(COLORS_UNIT, colors_.texture(GL_R32UI));
+    bindBufferTexture(COLORS_UNIT, colorTexture);
 }
 
 void SpherePass::bindAttributes(GLuint positions)
@@ -100,11 +111,28 @@ void SpherePass::drawShadow() const
     if (attached_.particleCount == 0) return;
     glUseProgram(shadow_.id());
     glBindVertexArray(pointArray_);
-    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(attached_.particleCount));
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, draws_.id());
+    glDrawElementsIndirect(GL_POINTS, GL_UNSIGNED_INT, argumentsOf(SHADOW_DRAW));
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 
-void SpherePass::list() const
+void SpherePass::findBuried()
 {
+    cells_.clear();
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RENDER_CELLS_SLOT, cells_.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RENDER_BURIED_SLOT, buried_.id());
+    glUseProgram(burialCount_.id());
+    glDispatchCompute((attached_.particleCount + RENDER_GROUP_SIZE - 1) / RENDER_GROUP_SIZE, 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glUseProgram(burialCells_.id());
+    glDispatchCompute(CELL_COUNT / RENDER_GROUP_SIZE, 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void SpherePass::list()
+{
+    if (attached_.particleCount == 0) return;
+    findBuried();
     const auto chunks = static_cast<GLuint>(chunkCount(attached_.particleCount));
     const GLuint groups = (chunks + RENDER_GROUP_SIZE - 1) / RENDER_GROUP_SIZE;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RENDER_VISIBLE_SLOT, visible_.id());
@@ -122,17 +150,16 @@ void SpherePass::list() const
     glMemoryBarrier(GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 
-void SpherePass::draw()
+void SpherePass::draw() const
 {
     if (attached_.particleCount == 0) return;
-    list();
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, draws_.id());
     glUseProgram(points_.id());
     glBindVertexArray(pointArray_);
-    glDrawElementsIndirect(GL_POINTS, GL_UNSIGNED_INT, nullptr);
+    glDrawElementsIndirect(GL_POINTS, GL_UNSIGNED_INT, argumentsOf(POINT_DRAW));
     glUseProgram(quads_.id());
     glBindVertexArray(quadArray_);
-    glDrawArraysIndirect(GL_TRIANGLE_STRIP, reinterpret_cast<const void*>(sizeof(gpu::DrawArguments)));
+    glDrawArraysIndirect(GL_TRIANGLE_STRIP, argumentsOf(QUAD_DRAW));
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 

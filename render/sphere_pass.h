@@ -20,19 +20,21 @@ public:
 
     /// Binds the view's buffers where shaders expect them. Call once a frame, before the others.
     void attach(const ParticleView& view);
+    /// Lists what the camera and the key light can see. Buried particles are in neither list.
+    void list();
     /// Into the bound shadow map.
     void drawShadow() const;
-    /// Lists what the camera can see, then draws it into the bound geometry buffers.
-    void draw();
+    /// Into the bound geometry buffers.
+    void draw() const;
     /// gl_PointSize beyond which spheres are drawn as quads [pixels].
     float pointSizeLimit() const { return pointSizeLimit_; }
 
 private:
     void bindAttributes(GLuint positions);
-    void list() const;
+    void findBuried();
 
-    Program cull_, offsets_, list_, points_, quads_, shadow_;
-    Buffer<uint32_t> colors_, visible_, counts_, indices_;
+    Program burialCount_, burialCells_, cull_, offsets_, list_, points_, quads_, shadow_;
+    Buffer<uint32_t> colors_, visible_, counts_, indices_, cells_, buried_;
     Buffer<gpu::DrawArguments> draws_;
     GLuint pointArray_ = 0, quadArray_ = 0, positionTexture_ = 0, velocityTexture_ = 0;
     ParticleView attached_;

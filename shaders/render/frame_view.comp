@@ -9,11 +9,22 @@ layout(std430, binding = RENDER_VIEW_SLOT) writeonly buffer View { FrameView vie
 
 // The map grows in steps, so that its texels stand still while the scene breathes.
 const float SIZE_STEPS_PER_OCTAVE = 3.0;
+// Of the particles that cells of the burial grid can hold on a lattice, the share that hides what is behind them.
+const float FULL_SHARE = 0.5;
 
 vec3 perpendicular(vec3 direction)
 {
     vec3 side = cross(abs(direction.y) > 0.999 ? vec3(0.0, 0.0, -1.0) : vec3(0.0, 1.0, 0.0), direction);
     return normalize(side);
+}
+
+// Cells of four diameters or more over the particles. A pile of bodies fills about half of what a lattice would.
+void burialGrid(vec3 low, vec3 high)
+{
+    float diameter = 2.0 * frame.radius;
+    vec3 size = max((high - low) / float(BURIAL_CELLS - 1), vec3(4.0 * diameter));
+    view.cellOrigin = vec4(low, 0.0);
+    view.cellSize = vec4(size, FULL_SHARE * size.x * size.y * size.z / (diameter * diameter * diameter));
 }
 
 void main()
@@ -25,11 +36,14 @@ void main()
     vec3 right = perpendicular(back);
     vec3 up = cross(back, right);
 
-    vec3 low = frame.solidLow.xyz, high = frame.solidHigh.xyz;
+    vec3 low = vec3(1e30), high = vec3(-1e30);
     for (uint i = 0u; i < BOUNDS_THREADS; ++i) {
         low = min(low, bounds[2u * i].xyz);
         high = max(high, bounds[2u * i + 1u].xyz);
     }
+    burialGrid(low, high);
+    low = min(low, frame.solidLow.xyz);
+    high = max(high, frame.solidHigh.xyz);
     low = clamp(low, frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz) - 2.0 * frame.radius;
     high = clamp(high, frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz) + 2.0 * frame.radius;
 

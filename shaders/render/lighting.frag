@@ -1,15 +1,14 @@
 // Lights the surfaces and paints the sky behind them, ready to be seen.
 #include "shared/frame_blocks.glsl"
 #include "shared/surface.glsl"
+#include "shared/shade.glsl"
 #include "shared/sky.glsl"
 #include "shared/tone_map.glsl"
 
 layout(binding = DEPTH_UNIT) uniform sampler2D depthPicture;
 layout(binding = SURFACE_UNIT) uniform usampler2D surfacePicture;
-layout(binding = SHADE_UNIT) uniform sampler2D shadePicture;
-// The same picture twice: edge_filter.frag reads one and mends the other.
+layout(binding = SHADE_UNIT) uniform usampler2D shadePicture;
 layout(location = 0) out vec4 picture;
-layout(location = 1) out vec4 pictureCopy;
 
 // Diffuse reflection of the key light is 1/pi of what arrives; these are that and the sky's, balanced by eye.
 const float KEY_SHARE = 0.40;
@@ -19,20 +18,13 @@ const float AMBIENT_SHARE = 0.62;
 // about this depth.
 vec2 shadeAt(ivec2 pixel, float depth, float facing)
 {
-    ivec2 base = pixel >> 1;
-    ivec2 next = min(base + 1, textureSize(shadePicture, 0) - 1);
-    vec2 sum = vec2(0.0);
-    float weights = 0.0;
+    uvec4 block = textureGather(shadePicture, vec2((pixel >> 1) + 1) / vec2(textureSize(shadePicture, 0)));
     // A surface seen at a slant changes its depth from pixel to pixel.
     float slope = 2.0 * frame.tanHalfFov / float(frame.height) * depth / max(facing, 0.08);
     float sharpness = 1.0 / (0.3 * frame.radius + 6.0 * slope);
-    for (int i = 0; i < 4; ++i) {
-        vec3 there = texelFetch(shadePicture, ivec2((i & 1) != 0 ? next.x : base.x, (i & 2) != 0 ? next.y : base.y), 0).xyz;
-        float weight = max(1.0 - abs(there.z - depth) * sharpness, 0.001);
-        sum += weight * there.xy;
-        weights += weight;
-    }
-    return sum / weights;
+    vec4 weights = max(1.0 - abs(shadeDepth(block) - depth) * sharpness, 0.001);
+    weights /= dot(weights, vec4(1.0));
+    return vec2(dot(weights, shadeAmbient(block)), dot(weights, shadeKey(block)));
 }
 
 vec3 litSurface(ivec2 pixel, vec3 p, uvec2 surface, float depth)
@@ -75,5 +67,4 @@ void main()
     vec3 color = filmic(radiance * frame.groundColor.w);
     // The filter compares lightness, as the eye sees it.
     picture = vec4(color, dot(color, vec3(0.299, 0.587, 0.114)));
-    pictureCopy = picture;
 }

@@ -1,15 +1,15 @@
-// Half resolution: how much of the ambient light (x) and of the key light (y) reaches the surface, its depth (z), and
-// whether it is a thing (w) rather than the ground.
+// Half resolution: how much of the ambient light and of the key light reaches the surface.
 #include "shared/frame_blocks.glsl"
 #include "shared/surface.glsl"
+#include "shared/shade.glsl"
 
 layout(binding = DEPTH_UNIT) uniform sampler2D depthPicture;
 layout(binding = SURFACE_UNIT) uniform usampler2D surfacePicture;
 layout(binding = SHADOW_UNIT) uniform sampler2D shadowDepth;
-layout(location = 0) out vec4 shade;
+layout(location = 0) out uint shade;
 
-const int OCCLUSION_TAPS = 6;
-const int BLOCKER_TAPS = 5;
+const int OCCLUSION_TAPS = 5;
+const int BLOCKER_TAPS = 4;
 const int SHADOW_TAPS = 6;
 // A block of 2x2 pixels shares one pattern of four times as many taps; lighting.frag averages such blocks.
 const int BLOCK = 4;
@@ -104,5 +104,5 @@ void main()
     vec3 n = unpackNormal(surface.x);
     int k = (place.x & 1) + 2 * (place.y & 1);
     float key = dot(n, view.keyInView.xyz) > 0.0 ? keyReach(p, n, k) : 0.0;
-    shade = vec4(ambientReach(pixel, p, n, k), key, depth * frame.farDepth, isGround(surface) ? 0.0 : 1.0);
+    shade = packShade(depth * frame.farDepth, ambientReach(pixel, p, n, k), key, !isGround(surface));
 }

@@ -1,13 +1,14 @@
 // One thread decides how a run of LIST_CHUNK particles is drawn, and counts them: as points, as quads (too large for
-// the driver's points, or the point's centre clipped away), or not at all.
-#include "shared/frame_blocks.glsl"
+// the driver's points, or the point's centre clipped away), as shadow casters, or not at all.
+#include "shared/burial.glsl"
 #include "shared/sphere_bounds.glsl"
 #include "shared/sphere_lists.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
 layout(binding = POSITIONS_UNIT) uniform samplerBuffer positions;
 layout(std430, binding = RENDER_VISIBLE_SLOT) writeonly buffer Visible { uint visible[]; };
-layout(std430, binding = RENDER_COUNTS_SLOT) writeonly buffer Counts { uvec2 counts[]; };
+layout(std430, binding = RENDER_COUNTS_SLOT) writeonly buffer Counts { uvec4 counts[]; };
+layout(std430, binding = RENDER_BURIED_SLOT) readonly buffer Buried { uint buried[]; };
 
 uint howDrawn(vec3 position)
 {
@@ -21,7 +22,8 @@ uint howDrawn(vec3 position)
     vec2 middle = 0.5 * (bounds.xy + bounds.zw);
     bool asPoint = max(extent.x, extent.y) + 1.0 <= frame.pointSizeLimit && all(lessThan(abs(middle), vec2(1.0))) &&
                    -centre.z > 1.01 * frame.radius;
-    return !inFront || !inside ? NOT_DRAWN : asPoint ? DRAWN_AS_POINT : DRAWN_AS_QUAD;
+    uint how = !inFront || !inside ? 0u : asPoint ? DRAWN_AS_POINT : DRAWN_AS_QUAD;
+    return buried[burialCell(position)] != 0u ? 0u : how | CASTS_SHADOW;
 }
 
 void main()
@@ -29,11 +31,11 @@ void main()
     uint begin = gl_GlobalInvocationID.x * LIST_CHUNK;
     uint end = min(begin + LIST_CHUNK, frame.particleCount);
     if (begin >= end) return;
-    uvec2 count = uvec2(0u);
+    uvec3 count = uvec3(0u);
     for (uint i = begin; i < end; ++i) {
         uint how = howDrawn(texelFetch(positions, int(i)).xyz);
         visible[i] = how;
-        count += uvec2(how == DRAWN_AS_POINT, how == DRAWN_AS_QUAD);
+        count += listCounts(how);
     }
-    counts[gl_GlobalInvocationID.x] = count;
+    counts[gl_GlobalInvocationID.x] = uvec4(count, 0u);
 }

@@ -21,6 +21,9 @@ namespace knuckle::gpu {
 #define RENDER_COUNTS_SLOT 5
 #define RENDER_LIST_SLOT 6
 #define RENDER_DRAWS_SLOT 7
+// Once frame_view is done with its inputs (OpenGL 4.3 promises only eight).
+#define RENDER_CELLS_SLOT 1
+#define RENDER_BURIED_SLOT 2
 // Texture units.
 #define DEPTH_UNIT 0
 #define SURFACE_UNIT 1
@@ -37,6 +40,8 @@ namespace knuckle::gpu {
 #define RENDER_GROUP_SIZE 64
 // Threads that share the particles when their bounds are sought.
 #define BOUNDS_THREADS 1024
+// Cells a side of the grid in which buried particles are found.
+#define BURIAL_CELLS 32
 // Particles that one thread counts and lists, in order.
 #define LIST_CHUNK 64
 // Pixels a side of the tiles that the edge filter takes or leaves.
@@ -90,6 +95,8 @@ struct FrameView {
     vec4 lightUp;
     vec4 lightCentre;           // xyz; w: half the side of the square it covers [m]
     vec4 lightDepth;            // x: half the depth range [m]
+    vec4 cellOrigin;            // xyz [m]: lowest corner of the burial grid
+    vec4 cellSize;              // xyz [m]; w: particles in a cell that count as full
     vec4 viewToLightX;          // light clip coordinates from view space: dot(xyz, p) + w
     vec4 viewToLightY;
     vec4 viewToLightZ;
@@ -104,6 +111,12 @@ struct ColliderInstance {
     vec4 halfExtents;           // xyz [m]: of the box, or of the box around the shape in its own frame
     vec4 color;                 // rgb; w: shape (SHAPE_*)
 };
+
+// Places of the draw arguments.
+#define POINT_DRAW 0
+#define QUAD_DRAW 1
+#define SHADOW_DRAW 2
+#define DRAW_COUNT 3
 
 // glDrawElementsIndirect's arguments (and with `first` glDrawArraysIndirect's, whose layout is a prefix's).
 struct DrawArguments {

@@ -1,7 +1,9 @@
-// How a particle is drawn.
-#define NOT_DRAWN 0u
+// How a particle is drawn: in the camera's view as a point, as a quad or not at all, and in the light's view or not.
 #define DRAWN_AS_POINT 1u
 #define DRAWN_AS_QUAD 2u
-// Places of the draw arguments.
-#define POINT_DRAW 0
-#define QUAD_DRAW 1
+#define CASTS_SHADOW 4u
+
+uvec3 listCounts(uint how)
+{
+    return uvec3(how & DRAWN_AS_POINT, (how & DRAWN_AS_QUAD) >> 1, (how & CASTS_SHADOW) >> 2);
+}
