@@ -45,8 +45,8 @@ std::string bodyText(const ActorBody& body)
 
 std::string jointText(const ActorJoint& joint)
 {
-    return fmt::format("{{ \"name\": {}, \"type\": \"{}\", \"parent\": {}, \"child\": {}, \"anchor\": {}, \"axis\": {}, "
-                       "\"sharedParticles\": [{}] }}",
+    return fmt::format("{{ \"name\": {}, \"type\": \"{}\", \"parent\": {}, \"child\": {}, \"anchor\": {}, "
+                       "\"axis\": {}, \"sharedParticles\": [{}] }}",
                        stringText(joint.name), wordOf(joint.type), joint.parent, joint.child,
                        vectorText(joint.anchor), vectorText(joint.axis), fmt::join(joint.sharedParticles, ", "));
 }

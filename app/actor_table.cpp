@@ -50,8 +50,8 @@ std::string actorTable(const Actor& actor)
     }
     std::string text;
     for (const Row& row : rows) {
-        std::string line = fmt::format("{:<{}}  {:<{}}  {:>{}}  {:<{}}  {:>{}}  {}", row[0], widths[0], row[1], widths[1],
-                                       row[2], widths[2], row[3], widths[3], row[4], widths[4], row[5]);
+        std::string line = fmt::format("{:<{}}  {:<{}}  {:>{}}  {:<{}}  {:>{}}  {}", row[0], widths[0], row[1],
+                                       widths[1], row[2], widths[2], row[3], widths[3], row[4], widths[4], row[5]);
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";
     }

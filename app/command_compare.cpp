@@ -17,11 +17,13 @@ struct CompareOptions {
 
 int compare(const CompareOptions& options, bool quiet)
 {
-    const ImageDifference result = compareImages(readImage(options.first), readImage(options.second), options.threshold);
+    const Image first = readImage(options.first), second = readImage(options.second);
+    const ImageDifference result = compareImages(first, second, options.threshold);
     const bool different = result.changedShare > options.maxChanged;
     if (!options.difference.empty()) writePng(options.difference, result.picture);
     if (!quiet) {
-        fmt::print("{}: {:.4f} % of the pixels differ by more than {} of 255 (allowed {:.4f} %), mean {:.4f}, worst {}\n",
+        fmt::print("{}: {:.4f} % of the pixels differ by more than {} of 255 (allowed {:.4f} %), mean {:.4f}, "
+                   "worst {}\n",
                    different ? "different" : "equal", 100.0 * result.changedShare, options.threshold,
                    100.0 * options.maxChanged, result.meanAbsolute, result.worst);
     }

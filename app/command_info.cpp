@@ -37,7 +37,7 @@ int info(const CommonOptions& common)
 
 void addInfoCommand(CommandLine line)
 {
-    auto* command = line.program.add_subcommand("info", "List the devices, and the limits of the one that would be used");
+    auto* command = line.program.add_subcommand("info", "List the devices, and the limits of the chosen one");
     command->fallthrough();
     command->footer("Exit code 3, with the reason, when no device can be used.");
     command->callback([=] { line.chosen = [=] { return info(line.common); }; });

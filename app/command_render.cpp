@@ -35,7 +35,8 @@ void readExports(const std::vector<std::string>& exports, FilmOptions& film)
 {
     for (const std::string& text : exports) {
         const size_t equals = text.find('=');
-        const std::string kind = text.substr(0, equals), path = equals == std::string::npos ? "" : text.substr(equals + 1);
+        const std::string kind = text.substr(0, equals);
+        const std::string path = equals == std::string::npos ? "" : text.substr(equals + 1);
         if (path.empty() || (kind != "ply" && kind != "bodies")) {
             throw InputError(fmt::format("--export {}: must be ply=FOLDER or bodies=FILE.csv", text));
         }
@@ -66,8 +67,9 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
 }
 
 constexpr const char* NOTES =
-    "Frame 1 shows time 0. --frames 100:120 simulates up to frame 100 without drawing. -o may be given more than once,\n"
-    "for frames and a film of the same run; a film needs the program ffmpeg. Ctrl-C finishes the frame and stops.\n\n"
+    "Frame 1 shows time 0. --frames 100:120 simulates up to frame 100 without drawing. -o may be given more than\n"
+    "once, for frames and a film of the same run; a film needs the program ffmpeg.\n"
+    "Ctrl-C finishes the frame and stops.\n\n"
     "--export ply=DIR        per frame: id, position, velocity, body and material of each particle, binary PLY\n"
     "--export bodies=FILE    frame, body, object, name, position, quaternion, velocity, angular velocity, CSV\n"
     "--stats FILE            JSON: device, passes with ms, particles, contacts, worst penetration and joint gap\n\n"
@@ -86,10 +88,12 @@ void addRenderCommand(CommandLine line)
     auto options = std::make_shared<RenderOptions>();
     command->add_option("SCENE", options->scene, "A scene file, see docs/scene.md")->required();
     // One value for each time the option is given, so that the scene may follow it.
-    const auto list = [command](const char* name, std::vector<std::string>& values, const char* words, const char* type) {
+    using Words = std::vector<std::string>;
+    const auto list = [command](const char* name, Words& values, const char* words, const char* type) {
         command->add_option(name, values, words)->type_name(type)->take_all()->allow_extra_args(false);
     };
-    list("-o,--output", options->outputs, "A folder for PNG frames, or a film ending in .mp4 [out/NAME]", "DIR|film.mp4");
+    list("-o,--output", options->outputs, "A folder for PNG frames, or a film ending in .mp4 [out/NAME]",
+         "DIR|film.mp4");
     command->add_option("--frames", options->frames, "First and last frame to draw [all]")->type_name("A:B");
     command->add_option("--size", options->size, "Pixels of a frame [the scene's, 1280x720]")->type_name("WxH");
     command->add_option("--fps", options->framesPerSecond, "Frames per second [the scene's, 60]")->type_name("N")

@@ -72,7 +72,7 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
 
 void addVoxelizeCommand(CommandLine line)
 {
-    auto* command = line.program.add_subcommand("voxelize", "Fill a rigged model with particles and cut it into a ragdoll");
+    auto* command = line.program.add_subcommand("voxelize", "Fill a rigged model with particles, as a ragdoll");
     command->fallthrough();
     command->footer(
         "Reads glTF, FBX, Collada, BVH and what else assimp knows. Prints a table of the bodies, their particles and\n"

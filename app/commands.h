@@ -26,7 +26,14 @@ struct CommandLine {
     std::function<int()>& chosen;
 };
 
-enum ExitCode { EXIT_FINE = 0, EXIT_RUN = 1, EXIT_INPUT = 2, EXIT_DEVICE = 3, EXIT_DIFFERENT = 4, EXIT_INTERRUPTED = 130 };
+enum ExitCode {
+    EXIT_FINE = 0,
+    EXIT_RUN = 1,
+    EXIT_INPUT = 2,
+    EXIT_DEVICE = 3,
+    EXIT_DIFFERENT = 4,
+    EXIT_INTERRUPTED = 130,
+};
 
 void addRenderCommand(CommandLine line);
 void addVoxelizeCommand(CommandLine line);

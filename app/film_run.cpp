@@ -55,7 +55,8 @@ struct Outputs {
         }
         for (const char* other : {".avi", ".webm", ".gif", ".mpg", ".png", ".jpg"}) {
             if (ending != other) continue;
-            throw InputError(fmt::format("-o {}: films are written as .mp4, frames into a folder; name one of them", path));
+            throw InputError(fmt::format("-o {}: films are written as .mp4, frames into a folder; name one of "
+                                         "them", path));
         }
         return pngSink(path);
     }
@@ -99,8 +100,8 @@ private:
         const uint64_t count = scene.frameCount();
         if (range.last == 0) range.last = count;
         if (range.first <= range.last && range.last <= count) return range;
-        throw InputError(fmt::format("--frames {}:{}: the scene has frames 1 to {}; choose among them or raise /duration",
-                                     range.first, range.last, count));
+        throw InputError(fmt::format("--frames {}:{}: the scene has frames 1 to {}; choose among them or raise "
+                                     "/duration", range.first, range.last, count));
     }
 
     /// With --stats simulating and drawing are told apart, so that each must end before the other begins. Otherwise the

@@ -19,7 +19,8 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path))
         temporary_.emplace(path_);
     }
     file_.reset(std::fopen(temporary_ ? temporary_->name().c_str() : path_.c_str(), "wb"));
-    if (!file_) throw InputError(fmt::format("{}: cannot be written: {}; choose another place", path_, std::strerror(errno)));
+    if (file_) return;
+    throw InputError(fmt::format("{}: cannot be written: {}; choose another place", path_, std::strerror(errno)));
 }
 
 OutputFile::~OutputFile() = default;

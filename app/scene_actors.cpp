@@ -28,7 +28,8 @@ Actor loadActor(SceneContext& context, const Json& object, const std::string& fi
     if (std::abs(actor.diameter - diameter) > 1e-4f * diameter) {
         failAt(context.path, pointer + "/file",
                fmt::format("{} is made of particles of {} m, the scene of {} m; set /diameter to {}, or make the actor "
-                           "with knuckle voxelize --diameter {}", file, actor.diameter, diameter, actor.diameter, diameter));
+                           "with knuckle voxelize --diameter {}", file, actor.diameter, diameter, actor.diameter,
+                           diameter));
     }
     return actor;
 }
@@ -57,7 +58,8 @@ const Actor& findActor(SceneContext& context, const Json& object, const std::str
 {
     const std::string file = besideScene(context, object["file"]);
     if (!std::filesystem::exists(file)) {
-        failAt(context.path, pointer + "/file", fmt::format("there is no file {}; paths are relative to the scene", file));
+        failAt(context.path, pointer + "/file",
+               fmt::format("there is no file {}; paths are relative to the scene", file));
     }
     const std::string key = Json{file, object["type"], object.value("joints", ""), object.value("scale", 0.0)}.dump();
     const auto found = context.actors.find(key);

@@ -95,7 +95,8 @@ RenderSettings readRender(const JsonFile& file, const World& world)
     if (follow.empty()) follow = names.front();
     if (std::find(names.begin(), names.end(), follow) != names.end()) return render;
     if (names.size() > 12) names.resize(12);
-    failAt(file.path, "/camera/follow", fmt::format("there is no object \"{}\"; {}", follow, suggestion(follow, names)));
+    failAt(file.path, "/camera/follow",
+           fmt::format("there is no object \"{}\"; {}", follow, suggestion(follow, names)));
 }
 
 }  // namespace

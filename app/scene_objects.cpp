@@ -105,14 +105,16 @@ void addChain(const Entry& entry, const JointSpec& common, uint32_t lastMaterial
     const std::string hold = json["hold"];
     const std::vector<Vector3f> lattice = boxLattice(size, builder.diameter());
     const float pitch = static_cast<float>(size.x() + json["gap"].get<int>()) * builder.diameter();
-    const auto centre = [&](float place) { return Vector3f(pitch * (place - 0.5f * static_cast<float>(bodies - 1)), 0, 0); };
+    const float middle = 0.5f * static_cast<float>(bodies - 1);
+    const auto centre = [&](float place) { return Vector3f(pitch * (place - middle), 0, 0); };
     std::vector<uint32_t> indices;
     for (uint32_t b = 0; b < bodies; ++b) {
         std::vector<Vector3f> positions = lattice;
         for (Vector3f& position : positions) position += centre(static_cast<float>(b));
         const bool last = b + 1 == bodies;
-        const bool held = (b == 0 && (hold == "first" || hold == "both")) || (last && (hold == "last" || hold == "both"));
-        indices.push_back(builder.addBody(fmt::format("body_{}", b + 1), positions, last ? lastMaterial : entry.material,
+        const bool held = (b == 0 && hold != "last" && hold != "none") || (last && hold != "first" && hold != "none");
+        indices.push_back(builder.addBody(fmt::format("body_{}", b + 1), positions,
+                                          last ? lastMaterial : entry.material,
                                           held ? Motion::Fixed : Motion::Dynamic));
     }
     const Json& types = json["joints"];

@@ -92,7 +92,7 @@ const Json& SchemaCheck::choose(const Json& node, const Json& value, const std::
         std::vector<const Json*> matching;
         std::vector<std::string> words;
         for (const Json* alternative : left) {
-            const Json& properties = alternative->contains("properties") ? (*alternative)["properties"] : Json::object();
+            const Json properties = alternative->value("properties", Json::object());
             if (!properties.contains(key) || !properties[key].contains("const")) continue;
             const std::string word = properties[key]["const"];
             if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);

@@ -22,7 +22,10 @@ Actor makePair()
     actor.diameter = 0.1f / 3.0f;
     std::mt19937 random(1);
     for (int i = 0; i < 2000; ++i) {
-        const auto number = [&] { return std::ldexp(static_cast<float>(random()), static_cast<int>(random() % 60) - 80); };
+        const auto number = [&] {
+            const auto mantissa = static_cast<float>(random());
+            return std::ldexp(mantissa, static_cast<int>(random() % 60) - 80);
+        };
         actor.particles.emplace_back(number(), -number(), number());
         actor.signedDistances.push_back(-number());
     }

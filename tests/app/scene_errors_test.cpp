@@ -67,8 +67,8 @@ const BadScene BAD_SCENES[] = {
      "or fewer"},
     {"ParticlesBeyondCounting",
      OBJECT(R"("type": "rigid", "shape": "sphere", "radius": 9000, "repeat": {"counts": [1000, 1000, 1000]})"),
-     ": /objects/0: brings the scene to 1000000000 particles, the limit is 1000000; raise /diameter, or make it smaller "
-     "or fewer"},
+     ": /objects/0: brings the scene to 1000000000 particles, the limit is 1000000; raise /diameter, or make it "
+     "smaller or fewer"},
     {"TooManyCopies", OBJECT(R"("type": "joined", "repeat": {"counts": [100, 100, 5]})"),
      ": /objects/0: brings the scene to 2700000 particles, the limit is 1000000; raise /diameter, or make it smaller "
      "or fewer"},

@@ -90,8 +90,8 @@ TEST_F(Failure, ToFindFfmpegSaysWhatToDo)
 
 TEST_F(Failure, OfTheDiskLeavesNothingHalfWritten)
 {
-    // A frame of 64 x 36 pixels, its film and 55 particles are all larger than this; the scene and messages are not read
-    // through the limit.
+    // A frame of 64 x 36 pixels, its film and 55 particles are all larger than this; what is read has no
+    // such limit.
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
              {"-o", "out"}, {"-o", "film.mp4"}, {"-o", "out2", "--export", "ply=ply"}}) {
         std::vector<std::string> arguments{"render", scene, "--quiet"};

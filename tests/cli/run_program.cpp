@@ -35,7 +35,8 @@ bool waitForFile(pid_t child, const std::string& path)
 {
     while (!std::filesystem::exists(path)) {
         siginfo_t info = {};
-        if (waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid != 0) return false;
+        waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT);
+        if (info.si_pid != 0) return false;
         sched_yield();
     }
     return true;
