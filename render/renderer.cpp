@@ -223,8 +223,8 @@ void Renderer::Impl::smoothEdges() const
 {
     const Scope scope("edge_filter");
     // What the filter leaves alone must be there already.
-    glCopyImageSubData(targets.picture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, targets.smoothed.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                       static_cast<GLsizei>(input.width), static_cast<GLsizei>(input.height), 1);
+    glCopyImageSubData(targets.picture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, targets.smoothed.id(), GL_TEXTURE_2D, 0, 0,
+                       0, 0, static_cast<GLsizei>(input.width), static_cast<GLsizei>(input.height), 1);
     targets.edges.bind();
     glUseProgram(edgeFilter.id());
     glBindVertexArray(emptyArray);

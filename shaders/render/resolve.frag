@@ -9,6 +9,7 @@ void main()
 {
     vec3 sum = vec3(0.0);
     for (int y = 0; y < factor; ++y)
-        for (int x = 0; x < factor; ++x) sum += texelFetch(picture, ivec2(gl_FragCoord.xy) * factor + ivec2(x, y), 0).rgb;
+        for (int x = 0; x < factor; ++x)
+            sum += texelFetch(picture, ivec2(gl_FragCoord.xy) * factor + ivec2(x, y), 0).rgb;
     resolved = vec4(sum / float(factor * factor), 1.0);
 }

@@ -1,5 +1,6 @@
 // One thread lists the particles of its run that are drawn, in order: points from the front of the list, quads after
-// room for all particles, shadow casters after room for all once more. No atomics: the order of equal depths must not differ from run to run.
+// room for all particles, shadow casters after room for all once more. No atomics: the order of equal depths must not
+// differ from run to run.
 #include "shared/frame_blocks.glsl"
 #include "shared/sphere_lists.glsl"
 

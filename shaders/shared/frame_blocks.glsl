@@ -40,7 +40,8 @@ vec4 projectView(vec3 p)
 // Shadow map coordinates of a view-space point, each in -1...1 inside the map; z grows away from the light.
 vec3 viewToLight(vec3 p)
 {
-    return vec3(dot(view.viewToLightX.xyz, p) + view.viewToLightX.w, dot(view.viewToLightY.xyz, p) + view.viewToLightY.w,
+    return vec3(dot(view.viewToLightX.xyz, p) + view.viewToLightX.w,
+                dot(view.viewToLightY.xyz, p) + view.viewToLightY.w,
                 dot(view.viewToLightZ.xyz, p) + view.viewToLightZ.w);
 }
 

@@ -106,6 +106,23 @@ TEST(SphereGeometry, TheSilhouetteOfOneSphereHasTheClosedFormRadius)
     EXPECT_NEAR(std::sqrt(covered / std::numbers::pi), expected, 0.5);
 }
 
+TEST(SphereGeometry, LeavingOutBuriedParticlesOpensNoHoles)
+{
+    // 20 particles a side are five cells of the burial grid: the inner ones are buried.
+    StillWorld still(0.05f);
+    still.addBody(cubeLattice(20, 0.1f), {0, 0, 0},
+                  Quaternionf(Eigen::AngleAxisf(0.5f, Vector3f(1, 2, 0).normalized())));
+    still.world.materials[0].color = {0.9f, 0.02f, 0.02f};
+    const Image image = drawn(still.world, flatColors(6.0f));
+    // The cube's half side of 1 m covers 37 pixels from the middle, whichever way it is turned.
+    const float reach = 35.0f, middle = 0.5f * SIZE;
+    int holes = 0;
+    for (uint32_t y = 0; y < SIZE; ++y)
+        for (uint32_t x = 0; x < SIZE; ++x)
+            holes += std::hypot(float(x) - middle, float(y) - middle) < reach && shown(pixelAt(image, x, y)) != 0;
+    EXPECT_EQ(holes, 0);
+}
+
 /// The mean brightness of the ground at `x` in front of a camera that looks straight down on the origin.
 int groundBrightness(const Image& image, float x, float height)
 {

@@ -34,7 +34,8 @@ Buffer<gpu::ParticleInfo> infoOf(const World& world)
 StillWorld::StillWorld(float radius)
 {
     world.particleRadius = radius;
-    world.materials = {{.name = "clay", .color = {0.72f, 0.33f, 0.20f}}, {.name = "stone", .color = {0.5f, 0.5f, 0.45f}}};
+    world.materials = {{.name = "clay", .color = {0.72f, 0.33f, 0.20f}},
+                       {.name = "stone", .color = {0.5f, 0.5f, 0.45f}}};
 }
 
 uint32_t StillWorld::addBody(const std::vector<Vector3f>& offsets, const Vector3f& position,
