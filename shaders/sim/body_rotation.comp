@@ -6,6 +6,9 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer bodyMatrices;
+uniform samplerBuffer bodyStarts;
+uniform samplerBuffer bodyMoves;
+BUFFER(vec4, BodyCentres, bodyCentres);
 BUFFER(vec4, BodyRotations, bodyRotations);
 
 vec3 newtonStep(mat3 s, vec3 torque)
@@ -23,6 +26,7 @@ void main()
 {
     uint b = gl_GlobalInvocationID.x;
     if (b >= step.bodyCount) return;
+    bodyCentres[b] = texelFetch(bodyStarts, int(2u * b)) + texelFetch(bodyMoves, int(b));
     mat3 a;
     for (int column = 0; column < 3; ++column) a[column] = texelFetch(bodyMatrices, int(3u * b) + column).xyz;
     vec4 q = bodyRotations[b];

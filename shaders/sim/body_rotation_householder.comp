@@ -8,6 +8,9 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer bodyMatrices;
+uniform samplerBuffer bodyStarts;
+uniform samplerBuffer bodyMoves;
+BUFFER(vec4, BodyCentres, bodyCentres);
 BUFFER(vec4, BodyRotations, bodyRotations);
 
 /// The reflection I - 2 v v^T / v^T v that zeroes m's column `k` below the diagonal.
@@ -53,6 +56,7 @@ void main()
 {
     uint b = gl_GlobalInvocationID.x;
     if (b >= step.bodyCount) return;
+    bodyCentres[b] = texelFetch(bodyStarts, int(2u * b)) + texelFetch(bodyMoves, int(b));
     mat3 a;
     for (int column = 0; column < 3; ++column) a[column] = texelFetch(bodyMatrices, int(3u * b) + column).xyz;
     float rank;

@@ -4,12 +4,14 @@
 #include "shared/links.glsl"
 
 layout(local_size_x = BODY_GROUP_SIZE) in;
+uniform samplerBuffer positions;
 uniform samplerBuffer moved;
 uniform samplerBuffer linkOffsets;
 uniform usamplerBuffer bodyInfo;
 uniform usamplerBuffer bodyAssemblies;
 uniform usamplerBuffer assemblyState;
-BUFFER(vec4, BodyCentres, bodyCentres);
+uniform samplerBuffer bodyStarts;        // centre, rotation at the start of the substep
+BUFFER(vec4, BodyMoves, bodyMoves);
 BUFFER(vec4, BodyMatrices, bodyMatrices);
 
 shared vec4 centres[BODY_GROUP_SIZE];
@@ -22,16 +24,16 @@ void main()
     uvec4 info = texelFetch(bodyInfo, int(b));
     uint order = texelFetch(assemblyState, int(texelFetch(bodyAssemblies, int(b)).x)).y;
     float factor = forceFactor(order);
-    vec3 reference = bodyCentres[b].xyz;
+    vec3 reference = texelFetch(bodyStarts, int(2u * b)).xyz;
     vec4 centre = vec4(0);
     float contacts = 0.0;
     mat3 a = mat3(0);
     for (uint k = t; k < info.y; k += BODY_GROUP_SIZE) {
         LinkValues link = fetchLink(info.x + k);
         vec4 x = texelFetch(moved, int(link.particle));
-        vec3 from = x.xyz - reference;
-        if (k >= info.z) from += factor * texelFetch(linkOffsets, int(info.x + k)).xyz;
-        centre += vec4(link.mass * from, link.mass);
+        if (k >= info.z) x.xyz += factor * texelFetch(linkOffsets, int(info.x + k)).xyz;
+        vec3 from = texelFetch(positions, int(link.particle)).xyz - reference + x.xyz;
+        centre += link.mass * vec4(x.xyz, 1);
         a += outerProduct(link.mass * from, link.r);
         contacts += x.w;
     }
@@ -47,7 +49,7 @@ void main()
         }
     }
     if (t != 0u) return;
-    bodyCentres[b] = vec4(reference + centres[0].xyz / centres[0].w, columns[0][0].w);
+    bodyMoves[b] = vec4(centres[0].xyz / centres[0].w, columns[0][0].w);
     for (int column = 0; column < 3; ++column)
         bodyMatrices[3u * b + uint(column)] = vec4(columns[column][0].xyz, 0);
 }

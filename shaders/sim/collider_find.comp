@@ -4,7 +4,7 @@
 #include "shared/contact_lists.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer predicted;
+uniform samplerBuffer foundPositions;
 BUFFER(uint, Candidates, candidates);
 BUFFER(vec4, Impulses, impulses);
 BUFFER(uvec2, CandidateCounts, candidateCounts);
@@ -22,7 +22,7 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= step.particleCount) return;
-    vec3 x = texelFetch(predicted, int(i)).xyz;
+    vec3 x = texelFetch(foundPositions, int(i)).xyz;
     uint parity = counters[0].listParity;
     float reach = step.contactRadius - 0.5 * step.diameter;
     uint count = 0u;

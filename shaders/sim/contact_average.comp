@@ -18,10 +18,10 @@ BUFFER(Counters, CountersBlock, counters);
 
 #ifdef STABILIZE
 BUFFER(vec4, Stabilized, stabilized);
-#define CONTACT_POSITIONS positions
+#define CONTACT_MOVE(move) vec3(0)
 #define CONTACT_ERROR(gap, startGap) (gap)
 #else
-#define CONTACT_POSITIONS predicted
+#define CONTACT_MOVE(move) (move)
 #define CONTACT_ERROR(gap, startGap) contactError(gap, startGap)
 #endif
 
@@ -29,7 +29,7 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= step.particleCount) return;
-    vec3 own = texelFetch(CONTACT_POSITIONS, int(i)).xyz;
+    vec3 move = texelFetch(predicted, int(i)).xyz;
     vec3 start = texelFetch(positions, int(i)).xyz;
     vec4 mass = texelFetch(masses, int(i));
     uint parity = counters[0].listParity;
@@ -38,32 +38,33 @@ void main()
     float acting = 0.0;
     for (uint s = 0u; s < count.x; ++s) {
         uint j = texelFetch(candidates, int(contactSlot(parity, s, i))).x;
-        vec3 r = own - texelFetch(CONTACT_POSITIONS, int(j)).xyz;
+        vec3 startApart = start - texelFetch(positions, int(j)).xyz;
+        vec3 slide = move - texelFetch(predicted, int(j)).xyz;
+        vec3 r = startApart + CONTACT_MOVE(slide);
         float far = length(r);
         vec4 otherMass = texelFetch(masses, int(j));
         float both = mass.x + otherMass.x;
         if (far >= step.diameter || both == 0.0) continue;
-        vec3 startApart = start - texelFetch(positions, int(j)).xyz;
         float error = CONTACT_ERROR(far - step.diameter, length(startApart) - step.diameter);
-        push += averagedContact(contactNormal(r, far, i, j), error, mass.x / both, r - startApart,
+        push += averagedContact(contactNormal(r, far, i, j), error, mass.x / both, slide,
                                 0.5 * (mass.zw + otherMass.zw));
         acting += 1.0;
     }
     for (uint s = 0u; s < count.y; ++s) {
         uint c = texelFetch(candidates, int(colliderSlot(parity, s, i))).x;
-        vec4 surface = colliderDistance(c, own);
+        vec4 surface = colliderDistance(c, start + CONTACT_MOVE(move));
         float gap = surface.w - 0.5 * step.diameter;
         if (gap >= 0.0 || mass.x == 0.0) continue;
         float error = CONTACT_ERROR(gap, colliderDistance(c, start).w - 0.5 * step.diameter);
-        push += averagedContact(surface.xyz, error, 1.0, own - start, 0.5 * (mass.zw + colliders[c].friction.xy));
+        push += averagedContact(surface.xyz, error, 1.0, move, 0.5 * (mass.zw + colliders[c].friction.xy));
         acting += 1.0;
     }
     push /= max(acting, 1.0);
     if (acting > 0.0) assemblyState[texelFetch(particleInfo, int(i)).z].x = counters[0].substep - 1u;
 #ifdef STABILIZE
-    stabilized[i] = vec4(own + push, 0);
-    moved[i] = vec4(texelFetch(predicted, int(i)).xyz + push, acting);
+    stabilized[i] = vec4(start + push, 0);
+    moved[i] = vec4(move, acting);
 #else
-    moved[i] = vec4(own + push, acting);
+    moved[i] = vec4(move + push, acting);
 #endif
 }

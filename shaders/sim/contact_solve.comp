@@ -7,7 +7,7 @@
 #include "shared/contact_impulse.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer predicted;         // w: effective inverse mass, split over the body's contacts
+uniform samplerBuffer predicted;         // move; w: effective inverse mass, split over the body's contacts
 uniform samplerBuffer positions;
 uniform samplerBuffer masses;
 uniform usamplerBuffer particleInfo;
@@ -46,13 +46,13 @@ void main()
         uint slot = contactSlot(parity, s, i);
         uint j = texelFetch(candidates, int(slot)).x;
         vec4 other = texelFetch(predicted, int(j));
-        vec3 r = own.xyz - other.xyz;
         vec3 startApart = start - texelFetch(positions, int(j)).xyz;
+        contact.slide = own.xyz - other.xyz;
+        vec3 r = startApart + contact.slide;
         float far = length(r);
         contact.normal = contactNormal(r, far, i, j);
         contact.gap = far - step.diameter;
         contact.startGap = length(startApart) - step.diameter;
-        contact.slide = r - startApart;
         contact.inverseMass = own.w + other.w;
         contact.friction = 0.5 * (mass.zw + texelFetch(masses, int(j)).zw);
         change += apply(slot, contact);
@@ -60,11 +60,11 @@ void main()
     for (uint s = 0u; s < count.y; ++s) {
         uint slot = colliderSlot(parity, s, i);
         uint c = texelFetch(candidates, int(slot)).x;
-        vec4 surface = colliderDistance(c, own.xyz);
+        vec4 surface = colliderDistance(c, start + own.xyz);
         contact.normal = surface.xyz;
         contact.gap = surface.w - 0.5 * step.diameter;
         contact.startGap = colliderDistance(c, start).w - 0.5 * step.diameter;
-        contact.slide = own.xyz - start;
+        contact.slide = own.xyz;
         contact.inverseMass = own.w;
         contact.friction = 0.5 * (mass.zw + colliders[c].friction.xy);
         change += apply(slot, contact);

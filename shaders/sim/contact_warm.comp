@@ -5,6 +5,7 @@
 #include "shared/contact_lists.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer positions;
 uniform samplerBuffer predicted;
 uniform samplerBuffer masses;
 uniform usamplerBuffer candidates;
@@ -25,7 +26,8 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= step.particleCount) return;
-    vec4 own = texelFetch(predicted, int(i));
+    vec3 move = texelFetch(predicted, int(i)).xyz;
+    vec3 own = texelFetch(positions, int(i)).xyz;
     uint parity = counters[0].listParity;
     uvec2 count = texelFetch(candidateCounts, int(parity * step.particleCount + i)).xy;
     vec3 push = vec3(0);
@@ -33,7 +35,7 @@ void main()
     for (uint s = 0u; s < count.x; ++s) {
         uint slot = contactSlot(parity, s, i);
         uint j = texelFetch(candidates, int(slot)).x;
-        vec3 r = own.xyz - texelFetch(predicted, int(j)).xyz;
+        vec3 r = own - texelFetch(positions, int(j)).xyz + (move - texelFetch(predicted, int(j)).xyz);
         float far = length(r);
         bool before = impulses[slot].w > 0.0;
         push += warm(slot, contactNormal(r, far, i, j));
@@ -41,10 +43,10 @@ void main()
     }
     for (uint s = 0u; s < count.y; ++s) {
         uint slot = colliderSlot(parity, s, i);
-        vec4 surface = colliderDistance(texelFetch(candidates, int(slot)).x, own.xyz);
+        vec4 surface = colliderDistance(texelFetch(candidates, int(slot)).x, own + move);
         bool before = impulses[slot].w > 0.0;
         push += warm(slot, surface.xyz);
         acting += before || surface.w < 0.5 * step.diameter ? 1.0 : 0.0;
     }
-    moved[i] = vec4(own.xyz + texelFetch(masses, int(i)).x * push, acting);
+    moved[i] = vec4(move + texelFetch(masses, int(i)).x * push, acting);
 }

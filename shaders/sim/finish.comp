@@ -1,5 +1,5 @@
 // One thread a particle: velocity and position at the end of the substep. BDF2 where the prediction was and nothing
-// has touched since (second order would answer a shock one and a half times), else (x* - x) / h.
+// has touched since (second order would answer a shock one and a half times), else move / h.
 #include "shared/kernel.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -9,7 +9,7 @@ uniform usamplerBuffer particleInfo;
 uniform usamplerBuffer assemblyState;
 BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
-BUFFER(vec4, OldPositions, oldPositions);
+BUFFER(vec4, OldMoves, oldMoves);
 BUFFER(vec4, OldVelocities, oldVelocities);
 BUFFER(Counters, CountersBlock, counters);
 
@@ -17,22 +17,19 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= step.particleCount || texelFetch(masses, int(i)).x == 0.0) return;
-    vec4 x = positions[i];
-    vec3 target = texelFetch(predicted, int(i)).xyz;
-    vec4 v = velocities[i];
+    vec3 move = texelFetch(predicted, int(i)).xyz;
     uvec2 state = texelFetch(assemblyState, int(texelFetch(particleInfo, int(i)).z)).xy;
     bool second = state.y == 2u && state.x + 1u != counters[0].substep;
-    float h = step.substepTime;
-    vec3 next = second ? (1.5 * target - 2.0 * x.xyz + 0.5 * oldPositions[i].xyz) / h : (target - x.xyz) / h;
+    vec3 next = (second ? 1.5 * move - 0.5 * oldMoves[i].xyz : move) / step.substepTime;
     next *= step.damping;
     next *= min(1.0, step.maxSpeed / max(length(next), 1e-20));
     if (any(isnan(next)) || any(isinf(next))) {
         atomicOr(counters[0].problems, PROBLEM_NAN);
         atomicMax(counters[0].badParticle, i);
     }
-    oldPositions[i] = x;
-    oldVelocities[i] = v;
+    oldMoves[i] = vec4(move, 0);
+    oldVelocities[i] = velocities[i];
     velocities[i] = vec4(next, 0);
     // The paper's freezing (3.1): too small a move is not made, but its velocity is kept, so that it can grow.
-    if (length(target - x.xyz) >= step.freeze) positions[i].xyz = target;
+    if (length(move) >= step.freeze) positions[i].xyz += move;
 }

@@ -8,7 +8,7 @@ uniform usamplerBuffer cellCounts;
 uniform usamplerBuffer cellMembers;
 uniform usamplerBuffer particleCells;
 uniform usamplerBuffer particleInfo;
-uniform samplerBuffer predicted;
+uniform samplerBuffer foundPositions;
 BUFFER(vec4, SortedPositions, sortedPositions);   // w: bits of the first body's index
 BUFFER(uint, SortedIds, sortedIds);
 
@@ -26,7 +26,7 @@ void main()
     // Loose particles are bodies of their own here. The index goes through the float's bits, offset away from the
     // denormals that a GPU may flush and below the NaNs.
     uint tag = body == NO_BODY ? step.bodyCount + i : body;
-    vec4 sorted = vec4(texelFetch(predicted, int(i)).xyz, uintBitsToFloat(0x01000000u + tag));
+    vec4 sorted = vec4(texelFetch(foundPositions, int(i)).xyz, uintBitsToFloat(0x01000000u + tag));
     sortedPositions[start + rank] = sorted;
     sortedIds[start + rank] = i;
     if (cell < 2u) {

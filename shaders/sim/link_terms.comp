@@ -1,12 +1,13 @@
-// One thread a link: the first step of the paper's reduction (eq. 10). CENTRES: a link's part of the mass centre and
-// the contacts; otherwise its part of A (eq. 9), which needs the centres.
+// One thread a link: the first step of the paper's reduction (eq. 10). CENTRES: a link's part of the centre's move
+// and the contacts; otherwise its part of A (eq. 9).
 #include "shared/kernel.glsl"
 #include "shared/links.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer positions;
 uniform samplerBuffer moved;
 uniform samplerBuffer linkOffsets;
-uniform samplerBuffer bodyCentres;
+uniform samplerBuffer bodyStarts;
 uniform usamplerBuffer bodyInfo;
 uniform usamplerBuffer bodyAssemblies;
 uniform usamplerBuffer assemblyState;
@@ -19,14 +20,15 @@ void main()
     LinkValues link = fetchLink(l);
     uint order = texelFetch(assemblyState, int(texelFetch(bodyAssemblies, int(link.body)).x)).y;
     vec4 x = texelFetch(moved, int(link.particle));
-    vec3 from = x.xyz - texelFetch(bodyCentres, int(link.body)).xyz;
     if (l - link.blockStart >= texelFetch(bodyInfo, int(link.body)).z)
-        from += forceFactor(order) * texelFetch(linkOffsets, int(l)).xyz;
+        x.xyz += forceFactor(order) * texelFetch(linkOffsets, int(l)).xyz;
 #ifdef CENTRES
-    linkTerms[3u * l] = vec4(link.mass * from, link.mass);
+    linkTerms[3u * l] = link.mass * vec4(x.xyz, 1);
     linkTerms[3u * l + 1u] = vec4(x.w, 0, 0, 0);
     linkTerms[3u * l + 2u] = vec4(0);
 #else
+    vec3 start = texelFetch(bodyStarts, int(2u * link.body)).xyz;
+    vec3 from = texelFetch(positions, int(link.particle)).xyz - start + x.xyz;
     for (int column = 0; column < 3; ++column)
         linkTerms[3u * l + uint(column)] = vec4(link.mass * from * link.r[column], 0);
 #endif

@@ -1,12 +1,12 @@
-// One thread a particle: where it would be at the end of the substep if nothing touched it, and whether its contact
-// candidates are still good. BDF2 (design: second-order velocities) where nothing touched its assembly lately, else
+// One thread a particle: how far it would move in the substep if nothing touched it, and whether its contact candidates
+// are still good. BDF2 (design: second-order velocities) where nothing touched its assembly lately, else
 // symplectic Euler.
 #include "shared/kernel.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
 uniform samplerBuffer velocities;
-uniform samplerBuffer oldPositions;
+uniform samplerBuffer oldMoves;
 uniform samplerBuffer oldVelocities;
 uniform samplerBuffer foundPositions;
 uniform usamplerBuffer particleInfo;
@@ -28,15 +28,15 @@ void main()
 
     float h = step.substepTime;
     vec3 v = texelFetch(velocities, int(i)).xyz;
-    vec3 target = x.xyz;
+    vec3 move = vec3(0);
     if (inverseMass > 0.0 && second) {
-        vec3 x1 = texelFetch(oldPositions, int(i)).xyz;
-        vec3 v1 = texelFetch(oldVelocities, int(i)).xyz;
-        target += (x.xyz - x1) / 3.0 + h * (8.0 * v - 2.0 * v1 + 4.0 * h * step.gravity.xyz) / 9.0;
+        vec3 lastMove = texelFetch(oldMoves, int(i)).xyz;
+        vec3 lastV = texelFetch(oldVelocities, int(i)).xyz;
+        move = lastMove / 3.0 + h * (8.0 * v - 2.0 * lastV + 4.0 * h * step.gravity.xyz) / 9.0;
     } else if (inverseMass > 0.0)
-        target += h * (v + h * step.gravity.xyz);
-    predicted[i] = vec4(target, inverseMass);
+        move = h * (v + h * step.gravity.xyz);
+    predicted[i] = vec4(move, inverseMass);
 
-    vec3 moved = target - texelFetch(foundPositions, int(i)).xyz;
-    if (dot(moved, moved) > step.drift * step.drift) counters[0].due = 1u;
+    vec3 drift = x.xyz + move - texelFetch(foundPositions, int(i)).xyz;
+    if (dot(drift, drift) > step.drift * step.drift) counters[0].due = 1u;
 }

@@ -1,4 +1,5 @@
-// One thread a particle: its goal Q r + c (eq. 8), the mean of its goals where bodies share it: the paper's joint. A
+// One thread a particle: its move to its goal Q r + c (eq. 8), to the mean of its goals where bodies share it: the
+// paper's joint. A
 // shared particle also works out the impulses that its bodies owe each other there; they are carried as displacements
 // of its links, sum to zero, and let `correction` of an old gap be taken back per substep.
 #include "shared/kernel.glsl"
@@ -13,7 +14,8 @@ uniform usamplerBuffer particleInfo;
 uniform usamplerBuffer particleLinks;
 uniform usamplerBuffer linksOfParticle;
 uniform samplerBuffer linkMasses;        // effective inverse mass of a link's body at the particle
-uniform samplerBuffer bodyCentres;       // w: contacts
+uniform samplerBuffer bodyStarts;        // centre, rotation at the start of the substep
+uniform samplerBuffer bodyMoves;         // of the centre since; w: contacts
 uniform samplerBuffer bodyRotations;
 uniform usamplerBuffer bodyInfo;
 uniform usamplerBuffer assemblyState;
@@ -22,15 +24,18 @@ BUFFER(vec4, LinkOffsets, linkOffsets);  // what the next body_sum adds to the p
 BUFFER(vec4, LinkImpulses, linkImpulses);  // accumulated, as displacement of the link's mass
 BUFFER(vec4, LinkGaps, linkGaps);        // mean of goals minus goal, at the end of the last substep
 
-vec3 goal(uint body, vec3 r)
+/// How far the goal of r has moved in the substep [m]: a difference of rotations, not of positions, so that rounding
+/// stays as small as the move.
+vec3 goalMove(uint body, vec3 r)
 {
-    return rotate(texelFetch(bodyRotations, int(body)), r) + texelFetch(bodyCentres, int(body)).xyz;
+    vec4 before = texelFetch(bodyStarts, int(2u * body + 1u));
+    return texelFetch(bodyMoves, int(body)).xyz + rotate(texelFetch(bodyRotations, int(body)), r) - rotate(before, r);
 }
 
 /// Over how many constraints a body's mass is split.
 float splits(uint body)
 {
-    return texelFetch(bodyCentres, int(body)).w + float(texelFetch(bodyInfo, int(body)).w);
+    return texelFetch(bodyMoves, int(body)).w + float(texelFetch(bodyInfo, int(body)).w);
 }
 
 vec4 sharedGoal(uint i, uint assembly)
@@ -41,7 +46,7 @@ vec4 sharedGoal(uint i, uint assembly)
     float inverseMass = 0.0;
     for (uint k = 0u; k < owned.y; ++k) {
         uvec2 linkBody = texelFetch(linksOfParticle, int(owned.x + k)).xy;
-        mean += goal(linkBody.y, fetchLink(linkBody.x).r);
+        mean += goalMove(linkBody.y, fetchLink(linkBody.x).r);
         inverseMass += texelFetch(linkMasses, int(linkBody.x)).x * splits(linkBody.y);
     }
     mean /= bodies;
@@ -49,13 +54,13 @@ vec4 sharedGoal(uint i, uint assembly)
     for (uint k = 0u; k < owned.y; ++k) {
         uvec2 linkBody = texelFetch(linksOfParticle, int(owned.x + k)).xy;
         LinkValues link = fetchLink(linkBody.x);
-        vec3 gap = mean - goal(linkBody.y, link.r);
+        vec3 opened = mean - goalMove(linkBody.y, link.r);
 #ifdef LAST
-        linkGaps[linkBody.x] = vec4(gap, 0);
+        linkGaps[linkBody.x].xyz += opened;
         linkOffsets[linkBody.x] = step.jointWarmStart * linkImpulses[linkBody.x];
         linkImpulses[linkBody.x] *= step.jointWarmStart;
 #else
-        vec3 error = gap - (1.0 - step.jointCorrection) * linkGaps[linkBody.x].xyz;
+        vec3 error = opened + step.jointCorrection * linkGaps[linkBody.x].xyz;
         float scale = step.jointRelaxation * bodies / (inverseMass * link.mass * factor);
         linkOffsets[linkBody.x] = vec4(scale * error, 0);
         linkImpulses[linkBody.x].xyz += scale * error;
@@ -74,7 +79,7 @@ void main()
     vec4 result = vec4(x.xyz, inverseMass * max(x.w, 1.0));
     if (inverseMass > 0.0 && info.y == 1u) {
         vec4 offset = texelFetch(restOffsets, int(i));
-        result = vec4(goal(info.x, offset.xyz), offset.w * max(splits(info.x), 1.0));
+        result = vec4(goalMove(info.x, offset.xyz), offset.w * max(splits(info.x), 1.0));
     } else if (inverseMass > 0.0 && info.y > 1u)
         result = sharedGoal(i, info.z);
     predicted[i] = result;

@@ -12,8 +12,8 @@ namespace knuckle {
 struct SolverBuffers {
     // State.
     Buffer<gpu::vec4> positions, velocities;           ///< At the end of the last substep [m], [m/s].
-    Buffer<gpu::vec4> oldPositions, oldVelocities;     ///< One substep before, for BDF2.
-    Buffer<gpu::vec4> bodyCentres, bodyRotations;      ///< Per body: c (w: acting contacts) and Q.
+    Buffer<gpu::vec4> oldMoves, oldVelocities;         ///< The last substep's move, the velocity before it: for BDF2.
+    Buffer<gpu::vec4> bodyCentres, bodyRotations;      ///< Per body: c and Q.
     // What never changes.
     Buffer<gpu::ParticleInfo> particleInfo;
     Buffer<gpu::vec4> masses;            ///< Inverse mass, effective inverse mass [1/kg], static and kinetic friction.
@@ -28,8 +28,10 @@ struct SolverBuffers {
     Buffer<gpu::GpuCollider> colliders;
     Buffer<gpu::StepParameters> step;
     // Within a substep.
-    Buffer<gpu::vec4> predicted;         ///< x*; w: inverse mass as contacts feel it.
-    Buffer<gpu::vec4> moved;             ///< x* with the impulses of contacts as displacements; w: acting contacts.
+    Buffer<gpu::vec4> predicted;         ///< Move since the substep began, x* - x; w: inverse mass as contacts feel it.
+    Buffer<gpu::vec4> moved;             ///< The same with the contacts' impulses as displacements; w: acting contacts.
+    Buffer<gpu::vec4> bodyStarts;        ///< Per body, two: centre and rotation when the substep began.
+    Buffer<gpu::vec4> bodyMoves;         ///< Per body: the centre's move since; w: acting contacts.
     Buffer<gpu::vec4> stabilized;        ///< Paper solver only.
     Buffer<gpu::vec4> linkOffsets, linkImpulses, linkGaps;   ///< Per link: joints as impulses (shape_goals.comp).
     Buffer<gpu::vec4> bodyMatrices;      ///< Per body: three columns of A.

@@ -68,6 +68,7 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
         bodyCollectMatrices_ = load("body_collect");
     } else
         bodySum_ = load(settings.reduction == ReductionKind::Group ? "body_sum_group" : "body_sum");
+    bodyStart_ = load("body_start");
     bodyRotation_ = load(settings.rotation == RotationMethod::Householder ? "body_rotation_householder"
                                                                           : "body_rotation");
     shapeGoals_ = load("shape_goals");
@@ -83,6 +84,7 @@ void Step::run(KernelTimer& timer) const
 void Step::substep(KernelTimer& timer) const
 {
     predict_.dispatch(timer, particles_);
+    bodyStart_.dispatch(timer, bodies_);
     findContacts(timer);
     if (settings_.solver == SolverKind::Impulse) impulseIterations(timer);
     else paperIterations(timer);

@@ -82,7 +82,7 @@ void uploadParticles(SolverBuffers& out, const World& world)
     }
     out.positions = {"positions", std::span<const gpu::vec4>(positions)};
     out.velocities = {"velocities", std::span<const gpu::vec4>(velocities)};
-    out.oldPositions = {"oldPositions", std::span<const gpu::vec4>(positions)};
+    out.oldMoves = {"oldMoves", positions.size()};
     out.oldVelocities = {"oldVelocities", std::span<const gpu::vec4>(velocities)};
     out.restPositions = {"restPositions", std::span<const gpu::vec4>(rest)};
     out.masses = {"masses", std::span<const gpu::vec4>(masses)};
@@ -111,6 +111,8 @@ void uploadBodies(SolverBuffers& out, const World& world)
     out.bodyRotations = {"bodyRotations", std::span<const gpu::vec4>(rotations)};
     out.bodyInfo = {"bodyInfo", std::span<const gpu::BodyInfo>(infos)};
     out.bodyAssemblies = {"bodyAssemblies", std::span<const uint32_t>(assemblies)};
+    out.bodyStarts = {"bodyStarts", 2 * world.bodies.size()};
+    out.bodyMoves = {"bodyMoves", world.bodies.size()};
     out.bodyMatrices = {"bodyMatrices", 3 * world.bodies.size()};
 }
 
@@ -264,8 +266,8 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
 BufferTable SolverBuffers::table()
 {
     BufferTable t;
-    for (auto* b : {&positions, &velocities, &oldPositions, &oldVelocities, &bodyCentres, &bodyRotations, &masses,
-                    &restPositions, &restOffsets, &predicted, &moved, &stabilized, &bodyMatrices, &linkTerms,
+    for (auto* b : {&positions, &velocities, &oldMoves, &oldVelocities, &bodyCentres, &bodyRotations, &masses,
+                    &restPositions, &restOffsets, &predicted, &moved, &stabilized, &bodyStarts, &bodyMoves, &bodyMatrices, &linkTerms,
                     &foundPositions, &sortedPositions, &impulses})
         t.add(b->label(), *b, 16);
     for (auto* b : {&cellCounts, &chunkSums, &cellStarts, &cellMembers, &sortedIds, &candidates, &bodyAssemblies})

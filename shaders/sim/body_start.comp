@@ -1,0 +1,15 @@
+// One thread a body: notes where it is at the start of the substep.
+#include "shared/kernel.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer bodyCentres;
+uniform samplerBuffer bodyRotations;
+BUFFER(vec4, BodyStarts, bodyStarts);    // centre, rotation
+
+void main()
+{
+    uint b = gl_GlobalInvocationID.x;
+    if (b >= step.bodyCount) return;
+    bodyStarts[2u * b] = vec4(texelFetch(bodyCentres, int(b)).xyz, 0);
+    bodyStarts[2u * b + 1u] = texelFetch(bodyRotations, int(b));
+}

@@ -1,0 +1,94 @@
+#include "physics_test.h"
+
+#include <cmath>
+
+namespace knuckle::test {
+
+Gpu& gpu()
+{
+    static Gpu instance;
+    return instance;
+}
+
+WorldBuilder makeBuilder(const Settings& settings, float friction)
+{
+    WorldBuilder builder(DIAMETER / 2, settings);
+    Material material;
+    material.name = "test";
+    material.staticFriction = material.kineticFriction = friction;
+    builder.addMaterial(material);
+    return builder;
+}
+
+Settings weightless()
+{
+    Settings settings;
+    settings.gravity.setZero();
+    return settings;
+}
+
+uint32_t addBox(WorldBuilder& builder, const Eigen::Vector3i& counts, const Pose& pose, const Vector3f& velocity,
+                const Vector3f& spin)
+{
+    builder.beginObject("box");
+    const uint32_t body = builder.addBody("box", boxLattice(counts, DIAMETER), 0);
+    builder.endObject(pose, velocity, spin);
+    return body;
+}
+
+World jointedPair(JointType type, const Settings& settings, const Pose& pose, const Vector3f& velocity,
+                  const Vector3f& spin, bool fixed, int limitSide)
+{
+    WorldBuilder builder = makeBuilder(settings);
+    std::vector<Vector3f> left = boxLattice({3, 3, 3}, DIAMETER), right = left;
+    for (Vector3f& p : left) p.x() -= 2 * DIAMETER;
+    for (Vector3f& p : right) p.x() += 2 * DIAMETER;
+    builder.beginObject("pair");
+    const uint32_t a = builder.addBody("a", left, 0, fixed ? Motion::Fixed : Motion::Dynamic);
+    const uint32_t b = builder.addBody("b", right, 0);
+    JointSpec joint;
+    joint.type = type;
+    joint.name = "joint";
+    joint.limitSide = limitSide;
+    builder.addJoint(a, b, joint);
+    builder.endObject(pose, velocity, spin);
+    return builder.build();
+}
+
+Collider floorPlane(float friction)
+{
+    Collider plane;
+    plane.staticFriction = plane.kineticFriction = friction;
+    return plane;
+}
+
+void run(Solver& solver, const World& world, double seconds)
+{
+    const int steps = static_cast<int>(std::lround(seconds / world.settings.timeStep));
+    for (int i = 0; i < steps; ++i) {
+        solver.step();
+        solver.checkCounters(static_cast<uint64_t>(i));
+    }
+}
+
+Totals totals(const World& world, const ParticleState& state)
+{
+    Totals sum;
+    for (size_t i = 0; i < world.particles.size(); ++i) {
+        const double mass = world.particles[i].mass;
+        const Eigen::Vector3d v = state.velocities[i].cast<double>();
+        sum.momentum += mass * v;
+        sum.angularMomentum += mass * state.positions[i].cast<double>().cross(v);
+        sum.speedSum += mass * v.norm();
+    }
+    return sum;
+}
+
+float lowestBody(const std::vector<BodyState>& bodies)
+{
+    float lowest = INFINITY;
+    for (const BodyState& body : bodies) lowest = std::min(lowest, body.position.y());
+    return lowest;
+}
+
+}  // namespace knuckle::test
