@@ -85,7 +85,7 @@ struct StepParameters {
     float inverseCellSize;          // [1/m]
     float drift;                    // a particle that has moved further makes the candidates due again [m]
     float substepTime;              // [s]
-    float correction;               // share of a penetration or joint gap that one substep takes back
+    float correction;               // share of a penetration that one substep takes back
     float relaxation;               // of the impulses' Jacobi iteration
     float warmStart;                // share of the last substep's impulses that starts this one
     float virtualParticles;         // c of eq. 18
@@ -96,9 +96,9 @@ struct StepParameters {
     uint alwaysFind;                // 1: candidates every substep (the paper), 0: when due
     uint rotationIterations;
     float maxCorrection;            // of a penetration per substep [m]
-    float jointCorrection;          // share of a joint gap that one substep takes back
     float jointRelaxation;          // of the joints' impulses
-    float jointWarmStart;
+    uint sharedCount;               // particles of two or more bodies
+    uint pad0;
     float impulseGrowth;            // how fast a warm start may grow: an acceleration times substepTime^2 [m]
 };
 

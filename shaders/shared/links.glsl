@@ -18,7 +18,7 @@ LinkValues fetchLink(uint l)
     return LinkValues(a.x, a.y, r, b.y, b.z, uintBitsToFloat(b.w));
 }
 
-/// A joint's impulses are kept as forces; what they displace in a substep depends on its order (BDF2: 4/9).
+/// What a force displaces in a substep of this order, relative to first order (BDF2: 4/9).
 float forceFactor(uint order)
 {
     return order == 2u ? 4.0 / 9.0 : 1.0;

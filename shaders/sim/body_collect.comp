@@ -14,7 +14,7 @@ void main()
     int first = int(3u * texelFetch(bodyInfo, int(b)).x);
 #ifdef CENTRES
     vec4 centre = texelFetch(linkTerms, first);
-    bodyMoves[b] = vec4(centre.xyz / centre.w, texelFetch(linkTerms, first + 1).x);
+    bodyMoves[b] = vec4(bodyMoves[b].xyz + centre.xyz / centre.w, texelFetch(linkTerms, first + 1).x);
 #else
     for (int column = 0; column < 3; ++column)
         bodyMatrices[3u * b + uint(column)] = vec4(texelFetch(linkTerms, first + column).xyz, 0);

@@ -1,4 +1,5 @@
-// One thread a body: the rotation nearest to A, as a quaternion that starts from the last one. Newton's method on
+// One thread a body: the rotation nearest to A, as a quaternion that starts from the last one. The turn since the
+// substep began is kept by itself, so that its rounding stays as small as it is. Newton's method on
 // trace(R^T A) (the torque of Mueller et al. 2016, divided by the Hessian trace(S) I - S instead of by trace(S), so
 // that long bodies converge about their axis too); where the Hessian is not positive, Mueller's own step.
 #include "shared/kernel.glsl"
@@ -9,6 +10,7 @@ uniform samplerBuffer bodyMatrices;
 uniform samplerBuffer bodyStarts;
 uniform samplerBuffer bodyMoves;
 BUFFER(vec4, BodyCentres, bodyCentres);
+BUFFER(vec4, BodyTurns, bodyTurns);      // since the substep began
 BUFFER(vec4, BodyRotations, bodyRotations);
 
 vec3 newtonStep(mat3 s, vec3 torque)
@@ -29,15 +31,17 @@ void main()
     bodyCentres[b] = texelFetch(bodyStarts, int(2u * b)) + texelFetch(bodyMoves, int(b));
     mat3 a;
     for (int column = 0; column < 3; ++column) a[column] = texelFetch(bodyMatrices, int(3u * b) + column).xyz;
-    vec4 q = bodyRotations[b];
+    vec4 start = texelFetch(bodyStarts, int(2u * b + 1u));
+    vec4 turned = bodyTurns[b];
     for (uint k = 0u; k < step.rotationIterations; ++k) {
-        mat3 r = matrixFromQuaternion(q);
+        mat3 r = matrixFromQuaternion(quaternionProduct(turned, start));
         vec3 torque = cross(r[0], a[0]) + cross(r[1], a[1]) + cross(r[2], a[2]);
         mat3 g = a * transpose(r);
         vec3 turn = newtonStep(0.5 * (g + transpose(g)), torque);
         float angle = length(turn);
         turn *= min(1.0, 1.0 / max(angle, 1e-20));   // at most one radian an iteration
-        q = normalize(quaternionProduct(quaternionFromRotation(turn), q));
+        turned = normalize(quaternionProduct(quaternionFromRotation(turn), turned));
     }
-    bodyRotations[b] = q;
+    bodyTurns[b] = turned;
+    bodyRotations[b] = normalize(quaternionProduct(turned, start));
 }

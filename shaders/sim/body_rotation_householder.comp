@@ -11,6 +11,7 @@ uniform samplerBuffer bodyMatrices;
 uniform samplerBuffer bodyStarts;
 uniform samplerBuffer bodyMoves;
 BUFFER(vec4, BodyCentres, bodyCentres);
+BUFFER(vec4, BodyTurns, bodyTurns);
 BUFFER(vec4, BodyRotations, bodyRotations);
 
 /// The reflection I - 2 v v^T / v^T v that zeroes m's column `k` below the diagonal.
@@ -68,4 +69,5 @@ void main()
     }
     // A mirrored or collapsed body keeps its last rotation.
     if (determinant(q) > 0.5) bodyRotations[b] = quaternionFromMatrix(q);
+    bodyTurns[b] = quaternionProduct(bodyRotations[b], conjugate(texelFetch(bodyStarts, int(2u * b + 1u))));
 }

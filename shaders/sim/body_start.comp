@@ -1,10 +1,11 @@
-// One thread a body: notes where it is at the start of the substep.
+// One thread a body: notes where it is at the start of the substep, from where it has not turned yet.
 #include "shared/kernel.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer bodyCentres;
 uniform samplerBuffer bodyRotations;
 BUFFER(vec4, BodyStarts, bodyStarts);    // centre, rotation
+BUFFER(vec4, BodyTurns, bodyTurns);
 
 void main()
 {
@@ -12,4 +13,5 @@ void main()
     if (b >= step.bodyCount) return;
     bodyStarts[2u * b] = vec4(texelFetch(bodyCentres, int(b)).xyz, 0);
     bodyStarts[2u * b + 1u] = texelFetch(bodyRotations, int(b));
+    bodyTurns[b] = vec4(0, 0, 0, 1);
 }

@@ -1,16 +1,13 @@
 // One work group a body: the sums of body_sum, each thread over every BODY_GROUP_SIZE-th link, then a tree in shared
 // memory. For devices where groups are cheap and for large bodies.
 #include "shared/kernel.glsl"
-#include "shared/links.glsl"
+#include "shared/body_shape.glsl"
 
 layout(local_size_x = BODY_GROUP_SIZE) in;
-uniform samplerBuffer positions;
 uniform samplerBuffer moved;
-uniform samplerBuffer linkOffsets;
 uniform usamplerBuffer bodyInfo;
 uniform usamplerBuffer bodyAssemblies;
 uniform usamplerBuffer assemblyState;
-uniform samplerBuffer bodyStarts;        // centre, rotation at the start of the substep
 BUFFER(vec4, BodyMoves, bodyMoves);
 BUFFER(vec4, BodyMatrices, bodyMatrices);
 
@@ -24,17 +21,17 @@ void main()
     uvec4 info = texelFetch(bodyInfo, int(b));
     uint order = texelFetch(assemblyState, int(texelFetch(bodyAssemblies, int(b)).x)).y;
     float factor = forceFactor(order);
-    vec3 reference = texelFetch(bodyStarts, int(2u * b)).xyz;
+    vec3 last = bodyMoves[b].xyz;
     vec4 centre = vec4(0);
     float contacts = 0.0;
     mat3 a = mat3(0);
     for (uint k = t; k < info.y; k += BODY_GROUP_SIZE) {
         LinkValues link = fetchLink(info.x + k);
         vec4 x = texelFetch(moved, int(link.particle));
-        if (k >= info.z) x.xyz += factor * texelFetch(linkOffsets, int(info.x + k)).xyz;
-        vec3 from = texelFetch(positions, int(link.particle)).xyz - reference + x.xyz;
-        centre += link.mass * vec4(x.xyz, 1);
-        a += outerProduct(link.mass * from, link.r);
+        bool isShared = k >= info.z;
+        vec3 move = linkMove(info.x + k, isShared, x.xyz, factor);
+        centre += link.mass * vec4(move - last, 1);
+        a += outerProduct(link.mass * linkArm(link, info.x + k, isShared, move), link.r);
         contacts += x.w;
     }
     centres[t] = centre;
@@ -49,7 +46,7 @@ void main()
         }
     }
     if (t != 0u) return;
-    bodyMoves[b] = vec4(centres[0].xyz / centres[0].w, columns[0][0].w);
+    bodyMoves[b] = vec4(last + centres[0].xyz / centres[0].w, columns[0][0].w);
     for (int column = 0; column < 3; ++column)
         bodyMatrices[3u * b + uint(column)] = vec4(columns[column][0].xyz, 0);
 }

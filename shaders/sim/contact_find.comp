@@ -31,8 +31,9 @@ bool inSameBody(uint i, uint j)
 bool mayTouch(uint i, uint j, uint assembly)
 {
     if (texelFetch(particleInfo, int(j)).z != assembly) return true;
-    vec3 apart = texelFetch(restPositions, int(i)).xyz - texelFetch(restPositions, int(j)).xyz;
-    return length(apart) > 0.99 * step.diameter && !inSameBody(i, j);
+    vec4 a = texelFetch(restPositions, int(i)), b = texelFetch(restPositions, int(j));
+    bool touches = a.w + b.w == 0.0;     // not the cross of a universal joint
+    return touches && length(a.xyz - b.xyz) > 0.99 * step.diameter && !inSameBody(i, j);
 }
 
 vec4 oldImpulse(uint i, uint j, uint oldParity)

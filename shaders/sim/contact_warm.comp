@@ -16,7 +16,9 @@ BUFFER(Counters, CountersBlock, counters);
 
 vec3 warm(uint slot, vec3 normal)
 {
-    vec4 impulse = step.warmStart * impulses[slot];
+    // Friction keeps all of it: what was lost would have to be won back by creeping.
+    vec4 impulse = impulses[slot];
+    impulse.w *= step.warmStart;
     impulse.xyz -= normal * dot(normal, impulse.xyz);
     impulses[slot] = impulse;
     return impulse.xyz + impulse.w * normal;

@@ -25,15 +25,17 @@ struct SolverBuffers {
     Buffer<gpu::uvec2> linksOfParticle;  ///< Per link, grouped by particle: link, body.
     Buffer<gpu::BodyInfo> bodyInfo;      ///< Per body.
     Buffer<uint32_t> bodyAssemblies;     ///< Per body.
+    Buffer<uint32_t> sharedParticles;    ///< The particles of two or more bodies.
     Buffer<gpu::GpuCollider> colliders;
     Buffer<gpu::StepParameters> step;
     // Within a substep.
     Buffer<gpu::vec4> predicted;         ///< Move since the substep began, x* - x; w: inverse mass as contacts feel it.
     Buffer<gpu::vec4> moved;             ///< The same with the contacts' impulses as displacements; w: acting contacts.
     Buffer<gpu::vec4> bodyStarts;        ///< Per body, two: centre and rotation when the substep began.
+    Buffer<gpu::vec4> bodyTurns;         ///< Per body: the turn since the substep began, a quaternion.
     Buffer<gpu::vec4> bodyMoves;         ///< Per body: the centre's move since; w: acting contacts.
     Buffer<gpu::vec4> stabilized;        ///< Paper solver only.
-    Buffer<gpu::vec4> linkOffsets, linkImpulses, linkGaps;   ///< Per link: joints as impulses (shape_goals.comp).
+    Buffer<gpu::vec4> linkOffsets, linkGaps;           ///< Per link: joints as impulses (joint_goals.comp).
     Buffer<gpu::vec4> bodyMatrices;      ///< Per body: three columns of A.
     Buffer<gpu::vec4> linkTerms;         ///< Per link, three: the paper's reduction only.
     Buffer<gpu::uvec2> assemblyState;    ///< Per assembly: last substep with a contact, order of this one.

@@ -106,7 +106,7 @@ bool mayTouch(const World& world, uint32_t a, uint32_t b)
     const Particle& first = world.particles[a];
     const Particle& second = world.particles[b];
     if (first.assembly != second.assembly || first.assembly == NO_INDEX) return true;
-    if (first.body == second.body) return false;
+    if (first.body == second.body || !first.touchesAssembly || !second.touchesAssembly) return false;
     if ((first.restPosition - second.restPosition).norm() <= 0.99f * world.diameter()) return false;
     if (first.bodyCount < 2 && second.bodyCount < 2) return true;
     for (uint32_t body = 0; body < world.bodies.size(); ++body)

@@ -11,13 +11,13 @@
 //   solves contacts and joints, body by body. A body is a block of links (the paper's listing 1). Its particles move
 //     as they like, then the body is matched to them: mass centre and matrix A (body_sum, eq. 9), rotation
 //     (body_rotation, eqs. 11-17), and each particle goes to its goal Q r + c, or to the mean of its goals where bodies
-//     share it (shape_goals, eq. 8): that is the joint;
+//     share it (shape_goals and joint_goals, eq. 8): that is the joint;
 //   finishes with velocities and positions.
 //
-// The default solver keeps contacts and joints as impulses from substep to substep. contact_warm applies what the last
-// substep needed and shape_goals does so for joints; after a first match the bodies stand where they would be without
-// change, and contact_solve and the last shape_goals work out what is still missing. An impulse on a particle is a
-// displacement of that particle alone; shape matching spreads it over the body exactly as the impulse would have.
+// The default solver works with impulses. Those of contacts live on from substep to substep: contact_warm applies what
+// the last one needed; after a first match the bodies stand where that leaves them, and contact_solve (for contacts) and
+// joint_goals (for joints) work out what is still missing. An impulse on a particle is a displacement of that particle
+// alone; shape matching spreads it over the body as the impulse itself would have.
 //
 // The paper's solver moves each particle by the average of its overlaps instead (contact_average), without memory.
 #include "sim/solver/step.h"
@@ -34,12 +34,17 @@ enum Dispatch : uint32_t { PARTICLES, CELLS, CHUNKS, ONE };
 
 Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
     : settings_(settings), buffers_(buffers), particles_(groupsFor(buffers.parameters.particleCount)),
-      bodies_(groupsFor(buffers.parameters.bodyCount)), links_(groupsFor(buffers.parameters.linkCount))
+      bodies_(groupsFor(buffers.parameters.bodyCount)), links_(groupsFor(buffers.parameters.linkCount)),
+      shared_(groupsFor(buffers.parameters.sharedCount))
 {
     const BufferTable table = buffers.table();
     const auto load = [&](const char* name, const Defines& defines = {}) {
         return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
     };
+    // The paper's stabilization and freezing leave particles off their goals.
+    const Defines shape = settings.solver == SolverKind::Paper ? Defines{{"FROM_POSITIONS", "1"}} : Defines{};
+    Defines centres = shape;
+    centres.push_back({"CENTRES", "1"});
     const Defines grid = settings.grid == GridKind::Hash ? Defines{{"GRID_HASH", "1"}} : Defines{};
     predict_ = load("predict");
     findDue_ = load("find_due");
@@ -61,18 +66,19 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
         stabilizeApply_ = load("stabilize_apply");
     }
     if (settings.reduction == ReductionKind::Steps) {
-        linkCentreTerms_ = load("link_terms", {{"CENTRES", "1"}});
-        linkMatrixTerms_ = load("link_terms");
+        linkCentreTerms_ = load("link_terms", centres);
+        linkMatrixTerms_ = load("link_terms", shape);
         linkReduce_ = load("link_reduce");
         bodyCollectCentres_ = load("body_collect", {{"CENTRES", "1"}});
         bodyCollectMatrices_ = load("body_collect");
     } else
-        bodySum_ = load(settings.reduction == ReductionKind::Group ? "body_sum_group" : "body_sum");
+        bodySum_ = load(settings.reduction == ReductionKind::Group ? "body_sum_group" : "body_sum", shape);
     bodyStart_ = load("body_start");
     bodyRotation_ = load(settings.rotation == RotationMethod::Householder ? "body_rotation_householder"
                                                                           : "body_rotation");
     shapeGoals_ = load("shape_goals");
-    shapeGoalsLast_ = load("shape_goals", {{"LAST", "1"}});
+    jointGoals_ = load("joint_goals");
+    jointGoalsLast_ = load("joint_goals", {{"LAST", "1"}});
     finish_ = load("finish");
 }
 
@@ -109,10 +115,10 @@ void Step::findContacts(KernelTimer& timer) const
 void Step::impulseIterations(KernelTimer& timer) const
 {
     contactWarm_.dispatch(timer, particles_);
-    matchShapes(timer, shapeGoals_);
+    matchShapes(timer, false);
     for (uint32_t i = 1; i <= settings_.iterations; ++i) {
         contactSolve_.dispatch(timer, particles_);
-        matchShapes(timer, i < settings_.iterations ? shapeGoals_ : shapeGoalsLast_);
+        matchShapes(timer, i == settings_.iterations);
     }
 }
 
@@ -124,17 +130,18 @@ void Step::paperIterations(KernelTimer& timer) const
     }
     for (uint32_t i = 1; i <= settings_.iterations; ++i) {
         contactAverage_.dispatch(timer, particles_);
-        matchShapes(timer, i < settings_.iterations ? shapeGoals_ : shapeGoalsLast_);
+        matchShapes(timer, i == settings_.iterations);
     }
 }
 
-void Step::matchShapes(KernelTimer& timer, const Kernel& goals) const
+void Step::matchShapes(KernelTimer& timer, bool last) const
 {
     if (settings_.reduction == ReductionKind::Steps) reduceInSteps(timer);
     else if (settings_.reduction == ReductionKind::Group) bodySum_.dispatch(timer, buffers_.parameters.bodyCount);
     else bodySum_.dispatch(timer, bodies_);
     bodyRotation_.dispatch(timer, bodies_);
-    goals.dispatch(timer, particles_);
+    shapeGoals_.dispatch(timer, particles_);
+    if (shared_ > 0) (last ? jointGoalsLast_ : jointGoals_).dispatch(timer, shared_);
 }
 
 void Step::reduceInSteps(KernelTimer& timer) const

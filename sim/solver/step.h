@@ -21,18 +21,18 @@ private:
     void findContacts(KernelTimer& timer) const;
     void impulseIterations(KernelTimer& timer) const;
     void paperIterations(KernelTimer& timer) const;
-    void matchShapes(KernelTimer& timer, const Kernel& goals) const;
+    void matchShapes(KernelTimer& timer, bool last) const;
     void reduceInSteps(KernelTimer& timer) const;
 
     Settings settings_;
     SolverBuffers& buffers_;
-    uint32_t particles_, bodies_, links_;   ///< Work groups.
+    uint32_t particles_, bodies_, links_, shared_;   ///< Work groups.
     Kernel predict_, findDue_, gridClear_, gridCount_, gridChunkSum_, gridChunkScan_, gridCellStart_, gridScatter_,
         gridOrder_, contactFind_, colliderFind_;
     Kernel contactWarm_, contactSolve_, contactAverage_, contactStabilize_, stabilizeApply_;
     Kernel bodyStart_, bodySum_, linkCentreTerms_, linkMatrixTerms_, linkReduce_, bodyCollectCentres_, bodyCollectMatrices_,
         bodyRotation_;
-    Kernel shapeGoals_, shapeGoalsLast_, finish_;
+    Kernel shapeGoals_, jointGoals_, jointGoalsLast_, finish_;
 };
 
 }  // namespace knuckle

@@ -76,7 +76,7 @@ void uploadParticles(SolverBuffers& out, const World& world)
         const Material& material = world.materials[p.material];
         positions.push_back(pack(p.position, 0));
         velocities.push_back(pack(fixed ? Vector3f::Zero() : p.velocity, 0));
-        rest.push_back(pack(p.restPosition, 0));
+        rest.push_back(pack(p.restPosition, p.touchesAssembly ? 0.0f : 1.0f));
         masses.push_back({fixed ? 0.0f : 1.0f / p.mass, 0.0f, material.staticFriction, material.kineticFriction});
         infos.push_back({p.body, p.bodyCount, p.assembly != NO_INDEX ? p.assembly : assemblies++, p.material});
     }
@@ -112,6 +112,7 @@ void uploadBodies(SolverBuffers& out, const World& world)
     out.bodyInfo = {"bodyInfo", std::span<const gpu::BodyInfo>(infos)};
     out.bodyAssemblies = {"bodyAssemblies", std::span<const uint32_t>(assemblies)};
     out.bodyStarts = {"bodyStarts", 2 * world.bodies.size()};
+    out.bodyTurns = {"bodyTurns", world.bodies.size()};
     out.bodyMoves = {"bodyMoves", world.bodies.size()};
     out.bodyMatrices = {"bodyMatrices", 3 * world.bodies.size()};
 }
@@ -139,7 +140,9 @@ void uploadLinks(SolverBuffers& out, const World& world)
         owners[link.particle].push_back({l, link.body});
     }
     std::vector<gpu::uvec2> ranges, inverse;
+    std::vector<uint32_t> shared;
     for (const auto& owned : owners) {
+        if (owned.size() > 1) shared.push_back(static_cast<uint32_t>(ranges.size()));
         ranges.push_back({static_cast<uint32_t>(inverse.size()), static_cast<uint32_t>(owned.size())});
         inverse.insert(inverse.end(), owned.begin(), owned.end());
     }
@@ -148,7 +151,9 @@ void uploadLinks(SolverBuffers& out, const World& world)
     out.restOffsets = {"restOffsets", std::span<const gpu::vec4>(restOffsets)};
     out.particleLinks = {"particleLinks", std::span<const gpu::uvec2>(ranges)};
     out.linksOfParticle = {"linksOfParticle", std::span<const gpu::uvec2>(inverse)};
-    for (auto* buffer : {&out.linkOffsets, &out.linkImpulses, &out.linkGaps}) *buffer = {"linkState", links.size()};
+    out.sharedParticles = {"sharedParticles", std::span<const uint32_t>(shared)};
+    out.parameters.sharedCount = static_cast<uint32_t>(shared.size());
+    for (auto* buffer : {&out.linkOffsets, &out.linkGaps}) *buffer = {"linkState", links.size()};
     out.linkTerms = {"linkTerms", 3 * links.size()};
 }
 
@@ -187,14 +192,12 @@ void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
 {
     const bool paper = s.solver == SolverKind::Paper;
     const float h = s.timeStep / static_cast<float>(s.substeps);
-    p.correction = paper ? 1.0f : 0.3f;
+    p.correction = paper ? 1.0f : 0.05f;
     p.maxCorrection = paper ? std::numeric_limits<float>::max() : 0.5f * h;
     p.relaxation = 1.8f;
-    p.warmStart = 0.9f;
+    p.warmStart = 0.95f;
     p.impulseGrowth = 2.0f * s.gravity.norm() * h * h;
-    p.jointCorrection = 0.2f;
-    p.jointRelaxation = paper ? 0.0f : 1.0f;
-    p.jointWarmStart = paper ? 0.0f : 0.9f;
+    p.jointRelaxation = paper ? 0.0f : 1.3f;
 }
 
 void setParameters(SolverBuffers& out, const World& world)
@@ -267,15 +270,14 @@ BufferTable SolverBuffers::table()
 {
     BufferTable t;
     for (auto* b : {&positions, &velocities, &oldMoves, &oldVelocities, &bodyCentres, &bodyRotations, &masses,
-                    &restPositions, &restOffsets, &predicted, &moved, &stabilized, &bodyStarts, &bodyMoves, &bodyMatrices, &linkTerms,
+                    &restPositions, &restOffsets, &predicted, &moved, &stabilized, &bodyStarts, &bodyTurns, &bodyMoves, &bodyMatrices, &linkTerms,
                     &foundPositions, &sortedPositions, &impulses})
         t.add(b->label(), *b, 16);
-    for (auto* b : {&cellCounts, &chunkSums, &cellStarts, &cellMembers, &sortedIds, &candidates, &bodyAssemblies})
+    for (auto* b : {&cellCounts, &chunkSums, &cellStarts, &cellMembers, &sortedIds, &candidates, &bodyAssemblies, &sharedParticles})
         t.add(b->label(), *b, 4);
     for (auto* b : {&particleLinks, &linksOfParticle, &assemblyState, &particleCells, &candidateCounts})
         t.add(b->label(), *b, 8);
     t.add("linkOffsets", linkOffsets, 16);
-    t.add("linkImpulses", linkImpulses, 16);
     t.add("linkGaps", linkGaps, 16);
     t.add("linkMasses", linkMasses, 4);
     t.add("particleInfo", particleInfo, 16);

@@ -137,6 +137,7 @@ uint32_t WorldBuilder::addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec&
         joint.middleBody = addBody(spec.name + ".cross", places.middle, world_.bodies[bodyA].material);
         shareAt(places.sharedWithA, bodyA, joint.middleBody, joint);
         shareAt(places.sharedWithB, bodyB, joint.middleBody, joint);
+        for (uint32_t particle : bodyParticles_[joint.middleBody]) world_.particles[particle].touchesAssembly = false;
     }
     world_.joints.push_back(std::move(joint));
     return static_cast<uint32_t>(world_.joints.size() - 1);

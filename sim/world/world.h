@@ -40,6 +40,8 @@ struct Particle {
     /// Where it stands in the rest pose of its assembly [m]. Two particles of one assembly nearer to each other there
     /// than a diameter never touch (physics: self-collision filtered by rest distance).
     Vector3f restPosition{0, 0, 0};
+    /// False for the cross of a universal joint, which would else be stopped by the bodies around it at once.
+    bool touchesAssembly = true;
 };
 
 /// The paper's listing 1, on the host. Links are grouped by body: a body's block is linkStart ... linkStart+linkCount.

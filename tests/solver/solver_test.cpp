@@ -1,0 +1,126 @@
+#include "solver_test.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace knuckle::test {
+
+TempFolder& shaderFolder()
+{
+    static TempFolder folder;
+    return folder;
+}
+
+Gpu& gpu()
+{
+    static Gpu gpu({}, shaderFolder().path());
+    return gpu;
+}
+
+Vector3f Random::direction()
+{
+    for (;;) {
+        const Vector3f v = inCube(1.0f);
+        if (v.norm() > 0.1f && v.norm() < 1.0f) return v.normalized();
+    }
+}
+
+Quaternionf Random::rotation()
+{
+    const float angle = between(0.0f, std::numbers::pi_v<float>);
+    return Quaternionf(Eigen::AngleAxisf(angle, direction()));
+}
+
+namespace {
+
+void addOne(WorldBuilder& builder, const Eigen::Vector3i& counts, const Pose& pose, Motion motion = Motion::Dynamic)
+{
+    builder.beginObject("body");
+    builder.addBody("body", boxLattice(counts, DIAMETER), 0, motion);
+    builder.endObject(pose);
+}
+
+/// Two cubes of 27 whose centres are `apart` diameters apart in x, joined in the middle.
+void addPair(WorldBuilder& builder, JointType type, float apart, const Pose& pose)
+{
+    std::vector<Vector3f> left = boxLattice({3, 3, 3}, DIAMETER), right = left;
+    for (Vector3f& p : left) p.x() -= 0.5f * apart * DIAMETER;
+    for (Vector3f& p : right) p.x() += 0.5f * apart * DIAMETER;
+    builder.beginObject("pair");
+    const uint32_t a = builder.addBody("left", left, 0), b = builder.addBody("right", right, 1);
+    JointSpec spec;
+    spec.type = type;
+    spec.limitSide = 1;
+    builder.addJoint(a, b, spec);
+    builder.endObject(pose);
+}
+
+}  // namespace
+
+World mixedWorld(const Settings& settings, uint32_t particleCount)
+{
+    WorldBuilder builder(DIAMETER / 2, settings);
+    Material light, heavy;
+    light.density = 700.0f;
+    heavy.density = 2400.0f;
+    builder.addMaterial(light);
+    builder.addMaterial(heavy);
+    Random random(7);
+    const auto pose = [&] { return Pose{random.inCube(0.4f), random.rotation()}; };
+    for (JointType type : {JointType::Ball, JointType::Hinge, JointType::Stiff, JointType::Universal})
+        addPair(builder, type, 4.0f, pose());
+    addPair(builder, JointType::Ball, 2.5f, pose());   // overlaps itself at rest
+    for (const Eigen::Vector3i& counts : {Eigen::Vector3i(5, 1, 4), {6, 1, 1}, {9, 3, 3}, {1, 1, 1}})
+        addOne(builder, counts, pose());
+    addOne(builder, {4, 2, 3}, pose(), Motion::Fixed);
+    while (builder.particleCount() < particleCount) {
+        Particle grain;
+        grain.position = grain.restPosition = random.inCube(0.5f);
+        grain.velocity = random.inCube(1.0f);
+        builder.addLooseParticle(grain);
+    }
+    return builder.build();
+}
+
+Kernel Bench::load(const std::string& name, const Defines& defines)
+{
+    return Kernel(gpu(), buffers.table(), "sim/" + name + ".comp", defines);
+}
+
+void Bench::run(const std::string& name, uint64_t threads, const Defines& defines)
+{
+    dispatch(load(name, defines), groupsFor(threads));
+    gpu().checkErrors();
+}
+
+void Bench::forParticles(const std::string& name, const Defines& defines)
+{
+    run(name, buffers.parameters.particleCount, defines);
+}
+
+void Bench::forBodies(const std::string& name, const Defines& defines)
+{
+    run(name, buffers.parameters.bodyCount, defines);
+}
+
+void Bench::fillGrid(const Defines& defines)
+{
+    const uint32_t cells = buffers.parameters.cellMask + 1;
+    run("grid_clear", cells);
+    forParticles("grid_count", defines);
+    run("grid_chunk_sum", cells / CELLS_PER_CHUNK);
+    run("grid_chunk_scan", 1);
+    run("grid_cell_start", cells / CELLS_PER_CHUNK);
+    forParticles("grid_scatter");
+    forParticles("grid_order");
+}
+
+std::vector<gpu::vec4> randomVectors(size_t count, float half, uint32_t seed)
+{
+    Random random(seed);
+    std::vector<gpu::vec4> values(count);
+    for (gpu::vec4& v : values) v = random.vec4(half);
+    return values;
+}
+
+}  // namespace knuckle::test

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/solver/buffers.h"
+#include "sim/world/builder.h"
+#include "tests/temp_folder.h"
+
+namespace knuckle::test {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+inline constexpr float DIAMETER = 0.1f;
+
+/// Overrides the shaders of gpu(): tests put kernels of their own here.
+TempFolder& shaderFolder();
+/// One context for the whole test program: making one costs more than most tests.
+Gpu& gpu();
+
+/// Numbers that are the same with every standard library (its distributions are not).
+class Random {
+public:
+    explicit Random(uint32_t seed) : engine_(seed) {}
+    float between(float low, float high) { return low + (high - low) * (static_cast<float>(engine_() >> 8) * 0x1p-24f); }
+    Vector3f inCube(float half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
+    gpu::vec4 vec4(float half)
+    {
+        const Vector3f v = inCube(half);
+        return {v.x(), v.y(), v.z(), 0};
+    }
+    Vector3f direction();
+    Quaternionf rotation();
+
+private:
+    std::mt19937 engine_;
+};
+
+/// A world of everything that kernels tell apart, in 1003 particles (no multiple of any group size): pairs of each
+/// joint type, two bodies whose lattices overlap at rest, a flat, a straight and a long body, a fixed one, and loose
+/// particles for the rest.
+World mixedWorld(const Settings& settings = {}, uint32_t particleCount = 1003);
+
+/// The solver's buffers of a world, and its kernels one at a time.
+class Bench {
+public:
+    explicit Bench(World worldIn) : world(std::move(worldIn)), buffers(uploadWorld(gpu(), world)) {}
+
+    Kernel load(const std::string& name, const Defines& defines = {});
+    void dispatch(const Kernel& kernel, uint32_t groups) { kernel.dispatch(timer_, groups); }
+    void run(const std::string& name, uint64_t threads, const Defines& defines = {});
+    void forParticles(const std::string& name, const Defines& defines = {});
+    void forBodies(const std::string& name, const Defines& defines = {});
+    /// Sorts the particles into the grid, as the step does.
+    void fillGrid(const Defines& defines);
+    /// Uploads `buffers.parameters` after a change.
+    void setParameters() { buffers.step.upload(std::span<const gpu::StepParameters>(&buffers.parameters, 1)); }
+    gpu::Counters counters() const { return buffers.counters.download()[0]; }
+    void setCounters(const gpu::Counters& c) { buffers.counters.upload(std::span<const gpu::Counters>(&c, 1)); }
+
+    World world;
+    SolverBuffers buffers;
+
+private:
+    KernelTimer timer_;
+};
+
+inline Vector3f vec3(const gpu::vec4& v)
+{
+    return {v.x, v.y, v.z};
+}
+inline gpu::vec4 packed(const Vector3f& v, float w = 0.0f)
+{
+    return {v.x(), v.y(), v.z(), w};
+}
+inline gpu::vec4 packed(const Quaternionf& q)
+{
+    return {q.x(), q.y(), q.z(), q.w()};
+}
+inline Quaternionf quaternion(const gpu::vec4& v)
+{
+    return {v.w, v.x, v.y, v.z};
+}
+
+/// Writes a whole buffer.
+template <typename T>
+void fill(Buffer<T>& buffer, const std::vector<T>& values)
+{
+    ASSERT_EQ(buffer.size(), values.size());
+    buffer.upload(std::span<const T>(values));
+}
+
+/// `count` random vectors within +-half, w = 0.
+std::vector<gpu::vec4> randomVectors(size_t count, float half, uint32_t seed);
+
+/// The message of the `Error` that `act` throws; empty when it throws none.
+template <typename Error, typename Act>
+std::string messageOf(Act act)
+{
+    try {
+        act();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace knuckle::test
