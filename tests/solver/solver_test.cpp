@@ -115,6 +115,16 @@ void Bench::fillGrid(const Defines& defines)
     forParticles("grid_order");
 }
 
+Defines gridDefines(GridKind kind)
+{
+    return kind == GridKind::Hash ? Defines{{"GRID_HASH", "1"}} : Defines{};
+}
+
+std::string gridName(const testing::TestParamInfo<GridKind>& kind)
+{
+    return kind.param == GridKind::Hash ? "Hash" : "Lattice";
+}
+
 std::vector<gpu::vec4> randomVectors(size_t count, float half, uint32_t seed)
 {
     Random random(seed);

@@ -87,6 +87,11 @@ inline Quaternionf quaternion(const gpu::vec4& v)
     return {v.w, v.x, v.y, v.z};
 }
 
+/// What the step gives a kernel that uses the grid.
+Defines gridDefines(GridKind kind);
+/// For the names of tests that run with each grid.
+std::string gridName(const testing::TestParamInfo<GridKind>& kind);
+
 /// Writes a whole buffer.
 template <typename T>
 void fill(Buffer<T>& buffer, const std::vector<T>& values)

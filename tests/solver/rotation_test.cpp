@@ -1,0 +1,209 @@
+#include <Eigen/Eigenvalues>
+#include <functional>
+#include <numbers>
+
+#include "solver_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+constexpr double DEGREE = std::numbers::pi / 180.0;
+
+/// The rotation nearest to `a` (the Q of eq. 11): as a quaternion it is the dominant eigenvector of a symmetric 4x4
+/// matrix (Horn 1987; Higham and Noferini 2016).
+Eigen::Quaterniond nearestRotation(const Matrix3d& a)
+{
+    const Vector3d v(a(2, 1) - a(1, 2), a(0, 2) - a(2, 0), a(1, 0) - a(0, 1));
+    Eigen::Matrix4d k;
+    k << a + a.transpose() - a.trace() * Matrix3d::Identity(), v, v.transpose(), a.trace();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(k);
+    return Eigen::Quaterniond(Eigen::Vector4d(eigen.eigenvectors().col(3)));   // xyzw
+}
+
+/// One body's task: find the rotation of `a`, having been at `start` when the substep began.
+struct Case {
+    Matrix3d a;
+    Quaternionf start;
+};
+
+/// A stretch with these eigenvalues along random axes.
+Matrix3d stretch(const Vector3d& values, Random& random)
+{
+    const Matrix3d axes = random.rotation().cast<double>().toRotationMatrix();
+    return axes * values.asDiagonal() * axes.transpose();
+}
+
+/// A body with this stretch that has turned by `degrees` about a random axis since the substep began.
+Case turned(const Vector3d& values, double degrees, Random& random)
+{
+    const Quaternionf start = random.rotation();
+    const Eigen::AngleAxisd turn(degrees * DEGREE, random.direction().cast<double>());
+    return {(turn * start.cast<double>()).toRotationMatrix() * stretch(values, random), start};
+}
+
+class Rotation : public testing::Test {
+protected:
+    Rotation() : bench(mixedWorld()), count(bench.world.bodies.size()) {}
+
+    /// Runs the kernel on one case a body. @returns where each body ends.
+    std::vector<Eigen::Quaterniond> solve(const std::string& kernel, const std::vector<Case>& cases)
+    {
+        std::vector<gpu::vec4> matrices, starts, rotations;
+        for (const Case& c : cases) {
+            for (int k = 0; k < 3; ++k) matrices.push_back(packed(Vector3f(c.a.col(k).cast<float>())));
+            starts.push_back(packed({1, 2, 3}));
+            starts.push_back(packed(c.start));
+            rotations.push_back(packed(c.start));
+        }
+        SolverBuffers& b = bench.buffers;
+        fill(b.bodyMatrices, matrices);
+        fill(b.bodyStarts, starts);
+        fill(b.bodyRotations, rotations);
+        fill(b.bodyMoves, std::vector<gpu::vec4>(cases.size(), packed({0.5f, 0, 0})));
+        fill(b.bodyTurns, std::vector<gpu::vec4>(cases.size(), packed(Quaternionf::Identity())));
+        bench.forBodies(kernel);
+        std::vector<Eigen::Quaterniond> found;
+        const auto turns = b.bodyTurns.download();
+        for (const gpu::vec4& q : b.bodyRotations.download()) {
+            const size_t k = found.size();
+            found.push_back(quaternion(q).cast<double>());
+            EXPECT_NEAR(found[k].norm(), 1.0, 1e-6) << "body " << k;
+            const Quaternionf composed = quaternion(turns[k]) * cases[k].start;
+            EXPECT_LT(composed.cast<double>().angularDistance(found[k]), 2e-6) << "turn of body " << k;
+        }
+        for (const gpu::vec4& c : b.bodyCentres.download()) EXPECT_EQ(vec3(c), Vector3f(1.5f, 2, 3));
+        return found;
+    }
+    std::vector<Case> cases(const std::function<Case(Random&)>& make)
+    {
+        Random random(31);
+        std::vector<Case> out;
+        for (size_t k = 0; k < count; ++k) out.push_back(make(random));
+        return out;
+    }
+    void expectOracle(const std::string& kernel, const std::vector<Case>& list, double tolerance)
+    {
+        const auto found = solve(kernel, list);
+        for (size_t k = 0; k < list.size(); ++k)
+            EXPECT_LT(found[k].angularDistance(nearestRotation(list[k].a)), tolerance) << kernel << ", body " << k;
+    }
+
+    Bench bench;
+    size_t count;
+};
+
+// Single precision gives a rotation to some 1e-6; the stretches below have gaps of at least a tenth of their size,
+// which makes ten times that. The Newton steps converge quadratically from what a substep turns.
+constexpr double ROUNDING = 1e-5;
+
+TEST_F(Rotation, SolidBodiesTurnAsTheOracleSays)
+{
+    const auto list = cases([](Random& r) {
+        return turned(0.3 * Vector3d(r.between(0.2f, 1), r.between(0.2f, 1), r.between(0.2f, 1)), 20.0, r);
+    });
+    expectOracle("body_rotation", list, ROUNDING);
+}
+
+TEST_F(Rotation, SolidBodiesTurnAsTheOracleSaysByHouseholder)
+{
+    const auto list = cases([](Random& r) { return turned({0.3, 0.2, 0.1}, r.between(0, 170), r); });
+    expectOracle("body_rotation_householder", list, ROUNDING);
+}
+
+TEST_F(Rotation, ATurnOfSixtyDegreesIsFollowed)
+{
+    const auto cube = cases([](Random& r) { return turned({0.2, 0.2, 0.2}, 60.0, r); });
+    expectOracle("body_rotation", cube, ROUNDING);
+    expectOracle("body_rotation_householder", cube, ROUNDING);
+    // A body twice as long as wide; three Newton steps at 60 degrees leave a cubed error of some percent each.
+    const auto limb = cases([](Random& r) { return turned({0.4, 0.1, 0.1}, 60.0, r); });
+    expectOracle("body_rotation", limb, 1.0 * DEGREE);
+    expectOracle("body_rotation_householder", limb, ROUNDING);
+}
+
+TEST_F(Rotation, AFlatBodyTurnsAsTheOracleSays)
+{
+    const auto list = cases([](Random& r) { return turned({0.3, 0.2, 0.0}, 20.0, r); });
+    expectOracle("body_rotation", list, ROUNDING);
+}
+
+/// What the paper's virtual particles make of A: c (as a share of its size) times the last rotation (eq. 18).
+Matrix3d withVirtualParticles(const Case& c, double share)
+{
+    return c.a + share * c.a.norm() * c.start.cast<double>().toRotationMatrix();
+}
+
+TEST_F(Rotation, VirtualParticlesTurnFlatBodiesByHouseholder)
+{
+    const auto list = cases([](Random& r) { return turned({0.3, 0.2, 0.0}, 20.0, r); });
+    const auto found = solve("body_rotation_householder", list);
+    for (size_t k = 0; k < list.size(); ++k) {
+        // The least eigenvalue of A^T A is c^2 of the largest, 1e-4, and rounded by some 2^-24 of it: 1e-3.
+        const Matrix3d a = withVirtualParticles(list[k], bench.buffers.parameters.virtualParticles);
+        EXPECT_LT(found[k].angularDistance(nearestRotation(a)), 2e-3) << "body " << k;
+    }
+}
+
+TEST_F(Rotation, VirtualParticlesTurnStraightBodiesByHouseholder)
+{
+    const auto list = cases([](Random& r) { return turned({0.3, 0.0, 0.0}, 20.0, r); });
+    const auto found = solve("body_rotation_householder", list);
+    for (size_t k = 0; k < list.size(); ++k) {
+        const Eigen::Quaterniond wanted =
+            nearestRotation(withVirtualParticles(list[k], bench.buffers.parameters.virtualParticles));
+        // The line is all that A knows; c^2 apart from it, twist is rounded as above, and the QR algorithm tells the
+        // two small eigenvalues apart slowly (their ratio is about cos^2 of the turn): two degrees.
+        const Vector3d line = list[k].a.transpose() * (list[k].a * Vector3d(1, 2, 3));
+        EXPECT_LT((found[k] * line - wanted * line).norm() / line.norm(), 1e-3) << "body " << k;
+        EXPECT_LT(found[k].angularDistance(wanted), 2.0 * DEGREE) << "body " << k;
+    }
+}
+
+TEST_F(Rotation, AStraightBodyFollowsItsLineWithoutTwist)
+{
+    Random axes(41);
+    std::vector<Vector3d> lines;
+    const auto list = cases([&](Random& r) {
+        const Quaternionf start = r.rotation();
+        const Vector3d line = axes.direction().cast<double>();
+        lines.push_back(line);
+        // Turned across the line, so that the way there has no twist.
+        const Vector3d now = start.cast<double>() * line;
+        const Vector3d across = now.cross(r.direction().cast<double>()).normalized();
+        const Vector3d there = Eigen::AngleAxisd(20.0 * DEGREE, across) * now;
+        return Case{0.3 * there * line.transpose(), start};
+    });
+    const auto found = solve("body_rotation", list);
+    for (size_t k = 0; k < list.size(); ++k) {
+        const Vector3d there = list[k].a * lines[k] / 0.3;
+        EXPECT_LT((found[k] * lines[k] - there).norm(), ROUNDING) << "body " << k;
+        const auto shortest = Eigen::Quaterniond::FromTwoVectors(list[k].start.cast<double>() * lines[k], there);
+        // Each of the three steps turns across the line to first order only: some hundredths of the 20 degrees.
+        EXPECT_LT(found[k].angularDistance(shortest * list[k].start.cast<double>()), 0.5 * DEGREE) << "body " << k;
+    }
+}
+
+TEST_F(Rotation, ABodyThatHasNotTurnedStaysWhereItIs)
+{
+    const auto list = cases([](Random& r) { return turned({0.3, 0.2, 0.1}, 0.0, r); });
+    for (const char* kernel : {"body_rotation", "body_rotation_householder"}) expectOracle(kernel, list, 2e-6);
+}
+
+TEST_F(Rotation, AMirroredBodyKeepsItsRotationByHouseholder)
+{
+    const auto list = cases([](Random& r) { return turned({0.3, 0.2, -0.2}, 20.0, r); });
+    const auto found = solve("body_rotation_householder", list);
+    for (size_t k = 0; k < list.size(); ++k)
+        EXPECT_LT(found[k].angularDistance(list[k].start.cast<double>()), 1e-6) << "body " << k;
+}
+
+TEST_F(Rotation, ABodyPressedThroughItselfStillHasTheNearestProperRotation)
+{
+    const auto list = cases([](Random& r) { return turned({0.3, 0.2, -0.05}, 20.0, r); });
+    expectOracle("body_rotation", list, ROUNDING);
+}
+
+}  // namespace
+
+}  // namespace knuckle::test
