@@ -12,9 +12,9 @@ constexpr uint32_t SUBSTEP = 9;
 constexpr float ROUNDING = 2e-8f;
 
 /// predict and finish on random states of particles of every kind, in the tenth substep of a run.
-class Motion_ : public testing::Test {
+class Moves : public testing::Test {
 protected:
-    explicit Motion_(const Settings& settings = {}) : bench(mixedWorld(settings))
+    explicit Moves(const Settings& settings = {}) : bench(mixedWorld(settings))
     {
         const size_t count = bench.world.particles.size();
         SolverBuffers& b = bench.buffers;
@@ -78,8 +78,8 @@ protected:
     std::vector<gpu::vec4> positions, velocities, oldMoves, oldVelocities, moves;
 };
 
-using Predict = Motion_;
-using Finish = Motion_;
+using Predict = Moves;
+using Finish = Moves;
 
 TEST_F(Predict, UntouchedAssembliesMoveBySecondOrder)
 {
@@ -120,9 +120,9 @@ TEST_F(Predict, CandidatesAreDueWhenAParticleHasLeftItsMargin)
     EXPECT_EQ(bench.counters().due, 1u);
 }
 
-class PredictFirstOrder : public Motion_ {
+class PredictFirstOrder : public Moves {
 protected:
-    PredictFirstOrder() : Motion_(paperSettings()) {}
+    PredictFirstOrder() : Moves(paperSettings()) {}
 };
 
 TEST_F(PredictFirstOrder, EverythingMovesByFirstOrderWhereChosen)

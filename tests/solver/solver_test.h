@@ -27,7 +27,10 @@ Gpu& gpu();
 class Random {
 public:
     explicit Random(uint32_t seed) : engine_(seed) {}
-    float between(float low, float high) { return low + (high - low) * (static_cast<float>(engine_() >> 8) * 0x1p-24f); }
+    float between(float low, float high)
+    {
+        return low + (high - low) * (static_cast<float>(engine_() >> 8) * 0x1p-24f);
+    }
     Vector3f inCube(float half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
     gpu::vec4 vec4(float half)
     {

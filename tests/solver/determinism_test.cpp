@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/table2_world.h"
+#include "sim/solver/solver.h"
+#include "solver_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+constexpr uint32_t OBJECTS = 20;
+constexpr int STEPS = 60;
+/// Set in a child process: which way of solving it runs.
+constexpr const char* WAY_VARIABLE = "KNUCKLE_TEST_WAY";
+const std::string MARK = "state hash ";
+
+/// Ways of solving that share few kernels.
+enum Way { DEFAULT, PAPER, GROUPS, WAYS };
+
+Settings settingsOf(int way)
+{
+    Settings settings;
+    if (way == PAPER) settings = paperSettings();
+    if (way == GROUPS) {
+        settings.reduction = ReductionKind::Group;
+        settings.grid = GridKind::Hash;
+    }
+    return settings;
+}
+
+uint64_t hashOfPile(int way)
+{
+    const World world = table2World(OBJECTS, settingsOf(way));
+    Solver solver(gpu(), world);
+    for (int k = 0; k < STEPS; ++k) {
+        solver.step();
+        solver.checkCounters(static_cast<uint64_t>(k));
+    }
+    EXPECT_GT(solver.measure().contactCount, 0u) << "nothing has landed: the hash would prove little";
+    return solver.stateHash();
+}
+
+/// Output of this program running the disabled test below with `threads` driver threads.
+std::string runChild(int way, int threads)
+{
+    const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+    const std::string command =
+        fmt::format("LP_NUM_THREADS={} {}={} '{}' --gtest_also_run_disabled_tests "
+                    "--gtest_filter=Determinism.DISABLED_InAChildProcess 2>&1", threads, WAY_VARIABLE, way, self);
+    std::string output;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) return "cannot run " + command;
+    char part[256];
+    while (fgets(part, sizeof part, pipe) != nullptr) output += part;
+    pclose(pipe);
+    return output;
+}
+
+class DeterminismOf : public testing::TestWithParam<int> {};
+
+TEST_P(DeterminismOf, APileHasTheSameBitsTwiceAndAtAnyNumberOfDriverThreads)
+{
+    const uint64_t first = hashOfPile(GetParam());
+    EXPECT_EQ(hashOfPile(GetParam()), first) << "twice in one process";
+    for (int threads : {0, 1, 2}) {
+        const std::string output = runChild(GetParam(), threads);
+        EXPECT_NE(output.find(fmt::format("{}{:016x}", MARK, first)), std::string::npos)
+            << "wanted " << fmt::format("{:016x}", first) << " with LP_NUM_THREADS=" << threads << ":\n" << output;
+    }
+}
+
+std::string wayName(const testing::TestParamInfo<int>& way)
+{
+    static constexpr const char* NAMES[WAYS] = {"Default", "Paper", "GroupsAndHash"};
+    return NAMES[way.param];
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, DeterminismOf, testing::Range(0, int(WAYS)), wayName);
+
+TEST(Determinism, DISABLED_InAChildProcess)
+{
+    const char* way = getenv(WAY_VARIABLE);
+    ASSERT_NE(way, nullptr);
+    fmt::print("{}{:016x}\n", MARK, hashOfPile(std::stoi(way)));
+}
+
+TEST(Determinism, OneBitOfOnePositionChangesTheHash)
+{
+    World world = table2World(4);
+    Solver same(gpu(), world), again(gpu(), world);
+    EXPECT_EQ(same.stateHash(), again.stateHash());
+    float& x = world.particles.back().position.x();
+    x = std::nextafter(x, 1e9f);
+    Solver other(gpu(), world);
+    EXPECT_NE(other.stateHash(), same.stateHash());
+}
+
+}  // namespace
+
+}  // namespace knuckle::test

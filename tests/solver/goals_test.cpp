@@ -1,0 +1,170 @@
+#include <algorithm>
+
+#include "solver_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+/// Bodies moved and turned at random since the substep began.
+class Goals : public testing::Test {
+protected:
+    Goals() : bench(mixedWorld())
+    {
+        SolverBuffers& b = bench.buffers;
+        Random random(71);
+        const size_t bodies = bench.world.bodies.size();
+        for (size_t k = 0; k < bodies; ++k) {
+            starts.push_back(packed(random.inCube(0.4f)));
+            starts.push_back(packed(random.rotation()));
+            turns.push_back(packed(Quaternionf(Eigen::AngleAxisf(random.between(0, 0.5f), random.direction()))));
+            moves.push_back(packed(random.inCube(0.02f), 2.0f));
+        }
+        fill(b.bodyStarts, starts);
+        fill(b.bodyTurns, turns);
+        fill(b.bodyMoves, moves);
+        moved = randomVectors(b.moved.size(), 0.02f, 72);
+        fill(b.moved, moved);
+        // Joints without an old gap, which would move goals apart.
+        b.linkGaps.clear();
+    }
+    /// Q r + c minus where r was when the substep began (eq. 8).
+    Vector3d goalMove(const Link& link) const
+    {
+        const Quaternionf start = quaternion(starts[2 * link.body + 1]);
+        const Vector3d arm = start.cast<double>() * link.restOffset.cast<double>();
+        return vec3(moves[link.body]).cast<double>() + quaternion(turns[link.body]).cast<double>() * arm - arm;
+    }
+    /// The mean of the goals of a particle's bodies; of a loose or fixed one, the move that it has.
+    std::vector<Vector3d> wantedMoves() const
+    {
+        std::vector<Vector3d> wanted(moved.size(), Vector3d::Zero());
+        for (const Link& link : bench.world.links)
+            wanted[link.particle] += goalMove(link) / bench.world.particles[link.particle].bodyCount;
+        for (size_t i = 0; i < wanted.size(); ++i) {
+            const Particle& p = bench.world.particles[i];
+            const bool fixed = p.body != NO_INDEX && bench.world.bodies[p.body].motion == Motion::Fixed;
+            if (fixed || p.bodyCount == 0) wanted[i] = vec3(moved[i]).cast<double>();
+        }
+        return wanted;
+    }
+    void expectGoals(const Defines& defines)
+    {
+        bench.forParticles("shape_goals");
+        bench.run("joint_goals", bench.buffers.parameters.sharedCount, defines);
+        const auto found = bench.buffers.predicted.download();
+        const auto wanted = wantedMoves();
+        uint32_t shared = 0;
+        for (size_t i = 0; i < found.size(); ++i) {
+            // Turns of arms of half a metre, rounded some eight times.
+            ASSERT_LT((vec3(found[i]).cast<double>() - wanted[i]).norm(), 2.5e-7) << "particle " << i;
+            shared += bench.world.particles[i].bodyCount > 1;
+        }
+        EXPECT_EQ(bench.buffers.parameters.sharedCount, shared);
+        EXPECT_EQ(shared, 1u + 3u + 4u + 4u + 1u);
+    }
+    /// Per shared particle, the sum over its bodies of mass times a link's value, and of its size.
+    struct Balance {
+        Vector3d sum = Vector3d::Zero();
+        double size = 0.0;
+    };
+    std::vector<Balance> balances(const std::vector<gpu::vec4>& ofLinks)
+    {
+        std::vector<Balance> result(moved.size());
+        const auto links = bench.buffers.links.download();
+        for (size_t l = 0; l < links.size(); ++l) {
+            const Vector3d value = links[l].mass * vec3(ofLinks[l]).cast<double>();
+            result[links[l].particleIndex].sum += value;
+            result[links[l].particleIndex].size += value.norm();
+        }
+        return result;
+    }
+
+    Bench bench;
+    std::vector<gpu::vec4> starts, turns, moves, moved;
+};
+
+TEST_F(Goals, ParticlesGoToTheMeanOfTheirBodiesGoals)
+{
+    expectGoals({});
+}
+
+TEST_F(Goals, TheLastMatchOfASubstepHasTheSameGoals)
+{
+    expectGoals({{"LAST", "1"}});
+}
+
+TEST_F(Goals, WhatAJointOwesItsBodiesSumsToZero)
+{
+    expectGoals({});
+    uint32_t loaded = 0;
+    for (const Balance& balance : balances(bench.buffers.linkOffsets.download())) {
+        // Momentum: the parts cancel but for the rounding of each.
+        EXPECT_LE(balance.sum.norm(), 4 * 0x1p-24 * balance.size);
+        loaded += balance.size > 0.0;
+    }
+    EXPECT_EQ(loaded, bench.buffers.parameters.sharedCount);
+}
+
+TEST_F(Goals, ContactsMeetAnInverseMassAboveZeroUnlessTheBodyIsFixed)
+{
+    // The inverse mass that a contact meets: positive for all that moves, zero for the fixed.
+    expectGoals({});
+    const auto found = bench.buffers.predicted.download();
+    for (size_t i = 0; i < found.size(); ++i) {
+        const Particle& p = bench.world.particles[i];
+        const bool fixed = p.body != NO_INDEX && bench.world.bodies[p.body].motion == Motion::Fixed;
+        if (fixed) EXPECT_EQ(found[i].w, 0.0f) << "particle " << i;
+        else EXPECT_GT(found[i].w, 0.0f) << "particle " << i;
+    }
+}
+
+TEST(LinkArray, IsThePapersListing1WithSharedParticlesLastInEachBlock)
+{
+    Bench bench(mixedWorld());
+    const World& world = bench.world;
+    const auto links = bench.buffers.links.download();
+    const auto infos = bench.buffers.bodyInfo.download();
+    ASSERT_EQ(links.size(), world.links.size());
+    for (uint32_t b = 0; b < world.bodies.size(); ++b) {
+        const Body& body = world.bodies[b];
+        EXPECT_EQ(infos[b].linkStart, body.linkStart);
+        EXPECT_EQ(infos[b].linkCount, body.linkCount);
+        EXPECT_EQ(infos[b].ownCount + infos[b].jointCount, body.linkCount);
+        std::vector<uint32_t> fromWorld, fromGpu;
+        for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
+            EXPECT_EQ(links[l].rbIndex, b);
+            EXPECT_EQ(links[l].particleLinksBlockStart, body.linkStart);
+            EXPECT_EQ(links[l].particleLinksBlockCount, body.linkCount);
+            const bool shared = world.particles[links[l].particleIndex].bodyCount > 1;
+            EXPECT_EQ(shared, l - body.linkStart >= infos[b].ownCount) << "link " << l;
+            fromWorld.push_back(world.links[l].particle);
+            fromGpu.push_back(links[l].particleIndex);
+        }
+        std::sort(fromWorld.begin(), fromWorld.end());
+        std::sort(fromGpu.begin(), fromGpu.end());
+        EXPECT_EQ(fromGpu, fromWorld) << "body " << b;
+    }
+}
+
+TEST(LinkArray, ItsInverseNamesEachParticlesLinks)
+{
+    Bench bench(mixedWorld());
+    const auto links = bench.buffers.links.download();
+    const auto ranges = bench.buffers.particleLinks.download();
+    const auto inverse = bench.buffers.linksOfParticle.download();
+    uint32_t total = 0;
+    for (uint32_t i = 0; i < ranges.size(); ++i) {
+        EXPECT_EQ(ranges[i].y, bench.world.particles[i].bodyCount);
+        for (uint32_t k = ranges[i].x; k < ranges[i].x + ranges[i].y; ++k) {
+            EXPECT_EQ(links[inverse[k].x].particleIndex, i);
+            EXPECT_EQ(links[inverse[k].x].rbIndex, inverse[k].y);
+        }
+        total += ranges[i].y;
+    }
+    EXPECT_EQ(total, links.size());
+}
+
+}  // namespace
+
+}  // namespace knuckle::test

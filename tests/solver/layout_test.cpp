@@ -1,0 +1,120 @@
+#include <cstddef>
+
+#include "solver_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+struct Member {
+    const char* name;
+    size_t offset;
+};
+#define MEMBER(Struct, name) Member{#name, offsetof(gpu::Struct, name)}
+
+GLint property(GLuint program, GLenum interface, GLuint index, GLenum wanted)
+{
+    GLint value = -1;
+    glGetProgramResourceiv(program, interface, index, 1, &wanted, 1, nullptr, &value);
+    return value;
+}
+
+/// Every member of `block` lies where C++ has it, and there are no others. `prefix` is what GL puts before a name.
+void expectMembers(const Kernel& kernel, GLenum blocks, const std::string& block, const std::string& prefix,
+                   const std::vector<Member>& members)
+{
+    const bool storage = blocks == GL_SHADER_STORAGE_BLOCK;
+    const GLenum variables = storage ? GL_BUFFER_VARIABLE : GL_UNIFORM;
+    const GLuint blockIndex = glGetProgramResourceIndex(kernel.program(), blocks, block.c_str());
+    ASSERT_NE(blockIndex, GL_INVALID_INDEX) << block;
+    EXPECT_EQ(property(kernel.program(), blocks, blockIndex, GL_NUM_ACTIVE_VARIABLES), GLint(members.size())) << block;
+    for (const Member& member : members) {
+        const std::string name = prefix + member.name;
+        const GLuint index = glGetProgramResourceIndex(kernel.program(), variables, name.c_str());
+        ASSERT_NE(index, GL_INVALID_INDEX) << name;
+        EXPECT_EQ(property(kernel.program(), variables, index, GL_OFFSET), GLint(member.offset)) << name;
+    }
+}
+
+/// The same of an array of structs, whose stride is the struct's size.
+void expectArray(const Kernel& kernel, const std::string& block, const std::string& name, size_t size,
+                 const std::vector<Member>& members)
+{
+    expectMembers(kernel, GL_SHADER_STORAGE_BLOCK, block, name + "[0].", members);
+    const std::string first = name + "[0]." + members[0].name;
+    const GLuint index = glGetProgramResourceIndex(kernel.program(), GL_BUFFER_VARIABLE, first.c_str());
+    EXPECT_EQ(property(kernel.program(), GL_BUFFER_VARIABLE, index, GL_TOP_LEVEL_ARRAY_STRIDE), GLint(size)) << block;
+}
+
+const std::vector<Member> COUNTERS = {
+    MEMBER(Counters, problems), MEMBER(Counters, wantedContacts), MEMBER(Counters, wantedColliders),
+    MEMBER(Counters, badParticle), MEMBER(Counters, substep), MEMBER(Counters, due), MEMBER(Counters, listParity),
+    MEMBER(Counters, findCount), MEMBER(Counters, candidateCount), MEMBER(Counters, pad0), MEMBER(Counters, pad1),
+    MEMBER(Counters, pad2), MEMBER(Counters, pad3), MEMBER(Counters, pad4), MEMBER(Counters, pad5),
+    MEMBER(Counters, pad6)};
+const std::vector<Member> COLLIDER = {MEMBER(GpuCollider, position), MEMBER(GpuCollider, orientation),
+                                      MEMBER(GpuCollider, size), MEMBER(GpuCollider, friction)};
+const std::vector<Member> BODY_INFO = {MEMBER(BodyInfo, linkStart), MEMBER(BodyInfo, linkCount),
+                                       MEMBER(BodyInfo, ownCount), MEMBER(BodyInfo, jointCount)};
+const std::vector<Member> PARTICLE_INFO = {MEMBER(ParticleInfo, body), MEMBER(ParticleInfo, bodyCount),
+                                           MEMBER(ParticleInfo, assembly), MEMBER(ParticleInfo, material)};
+const std::vector<Member> LINK = {
+    MEMBER(ParticleRigidBodyLink, particleIndex), MEMBER(ParticleRigidBodyLink, rbIndex),
+    MEMBER(ParticleRigidBodyLink, posInRigidBodyX), MEMBER(ParticleRigidBodyLink, posInRigidBodyY),
+    MEMBER(ParticleRigidBodyLink, posInRigidBodyZ), MEMBER(ParticleRigidBodyLink, particleLinksBlockStart),
+    MEMBER(ParticleRigidBodyLink, particleLinksBlockCount), MEMBER(ParticleRigidBodyLink, mass)};
+
+}  // namespace
+
+TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
+{
+    Bench bench(mixedWorld());
+    expectMembers(bench.load("predict"), GL_UNIFORM_BLOCK, "Step", "step.", {
+        MEMBER(StepParameters, gravity), MEMBER(StepParameters, particleCount), MEMBER(StepParameters, bodyCount),
+        MEMBER(StepParameters, linkCount), MEMBER(StepParameters, colliderCount), MEMBER(StepParameters, contactSlots),
+        MEMBER(StepParameters, cellMask), MEMBER(StepParameters, cellStrideY), MEMBER(StepParameters, cellStrideZ),
+        MEMBER(StepParameters, diameter), MEMBER(StepParameters, contactRadius),
+        MEMBER(StepParameters, inverseCellSize), MEMBER(StepParameters, drift), MEMBER(StepParameters, substepTime),
+        MEMBER(StepParameters, correction), MEMBER(StepParameters, relaxation), MEMBER(StepParameters, warmStart),
+        MEMBER(StepParameters, virtualParticles), MEMBER(StepParameters, freeze), MEMBER(StepParameters, damping),
+        MEMBER(StepParameters, maxSpeed), MEMBER(StepParameters, secondOrder), MEMBER(StepParameters, alwaysFind),
+        MEMBER(StepParameters, rotationIterations), MEMBER(StepParameters, maxCorrection),
+        MEMBER(StepParameters, jointRelaxation), MEMBER(StepParameters, sharedCount), MEMBER(StepParameters, pad0),
+        MEMBER(StepParameters, impulseGrowth)
+    });
+    EXPECT_EQ(sizeof(gpu::StepParameters) % 16, 0u) << "std140 pads to whole vectors";
+}
+
+TEST(Layout, CountersAndCollidersAreTheHostsStructs)
+{
+    Bench bench(mixedWorld());
+    const Kernel kernel = bench.load("collider_find");
+    expectArray(kernel, "CountersBlock", "counters", sizeof(gpu::Counters), COUNTERS);
+    expectArray(kernel, "Colliders", "colliders", sizeof(gpu::GpuCollider), COLLIDER);
+}
+
+TEST(Layout, StructsThatKernelsReadAsTexelsAreTheHostsStructs)
+{
+    // No kernel declares these as storage buffers: this one does.
+    std::filesystem::create_directories(shaderFolder().path("sim"));
+    shaderFolder().write("sim/test_layout.comp", R"(#include "shared/kernel.glsl"
+layout(local_size_x = 1) in;
+BUFFER(ParticleRigidBodyLink, Links, links);
+BUFFER(ParticleInfo, ParticleInfos, infos);
+BUFFER(BodyInfo, BodyInfos, bodies);
+void main()
+{
+    links[0].mass = float(infos[0].material + bodies[0].jointCount + step.particleCount);
+}
+)");
+    Bench bench(mixedWorld());
+    BufferTable table = bench.buffers.table();
+    table.add("particleInfos", bench.buffers.particleInfo, 16);
+    table.add("bodyInfos", bench.buffers.bodyInfo, 16);
+    const Kernel kernel(gpu(), table, "sim/test_layout.comp");
+    expectArray(kernel, "Links", "links", sizeof(gpu::ParticleRigidBodyLink), LINK);
+    expectArray(kernel, "ParticleInfos", "infos", sizeof(gpu::ParticleInfo), PARTICLE_INFO);
+    expectArray(kernel, "BodyInfos", "bodies", sizeof(gpu::BodyInfo), BODY_INFO);
+}
+
+}  // namespace knuckle::test
