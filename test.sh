@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Builds Knuckle and runs its tests. KNUCKLE_PRESET=ci treats warnings as errors. Arguments go to ctest: -R physics.
+# Builds Knuckle and runs its tests. KNUCKLE_PRESET=ci treats warnings as errors; debug and asan are the others.
+# Arguments go to ctest: -R physics.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-preset=${KNUCKLE_PRESET:-release}    # ci and release share build/release
+preset=${KNUCKLE_PRESET:-release}
 bash scripts/build.sh "$preset"
-# One at a time: each test may use every core for its OpenGL driver.
-ctest --test-dir build/release --output-on-failure -j1 "$@"
+# The presets ci and release share a folder. One at a time: each test may use every core for its OpenGL driver.
+ctest --test-dir "build/${preset/#ci/release}" --output-on-failure -j1 "$@"
