@@ -47,8 +47,8 @@ int parseAndRun(int argc, char** argv)
     program.get_formatter()->column_width(34);
     addCommonOptions(program, common);
     const CommandLine line{program, common, chosen};
-    for (const auto add : {addRenderCommand, addVoxelizeCommand, addCheckCommand, addCompareCommand, addInfoCommand,
-                           addSchemaCommand, addModelCommand}) {
+    for (const auto add : {addRenderCommand, addVoxelizeCommand, addCheckCommand, addCompareCommand, addBenchCommand,
+                           addInfoCommand, addSchemaCommand, addModelCommand}) {
         add(line);
     }
     try {

@@ -13,6 +13,8 @@ uniform usamplerBuffer particleInfo;
 uniform samplerBuffer restPositions;
 uniform usamplerBuffer particleLinks;    // first entry and count in linksOfParticle
 uniform usamplerBuffer linksOfParticle;  // link, its body
+uniform usamplerBuffer oldCandidates;    // the lists themselves; only the half that is not written is read
+uniform usamplerBuffer oldCounts;
 BUFFER(uint, Candidates, candidates);
 BUFFER(vec4, Impulses, impulses);
 BUFFER(uvec2, CandidateCounts, candidateCounts);   // per parity and particle: particles, colliders
@@ -38,9 +40,9 @@ bool mayTouch(uint i, uint j, uint assembly)
 
 vec4 oldImpulse(uint i, uint j, uint oldParity)
 {
-    uint count = candidateCounts[oldParity * step.particleCount + i].x;
+    uint count = texelFetch(oldCounts, int(oldParity * step.particleCount + i)).x;
     for (uint s = 0u; s < count; ++s)
-        if (candidates[contactSlot(oldParity, s, i)] == j) return impulses[contactSlot(oldParity, s, i)];
+        if (texelFetch(oldCandidates, int(contactSlot(oldParity, s, i))).x == j) return impulses[contactSlot(oldParity, s, i)];
     return vec4(0);
 }
 

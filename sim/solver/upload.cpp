@@ -277,6 +277,8 @@ BufferTable SolverBuffers::table()
         t.add(b->label(), *b, 4);
     for (auto* b : {&particleLinks, &linksOfParticle, &assemblyState, &particleCells, &candidateCounts})
         t.add(b->label(), *b, 8);
+    t.add("oldCandidates", candidates, 4);
+    t.add("oldCounts", candidateCounts, 8);
     t.add("linkOffsets", linkOffsets, 16);
     t.add("linkGaps", linkGaps, 16);
     t.add("linkMasses", linkMasses, 4);

@@ -135,6 +135,9 @@ uint32_t WorldBuilder::addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec&
         shareParticle(newParticle(place, world_.bodies[bodyA].material), bodyA);
     if (spec.type == JointType::Universal) {
         joint.middleBody = addBody(spec.name + ".cross", places.middle, world_.bodies[bodyA].material);
+        // Where the axes cross, all three bodies share a particle: it carries the load, the light cross only the twist.
+        shareAt(places.middle, bodyA, joint.middleBody, joint);
+        shareParticle(joint.sharedParticles.back(), bodyB);
         shareAt(places.sharedWithA, bodyA, joint.middleBody, joint);
         shareAt(places.sharedWithB, bodyB, joint.middleBody, joint);
         for (uint32_t particle : bodyParticles_[joint.middleBody]) world_.particles[particle].touchesAssembly = false;

@@ -34,7 +34,7 @@ struct Settings {
     VelocityOrder velocityOrder = VelocityOrder::Second;
     Eigen::Vector3f gravity{0.0f, -9.81f, 0.0f};   ///< [m/s2]
     float timeStep = 1.0f / 60.0f;                 ///< One step [s], 1e-4 ... 0.1. A frame is one or more steps.
-    uint32_t substeps = 4;                         ///< Per step, 1 ... 64.
+    uint32_t substeps = 6;                         ///< Per step, 1 ... 64.
     uint32_t iterations = 2;                       ///< Per substep, 1 ... 64.
     uint32_t stabilization = 0;                    ///< Stabilization iterations per substep, 0 ... 16 (paper, 3.3).
     float contactMargin = 0.2f;                    ///< Candidates within (1 + margin) diameters, 0.05 ... 1 (3.1: 0.2).

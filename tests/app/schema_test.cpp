@@ -109,7 +109,7 @@ TEST(Schema, DefaultsKeepTheirOwnRules)
     JsonFile again = file;
     schema.complete(again);
     EXPECT_EQ(file.root, again.root);
-    EXPECT_EQ(file.root["solver"]["substeps"], 4);
+    EXPECT_EQ(file.root["solver"]["substeps"], Settings{}.substeps);
     EXPECT_EQ(file.root["objects"][0]["repeat"]["counts"], Json({1, 1, 1}));
 }
 
