@@ -7,14 +7,19 @@ namespace knuckle::test {
 
 namespace {
 
-/// Particles at random places, whatever body they are of: pairs of every kind come near each other.
+/// Particles at random places, whatever body they are of, those of bodies in a small space: pairs of every kind come
+/// near each other.
 class ContactFind : public testing::TestWithParam<GridKind> {
 protected:
     ContactFind() : bench(mixedWorld())
     {
-        bench.buffers.resizeContacts(gpu(), 48);
-        fill(bench.buffers.positions, randomVectors(count(), 0.5f, 11));
-        for (const Link& link : bench.world.links) bodies.resize(count()), bodies[link.particle].insert(link.body);
+        bench.buffers.resizeContacts(gpu(), 96);
+        bodies.resize(count());
+        for (const Link& link : bench.world.links) bodies[link.particle].insert(link.body);
+        auto positions = randomVectors(count(), 0.5f, 11);
+        for (uint32_t i = 0; i < count(); ++i)
+            if (!bodies[i].empty()) positions[i] = packed(0.4f * vec3(positions[i]));
+        fill(bench.buffers.positions, positions);
     }
     uint32_t count() const { return bench.buffers.parameters.particleCount; }
     void find()

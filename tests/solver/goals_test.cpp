@@ -61,7 +61,7 @@ protected:
             shared += bench.world.particles[i].bodyCount > 1;
         }
         EXPECT_EQ(bench.buffers.parameters.sharedCount, shared);
-        EXPECT_EQ(shared, 1u + 3u + 4u + 4u + 1u);
+        EXPECT_EQ(shared, 1u + 3u + 4u + 5u + 1u);
     }
     /// Per shared particle, the sum over its bodies of mass times a link's value, and of its size.
     struct Balance {

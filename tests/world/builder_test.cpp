@@ -30,7 +30,7 @@ TEST(Builder, EachJointTypeSharesItsNumberOfParticles)
     // Two cubes of 27 with a free layer between them: every joint particle is a new one.
     const struct { JointType type; int limits; uint32_t shared, particles, bodies; } rows[] = {
         {JointType::Ball, 0, 1, 55, 2},    {JointType::Hinge, 0, 3, 57, 2},     {JointType::Hinge, 1, 3, 59, 2},
-        {JointType::Stiff, 0, 4, 58, 2},   {JointType::Universal, 0, 4, 59, 3},
+        {JointType::Stiff, 0, 4, 58, 2},   {JointType::Universal, 0, 5, 59, 3},
     };
     for (const auto& row : rows) {
         const World world = jointedCubes(specOf(row.type, row.limits));
@@ -40,7 +40,17 @@ TEST(Builder, EachJointTypeSharesItsNumberOfParticles)
         EXPECT_EQ(world.particles.size(), row.particles);
         EXPECT_EQ(world.bodies.size(), row.bodies);
         EXPECT_EQ(world.assemblyCount, 1u);
-        for (uint32_t p : world.joints[0].sharedParticles) EXPECT_EQ(world.particles[p].bodyCount, 2u);
+    }
+}
+
+TEST(Builder, TwoBodiesShareAJointsParticlesAndThreeTheCrossingOfAUniversalJoint)
+{
+    for (JointType type : {JointType::Ball, JointType::Hinge, JointType::Stiff, JointType::Universal}) {
+        const World world = jointedCubes(specOf(type));
+        for (uint32_t p : world.joints[0].sharedParticles) {
+            const bool crossing = type == JointType::Universal && world.particles[p].position.norm() < 1e-6f;
+            EXPECT_EQ(world.particles[p].bodyCount, crossing ? 3u : 2u) << jointTypeName(type);
+        }
     }
 }
 
