@@ -34,8 +34,7 @@ bool mayTouch(uint i, uint j, uint assembly)
 {
     if (texelFetch(particleInfo, int(j)).z != assembly) return true;
     vec4 a = texelFetch(restPositions, int(i)), b = texelFetch(restPositions, int(j));
-    bool touches = a.w + b.w == 0.0;     // not the cross of a universal joint
-    return touches && length(a.xyz - b.xyz) > 0.99 * step.diameter && !inSameBody(i, j);
+    return length(a.xyz - b.xyz) > (0.99 + max(a.w, b.w)) * step.diameter && !inSameBody(i, j);
 }
 
 vec4 oldImpulse(uint i, uint j, uint oldParity)

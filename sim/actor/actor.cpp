@@ -8,6 +8,10 @@ namespace knuckle {
 
 namespace {
 
+/// The lattice layers on both sides of a joint, a diameter apart and 1.41 across, fold into each other when it bends; the
+/// next ones, 2 apart, still stop it [diameters].
+constexpr float SELF_MARGIN = 0.5f;
+
 // A shared particle is added with the smallest of its bodies, which may have nothing else to begin with.
 std::vector<uint32_t> ownersOf(const Actor& actor)
 {
@@ -51,6 +55,15 @@ uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, 
                 builder.shareParticle(particles[particle], bodies[b]);
             }
         }
+    }
+    for (const ActorJoint& joint : actor.joints) {
+        Joint noted{joint.type, joint.name, bodies[joint.parent], bodies[joint.child], NO_INDEX, {}};
+        for (uint32_t particle : joint.sharedParticles) noted.sharedParticles.push_back(particles[particle]);
+        builder.noteJoint(std::move(noted));
+    }
+    builder.setSelfMargin(SELF_MARGIN);
+    for (uint32_t b = 0; b < bodies.size(); ++b) {
+        if (actor.bodies[b].name.ends_with("/cross")) builder.exemptFromSelfContact(bodies[b]);
     }
     return builder.endObject(pose, velocity);
 }

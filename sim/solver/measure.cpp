@@ -107,7 +107,8 @@ bool mayTouch(const World& world, uint32_t a, uint32_t b)
     const Particle& second = world.particles[b];
     if (first.assembly != second.assembly || first.assembly == NO_INDEX) return true;
     if (first.body == second.body || !first.touchesAssembly || !second.touchesAssembly) return false;
-    if ((first.restPosition - second.restPosition).norm() <= 0.99f * world.diameter()) return false;
+    const float near = 0.99f + std::max(first.selfMargin, second.selfMargin);
+    if ((first.restPosition - second.restPosition).norm() <= near * world.diameter()) return false;
     if (first.bodyCount < 2 && second.bodyCount < 2) return true;
     for (uint32_t body = 0; body < world.bodies.size(); ++body)
         if (world.bodies[body].assembly == first.assembly && inBody(world, a, body) && inBody(world, b, body))

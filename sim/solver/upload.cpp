@@ -17,6 +17,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr uint32_t FIRST_CONTACT_SLOTS = 16;
+constexpr float NO_SELF_CONTACT = 1e9f;   // a margin [diameters] that nothing is beyond
 
 gpu::vec4 pack(const Vector3f& v, float w)
 {
@@ -76,7 +77,7 @@ void uploadParticles(SolverBuffers& out, const World& world)
         const Material& material = world.materials[p.material];
         positions.push_back(pack(p.position, 0));
         velocities.push_back(pack(fixed ? Vector3f::Zero() : p.velocity, 0));
-        rest.push_back(pack(p.restPosition, p.touchesAssembly ? 0.0f : 1.0f));
+        rest.push_back(pack(p.restPosition, p.touchesAssembly ? p.selfMargin : NO_SELF_CONTACT));
         masses.push_back({fixed ? 0.0f : 1.0f / p.mass, 0.0f, material.staticFriction, material.kineticFriction});
         infos.push_back({p.body, p.bodyCount, p.assembly != NO_INDEX ? p.assembly : assemblies++, p.material});
     }

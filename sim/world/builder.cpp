@@ -140,10 +140,27 @@ uint32_t WorldBuilder::addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec&
         shareParticle(joint.sharedParticles.back(), bodyB);
         shareAt(places.sharedWithA, bodyA, joint.middleBody, joint);
         shareAt(places.sharedWithB, bodyB, joint.middleBody, joint);
-        for (uint32_t particle : bodyParticles_[joint.middleBody]) world_.particles[particle].touchesAssembly = false;
+        exemptFromSelfContact(joint.middleBody);
     }
     world_.joints.push_back(std::move(joint));
     return static_cast<uint32_t>(world_.joints.size() - 1);
+}
+
+void WorldBuilder::noteJoint(Joint joint)
+{
+    requireObject("noteJoint");
+    world_.joints.push_back(std::move(joint));
+}
+
+void WorldBuilder::setSelfMargin(float margin)
+{
+    requireObject("setSelfMargin");
+    for (uint32_t i = objectFirstParticle_; i < particleCount(); ++i) world_.particles[i].selfMargin = margin;
+}
+
+void WorldBuilder::exemptFromSelfContact(uint32_t body)
+{
+    for (uint32_t particle : bodyParticles_.at(body)) world_.particles[particle].touchesAssembly = false;
 }
 
 uint32_t WorldBuilder::endObject(const Pose& pose, const Vector3f& velocity, const Vector3f& spin)

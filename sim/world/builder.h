@@ -50,6 +50,12 @@ public:
     uint32_t addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec& spec);
     /// Makes an existing particle part of one more body: the paper's joint itself.
     void shareParticle(uint32_t particle, uint32_t body);
+    /// Records in World::joints a joint that was made by shareParticle().
+    void noteJoint(Joint joint);
+    /// Particle::selfMargin for all particles of the open object [diameters].
+    void setSelfMargin(float margin);
+    /// The body's particles touch no other of their assembly (the cross of a universal joint).
+    void exemptFromSelfContact(uint32_t body);
     /// Places the open object; `velocity` [m/s] and `spin` [rad/s] about its mass centre. @returns the object's index.
     uint32_t endObject(const Pose& pose = {}, const Vector3f& velocity = {0, 0, 0},
                        const Vector3f& spin = {0, 0, 0});

@@ -42,6 +42,9 @@ struct Particle {
     Vector3f restPosition{0, 0, 0};
     /// False for the cross of a universal joint, which would else be stopped by the bodies around it at once.
     bool touchesAssembly = true;
+    /// Adds to the distance at rest below which it never touches another particle of its assembly [diameters], >= 0: the
+    /// flesh around an actor's joints folds instead of holding the joint open.
+    float selfMargin = 0.0f;
 };
 
 /// The paper's listing 1, on the host. Links are grouped by body: a body's block is linkStart ... linkStart+linkCount.

@@ -41,13 +41,15 @@ void addOne(WorldBuilder& builder, const Eigen::Vector3i& counts, const Pose& po
 }
 
 /// Two cubes of 27 whose centres are `apart` diameters apart in x, joined in the middle.
-void addPair(WorldBuilder& builder, JointType type, float apart, const Pose& pose)
+void addPair(WorldBuilder& builder, JointType type, float apart, const Pose& pose,
+             Motion motionOfLeft = Motion::Dynamic)
 {
     std::vector<Vector3f> left = boxLattice({3, 3, 3}, DIAMETER), right = left;
     for (Vector3f& p : left) p.x() -= 0.5f * apart * DIAMETER;
     for (Vector3f& p : right) p.x() += 0.5f * apart * DIAMETER;
     builder.beginObject("pair");
-    const uint32_t a = builder.addBody("left", left, 0), b = builder.addBody("right", right, 1);
+    const uint32_t a = builder.addBody("left", left, 0, motionOfLeft);
+    const uint32_t b = builder.addBody("right", right, 1);
     JointSpec spec;
     spec.type = type;
     spec.limitSide = 1;
@@ -69,7 +71,8 @@ World mixedWorld(const Settings& settings, uint32_t particleCount)
     const auto pose = [&] { return Pose{random.inCube(0.4f), random.rotation()}; };
     for (JointType type : {JointType::Ball, JointType::Hinge, JointType::Stiff, JointType::Universal})
         addPair(builder, type, 4.0f, pose());
-    addPair(builder, JointType::Ball, 2.5f, pose());   // overlaps itself at rest
+    addPair(builder, JointType::Ball, 1.5f, pose());   // overlaps itself at rest
+    addPair(builder, JointType::Hinge, 4.0f, pose(), Motion::Fixed);
     for (const Eigen::Vector3i& counts : {Eigen::Vector3i(5, 1, 4), {6, 1, 1}, {9, 3, 3}, {1, 1, 1}})
         addOne(builder, counts, pose());
     addOne(builder, {4, 2, 3}, pose(), Motion::Fixed);
