@@ -41,8 +41,16 @@ protected:
         counts = bench.buffers.candidateCounts.download();
         candidates = bench.buffers.candidates.download();
     }
+    static float restDistance(const Particle& a, const Particle& b)
+    {
+        return (a.restPosition - b.restPosition).norm();
+    }
+    static float leastRestDistance(const Particle& a, const Particle& b)
+    {
+        return (0.99f + std::max(a.selfMargin, b.selfMargin)) * DIAMETER;
+    }
     /// Written anew from the rules: never of one body; of one assembly, neither a universal joint's cross nor nearer
-    /// than a diameter at rest.
+    /// than a diameter and a margin at rest.
     bool mayTouch(uint32_t i, uint32_t j) const
     {
         const Particle& a = bench.world.particles[i];
@@ -50,7 +58,7 @@ protected:
         for (uint32_t body : bodies[i])
             if (bodies[j].contains(body)) return false;
         if (a.assembly == NO_INDEX || a.assembly != b.assembly) return true;
-        return a.touchesAssembly && b.touchesAssembly && (a.restPosition - b.restPosition).norm() > 0.99f * DIAMETER;
+        return a.touchesAssembly && b.touchesAssembly && restDistance(a, b) > leastRestDistance(a, b);
     }
     /// Partners of a particle by comparing it with all.
     std::set<uint32_t> partners(uint32_t i, const std::vector<gpu::vec4>& positions) const
@@ -93,7 +101,7 @@ TEST_P(ContactFind, TheRulesOfWhatTouchesAllMatterHere)
 {
     // Near each other and not of one first body, but excluded, by each rule alone: else the test above would prove
     // less than it says.
-    uint32_t crosses = 0, overlaps = 0, shared = 0;
+    uint32_t crosses = 0, overlaps = 0, margins = 0, shared = 0;
     const auto& particles = bench.world.particles;
     const auto positions = bench.buffers.positions.download();
     for (uint32_t i = 0; i < count(); ++i)
@@ -102,14 +110,16 @@ TEST_P(ContactFind, TheRulesOfWhatTouchesAllMatterHere)
             const Particle& b = particles[j];
             if (a.assembly != b.assembly || a.assembly == NO_INDEX || a.body == b.body) continue;
             if ((vec3(positions[i]) - vec3(positions[j])).norm() > DIAMETER) continue;
-            const bool overlap = (a.restPosition - b.restPosition).norm() <= 0.99f * DIAMETER;
+            const bool overlap = restDistance(a, b) <= leastRestDistance(a, b);
             const bool cross = !a.touchesAssembly || !b.touchesAssembly;
             crosses += cross && !overlap;
-            overlaps += overlap && !cross;
+            overlaps += overlap && !cross && restDistance(a, b) <= 0.99f * DIAMETER;
+            margins += overlap && !cross && restDistance(a, b) > DIAMETER;
             shared += !overlap && !cross && !mayTouch(i, j);
         }
     EXPECT_GT(crosses, 0u);
     EXPECT_GT(overlaps, 0u);
+    EXPECT_GT(margins, 0u);
     EXPECT_GT(shared, 0u) << "a shared particle and one of its second body";
 }
 

@@ -54,6 +54,7 @@ void addPair(WorldBuilder& builder, JointType type, float apart, const Pose& pos
     spec.type = type;
     spec.limitSide = 1;
     builder.addJoint(a, b, spec);
+    builder.setSelfMargin(apart < 3.0f ? 0.5f : 0.0f);   // for the pair that overlaps
     builder.endObject(pose);
 }
 

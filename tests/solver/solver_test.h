@@ -45,8 +45,8 @@ private:
 };
 
 /// A world of everything that kernels tell apart, in 1003 particles (no multiple of any group size): pairs of each
-/// joint type, two bodies whose lattices overlap at rest, a pair of which one is fixed, a flat, a straight and a long
-/// body, a fixed one, and loose particles for the rest.
+/// joint type, two bodies with a margin whose lattices overlap at rest, a pair of which one is fixed, a flat, a
+/// straight and a long body, a fixed one, and loose particles for the rest.
 World mixedWorld(const Settings& settings = {}, uint32_t particleCount = 1003);
 
 /// The solver's buffers of a world, and its kernels one at a time.

@@ -77,6 +77,41 @@ TEST(Builder, TheCrossOfAUniversalJointIsABodyThatTouchesNothingOfItsAssembly)
     }
 }
 
+TEST(Builder, ASelfMarginAndAnExemptionHoldForTheOpenObjectOnly)
+{
+    WorldBuilder builder = makeBuilder();
+    for (const char* name : {"plain", "soft"}) {
+        builder.beginObject(name);
+        builder.addBody("a", cubeAt({-2, 0, 0}), 0);
+        const uint32_t b = builder.addBody("b", cubeAt({2, 0, 0}), 0);
+        if (std::string(name) == "soft") {
+            builder.setSelfMargin(0.5f);
+            builder.exemptFromSelfContact(b);
+        }
+        builder.endObject();
+    }
+    const World world = builder.build();
+    for (const Particle& p : world.particles) {
+        EXPECT_EQ(p.selfMargin, p.body >= 2 ? 0.5f : 0.0f);
+        EXPECT_EQ(p.touchesAssembly, p.body != 3);
+    }
+}
+
+TEST(Builder, AJointMadeByHandIsRecordedAsItIsGiven)
+{
+    WorldBuilder builder = makeBuilder();
+    builder.beginObject("pair");
+    const uint32_t a = builder.addBody("a", cubeAt({-2, 0, 0}), 0), b = builder.addBody("b", cubeAt({2, 0, 0}), 0);
+    builder.shareParticle(5, b);
+    builder.noteJoint({JointType::Ball, "by hand", a, b, NO_INDEX, {5}});
+    builder.endObject();
+    const World world = builder.build();
+    ASSERT_EQ(world.joints.size(), 1u);
+    EXPECT_EQ(world.joints[0].name, "by hand");
+    EXPECT_EQ(world.joints[0].sharedParticles, std::vector<uint32_t>{5});
+    EXPECT_EQ(world.particles[5].bodyCount, 2u);
+}
+
 TEST(Builder, AJointTakesParticlesThatStandWhereItNeedsThem)
 {
     // Cubes side by side: the ball's anchor lies on a face particle of A.
