@@ -94,6 +94,24 @@ TEST_F(Goals, TheLastMatchOfASubstepHasTheSameGoals)
     expectGoals({{"LAST", "1"}});
 }
 
+TEST_F(Goals, WhatIsLeftAtTheEndOfASubstepStaysAsAGapOfEachLink)
+{
+    fill(bench.buffers.linkOffsets, randomVectors(bench.buffers.linkOffsets.size(), 0.01f, 73));
+    expectGoals({{"LAST", "1"}});
+    const auto links = bench.buffers.links.download();
+    const auto gaps = bench.buffers.linkGaps.download(), offsets = bench.buffers.linkOffsets.download();
+    const auto wanted = wantedMoves();
+    for (size_t l = 0; l < links.size(); ++l) {
+        const gpu::ParticleRigidBodyLink& link = links[l];
+        const Particle& p = bench.world.particles[link.particleIndex];
+        if (p.bodyCount < 2 || bench.world.bodies[p.body].motion == Motion::Fixed) continue;
+        const Vector3f r(link.posInRigidBodyX, link.posInRigidBodyY, link.posInRigidBodyZ);
+        const Vector3d gap = wanted[link.particleIndex] - goalMove({link.particleIndex, link.rbIndex, r, link.mass});
+        EXPECT_LT((vec3(gaps[l]).cast<double>() - gap).norm(), 2.5e-7) << "link " << l;
+        EXPECT_EQ(vec3(offsets[l]), Vector3f::Zero()) << "link " << l;
+    }
+}
+
 TEST_F(Goals, WhatAJointOwesItsBodiesSumsToZero)
 {
     expectGoals({});
