@@ -152,11 +152,11 @@ TEST_F(Rotation, VirtualParticlesTurnStraightBodiesByHouseholder)
     for (size_t k = 0; k < list.size(); ++k) {
         const Eigen::Quaterniond wanted =
             nearestRotation(withVirtualParticles(list[k], bench.buffers.parameters.virtualParticles));
-        // Both small eigenvalues of A^T A are 1e-4 of the largest, whose rounding in 24 iterations of three products
-        // each reaches them: 72 x 2^-24 / 1e-4 = 4 %, and half of it the rotation.
+        // The two small singular values are c and c cos 20 deg: their squares' ratio, 0.88, is what one QR iteration
+        // gains, and 24 leave 0.88^24 = 5 % of what is between them.
         const Vector3d line = list[k].a.transpose() * (list[k].a * Vector3d(1, 2, 3));
-        EXPECT_LT((found[k] * line - wanted * line).norm() / line.norm(), 0.04) << "body " << k;
-        EXPECT_LT(found[k].angularDistance(wanted), 0.04) << "body " << k;
+        EXPECT_LT((found[k] * line - wanted * line).norm() / line.norm(), 0.05) << "body " << k;
+        EXPECT_LT(found[k].angularDistance(wanted), 0.05) << "body " << k;
     }
 }
 
