@@ -40,8 +40,10 @@ bool mayTouch(uint i, uint j, uint assembly)
 vec4 oldImpulse(uint i, uint j, uint oldParity)
 {
     uint count = texelFetch(oldCounts, int(oldParity * step.particleCount + i)).x;
-    for (uint s = 0u; s < count; ++s)
-        if (texelFetch(oldCandidates, int(contactSlot(oldParity, s, i))).x == j) return impulses[contactSlot(oldParity, s, i)];
+    for (uint s = 0u; s < count; ++s) {
+        uint slot = contactSlot(oldParity, s, i);
+        if (texelFetch(oldCandidates, int(slot)).x == j) return impulses[slot];
+    }
     return vec4(0);
 }
 

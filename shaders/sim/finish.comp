@@ -38,7 +38,10 @@ void main()
     // The paper's freezing (3.1): too small a move is not made, but its velocity is kept, so that it can grow.
     if (length(move) < step.freeze) return;
     // Of one body: placed by it, so that the rounding of moves never adds up.
-    positions[i].xyz = info.y == 1u ? texelFetch(bodyCentres, int(info.x)).xyz +
-                                          rotate(texelFetch(bodyRotations, int(info.x)), texelFetch(restOffsets, int(i)).xyz)
-                                    : positions[i].xyz + move;
+    vec3 target = positions[i].xyz + move;
+    if (info.y == 1u) {
+        vec3 arm = rotate(texelFetch(bodyRotations, int(info.x)), texelFetch(restOffsets, int(i)).xyz);
+        target = texelFetch(bodyCentres, int(info.x)).xyz + arm;
+    }
+    positions[i].xyz = target;
 }

@@ -8,8 +8,8 @@ namespace knuckle {
 
 namespace {
 
-/// The lattice layers on both sides of a joint, a diameter apart and 1.41 across, fold into each other when it bends; the
-/// next ones, 2 apart, still stop it [diameters].
+/// The lattice layers on both sides of a joint, a diameter apart and 1.41 across, fold into each other when it bends;
+/// the next ones, 2 apart, still stop it [diameters].
 constexpr float SELF_MARGIN = 0.5f;
 
 // A shared particle is added with the smallest of its bodies, which may have nothing else to begin with.

@@ -52,7 +52,7 @@ public:
     /// Advances by Settings::timeStep. Only records GL work: nothing is uploaded, nothing read back.
     void step();
     /// Once a frame: reads the 64-byte counters buffer, grows what overflowed, and
-    /// @throws RunError for NaN or for an overflow that cannot be mended, naming frame, particle and the number to raise.
+    /// @throws RunError for NaN or an overflow that cannot be mended, naming frame, particle and the number to raise.
     void checkCounters(uint64_t frame);
 
     ParticleView view() const;

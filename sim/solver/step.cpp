@@ -15,9 +15,9 @@
 //   finishes with velocities and positions.
 //
 // The default solver works with impulses. Those of contacts live on from substep to substep: contact_warm applies what
-// the last one needed; after a first match the bodies stand where that leaves them, and contact_solve (for contacts) and
-// joint_goals (for joints) work out what is still missing. An impulse on a particle is a displacement of that particle
-// alone; shape matching spreads it over the body as the impulse itself would have.
+// the last one needed; after a first match the bodies stand where that leaves them, and contact_solve (for contacts)
+// and joint_goals (for joints) work out what is still missing. An impulse on a particle is a displacement of that
+// particle alone; shape matching spreads it over the body as the impulse itself would have.
 //
 // The paper's solver moves each particle by the average of its overlaps instead (contact_average), without memory.
 #include "sim/solver/step.h"

@@ -30,8 +30,8 @@ private:
     Kernel predict_, findDue_, gridClear_, gridCount_, gridChunkSum_, gridChunkScan_, gridCellStart_, gridScatter_,
         gridOrder_, contactFind_, colliderFind_;
     Kernel contactWarm_, contactSolve_, contactAverage_, contactStabilize_, stabilizeApply_;
-    Kernel bodyStart_, bodySum_, linkCentreTerms_, linkMatrixTerms_, linkReduce_, bodyCollectCentres_, bodyCollectMatrices_,
-        bodyRotation_;
+    Kernel bodyStart_, bodySum_, linkCentreTerms_, linkMatrixTerms_, linkReduce_, bodyCollectCentres_,
+        bodyCollectMatrices_, bodyRotation_;
     Kernel shapeGoals_, jointGoals_, jointGoalsLast_, finish_;
 };
 

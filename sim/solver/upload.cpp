@@ -271,10 +271,11 @@ BufferTable SolverBuffers::table()
 {
     BufferTable t;
     for (auto* b : {&positions, &velocities, &oldMoves, &oldVelocities, &bodyCentres, &bodyRotations, &masses,
-                    &restPositions, &restOffsets, &predicted, &moved, &stabilized, &bodyStarts, &bodyTurns, &bodyMoves, &bodyMatrices, &linkTerms,
-                    &foundPositions, &sortedPositions, &impulses})
+                    &restPositions, &restOffsets, &predicted, &moved, &stabilized, &bodyStarts, &bodyTurns, &bodyMoves,
+                    &bodyMatrices, &linkTerms, &foundPositions, &sortedPositions, &impulses})
         t.add(b->label(), *b, 16);
-    for (auto* b : {&cellCounts, &chunkSums, &cellStarts, &cellMembers, &sortedIds, &candidates, &bodyAssemblies, &sharedParticles})
+    for (auto* b : {&cellCounts, &chunkSums, &cellStarts, &cellMembers, &sortedIds, &candidates, &bodyAssemblies,
+                    &sharedParticles})
         t.add(b->label(), *b, 4);
     for (auto* b : {&particleLinks, &linksOfParticle, &assemblyState, &particleCells, &candidateCounts})
         t.add(b->label(), *b, 8);

@@ -42,8 +42,8 @@ struct Particle {
     Vector3f restPosition{0, 0, 0};
     /// False for the cross of a universal joint, which would else be stopped by the bodies around it at once.
     bool touchesAssembly = true;
-    /// Adds to the distance at rest below which it never touches another particle of its assembly [diameters], >= 0: the
-    /// flesh around an actor's joints folds instead of holding the joint open.
+    /// Adds to the distance at rest below which it never touches another particle of its assembly [diameters], >= 0:
+    /// the flesh around an actor's joints folds instead of holding the joint open.
     float selfMargin = 0.0f;
 };
 

@@ -12,7 +12,8 @@ namespace knuckle::test {
 
 namespace {
 
-constexpr uint32_t OBJECTS = 20;
+/// Ten of them fall on the first layer of fifty.
+constexpr uint32_t OBJECTS = 60;
 constexpr int STEPS = 60;
 /// Set in a child process: which way of solving it runs.
 constexpr const char* WAY_VARIABLE = "KNUCKLE_TEST_WAY";
