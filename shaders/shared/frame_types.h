@@ -83,7 +83,6 @@ struct FrameInput {
     float pad1;
     float pad2;
 };
-#define NO_BODY 0xffffffffu
 
 // What frame_view.comp derives from it and from the particles on the GPU.
 struct FrameView {
