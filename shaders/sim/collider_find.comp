@@ -1,7 +1,7 @@
 // One thread a particle: the static colliders that it may touch, with the impulses of those that it had before.
 #include "shared/kernel.glsl"
 #include "shared/colliders.glsl"
-#include "shared/contact_lists.glsl"
+#include "shared/old_impulses.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer foundPositions;
@@ -10,14 +10,6 @@ BUFFER(vec4, Impulses, impulses);
 BUFFER(uvec2, CandidateCounts, candidateCounts);
 BUFFER(Counters, CountersBlock, counters);
 
-vec4 oldImpulse(uint i, uint collider, uint oldParity)
-{
-    uint count = candidateCounts[oldParity * step.particleCount + i].y;
-    for (uint s = 0u; s < count; ++s)
-        if (candidates[colliderSlot(oldParity, s, i)] == collider) return impulses[colliderSlot(oldParity, s, i)];
-    return vec4(0);
-}
-
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
@@ -25,13 +17,14 @@ void main()
     vec3 x = texelFetch(foundPositions, int(i)).xyz;
     uint parity = counters[0].listParity;
     float reach = step.contactRadius - 0.5 * step.diameter;
+    uint oldCount = candidateCounts[(parity ^ 1u) * step.particleCount + i].y;
     uint count = 0u;
     for (uint c = 0u; c < step.colliderCount; ++c) {
         if (colliderDistance(c, x).w > reach) continue;
         if (count < COLLIDER_SLOTS) {
             uint slot = colliderSlot(parity, count, i);
             candidates[slot] = c;
-            impulses[slot] = oldImpulse(i, c, parity ^ 1u);
+            impulses[slot] = oldImpulse(parity ^ 1u, step.contactSlots, oldCount, i, c);
         }
         ++count;
     }

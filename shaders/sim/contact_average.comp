@@ -11,7 +11,6 @@ uniform samplerBuffer positions;
 uniform samplerBuffer masses;
 uniform usamplerBuffer candidates;
 uniform usamplerBuffer candidateCounts;
-BUFFER(vec4, Moved, moved);
 uniform usamplerBuffer particleInfo;
 BUFFER(uvec2, AssemblyState, assemblyState);
 BUFFER(Counters, CountersBlock, counters);
@@ -21,6 +20,7 @@ BUFFER(vec4, Stabilized, stabilized);
 #define CONTACT_MOVE(move) vec3(0)
 #define CONTACT_ERROR(gap, startGap) (gap)
 #else
+BUFFER(vec4, Moved, moved);
 #define CONTACT_MOVE(move) (move)
 #define CONTACT_ERROR(gap, startGap) contactError(gap, startGap)
 #endif
@@ -63,7 +63,6 @@ void main()
     if (acting > 0.0) assemblyState[texelFetch(particleInfo, int(i)).z].x = counters[0].substep - 1u;
 #ifdef STABILIZE
     stabilized[i] = vec4(start + push, 0);
-    moved[i] = vec4(move, acting);
 #else
     moved[i] = vec4(move + push, acting);
 #endif

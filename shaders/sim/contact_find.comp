@@ -3,7 +3,7 @@
 // assembly where they overlap at rest.
 #include "shared/kernel.glsl"
 #include "shared/grid.glsl"
-#include "shared/contact_lists.glsl"
+#include "shared/old_impulses.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer sortedPositions;
@@ -13,8 +13,6 @@ uniform usamplerBuffer particleInfo;
 uniform samplerBuffer restPositions;
 uniform usamplerBuffer particleLinks;    // first entry and count in linksOfParticle
 uniform usamplerBuffer linksOfParticle;  // link, its body
-uniform usamplerBuffer oldCandidates;    // the lists themselves; only the half that is not written is read
-uniform usamplerBuffer oldCounts;
 BUFFER(uint, Candidates, candidates);
 BUFFER(vec4, Impulses, impulses);
 BUFFER(uvec2, CandidateCounts, candidateCounts);   // per parity and particle: particles, colliders
@@ -37,16 +35,6 @@ bool mayTouch(uint i, uint j, uint assembly)
     return length(a.xyz - b.xyz) > (0.99 + max(a.w, b.w)) * step.diameter && !inSameBody(i, j);
 }
 
-vec4 oldImpulse(uint i, uint j, uint oldParity)
-{
-    uint count = texelFetch(oldCounts, int(oldParity * step.particleCount + i)).x;
-    for (uint s = 0u; s < count; ++s) {
-        uint slot = contactSlot(oldParity, s, i);
-        if (texelFetch(oldCandidates, int(slot)).x == j) return impulses[slot];
-    }
-    return vec4(0);
-}
-
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
@@ -58,6 +46,7 @@ void main()
     float reach = step.contactRadius * step.contactRadius;
     ivec3 cell = cellOf(own.xyz);
     uint parity = counters[0].listParity;
+    uint oldCount = candidateCounts[(parity ^ 1u) * step.particleCount + i].x;
     uint count = 0u;
     for (int range = 0; range < NEIGHBOUR_RANGES; ++range) {
         uvec2 cells = neighbourCells(cell, range);
@@ -81,7 +70,7 @@ void main()
                 if (count < step.contactSlots) {
                     uint slot = contactSlot(parity, count, i);
                     candidates[slot] = j;
-                    impulses[slot] = oldImpulse(i, j, parity ^ 1u);
+                    impulses[slot] = oldImpulse(parity ^ 1u, 0u, oldCount, i, j);
                 }
                 ++count;
             }

@@ -10,7 +10,7 @@ uniform samplerBuffer oldMoves;
 uniform samplerBuffer oldVelocities;
 uniform samplerBuffer foundPositions;
 uniform usamplerBuffer particleInfo;
-uniform samplerBuffer masses;            // inverse mass, effective inverse mass, static and kinetic friction
+uniform samplerBuffer masses;            // inverse mass, unused, static and kinetic friction
 BUFFER(vec4, Predicted, predicted);
 BUFFER(uvec2, AssemblyState, assemblyState);   // last substep with a contact, order of this one
 BUFFER(Counters, CountersBlock, counters);

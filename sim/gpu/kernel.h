@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -16,6 +17,12 @@ class BufferTable {
 public:
     /// @param texelBytes 4, 8 or 16: what one texel of the buffer's texture holds.
     void add(const std::string& name, RawBuffer& buffer, uint32_t texelBytes);
+    /// Each under its label, a texel as large as an element, 16 bytes at most.
+    template <typename... T>
+    void add(Buffer<T>&... buffers)
+    {
+        (add(buffers.label(), buffers, static_cast<uint32_t>(std::min<size_t>(sizeof(T), 16))), ...);
+    }
     struct Entry {
         RawBuffer* buffer = nullptr;
         uint32_t texelBytes = 4;

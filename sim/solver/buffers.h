@@ -16,7 +16,7 @@ struct SolverBuffers {
     Buffer<gpu::vec4> bodyCentres, bodyRotations;      ///< Per body: c and Q.
     // What never changes.
     Buffer<gpu::ParticleInfo> particleInfo;
-    Buffer<gpu::vec4> masses;            ///< Inverse mass, effective inverse mass [1/kg], static and kinetic friction.
+    Buffer<gpu::vec4> masses;            ///< Inverse mass [1/kg], unused, static and kinetic friction.
     Buffer<gpu::vec4> restPositions;     ///< In the assembly's rest pose [m].
     Buffer<gpu::vec4> restOffsets;       ///< r in the first body [m]; w: effective inverse mass in it [1/kg].
     Buffer<gpu::ParticleRigidBodyLink> links;          ///< Per link: the paper's listing 1.

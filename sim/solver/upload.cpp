@@ -154,7 +154,8 @@ void uploadLinks(SolverBuffers& out, const World& world)
     out.linksOfParticle = {"linksOfParticle", std::span<const gpu::uvec2>(inverse)};
     out.sharedParticles = {"sharedParticles", std::span<const uint32_t>(shared)};
     out.parameters.sharedCount = static_cast<uint32_t>(shared.size());
-    for (auto* buffer : {&out.linkOffsets, &out.linkGaps}) *buffer = {"linkState", links.size()};
+    out.linkOffsets = {"linkOffsets", links.size()};
+    out.linkGaps = {"linkGaps", links.size()};
     out.linkTerms = {"linkTerms", 3 * links.size()};
 }
 
@@ -270,27 +271,17 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
 BufferTable SolverBuffers::table()
 {
     BufferTable t;
-    for (auto* b : {&positions, &velocities, &oldMoves, &oldVelocities, &bodyCentres, &bodyRotations, &masses,
-                    &restPositions, &restOffsets, &predicted, &moved, &stabilized, &bodyStarts, &bodyTurns, &bodyMoves,
-                    &bodyMatrices, &linkTerms, &foundPositions, &sortedPositions, &impulses})
-        t.add(b->label(), *b, 16);
-    for (auto* b : {&cellCounts, &chunkSums, &cellStarts, &cellMembers, &sortedIds, &candidates, &bodyAssemblies,
-                    &sharedParticles})
-        t.add(b->label(), *b, 4);
-    for (auto* b : {&particleLinks, &linksOfParticle, &assemblyState, &particleCells, &candidateCounts})
-        t.add(b->label(), *b, 8);
-    t.add("oldCandidates", candidates, 4);
-    t.add("oldCounts", candidateCounts, 8);
-    t.add("linkOffsets", linkOffsets, 16);
-    t.add("linkGaps", linkGaps, 16);
-    t.add("linkMasses", linkMasses, 4);
-    t.add("particleInfo", particleInfo, 16);
-    t.add("bodyInfo", bodyInfo, 16);
-    t.add("links", links, 16);
-    t.add("colliders", colliders, 16);
-    t.add("dispatches", dispatches, 16);
-    t.add("step", step, 16);
+    t.add(positions, velocities, oldMoves, oldVelocities, bodyCentres, bodyRotations);
+    t.add(particleInfo, masses, restPositions, restOffsets, links, linkMasses, particleLinks, linksOfParticle,
+          sharedParticles, bodyInfo, bodyAssemblies, colliders, step);
+    t.add(predicted, moved, stabilized, bodyStarts, bodyTurns, bodyMoves, bodyMatrices, linkOffsets, linkGaps,
+          linkTerms, assemblyState);
+    t.add(foundPositions, particleCells, cellCounts, chunkSums, cellStarts, cellMembers, sortedPositions, sortedIds,
+          candidates, impulses, candidateCounts, dispatches);
     t.add("countersBlock", counters, 16);
+    // The lists again, for the kernels that read one half while they write the other.
+    t.add("oldCandidates", candidates, 4);
+    t.add("oldImpulses", impulses, 16);
     return t;
 }
 

@@ -11,7 +11,7 @@ struct Swing {
 };
 
 /// A body of `counts` particles hung by one edge on a hinge along z through the origin, swung by `angle`.
-/// @param inertia returns I about the axis over m l, so that T = 2 pi sqrt(inertia / g) [m].
+/// @param reducedLength returns I about the axis over m l, so that T = 2 pi sqrt(reducedLength / g) [m].
 World hangingBody(const Eigen::Vector3i& counts, float angle, double& reducedLength)
 {
     WorldBuilder builder = makeBuilder();
@@ -28,14 +28,13 @@ World hangingBody(const Eigen::Vector3i& counts, float angle, double& reducedLen
     reducedLength = inertia / moment;
     builder.beginObject("pendulum");
     const std::vector<Vector3f> axis = {{0, 0, -DIAMETER}, {0, 0, 0}, {0, 0, DIAMETER}};
-    const uint32_t pivot = builder.addBody("pivot", axis, 0, Motion::Fixed);
+    builder.addBody("pivot", axis, 0, Motion::Fixed);
     // The particles on the axis are the pivot's.
     std::vector<Vector3f> own;
     for (const Vector3f& p : points)
         if (p.head<2>().norm() > 0.1f * DIAMETER) own.push_back(p);
     const uint32_t body = builder.addBody("bob", own, 0);
     for (uint32_t p = 0; p < 3; ++p) builder.shareParticle(p, body);
-    (void)pivot;
     builder.endObject();
     return builder.build();
 }

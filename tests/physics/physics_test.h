@@ -39,7 +39,7 @@ struct Totals {
 };
 Totals totals(const World& world, const ParticleState& state);
 
-/// Highest centre minus lowest: of bodies.
+/// Height of the lowest body's mass centre [m].
 float lowestBody(const std::vector<BodyState>& bodies);
 
 }  // namespace knuckle::test
