@@ -17,9 +17,10 @@ struct BodySums {
 };
 
 /// Random moves, joint displacements and gaps on top of random places: nothing that a step would have made.
-class BodySum : public testing::Test {
+/// The parameter: whether A is taken FROM_POSITIONS (shaders/shared/body_shape.glsl).
+class BodySum : public testing::TestWithParam<bool> {
 protected:
-    explicit BodySum(const Defines& shapeIn = {}) : bench(mixedWorld()), shape(shapeIn)
+    BodySum() : bench(mixedWorld()), shape(GetParam() ? Defines{{"FROM_POSITIONS", "1"}} : Defines{})
     {
         SolverBuffers& b = bench.buffers;
         Random random(21);
@@ -122,53 +123,34 @@ protected:
 };
 
 /// As the paper's solver runs them, which moves particles off their goals.
-class BodySumFromPositions : public BodySum {
-protected:
-    BodySumFromPositions() : BodySum({{"FROM_POSITIONS", "1"}}) {}
-};
-
-TEST_F(BodySum, OneThreadABodySumsItsLinks)
+TEST_P(BodySum, OneThreadABodySumsItsLinks)
 {
     bench.forBodies("body_sum", shape);
     expectSums();
 }
 
-TEST_F(BodySum, OneGroupABodySumsItsLinks)
+TEST_P(BodySum, OneGroupABodySumsItsLinks)
 {
     bench.dispatch(bench.load("body_sum_group", shape), bench.buffers.parameters.bodyCount);
     expectSums();
 }
 
-TEST_F(BodySum, ThePapersStepsSumTheLinksOfEachBody)
+TEST_P(BodySum, ThePapersStepsSumTheLinksOfEachBody)
 {
     reduceInSteps();
     expectSums();
 }
 
-TEST_F(BodySumFromPositions, OneThreadABodySumsItsLinks)
-{
-    bench.forBodies("body_sum", shape);
-    expectSums();
-}
-
-TEST_F(BodySumFromPositions, OneGroupABodySumsItsLinks)
-{
-    bench.dispatch(bench.load("body_sum_group", shape), bench.buffers.parameters.bodyCount);
-    expectSums();
-}
-
-TEST_F(BodySumFromPositions, ThePapersStepsSumTheLinksOfEachBody)
-{
-    reduceInSteps();
-    expectSums();
-}
-
-TEST_F(BodySum, SomeBodiesAreLongerThanAGroupAndNoPowerOfTwo)
+TEST_P(BodySum, SomeBodiesAreLongerThanAGroupAndNoPowerOfTwo)
 {
     EXPECT_EQ(bench.buffers.longestBody, 81u);
     EXPECT_GT(bench.buffers.longestBody, 2u * BODY_GROUP_SIZE);
     EXPECT_FALSE(std::has_single_bit(bench.buffers.longestBody));
 }
+
+INSTANTIATE_TEST_SUITE_P(Shape, BodySum, testing::Bool(), [](const auto& about) {
+    return about.param ? "FromPositions" : "FromRest";
+});
 
 TEST(PaperReduction, TakesAsManyStepsAsEquation10)
 {
