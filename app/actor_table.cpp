@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/counted.h"
 #include "app/scene_fields.h"
 
 namespace knuckle {
@@ -55,9 +56,10 @@ std::string actorTable(const Actor& actor)
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";
     }
-    text += fmt::format("\n{}: {} particles of {} m, {} bodies, {} joints, {} bones merged\n",
-                        actor.name.empty() ? "actor" : actor.name, actor.particles.size(), actor.diameter,
-                        actor.bodies.size(), actor.joints.size(), mergedCount);
+    text += fmt::format("\n{}: {} of {} m, {}, {}, {} merged\n", actor.name.empty() ? "actor" : actor.name,
+                        counted(actor.particles.size(), "particle"), actor.diameter,
+                        counted(actor.bodies.size(), "body", "bodies"), counted(actor.joints.size(), "joint"),
+                        counted(mergedCount, "bone"));
     for (const std::string& note : actor.notes) text += fmt::format("note: {}\n", note);
     return text;
 }

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.h"
+#include "app/counted.h"
 #include "app/scene_file.h"
 #include "sim/world/errors.h"
 
@@ -18,9 +19,10 @@ int check(const std::vector<std::string>& paths, const std::vector<Override>& ov
             const Scene scene = loadScene(path, overrides);
             if (quiet) continue;
             const World& world = scene.world;
-            fmt::print("{}: {} particles, {} bodies, {} joints, {} colliders, {:g} s ({} frames)\n", path,
-                       world.particles.size(), world.bodies.size(), world.joints.size(), world.colliders.size(),
-                       scene.duration, scene.frameCount());
+            fmt::print("{}: {}, {}, {}, {}, {:g} s ({})\n", path, counted(world.particles.size(), "particle"),
+                       counted(world.bodies.size(), "body", "bodies"), counted(world.joints.size(), "joint"),
+                       counted(world.colliders.size(), "collider"), scene.duration,
+                       counted(scene.frameCount(), "frame"));
         } catch (const InputError& error) {
             // Told here, so that one bad scene does not hide what is wrong with the next.
             fmt::print(stderr, "knuckle: {}\n", error.what());

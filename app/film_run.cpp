@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/counted.h"
 #include "app/export.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
@@ -189,8 +190,8 @@ void runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions
     FilmRun run(scene, options, common);
     const RunFigures figures = run.run();
     if (!common.quiet) {
-        fmt::print("{} frames, {} of them drawn, in {} ({:.1f} frames/s): {}\n", figures.frames, figures.drawnFrames,
-                   durationText(figures.totalSeconds),
+        fmt::print("{}, {} of them drawn, in {} ({:.1f} frames/s): {}\n", counted(figures.frames, "frame"),
+                   figures.drawnFrames, durationText(figures.totalSeconds),
                    static_cast<double>(figures.frames) / std::max(1e-9, figures.totalSeconds),
                    fmt::join(options.outputs, ", "));
     }

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 
 #include "sim/world/errors.h"
 
@@ -39,6 +40,7 @@ void OutputFile::commit()
 
 void OutputFile::failWriting() const
 {
+    if (errno == EPIPE) throw std::system_error(errno, std::generic_category(), path_);
     throw RunError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
 }
 

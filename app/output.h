@@ -20,7 +20,7 @@ public:
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// @throws RunError, as from a full disk.
+    /// @throws RunError, as from a full disk; std::system_error where the reader of a pipe has gone.
     void write(std::string_view bytes);
     void commit();
 

@@ -1,10 +1,11 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <new>
+#include <system_error>
 
 #include "app/commands.h"
 #include "app/interrupt.h"
@@ -14,6 +15,7 @@ namespace knuckle {
 
 namespace {
 
+constexpr const char* STDOUT_FAILURE = "standard output cannot be written";
 constexpr const char* EXAMPLES =
     "Examples:\n"
     "  knuckle render assets/scenes/ragdoll.json               frames in out/ragdoll\n"
@@ -60,10 +62,19 @@ int parseAndRun(int argc, char** argv)
     return chosen();
 }
 
-int tell(const char* message, int code)
+/// Never throws: there is nobody to tell that stderr is closed.
+int tell(const std::string& message, int code)
 {
-    fmt::print(stderr, "knuckle: {}\n", message);
+    std::fputs(("knuckle: " + message + "\n").c_str(), stderr);
     return code;
+}
+
+/// The reader of a pipe wants no more: ends as every filter does, without a word.
+int endByBrokenPipe()
+{
+    std::signal(SIGPIPE, SIG_DFL);
+    std::raise(SIGPIPE);
+    return EXIT_RUN;
 }
 
 }  // namespace
@@ -77,10 +88,10 @@ std::unique_ptr<Gpu> openGpu(const CommonOptions& common)
 
 int runProgram(int argc, char** argv)
 {
-    std::signal(SIGPIPE, SIG_IGN);    // a reader that goes away is a write error like another
+    std::signal(SIGPIPE, SIG_IGN);    // a reader that goes away is a write error, so that all is tidied up first
     try {
         const int code = parseAndRun(argc, argv);
-        if (std::fflush(stdout) != 0) throw RunError("standard output cannot be written");
+        if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), STDOUT_FAILURE);
         return code;
     } catch (const InputError& error) {
         return tell(error.what(), EXIT_INPUT);
@@ -90,6 +101,8 @@ int runProgram(int argc, char** argv)
         return tell("stopped; what was finished is kept", EXIT_INTERRUPTED);
     } catch (const std::bad_alloc&) {
         return tell("out of memory; take fewer particles or smaller frames", EXIT_RUN);
+    } catch (const std::system_error& error) {
+        return error.code() == std::errc::broken_pipe ? endByBrokenPipe() : tell(error.what(), EXIT_RUN);
     } catch (const std::exception& error) {
         return tell(error.what(), EXIT_RUN);
     }

@@ -29,7 +29,7 @@ Progress::Progress(std::string what, uint64_t total, bool quiet)
 
 Progress::~Progress()
 {
-    if (dirty_) fmt::print(stderr, "\n");
+    if (dirty_) std::fputc('\n', stderr);
 }
 
 double Progress::seconds() const

@@ -159,8 +159,10 @@ Model readScene(const std::string& path, bool clips)
         if (reason.find("bad_alloc") != std::string::npos) {
             throw std::bad_alloc();   // assimp caught it; the limit on memory has its own sentence
         }
-        const std::string line = reason.substr(0, reason.find('\n'));
-        throw InputError(fmt::format("it cannot be read: {}", line.empty() ? "it holds no scene" : line));
+        std::string line = reason.substr(0, reason.find('\n'));
+        line.erase(line.find_last_not_of(". ") + 1);
+        throw InputError(fmt::format("it cannot be read as a model ({}); export it as glTF, FBX, Collada or BVH",
+                                     line.empty() ? "it holds no scene" : line));
     }
     Model model;
     model.name = std::filesystem::path(path).stem().string();

@@ -1,3 +1,7 @@
+#include <unistd.h>
+
+#include <csignal>
+
 #include "app/json.h"
 #include "render/image.h"
 #include "tests/cli/cli_test.h"
@@ -63,7 +67,7 @@ TEST_F(Cli, ChecksEveryScene)
     const std::string bad = folder.write("bad.json", R"({ "objects": [], "fps": 60 })");
     const RunResult result = run({"check", bad, scene});
     EXPECT_EQ(result.code, 2);
-    EXPECT_EQ(result.out, scene + ": 55 particles, 2 bodies, 1 joints, 1 colliders, 0.0667 s (4 frames)\n");
+    EXPECT_EQ(result.out, scene + ": 55 particles, 2 bodies, 1 joint, 1 collider, 0.0667 s (4 frames)\n");
     EXPECT_EQ(result.err, "knuckle: " + bad + ": /objects: is an array of 0, must be at least 1\n");
     EXPECT_EQ(run({"check", scene}).code, 0);
     EXPECT_EQ(run({"check", scene, "--quiet"}).out, "");
@@ -85,6 +89,28 @@ TEST_F(Cli, TellsAFullStandardOutput)
     EXPECT_EQ(result.code, 1);
     EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
     EXPECT_NE(result.err.find("No space left"), std::string::npos) << result.err;
+}
+
+/// A pipe that nobody reads takes the place of the descriptor.
+std::function<void()> closedPipe(int descriptor)
+{
+    return [descriptor] {
+        int ends[2];
+        if (pipe(ends) != 0) _exit(125);
+        close(ends[0]);
+        dup2(ends[1], descriptor);
+    };
+}
+
+TEST_F(Cli, EndsAsFiltersDoWhenItsReaderGoesAway)
+{
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"schema"}, {"--help"}, {"check", scene}}) {
+        const RunResult result = run(words, {.inChild = closedPipe(STDOUT_FILENO)});
+        EXPECT_EQ(result.code, 1000 + SIGPIPE) << words.front();
+        EXPECT_EQ(result.err, "") << words.front();
+    }
+    EXPECT_EQ(run({"render", "none.json"}, {.inChild = closedPipe(STDERR_FILENO)}).code, 2);
 }
 
 TEST_F(Cli, ComparesImages)

@@ -60,6 +60,10 @@ TEST_F(Failure, OfAModelIsOneLineAndLeavesNothing)
         EXPECT_FALSE(std::filesystem::exists(folder.path("actor.json")));
     }
     EXPECT_EQ(madeFiles().size(), 3u);
+    folder.write("notes.md", "# Notes\n");
+    expectError(run({"voxelize", "notes.md"}), 2,
+                "notes.md: it cannot be read as a model (No suitable reader found for the file format of file "
+                "\"notes.md\"); export it as glTF, FBX, Collada or BVH");
 }
 
 TEST_F(Failure, ToFindAPlaceForTheFramesComesBeforeSimulating)
