@@ -1,84 +1,9 @@
-#include "sim/actor/articulate.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-
 #include "sim/actor/humanoid.h"
 #include "sim/world/errors.h"
-#include "tests/actor/shapes.h"
+#include "tests/actor/actor_fixture.h"
 
 namespace knuckle {
 namespace {
-
-// A box from z = 0 to 2 whose lower half follows one bone and whose upper half another.
-Model twoBoneBox(const std::string& upperName, float thickness = 0.25f)
-{
-    Model model;
-    model.name = "box";
-    for (int half = 0; half < 2; ++half) {
-        const auto h = static_cast<float>(half);
-        const TriangleMesh mesh = boxMesh({0, 0, 0.5f + h}, {thickness, thickness, 0.5f});
-        for (const Triangle& t : mesh.triangles) {
-            const auto first = static_cast<uint32_t>(8 * half);
-            model.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-        }
-        for (const Vector3f& v : mesh.vertices) {
-            SkinWeights skin;
-            skin.bones[0] = static_cast<uint32_t>(half);
-            skin.weights[0] = 1.0f;
-            model.vertices.push_back(v);
-            model.skin.push_back(skin);
-        }
-        Bone bone{half == 0 ? "root" : upperName, half - 1};
-        bone.restPose(2, 3) = h;
-        model.bones.push_back(bone);
-    }
-    return model;
-}
-
-Actor make(const Model& model, float diameter, const ArticulationOptions& articulation = {})
-{
-    return makeActor(model, {.name = {}, .voxels = {.diameter = diameter}, .articulation = articulation});
-}
-
-bool contains(const std::vector<uint32_t>& list, uint32_t value)
-{
-    return std::find(list.begin(), list.end(), value) != list.end();
-}
-
-// What every actor must be: a tree of bodies, joined by particles that lie in both, and every particle in a body.
-void expectSound(const Actor& actor)
-{
-    ASSERT_EQ(actor.signedDistances.size(), actor.particles.size());
-    ASSERT_EQ(actor.joints.size() + 1, actor.bodies.size());
-    std::vector<int> timesChild(actor.bodies.size(), 0), memberships(actor.particles.size(), 0);
-    for (const ActorBody& body : actor.bodies) {
-        EXPECT_FALSE(body.particles.empty()) << body.name;
-        for (uint32_t particle : body.particles) {
-            ASSERT_LT(particle, actor.particles.size());
-            ++memberships[particle];
-        }
-    }
-    for (const ActorJoint& joint : actor.joints) {
-        ++timesChild[joint.child];
-        EXPECT_EQ(actor.bodies[joint.child].parent, static_cast<int32_t>(joint.parent));
-        for (uint32_t particle : joint.sharedParticles) {
-            EXPECT_TRUE(contains(actor.bodies[joint.parent].particles, particle)) << joint.name;
-            EXPECT_TRUE(contains(actor.bodies[joint.child].particles, particle)) << joint.name;
-        }
-    }
-    EXPECT_EQ(std::count(timesChild.begin(), timesChild.end(), 1),
-              static_cast<std::ptrdiff_t>(actor.joints.size()));
-    EXPECT_EQ(*std::min_element(memberships.begin(), memberships.end()), 1);
-    for (size_t b = 0; b < actor.bodies.size(); ++b) {
-        std::set<int32_t> above;
-        for (int32_t body = static_cast<int32_t>(b); body >= 0; body = actor.bodies[body].parent) {
-            ASSERT_TRUE(above.insert(body).second) << "the bodies form a ring";
-        }
-    }
-}
 
 void expectOnAxis(const Actor& actor, const ActorJoint& joint)
 {
@@ -211,79 +136,6 @@ TEST(Articulate, overrideForABoneThatIsNotThereIsRefused)
     ArticulationOptions options;
     options.types["wing"] = JointType::Ball;
     EXPECT_THROW(make(twoBoneBox("tip"), 0.1f, options), InputError);
-}
-
-TEST(Articulate, boneTooSmallForABodyMergesIntoItsParentAndIsNoted)
-{
-    Model model = twoBoneBox("tip", 0.02f);   // a rod: one row of particles, all on one line
-    model.bones.push_back({"root2", -1});
-    Model body = twoBoneBox("unused");
-    for (size_t v = 0; v < 8; ++v) {          // a solid root so that there is a body at all
-        model.vertices.push_back(body.vertices[v] + Vector3f(0, 0, -1));
-        model.skin.push_back(body.skin[v]);
-    }
-    for (size_t t = 0; t < 12; ++t) {
-        const auto& triangle = body.triangles[t];
-        model.triangles.push_back({triangle[0] + 16, triangle[1] + 16, triangle[2] + 16});
-    }
-    const Actor actor = make(model, 0.1f);
-    ASSERT_EQ(actor.bodies.size(), 1u);
-    EXPECT_EQ(actor.bodies[0].mergedBones, std::vector<std::string>{"tip"});
-    EXPECT_TRUE(std::any_of(actor.notes.begin(), actor.notes.end(),
-                            [](const std::string& note) { return note.find("tip") != std::string::npos; }));
-}
-
-TEST(Articulate, smallBoneMergesIntoItsParentEvenWhereAnotherBodyIsNearer)
-{
-    Model model = twoBoneBox("other");
-    const TriangleMesh rod = boxMesh({0, 0, 2.4f}, {0.02f, 0.02f, 0.2f});
-    for (const Triangle& t : rod.triangles) {
-        model.triangles.push_back({t[0] + 16, t[1] + 16, t[2] + 16});
-    }
-    for (const Vector3f& v : rod.vertices) {
-        model.vertices.push_back(v);
-        model.skin.push_back({{2}, {1.0f}});
-    }
-    model.bones.push_back({"rod", 0});
-    const Actor actor = make(model, 0.1f);
-    ASSERT_EQ(actor.bodies.size(), 2u);
-    EXPECT_EQ(actor.bodies[0].name, "root");
-    EXPECT_EQ(actor.bodies[0].mergedBones, std::vector<std::string>{"rod"});
-}
-
-TEST(Articulate, partsThatDoNotTouchAreBridgedAtTheJoint)
-{
-    Model model = twoBoneBox("tip");
-    for (size_t v = 8; v < 16; ++v) {
-        model.vertices[v].z() += 0.4f;        // four diameters of air
-    }
-    model.bones[1].restPose(2, 3) = 1.2f;
-    const Actor actor = make(model, 0.1f);
-    expectSound(actor);
-    EXPECT_EQ(actor.joints.size(), 1u);
-}
-
-TEST(Articulate, secondRootJoinsTheNearestBody)
-{
-    Model model = twoBoneBox("tip");
-    model.bones[1].parent = -1;
-    const Actor actor = make(model, 0.1f);
-    expectSound(actor);
-    EXPECT_EQ(actor.joints.size(), 1u);
-}
-
-TEST(Articulate, modelWithoutBonesIsOneRigidBody)
-{
-    Model model;
-    model.name = "ball";
-    const TriangleMesh mesh = sphereMesh(0.5f);
-    model.vertices = mesh.vertices;
-    model.triangles = mesh.triangles;
-    const Actor actor = make(model, 0.1f);
-    ASSERT_EQ(actor.bodies.size(), 1u);
-    EXPECT_EQ(actor.bodies[0].name, "ball");
-    EXPECT_EQ(actor.bodies[0].particles.size(), actor.particles.size());
-    EXPECT_TRUE(actor.joints.empty());
 }
 
 TEST(Articulate, twoRunsGiveTheSameActor)
