@@ -4,7 +4,7 @@ set -euo pipefail
 
 packages=(build-essential cmake ninja-build pkg-config ccache libegl-dev libgl-dev libepoxy-dev libegl1
     libgl1-mesa-dri libeigen3-dev libassimp-dev libstb-dev libdeflate-dev nlohmann-json3-dev libcli11-dev libfmt-dev
-    libgtest-dev ffmpeg git ca-certificates)
+    libgtest-dev libopengl0 ffmpeg git ca-certificates)
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     # Elsewhere the build itself says what it does not find.

@@ -27,6 +27,21 @@ bool has(const char* extensions, const char* name)
     return extensions != nullptr && std::strstr(extensions, name) != nullptr;
 }
 
+/// Points `function` at what EGL knows under `name`, and leaves it alone where EGL knows nothing.
+template <typename Function>
+void resolve(Function*& function, const char* name)
+{
+    if (auto* known = reinterpret_cast<Function*>(eglGetProcAddress(name))) function = known;
+}
+
+/// libepoxy resolves these two by asking GLX for its context once libGL is loaded, and aborts where that libGL has no
+/// GLX: under apitrace's EGL tracer, which stands in for it.
+void resolveWithoutGlx()
+{
+    resolve(glGetString, "glGetString");
+    resolve(glGetIntegerv, "glGetIntegerv");
+}
+
 }  // namespace
 
 std::vector<Device> devices()
@@ -76,6 +91,7 @@ Context create(const Device& device, std::string& problem)
         destroy(result);
         return {};
     }
+    resolveWithoutGlx();
     return result;
 }
 
