@@ -1,0 +1,151 @@
+// What a film moves between host and device, counted at GL's own functions, whoever calls them.
+#include <epoxy/gl.h>
+#include <epoxy/egl.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/film_run.h"
+#include "shared/gpu_types.h"
+#include "tests/temp_folder.h"
+
+namespace knuckle {
+namespace {
+
+constexpr size_t KIB = 1024;
+/// The size of a transfer by a function that the project does not use, and that would need a look here.
+constexpr size_t UNKNOWN = size_t{1} << 40;
+constexpr uint64_t FRAMES = 60;
+constexpr uint32_t WIDTH = 64, HEIGHT = 36;
+
+enum class Way { Upload, Read, Picture };
+
+struct Transfer {
+    const char* function;
+    Way way;
+    size_t bytes;
+    uint64_t frame;    ///< Pictures taken before, so 0 until the first frame has been drawn.
+};
+
+std::vector<Transfer> transfers;
+uint64_t picturesTaken = 0;
+
+void note(const char* function, Way way, size_t bytes)
+{
+    transfers.push_back({function, way, bytes, picturesTaken});
+}
+
+/// Calls NOTE with the arguments of each call of the GL function that libepoxy's pointer FUNCTION leads to.
+template <auto FUNCTION, auto NOTE>
+struct Watch;
+
+template <typename Result, typename... Arguments, Result (**FUNCTION)(Arguments...), auto NOTE>
+struct Watch<FUNCTION, NOTE> {
+    explicit Watch(const char* name)
+    {
+        // Not what libepoxy's pointer holds: until its first call that is a resolver, which would undo the watch.
+        real = reinterpret_cast<Result (*)(Arguments...)>(eglGetProcAddress(name));
+        *FUNCTION = call;
+    }
+    ~Watch() { *FUNCTION = real; }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+private:
+    static Result call(Arguments... arguments)
+    {
+        NOTE(arguments...);
+        return real(arguments...);
+    }
+    static inline Result (*real)(Arguments...) = nullptr;
+};
+
+void noteBufferData(GLenum, GLsizeiptr bytes, const void* data, GLenum)
+{
+    if (data != nullptr) note("glBufferData", Way::Upload, static_cast<size_t>(bytes));
+}
+
+void noteBufferSubData(GLenum, GLintptr, GLsizeiptr bytes, const void*)
+{
+    note("glBufferSubData", Way::Upload, static_cast<size_t>(bytes));
+}
+
+void noteGetBufferSubData(GLenum, GLintptr, GLsizeiptr bytes, void*)
+{
+    note("glGetBufferSubData", Way::Read, static_cast<size_t>(bytes));
+}
+
+void noteMapBufferRange(GLenum target, GLintptr, GLsizeiptr bytes, GLbitfield access)
+{
+    const auto size = static_cast<size_t>(bytes);
+    if ((access & GL_MAP_WRITE_BIT) != 0) note("glMapBufferRange", Way::Upload, size);
+    if ((access & GL_MAP_READ_BIT) != 0)
+        note("glMapBufferRange", target == GL_PIXEL_PACK_BUFFER ? Way::Picture : Way::Read, size);
+}
+
+void noteReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*)
+{
+    ++picturesTaken;
+}
+
+/// Every way of OpenGL 4.3 to move an array, as far as a film could use it.
+struct Watches {
+    Watch<&glBufferData, noteBufferData> bufferData{"glBufferData"};
+    Watch<&glBufferSubData, noteBufferSubData> bufferSubData{"glBufferSubData"};
+    Watch<&glGetBufferSubData, noteGetBufferSubData> getBufferSubData{"glGetBufferSubData"};
+    Watch<&glMapBufferRange, noteMapBufferRange> mapBufferRange{"glMapBufferRange"};
+    Watch<&glReadPixels, noteReadPixels> readPixels{"glReadPixels"};
+    Watch<&glMapBuffer, [](auto...) { note("glMapBuffer", Way::Upload, UNKNOWN); }> mapBuffer{"glMapBuffer"};
+    Watch<&glTexImage2D, [](auto...) { note("glTexImage2D", Way::Upload, UNKNOWN); }> texImage{"glTexImage2D"};
+    Watch<&glTexSubImage2D, [](auto...) { note("glTexSubImage2D", Way::Upload, UNKNOWN); }> texSubImage{
+        "glTexSubImage2D"};
+    Watch<&glGetTexImage, [](auto...) { note("glGetTexImage", Way::Read, UNKNOWN); }> getTexImage{"glGetTexImage"};
+};
+
+/// The transfers of the first 60 frames of a ragdoll's film.
+void filmRagdoll()
+{
+    transfers.clear();
+    picturesTaken = 0;
+    const test::TempFolder folder;
+    const Scene scene = loadScene(KNUCKLE_ROOT "/assets/scenes/ragdoll.json",
+                                  {{"render.width", WIDTH}, {"render.height", HEIGHT}});
+    FilmOptions options;
+    options.outputs = {folder.path("out")};
+    options.frames = {1, FRAMES};
+    CommonOptions common;
+    common.device = "software";
+    common.quiet = true;
+    const Watches watches;
+    runFilm(scene, options, common);
+}
+
+size_t countOf(Way way, bool afterFirstFrame)
+{
+    return static_cast<size_t>(std::count_if(transfers.begin(), transfers.end(), [&](const Transfer& t) {
+        return t.way == way && (t.frame > 0) == afterFirstFrame;
+    }));
+}
+
+TEST(Traffic, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
+{
+    filmRagdoll();
+    ASSERT_EQ(picturesTaken, FRAMES);
+    EXPECT_TRUE(std::any_of(transfers.begin(), transfers.end(), [](const Transfer& t) {
+        return t.way == Way::Upload && t.bytes > KIB && t.frame == 0;
+    })) << "the watches do not see the world's upload";
+    EXPECT_EQ(countOf(Way::Picture, true), FRAMES);
+    EXPECT_GT(countOf(Way::Read, true), 0u) << "the watches do not see the counters";
+    for (const Transfer& t : transfers) {
+        if (t.frame == 0) continue;
+        const testing::Message place = testing::Message() << t.function << " after frame " << t.frame;
+        switch (t.way) {
+            case Way::Upload: ASSERT_LE(t.bytes, KIB) << place; break;
+            case Way::Picture: ASSERT_EQ(t.bytes, size_t{4} * WIDTH * HEIGHT) << place; break;
+            case Way::Read: ASSERT_EQ(t.bytes, sizeof(gpu::Counters)) << place; break;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace knuckle
