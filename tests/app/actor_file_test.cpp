@@ -163,7 +163,7 @@ TEST(ActorTable, TellsBodiesJointsAndWhatWasMerged)
               "hip   -            1200  -           -  pelvis, belly\n"
               "leg   hip           801  hinge       1  knee and 2 more\n"
               "\n"
-              "pa\"ir\\: 2000 particles of 0.033333335 m, 2 bodies, 1 joints, 5 bones merged\n"
+              "pa\"ir\\: 2000 particles of 0.033333335 m, 2 bodies, 1 joint, 5 bones merged\n"
               "note: pelvis has 2 particles and became part of hip\n");
 }
 
