@@ -81,6 +81,7 @@ public:
         for (uint64_t frame = 1; frame <= range_.last; ++frame) {
             if (frame > 1) advance(frame);
             if (frame >= range_.first) takeFrame(frame);
+            else if (renderer_) renderer_->look(solver_.view(), timeOf(frame));
             interrupt_.check();
             progress_.update(frame);
         }
@@ -105,6 +106,8 @@ private:
                                      "/duration", range.first, range.last, count));
     }
 
+    double timeOf(uint64_t frame) const { return static_cast<double>(frame - 1) / scene_.framesPerSecond; }
+
     /// With --stats simulating and drawing are told apart, so that each must end before the other begins. Otherwise the
     /// picture before is read while this frame's steps are under way.
     void advance(uint64_t frame)
@@ -125,7 +128,7 @@ private:
     {
         if (renderer_) {
             const Stopwatch watch(figures_.drawingSeconds);
-            renderer_->draw(solver_.view(), static_cast<double>(frame - 1) / scene_.framesPerSecond);
+            renderer_->draw(solver_.view(), timeOf(frame));
             waitingFrame_ = frame;
             ++figures_.drawnFrames;
         }

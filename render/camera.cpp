@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "sim/world/errors.h"
 
@@ -18,8 +20,8 @@ constexpr float DEGREE = std::numbers::pi_v<float> / 180.0f;
 /// From where a scene looks best: a little to the right, a little from above.
 constexpr float PLEASANT_AZIMUTH = 28.0f * DEGREE;
 constexpr float PLEASANT_ELEVATION = 17.0f * DEGREE;
-/// Room around what is framed.
-constexpr float FRAME_MARGIN = 0.98f;
+/// Share of the picture that a followed object takes.
+constexpr float FOLLOWED_SHARE = 0.8f;
 
 AlignedBox3f boundsOf(const Collider& collider)
 {
@@ -59,27 +61,28 @@ void findGround(const World& world, SceneExtent& extent)
     }
 }
 
-/// Distance from the centre of `box` at which all of it is seen from the direction `back`.
-float framingDistance(const AlignedBox3f& box, const Vector3f& back, float tanHalfFov, float aspect)
+const Object& followedObject(const World& world, const std::string& name)
 {
-    const Vector3f right = Vector3f::UnitY().cross(back).normalized(), up = back.cross(right);
-    float distance = 0.0f;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vector3f p = box.corner(static_cast<AlignedBox3f::CornerType>(corner)) - box.center();
-        const float across = std::max(std::abs(p.dot(right)) / aspect, std::abs(p.dot(up)));
-        distance = std::max(distance, FRAME_MARGIN * across / tanHalfFov + p.dot(back));
-    }
-    return distance;
-}
-
-uint32_t rootBodyOf(const World& world, const std::string& name)
-{
-    for (const Object& object : world.objects) {
-        if (object.name == name && object.rootBody != NO_INDEX) return object.rootBody;
-        if (object.name == name && object.bodyCount > 0) return object.bodyStart;
-    }
+    const auto found = std::find_if(world.objects.begin(), world.objects.end(), [&](const Object& object) {
+        return object.name == name && object.bodyCount > 0;
+    });
+    if (found != world.objects.end()) return *found;
     throw InputError(fmt::format("camera.follow: there is no object \"{}\" with a body; name one of the scene's "
                                  "objects", name));
+}
+
+/// Radius of the sphere about the middle of an object that holds its particles: in any pose, nearly [m].
+float reachOf(const World& world, const Object& object)
+{
+    std::vector<Vector3f> positions;
+    for (const Body& body : std::span(world.bodies).subspan(object.bodyStart, object.bodyCount))
+        for (const Link& link : std::span(world.links).subspan(body.linkStart, body.linkCount))
+            positions.push_back(world.particles[link.particle].position);
+    Vector3f middle = Vector3f::Zero();
+    for (const Vector3f& position : positions) middle += position / static_cast<float>(positions.size());
+    float reach = 0.0f;
+    for (const Vector3f& position : positions) reach = std::max(reach, (position - middle).norm());
+    return reach + world.particleRadius;
 }
 
 void requireRange(float value, float low, float high, const char* field)
@@ -113,26 +116,24 @@ SceneExtent sceneExtent(const World& world)
     return extent;
 }
 
-Camera::Camera(const CameraSettings& settings, const World& world, const SceneExtent& extent, float aspect)
-    : kind_(settings.kind), start_{settings.position, settings.target}, orbitSpeed_(settings.orbitSpeed * DEGREE),
-      tanHalfFov_(std::tan(0.5f * settings.fieldOfView * DEGREE))
+Camera::Camera(const CameraSettings& settings, const World& world, float aspect)
+    : start_{settings.position, settings.target}, tanHalfFov_(std::tan(0.5f * settings.fieldOfView * DEGREE))
 {
     requireRange(settings.fieldOfView, 5.0f, 120.0f, "fieldOfView");
-    if (kind_ == CameraKind::Follow) followedBody_ = rootBodyOf(world, settings.follow);
+    if (settings.kind == CameraKind::Orbit) orbitSpeed_ = settings.orbitSpeed * DEGREE;
     if (settings.automatic) {
-        const Vector3f back(std::sin(PLEASANT_AZIMUTH) * std::cos(PLEASANT_ELEVATION), std::sin(PLEASANT_ELEVATION),
-                            std::cos(PLEASANT_AZIMUTH) * std::cos(PLEASANT_ELEVATION));
-        AlignedBox3f box = extent.stage;
-        if (kind_ == CameraKind::Orbit) {
-            // Seen from all sides in turn: frame the circle that the stage's corners describe.
-            const float around = 0.5f * std::hypot(box.sizes().x(), box.sizes().z());
-            const Vector3f half(around, 0.5f * box.sizes().y(), around);
-            box = AlignedBox3f(box.center() - half, box.center() + half);
-        }
-        const float distance = framingDistance(box, back, tanHalfFov_, aspect);
-        const bool follows = kind_ == CameraKind::Follow;
-        start_.target = follows ? Vector3f::Zero() : Vector3f(box.center());
-        start_.position = start_.target + back * (follows ? 0.7f * distance : distance);
+        mode_ = settings.kind == CameraKind::Orbit ? CAMERA_FRAMES_AROUND : CAMERA_FRAMES;
+        start_ = {Vector3f(std::sin(PLEASANT_AZIMUTH) * std::cos(PLEASANT_ELEVATION), std::sin(PLEASANT_ELEVATION),
+                           std::cos(PLEASANT_AZIMUTH) * std::cos(PLEASANT_ELEVATION)),
+                  Vector3f::Zero()};
+    }
+    if (settings.kind == CameraKind::Follow) {
+        const Object& object = followedObject(world, settings.follow);
+        mode_ = CAMERA_FOLLOWS;
+        followed_ = {object.bodyStart, object.bodyCount};
+        const float slope = FOLLOWED_SHARE * tanHalfFov_ * std::min(1.0f, aspect);
+        // A sphere touches the cone of view at a sine.
+        if (settings.automatic) start_.position *= reachOf(world, object) * std::sqrt(1.0f + 1.0f / (slope * slope));
     }
     if (!(start_.position - start_.target).allFinite() || (start_.position - start_.target).norm() < 1e-6f)
         throw InputError("camera.position: it is the camera's target; move one of them");
@@ -140,7 +141,7 @@ Camera::Camera(const CameraSettings& settings, const World& world, const SceneEx
 
 CameraAim Camera::at(double time) const
 {
-    if (kind_ != CameraKind::Orbit) return start_;
+    if (orbitSpeed_ == 0.0f) return start_;
     const auto turn = static_cast<float>(std::remainder(orbitSpeed_ * time, 2.0 * std::numbers::pi));
     const Vector3f arm = start_.position - start_.target;
     return {start_.target + Eigen::AngleAxisf(turn, Vector3f::UnitY()) * arm, start_.target};

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "render/settings.h"
+#include "shared/frame_types.h"
 #include "sim/world/world.h"
 
 namespace knuckle {
@@ -19,28 +20,35 @@ struct SceneExtent {
 
 SceneExtent sceneExtent(const World& world);
 
-/// A camera at one moment. Where it follows a body, both points are offsets from that body's centre.
+/// A camera at one moment, before the GPU moves it: an offset from what it follows, or the side from which it looks.
 struct CameraAim {
     Vector3f position, target;
+};
+
+/// Bodies one after another.
+struct BodyRange {
+    uint32_t start = 0, count = 0;
 };
 
 /// The camera of a scene, except for what only the GPU knows.
 class Camera {
 public:
     /// @throws InputError for an unknown object, equal position and target, or an angle out of range.
-    Camera(const CameraSettings& settings, const World& world, const SceneExtent& extent, float aspect);
+    Camera(const CameraSettings& settings, const World& world, float aspect);
 
     CameraAim at(double time) const;
-    /// The body it follows, else NO_INDEX.
-    uint32_t followedBody() const { return followedBody_; }
+    /// CAMERA_FIXED, ...
+    uint32_t mode() const { return mode_; }
+    /// CAMERA_FOLLOWS: the object's bodies.
+    BodyRange followed() const { return followed_; }
     float tanHalfFov() const { return tanHalfFov_; }
 
 private:
-    CameraKind kind_;
     CameraAim start_;
-    float orbitSpeed_;               ///< [rad/s]
+    float orbitSpeed_ = 0.0f;        ///< [rad/s]
     float tanHalfFov_;
-    uint32_t followedBody_ = NO_INDEX;
+    uint32_t mode_ = CAMERA_FIXED;
+    BodyRange followed_;
 };
 
 }  // namespace knuckle

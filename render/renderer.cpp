@@ -14,7 +14,8 @@
 #include "sim/world/errors.h"
 
 // A frame:
-//   frame_bounds, frame_view     aim the camera and fit the shadow map, on the GPU, since only it knows the positions
+//   frame_bounds, frame_camera   aim the camera on the GPU, since only it knows the positions
+//   frame_view                   fits the shadow map
 //   burial_*, sphere_cull/offsets/list   which particles can be seen, and from where
 //   sphere_shadow, collider_shadow   what the key light sees
 //   plane, collider, sphere      normal, colour and depth of what the camera sees
@@ -78,7 +79,9 @@ struct Renderer::Impl {
     ~Impl() { glDeleteVertexArrays(1, &emptyArray); }
 
     void fillInput(const World& world);
-    void aim(const ParticleView& view, double time);
+    void attach(const ParticleView& view);
+    void aimCamera(double time);
+    void fitView();
     void drawShadowMap();
     void drawGeometry();
     void drawOcclusion();
@@ -94,20 +97,22 @@ struct Renderer::Impl {
     StaticGeometry solids;
     SpherePass spheres;
     PictureReader reader;
-    Program bounds, frameView, occlusion, lighting, edgeFilter, resolve;
+    Program bounds, frameCamera, frameView, occlusion, lighting, edgeFilter, resolve;
+    std::optional<double> lookedAt;    ///< Time of the state that the camera saw last [s].
     gpu::FrameInput input{};
     Buffer<gpu::FrameInput> inputBuffer{"frame input", 1};
     Buffer<gpu::FrameView> viewBuffer{"frame view", 1};
-    Buffer<gpu::vec4> boundsBuffer{"particle bounds", size_t{2} * BOUNDS_THREADS};
+    Buffer<gpu::ParticleBounds> boundsBuffer{"particle bounds", BOUNDS_THREADS};
     GLuint emptyArray = 0;
 };
 
 Renderer::Impl::Impl(Gpu& device, const World& world, const RenderSettings& chosen)
     : gpu(device), settings((check(chosen), chosen)), extent(sceneExtent(world)),
-      camera(settings.camera, world, extent, float(settings.width) / float(settings.height)),
+      camera(settings.camera, world, float(settings.width) / float(settings.height)),
       targets(settings.width, settings.height, settings.antialiasing), solids(gpu, world, extent),
       spheres(gpu, world, settings), reader(settings.width, settings.height),
       bounds(Program::compute(gpu, "render/frame_bounds.comp")),
+      frameCamera(Program::compute(gpu, "render/frame_camera.comp")),
       frameView(Program::compute(gpu, "render/frame_view.comp")),
       occlusion(Program::graphics(gpu, "render/screen.vert", "render/occlusion.frag")),
       lighting(Program::graphics(gpu, "render/screen.vert", "render/lighting.frag")),
@@ -134,7 +139,9 @@ void Renderer::Impl::fillInput(const World& world)
     input.width = settings.width * settings.antialiasing;
     input.height = settings.height * settings.antialiasing;
     input.particleCount = static_cast<uint32_t>(world.particles.size());
-    input.followedBody = camera.followedBody();
+    input.cameraMode = camera.mode();
+    input.followedBodyStart = camera.followed().start;
+    input.followedBodyCount = camera.followed().count;
     input.tanHalfFov = camera.tanHalfFov();
     input.farDepth = FAR_DEPTH;
     input.pointSizeLimit = spheres.pointSizeLimit();
@@ -145,14 +152,9 @@ void Renderer::Impl::fillInput(const World& world)
     input.groundFade = 9.0f * extent.size;
 }
 
-void Renderer::Impl::aim(const ParticleView& view, double time)
+void Renderer::Impl::attach(const ParticleView& view)
 {
-    const Scope scope("frame_view");
-    const CameraAim aim = camera.at(time);
-    input.cameraPosition = vec4Of(aim.position);
-    input.cameraTarget = vec4Of(aim.target);
     input.radius = view.radius;
-    inputBuffer.upload({&input, 1});
     spheres.attach(view);
     glBindBufferBase(GL_UNIFORM_BUFFER, FRAME_INPUT_SLOT, inputBuffer.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, FRAME_VIEW_SLOT, viewBuffer.id());
@@ -162,9 +164,28 @@ void Renderer::Impl::aim(const ParticleView& view, double time)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RENDER_VIEW_SLOT, viewBuffer.id());
     // The solver's last step wrote what all of the following read.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void Renderer::Impl::aimCamera(double time)
+{
+    const Scope scope("frame_camera");
+    const CameraAim aim = camera.at(time);
+    input.cameraPosition = vec4Of(aim.position);
+    input.cameraTarget = vec4Of(aim.target);
+    input.trackSeconds = lookedAt ? static_cast<float>(std::max(0.0, time - *lookedAt)) : -1.0f;
+    lookedAt = time;
+    inputBuffer.upload({&input, 1});
     glUseProgram(bounds.id());
     glDispatchCompute(BOUNDS_THREADS / RENDER_GROUP_SIZE, 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glUseProgram(frameCamera.id());
+    glDispatchCompute(1, 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void Renderer::Impl::fitView()
+{
+    const Scope scope("frame_view");
     glUseProgram(frameView.id());
     glDispatchCompute(1, 1, 1);
     glMemoryBarrier(GL_UNIFORM_BARRIER_BIT);
@@ -253,13 +274,21 @@ void Renderer::draw(const ParticleView& view, double time)
     glEnable(GL_PROGRAM_POINT_SIZE);
     glEnable(GL_DEPTH_CLAMP);
     glDisable(GL_BLEND);
-    impl_->aim(view, time);
+    impl_->attach(view);
+    impl_->aimCamera(time);
+    impl_->fitView();
     impl_->drawShadowMap();
     impl_->drawGeometry();
     impl_->drawOcclusion();
     impl_->drawPicture();
     const bool resolved = impl_->settings.antialiasing > 1;
     impl_->reader.start((resolved ? impl_->targets.resolve : impl_->targets.edges).id());
+}
+
+void Renderer::look(const ParticleView& view, double time)
+{
+    impl_->attach(view);
+    impl_->aimCamera(time);
 }
 
 Image Renderer::readImage()

@@ -21,9 +21,12 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Draws one frame and starts the copy of its picture; `time` [s] moves an orbiting camera. Uploads nothing but one
+    /// Draws one frame and starts the copy of its picture; `time` [s] moves the camera. Uploads nothing but one
     /// small uniform block. @throws RunError when the view does not fit the world that the renderer was made for.
     void draw(const ParticleView& view, double time);
+    /// Shows a state to the camera without drawing it: one that follows or frames what moves remembers where it was, so
+    /// that a frame looks the same with and without those before.
+    void look(const ParticleView& view, double time);
     /// The picture of the last draw(); waits for it. The simple way: draw(), readImage(), draw(), readImage().
     Image readImage();
     /// The picture of the draw() before the last, once: nothing after the first draw() and nothing the second time.

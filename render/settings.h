@@ -10,12 +10,12 @@ enum class CameraKind : uint32_t { Fixed, Orbit, Follow };
 
 struct CameraSettings {
     CameraKind kind = CameraKind::Fixed;
-    bool automatic = true;                      ///< Position and target chosen to frame the world's first state.
-    Eigen::Vector3f position{4.0f, 2.5f, 6.0f}; ///< [m]; Follow: offset from the followed body.
-    Eigen::Vector3f target{0.0f, 1.0f, 0.0f};   ///< [m]; Orbit: the centre. Follow: offset added to the body's centre.
+    bool automatic = true;                      ///< Position and target chosen, in each frame, so that all is seen.
+    Eigen::Vector3f position{4.0f, 2.5f, 6.0f}; ///< [m]; Follow: from the object's middle.
+    Eigen::Vector3f target{0.0f, 1.0f, 0.0f};   ///< [m]; Orbit: the centre. Follow: from the object's middle.
     float fieldOfView = 40.0f;                  ///< Vertical [degrees], 5 ... 120.
     float orbitSpeed = 15.0f;                   ///< Orbit only [degrees/s], about +Y.
-    std::string follow;                         ///< Follow only: name of the object.
+    std::string follow;                         ///< Follow only: name of the object whose middle it follows.
 };
 
 struct LightSettings {

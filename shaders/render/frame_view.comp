@@ -1,22 +1,15 @@
-// One thread aims the camera, at a body where it follows one, and fits the shadow map to the particles' bounds.
+// One thread fits the shadow map and the burial grid to the particles' bounds, for the camera that frame_camera aimed.
 #include "shared/frame_types.h"
+#include "shared/axes.glsl"
 
 layout(local_size_x = 1) in;
 layout(std140, binding = FRAME_INPUT_SLOT) uniform FrameInputBlock { FrameInput frame; };
-layout(std430, binding = RENDER_CENTRES_SLOT) readonly buffer Centres { vec4 centres[]; };
-layout(std430, binding = RENDER_BOUNDS_SLOT) readonly buffer Bounds { vec4 bounds[]; };
-layout(std430, binding = RENDER_VIEW_SLOT) writeonly buffer View { FrameView view; };
+layout(std430, binding = RENDER_VIEW_SLOT) buffer View { FrameView view; };
 
 // The map grows in steps, so that its texels stand still while the scene breathes.
 const float SIZE_STEPS_PER_OCTAVE = 3.0;
 // Of the particles that cells of the burial grid can hold on a lattice, the share that hides what is behind them.
 const float FULL_SHARE = 0.5;
-
-vec3 perpendicular(vec3 direction)
-{
-    vec3 side = cross(abs(direction.y) > 0.999 ? vec3(0.0, 0.0, -1.0) : vec3(0.0, 1.0, 0.0), direction);
-    return normalize(side);
-}
 
 // Cells of four diameters or more over the particles. A pile of bodies fills about half of what a lattice would.
 void burialGrid(vec3 low, vec3 high)
@@ -29,18 +22,10 @@ void burialGrid(vec3 low, vec3 high)
 
 void main()
 {
-    vec3 followed = frame.followedBody != NO_BODY ? centres[frame.followedBody].xyz : vec3(0.0);
-    vec3 target = frame.cameraTarget.xyz + followed;
-    vec3 eye = frame.cameraPosition.xyz + followed;
-    vec3 back = normalize(eye - target);
-    vec3 right = perpendicular(back);
-    vec3 up = cross(back, right);
-
-    vec3 low = vec3(1e30), high = vec3(-1e30);
-    for (uint i = 0u; i < BOUNDS_THREADS; ++i) {
-        low = min(low, bounds[2u * i].xyz);
-        high = max(high, bounds[2u * i + 1u].xyz);
-    }
+    vec3 right = view.cameraRight.xyz, up = view.cameraUp.xyz, back = view.cameraBack.xyz;
+    // What has left the lit stage must not stretch the shadow map.
+    vec3 low = clamp(view.particleLow.xyz, frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz);
+    vec3 high = clamp(view.particleHigh.xyz, frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz);
     burialGrid(low, high);
     low = min(low, frame.solidLow.xyz);
     high = max(high, frame.solidHigh.xyz);
@@ -59,16 +44,12 @@ void main()
     vec2 snap = floor(place / texel + 0.5) * texel - place;
     centre += snap.x * lightRight + snap.y * lightUp;
 
-    view.cameraRight = vec4(right, 0.0);
-    view.cameraUp = vec4(up, 0.0);
-    view.cameraBack = vec4(back, 0.0);
-    view.cameraPosition = vec4(eye, 0.0);
     view.lightRight = vec4(lightRight, 0.0);
     view.lightUp = vec4(lightUp, 0.0);
     view.lightCentre = vec4(centre, halfSide);
     view.lightDepth = vec4(halfDepth);
     mat3 toCamera = transpose(mat3(right, up, back));
-    vec3 offset = eye - centre;
+    vec3 offset = view.cameraPosition.xyz - centre;
     view.viewToLightX = vec4(toCamera * lightRight, dot(offset, lightRight)) / halfSide;
     view.viewToLightY = vec4(toCamera * lightUp, dot(offset, lightUp)) / halfSide;
     view.viewToLightZ = -vec4(toCamera * key, dot(offset, key)) / halfDepth;

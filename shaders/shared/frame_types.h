@@ -38,6 +38,11 @@ namespace knuckle::gpu {
 #define INDEX_ATTRIBUTE 0
 
 #define RENDER_GROUP_SIZE 64
+// Where the camera is: as told, moving with an object, or where it sees all particles from one side or all around.
+#define CAMERA_FIXED 0u
+#define CAMERA_FOLLOWS 1u
+#define CAMERA_FRAMES 2u
+#define CAMERA_FRAMES_AROUND 3u
 // Threads that share the particles when their bounds are sought.
 #define BOUNDS_THREADS 1024
 // Cells a side of the grid in which buried particles are found.
@@ -55,7 +60,7 @@ namespace knuckle::gpu {
 
 // The one block that the host writes each frame.
 struct FrameInput {
-    vec4 cameraPosition;        // xyz [m]; offset from the followed body where there is one
+    vec4 cameraPosition;        // xyz [m]; CAMERA_FOLLOWS: from the object; CAMERA_FRAMES: only its direction counts
     vec4 cameraTarget;          // xyz [m]
     vec4 keyDirection;          // xyz towards the light, unit; w: tangent of its angular radius
     vec4 keyColor;              // rgb
@@ -69,7 +74,7 @@ struct FrameInput {
     uint width;                 // of the picture as drawn, before the resolve [pixels]
     uint height;
     uint particleCount;
-    uint followedBody;          // NO_BODY for none
+    uint cameraMode;            // CAMERA_*
     float radius;               // [m]
     float tanHalfFov;           // vertical
     float farDepth;             // view depth that the depth buffer's 1 stands for [m]
@@ -79,12 +84,20 @@ struct FrameInput {
     float occlusionRadius;      // [m]
     float patternScale;         // side of a ground cell [m]
     float groundFade;           // distance at which the ground has mostly become the horizon [m]
-    float pad0;
-    float pad1;
-    float pad2;
+    uint followedBodyStart;     // CAMERA_FOLLOWS: bodies of the object
+    uint followedBodyCount;
+    float trackSeconds;         // since the camera last looked [s]; below 0: it has not looked yet
 };
 
-// What frame_view.comp derives from it and from the particles on the GPU.
+// What one thread of frame_bounds.comp finds.
+struct ParticleBounds {
+    vec4 low;                   // xyz [m]
+    vec4 high;
+    vec4 sum;                   // xyz [m]: of positions from the middle of the shadow limits
+    vec4 squares;               // xyz [m2]
+};
+
+// What frame_camera.comp and frame_view.comp derive from both on the GPU.
 struct FrameView {
     vec4 cameraRight;           // xyz; w unused
     vec4 cameraUp;
@@ -101,6 +114,10 @@ struct FrameView {
     vec4 viewToLightZ;
     vec4 keyInView;             // xyz: keyDirection in view space
     vec4 upInView;              // xyz: +Y in view space
+    vec4 particleLow;           // xyz [m]: bounds of the particles' centres
+    vec4 particleHigh;
+    vec4 trackedLow;            // xyz [m]: what the camera shows or follows, smoothed; kept from frame to frame
+    vec4 trackedHigh;
 };
 
 // An immovable obstacle as an instance attribute block.

@@ -151,26 +151,5 @@ TEST(Shadow, ASphereShadesTheGroundAlongTheLightAndOnlyThere)
         EXPECT_NEAR(groundBrightness(image, 0.5f + outside, 8.0f), open, 10) << outside;
 }
 
-TEST(Camera, AFollowingCameraSeesItsBodyTheSameWhereverItIs)
-{
-    RenderSettings settings;
-    settings.width = settings.height = SIZE;
-    settings.camera.kind = CameraKind::Follow;
-    settings.camera.follow = "body 1";
-    settings.camera.automatic = false;
-    settings.camera.position = {0.5f, 0.6f, 2.0f};
-    settings.camera.target = Vector3f::Zero();
-    const auto picture = [&](const Vector3f& place) {
-        StillWorld still(0.1f);
-        still.addBody({Vector3f::Zero()}, {0, -9, 0});
-        still.addBody(cubeLattice(2, 0.2f), place);
-        return drawn(still.world, settings);
-    };
-    const Image here = picture({0, 0, 0}), there = picture({7.0f, 3.0f, -2.0f});
-    // Only rounding of the larger coordinates and where the shadow map's texels fall differ.
-    EXPECT_LT(compareImages(here, there, 24).changedShare, 0.01);
-    EXPECT_NE(pixelAt(here, SIZE / 2, SIZE / 2), pixelAt(here, 4, SIZE / 2));
-}
-
 }  // namespace
 }  // namespace knuckle::test

@@ -1,0 +1,135 @@
+#include <algorithm>
+
+#include "tests/render/render_fixture.h"
+
+namespace knuckle::test {
+namespace {
+
+constexpr uint32_t WIDTH = 240, HEIGHT = 120, SIZE = 160;
+
+/// One red body of the particles, alone in the void unless a ground is asked for.
+World redBody(const std::vector<Vector3f>& particles, const Vector3f& position, bool ground = false)
+{
+    StillWorld still(0.1f);
+    if (ground) still.addGround();
+    still.addBody(particles, position);
+    still.world.materials[0].color = {0.9f, 0.02f, 0.02f};
+    return still.world;
+}
+
+std::vector<Vector3f> row(const Vector3f& step, int count)
+{
+    std::vector<Vector3f> points;
+    for (int i = 0; i < count; ++i) points.push_back(static_cast<float>(i) * step);
+    return points;
+}
+
+RenderSettings automatic()
+{
+    RenderSettings settings;
+    settings.width = WIDTH;
+    settings.height = HEIGHT;
+    settings.colorBy = ColorBy::Material;
+    return settings;
+}
+
+/// What is red: the room that it leaves at the sides [pixels], and its width and height as shares of the picture.
+struct Framing {
+    int left = WIDTH, right = WIDTH, top = HEIGHT, bottom = HEIGHT;
+
+    explicit Framing(const Image& image)
+    {
+        for (int y = 0; y < static_cast<int>(image.height); ++y) {
+            for (int x = 0; x < static_cast<int>(image.width); ++x) {
+                const Eigen::Vector3i color = pixelAt(image, uint32_t(x), uint32_t(y));
+                if (color.x() - color.z() <= 35) continue;
+                left = std::min(left, x);
+                right = std::min(right, int(image.width) - 1 - x);
+                top = std::min(top, y);
+                bottom = std::min(bottom, int(image.height) - 1 - y);
+            }
+        }
+    }
+    float width() const { return 1.0f - float(left + right) / WIDTH; }
+    float height() const { return 1.0f - float(top + bottom) / HEIGHT; }
+};
+
+TEST(Camera, AnAutomaticCameraShowsAllAsLargeAsItCan)
+{
+    // Thin rows fill their boxes, whose images take 0.85 of the picture in one direction. Spheres do not fill the
+    // corners at the row's near end, and two pixels of the edges may be mixed: 2 %, or 4 on the way up.
+    for (const Vector3f& step : {Vector3f(0.2f, 0, 0), Vector3f(0, 0.2f, 0)}) {
+        const Framing framing(drawn(redBody(row(step, 40), {3, -1, 2}), automatic()));
+        const float share = std::max(framing.width(), framing.height());
+        EXPECT_GT(share, 0.78f) << step.transpose();
+        EXPECT_LT(share, 0.89f) << step.transpose();
+        const bool wide = framing.width() > framing.height();
+        EXPECT_NEAR(wide ? framing.left : framing.top, wide ? framing.right : framing.bottom, 5) << step.transpose();
+    }
+}
+
+TEST(Camera, AnAutomaticCameraLeavesRoomForTheFallToTheGround)
+{
+    const Framing framing(drawn(redBody(cubeLattice(4, 0.2f), {0, 2.4f, 0}, true), automatic()));
+    // The cube of 0.8 m hangs 2 m above the ground; only as much as the cube itself is looked ahead.
+    EXPECT_GT(framing.bottom, 2 * framing.top);
+    EXPECT_GT(framing.height(), 0.3f);
+}
+
+TEST(Camera, AnAutomaticCameraShowsTheManyEvenWhereOneHasRolledAway)
+{
+    std::vector<Vector3f> particles = cubeLattice(10, 0.2f);
+    particles.push_back({25, 0, 0});
+    const Framing framing(drawn(redBody(particles, {0, 0, 0}), automatic()));
+    // The cube of 2 m is 8 % of the whole row. Three standard deviations are 2.9 m to each side, since the stray one
+    // adds 25 m / sqrt(1001) to the cube's own: all of the box at least doubles.
+    EXPECT_GT(framing.height(), 0.4f);
+}
+
+TEST(Camera, MovesToWhatMovedSmoothly)
+{
+    const World here = redBody(cubeLattice(3, 0.2f), {0, 0, 0}), there = redBody(cubeLattice(3, 0.2f), {0.3f, 0, 0});
+    const StillBuffers before(here), after(there);
+    for (const CameraKind kind : {CameraKind::Fixed, CameraKind::Follow}) {
+        RenderSettings settings = automatic();
+        settings.camera.kind = kind;
+        settings.camera.follow = "body 0";
+        Renderer renderer(sharedGpu(), here, settings);
+        const auto picture = [&](const StillBuffers& buffers, double time) {
+            renderer.draw(buffers.view(), time);
+            return renderer.readImage();
+        };
+        const Image start = picture(before, 0.0);
+        // A 60th of a second is far less than the time that the camera takes: the body is off the middle, to the right.
+        const Framing soon(picture(after, 1.0 / 60.0));
+        EXPECT_GT(soon.left, soon.right + 20);
+        renderer.look(after.view(), 50.0);
+        const Framing late(picture(after, 100.0));
+        EXPECT_NEAR(late.left, Framing(start).left, 2);
+        EXPECT_NEAR(late.right, Framing(start).right, 2);
+    }
+}
+
+TEST(Camera, AFollowingCameraSeesItsBodyTheSameWhereverItIs)
+{
+    RenderSettings settings;
+    settings.width = settings.height = SIZE;
+    settings.camera.kind = CameraKind::Follow;
+    settings.camera.follow = "body 1";
+    settings.camera.automatic = false;
+    settings.camera.position = {0.5f, 0.6f, 2.0f};
+    settings.camera.target = Vector3f::Zero();
+    const auto picture = [&](const Vector3f& place) {
+        StillWorld still(0.1f);
+        still.addBody({Vector3f::Zero()}, {0, -9, 0});
+        still.addBody(cubeLattice(2, 0.2f), place);
+        return drawn(still.world, settings);
+    };
+    const Image here = picture({0, 0, 0}), there = picture({7.0f, 3.0f, -2.0f});
+    // Only rounding of the larger coordinates and where the shadow map's texels fall differ.
+    EXPECT_LT(compareImages(here, there, 24).changedShare, 0.01);
+    EXPECT_NE(pixelAt(here, SIZE / 2, SIZE / 2), pixelAt(here, 4, SIZE / 2));
+}
+
+}  // namespace
+}  // namespace knuckle::test
