@@ -78,12 +78,16 @@ std::string hashText(uint64_t hash)
     return fmt::format("{:016x}", hash);
 }
 
-std::string statsText(const RunFigures& figures, const World& world, Solver& solver)
+std::string statsText(const RunFigures& figures, const World& world, Solver& solver, const KernelTimer* drawing)
 {
     const Measures measures = solver.measure();
-    Json passes = Json::array();
-    for (const PassTime& pass : solver.passTimes()) {
-        passes.push_back({{"name", pass.name}, {"milliseconds", pass.milliseconds}, {"count", pass.count}});
+    Json passes = Json::array(), drawingPasses = Json::array();
+    const auto add = [](Json& list, const std::string& name, double milliseconds, uint64_t count) {
+        list.push_back({{"name", name}, {"milliseconds", milliseconds}, {"count", count}});
+    };
+    for (const PassTime& pass : solver.passTimes()) add(passes, pass.name, pass.milliseconds, pass.count);
+    if (drawing != nullptr) {
+        for (const auto& [name, total] : drawing->totals()) add(drawingPasses, name, total.milliseconds, total.count);
     }
     const Json stats = {
         {"device", figures.device},
@@ -108,6 +112,7 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
         {"kineticEnergy", measures.kineticEnergy},
         {"stateHash", hashText(solver.stateHash())},
         {"passes", passes},
+        {"drawingPasses", drawingPasses},
     };
     return stats.dump(2) + "\n";
 }

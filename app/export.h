@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/output.h"
+#include "sim/gpu/kernel.h"
 #include "sim/solver/solver.h"
 #include "sim/world/world.h"
 
@@ -33,8 +34,8 @@ struct RunFigures {
     double simulationSeconds = 0.0, drawingSeconds = 0.0, totalSeconds = 0.0;
 };
 
-/// The text of `--stats`: JSON.
-std::string statsText(const RunFigures& figures, const World& world, Solver& solver);
+/// The text of `--stats`: JSON. `drawing`: times of the renderer's passes, or null.
+std::string statsText(const RunFigures& figures, const World& world, Solver& solver, const KernelTimer* drawing);
 
 /// A state hash as it is printed everywhere: 16 hexadecimal digits.
 std::string hashText(uint64_t hash);

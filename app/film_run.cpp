@@ -73,6 +73,7 @@ public:
     {
         if (!outputs_.sinks.empty()) renderer_.emplace(*gpu_, scene.world, scene.render);
         solver_.setTiming(outputs_.stats.has_value());
+        if (renderer_) renderer_->timer().setEnabled(outputs_.stats.has_value());
         figures_.device = gpu_->device().name;
     }
 
@@ -142,6 +143,7 @@ private:
         if (waitingFrame_ == 0) return;
         const Stopwatch watch(figures_.drawingSeconds);
         const Image image = renderer_->readImage();
+        renderer_->timer().collect();
         for (const auto& sink : outputs_.sinks) sink->write(image, waitingFrame_);
         waitingFrame_ = 0;
     }
@@ -150,7 +152,7 @@ private:
     {
         if (outputs_.bodies) outputs_.bodies->finish();
         if (!outputs_.stats) return;
-        outputs_.stats->write(statsText(figures_, scene_.world, solver_));
+        outputs_.stats->write(statsText(figures_, scene_.world, solver_, renderer_ ? &renderer_->timer() : nullptr));
         outputs_.stats->commit();
     }
 

@@ -85,12 +85,6 @@ float reachOf(const World& world, const Object& object)
     return reach + world.particleRadius;
 }
 
-void requireRange(float value, float low, float high, const char* field)
-{
-    if (value >= low && value <= high) return;
-    throw InputError(fmt::format("camera.{}: {} is outside {} ... {}", field, value, low, high));
-}
-
 }  // namespace
 
 SceneExtent sceneExtent(const World& world)
@@ -119,7 +113,6 @@ SceneExtent sceneExtent(const World& world)
 Camera::Camera(const CameraSettings& settings, const World& world, float aspect)
     : start_{settings.position, settings.target}, tanHalfFov_(std::tan(0.5f * settings.fieldOfView * DEGREE))
 {
-    requireRange(settings.fieldOfView, 5.0f, 120.0f, "fieldOfView");
     if (settings.kind == CameraKind::Orbit) orbitSpeed_ = settings.orbitSpeed * DEGREE;
     if (settings.automatic) {
         mode_ = settings.kind == CameraKind::Orbit ? CAMERA_FRAMES_AROUND : CAMERA_FRAMES;

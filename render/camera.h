@@ -33,7 +33,7 @@ struct BodyRange {
 /// The camera of a scene, except for what only the GPU knows.
 class Camera {
 public:
-    /// @throws InputError for an unknown object, equal position and target, or an angle out of range.
+    /// @throws InputError for an unknown object, or where position and target are the same.
     Camera(const CameraSettings& settings, const World& world, float aspect);
 
     CameraAim at(double time) const;

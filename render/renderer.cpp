@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "render/camera.h"
+#include "render/pass_scope.h"
 #include "render/picture_reader.h"
 #include "render/render_targets.h"
 #include "render/sphere_pass.h"
 #include "render/static_geometry.h"
-#include "sim/world/errors.h"
 
 // A frame:
 //   frame_bounds, frame_camera   aim the camera on the GPU, since only it knows the positions
@@ -37,40 +37,12 @@ gpu::vec4 vec4Of(const Vector3f& v, float w = 0.0f)
     return {v.x(), v.y(), v.z(), w};
 }
 
-void requireRange(double value, double low, double high, const char* field)
-{
-    if (value >= low && value <= high) return;
-    throw InputError(fmt::format("render.{}: {} is outside {} ... {}", field, value, low, high));
-}
-
-void check(const RenderSettings& settings)
-{
-    requireRange(settings.width, 16, 8192, "width");
-    requireRange(settings.height, 16, 8192, "height");
-    requireRange(settings.antialiasing, 1, 4, "antialiasing");
-    requireRange(settings.exposure, 0.01, 100, "exposure");
-    requireRange(settings.speedScale, 1e-6, 1e6, "speedScale");
-    requireRange(settings.light.intensity, 0, 20, "light.intensity");
-    requireRange(settings.light.softness, 0, 20, "light.softness");
-    if (!(settings.light.direction.norm() > 1e-6f))
-        throw InputError("render.light.direction: it has no length; point it towards the light");
-}
-
 /// 1, 2 or 5 times a power of ten, at most `size`.
 float roundLength(float size)
 {
     const float power = std::pow(10.0f, std::floor(std::log10(size)));
     return power * (size >= 5.0f * power ? 5.0f : size >= 2.0f * power ? 2.0f : 1.0f);
 }
-
-/// A debug group around a pass, for traces.
-class Scope {
-public:
-    explicit Scope(const char* name) { glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name); }
-    ~Scope() { glPopDebugGroup(); }
-    Scope(const Scope&) = delete;
-    Scope& operator=(const Scope&) = delete;
-};
 
 }  // namespace
 
@@ -86,8 +58,8 @@ struct Renderer::Impl {
     void drawGeometry();
     void drawOcclusion();
     void drawPicture();
-    void smoothEdges() const;
-    void fullScreen(const char* name, const Framebuffer& target, const Program& program) const;
+    void smoothEdges();
+    void fullScreen(const char* name, const Framebuffer& target, const Program& program);
 
     Gpu& gpu;
     RenderSettings settings;
@@ -103,11 +75,12 @@ struct Renderer::Impl {
     Buffer<gpu::FrameInput> inputBuffer{"frame input", 1};
     Buffer<gpu::FrameView> viewBuffer{"frame view", 1};
     Buffer<gpu::ParticleBounds> boundsBuffer{"particle bounds", BOUNDS_THREADS};
+    KernelTimer timer;
     GLuint emptyArray = 0;
 };
 
 Renderer::Impl::Impl(Gpu& device, const World& world, const RenderSettings& chosen)
-    : gpu(device), settings((check(chosen), chosen)), extent(sceneExtent(world)),
+    : gpu(device), settings((checkSettings(chosen), chosen)), extent(sceneExtent(world)),
       camera(settings.camera, world, float(settings.width) / float(settings.height)),
       targets(settings.width, settings.height, settings.antialiasing), solids(gpu, world, extent),
       spheres(gpu, world, settings), reader(settings.width, settings.height),
@@ -168,7 +141,7 @@ void Renderer::Impl::attach(const ParticleView& view)
 
 void Renderer::Impl::aimCamera(double time)
 {
-    const Scope scope("frame_camera");
+    const PassScope scope(timer, "frame_camera");
     const CameraAim aim = camera.at(time);
     input.cameraPosition = vec4Of(aim.position);
     input.cameraTarget = vec4Of(aim.target);
@@ -185,7 +158,7 @@ void Renderer::Impl::aimCamera(double time)
 
 void Renderer::Impl::fitView()
 {
-    const Scope scope("frame_view");
+    const PassScope scope(timer, "frame_view");
     glUseProgram(frameView.id());
     glDispatchCompute(1, 1, 1);
     glMemoryBarrier(GL_UNIFORM_BARRIER_BIT);
@@ -194,10 +167,10 @@ void Renderer::Impl::fitView()
 void Renderer::Impl::drawShadowMap()
 {
     {
-        const Scope scope("sphere_list");
+        const PassScope scope(timer, "sphere_list");
         spheres.list();
     }
-    const Scope scope("shadow map");
+    const PassScope scope(timer, "shadow map");
     targets.shadowMap.bind();
     glEnable(GL_DEPTH_TEST);
     glClear(GL_DEPTH_BUFFER_BIT);
@@ -207,7 +180,7 @@ void Renderer::Impl::drawShadowMap()
 
 void Renderer::Impl::drawGeometry()
 {
-    const Scope scope("geometry");
+    const PassScope scope(timer, "geometry");
     targets.geometry.bind();
     const GLuint nothing[4] = {0, 0, 0, 0};
     glClearBufferuiv(GL_COLOR, 0, nothing);
@@ -240,9 +213,9 @@ void Renderer::Impl::drawPicture()
     fullScreen("resolve", targets.resolve, resolve);
 }
 
-void Renderer::Impl::smoothEdges() const
+void Renderer::Impl::smoothEdges()
 {
-    const Scope scope("edge_filter");
+    const PassScope scope(timer, "edge_filter");
     // What the filter leaves alone must be there already.
     glCopyImageSubData(targets.picture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, targets.smoothed.id(), GL_TEXTURE_2D, 0, 0,
                        0, 0, static_cast<GLsizei>(input.width), static_cast<GLsizei>(input.height), 1);
@@ -253,9 +226,9 @@ void Renderer::Impl::smoothEdges() const
     glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(tiles));
 }
 
-void Renderer::Impl::fullScreen(const char* name, const Framebuffer& target, const Program& program) const
+void Renderer::Impl::fullScreen(const char* name, const Framebuffer& target, const Program& program)
 {
-    const Scope scope(name);
+    const PassScope scope(timer, name);
     target.bind();
     glUseProgram(program.id());
     glBindVertexArray(emptyArray);
@@ -294,6 +267,11 @@ void Renderer::look(const ParticleView& view, double time)
 Image Renderer::readImage()
 {
     return impl_->reader.last();
+}
+
+KernelTimer& Renderer::timer()
+{
+    return impl_->timer;
 }
 
 std::optional<Image> Renderer::takeFinished()

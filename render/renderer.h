@@ -6,6 +6,7 @@
 #include "render/image.h"
 #include "render/settings.h"
 #include "sim/gpu/gpu.h"
+#include "sim/gpu/kernel.h"
 #include "sim/solver/particle_view.h"
 #include "sim/world/world.h"
 
@@ -33,6 +34,8 @@ public:
     /// The pipelined way, in which the device never waits for the host: after each draw() take what is finished, and
     /// after the last one readImage().
     std::optional<Image> takeFinished();
+    /// Times its passes once it is enabled.
+    KernelTimer& timer();
 
 private:
     struct Impl;

@@ -40,4 +40,7 @@ struct RenderSettings {
                                                 ///< 2 and more cost their square in time.
 };
 
+/// @throws InputError for a value out of range.
+void checkSettings(const RenderSettings& settings);
+
 }  // namespace knuckle

@@ -73,6 +73,8 @@ TEST_F(Render, WritesFigures)
     EXPECT_EQ(stats["frames"], 4);
     EXPECT_EQ(stats["steps"], 3);
     EXPECT_GT(stats["passes"].size(), 3u);
+    EXPECT_GT(stats["drawingPasses"].size(), 3u);
+    EXPECT_EQ(stats["drawingPasses"][0]["count"], 4);
     EXPECT_GT(stats["simulationSeconds"].get<double>(), 0.0);
     for (const char* key : {"device", "contacts", "substeps", "worstPenetration", "worstJointGap", "drawingSeconds"}) {
         EXPECT_TRUE(stats.contains(key)) << key;
