@@ -46,6 +46,7 @@ void viewBuffer(GLuint& texture, GLuint buffer)
 SpherePass::SpherePass(const Gpu& gpu, const World& world, const RenderSettings& settings)
     : burialCount_(Program::compute(gpu, "render/burial_count.comp")),
       burialCells_(Program::compute(gpu, "render/burial_cells.comp")),
+      burialHidden_(Program::compute(gpu, "render/burial_hidden.comp")),
       cull_(Program::compute(gpu, "render/sphere_cull.comp")),
       offsets_(Program::compute(gpu, "render/sphere_offsets.comp")),
       list_(Program::compute(gpu, "render/sphere_list.comp")),
@@ -125,6 +126,9 @@ void SpherePass::findBuried()
     glDispatchCompute((attached_.particleCount + RENDER_GROUP_SIZE - 1) / RENDER_GROUP_SIZE, 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     glUseProgram(burialCells_.id());
+    glDispatchCompute(CELL_COUNT / RENDER_GROUP_SIZE, 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glUseProgram(burialHidden_.id());
     glDispatchCompute(CELL_COUNT / RENDER_GROUP_SIZE, 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }

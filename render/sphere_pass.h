@@ -33,7 +33,7 @@ private:
     void bindAttributes(GLuint positions);
     void findBuried();
 
-    Program burialCount_, burialCells_, cull_, offsets_, list_, points_, quads_, shadow_;
+    Program burialCount_, burialCells_, burialHidden_, cull_, offsets_, list_, points_, quads_, shadow_;
     Buffer<uint32_t> colors_, visible_, counts_, indices_, cells_, buried_;
     Buffer<gpu::DrawArguments> draws_;
     GLuint pointArray_ = 0, quadArray_ = 0, positionTexture_ = 0, velocityTexture_ = 0;

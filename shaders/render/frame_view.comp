@@ -15,8 +15,9 @@ const float FULL_SHARE = 0.5;
 void burialGrid(vec3 low, vec3 high)
 {
     float diameter = 2.0 * frame.radius;
-    vec3 size = max((high - low) / float(BURIAL_CELLS - 1), vec3(4.0 * diameter));
-    view.cellOrigin = vec4(low, 0.0);
+    // The outermost cells stay free for what is outside the bounds.
+    vec3 size = max((high - low) / float(BURIAL_CELLS - 3), vec3(4.0 * diameter));
+    view.cellOrigin = vec4(low - size, 0.0);
     view.cellSize = vec4(size, FULL_SHARE * size.x * size.y * size.z / (diameter * diameter * diameter));
 }
 

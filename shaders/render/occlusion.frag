@@ -59,6 +59,15 @@ float ambientReach(ivec2 pixel, vec3 p, vec3 n, int k)
     return clamp(1.0 - 0.75 * sum / float(OCCLUSION_TAPS), 0.0, 1.0);
 }
 
+// How much of four texels is lit, weighted by their distances, so that texels do not show (Reeves et al. 1987).
+float litShare(vec2 place, float reference)
+{
+    vec4 lit = vec4(greaterThanEqual(textureGather(shadowDepth, place), vec4(reference)));
+    vec2 between = fract(place * frame.shadowSize - 0.5);
+    vec2 columns = mix(lit.wx, lit.zy, between.x);
+    return mix(columns.x, columns.y, between.y);
+}
+
 // Percentage-closer soft shadows (Fernando 2005).
 float keyReach(vec3 p, vec3 n, int k)
 {
@@ -85,9 +94,8 @@ float keyReach(vec3 p, vec3 n, int k)
     float lit = 0.0;
     direction = pixelDirection(k);
     for (int i = 0; i < SHADOW_TAPS; ++i) {
-        float d = textureLod(shadowDepth, centre + spiral(i, k, SHADOW_TAPS, direction) * width, 0.0).r;
+        lit += litShare(centre + spiral(i, k, SHADOW_TAPS, direction) * width, reference);
         direction = turned(direction, GOLDEN_4);
-        lit += d < reference ? 0.0 : 1.0;
     }
     bool outside = any(greaterThan(abs(place.xy), vec2(1.0)));
     return outside ? 1.0 : lit / float(SHADOW_TAPS);

@@ -8,7 +8,7 @@ layout(local_size_x = RENDER_GROUP_SIZE) in;
 layout(binding = POSITIONS_UNIT) uniform samplerBuffer positions;
 layout(std430, binding = RENDER_VISIBLE_SLOT) writeonly buffer Visible { uint visible[]; };
 layout(std430, binding = RENDER_COUNTS_SLOT) writeonly buffer Counts { uvec4 counts[]; };
-layout(std430, binding = RENDER_BURIED_SLOT) readonly buffer Buried { uint buried[]; };
+layout(std430, binding = RENDER_CELLS_SLOT) readonly buffer Cells { uint cells[]; };
 
 uint howDrawn(vec3 position)
 {
@@ -22,8 +22,10 @@ uint howDrawn(vec3 position)
     vec2 middle = 0.5 * (bounds.xy + bounds.zw);
     bool asPoint = max(extent.x, extent.y) + 1.0 <= frame.pointSizeLimit && all(lessThan(abs(middle), vec2(1.0))) &&
                    -centre.z > 1.01 * frame.radius;
-    uint how = !inFront || !inside ? 0u : asPoint ? DRAWN_AS_POINT : DRAWN_AS_QUAD;
-    return buried[burialCell(position)] != 0u ? 0u : how | CASTS_SHADOW;
+    uint hidden = cells[burialCell(position)];
+    bool seen = inFront && inside && (hidden & HIDDEN_FROM_EYE) == 0u;
+    uint how = !seen ? 0u : asPoint ? DRAWN_AS_POINT : DRAWN_AS_QUAD;
+    return how | ((hidden & HIDDEN_FROM_LIGHT) == 0u ? CASTS_SHADOW : 0u);
 }
 
 void main()

@@ -108,11 +108,16 @@ TEST(SphereGeometry, TheSilhouetteOfOneSphereHasTheClosedFormRadius)
 
 TEST(SphereGeometry, LeavingOutBuriedParticlesOpensNoHoles)
 {
-    // 20 particles a side are five cells of the burial grid: the inner ones are buried.
+    // 20 particles a side are five cells of the burial grid: the inner ones are buried, and hide what is behind them.
+    // The back is blue, to tell it from the front.
+    std::vector<Vector3f> front, back;
+    for (const Vector3f& p : cubeLattice(20, 0.1f)) (p.z() < -0.5f ? back : front).push_back(p);
+    const Quaternionf turn(Eigen::AngleAxisf(0.5f, Vector3f(1, 2, 0).normalized()));
     StillWorld still(0.05f);
-    still.addBody(cubeLattice(20, 0.1f), {0, 0, 0},
-                  Quaternionf(Eigen::AngleAxisf(0.5f, Vector3f(1, 2, 0).normalized())));
+    still.addBody(front, {0, 0, 0}, turn);
+    still.addBody(back, {0, 0, 0}, turn);
     still.world.materials[0].color = {0.9f, 0.02f, 0.02f};
+    still.world.materials[1].color = {0.02f, 0.02f, 0.9f};
     const Image image = drawn(still.world, flatColors(6.0f));
     // The cube's half side of 1 m covers 37 pixels from the middle, whichever way it is turned.
     const float reach = 35.0f, middle = 0.5f * SIZE;
