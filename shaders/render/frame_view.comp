@@ -21,6 +21,16 @@ void burialGrid(vec3 low, vec3 high)
     view.cellSize = vec4(size, FULL_SHARE * size.x * size.y * size.z / (diameter * diameter * diameter));
 }
 
+// Where things shade the ground, as seen from the light: what is near them lies in there as well.
+vec4 shadedRectangle(vec3 mapCentre, vec3 lightRight, vec3 lightUp, float halfSide)
+{
+    vec3 low = min(view.particleLow.xyz, frame.solidLow.xyz), high = max(view.particleHigh.xyz, frame.solidHigh.xyz);
+    vec3 centre = 0.5 * (low + high) - mapCentre, extent = 0.5 * (high - low);
+    vec2 middle = vec2(dot(centre, lightRight), dot(centre, lightUp));
+    vec2 reach = vec2(dot(abs(lightRight), extent), dot(abs(lightUp), extent)) + frame.occlusionRadius + frame.radius;
+    return vec4(middle - reach, middle + reach) / halfSide;
+}
+
 void main()
 {
     vec3 right = view.cameraRight.xyz, up = view.cameraUp.xyz, back = view.cameraBack.xyz;
@@ -45,6 +55,7 @@ void main()
     vec2 snap = floor(place / texel + 0.5) * texel - place;
     centre += snap.x * lightRight + snap.y * lightUp;
 
+    view.shadedInLight = shadedRectangle(centre, lightRight, lightUp, halfSide);
     view.lightRight = vec4(lightRight, 0.0);
     view.lightUp = vec4(lightUp, 0.0);
     view.lightCentre = vec4(centre, halfSide);

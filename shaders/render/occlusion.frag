@@ -101,6 +101,14 @@ float keyReach(vec3 p, vec3 n, int k)
     return outside ? 1.0 : lit / float(SHADOW_TAPS);
 }
 
+// Whether nothing is near enough to shade a point of the ground. `place`: in the shadow map.
+bool isOpen(vec3 place)
+{
+    float penumbra = frame.keyDirection.w * view.lightDepth.x / view.lightCentre.w * max(place.z + 1.0, 0.0);
+    return any(lessThan(place.xy, view.shadedInLight.xy - penumbra)) ||
+           any(greaterThan(place.xy, view.shadedInLight.zw + penumbra));
+}
+
 void main()
 {
     ivec2 place = ivec2(gl_FragCoord.xy);
@@ -109,6 +117,7 @@ void main()
     if (depth >= 1.0) discard;
     vec3 p = viewRay(vec2(pixel) + 0.5) * (depth * frame.farDepth);
     uvec2 surface = texelFetch(surfacePicture, pixel, 0).xy;
+    if (isGround(surface) && isOpen(viewToLight(p))) discard;
     vec3 n = unpackNormal(surface.x);
     int k = (place.x & 1) + 2 * (place.y & 1);
     float key = dot(n, view.keyInView.xyz) > 0.0 ? keyReach(p, n, k) : 0.0;

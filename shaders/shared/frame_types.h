@@ -44,7 +44,7 @@ namespace knuckle::gpu {
 #define CAMERA_FRAMES 2u
 #define CAMERA_FRAMES_AROUND 3u
 // Threads that share the particles when their bounds are sought.
-#define BOUNDS_THREADS 1024
+#define BOUNDS_THREADS 256
 // Cells a side of the grid in which buried particles are found.
 #define BURIAL_CELLS 32
 // Particles that one thread counts and lists, in order.
@@ -114,6 +114,7 @@ struct FrameView {
     vec4 viewToLightZ;
     vec4 keyInView;             // xyz: keyDirection in view space
     vec4 upInView;              // xyz: +Y in view space
+    vec4 shadedInLight;         // shadow map coordinates (left, bottom, right, top): outside nothing shades the ground
     vec4 particleLow;           // xyz [m]: bounds of the particles' centres
     vec4 particleHigh;
     vec4 trackedLow;            // xyz [m]: what the camera shows or follows, smoothed; kept from frame to frame
