@@ -56,8 +56,8 @@ World table2World(uint32_t objectCount, const Settings& settings)
         const uint32_t layer = i / (COLUMNS * ROWS), column = i % COLUMNS, row = i / COLUMNS % ROWS;
         Pose pose;
         // A small shift, different from layer to layer, so that columns topple instead of balancing.
-        const float shiftX = 0.009f * (static_cast<float>(i * 7 % 5) - 2.0f);
-        const float shiftZ = 0.009f * (static_cast<float>(i * 3 % 5) - 2.0f);
+        const float shiftX = 0.009f * (static_cast<float>((7 * i + 2 * layer) % 5) - 2.0f);
+        const float shiftZ = 0.009f * (static_cast<float>((3 * i + layer) % 5) - 2.0f);
         pose.translation = {(static_cast<float>(column) - 2.0f) * 0.78f + shiftX,
                             LAYER_HEIGHT * static_cast<float>(layer + 1),
                             (static_cast<float>(row) - 4.5f) * 0.38f + shiftZ};

@@ -1,19 +1,17 @@
-// The lists of contact candidates: slot s of particle i. Two halves in turn, so that a new search can look up the
-// impulses of the old lists.
+// The lists of contacts. A contact between particles is a pair, listed with its first particle: particles by rank (by
+// body, then by id), so that a body's pairs stand together. Its second particle refers to it from a list of references.
+// Contacts with colliders are a third list. listStarts has where the entries of each rank begin, for the three lists
+// one after the other; the two halves of everything take turns, so that a new search finds the old impulses.
 
-uint contactSlot(uint parity, uint slot, uint i)
-{
-    return ((parity * (step.contactSlots + COLLIDER_SLOTS)) + slot) * step.particleCount + i;
-}
+#define FIRST_OF_PAIR 0u
+#define SECOND_OF_PAIR 1u
+#define WITH_COLLIDER 2u
 
-/// Slots from step.contactSlots on hold colliders.
-uint colliderSlot(uint parity, uint slot, uint i)
-{
-    return contactSlot(parity, step.contactSlots + slot, i);
-}
+/// A reference to a pair for which there was no room.
+#define NO_PAIR 0xffffffffu
 
-/// From b to a, for two points at most a rounding error apart: up for the first, down for the second.
-vec3 contactNormal(vec3 difference, float distance, uint i, uint j)
+/// Where listStarts has the first entry of a rank's list; the next entry is the end.
+uint listStart(uint parity, uint place)
 {
-    return distance > 1e-7 ? difference / distance : vec3(0, i < j ? 1.0 : -1.0, 0);
+    return parity * (3u * step.particleCount + 1u) + place;
 }

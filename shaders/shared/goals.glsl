@@ -2,22 +2,15 @@
 #include "shared/quaternion.glsl"
 
 uniform samplerBuffer bodyStarts;        // centre, rotation at the start of the substep
-uniform samplerBuffer bodyMoves;         // of the centre since; w: contacts
-uniform samplerBuffer bodyTurns;
-uniform usamplerBuffer bodyInfo;
+uniform samplerBuffer moverMoves;        // of the centre since
+uniform samplerBuffer moverTurns;
 
 /// How far the goal of r has moved in the substep [m]. From the turn, not from two positions, so that rounding stays as
 /// small as the move.
 vec3 goalMove(uint body, vec3 r)
 {
     vec3 arm = rotate(texelFetch(bodyStarts, int(2u * body + 1u)), r);
-    vec4 turn = texelFetch(bodyTurns, int(body));
+    vec4 turn = texelFetch(moverTurns, int(body));
     vec3 t = 2.0 * cross(turn.xyz, arm);
-    return texelFetch(bodyMoves, int(body)).xyz + turn.w * t + cross(turn.xyz, t);
-}
-
-/// Over how many constraints a body's mass is split.
-float splits(uint body)
-{
-    return texelFetch(bodyMoves, int(body)).w + float(texelFetch(bodyInfo, int(body)).w);
+    return texelFetch(moverMoves, int(body)).xyz + turn.w * t + cross(turn.xyz, t);
 }

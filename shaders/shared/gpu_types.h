@@ -7,10 +7,12 @@
 #define GROUP_SIZE 64
 // Threads that reduce one body together, where ReductionKind::Group is chosen.
 #define BODY_GROUP_SIZE 32
-// Cells that one thread of the prefix sum adds up.
-#define CELLS_PER_CHUNK 64
+// Values that one thread of a prefix sum adds up.
+#define SCAN_CHUNK 64
 // Colliders that one particle can touch at a time.
 #define COLLIDER_SLOTS 4
+// Cells of the grid that are listed once more behind the last, so that no range of neighbours wraps.
+#define WRAPPED_CELLS 4
 // "Belongs to nothing", as in sim/world/world.h.
 #define NO_BODY 0xffffffffu
 
@@ -24,6 +26,28 @@
 #define PROBLEM_CONTACTS 1u
 #define PROBLEM_COLLIDERS 2u
 #define PROBLEM_NAN 4u
+#define PROBLEM_PAIRS 8u
+
+// Dispatches whose sizes the GPU decides (SolverBuffers::dispatches).
+#define DISPATCH_PARTICLES 0        // this and the next seven: none where contacts were not found anew
+#define DISPATCH_CELLS 1
+#define DISPATCH_CELL_CHUNKS 2
+#define DISPATCH_LIST_CHUNKS 3
+#define DISPATCH_ONE 4
+#define DISPATCH_MOVERS 5
+#define DISPATCH_NEW_PAIRS 6
+#define DISPATCH_NEW_COLLIDER_PAIRS 7
+#define DISPATCH_PAIRS 8
+#define DISPATCH_COLLIDER_PAIRS 9
+#define DISPATCH_FAST 10            // particles that find contacts from afar
+#define DISPATCH_COUNT 11
+
+// Relaxation of a mover's contacts: where it starts, and how it grows until their impulses turn about.
+#define FIRST_RELAXATION 1.5f
+#define MOST_RELAXATION 3.2f
+
+// pairImpulses[].w of a contact that is going to act but carries nothing yet.
+#define ABOUT_TO_ACT (-1.0)
 
 #ifdef __cplusplus
 #include <cstdint>
@@ -62,6 +86,14 @@ struct BodyInfo {
     uint jointCount;                // links of shared particles
 };
 
+// What never changes about a mover: a body, or a loose particle, which is a body that cannot turn. Bodies come first.
+struct MoverInfo {
+    uint firstRank;                 // its particles in the order of contact lists
+    uint rankCount;
+    uint assembly;
+    float inverseMass;              // [1/kg], 0: fixed
+};
+
 struct GpuCollider {
     vec4 position;                  // xyz [m]; w: COLLIDER_*, as a float
     vec4 orientation;               // quaternion xyzw
@@ -76,7 +108,7 @@ struct StepParameters {
     uint bodyCount;
     uint linkCount;
     uint colliderCount;
-    uint contactSlots;              // candidates that one particle can hold
+    uint contactSlots;              // contacts that one particle can be the first of
     uint cellMask;                  // cells - 1, cells a power of two
     uint cellStrideY;               // lattice grid: cells between neighbours in y ...
     uint cellStrideZ;               // ... and in z
@@ -86,7 +118,6 @@ struct StepParameters {
     float drift;                    // a particle that has moved further makes the candidates due again [m]
     float substepTime;              // [s]
     float correction;               // share of a penetration that one substep takes back
-    float relaxation;               // of the impulses' Jacobi iteration
     float warmStart;                // share of the last substep's impulses that starts this one
     float virtualParticles;         // c of eq. 18
     float freeze;                   // [m], 0 off
@@ -98,8 +129,13 @@ struct StepParameters {
     float maxCorrection;            // of a penetration per substep [m]
     float jointRelaxation;          // of the joints' impulses
     uint sharedCount;               // particles of two or more bodies
-    uint pad0;
-    float impulseGrowth;            // how fast a warm start may grow: an acceleration times substepTime^2 [m]
+    uint moverCount;                // bodies and loose particles
+    uint pairCapacity;              // contacts between particles
+    uint colliderPairCapacity;      // contacts with colliders
+    float lookAhead;                // of found positions, in moves of a substep
+    float farReach;                 // by how much fast movers may look further for contacts [m]
+    uint fastLimit;                 // how many particles may do so
+    float horizon;                  // for how long contacts should stay good, in substeps
 };
 
 // Written by kernels, read once a frame. 64 bytes.
@@ -112,14 +148,14 @@ struct Counters {
     uint due;                       // somebody has used up its margin
     uint listParity;                // which half of the candidate lists is current
     uint findCount;                 // times the candidates were found
-    uint candidateCount;            // candidates in the current lists, both sides counted
+    uint pairCount;                 // contacts between particles, touching or about to
+    uint colliderPairCount;         // contacts with colliders
+    uint wantedPairs;               // what the lists would have had to hold
+    uint wantedColliderPairs;
+    uint fastCount;                 // particles of movers that will soon leave their margin
+    uint fastListed;                // those of them that look further for contacts
     uint pad0;
     uint pad1;
-    uint pad2;
-    uint pad3;
-    uint pad4;
-    uint pad5;
-    uint pad6;
 };
 
 #ifdef __cplusplus

@@ -1,4 +1,5 @@
-// The neighbour grid: which cell a position is in, and which ranges of the sorted particles are its neighbourhood.
+// The neighbour grid: which cell a position is in, and the half of its neighbourhood in which a particle looks for
+// others, so that each pair is found once: what follows it in its own cell, and the cells that lie ahead.
 
 ivec3 cellOf(vec3 x)
 {
@@ -8,7 +9,7 @@ ivec3 cellOf(vec3 x)
 #ifdef GRID_HASH
 
 // Teschner et al. 2003: h = (73856093 x xor 19349663 y xor 83492791 z) mod n, on unsigned values.
-#define NEIGHBOUR_RANGES 27
+#define FORWARD_RANGES 14
 
 uint cellIndex(ivec3 c)
 {
@@ -16,28 +17,49 @@ uint cellIndex(ivec3 c)
     return (73856093u * u.x ^ 19349663u * u.y ^ 83492791u * u.z) & step.cellMask;
 }
 
-ivec3 neighbourCell(ivec3 c, int range)
+ivec3 forwardCell(ivec3 c, int range)
 {
-    return c + ivec3(range % 3 - 1, range / 3 % 3 - 1, range / 9 - 1);
+    int n = range + 13;
+    return c + ivec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
 }
 
-uvec2 neighbourCells(ivec3 c, int range)
+/// First cell and the one behind the last, in the order of the sorted particles. Range 0 begins with the own cell.
+uvec2 forwardCells(ivec3 c, int range)
 {
-    uint first = cellIndex(neighbourCell(c, range));
+    uint first = cellIndex(forwardCell(c, range));
     return uvec2(first, first + 1u);
 }
 
 // Two of the 27 cells may share a bucket: only what lies in the cell asked for counts.
-bool inNeighbourRange(ivec3 c, int range, vec3 x)
+bool inForwardRange(ivec3 c, int range, vec3 x)
 {
-    return cellOf(x) == neighbourCell(c, range);
+    return cellOf(x) == forwardCell(c, range);
+}
+
+// All cells up to two away.
+#define FAR_RANGES 125
+
+ivec3 farCell(ivec3 c, int range)
+{
+    return c + ivec3(range % 5 - 2, range / 5 % 5 - 2, range / 25 - 2);
+}
+
+uvec2 farCells(ivec3 c, int range)
+{
+    uint first = cellIndex(farCell(c, range));
+    return uvec2(first, first + 1u);
+}
+
+bool inFarRange(ivec3 c, int range, vec3 x)
+{
+    return cellOf(x) == farCell(c, range);
 }
 
 #else
 
 // A lattice wrapped onto a line. Neighbours in x are neighbours on the line, so three cells are one range; the first
-// two cells stand again behind the last, so that a range never wraps.
-#define NEIGHBOUR_RANGES 9
+// WRAPPED_CELLS cells stand again behind the last, so that a range never wraps.
+#define FORWARD_RANGES 5
 
 uint cellIndex(ivec3 c)
 {
@@ -45,13 +67,29 @@ uint cellIndex(ivec3 c)
     return (u.x + step.cellStrideY * u.y + step.cellStrideZ * u.z) & step.cellMask;
 }
 
-uvec2 neighbourCells(ivec3 c, int range)
+/// First cell and the one behind the last, in the order of the sorted particles. Range 0 begins with the own cell.
+uvec2 forwardCells(ivec3 c, int range)
 {
-    uint first = cellIndex(c + ivec3(-1, range % 3 - 1, range / 3 - 1));
-    return uvec2(first, first + 3u);
+    int n = range + 4;
+    uint first = cellIndex(c + ivec3(range == 0 ? 0 : -1, n % 3 - 1, n / 3 - 1));
+    return uvec2(first, first + (range == 0 ? 2u : 3u));
 }
 
-bool inNeighbourRange(ivec3 c, int range, vec3 x)
+bool inForwardRange(ivec3 c, int range, vec3 x)
+{
+    return true;
+}
+
+// All cells up to two away.
+#define FAR_RANGES 25
+
+uvec2 farCells(ivec3 c, int range)
+{
+    uint first = cellIndex(c + ivec3(-2, range % 5 - 2, range / 5 - 2));
+    return uvec2(first, first + 5u);
+}
+
+bool inFarRange(ivec3 c, int range, vec3 x)
 {
     return true;
 }

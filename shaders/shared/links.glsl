@@ -17,9 +17,3 @@ LinkValues fetchLink(uint l)
     vec3 r = vec3(uintBitsToFloat(a.z), uintBitsToFloat(a.w), uintBitsToFloat(b.x));
     return LinkValues(a.x, a.y, r, b.y, b.z, uintBitsToFloat(b.w));
 }
-
-/// What a force displaces in a substep of this order, relative to first order (BDF2: 4/9).
-float forceFactor(uint order)
-{
-    return order == 2u ? 4.0 / 9.0 : 1.0;
-}

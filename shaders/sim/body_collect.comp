@@ -4,7 +4,7 @@
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer bodyInfo;
 uniform samplerBuffer linkTerms;
-BUFFER(vec4, BodyMoves, bodyMoves);
+BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, BodyMatrices, bodyMatrices);
 
 void main()
@@ -14,7 +14,7 @@ void main()
     int first = int(3u * texelFetch(bodyInfo, int(b)).x);
 #ifdef CENTRES
     vec4 centre = texelFetch(linkTerms, first);
-    bodyMoves[b] = vec4(bodyMoves[b].xyz + centre.xyz / centre.w, texelFetch(linkTerms, first + 1).x);
+    moverMoves[b] = vec4(moverMoves[b].xyz + centre.xyz / centre.w, 0);
 #else
     for (int column = 0; column < 3; ++column)
         bodyMatrices[3u * b + uint(column)] = vec4(texelFetch(linkTerms, first + column).xyz, 0);

@@ -1,47 +1,24 @@
-// One thread a body: the rotation nearest to A, as a quaternion that starts from the last one. The turn since the
-// substep began is kept by itself, so that its rounding stays as small as it is. Newton's method on
-// trace(R^T A) (the torque of Mueller et al. 2016, divided by the Hessian trace(S) I - S instead of by trace(S), so
-// that long bodies converge about their axis too); where the Hessian is not positive, Mueller's own step.
+// One thread a body: the rotation nearest to A (eqs. 11-17).
 #include "shared/kernel.glsl"
-#include "shared/quaternion.glsl"
+#include "shared/turn.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer bodyMatrices;
 uniform samplerBuffer bodyStarts;
-uniform samplerBuffer bodyMoves;
-BUFFER(vec4, BodyCentres, bodyCentres);
-BUFFER(vec4, BodyTurns, bodyTurns);      // since the substep began
-BUFFER(vec4, BodyRotations, bodyRotations);
-
-vec3 newtonStep(mat3 s, vec3 torque)
-{
-    float trace = s[0][0] + s[1][1] + s[2][2];
-    // A direction that no particle determines (a line's twist) keeps its rotation: eq. 18's purpose without its pull.
-    mat3 hessian = mat3((1.0 + 1e-5) * trace) - s;
-    float minor = hessian[0][0] * hessian[1][1] - hessian[0][1] * hessian[1][0];
-    float size = abs(trace) + 1e-30;
-    bool positive = hessian[0][0] > 0.0 && minor > 0.0 && determinant(hessian / size) > 1e-12;
-    return positive ? inverse(hessian / size) * (torque / size) : torque / size;
-}
+uniform samplerBuffer moverMoves;
+BUFFER(vec4, MoverCentres, moverCentres);
+BUFFER(vec4, MoverTurns, moverTurns);      // since the substep began
+BUFFER(vec4, MoverRotations, moverRotations);
 
 void main()
 {
     uint b = gl_GlobalInvocationID.x;
     if (b >= step.bodyCount) return;
-    bodyCentres[b] = texelFetch(bodyStarts, int(2u * b)) + texelFetch(bodyMoves, int(b));
+    moverCentres[b] = texelFetch(bodyStarts, int(2u * b)) + texelFetch(moverMoves, int(b));
     mat3 a;
     for (int column = 0; column < 3; ++column) a[column] = texelFetch(bodyMatrices, int(3u * b) + column).xyz;
     vec4 start = texelFetch(bodyStarts, int(2u * b + 1u));
-    vec4 turned = bodyTurns[b];
-    for (uint k = 0u; k < step.rotationIterations; ++k) {
-        mat3 r = matrixFromQuaternion(quaternionProduct(turned, start));
-        vec3 torque = cross(r[0], a[0]) + cross(r[1], a[1]) + cross(r[2], a[2]);
-        mat3 g = a * transpose(r);
-        vec3 turn = newtonStep(0.5 * (g + transpose(g)), torque);
-        float angle = length(turn);
-        turn *= min(1.0, 1.0 / max(angle, 1e-20));   // at most one radian an iteration
-        turned = normalize(quaternionProduct(quaternionFromRotation(turn), turned));
-    }
-    bodyTurns[b] = turned;
-    bodyRotations[b] = normalize(quaternionProduct(turned, start));
+    vec4 turned = matchedTurn(a, start, moverTurns[b]);
+    moverTurns[b] = turned;
+    moverRotations[b] = normalize(quaternionProduct(turned, start));
 }

@@ -2,16 +2,16 @@
 #include "shared/kernel.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer bodyCentres;
-uniform samplerBuffer bodyRotations;
+uniform samplerBuffer moverCentres;
+uniform samplerBuffer moverRotations;
 BUFFER(vec4, BodyStarts, bodyStarts);    // centre, rotation
-BUFFER(vec4, BodyTurns, bodyTurns);
+BUFFER(vec4, MoverTurns, moverTurns);
 
 void main()
 {
     uint b = gl_GlobalInvocationID.x;
     if (b >= step.bodyCount) return;
-    bodyStarts[2u * b] = vec4(texelFetch(bodyCentres, int(b)).xyz, 0);
-    bodyStarts[2u * b + 1u] = texelFetch(bodyRotations, int(b));
-    bodyTurns[b] = vec4(0, 0, 0, 1);
+    bodyStarts[2u * b] = vec4(texelFetch(moverCentres, int(b)).xyz, 0);
+    bodyStarts[2u * b + 1u] = texelFetch(moverRotations, int(b));
+    moverTurns[b] = vec4(0, 0, 0, 1);
 }

@@ -6,11 +6,9 @@
 #include "shared/body_shape.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer moved;             // w: acting contacts
+uniform samplerBuffer moved;
 uniform usamplerBuffer bodyInfo;
-uniform usamplerBuffer bodyAssemblies;
-uniform usamplerBuffer assemblyState;
-BUFFER(vec4, BodyMoves, bodyMoves);      // w: contacts of the body
+BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, BodyMatrices, bodyMatrices);  // columns of A, three a body
 
 void main()
@@ -18,21 +16,15 @@ void main()
     uint b = gl_GlobalInvocationID.x;
     if (b >= step.bodyCount) return;
     uvec4 info = texelFetch(bodyInfo, int(b));
-    uint order = texelFetch(assemblyState, int(texelFetch(bodyAssemblies, int(b)).x)).y;
-    float factor = forceFactor(order);
-    vec3 last = bodyMoves[b].xyz;
+    vec3 last = moverMoves[b].xyz;
     vec4 centre = vec4(0);
-    float contacts = 0.0;
     mat3 a = mat3(0);
     for (uint k = 0u; k < info.y; ++k) {
         LinkValues link = fetchLink(info.x + k);
-        vec4 x = texelFetch(moved, int(link.particle));
-        bool isShared = k >= info.z;
-        vec3 move = linkMove(info.x + k, isShared, x.xyz, factor);
+        vec3 move = texelFetch(moved, int(link.particle)).xyz;
         centre += link.mass * vec4(move - last, 1);
-        a += outerProduct(link.mass * linkArm(link, info.x + k, isShared, move), link.r);
-        contacts += x.w;
+        a += outerProduct(link.mass * linkArm(link, move), link.r);
     }
-    bodyMoves[b] = vec4(last + centre.xyz / centre.w, contacts);
+    moverMoves[b] = vec4(last + centre.xyz / centre.w, 0);
     for (int column = 0; column < 3; ++column) bodyMatrices[3u * b + uint(column)] = vec4(a[column], 0);
 }

@@ -1,13 +1,14 @@
-// One thread a particle: the static colliders that it may touch, with the impulses of those that it had before.
+// One thread a particle: the static colliders that it may touch.
 #include "shared/kernel.glsl"
 #include "shared/colliders.glsl"
-#include "shared/old_impulses.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer foundPositions;
-BUFFER(uint, Candidates, candidates);
-BUFFER(vec4, Impulses, impulses);
-BUFFER(uvec2, CandidateCounts, candidateCounts);
+uniform samplerBuffer foundCentres;      // w: how far its mover may drift
+uniform usamplerBuffer particlePlaces;   // mover, rank
+uniform usamplerBuffer moverColliders;   // bits: those that the mover may touch
+BUFFER(uint, ColliderLists, colliderLists);
+BUFFER(uint, ListCounts, listCounts);
 BUFFER(Counters, CountersBlock, counters);
 
 void main()
@@ -15,22 +16,23 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= step.particleCount) return;
     vec3 x = texelFetch(foundPositions, int(i)).xyz;
-    uint parity = counters[0].listParity;
-    float reach = step.contactRadius - 0.5 * step.diameter;
-    uint oldCount = candidateCounts[(parity ^ 1u) * step.particleCount + i].y;
+    uvec2 place = texelFetch(particlePlaces, int(i)).xy;
+    float further = max(texelFetch(foundCentres, int(place.x)).w - step.drift, 0.0);
+    float reach = step.contactRadius - 0.5 * step.diameter + further;
+    uint near = texelFetch(moverColliders, int(place.x)).x;
     uint count = 0u;
-    for (uint c = 0u; c < step.colliderCount; ++c) {
-        if (colliderDistance(c, x).w > reach) continue;
-        if (count < COLLIDER_SLOTS) {
-            uint slot = colliderSlot(parity, count, i);
-            candidates[slot] = c;
-            impulses[slot] = oldImpulse(parity ^ 1u, step.contactSlots, oldCount, i, c);
+    for (uint block = 0u; near != 0u; block += 32u) {
+        for (uint left = near; left != 0u; left &= left - 1u) {
+            uint c = block + uint(findLSB(left));
+            if (c >= step.colliderCount || colliderDistance(c, x).w > reach) continue;
+            if (count < COLLIDER_SLOTS) colliderLists[count * step.particleCount + i] = c;
+            ++count;
         }
-        ++count;
+        if (block + 32u >= step.colliderCount) break;
     }
     if (count > COLLIDER_SLOTS) {
         atomicOr(counters[0].problems, PROBLEM_COLLIDERS);
         atomicMax(counters[0].wantedColliders, count);
     }
-    candidateCounts[parity * step.particleCount + i].y = min(count, COLLIDER_SLOTS);
+    listCounts[2u * step.particleCount + place.y] = min(count, COLLIDER_SLOTS);
 }

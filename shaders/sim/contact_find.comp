@@ -1,84 +1,77 @@
-// One thread a particle, in cell order: the particles that it may touch (paper, section 3.1: nearer than 1.2
-// diameters), with the impulses of those that it had before. Never particles of a body of its own, nor of its
-// assembly where they overlap at rest.
+// One thread a particle, in cell order: the particles ahead of it that it may touch (paper, section 3.1: nearer than
+// 1.2 diameters). Never particles of a body of its own, nor of its assembly where they overlap at rest; fast ones are
+// contact_find_far's business.
 #include "shared/kernel.glsl"
 #include "shared/grid.glsl"
-#include "shared/old_impulses.glsl"
+#include "shared/contact_search.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer sortedPositions;
-uniform usamplerBuffer sortedIds;
-uniform usamplerBuffer cellStarts;
-uniform usamplerBuffer particleInfo;
-uniform samplerBuffer restPositions;
-uniform usamplerBuffer particleLinks;    // first entry and count in linksOfParticle
-uniform usamplerBuffer linksOfParticle;  // link, its body
-BUFFER(uint, Candidates, candidates);
-BUFFER(vec4, Impulses, impulses);
-BUFFER(uvec2, CandidateCounts, candidateCounts);   // per parity and particle: particles, colliders
-BUFFER(Counters, CountersBlock, counters);
 
-bool inSameBody(uint i, uint j)
+/// The particles ahead, range after range, as one sequence: long loops over all leave fewer lanes of a software driver
+/// idle than a loop for each range.
+struct Sequence {
+    uint begins[FORWARD_RANGES];    // place of a range's first particle in the sequence
+    uint offsets[FORWARD_RANGES];   // from there to its place in the sorted arrays
+    uint count;
+};
+
+Sequence sequenceAhead(ivec3 cell, uint k)
 {
-    uvec2 a = texelFetch(particleLinks, int(i)).xy, b = texelFetch(particleLinks, int(j)).xy;
-    for (uint k = 0u; k < a.y; ++k)
-        for (uint l = 0u; l < b.y; ++l)
-            if (texelFetch(linksOfParticle, int(a.x + k)).y == texelFetch(linksOfParticle, int(b.x + l)).y)
-                return true;
-    return false;
+    Sequence s;
+    s.count = 0u;
+    for (int range = 0; range < FORWARD_RANGES; ++range) {
+        uvec2 cells = forwardCells(cell, range);
+        uint first = range == 0 ? k + 1u : texelFetch(cellStarts, int(cells.x)).x;
+        s.begins[range] = s.count;
+        s.offsets[range] = first - s.count;
+        s.count += texelFetch(cellStarts, int(cells.y)).x - first;
+    }
+    return s;
 }
 
-bool mayTouch(uint i, uint j, uint assembly)
+/// The place in the sorted arrays of the sequence's particle c; `range` is which range it is of.
+uint placeOf(Sequence s, uint c, out int range)
 {
-    if (texelFetch(particleInfo, int(j)).z != assembly) return true;
-    vec4 a = texelFetch(restPositions, int(i)), b = texelFetch(restPositions, int(j));
-    return length(a.xyz - b.xyz) > (0.99 + max(a.w, b.w)) * step.diameter && !inSameBody(i, j);
+    uint offset = s.offsets[0];
+    range = 0;
+    for (int r = 1; r < FORWARD_RANGES; ++r)
+        if (c >= s.begins[r]) {
+            offset = s.offsets[r];
+            range = r;
+        }
+    return c + offset;
 }
 
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
     if (k >= step.particleCount) return;
-    uint i = texelFetch(sortedIds, int(k)).x;
-    uint assembly = texelFetch(particleInfo, int(i)).z;
+    uvec4 info = texelFetch(sortedInfos, int(k));
+    if (info.w != 0u) return;
     vec4 own = texelFetch(sortedPositions, int(k));
-    uint ownTag = floatBitsToUint(own.w);
-    float reach = step.contactRadius * step.contactRadius;
     ivec3 cell = cellOf(own.xyz);
-    uint parity = counters[0].listParity;
-    uint oldCount = candidateCounts[(parity ^ 1u) * step.particleCount + i].x;
+    Sequence ahead = sequenceAhead(cell, k);
+    float reach = step.contactRadius * step.contactRadius;
     uint count = 0u;
-    for (int range = 0; range < NEIGHBOUR_RANGES; ++range) {
-        uvec2 cells = neighbourCells(cell, range);
-        uint end = texelFetch(cellStarts, int(cells.y)).x;
-        for (uint first = texelFetch(cellStarts, int(cells.x)).x; first < end; first += 32u) {
-            // Bits first, branch-free; the few hits are visited afterwards.
-            uint hits = 0u;
-            uint n = min(end - first, 32u);
-            for (uint b = 0u; b < n; ++b) {
-                vec4 other = texelFetch(sortedPositions, int(first + b));
-                vec3 r = own.xyz - other.xyz;
-                uint hit = dot(r, r) < reach && floatBitsToUint(other.w) != ownTag ? 1u : 0u;
-                hits |= hit << b;
-            }
-            while (hits != 0u) {
-                uint b = uint(findLSB(hits));
-                hits &= hits - 1u;
-                uint j = texelFetch(sortedIds, int(first + b)).x;
-                if (!mayTouch(i, j, assembly)) continue;
-                if (!inNeighbourRange(cell, range, texelFetch(sortedPositions, int(first + b)).xyz)) continue;
-                if (count < step.contactSlots) {
-                    uint slot = contactSlot(parity, count, i);
-                    candidates[slot] = j;
-                    impulses[slot] = oldImpulse(parity ^ 1u, 0u, oldCount, i, j);
-                }
-                ++count;
-            }
+    int range;
+    for (uint first = 0u; first < ahead.count; first += 32u) {
+        // Bits first, branch-free; the few hits are visited afterwards.
+        uint hits = 0u;
+        uint n = min(ahead.count - first, 32u);
+        for (uint b = 0u; b < n; ++b) {
+            vec4 other = texelFetch(sortedPositions, int(placeOf(ahead, first + b, range)));
+            vec3 r = own.xyz - other.xyz;
+            uint hit = dot(r, r) < reach && floatBitsToUint(other.w) != floatBitsToUint(own.w) ? 1u : 0u;
+            hits |= hit << b;
+        }
+        while (hits != 0u) {
+            uint m = placeOf(ahead, first + uint(findLSB(hits)), range);
+            hits &= hits - 1u;
+            uvec4 other = texelFetch(sortedInfos, int(m));
+            if (other.w != 0u || (other.y == info.y && !mayTouch(info.x, other.x))) continue;
+            if (!inForwardRange(cell, range, texelFetch(sortedPositions, int(m)).xyz)) continue;
+            notePair(info, other, count++);
         }
     }
-    if (count > step.contactSlots) {
-        atomicOr(counters[0].problems, PROBLEM_CONTACTS);
-        atomicMax(counters[0].wantedContacts, count);
-    }
-    candidateCounts[parity * step.particleCount + i].x = min(count, step.contactSlots);
+    noteCount(info, count);
 }

@@ -9,8 +9,8 @@ uniform samplerBuffer masses;
 uniform usamplerBuffer particleInfo;
 uniform usamplerBuffer assemblyState;
 uniform samplerBuffer restOffsets;
-uniform samplerBuffer bodyCentres;
-uniform samplerBuffer bodyRotations;
+uniform samplerBuffer moverCentres;
+uniform samplerBuffer moverRotations;
 BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
 BUFFER(vec4, OldMoves, oldMoves);
@@ -40,8 +40,8 @@ void main()
     // Of one body: placed by it, so that the rounding of moves never adds up.
     vec3 target = positions[i].xyz + move;
     if (info.y == 1u) {
-        vec3 arm = rotate(texelFetch(bodyRotations, int(info.x)), texelFetch(restOffsets, int(i)).xyz);
-        target = texelFetch(bodyCentres, int(info.x)).xyz + arm;
+        vec3 arm = rotate(texelFetch(moverRotations, int(info.x)), texelFetch(restOffsets, int(i)).xyz);
+        target = texelFetch(moverCentres, int(info.x)).xyz + arm;
     }
     positions[i].xyz = target;
 }

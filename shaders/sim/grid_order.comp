@@ -8,9 +8,11 @@ uniform usamplerBuffer cellCounts;
 uniform usamplerBuffer cellMembers;
 uniform usamplerBuffer particleCells;
 uniform usamplerBuffer particleInfo;
+uniform usamplerBuffer particlePlaces;   // mover, rank
 uniform samplerBuffer foundPositions;
-BUFFER(vec4, SortedPositions, sortedPositions);   // w: bits of the first body's index
-BUFFER(uint, SortedIds, sortedIds);
+uniform samplerBuffer foundCentres;      // w: how far its mover may drift
+BUFFER(vec4, SortedPositions, sortedPositions);   // w: bits of the mover's index
+BUFFER(uvec4, SortedInfos, sortedInfos);          // particle, assembly, rank, 1 if fast
 
 void main()
 {
@@ -22,16 +24,16 @@ void main()
     uint rank = 0u;
     for (uint k = 0u; k < count; ++k) rank += texelFetch(cellMembers, int(start + k)).x < i ? 1u : 0u;
 
-    uint body = texelFetch(particleInfo, int(i)).x;
-    // Loose particles are bodies of their own here. The index goes through the float's bits, offset away from the
-    // denormals that a GPU may flush and below the NaNs.
-    uint tag = body == NO_BODY ? step.bodyCount + i : body;
-    vec4 sorted = vec4(texelFetch(foundPositions, int(i)).xyz, uintBitsToFloat(0x01000000u + tag));
+    uvec2 mover = texelFetch(particlePlaces, int(i)).xy;
+    uvec4 info = uvec4(i, texelFetch(particleInfo, int(i)).z, mover.y,
+                       texelFetch(foundCentres, int(mover.x)).w > step.drift ? 1u : 0u);
+    // The index goes through the float's bits, offset away from the denormals that a GPU may flush and below the NaNs.
+    vec4 sorted = vec4(texelFetch(foundPositions, int(i)).xyz, uintBitsToFloat(0x01000000u + mover.x));
     sortedPositions[start + rank] = sorted;
-    sortedIds[start + rank] = i;
-    if (cell < 2u) {
+    sortedInfos[start + rank] = info;
+    if (cell < WRAPPED_CELLS) {
         uint again = texelFetch(cellStarts, int(step.cellMask + 1u + cell)).x + rank;
         sortedPositions[again] = sorted;
-        sortedIds[again] = i;
+        sortedInfos[again] = info;
     }
 }

@@ -1,14 +1,11 @@
-// One thread a particle: how far it would move in the substep if nothing touched it, and whether its contact candidates
-// are still good. BDF2 (design: second-order velocities) where nothing touched its assembly lately, else
-// symplectic Euler.
+// One thread a particle: how far it would move in the substep if nothing touched it. BDF2 (design: second-order
+// velocities) where nothing touched its assembly lately, else symplectic Euler.
 #include "shared/kernel.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer positions;
 uniform samplerBuffer velocities;
 uniform samplerBuffer oldMoves;
 uniform samplerBuffer oldVelocities;
-uniform samplerBuffer foundPositions;
 uniform usamplerBuffer particleInfo;
 uniform samplerBuffer masses;            // inverse mass, unused, static and kinetic friction
 BUFFER(vec4, Predicted, predicted);
@@ -19,7 +16,6 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= step.particleCount) return;
-    vec4 x = texelFetch(positions, int(i));
     float inverseMass = texelFetch(masses, int(i)).x;
     uint assembly = texelFetch(particleInfo, int(i)).z;
     uint now = counters[0].substep;
@@ -35,8 +31,5 @@ void main()
         move = lastMove / 3.0 + h * (8.0 * v - 2.0 * lastV + 4.0 * h * step.gravity.xyz) / 9.0;
     } else if (inverseMass > 0.0)
         move = h * (v + h * step.gravity.xyz);
-    predicted[i] = vec4(move, inverseMass);
-
-    vec3 drift = x.xyz + move - texelFetch(foundPositions, int(i)).xyz;
-    if (dot(drift, drift) > step.drift * step.drift) counters[0].due = 1u;
+    predicted[i] = vec4(move, 0);
 }

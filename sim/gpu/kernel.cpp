@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <string_view>
 
 #include "shared/gpu_types.h"
 #include "sim/world/errors.h"
@@ -10,6 +11,8 @@
 namespace knuckle {
 
 namespace {
+
+constexpr std::string_view LAST = "last";
 
 std::string resourceName(GLuint program, GLenum interface, GLuint index)
 {
@@ -44,7 +47,12 @@ void BufferTable::add(const std::string& name, RawBuffer& buffer, uint32_t texel
 
 const BufferTable::Entry& BufferTable::find(const std::string& name, const std::string& kernel) const
 {
-    const auto found = entries_.find(name);
+    auto found = entries_.find(name);
+    if (found == entries_.end() && name.starts_with(LAST) && name.size() > LAST.size()) {
+        std::string own = name.substr(LAST.size());
+        own[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(own[0])));
+        found = entries_.find(own);
+    }
     if (found == entries_.end())
         throw DeviceError(fmt::format("kernel {} wants a buffer \"{}\" that the solver does not have", kernel, name));
     return found->second;

@@ -12,7 +12,8 @@
 namespace knuckle {
 
 /// Buffers by the name that kernels know them by. A storage block `Positions` and a sampler `positions` both mean the
-/// buffer "positions".
+/// buffer "positions"; so does a sampler `lastPositions`, for kernels that write what they read. Those read only
+/// elements that the same thread writes, or that nobody does.
 class BufferTable {
 public:
     /// @param texelBytes 4, 8 or 16: what one texel of the buffer's texture holds.

@@ -11,52 +11,74 @@ namespace knuckle {
 /// Per particle unless said otherwise.
 struct SolverBuffers {
     // State.
-    Buffer<gpu::vec4> positions, velocities;           ///< At the end of the last substep [m], [m/s].
-    Buffer<gpu::vec4> oldMoves, oldVelocities;         ///< The last substep's move, the velocity before it: for BDF2.
-    Buffer<gpu::vec4> bodyCentres, bodyRotations;      ///< Per body: c and Q.
+    Buffer<gpu::vec4> positions, velocities;           ///< At the end of the last step [m], [m/s].
     // What never changes.
     Buffer<gpu::ParticleInfo> particleInfo;
+    Buffer<gpu::uvec2> particlePlaces;   ///< Mover, rank in the order of contact lists.
+    Buffer<uint32_t> rankedParticles;    ///< Per rank: the particle.
     Buffer<gpu::vec4> masses;            ///< Inverse mass [1/kg], unused, static and kinetic friction.
-    Buffer<gpu::vec4> restPositions;     ///< In the assembly's rest pose [m].
-    Buffer<gpu::vec4> restOffsets;       ///< r in the first body [m]; w: effective inverse mass in it [1/kg].
+    Buffer<gpu::vec4> restPositions;     ///< In the assembly's rest pose [m]; w: margin of self-contact [diameters].
+    Buffer<gpu::vec4> restOffsets;       ///< r in the first body [m]; w: the worst inverse mass in it [1/kg].
     Buffer<gpu::ParticleRigidBodyLink> links;          ///< Per link: the paper's listing 1.
-    Buffer<float> linkMasses;            ///< Per link: effective inverse mass of its body at its particle [1/kg].
+    Buffer<float> linkMasses;            ///< Per link: worst inverse mass of its body at its particle [1/kg].
     Buffer<gpu::uvec2> particleLinks;    ///< First entry and count in linksOfParticle.
     Buffer<gpu::uvec2> linksOfParticle;  ///< Per link, grouped by particle: link, body.
     Buffer<gpu::BodyInfo> bodyInfo;      ///< Per body.
-    Buffer<uint32_t> bodyAssemblies;     ///< Per body.
+    Buffer<gpu::vec4> bodyMoments;       ///< Per body: three columns of the sum of m r r^T [kg m2]; w of one: radius [m].
+    Buffer<gpu::vec4> bodyInertias;      ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
+    Buffer<gpu::MoverInfo> moverInfo;    ///< Per mover.
     Buffer<uint32_t> sharedParticles;    ///< The particles of two or more bodies.
     Buffer<gpu::GpuCollider> colliders;
     Buffer<gpu::StepParameters> step;
-    // Within a substep.
-    Buffer<gpu::vec4> predicted;         ///< Move since the substep began, x* - x; w: inverse mass as contacts feel it.
-    Buffer<gpu::vec4> moved;             ///< The same with the contacts' impulses as displacements; w: acting contacts.
-    Buffer<gpu::vec4> bodyStarts;        ///< Per body, two: centre and rotation when the substep began.
-    Buffer<gpu::vec4> bodyTurns;         ///< Per body: the turn since the substep began, a quaternion.
-    Buffer<gpu::vec4> bodyMoves;         ///< Per body: the centre's move since; w: acting contacts.
-    Buffer<gpu::vec4> stabilized;        ///< Paper solver only.
-    Buffer<gpu::vec4> linkOffsets, linkGaps;           ///< Per link: joints as impulses (joint_goals.comp).
-    Buffer<gpu::vec4> bodyMatrices;      ///< Per body: three columns of A.
-    Buffer<gpu::vec4> linkTerms;         ///< Per link, three: the paper's reduction only.
+    // Movers: bodies, then loose particles. Fields as in shaders/shared/fields.glsl.
+    Buffer<gpu::vec4> moverCentres, moverRotations;    ///< c and Q: at the start of a substep, or (paper) now.
+    Buffer<gpu::vec4> moverMoves, moverTurns;          ///< Since it began: of c [m], w: acting contacts; a quaternion.
+    Buffer<gpu::vec4> moverVelocities, oldMoverVelocities, oldMoverMoves;   ///< Fields [m/s], [m/s], [m].
+    Buffer<gpu::vec4> moverPredictions;                ///< Field: the untouched move, A of eq. 9 after it.
+    Buffer<gpu::vec4> moverImpulses;                   ///< Field: what its contacts add to it [kg m].
+    Buffer<gpu::vec4> moverChanges;                    ///< Field: how they last changed; w of the first: relaxation.
+    Buffer<gpu::vec4> linkImpulses;                    ///< Per link: joints (joint_solve.comp) [kg m].
     Buffer<gpu::uvec2> assemblyState;    ///< Per assembly: last substep with a contact, order of this one.
-    // Grid and candidates.
-    Buffer<gpu::vec4> foundPositions;    ///< Where a particle was when its candidates were found.
+    // The paper's solver, particle by particle.
+    Buffer<gpu::vec4> oldMoves, oldVelocities;         ///< The last substep's move, the velocity before it: for BDF2.
+    Buffer<gpu::vec4> predicted;         ///< Move since the substep began, x* - x.
+    Buffer<gpu::vec4> moved;             ///< The same with what contacts ask for.
+    Buffer<gpu::vec4> stabilized;
+    Buffer<gpu::vec4> bodyStarts;        ///< Per body, two: centre and rotation when the substep began.
+    Buffer<gpu::vec4> bodyMatrices;      ///< Per body: three columns of A.
+    Buffer<gpu::vec4> linkTerms;         ///< Per link, three: eq. 10.
+    // The neighbour grid.
+    Buffer<gpu::vec4> foundPositions;    ///< Where a particle was when contacts were found.
+    Buffer<gpu::vec4> foundCentres, foundRotations;    ///< Where a mover was then; w: how far it may drift [m].
+    Buffer<float> moverReaches;          ///< Per mover: how much further it looks for contacts [m].
+    Buffer<uint32_t> fastParticles;      ///< Those of movers that do.
+    Buffer<uint32_t> moverColliders;     ///< Per mover, bits: colliders that it may touch.
     Buffer<gpu::uvec2> particleCells;
-    Buffer<uint32_t> cellCounts, chunkSums, cellStarts, cellMembers;   ///< Per cell, chunk, cell, particle.
+    Buffer<uint32_t> cellCounts, cellSums, cellStarts, cellMembers;   ///< Per cell, chunk, cell, particle.
     Buffer<gpu::vec4> sortedPositions;
-    Buffer<uint32_t> sortedIds;
-    Buffer<uint32_t> candidates;         ///< Two halves of contactSlots + COLLIDER_SLOTS a particle.
-    Buffer<gpu::vec4> impulses;          ///< The same shape: tangential in xyz, normal in w [kg m].
-    Buffer<gpu::uvec2> candidateCounts;  ///< Two a particle: particles, colliders.
-    Buffer<gpu::uvec4> dispatches;
+    Buffer<gpu::uvec4> sortedInfos;      ///< Particle, assembly, rank, 1 if fast.
+    // Lists of contacts (shaders/shared/contact_lists.glsl). "Halves": the current search and the one before.
+    Buffer<gpu::uvec2> firstLists;       ///< As found, contactSlots a particle: second particle, its arrival there.
+    Buffer<uint32_t> colliderLists;      ///< As found, COLLIDER_SLOTS a particle.
+    Buffer<uint32_t> listCounts, listSums, listStarts; ///< Three lists of ranks; the last in halves.
+    Buffer<gpu::uvec2> pairs;            ///< Halves of pairCapacity: first and second particle.
+    Buffer<gpu::uvec4> pairSides;        ///< Per pair: both movers, frictions, shares of inverse masses.
+    Buffer<gpu::vec4> pairArms;          ///< Per pair, two: place in the body, worst inverse mass there.
+    Buffer<gpu::vec4> pairImpulses;      ///< Halves: the whole impulse, its normal part [kg m].
+    Buffer<uint32_t> pairArrivals, pairReferences;     ///< Pairs by their second particle; the latter in order.
+    Buffer<gpu::uvec2> colliderPairs;    ///< Halves of colliderPairCapacity: particle, collider.
+    Buffer<gpu::uvec4> colliderSides;    ///< Per contact with a collider: mover, collider, frictions, share.
+    Buffer<gpu::vec4> colliderArms, colliderImpulses;  ///< As for pairs.
+    Buffer<gpu::uvec4> dispatches;       ///< DISPATCH_*.
     Buffer<gpu::Counters> counters;
 
     gpu::StepParameters parameters{};    ///< The host's copy of `step`.
     uint32_t longestBody = 0;            ///< Links of the largest body (p of eq. 10).
 
-    /// Gives the candidate lists room for `slots` a particle; their contents are lost.
+    /// Gives the lists of contacts the room that `parameters` asks for (contactSlots, pairCapacity,
+    /// colliderPairCapacity); their contents are lost.
     /// @throws DeviceError when the device's limits are too small, with the number.
-    void resizeContacts(const Gpu& gpu, uint32_t slots);
+    void resizeContacts(const Gpu& gpu);
     BufferTable table();
 };
 

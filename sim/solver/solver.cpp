@@ -74,9 +74,15 @@ void Solver::checkCounters(uint64_t frame)
     if (counters.problems & PROBLEM_COLLIDERS)
         throw RunError(fmt::format("frame {}: a particle touches {} static colliders at a time and {} are possible; "
                                    "merge colliders that overlap", frame, counters.wantedColliders, COLLIDER_SLOTS));
-    // More neighbours than there was room for: the lists grow, the next substep fills them anew.
-    impl_->buffers.resizeContacts(impl_->gpu, counters.wantedContacts + 4);
-    counters.problems = counters.wantedContacts = 0;
+    // More contacts than there was room for: the lists grow, the next substep fills them anew.
+    gpu::StepParameters& room = impl_->buffers.parameters;
+    if (counters.wantedContacts > room.contactSlots) room.contactSlots = counters.wantedContacts + 4;
+    if (counters.wantedPairs > room.pairCapacity) room.pairCapacity = counters.wantedPairs * 3 / 2;
+    if (counters.wantedColliderPairs > room.colliderPairCapacity)
+        room.colliderPairCapacity = counters.wantedColliderPairs * 3 / 2;
+    impl_->buffers.resizeContacts(impl_->gpu);
+    counters.problems = counters.wantedContacts = counters.wantedPairs = counters.wantedColliderPairs = 0;
+    counters.pairCount = counters.colliderPairCount = 0;
     counters.due = 1;
     impl_->buffers.counters.upload(std::span<const gpu::Counters>(&counters, 1));
     impl_->step.emplace(impl_->gpu, impl_->buffers, impl_->settings);
@@ -89,8 +95,8 @@ ParticleView Solver::view() const
     view.positions = b.positions.id();
     view.velocities = b.velocities.id();
     view.info = b.particleInfo.id();
-    view.bodyCentres = b.bodyCentres.id();
-    view.bodyRotations = b.bodyRotations.id();
+    view.bodyCentres = b.moverCentres.id();
+    view.bodyRotations = b.moverRotations.id();
     view.particleCount = b.parameters.particleCount;
     view.bodyCount = b.parameters.bodyCount;
     view.radius = impl_->world.particleRadius;
@@ -105,8 +111,8 @@ ParticleState Solver::readParticles()
 std::vector<BodyState> Solver::readBodies()
 {
     const ParticleState particles = readParticles();
-    const auto centres = impl_->buffers.bodyCentres.download();
-    const auto rotations = impl_->buffers.bodyRotations.download();
+    const auto centres = impl_->buffers.moverCentres.download();
+    const auto rotations = impl_->buffers.moverRotations.download();
     std::vector<BodyState> states;
     for (size_t b = 0; b < impl_->world.bodies.size(); ++b) {
         const Quaternionf rotation(rotations[b].w, rotations[b].x, rotations[b].y, rotations[b].z);

@@ -1,147 +1,189 @@
 // The story of a step.
 //
-// A step of Settings::timeStep is cut into substeps; small substeps with one iteration each are stiffer than one step
-// with many (Macklin et al. 2019). A substep
+// A step of Settings::timeStep is cut into substeps; small substeps with few iterations are stiffer than one step with
+// many (Macklin et al. 2019). What moves is a mover: a body, or a loose particle. The particles of a rigid body always
+// move as a linear field over it, so the default solver predicts, matches and finishes bodies through fields
+// (shaders/shared/fields.glsl) and visits their particles only where something touches them. A substep
 //
-//   predicts where each particle would be if nothing touched it (predict);
-//   finds the particles and colliders that each may touch, but only when some particle has used up its margin since
-//     they were last found: find_due sets the sizes of those dispatches on the GPU, to zero otherwise. The neighbour
-//     grid is a counting sort: count, prefix sum, scatter, and an order within the cell that does not depend on the
-//     order of arrival (grid_*);
-//   solves contacts and joints, body by body. A body is a block of links (the paper's listing 1). Its particles move
-//     as they like, then the body is matched to them: mass centre and matrix A (body_sum, eq. 9), rotation
-//     (body_rotation, eqs. 11-17), and each particle goes to its goal Q r + c, or to the mean of its goals where bodies
-//     share it (shape_goals and joint_goals, eq. 8): that is the joint;
-//   finishes with velocities and positions.
+//   predicts how far each mover would move if nothing touched it, adds what its contacts did last, and asks for a new
+//     search when it has left its margin (mover_predict);
+//   finds contacts, but only when somebody asked: find_due sets the sizes of those dispatches on the GPU, to zero
+//     otherwise. Particles are placed (found_place) and sorted into cells by a counting sort (grid_*); each looks for
+//     those that lie ahead (contact_find, further for fast ones: contact_find_far) and for colliders (collider_*); a
+//     prefix sum gives each list its place (scan_*, list_start, pair_list), and each contact learns what it is made of
+//     (pair_write, collider_write);
+//   solves, `iterations` times: contact_solve, collider_solve and joint_solve work out impulses, each contact and joint
+//     by itself, from where the movers are; mover_solve sums them for each mover and matches it (eqs. 8-9, 11-17) to
+//     where they bring its particles;
+//   finishes with velocities and places (mover_finish).
 //
-// The default solver works with impulses. Those of contacts live on from substep to substep: contact_warm applies what
-// the last one needed; after a first match the bodies stand where that leaves them, and contact_solve (for contacts)
-// and joint_goals (for joints) work out what is still missing. An impulse on a particle is a displacement of that
-// particle alone; shape matching spreads it over the body as the impulse itself would have.
+// A step ends with its particles where their bodies have them (particle_place): those that bodies share at the mean of
+// their goals, which is the joint.
 //
-// The paper's solver moves each particle by the average of its overlaps instead (contact_average), without memory.
+// The paper's solver does all of this particle by particle: predict, contact_average (each particle moves by the
+// average of its overlaps), then each body is matched to its particles (body_sum, body_rotation) and they go to their
+// goals (shape_goals, joint_goals), and finish.
 #include "sim/solver/step.h"
-
-#include <bit>
 
 namespace knuckle {
 
-namespace {
-
-enum Dispatch : uint32_t { PARTICLES, CELLS, CHUNKS, ONE };
-
-}  // namespace
-
 Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
     : settings_(settings), buffers_(buffers), particles_(groupsFor(buffers.parameters.particleCount)),
-      bodies_(groupsFor(buffers.parameters.bodyCount)), links_(groupsFor(buffers.parameters.linkCount)),
-      shared_(groupsFor(buffers.parameters.sharedCount))
+      movers_(groupsFor(buffers.parameters.moverCount)), bodies_(groupsFor(buffers.parameters.bodyCount)),
+      links_(groupsFor(buffers.parameters.linkCount)), shared_(groupsFor(buffers.parameters.sharedCount))
 {
     const BufferTable table = buffers.table();
+    loadSearch(gpu, table);
+    if (settings.solver == SolverKind::Impulse) loadImpulseSolver(gpu, table);
+    else loadPaperSolver(gpu, table);
+}
+
+void Step::loadSearch(const Gpu& gpu, const BufferTable& table)
+{
     const auto load = [&](const char* name, const Defines& defines = {}) {
         return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
     };
-    // The paper's stabilization and freezing leave particles off their goals.
-    const Defines shape = settings.solver == SolverKind::Paper ? Defines{{"FROM_POSITIONS", "1"}} : Defines{};
-    Defines centres = shape;
-    centres.push_back({"CENTRES", "1"});
-    const Defines grid = settings.grid == GridKind::Hash ? Defines{{"GRID_HASH", "1"}} : Defines{};
-    predict_ = load("predict");
+    const Defines grid = settings_.grid == GridKind::Hash ? Defines{{"GRID_HASH", "1"}} : Defines{};
+    const Defines place = settings_.solver == SolverKind::Paper ? Defines{{"FROM_POSITIONS", "1"}} : Defines{};
+    const Defines lists = {{"LISTS", "1"}};
     findDue_ = load("find_due");
+    moverReach_ = load("mover_reach");
+    fastDue_ = load("fast_due");
+    foundPlace_ = load("found_place", place);
     gridClear_ = load("grid_clear");
     gridCount_ = load("grid_count", grid);
-    gridChunkSum_ = load("grid_chunk_sum");
-    gridChunkScan_ = load("grid_chunk_scan");
-    gridCellStart_ = load("grid_cell_start");
+    gridSum_ = load("scan_sum");
+    gridChunks_ = load("scan_chunks");
+    gridStart_ = load("grid_start");
     gridScatter_ = load("grid_scatter");
     gridOrder_ = load("grid_order");
     contactFind_ = load("contact_find", grid);
+    contactFindFar_ = load("contact_find_far", grid);
+    colliderNear_ = load("collider_near");
     colliderFind_ = load("collider_find");
-    if (settings.solver == SolverKind::Impulse) {
-        contactWarm_ = load("contact_warm");
-        contactSolve_ = load("contact_solve");
-    } else {
-        contactAverage_ = load("contact_average");
-        contactStabilize_ = load("contact_average", {{"STABILIZE", "1"}});
-        stabilizeApply_ = load("stabilize_apply");
-    }
-    if (settings.reduction == ReductionKind::Steps) {
+    listSum_ = load("scan_sum", lists);
+    listChunks_ = load("scan_chunks", lists);
+    listStart_ = load("list_start", lists);
+    pairList_ = load("pair_list");
+    pairWrite_ = load("pair_write");
+    colliderWrite_ = load("collider_write");
+}
+
+void Step::loadImpulseSolver(const Gpu& gpu, const BufferTable& table)
+{
+    const auto load = [&](const char* name, Defines defines = {}) {
+        if (settings_.rotation == RotationMethod::Householder) defines.push_back({"HOUSEHOLDER", "1"});
+        return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
+    };
+    moverPredict_ = load("mover_predict");
+    moverWarm_ = load("mover_solve", {{"WARM", "1"}});
+    contactSolve_ = load("contact_solve");
+    colliderSolve_ = load("collider_solve");
+    jointSolveFirst_ = load("joint_solve", {{"FIRST", "1"}});
+    jointSolve_ = load("joint_solve");
+    moverSolve_ = load("mover_solve");
+    moverFinish_ = load("mover_finish");
+    particlePlace_ = load("particle_place");
+}
+
+void Step::loadPaperSolver(const Gpu& gpu, const BufferTable& table)
+{
+    const auto load = [&](const char* name, const Defines& defines = {}) {
+        return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
+    };
+    const Defines centres = {{"CENTRES", "1"}}, householder = {{"HOUSEHOLDER", "1"}};
+    predict_ = load("predict");
+    bodyStart_ = load("body_start");
+    contactStabilize_ = load("contact_average", {{"STABILIZE", "1"}});
+    stabilizeApply_ = load("stabilize_apply");
+    contactAverage_ = load("contact_average");
+    if (settings_.reduction == ReductionKind::Steps) {
         linkCentreTerms_ = load("link_terms", centres);
-        linkMatrixTerms_ = load("link_terms", shape);
+        linkMatrixTerms_ = load("link_terms");
         linkReduce_ = load("link_reduce");
-        bodyCollectCentres_ = load("body_collect", {{"CENTRES", "1"}});
+        bodyCollectCentres_ = load("body_collect", centres);
         bodyCollectMatrices_ = load("body_collect");
     } else
-        bodySum_ = load(settings.reduction == ReductionKind::Group ? "body_sum_group" : "body_sum", shape);
-    bodyStart_ = load("body_start");
-    bodyRotation_ = load(settings.rotation == RotationMethod::Householder ? "body_rotation_householder"
-                                                                          : "body_rotation");
+        bodySum_ = load(settings_.reduction == ReductionKind::Group ? "body_sum_group" : "body_sum");
+    bodyRotation_ = load("body_rotation", settings_.rotation == RotationMethod::Householder ? householder : Defines{});
     shapeGoals_ = load("shape_goals");
     jointGoals_ = load("joint_goals");
-    jointGoalsLast_ = load("joint_goals", {{"LAST", "1"}});
     finish_ = load("finish");
 }
 
 void Step::run(KernelTimer& timer) const
 {
-    for (uint32_t i = 0; i < settings_.substeps; ++i) substep(timer);
-}
-
-void Step::substep(KernelTimer& timer) const
-{
-    predict_.dispatch(timer, particles_);
-    bodyStart_.dispatch(timer, bodies_);
-    findContacts(timer);
-    if (settings_.solver == SolverKind::Impulse) impulseIterations(timer);
-    else paperIterations(timer);
-    finish_.dispatch(timer, particles_);
+    const bool paper = settings_.solver == SolverKind::Paper;
+    for (uint32_t i = 0; i < settings_.substeps; ++i) paper ? paperSubstep(timer) : impulseSubstep(timer);
+    if (!paper) particlePlace_.dispatch(timer, particles_);
 }
 
 void Step::findContacts(KernelTimer& timer) const
 {
     const RawBuffer& sizes = buffers_.dispatches;
+    const bool paper = settings_.solver == SolverKind::Paper;   // its bodies are particles until the end of a step
     findDue_.dispatch(timer, 1);
-    gridClear_.dispatchIndirect(timer, sizes, CELLS);
-    gridCount_.dispatchIndirect(timer, sizes, PARTICLES);
-    gridChunkSum_.dispatchIndirect(timer, sizes, CHUNKS);
-    gridChunkScan_.dispatchIndirect(timer, sizes, ONE);
-    gridCellStart_.dispatchIndirect(timer, sizes, CHUNKS);
-    gridScatter_.dispatchIndirect(timer, sizes, PARTICLES);
-    gridOrder_.dispatchIndirect(timer, sizes, PARTICLES);
-    contactFind_.dispatchIndirect(timer, sizes, PARTICLES);
-    colliderFind_.dispatchIndirect(timer, sizes, PARTICLES);
+    if (!paper) moverReach_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
+    foundPlace_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
+    fastDue_.dispatchIndirect(timer, sizes, DISPATCH_ONE);
+    gridClear_.dispatchIndirect(timer, sizes, DISPATCH_CELLS);
+    gridCount_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
+    gridSum_.dispatchIndirect(timer, sizes, DISPATCH_CELL_CHUNKS);
+    gridChunks_.dispatchIndirect(timer, sizes, DISPATCH_ONE);
+    gridStart_.dispatchIndirect(timer, sizes, DISPATCH_CELL_CHUNKS);
+    gridScatter_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
+    gridOrder_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
+    contactFind_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
+    contactFindFar_.dispatchIndirect(timer, sizes, DISPATCH_FAST);
+    if (!paper) colliderNear_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
+    colliderFind_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
+    listSum_.dispatchIndirect(timer, sizes, DISPATCH_LIST_CHUNKS);
+    listChunks_.dispatchIndirect(timer, sizes, DISPATCH_ONE);
+    listStart_.dispatchIndirect(timer, sizes, DISPATCH_LIST_CHUNKS);
+    pairList_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
+    pairWrite_.dispatchIndirect(timer, sizes, DISPATCH_NEW_PAIRS);
+    colliderWrite_.dispatchIndirect(timer, sizes, DISPATCH_NEW_COLLIDER_PAIRS);
 }
 
-void Step::impulseIterations(KernelTimer& timer) const
+void Step::impulseSubstep(KernelTimer& timer) const
 {
-    contactWarm_.dispatch(timer, particles_);
-    matchShapes(timer, false);
-    for (uint32_t i = 1; i <= settings_.iterations; ++i) {
-        contactSolve_.dispatch(timer, particles_);
-        matchShapes(timer, i == settings_.iterations);
+    const RawBuffer& sizes = buffers_.dispatches;
+    moverPredict_.dispatch(timer, movers_);
+    findContacts(timer);
+    moverWarm_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
+    for (uint32_t i = 0; i < settings_.iterations; ++i) {
+        contactSolve_.dispatchIndirect(timer, sizes, DISPATCH_PAIRS);
+        colliderSolve_.dispatchIndirect(timer, sizes, DISPATCH_COLLIDER_PAIRS);
+        if (shared_ > 0) (i == 0 ? jointSolveFirst_ : jointSolve_).dispatch(timer, shared_);
+        moverSolve_.dispatch(timer, movers_);
     }
+    moverFinish_.dispatch(timer, movers_);
 }
 
-void Step::paperIterations(KernelTimer& timer) const
+void Step::paperSubstep(KernelTimer& timer) const
 {
+    predict_.dispatch(timer, particles_);
+    bodyStart_.dispatch(timer, bodies_);
+    findContacts(timer);
     for (uint32_t i = 0; i < settings_.stabilization; ++i) {
         contactStabilize_.dispatch(timer, particles_);
         stabilizeApply_.dispatch(timer, particles_);
     }
-    for (uint32_t i = 1; i <= settings_.iterations; ++i) {
+    for (uint32_t i = 0; i < settings_.iterations; ++i) {
         contactAverage_.dispatch(timer, particles_);
-        matchShapes(timer, i == settings_.iterations);
+        matchShapes(timer);
     }
+    finish_.dispatch(timer, particles_);
 }
 
-void Step::matchShapes(KernelTimer& timer, bool last) const
+void Step::matchShapes(KernelTimer& timer) const
 {
     if (settings_.reduction == ReductionKind::Steps) reduceInSteps(timer);
     else if (settings_.reduction == ReductionKind::Group) bodySum_.dispatch(timer, buffers_.parameters.bodyCount);
     else bodySum_.dispatch(timer, bodies_);
     bodyRotation_.dispatch(timer, bodies_);
     shapeGoals_.dispatch(timer, particles_);
-    if (shared_ > 0) (last ? jointGoalsLast_ : jointGoals_).dispatch(timer, shared_);
+    if (shared_ > 0) jointGoals_.dispatch(timer, shared_);
 }
 
 void Step::reduceInSteps(KernelTimer& timer) const

@@ -17,22 +17,28 @@ public:
     void run(KernelTimer& timer) const;
 
 private:
-    void substep(KernelTimer& timer) const;
+    void loadSearch(const Gpu& gpu, const BufferTable& table);
+    void loadImpulseSolver(const Gpu& gpu, const BufferTable& table);
+    void loadPaperSolver(const Gpu& gpu, const BufferTable& table);
     void findContacts(KernelTimer& timer) const;
-    void impulseIterations(KernelTimer& timer) const;
-    void paperIterations(KernelTimer& timer) const;
-    void matchShapes(KernelTimer& timer, bool last) const;
+    void impulseSubstep(KernelTimer& timer) const;
+    void paperSubstep(KernelTimer& timer) const;
+    void matchShapes(KernelTimer& timer) const;
     void reduceInSteps(KernelTimer& timer) const;
 
     Settings settings_;
     SolverBuffers& buffers_;
-    uint32_t particles_, bodies_, links_, shared_;   ///< Work groups.
-    Kernel predict_, findDue_, gridClear_, gridCount_, gridChunkSum_, gridChunkScan_, gridCellStart_, gridScatter_,
-        gridOrder_, contactFind_, colliderFind_;
-    Kernel contactWarm_, contactSolve_, contactAverage_, contactStabilize_, stabilizeApply_;
-    Kernel bodyStart_, bodySum_, linkCentreTerms_, linkMatrixTerms_, linkReduce_, bodyCollectCentres_,
-        bodyCollectMatrices_, bodyRotation_;
-    Kernel shapeGoals_, jointGoals_, jointGoalsLast_, finish_;
+    uint32_t particles_, movers_, bodies_, links_, shared_;   ///< Work groups.
+    // Finding contacts.
+    Kernel findDue_, moverReach_, foundPlace_, fastDue_, gridClear_, gridCount_, gridSum_, gridChunks_, gridStart_, gridScatter_, gridOrder_,
+        contactFind_, contactFindFar_, colliderNear_, colliderFind_, listSum_, listChunks_, listStart_, pairList_, pairWrite_, colliderWrite_;
+    // The default solver.
+    Kernel moverPredict_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_, moverSolve_,
+        moverFinish_, particlePlace_;
+    // The paper's.
+    Kernel predict_, bodyStart_, contactStabilize_, stabilizeApply_, contactAverage_, bodySum_, linkCentreTerms_,
+        linkMatrixTerms_, linkReduce_, bodyCollectCentres_, bodyCollectMatrices_, bodyRotation_, shapeGoals_,
+        jointGoals_, finish_;
 };
 
 }  // namespace knuckle

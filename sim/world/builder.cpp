@@ -16,6 +16,8 @@ WorldBuilder::WorldBuilder(float particleRadius, Settings settings)
         throw InputError(fmt::format("particle radius {} m: must be above 0", particleRadius));
     world_.particleRadius = particleRadius;
     world_.settings = settings;
+    if (settings.substeps == 0)
+        world_.settings.substeps = automaticSubsteps(world_.diameter(), settings.timeStep);
 }
 
 uint32_t WorldBuilder::addMaterial(Material material)
@@ -229,7 +231,8 @@ void WorldBuilder::makeBodyLinks(uint32_t bodyIndex)
     double mass = 0.0;
     for (uint32_t p : bodyParticles_[bodyIndex]) {
         const Particle& particle = world_.particles[p];
-        const bool pin = body.motion == Motion::Dynamic && world_.bodies[particle.body].motion == Motion::Fixed;
+        const bool pin = world_.settings.solver == SolverKind::Paper && body.motion == Motion::Dynamic &&
+                         world_.bodies[particle.body].motion == Motion::Fixed;
         Link link{p, bodyIndex, particle.restPosition, particle.mass};
         if (world_.settings.splitSharedMass) link.mass /= static_cast<float>(particle.bodyCount);
         pinned.push_back(pin);

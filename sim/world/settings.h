@@ -34,7 +34,7 @@ struct Settings {
     VelocityOrder velocityOrder = VelocityOrder::Second;
     Eigen::Vector3f gravity{0.0f, -9.81f, 0.0f};   ///< [m/s2]
     float timeStep = 1.0f / 60.0f;                 ///< One step [s], 1e-4 ... 0.1. A frame is one or more steps.
-    uint32_t substeps = 6;                         ///< Per step, 1 ... 64.
+    uint32_t substeps = 0;                         ///< Per step, 1 ... 64; 0: automaticSubsteps().
     uint32_t iterations = 2;                       ///< Per substep, 1 ... 64.
     uint32_t stabilization = 0;                    ///< Stabilization iterations per substep, 0 ... 16 (paper, 3.3).
     float contactMargin = 0.2f;                    ///< Candidates within (1 + margin) diameters, 0.05 ... 1 (3.1: 0.2).
@@ -45,6 +45,10 @@ struct Settings {
     float linearDamping = 0.0f;                    ///< [1/s], 0 ... 100.
     float maxSpeed = 100.0f;                       ///< [m/s], > 0.
 };
+
+/// As many that something as fast as a fall of 1.3 m (5 m/s) stays within a sixth of a diameter in one, 5 to 16.
+/// @param diameter of particles [m]. @param timeStep [s].
+uint32_t automaticSubsteps(float diameter, float timeStep);
 
 /// The paper's own choices: one substep, 4 iterations, averaged Jacobi, Householder-QR, eq. 10's reduction, the hash,
 /// freezing at half a radius, first-order velocities, whole masses at shared particles.

@@ -23,7 +23,7 @@ const BadScene BAD_SCENES[] = {
      ": /solver/substep: unknown field; did you mean \"substeps\"?"},
     {"FarFetchedField", WITH(R"("light": {"zzzzzzzz": 3})"),
      ": /light/zzzzzzzz: unknown field; known: direction, intensity, softness, skyColor, groundColor"},
-    {"BelowRange", WITH(R"("solver": {"substeps": 0})"), ": /solver/substeps: 0 is below the minimum 1"},
+    {"BelowRange", WITH(R"("solver": {"substeps": -1})"), ": /solver/substeps: -1 is below the minimum 0"},
     {"AboveRange", WITH(R"("fps": 1000)"), ": /fps: 1000 is above the maximum 480 [1/s]"},
     {"ZeroDuration", WITH(R"("duration": 0)"), ": /duration: 0 must be above 0 [s]"},
     {"NegativeRadius", OBJECT(R"("type": "rigid", "shape": "sphere", "radius": -0.5)"),

@@ -31,7 +31,7 @@ TEST_F(Failure, OfASceneIsOneLineAndLeavesNothing)
         {"durration=3", "/durration: unknown field; did you mean \"duration\"?"},
         {"duration=\"long\"", "/duration: is \"long\" (a string), must be a number [s]"},
         {"duration=0", "/duration: 0 must be above 0 [s]"},
-        {"solver.substeps=0", "/solver/substeps: 0 is below the minimum 1"},
+        {"solver.iterations=0", "/solver/iterations: 0 is below the minimum 1"},
         {"objects=[{\"type\":\"rigid\",\"shape\":\"sphere\",\"radius\":-1}]",
          "/objects/0/radius: -1 must be above 0 [m]"},
         {"objects=[{\"type\":\"rigid\",\"shape\":\"box\",\"size\":[20,20,5]}]",

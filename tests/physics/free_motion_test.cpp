@@ -48,14 +48,14 @@ TEST(FreeMotion, ACubeKeepsItsSpin)
 
 /// Runs 5 s of free tumbling. Momentum: only rounding may change it, 1e-4 of the sum of m |v|. Angular momentum: BDF2
 /// and what a joint's iterations leave over cost a share of it, at most `angularShare`.
-void expectConserved(const World& world, double angularShare)
+void expectConserved(const World& world)
 {
     Solver solver(gpu(), world);
     const Totals before = totals(world, solver.readParticles());
     run(solver, world, 5.0);
     const Totals after = totals(world, solver.readParticles());
     EXPECT_LT((after.momentum - before.momentum).norm(), 1e-4 * before.speedSum);
-    EXPECT_LT((after.angularMomentum - before.angularMomentum).norm(), angularShare * before.angularMomentum.norm())
+    EXPECT_LT((after.angularMomentum - before.angularMomentum).norm(), 0.005 * before.angularMomentum.norm())
         << "before " << before.angularMomentum.transpose() << ", after " << after.angularMomentum.transpose();
 }
 
@@ -63,9 +63,7 @@ TEST(FreeMotion, JointedPairsKeepMomentumAndAngularMomentum)
 {
     for (JointType type : {JointType::Ball, JointType::Hinge, JointType::Stiff, JointType::Universal}) {
         SCOPED_TRACE(static_cast<int>(type));
-        // The cross of a universal joint weighs a ninth of its neighbours, which the iteration feels: 4 % measured.
-        const double share = type == JointType::Universal ? 0.05 : 0.02;
-        expectConserved(jointedPair(type, weightless(), {}, {0.3f, 0.1f, -0.2f}, {0.5f, 1.0f, 2.0f}), share);
+        expectConserved(jointedPair(type, weightless(), {}, {0.3f, 0.1f, -0.2f}, {0.5f, 1.0f, 2.0f}));
     }
 }
 
@@ -92,8 +90,7 @@ TEST(FreeMotion, AChainOfUnlikeBodiesKeepsMomentumAndAngularMomentum)
             }
         }
     builder.endObject({}, {0.2f, -0.1f, 0.3f}, {1.0f, 2.0f, 0.5f});
-    // Nine bodies, eight joints: 3 % measured.
-    expectConserved(builder.build(), 0.04);
+    expectConserved(builder.build());
 }
 
 }  // namespace knuckle::test

@@ -2,34 +2,11 @@
 #include <cmath>
 
 #include "sim/solver/measure.h"
-#include "solver_test.h"
+#include "collider_world.h"
 
 namespace knuckle::test {
 
 namespace {
-
-Collider colliderOf(ColliderShape shape, const Vector3f& position = {0, 0, 0}, const Quaternionf& turn = {1, 0, 0, 0})
-{
-    Collider c;
-    c.shape = shape;
-    c.position = position;
-    c.orientation = turn;
-    c.halfExtents = {0.3f, 0.1f, 0.2f};
-    c.radius = 0.15f;
-    c.halfHeight = 0.2f;
-    return c;
-}
-
-/// One of each shape, turned and shifted, where particles are.
-World colliderWorld()
-{
-    World world = mixedWorld();
-    Random random(51);
-    for (ColliderShape shape :
-         {ColliderShape::Plane, ColliderShape::Box, ColliderShape::Sphere, ColliderShape::Capsule})
-        world.colliders.push_back(colliderOf(shape, random.inCube(0.2f), random.rotation()));
-    return world;
-}
 
 /// Places up to half a metre and sums of three products: 16 roundings of 2^-24 of a metre.
 constexpr float ROUNDING = 1e-6f;
@@ -97,45 +74,6 @@ void main()
         EXPECT_GT(smooth, 0.98 * static_cast<double>(positions.size()));
     }
     gpu().checkErrors();
-}
-
-TEST(ColliderFind, ListsTheCollidersThatAParticleMayTouch)
-{
-    Bench bench(colliderWorld());
-    const uint32_t count = bench.buffers.parameters.particleCount, slots = bench.buffers.parameters.contactSlots;
-    const auto places = randomVectors(count, 0.5f, 53);
-    fill(bench.buffers.foundPositions, places);
-    bench.forParticles("collider_find");
-    const auto counts = bench.buffers.candidateCounts.download();
-    const auto candidates = bench.buffers.candidates.download();
-    const float reach = bench.buffers.parameters.contactRadius - DIAMETER / 2;
-    uint32_t several = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        std::vector<uint32_t> found;
-        for (uint32_t s = 0; s < counts[i].y; ++s) found.push_back(candidates[(slots + s) * count + i]);
-        for (uint32_t c = 0; c < bench.world.colliders.size(); ++c) {
-            const float distance = colliderDistance(bench.world.colliders[c], vec3(places[i]));
-            if (std::abs(distance - reach) < 4 * ROUNDING) continue;
-            const auto times = std::count(found.begin(), found.end(), c);
-            EXPECT_EQ(times, distance < reach ? 1 : 0) << "particle " << i << ", collider " << c;
-        }
-        several += found.size() > 1;
-    }
-    EXPECT_GT(several, 20u);
-    EXPECT_EQ(bench.counters().problems, 0u);
-}
-
-TEST(ColliderFind, MoreCollidersThanSlotsAreReported)
-{
-    World world = mixedWorld();
-    world.colliders.assign(COLLIDER_SLOTS + 2, colliderOf(ColliderShape::Plane));
-    Bench bench(std::move(world));
-    bench.forParticles("collider_find");   // found positions are zero: all on every plane
-    EXPECT_EQ(bench.counters().problems, PROBLEM_COLLIDERS);
-    EXPECT_EQ(bench.counters().wantedColliders, COLLIDER_SLOTS + 2u);
-    const auto counts = bench.buffers.candidateCounts.download();
-    for (uint32_t i = 0; i < bench.buffers.parameters.particleCount; ++i)
-        ASSERT_EQ(counts[i].y, uint32_t(COLLIDER_SLOTS)) << "particle " << i;
 }
 
 }  // namespace knuckle::test

@@ -1,121 +1,158 @@
 #include <algorithm>
-#include <set>
+#include <map>
 
-#include "solver_test.h"
+#include "search_test.h"
 
 namespace knuckle::test {
 
 namespace {
 
-/// Particles at random places, whatever body they are of, those of bodies in a small space: pairs of every kind come
-/// near each other.
 class ContactFind : public testing::TestWithParam<GridKind> {
 protected:
-    ContactFind() : bench(mixedWorld())
-    {
-        bench.buffers.resizeContacts(gpu(), 96);
-        bodies.resize(count());
-        for (const Link& link : bench.world.links) bodies[link.particle].insert(link.body);
-        auto positions = randomVectors(count(), 0.5f, 11);
-        for (uint32_t i = 0; i < count(); ++i)
-            if (!bodies[i].empty()) positions[i] = packed(0.4f * vec3(positions[i]));
-        fill(bench.buffers.positions, positions);
-    }
-    uint32_t count() const { return bench.buffers.parameters.particleCount; }
+    using Pair = std::pair<uint32_t, uint32_t>;
+
     void find()
     {
-        bench.fillGrid(gridDefines(GetParam()));
-        bench.forParticles("contact_find", gridDefines(GetParam()));
+        bench.findPairs(GetParam());
+        noted = bench.notedPairs();
     }
-    /// The list of a particle, in slot order.
-    std::vector<uint32_t> listOf(uint32_t i, uint32_t parity = 0)
+    /// How often each pair was found, lower id first.
+    std::map<Pair, int> timesFound() const
     {
-        const uint32_t slots = bench.buffers.parameters.contactSlots;
-        std::vector<uint32_t> list;
-        for (uint32_t s = 0; s < counts[parity * count() + i].x; ++s)
-            list.push_back(candidates[(parity * (slots + COLLIDER_SLOTS) + s) * count() + i]);
-        return list;
+        std::map<Pair, int> times;
+        for (uint32_t i = 0; i < noted.size(); ++i)
+            for (uint32_t j : noted[i]) ++times[std::minmax(i, j)];
+        return times;
     }
-    void download()
+    /// Compares what was found with all pairs of particles. @returns those that had to be found.
+    std::vector<Pair> expectAllPairsOnce()
     {
-        counts = bench.buffers.candidateCounts.download();
-        candidates = bench.buffers.candidates.download();
-    }
-    static float restDistance(const Particle& a, const Particle& b)
-    {
-        return (a.restPosition - b.restPosition).norm();
-    }
-    static float leastRestDistance(const Particle& a, const Particle& b)
-    {
-        return (0.99f + std::max(a.selfMargin, b.selfMargin)) * DIAMETER;
-    }
-    /// Written anew from the rules: never of one body; of one assembly, neither a universal joint's cross nor nearer
-    /// than a diameter and a margin at rest.
-    bool mayTouch(uint32_t i, uint32_t j) const
-    {
-        const Particle& a = bench.world.particles[i];
-        const Particle& b = bench.world.particles[j];
-        for (uint32_t body : bodies[i])
-            if (bodies[j].contains(body)) return false;
-        if (a.assembly == NO_INDEX || a.assembly != b.assembly) return true;
-        return a.touchesAssembly && b.touchesAssembly && restDistance(a, b) > leastRestDistance(a, b);
-    }
-    /// Partners of a particle by comparing it with all.
-    std::set<uint32_t> partners(uint32_t i, const std::vector<gpu::vec4>& positions) const
-    {
-        std::set<uint32_t> found;
-        for (uint32_t j = 0; j < count(); ++j)
-            if (j != i && (vec3(positions[i]) - vec3(positions[j])).norm() < bench.buffers.parameters.contactRadius &&
-                mayTouch(i, j))
-                found.insert(j);
-        return found;
+        auto times = timesFound();
+        std::vector<Pair> wanted;
+        for (uint32_t i = 0; i < bench.count(); ++i)
+            for (uint32_t j = i + 1; j < bench.count(); ++j) {
+                const float inside = bench.limitOf(i, j) - bench.distance(i, j);
+                const auto at = times.find({i, j});
+                const int found = at == times.end() ? 0 : at->second;
+                const bool may = inside > -DISTANCE_ROUNDING && bench.mayTouch(i, j);
+                if (may && inside > DISTANCE_ROUNDING) {
+                    EXPECT_EQ(found, 1) << "particles " << i << " and " << j;
+                    wanted.push_back({i, j});
+                } else {
+                    EXPECT_LE(found, may ? 1 : 0) << "particles " << i << " and " << j;
+                }
+            }
+        return wanted;
     }
 
-    Bench bench;
-    std::vector<std::set<uint32_t>> bodies;   ///< Per particle.
-    std::vector<gpu::uvec2> counts;
-    std::vector<uint32_t> candidates;
+    SearchBench bench;
+    std::vector<std::vector<uint32_t>> noted;
 };
 
-TEST_P(ContactFind, FindsWhatASearchOfAllPairsFinds)
+TEST_P(ContactFind, FindsEachPairInReachOnce)
 {
     find();
-    download();
-    const auto positions = bench.buffers.positions.download();
-    size_t pairs = 0, excluded = 0;
-    for (uint32_t i = 0; i < count(); ++i) {
-        const auto list = listOf(i);
-        const std::set<uint32_t> found(list.begin(), list.end());
-        EXPECT_EQ(found.size(), list.size()) << "particle " << i << " has a partner twice";
-        EXPECT_EQ(found, partners(i, positions)) << "particle " << i;
-        pairs += list.size();
-        for (uint32_t j = 0; j < count(); ++j)
-            excluded += j != i && (vec3(positions[i]) - vec3(positions[j])).norm() < DIAMETER && !mayTouch(i, j);
-    }
-    EXPECT_GT(pairs, 2000u) << "the world is too thin to test anything";
+    EXPECT_GT(expectAllPairsOnce().size(), 2000u) << "the world is too thin to test anything";
+    uint32_t excluded = 0;
+    for (uint32_t i = 0; i < bench.count(); ++i)
+        for (uint32_t j = 0; j < i; ++j) excluded += bench.distance(i, j) < DIAMETER && !bench.mayTouch(i, j);
     EXPECT_GT(excluded, 20u);
     EXPECT_EQ(bench.counters().problems, 0u);
 }
 
+TEST_P(ContactFind, FastMoversFindAllInTheirReachOnce)
+{
+    bench.makeSomeFast();
+    find();
+    uint32_t withSlow = 0, withFast = 0;
+    for (const auto& [i, j] : expectAllPairsOnce()) {
+        if (bench.distance(i, j) < bench.buffers.parameters.contactRadius) continue;
+        (bench.isFast(i) && bench.isFast(j) ? withFast : withSlow) += 1;
+    }
+    EXPECT_GT(withSlow, 300u) << "that only their reach finds";
+    EXPECT_GT(withFast, 50u) << "that only the reach of both finds";
+    EXPECT_EQ(bench.counters().problems, 0u);
+}
+
+TEST_P(ContactFind, FastMoversLookIntoEveryCellUpToTwoAway)
+{
+    // Two loose particles in cells that are so far apart, near each other's, for each such pair of cells.
+    const gpu::StepParameters& p = bench.buffers.parameters;
+    auto positions = bench.found;
+    std::vector<float> reaches(p.moverCount, 0.0f);
+    uint32_t loose = bench.count() - 1;
+    for (int k = 0; k < 125; ++k) {
+        const Eigen::Vector3i cells(k % 5 - 2, k / 5 % 5 - 2, k / 25 - 2);
+        Vector3f near = Vector3f::Constant(6.5f) + 6.0f * Vector3f(float(k % 5), float(k / 5 % 5), float(k / 25));
+        Vector3f far = near;
+        for (int axis = 0; axis < 3; ++axis) {
+            const int apart = cells[axis];
+            const float side = apart < 0 ? -1.0f : 1.0f;
+            if (apart == 0) continue;
+            near[axis] += 0.49f * side;
+            far[axis] += 0.51f * side + static_cast<float>(apart) - side;
+        }
+        for (const Vector3f& place : {near, far}) {
+            ASSERT_EQ(bench.world.particles[loose].body, NO_INDEX);
+            reaches[bench.moverOf(loose)] = p.farReach;
+            positions[loose--] = packed(place / p.inverseCellSize);
+        }
+    }
+    bench.setReaches(reaches);
+    bench.place(positions);
+    find();
+    uint32_t found = 0;
+    for (const auto& [i, j] : expectAllPairsOnce()) found += bench.isFast(i) && bench.isFast(j);
+    EXPECT_GE(found, 125u);
+}
+
+TEST_P(ContactFind, TheFirstOfAPairIsTheFastOneOrOfTwoTheOneOfLowerRank)
+{
+    bench.makeSomeFast();
+    find();
+    for (uint32_t i = 0; i < bench.count(); ++i)
+        for (uint32_t j : noted[i]) {
+            if (!bench.isFast(j)) continue;
+            ASSERT_TRUE(bench.isFast(i)) << "particles " << i << " and " << j;
+            ASSERT_LT(bench.rankOf(i), bench.rankOf(j));
+        }
+}
+
+TEST_P(ContactFind, SecondParticlesCountTheirPairsAndNumberThem)
+{
+    bench.makeSomeFast();
+    find();
+    const auto counts = bench.buffers.listCounts.download();
+    const auto entries = bench.buffers.firstLists.download();
+    std::vector<std::vector<uint32_t>> arrivals(bench.count());
+    for (uint32_t i = 0; i < bench.count(); ++i)
+        for (uint32_t slot = 0; slot < noted[i].size(); ++slot)
+            arrivals[noted[i][slot]].push_back(entries[slot * bench.count() + i].y);
+    for (uint32_t j = 0; j < bench.count(); ++j) {
+        std::sort(arrivals[j].begin(), arrivals[j].end());
+        ASSERT_EQ(counts[bench.count() + bench.rankOf(j)], arrivals[j].size()) << "particle " << j;
+        for (uint32_t k = 0; k < arrivals[j].size(); ++k) ASSERT_EQ(arrivals[j][k], k) << "particle " << j;
+    }
+}
+
 TEST_P(ContactFind, TheRulesOfWhatTouchesAllMatterHere)
 {
-    // Near each other and not of one first body, but excluded, by each rule alone: else the test above would prove
-    // less than it says.
+    // Near each other and not of one first body, but excluded, by each rule alone: else the tests above would prove
+    // less than they say.
     uint32_t crosses = 0, overlaps = 0, margins = 0, shared = 0;
     const auto& particles = bench.world.particles;
-    const auto positions = bench.buffers.positions.download();
-    for (uint32_t i = 0; i < count(); ++i)
+    for (uint32_t i = 0; i < bench.count(); ++i)
         for (uint32_t j = 0; j < i; ++j) {
             const Particle& a = particles[i];
             const Particle& b = particles[j];
             if (a.assembly != b.assembly || a.assembly == NO_INDEX || a.body == b.body) continue;
-            if ((vec3(positions[i]) - vec3(positions[j])).norm() > DIAMETER) continue;
+            if (bench.distance(i, j) > DIAMETER) continue;
             const bool overlap = restDistance(a, b) <= leastRestDistance(a, b);
             const bool cross = !a.touchesAssembly || !b.touchesAssembly;
             crosses += cross && !overlap;
             overlaps += overlap && !cross && restDistance(a, b) <= 0.99f * DIAMETER;
             margins += overlap && !cross && restDistance(a, b) > DIAMETER;
-            shared += !overlap && !cross && !mayTouch(i, j);
+            shared += !overlap && !cross && !bench.mayTouch(i, j);
         }
     EXPECT_GT(crosses, 0u);
     EXPECT_GT(overlaps, 0u);
@@ -123,59 +160,29 @@ TEST_P(ContactFind, TheRulesOfWhatTouchesAllMatterHere)
     EXPECT_GT(shared, 0u) << "a shared particle and one of its second body";
 }
 
-TEST_P(ContactFind, ContactsThatLastKeepTheirImpulses)
+TEST_P(ContactFind, ListsThatAreTooShortAreReportedWithTheSizeTheyWant)
 {
+    bench.makeSomeFast();
     find();
-    download();
-    // Each contact gets an impulse that tells it.
-    const uint32_t slots = bench.buffers.parameters.contactSlots;
-    auto impulses = bench.buffers.impulses.download();
-    const auto impulseOf = [](uint32_t i, uint32_t j) { return gpu::vec4{float(i), float(j), 3.0f, 4.0f}; };
-    for (uint32_t i = 0; i < count(); ++i) {
-        const auto list = listOf(i);
-        for (uint32_t s = 0; s < list.size(); ++s) impulses[s * count() + i] = impulseOf(i, list[s]);
-    }
-    fill(bench.buffers.impulses, impulses);
-    const auto old = candidates;
-    const auto oldCounts = counts;
-    fill(bench.buffers.predicted, randomVectors(count(), 0.03f, 12));   // some leave, some come
-    gpu::Counters now = bench.counters();
-    now.listParity = 1;
-    bench.setCounters(now);
+    const auto all = noted;
+    constexpr uint32_t ROOM = 3;
+    bench.narrow(ROOM, bench.buffers.parameters.pairCapacity, bench.buffers.parameters.colliderPairCapacity);
+    const gpu::uvec2 untouched{0xabcdu, 0xef01u};
+    fill(bench.buffers.firstLists, std::vector<gpu::uvec2>(bench.buffers.firstLists.size(), untouched));
+    bench.place(bench.found);
     find();
-    download();
-    impulses = bench.buffers.impulses.download();
-    uint32_t kept = 0, fresh = 0;
-    for (uint32_t i = 0; i < count(); ++i) {
-        const auto before = listOf(i, 0), after = listOf(i, 1);
-        for (uint32_t s = 0; s < after.size(); ++s) {
-            const bool known = std::find(before.begin(), before.end(), after[s]) != before.end();
-            const gpu::vec4 wanted = known ? impulseOf(i, after[s]) : gpu::vec4{};
-            const gpu::vec4& actual = impulses[(slots + COLLIDER_SLOTS + s) * count() + i];
-            ASSERT_EQ(vec3(actual), vec3(wanted)) << "particle " << i << " and " << after[s];
-            ASSERT_EQ(actual.w, wanted.w);
-            ++(known ? kept : fresh);
-        }
+    size_t most = 0;
+    for (uint32_t i = 0; i < bench.count(); ++i) {
+        most = std::max(most, all[i].size());
+        auto kept = all[i];
+        kept.resize(std::min<size_t>(kept.size(), ROOM));
+        ASSERT_EQ(noted[i], kept) << "particle " << i;
     }
-    EXPECT_GT(kept, 500u);
-    EXPECT_GT(fresh, 100u);
-}
-
-TEST_P(ContactFind, AListThatIsTooShortIsReportedWithTheSizeItWants)
-{
-    bench.buffers.resizeContacts(gpu(), 3);
-    find();
-    download();
-    const auto positions = bench.buffers.positions.download();
-    uint32_t most = 0;
-    for (uint32_t i = 0; i < count(); ++i) {
-        const auto all = partners(i, positions);
-        most = std::max(most, static_cast<uint32_t>(all.size()));
-        EXPECT_EQ(listOf(i).size(), std::min<size_t>(all.size(), 3)) << "particle " << i;
-        for (uint32_t j : listOf(i)) EXPECT_TRUE(all.contains(j));
-    }
+    ASSERT_GT(most, ROOM);
     EXPECT_EQ(bench.counters().problems, PROBLEM_CONTACTS);
     EXPECT_EQ(bench.counters().wantedContacts, most);
+    const auto entries = bench.buffers.firstLists.download();
+    for (size_t k = ROOM * size_t(bench.count()); k < entries.size(); ++k) ASSERT_EQ(entries[k].x, untouched.x);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ContactFind, testing::Values(GridKind::Lattice, GridKind::Hash), gridName);

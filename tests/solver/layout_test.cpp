@@ -49,13 +49,15 @@ void expectArray(const Kernel& kernel, const std::string& block, const std::stri
 const std::vector<Member> COUNTERS = {
     MEMBER(Counters, problems), MEMBER(Counters, wantedContacts), MEMBER(Counters, wantedColliders),
     MEMBER(Counters, badParticle), MEMBER(Counters, substep), MEMBER(Counters, due), MEMBER(Counters, listParity),
-    MEMBER(Counters, findCount), MEMBER(Counters, candidateCount), MEMBER(Counters, pad0), MEMBER(Counters, pad1),
-    MEMBER(Counters, pad2), MEMBER(Counters, pad3), MEMBER(Counters, pad4), MEMBER(Counters, pad5),
-    MEMBER(Counters, pad6)};
+    MEMBER(Counters, findCount), MEMBER(Counters, pairCount), MEMBER(Counters, colliderPairCount),
+    MEMBER(Counters, wantedPairs), MEMBER(Counters, wantedColliderPairs), MEMBER(Counters, fastCount),
+    MEMBER(Counters, fastListed), MEMBER(Counters, pad0), MEMBER(Counters, pad1)};
 const std::vector<Member> COLLIDER = {MEMBER(GpuCollider, position), MEMBER(GpuCollider, orientation),
                                       MEMBER(GpuCollider, size), MEMBER(GpuCollider, friction)};
 const std::vector<Member> BODY_INFO = {MEMBER(BodyInfo, linkStart), MEMBER(BodyInfo, linkCount),
                                        MEMBER(BodyInfo, ownCount), MEMBER(BodyInfo, jointCount)};
+const std::vector<Member> MOVER_INFO = {MEMBER(MoverInfo, firstRank), MEMBER(MoverInfo, rankCount),
+                                        MEMBER(MoverInfo, assembly), MEMBER(MoverInfo, inverseMass)};
 const std::vector<Member> PARTICLE_INFO = {MEMBER(ParticleInfo, body), MEMBER(ParticleInfo, bodyCount),
                                            MEMBER(ParticleInfo, assembly), MEMBER(ParticleInfo, material)};
 const std::vector<Member> LINK = {
@@ -75,12 +77,14 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
         MEMBER(StepParameters, cellMask), MEMBER(StepParameters, cellStrideY), MEMBER(StepParameters, cellStrideZ),
         MEMBER(StepParameters, diameter), MEMBER(StepParameters, contactRadius),
         MEMBER(StepParameters, inverseCellSize), MEMBER(StepParameters, drift), MEMBER(StepParameters, substepTime),
-        MEMBER(StepParameters, correction), MEMBER(StepParameters, relaxation), MEMBER(StepParameters, warmStart),
+        MEMBER(StepParameters, correction), MEMBER(StepParameters, warmStart),
         MEMBER(StepParameters, virtualParticles), MEMBER(StepParameters, freeze), MEMBER(StepParameters, damping),
         MEMBER(StepParameters, maxSpeed), MEMBER(StepParameters, secondOrder), MEMBER(StepParameters, alwaysFind),
         MEMBER(StepParameters, rotationIterations), MEMBER(StepParameters, maxCorrection),
-        MEMBER(StepParameters, jointRelaxation), MEMBER(StepParameters, sharedCount), MEMBER(StepParameters, pad0),
-        MEMBER(StepParameters, impulseGrowth)
+        MEMBER(StepParameters, jointRelaxation), MEMBER(StepParameters, sharedCount),
+        MEMBER(StepParameters, moverCount), MEMBER(StepParameters, pairCapacity),
+        MEMBER(StepParameters, colliderPairCapacity), MEMBER(StepParameters, lookAhead),
+        MEMBER(StepParameters, farReach), MEMBER(StepParameters, fastLimit), MEMBER(StepParameters, horizon)
     });
     EXPECT_EQ(sizeof(gpu::StepParameters) % 16, 0u) << "std140 pads to whole vectors";
 }
@@ -102,19 +106,22 @@ layout(local_size_x = 1) in;
 BUFFER(ParticleRigidBodyLink, Links, links);
 BUFFER(ParticleInfo, ParticleInfos, infos);
 BUFFER(BodyInfo, BodyInfos, bodies);
+BUFFER(MoverInfo, MoverInfos, movers);
 void main()
 {
-    links[0].mass = float(infos[0].material + bodies[0].jointCount + step.particleCount);
+    links[0].mass = float(infos[0].material + bodies[0].jointCount + movers[0].rankCount + step.particleCount);
 }
 )");
     Bench bench(mixedWorld());
     BufferTable table = bench.buffers.table();
     table.add("particleInfos", bench.buffers.particleInfo, 16);
     table.add("bodyInfos", bench.buffers.bodyInfo, 16);
+    table.add("moverInfos", bench.buffers.moverInfo, 16);
     const Kernel kernel(gpu(), table, "sim/test_layout.comp");
     expectArray(kernel, "Links", "links", sizeof(gpu::ParticleRigidBodyLink), LINK);
     expectArray(kernel, "ParticleInfos", "infos", sizeof(gpu::ParticleInfo), PARTICLE_INFO);
     expectArray(kernel, "BodyInfos", "bodies", sizeof(gpu::BodyInfo), BODY_INFO);
+    expectArray(kernel, "MoverInfos", "movers", sizeof(gpu::MoverInfo), MOVER_INFO);
 }
 
 }  // namespace knuckle::test

@@ -114,9 +114,9 @@ TEST(Kernel, ABufferThatTheSolverDoesNotHaveIsNamedWithItsKernel)
     const std::string head = "#include \"shared/kernel.glsl\"\nlayout(local_size_x = 1) in;\n";
     shaderFolder().write("sim/stores.comp", head + "BUFFER(uint, Marbles, marbles);\n"
                                                    "void main() { marbles[0] = step.particleCount; }\n");
-    shaderFolder().write("sim/reads.comp", head + "BUFFER(uint, SortedIds, sortedIds);\n"
+    shaderFolder().write("sim/reads.comp", head + "BUFFER(uint, CellCounts, cellCounts);\n"
                                                   "uniform usamplerBuffer pebbles;\n"
-                                                  "void main() { sortedIds[0] = texelFetch(pebbles, 0).x; }\n");
+                                                  "void main() { cellCounts[0] = texelFetch(pebbles, 0).x; }\n");
     Bench bench(mixedWorld());
     EXPECT_EQ(messageOf<DeviceError>([&] { bench.load("stores"); }),
               "kernel stores wants a buffer \"marbles\" that the solver does not have");

@@ -1,5 +1,6 @@
 #include "solver_test.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -107,16 +108,58 @@ void Bench::forBodies(const std::string& name, const Defines& defines)
     run(name, buffers.parameters.bodyCount, defines);
 }
 
+void Bench::forMovers(const std::string& name, const Defines& defines)
+{
+    run(name, buffers.parameters.moverCount, defines);
+}
+
+void Bench::setFound(const std::vector<gpu::vec4>& places)
+{
+    fill(buffers.foundPositions, places);
+    // What found_place leaves besides the places.
+    auto counts = buffers.listCounts.download();
+    const uint32_t count = buffers.parameters.particleCount;
+    std::fill(counts.begin() + count, counts.begin() + 2 * count, 0u);
+    fill(buffers.listCounts, counts);
+}
+
 void Bench::fillGrid(const Defines& defines)
 {
     const uint32_t cells = buffers.parameters.cellMask + 1;
     run("grid_clear", cells);
     forParticles("grid_count", defines);
-    run("grid_chunk_sum", cells / CELLS_PER_CHUNK);
-    run("grid_chunk_scan", 1);
-    run("grid_cell_start", cells / CELLS_PER_CHUNK);
+    run("scan_sum", cells / SCAN_CHUNK);
+    run("scan_chunks", 1);
+    run("grid_start", cells / SCAN_CHUNK);
     forParticles("grid_scatter");
     forParticles("grid_order");
+}
+
+void Bench::findPairs(GridKind grid)
+{
+    const Defines defines = gridDefines(grid);
+    fillGrid(defines);
+    forParticles("contact_find", defines);
+    run("contact_find_far", counters().fastListed, defines);
+}
+
+void Bench::fillLists()
+{
+    const Defines lists = {{"LISTS", "1"}};
+    const uint32_t chunks = 3 * buffers.parameters.particleCount / SCAN_CHUNK + 1;
+    run("scan_sum", chunks, lists);
+    run("scan_chunks", 1, lists);
+    run("list_start", chunks, lists);
+    forParticles("pair_list");
+    run("pair_write", counters().pairCount);
+    run("collider_write", counters().colliderPairCount);
+}
+
+void Bench::turnHalves()
+{
+    gpu::Counters now = counters();
+    now.listParity ^= 1u;
+    setCounters(now);
 }
 
 Defines gridDefines(GridKind kind)

@@ -59,8 +59,17 @@ public:
     void run(const std::string& name, uint64_t threads, const Defines& defines = {});
     void forParticles(const std::string& name, const Defines& defines = {});
     void forBodies(const std::string& name, const Defines& defines = {});
-    /// Sorts the particles into the grid, as the step does.
+    void forMovers(const std::string& name, const Defines& defines = {});
+    /// Where contacts are found, as found_place would leave it: places [m], and no pair that refers to anybody yet.
+    void setFound(const std::vector<gpu::vec4>& places);
+    /// Sorts the particles into the grid by foundPositions, as the step does.
     void fillGrid(const Defines& defines);
+    /// Finds the pairs of particles, as the step does; counters().fastListed of fastParticles look further.
+    void findPairs(GridKind grid);
+    /// Makes the lists of contacts of what was found for particles and colliders (listCounts), as the step does.
+    void fillLists();
+    /// The next search writes the other half of the lists.
+    void turnHalves();
     /// Uploads `buffers.parameters` after a change.
     void setParameters() { buffers.step.upload(std::span<const gpu::StepParameters>(&buffers.parameters, 1)); }
     gpu::Counters counters() const { return buffers.counters.download()[0]; }

@@ -72,8 +72,8 @@ TEST(BuilderErrors, AWorldWithoutParticlesIsRefused)
 TEST(BuilderErrors, BuildValidates)
 {
     Settings settings;
-    settings.substeps = 0;
-    EXPECT_EQ(messageOf([&] { jointedCubes({}, settings); }), "solver substeps 0: must be 1 to 64");
+    settings.substeps = 65;
+    EXPECT_EQ(messageOf([&] { jointedCubes({}, settings); }), "solver substeps 65: must be 1 to 64");
 }
 
 }  // namespace knuckle::test

@@ -25,6 +25,24 @@ uint32_t sharedCount(const World& world)
 
 }  // namespace
 
+TEST(Builder, SubstepsFollowTheDiameterUnlessTold)
+{
+    const auto substeps = [](float radius, const Settings& settings = {}) {
+        WorldBuilder builder(radius, settings);
+        builder.addMaterial({});
+        builder.addLooseParticle({});
+        return builder.build().settings.substeps;
+    };
+    // 5 m/s come 83.3 mm far in a step of 1/60 s: five sixths of 0.1 m, 12.5 of 0.04 m.
+    EXPECT_EQ(substeps(0.05f), 5u);
+    EXPECT_EQ(substeps(0.02f), 13u);
+    EXPECT_EQ(substeps(0.5f), 5u);
+    EXPECT_EQ(substeps(0.001f), 16u);
+    Settings told;
+    told.substeps = 3;
+    EXPECT_EQ(substeps(0.001f, told), 3u);
+}
+
 TEST(Builder, EachJointTypeSharesItsNumberOfParticles)
 {
     // Two cubes of 27 with a free layer between them: every joint particle is a new one.

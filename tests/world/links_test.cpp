@@ -101,11 +101,23 @@ TEST(Links, OffsetsOfABodySumToZeroByWeight)
     }
 }
 
-TEST(Links, APinnedBodysPinsWeighPinWeightTimesTheRest)
+TEST(Links, AParticleSharedWithAFixedBodyWeighsItsShare)
 {
     JointSpec spec;
     spec.type = JointType::Hinge;
     const World world = jointedCubes(spec, {}, Motion::Fixed);
+    const Body& free = world.bodies[1];
+    // 27 particles of its own at 2 diameters, and half of the hinge's three at the origin.
+    EXPECT_NEAR(free.mass, 28.5 * PARTICLE_MASS, 1e-4);
+    EXPECT_NEAR(free.massCentre.x(), 2 * DIAMETER * 27.0 / 28.5, 1e-6);
+    EXPECT_EQ(free.massCentre, free.restCentre);
+}
+
+TEST(Links, InThePapersSolverAPinnedBodysPinsWeighPinWeightTimesTheRest)
+{
+    JointSpec spec;
+    spec.type = JointType::Hinge;
+    const World world = jointedCubes(spec, paperSettings(), Motion::Fixed);
     const Body& free = world.bodies[1];
     double pins = 0.0, rest = 0.0;
     for (uint32_t l = free.linkStart; l < free.linkStart + free.linkCount; ++l) {

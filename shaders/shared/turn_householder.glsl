@@ -1,18 +1,8 @@
-// One thread a body: the paper's polar decomposition (eqs. 11-17): Q = A M^(-1/2), M = A^T A = E lambda E^T by the QR
-// algorithm with Householder reflections. Flat and straight bodies get virtual particles (eq. 18), scaled by A and only
-// where A is rank deficient: taken everywhere they would brake every rotation.
-#include "shared/kernel.glsl"
-#include "shared/quaternion.glsl"
+// The paper's polar decomposition (eqs. 11-17): Q = A M^(-1/2), M = A^T A = E lambda E^T by the QR algorithm with
+// Householder reflections. Flat and straight bodies get virtual particles (eq. 18), scaled by A and only where A is
+// rank deficient: taken everywhere they would brake every rotation.
 
 #define QR_ITERATIONS 24
-
-layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer bodyMatrices;
-uniform samplerBuffer bodyStarts;
-uniform samplerBuffer bodyMoves;
-BUFFER(vec4, BodyCentres, bodyCentres);
-BUFFER(vec4, BodyTurns, bodyTurns);
-BUFFER(vec4, BodyRotations, bodyRotations);
 
 /// The reflection I - 2 v v^T / v^T v that zeroes m's column `k` below the diagonal.
 mat3 householder(mat3 m, int k)
@@ -25,14 +15,25 @@ mat3 householder(mat3 m, int k)
     return square > 1e-30 ? mat3(1) - (2.0 / square) * outerProduct(v, v) : mat3(1);
 }
 
+/// The eigenvalue of the 2x2 block that ends at `k` that is nearer to its last element (Wilkinson's shift): with it a
+/// few iterations do, without it close eigenvalues would take hundreds.
+float shift(mat3 m, int k)
+{
+    float d = 0.5 * (m[k - 1][k - 1] - m[k][k]), b = m[k][k - 1];
+    float size = abs(d) + sqrt(d * d + b * b);
+    return size > 0.0 ? m[k][k] - (d < 0.0 ? -1.0 : 1.0) * b * b / size : m[k][k];
+}
+
 /// m = E lambda E^T for a symmetric m. @returns E; m becomes diagonal.
 mat3 eigenvectors(inout mat3 m)
 {
     mat3 e = mat3(1);
     for (int k = 0; k < QR_ITERATIONS; ++k) {
-        mat3 first = householder(m, 0);
-        mat3 second = householder(first * m, 1);
-        mat3 q = first * second;              // m = q r, and r q is similar to m
+        bool whole = abs(m[2][0]) + abs(m[2][1]) > 1e-7;   // else only the block before the last row is left
+        mat3 s = m - mat3(shift(m, whole ? 2 : 1));
+        mat3 first = householder(s, 0);
+        mat3 second = householder(first * s, 1);
+        mat3 q = first * second;              // s = q r, and r q is similar to s
         m = transpose(q) * m * q;
         e = e * q;
     }
@@ -53,21 +54,15 @@ mat3 orthogonalPart(mat3 a, out float rank)
     return a * e * mat3(root.x, 0, 0, 0, root.y, 0, 0, 0, root.z) * transpose(e);
 }
 
-void main()
+vec4 matchedTurn(mat3 a, vec4 start, vec4 turned)
 {
-    uint b = gl_GlobalInvocationID.x;
-    if (b >= step.bodyCount) return;
-    bodyCentres[b] = texelFetch(bodyStarts, int(2u * b)) + texelFetch(bodyMoves, int(b));
-    mat3 a;
-    for (int column = 0; column < 3; ++column) a[column] = texelFetch(bodyMatrices, int(3u * b) + column).xyz;
     float rank;
     mat3 q = orthogonalPart(a, rank);
     if (rank < 1e-5 && step.virtualParticles > 0.0) {
         float size = sqrt(dot(a[0], a[0]) + dot(a[1], a[1]) + dot(a[2], a[2]));
-        a += step.virtualParticles * size * matrixFromQuaternion(bodyRotations[b]);
+        a += step.virtualParticles * size * matrixFromQuaternion(quaternionProduct(turned, start));
         q = orthogonalPart(a, rank);
     }
     // A mirrored or collapsed body keeps its last rotation.
-    if (determinant(q) > 0.5) bodyRotations[b] = quaternionFromMatrix(q);
-    bodyTurns[b] = quaternionProduct(bodyRotations[b], conjugate(texelFetch(bodyStarts, int(2u * b + 1u))));
+    return determinant(q) > 0.5 ? quaternionProduct(quaternionFromMatrix(q), conjugate(start)) : turned;
 }

@@ -1,0 +1,31 @@
+// Linear fields over a body: each particle of it has t + f r, r its place in the body. Positions, moves, velocities and
+// what shape matching sums are of this kind, so a rigid body is predicted, matched and finished without a visit to its
+// particles. Loose particles have t only.
+
+struct Field {
+    vec3 t;
+    mat3 f;
+};
+
+uint fieldStart(uint mover)
+{
+    return mover < step.bodyCount ? 4u * mover : 3u * step.bodyCount + mover;
+}
+
+Field fetchField(samplerBuffer fields, uint mover)
+{
+    int start = int(fieldStart(mover));
+    Field field = Field(texelFetch(fields, start).xyz, mat3(0));
+    if (mover < step.bodyCount)
+        for (int column = 0; column < 3; ++column) field.f[column] = texelFetch(fields, start + 1 + column).xyz;
+    return field;
+}
+
+/// Stores into an array of fields; a macro, as GLSL passes no arrays of unknown size.
+#define STORE_FIELD(fields, mover, field) \
+    fields[fieldStart(mover)] = vec4((field).t, 0); \
+    if (mover < step.bodyCount) { \
+        fields[fieldStart(mover) + 1u] = vec4((field).f[0], 0); \
+        fields[fieldStart(mover) + 2u] = vec4((field).f[1], 0); \
+        fields[fieldStart(mover) + 3u] = vec4((field).f[2], 0); \
+    }

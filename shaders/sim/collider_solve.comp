@@ -1,0 +1,33 @@
+// One thread a contact of a particle with a collider: one Jacobi iteration of its impulse.
+#include "shared/kernel.glsl"
+#include "shared/movers.glsl"
+#include "shared/colliders.glsl"
+#include "shared/contact_impulse.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform usamplerBuffer colliderSides;
+uniform samplerBuffer colliderArms;
+uniform samplerBuffer lastColliderImpulses;
+BUFFER(vec4, ColliderImpulses, colliderImpulses);
+READ_BUFFER(Counters, CountersBlock, counters);
+
+void main()
+{
+    uint q = gl_GlobalInvocationID.x;
+    if (q >= counters[0].colliderPairCount) return;
+    uint place = counters[0].listParity * step.colliderPairCapacity + q;
+    uvec4 sides = texelFetch(colliderSides, int(q));
+    vec4 arm = texelFetch(colliderArms, int(q));
+    MoverPoint point = moverPoint(sides.x, arm.xyz);
+    vec3 start = point.centre + point.arm;
+    vec4 surface = colliderDistance(sides.y, start + point.move);
+    Contact contact;
+    contact.slide = point.move;
+    contact.normal = surface.xyz;
+    contact.gap = surface.w - 0.5 * step.diameter;
+    contact.startGap = colliderDistance(sides.y, start).w - 0.5 * step.diameter;
+    contact.worstMass = arm.w * point.splits;
+    contact.inverseMass = contact.worstMass * unpackUnorm2x16(sides.w).x;
+    contact.friction = unpackHalf2x16(sides.z);
+    colliderImpulses[place] = solveContact(contact, texelFetch(lastColliderImpulses, int(place)));
+}

@@ -1,0 +1,129 @@
+// One thread a mover: sums the impulses on it, and matches it to where they bring its particles (eqs. 8-9). An impulse
+// p on a particle at r displaces that particle by p / m, which adds p r^T to A and p / M to the centre's move. Also
+// counts the contacts that will act next, over which its mass is split (Tonge et al. 2012, mass splitting). WARM: after
+// the contacts were found anew, with their old impulses and without the joints, as mover_predict does.
+#include "shared/kernel.glsl"
+#include "shared/turn.glsl"
+#include "shared/fields.glsl"
+#include "shared/list_ranges.glsl"
+#include "shared/links.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer moverRotations;
+uniform samplerBuffer lastMoverTurns;
+uniform samplerBuffer moverPredictions;
+uniform samplerBuffer lastMoverImpulses;
+uniform samplerBuffer lastMoverChanges;
+uniform samplerBuffer bodyMoments;       // w of the first of three: radius
+uniform usamplerBuffer moverInfo;
+uniform usamplerBuffer bodyInfo;
+uniform samplerBuffer pairImpulses;
+uniform samplerBuffer pairArms;
+uniform usamplerBuffer pairReferences;
+uniform samplerBuffer colliderImpulses;
+uniform samplerBuffer colliderArms;
+uniform samplerBuffer linkImpulses;
+BUFFER(vec4, MoverMoves, moverMoves);    // w: over how many impulses its mass is split
+BUFFER(vec4, MoverTurns, moverTurns);
+BUFFER(vec4, MoverImpulses, moverImpulses);   // field: the sums of contacts
+BUFFER(vec4, MoverChanges, moverChanges);     // field: how they changed last; w of the first: relaxation
+BUFFER(uvec2, AssemblyState, assemblyState);
+BUFFER(Counters, CountersBlock, counters);
+
+struct Sum {
+    Field impulse;
+    float acting;
+};
+
+void add(inout Sum sum, vec4 impulse, float side, vec3 r)
+{
+    vec3 p = side * impulse.xyz;
+    sum.impulse.t += p;
+    sum.impulse.f += outerProduct(p, r);
+    sum.acting += impulse.w != 0.0 ? 1.0 : 0.0;
+}
+
+Sum contactSum(uvec4 info)
+{
+    Sum sum = Sum(Field(vec3(0), mat3(0)), 0.0);
+    uint parity = counters[0].listParity;
+    int pairBase = int(parity * step.pairCapacity), colliderBase = int(parity * step.colliderPairCapacity);
+    uvec2 range = listRange(parity, FIRST_OF_PAIR, info.x, info.y);
+    for (int q = int(range.x); q < int(range.y); ++q)
+        add(sum, texelFetch(pairImpulses, pairBase + q), 1.0, texelFetch(pairArms, 2 * q).xyz);
+    range = listRange(parity, SECOND_OF_PAIR, info.x, info.y);
+    for (uint k = range.x; k < range.y; ++k) {
+        uint reference = texelFetch(pairReferences, int(k)).x;
+        int q = int(min(reference, step.pairCapacity - 1u));
+        vec4 impulse = reference == NO_PAIR ? vec4(0) : texelFetch(pairImpulses, pairBase + q);
+        add(sum, impulse, -1.0, texelFetch(pairArms, 2 * q + 1).xyz);
+    }
+    range = listRange(parity, WITH_COLLIDER, info.x, info.y);
+    for (int q = int(range.x); q < int(range.y); ++q)
+        add(sum, texelFetch(colliderImpulses, colliderBase + q), 1.0, texelFetch(colliderArms, q).xyz);
+    return sum;
+}
+
+Field jointSum(uvec4 body)
+{
+    Field sum = Field(vec3(0), mat3(0));
+#ifndef WARM
+    for (uint l = body.x + body.z; l < body.x + body.y; ++l) {
+        vec3 p = texelFetch(linkImpulses, int(l)).xyz;
+        sum.t += p;
+        sum.f += outerProduct(p, fetchLink(l).r);
+    }
+#endif
+    return sum;
+}
+
+/// The relaxation of a mover's contacts: as large as lets their impulses converge. Too large shows as changes that turn
+/// about from iteration to iteration and shrink by less than a tenth.
+float relaxation(uint m, Field impulse, float acting)
+{
+    Field last = fetchField(lastMoverChanges, m);
+    float relaxation = texelFetch(lastMoverChanges, int(fieldStart(m))).w;
+#ifndef WARM
+    Field before = fetchField(lastMoverImpulses, m);
+    Field change = Field(impulse.t - before.t, impulse.f - before.f);
+    float along = dot(change.t, last.t), size = dot(last.t, last.t);
+    if (m < step.bodyCount) {
+        float radius = max(texelFetch(bodyMoments, int(3u * m)).w, 1e-6), scale = 1.0 / (radius * radius);
+        for (int column = 0; column < 3; ++column) {
+            along += scale * dot(change.f[column], last.f[column]);
+            size += scale * dot(last.f[column], last.f[column]);
+        }
+    }
+    relaxation = along < -0.9 * size ? max(0.8 * relaxation, 1.0) : min(1.05 * relaxation, MOST_RELAXATION);
+    if (acting == 0.0) relaxation = FIRST_RELAXATION;
+    STORE_FIELD(moverChanges, m, change)
+    moverChanges[fieldStart(m)].w = relaxation;
+#endif
+    return relaxation;
+}
+
+void main()
+{
+    uint m = gl_GlobalInvocationID.x;
+    if (m >= step.moverCount) return;
+    uvec4 info = texelFetch(moverInfo, int(m));
+    float inverseMass = uintBitsToFloat(info.w);
+    if (inverseMass == 0.0) return;
+    Sum contacts = contactSum(info);
+    float relaxed = relaxation(m, contacts.impulse, contacts.acting);
+    STORE_FIELD(moverImpulses, m, contacts.impulse)
+    if (contacts.impulse.t != vec3(0)) assemblyState[info.z].x = counters[0].substep - 1u;
+
+    Field prediction = fetchField(moverPredictions, m);
+    Field impulse = contacts.impulse;
+    float splits = contacts.acting;
+    if (m < step.bodyCount) {
+        uvec4 body = texelFetch(bodyInfo, int(m));
+        Field joints = jointSum(body);
+        splits += float(body.w);
+        impulse = Field(impulse.t + joints.t, impulse.f + joints.f);
+        moverTurns[m] = matchedTurn(prediction.f + impulse.f, texelFetch(moverRotations, int(m)),
+                                    texelFetch(lastMoverTurns, int(m)));
+    }
+    moverMoves[m] = vec4(prediction.t + inverseMass * impulse.t, splits / relaxed);
+}

@@ -1,0 +1,70 @@
+// One thread a pair of particles: what its contact is made of, with the impulse that it had before.
+#include "shared/kernel.glsl"
+#include "shared/list_ranges.glsl"
+#include "shared/contact_mass.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform usamplerBuffer particlePlaces;   // mover, rank
+uniform samplerBuffer restOffsets;
+uniform samplerBuffer masses;
+uniform samplerBuffer foundPositions;
+uniform usamplerBuffer pairs;
+uniform samplerBuffer lastPairImpulses;
+uniform usamplerBuffer pairArrivals;     // by second particle, in the order of arrival, which differs from run to run
+BUFFER(uvec4, PairSides, pairSides);     // movers, frictions, shares of inverse masses
+BUFFER(vec4, PairArms, pairArms);        // two a pair: place in the body, worst inverse mass there
+BUFFER(vec4, PairImpulses, pairImpulses);
+BUFFER(uint, PairReferences, pairReferences);
+BUFFER(Counters, CountersBlock, counters);
+
+/// What the pair (i, j) had before, whichever of the two was first.
+vec4 oldImpulse(uint parity, uint i, uint j, uint rankOfI, uint rankOfJ)
+{
+    uvec2 pairsOfI = listRange(parity, FIRST_OF_PAIR, rankOfI, 1u);
+    uvec2 pairsOfJ = listRange(parity, FIRST_OF_PAIR, rankOfJ, 1u);
+    uint countOfI = pairsOfI.y - pairsOfI.x;
+    uint count = countOfI + pairsOfJ.y - pairsOfJ.x;
+    uint place = 0u;
+    float side = 0.0;
+    for (uint k = 0u; k < count; ++k) {
+        bool ofI = k < countOfI;
+        uint q = ofI ? pairsOfI.x + k : pairsOfJ.x + k - countOfI;
+        bool same = texelFetch(pairs, int(parity * step.pairCapacity + q)).y == (ofI ? j : i);
+        place = same ? q : place;
+        side = same ? (ofI ? 1.0 : -1.0) : side;
+    }
+    vec4 impulse = texelFetch(lastPairImpulses, int(parity * step.pairCapacity + place));
+    return vec4(side * impulse.xyz, abs(side) * impulse.w);
+}
+
+/// The second particle refers to its pairs in their order, so that what is summed over them is summed in one order.
+void refer(uint parity, uint q, uint rankOfJ)
+{
+    uvec2 range = listRange(parity, SECOND_OF_PAIR, rankOfJ, 1u);
+    uint place = range.x;
+    for (uint k = range.x; k < range.y; ++k) place += texelFetch(pairArrivals, int(k)).x < q ? 1u : 0u;
+    pairReferences[place] = q;
+}
+
+void main()
+{
+    uint q = gl_GlobalInvocationID.x;
+    if (q >= counters[0].pairCount) return;
+    uint parity = counters[0].listParity;
+    uvec2 pair = texelFetch(pairs, int(parity * step.pairCapacity + q)).xy;
+    int i = int(pair.x), j = int(pair.y);
+    uvec2 a = texelFetch(particlePlaces, i).xy, b = texelFetch(particlePlaces, j).xy;
+    vec4 armA = texelFetch(restOffsets, i), armB = texelFetch(restOffsets, j);
+    vec3 apart = texelFetch(foundPositions, i).xyz - texelFetch(foundPositions, j).xyz;
+    float far = length(apart);
+    vec3 normal = contactNormal(apart, far, true);
+    vec2 friction = 0.5 * (texelFetch(masses, i).zw + texelFetch(masses, j).zw);
+    vec2 shares = vec2(normalShare(a.x, armA, normal), normalShare(b.x, armB, normal));
+    pairSides[q] = uvec4(a.x, b.x, packHalf2x16(friction), packUnorm2x16(shares));
+    pairArms[2u * q] = armA;
+    pairArms[2u * q + 1u] = armB;
+    vec4 impulse = oldImpulse(parity ^ 1u, pair.x, pair.y, a.y, b.y);
+    if (far < step.diameter && impulse.w <= 0.0) impulse.w = ABOUT_TO_ACT;
+    pairImpulses[parity * step.pairCapacity + q] = impulse;
+    refer(parity, q, b.y);
+}

@@ -1,0 +1,245 @@
+#include <algorithm>
+#include <cmath>
+
+#include "contact_bench.h"
+
+namespace knuckle::test {
+
+namespace {
+
+/// A contact as solveContact sees it (shaders/shared/contact_impulse.glsl), worked out in double precision.
+struct Situation {
+    Vector3d normal, slide;
+    double gap, startGap;
+    double inverseMass, worstMass;
+    double places;   ///< How large the places are that gap and slide are differences of [m].
+};
+
+/// What an impulse becomes, and how sure that is.
+struct Answer {
+    Vector3d impulse;
+    double w;
+    double tolerance;
+    bool sliding;
+    bool onEdge;     ///< So near the limit of a case that rounding decides.
+};
+
+class ContactSolve : public testing::Test {
+protected:
+    static constexpr float SPLITS = 3.0f;
+
+    ContactSolve()
+    {
+        bench.setMoves(0.002f, 0.005f, SPLITS);
+        bench.buffers.parameters.maxCorrection = 2e-4f;   // of the depths below, some come under it and some do not
+        bench.setParameters();
+    }
+    const gpu::StepParameters& step() const { return bench.buffers.parameters; }
+    /// Contacts act (w != 0) where they were counted; those with a normal part carry a friction of up to it.
+    void addImpulse(TestContact& c, Random& random) const
+    {
+        const float kind = random.between(0, 4), size = 0.005f / (c.firstMass + c.secondMass + 0.01f);
+        if (kind < 1) return;
+        c.impulse.w = ABOUT_TO_ACT;
+        if (kind < 2) return;
+        const float normal = random.between(0, size);
+        c.impulse = packed(Vector3f(normal * random.direction() + random.inCube(0.3f * size)), normal);
+    }
+    void addMaterial(TestContact& c, Random& random) const
+    {
+        c.firstMass = bench.isFixed(bench.moverOf[c.first]) ? 0.0f : random.between(0.5f, 4);
+        c.firstShare = std::floor(random.between(20000, 65535)) / 65535.0f;
+        c.secondShare = std::floor(random.between(20000, 65535)) / 65535.0f;
+        c.kineticFriction = std::floor(random.between(0, 4)) / 4;
+        c.staticFriction = c.kineticFriction + std::floor(random.between(0, 3)) / 4;
+    }
+    uint32_t anyParticle(Random& random) const
+    {
+        const auto count = static_cast<float>(bench.world.particles.size());
+        return static_cast<uint32_t>(random.between(0, 0.999f) * count);
+    }
+    /// 1501 pairs of particles of different movers, from a centimetre deep to as far apart.
+    void makePairs()
+    {
+        Random random(101);
+        std::vector<TestContact> list;
+        while (list.size() < 1501) {
+            TestContact c{.first = anyParticle(random), .second = anyParticle(random)};
+            const uint32_t a = bench.moverOf[c.first], b = bench.moverOf[c.second];
+            if (a == b || (bench.isFixed(a) && bench.isFixed(b))) continue;
+            addMaterial(c, random);
+            c.secondMass = bench.isFixed(b) ? 0.0f : random.between(0.5f, 4);
+            const Vector3f place = random.inCube(0.3f);
+            c.firstArm = bench.armTo(c.first, place);
+            const float far = DIAMETER + random.between(-0.01f, 0.01f);
+            c.secondArm = bench.armTo(c.second, place + far * random.direction());
+            addImpulse(c, random);
+            list.push_back(c);
+        }
+        bench.setPairs(std::move(list));
+    }
+    /// 777 contacts of movers with the plane and the ball.
+    void makeColliderContacts()
+    {
+        Random random(102);
+        std::vector<TestContact> list;
+        while (list.size() < 777) {
+            TestContact c{.first = anyParticle(random), .second = static_cast<uint32_t>(list.size() % 2)};
+            addMaterial(c, random);
+            const Collider& collider = bench.world.colliders[c.second];
+            const float off = DIAMETER / 2 + random.between(-0.01f, 0.01f);
+            const Vector3f at = random.inCube(0.3f);
+            const Vector3f onPlane = collider.orientation * Vector3f(at.x(), off, at.z());
+            const Vector3f onBall = collider.position + (collider.radius + off) * random.direction();
+            c.firstArm = bench.armTo(c.first, c.second == 0 ? onPlane : onBall);
+            addImpulse(c, random);
+            list.push_back(c);
+        }
+        bench.setColliderContacts(std::move(list));
+    }
+    Situation ofPair(const TestContact& c) const
+    {
+        const Vector3d a = bench.place(c.first, c.firstArm), b = bench.place(c.second, c.secondArm);
+        Situation s;
+        s.slide = bench.moveOfArm(c.first, c.firstArm) - bench.moveOfArm(c.second, c.secondArm);
+        const Vector3d apart = a - b + s.slide;
+        s.normal = apart.normalized();
+        s.gap = apart.norm() - DIAMETER;
+        s.startGap = (a - b).norm() - DIAMETER;
+        s.worstMass = SPLITS * (c.firstMass + c.secondMass);
+        s.inverseMass = SPLITS * (c.firstMass * c.firstShare + c.secondMass * c.secondShare);
+        s.places = 2 * (c.firstArm.norm() + c.secondArm.norm()) + a.norm() + b.norm();
+        return s;
+    }
+    Situation ofCollider(const TestContact& c) const
+    {
+        const Collider& collider = bench.world.colliders[c.second];
+        const Vector3d up = collider.orientation.cast<double>() * Vector3d::UnitY();
+        const Vector3d from = collider.position.cast<double>();
+        const auto distance = [&](const Vector3d& x) {
+            return (c.second == 0 ? up.dot(x) : (x - from).norm() - collider.radius) - DIAMETER / 2;
+        };
+        const Vector3d start = bench.place(c.first, c.firstArm);
+        Situation s;
+        s.slide = bench.moveOfArm(c.first, c.firstArm);
+        s.normal = c.second == 0 ? up : (start + s.slide - from).normalized();
+        s.gap = distance(start + s.slide);
+        s.startGap = distance(start);
+        s.worstMass = SPLITS * c.firstMass;
+        s.inverseMass = s.worstMass * c.firstShare;
+        s.places = 2 * c.firstArm.norm() + start.norm() + 2 * from.norm() + 0.5;
+        return s;
+    }
+    /// The normal part takes the old penetration back by a bounded share, and all that came with this substep;
+    /// Coulomb's cone about it. Only counted contacts act; the others are counted when they are about to overlap.
+    Answer answer(const TestContact& c, const Situation& s) const
+    {
+        const double depth = std::max(-s.startGap, 0.0);
+        const double allowed = depth - std::min(step().correction * depth, double(step().maxCorrection));
+        const bool acts = c.impulse.w != 0.0f && s.worstMass > 0.0;
+        const Vector3d old = vec3(c.impulse).cast<double>();
+        const double kept = step().warmStart * std::max(double(c.impulse.w), 0.0);
+        double normal = kept;
+        Vector3d tangent = old;
+        if (acts) {
+            normal -= (s.gap + allowed) / s.inverseMass;
+            tangent -= s.slide / s.worstMass;
+        }
+        // Differences of places are off by some 16 roundings of those; the normal by as much over the distance, which
+        // turns normal part and tangent into each other; the rest by some 8 roundings of itself.
+        const double error = 16 * EPSILON * s.places, turn = error / (DIAMETER / 2) + 8 * EPSILON;
+        const double whole = kept + tangent.norm() + (acts ? (std::abs(s.gap) + depth) / s.inverseMass : 0.0);
+        Answer out;
+        out.tolerance = turn * whole + (acts ? 2 * error / s.inverseMass : 0.0);
+        out.onEdge = std::abs(normal) < out.tolerance && acts;
+        normal = std::max(normal, 0.0);
+        tangent -= s.normal * s.normal.dot(tangent);
+        const double size = tangent.norm();
+        out.sliding = size > c.staticFriction * normal;
+        out.onEdge |= std::abs(size - c.staticFriction * normal) < 2 * out.tolerance && size > out.tolerance;
+        if (out.sliding) tangent *= c.kineticFriction * normal / size;
+        out.impulse = tangent + normal * s.normal;
+        const double soon = 2 * s.gap - s.startGap;
+        out.onEdge |= normal == 0.0 && std::abs(soon) < 3 * error;
+        out.w = normal > 0.0 ? normal : soon < 0.0 ? double(ABOUT_TO_ACT) : 0.0;
+        return out;
+    }
+    template <typename Situate>
+    void expectAnswers(const std::vector<TestContact>& contacts, const std::vector<gpu::vec4>& found, Situate situate)
+    {
+        uint32_t sticking = 0, sliding = 0, released = 0, waiting = 0, soon = 0, edges = 0;
+        for (size_t q = 0; q < contacts.size(); ++q) {
+            const TestContact& c = contacts[q];
+            const Answer a = answer(c, situate(c));
+            if (a.onEdge && ++edges) continue;
+            ASSERT_NEAR(found[q].w, a.w, a.tolerance) << "contact " << q;
+            ASSERT_LE((vec3(found[q]).cast<double>() - a.impulse).norm(), 3 * a.tolerance) << "contact " << q;
+            if (a.w > 0.0) ++(a.sliding ? sliding : sticking);
+            if (a.w <= 0.0 && c.impulse.w > 0.0f) ++released;
+            if (a.w == 0.0 && c.impulse.w == 0.0f) ++waiting;
+            if (a.w < 0.0) ++soon;
+        }
+        // Every case is met by more than a few.
+        for (uint32_t met : {sticking, sliding, released, waiting, soon}) EXPECT_GT(met, contacts.size() / 40);
+        EXPECT_LT(edges, contacts.size() / 100);
+    }
+
+    ContactBench bench;
+};
+
+TEST_F(ContactSolve, PairsGetTheImpulseOfTheReference)
+{
+    makePairs();
+    bench.run("contact_solve", bench.pairs.size());
+    expectAnswers(bench.pairs, bench.pairImpulses(), [&](const TestContact& c) { return ofPair(c); });
+}
+
+TEST_F(ContactSolve, ContactsWithCollidersGetTheImpulseOfTheReference)
+{
+    makeColliderContacts();
+    bench.run("collider_solve", bench.colliderContacts.size());
+    expectAnswers(bench.colliderContacts, bench.colliderImpulses(),
+                  [&](const TestContact& c) { return ofCollider(c); });
+}
+
+TEST_F(ContactSolve, ImpulsesNeverPullAndStayInTheConeOfFriction)
+{
+    makePairs();
+    for (int k = 0; k < 5; ++k) bench.run("contact_solve", bench.pairs.size());
+    const auto found = bench.pairImpulses();
+    for (size_t q = 0; q < found.size(); ++q) {
+        const TestContact& c = bench.pairs[q];
+        const Vector3d p = vec3(found[q]).cast<double>(), n = ofPair(c).normal;
+        const double normal = std::max(double(found[q].w), 0.0);
+        // The normal is off by a ten thousandth of a degree (places of half a metre over a diameter).
+        ASSERT_NEAR(p.dot(n), normal, 1e-5 * p.norm() + 1e-12) << "pair " << q;
+        ASSERT_LE((p - n * p.dot(n)).norm(), c.staticFriction * normal + 1e-5 * p.norm()) << "pair " << q;
+    }
+}
+
+TEST_F(ContactSolve, AnOldPenetrationIsTakenBackByItsShareAndNoFasterThanTheBound)
+{
+    bench.setMoves(0, 0, SPLITS);
+    makePairs();
+    auto resting = bench.pairs;
+    for (TestContact& c : resting) c.impulse = {0, 0, 0, ABOUT_TO_ACT};
+    bench.setPairs(resting);
+    bench.run("contact_solve", resting.size());
+    const auto found = bench.pairImpulses();
+    uint32_t bounded = 0, shared = 0;
+    for (size_t q = 0; q < found.size(); ++q) {
+        const Situation s = ofPair(bench.pairs[q]);
+        if (s.startGap > -1e-4) continue;
+        // How far the impulse takes both sides apart.
+        const double apart = found[q].w * s.inverseMass, share = -step().correction * s.startGap;
+        EXPECT_NEAR(apart, std::min(share, double(step().maxCorrection)), 2e-6) << "pair " << q;
+        EXPECT_LT(vec3(found[q]).cross(s.normal.cast<float>()).norm() * s.worstMass, 2e-6) << "no friction at rest";
+        ++(share > step().maxCorrection ? bounded : shared);
+    }
+    EXPECT_GT(bounded, 100u);
+    EXPECT_GT(shared, 100u);
+}
+
+}  // namespace
+
+}  // namespace knuckle::test

@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "search_test.h"
+#include "sim/solver/body_mass.h"
+
+namespace knuckle::test {
+
+namespace {
+
+/// What each pair is made of, and what it remembers.
+class PairWrite : public testing::Test {
+protected:
+    void find()
+    {
+        bench.findPairs(GridKind::Lattice);
+        bench.fillLists();
+    }
+    /// The current pairs, in order.
+    std::vector<gpu::uvec2> pairs() const
+    {
+        const auto all = bench.buffers.pairs.download();
+        const auto first = all.begin() + static_cast<std::ptrdiff_t>(start());
+        return {first, first + bench.counters().pairCount};
+    }
+    /// Where the impulses of the current pairs start.
+    size_t start() const { return bench.counters().listParity * bench.buffers.parameters.pairCapacity; }
+    /// Turns of the movers, and inverse inertias of the bodies that no box has: nothing in them is zero [1/(kg m2)].
+    void setTurnsAndInertias()
+    {
+        Random random(41);
+        std::vector<gpu::vec4> packedTurns;
+        for (uint32_t m = 0; m < bench.buffers.parameters.moverCount; ++m) {
+            turns.push_back(random.rotation());
+            packedTurns.push_back(packed(turns.back()));
+        }
+        fill(bench.buffers.foundRotations, packedTurns);
+        std::vector<gpu::vec4> packedInertias;
+        for (const Body& body : bench.world.bodies) {
+            const BodyMass mass = bodyMass(bench.world, body);
+            const double radius = std::max(mass.radius, 0.05);   // of a body of one particle: none
+            const auto size = static_cast<float>(1.0 / (mass.mass * radius * radius));
+            const Vector3f diagonal = size * Vector3f(1.5f, 1.5f, 1.5f) + random.inCube(0.5f * size);
+            const Vector3f other = random.inCube(0.5f * size);   // xy, xz, yz
+            packedInertias.push_back(packed(diagonal, static_cast<float>(1.0 / mass.mass)));
+            packedInertias.push_back(packed(other));
+            Matrix3d inertia = diagonal.cast<double>().asDiagonal();
+            inertia(0, 1) = inertia(1, 0) = static_cast<double>(other.x());
+            inertia(0, 2) = inertia(2, 0) = static_cast<double>(other.y());
+            inertia(1, 2) = inertia(2, 1) = static_cast<double>(other.z());
+            inertias.push_back(inertia);
+        }
+        fill(bench.buffers.bodyInertias, packedInertias);
+    }
+    /// 1/M plus what turning adds: (r x n) I^-1 (r x n), for a unit impulse along n on a particle at r.
+    double inverseMass(uint32_t particle, const Vector3f& r, const Vector3d& normal) const
+    {
+        const Particle& p = bench.world.particles[particle];
+        if (p.body == NO_INDEX) return 1.0 / static_cast<double>(p.mass);
+        const Vector3d t = r.cast<double>().cross(turns[p.body].conjugate().cast<double>() * normal);
+        return 1.0 / bodyMass(bench.world, bench.world.bodies[p.body]).mass + t.dot(inertias[p.body] * t);
+    }
+
+    std::vector<Quaternionf> turns;      ///< Per mover.
+    std::vector<Matrix3d> inertias;      ///< Per body, inverse.
+    SearchBench bench;
+};
+
+gpu::vec4 impulseOfPair(gpu::uvec2 pair)
+{
+    return {float(pair.x), float(pair.y), 3.0f, 4.0f};
+}
+
+TEST_F(PairWrite, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChangePlaces)
+{
+    find();
+    std::map<std::pair<uint32_t, uint32_t>, gpu::vec4> old;   // by first and second
+    auto impulses = bench.buffers.pairImpulses.download();
+    const auto before = pairs();
+    size_t first = start();
+    for (size_t q = 0; q < before.size(); ++q)
+        old[{before[q].x, before[q].y}] = impulses[first + q] = impulseOfPair(before[q]);
+    fill(bench.buffers.pairImpulses, impulses);
+    // What lay ahead lies behind in the mirror. Some pairs part, some come together.
+    const auto shifts = randomVectors(bench.count(), 0.03f, 12);
+    auto mirrored = bench.found;
+    for (uint32_t i = 0; i < bench.count(); ++i) mirrored[i] = packed(vec3(shifts[i]) - vec3(mirrored[i]));
+    for (uint32_t i = 0; i < bench.count(); i += 2) mirrored[i].y = -bench.found[i].y;
+    bench.place(mirrored);
+    bench.turnHalves();
+    find();
+    impulses = bench.buffers.pairImpulses.download();
+    uint32_t kept = 0, swapped = 0, fresh = 0, touching = 0;
+    const auto after = pairs();
+    first = start();
+    for (size_t q = 0; q < after.size(); ++q) {
+        const auto [i, j] = after[q];
+        const auto same = old.find({i, j}), turned = old.find({j, i});
+        const gpu::vec4 actual = impulses[first + q];
+        if (same == old.end() && turned == old.end()) {
+            const bool overlap = bench.distance(i, j) < DIAMETER;
+            if (std::abs(bench.distance(i, j) - DIAMETER) < DISTANCE_ROUNDING) continue;
+            ASSERT_EQ(vec3(actual), Vector3f::Zero()) << "particles " << i << " and " << j;
+            ASSERT_EQ(actual.w, overlap ? float(ABOUT_TO_ACT) : 0.0f) << "particles " << i << " and " << j;
+            ++(overlap ? touching : fresh);
+            continue;
+        }
+        const bool swap = same == old.end();
+        const gpu::vec4& last = (swap ? turned : same)->second;
+        ASSERT_EQ(vec3(actual), (swap ? -1.0f : 1.0f) * vec3(last)) << "particles " << i << " and " << j;
+        ASSERT_EQ(actual.w, last.w);
+        ++(swap ? swapped : kept);
+    }
+    EXPECT_GT(kept, 100u);
+    EXPECT_GT(swapped, 100u);
+    EXPECT_GT(fresh, 100u);
+    EXPECT_GT(touching, 100u);
+}
+
+TEST_F(PairWrite, PairsWithoutAPushAreAboutToActWhereTheyOverlap)
+{
+    find();
+    // The same places again: all pairs last, some with nothing, some with the mark already.
+    auto impulses = bench.buffers.pairImpulses.download();
+    const auto found = pairs();
+    size_t first = start();
+    for (size_t q = 0; q < found.size(); ++q) impulses[first + q] = {0, 0, 0, q % 2 == 0 ? float(ABOUT_TO_ACT) : 0};
+    fill(bench.buffers.pairImpulses, impulses);
+    bench.place(bench.found);
+    bench.turnHalves();
+    find();
+    impulses = bench.buffers.pairImpulses.download();
+    const auto again = pairs();
+    first = start();
+    ASSERT_EQ(again.size(), found.size());
+    for (size_t q = 0; q < again.size(); ++q) {
+        const float gap = bench.distance(again[q].x, again[q].y) - DIAMETER;
+        if (std::abs(gap) < DISTANCE_ROUNDING) continue;
+        ASSERT_EQ(impulses[first + q].w, gap < 0 || q % 2 == 0 ? float(ABOUT_TO_ACT) : 0.0f) << "pair " << q;
+    }
+}
+
+TEST_F(PairWrite, APairKnowsItsMoversArmsAndFriction)
+{
+    find();
+    const auto sides = bench.buffers.pairSides.download();
+    const auto arms = bench.buffers.pairArms.download(), offsets = bench.buffers.restOffsets.download();
+    const auto found = pairs();
+    const auto material = [&](uint32_t particle) -> const Material& {
+        return bench.world.materials[bench.world.particles[particle].material];
+    };
+    for (size_t q = 0; q < found.size(); ++q) {
+        const auto [i, j] = found[q];
+        ASSERT_EQ(sides[q].x, bench.moverOf(i)) << "pair " << q;
+        ASSERT_EQ(sides[q].y, bench.moverOf(j)) << "pair " << q;
+        for (int side : {0, 1}) {
+            const gpu::vec4& arm = arms[2 * q + static_cast<size_t>(side)];
+            const gpu::vec4& wanted = offsets[side == 0 ? i : j];
+            ASSERT_EQ(vec3(arm), vec3(wanted)) << "pair " << q;
+            ASSERT_EQ(arm.w, wanted.w) << "pair " << q;
+        }
+        const Eigen::Vector2f frictions = halves(sides[q].z);
+        ASSERT_NEAR(frictions.x(), 0.5f * (material(i).staticFriction + material(j).staticFriction), HALF_ROUNDING);
+        ASSERT_NEAR(frictions.y(), 0.5f * (material(i).kineticFriction + material(j).kineticFriction), HALF_ROUNDING);
+    }
+}
+
+TEST_F(PairWrite, APairKnowsTheInverseMassesAlongItsNormalAsSharesOfTheWorst)
+{
+    setTurnsAndInertias();
+    find();
+    const auto sides = bench.buffers.pairSides.download();
+    const auto offsets = bench.buffers.restOffsets.download();
+    const auto found = pairs();
+    uint32_t partial = 0;
+    for (size_t q = 0; q < found.size(); q += 7) {
+        const Vector3f apart = vec3(bench.found[found[q].x]) - vec3(bench.found[found[q].y]);
+        for (int side : {0, 1}) {
+            const uint32_t particle = side == 0 ? found[q].x : found[q].y;
+            const gpu::vec4& arm = offsets[particle];
+            // Fixed movers have no worst.
+            const double mass = inverseMass(particle, vec3(arm), apart.normalized().cast<double>());
+            const double wanted = arm.w == 0.0f ? 1.0 : std::min(mass / static_cast<double>(arm.w), 1.0);
+            const float share = static_cast<float>(sides[q].w >> (16 * side) & 0xffffu) / 65535.0f;
+            // 16 bits, and some 20 roundings of single precision.
+            ASSERT_NEAR(share, wanted, 1.0 / 65535 + 20 * 0x1p-24) << "pair " << q << ", side " << side;
+            partial += share < 0.9f;
+        }
+    }
+    EXPECT_GT(partial, 100u);
+}
+
+}  // namespace
+
+}  // namespace knuckle::test
