@@ -42,6 +42,8 @@
 #define DISPATCH_FAST 10            // particles that find contacts from afar
 #define DISPATCH_COUNT 11
 
+// By how much longer contacts are to stay good where few things are fast.
+#define CALM 3.0f
 // Relaxation of a mover's contacts: where it starts, and how it grows until their impulses turn about.
 #define FIRST_RELAXATION 1.5f
 #define MOST_RELAXATION 3.2f
@@ -154,8 +156,8 @@ struct Counters {
     uint wantedColliderPairs;
     uint fastCount;                 // particles of movers that will soon leave their margin
     uint fastListed;                // those of them that look further for contacts
-    uint pad0;
-    uint pad1;
+    uint fastLater;                 // particles of movers that will leave it in CALM times as long
+    uint calm;                      // 1: so few in the last search that contacts are found for as long as that
 };
 
 #ifdef __cplusplus

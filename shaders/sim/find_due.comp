@@ -24,6 +24,10 @@ void main()
     dispatches[DISPATCH_MOVERS] = uvec4(on * groups(step.moverCount), 1, 1, 0);
     dispatches[DISPATCH_NEW_PAIRS] = dispatches[DISPATCH_NEW_COLLIDER_PAIRS] = dispatches[DISPATCH_FAST] =
         uvec4(0, 1, 1, 0);
+    if (due) {
+        counters[0].calm = counters[0].fastLater <= step.fastLimit ? 1u : 0u;
+        counters[0].fastLater = 0u;
+    }
     counters[0].fastCount = counters[0].fastListed = 0u;
     counters[0].due = 0u;
     counters[0].substep += 1u;

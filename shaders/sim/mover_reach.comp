@@ -18,8 +18,11 @@ void main()
     // found_place puts the middle of the way ahead: it lasts for 1.75 times its length. Turns are not looked ahead.
     float path = length(texelFetch(moverMoves, int(m)).xyz) / 1.75 +
                  2.0 * length(texelFetch(moverTurns, int(m)).xyz) * radius;
-    float missing = step.horizon * path - step.drift;
+    bool calm = counters[0].calm == 1u;
+    float missing = (calm ? CALM : 1.0) * step.horizon * path - step.drift;
     float reach = clamp(missing, 0.0, step.farReach);
     moverReaches[m] = reach;
-    if (reach > 0.0) atomicAdd(counters[0].fastCount, texelFetch(moverInfo, int(m)).y);
+    uint particles = texelFetch(moverInfo, int(m)).y;
+    if (reach > 0.0) atomicAdd(counters[0].fastCount, particles);
+    if (CALM * step.horizon * path > step.drift) atomicAdd(counters[0].fastLater, particles);
 }

@@ -24,6 +24,8 @@ protected:
         counters.listParity = 1;
         counters.findCount = 7;
         counters.fastCount = 3;
+        counters.fastLater = bench.buffers.parameters.fastLimit + 1;
+        counters.calm = 1;
         counters.fastListed = 2;
         counters.pairCount = 55;
         // What the last search left.
@@ -60,6 +62,8 @@ protected:
         EXPECT_EQ(counters.findCount, found ? 8u : 7u);
         EXPECT_EQ(counters.fastCount, 0u);
         EXPECT_EQ(counters.fastListed, 0u);
+        EXPECT_EQ(counters.fastLater, found ? 0u : bench.buffers.parameters.fastLimit + 1u);
+        EXPECT_EQ(counters.calm, found ? 0u : 1u) << "too many were fast in the last search";
         EXPECT_EQ(counters.due, 0u);
     }
 

@@ -78,6 +78,30 @@ protected:
         return fast;
     }
 
+    void expectReaches(float longer)
+    {
+        const auto found = bench.buffers.moverReaches.download();
+        const auto infos = bench.buffers.moverInfo.download();
+        const auto moments = bench.buffers.bodyMoments.download();
+        uint32_t fast = 0, later = 0, none = 0, most = 0;
+        for (uint32_t m = 0; m < movers(); ++m) {
+            const double radius = m < parameters().bodyCount ? moments[3 * m].w : 0.0;
+            // A way of 1.75 times what the place lies ahead of its start, and a turn that nothing looks ahead of.
+            const double way = vec3(moves[m]).cast<double>().norm() / 1.75 +
+                               2.0 * quaternion(turns[m]).cast<double>().vec().norm() * radius;
+            const double missing = longer * parameters().horizon * way - parameters().drift;
+            ASSERT_NEAR(found[m], std::clamp<double>(missing, 0.0, parameters().farReach), longer * ROUNDING) << m;
+            ASSERT_GE(found[m], 0.0f);
+            ASSERT_LE(found[m], parameters().farReach);
+            if (found[m] > 0.0f) fast += infos[m].rankCount;
+            if (CALM * parameters().horizon * way > parameters().drift) later += infos[m].rankCount;
+            ++(found[m] == 0.0f ? none : most);
+        }
+        EXPECT_EQ(bench.counters().fastCount, fast);
+        EXPECT_EQ(bench.counters().fastLater, later);
+        for (uint32_t number : {none, most}) EXPECT_GT(number, 20u);
+    }
+
     /// Places up to a metre: 16 roundings of 2^-24 of it.
     static constexpr double ROUNDING = 1e-6;
     Bench bench;
@@ -156,29 +180,19 @@ TEST_F(FoundPlace, ThePapersParticlesAreWhereTheyArePredicted)
     for (uint32_t i = 0; i < particles(); ++i) ASSERT_EQ(vec3(found[i]), vec3(starts[i]) + vec3(predicted[i]));
 }
 
-TEST_F(FoundPlace, MoversReachAsFarAsTheirWayWillLeadThemBeyondTheDrift)
+TEST_F(FoundPlace, MoversReachAsFarAsTheirWayWillLeadThemBeyondTheDriftAndForLongerWhereFewAreFast)
 {
     moves[1] = packed({1e30f, 0, 0});
     fill(bench.buffers.moverMoves, moves);
-    bench.forMovers("mover_reach");
-    const auto found = bench.buffers.moverReaches.download();
-    const auto infos = bench.buffers.moverInfo.download();
-    const auto moments = bench.buffers.bodyMoments.download();
-    uint32_t fast = 0, none = 0, some = 0, most = 0;
-    for (uint32_t m = 0; m < movers(); ++m) {
-        const double radius = m < parameters().bodyCount ? moments[3 * m].w : 0.0;
-        // A way of 1.75 times what the place lies ahead of its start, and a turn that nothing looks ahead of.
-        const double way = vec3(moves[m]).cast<double>().norm() / 1.75 +
-                           2.0 * quaternion(turns[m]).cast<double>().vec().norm() * radius;
-        const double missing = parameters().horizon * way - parameters().drift;
-        ASSERT_NEAR(found[m], std::clamp<double>(missing, 0.0, parameters().farReach), ROUNDING) << "mover " << m;
-        ASSERT_GE(found[m], 0.0f);
-        ASSERT_LE(found[m], parameters().farReach);
-        if (found[m] > 0.0f) fast += infos[m].rankCount;
-        ++(found[m] == 0.0f ? none : found[m] < parameters().farReach ? some : most);
+    for (uint32_t calm : {0u, 1u}) {
+        SCOPED_TRACE(calm);
+        gpu::Counters counters = bench.counters();
+        counters.calm = calm;
+        counters.fastCount = counters.fastLater = 0;
+        bench.setCounters(counters);
+        bench.forMovers("mover_reach");
+        expectReaches(calm == 1 ? CALM : 1.0f);
     }
-    EXPECT_EQ(bench.counters().fastCount, fast);
-    for (uint32_t number : {none, some, most}) EXPECT_GT(number, 20u);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ const std::vector<Member> COUNTERS = {
     MEMBER(Counters, badParticle), MEMBER(Counters, substep), MEMBER(Counters, due), MEMBER(Counters, listParity),
     MEMBER(Counters, findCount), MEMBER(Counters, pairCount), MEMBER(Counters, colliderPairCount),
     MEMBER(Counters, wantedPairs), MEMBER(Counters, wantedColliderPairs), MEMBER(Counters, fastCount),
-    MEMBER(Counters, fastListed), MEMBER(Counters, pad0), MEMBER(Counters, pad1)};
+    MEMBER(Counters, fastListed), MEMBER(Counters, fastLater), MEMBER(Counters, calm)};
 const std::vector<Member> COLLIDER = {MEMBER(GpuCollider, position), MEMBER(GpuCollider, orientation),
                                       MEMBER(GpuCollider, size), MEMBER(GpuCollider, friction)};
 const std::vector<Member> BODY_INFO = {MEMBER(BodyInfo, linkStart), MEMBER(BodyInfo, linkCount),
