@@ -10,6 +10,12 @@
 /// A reference to a pair for which there was no room.
 #define NO_PAIR 0xffffffffu
 
+/// The place of a rank in one of the lists, as in listCounts.
+uint listPlace(uint list, uint rank)
+{
+    return list * step.particleCount + rank;
+}
+
 /// Where listStarts has the first entry of a rank's list; the next entry is the end.
 uint listStart(uint parity, uint place)
 {

@@ -1,4 +1,5 @@
 // What a search for contacts knows about particles, and where it notes what it finds.
+#include "shared/contact_lists.glsl"
 
 uniform samplerBuffer sortedPositions;
 uniform usamplerBuffer sortedInfos;      // particle, assembly, rank, 1 if fast
@@ -31,7 +32,7 @@ bool mayTouch(uint i, uint j)
 void notePair(uvec4 own, uvec4 other, uint count)
 {
     if (count >= step.contactSlots) return;
-    uint arrival = atomicAdd(listCounts[step.particleCount + other.z], 1u);
+    uint arrival = atomicAdd(listCounts[listPlace(SECOND_OF_PAIR, other.z)], 1u);
     firstLists[count * step.particleCount + own.x] = uvec2(other.x, arrival);
 }
 
@@ -41,5 +42,5 @@ void noteCount(uvec4 own, uint count)
         atomicOr(counters[0].problems, PROBLEM_CONTACTS);
         atomicMax(counters[0].wantedContacts, count);
     }
-    listCounts[own.z] = min(count, step.contactSlots);
+    listCounts[listPlace(FIRST_OF_PAIR, own.z)] = min(count, step.contactSlots);
 }

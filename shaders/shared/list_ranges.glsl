@@ -11,8 +11,8 @@ uint listEntry(uint parity, uint place)
 /// The entries of `count` ranks from `rank` on: first and end.
 uvec2 listRange(uint parity, uint list, uint rank, uint count)
 {
-    uint place = list * step.particleCount + rank;
-    uint before = list == FIRST_OF_PAIR ? 0u : listEntry(parity, list * step.particleCount);
+    uint place = listPlace(list, rank);
+    uint before = list == FIRST_OF_PAIR ? 0u : listEntry(parity, listPlace(list, 0u));
     uint capacity = list == FIRST_OF_PAIR    ? step.pairCapacity
                     : list == SECOND_OF_PAIR ? step.contactSlots * step.particleCount
                                              : step.colliderPairCapacity;
@@ -22,7 +22,7 @@ uvec2 listRange(uint parity, uint list, uint rank, uint count)
 /// How many entries a list has, which may be more than there is room for.
 uint listTotal(uint parity, uint list)
 {
-    return listEntry(parity, (list + 1u) * step.particleCount) - listEntry(parity, list * step.particleCount);
+    return listEntry(parity, listPlace(list + 1u, 0u)) - listEntry(parity, listPlace(list, 0u));
 }
 
 /// From b to a, for two points at most a rounding error apart: up for the first, down for the second.

@@ -1,6 +1,7 @@
 // One thread a particle: the static colliders that it may touch.
 #include "shared/kernel.glsl"
 #include "shared/colliders.glsl"
+#include "shared/contact_lists.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer foundPositions;
@@ -34,5 +35,5 @@ void main()
         atomicOr(counters[0].problems, PROBLEM_COLLIDERS);
         atomicMax(counters[0].wantedColliders, count);
     }
-    listCounts[2u * step.particleCount + place.y] = min(count, COLLIDER_SLOTS);
+    listCounts[listPlace(WITH_COLLIDER, place.y)] = min(count, COLLIDER_SLOTS);
 }

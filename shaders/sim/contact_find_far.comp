@@ -22,7 +22,6 @@ bool isContact(uvec4 own, uvec4 other, float far, float reach)
     if (other.w != 0u && other.z < own.z) return false;
     float both = reach + (other.w != 0u ? reachOf(other.x) : 0.0);
     if (far >= step.contactRadius + both) return false;
-    if (texelFetch(particlePlaces, int(own.x)).x == texelFetch(particlePlaces, int(other.x)).x) return false;
     return other.y != own.y || mayTouch(own.x, other.x);
 }
 

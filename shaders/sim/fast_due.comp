@@ -1,5 +1,6 @@
 // One thread: how many work groups contact_find_far needs.
 #include "shared/kernel.glsl"
+#include "shared/groups.glsl"
 
 layout(local_size_x = 1) in;
 BUFFER(uvec4, Dispatches, dispatches);
@@ -7,5 +8,5 @@ READ_BUFFER(Counters, CountersBlock, counters);
 
 void main()
 {
-    dispatches[DISPATCH_FAST] = uvec4((counters[0].fastListed + GROUP_SIZE - 1u) / GROUP_SIZE, 1, 1, 0);
+    dispatches[DISPATCH_FAST] = uvec4(groups(counters[0].fastListed), 1, 1, 0);
 }

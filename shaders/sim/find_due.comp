@@ -1,15 +1,11 @@
 // One thread: counts the substep and sets the sizes of the dispatches that find contact candidates, to zero where
 // nobody has used up its margin.
 #include "shared/kernel.glsl"
+#include "shared/groups.glsl"
 
 layout(local_size_x = 1) in;
 BUFFER(Counters, CountersBlock, counters);
 BUFFER(uvec4, Dispatches, dispatches);
-
-uint groups(uint threads)
-{
-    return (threads + GROUP_SIZE - 1u) / GROUP_SIZE;
-}
 
 void main()
 {

@@ -2,6 +2,7 @@
 // it. The place lies on its predicted way, ahead of it by most of its margin, so that it stays near that place for
 // longer.
 #include "shared/kernel.glsl"
+#include "shared/contact_lists.glsl"
 #ifdef FROM_POSITIONS
 uniform samplerBuffer positions;
 uniform samplerBuffer predicted;
@@ -43,5 +44,5 @@ void main()
                                                   texelFetch(moverRotations, int(mover)));
     }
 #endif
-    listCounts[step.particleCount + place.y] = 0u;
+    listCounts[listPlace(SECOND_OF_PAIR, place.y)] = 0u;
 }

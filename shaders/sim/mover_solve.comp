@@ -5,8 +5,7 @@
 #include "shared/kernel.glsl"
 #include "shared/turn.glsl"
 #include "shared/fields.glsl"
-#include "shared/list_ranges.glsl"
-#include "shared/links.glsl"
+#include "shared/impulse_sums.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer moverRotations;
@@ -17,65 +16,12 @@ uniform samplerBuffer lastMoverChanges;
 uniform samplerBuffer bodyMoments;       // w of the first of three: radius
 uniform usamplerBuffer moverInfo;
 uniform usamplerBuffer bodyInfo;
-uniform samplerBuffer pairImpulses;
-uniform samplerBuffer pairArms;
-uniform usamplerBuffer pairReferences;
-uniform samplerBuffer colliderImpulses;
-uniform samplerBuffer colliderArms;
-uniform samplerBuffer linkImpulses;
 BUFFER(vec4, MoverMoves, moverMoves);    // w: over how many impulses its mass is split
 BUFFER(vec4, MoverTurns, moverTurns);
 BUFFER(vec4, MoverImpulses, moverImpulses);   // field: the sums of contacts
 BUFFER(vec4, MoverChanges, moverChanges);     // field: how they changed last; w of the first: relaxation
 BUFFER(uvec2, AssemblyState, assemblyState);
 BUFFER(Counters, CountersBlock, counters);
-
-struct Sum {
-    Field impulse;
-    float acting;
-};
-
-void add(inout Sum sum, vec4 impulse, float side, vec3 r)
-{
-    vec3 p = side * impulse.xyz;
-    sum.impulse.t += p;
-    sum.impulse.f += outerProduct(p, r);
-    sum.acting += impulse.w != 0.0 ? 1.0 : 0.0;
-}
-
-Sum contactSum(uvec4 info)
-{
-    Sum sum = Sum(Field(vec3(0), mat3(0)), 0.0);
-    uint parity = counters[0].listParity;
-    int pairBase = int(parity * step.pairCapacity), colliderBase = int(parity * step.colliderPairCapacity);
-    uvec2 range = listRange(parity, FIRST_OF_PAIR, info.x, info.y);
-    for (int q = int(range.x); q < int(range.y); ++q)
-        add(sum, texelFetch(pairImpulses, pairBase + q), 1.0, texelFetch(pairArms, 2 * q).xyz);
-    range = listRange(parity, SECOND_OF_PAIR, info.x, info.y);
-    for (uint k = range.x; k < range.y; ++k) {
-        uint reference = texelFetch(pairReferences, int(k)).x;
-        int q = int(min(reference, step.pairCapacity - 1u));
-        vec4 impulse = reference == NO_PAIR ? vec4(0) : texelFetch(pairImpulses, pairBase + q);
-        add(sum, impulse, -1.0, texelFetch(pairArms, 2 * q + 1).xyz);
-    }
-    range = listRange(parity, WITH_COLLIDER, info.x, info.y);
-    for (int q = int(range.x); q < int(range.y); ++q)
-        add(sum, texelFetch(colliderImpulses, colliderBase + q), 1.0, texelFetch(colliderArms, q).xyz);
-    return sum;
-}
-
-Field jointSum(uvec4 body)
-{
-    Field sum = Field(vec3(0), mat3(0));
-#ifndef WARM
-    for (uint l = body.x + body.z; l < body.x + body.y; ++l) {
-        vec3 p = texelFetch(linkImpulses, int(l)).xyz;
-        sum.t += p;
-        sum.f += outerProduct(p, fetchLink(l).r);
-    }
-#endif
-    return sum;
-}
 
 /// The relaxation of a mover's contacts: as large as lets their impulses converge. Too large shows as changes that turn
 /// about from iteration to iteration and shrink by less than a tenth.
@@ -109,7 +55,7 @@ void main()
     uvec4 info = texelFetch(moverInfo, int(m));
     float inverseMass = uintBitsToFloat(info.w);
     if (inverseMass == 0.0) return;
-    Sum contacts = contactSum(info);
+    Sum contacts = contactSum(info, counters[0].listParity);
     float relaxed = relaxation(m, contacts.impulse, contacts.acting);
     STORE_FIELD(moverImpulses, m, contacts.impulse)
     if (contacts.impulse.t != vec3(0)) assemblyState[info.z].x = counters[0].substep - 1u;

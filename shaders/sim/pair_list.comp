@@ -1,6 +1,7 @@
 // One thread a particle: puts the pairs that it is the first of into their places, and has their second particles refer
 // to them. The first thread sets the sizes of the lists.
 #include "shared/kernel.glsl"
+#include "shared/groups.glsl"
 #include "shared/list_ranges.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -24,8 +25,8 @@ void setSizes(uint parity)
     counters[0].wantedColliderPairs = max(counters[0].wantedColliderPairs, withColliders);
     if (total > step.pairCapacity || withColliders > step.colliderPairCapacity)
         atomicOr(counters[0].problems, PROBLEM_PAIRS);
-    uvec4 pairGroups = uvec4((counters[0].pairCount + GROUP_SIZE - 1u) / GROUP_SIZE, 1, 1, 0);
-    uvec4 colliderGroups = uvec4((counters[0].colliderPairCount + GROUP_SIZE - 1u) / GROUP_SIZE, 1, 1, 0);
+    uvec4 pairGroups = uvec4(groups(counters[0].pairCount), 1, 1, 0);
+    uvec4 colliderGroups = uvec4(groups(counters[0].colliderPairCount), 1, 1, 0);
     dispatches[DISPATCH_PAIRS] = dispatches[DISPATCH_NEW_PAIRS] = pairGroups;
     dispatches[DISPATCH_COLLIDER_PAIRS] = dispatches[DISPATCH_NEW_COLLIDER_PAIRS] = colliderGroups;
 }
@@ -38,12 +39,12 @@ void main()
     if (i == 0u) setSizes(parity);
     uint rank = texelFetch(particlePlaces, int(i)).y;
     uint end = listEntry(parity, rank + 1u), slot = i;
-    uint references = listEntry(parity, step.particleCount);
+    uint references = listEntry(parity, listPlace(SECOND_OF_PAIR, 0u));
     for (uint q = listEntry(parity, rank); q < end; ++q, slot += step.particleCount) {
         uvec2 entry = texelFetch(firstLists, int(slot)).xy;
         uint other = texelFetch(particlePlaces, int(entry.x)).y;
         if (q < step.pairCapacity) pairs[parity * step.pairCapacity + q] = uvec2(i, entry.x);
-        uint place = listEntry(parity, step.particleCount + other) - references + entry.y;
+        uint place = listEntry(parity, listPlace(SECOND_OF_PAIR, other)) - references + entry.y;
         pairArrivals[place] = q;
         pairReferences[place] = NO_PAIR;
     }

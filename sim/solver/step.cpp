@@ -33,82 +33,76 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
       links_(groupsFor(buffers.parameters.linkCount)), shared_(groupsFor(buffers.parameters.sharedCount))
 {
     const BufferTable table = buffers.table();
-    loadSearch(gpu, table);
-    if (settings.solver == SolverKind::Impulse) loadImpulseSolver(gpu, table);
-    else loadPaperSolver(gpu, table);
-}
-
-void Step::loadSearch(const Gpu& gpu, const BufferTable& table)
-{
-    const auto load = [&](const char* name, const Defines& defines = {}) {
+    const Load load = [&](const char* name, Defines defines) {
+        if (settings.rotation == RotationMethod::Householder) defines.push_back({"HOUSEHOLDER", "1"});
         return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
     };
+    loadSearch(load);
+    if (settings.solver == SolverKind::Impulse) loadImpulseSolver(load);
+    else loadPaperSolver(load);
+}
+
+void Step::loadSearch(const Load& load)
+{
     const Defines grid = settings_.grid == GridKind::Hash ? Defines{{"GRID_HASH", "1"}} : Defines{};
     const Defines place = settings_.solver == SolverKind::Paper ? Defines{{"FROM_POSITIONS", "1"}} : Defines{};
     const Defines lists = {{"LISTS", "1"}};
-    findDue_ = load("find_due");
-    moverReach_ = load("mover_reach");
-    fastDue_ = load("fast_due");
+    findDue_ = load("find_due", {});
+    moverReach_ = load("mover_reach", {});
+    fastDue_ = load("fast_due", {});
     foundPlace_ = load("found_place", place);
-    gridClear_ = load("grid_clear");
+    gridClear_ = load("grid_clear", {});
     gridCount_ = load("grid_count", grid);
-    gridSum_ = load("scan_sum");
-    gridChunks_ = load("scan_chunks");
-    gridStart_ = load("grid_start");
-    gridScatter_ = load("grid_scatter");
-    gridOrder_ = load("grid_order");
+    gridSum_ = load("scan_sum", {});
+    gridChunks_ = load("scan_chunks", {});
+    gridStart_ = load("grid_start", {});
+    gridScatter_ = load("grid_scatter", {});
+    gridOrder_ = load("grid_order", {});
     contactFind_ = load("contact_find", grid);
     contactFindFar_ = load("contact_find_far", grid);
-    colliderNear_ = load("collider_near");
-    colliderFind_ = load("collider_find");
+    colliderNear_ = load("collider_near", {});
+    colliderFind_ = load("collider_find", {});
     listSum_ = load("scan_sum", lists);
     listChunks_ = load("scan_chunks", lists);
     listStart_ = load("list_start", lists);
-    pairList_ = load("pair_list");
-    pairWrite_ = load("pair_write");
-    colliderWrite_ = load("collider_write");
+    pairList_ = load("pair_list", {});
+    pairWrite_ = load("pair_write", {});
+    colliderWrite_ = load("collider_write", {});
 }
 
-void Step::loadImpulseSolver(const Gpu& gpu, const BufferTable& table)
+void Step::loadImpulseSolver(const Load& load)
 {
-    const auto load = [&](const char* name, Defines defines = {}) {
-        if (settings_.rotation == RotationMethod::Householder) defines.push_back({"HOUSEHOLDER", "1"});
-        return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
-    };
-    moverPredict_ = load("mover_predict");
+    moverPredict_ = load("mover_predict", {});
     moverWarm_ = load("mover_solve", {{"WARM", "1"}});
-    contactSolve_ = load("contact_solve");
-    colliderSolve_ = load("collider_solve");
+    contactSolve_ = load("contact_solve", {});
+    colliderSolve_ = load("collider_solve", {});
     jointSolveFirst_ = load("joint_solve", {{"FIRST", "1"}});
-    jointSolve_ = load("joint_solve");
-    moverSolve_ = load("mover_solve");
-    moverFinish_ = load("mover_finish");
-    particlePlace_ = load("particle_place");
+    jointSolve_ = load("joint_solve", {});
+    moverSolve_ = load("mover_solve", {});
+    moverFinish_ = load("mover_finish", {});
+    particlePlace_ = load("particle_place", {});
 }
 
-void Step::loadPaperSolver(const Gpu& gpu, const BufferTable& table)
+void Step::loadPaperSolver(const Load& load)
 {
-    const auto load = [&](const char* name, const Defines& defines = {}) {
-        return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
-    };
-    const Defines centres = {{"CENTRES", "1"}}, householder = {{"HOUSEHOLDER", "1"}};
-    predict_ = load("predict");
-    bodyStart_ = load("body_start");
+    const Defines centres = {{"CENTRES", "1"}};
+    predict_ = load("predict", {});
+    bodyStart_ = load("body_start", {});
     contactStabilize_ = load("contact_average", {{"STABILIZE", "1"}});
-    stabilizeApply_ = load("stabilize_apply");
-    contactAverage_ = load("contact_average");
+    stabilizeApply_ = load("stabilize_apply", {});
+    contactAverage_ = load("contact_average", {});
     if (settings_.reduction == ReductionKind::Steps) {
         linkCentreTerms_ = load("link_terms", centres);
-        linkMatrixTerms_ = load("link_terms");
-        linkReduce_ = load("link_reduce");
+        linkMatrixTerms_ = load("link_terms", {});
+        linkReduce_ = load("link_reduce", {});
         bodyCollectCentres_ = load("body_collect", centres);
-        bodyCollectMatrices_ = load("body_collect");
+        bodyCollectMatrices_ = load("body_collect", {});
     } else
-        bodySum_ = load(settings_.reduction == ReductionKind::Group ? "body_sum_group" : "body_sum");
-    bodyRotation_ = load("body_rotation", settings_.rotation == RotationMethod::Householder ? householder : Defines{});
-    shapeGoals_ = load("shape_goals");
-    jointGoals_ = load("joint_goals");
-    finish_ = load("finish");
+        bodySum_ = load(settings_.reduction == ReductionKind::Group ? "body_sum_group" : "body_sum", {});
+    bodyRotation_ = load("body_rotation", {});
+    shapeGoals_ = load("shape_goals", {});
+    jointGoals_ = load("joint_goals", {});
+    finish_ = load("finish", {});
 }
 
 void Step::run(KernelTimer& timer) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "sim/gpu/kernel.h"
@@ -17,9 +18,11 @@ public:
     void run(KernelTimer& timer) const;
 
 private:
-    void loadSearch(const Gpu& gpu, const BufferTable& table);
-    void loadImpulseSolver(const Gpu& gpu, const BufferTable& table);
-    void loadPaperSolver(const Gpu& gpu, const BufferTable& table);
+    /// Compiles a kernel by its name below shaders/sim.
+    using Load = std::function<Kernel(const char* name, Defines defines)>;
+    void loadSearch(const Load& load);
+    void loadImpulseSolver(const Load& load);
+    void loadPaperSolver(const Load& load);
     void findContacts(KernelTimer& timer) const;
     void impulseSubstep(KernelTimer& timer) const;
     void paperSubstep(KernelTimer& timer) const;

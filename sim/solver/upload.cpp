@@ -7,6 +7,7 @@
 
 #include "sim/solver/body_mass.h"
 #include "sim/solver/buffers.h"
+#include "sim/solver/pack.h"
 #include "sim/solver/upload_movers.h"
 #include "sim/world/errors.h"
 
@@ -16,11 +17,6 @@ namespace {
 
 constexpr uint32_t FIRST_CONTACT_SLOTS = 8;
 constexpr float NO_SELF_CONTACT = 1e9f;   // a margin [diameters] that nothing is beyond
-
-gpu::vec4 pack(const Vector3f& v, float w)
-{
-    return {v.x(), v.y(), v.z(), w};
-}
 
 bool isFixed(const World& world, const Particle& particle)
 {

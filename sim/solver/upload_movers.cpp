@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "sim/solver/body_mass.h"
+#include "sim/solver/pack.h"
 
 namespace knuckle {
 
@@ -12,11 +13,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-gpu::vec4 pack(const Vector3f& v, float w)
-{
-    return {v.x(), v.y(), v.z(), w};
-}
 
 /// Arrays per mover, bodies first.
 struct Movers {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "shared/gpu_types.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// As kernels read it.
+inline gpu::vec4 pack(const Vector3f& v, float w)
+{
+    return {v.x(), v.y(), v.z(), w};
+}
+
+}  // namespace knuckle
