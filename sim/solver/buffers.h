@@ -24,7 +24,7 @@ struct SolverBuffers {
     Buffer<gpu::uvec2> particleLinks;    ///< First entry and count in linksOfParticle.
     Buffer<gpu::uvec2> linksOfParticle;  ///< Per link, grouped by particle: link, body.
     Buffer<gpu::BodyInfo> bodyInfo;      ///< Per body.
-    Buffer<gpu::vec4> bodyMoments;       ///< Per body: three columns of the sum of m r r^T [kg m2]; w of one: radius [m].
+    Buffer<gpu::vec4> bodyMoments;       ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
     Buffer<gpu::vec4> bodyInertias;      ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
     Buffer<gpu::MoverInfo> moverInfo;    ///< Per mover.
     Buffer<uint32_t> sharedParticles;    ///< The particles of two or more bodies.

@@ -33,8 +33,9 @@ private:
     SolverBuffers& buffers_;
     uint32_t particles_, movers_, bodies_, links_, shared_;   ///< Work groups.
     // Finding contacts.
-    Kernel findDue_, moverReach_, foundPlace_, fastDue_, gridClear_, gridCount_, gridSum_, gridChunks_, gridStart_, gridScatter_, gridOrder_,
-        contactFind_, contactFindFar_, colliderNear_, colliderFind_, listSum_, listChunks_, listStart_, pairList_, pairWrite_, colliderWrite_;
+    Kernel findDue_, moverReach_, foundPlace_, fastDue_, gridClear_, gridCount_, gridSum_, gridChunks_, gridStart_,
+        gridScatter_, gridOrder_, contactFind_, contactFindFar_, colliderNear_, colliderFind_, listSum_, listChunks_,
+        listStart_, pairList_, pairWrite_, colliderWrite_;
     // The default solver.
     Kernel moverPredict_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_, moverSolve_,
         moverFinish_, particlePlace_;

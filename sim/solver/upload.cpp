@@ -247,13 +247,13 @@ BufferTable SolverBuffers::table()
 {
     BufferTable t;
     t.add(positions, velocities, particleInfo, particlePlaces, rankedParticles, masses, restPositions, restOffsets,
-          links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo, sharedParticles,
-          colliders, step);
+          links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
+          sharedParticles, colliders, step);
     t.add(moverCentres, moverRotations, moverMoves, moverTurns, moverVelocities, oldMoverVelocities, oldMoverMoves,
           moverPredictions, moverImpulses, moverChanges, linkImpulses, assemblyState);
     t.add(oldMoves, oldVelocities, predicted, moved, stabilized, bodyStarts, bodyMatrices, linkTerms);
-    t.add(foundPositions, foundCentres, foundRotations, moverReaches, fastParticles, moverColliders, particleCells, cellCounts, cellSums, cellStarts, cellMembers,
-          sortedPositions, sortedInfos);
+    t.add(foundPositions, foundCentres, foundRotations, moverReaches, fastParticles, moverColliders, particleCells,
+          cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);
     t.add(firstLists, colliderLists, listCounts, listSums, listStarts, pairs, pairSides, pairArms, pairImpulses,
           pairArrivals, pairReferences, colliderPairs, colliderSides, colliderArms, colliderImpulses, dispatches);
     t.add("countersBlock", counters, 16);
