@@ -63,7 +63,7 @@ uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, 
     }
     builder.setSelfMargin(SELF_MARGIN);
     for (uint32_t b = 0; b < bodies.size(); ++b) {
-        if (actor.bodies[b].name.ends_with("/cross")) builder.exemptFromSelfContact(bodies[b]);
+        if (actor.bodies[b].name.ends_with("/cross")) builder.markCross(bodies[b]);
     }
     return builder.endObject(pose, velocity);
 }

@@ -147,10 +147,10 @@ void makeGrid(SolverBuffers& out, uint32_t particleCount)
 void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
 {
     const bool paper = s.solver == SolverKind::Paper;
-    p.correction = paper ? 1.0f : 0.05f;
+    p.correction = paper ? 1.0f : 0.06f;
     p.maxCorrection = paper ? std::numeric_limits<float>::max() : 0.5f * p.substepTime;
-    p.warmStart = std::pow(0.95f, 1.0f / static_cast<float>(s.iterations));
-    p.jointRelaxation = 1.7f;
+    p.warmStart = std::pow(0.97f, 1.0f / static_cast<float>(s.iterations));
+    p.jointRelaxation = 1.8f;
 }
 
 /// How far contacts are looked for, and for how long they stay good. Neighbours rarely use up their margins both and
@@ -159,7 +159,7 @@ void setSearchParameters(gpu::StepParameters& p, const Settings& s)
 {
     p.contactRadius = (1.0f + s.contactMargin) * p.diameter;
     p.inverseCellSize = 1.0f / p.contactRadius;
-    p.drift = 0.8f * s.contactMargin * p.diameter;
+    p.drift = 0.9f * s.contactMargin * p.diameter;
     p.lookAhead = 0.5f * static_cast<float>(s.substeps);
     p.horizon = 2.0f * static_cast<float>(s.substeps);
     p.farReach = 0.5f * p.contactRadius;

@@ -54,8 +54,9 @@ public:
     void noteJoint(Joint joint);
     /// Particle::selfMargin for all particles of the open object [diameters].
     void setSelfMargin(float margin);
-    /// The body's particles touch no other of their assembly (the cross of a universal joint).
-    void exemptFromSelfContact(uint32_t body);
+    /// The body is the cross of a universal joint: its particles touch no other of their assembly, and it has most of
+    /// the mass of those that it shares.
+    void markCross(uint32_t body);
     /// Places the open object; `velocity` [m/s] and `spin` [rad/s] about its mass centre. @returns the object's index.
     uint32_t endObject(const Pose& pose = {}, const Vector3f& velocity = {0, 0, 0},
                        const Vector3f& spin = {0, 0, 0});
@@ -77,11 +78,13 @@ private:
     void shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB, Joint& joint);
     void requireObject(const char* what) const;
     void assignAssemblies();
-    void makeLinks();
     void makeBodyLinks(uint32_t bodyIndex);
+    /// Of a particle's mass, in a body that it belongs to, 0 ... 1.
+    float massShare(uint32_t particle, uint32_t body) const;
 
     World world_;
     std::vector<std::vector<uint32_t>> bodyParticles_;   ///< Per body, the particles in its block, in order.
+    std::vector<std::vector<uint32_t>> owners_;          ///< Per particle, its bodies.
     bool objectOpen_ = false;
     uint32_t objectFirstParticle_ = 0;
 };

@@ -7,8 +7,8 @@ namespace knuckle {
 
 uint32_t automaticSubsteps(float diameter, float timeStep)
 {
-    const float needed = 6.0f * 5.0f * timeStep / diameter;
-    return static_cast<uint32_t>(std::clamp(std::ceil(needed - 0.01f), 5.0f, 16.0f));
+    const float needed = 5.0f * 4.5f * timeStep / diameter;
+    return static_cast<uint32_t>(std::clamp(std::ceil(needed - 0.01f), 4.0f, 16.0f));
 }
 
 Settings paperSettings()

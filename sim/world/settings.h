@@ -46,7 +46,7 @@ struct Settings {
     float maxSpeed = 100.0f;                       ///< [m/s], > 0.
 };
 
-/// As many that something as fast as a fall of 1.3 m (5 m/s) stays within a sixth of a diameter in one, 5 to 16.
+/// As many that something as fast as a fall of 1 m (4.5 m/s) stays within a fifth of a diameter in one, 4 to 16.
 /// @param diameter of particles [m]. @param timeStep [s].
 uint32_t automaticSubsteps(float diameter, float timeStep);
 

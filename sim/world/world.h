@@ -68,6 +68,7 @@ struct Body {
     uint32_t assembly = NO_INDEX;
     uint32_t linkStart = 0, linkCount = 0;
     uint32_t object = NO_INDEX;               ///< Index into World::objects: what the scene calls one thing.
+    bool isCross = false;                     ///< The flat middle body of a universal joint.
     float mass = 0.0f;                        ///< Sum of its particles' shares of mass, PIN_WEIGHT left out [kg].
     /// The weighted centre that shape matching turns the body about, in the object's rest pose [m]: the mass centre,
     /// but where PIN_WEIGHT applies.

@@ -33,10 +33,10 @@ TEST(Builder, SubstepsFollowTheDiameterUnlessTold)
         builder.addLooseParticle({});
         return builder.build().settings.substeps;
     };
-    // 5 m/s come 83.3 mm far in a step of 1/60 s: five sixths of 0.1 m, 12.5 of 0.04 m.
-    EXPECT_EQ(substeps(0.05f), 5u);
-    EXPECT_EQ(substeps(0.02f), 13u);
-    EXPECT_EQ(substeps(0.5f), 5u);
+    // 4.5 m/s come 75 mm far in a step of 1/60 s: 3.75 fifths of 0.1 m, 9.4 of 0.04 m.
+    EXPECT_EQ(substeps(0.05f), 4u);
+    EXPECT_EQ(substeps(0.02f), 10u);
+    EXPECT_EQ(substeps(0.5f), 4u);
     EXPECT_EQ(substeps(0.001f), 16u);
     Settings told;
     told.substeps = 3;
@@ -104,7 +104,7 @@ TEST(Builder, ASelfMarginAndAnExemptionHoldForTheOpenObjectOnly)
         const uint32_t b = builder.addBody("b", cubeAt({2, 0, 0}), 0);
         if (std::string(name) == "soft") {
             builder.setSelfMargin(0.5f);
-            builder.exemptFromSelfContact(b);
+            builder.markCross(b);
         }
         builder.endObject();
     }
@@ -113,6 +113,28 @@ TEST(Builder, ASelfMarginAndAnExemptionHoldForTheOpenObjectOnly)
         EXPECT_EQ(p.selfMargin, p.body >= 2 ? 0.5f : 0.0f);
         EXPECT_EQ(p.touchesAssembly, p.body != 3);
     }
+}
+
+TEST(Builder, ACrossHasMostOfTheMassThatItShares)
+{
+    WorldBuilder builder = makeBuilder();
+    builder.beginObject("pair");
+    const uint32_t a = builder.addBody("a", cubeAt({-2, 0, 0}), 0), b = builder.addBody("b", cubeAt({2, 0, 0}), 0);
+    JointSpec spec;
+    spec.type = JointType::Universal;
+    builder.addJoint(a, b, spec);
+    builder.endObject();
+    const World world = builder.build();
+    std::vector<float> sums(world.particles.size());
+    for (const Link& link : world.links) {
+        const Particle& particle = world.particles[link.particle];
+        sums[link.particle] += link.mass;
+        // Six parts of eight where three bodies share, of seven where two do.
+        if (world.bodies[link.body].isCross) {
+            EXPECT_NEAR(link.mass, particle.mass * (particle.bodyCount == 3 ? 0.75f : 6.0f / 7.0f), 1e-6f);
+        }
+    }
+    for (size_t i = 0; i < sums.size(); ++i) EXPECT_NEAR(sums[i], world.particles[i].mass, 1e-6f);
 }
 
 TEST(Builder, AJointMadeByHandIsRecordedAsItIsGiven)
