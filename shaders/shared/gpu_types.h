@@ -131,6 +131,7 @@ struct StepParameters {
     float maxCorrection;            // of a penetration per substep [m]
     float jointRelaxation;          // of the joints' impulses
     uint sharedCount;               // particles of two or more bodies
+    uint sharedByTwo;               // of exactly two: the first of sharedParticles
     uint moverCount;                // bodies and loose particles
     uint pairCapacity;              // contacts between particles
     uint colliderPairCapacity;      // contacts with colliders

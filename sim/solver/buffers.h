@@ -28,6 +28,7 @@ struct SolverBuffers {
     Buffer<gpu::vec4> bodyInertias;      ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
     Buffer<gpu::MoverInfo> moverInfo;    ///< Per mover.
     Buffer<uint32_t> sharedParticles;    ///< The particles of two or more bodies.
+    Buffer<gpu::uvec4> sharedOwners;     ///< Of those of exactly two, which come first: link and body of each.
     Buffer<gpu::GpuCollider> colliders;
     Buffer<gpu::StepParameters> step;
     // Movers: bodies, then loose particles. Fields as in shaders/shared/fields.glsl.

@@ -17,8 +17,8 @@
 //     where they bring its particles;
 //   finishes with velocities and places (mover_finish).
 //
-// A step ends with its particles where their bodies have them (particle_place): those that bodies share at the mean of
-// their goals, which is the joint.
+// A step ends with its particles where their bodies have them (particle_place); those that bodies share stand at the
+// mean of their goals, which is the joint (joint_place).
 //
 // The paper's solver does all of this particle by particle: predict, contact_average (each particle moves by the
 // average of its overlaps), then each body is matched to its particles (body_sum, body_rotation) and they go to their
@@ -30,7 +30,9 @@ namespace knuckle {
 Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
     : settings_(settings), buffers_(buffers), particles_(groupsFor(buffers.parameters.particleCount)),
       movers_(groupsFor(buffers.parameters.moverCount)), bodies_(groupsFor(buffers.parameters.bodyCount)),
-      links_(groupsFor(buffers.parameters.linkCount)), shared_(groupsFor(buffers.parameters.sharedCount))
+      links_(groupsFor(buffers.parameters.linkCount)), shared_(groupsFor(buffers.parameters.sharedCount)),
+      sharedByTwo_(groupsFor(buffers.parameters.sharedByTwo)),
+      sharedByMany_(groupsFor(buffers.parameters.sharedCount - buffers.parameters.sharedByTwo))
 {
     const BufferTable table = buffers.table();
     const Load load = [&](const char* name, Defines defines) {
@@ -78,9 +80,12 @@ void Step::loadImpulseSolver(const Load& load)
     colliderSolve_ = load("collider_solve", {});
     jointSolveFirst_ = load("joint_solve", {{"FIRST", "1"}});
     jointSolve_ = load("joint_solve", {});
+    jointSolveManyFirst_ = load("joint_solve_many", {{"FIRST", "1"}});
+    jointSolveMany_ = load("joint_solve_many", {});
     moverSolve_ = load("mover_solve", {});
     moverFinish_ = load("mover_finish", {});
     particlePlace_ = load("particle_place", {});
+    jointPlace_ = load("joint_place", {});
 }
 
 void Step::loadPaperSolver(const Load& load)
@@ -109,7 +114,9 @@ void Step::run(KernelTimer& timer) const
 {
     const bool paper = settings_.solver == SolverKind::Paper;
     for (uint32_t i = 0; i < settings_.substeps; ++i) paper ? paperSubstep(timer) : impulseSubstep(timer);
-    if (!paper) particlePlace_.dispatch(timer, particles_);
+    if (paper) return;
+    particlePlace_.dispatch(timer, particles_);
+    if (shared_ > 0) jointPlace_.dispatch(timer, shared_);
 }
 
 void Step::findContacts(KernelTimer& timer) const
@@ -148,7 +155,8 @@ void Step::impulseSubstep(KernelTimer& timer) const
     for (uint32_t i = 0; i < settings_.iterations; ++i) {
         contactSolve_.dispatchIndirect(timer, sizes, DISPATCH_PAIRS);
         colliderSolve_.dispatchIndirect(timer, sizes, DISPATCH_COLLIDER_PAIRS);
-        if (shared_ > 0) (i == 0 ? jointSolveFirst_ : jointSolve_).dispatch(timer, shared_);
+        if (sharedByTwo_ > 0) (i == 0 ? jointSolveFirst_ : jointSolve_).dispatch(timer, sharedByTwo_);
+        if (sharedByMany_ > 0) (i == 0 ? jointSolveManyFirst_ : jointSolveMany_).dispatch(timer, sharedByMany_);
         moverSolve_.dispatch(timer, movers_);
     }
     moverFinish_.dispatch(timer, movers_);

@@ -31,14 +31,14 @@ private:
 
     Settings settings_;
     SolverBuffers& buffers_;
-    uint32_t particles_, movers_, bodies_, links_, shared_;   ///< Work groups.
+    uint32_t particles_, movers_, bodies_, links_, shared_, sharedByTwo_, sharedByMany_;   ///< Work groups.
     // Finding contacts.
     Kernel findDue_, moverReach_, foundPlace_, fastDue_, gridClear_, gridCount_, gridSum_, gridChunks_, gridStart_,
         gridScatter_, gridOrder_, contactFind_, contactFindFar_, colliderNear_, colliderFind_, listSum_, listChunks_,
         listStart_, pairList_, pairWrite_, colliderWrite_;
     // The default solver.
-    Kernel moverPredict_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_, moverSolve_,
-        moverFinish_, particlePlace_;
+    Kernel moverPredict_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_,
+        jointSolveManyFirst_, jointSolveMany_, moverSolve_, moverFinish_, particlePlace_, jointPlace_;
     // The paper's.
     Kernel predict_, bodyStart_, contactStabilize_, stabilizeApply_, contactAverage_, bodySum_, linkCentreTerms_,
         linkMatrixTerms_, linkReduce_, bodyCollectCentres_, bodyCollectMatrices_, bodyRotation_, shapeGoals_,

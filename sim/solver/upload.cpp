@@ -108,6 +108,14 @@ void uploadLinks(SolverBuffers& out, const World& world)
     out.linksOfParticle = {"linksOfParticle", std::span<const gpu::uvec2>(inverse)};
     out.sharedParticles = {"sharedParticles", std::span<const uint32_t>(shared)};
     out.parameters.sharedCount = static_cast<uint32_t>(shared.size());
+    std::vector<gpu::uvec4> sharedOwners;
+    for (uint32_t particle : shared) {
+        if (owners[particle].size() != 2) break;
+        const gpu::uvec2 a = owners[particle][0], b = owners[particle][1];
+        sharedOwners.push_back({a.x, a.y, b.x, b.y});
+    }
+    out.parameters.sharedByTwo = static_cast<uint32_t>(sharedOwners.size());
+    out.sharedOwners = {"sharedOwners", std::span<const gpu::uvec4>(sharedOwners)};
     out.linkImpulses = {"linkImpulses", links.size()};
     out.linkTerms = {"linkTerms", 3 * links.size()};
 }
@@ -248,7 +256,7 @@ BufferTable SolverBuffers::table()
     BufferTable t;
     t.add(positions, velocities, particleInfo, particlePlaces, rankedParticles, masses, restPositions, restOffsets,
           links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
-          sharedParticles, colliders, step);
+          sharedParticles, sharedOwners, colliders, step);
     t.add(moverCentres, moverRotations, moverMoves, moverTurns, moverVelocities, oldMoverVelocities, oldMoverMoves,
           moverPredictions, moverImpulses, moverChanges, linkImpulses, assemblyState);
     t.add(oldMoves, oldVelocities, predicted, moved, stabilized, bodyStarts, bodyMatrices, linkTerms);

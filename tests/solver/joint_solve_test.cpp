@@ -56,7 +56,9 @@ protected:
     }
     std::vector<gpu::vec4> solve(const Defines& defines)
     {
-        bench.run("joint_solve", bench.buffers.parameters.sharedCount, defines);
+        const gpu::StepParameters& p = bench.buffers.parameters;
+        bench.run("joint_solve", p.sharedByTwo, defines);
+        bench.run("joint_solve_many", p.sharedCount - p.sharedByTwo, defines);
         return bench.buffers.linkImpulses.download();
     }
     /// Each body is drawn to the mean of the goals: by n (mean - goal), over the inverse masses together.

@@ -82,6 +82,7 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
         MEMBER(StepParameters, maxSpeed), MEMBER(StepParameters, secondOrder), MEMBER(StepParameters, alwaysFind),
         MEMBER(StepParameters, rotationIterations), MEMBER(StepParameters, maxCorrection),
         MEMBER(StepParameters, jointRelaxation), MEMBER(StepParameters, sharedCount),
+        MEMBER(StepParameters, sharedByTwo),
         MEMBER(StepParameters, moverCount), MEMBER(StepParameters, pairCapacity),
         MEMBER(StepParameters, colliderPairCapacity), MEMBER(StepParameters, lookAhead),
         MEMBER(StepParameters, farReach), MEMBER(StepParameters, fastLimit), MEMBER(StepParameters, horizon)

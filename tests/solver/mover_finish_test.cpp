@@ -174,6 +174,7 @@ TEST_F(MoverFinish, ParticlesStandAtTheMeanOfTheirBodiesGoalsWithTheMeanOfTheirV
     SolverBuffers& b = bench.buffers;
     const auto before = b.positions.download(), velocitiesBefore = b.velocities.download();
     bench.forParticles("particle_place");
+    bench.run("joint_place", b.parameters.sharedCount);
     const auto after = b.positions.download(), velocitiesAfter = b.velocities.download();
     std::vector<Vector3d> places(before.size(), Vector3d::Zero()), speeds = places;
     for (uint32_t m = 0; m < bench.moverCount(); ++m) {
