@@ -9,6 +9,11 @@ uniform usamplerBuffer pairReferences;
 uniform samplerBuffer colliderImpulses;
 uniform samplerBuffer colliderArms;
 uniform samplerBuffer linkImpulses;
+#ifdef OTHERS
+uniform samplerBuffer particleImpulses;  // by rank
+uniform samplerBuffer restOffsets;
+uniform usamplerBuffer rankedParticles;
+#endif
 
 struct Sum {
     Field impulse;
@@ -53,6 +58,20 @@ Field jointSum(uvec4 body)
         vec3 p = texelFetch(linkImpulses, int(l)).xyz;
         sum.t += p;
         sum.f += outerProduct(p, fetchLink(l).r);
+    }
+#endif
+    return sum;
+}
+
+/// What fluids, strings and soft bodies add to a mover through its particles (OTHERS: of a world that has any).
+Field otherSum(uvec4 info)
+{
+    Field sum = Field(vec3(0), mat3(0));
+#ifdef OTHERS
+    for (uint rank = info.x; rank < info.x + info.y; ++rank) {
+        vec3 p = texelFetch(particleImpulses, int(rank)).xyz;
+        sum.t += p;
+        sum.f += outerProduct(p, texelFetch(restOffsets, int(texelFetch(rankedParticles, int(rank)).x)).xyz);
     }
 #endif
     return sum;

@@ -61,7 +61,8 @@ void main()
     if (contacts.impulse.t != vec3(0)) assemblyState[info.z].x = counters[0].substep - 1u;
 
     Field prediction = fetchField(moverPredictions, m);
-    Field impulse = contacts.impulse;
+    Field others = otherSum(info);
+    Field impulse = Field(contacts.impulse.t + others.t, contacts.impulse.f + others.f);
     float splits = contacts.acting;
     if (m < step.bodyCount) {
         uvec4 body = texelFetch(bodyInfo, int(m));

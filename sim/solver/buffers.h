@@ -38,6 +38,8 @@ struct SolverBuffers {
     Buffer<gpu::vec4> moverPredictions;                ///< Field: the untouched move, A of eq. 9 after it.
     Buffer<gpu::vec4> moverImpulses;                   ///< Field: what its contacts add to it [kg m].
     Buffer<gpu::vec4> moverChanges;                    ///< Field: how they last changed; w of the first: relaxation.
+    /// Per particle, by rank: what acts on single particles, beside contacts and joints [kg m].
+    Buffer<gpu::vec4> particleImpulses;
     Buffer<gpu::vec4> linkImpulses;                    ///< Per link: joints (joint_solve.comp) [kg m].
     Buffer<gpu::uvec2> assemblyState;    ///< Per assembly: last substep with a contact, order of this one.
     // The paper's solver, particle by particle.
@@ -74,6 +76,7 @@ struct SolverBuffers {
     Buffer<gpu::Counters> counters;
 
     gpu::StepParameters parameters{};    ///< The host's copy of `step`.
+    bool hasOthers = false;              ///< Whether anything but contacts and joints acts (particleImpulses).
     uint32_t longestBody = 0;            ///< Links of the largest body (p of eq. 10).
 
     /// Gives the lists of contacts the room that `parameters` asks for (contactSlots, pairCapacity,

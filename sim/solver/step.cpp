@@ -75,6 +75,7 @@ void Step::loadSearch(const Load& load)
 void Step::loadImpulseSolver(const Load& load)
 {
     moverPredict_ = load("mover_predict", {});
+    if (buffers_.hasOthers) impulseClear_ = load("impulse_clear", {});
     moverWarm_ = load("mover_solve", {{"WARM", "1"}});
     contactSolve_ = load("contact_solve", {});
     colliderSolve_ = load("collider_solve", {});
@@ -82,7 +83,7 @@ void Step::loadImpulseSolver(const Load& load)
     jointSolve_ = load("joint_solve", {});
     jointSolveManyFirst_ = load("joint_solve_many", {{"FIRST", "1"}});
     jointSolveMany_ = load("joint_solve_many", {});
-    moverSolve_ = load("mover_solve", {});
+    moverSolve_ = load("mover_solve", buffers_.hasOthers ? Defines{{"OTHERS", "1"}} : Defines{});
     moverFinish_ = load("mover_finish", {});
     particlePlace_ = load("particle_place", {});
     jointPlace_ = load("joint_place", {});
@@ -150,6 +151,7 @@ void Step::impulseSubstep(KernelTimer& timer) const
 {
     const RawBuffer& sizes = buffers_.dispatches;
     moverPredict_.dispatch(timer, movers_);
+    if (buffers_.hasOthers) impulseClear_.dispatch(timer, particles_);
     findContacts(timer);
     moverWarm_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
     for (uint32_t i = 0; i < settings_.iterations; ++i) {

@@ -37,7 +37,7 @@ private:
         gridScatter_, gridOrder_, contactFind_, contactFindFar_, colliderNear_, colliderFind_, listSum_, listChunks_,
         listStart_, pairList_, pairWrite_, colliderWrite_;
     // The default solver.
-    Kernel moverPredict_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_,
+    Kernel moverPredict_, impulseClear_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_,
         jointSolveManyFirst_, jointSolveMany_, moverSolve_, moverFinish_, particlePlace_, jointPlace_;
     // The paper's.
     Kernel predict_, bodyStart_, contactStabilize_, stabilizeApply_, contactAverage_, bodySum_, linkCentreTerms_,

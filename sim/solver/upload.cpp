@@ -258,7 +258,7 @@ BufferTable SolverBuffers::table()
           links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
           sharedParticles, sharedOwners, colliders, step);
     t.add(moverCentres, moverRotations, moverMoves, moverTurns, moverVelocities, oldMoverVelocities, oldMoverMoves,
-          moverPredictions, moverImpulses, moverChanges, linkImpulses, assemblyState);
+          moverPredictions, moverImpulses, moverChanges, particleImpulses, linkImpulses, assemblyState);
     t.add(oldMoves, oldVelocities, predicted, moved, stabilized, bodyStarts, bodyMatrices, linkTerms);
     t.add(foundPositions, foundCentres, foundRotations, moverReaches, fastParticles, moverColliders, particleCells,
           cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);

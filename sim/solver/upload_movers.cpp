@@ -114,6 +114,7 @@ void uploadMovers(SolverBuffers& out, const World& world)
     const uint32_t colliders = out.parameters.colliderCount;
     const std::vector<uint32_t> all(count, colliders < 32 ? (1u << colliders) - 1u : ~0u);
     out.moverColliders = {"moverColliders", std::span<const uint32_t>(all)};
+    out.particleImpulses = {"particleImpulses", world.particles.size()};
     out.moverReaches = {"moverReaches", count};
     out.foundCentres = {"foundCentres", count};
     out.foundRotations = {"foundRotations", std::span<const gpu::vec4>(unturned)};
