@@ -22,11 +22,15 @@
 #define COLLIDER_SPHERE 2u
 #define COLLIDER_CAPSULE 3u
 
+// ParticleInfo::body of a fluid particle.
+#define IN_FLUID 0xfffffffeu
+
 // Bits of Counters::problems.
 #define PROBLEM_CONTACTS 1u
 #define PROBLEM_COLLIDERS 2u
 #define PROBLEM_NAN 4u
 #define PROBLEM_PAIRS 8u
+#define PROBLEM_FLUID 16u
 
 // Dispatches whose sizes the GPU decides (SolverBuffers::dispatches).
 #define DISPATCH_PARTICLES 0        // this and the next seven: none where contacts were not found anew
@@ -42,11 +46,15 @@
 #define DISPATCH_FAST 10            // particles that find contacts from afar
 #define DISPATCH_COUNT 11
 
+
 // By how much longer contacts are to stay good where few things are fast.
 #define CALM 3.0f
 // Relaxation of a mover's contacts: where it starts, and how it grows until their impulses turn about.
 #define FIRST_RELAXATION 1.5f
 #define MOST_RELAXATION 3.2f
+
+// Of the multipliers of fluids: at 1 resting water boils.
+#define FLUID_RELAXATION 0.45f
 
 // pairImpulses[].w of a contact that is going to act but carries nothing yet.
 #define ABOUT_TO_ACT (-1.0)
@@ -139,9 +147,17 @@ struct StepParameters {
     float farReach;                 // by how much fast movers may look further for contacts [m]
     uint fastLimit;                 // how many particles may do so
     float horizon;                  // for how long contacts should stay good, in substeps
+    uint fluidCount;                // fluid particles, which come behind the particleCount others
+    uint fluidSlots;                // neighbours that one particle can have in fluids
+    float fluidSpacing;             // rest distance [m]
+    float fluidReach;               // of the smoothing kernel [m]
+    float fluidListReach;           // neighbours are listed up to here [m]
+    float fluidVolume;              // of a particle, over the volume that the kernel is normalized to [1/m3]
+    float fluidSoftness;            // epsilon of Macklin and Mueller 2013, eq. 11 [1/m2]
+    float inverseFluidCell;         // [1/m]
 };
 
-// Written by kernels, read once a frame. 64 bytes.
+// Written by kernels, read once a frame. 68 bytes.
 struct Counters {
     uint problems;                  // PROBLEM_*
     uint wantedContacts;            // largest number of candidates a particle would have had
@@ -159,10 +175,11 @@ struct Counters {
     uint fastListed;                // those of them that look further for contacts
     uint fastLater;                 // particles of movers that will leave it in CALM times as long
     uint calm;                      // 1: so few in the last search that contacts are found for as long as that
+    uint wantedNeighbours;          // most that a particle would have had in fluids
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ParticleRigidBodyLink) == 32 && sizeof(Counters) == 64 && sizeof(GpuCollider) == 64);
+static_assert(sizeof(ParticleRigidBodyLink) == 32 && sizeof(Counters) == 68 && sizeof(GpuCollider) == 64);
 }  // namespace knuckle::gpu
 #endif
 #endif

@@ -3,7 +3,7 @@
 
 ivec3 cellOf(vec3 x)
 {
-    return ivec3(floor(x * step.inverseCellSize));
+    return ivec3(floor(x * inverseGridCell()));
 }
 
 #ifdef GRID_HASH
@@ -34,6 +34,25 @@ uvec2 forwardCells(ivec3 c, int range)
 bool inForwardRange(ivec3 c, int range, vec3 x)
 {
     return cellOf(x) == forwardCell(c, range);
+}
+
+// All cells around.
+#define AROUND_RANGES 27
+
+ivec3 aroundCell(ivec3 c, int range)
+{
+    return c + ivec3(range % 3 - 1, range / 3 % 3 - 1, range / 9 - 1);
+}
+
+uvec2 aroundCells(ivec3 c, int range)
+{
+    uint first = cellIndex(aroundCell(c, range));
+    return uvec2(first, first + 1u);
+}
+
+bool inAroundRange(ivec3 c, int range, vec3 x)
+{
+    return cellOf(x) == aroundCell(c, range);
 }
 
 // All cells up to two away.
@@ -76,6 +95,20 @@ uvec2 forwardCells(ivec3 c, int range)
 }
 
 bool inForwardRange(ivec3 c, int range, vec3 x)
+{
+    return true;
+}
+
+// All cells around.
+#define AROUND_RANGES 9
+
+uvec2 aroundCells(ivec3 c, int range)
+{
+    uint first = cellIndex(c + ivec3(-1, range % 3 - 1, range / 3 - 1));
+    return uvec2(first, first + 3u);
+}
+
+bool inAroundRange(ivec3 c, int range, vec3 x)
 {
     return true;
 }

@@ -1,6 +1,8 @@
 // Which values a prefix sum is over: how many particles each cell of the grid holds, or (LISTS) how many contacts each
 // particle has in the lists of contact_lists.glsl.
 
+#include "shared/fluid_grid.glsl"
+
 #ifdef LISTS
 #define SCAN_VALUES listCounts
 #define SCAN_SUMS listSums

@@ -2,6 +2,7 @@
 // 1.2 diameters). Never particles of a body of its own, nor of its assembly where they overlap at rest; fast ones are
 // contact_find_far's business.
 #include "shared/kernel.glsl"
+#include "shared/fluid_grid.glsl"
 #include "shared/grid.glsl"
 #include "shared/contact_search.glsl"
 

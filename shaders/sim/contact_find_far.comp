@@ -1,6 +1,7 @@
 // One thread a fast particle: the particles that it may touch, all around and further than contact_find looks. Of two
 // fast ones the one of lower rank finds the other.
 #include "shared/kernel.glsl"
+#include "shared/fluid_grid.glsl"
 #include "shared/grid.glsl"
 #include "shared/contact_search.glsl"
 

@@ -1,5 +1,6 @@
 // One thread a particle: counts it in its cell.
 #include "shared/kernel.glsl"
+#include "shared/fluid_grid.glsl"
 #include "shared/grid.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -10,7 +11,7 @@ BUFFER(uvec2, ParticleCells, particleCells);   // cell, arrival in it
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount) return;
+    if (i >= gridParticles()) return;
     uint cell = cellIndex(cellOf(texelFetch(foundPositions, int(i)).xyz));
     particleCells[i] = uvec2(cell, atomicAdd(cellCounts[cell], 1u));
 }

@@ -1,5 +1,6 @@
 // One thread a particle: its id into its cell, in the order of arrival (which differs from run to run).
 #include "shared/kernel.glsl"
+#include "shared/fluid_grid.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer cellStarts;
@@ -9,7 +10,7 @@ BUFFER(uint, CellMembers, cellMembers);
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount) return;
+    if (i >= gridParticles()) return;
     uvec2 place = texelFetch(particleCells, int(i)).xy;
     cellMembers[texelFetch(cellStarts, int(place.x)).x + place.y] = i;
 }

@@ -1,6 +1,7 @@
 // One thread a chunk of cells: where each cell's particles start in the sorted arrays. The first cells are listed
 // once more behind the last (see shared/grid.glsl).
 #include "shared/kernel.glsl"
+#include "shared/fluid_grid.glsl"
 #include "shared/scan.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -19,7 +20,7 @@ void main()
         sum += texelFetch(cellCounts, int(cell)).x;
     }
     if (chunk == 0u) {
-        uint cells = step.cellMask + 1u, end = step.particleCount;
+        uint cells = step.cellMask + 1u, end = gridParticles();
         for (uint cell = 0u; cell <= WRAPPED_CELLS; ++cell) {
             cellStarts[cells + cell] = end;
             end += texelFetch(cellCounts, int(cell)).x;

@@ -7,6 +7,23 @@
 
 namespace knuckle {
 
+/// What fluids need beside their particles. A slot is a particle's place in the order of the cells of the fluids' grid.
+struct FluidBuffers {
+    Buffer<gpu::vec4> fluidFoundPositions;             ///< Per particle: where it was when neighbours were found.
+    Buffer<gpu::uvec2> fluidParticleCells;
+    Buffer<uint32_t> fluidCellCounts, fluidCellSums, fluidCellStarts, fluidCellMembers;
+    Buffer<gpu::vec4> fluidSorted;                     ///< Per slot: the same; w: bits of slot and kind.
+    Buffer<uint32_t> slotParticles;
+    Buffer<gpu::uvec2> slotCounts;                     ///< Fluid and solid neighbours.
+    Buffer<uint32_t> slotNeighbours;                   ///< fluidSlots a slot.
+    Buffer<uint32_t> slotColliders;                    ///< Bits: those nearby.
+    Buffer<gpu::vec4> fluidMaterials;                  ///< Per material: smoothing.
+    Buffer<gpu::vec4> slotVelocities;                  ///< When neighbours were found [m/s]; w: smoothing.
+    Buffer<gpu::vec4> slotPlaces;                      ///< Predicted [m].
+    Buffer<gpu::vec4> slotPressures;                   ///< The same; w: lambda [kg m2].
+    Buffer<gpu::vec4> slotWalls, slotSolids;           ///< Gradients of what walls and solids add to the density.
+};
+
 /// Everything that simulates, on the GPU: filled once from the World. A field's name is what kernels call it.
 /// Per particle unless said otherwise.
 struct SolverBuffers {
@@ -74,6 +91,7 @@ struct SolverBuffers {
     Buffer<gpu::vec4> colliderArms, colliderImpulses;  ///< As for pairs.
     Buffer<gpu::uvec4> dispatches;       ///< DISPATCH_*.
     Buffer<gpu::Counters> counters;
+    FluidBuffers fluid;
 
     gpu::StepParameters parameters{};    ///< The host's copy of `step`.
     bool hasOthers = false;              ///< Whether anything but contacts and joints acts (particleImpulses).

@@ -97,7 +97,7 @@ ParticleView Solver::view() const
     view.info = b.particleInfo.id();
     view.bodyCentres = b.moverCentres.id();
     view.bodyRotations = b.moverRotations.id();
-    view.particleCount = b.parameters.particleCount;
+    view.particleCount = b.parameters.particleCount + b.parameters.fluidCount;
     view.bodyCount = b.parameters.bodyCount;
     view.radius = impl_->world.particleRadius;
     return view;

@@ -35,16 +35,17 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
       sharedByMany_(groupsFor(buffers.parameters.sharedCount - buffers.parameters.sharedByTwo))
 {
     const BufferTable table = buffers.table();
-    const Load load = [&](const char* name, Defines defines) {
+    const LoadKernel load = [&](const char* name, Defines defines) {
         if (settings.rotation == RotationMethod::Householder) defines.push_back({"HOUSEHOLDER", "1"});
         return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
     };
     loadSearch(load);
     if (settings.solver == SolverKind::Impulse) loadImpulseSolver(load);
     else loadPaperSolver(load);
+    if (buffers.parameters.fluidCount > 0) fluid_.emplace(load, buffers, settings);
 }
 
-void Step::loadSearch(const Load& load)
+void Step::loadSearch(const LoadKernel& load)
 {
     const Defines grid = settings_.grid == GridKind::Hash ? Defines{{"GRID_HASH", "1"}} : Defines{};
     const Defines place = settings_.solver == SolverKind::Paper ? Defines{{"FROM_POSITIONS", "1"}} : Defines{};
@@ -72,7 +73,7 @@ void Step::loadSearch(const Load& load)
     colliderWrite_ = load("collider_write", {});
 }
 
-void Step::loadImpulseSolver(const Load& load)
+void Step::loadImpulseSolver(const LoadKernel& load)
 {
     moverPredict_ = load("mover_predict", {});
     if (buffers_.hasOthers) impulseClear_ = load("impulse_clear", {});
@@ -89,7 +90,7 @@ void Step::loadImpulseSolver(const Load& load)
     jointPlace_ = load("joint_place", {});
 }
 
-void Step::loadPaperSolver(const Load& load)
+void Step::loadPaperSolver(const LoadKernel& load)
 {
     const Defines centres = {{"CENTRES", "1"}};
     predict_ = load("predict", {});
@@ -114,6 +115,7 @@ void Step::loadPaperSolver(const Load& load)
 void Step::run(KernelTimer& timer) const
 {
     const bool paper = settings_.solver == SolverKind::Paper;
+    if (fluid_) fluid_->findNeighbours(timer);
     for (uint32_t i = 0; i < settings_.substeps; ++i) paper ? paperSubstep(timer) : impulseSubstep(timer);
     if (paper) return;
     particlePlace_.dispatch(timer, particles_);
@@ -154,6 +156,7 @@ void Step::impulseSubstep(KernelTimer& timer) const
     if (buffers_.hasOthers) impulseClear_.dispatch(timer, particles_);
     findContacts(timer);
     moverWarm_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
+    if (fluid_) fluid_->substep(timer);
     for (uint32_t i = 0; i < settings_.iterations; ++i) {
         contactSolve_.dispatchIndirect(timer, sizes, DISPATCH_PAIRS);
         colliderSolve_.dispatchIndirect(timer, sizes, DISPATCH_COLLIDER_PAIRS);

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <functional>
-#include <vector>
+#include <optional>
 
-#include "sim/gpu/kernel.h"
-#include "sim/solver/buffers.h"
-#include "sim/world/settings.h"
+#include "sim/solver/fluid_step.h"
 
 namespace knuckle {
 
@@ -18,11 +15,9 @@ public:
     void run(KernelTimer& timer) const;
 
 private:
-    /// Compiles a kernel by its name below shaders/sim.
-    using Load = std::function<Kernel(const char* name, Defines defines)>;
-    void loadSearch(const Load& load);
-    void loadImpulseSolver(const Load& load);
-    void loadPaperSolver(const Load& load);
+    void loadSearch(const LoadKernel& load);
+    void loadImpulseSolver(const LoadKernel& load);
+    void loadPaperSolver(const LoadKernel& load);
     void findContacts(KernelTimer& timer) const;
     void impulseSubstep(KernelTimer& timer) const;
     void paperSubstep(KernelTimer& timer) const;
@@ -32,6 +27,7 @@ private:
     Settings settings_;
     SolverBuffers& buffers_;
     uint32_t particles_, movers_, bodies_, links_, shared_, sharedByTwo_, sharedByMany_;   ///< Work groups.
+    std::optional<FluidStep> fluid_;
     // Finding contacts.
     Kernel findDue_, moverReach_, foundPlace_, fastDue_, gridClear_, gridCount_, gridSum_, gridChunks_, gridStart_,
         gridScatter_, gridOrder_, contactFind_, contactFindFar_, colliderNear_, colliderFind_, listSum_, listChunks_,

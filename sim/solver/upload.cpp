@@ -8,6 +8,7 @@
 #include "sim/solver/body_mass.h"
 #include "sim/solver/buffers.h"
 #include "sim/solver/pack.h"
+#include "sim/solver/upload_fluid.h"
 #include "sim/solver/upload_movers.h"
 #include "sim/world/errors.h"
 
@@ -35,7 +36,9 @@ void uploadParticles(SolverBuffers& out, const World& world)
         velocities.push_back(pack(fixed ? Vector3f::Zero() : p.velocity, 0));
         rest.push_back(pack(p.restPosition, p.touchesAssembly ? p.selfMargin : NO_SELF_CONTACT));
         masses.push_back({fixed ? 0.0f : 1.0f / p.mass, 0.0f, material.staticFriction, material.kineticFriction});
-        infos.push_back({p.body, p.bodyCount, p.assembly != NO_INDEX ? p.assembly : assemblies++, p.material});
+        const bool fluid = material.fluid;
+        infos.push_back({fluid ? IN_FLUID : p.body, p.bodyCount,
+                         p.assembly != NO_INDEX || fluid ? p.assembly : assemblies++, p.material});
     }
     const size_t count = positions.size();
     out.positions = {"positions", std::span<const gpu::vec4>(positions)};
@@ -180,12 +183,12 @@ void setParameters(SolverBuffers& out, const World& world)
     const Settings& s = world.settings;
     gpu::StepParameters& p = out.parameters;
     p.gravity = pack(s.gravity, 0);
-    p.particleCount = static_cast<uint32_t>(world.particles.size());
+    p.particleCount = world.solidCount();
     p.bodyCount = static_cast<uint32_t>(world.bodies.size());
     p.linkCount = static_cast<uint32_t>(world.links.size());
     p.moverCount = p.bodyCount;
-    for (const Particle& particle : world.particles)
-        if (particle.body == NO_INDEX) ++p.moverCount;
+    for (uint32_t i = 0; i < p.particleCount; ++i)
+        if (world.particles[i].body == NO_INDEX) ++p.moverCount;
     p.colliderCount = static_cast<uint32_t>(world.colliders.size());
     p.diameter = world.diameter();
     p.substepTime = s.timeStep / static_cast<float>(s.substeps);
@@ -233,8 +236,9 @@ void SolverBuffers::resizeContacts(const Gpu& gpu)
 SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
 {
     SolverBuffers out;
-    const auto count = static_cast<uint32_t>(world.particles.size());
+    const uint32_t count = world.solidCount();
     setParameters(out, world);
+    setFluidParameters(out.parameters, world);
     out.step = {"step", 1};
     out.counters = {"counters", 1};
     out.dispatches = {"dispatches", DISPATCH_COUNT};
@@ -246,7 +250,8 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
     uploadMovers(out, world);
     uploadLinks(out, world);
     uploadColliders(out, world);
-    makeGrid(out, count);
+    makeGrid(out, count + world.fluidCount);
+    makeFluid(out, world, gpu);
     out.step.upload(std::span<const gpu::StepParameters>(&out.parameters, 1));
     return out;
 }
@@ -264,6 +269,7 @@ BufferTable SolverBuffers::table()
           cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);
     t.add(firstLists, colliderLists, listCounts, listSums, listStarts, pairs, pairSides, pairArms, pairImpulses,
           pairArrivals, pairReferences, colliderPairs, colliderSides, colliderArms, colliderImpulses, dispatches);
+    addFluid(t, fluid);
     t.add("countersBlock", counters, 16);
     return t;
 }

@@ -59,7 +59,8 @@ Movers makeMovers(const World& world, uint32_t assemblies)
         movers.rotations.push_back(pack(body.rotation.vec(), body.rotation.w()));
         addVelocityField(movers.velocities, world, body, mass);
     }
-    for (const Particle& p : world.particles) {
+    for (uint32_t i = 0; i < world.solidCount(); ++i) {
+        const Particle& p = world.particles[i];
         if (p.body != NO_INDEX) continue;
         movers.infos.push_back({0, 0, p.assembly != NO_INDEX ? p.assembly : assemblies++, 1.0f / p.mass});
         movers.centres.push_back(pack(p.position, 0));
@@ -72,7 +73,7 @@ Movers makeMovers(const World& world, uint32_t assemblies)
 /// Ranks the particles by mover, then by id, and notes each mover's range.
 void rankParticles(SolverBuffers& out, const World& world, Movers& movers)
 {
-    std::vector<gpu::uvec2> places(world.particles.size());
+    std::vector<gpu::uvec2> places(world.solidCount());
     auto loose = static_cast<uint32_t>(world.bodies.size());
     for (size_t i = 0; i < places.size(); ++i)
         places[i].x = world.particles[i].body != NO_INDEX ? world.particles[i].body : loose++;

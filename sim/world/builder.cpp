@@ -27,6 +27,7 @@ WorldBuilder::WorldBuilder(float particleRadius, Settings settings)
         throw InputError(fmt::format("particle radius {} m: must be above 0", particleRadius));
     world_.particleRadius = particleRadius;
     world_.settings = settings;
+    setFluidSpacing(0.5f);
     if (settings.substeps == 0)
         world_.settings.substeps = automaticSubsteps(world_.diameter(), settings.timeStep);
 }
@@ -207,6 +208,25 @@ uint32_t WorldBuilder::addLooseParticle(const Particle& particle)
     return particleCount() - 1;
 }
 
+void WorldBuilder::setFluidSpacing(float spacing)
+{
+    world_.fluidSpacing = spacing * world_.diameter();
+}
+
+void WorldBuilder::addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material)
+{
+    if (material >= world_.materials.size() || !world_.materials[material].fluid)
+        throw InputError(fmt::format("addFluid(): material {} is not a fluid", material));
+    Particle particle;
+    particle.velocity = velocity;
+    particle.material = material;
+    particle.mass = world_.materials[material].density * std::pow(world_.fluidSpacing, 3.0f);
+    for (const Vector3f& position : positions) {
+        particle.position = particle.restPosition = position;
+        fluid_.push_back(particle);
+    }
+}
+
 void WorldBuilder::assignAssemblies()
 {
     // Bodies that share a particle are of one assembly; the smallest body index names it until it is numbered.
@@ -293,6 +313,8 @@ World WorldBuilder::build()
             for (uint32_t p : bodyParticles_[b]) world_.particles[p].body = b;
     assignAssemblies();
     for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
+    world_.particles.insert(world_.particles.end(), fluid_.begin(), fluid_.end());
+    world_.fluidCount = fluidCount();
     validate(world_);
     return std::move(world_);
 }

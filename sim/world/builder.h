@@ -66,7 +66,14 @@ public:
     /// A particle of no body (grains and, later, fluids). @returns its index.
     uint32_t addLooseParticle(const Particle& particle);
 
+    /// Fluid particles of a fluid material. They come behind all others, whenever they are added.
+    void addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material);
+    /// Rest distance of fluids [diameters], 0.3 ... 0.6. Before addFluid().
+    void setFluidSpacing(float spacing);
+    float fluidSpacing() const { return world_.fluidSpacing; }
+
     uint32_t particleCount() const { return static_cast<uint32_t>(world_.particles.size()); }
+    uint32_t fluidCount() const { return static_cast<uint32_t>(fluid_.size()); }
     float diameter() const { return world_.diameter(); }
 
     /// Groups links by body, fills centres, masses and assemblies, and validates. The builder is spent afterwards.
@@ -85,6 +92,7 @@ private:
     World world_;
     std::vector<std::vector<uint32_t>> bodyParticles_;   ///< Per body, the particles in its block, in order.
     std::vector<std::vector<uint32_t>> owners_;          ///< Per particle, its bodies.
+    std::vector<Particle> fluid_;
     bool objectOpen_ = false;
     uint32_t objectFirstParticle_ = 0;
 };

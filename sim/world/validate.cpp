@@ -42,7 +42,20 @@ void validateMaterials(const World& world)
         require(m.kineticFriction >= 0.0f && m.kineticFriction <= m.staticFriction,
                 "material \"{}\": kinetic friction {} must be 0 to its static friction {}", m.name, m.kineticFriction,
                 m.staticFriction);
+        require(within(m.viscosity, 0.0f, 1e6f), "material \"{}\": viscosity {} Pa s must be 0 to 1e6", m.name,
+                m.viscosity);
     }
+}
+
+void validateFluids(const World& world)
+{
+    if (world.fluidCount == 0) return;
+    require(within(world.fluidSpacing / world.diameter(), 0.299f, 0.601f),
+            "fluid spacing {} m: must be 0.3 to 0.6 of the diameter, {} m", world.fluidSpacing, world.diameter());
+    require(world.settings.solver == SolverKind::Impulse, "the paper's solver has no fluids; use solver \"impulse\"");
+    for (size_t i = 0; i < world.particles.size(); ++i)
+        require(world.materials[world.particles[i].material].fluid == (i >= world.solidCount()),
+                "particle {}: fluids come behind all others, and nothing else is of a fluid's material", i);
 }
 
 void validateParticles(const World& world)
@@ -104,6 +117,7 @@ void validate(const World& world)
     validateSettings(world.settings);
     validateMaterials(world);
     validateParticles(world);
+    validateFluids(world);
     validateLinks(world);
     validateColliders(world);
 }

@@ -27,6 +27,8 @@ struct Material {
     float staticFriction = 0.5f;              ///< Coulomb's mu while sticking, >= 0. A contact takes both sides' mean.
     float kineticFriction = 0.5f;             ///< Coulomb's mu while sliding, 0 ... staticFriction.
     Vector3f color{0.8f, 0.8f, 0.8f};         ///< Linear RGB, 0-1, used when colouring by material.
+    bool fluid = false;                       ///< Its particles are loose and flow.
+    float viscosity = 0.001f;                 ///< Fluids: dynamic [Pa s], >= 0. Water 0.001, honey 10.
 };
 
 struct Particle {
@@ -128,7 +130,12 @@ struct World {
     std::vector<Object> objects;
     std::vector<Collider> colliders;
     uint32_t assemblyCount = 0;
+    /// Rest distance of fluid particles [m], 0.3 ... 0.6 diameters. A fluid particle weighs density * spacing^3.
+    float fluidSpacing = 0.05f;
+    uint32_t fluidCount = 0;                  ///< Fluid particles; they stand behind all others in `particles`.
 
+    /// Particles that are not fluid.
+    uint32_t solidCount() const { return static_cast<uint32_t>(particles.size()) - fluidCount; }
     float diameter() const { return 2.0f * particleRadius; }
 };
 

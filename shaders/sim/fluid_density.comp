@@ -1,0 +1,62 @@
+// One thread a slot: the density of its fluid particle and the multiplier of its constraint (Macklin and Mueller 2013,
+// eqs. 1, 8-11): C = rho / rho0 - 1, lambda = -C / (sum w |grad C|^2 + epsilon). Solids and walls count by the share of
+// the kernel that they cover. Fluids are not held together: C >= 0.
+#include "shared/kernel.glsl"
+#include "shared/fluid_slots.glsl"
+#include "shared/fluid.glsl"
+#include "shared/fluid_colliders.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer slotPlaces;
+uniform samplerBuffer masses;            // inverse mass
+BUFFER(vec4, SlotPressures, slotPressures);   // place, lambda [kg m2]
+BUFFER(vec4, SlotWalls, slotWalls);           // gradient of C by what walls cover [1/m]
+BUFFER(vec4, SlotSolids, slotSolids);         // the same of solids; w: one over their weights
+
+/// Of the solid particles nearby as one plane: the weighted means of their distances and directions.
+vec4 solidPlane(uint k, uint count, vec3 x, out float weights)
+{
+    vec4 plane = vec4(0);
+    weights = 0.0;
+    for (uint n = 0u; n < count; ++n) {
+        vec3 r = x - texelFetch(slotPlaces, int(solidNeighbour(k, n))).xyz;
+        float far = length(r), w = solidWeight(far);
+        plane += w * vec4(r / max(far, 1e-9), far - 0.5 * step.diameter);
+        weights += w;
+    }
+    return vec4(normalize(plane.xyz + vec3(0, 1e-20, 0)), plane.w / max(weights, 1e-20));
+}
+
+void main()
+{
+    uint k = gl_GlobalInvocationID.x;
+    if (k >= slotCount()) return;
+    uint i = texelFetch(slotParticles, int(k)).x;
+    uvec2 counts = isFluid(i) ? texelFetch(slotCounts, int(k)).xy : uvec2(0);
+    vec3 x = texelFetch(slotPlaces, int(k)).xyz, own = vec3(0), walls = vec3(0), solids = vec3(0);
+    float share = fluidShare(0.0), others = 0.0;
+    for (uint n = 0u; n < counts.x; ++n) {
+        vec3 r = x - texelFetch(slotPlaces, int(fluidNeighbour(k, n))).xyz;
+        float far = sqrt(dot(r, r)), q = min(far / step.fluidReach, 1.0), slope = fluidSlope(q);
+        share += fluidShare(q);
+        others += slope * slope;
+        own += slope / max(far, 1e-9) * r;
+    }
+    float weights;
+    vec4 plane = solidPlane(k, counts.y, x, weights);
+    vec2 covered = weights > 0.0 ? wallShare(plane.w) : vec2(0);
+    share += covered.x;
+    solids = covered.y * plane.xyz;
+    for (NearColliders near = nearColliders(k); nextCollider(near);) {
+        vec4 wall = colliderDistance(near.index, x);
+        vec2 hidden = wallShare(wall.w);
+        share += hidden.x;
+        walls += hidden.y * wall.xyz;
+    }
+    own += walls + solids;
+    // All constraints around are met at once: more than this and they overshoot.
+    float lambda = -FLUID_RELAXATION * max(share - 1.0, 0.0) / (dot(own, own) + others + step.fluidSoftness);
+    slotPressures[k] = vec4(x, lambda / max(texelFetch(masses, int(i)).x, 1e-20));
+    slotWalls[k] = vec4(walls, share);
+    slotSolids[k] = vec4(solids, weights > 0.0 ? 1.0 / weights : 0.0);
+}

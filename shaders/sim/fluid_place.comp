@@ -1,0 +1,26 @@
+// One thread a slot: where its particle is predicted to be at the end of the substep if no pressure acts.
+#include "shared/kernel.glsl"
+#include "shared/fluid_slots.glsl"
+#include "shared/movers.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer positions;
+uniform samplerBuffer velocities;
+uniform samplerBuffer restOffsets;
+uniform usamplerBuffer particlePlaces;   // mover, rank
+BUFFER(vec4, SlotPlaces, slotPlaces);
+
+void main()
+{
+    uint k = gl_GlobalInvocationID.x;
+    if (k >= slotCount()) return;
+    uint i = texelFetch(slotParticles, int(k)).x;
+    float h = step.substepTime;
+    vec3 v = texelFetch(velocities, int(i)).xyz + h * step.gravity.xyz;
+    vec3 x = texelFetch(positions, int(i)).xyz + h * v;
+    if (!isFluid(i)) {
+        MoverPoint point = moverPoint(texelFetch(particlePlaces, int(i)).x, texelFetch(restOffsets, int(i)).xyz);
+        x = point.centre + point.arm + point.move;
+    }
+    slotPlaces[k] = vec4(x, 0);
+}

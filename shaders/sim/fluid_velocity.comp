@@ -1,0 +1,18 @@
+// One thread a slot: the velocity of its particle, and how strongly its fluid's neighbours even theirs out.
+#include "shared/kernel.glsl"
+#include "shared/fluid_slots.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer velocities;
+uniform samplerBuffer fluidMaterials;    // smoothing
+uniform usamplerBuffer particleInfo;
+BUFFER(vec4, SlotVelocities, slotVelocities);
+
+void main()
+{
+    uint k = gl_GlobalInvocationID.x;
+    if (k >= slotCount()) return;
+    int i = int(texelFetch(slotParticles, int(k)).x);
+    float smoothing = texelFetch(fluidMaterials, int(texelFetch(particleInfo, i).w)).x;
+    slotVelocities[k] = vec4(texelFetch(velocities, i).xyz, smoothing);
+}

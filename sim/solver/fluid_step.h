@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+
+#include "sim/gpu/kernel.h"
+#include "sim/solver/buffers.h"
+#include "sim/world/settings.h"
+
+namespace knuckle {
+
+/// Compiles a kernel by its name below shaders/sim.
+using LoadKernel = std::function<Kernel(const char* name, Defines defines)>;
+
+/// The passes of fluids: position based fluids (Macklin and Mueller 2013) on the particles that stand behind all others.
+/// They are no movers; what they press solids with goes through SolverBuffers::particleImpulses.
+class FluidStep {
+public:
+    FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Settings& settings);
+    /// Once a step: who is whose neighbour.
+    void findNeighbours(KernelTimer& timer) const;
+    /// One iteration of pressures, after the movers were predicted; fluid particles are where they end then.
+    void substep(KernelTimer& timer) const;
+
+private:
+    uint32_t slots_, cells_, chunks_;   ///< Work groups.
+    Kernel found_, clear_, count_, sum_, sumChunks_, start_, scatter_, order_, find_, near_;
+    Kernel velocity_, smooth_, place_, density_, push_, react_;
+};
+
+}  // namespace knuckle

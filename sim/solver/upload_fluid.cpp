@@ -1,0 +1,101 @@
+#include "sim/solver/upload_fluid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr uint32_t FIRST_NEIGHBOURS = 64;
+
+/// Sums over a cubic lattice of spacing `spacing` of Wendland's kernel of support `reach` without its constant, and of
+/// the squares of its slope: the density and the denominator of lambda that fluids are filled with.
+struct LatticeSums {
+    LatticeSums(double spacing, double reach)
+    {
+        const int cells = static_cast<int>(reach / spacing) + 1;
+        for (int z = -cells; z <= cells; ++z)
+            for (int y = -cells; y <= cells; ++y)
+                for (int x = -cells; x <= cells; ++x) {
+                    const double q = spacing * std::sqrt(double(x * x + y * y + z * z)) / reach, a = 1.0 - q;
+                    if (a <= 0.0) continue;
+                    density += std::pow(a, 4) * (1.0 + 4.0 * q);
+                    slopes += std::pow(20.0 / reach * q * a * a * a, 2);
+                    spread += std::pow(a, 4) * (1.0 + 4.0 * q) * reach * reach * q * q;
+                }
+    }
+    double density = 0.0, slopes = 0.0, spread = 0.0;
+};
+
+/// How much of the difference to its neighbours a particle of the material gives up in a step (fluid_smooth.comp). The
+/// least keeps resting fluids quiet; explicit steps are stable below 1.
+float smoothing(const gpu::StepParameters& p, const Material& material, float time)
+{
+    constexpr double LEAST = 0.03, MOST = 0.9;
+    const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
+    const double kinematic = material.viscosity / material.density;
+    return static_cast<float>(std::clamp(6.0 * kinematic * time * lattice.density / lattice.spread,
+                                         getenv("SMOOTH") ? atof(getenv("SMOOTH")) : LEAST, MOST));
+}
+
+}  // namespace
+
+void setFluidParameters(gpu::StepParameters& p, const World& world)
+{
+    p.fluidCount = world.fluidCount;
+    p.fluidSlots = FIRST_NEIGHBOURS;
+    p.fluidSpacing = world.fluidSpacing;
+    p.fluidReach = 2.0f * world.fluidSpacing;
+    // Neighbours stay listed for a step, in which some come nearer. Solids reach a radius beyond their centres.
+    p.fluidListReach = std::max(1.1f * p.fluidReach, 1.1f * world.diameter());
+    p.inverseFluidCell = 1.0f / p.fluidListReach;
+    const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
+    p.fluidVolume = static_cast<float>(1.0 / lattice.density);
+    p.fluidSoftness = static_cast<float>(0.01 * lattice.slopes / (lattice.density * lattice.density));
+}
+
+void makeFluid(SolverBuffers& out, const World& world, const Gpu& gpu)
+{
+    const gpu::StepParameters& p = out.parameters;
+    FluidBuffers& f = out.fluid;
+    const size_t count = p.fluidCount > 0 ? p.particleCount + p.fluidCount : 0;
+    const size_t cells = count > 0 ? p.cellMask + 1 : 0;
+    const uint64_t largest = uint64_t(p.fluidSlots) * count * sizeof(uint32_t);
+    if (largest > static_cast<uint64_t>(gpu.limits().storageBlockSize))
+        throw DeviceError(fmt::format("{}: {} fluid particles with {} neighbours need a buffer of {} MiB and the device "
+                                      "allows {}; use fewer particles or another --device", gpu.device().name,
+                                      p.fluidCount, p.fluidSlots, largest >> 20, gpu.limits().storageBlockSize >> 20));
+    if (count > 0) out.hasOthers = true;
+    f.fluidFoundPositions = {"fluidFoundPositions", count};
+    f.fluidParticleCells = {"fluidParticleCells", count};
+    f.fluidCellCounts = {"fluidCellCounts", cells};
+    f.fluidCellSums = {"fluidCellSums", cells / SCAN_CHUNK};
+    f.fluidCellStarts = {"fluidCellStarts", cells + WRAPPED_CELLS + 1};
+    f.fluidCellMembers = {"fluidCellMembers", count};
+    f.fluidSorted = {"fluidSorted", 2 * count};
+    f.slotParticles = {"slotParticles", count};
+    f.slotCounts = {"slotCounts", count};
+    f.slotNeighbours = {"slotNeighbours", p.fluidSlots * count};
+    f.slotColliders = {"slotColliders", count};
+    std::vector<gpu::vec4> materials;
+    for (const Material& m : world.materials) materials.push_back({smoothing(p, m, world.settings.timeStep), 0, 0, 0});
+    f.fluidMaterials = {"fluidMaterials", std::span<const gpu::vec4>(materials)};
+    for (auto [buffer, name] : {std::pair{&f.slotVelocities, "slotVelocities"}, {&f.slotPlaces, "slotPlaces"}, {&f.slotPressures, "slotPressures"},
+                                {&f.slotWalls, "slotWalls"}, {&f.slotSolids, "slotSolids"}})
+        *buffer = {name, count};
+}
+
+void addFluid(BufferTable& table, FluidBuffers& f)
+{
+    table.add(f.fluidFoundPositions, f.fluidParticleCells, f.fluidCellCounts, f.fluidCellSums, f.fluidCellStarts,
+              f.fluidCellMembers, f.fluidSorted, f.slotParticles, f.slotCounts, f.slotNeighbours, f.slotColliders,
+              f.fluidMaterials, f.slotVelocities, f.slotPlaces, f.slotPressures, f.slotWalls, f.slotSolids);
+}
+
+}  // namespace knuckle

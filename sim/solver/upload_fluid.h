@@ -1,0 +1,14 @@
+#pragma once
+
+#include "sim/solver/buffers.h"
+
+namespace knuckle {
+
+/// The numbers of fluids; the rest of the parameters must be set.
+void setFluidParameters(gpu::StepParameters& parameters, const World& world);
+/// Makes the buffers of fluids, next to nothing where there are none.
+/// @throws DeviceError when the device's limits are too small.
+void makeFluid(SolverBuffers& out, const World& world, const Gpu& gpu);
+void addFluid(BufferTable& table, FluidBuffers& fluid);
+
+}  // namespace knuckle
