@@ -55,6 +55,8 @@
 
 // Of the multipliers of fluids: at 1 resting water boils.
 #define FLUID_RELAXATION 0.45f
+// How far solid particles reach into fluids [diameters]; between them fluids lie deeper than a radius.
+#define SOLID_RADIUS 0.45f
 
 // pairImpulses[].w of a contact that is going to act but carries nothing yet.
 #define ABOUT_TO_ACT (-1.0)

@@ -21,7 +21,7 @@ vec4 solidPlane(uint k, uint count, vec3 x, out float weights)
     for (uint n = 0u; n < count; ++n) {
         vec3 r = x - texelFetch(slotPlaces, int(solidNeighbour(k, n))).xyz;
         float far = length(r), w = solidWeight(far);
-        plane += w * vec4(r / max(far, 1e-9), far - 0.5 * step.diameter);
+        plane += w * vec4(r / max(far, 1e-9), far - SOLID_RADIUS * step.diameter);
         weights += w;
     }
     return vec4(normalize(plane.xyz + vec3(0, 1e-20, 0)), plane.w / max(weights, 1e-20));
