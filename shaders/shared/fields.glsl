@@ -21,6 +21,12 @@ Field fetchField(samplerBuffer fields, uint mover)
     return field;
 }
 
+/// The fastest particle of a mover with this velocity field, whose farthest is `radius` away, is not faster than this.
+float fastestOf(Field v, float radius)
+{
+    return length(v.t) + radius * sqrt(dot(v.f[0], v.f[0]) + dot(v.f[1], v.f[1]) + dot(v.f[2], v.f[2]));
+}
+
 /// Stores into an array of fields; a macro, as GLSL passes no arrays of unknown size.
 #define STORE_FIELD(fields, mover, field) \
     fields[fieldStart(mover)] = vec4((field).t, 0); \

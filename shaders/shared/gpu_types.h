@@ -48,6 +48,11 @@
 #define FIRST_RELAXATION 1.5f
 #define MOST_RELAXATION 3.2f
 
+// Steps for which an assembly has to be calm before it sleeps.
+#define CALM_STEPS 30u
+// Rounds of two iterations of the impulses that make collisions bounce.
+#define BOUNCE_ROUNDS 2
+
 // pairImpulses[].w of a contact that is going to act but carries nothing yet.
 #define ABOUT_TO_ACT (-1.0)
 
@@ -139,6 +144,10 @@ struct StepParameters {
     float farReach;                 // by how much fast movers may look further for contacts [m]
     uint fastLimit;                 // how many particles may do so
     float horizon;                  // for how long contacts should stay good, in substeps
+    float massScaling;              // k of m exp(-k height) [1/m]
+    float bounceSpeed;              // what meets more slowly does not bounce [m/s]
+    float sleepSpeed;               // what is slower for long sleeps [m/s]
+    uint assemblyCount;
 };
 
 // Written by kernels, read once a frame. 64 bytes.

@@ -4,6 +4,9 @@
 #include "shared/fields.glsl"
 #include "shared/quaternion.glsl"
 #include "shared/links.glsl"
+#ifdef SLEEP
+#include "shared/sleep.glsl"
+#endif
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer moverMoves;
@@ -51,6 +54,15 @@ void main()
     if (m >= step.moverCount) return;
     uvec4 info = texelFetch(moverInfo, int(m));
     if (uintBitsToFloat(info.w) == 0.0) return;
+#ifdef SLEEP
+    if (isAsleep(info.z)) {
+        Field rest = Field(vec3(0), mat3(0));
+        STORE_FIELD(oldMoverMoves, m, rest)
+        STORE_FIELD(oldMoverVelocities, m, rest)
+        STORE_FIELD(moverVelocities, m, rest)
+        return;
+    }
+#endif
     uvec2 state = texelFetch(assemblyState, int(info.z)).xy;
     vec4 rotation = texelFetch(lastMoverRotations, int(m)), turn = texelFetch(moverTurns, int(m));
     Field move = moveOf(m, rotation, turn);
@@ -58,9 +70,7 @@ void main()
     float radius = m < step.bodyCount ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
     Field next = velocityOf(move, last, state.y == 2u && state.x + 1u != counters[0].substep);
 
-    // The fastest particle is not faster than this.
-    float speed = length(next.t) + radius * sqrt(dot(next.f[0], next.f[0]) + dot(next.f[1], next.f[1]) +
-                                                 dot(next.f[2], next.f[2]));
+    float speed = fastestOf(next, radius);
     float slow = min(1.0, step.maxSpeed / max(speed, 1e-20));
     next = Field(slow * next.t, slow * next.f);
     if (isnan(speed) || isinf(speed)) {

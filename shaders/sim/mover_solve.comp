@@ -6,8 +6,13 @@
 #include "shared/turn.glsl"
 #include "shared/fields.glsl"
 #include "shared/impulse_sums.glsl"
+#include "shared/mass_scaling.glsl"
+#ifdef SLEEP
+#include "shared/sleep.glsl"
+#endif
 
 layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer moverCentres;
 uniform samplerBuffer moverRotations;
 uniform samplerBuffer lastMoverTurns;
 uniform samplerBuffer moverPredictions;
@@ -55,6 +60,9 @@ void main()
     uvec4 info = texelFetch(moverInfo, int(m));
     float inverseMass = uintBitsToFloat(info.w);
     if (inverseMass == 0.0) return;
+#ifdef SLEEP
+    if (isAsleep(info.z)) return;
+#endif
     Sum contacts = contactSum(info, counters[0].listParity);
     float relaxed = relaxation(m, contacts.impulse, contacts.acting);
     STORE_FIELD(moverImpulses, m, contacts.impulse)
@@ -62,7 +70,8 @@ void main()
 
     Field prediction = fetchField(moverPredictions, m);
     Field others = otherSum(info);
-    Field impulse = Field(contacts.impulse.t + others.t, contacts.impulse.f + others.f);
+    float scale = contactScale(texelFetch(moverCentres, int(m)).xyz);
+    Field impulse = Field(scale * contacts.impulse.t + others.t, scale * contacts.impulse.f + others.f);
     float splits = contacts.acting;
     if (m < step.bodyCount) {
         uvec4 body = texelFetch(bodyInfo, int(m));
@@ -72,5 +81,5 @@ void main()
         moverTurns[m] = matchedTurn(prediction.f + impulse.f, texelFetch(moverRotations, int(m)),
                                     texelFetch(lastMoverTurns, int(m)));
     }
-    moverMoves[m] = vec4(prediction.t + inverseMass * impulse.t, splits / relaxed);
+    moverMoves[m] = vec4(prediction.t + inverseMass * impulse.t, scale * splits / relaxed);
 }

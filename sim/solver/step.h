@@ -22,16 +22,20 @@ private:
     using Load = std::function<Kernel(const char* name, Defines defines)>;
     void loadSearch(const Load& load);
     void loadImpulseSolver(const Load& load);
+    void loadBounces(const Load& load);
+    void loadSleep(const Load& load);
     void loadPaperSolver(const Load& load);
     void findContacts(KernelTimer& timer) const;
     void impulseSubstep(KernelTimer& timer) const;
+    void bounce(KernelTimer& timer) const;
+    void fallAsleep(KernelTimer& timer) const;
     void paperSubstep(KernelTimer& timer) const;
     void matchShapes(KernelTimer& timer) const;
     void reduceInSteps(KernelTimer& timer) const;
 
     Settings settings_;
     SolverBuffers& buffers_;
-    uint32_t particles_, movers_, bodies_, links_, shared_, sharedByTwo_, sharedByMany_;   ///< Work groups.
+    uint32_t particles_, movers_, bodies_, assemblies_, links_, shared_, sharedByTwo_, sharedByMany_;   ///< Work groups.
     // Finding contacts.
     Kernel findDue_, moverReach_, foundPlace_, fastDue_, gridClear_, gridCount_, gridSum_, gridChunks_, gridStart_,
         gridScatter_, gridOrder_, contactFind_, contactFindFar_, colliderNear_, colliderFind_, listSum_, listChunks_,
@@ -39,6 +43,9 @@ private:
     // The default solver.
     Kernel moverPredict_, impulseClear_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_,
         jointSolveManyFirst_, jointSolveMany_, moverSolve_, moverFinish_, particlePlace_, jointPlace_;
+    Kernel contactCollide_, colliderCollide_, contactBounce_, colliderBounce_, contactBounceEagerly_,
+        colliderBounceEagerly_, moverBounce_;
+    Kernel sleepMover_, sleepPair_, sleepSettle_, sleepWake_, sleepRouse_;
     // The paper's.
     Kernel predict_, bodyStart_, contactStabilize_, stabilizeApply_, contactAverage_, bodySum_, linkCentreTerms_,
         linkMatrixTerms_, linkReduce_, bodyCollectCentres_, bodyCollectMatrices_, bodyRotation_, shapeGoals_,
