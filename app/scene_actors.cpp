@@ -67,7 +67,8 @@ const Actor& findActor(SceneContext& context, const Json& object, const std::str
     const auto found = context.actors.find(key);
     if (found != context.actors.end()) return found->second;
     const bool actorFile = object["type"] == "actor" && std::filesystem::path(file).extension() == ".json";
-    Actor actor = actorFile ? loadActor(context, object, file, pointer) : voxelizeModel(context, object, file, diameter);
+    Actor actor = actorFile ? loadActor(context, object, file, pointer)
+                            : voxelizeModel(context, object, file, diameter);
     return context.actors.emplace(key, std::move(actor)).first->second;
 }
 

@@ -47,7 +47,7 @@ std::vector<Pose> repeatedPoses(const Json& object)
                 const Vector3f cell(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
                 Pose pose{position + (first + cell).cwiseProduct(spacing), rotation};
                 // One axis after the other: the order in which arguments are evaluated is open.
-                for (int axis = 0; axis < 3; ++axis) pose.translation[axis] += jitter * (2.0f * uniformShare(random) - 1.0f);
+                for (float& side : pose.translation) side += jitter * (2.0f * uniformShare(random) - 1.0f);
                 if (turned) pose.rotation = randomRotation(random) * rotation;
                 poses.push_back(pose);
             }

@@ -5,9 +5,7 @@
 #include "shared/turn.glsl"
 #include "shared/fields.glsl"
 #include "shared/mass_scaling.glsl"
-#ifdef SLEEP
 #include "shared/sleep.glsl"
-#endif
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer moverCentres;
@@ -46,15 +44,13 @@ float drift(uint m, vec4 found, vec3 centre, vec4 rotation, float radius)
 
 void main()
 {
-    uint m = gl_GlobalInvocationID.x;
-    if (m >= step.moverCount) return;
+    uint m = MOVER_OF_THREAD;
+    if (m >= MOVER_END) return;
     uvec4 info = texelFetch(moverInfo, int(m));
     uint now = counters[0].substep;
     bool second = step.secondOrder == 1u && now > 0u && texelFetch(lastAssemblyState, int(info.z)).x + 1u != now;
-#ifdef SLEEP
     bool asleep = isAsleep(info.z);
     second = second && !asleep;
-#endif
     assemblyState[info.z].y = second ? 2u : 1u;
     float inverseMass = uintBitsToFloat(info.w);
     if (inverseMass == 0.0) return;
@@ -65,7 +61,7 @@ void main()
     vec3 start = texelFetch(moverCentres, int(m)).xyz;
     float scale = contactScale(start);
     float radius = 0.0;
-    if (m < step.bodyCount) {
+    if (IS_BODY(m)) {
         vec4 column = texelFetch(bodyMoments, int(3u * m));
         radius = column.w;
         mat3 moments = mat3(column.xyz, texelFetch(bodyMoments, int(3u * m + 1u)).xyz,
@@ -74,14 +70,12 @@ void main()
         turn = matchedTurn(move.f + scale * impulse.f, rotation, turn);
     }
     STORE_FIELD(moverPredictions, m, move)
-#ifdef SLEEP
     if (asleep) {
         // What sleeps splits its mass over no impulse: contacts take it for immovable.
         moverMoves[m] = vec4(0);
         moverTurns[m] = vec4(0, 0, 0, 1);
         return;
     }
-#endif
     vec3 shift = move.t + inverseMass * (scale * impulse.t);
     moverMoves[m].xyz = shift;
     moverTurns[m] = turn;

@@ -34,7 +34,9 @@ namespace knuckle {
 Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
     : settings_(settings), buffers_(buffers), particles_(groupsFor(buffers.parameters.particleCount)),
       movers_(groupsFor(buffers.parameters.moverCount)), bodies_(groupsFor(buffers.parameters.bodyCount)),
-      assemblies_(groupsFor(buffers.parameters.assemblyCount)), links_(groupsFor(buffers.parameters.linkCount)), shared_(groupsFor(buffers.parameters.sharedCount)),
+      loose_(groupsFor(buffers.parameters.moverCount - buffers.parameters.bodyCount)),
+      assemblies_(groupsFor(buffers.parameters.assemblyCount)), links_(groupsFor(buffers.parameters.linkCount)),
+      shared_(groupsFor(buffers.parameters.sharedCount)),
       sharedByTwo_(groupsFor(buffers.parameters.sharedByTwo)),
       sharedByMany_(groupsFor(buffers.parameters.sharedCount - buffers.parameters.sharedByTwo))
 {
@@ -80,7 +82,13 @@ void Step::loadSearch(const Load& load)
 
 void Step::loadImpulseSolver(const Load& load)
 {
-    moverPredict_ = load("mover_predict", {});
+    const auto loadForMovers = [&](const char* name, Defines defines) {
+        Defines bodies = defines, loose = defines;
+        bodies.push_back({"BODIES", "1"});
+        loose.push_back({"LOOSE", "1"});
+        return ForMovers{load(name, bodies), load(name, loose)};
+    };
+    moverPredict_ = loadForMovers("mover_predict", {});
     if (buffers_.hasOthers) impulseClear_ = load("impulse_clear", {});
     moverWarm_ = load("mover_solve", {{"WARM", "1"}});
     contactSolve_ = load("contact_solve", {});
@@ -89,8 +97,8 @@ void Step::loadImpulseSolver(const Load& load)
     jointSolve_ = load("joint_solve", {});
     jointSolveManyFirst_ = load("joint_solve_many", {{"FIRST", "1"}});
     jointSolveMany_ = load("joint_solve_many", {});
-    moverSolve_ = load("mover_solve", buffers_.hasOthers ? Defines{{"OTHERS", "1"}} : Defines{});
-    moverFinish_ = load("mover_finish", {});
+    moverSolve_ = loadForMovers("mover_solve", buffers_.hasOthers ? Defines{{"OTHERS", "1"}} : Defines{});
+    moverFinish_ = loadForMovers("mover_finish", {});
     particlePlace_ = load("particle_place", {});
     jointPlace_ = load("joint_place", {});
     if (buffers_.hasBounces) loadBounces(load);
@@ -176,10 +184,16 @@ void Step::findContacts(KernelTimer& timer) const
     colliderWrite_.dispatchIndirect(timer, sizes, DISPATCH_NEW_COLLIDER_PAIRS);
 }
 
+void Step::dispatch(KernelTimer& timer, const ForMovers& kernels) const
+{
+    if (bodies_ > 0) kernels.bodies.dispatch(timer, bodies_);
+    if (loose_ > 0) kernels.loose.dispatch(timer, loose_);
+}
+
 void Step::impulseSubstep(KernelTimer& timer) const
 {
     const RawBuffer& sizes = buffers_.dispatches;
-    moverPredict_.dispatch(timer, movers_);
+    dispatch(timer, moverPredict_);
     if (buffers_.hasOthers) impulseClear_.dispatch(timer, particles_);
     findContacts(timer);
     if (settings_.sleepSpeed > 0.0f) {
@@ -192,9 +206,9 @@ void Step::impulseSubstep(KernelTimer& timer) const
         colliderSolve_.dispatchIndirect(timer, sizes, DISPATCH_COLLIDER_PAIRS);
         if (sharedByTwo_ > 0) (i == 0 ? jointSolveFirst_ : jointSolve_).dispatch(timer, sharedByTwo_);
         if (sharedByMany_ > 0) (i == 0 ? jointSolveManyFirst_ : jointSolveMany_).dispatch(timer, sharedByMany_);
-        moverSolve_.dispatch(timer, movers_);
+        dispatch(timer, moverSolve_);
     }
-    moverFinish_.dispatch(timer, movers_);
+    dispatch(timer, moverFinish_);
     if (buffers_.hasBounces) bounce(timer);
 }
 

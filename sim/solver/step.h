@@ -20,6 +20,11 @@ public:
 private:
     /// Compiles a kernel by its name below shaders/sim.
     using Load = std::function<Kernel(const char* name, Defines defines)>;
+    /// One kernel, for bodies and for loose particles.
+    struct ForMovers {
+        Kernel bodies, loose;
+    };
+    void dispatch(KernelTimer& timer, const ForMovers& kernels) const;
     void loadSearch(const Load& load);
     void loadImpulseSolver(const Load& load);
     void loadBounces(const Load& load);
@@ -35,14 +40,16 @@ private:
 
     Settings settings_;
     SolverBuffers& buffers_;
-    uint32_t particles_, movers_, bodies_, assemblies_, links_, shared_, sharedByTwo_, sharedByMany_;   ///< Work groups.
+    // Work groups.
+    uint32_t particles_, movers_, bodies_, loose_, assemblies_, links_, shared_, sharedByTwo_, sharedByMany_;
     // Finding contacts.
     Kernel findDue_, moverReach_, foundPlace_, fastDue_, gridClear_, gridCount_, gridSum_, gridChunks_, gridStart_,
         gridScatter_, gridOrder_, contactFind_, contactFindFar_, colliderNear_, colliderFind_, listSum_, listChunks_,
         listStart_, pairList_, pairWrite_, colliderWrite_;
     // The default solver.
-    Kernel moverPredict_, impulseClear_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_,
-        jointSolveManyFirst_, jointSolveMany_, moverSolve_, moverFinish_, particlePlace_, jointPlace_;
+    ForMovers moverPredict_, moverSolve_, moverFinish_;
+    Kernel impulseClear_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_,
+        jointSolveManyFirst_, jointSolveMany_, particlePlace_, jointPlace_;
     Kernel contactCollide_, colliderCollide_, contactBounce_, colliderBounce_, contactBounceEagerly_,
         colliderBounceEagerly_, moverBounce_;
     Kernel sleepMover_, sleepPair_, sleepSettle_, sleepWake_, sleepRouse_;

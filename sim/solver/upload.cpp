@@ -274,7 +274,8 @@ BufferTable SolverBuffers::table()
     t.add(foundPositions, foundCentres, foundRotations, moverReaches, fastParticles, moverColliders, particleCells,
           cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);
     t.add(firstLists, colliderLists, listCounts, listSums, listStarts, pairs, pairSides, pairArms, pairImpulses,
-          pairArrivals, pairReferences, pairBounces, colliderBounces, moverBounces, colliderPairs, colliderSides, colliderArms, colliderImpulses, dispatches);
+          pairArrivals, pairReferences, colliderPairs, colliderSides, colliderArms, colliderImpulses, dispatches);
+    t.add(pairBounces, colliderBounces, moverBounces);
     t.add("countersBlock", counters, 16);
     return t;
 }

@@ -85,8 +85,8 @@ const BadScene BAD_SCENES[] = {
     {"GrainsInATorus", OBJECT(R"("type": "grains", "shape": "torus")"),
      ": /objects/0/shape: \"torus\" is unknown; known: box, sphere, capsule, cone, mesh"},
     {"TooManyGrains", OBJECT(R"("type": "grains", "shape": "cone", "radius": 20, "height": 20)"),
-     ": /objects/0: brings the scene to 8377580 particles, the limit is 1000000; raise /diameter, or make it smaller or "
-     "fewer"},
+     ": /objects/0: brings the scene to 8377580 particles, the limit is 1000000; raise /diameter, or make it smaller "
+     "or fewer"},
     {"FollowGrains", R"({"objects": [{"type": "grains", "shape": "box"}], "camera": {"kind": "follow"}})",
      ": /camera/kind: \"follow\" needs an object with a body; take \"fixed\""},
     {"TwinKeys", WITH(R"("fps": 30, "fps": 60)"),

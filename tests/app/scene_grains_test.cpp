@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/scene_file.h"
 #include "tests/temp_folder.h"
 
@@ -9,12 +12,14 @@ namespace {
 World load(const std::string& object)
 {
     const test::TempFolder folder;
-    return loadScene(folder.write("scene.json", "{ \"objects\": [{ \"type\": \"grains\", " + object + " }] }"), {}).world;
+    const std::string path = folder.write("scene.json", R"({ "objects": [{ "type": "grains", )" + object + " }] }");
+    return loadScene(path, {}).world;
 }
 
 TEST(SceneGrains, FillABoxAtOneDiameter)
 {
-    const World world = load(R"("shape": "box", "size": [0.5, 0.3, 0.2], "position": [1, 2, 3], "velocity": [0, -1, 0])");
+    const World world =
+        load(R"("shape": "box", "size": [0.5, 0.3, 0.2], "position": [1, 2, 3], "velocity": [0, -1, 0])");
     ASSERT_EQ(world.particles.size(), 5u * 3u * 2u);
     EXPECT_TRUE(world.bodies.empty());
     Vector3f middle = Vector3f::Zero();
@@ -38,7 +43,8 @@ TEST(SceneGrains, FillEveryShapeWithAboutItsVolume)
     EXPECT_NEAR(static_cast<double>(load(R"("shape": "sphere", "radius": 0.5)").particles.size()), 524.0, 175.0);
     EXPECT_NEAR(static_cast<double>(load(R"("shape": "capsule", "radius": 0.5, "length": 1)").particles.size()), 1309.0,
                 440.0);
-    EXPECT_NEAR(static_cast<double>(load(R"("shape": "cone", "radius": 1, "height": 1)").particles.size()), 1047.0, 350.0);
+    EXPECT_NEAR(static_cast<double>(load(R"("shape": "cone", "radius": 1, "height": 1)").particles.size()), 1047.0,
+                350.0);
 }
 
 TEST(SceneGrains, AConeStandsOnItsBase)
@@ -57,7 +63,8 @@ TEST(SceneGrains, JitterIsBoundedAndTheSameForOneSeed)
 {
     const std::string box = R"("shape": "box", "size": [1, 1, 1])";
     const World still = load(box), first = load(box + R"(, "jitter": 0.02, "seed": 7)"),
-                again = load(box + R"(, "jitter": 0.02, "seed": 7)"), other = load(box + R"(, "jitter": 0.02, "seed": 8)");
+                again = load(box + R"(, "jitter": 0.02, "seed": 7)"),
+                other = load(box + R"(, "jitter": 0.02, "seed": 8)");
     float most = 0.0f;
     for (size_t i = 0; i < still.particles.size(); ++i) {
         const Vector3f shift = first.particles[i].position - still.particles[i].position;

@@ -66,15 +66,18 @@ TEST(Restitution, AddsNoEnergy)
 {
     WorldBuilder builder = bouncyBuilder(0.9f);
     for (int k = 0; k < 12; ++k)
-        addBox(builder, {3, 2, 3}, {Vector3f(0.1f * static_cast<float>(k % 3), 0.4f + 0.35f * static_cast<float>(k), 0),
-                                    Quaternionf(Eigen::AngleAxisf(0.3f * static_cast<float>(k), Vector3f(1, 2, 3).normalized()))});
+        addBox(builder, {3, 2, 3},
+               {Vector3f(0.1f * static_cast<float>(k % 3), 0.4f + 0.35f * static_cast<float>(k), 0),
+                Quaternionf(Eigen::AngleAxisf(0.3f * static_cast<float>(k), Vector3f(1, 2, 3).normalized()))});
     const World world = builder.build();
     Solver solver(gpu(), world);
     const auto energy = [&] {
         const ParticleState state = solver.readParticles();
         double sum = 0.0;
-        for (size_t i = 0; i < state.positions.size(); ++i)
-            sum += world.particles[i].mass * (0.5 * state.velocities[i].squaredNorm() + GRAVITY * state.positions[i].y());
+        for (size_t i = 0; i < state.positions.size(); ++i) {
+            const double height = state.positions[i].y(), speed = state.velocities[i].norm();
+            sum += world.particles[i].mass * (0.5 * speed * speed + GRAVITY * height);
+        }
         return sum;
     };
     double least = energy();

@@ -62,7 +62,8 @@ TEST(Validate, EverySettingHasItsRange)
               "solver maximum speed 0 m/s: must be above 0");
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.massScaling = -1.0f; }),
               "solver mass scaling -1 1/m: must be 0 to 10");
-    EXPECT_EQ(settingsComplaint([](Settings& s) { s.sleepSpeed = NAN; }), "solver sleep speed nan m/s: must be 0 to 10");
+    EXPECT_EQ(settingsComplaint([](Settings& s) { s.sleepSpeed = NAN; }),
+              "solver sleep speed nan m/s: must be 0 to 10");
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.gravity.y() = INFINITE; }), "gravity must be finite");
 }
 
