@@ -34,16 +34,16 @@ Actor loadActor(SceneContext& context, const Json& object, const std::string& fi
     return actor;
 }
 
-Actor voxelizeModel(SceneContext& context, const Json& object, const std::string& file)
+Actor voxelizeModel(SceneContext& context, const Json& object, const std::string& file, float diameter)
 {
     ImportOptions import;
     import.scale = object["scale"];
     import.clips = false;
     Model model = importModel(file, import);
     ActorOptions options;
-    options.voxels.diameter = context.builder.diameter();
+    options.voxels.diameter = diameter;
     options.voxels.particleLimit = MAX_PARTICLES;
-    if (object["type"] == "rigid") {
+    if (object["type"] != "actor") {
         model.bones.clear();
         model.skin.clear();
     } else if (const std::string joints = object["joints"]; !joints.empty()) {
@@ -54,18 +54,21 @@ Actor voxelizeModel(SceneContext& context, const Json& object, const std::string
 
 }  // namespace
 
-const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer)
+const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer, float diameter)
 {
+    if (diameter == 0.0f) diameter = context.builder.diameter();
     const std::string file = besideScene(context, object["file"]);
     if (!std::filesystem::exists(file)) {
         failAt(context.path, pointer + "/file",
                fmt::format("there is no file {}; paths are relative to the scene", file));
     }
-    const std::string key = Json{file, object["type"], object.value("joints", ""), object.value("scale", 0.0)}.dump();
+    const std::string key =
+        Json{file, object["type"], object.value("joints", ""), object.value("scale", 0.0), diameter}.dump();
     const auto found = context.actors.find(key);
     if (found != context.actors.end()) return found->second;
     const bool actorFile = object["type"] == "actor" && std::filesystem::path(file).extension() == ".json";
-    Actor actor = actorFile ? loadActor(context, object, file, pointer) : voxelizeModel(context, object, file);
+    Actor actor = actorFile ? loadActor(context, object, file, pointer)
+                            : voxelizeModel(context, object, file, diameter);
     return context.actors.emplace(key, std::move(actor)).first->second;
 }
 

@@ -95,6 +95,8 @@ void visitFields(Settings& s, Visitor&& visit)
     visit("splitSharedMass", s.splitSharedMass);
     visit("linearDamping", s.linearDamping);
     visit("maxSpeed", s.maxSpeed);
+    visit("massScaling", s.massScaling);
+    visit("sleep", s.sleepSpeed);
 }
 
 template <typename Visitor>
@@ -103,6 +105,7 @@ void visitFields(Material& m, Visitor&& visit)
     visit("density", m.density);
     visit("staticFriction", m.staticFriction);
     visit("kineticFriction", m.kineticFriction);
+    visit("restitution", m.restitution);
     visit("color", m.color);
 }
 

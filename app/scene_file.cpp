@@ -92,6 +92,7 @@ RenderSettings readRender(const JsonFile& file, const World& world)
     std::string& follow = render.camera.follow;
     std::vector<std::string> names;
     for (const Object& object : world.objects) names.push_back(object.name);
+    if (names.empty()) failAt(file.path, "/camera/kind", "\"follow\" needs an object with a body; take \"fixed\"");
     if (follow.empty()) follow = names.front();
     if (std::find(names.begin(), names.end(), follow) != names.end()) return render;
     if (names.size() > 12) names.resize(12);

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "app/scene_fields.h"
+#include "app/scene_fill.h"
 #include "app/scene_file.h"
 #include "app/scene_parts.h"
 #include "sim/world/errors.h"
@@ -42,51 +41,15 @@ uint32_t findMaterial(const SceneContext& context, const std::string& name, cons
     failAt(context.path, pointer, fmt::format("there is no material \"{}\"; {}", name, suggestion(name, names)));
 }
 
-/// Refuses before anything large is allocated. `count`: particles of one copy.
 void limitParticles(const Entry& entry, double count)
 {
-    const double total = entry.context.builder.particleCount() + count * static_cast<double>(copyCount(entry.json));
-    if (total <= static_cast<double>(MAX_PARTICLES)) return;
-    const std::string number = total < 1e15 ? fmt::format("{:.0f}", total) : fmt::format("{:.1e}", total);
-    entry.fail("", fmt::format("brings the scene to {} particles, the limit is {}; raise /diameter, or make it "
-                               "smaller or fewer", number, MAX_PARTICLES));
-}
-
-std::vector<Vector3f> boxPositions(const Entry& entry, float diameter)
-{
-    Vector3f size;
-    readValue(entry.json["size"], size);
-    const Vector3f counts = (size / diameter).array().round().max(1.0f);
-    limitParticles(entry, static_cast<double>(counts.x()) * counts.y() * counts.z());
-    return boxLattice(counts.cast<int>(), diameter);
-}
-
-std::vector<Vector3f> roundPositions(const Entry& entry, float diameter)
-{
-    const float radius = entry.json["radius"], length = entry.json.value("length", 0.0f);
-    const double r = radius / diameter, l = length / diameter;
-    limitParticles(entry, std::numbers::pi * r * r * (4.0 / 3.0 * r + l));
-    return entry.json["shape"] == "sphere" ? sphereLattice(radius, diameter)
-                                           : capsuleLattice(radius, 0.5f * length, diameter);
-}
-
-std::vector<Vector3f> rigidPositions(const Entry& entry)
-{
-    const float diameter = entry.context.builder.diameter();
-    const std::string shape = entry.json["shape"];
-    if (shape == "box") return boxPositions(entry, diameter);
-    if (shape == "mesh") return findActor(entry.context, entry.json, entry.pointer).particles;
-    return roundPositions(entry, diameter);
+    limitParticles(entry.context, entry.json, entry.pointer, count);
 }
 
 void addRigid(const Entry& entry)
 {
     WorldBuilder& builder = entry.context.builder;
-    const std::vector<Vector3f> positions = rigidPositions(entry);
-    if (positions.empty()) {
-        entry.fail("", fmt::format("holds no particle of diameter {} m; make it larger", builder.diameter()));
-    }
-    limitParticles(entry, static_cast<double>(positions.size()));
+    const std::vector<Vector3f> positions = fillRegion(entry.context, entry.json, entry.pointer, builder.diameter());
     const Motion motion = entry.json["fixed"].get<bool>() ? Motion::Fixed : Motion::Dynamic;
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         builder.beginObject(entry.copyName(copy));
@@ -161,6 +124,11 @@ void addActors(const Entry& entry)
     }
 }
 
+void addGrains(const Entry& entry)
+{
+    addGrains(entry.context, entry.json, entry.pointer, {entry.material, entry.velocity}, entry.poses);
+}
+
 }  // namespace
 
 void addObjects(SceneContext& context, const Json& json, size_t index)
@@ -174,9 +142,11 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
     limitParticles(entry, 1.0);
     entry.poses = repeatedPoses(json);
     const std::string type = json["type"];
-    const auto add = type == "rigid" ? addRigid : type == "joined" ? addJoined : addActors;
+    static const std::map<std::string, std::function<void(const Entry&)>> KINDS = {
+        {"rigid", addRigid}, {"joined", addJoined}, {"actor", addActors},
+        {"grains", [](const Entry& grains) { addGrains(grains); }}};
     try {
-        add(entry);
+        KINDS.at(type)(entry);
     } catch (const InputError& error) {
         const std::string text = error.what();
         // What the builder says knows nothing of the file that asked for it.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,24 @@ std::vector<Pose> repeatedPoses(const Json& object);
 /// Product of repeat.counts, exact up to 1e18.
 uint64_t copyCount(const Json& object);
 
-/// The actor for an object of type `actor` or a rigid mesh, made at most once for the same file and options.
-const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer);
+/// Uniform in 0 ... 1. The standard fixes the generator's numbers, but not those of its distributions.
+inline float uniformShare(std::mt19937& random)
+{
+    return static_cast<float>(static_cast<double>(random()) / 4294967296.0);
+}
+
+/// The actor for an object of type `actor` or a mesh, made at most once for the same file and options.
+/// @param diameter of its particles [m]; 0: the scene's.
+const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer, float diameter = 0.0f);
+
+/// What the particles of a region without bodies have in common.
+struct LooseKind {
+    uint32_t material = 0;
+    Vector3f velocity{0, 0, 0};                  ///< [m/s]
+};
+
+/// Adds an object of type `grains`, at each of `poses`. @param pointer JSON path of the object. @throws InputError.
+void addGrains(SceneContext& context, const Json& object, const std::string& pointer, const LooseKind& kind,
+               const std::vector<Pose>& poses);
 
 }  // namespace knuckle

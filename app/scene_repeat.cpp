@@ -8,18 +8,12 @@ namespace knuckle {
 
 namespace {
 
-/// Uniform in 0 ... 1. The standard fixes the generator's numbers, but not those of its distributions.
-float uniform(std::mt19937& random)
-{
-    return static_cast<float>(static_cast<double>(random()) / 4294967296.0);
-}
-
 /// Uniform over all rotations (Shoemake 1992, "Uniform random rotations").
 Quaternionf randomRotation(std::mt19937& random)
 {
-    const float share = uniform(random);
-    const float first = 2.0f * std::numbers::pi_v<float> * uniform(random);
-    const float second = 2.0f * std::numbers::pi_v<float> * uniform(random);
+    const float share = uniformShare(random);
+    const float first = 2.0f * std::numbers::pi_v<float> * uniformShare(random);
+    const float second = 2.0f * std::numbers::pi_v<float> * uniformShare(random);
     const float a = std::sqrt(1.0f - share), b = std::sqrt(share);
     return Quaternionf(b * std::cos(second), a * std::sin(first), a * std::cos(first), b * std::sin(second));
 }
@@ -53,7 +47,7 @@ std::vector<Pose> repeatedPoses(const Json& object)
                 const Vector3f cell(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
                 Pose pose{position + (first + cell).cwiseProduct(spacing), rotation};
                 // One axis after the other: the order in which arguments are evaluated is open.
-                for (int axis = 0; axis < 3; ++axis) pose.translation[axis] += jitter * (2.0f * uniform(random) - 1.0f);
+                for (float& side : pose.translation) side += jitter * (2.0f * uniformShare(random) - 1.0f);
                 if (turned) pose.rotation = randomRotation(random) * rotation;
                 poses.push_back(pose);
             }

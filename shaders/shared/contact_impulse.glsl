@@ -17,6 +17,9 @@ struct Contact {
 /// friction is Coulomb's, bounded by the accumulated normal impulse (Macklin et al. 2014, eq. 24).
 vec4 solveContact(Contact c, vec4 impulse)
 {
+#ifdef SLEEP
+    if (c.worstMass == 0.0 && impulse.w > 0.0) return impulse;   // both sides sleep
+#endif
     float depth = max(-c.startGap, 0.0);
     float error = c.gap + depth - min(step.correction * depth, step.maxCorrection);
     bool acts = impulse.w != 0.0 && c.worstMass > 0.0;

@@ -2,6 +2,21 @@
 // what shape matching sums are of this kind, so a rigid body is predicted, matched and finished without a visit to its
 // particles. Loose particles have t only.
 
+// A kernel over movers may be compiled for BODIES or LOOSE particles alone, so that no thread does the work of both.
+#if defined(BODIES)
+#define IS_BODY(mover) true
+#define MOVER_OF_THREAD gl_GlobalInvocationID.x
+#define MOVER_END step.bodyCount
+#elif defined(LOOSE)
+#define IS_BODY(mover) false
+#define MOVER_OF_THREAD (step.bodyCount + gl_GlobalInvocationID.x)
+#define MOVER_END step.moverCount
+#else
+#define IS_BODY(mover) ((mover) < step.bodyCount)
+#define MOVER_OF_THREAD gl_GlobalInvocationID.x
+#define MOVER_END step.moverCount
+#endif
+
 struct Field {
     vec3 t;
     mat3 f;
@@ -9,22 +24,28 @@ struct Field {
 
 uint fieldStart(uint mover)
 {
-    return mover < step.bodyCount ? 4u * mover : 3u * step.bodyCount + mover;
+    return IS_BODY(mover) ? 4u * mover : 3u * step.bodyCount + mover;
 }
 
 Field fetchField(samplerBuffer fields, uint mover)
 {
     int start = int(fieldStart(mover));
     Field field = Field(texelFetch(fields, start).xyz, mat3(0));
-    if (mover < step.bodyCount)
+    if (IS_BODY(mover))
         for (int column = 0; column < 3; ++column) field.f[column] = texelFetch(fields, start + 1 + column).xyz;
     return field;
+}
+
+/// The fastest particle of a mover with this velocity field, whose farthest is `radius` away, is not faster than this.
+float fastestOf(Field v, float radius)
+{
+    return length(v.t) + radius * sqrt(dot(v.f[0], v.f[0]) + dot(v.f[1], v.f[1]) + dot(v.f[2], v.f[2]));
 }
 
 /// Stores into an array of fields; a macro, as GLSL passes no arrays of unknown size.
 #define STORE_FIELD(fields, mover, field) \
     fields[fieldStart(mover)] = vec4((field).t, 0); \
-    if (mover < step.bodyCount) { \
+    if (IS_BODY(mover)) { \
         fields[fieldStart(mover) + 1u] = vec4((field).f[0], 0); \
         fields[fieldStart(mover) + 2u] = vec4((field).f[1], 0); \
         fields[fieldStart(mover) + 3u] = vec4((field).f[2], 0); \

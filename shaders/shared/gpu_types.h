@@ -57,6 +57,10 @@
 #define FLUID_RELAXATION 0.45f
 // How far solid particles reach into fluids [diameters]; between them fluids lie deeper than a radius.
 #define SOLID_RADIUS 0.45f
+// Steps for which an assembly has to be calm before it sleeps.
+#define CALM_STEPS 30u
+// Rounds of two iterations of the impulses that make collisions bounce.
+#define BOUNCE_ROUNDS 2
 
 // pairImpulses[].w of a contact that is going to act but carries nothing yet.
 #define ABOUT_TO_ACT (-1.0)
@@ -157,6 +161,10 @@ struct StepParameters {
     float fluidVolume;              // of a particle, over the volume that the kernel is normalized to [1/m3]
     float fluidSoftness;            // epsilon of Macklin and Mueller 2013, eq. 11 [1/m2]
     float inverseFluidCell;         // [1/m]
+    float massScaling;              // k of m exp(-k height) [1/m]
+    float bounceSpeed;              // what meets more slowly does not bounce [m/s]
+    float sleepSpeed;               // what is slower for long sleeps [m/s]
+    uint assemblyCount;
 };
 
 // Written by kernels, read once a frame. 68 bytes.

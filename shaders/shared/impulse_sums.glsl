@@ -3,10 +3,14 @@
 #include "shared/list_ranges.glsl"
 #include "shared/links.glsl"
 
-uniform samplerBuffer pairImpulses;
+#ifndef PAIR_IMPULSES
+#define PAIR_IMPULSES pairImpulses
+#define COLLIDER_IMPULSES colliderImpulses
+#endif
+uniform samplerBuffer PAIR_IMPULSES;
 uniform samplerBuffer pairArms;
 uniform usamplerBuffer pairReferences;
-uniform samplerBuffer colliderImpulses;
+uniform samplerBuffer COLLIDER_IMPULSES;
 uniform samplerBuffer colliderArms;
 uniform samplerBuffer linkImpulses;
 #ifdef OTHERS
@@ -35,17 +39,17 @@ Sum contactSum(uvec4 info, uint parity)
     int pairBase = int(parity * step.pairCapacity), colliderBase = int(parity * step.colliderPairCapacity);
     uvec2 range = listRange(parity, FIRST_OF_PAIR, info.x, info.y);
     for (int q = int(range.x); q < int(range.y); ++q)
-        add(sum, texelFetch(pairImpulses, pairBase + q), 1.0, texelFetch(pairArms, 2 * q).xyz);
+        add(sum, texelFetch(PAIR_IMPULSES, pairBase + q), 1.0, texelFetch(pairArms, 2 * q).xyz);
     range = listRange(parity, SECOND_OF_PAIR, info.x, info.y);
     for (uint k = range.x; k < range.y; ++k) {
         uint reference = texelFetch(pairReferences, int(k)).x;
         int q = int(min(reference, step.pairCapacity - 1u));
-        vec4 impulse = reference == NO_PAIR ? vec4(0) : texelFetch(pairImpulses, pairBase + q);
+        vec4 impulse = reference == NO_PAIR ? vec4(0) : texelFetch(PAIR_IMPULSES, pairBase + q);
         add(sum, impulse, -1.0, texelFetch(pairArms, 2 * q + 1).xyz);
     }
     range = listRange(parity, WITH_COLLIDER, info.x, info.y);
     for (int q = int(range.x); q < int(range.y); ++q)
-        add(sum, texelFetch(colliderImpulses, colliderBase + q), 1.0, texelFetch(colliderArms, q).xyz);
+        add(sum, texelFetch(COLLIDER_IMPULSES, colliderBase + q), 1.0, texelFetch(colliderArms, q).xyz);
     return sum;
 }
 

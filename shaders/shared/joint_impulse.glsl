@@ -1,6 +1,7 @@
 // The impulses between the bodies that share a particle. FIRST: of a substep; joints have no memory.
 #include "shared/movers.glsl"
 #include "shared/links.glsl"
+#include "shared/mass_scaling.glsl"
 
 uniform samplerBuffer moverChanges;      // w of the first of four: relaxation of contacts
 uniform samplerBuffer linkMasses;        // effective inverse mass of a link's body at the particle
@@ -16,7 +17,8 @@ vec3 goal(uvec2 owner, vec3 origin)
 float splitInverseMass(uvec2 owner)
 {
     float relaxation = texelFetch(moverChanges, int(4u * owner.y)).w;
-    return texelFetch(linkMasses, int(owner.x)).x * texelFetch(moverMoves, int(owner.y)).w * relaxation;
+    float splits = texelFetch(moverMoves, int(owner.y)).w / contactScale(texelFetch(moverCentres, int(owner.y)).xyz);
+    return texelFetch(linkMasses, int(owner.x)).x * splits * relaxation;
 }
 
 /// What impulses are over the distance between goals, for bodies of that inverse mass together.

@@ -4,6 +4,7 @@
 #include "shared/fields.glsl"
 #include "shared/quaternion.glsl"
 #include "shared/links.glsl"
+#include "shared/sleep.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer moverMoves;
@@ -28,7 +29,7 @@ BUFFER(Counters, CountersBlock, counters);
 Field moveOf(uint m, vec4 rotation, vec4 turn)
 {
     Field move = Field(texelFetch(moverMoves, int(m)).xyz, mat3(0));
-    if (m >= step.bodyCount) return move;
+    if (!IS_BODY(m)) return move;
     mat3 axes = matrixFromQuaternion(rotation);
     for (int column = 0; column < 3; ++column) {
         vec3 t = 2.0 * cross(turn.xyz, axes[column]);
@@ -47,25 +48,30 @@ Field velocityOf(Field move, Field last, bool second)
 
 void main()
 {
-    uint m = gl_GlobalInvocationID.x;
-    if (m >= step.moverCount) return;
+    uint m = MOVER_OF_THREAD;
+    if (m >= MOVER_END) return;
     uvec4 info = texelFetch(moverInfo, int(m));
     if (uintBitsToFloat(info.w) == 0.0) return;
+    if (isAsleep(info.z)) {
+        Field rest = Field(vec3(0), mat3(0));
+        STORE_FIELD(oldMoverMoves, m, rest)
+        STORE_FIELD(oldMoverVelocities, m, rest)
+        STORE_FIELD(moverVelocities, m, rest)
+        return;
+    }
     uvec2 state = texelFetch(assemblyState, int(info.z)).xy;
     vec4 rotation = texelFetch(lastMoverRotations, int(m)), turn = texelFetch(moverTurns, int(m));
     Field move = moveOf(m, rotation, turn);
     Field last = fetchField(lastOldMoverMoves, m), velocity = fetchField(lastMoverVelocities, m);
-    float radius = m < step.bodyCount ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
+    float radius = IS_BODY(m) ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
     Field next = velocityOf(move, last, state.y == 2u && state.x + 1u != counters[0].substep);
 
-    // The fastest particle is not faster than this.
-    float speed = length(next.t) + radius * sqrt(dot(next.f[0], next.f[0]) + dot(next.f[1], next.f[1]) +
-                                                 dot(next.f[2], next.f[2]));
+    float speed = fastestOf(next, radius);
     float slow = min(1.0, step.maxSpeed / max(speed, 1e-20));
     next = Field(slow * next.t, slow * next.f);
     if (isnan(speed) || isinf(speed)) {
         atomicOr(counters[0].problems, PROBLEM_NAN);
-        uint particle = m < step.bodyCount ? fetchLink(texelFetch(bodyInfo, int(m)).x).particle
+        uint particle = IS_BODY(m) ? fetchLink(texelFetch(bodyInfo, int(m)).x).particle
                                            : texelFetch(rankedParticles, int(info.x)).x;
         atomicMax(counters[0].badParticle, particle);
     }

@@ -4,6 +4,8 @@
 #include "shared/kernel.glsl"
 #include "shared/turn.glsl"
 #include "shared/fields.glsl"
+#include "shared/mass_scaling.glsl"
+#include "shared/sleep.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer moverCentres;
@@ -42,11 +44,13 @@ float drift(uint m, vec4 found, vec3 centre, vec4 rotation, float radius)
 
 void main()
 {
-    uint m = gl_GlobalInvocationID.x;
-    if (m >= step.moverCount) return;
+    uint m = MOVER_OF_THREAD;
+    if (m >= MOVER_END) return;
     uvec4 info = texelFetch(moverInfo, int(m));
     uint now = counters[0].substep;
     bool second = step.secondOrder == 1u && now > 0u && texelFetch(lastAssemblyState, int(info.z)).x + 1u != now;
+    bool asleep = isAsleep(info.z);
+    second = second && !asleep;
     assemblyState[info.z].y = second ? 2u : 1u;
     float inverseMass = uintBitsToFloat(info.w);
     if (inverseMass == 0.0) return;
@@ -54,20 +58,28 @@ void main()
     vec4 rotation = texelFetch(moverRotations, int(m)), turn = vec4(0, 0, 0, 1);
     Field move = predictedMove(m, second);
     Field impulse = fetchField(moverImpulses, m);
+    vec3 start = texelFetch(moverCentres, int(m)).xyz;
+    float scale = contactScale(start);
     float radius = 0.0;
-    if (m < step.bodyCount) {
+    if (IS_BODY(m)) {
         vec4 column = texelFetch(bodyMoments, int(3u * m));
         radius = column.w;
         mat3 moments = mat3(column.xyz, texelFetch(bodyMoments, int(3u * m + 1u)).xyz,
                             texelFetch(bodyMoments, int(3u * m + 2u)).xyz);
         move.f = (matrixFromQuaternion(rotation) + move.f) * moments;
-        turn = matchedTurn(move.f + impulse.f, rotation, turn);
+        turn = matchedTurn(move.f + scale * impulse.f, rotation, turn);
     }
     STORE_FIELD(moverPredictions, m, move)
-    vec3 shift = move.t + inverseMass * impulse.t;
+    if (asleep) {
+        // What sleeps splits its mass over no impulse: contacts take it for immovable.
+        moverMoves[m] = vec4(0);
+        moverTurns[m] = vec4(0, 0, 0, 1);
+        return;
+    }
+    vec3 shift = move.t + inverseMass * (scale * impulse.t);
     moverMoves[m].xyz = shift;
     moverTurns[m] = turn;
-    vec3 centre = texelFetch(moverCentres, int(m)).xyz + shift;
+    vec3 centre = start + shift;
     vec4 found = texelFetch(foundCentres, int(m));
     if (info.y > 0u && drift(m, found, centre, quaternionProduct(turn, rotation), radius) > found.w)
         counters[0].due = 1u;

@@ -6,8 +6,11 @@
 #include "shared/turn.glsl"
 #include "shared/fields.glsl"
 #include "shared/impulse_sums.glsl"
+#include "shared/mass_scaling.glsl"
+#include "shared/sleep.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer moverCentres;
 uniform samplerBuffer moverRotations;
 uniform samplerBuffer lastMoverTurns;
 uniform samplerBuffer moverPredictions;
@@ -33,7 +36,7 @@ float relaxation(uint m, Field impulse, float acting)
     Field before = fetchField(lastMoverImpulses, m);
     Field change = Field(impulse.t - before.t, impulse.f - before.f);
     float along = dot(change.t, last.t), size = dot(last.t, last.t);
-    if (m < step.bodyCount) {
+    if (IS_BODY(m)) {
         float radius = max(texelFetch(bodyMoments, int(3u * m)).w, 1e-6), scale = 1.0 / (radius * radius);
         for (int column = 0; column < 3; ++column) {
             along += scale * dot(change.f[column], last.f[column]);
@@ -50,11 +53,12 @@ float relaxation(uint m, Field impulse, float acting)
 
 void main()
 {
-    uint m = gl_GlobalInvocationID.x;
-    if (m >= step.moverCount) return;
+    uint m = MOVER_OF_THREAD;
+    if (m >= MOVER_END) return;
     uvec4 info = texelFetch(moverInfo, int(m));
     float inverseMass = uintBitsToFloat(info.w);
     if (inverseMass == 0.0) return;
+    if (isAsleep(info.z)) return;
     Sum contacts = contactSum(info, counters[0].listParity);
     float relaxed = relaxation(m, contacts.impulse, contacts.acting);
     STORE_FIELD(moverImpulses, m, contacts.impulse)
@@ -62,9 +66,10 @@ void main()
 
     Field prediction = fetchField(moverPredictions, m);
     Field others = otherSum(info);
-    Field impulse = Field(contacts.impulse.t + others.t, contacts.impulse.f + others.f);
+    float scale = contactScale(texelFetch(moverCentres, int(m)).xyz);
+    Field impulse = Field(scale * contacts.impulse.t + others.t, scale * contacts.impulse.f + others.f);
     float splits = contacts.acting;
-    if (m < step.bodyCount) {
+    if (IS_BODY(m)) {
         uvec4 body = texelFetch(bodyInfo, int(m));
         Field joints = jointSum(body);
         splits += float(body.w);
@@ -72,5 +77,5 @@ void main()
         moverTurns[m] = matchedTurn(prediction.f + impulse.f, texelFetch(moverRotations, int(m)),
                                     texelFetch(lastMoverTurns, int(m)));
     }
-    moverMoves[m] = vec4(prediction.t + inverseMass * impulse.t, splits / relaxed);
+    moverMoves[m] = vec4(prediction.t + inverseMass * impulse.t, scale * splits / relaxed);
 }

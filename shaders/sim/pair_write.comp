@@ -59,6 +59,9 @@ void main()
     float far = length(apart);
     vec3 normal = contactNormal(apart, far, true);
     vec2 friction = 0.5 * (texelFetch(masses, i).zw + texelFetch(masses, j).zw);
+    // A mass of balls that slide on each other and cannot turn has pi / 2 times their friction (Caquot 1934): that is
+    // what the material's friction is to be.
+    if (min(a.x, b.x) >= step.bodyCount) friction *= 0.63662;
     vec2 shares = vec2(normalShare(a.x, armA, normal), normalShare(b.x, armB, normal));
     pairSides[q] = uvec4(a.x, b.x, packHalf2x16(friction), packUnorm2x16(shares));
     pairArms[2u * q] = armA;

@@ -7,7 +7,7 @@ uniform samplerBuffer velocities;
 uniform samplerBuffer oldMoves;
 uniform samplerBuffer oldVelocities;
 uniform usamplerBuffer particleInfo;
-uniform samplerBuffer masses;            // inverse mass, unused, static and kinetic friction
+uniform samplerBuffer masses;            // inverse mass, restitution, static and kinetic friction
 BUFFER(vec4, Predicted, predicted);
 BUFFER(uvec2, AssemblyState, assemblyState);   // last substep with a contact, order of this one
 BUFFER(Counters, CountersBlock, counters);

@@ -33,7 +33,7 @@ struct SolverBuffers {
     Buffer<gpu::ParticleInfo> particleInfo;
     Buffer<gpu::uvec2> particlePlaces;   ///< Mover, rank in the order of contact lists.
     Buffer<uint32_t> rankedParticles;    ///< Per rank: the particle.
-    Buffer<gpu::vec4> masses;            ///< Inverse mass [1/kg], unused, static and kinetic friction.
+    Buffer<gpu::vec4> masses;            ///< Inverse mass [1/kg], restitution, static, kinetic friction.
     Buffer<gpu::vec4> restPositions;     ///< In the assembly's rest pose [m]; w: margin of self-contact [diameters].
     Buffer<gpu::vec4> restOffsets;       ///< r in the first body [m]; w: the worst inverse mass in it [1/kg].
     Buffer<gpu::ParticleRigidBodyLink> links;          ///< Per link: the paper's listing 1.
@@ -57,6 +57,12 @@ struct SolverBuffers {
     Buffer<gpu::vec4> moverChanges;                    ///< Field: how they last changed; w of the first: relaxation.
     /// Per particle, by rank: what acts on single particles, beside contacts and joints [kg m].
     Buffer<gpu::vec4> particleImpulses;
+    // Restitution (shaders/shared/bounce.glsl), of a world that has any.
+    Buffer<gpu::vec4> pairBounces, colliderBounces;    ///< As pairImpulses: the last change, all of it [kg m/s].
+    Buffer<float> moverBounces;                        ///< Per mover: over how many of them its mass is split.
+    // Sleep (shaders/shared/sleep.glsl). Per assembly: steps that it was calm, name of its island.
+    Buffer<gpu::uvec2> assemblyCalm, assemblyNext;
+    Buffer<uint32_t> islandsWoken;                     ///< By name: 1 if something woke it in this step.
     Buffer<gpu::vec4> linkImpulses;                    ///< Per link: joints (joint_solve.comp) [kg m].
     Buffer<gpu::uvec2> assemblyState;    ///< Per assembly: last substep with a contact, order of this one.
     // The paper's solver, particle by particle.
@@ -94,6 +100,7 @@ struct SolverBuffers {
     FluidBuffers fluid;
 
     gpu::StepParameters parameters{};    ///< The host's copy of `step`.
+    bool hasBounces = false;             ///< Whether any material has restitution.
     bool hasOthers = false;              ///< Whether anything but contacts and joints acts (particleImpulses).
     uint32_t longestBody = 0;            ///< Links of the largest body (p of eq. 10).
 

@@ -15,7 +15,11 @@
 //   solves, `iterations` times: contact_solve, collider_solve and joint_solve work out impulses, each contact and joint
 //     by itself, from where the movers are; mover_solve sums them for each mover and matches it (eqs. 8-9, 11-17) to
 //     where they bring its particles;
-//   finishes with velocities and places (mover_finish).
+//   finishes with velocities and places (mover_finish), and where materials have restitution, gives collisions the
+//     speeds at which they part (contact_bounce, collider_bounce, mover_bounce).
+//
+// With Settings::sleepSpeed, what has been calm for long sleeps from the end of a step on (sleep_mover, sleep_pair,
+// sleep_settle), until something that moves comes near it (sleep_wake, sleep_rouse, in each substep).
 //
 // A step ends with its particles where their bodies have them (particle_place); those that bodies share stand at the
 // mean of their goals, which is the joint (joint_place).
@@ -30,13 +34,17 @@ namespace knuckle {
 Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
     : settings_(settings), buffers_(buffers), particles_(groupsFor(buffers.parameters.particleCount)),
       movers_(groupsFor(buffers.parameters.moverCount)), bodies_(groupsFor(buffers.parameters.bodyCount)),
-      links_(groupsFor(buffers.parameters.linkCount)), shared_(groupsFor(buffers.parameters.sharedCount)),
+      loose_(groupsFor(buffers.parameters.moverCount - buffers.parameters.bodyCount)),
+      assemblies_(groupsFor(buffers.parameters.assemblyCount)), links_(groupsFor(buffers.parameters.linkCount)),
+      shared_(groupsFor(buffers.parameters.sharedCount)),
       sharedByTwo_(groupsFor(buffers.parameters.sharedByTwo)),
       sharedByMany_(groupsFor(buffers.parameters.sharedCount - buffers.parameters.sharedByTwo))
 {
     const BufferTable table = buffers.table();
     const LoadKernel load = [&](const char* name, Defines defines) {
         if (settings.rotation == RotationMethod::Householder) defines.push_back({"HOUSEHOLDER", "1"});
+        if (settings.massScaling > 0.0f) defines.push_back({"MASS_SCALING", "1"});
+        if (settings.sleepSpeed > 0.0f) defines.push_back({"SLEEP", "1"});
         return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
     };
     loadSearch(load);
@@ -75,7 +83,13 @@ void Step::loadSearch(const LoadKernel& load)
 
 void Step::loadImpulseSolver(const LoadKernel& load)
 {
-    moverPredict_ = load("mover_predict", {});
+    const auto loadForMovers = [&](const char* name, Defines defines) {
+        Defines bodies = defines, loose = defines;
+        bodies.push_back({"BODIES", "1"});
+        loose.push_back({"LOOSE", "1"});
+        return ForMovers{load(name, bodies), load(name, loose)};
+    };
+    moverPredict_ = loadForMovers("mover_predict", {});
     if (buffers_.hasOthers) impulseClear_ = load("impulse_clear", {});
     moverWarm_ = load("mover_solve", {{"WARM", "1"}});
     contactSolve_ = load("contact_solve", {});
@@ -84,10 +98,32 @@ void Step::loadImpulseSolver(const LoadKernel& load)
     jointSolve_ = load("joint_solve", {});
     jointSolveManyFirst_ = load("joint_solve_many", {{"FIRST", "1"}});
     jointSolveMany_ = load("joint_solve_many", {});
-    moverSolve_ = load("mover_solve", buffers_.hasOthers ? Defines{{"OTHERS", "1"}} : Defines{});
-    moverFinish_ = load("mover_finish", {});
+    moverSolve_ = loadForMovers("mover_solve", buffers_.hasOthers ? Defines{{"OTHERS", "1"}} : Defines{});
+    moverFinish_ = loadForMovers("mover_finish", {});
     particlePlace_ = load("particle_place", {});
     jointPlace_ = load("joint_place", {});
+    if (buffers_.hasBounces) loadBounces(load);
+    if (settings_.sleepSpeed > 0.0f) loadSleep(load);
+}
+
+void Step::loadBounces(const LoadKernel& load)
+{
+    contactCollide_ = load("contact_bounce", {{"FIRST", "1"}});
+    colliderCollide_ = load("collider_bounce", {{"FIRST", "1"}});
+    contactBounce_ = load("contact_bounce", {});
+    colliderBounce_ = load("collider_bounce", {});
+    contactBounceEagerly_ = load("contact_bounce", {{"EAGER", "1"}});
+    colliderBounceEagerly_ = load("collider_bounce", {{"EAGER", "1"}});
+    moverBounce_ = load("mover_bounce", {});
+}
+
+void Step::loadSleep(const LoadKernel& load)
+{
+    sleepMover_ = load("sleep_mover", {});
+    sleepPair_ = load("sleep_pair", {});
+    sleepSettle_ = load("sleep_settle", {});
+    sleepWake_ = load("sleep_wake", {});
+    sleepRouse_ = load("sleep_rouse", {});
 }
 
 void Step::loadPaperSolver(const LoadKernel& load)
@@ -118,6 +154,7 @@ void Step::run(KernelTimer& timer) const
     if (fluid_) fluid_->findNeighbours(timer);
     for (uint32_t i = 0; i < settings_.substeps; ++i) paper ? paperSubstep(timer) : impulseSubstep(timer);
     if (paper) return;
+    if (settings_.sleepSpeed > 0.0f) fallAsleep(timer);
     particlePlace_.dispatch(timer, particles_);
     if (shared_ > 0) jointPlace_.dispatch(timer, shared_);
 }
@@ -149,12 +186,22 @@ void Step::findContacts(KernelTimer& timer) const
     colliderWrite_.dispatchIndirect(timer, sizes, DISPATCH_NEW_COLLIDER_PAIRS);
 }
 
+void Step::dispatch(KernelTimer& timer, const ForMovers& kernels) const
+{
+    if (bodies_ > 0) kernels.bodies.dispatch(timer, bodies_);
+    if (loose_ > 0) kernels.loose.dispatch(timer, loose_);
+}
+
 void Step::impulseSubstep(KernelTimer& timer) const
 {
     const RawBuffer& sizes = buffers_.dispatches;
-    moverPredict_.dispatch(timer, movers_);
+    dispatch(timer, moverPredict_);
     if (buffers_.hasOthers) impulseClear_.dispatch(timer, particles_);
     findContacts(timer);
+    if (settings_.sleepSpeed > 0.0f) {
+        sleepWake_.dispatchIndirect(timer, sizes, DISPATCH_PAIRS);
+        sleepRouse_.dispatch(timer, assemblies_);
+    }
     moverWarm_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
     if (fluid_) fluid_->substep(timer);
     for (uint32_t i = 0; i < settings_.iterations; ++i) {
@@ -162,9 +209,31 @@ void Step::impulseSubstep(KernelTimer& timer) const
         colliderSolve_.dispatchIndirect(timer, sizes, DISPATCH_COLLIDER_PAIRS);
         if (sharedByTwo_ > 0) (i == 0 ? jointSolveFirst_ : jointSolve_).dispatch(timer, sharedByTwo_);
         if (sharedByMany_ > 0) (i == 0 ? jointSolveManyFirst_ : jointSolveMany_).dispatch(timer, sharedByMany_);
-        moverSolve_.dispatch(timer, movers_);
+        dispatch(timer, moverSolve_);
     }
-    moverFinish_.dispatch(timer, movers_);
+    dispatch(timer, moverFinish_);
+    if (buffers_.hasBounces) bounce(timer);
+}
+
+void Step::bounce(KernelTimer& timer) const
+{
+    const auto iterate = [&](const Kernel& contacts, const Kernel& colliders) {
+        contacts.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_PAIRS);
+        colliders.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_COLLIDER_PAIRS);
+        moverBounce_.dispatch(timer, movers_);
+    };
+    iterate(contactCollide_, colliderCollide_);
+    for (uint32_t i = 0; i < BOUNCE_ROUNDS; ++i) {
+        iterate(contactBounce_, colliderBounce_);
+        iterate(contactBounceEagerly_, colliderBounceEagerly_);
+    }
+}
+
+void Step::fallAsleep(KernelTimer& timer) const
+{
+    sleepMover_.dispatch(timer, movers_);
+    sleepPair_.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_PAIRS);
+    sleepSettle_.dispatch(timer, assemblies_);
 }
 
 void Step::paperSubstep(KernelTimer& timer) const

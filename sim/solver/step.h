@@ -15,26 +15,40 @@ public:
     void run(KernelTimer& timer) const;
 
 private:
+    /// One kernel, for bodies and for loose particles.
+    struct ForMovers {
+        Kernel bodies, loose;
+    };
+    void dispatch(KernelTimer& timer, const ForMovers& kernels) const;
     void loadSearch(const LoadKernel& load);
     void loadImpulseSolver(const LoadKernel& load);
+    void loadBounces(const LoadKernel& load);
+    void loadSleep(const LoadKernel& load);
     void loadPaperSolver(const LoadKernel& load);
     void findContacts(KernelTimer& timer) const;
     void impulseSubstep(KernelTimer& timer) const;
+    void bounce(KernelTimer& timer) const;
+    void fallAsleep(KernelTimer& timer) const;
     void paperSubstep(KernelTimer& timer) const;
     void matchShapes(KernelTimer& timer) const;
     void reduceInSteps(KernelTimer& timer) const;
 
     Settings settings_;
     SolverBuffers& buffers_;
-    uint32_t particles_, movers_, bodies_, links_, shared_, sharedByTwo_, sharedByMany_;   ///< Work groups.
+    // Work groups.
+    uint32_t particles_, movers_, bodies_, loose_, assemblies_, links_, shared_, sharedByTwo_, sharedByMany_;
     std::optional<FluidStep> fluid_;
     // Finding contacts.
     Kernel findDue_, moverReach_, foundPlace_, fastDue_, gridClear_, gridCount_, gridSum_, gridChunks_, gridStart_,
         gridScatter_, gridOrder_, contactFind_, contactFindFar_, colliderNear_, colliderFind_, listSum_, listChunks_,
         listStart_, pairList_, pairWrite_, colliderWrite_;
     // The default solver.
-    Kernel moverPredict_, impulseClear_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_,
-        jointSolveManyFirst_, jointSolveMany_, moverSolve_, moverFinish_, particlePlace_, jointPlace_;
+    ForMovers moverPredict_, moverSolve_, moverFinish_;
+    Kernel impulseClear_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_,
+        jointSolveManyFirst_, jointSolveMany_, particlePlace_, jointPlace_;
+    Kernel contactCollide_, colliderCollide_, contactBounce_, colliderBounce_, contactBounceEagerly_,
+        colliderBounceEagerly_, moverBounce_;
+    Kernel sleepMover_, sleepPair_, sleepSettle_, sleepWake_, sleepRouse_;
     // The paper's.
     Kernel predict_, bodyStart_, contactStabilize_, stabilizeApply_, contactAverage_, bodySum_, linkCentreTerms_,
         linkMatrixTerms_, linkReduce_, bodyCollectCentres_, bodyCollectMatrices_, bodyRotation_, shapeGoals_,

@@ -35,10 +35,11 @@ void uploadParticles(SolverBuffers& out, const World& world)
         positions.push_back(pack(p.position, 0));
         velocities.push_back(pack(fixed ? Vector3f::Zero() : p.velocity, 0));
         rest.push_back(pack(p.restPosition, p.touchesAssembly ? p.selfMargin : NO_SELF_CONTACT));
-        masses.push_back({fixed ? 0.0f : 1.0f / p.mass, 0.0f, material.staticFriction, material.kineticFriction});
         const bool fluid = material.fluid;
         infos.push_back({fluid ? IN_FLUID : p.body, p.bodyCount,
                          p.assembly != NO_INDEX || fluid ? p.assembly : assemblies++, p.material});
+        masses.push_back({fixed ? 0.0f : 1.0f / p.mass, material.restitution, material.staticFriction,
+                          material.kineticFriction});
     }
     const size_t count = positions.size();
     out.positions = {"positions", std::span<const gpu::vec4>(positions)};
@@ -54,6 +55,7 @@ void uploadParticles(SolverBuffers& out, const World& world)
     // No contact yet: a stamp that no substep follows.
     const std::vector<gpu::uvec2> state(assemblies, gpu::uvec2{0x7fffffffu, 1u});
     out.assemblyState = {"assemblyState", std::span<const gpu::uvec2>(state)};
+    out.parameters.assemblyCount = assemblies;
 }
 
 void uploadBodies(SolverBuffers& out, const World& world)
@@ -162,6 +164,10 @@ void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
     p.maxCorrection = paper ? std::numeric_limits<float>::max() : 0.5f * p.substepTime;
     p.warmStart = std::pow(0.97f, 1.0f / static_cast<float>(s.iterations));
     p.jointRelaxation = 1.8f;
+    p.massScaling = s.massScaling;
+    p.sleepSpeed = s.sleepSpeed;
+    // Twice what gravity gives in a substep: what rests does not bounce.
+    p.bounceSpeed = std::max(2.0f * s.gravity.norm() * p.substepTime, 0.02f);
 }
 
 /// How far contacts are looked for, and for how long they stay good. Neighbours rarely use up their margins both and
@@ -230,6 +236,8 @@ void SolverBuffers::resizeContacts(const Gpu& gpu)
     colliderSides = {"colliderSides", colliderCount};
     colliderArms = {"colliderArms", colliderCount};
     colliderImpulses = {"colliderImpulses", 2 * colliderCount};
+    pairBounces = {"pairBounces", hasBounces ? 2 * pairCount : 0};
+    colliderBounces = {"colliderBounces", hasBounces ? 2 * colliderCount : 0};
     step.upload(std::span<const gpu::StepParameters>(&parameters, 1));
 }
 
@@ -244,10 +252,12 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
     out.dispatches = {"dispatches", DISPATCH_COUNT};
     out.parameters.contactSlots = FIRST_CONTACT_SLOTS;
     out.parameters.pairCapacity = out.parameters.colliderPairCapacity = std::max(2 * count, 4096u);
+    for (const Material& material : world.materials) out.hasBounces |= material.restitution > 0.0f;
     out.resizeContacts(gpu);
     uploadParticles(out, world);
     uploadBodies(out, world);
     uploadMovers(out, world);
+    uploadSleep(out);
     uploadLinks(out, world);
     uploadColliders(out, world);
     makeGrid(out, count + world.fluidCount);
@@ -263,13 +273,15 @@ BufferTable SolverBuffers::table()
           links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
           sharedParticles, sharedOwners, colliders, step);
     t.add(moverCentres, moverRotations, moverMoves, moverTurns, moverVelocities, oldMoverVelocities, oldMoverMoves,
-          moverPredictions, moverImpulses, moverChanges, particleImpulses, linkImpulses, assemblyState);
+          moverPredictions, moverImpulses, moverChanges, particleImpulses, linkImpulses, assemblyState, assemblyCalm,
+          assemblyNext, islandsWoken);
     t.add(oldMoves, oldVelocities, predicted, moved, stabilized, bodyStarts, bodyMatrices, linkTerms);
     t.add(foundPositions, foundCentres, foundRotations, moverReaches, fastParticles, moverColliders, particleCells,
           cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);
     t.add(firstLists, colliderLists, listCounts, listSums, listStarts, pairs, pairSides, pairArms, pairImpulses,
           pairArrivals, pairReferences, colliderPairs, colliderSides, colliderArms, colliderImpulses, dispatches);
     addFluid(t, fluid);
+    t.add(pairBounces, colliderBounces, moverBounces);
     t.add("countersBlock", counters, 16);
     return t;
 }

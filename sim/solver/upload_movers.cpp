@@ -116,9 +116,23 @@ void uploadMovers(SolverBuffers& out, const World& world)
     const std::vector<uint32_t> all(count, colliders < 32 ? (1u << colliders) - 1u : ~0u);
     out.moverColliders = {"moverColliders", std::span<const uint32_t>(all)};
     out.particleImpulses = {"particleImpulses", world.particles.size()};
+    out.moverBounces = {"moverBounces", count};
     out.moverReaches = {"moverReaches", count};
     out.foundCentres = {"foundCentres", count};
     out.foundRotations = {"foundRotations", std::span<const gpu::vec4>(unturned)};
+}
+
+void uploadSleep(SolverBuffers& out)
+{
+    const uint32_t count = out.parameters.assemblyCount;
+    std::vector<gpu::uvec2> awake(count), next(count);
+    for (uint32_t a = 0; a < count; ++a) {
+        awake[a] = {0, a};
+        next[a] = {CALM_STEPS, a};
+    }
+    out.assemblyCalm = {"assemblyCalm", std::span<const gpu::uvec2>(awake)};
+    out.assemblyNext = {"assemblyNext", std::span<const gpu::uvec2>(next)};
+    out.islandsWoken = {"islandsWoken", count};
 }
 
 }  // namespace knuckle

@@ -64,9 +64,14 @@ uint32_t WorldBuilder::newParticle(const Vector3f& position, uint32_t material)
     Particle particle;
     particle.position = particle.restPosition = position;
     particle.material = material;
-    particle.mass = world_.materials.at(material).density * std::pow(world_.diameter(), 3.0f);
+    particle.mass = particleMass(material);
     world_.particles.push_back(particle);
     return particleCount() - 1;
+}
+
+float WorldBuilder::particleMass(uint32_t material) const
+{
+    return world_.materials.at(material).density * std::pow(world_.diameter(), 3.0f);
 }
 
 uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,

@@ -75,6 +75,8 @@ public:
     uint32_t particleCount() const { return static_cast<uint32_t>(world_.particles.size()); }
     uint32_t fluidCount() const { return static_cast<uint32_t>(fluid_.size()); }
     float diameter() const { return world_.diameter(); }
+    /// What a particle of a material weighs: density times diameter cubed [kg].
+    float particleMass(uint32_t material) const;
 
     /// Groups links by body, fills centres, masses and assemblies, and validates. The builder is spent afterwards.
     World build();

@@ -44,6 +44,8 @@ struct Settings {
     bool splitSharedMass = true;                   ///< A particle of k bodies weighs m/k in each: conserves momentum.
     float linearDamping = 0.0f;                    ///< [1/s], 0 ... 100.
     float maxSpeed = 100.0f;                       ///< [m/s], > 0.
+    float massScaling = 0.0f;                      ///< k [1/m], 0 ... 10: contacts see masses m exp(-k height); 0: off.
+    float sleepSpeed = 0.0f;                       ///< What stays slower sleeps, with all it touches [m/s]; 0: off.
 };
 
 /// As many that something as fast as a fall of 1 m (4.5 m/s) stays within a fifth of a diameter in one, 4 to 16.

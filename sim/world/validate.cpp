@@ -31,6 +31,8 @@ void validateSettings(const Settings& s)
     require(within(s.virtualParticles, 0.0f, 1.0f), "solver virtual particles {}: must be 0 to 1", s.virtualParticles);
     require(within(s.linearDamping, 0.0f, 100.0f), "solver damping {} 1/s: must be 0 to 100", s.linearDamping);
     require(s.maxSpeed > 0.0f, "solver maximum speed {} m/s: must be above 0", s.maxSpeed);
+    require(within(s.massScaling, 0.0f, 10.0f), "solver mass scaling {} 1/m: must be 0 to 10", s.massScaling);
+    require(within(s.sleepSpeed, 0.0f, 10.0f), "solver sleep speed {} m/s: must be 0 to 10", s.sleepSpeed);
     require(s.gravity.allFinite(), "gravity must be finite");
 }
 
@@ -44,6 +46,8 @@ void validateMaterials(const World& world)
                 m.staticFriction);
         require(within(m.viscosity, 0.0f, 1e6f), "material \"{}\": viscosity {} Pa s must be 0 to 1e6", m.name,
                 m.viscosity);
+        require(within(m.restitution, 0.0f, 1.0f), "material \"{}\": restitution {} must be 0 to 1", m.name,
+                m.restitution);
     }
 }
 

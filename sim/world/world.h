@@ -26,6 +26,8 @@ struct Material {
     float density = 1000.0f;                  ///< [kg/m3], > 0. A particle of a body weighs density * diameter^3.
     float staticFriction = 0.5f;              ///< Coulomb's mu while sticking, >= 0. A contact takes both sides' mean.
     float kineticFriction = 0.5f;             ///< Coulomb's mu while sliding, 0 ... staticFriction.
+    /// Share of the speed that a collision leaves, 0 ... 1. A contact takes the larger of both sides'.
+    float restitution = 0.0f;
     Vector3f color{0.8f, 0.8f, 0.8f};         ///< Linear RGB, 0-1, used when colouring by material.
     bool fluid = false;                       ///< Its particles are loose and flow.
     float viscosity = 0.001f;                 ///< Fluids: dynamic [Pa s], >= 0. Water 0.001, honey 10.

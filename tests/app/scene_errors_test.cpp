@@ -43,7 +43,7 @@ const BadScene BAD_SCENES[] = {
      ": /render/colorBy: \"bod\" is unknown; did you mean \"body\"?"},
     {"NoObjects", "{}", ": /: \"objects\" is missing; add it: What moves."},
     {"EmptyObjects", R"({"objects": []})", ": /objects: is an array of 0, must be at least 1"},
-    {"NoType", OBJECT(R"("shape": "box")"), ": /objects/0: \"type\" is missing; known: rigid, joined, actor"},
+    {"NoType", OBJECT(R"("shape": "box")"), ": /objects/0: \"type\" is missing; known: rigid, joined, actor, grains"},
     {"UnknownType", OBJECT(R"("type": "joint")"), ": /objects/0/type: \"joint\" is unknown; did you mean \"joined\"?"},
     {"UnknownShape", OBJECT(R"("type": "rigid", "shape": "cone")"),
      ": /objects/0/shape: \"cone\" is unknown; known: box, sphere, capsule, mesh"},
@@ -72,6 +72,23 @@ const BadScene BAD_SCENES[] = {
     {"TooManyCopies", OBJECT(R"("type": "joined", "repeat": {"counts": [100, 100, 5]})"),
      ": /objects/0: brings the scene to 2700000 particles, the limit is 1000000; raise /diameter, or make it smaller "
      "or fewer"},
+    {"NegativeDensity", WITH(R"("materials": {"sand": {"density": -1600}})"),
+     ": /materials/sand/density: -1600 must be above 0 [kg/m3]"},
+    {"RestitutionAboveOne", WITH(R"("materials": {"rubber": {"restitution": 1.1}})"),
+     ": /materials/rubber/restitution: 1.1 is above the maximum 1"},
+    {"NegativeSleep", WITH(R"("solver": {"sleep": -0.1})"), ": /solver/sleep: -0.1 is below the minimum 0 [m/s]"},
+    {"NegativeMassScaling", WITH(R"("solver": {"massScaling": -1})"),
+     ": /solver/massScaling: -1 is below the minimum 0 [1/m]"},
+    {"GrainsTooNear", OBJECT(R"("type": "grains", "shape": "box", "spacing": 0.09)"),
+     ": /objects/0/spacing: 0.09 m is below the diameter, 0.1 m, so that grains would overlap; raise it, lower "
+     "/diameter, or give 0 for one diameter"},
+    {"GrainsInATorus", OBJECT(R"("type": "grains", "shape": "torus")"),
+     ": /objects/0/shape: \"torus\" is unknown; known: box, sphere, capsule, cone, mesh"},
+    {"TooManyGrains", OBJECT(R"("type": "grains", "shape": "cone", "radius": 20, "height": 20)"),
+     ": /objects/0: brings the scene to 8377580 particles, the limit is 1000000; raise /diameter, or make it smaller "
+     "or fewer"},
+    {"FollowGrains", R"({"objects": [{"type": "grains", "shape": "box"}], "camera": {"kind": "follow"}})",
+     ": /camera/kind: \"follow\" needs an object with a body; take \"fixed\""},
     {"TwinKeys", WITH(R"("fps": 30, "fps": 60)"),
      ": the key \"fps\" stands twice in one object; remove one of them"},
 };

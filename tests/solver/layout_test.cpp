@@ -85,7 +85,9 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
         MEMBER(StepParameters, sharedByTwo),
         MEMBER(StepParameters, moverCount), MEMBER(StepParameters, pairCapacity),
         MEMBER(StepParameters, colliderPairCapacity), MEMBER(StepParameters, lookAhead),
-        MEMBER(StepParameters, farReach), MEMBER(StepParameters, fastLimit), MEMBER(StepParameters, horizon)
+        MEMBER(StepParameters, farReach), MEMBER(StepParameters, fastLimit), MEMBER(StepParameters, horizon),
+        MEMBER(StepParameters, massScaling), MEMBER(StepParameters, bounceSpeed),
+        MEMBER(StepParameters, sleepSpeed), MEMBER(StepParameters, assemblyCount)
     });
     EXPECT_EQ(sizeof(gpu::StepParameters) % 16, 0u) << "std140 pads to whole vectors";
 }

@@ -60,6 +60,10 @@ TEST(Validate, EverySettingHasItsRange)
               "solver damping 101 1/s: must be 0 to 100");
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.maxSpeed = 0.0f; }),
               "solver maximum speed 0 m/s: must be above 0");
+    EXPECT_EQ(settingsComplaint([](Settings& s) { s.massScaling = -1.0f; }),
+              "solver mass scaling -1 1/m: must be 0 to 10");
+    EXPECT_EQ(settingsComplaint([](Settings& s) { s.sleepSpeed = NAN; }),
+              "solver sleep speed nan m/s: must be 0 to 10");
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.gravity.y() = INFINITE; }), "gravity must be finite");
 }
 
@@ -69,6 +73,8 @@ TEST(Validate, MaterialsNeedADensityAndKineticFrictionBelowStatic)
               "material \"clay\": density 0 kg/m3 must be above 0");
     EXPECT_EQ(complaint([](World& w) { w.materials[0].density = INFINITE; }),
               "material \"clay\": density inf kg/m3 must be above 0");
+    EXPECT_EQ(complaint([](World& w) { w.materials[0].restitution = 1.5f; }),
+              "material \"clay\": restitution 1.5 must be 0 to 1");
     EXPECT_EQ(complaint([](World& w) { w.materials[0].kineticFriction = 0.75f; }),
               "material \"clay\": kinetic friction 0.75 must be 0 to its static friction 0.5");
     EXPECT_EQ(complaint([](World& w) { w.materials[0].kineticFriction = -0.5f; }),

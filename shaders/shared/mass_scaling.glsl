@@ -1,0 +1,13 @@
+// Mass scaling (Macklin et al. 2014, 5.2): contacts see masses m exp(-k h), so that the lower of two gives way less and
+// piles converge sooner. It breaks momentum: MASS_SCALING, of a world that asks for it.
+
+/// By how much more a mover at `centre` gives way to contacts than its mass says.
+float contactScale(vec3 centre)
+{
+#ifdef MASS_SCALING
+    vec3 down = step.gravity.xyz / max(length(step.gravity.xyz), 1e-20);
+    return exp(clamp(-step.massScaling * dot(centre, down), -30.0, 30.0));
+#else
+    return 1.0;
+#endif
+}

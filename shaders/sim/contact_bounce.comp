@@ -1,0 +1,33 @@
+// One thread a contact between particles: one Jacobi iteration of the impulse that makes it bounce.
+#include "shared/kernel.glsl"
+#include "shared/bounce.glsl"
+#include "shared/list_ranges.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform usamplerBuffer pairs;
+uniform usamplerBuffer pairSides;
+uniform samplerBuffer pairArms;
+uniform samplerBuffer pairImpulses;
+uniform samplerBuffer masses;            // y: restitution
+uniform samplerBuffer lastPairBounces;
+BUFFER(vec4, PairBounces, pairBounces);
+READ_BUFFER(Counters, CountersBlock, counters);
+
+void main()
+{
+    uint q = gl_GlobalInvocationID.x;
+    if (q >= counters[0].pairCount) return;
+    int place = int(counters[0].listParity * step.pairCapacity + q);
+    uvec4 sides = texelFetch(pairSides, int(q));
+    uvec2 pair = texelFetch(pairs, place).xy;
+    vec4 armA = texelFetch(pairArms, int(2u * q)), armB = texelFetch(pairArms, int(2u * q + 1u));
+    PointState a = pointState(sides.x, armA.xyz), b = pointState(sides.y, armB.xyz);
+    vec3 apart = a.position - b.position;
+    vec3 normal = contactNormal(apart, length(apart), true);
+    vec3 before = velocityBefore(sides.x, armA.xyz) - velocityBefore(sides.y, armB.xyz);
+    vec2 splits = vec2(texelFetch(moverBounces, int(sides.x)).x, texelFetch(moverBounces, int(sides.y)).x);
+    float inverseMass = dot(splits * vec2(armA.w, armB.w), unpackUnorm2x16(sides.w));
+    float restitution = max(texelFetch(masses, int(pair.x)).y, texelFetch(masses, int(pair.y)).y);
+    pairBounces[place] = solveBounce(texelFetch(lastPairBounces, place), texelFetch(pairImpulses, place).w, normal,
+                                     before, a.velocity - b.velocity, inverseMass, restitution);
+}

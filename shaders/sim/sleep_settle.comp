@@ -1,0 +1,18 @@
+// One thread an assembly: takes over what sleep_mover and sleep_pair found. One that has moved lately has its own name.
+#include "shared/kernel.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+BUFFER(uvec2, AssemblyCalm, assemblyCalm);
+BUFFER(uvec2, AssemblyNext, assemblyNext);
+BUFFER(uint, IslandsWoken, islandsWoken);
+
+void main()
+{
+    uint a = gl_GlobalInvocationID.x;
+    if (a >= step.assemblyCount) return;
+    uvec2 next = assemblyNext[a];
+    uint calm = min(next.x, CALM_STEPS);
+    assemblyCalm[a] = uvec2(calm, calm < CALM_STEPS / 2u ? a : min(next.y, a));
+    assemblyNext[a] = uvec2(CALM_STEPS, a);
+    islandsWoken[a] = 0u;
+}
