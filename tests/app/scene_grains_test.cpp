@@ -19,7 +19,8 @@ World load(const std::string& object)
 TEST(SceneGrains, FillABoxAtOneDiameter)
 {
     const World world =
-        load(R"("shape": "box", "size": [0.5, 0.3, 0.2], "position": [1, 2, 3], "velocity": [0, -1, 0])");
+        load(R"("shape": "box", "size": [0.5, 0.3, 0.2], "position": [1, 2, 3], "velocity": [0, -1, 0],
+                "jitter": 0)");
     ASSERT_EQ(world.particles.size(), 5u * 3u * 2u);
     EXPECT_TRUE(world.bodies.empty());
     Vector3f middle = Vector3f::Zero();
@@ -50,7 +51,7 @@ TEST(SceneGrains, FillEveryShapeWithAboutItsVolume)
 TEST(SceneGrains, AConeStandsOnItsBase)
 {
     float low = 1, high = 0;
-    for (const Particle& p : load(R"("shape": "cone", "radius": 1, "height": 1)").particles) {
+    for (const Particle& p : load(R"("shape": "cone", "radius": 1, "height": 1, "jitter": 0)").particles) {
         low = std::min(low, p.position.y());
         high = std::max(high, p.position.y());
         EXPECT_LE(std::hypot(p.position.x(), p.position.z()), 1.0f - p.position.y() + 1e-3f);
@@ -59,12 +60,21 @@ TEST(SceneGrains, AConeStandsOnItsBase)
     EXPECT_FLOAT_EQ(high, 0.95f);
 }
 
+TEST(SceneGrains, NoLayerStandsOnTheOneBelow)
+{
+    const World world = load(R"("shape": "box", "size": [0.1, 1, 0.1], "jitter": 1e-6)");
+    for (size_t i = 1; i < world.particles.size(); ++i) {
+        const Vector3f step = world.particles[i].position - world.particles[i - 1].position;
+        EXPECT_NEAR(std::hypot(step.x(), step.z()), std::sqrt(2.0) * 0.025, 1e-5) << i;
+    }
+}
+
 TEST(SceneGrains, JitterIsBoundedAndTheSameForOneSeed)
 {
     const std::string box = R"("shape": "box", "size": [1, 1, 1])";
-    const World still = load(box), first = load(box + R"(, "jitter": 0.02, "seed": 7)"),
-                again = load(box + R"(, "jitter": 0.02, "seed": 7)"),
-                other = load(box + R"(, "jitter": 0.02, "seed": 8)");
+    const World still = load(box + R"(, "jitter": 1e-6)"), first = load(box + R"(, "jitter": 0.2, "seed": 7)"),
+                again = load(box + R"(, "jitter": 0.2, "seed": 7)"),
+                other = load(box + R"(, "jitter": 0.2, "seed": 8)");
     float most = 0.0f;
     for (size_t i = 0; i < still.particles.size(); ++i) {
         const Vector3f shift = first.particles[i].position - still.particles[i].position;
