@@ -43,7 +43,7 @@ Actor voxelizeModel(SceneContext& context, const Json& object, const std::string
     ActorOptions options;
     options.voxels.diameter = context.builder.diameter();
     options.voxels.particleLimit = MAX_PARTICLES;
-    if (object["type"] == "rigid") {
+    if (object["type"] != "actor") {
         model.bones.clear();
         model.skin.clear();
     } else if (const std::string joints = object["joints"]; !joints.empty()) {

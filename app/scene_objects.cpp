@@ -70,7 +70,8 @@ std::vector<Vector3f> roundPositions(const Entry& entry, float diameter)
                                            : capsuleLattice(radius, 0.5f * length, diameter);
 }
 
-std::vector<Vector3f> rigidPositions(const Entry& entry)
+/// Of rigid and soft bodies.
+std::vector<Vector3f> bodyPositions(const Entry& entry)
 {
     const float diameter = entry.context.builder.diameter();
     const std::string shape = entry.json["shape"];
@@ -79,10 +80,12 @@ std::vector<Vector3f> rigidPositions(const Entry& entry)
     return roundPositions(entry, diameter);
 }
 
-void addRigid(const Entry& entry)
+void addRigidOrSoft(const Entry& entry)
 {
     WorldBuilder& builder = entry.context.builder;
-    const std::vector<Vector3f> positions = rigidPositions(entry);
+    const bool soft = entry.json["type"] == "soft";
+    if (soft && entry.json["fixed"].get<bool>()) entry.fail("/fixed", "a soft body cannot be fixed; use type \"rigid\"");
+    const std::vector<Vector3f> positions = bodyPositions(entry);
     if (positions.empty()) {
         entry.fail("", fmt::format("holds no particle of diameter {} m; make it larger", builder.diameter()));
     }
@@ -90,7 +93,8 @@ void addRigid(const Entry& entry)
     const Motion motion = entry.json["fixed"].get<bool>() ? Motion::Fixed : Motion::Dynamic;
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         builder.beginObject(entry.copyName(copy));
-        builder.addBody("body", positions, entry.material, motion);
+        if (soft) builder.addSoftBody(entry.copyName(copy), positions, entry.material);
+        else builder.addBody("body", positions, entry.material, motion);
         builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
     }
 }
@@ -174,7 +178,7 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
     limitParticles(entry, 1.0);
     entry.poses = repeatedPoses(json);
     const std::string type = json["type"];
-    const auto add = type == "rigid" ? addRigid : type == "joined" ? addJoined : addActors;
+    const auto add = type == "rigid" || type == "soft" ? addRigidOrSoft : type == "joined" ? addJoined : addActors;
     try {
         add(entry);
     } catch (const InputError& error) {

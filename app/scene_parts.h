@@ -34,7 +34,7 @@ std::vector<Pose> repeatedPoses(const Json& object);
 /// Product of repeat.counts, exact up to 1e18.
 uint64_t copyCount(const Json& object);
 
-/// The actor for an object of type `actor` or a rigid mesh, made at most once for the same file and options.
+/// The actor for an object of type `actor` or a rigid or soft mesh, made at most once for the same file and options.
 const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer);
 
 }  // namespace knuckle

@@ -96,6 +96,26 @@ struct MoverInfo {
     float inverseMass;              // [1/kg], 0: fixed
 };
 
+// What never changes about a cluster of a soft body.
+struct ClusterInfo {
+    uint linkStart;                 // its block of links, behind those of all bodies; their rbIndex is the cluster
+    uint linkCount;
+    uint softBody;
+    uint assembly;
+};
+
+// What a soft body is made of; moduli over its density.
+struct GpuSoftMatter {
+    float shear;                    // twice the shear modulus (Lame's mu) [m2/s2]
+    float dilation;                 // Lame's lambda [m2/s2]
+    float damping;                  // [s]
+    float steepest;                 // no force grows by more than this times mass and displacement [1/s2]
+    float yield;                    // strain
+    float creep;                    // [1/s]
+    float maxDeformation;
+    float unused;
+};
+
 struct GpuCollider {
     vec4 position;                  // xyz [m]; w: COLLIDER_*, as a float
     vec4 orientation;               // quaternion xyzw
@@ -139,6 +159,8 @@ struct StepParameters {
     float farReach;                 // by how much fast movers may look further for contacts [m]
     uint fastLimit;                 // how many particles may do so
     float horizon;                  // for how long contacts should stay good, in substeps
+    uint clusterCount;              // of soft bodies
+    uint softCount;                 // particles of soft bodies
 };
 
 // Written by kernels, read once a frame. 64 bytes.

@@ -87,6 +87,7 @@ void Step::loadImpulseSolver(const Load& load)
     moverFinish_ = load("mover_finish", {});
     particlePlace_ = load("particle_place", {});
     jointPlace_ = load("joint_place", {});
+    if (buffers_.parameters.clusterCount > 0) soft_.emplace(load, buffers_);
 }
 
 void Step::loadPaperSolver(const Load& load)
@@ -155,6 +156,7 @@ void Step::impulseSubstep(KernelTimer& timer) const
     findContacts(timer);
     moverWarm_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
     for (uint32_t i = 0; i < settings_.iterations; ++i) {
+        if (soft_) soft_->run(timer, i == 0);
         contactSolve_.dispatchIndirect(timer, sizes, DISPATCH_PAIRS);
         colliderSolve_.dispatchIndirect(timer, sizes, DISPATCH_COLLIDER_PAIRS);
         if (sharedByTwo_ > 0) (i == 0 ? jointSolveFirst_ : jointSolve_).dispatch(timer, sharedByTwo_);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/world/clusters.h"
 #include "sim/world/errors.h"
 #include "sim/world/joints.h"
 
@@ -68,30 +69,52 @@ uint32_t WorldBuilder::newParticle(const Vector3f& position, uint32_t material)
     return particleCount() - 1;
 }
 
+std::vector<uint32_t> WorldBuilder::newParticles(const std::string& name, std::span<const Vector3f> positions,
+                                                 uint32_t material)
+{
+    if (material >= world_.materials.size())
+        throw InputError(fmt::format("body \"{}\": there is no material {}", name, material));
+    if (positions.empty()) throw InputError(fmt::format("body \"{}\" has no particles", name));
+    std::vector<uint32_t> indices;
+    for (const Vector3f& position : positions) {
+        if (!position.allFinite())
+            throw InputError(fmt::format("body \"{}\": a particle's position is not finite", name));
+        indices.push_back(newParticle(position, material));
+    }
+    return indices;
+}
+
 uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
                                Motion motion)
 {
     requireObject("addBody");
-    if (material >= world_.materials.size())
-        throw InputError(fmt::format("body \"{}\": there is no material {}", name, material));
-    if (positions.empty()) throw InputError(fmt::format("body \"{}\" has no particles", name));
     Body body;
     body.name = std::move(name);
     body.motion = motion;
     body.material = material;
     body.object = static_cast<uint32_t>(world_.objects.size() - 1);
     const auto index = static_cast<uint32_t>(world_.bodies.size());
-    bodyParticles_.emplace_back();
-    for (const Vector3f& position : positions) {
-        if (!position.allFinite())
-            throw InputError(fmt::format("body \"{}\": a particle's position is not finite", body.name));
-        bodyParticles_[index].push_back(newParticle(position, material));
-    }
+    bodyParticles_.push_back(newParticles(body.name, positions, material));
     Object& object = world_.objects.back();
     if (object.rootBody == NO_INDEX) object.rootBody = index;
     ++object.bodyCount;
     world_.bodies.push_back(std::move(body));
     return index;
+}
+
+uint32_t WorldBuilder::addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material)
+{
+    requireObject("addSoftBody");
+    SoftBody body;
+    body.name = std::move(name);
+    body.material = material;
+    body.object = static_cast<uint32_t>(world_.objects.size() - 1);
+    body.particleStart = particleCount();
+    for (uint32_t particle : newParticles(body.name, positions, material))
+        world_.particles[particle].selfMargin = SOFT_SELF_MARGIN;
+    body.particleCount = particleCount() - body.particleStart;
+    world_.softBodies.push_back(std::move(body));
+    return static_cast<uint32_t>(world_.softBodies.size() - 1);
 }
 
 void WorldBuilder::setRootBody(uint32_t body)
@@ -198,6 +221,8 @@ uint32_t WorldBuilder::endObject(const Pose& pose, const Vector3f& velocity, con
         world_.bodies[b].rotation = pose.rotation;
         world_.bodies[b].position = pose.translation;   // moved to the body's centre by build()
     }
+    for (SoftBody& soft : world_.softBodies)
+        if (soft.object + 1 == world_.objects.size()) soft.rotation = pose.rotation;
     return static_cast<uint32_t>(world_.objects.size() - 1);
 }
 
@@ -293,6 +318,7 @@ World WorldBuilder::build()
             for (uint32_t p : bodyParticles_[b]) world_.particles[p].body = b;
     assignAssemblies();
     for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
+    makeSoftLinks(world_);
     validate(world_);
     return std::move(world_);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/world/clusters.h"
 #include "sim/world/errors.h"
 #include "sim/world/world.h"
 
@@ -106,6 +107,7 @@ void validate(const World& world)
     validateParticles(world);
     validateLinks(world);
     validateColliders(world);
+    validateSoftBodies(world);
 }
 
 }  // namespace knuckle

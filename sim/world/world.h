@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/world/settings.h"
+#include "sim/world/soft_matter.h"
 
 /// Plain data that describes a world before the GPU sees it.
 ///
@@ -27,6 +28,7 @@ struct Material {
     float staticFriction = 0.5f;              ///< Coulomb's mu while sticking, >= 0. A contact takes both sides' mean.
     float kineticFriction = 0.5f;             ///< Coulomb's mu while sliding, 0 ... staticFriction.
     Vector3f color{0.8f, 0.8f, 0.8f};         ///< Linear RGB, 0-1, used when colouring by material.
+    Elasticity elasticity;                    ///< Of soft bodies.
 };
 
 struct Particle {
@@ -36,7 +38,7 @@ struct Particle {
     uint32_t material = 0;                    ///< Index into World::materials.
     uint32_t body = NO_INDEX;                 ///< The first body it belongs to, NO_INDEX for loose particles.
     uint32_t bodyCount = 0;                   ///< How many bodies share it: 0 loose, 1 ordinary, 2 or more a joint.
-    uint32_t assembly = NO_INDEX;             ///< Index of the set of bodies connected by joints.
+    uint32_t assembly = NO_INDEX;             ///< Index of the set of bodies connected by joints, or of a soft body.
     /// Where it stands in the rest pose of its assembly [m]. Two particles of one assembly nearer to each other there
     /// than a diameter never touch (physics: self-collision filtered by rest distance).
     Vector3f restPosition{0, 0, 0};
@@ -127,6 +129,9 @@ struct World {
     std::vector<Joint> joints;
     std::vector<Object> objects;
     std::vector<Collider> colliders;
+    std::vector<SoftBody> softBodies;
+    std::vector<Cluster> clusters;            ///< Grouped by soft body.
+    std::vector<Link> clusterLinks;           ///< Grouped by cluster, which is what Link::body says here.
     uint32_t assemblyCount = 0;
 
     float diameter() const { return 2.0f * particleRadius; }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+
+#include "sim/gpu/kernel.h"
+#include "sim/solver/buffers.h"
+
+namespace knuckle {
+
+/// The kernels of soft bodies in an iteration, before contacts: clusters are matched to their particles, and pull them.
+class SoftStep {
+public:
+    SoftStep(const std::function<Kernel(const char* name, Defines defines)>& load, const SolverBuffers& buffers);
+
+    /// @param first whether it is the substep's first iteration.
+    void run(KernelTimer& timer, bool first) const;
+
+private:
+    uint32_t clusters_, particles_;   ///< Work groups.
+    Kernel clusterMatchFirst_, clusterMatch_, clusterPullFirst_, clusterPull_;
+};
+
+}  // namespace knuckle
