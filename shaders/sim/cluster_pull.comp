@@ -1,6 +1,7 @@
-// One thread a particle of a soft body: the impulse that its clusters give it together, implicit in time: one Jacobi
-// iteration of p = h^2 f(x + p / m), with one denominator for the whole body, so that what sums to zero stays so.
-// FIRST: of a substep, from no impulse.
+// One thread a particle of a soft body: the impulse that its clusters give it together, implicit in time: one iteration
+// (Chebyshev's; each with its own root) of p = h^2 f(x + p / m), with one divisor for the whole body, so that what sums
+// to zero stays so. The smoothest strains ask for 1 as the divisor, the steepest for 1 + steepest. FIRST: of a substep,
+// from no impulse.
 #include "shared/kernel.glsl"
 #include "shared/links.glsl"
 
@@ -13,6 +14,7 @@ uniform samplerBuffer lastMoverMoves;
 uniform samplerBuffer lastParticleImpulses;
 uniform samplerBuffer lastSoftImpulses;
 uniform usamplerBuffer moverInfo;
+layout(location = 0) uniform float root;   // of the iteration, in 0 ... 1
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(vec4, SoftImpulses, softImpulses);
@@ -40,7 +42,7 @@ void main()
 #ifndef FIRST
     last = texelFetch(lastSoftImpulses, int(i)).xyz;
 #endif
-    vec3 change = (wanted - last) / (1.0 + steepest);
+    vec3 change = (wanted - last) / max(1.0, root * (1.0 + steepest));
     softImpulses[i] = vec4(last + change, 0);
     particleImpulses[own.y] = texelFetch(lastParticleImpulses, int(own.y)) + vec4(change, 0);
     moverMoves[own.x] = vec4(move.xyz + uintBitsToFloat(texelFetch(moverInfo, int(own.x)).w) * change, move.w);

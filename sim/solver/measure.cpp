@@ -173,6 +173,7 @@ Measures measureState(const World& world, const ParticleState& particles, const 
     m.worstPenetration = depths.worst;
     m.meanJointGap = gaps.mean();
     m.worstJointGap = gaps.worst;
+    measureSoftBodies(m, world, particles);
     for (size_t i = 0; i < particles.velocities.size(); ++i) {
         const float speed = particles.velocities[i].norm();
         m.maxSpeed = std::max(m.maxSpeed, speed);

@@ -12,8 +12,8 @@ class SoftStep {
 public:
     SoftStep(const std::function<Kernel(const char* name, Defines defines)>& load, const SolverBuffers& buffers);
 
-    /// @param first whether it is the substep's first iteration.
-    void run(KernelTimer& timer, bool first) const;
+    /// @param iteration of `count` in the substep, from 0 on.
+    void run(KernelTimer& timer, uint32_t iteration, uint32_t count) const;
 
 private:
     uint32_t clusters_, particles_;   ///< Work groups.

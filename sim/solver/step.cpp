@@ -156,7 +156,7 @@ void Step::impulseSubstep(KernelTimer& timer) const
     findContacts(timer);
     moverWarm_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
     for (uint32_t i = 0; i < settings_.iterations; ++i) {
-        if (soft_) soft_->run(timer, i == 0);
+        if (soft_) soft_->run(timer, i, settings_.iterations);
         contactSolve_.dispatchIndirect(timer, sizes, DISPATCH_PAIRS);
         colliderSolve_.dispatchIndirect(timer, sizes, DISPATCH_COLLIDER_PAIRS);
         if (sharedByTwo_ > 0) (i == 0 ? jointSolveFirst_ : jointSolve_).dispatch(timer, sharedByTwo_);
