@@ -63,47 +63,105 @@ constexpr int LAYERS = 9;
 constexpr float REST_HEIGHT = (LAYERS - 1) * DIAMETER;
 
 /// How much lower a standing column of nine layers becomes under its weight [m].
-double sag(float stiffness, const Settings& settings, float poissonRatio = 0.0f)
+double sag(const Elasticity& elasticity, const Settings& settings)
 {
-    const World world = softBox({5, LAYERS, 5}, jelly(stiffness, poissonRatio), settings, true, 0.5f * LAYERS * DIAMETER);
+    const World world = softBox({5, LAYERS, 5}, elasticity, settings, true, 0.5f * LAYERS * DIAMETER);
     Solver solver(gpu(), world);
     run(solver, world, 2.5);
     return REST_HEIGHT - heightOf(world, solver.readParticles());
 }
 
-TEST(SoftBody, PROBE)
+/// Elastic stress is nominal (force over the area at rest) and Poisson's ratio 0: continuum theory says
+/// rho g H (n - 1) d / (2 E) between the middles of the outer layers of n. Clusters carry the mass of the outer layers
+/// too, which makes a body of n layers stiffer by n / (n - 1).
+double wantedSag(float stiffness)
 {
-    for (float e : {2e4f, 1e5f, 3e5f, 1e6f})
-        for (auto [s, i] : {std::pair{4u, 2u}, {4u, 1u}, {4u, 4u}, {12u, 2u}, {12u, 4u}}) {
-            const double law = 1000 * 9.81 * 0.9 * 0.8 / (2 * e) * 8 / 9;
-            { const double got = sag(e, stepped(s, i)); printf("E %g substeps %u iterations %u: sag %.5f law %.5f ratio %.3f\n", e, s, i, got, law,
-                   got / law); }
-        }
-    printf("nu 0.3: %.5f\n", sag(2e4f, stepped(4, 2), 0.3f));
-    for (float e : {5e3f, 5e4f, 1e6f}) {
-        const World world = softBox({5, 5, 5}, jelly(e, 0.3f), weightless(), false, 1, {0.3f, 0.1f, -0.2f},
+    const double height = LAYERS * DIAMETER;
+    return 1000.0 * GRAVITY * height * REST_HEIGHT / (2.0 * stiffness) * REST_HEIGHT / height;
+}
+
+TEST(SoftBody, AColumnSagsAsItsStiffnessSays)
+{
+    // At 5 % strain: half of what a column of finite layers and clusters may differ by. Measured: 1.008, 1.031.
+    EXPECT_NEAR(sag(jelly(1e5f), stepped(4, 2)), wantedSag(1e5f), 0.05 * wantedSag(1e5f));
+    EXPECT_NEAR(sag(jelly(5e4f), stepped(4, 2)), wantedSag(5e4f), 0.05 * wantedSag(5e4f));
+}
+
+TEST(SoftBody, TheSagDependsLittleOnIterationsAndSubsteps)
+{
+    Elasticity elasticity = jelly(1e5f);
+    elasticity.damping = 0.005f;
+    double least = INFINITY, most = 0.0;
+    for (const auto& [substeps, iterations] : {std::pair{8u, 1u}, {4u, 2u}, {4u, 4u}, {16u, 2u}}) {
+        const double found = sag(elasticity, stepped(substeps, iterations));
+        least = std::min(least, found);
+        most = std::max(most, found);
+    }
+    // Where the steepest pull, 15 E / (density d^2) h (h + damping), is below what the iterations can follow, only what
+    // contacts give way remains. Measured: 4 %.
+    EXPECT_LT(most - least, 0.06 * least) << least << " to " << most << " m";
+}
+
+TEST(SoftBody, ATumblingCubeKeepsMomentumAndAngularMomentum)
+{
+    for (float stiffness : {5e3f, 1e6f}) {
+        SCOPED_TRACE(stiffness);
+        const World world = softBox({5, 5, 5}, jelly(stiffness, 0.3f), weightless(), false, 1.0f, {0.3f, 0.1f, -0.2f},
                                     {0.5f, 1.0f, 2.0f});
         Solver solver(gpu(), world);
         const Totals before = totals(world, solver.readParticles());
         run(solver, world, 5.0);
         const Totals after = totals(world, solver.readParticles());
-        printf("E %g: momentum %g of %g, angular %g of %g\n", e, (after.momentum - before.momentum).norm(), before.speedSum,
-               (after.angularMomentum - before.angularMomentum).norm(), before.angularMomentum.norm());
+        // Asked: 1e-4 of the sum of m v, and 2 %. Measured: 7e-5, from rounding; 0.02 %.
+        EXPECT_LT((after.momentum - before.momentum).norm(), 1e-4 * before.speedSum);
+        EXPECT_LT((after.angularMomentum - before.angularMomentum).norm(), 0.005 * before.angularMomentum.norm());
     }
-    for (float creep : {0.0f}) {
-        Elasticity elasticity = jelly(3e4f, 0.3f);
-        elasticity.creep = creep;
-        const World world = softBox({5, 5, 5}, elasticity, {}, true, 1.25f);
-        Solver solver(gpu(), world);
-        float worst = 0;
-        for (int k = 0; k < 40; ++k) {
-            run(solver, world, 0.1);
-            const Measures m = solver.measure();
-            worst = std::max(worst, m.meanSoftStrain);
-            if (k % 5 == 4) printf("creep %g t %.1f strain %.4f worst %.4f volume %.4f height %.4f\n", creep, 0.1 * (k + 1), m.meanSoftStrain, m.worstSoftStrain, m.softVolumeError, heightOf(world, solver.readParticles()));
-        }
-        printf("most %.4f\n", worst);
+}
+
+/// The largest mean strain on the way of a cube that falls by 0.5 m, and that when it has come to rest.
+std::pair<float, float> strainOfFall(float creep)
+{
+    Elasticity elasticity = jelly(3e4f, 0.3f);
+    elasticity.creep = creep;
+    const World world = softBox({5, 5, 5}, elasticity, {}, true, 0.75f);
+    Solver solver(gpu(), world);
+    float most = 0.0f;
+    for (int k = 0; k < 15; ++k) {
+        run(solver, world, 0.2);
+        most = std::max(most, solver.measure().meanSoftStrain);
     }
+    return {most, solver.measure().meanSoftStrain};
+}
+
+TEST(SoftBody, ADroppedCubeSpringsBackUnlessItFlows)
+{
+    const auto [most, elastic] = strainOfFall(0.0f);
+    const auto [plasticMost, plastic] = strainOfFall(100.0f);
+    // At rest its own weight strains it by rho g H / (2 E) = 8 % at most; it lands with 2 g 0.5 m / 2 = 5 J/kg, which
+    // strains by sqrt(2 rho 5 / E) = 58 %.
+    EXPECT_LT(elastic, 0.09f);
+    EXPECT_GT(most, 2.0f * elastic);
+    // What flows stops at `yield` less than the most that it was strained by.
+    EXPECT_GT(plastic, 0.15f) << "of " << plasticMost;
+}
+
+TEST(SoftBody, AStretchedBarNarrowsByItsPoissonRatio)
+{
+    // Thin enough that its weight hardly matters; the floor is smooth, so that the sides are free. Sagging by s on the
+    // mean, it widens by nu s.
+    const World world = softBox({5, LAYERS, 5}, jelly(1e5f, 0.3f), stepped(4, 4), true, 0.5f * LAYERS * DIAMETER);
+    Solver solver(gpu(), world);
+    run(solver, world, 2.5);
+    const ParticleState state = solver.readParticles();
+    const double shorter = (REST_HEIGHT - heightOf(world, state)) / REST_HEIGHT;
+    double inertia = 0.0, inertiaAtRest = 0.0, middle = 0.0;
+    for (const Vector3f& x : state.positions) middle += x.x() / static_cast<double>(state.positions.size());
+    for (size_t i = 0; i < world.particles.size(); ++i) {
+        inertia += std::pow(state.positions[i].x() - middle, 2);
+        inertiaAtRest += std::pow(world.particles[i].position.x(), 2);
+    }
+    const double wider = std::sqrt(inertia / inertiaAtRest) - 1.0;
+    EXPECT_NEAR(wider / shorter, 0.3, 0.05);
 }
 
 }  // namespace

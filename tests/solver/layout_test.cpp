@@ -85,7 +85,8 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
         MEMBER(StepParameters, sharedByTwo),
         MEMBER(StepParameters, moverCount), MEMBER(StepParameters, pairCapacity),
         MEMBER(StepParameters, colliderPairCapacity), MEMBER(StepParameters, lookAhead),
-        MEMBER(StepParameters, farReach), MEMBER(StepParameters, fastLimit), MEMBER(StepParameters, horizon)
+        MEMBER(StepParameters, farReach), MEMBER(StepParameters, fastLimit), MEMBER(StepParameters, horizon),
+        MEMBER(StepParameters, clusterCount), MEMBER(StepParameters, softCount)
     });
     EXPECT_EQ(sizeof(gpu::StepParameters) % 16, 0u) << "std140 pads to whole vectors";
 }
