@@ -84,7 +84,8 @@ void addRigidOrSoft(const Entry& entry)
 {
     WorldBuilder& builder = entry.context.builder;
     const bool soft = entry.json["type"] == "soft";
-    if (soft && entry.json["fixed"].get<bool>()) entry.fail("/fixed", "a soft body cannot be fixed; use type \"rigid\"");
+    if (soft && entry.json["fixed"].get<bool>())
+        entry.fail("/fixed", "a soft body cannot be fixed; use type \"rigid\"");
     const std::vector<Vector3f> positions = bodyPositions(entry);
     if (positions.empty()) {
         entry.fail("", fmt::format("holds no particle of diameter {} m; make it larger", builder.diameter()));

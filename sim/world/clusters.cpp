@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "sim/world/builder.h"
+
 namespace knuckle {
 
 namespace {
@@ -172,6 +174,21 @@ void makeSoftLinks(World& world)
         soft.clusterCount = static_cast<uint32_t>(clusters.size());
         for (const Members& members : clusters) appendCluster(world, b, members, counts);
     }
+}
+
+uint32_t WorldBuilder::addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material)
+{
+    requireObject("addSoftBody");
+    SoftBody body;
+    body.name = std::move(name);
+    body.material = material;
+    body.object = static_cast<uint32_t>(world_.objects.size() - 1);
+    body.particleStart = particleCount();
+    for (uint32_t particle : newParticles(body.name, positions, material))
+        world_.particles[particle].selfMargin = SOFT_SELF_MARGIN;
+    body.particleCount = particleCount() - body.particleStart;
+    world_.softBodies.push_back(std::move(body));
+    return static_cast<uint32_t>(world_.softBodies.size() - 1);
 }
 
 }  // namespace knuckle

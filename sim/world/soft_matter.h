@@ -12,7 +12,7 @@ struct Elasticity {
     float poissonRatio = 0.3f;     ///< How much narrower it becomes per how much it is stretched, 0 ... 0.45.
     float damping = 0.005f;        ///< Stress is E (strain + damping * strain rate) [s], 0 ... 1.
     float yield = 0.1f;            ///< Strain beyond which it flows, 0 ... 10; only where creep > 0.
-    float creep = 0.0f;            ///< Share of the strain beyond that it flows by in a second [1/s], 0 ... 1000; 0: never.
+    float creep = 0.0f;            ///< Rate at which it flows by the strain beyond that [1/s], 0 ... 1000; 0: never.
     float maxDeformation = 0.5f;   ///< The most that it ever flows by, as a strain, 0 ... 2.
 };
 
@@ -30,7 +30,7 @@ struct SoftBody {
     uint32_t clusterStart = 0, clusterCount = 0;
 };
 
-/// A block of World::clusterLinks: a piece of a soft body that is matched to its shape at rest. A particle of k clusters
+/// A block of World::clusterLinks: a piece of a soft body, matched to its shape at rest. A particle of k clusters
 /// has m/k of its mass in each.
 struct Cluster {
     uint32_t softBody = 0;

@@ -27,7 +27,7 @@ World softWorld()
         else builder.addBody("rigid", positions, material);
         builder.endObject({random.inCube(2.0f), random.rotation()});
     };
-    add(boxLattice({7, 5, 3}, DIAMETER), 0, true);
+    add(boxLattice({11, 7, 5}, DIAMETER), 0, true);
     add(boxLattice({3, 3, 3}, DIAMETER), 0, false);
     add(boxLattice({4, 6, 3}, DIAMETER), 1, true);
     builder.addLooseParticle({});
@@ -69,7 +69,7 @@ protected:
             if (bench.world.softBodies[bench.world.clusters[c].softBody].material == 0) continue;
             Matrix3d rest = Matrix3d::Identity() + 0.1 * Matrix3d(random.rotation().cast<double>());
             rest /= std::cbrt(rest.determinant());
-            for (int k = 0; k < 3; ++k) rests[3 * c + static_cast<uint32_t>(k)] = packed(Vector3f(rest.col(k).cast<float>()));
+            for (uint32_t k = 0; k < 3; ++k) rests[3 * c + k] = packed(Vector3f(rest.col(k).cast<float>()));
         }
         fill(bench.buffers.moverCentres, starts);
         fill(bench.buffers.moverMoves, moveValues);
@@ -194,7 +194,7 @@ TEST_F(ClusterKernels, ParticlesGetTheImpulsesOfTheirClustersTogether)
         const Vector3d p = link.mass * (w.pull * link.restOffset.cast<double>() -
                                         w.grip * (place(link.particle) - w.centre));
         sums[link.particle] += p;
-        sizes[link.particle] += link.mass * w.pull.norm() * link.restOffset.norm();
+        sizes[link.particle] += link.mass * (w.pull.norm() * link.restOffset.norm() + w.grip * DIAMETER);
         steepest[link.particle] = pulls[5 * link.body + 1].w;
     }
     for (uint32_t i = 0; i < sums.size(); ++i) {
