@@ -28,7 +28,7 @@ struct Material {
     float staticFriction = 0.5f;              ///< Coulomb's mu while sticking, >= 0. A contact takes both sides' mean.
     float kineticFriction = 0.5f;             ///< Coulomb's mu while sliding, 0 ... staticFriction.
     Vector3f color{0.8f, 0.8f, 0.8f};         ///< Linear RGB, 0-1, used when colouring by material.
-    Elasticity elasticity;                    ///< Of soft bodies.
+    Elasticity elasticity = {};               ///< Of soft bodies.
 };
 
 struct Particle {
