@@ -107,6 +107,12 @@ void visitFields(Material& m, Visitor&& visit)
     visit("kineticFriction", m.kineticFriction);
     visit("restitution", m.restitution);
     visit("color", m.color);
+    visit("stiffness", m.elasticity.stiffness);
+    visit("poissonRatio", m.elasticity.poissonRatio);
+    visit("damping", m.elasticity.damping);
+    visit("yield", m.elasticity.yield);
+    visit("creep", m.elasticity.creep);
+    visit("maxDeformation", m.elasticity.maxDeformation);
 }
 
 /// What every shape of collider has; the shapes' own fields are in app/scene_colliders.cpp.

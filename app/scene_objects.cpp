@@ -46,14 +46,18 @@ void limitParticles(const Entry& entry, double count)
     limitParticles(entry.context, entry.json, entry.pointer, count);
 }
 
-void addRigid(const Entry& entry)
+void addRigidOrSoft(const Entry& entry)
 {
     WorldBuilder& builder = entry.context.builder;
+    const bool soft = entry.json["type"] == "soft";
+    if (soft && entry.json["fixed"].get<bool>())
+        entry.fail("/fixed", "a soft body cannot be fixed; use type \"rigid\"");
     const std::vector<Vector3f> positions = fillRegion(entry.context, entry.json, entry.pointer, builder.diameter());
     const Motion motion = entry.json["fixed"].get<bool>() ? Motion::Fixed : Motion::Dynamic;
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         builder.beginObject(entry.copyName(copy));
-        builder.addBody("body", positions, entry.material, motion);
+        if (soft) builder.addSoftBody(entry.copyName(copy), positions, entry.material);
+        else builder.addBody("body", positions, entry.material, motion);
         builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
     }
 }
@@ -143,7 +147,7 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
     entry.poses = repeatedPoses(json);
     const std::string type = json["type"];
     static const std::map<std::string, std::function<void(const Entry&)>> KINDS = {
-        {"rigid", addRigid}, {"joined", addJoined}, {"actor", addActors},
+        {"rigid", addRigidOrSoft}, {"soft", addRigidOrSoft}, {"joined", addJoined}, {"actor", addActors},
         {"grains", [](const Entry& grains) { addGrains(grains); }}};
     try {
         KINDS.at(type)(entry);

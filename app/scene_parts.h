@@ -41,7 +41,8 @@ inline float uniformShare(std::mt19937& random)
     return static_cast<float>(static_cast<double>(random()) / 4294967296.0);
 }
 
-/// The actor for an object of type `actor` or a mesh, made at most once for the same file and options.
+/// The actor for an object of type `actor`, a rigid or soft mesh or a region, made at most once for the same file and
+/// options.
 /// @param diameter of its particles [m]; 0: the scene's.
 const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer, float diameter = 0.0f);
 

@@ -29,7 +29,10 @@ uint32_t colorWord(const World& world, uint32_t index, const RenderSettings& set
         case ColorBy::Particle: return packColor(paletteColor(index));
         case ColorBy::Body: break;
     }
-    return packColor(particle.body == NO_INDEX ? LOOSE_COLOR : paletteColor(particle.body));
+    if (particle.body != NO_INDEX) return packColor(paletteColor(particle.body));
+    // Soft bodies by their assembly, after the rigid ones.
+    const auto bodies = static_cast<uint32_t>(world.bodies.size());
+    return packColor(particle.assembly != NO_INDEX ? paletteColor(bodies + particle.assembly) : LOOSE_COLOR);
 }
 
 }  // namespace

@@ -110,6 +110,26 @@ struct MoverInfo {
     float inverseMass;              // [1/kg], 0: fixed
 };
 
+// What never changes about a cluster of a soft body.
+struct ClusterInfo {
+    uint linkStart;                 // its block of links, behind those of all bodies; their rbIndex is the cluster
+    uint linkCount;
+    uint softBody;
+    uint assembly;
+};
+
+// What a soft body is made of; moduli over its density.
+struct GpuSoftMatter {
+    float shear;                    // twice the shear modulus (Lame's mu) [m2/s2]
+    float dilation;                 // Lame's lambda [m2/s2]
+    float damping;                  // [s]
+    float steepest;                 // no force grows by more than this times mass and displacement [1/s2]
+    float yield;                    // strain
+    float creep;                    // [1/s]
+    float maxDeformation;
+    float unused;
+};
+
 struct GpuCollider {
     vec4 position;                  // xyz [m]; w: COLLIDER_*, as a float
     vec4 orientation;               // quaternion xyzw
@@ -165,6 +185,8 @@ struct StepParameters {
     float bounceSpeed;              // what meets more slowly does not bounce [m/s]
     float sleepSpeed;               // what is slower for long sleeps [m/s]
     uint assemblyCount;
+    uint clusterCount;              // of soft bodies
+    uint softCount;                 // particles of soft bodies
 };
 
 // Written by kernels, read once a frame. 68 bytes.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -88,5 +89,8 @@ private:
 
 /// Groups of GROUP_SIZE threads that cover `threads`.
 uint32_t groupsFor(uint64_t threads);
+
+/// Compiles a kernel of the simulation by its name.
+using LoadKernel = std::function<Kernel(const char* name, Defines defines)>;
 
 }  // namespace knuckle

@@ -65,6 +65,16 @@ struct SolverBuffers {
     Buffer<uint32_t> islandsWoken;                     ///< By name: 1 if something woke it in this step.
     Buffer<gpu::vec4> linkImpulses;                    ///< Per link: joints (joint_solve.comp) [kg m].
     Buffer<gpu::uvec2> assemblyState;    ///< Per assembly: last substep with a contact, order of this one.
+    // Soft bodies (sim/solver/upload_soft.h). Their links stand in `links` behind those of bodies.
+    Buffer<gpu::ClusterInfo> clusterInfo;              ///< Per cluster.
+    Buffer<gpu::vec4> clusterMoments;    ///< Per cluster, four: inverse moments; directions without particles.
+    Buffer<gpu::GpuSoftMatter> softMatter;             ///< Per soft body.
+    Buffer<gpu::uvec4> softParticles;    ///< Per soft particle: mover, rank, first entry and count in softLinks.
+    Buffer<uint32_t> softLinks;          ///< Links of soft particles, grouped by particle.
+    Buffer<gpu::vec4> clusterRotations;  ///< Per cluster: quaternion.
+    Buffer<gpu::vec4> clusterRests;      ///< Per cluster: three columns of what it has flowed by.
+    Buffer<gpu::vec4> clusterPulls;      ///< Per cluster, five: what pulls its particles (cluster_match.comp).
+    Buffer<gpu::vec4> softImpulses;      ///< Per soft particle: from its clusters, in this substep [kg m].
     // The paper's solver, particle by particle.
     Buffer<gpu::vec4> oldMoves, oldVelocities;         ///< The last substep's move, the velocity before it: for BDF2.
     Buffer<gpu::vec4> predicted;         ///< Move since the substep began, x* - x.

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <functional>
-
 #include "sim/gpu/kernel.h"
 #include "sim/solver/buffers.h"
 #include "sim/world/settings.h"
 
 namespace knuckle {
-
-/// Compiles a kernel by its name below shaders/sim.
-using LoadKernel = std::function<Kernel(const char* name, Defines defines)>;
 
 /// The passes of fluids: position based fluids (Macklin and Mueller 2013) on the particles that stand behind all others.
 /// They are no movers; what they press solids with goes through SolverBuffers::particleImpulses.

@@ -106,7 +106,8 @@ bool mayTouch(const World& world, uint32_t a, uint32_t b)
     const Particle& first = world.particles[a];
     const Particle& second = world.particles[b];
     if (first.assembly != second.assembly || first.assembly == NO_INDEX) return true;
-    if (first.body == second.body || !first.touchesAssembly || !second.touchesAssembly) return false;
+    if (first.body == second.body && first.body != NO_INDEX) return false;
+    if (!first.touchesAssembly || !second.touchesAssembly) return false;
     const float near = 0.99f + std::max(first.selfMargin, second.selfMargin);
     if ((first.restPosition - second.restPosition).norm() <= near * world.diameter()) return false;
     if (first.bodyCount < 2 && second.bodyCount < 2) return true;
@@ -173,6 +174,7 @@ Measures measureState(const World& world, const ParticleState& particles, const 
     m.worstPenetration = depths.worst;
     m.meanJointGap = gaps.mean();
     m.worstJointGap = gaps.worst;
+    measureSoftBodies(m, world, particles);
     for (size_t i = 0; i < particles.velocities.size(); ++i) {
         const float speed = particles.velocities[i].norm();
         m.maxSpeed = std::max(m.maxSpeed, speed);

@@ -13,6 +13,9 @@ BodyState bodyState(const World& world, const Body& body, const ParticleState& p
 /// solver's own lists.
 Measures measureState(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies);
 
+/// The part of it that is about soft bodies, against their shape at the start.
+void measureSoftBodies(Measures& out, const World& world, const ParticleState& particles);
+
 /// Signed distance of a point to a collider's surface [m], negative inside.
 float colliderDistance(const Collider& collider, const Vector3f& point);
 

@@ -104,6 +104,7 @@ void Step::loadImpulseSolver(const LoadKernel& load)
     jointPlace_ = load("joint_place", {});
     if (buffers_.hasBounces) loadBounces(load);
     if (settings_.sleepSpeed > 0.0f) loadSleep(load);
+    if (buffers_.parameters.clusterCount > 0) soft_.emplace(load, buffers_);
 }
 
 void Step::loadBounces(const LoadKernel& load)
@@ -205,6 +206,7 @@ void Step::impulseSubstep(KernelTimer& timer) const
     moverWarm_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
     if (fluid_) fluid_->substep(timer);
     for (uint32_t i = 0; i < settings_.iterations; ++i) {
+        if (soft_) soft_->run(timer, i, settings_.iterations);
         contactSolve_.dispatchIndirect(timer, sizes, DISPATCH_PAIRS);
         colliderSolve_.dispatchIndirect(timer, sizes, DISPATCH_COLLIDER_PAIRS);
         if (sharedByTwo_ > 0) (i == 0 ? jointSolveFirst_ : jointSolve_).dispatch(timer, sharedByTwo_);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "sim/solver/fluid_step.h"
+#include "sim/solver/soft_step.h"
 
 namespace knuckle {
 
@@ -49,6 +50,7 @@ private:
     Kernel contactCollide_, colliderCollide_, contactBounce_, colliderBounce_, contactBounceEagerly_,
         colliderBounceEagerly_, moverBounce_;
     Kernel sleepMover_, sleepPair_, sleepSettle_, sleepWake_, sleepRouse_;
+    std::optional<SoftStep> soft_;
     // The paper's.
     Kernel predict_, bodyStart_, contactStabilize_, stabilizeApply_, contactAverage_, bodySum_, linkCentreTerms_,
         linkMatrixTerms_, linkReduce_, bodyCollectCentres_, bodyCollectMatrices_, bodyRotation_, shapeGoals_,

@@ -10,6 +10,7 @@
 #include "sim/solver/pack.h"
 #include "sim/solver/upload_fluid.h"
 #include "sim/solver/upload_movers.h"
+#include "sim/solver/upload_soft.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -106,6 +107,7 @@ void uploadLinks(SolverBuffers& out, const World& world)
     }
     // Those of as many bodies together: the threads of a vector then do as much.
     std::stable_sort(shared.begin(), shared.end(), [&](uint32_t a, uint32_t b) { return ranges[a].y < ranges[b].y; });
+    appendClusterLinks(links, world);
     out.links = {"links", std::span<const gpu::ParticleRigidBodyLink>(links)};
     out.linkMasses = {"linkMasses", std::span<const float>(linkMasses)};
     out.restOffsets = {"restOffsets", std::span<const gpu::vec4>(restOffsets)};
@@ -121,8 +123,8 @@ void uploadLinks(SolverBuffers& out, const World& world)
     }
     out.parameters.sharedByTwo = static_cast<uint32_t>(sharedOwners.size());
     out.sharedOwners = {"sharedOwners", std::span<const gpu::uvec4>(sharedOwners)};
-    out.linkImpulses = {"linkImpulses", links.size()};
-    out.linkTerms = {"linkTerms", 3 * links.size()};
+    out.linkImpulses = {"linkImpulses", world.links.size()};
+    out.linkTerms = {"linkTerms", 3 * world.links.size()};
 }
 
 void uploadColliders(SolverBuffers& out, const World& world)
@@ -262,6 +264,7 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
     uploadColliders(out, world);
     makeGrid(out, count + world.fluidCount);
     makeFluid(out, world, gpu);
+    uploadSoftBodies(out, world);
     out.step.upload(std::span<const gpu::StepParameters>(&out.parameters, 1));
     return out;
 }
@@ -272,6 +275,8 @@ BufferTable SolverBuffers::table()
     t.add(positions, velocities, particleInfo, particlePlaces, rankedParticles, masses, restPositions, restOffsets,
           links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
           sharedParticles, sharedOwners, colliders, step);
+    t.add(clusterInfo, clusterMoments, softMatter, softParticles, softLinks, clusterRotations, clusterRests,
+          clusterPulls, softImpulses);
     t.add(moverCentres, moverRotations, moverMoves, moverTurns, moverVelocities, oldMoverVelocities, oldMoverMoves,
           moverPredictions, moverImpulses, moverChanges, particleImpulses, linkImpulses, assemblyState, assemblyCalm,
           assemblyNext, islandsWoken);

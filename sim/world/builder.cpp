@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/world/clusters.h"
 #include "sim/world/errors.h"
 #include "sim/world/joints.h"
 
@@ -74,25 +75,32 @@ float WorldBuilder::particleMass(uint32_t material) const
     return world_.materials.at(material).density * std::pow(world_.diameter(), 3.0f);
 }
 
+std::vector<uint32_t> WorldBuilder::newParticles(const std::string& name, std::span<const Vector3f> positions,
+                                                 uint32_t material)
+{
+    if (material >= world_.materials.size())
+        throw InputError(fmt::format("body \"{}\": there is no material {}", name, material));
+    if (positions.empty()) throw InputError(fmt::format("body \"{}\" has no particles", name));
+    std::vector<uint32_t> indices;
+    for (const Vector3f& position : positions) {
+        if (!position.allFinite())
+            throw InputError(fmt::format("body \"{}\": a particle's position is not finite", name));
+        indices.push_back(newParticle(position, material));
+    }
+    return indices;
+}
+
 uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
                                Motion motion)
 {
     requireObject("addBody");
-    if (material >= world_.materials.size())
-        throw InputError(fmt::format("body \"{}\": there is no material {}", name, material));
-    if (positions.empty()) throw InputError(fmt::format("body \"{}\" has no particles", name));
     Body body;
     body.name = std::move(name);
     body.motion = motion;
     body.material = material;
     body.object = static_cast<uint32_t>(world_.objects.size() - 1);
     const auto index = static_cast<uint32_t>(world_.bodies.size());
-    bodyParticles_.emplace_back();
-    for (const Vector3f& position : positions) {
-        if (!position.allFinite())
-            throw InputError(fmt::format("body \"{}\": a particle's position is not finite", body.name));
-        bodyParticles_[index].push_back(newParticle(position, material));
-    }
+    bodyParticles_.push_back(newParticles(body.name, positions, material));
     Object& object = world_.objects.back();
     if (object.rootBody == NO_INDEX) object.rootBody = index;
     ++object.bodyCount;
@@ -204,6 +212,8 @@ uint32_t WorldBuilder::endObject(const Pose& pose, const Vector3f& velocity, con
         world_.bodies[b].rotation = pose.rotation;
         world_.bodies[b].position = pose.translation;   // moved to the body's centre by build()
     }
+    for (SoftBody& soft : world_.softBodies)
+        if (soft.object + 1 == world_.objects.size()) soft.rotation = pose.rotation;
     return static_cast<uint32_t>(world_.objects.size() - 1);
 }
 
@@ -318,6 +328,7 @@ World WorldBuilder::build()
             for (uint32_t p : bodyParticles_[b]) world_.particles[p].body = b;
     assignAssemblies();
     for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
+    makeSoftLinks(world_);
     world_.particles.insert(world_.particles.end(), fluid_.begin(), fluid_.end());
     world_.fluidCount = fluidCount();
     validate(world_);

@@ -45,6 +45,9 @@ public:
     /// @throws InputError for an empty span or a position that is not finite.
     uint32_t addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
                      Motion motion = Motion::Dynamic);
+    /// A soft body of particles at `positions` (rest pose of the object) [m], as elastic as its material.
+    /// @returns the soft body's index. @throws InputError for an empty span or a position that is not finite.
+    uint32_t addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material);
     /// Joins two bodies by particles shared between them. Particles of A or B within half a diameter of a place the
     /// joint needs become the shared ones; elsewhere new particles are made. @returns the joint's index.
     uint32_t addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec& spec);
@@ -83,6 +86,8 @@ public:
 
 private:
     uint32_t newParticle(const Vector3f& position, uint32_t material);
+    /// As newParticle for each. @throws InputError for what addBody() and addSoftBody() refuse.
+    std::vector<uint32_t> newParticles(const std::string& name, std::span<const Vector3f> positions, uint32_t material);
     uint32_t findOrCreate(const Vector3f& position, uint32_t bodyA, uint32_t bodyB);
     void shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB, Joint& joint);
     void requireObject(const char* what) const;

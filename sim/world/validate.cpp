@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/world/clusters.h"
 #include "sim/world/errors.h"
 #include "sim/world/world.h"
 
@@ -124,6 +125,7 @@ void validate(const World& world)
     validateFluids(world);
     validateLinks(world);
     validateColliders(world);
+    validateSoftBodies(world);
 }
 
 }  // namespace knuckle

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/world/settings.h"
+#include "sim/world/soft_matter.h"
 
 /// Plain data that describes a world before the GPU sees it.
 ///
@@ -31,6 +32,7 @@ struct Material {
     Vector3f color{0.8f, 0.8f, 0.8f};         ///< Linear RGB, 0-1, used when colouring by material.
     bool fluid = false;                       ///< Its particles are loose and flow.
     float viscosity = 0.001f;                 ///< Fluids: dynamic [Pa s], >= 0. Water 0.001, honey 10.
+    Elasticity elasticity = {};               ///< Of soft bodies.
 };
 
 struct Particle {
@@ -40,7 +42,7 @@ struct Particle {
     uint32_t material = 0;                    ///< Index into World::materials.
     uint32_t body = NO_INDEX;                 ///< The first body it belongs to, NO_INDEX for loose particles.
     uint32_t bodyCount = 0;                   ///< How many bodies share it: 0 loose, 1 ordinary, 2 or more a joint.
-    uint32_t assembly = NO_INDEX;             ///< Index of the set of bodies connected by joints.
+    uint32_t assembly = NO_INDEX;             ///< Index of the set of bodies connected by joints, or of a soft body.
     /// Where it stands in the rest pose of its assembly [m]. Two particles of one assembly nearer to each other there
     /// than a diameter never touch (physics: self-collision filtered by rest distance).
     Vector3f restPosition{0, 0, 0};
@@ -131,6 +133,9 @@ struct World {
     std::vector<Joint> joints;
     std::vector<Object> objects;
     std::vector<Collider> colliders;
+    std::vector<SoftBody> softBodies;
+    std::vector<Cluster> clusters;            ///< Grouped by soft body.
+    std::vector<Link> clusterLinks;           ///< Grouped by cluster, which is what Link::body says here.
     uint32_t assemblyCount = 0;
     /// Rest distance of fluid particles [m], 0.3 ... 0.6 diameters. A fluid particle weighs density * spacing^3.
     float fluidSpacing = 0.05f;

@@ -33,6 +33,24 @@ TEST(Scene, MayHoldComments)
     EXPECT_NO_THROW(load("// first\n{ /* second */ \"objects\": [{ \"type\": \"joined\" }] }"));
 }
 
+TEST(Scene, OneWordMakesARigidThingSoft)
+{
+    for (const char* shape : {R"("box")", R"("sphere")", R"("capsule")", R"("mesh", "file": "FILE")"}) {
+        std::string text = R"({ "diameter": 0.08, "objects": [{ "type": "rigid", "spin": [0, 1, 0], "fixed": false,
+                               "shape": )" + std::string(shape) + " }] }";
+        const size_t file = text.find("FILE");
+        if (file != std::string::npos) text.replace(file, 4, KNUCKLE_ROOT "/assets/models/humanoid.glb");
+        const World rigid = load(text).world, soft = load(text, {{"objects.0.type", "soft"}}).world;
+        ASSERT_EQ(soft.particles.size(), rigid.particles.size()) << shape;
+        EXPECT_EQ(rigid.softBodies.size(), 0u);
+        EXPECT_EQ(soft.bodies.size(), 0u);
+        ASSERT_EQ(soft.softBodies.size(), 1u);
+        EXPECT_GT(soft.clusters.size(), 0u);
+        for (size_t i = 0; i < soft.particles.size(); ++i)
+            EXPECT_EQ(soft.particles[i].velocity, rigid.particles[i].velocity) << shape;
+    }
+}
+
 TEST(Scene, TakesThePapersChoicesExceptWhatItSaysItself)
 {
     const Settings paper = load(ONE_BOX, {{"solver", "paper"}}).world.settings;

@@ -20,7 +20,7 @@ constexpr const char* WAY_VARIABLE = "KNUCKLE_TEST_WAY";
 const std::string MARK = "state hash ";
 
 /// Ways of solving that share few kernels.
-enum Way { DEFAULT, HASH, PAPER, GROUPS, WAYS };
+enum Way { DEFAULT, HASH, PAPER, GROUPS, SOFT, WAYS };
 
 Settings settingsOf(int way)
 {
@@ -31,12 +31,37 @@ Settings settingsOf(int way)
     return settings;
 }
 
-uint64_t hashOfPile(int way)
+/// Plastic jelly and a rigid box that fall on each other.
+World softWorld()
 {
+    WorldBuilder builder(DIAMETER / 2);
+    Material jelly;
+    jelly.elasticity.creep = 20.0f;
+    builder.addMaterial(jelly);
+    builder.addCollider({});
+    for (int k = 0; k < 7; ++k) {
+        const Vector3f place(0.04f * static_cast<float>(k), 0.2f + 0.45f * static_cast<float>(k), 0);
+        builder.beginObject("box");
+        if (k % 3 == 2) builder.addBody("rigid", boxLattice({4, 3, 4}, DIAMETER), 0);
+        else builder.addSoftBody("soft", boxLattice({4, 4, 5}, DIAMETER), 0);
+        builder.endObject({place}, {0, -3, 0}, {1, 0, 2});
+    }
+    return builder.build();
+}
+
+World worldOf(int way)
+{
+    if (way == SOFT) return softWorld();
     World world = table2World(OBJECTS, settingsOf(way));
     // One of them is shot into the others, fast enough to look further for contacts than they do.
     for (Particle& p : world.particles)
         if (world.bodies[p.body].object == OBJECTS - 1) p.velocity = {-3.0f, -8.0f, -6.0f};
+    return world;
+}
+
+uint64_t hashOfPile(int way)
+{
+    const World world = worldOf(way);
     Solver solver(gpu(), world);
     for (int k = 0; k < STEPS; ++k) {
         solver.step();
@@ -77,7 +102,7 @@ TEST_P(DeterminismOf, APileHasTheSameBitsTwiceAndAtAnyNumberOfDriverThreads)
 
 std::string wayName(const testing::TestParamInfo<int>& way)
 {
-    static constexpr const char* NAMES[WAYS] = {"Default", "Hash", "Paper", "PaperInGroups"};
+    static constexpr const char* NAMES[WAYS] = {"Default", "Hash", "Paper", "PaperInGroups", "Soft"};
     return NAMES[way.param];
 }
 

@@ -87,7 +87,10 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
         MEMBER(StepParameters, colliderPairCapacity), MEMBER(StepParameters, lookAhead),
         MEMBER(StepParameters, farReach), MEMBER(StepParameters, fastLimit), MEMBER(StepParameters, horizon),
         MEMBER(StepParameters, massScaling), MEMBER(StepParameters, bounceSpeed),
-        MEMBER(StepParameters, sleepSpeed), MEMBER(StepParameters, assemblyCount)
+        MEMBER(StepParameters, sleepSpeed), MEMBER(StepParameters, assemblyCount),
+        MEMBER(StepParameters, fluidCount), MEMBER(StepParameters, fluidSpacing),
+        MEMBER(StepParameters, fluidSoftness), MEMBER(StepParameters, inverseFluidCell),
+        MEMBER(StepParameters, clusterCount), MEMBER(StepParameters, softCount)
     });
     EXPECT_EQ(sizeof(gpu::StepParameters) % 16, 0u) << "std140 pads to whole vectors";
 }
