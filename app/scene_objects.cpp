@@ -7,6 +7,7 @@
 #include "app/scene_fields.h"
 #include "app/scene_file.h"
 #include "app/scene_parts.h"
+#include "app/scene_strands.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -151,6 +152,13 @@ void addJoined(const Entry& entry)
     }
 }
 
+void addStrands(const Entry& entry)
+{
+    StrandEntry strands{entry.context, entry.json, entry.pointer, {}, entry.poses, entry.material, entry.velocity};
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) strands.names.push_back(entry.copyName(copy));
+    addStrandObject(strands);
+}
+
 void addActors(const Entry& entry)
 {
     Actor actor = findActor(entry.context, entry.json, entry.pointer);
@@ -174,7 +182,7 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
     limitParticles(entry, 1.0);
     entry.poses = repeatedPoses(json);
     const std::string type = json["type"];
-    const auto add = type == "rigid" ? addRigid : type == "joined" ? addJoined : addActors;
+    const auto add = type == "rigid" ? addRigid : type == "joined" ? addJoined : isStrandObject(json) ? addStrands : addActors;
     try {
         add(entry);
     } catch (const InputError& error) {

@@ -5,6 +5,7 @@
 
 #include "sim/gpu/kernel.h"
 #include "sim/solver/buffers.h"
+#include "sim/solver/strand_step.h"
 #include "sim/world/settings.h"
 
 namespace knuckle {
@@ -39,6 +40,7 @@ private:
     // The default solver.
     Kernel moverPredict_, impulseClear_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_,
         jointSolveManyFirst_, jointSolveMany_, moverSolve_, moverFinish_, particlePlace_, jointPlace_;
+    StrandStep strandStep_;
     // The paper's.
     Kernel predict_, bodyStart_, contactStabilize_, stabilizeApply_, contactAverage_, bodySum_, linkCentreTerms_,
         linkMatrixTerms_, linkReduce_, bodyCollectCentres_, bodyCollectMatrices_, bodyRotation_, shapeGoals_,

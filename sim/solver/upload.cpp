@@ -9,6 +9,7 @@
 #include "sim/solver/buffers.h"
 #include "sim/solver/pack.h"
 #include "sim/solver/upload_movers.h"
+#include "sim/solver/upload_strands.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -244,6 +245,7 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
     uploadParticles(out, world);
     uploadBodies(out, world);
     uploadMovers(out, world);
+    uploadStrands(out, world);
     uploadLinks(out, world);
     uploadColliders(out, world);
     makeGrid(out, count);
@@ -260,6 +262,7 @@ BufferTable SolverBuffers::table()
     t.add(moverCentres, moverRotations, moverMoves, moverTurns, moverVelocities, oldMoverVelocities, oldMoverMoves,
           moverPredictions, moverImpulses, moverChanges, particleImpulses, linkImpulses, assemblyState);
     t.add(oldMoves, oldVelocities, predicted, moved, stabilized, bodyStarts, bodyMatrices, linkTerms);
+    t.add(strands, strandNodes, strandLinks, strandStates, strandFactors);
     t.add(foundPositions, foundCentres, foundRotations, moverReaches, fastParticles, moverColliders, particleCells,
           cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);
     t.add(firstLists, colliderLists, listCounts, listSums, listStarts, pairs, pairSides, pairArms, pairImpulses,

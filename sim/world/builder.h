@@ -65,9 +65,15 @@ public:
 
     /// A particle of no body (grains and, later, fluids). @returns its index.
     uint32_t addLooseParticle(const Particle& particle);
+    /// Distances between particles that exist: see addRope() and addCloth().
+    void addStrand(Strand strand);
 
     uint32_t particleCount() const { return static_cast<uint32_t>(world_.particles.size()); }
     float diameter() const { return world_.diameter(); }
+    /// The particles that a body was given so far and shares with no other.
+    std::vector<uint32_t> ownParticles(uint32_t body) const;
+    /// What there is so far: particles placed, links and assemblies yet to be made.
+    const World& world() const { return world_; }
 
     /// Groups links by body, fills centres, masses and assemblies, and validates. The builder is spent afterwards.
     World build();

@@ -106,6 +106,7 @@ void validate(const World& world)
     validateParticles(world);
     validateLinks(world);
     validateColliders(world);
+    validateStrands(world);
 }
 
 }  // namespace knuckle

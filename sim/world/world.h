@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/world/settings.h"
+#include "sim/world/strand.h"
 
 /// Plain data that describes a world before the GPU sees it.
 ///
@@ -127,6 +128,7 @@ struct World {
     std::vector<Joint> joints;
     std::vector<Object> objects;
     std::vector<Collider> colliders;
+    std::vector<Strand> strands;              ///< Ropes and cloth.
     uint32_t assemblyCount = 0;
 
     float diameter() const { return 2.0f * particleRadius; }
