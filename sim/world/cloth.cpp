@@ -129,6 +129,7 @@ uint32_t addCloth(WorldBuilder& builder, const std::string& name, const ClothShe
         if (particles[node] != NO_INDEX) continue;
         Particle particle;
         particle.position = particle.restPosition = sheet.nodes[node];
+        particle.selfMargin = STRAND_MARGIN;
         particle.material = spec.material;
         particle.mass = builder.world().materials.at(spec.material).density * builder.diameter() * sheet.areas[node];
         particles[node] = builder.addLooseParticle(particle);

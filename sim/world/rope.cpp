@@ -136,6 +136,7 @@ private:
         const float diameter = builder_.diameter();
         Particle particle;
         particle.position = particle.restPosition = place;
+        particle.selfMargin = STRAND_MARGIN;
         particle.material = spec_.material;
         particle.mass = builder_.world().materials.at(spec_.material).density * diameter * diameter * link_ *
                         (isEnd ? 0.5f : 1.0f);

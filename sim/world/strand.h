@@ -27,6 +27,9 @@ struct Strand {
     float tearForce = std::numeric_limits<float>::infinity();
 };
 
+/// Particle::selfMargin of what strands are made of: neighbours stand at a diameter and must not touch each other.
+inline constexpr float STRAND_MARGIN = 0.1f;
+
 /// Makes one assembly of all that strands connect: particles that are nearer than a diameter when the world begins then
 /// do not touch each other, and all of them go by one order of velocities. The world's start becomes the rest pose.
 void joinStrandAssemblies(World& world);
