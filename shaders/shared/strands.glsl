@@ -48,3 +48,14 @@ vec3 response(StrandNode node, vec3 n)
 #endif
     return node.share * n;
 }
+
+/// The matrix that gives the impulse for a move of the node [kg]; of one that is fixed nothing.
+mat3 massOf(StrandNode node)
+{
+#ifdef BODIES
+    if (node.mover < step.bodyCount)
+        return node.share == 0.0 ? mat3(0) : inverse(mat3(response(node, vec3(1, 0, 0)), response(node, vec3(0, 1, 0)),
+                                                          response(node, vec3(0, 0, 1))));
+#endif
+    return mat3(node.share == 0.0 ? 0.0 : 1.0 / node.share);
+}

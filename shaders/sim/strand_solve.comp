@@ -1,7 +1,8 @@
-// One thread a strand: one Newton step of its XPBD distances, all at once. Neighbouring distances meet in the particle
-// between them, so that (J W J^T + alpha / h^2) d = -(C + alpha / h^2 lambda) (Macklin et al. 2016, eq. 17) is
-// tridiagonal: a forward sweep factors it (L D L^T), a backward one finds the multipliers' changes d and moves the
-// particles. FIRST: of a substep, where the tension that the last one ended with may tear.
+// One thread a strand: one Newton step of its XPBD distances, all at once (Macklin et al. 2016, eq. 17), with the turning
+// of the links that are under tension (the second derivatives, Tournier et al. 2015), without which a light rope under a
+// heavy load shakes itself apart. From the end to the start each node and its link are eliminated, which leaves the one
+// before it with a mass matrix; then moves and multipliers follow from the start to the end. FIRST: of a substep, where
+// the tension that the last one ended with may tear.
 #include "shared/kernel.glsl"
 #include "shared/strands.glsl"
 
@@ -11,8 +12,8 @@ uniform usamplerBuffer strands;                    // first node, last node, ass
 uniform usamplerBuffer assemblyState;              // last substep with a contact, order of this one
 BUFFER(vec4, MoverMoves, moved);
 BUFFER(vec4, ParticleImpulses, particleImpulses);
-BUFFER(vec4, StrandStates, strandStates);          // multiplier [kg m], tension [N], 1 if torn, D^-1 L^-1 of the right
-BUFFER(vec4, StrandFactors, strandFactors);        // direction, L
+BUFFER(vec4, StrandStates, strandStates);          // multiplier [kg m], tension [N], 1 if torn, D; between: q for tension
+BUFFER(vec4, StrandFactors, strandFactors);        // four a link: n, k; rows of B with r
 
 /// Keeps the matrix regular where a taut strand is held at both ends.
 const float REGULAR = 1e-5;
@@ -26,13 +27,15 @@ void push(uint node, vec3 impulse)
     if (info.x >= step.bodyCount) moved[info.x].xyz += share * impulse;
 }
 
-void factor(uvec4 strand, float squaredTime)
+/// Eliminates from the end on. Of the node b of a link: A dx = r + f; with its link B = (A + k P)^-1, P = 1 - n n^T.
+/// @returns the move of the first node.
+vec3 eliminate(uvec4 strand, float squaredTime)
 {
-    StrandNode a = fetchNode(strand.x);
-    vec3 before = vec3(0);
-    float pivot = 1.0, value = 0.0;
-    for (uint k = strand.x; k < strand.y; ++k) {
-        StrandNode b = fetchNode(k + 1u);
+    StrandNode b = fetchNode(strand.y);
+    mat3 mass = massOf(b);
+    vec3 r = vec3(0);
+    for (uint k = strand.y; k-- > strand.x;) {
+        StrandNode a = fetchNode(k);
         vec4 link = texelFetch(strandLinks, int(k)), state = strandStates[k];
         vec3 apart = between(a, b);
         float far = length(apart);
@@ -41,18 +44,22 @@ void factor(uvec4 strand, float squaredTime)
         if (state.y > link.z || far > link.w) state.z = 1.0;
         state.x = 0.0;
 #endif
-        bool torn = state.z != 0.0;
-        float compliance = link.y / squaredTime;
-        vec3 moves = response(a, n);
-        float diagonal = (dot(n, moves) + dot(n, response(b, n))) * (1.0 + REGULAR) + compliance;
-        float lower = torn ? 0.0 : -dot(before, moves) / pivot;
-        value = torn ? 0.0 : link.x - far - compliance * state.x - lower * value;
-        pivot = torn || diagonal == 0.0 ? 1.0 : diagonal - lower * lower * pivot;
-        strandFactors[k] = vec4(n, lower);
-        strandStates[k] = vec4(state.xyz, value / pivot);
-        before = torn ? vec3(0) : n;
-        a = b;
+        float turning = max(state.y, 0.0) * squaredTime / max(far, 1e-9), compliance = link.y / squaredTime;
+        mat3 across = mat3(turning) - turning * outerProduct(n, n);
+        mat3 inverseB = b.share == 0.0 ? mat3(0) : inverse(mass + across);
+        vec3 u = n - across * (inverseB * n), held = inverseB * r;
+        float d = dot(n, inverseB * n) + compliance + REGULAR * (dot(n, response(a, n)) + dot(n, response(b, n)));
+        float q = link.x - far - compliance * state.x - dot(n, held);
+        bool none = state.z != 0.0 || d == 0.0;
+        strandFactors[4u * k] = vec4(n, none ? 0.0 : turning);
+        for (int row = 0; row < 3; ++row) strandFactors[4u * k + 1u + uint(row)] = vec4(inverseB[row], r[row]);
+        strandStates[k] = vec4(state.x, q, state.z, none ? 0.0 : d);
+        mass = massOf(a);
+        if (!none) mass += across - across * inverseB * across + outerProduct(u, u) / d;
+        r = none ? vec3(0) : across * held - u * (q / d);
+        b = a;
     }
+    return b.share == 0.0 ? vec3(0) : inverse(mass) * r;
 }
 
 void main()
@@ -63,18 +70,26 @@ void main()
     // BDF2 takes 4/9 of h^2 for an acceleration.
     bool second = texelFetch(assemblyState, int(strand.z)).y == 2u;
     float squaredTime = (second ? 4.0 / 9.0 : 1.0) * step.substepTime * step.substepTime;
-    factor(strand, squaredTime);
-
-    vec3 later = vec3(0);
-    float carried = 0.0;
-    for (uint k = strand.y; k > strand.x; --k) {
-        vec4 f = strandFactors[k - 1u], state = strandStates[k - 1u];
-        float change = state.w - carried;
+    vec3 move = eliminate(strand, squaredTime), before = vec3(0);
+    for (uint k = strand.x; k < strand.y; ++k) {
+        vec4 f = strandFactors[4u * k], state = strandStates[k];
+        mat3 inverseB;
+        vec3 r;
+        for (int row = 0; row < 3; ++row) {
+            vec4 values = strandFactors[4u * k + 1u + uint(row)];
+            inverseB[row] = values.xyz;
+            r[row] = values.w;
+        }
+        mat3 across = mat3(f.w) - f.w * outerProduct(f.xyz, f.xyz);
+        vec3 u = f.xyz - across * (inverseB * f.xyz);
+        float change = state.w > 0.0 ? (state.y + dot(u, move)) / state.w : 0.0;
+        vec3 next = inverseB * (r + change * f.xyz + across * move);
+        vec3 pull = change * f.xyz - across * (next - move);
         float multiplier = state.x + change;
-        strandStates[k - 1u] = vec4(multiplier, -multiplier / squaredTime, state.z, 0.0);
-        push(k, change * f.xyz - later);
-        later = change * f.xyz;
-        carried = f.w * change;
+        strandStates[k] = vec4(multiplier, -multiplier / squaredTime, state.z, 0.0);
+        push(k, before - pull);
+        before = pull;
+        move = next;
     }
-    push(strand.x, -later);
+    push(strand.y, before);
 }

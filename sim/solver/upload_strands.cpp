@@ -102,7 +102,7 @@ void uploadStrands(SolverBuffers& out, const World& world)
     out.strandNodes = {"strandNodes", std::span<const gpu::uvec4>(rows.nodes)};
     out.strandLinks = {"strandLinks", std::span<const gpu::vec4>(rows.links)};
     out.strandStates = {"strandStates", rows.nodes.size()};
-    out.strandFactors = {"strandFactors", rows.nodes.size()};
+    out.strandFactors = {"strandFactors", 4 * rows.nodes.size()};
 }
 
 }  // namespace knuckle
