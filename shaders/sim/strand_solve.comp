@@ -15,8 +15,10 @@ BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(vec4, StrandStates, strandStates);          // multiplier [kg m], tension [N], 1 if torn, D; between: q for tension
 BUFFER(vec4, StrandFactors, strandFactors);        // four a link: n, k; rows of B with r
 
-/// Keeps the matrix regular where a taut strand is held at both ends.
-const float REGULAR = 1e-5;
+/// Keep the matrix regular, the larger at a fixed end: where a taut strand is held at both.
+const float REGULAR = 1e-5, REGULAR_END = 1e-3;
+/// What turning may hold back, over the mass of its nodes: more would be lost to rounding.
+const float MOST_TURNING = 30.0;
 
 void push(uint node, vec3 impulse)
 {
@@ -44,11 +46,12 @@ vec3 eliminate(uvec4 strand, float squaredTime)
         if (state.y > link.z || far > link.w) state.z = 1.0;
         state.x = 0.0;
 #endif
-        float turning = max(state.y, 0.0) * squaredTime / max(far, 1e-9), compliance = link.y / squaredTime;
+        float compliance = link.y / squaredTime, both = dot(n, response(a, n)) + dot(n, response(b, n));
+        float turning = min(max(state.y, 0.0) * squaredTime / max(far, 1e-9), MOST_TURNING / max(both, 1e-20));
         mat3 across = mat3(turning) - turning * outerProduct(n, n);
         mat3 inverseB = b.share == 0.0 ? mat3(0) : inverse(mass + across);
         vec3 u = n - across * (inverseB * n), held = inverseB * r;
-        float d = dot(n, inverseB * n) + compliance + REGULAR * (dot(n, response(a, n)) + dot(n, response(b, n)));
+        float d = dot(n, inverseB * n) + compliance + (b.share == 0.0 ? REGULAR_END : REGULAR) * both;
         float q = link.x - far - compliance * state.x - dot(n, held);
         bool none = state.z != 0.0 || d == 0.0;
         strandFactors[4u * k] = vec4(n, none ? 0.0 : turning);

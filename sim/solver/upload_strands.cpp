@@ -92,7 +92,13 @@ void uploadStrands(SolverBuffers& out, const World& world)
             out.strandPhases.push_back({static_cast<uint32_t>(rows.strands.size()), 0, false});
         StrandPhase& phase = out.strandPhases.back();
         out.strandStarts[index] = static_cast<uint32_t>(rows.nodes.size());
-        rows.add(world, world.strands[index], counts, places);
+        // The sweep begins at the end, which is better free.
+        Strand strand = world.strands[index];
+        if (isFixed(world, strand.particles.back())) {
+            std::reverse(strand.particles.begin(), strand.particles.end());
+            std::reverse(strand.restLengths.begin(), strand.restLengths.end());
+        }
+        rows.add(world, strand, counts, places);
         phase.end = static_cast<uint32_t>(rows.strands.size());
         for (uint32_t particle : world.strands[index].particles)
             if (world.particles[particle].body != NO_INDEX) phase.hasBodies = true;
