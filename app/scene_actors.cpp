@@ -7,6 +7,7 @@
 #include "app/joints_file.h"
 #include "app/scene_file.h"
 #include "app/scene_parts.h"
+#include "app/scene_strands.h"
 #include "sim/actor/articulate.h"
 
 namespace knuckle {
@@ -16,6 +17,16 @@ namespace {
 std::string besideScene(const SceneContext& context, const std::string& file)
 {
     return (std::filesystem::path(context.path).parent_path() / file).lexically_normal().string();
+}
+
+std::string existingFile(const SceneContext& context, const Json& object, const std::string& pointer)
+{
+    const std::string file = besideScene(context, object["file"]);
+    if (!std::filesystem::exists(file)) {
+        failAt(context.path, pointer + "/file",
+               fmt::format("there is no file {}; paths are relative to the scene", file));
+    }
+    return file;
 }
 
 Actor loadActor(SceneContext& context, const Json& object, const std::string& file, const std::string& pointer)
@@ -34,12 +45,17 @@ Actor loadActor(SceneContext& context, const Json& object, const std::string& fi
     return actor;
 }
 
+Model readModel(const Json& object, const std::string& file)
+{
+    ImportOptions options;
+    options.scale = object["scale"];
+    options.clips = false;
+    return importModel(file, options);
+}
+
 Actor voxelizeModel(SceneContext& context, const Json& object, const std::string& file, float diameter)
 {
-    ImportOptions import;
-    import.scale = object["scale"];
-    import.clips = false;
-    Model model = importModel(file, import);
+    Model model = readModel(object, file);
     ActorOptions options;
     options.voxels.diameter = diameter;
     options.voxels.particleLimit = MAX_PARTICLES;
@@ -54,14 +70,15 @@ Actor voxelizeModel(SceneContext& context, const Json& object, const std::string
 
 }  // namespace
 
+Model readClothModel(SceneContext& context, const Json& object, const std::string& pointer)
+{
+    return readModel(object, existingFile(context, object, pointer));
+}
+
 const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer, float diameter)
 {
     if (diameter == 0.0f) diameter = context.builder.diameter();
-    const std::string file = besideScene(context, object["file"]);
-    if (!std::filesystem::exists(file)) {
-        failAt(context.path, pointer + "/file",
-               fmt::format("there is no file {}; paths are relative to the scene", file));
-    }
+    const std::string file = existingFile(context, object, pointer);
     const std::string key =
         Json{file, object["type"], object.value("joints", ""), object.value("scale", 0.0), diameter}.dump();
     const auto found = context.actors.find(key);

@@ -7,6 +7,7 @@
 
 #include "app/scene_fields.h"
 #include "app/scene_parts.h"
+#include "app/scene_strands.h"
 #include "app/schema.h"
 #include "sim/world/errors.h"
 
@@ -135,7 +136,10 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
         checkFriction(file, root["colliders"][i], fmt::format("/colliders/{}", i));
         addColliders(builder, root["colliders"][i]);
     }
-    for (size_t i = 0; i < root["objects"].size(); ++i) addObjects(context, root["objects"][i], i);
+    const Json& objects = root["objects"];
+    for (const bool strands : {false, true})
+        for (size_t i = 0; i < objects.size(); ++i)
+            if (isStrandObject(objects[i]) == strands) addObjects(context, objects[i], i);
     try {
         scene.world = builder.build();
     } catch (const InputError& error) {

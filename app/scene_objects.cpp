@@ -6,6 +6,7 @@
 #include "app/scene_fill.h"
 #include "app/scene_file.h"
 #include "app/scene_parts.h"
+#include "app/scene_strands.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -118,6 +119,13 @@ void addJoined(const Entry& entry)
     }
 }
 
+void addStrands(const Entry& entry)
+{
+    StrandEntry strands{entry.context, entry.json, entry.pointer, {}, entry.poses, entry.material, entry.velocity};
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) strands.names.push_back(entry.copyName(copy));
+    addStrandObject(strands);
+}
+
 void addActors(const Entry& entry)
 {
     Actor actor = findActor(entry.context, entry.json, entry.pointer);
@@ -148,7 +156,7 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
     const std::string type = json["type"];
     static const std::map<std::string, std::function<void(const Entry&)>> KINDS = {
         {"rigid", addRigidOrSoft}, {"soft", addRigidOrSoft}, {"joined", addJoined}, {"actor", addActors},
-        {"grains", [](const Entry& grains) { addGrains(grains); }}};
+        {"grains", [](const Entry& grains) { addGrains(grains); }}, {"rope", addStrands}, {"cloth", addStrands}};
     try {
         KINDS.at(type)(entry);
     } catch (const InputError& error) {

@@ -13,6 +13,10 @@
 #define COLLIDER_SLOTS 4
 // Cells of the grid that are listed once more behind the last, so that no range of neighbours wraps.
 #define WRAPPED_CELLS 4
+// Threads in a work group of strands: there are few, and each is long.
+#define STRAND_GROUP_SIZE 8
+// A soft distance that may tear does so at this many times its length.
+#define TEAR_STRETCH 1.5f
 // "Belongs to nothing", as in sim/world/world.h.
 #define NO_BODY 0xffffffffu
 

@@ -24,6 +24,12 @@ struct FluidBuffers {
     Buffer<gpu::vec4> slotWalls, slotSolids;           ///< Gradients of what walls and solids add to the density.
 };
 
+/// Strands that are solved together.
+struct StrandPhase {
+    uint32_t begin = 0, end = 0;         ///< In SolverBuffers::strands.
+    bool hasBodies = false;              ///< Whether particles of bodies are among them.
+};
+
 /// Everything that simulates, on the GPU: filled once from the World. A field's name is what kernels call it.
 /// Per particle unless said otherwise.
 struct SolverBuffers {
@@ -83,6 +89,12 @@ struct SolverBuffers {
     Buffer<gpu::vec4> bodyStarts;        ///< Per body, two: centre and rotation when the substep began.
     Buffer<gpu::vec4> bodyMatrices;      ///< Per body: three columns of A.
     Buffer<gpu::vec4> linkTerms;         ///< Per link, three: eq. 10.
+    // Ropes and cloth.
+    Buffer<gpu::uvec4> strands;          ///< First and last node, assembly.
+    Buffer<gpu::uvec4> strandNodes;      ///< Mover, rank, particle, inverse mass or split (strands.glsl).
+    Buffer<gpu::vec4> strandLinks;       ///< Per node, to the next: rest length, compliance; force, length that tear.
+    Buffer<gpu::vec4> strandStates;      ///< Per node, to the next: multiplier [kg m], tension [N], 1 if torn.
+    Buffer<gpu::vec4> strandFactors;     ///< Per node, within a dispatch.
     // The neighbour grid.
     Buffer<gpu::vec4> foundPositions;    ///< Where a particle was when contacts were found.
     Buffer<gpu::vec4> foundCentres, foundRotations;    ///< Where a mover was then; w: how far it may drift [m].
@@ -112,6 +124,8 @@ struct SolverBuffers {
     gpu::StepParameters parameters{};    ///< The host's copy of `step`.
     bool hasBounces = false;             ///< Whether any material has restitution.
     bool hasOthers = false;              ///< Whether anything but contacts and joints acts (particleImpulses).
+    std::vector<StrandPhase> strandPhases;
+    std::vector<uint32_t> strandStarts;  ///< Per strand of the World, its first node.
     uint32_t longestBody = 0;            ///< Links of the largest body (p of eq. 10).
 
     /// Gives the lists of contacts the room that `parameters` asks for (contactSlots, pairCapacity,

@@ -12,9 +12,11 @@
 //     those that lie ahead (contact_find, further for fast ones: contact_find_far) and for colliders (collider_*); a
 //     prefix sum gives each list its place (scan_*, list_start, pair_list), and each contact learns what it is made of
 //     (pair_write, collider_write);
-//   solves, `iterations` times: contact_solve, collider_solve and joint_solve work out impulses, each contact and joint
-//     by itself, from where the movers are; mover_solve sums them for each mover and matches it (eqs. 8-9, 11-17) to
-//     where they bring its particles;
+//   moves fluids by their pressures (fluid_*), once;
+//   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, strand_solve moves ropes and
+//     cloth, phase by phase; contact_solve, collider_solve and joint_solve work out impulses, each contact and joint by
+//     itself, from where the movers are; mover_solve sums them for each mover and matches it (eqs. 8-9, 11-17) to where
+//     they bring its particles;
 //   finishes with velocities and places (mover_finish), and where materials have restitution, gives collisions the
 //     speeds at which they part (contact_bounce, collider_bounce, mover_bounce).
 //
@@ -51,6 +53,7 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
     if (settings.solver == SolverKind::Impulse) loadImpulseSolver(load);
     else loadPaperSolver(load);
     if (buffers.parameters.fluidCount > 0) fluid_.emplace(load, buffers, settings);
+    if (settings.solver == SolverKind::Impulse) strandStep_ = StrandStep(gpu, buffers);
 }
 
 void Step::loadSearch(const LoadKernel& load)
@@ -207,6 +210,7 @@ void Step::impulseSubstep(KernelTimer& timer) const
     if (fluid_) fluid_->substep(timer);
     for (uint32_t i = 0; i < settings_.iterations; ++i) {
         if (soft_) soft_->run(timer, i, settings_.iterations);
+        strandStep_.run(timer, i == 0);
         contactSolve_.dispatchIndirect(timer, sizes, DISPATCH_PAIRS);
         colliderSolve_.dispatchIndirect(timer, sizes, DISPATCH_COLLIDER_PAIRS);
         if (sharedByTwo_ > 0) (i == 0 ? jointSolveFirst_ : jointSolve_).dispatch(timer, sharedByTwo_);

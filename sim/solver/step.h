@@ -4,6 +4,7 @@
 
 #include "sim/solver/fluid_step.h"
 #include "sim/solver/soft_step.h"
+#include "sim/solver/strand_step.h"
 
 namespace knuckle {
 
@@ -51,6 +52,7 @@ private:
         colliderBounceEagerly_, moverBounce_;
     Kernel sleepMover_, sleepPair_, sleepSettle_, sleepWake_, sleepRouse_;
     std::optional<SoftStep> soft_;
+    StrandStep strandStep_;
     // The paper's.
     Kernel predict_, bodyStart_, contactStabilize_, stabilizeApply_, contactAverage_, bodySum_, linkCentreTerms_,
         linkMatrixTerms_, linkReduce_, bodyCollectCentres_, bodyCollectMatrices_, bodyRotation_, shapeGoals_,

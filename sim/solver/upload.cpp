@@ -11,6 +11,7 @@
 #include "sim/solver/upload_fluid.h"
 #include "sim/solver/upload_movers.h"
 #include "sim/solver/upload_soft.h"
+#include "sim/solver/upload_strands.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -260,6 +261,7 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
     uploadBodies(out, world);
     uploadMovers(out, world);
     uploadSleep(out);
+    uploadStrands(out, world);
     uploadLinks(out, world);
     uploadColliders(out, world);
     makeGrid(out, count + world.fluidCount);
@@ -281,6 +283,7 @@ BufferTable SolverBuffers::table()
           moverPredictions, moverImpulses, moverChanges, particleImpulses, linkImpulses, assemblyState, assemblyCalm,
           assemblyNext, islandsWoken);
     t.add(oldMoves, oldVelocities, predicted, moved, stabilized, bodyStarts, bodyMatrices, linkTerms);
+    t.add(strands, strandNodes, strandLinks, strandStates, strandFactors);
     t.add(foundPositions, foundCentres, foundRotations, moverReaches, fastParticles, moverColliders, particleCells,
           cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);
     t.add(firstLists, colliderLists, listCounts, listSums, listStarts, pairs, pairSides, pairArms, pairImpulses,

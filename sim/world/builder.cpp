@@ -242,6 +242,22 @@ void WorldBuilder::addFluid(std::span<const Vector3f> positions, const Vector3f&
     }
 }
 
+void WorldBuilder::addStrand(Strand strand)
+{
+    world_.strands.push_back(std::move(strand));
+}
+
+std::vector<uint32_t> WorldBuilder::ownParticles(uint32_t body) const
+{
+    std::vector<uint32_t> own = bodyParticles_.at(body);
+    std::vector<uint32_t> others;
+    for (uint32_t b = 0; b < bodyParticles_.size(); ++b)
+        if (b != body) others.insert(others.end(), bodyParticles_[b].begin(), bodyParticles_[b].end());
+    std::sort(others.begin(), others.end());
+    std::erase_if(own, [&](uint32_t particle) { return std::binary_search(others.begin(), others.end(), particle); });
+    return own;
+}
+
 void WorldBuilder::assignAssemblies()
 {
     // Bodies that share a particle are of one assembly; the smallest body index names it until it is numbered.
@@ -329,6 +345,7 @@ World WorldBuilder::build()
     assignAssemblies();
     for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
     makeSoftLinks(world_);
+    joinStrandAssemblies(world_);
     world_.particles.insert(world_.particles.end(), fluid_.begin(), fluid_.end());
     world_.fluidCount = fluidCount();
     validate(world_);

@@ -68,6 +68,8 @@ public:
 
     /// A particle of no body (grains and, later, fluids). @returns its index.
     uint32_t addLooseParticle(const Particle& particle);
+    /// Distances between particles that exist: see addRope() and addCloth().
+    void addStrand(Strand strand);
 
     /// Fluid particles of a fluid material. They come behind all others, whenever they are added.
     void addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material);
@@ -80,6 +82,10 @@ public:
     float diameter() const { return world_.diameter(); }
     /// What a particle of a material weighs: density times diameter cubed [kg].
     float particleMass(uint32_t material) const;
+    /// The particles that a body was given so far and shares with no other.
+    std::vector<uint32_t> ownParticles(uint32_t body) const;
+    /// What there is so far: particles placed, links and assemblies yet to be made.
+    const World& world() const { return world_; }
 
     /// Groups links by body, fills centres, masses and assemblies, and validates. The builder is spent afterwards.
     World build();

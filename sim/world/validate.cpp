@@ -126,6 +126,7 @@ void validate(const World& world)
     validateLinks(world);
     validateColliders(world);
     validateSoftBodies(world);
+    validateStrands(world);
 }
 
 }  // namespace knuckle

@@ -8,6 +8,7 @@
 
 #include "sim/world/settings.h"
 #include "sim/world/soft_matter.h"
+#include "sim/world/strand.h"
 
 /// Plain data that describes a world before the GPU sees it.
 ///
@@ -136,6 +137,7 @@ struct World {
     std::vector<SoftBody> softBodies;
     std::vector<Cluster> clusters;            ///< Grouped by soft body.
     std::vector<Link> clusterLinks;           ///< Grouped by cluster, which is what Link::body says here.
+    std::vector<Strand> strands;              ///< Ropes and cloth.
     uint32_t assemblyCount = 0;
     /// Rest distance of fluid particles [m], 0.3 ... 0.6 diameters. A fluid particle weighs density * spacing^3.
     float fluidSpacing = 0.05f;
