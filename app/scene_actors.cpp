@@ -54,13 +54,17 @@ Actor voxelizeModel(SceneContext& context, const Json& object, const std::string
 
 }  // namespace
 
+std::string existingFile(const SceneContext& context, const std::string& file, const std::string& pointer)
+{
+    const std::string path = besideScene(context, file);
+    if (!std::filesystem::is_regular_file(path))
+        failAt(context.path, pointer, fmt::format("there is no file {}; paths are relative to the scene", path));
+    return path;
+}
+
 const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer)
 {
-    const std::string file = besideScene(context, object["file"]);
-    if (!std::filesystem::exists(file)) {
-        failAt(context.path, pointer + "/file",
-               fmt::format("there is no file {}; paths are relative to the scene", file));
-    }
+    const std::string file = existingFile(context, object["file"], pointer + "/file");
     const std::string key = Json{file, object["type"], object.value("joints", ""), object.value("scale", 0.0)}.dump();
     const auto found = context.actors.find(key);
     if (found != context.actors.end()) return found->second;

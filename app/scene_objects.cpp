@@ -70,19 +70,35 @@ std::vector<Vector3f> roundPositions(const Entry& entry, float diameter)
                                            : capsuleLattice(radius, 0.5f * length, diameter);
 }
 
-std::vector<Vector3f> rigidPositions(const Entry& entry)
+/// The particles of a rigid body, and where they stand to its surface; a box's follow from the lattice.
+struct RigidShape {
+    std::vector<Vector3f> positions;
+    std::vector<SurfaceDistance> surface = {};
+};
+
+RigidShape rigidShape(const Entry& entry)
 {
     const float diameter = entry.context.builder.diameter();
     const std::string shape = entry.json["shape"];
-    if (shape == "box") return boxPositions(entry, diameter);
-    if (shape == "mesh") return findActor(entry.context, entry.json, entry.pointer).particles;
-    return roundPositions(entry, diameter);
+    if (shape == "box") return {boxPositions(entry, diameter)};
+    RigidShape rigid;
+    if (shape == "mesh") {
+        const Actor& actor = findActor(entry.context, entry.json, entry.pointer);
+        rigid.positions = actor.particles;
+        for (uint32_t i = 0; i < actor.particles.size(); ++i) rigid.surface.push_back(surfaceOf(actor, i));
+        return rigid;
+    }
+    rigid.positions = roundPositions(entry, diameter);
+    const float radius = entry.json["radius"], halfHeight = 0.5f * entry.json.value("length", 0.0f);
+    for (const Vector3f& position : rigid.positions)
+        rigid.surface.push_back(capsuleSurface(position, radius, shape == "sphere" ? 0.0f : halfHeight));
+    return rigid;
 }
 
 void addRigid(const Entry& entry)
 {
     WorldBuilder& builder = entry.context.builder;
-    const std::vector<Vector3f> positions = rigidPositions(entry);
+    const auto [positions, surface] = rigidShape(entry);
     if (positions.empty()) {
         entry.fail("", fmt::format("holds no particle of diameter {} m; make it larger", builder.diameter()));
     }
@@ -90,7 +106,7 @@ void addRigid(const Entry& entry)
     const Motion motion = entry.json["fixed"].get<bool>() ? Motion::Fixed : Motion::Dynamic;
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         builder.beginObject(entry.copyName(copy));
-        builder.addBody("body", positions, entry.material, motion);
+        builder.addBody("body", positions, entry.material, motion, surface);
         builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
     }
 }

@@ -37,6 +37,7 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
     const BufferTable table = buffers.table();
     const Load load = [&](const char* name, Defines defines) {
         if (settings.rotation == RotationMethod::Householder) defines.push_back({"HOUSEHOLDER", "1"});
+        if (buffers.hasGrids) defines.push_back({"GRIDS", "1"});
         return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
     };
     loadSearch(load);

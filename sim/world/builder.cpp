@@ -42,6 +42,12 @@ void WorldBuilder::addCollider(Collider collider)
     world_.colliders.push_back(collider);
 }
 
+uint32_t WorldBuilder::addColliderGrid(ColliderGrid grid)
+{
+    world_.colliderGrids.push_back(std::move(grid));
+    return static_cast<uint32_t>(world_.colliderGrids.size() - 1);
+}
+
 void WorldBuilder::requireObject(const char* what) const
 {
     if (!objectOpen_) throw InputError(fmt::format("{}: call beginObject() first", what));
@@ -69,7 +75,7 @@ uint32_t WorldBuilder::newParticle(const Vector3f& position, uint32_t material)
 }
 
 uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
-                               Motion motion)
+                               Motion motion, std::span<const SurfaceDistance> surface)
 {
     requireObject("addBody");
     if (material >= world_.materials.size())
@@ -82,10 +88,14 @@ uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> posit
     body.object = static_cast<uint32_t>(world_.objects.size() - 1);
     const auto index = static_cast<uint32_t>(world_.bodies.size());
     bodyParticles_.emplace_back();
-    for (const Vector3f& position : positions) {
-        if (!position.allFinite())
+    const std::vector<SurfaceDistance> lattice = surface.empty() ? latticeSurface(positions, world_.diameter())
+                                                                 : std::vector<SurfaceDistance>();
+    if (surface.empty()) surface = lattice;
+    for (size_t i = 0; i < positions.size(); ++i) {
+        if (!positions[i].allFinite())
             throw InputError(fmt::format("body \"{}\": a particle's position is not finite", body.name));
-        bodyParticles_[index].push_back(newParticle(position, material));
+        bodyParticles_[index].push_back(newParticle(positions[i], material));
+        if (i < surface.size()) world_.particles.back().surface = surface[i];
     }
     Object& object = world_.objects.back();
     if (object.rootBody == NO_INDEX) object.rootBody = index;
