@@ -8,17 +8,20 @@
 #define WAY_KNOWN 0x80000000u        // with the first mover
 #define WAY_DEEP 0x80000000u         // with the second: both particles lie more than a diameter below their surfaces
 
+// Nearer than this many diameters, particles have sunk into each other.
+#define SUNK 0.85
+
 /// The way out for the first particle of a pair.
 struct Way {
-    vec3 out;            // unit, or zero for none
+    vec3 away;           // unit, or zero for none
     bool deep;
 };
 
 /// The bits for both movers.
 uvec2 packWay(Way way)
 {
-    if (way.out == vec3(0)) return uvec2(0);
-    uvec2 place = uvec2((0.5 * toSquare(way.out) + 0.5) * WAY_LEVELS + 0.5);
+    if (way.away == vec3(0)) return uvec2(0);
+    uvec2 place = uvec2((0.5 * toSquare(way.away) + 0.5) * WAY_LEVELS + 0.5);
     return place << 24 | uvec2(WAY_KNOWN, way.deep ? WAY_DEEP : 0u);
 }
 
@@ -29,12 +32,14 @@ Way unpackWay(uvec2 movers)
     return Way(known ? fromSquare(place) : vec3(0), (movers.y & WAY_DEEP) != 0u);
 }
 
-/// The direction of a contact whose first particle is at `apart` from the second: in the surface layer theirs, mirrored
-/// where it points into the body; deep inside the way out itself. w: 1 where it is not simply theirs.
+/// The direction of a contact whose first particle is at `apart` from the second: theirs, or mirrored where that points
+/// into the body, or the way out itself where the particle is deep in the body or between particles of its surface,
+/// whose friction would hold it there. w: 1 where it is not simply theirs.
 vec4 sidedNormal(vec3 apart, float far, Way way)
 {
-    float facing = dot(apart, way.out);
-    bool deep = way.deep && far < step.diameter;
-    vec3 mirrored = (apart - 2.0 * facing * way.out) / max(far, 1e-7);
-    return vec4(deep ? way.out : mirrored, deep || facing < 0.0 ? 1.0 : 0.0);
+    float facing = dot(apart, way.away);
+    bool deep = far < step.diameter && way.deep;
+    bool between = far < SUNK * step.diameter && facing < 0.5 * far && way.away != vec3(0);
+    vec3 mirrored = (apart - 2.0 * facing * way.away) / max(far, 1e-7);
+    return vec4(deep || between ? way.away : mirrored, deep || between || facing < 0.0 ? 1.0 : 0.0);
 }
