@@ -148,7 +148,7 @@ void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
 {
     const bool paper = s.solver == SolverKind::Paper;
     p.correction = paper ? 1.0f : 0.06f;
-    p.maxCorrection = paper ? std::numeric_limits<float>::max() : 0.5f * p.substepTime;
+    p.maxCorrection = paper ? std::numeric_limits<float>::max() : 0.25f * p.substepTime;
     p.warmStart = std::pow(0.97f, 1.0f / static_cast<float>(s.iterations));
     p.jointRelaxation = 1.8f;
 }
