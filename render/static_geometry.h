@@ -10,7 +10,7 @@
 
 namespace knuckle {
 
-/// The visible colliders: planes over the whole picture, meshes as triangles, the others as ray-cast shapes inside boxes.
+/// The visible colliders: planes over the whole picture, grids as triangles, others as ray-cast shapes inside boxes.
 class StaticGeometry {
 public:
     StaticGeometry(const Gpu& gpu, const World& world, const SceneExtent& extent);

@@ -4,7 +4,7 @@
 #include "shared/octahedron.glsl"
 
 #define MOVER_MASK 0xffffffu
-#define WAY_LEVELS 127.0             // 7 bits an axis: 1 degree
+#define WAY_LEVELS 127.0             // 7 bits an axis: 2 degrees at worst
 #define WAY_KNOWN 0x80000000u        // with the first mover
 #define WAY_DEEP 0x80000000u         // with the second: both particles lie more than a diameter below their surfaces
 

@@ -202,7 +202,8 @@ float signedDistance(const TriangleTree& tree, const Vector3f& point)
 // Depth [d] that half a diameter inwards must add for a side to be the only nearest one.
 constexpr float DEEPER = 0.15f;
 
-Vector3f outwardOf(const TriangleTree& tree, const Vector3f& point, float distance, const Vector3f& nearest, float diameter)
+Vector3f outwardOf(const TriangleTree& tree, const Vector3f& point, float distance, const Vector3f& nearest,
+                   float diameter)
 {
     if (std::abs(distance) < 1e-3f * diameter) {
         return Vector3f::Zero();

@@ -41,8 +41,8 @@ float meshDistance(const ColliderGrid& grid, const Eigen::Vector3f& point);
 /// edge, to the block of which the field is the top [m].
 float heightfieldDistance(const ColliderGrid& grid, const Eigen::Vector3f& point);
 
-/// A heightfield about the origin, over size.x by size.y [m] along x and z. @param heights [m], rows along x, the row of
-/// the lowest z first. Its triangles have the same heights at the values.
+/// A heightfield about the origin, over size.x by size.y [m] along x and z. @param heights [m], rows along x, that
+/// of the lowest z first. Its triangles have the same heights at the values.
 ColliderGrid makeHeightfield(const Eigen::Vector2f& size, int columns, int rows, std::vector<float> heights);
 
 }  // namespace knuckle

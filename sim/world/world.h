@@ -110,7 +110,7 @@ enum class ColliderShape : uint32_t { Plane, Box, Sphere, Capsule, Mesh, Heightf
 struct Collider {
     ColliderShape shape = ColliderShape::Plane;
     Vector3f position{0, 0, 0};               ///< A point of the plane, a grid's origin, else the centre [m].
-    Quaternionf orientation{1, 0, 0, 0};      ///< A plane's normal and a capsule's axis are its +Y (Eigen ctor is wxyz).
+    Quaternionf orientation{1, 0, 0, 0};      ///< A plane's normal, a capsule's axis are its +Y (Eigen ctor is wxyz).
     Vector3f halfExtents{0.5f, 0.5f, 0.5f};   ///< Box only [m].
     float radius = 0.5f;                      ///< Sphere and capsule [m].
     float halfHeight = 0.5f;                  ///< Capsule: half the distance between its two sphere centres [m].

@@ -253,8 +253,8 @@ TEST_F(PairWrite, APairKnowsItsWayOut)
         Vector3d n(u, v, 1.0 - std::abs(u) - std::abs(v));
         const double fold = std::max(-n.z(), 0.0);
         n -= fold * Vector3d(u >= 0 ? 1 : -1, v >= 0 ? 1 : -1, 0);
-        // Half a level of 2/127 on both axes, and up to 1.8 times that on the sphere.
-        ASSERT_LT((n.normalized() - way.away).norm(), 1.8 * std::sqrt(2.0) / 127.0 + 1e-5) << "pair " << q;
+        // Half a level, 1/127, on both axes moves n by up to root 6 of that, and its length is at least 1 / root 3.
+        ASSERT_LT((n.normalized() - way.away).norm(), std::sqrt(18.0) / 127.0 + 1e-5) << "pair " << q;
     }
     EXPECT_GT(known, 100u);
 }
