@@ -45,13 +45,14 @@ vec4 meshSurface(vec3 p, vec3 low, vec3 cell, uvec4 grid)
     return vec4(steep > 0.0 ? slope / steep : vec3(0, 1, 0), far > 0.0 ? max(distance - far, far) : distance);
 }
 
-/// The plane that touches the bilinear surface above or below the point; beyond the field's edge, the block of which the
-/// field is the top.
+/// The plane that touches the bilinear surface above or below the point; beyond the field's edge, the block of which
+/// the field is the top.
 vec4 heightfieldSurface(vec3 p, vec3 low, vec3 cell, uvec4 grid)
 {
     GridPlace at = gridPlace(p, low, cell, grid);
     vec2 near = gridPair(at.first), behind = gridPair(at.first + int(grid.x));
-    vec2 along = mix(near, behind, at.share.z), across = mix(vec2(near.x, behind.x), vec2(near.y, behind.y), at.share.x);
+    vec2 along = mix(near, behind, at.share.z);
+    vec2 across = mix(vec2(near.x, behind.x), vec2(near.y, behind.y), at.share.x);
     float above = p.y - mix(along.x, along.y, at.share.x);
     vec3 normal = normalize(vec3((along.x - along.y) / cell.x, 1, (across.x - across.y) / cell.z));
     vec3 off = vec3(at.outside.x, max(above, 0.0), at.outside.z);

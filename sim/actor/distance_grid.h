@@ -12,6 +12,7 @@ namespace knuckle {
 /// @param cell [m], > 0.
 /// @throws InputError for a mesh that encloses no point of the grid, or when more than MAX_GRID_VALUES are needed, with
 /// the cell that would do.
-ColliderGrid makeDistanceGrid(std::span<const Eigen::Vector3f> vertices, std::span<const Triangle> triangles, float cell);
+ColliderGrid makeDistanceGrid(std::span<const Eigen::Vector3f> vertices, std::span<const Triangle> triangles,
+                              float cell);
 
 }  // namespace knuckle

@@ -78,7 +78,8 @@ TEST(Trap, TwoBoxesThatStartInterleavedPart)
         const auto bodies = solver.readBodies();
         const ParticleState state = solver.readParticles();
         for (size_t i = 0; i < state.positions.size(); ++i)
-            EXPECT_LT(depthIn(bodies[i < 27 ? 1 : 0], state.positions[i], 0.15f), 0.5f * DIAMETER) << offset.transpose();
+            EXPECT_LT(depthIn(bodies[i < 27 ? 1 : 0], state.positions[i], 0.15f), 0.5f * DIAMETER)
+                << offset.transpose();
         EXPECT_LT(top, 1.0f) << offset.transpose();
     }
 }

@@ -61,7 +61,9 @@ void main()
         glProgramUniform1ui(kernel.program(), 0, c);
         bench.dispatch(kernel, groupsFor(positions.size()));
         const auto results = bench.buffers.moved.download();
-        const auto distance = [&](const Vector3f& x) { return colliderDistance(bench.world, bench.world.colliders[c], x); };
+        const auto distance = [&](const Vector3f& x) {
+            return colliderDistance(bench.world, bench.world.colliders[c], x);
+        };
         uint32_t smooth = 0;
         for (size_t i = 0; i < positions.size(); ++i) {
             const Vector3f x = vec3(positions[i]), normal = vec3(results[i]);
