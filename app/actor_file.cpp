@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "app/json.h"
 #include "app/output.h"
 #include "app/scene_fields.h"
@@ -103,6 +105,15 @@ void checkConsistent(const JsonFile& file, const Actor& actor)
         failAt(file.path, "/signedDistances", fmt::format("has {} entries for {} particles; give one each or none",
                                                           actor.signedDistances.size(), actor.particles.size()));
     }
+    if (!actor.outward.empty() && actor.outward.size() != actor.signedDistances.size()) {
+        failAt(file.path, "/outward", fmt::format("has {} entries for {} signedDistances; give one each or none",
+                                                  actor.outward.size(), actor.signedDistances.size()));
+    }
+    for (size_t i = 0; i < actor.outward.size(); ++i) {
+        const float length = actor.outward[i].norm();
+        if (length != 0.0f && std::abs(length - 1.0f) > 1e-3f)
+            failAt(file.path, fmt::format("/outward/{}", i), fmt::format("has a length of {}; must be 1 or 0", length));
+    }
     std::vector<bool> used(actor.particles.size(), false);
     for (const ActorBody& body : actor.bodies) {
         for (const uint32_t particle : body.particles) used[particle] = true;
@@ -123,6 +134,7 @@ std::string actorText(const Actor& actor)
     text += listText("joints", actor.joints, jointText);
     text += listText("notes", actor.notes, stringText);
     text += listText("particles", actor.particles, vectorText);
+    text += listText("outward", actor.outward, vectorText);
     text += fmt::format(",\n  \"signedDistances\": [{}]\n}}\n", fmt::join(actor.signedDistances, ", "));
     return text;
 }
@@ -146,6 +158,7 @@ Actor readActor(const std::string& path)
     readValue(root["signedDistances"], actor.signedDistances);
     readValue(root["notes"], actor.notes);
     for (const Json& position : root["particles"]) readValue(position, actor.particles.emplace_back());
+    for (const Json& direction : root["outward"]) readValue(direction, actor.outward.emplace_back());
     for (const Json& body : root["bodies"]) {
         actor.bodies.push_back(readBody(file, body, actor.bodies.size(), actor.particles.size()));
     }

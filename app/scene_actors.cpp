@@ -19,16 +19,6 @@ std::string besideScene(const SceneContext& context, const std::string& file)
     return (std::filesystem::path(context.path).parent_path() / file).lexically_normal().string();
 }
 
-std::string existingFile(const SceneContext& context, const Json& object, const std::string& pointer)
-{
-    const std::string file = besideScene(context, object["file"]);
-    if (!std::filesystem::exists(file)) {
-        failAt(context.path, pointer + "/file",
-               fmt::format("there is no file {}; paths are relative to the scene", file));
-    }
-    return file;
-}
-
 Actor loadActor(SceneContext& context, const Json& object, const std::string& file, const std::string& pointer)
 {
     const Actor actor = readActor(file);
@@ -70,15 +60,23 @@ Actor voxelizeModel(SceneContext& context, const Json& object, const std::string
 
 }  // namespace
 
+std::string existingFile(const SceneContext& context, const std::string& file, const std::string& pointer)
+{
+    const std::string path = besideScene(context, file);
+    if (!std::filesystem::is_regular_file(path))
+        failAt(context.path, pointer, fmt::format("there is no file {}; paths are relative to the scene", path));
+    return path;
+}
+
 Model readClothModel(SceneContext& context, const Json& object, const std::string& pointer)
 {
-    return readModel(object, existingFile(context, object, pointer));
+    return readModel(object, existingFile(context, object["file"], pointer + "/file"));
 }
 
 const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer, float diameter)
 {
     if (diameter == 0.0f) diameter = context.builder.diameter();
-    const std::string file = existingFile(context, object, pointer);
+    const std::string file = existingFile(context, object["file"], pointer + "/file");
     const std::string key =
         Json{file, object["type"], object.value("joints", ""), object.value("scale", 0.0), diameter}.dump();
     const auto found = context.actors.find(key);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <numbers>
 
 #include "app/scene_fields.h"
@@ -79,8 +81,9 @@ Quaternionf readRotation(const Json& json)
                        Eigen::AngleAxisf(angles.x(), Vector3f::UnitX()));
 }
 
-void addColliders(WorldBuilder& builder, const Json& json)
+void addColliders(SceneContext& context, const Json& json, size_t index)
 {
+    WorldBuilder& builder = context.builder;
     Collider collider = readFields<Collider>(json);
     collider.orientation = readRotation(json);
     const std::string type = json["type"];
@@ -90,6 +93,11 @@ void addColliders(WorldBuilder& builder, const Json& json)
         Vector3f size;
         readValue(json["size"], size);
         return addBox(builder, collider, {0, 0, 0}, size);
+    }
+    const std::string pointer = fmt::format("/colliders/{}", index);
+    if (type == "mesh" || type == "heightfield") {
+        (type == "mesh" ? addMeshGrid : addHeightfield)(context, json, pointer, collider);
+        return builder.addCollider(collider);
     }
     collider.shape = type == "plane" ? ColliderShape::Plane
                      : type == "sphere" ? ColliderShape::Sphere : ColliderShape::Capsule;

@@ -134,7 +134,7 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     SceneContext context{path, builder, addMaterials(file, builder)};
     for (size_t i = 0; i < root["colliders"].size(); ++i) {
         checkFriction(file, root["colliders"][i], fmt::format("/colliders/{}", i));
-        addColliders(builder, root["colliders"][i]);
+        addColliders(context, root["colliders"][i], i);
     }
     const Json& objects = root["objects"];
     for (const bool strands : {false, true})

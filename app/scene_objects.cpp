@@ -47,6 +47,23 @@ void limitParticles(const Entry& entry, double count)
     limitParticles(entry.context, entry.json, entry.pointer, count);
 }
 
+/// Where the particles of a rigid body stand to its surface; empty for a box, where it follows from the lattice.
+std::vector<SurfaceDistance> surfaceOf(const Entry& entry, const std::vector<Vector3f>& positions)
+{
+    const std::string shape = entry.json["shape"];
+    std::vector<SurfaceDistance> surface;
+    if (shape == "box") return surface;
+    if (shape == "mesh") {
+        const Actor& actor = findActor(entry.context, entry.json, entry.pointer);
+        for (uint32_t i = 0; i < actor.particles.size(); ++i) surface.push_back(surfaceOf(actor, i));
+        return surface;
+    }
+    const float radius = entry.json["radius"], halfHeight = 0.5f * entry.json.value("length", 0.0f);
+    for (const Vector3f& position : positions)
+        surface.push_back(capsuleSurface(position, radius, shape == "sphere" ? 0.0f : halfHeight));
+    return surface;
+}
+
 void addRigidOrSoft(const Entry& entry)
 {
     WorldBuilder& builder = entry.context.builder;
@@ -58,7 +75,7 @@ void addRigidOrSoft(const Entry& entry)
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         builder.beginObject(entry.copyName(copy));
         if (soft) builder.addSoftBody(entry.copyName(copy), positions, entry.material);
-        else builder.addBody("body", positions, entry.material, motion);
+        else builder.addBody("body", positions, entry.material, motion, surfaceOf(entry, positions));
         builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
     }
 }

@@ -16,9 +16,6 @@ namespace knuckle {
 /// Rotation about the fixed axes x, y, z in this order, from `rotation` [degrees]; identity where there is none.
 Quaternionf readRotation(const Json& json);
 
-/// Adds one entry of `colliders`, which may stand for several.
-void addColliders(WorldBuilder& builder, const Json& json);
-
 /// What objects need to know about the scene that they stand in.
 struct SceneContext {
     std::string path;                            ///< Of the scene file; other paths are relative to its folder.
@@ -26,6 +23,15 @@ struct SceneContext {
     std::map<std::string, uint32_t> materials;   ///< Indices by name.
     std::map<std::string, Actor> actors = {};    ///< Read or made already, by what was asked for.
 };
+
+/// `file` beside the scene. @throws InputError with `pointer` when there is none.
+std::string existingFile(const SceneContext& context, const std::string& file, const std::string& pointer);
+
+/// Adds one entry of `colliders`, which may stand for several. @throws InputError.
+void addColliders(SceneContext& context, const Json& json, size_t index);
+/// Adds the grid of a collider of the type `mesh` or `heightfield`, and says so in `collider`. @throws InputError.
+void addMeshGrid(SceneContext& context, const Json& json, const std::string& pointer, Collider& collider);
+void addHeightfield(SceneContext& context, const Json& json, const std::string& pointer, Collider& collider);
 
 /// Adds one entry of `objects` with its copies. @throws InputError.
 void addObjects(SceneContext& context, const Json& json, size_t index);

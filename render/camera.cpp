@@ -23,8 +23,13 @@ constexpr float PLEASANT_ELEVATION = 17.0f * DEGREE;
 /// Share of the picture that a followed object takes.
 constexpr float FOLLOWED_SHARE = 0.8f;
 
-AlignedBox3f boundsOf(const Collider& collider)
+AlignedBox3f boundsOf(const World& world, const Collider& collider)
 {
+    if (collider.grid != NO_INDEX) {
+        const ColliderGrid& grid = world.colliderGrids[collider.grid];
+        AlignedBox3f box{grid.drawnLow, grid.drawnHigh};
+        return box.transformed(Eigen::Isometry3f(Eigen::Translation3f(collider.position) * collider.orientation));
+    }
     Vector3f half = collider.halfExtents;
     if (collider.shape == ColliderShape::Sphere) half = Vector3f::Constant(collider.radius);
     if (collider.shape == ColliderShape::Capsule)
@@ -93,7 +98,8 @@ SceneExtent sceneExtent(const World& world)
     findGround(world, extent);
     AlignedBox3f box = particleBounds(world);
     for (const Collider& collider : world.colliders)
-        if (collider.visible && collider.shape != ColliderShape::Plane) extent.solids.extend(boundsOf(collider));
+        if (collider.visible && collider.shape != ColliderShape::Plane) 
+            extent.solids.extend(boundsOf(world, collider));
     if (box.isEmpty()) box = extent.solids;
     if (box.isEmpty()) box = {Vector3f(-1, 0, -1), Vector3f(1, 1, 1)};
     if (extent.groundCollider != NO_INDEX) box.extend(Vector3f(box.center().x(), extent.ground, box.center().z()));

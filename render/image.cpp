@@ -32,19 +32,44 @@ struct Free {
     void operator()(void* memory) const { std::free(memory); }
 };
 
-}  // namespace
+template <typename Channel>
+struct Decoded {
+    uint32_t width = 0, height = 0;
+    std::unique_ptr<Channel, Free> pixels;
+    size_t pixelCount() const { return static_cast<size_t>(width) * height; }
+};
 
-Image readImage(const std::string& path)
+/// @param load one of stb's, which takes the file, where to put width, height and channels, and the channels wanted.
+template <typename Channel, typename Load>
+Decoded<Channel> decodeFile(const std::string& path, Load load, int wanted)
 {
     std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) throw InputError(fmt::format("image {} cannot be opened: {}", path, std::strerror(errno)));
     int width = 0, height = 0, channels = 0;
-    std::unique_ptr<stbi_uc, Free> pixels(stbi_load_from_file(file.get(), &width, &height, &channels, CHANNELS));
+    std::unique_ptr<Channel, Free> pixels(load(file.get(), &width, &height, &channels, wanted));
     if (!pixels)
         throw InputError(fmt::format("image {} cannot be read: {}; PNG and JPEG are known", path,
                                      stbi_failure_reason()));
-    Image image{static_cast<uint32_t>(width), static_cast<uint32_t>(height), {}};
-    image.rgb.assign(pixels.get(), pixels.get() + static_cast<size_t>(width) * static_cast<size_t>(height) * CHANNELS);
+    return {static_cast<uint32_t>(width), static_cast<uint32_t>(height), std::move(pixels)};
+}
+
+}  // namespace
+
+Image readImage(const std::string& path)
+{
+    const auto decoded = decodeFile<stbi_uc>(path, stbi_load_from_file, CHANNELS);
+    Image image{decoded.width, decoded.height, {}};
+    image.rgb.assign(decoded.pixels.get(), decoded.pixels.get() + decoded.pixelCount() * CHANNELS);
+    return image;
+}
+
+GreyImage readGreyImage(const std::string& path)
+{
+    // stb makes 16 bits of 8 by repeating them, so that white is 65535 either way.
+    const auto decoded = decodeFile<stbi_us>(path, stbi_load_from_file_16, 1);
+    GreyImage image{decoded.width, decoded.height, {}};
+    for (size_t i = 0; i < decoded.pixelCount(); ++i)
+        image.values.push_back(static_cast<float>(decoded.pixels.get()[i]) / 65535.0f);
     return image;
 }
 

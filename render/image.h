@@ -16,6 +16,15 @@ struct Image {
 Image readImage(const std::string& path);
 void writePng(const std::string& path, const Image& image);
 
+/// The grey of an image, 0 ... 1, top row first, as its file has it: no gamma is taken off.
+struct GreyImage {
+    uint32_t width = 0, height = 0;
+    std::vector<float> values;   ///< width * height
+};
+
+/// 8 or 16 bits a channel; of a coloured image its luminance. @throws InputError as readImage() does.
+GreyImage readGreyImage(const std::string& path);
+
 struct ImageDifference {
     double meanAbsolute = 0.0;   ///< Mean over all channels, 0-255.
     uint32_t worst = 0;          ///< Largest channel difference, 0-255.

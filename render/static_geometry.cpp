@@ -30,7 +30,7 @@ gpu::ColliderInstance instanceOf(const Collider& collider)
 }  // namespace
 
 StaticGeometry::StaticGeometry(const Gpu& gpu, const World& world, const SceneExtent& extent)
-    : planeProgram_(Program::graphics(gpu, "render/plane.vert", "render/plane.frag")),
+    : meshes_(gpu, world), planeProgram_(Program::graphics(gpu, "render/plane.vert", "render/plane.frag")),
       shapeProgram_(Program::graphics(gpu, "render/collider.vert", "render/collider.frag")),
       shadowProgram_(Program::graphics(gpu, "render/collider.vert", "render/collider_shadow.frag",
                                        {{"LIGHT_VIEW", "1"}}))
@@ -38,7 +38,7 @@ StaticGeometry::StaticGeometry(const Gpu& gpu, const World& world, const SceneEx
     std::vector<gpu::ColliderInstance> instances;
     for (uint32_t i = 0; i < world.colliders.size(); ++i) {
         const Collider& collider = world.colliders[i];
-        if (!collider.visible) continue;
+        if (!collider.visible || collider.grid != NO_INDEX) continue;
         if (collider.shape != ColliderShape::Plane) {
             instances.push_back(instanceOf(collider));
             continue;
@@ -73,12 +73,14 @@ void StaticGeometry::draw() const
         glUniform4fv(1, 1, &plane.color.x);
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
+    meshes_.draw();
     glUseProgram(shapeProgram_.id());
     drawShapes();
 }
 
 void StaticGeometry::drawShadow() const
 {
+    meshes_.drawShadow();
     glUseProgram(shadowProgram_.id());
     drawShapes();
 }

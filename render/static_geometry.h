@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/camera.h"
+#include "render/collider_meshes.h"
 #include "shared/frame_types.h"
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/gpu.h"
@@ -9,7 +10,7 @@
 
 namespace knuckle {
 
-/// The visible colliders: planes over the whole picture, the others as ray-cast shapes inside boxes.
+/// The visible colliders: planes over the whole picture, grids as triangles, others as ray-cast shapes inside boxes.
 class StaticGeometry {
 public:
     StaticGeometry(const Gpu& gpu, const World& world, const SceneExtent& extent);
@@ -30,6 +31,7 @@ private:
     void drawShapes() const;
 
     std::vector<Plane> planes_;
+    ColliderMeshes meshes_;
     Buffer<gpu::ColliderInstance> shapes_;
     GLuint vertexArray_ = 0;
     Program planeProgram_, shapeProgram_, shadowProgram_;

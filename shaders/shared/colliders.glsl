@@ -1,5 +1,8 @@
 // Static colliders: signed distance of a point and the direction out of the obstacle.
 #include "shared/quaternion.glsl"
+#ifdef GRIDS
+#include "shared/collider_grids.glsl"
+#endif
 
 READ_BUFFER(GpuCollider, Colliders, colliders);
 
@@ -27,5 +30,22 @@ vec4 colliderDistance(uint index, vec3 x)
         gap = far - c.size.x;
         normal = far > 1e-9 ? fromAxis / far : vec3(1, 0, 0);
     }
+#ifdef GRIDS
+    if (shape >= COLLIDER_MESH) {
+        vec4 surface = shape == COLLIDER_MESH ? meshSurface(p, c.gridLow.xyz, c.size.xyz, c.grid)
+                                              : heightfieldSurface(p, c.gridLow.xyz, c.size.xyz, c.grid);
+        normal = surface.xyz;
+        gap = surface.w;
+    }
+#endif
     return vec4(rotate(c.orientation, normal), gap);
+}
+
+/// How near a collider comes to a point, at the most: what a plane touches may rise beside it.
+float colliderBound(uint index, vec3 x)
+{
+#ifdef GRIDS
+    if (uint(colliders[index].position.w) == COLLIDER_HEIGHTFIELD) return -1e9;
+#endif
+    return colliderDistance(index, x).w;
 }

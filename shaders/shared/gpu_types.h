@@ -25,6 +25,8 @@
 #define COLLIDER_BOX 1u
 #define COLLIDER_SPHERE 2u
 #define COLLIDER_CAPSULE 3u
+#define COLLIDER_MESH 4u
+#define COLLIDER_HEIGHTFIELD 5u
 
 // ParticleInfo::body of a fluid particle.
 #define IN_FLUID 0xfffffffeu
@@ -137,8 +139,10 @@ struct GpuSoftMatter {
 struct GpuCollider {
     vec4 position;                  // xyz [m]; w: COLLIDER_*, as a float
     vec4 orientation;               // quaternion xyzw
-    vec4 size;                      // box: half extents; sphere, capsule: radius, half height [m]
+    vec4 size;                      // box: half extents; sphere, capsule: radius, half height; grids: a cell [m]
     vec4 friction;                  // static, kinetic
+    vec4 gridLow;                   // where the first value stands [m]
+    uvec4 grid;                     // values along x, y, z; the first in gridValues
 };
 
 // Everything a step needs to know; uploaded once.
@@ -215,7 +219,7 @@ struct Counters {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ParticleRigidBodyLink) == 32 && sizeof(Counters) == 68 && sizeof(GpuCollider) == 64);
+static_assert(sizeof(ParticleRigidBodyLink) == 32 && sizeof(Counters) == 68 && sizeof(GpuCollider) == 96);
 }  // namespace knuckle::gpu
 #endif
 #endif

@@ -1,4 +1,5 @@
 // What the geometry passes leave per pixel for the lighting: a normal and a colour in two words.
+#include "shared/octahedron.glsl"
 
 // Square roots spend the 8 bits a channel where the eye sees steps.
 uint packAlbedo(vec3 albedo, float alpha)
@@ -18,19 +19,12 @@ bool isGround(uvec2 surface)
     return surface.y >> 24 == 0u;
 }
 
-// Octahedral map of the unit sphere (Meyer et al. 2010).
 uint packNormal(vec3 n)
 {
-    vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
-    vec2 folded = (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
-    return packSnorm2x16(n.z >= 0.0 ? p : folded);
+    return packSnorm2x16(toSquare(n));
 }
 
 vec3 unpackNormal(uint word)
 {
-    vec2 p = unpackSnorm2x16(word);
-    vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
-    float fold = max(-n.z, 0.0);
-    n.xy -= vec2(n.x >= 0.0 ? fold : -fold, n.y >= 0.0 ? fold : -fold);
-    return normalize(n);
+    return fromSquare(unpackSnorm2x16(word));
 }

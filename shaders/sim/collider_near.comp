@@ -16,6 +16,6 @@ void main()
     float reach = step.contactRadius - 0.5 * step.diameter + radius + max(found.w - step.drift, 0.0);
     uint near = 0u;
     for (uint c = 0u; c < step.colliderCount; ++c)
-        near |= (colliderDistance(c, found.xyz).w < reach ? 1u : 0u) << (c & 31u);
+        near |= (colliderBound(c, found.xyz) < reach ? 1u : 0u) << (c & 31u);
     moverColliders[m] = near;
 }

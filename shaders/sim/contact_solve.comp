@@ -3,6 +3,7 @@
 #include "shared/movers.glsl"
 #include "shared/list_ranges.glsl"
 #include "shared/contact_impulse.glsl"
+#include "shared/one_sided.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairSides;
@@ -17,15 +18,18 @@ void main()
     if (q >= counters[0].pairCount) return;
     uvec4 sides = texelFetch(pairSides, int(q));
     vec4 armA = texelFetch(pairArms, int(2u * q)), armB = texelFetch(pairArms, int(2u * q + 1u));
-    MoverPoint a = moverPoint(sides.x, armA.xyz), b = moverPoint(sides.y, armB.xyz);
+    MoverPoint a = moverPoint(sides.x & MOVER_MASK, armA.xyz), b = moverPoint(sides.y & MOVER_MASK, armB.xyz);
     vec3 startApart = a.centre - b.centre + (a.arm - b.arm);
     Contact contact;
     contact.slide = a.move - b.move;
     vec3 r = startApart + contact.slide;
-    float far = length(r);
-    contact.normal = contactNormal(r, far, true);
-    contact.gap = far - step.diameter;
-    contact.startGap = length(startApart) - step.diameter;
+    float far = length(r), startFar = length(startApart);
+    Way way = unpackWay(sides.xy);
+    vec4 sided = sidedNormal(startApart, startFar, way);
+    bool oneSided = sided.w > 0.0;
+    contact.normal = oneSided ? sided.xyz : contactNormal(r, far, true);
+    contact.startGap = oneSided && way.deep ? -step.diameter : startFar - step.diameter;
+    contact.gap = oneSided ? contact.startGap + dot(contact.slide, sided.xyz) : far - step.diameter;
     vec2 worst = vec2(armA.w * a.splits, armB.w * b.splits);
     contact.worstMass = worst.x + worst.y;
     contact.inverseMass = dot(worst, unpackUnorm2x16(sides.w));

@@ -1,7 +1,7 @@
 // One thread a pair of particles: what its contact is made of, with the impulse that it had before.
 #include "shared/kernel.glsl"
 #include "shared/list_ranges.glsl"
-#include "shared/contact_mass.glsl"
+#include "shared/way_out.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer particlePlaces;   // mover, rank
@@ -11,7 +11,7 @@ uniform samplerBuffer foundPositions;
 uniform usamplerBuffer pairs;
 uniform samplerBuffer lastPairImpulses;
 uniform usamplerBuffer pairArrivals;     // by second particle, in the order of arrival, which differs from run to run
-BUFFER(uvec4, PairSides, pairSides);     // movers, frictions, shares of inverse masses
+BUFFER(uvec4, PairSides, pairSides);     // movers with the way out, frictions, shares of inverse masses
 BUFFER(vec4, PairArms, pairArms);        // two a pair: place in the body, worst inverse mass there
 BUFFER(vec4, PairImpulses, pairImpulses);
 BUFFER(uint, PairReferences, pairReferences);
@@ -57,13 +57,16 @@ void main()
     vec4 armA = texelFetch(restOffsets, i), armB = texelFetch(restOffsets, j);
     vec3 apart = texelFetch(foundPositions, i).xyz - texelFetch(foundPositions, j).xyz;
     float far = length(apart);
-    vec3 normal = contactNormal(apart, far, true);
+    Way way = wayOut(i, j, uvec2(a.x, b.x), apart);
+    vec4 sided = sidedNormal(apart, far, way);
+    vec3 normal = sided.w > 0.0 ? sided.xyz : contactNormal(apart, far, true);
+    uvec2 movers = uvec2(a.x, b.x) | packWay(way);
     vec2 friction = 0.5 * (texelFetch(masses, i).zw + texelFetch(masses, j).zw);
     // A mass of balls that slide on each other and cannot turn has pi / 2 times their friction (Caquot 1934): that is
     // what the material's friction is to be.
     if (min(a.x, b.x) >= step.bodyCount) friction *= 0.63662;
     vec2 shares = vec2(normalShare(a.x, armA, normal), normalShare(b.x, armB, normal));
-    pairSides[q] = uvec4(a.x, b.x, packHalf2x16(friction), packUnorm2x16(shares));
+    pairSides[q] = uvec4(movers, packHalf2x16(friction), packUnorm2x16(shares));
     pairArms[2u * q] = armA;
     pairArms[2u * q + 1u] = armB;
     vec4 impulse = oldImpulse(parity ^ 1u, pair.x, pair.y, a.y, b.y);

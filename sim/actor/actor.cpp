@@ -29,6 +29,14 @@ std::vector<uint32_t> ownersOf(const Actor& actor)
 
 }  // namespace
 
+SurfaceDistance surfaceOf(const Actor& actor, uint32_t particle)
+{
+    if (actor.signedDistances.empty() || actor.outward.empty()) {
+        return {};
+    }
+    return {actor.signedDistances[particle], actor.outward[particle]};
+}
+
 uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, const Pose& pose,
                   const Vector3f& velocity)
 {
@@ -37,17 +45,19 @@ uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, 
     builder.beginObject(actor.name);
     for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
         std::vector<Vector3f> positions;
+        std::vector<SurfaceDistance> surface;
         for (uint32_t particle : actor.bodies[b].particles) {
             if (owners[particle] == b) {
                 particles[particle] = builder.particleCount() + static_cast<uint32_t>(positions.size());
                 positions.push_back(actor.particles[particle]);
+                surface.push_back(surfaceOf(actor, particle));
             }
         }
         if (positions.empty()) {
             throw InputError(fmt::format("actor '{}': body '{}' has no particle that it does not share", actor.name,
                                          actor.bodies[b].name));
         }
-        bodies.push_back(builder.addBody(actor.bodies[b].name, positions, material));
+        bodies.push_back(builder.addBody(actor.bodies[b].name, positions, material, Motion::Dynamic, surface));
     }
     for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
         for (uint32_t particle : actor.bodies[b].particles) {

@@ -32,11 +32,15 @@ struct Actor {
     std::string name;
     float diameter = 0.05f;                 ///< Particle diameter [m].
     std::vector<Vector3f> particles;        ///< Rest positions [m].
-    std::vector<float> signedDistances;     ///< Per particle: distance to the surface [m], negative inside.
+    std::vector<float> signedDistances;     ///< Per particle: distance to the surface [m], negative inside; or none.
+    std::vector<Vector3f> outward;          ///< Per particle: SurfaceDistance::outward; or none.
     std::vector<ActorBody> bodies;
     std::vector<ActorJoint> joints;
     std::vector<std::string> notes;         ///< What was merged, dropped or assumed, one sentence each.
 };
+
+/// What contacts need to know of a particle's place in the skin; empty where the actor does not say.
+SurfaceDistance surfaceOf(const Actor& actor, uint32_t particle);
 
 /// Adds the actor as one object, placed at `pose`. @returns the object's index.
 uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, const Pose& pose,

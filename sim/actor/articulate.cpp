@@ -161,6 +161,7 @@ void collect(const std::vector<ParticleDraft>& particles, Actor& actor)
         index[p] = static_cast<uint32_t>(actor.particles.size());
         actor.particles.push_back(particles[p].position);
         actor.signedDistances.push_back(particles[p].signedDistance);
+        actor.outward.push_back(particles[p].outward);
         for (uint32_t body : particles[p].bodies) {
             actor.bodies[body].particles.push_back(index[p]);
         }
@@ -205,6 +206,7 @@ Actor makeActor(const Model& model, const ActorOptions& options)
     for (size_t p = 0; p < particles.size(); ++p) {
         particles[p].position = voxels.positions[p];
         particles[p].signedDistance = voxels.signedDistances[p];
+        particles[p].outward = voxels.outward[p];
     }
     for (uint32_t b = 0; b < drafts.size(); ++b) {
         actor.bodies.push_back({drafts[b].name, {}, drafts[b].parent, drafts[b].mergedBones});

@@ -10,8 +10,9 @@ namespace knuckle {
 struct ParticleDraft {
     Vector3f position{0, 0, 0};
     float signedDistance = 0.0f;
-    std::vector<uint32_t> bodies;            ///< Empty once it has given way.
+    std::vector<uint32_t> bodies = {};       ///< Empty once it has given way.
     bool locked = false;                     ///< Belongs to a joint: stays as it is.
+    Vector3f outward{0, 0, 0};               ///< Zero in joints, which have no one way out.
 };
 
 struct JointPlan {

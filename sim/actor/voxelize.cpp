@@ -193,6 +193,26 @@ Lattice fill(const TriangleTree& tree, std::span<const Vector3f> vertices, std::
     return lattice;
 }
 
+float signedDistance(const TriangleTree& tree, const Vector3f& point)
+{
+    const float distance = tree.nearest(point).distance;
+    return tree.inside(point) ? -distance : distance;
+}
+
+// Depth [d] that half a diameter inwards must add for a side to be the only nearest one.
+constexpr float DEEPER = 0.15f;
+
+Vector3f outwardOf(const TriangleTree& tree, const Vector3f& point, float distance, const Vector3f& nearest,
+                   float diameter)
+{
+    if (std::abs(distance) < 1e-3f * diameter) {
+        return Vector3f::Zero();
+    }
+    const Vector3f outward = (point - nearest) / distance;
+    const bool deeper = signedDistance(tree, point - 0.5f * diameter * outward) < distance - DEEPER * diameter;
+    return deeper ? outward : Vector3f(Vector3f::Zero());
+}
+
 // The count falls with the cube of the diameter (with its square for thin meshes, so the steps converge there too).
 float searchDiameter(const TriangleTree& tree, std::span<const Vector3f> vertices, std::span<const Triangle> triangles,
                      const Bounds& bounds, uint32_t wanted)
@@ -259,7 +279,9 @@ Voxels voxelize(std::span<const Vector3f> vertices, std::span<const Triangle> tr
             const SurfacePoint nearest = tree.nearest(position);
             voxels.positions.push_back(position);
             voxels.nearest.push_back(nearest);
-            voxels.signedDistances.push_back(tree.inside(position) ? -nearest.distance : nearest.distance);
+            const float distance = tree.inside(position) ? -nearest.distance : nearest.distance;
+            voxels.signedDistances.push_back(distance);
+            voxels.outward.push_back(outwardOf(tree, position, distance, nearest.position, voxels.diameter));
         }
     });
     if (voxels.positions.empty()) {

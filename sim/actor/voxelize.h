@@ -20,6 +20,9 @@ struct Voxels {
     std::vector<Eigen::Vector3f> positions;    ///< [m], x fastest, then y, then z.
     std::vector<SurfacePoint> nearest;         ///< Per particle, the nearest point of the surface.
     std::vector<float> signedDistances;        ///< Per particle [m], negative inside.
+    /// Per particle, the unit gradient of its distance; zero midway between two sides, also of a part so thin that half
+    /// a diameter inwards does not lead deeper.
+    std::vector<Eigen::Vector3f> outward;
 };
 
 /// Solid voxelization by generalized winding number (Jacobson et al. 2013), so that the mesh need not be closed nor

@@ -52,7 +52,9 @@ struct SolverBuffers {
     Buffer<gpu::MoverInfo> moverInfo;    ///< Per mover.
     Buffer<uint32_t> sharedParticles;    ///< The particles of two or more bodies.
     Buffer<gpu::uvec4> sharedOwners;     ///< Of those of exactly two, which come first: link and body of each.
+    Buffer<gpu::vec4> particleSurfaces;  ///< Way out of the first body, zero where none; w: distance to its surface.
     Buffer<gpu::GpuCollider> colliders;
+    Buffer<float> gridValues;            ///< Of all ColliderGrids.
     Buffer<gpu::StepParameters> step;
     // Movers: bodies, then loose particles. Fields as in shaders/shared/fields.glsl.
     Buffer<gpu::vec4> moverCentres, moverRotations;    ///< c and Q: at the start of a substep, or (paper) now.
@@ -110,7 +112,7 @@ struct SolverBuffers {
     Buffer<uint32_t> colliderLists;      ///< As found, COLLIDER_SLOTS a particle.
     Buffer<uint32_t> listCounts, listSums, listStarts; ///< Three lists of ranks; the last in halves.
     Buffer<gpu::uvec2> pairs;            ///< Halves of pairCapacity: first and second particle.
-    Buffer<gpu::uvec4> pairSides;        ///< Per pair: both movers, frictions, shares of inverse masses.
+    Buffer<gpu::uvec4> pairSides;        ///< Per pair: movers (with a way out), frictions, shares of inverse masses.
     Buffer<gpu::vec4> pairArms;          ///< Per pair, two: place in the body, worst inverse mass there.
     Buffer<gpu::vec4> pairImpulses;      ///< Halves: the whole impulse, its normal part [kg m].
     Buffer<uint32_t> pairArrivals, pairReferences;     ///< Pairs by their second particle; the latter in order.
@@ -126,6 +128,7 @@ struct SolverBuffers {
     bool hasOthers = false;              ///< Whether anything but contacts and joints acts (particleImpulses).
     std::vector<StrandPhase> strandPhases;
     std::vector<uint32_t> strandStarts;  ///< Per strand of the World, its first node.
+    bool hasGrids = false;               ///< Whether a collider is a mesh or a heightfield.
     uint32_t longestBody = 0;            ///< Links of the largest body (p of eq. 10).
 
     /// Gives the lists of contacts the room that `parameters` asks for (contactSlots, pairCapacity,

@@ -70,7 +70,7 @@ Depths penetrations(const World& world, const std::vector<Vector3f>& positions)
         const uint32_t body = world.particles[i].body;
         if (body != NO_INDEX && world.bodies[body].motion == Motion::Fixed) continue;
         for (const Collider& collider : world.colliders) {
-            const float depth = world.particleRadius - colliderDistance(collider, positions[i]);
+            const float depth = world.particleRadius - colliderDistance(world, collider, positions[i]);
             if (depth > 0.0f) depths.add(depth);
         }
     }
@@ -117,7 +117,7 @@ bool mayTouch(const World& world, uint32_t a, uint32_t b)
     return true;
 }
 
-float colliderDistance(const Collider& c, const Vector3f& point)
+float colliderDistance(const World& world, const Collider& c, const Vector3f& point)
 {
     const Vector3f p = c.orientation.conjugate() * (point - c.position);
     switch (c.shape) {
@@ -129,6 +129,8 @@ float colliderDistance(const Collider& c, const Vector3f& point)
         case ColliderShape::Sphere: return p.norm() - c.radius;
         case ColliderShape::Capsule:
             return (p - Vector3f(0, std::clamp(p.y(), -c.halfHeight, c.halfHeight), 0)).norm() - c.radius;
+        case ColliderShape::Mesh: return meshDistance(world.colliderGrids[c.grid], p);
+        case ColliderShape::Heightfield: return heightfieldDistance(world.colliderGrids[c.grid], p);
     }
     return 0.0f;
 }

@@ -17,7 +17,7 @@ Measures measureState(const World& world, const ParticleState& particles, const 
 void measureSoftBodies(Measures& out, const World& world, const ParticleState& particles);
 
 /// Signed distance of a point to a collider's surface [m], negative inside.
-float colliderDistance(const Collider& collider, const Vector3f& point);
+float colliderDistance(const World& world, const Collider& collider, const Vector3f& point);
 
 /// Whether two particles may touch: not of one body, and of one assembly only if they do not overlap at rest.
 bool mayTouch(const World& world, uint32_t a, uint32_t b);

@@ -47,6 +47,7 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
         if (settings.rotation == RotationMethod::Householder) defines.push_back({"HOUSEHOLDER", "1"});
         if (settings.massScaling > 0.0f) defines.push_back({"MASS_SCALING", "1"});
         if (settings.sleepSpeed > 0.0f) defines.push_back({"SLEEP", "1"});
+        if (buffers.hasGrids) defines.push_back({"GRIDS", "1"});
         return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
     };
     loadSearch(load);

@@ -8,6 +8,7 @@
 #include "sim/solver/body_mass.h"
 #include "sim/solver/buffers.h"
 #include "sim/solver/pack.h"
+#include "sim/solver/upload_colliders.h"
 #include "sim/solver/upload_fluid.h"
 #include "sim/solver/upload_movers.h"
 #include "sim/solver/upload_soft.h"
@@ -19,6 +20,7 @@ namespace knuckle {
 namespace {
 
 constexpr uint32_t FIRST_CONTACT_SLOTS = 8;
+constexpr uint64_t MOST_PARTICLES = 1u << 24;   // contacts have 24 bits for a mover
 constexpr float NO_SELF_CONTACT = 1e9f;   // a margin [diameters] that nothing is beyond
 
 bool isFixed(const World& world, const Particle& particle)
@@ -28,7 +30,7 @@ bool isFixed(const World& world, const Particle& particle)
 
 void uploadParticles(SolverBuffers& out, const World& world)
 {
-    std::vector<gpu::vec4> positions, velocities, rest, masses;
+    std::vector<gpu::vec4> positions, velocities, rest, masses, surfaces;
     std::vector<gpu::ParticleInfo> infos;
     uint32_t assemblies = world.assemblyCount;
     for (const Particle& p : world.particles) {
@@ -36,6 +38,7 @@ void uploadParticles(SolverBuffers& out, const World& world)
         const Material& material = world.materials[p.material];
         positions.push_back(pack(p.position, 0));
         velocities.push_back(pack(fixed ? Vector3f::Zero() : p.velocity, 0));
+        surfaces.push_back(p.bodyCount == 1 ? pack(p.surface.outward, p.surface.distance) : gpu::vec4{});
         rest.push_back(pack(p.restPosition, p.touchesAssembly ? p.selfMargin : NO_SELF_CONTACT));
         const bool fluid = material.fluid;
         infos.push_back({fluid ? IN_FLUID : p.body, p.bodyCount,
@@ -50,6 +53,7 @@ void uploadParticles(SolverBuffers& out, const World& world)
     out.oldVelocities = {"oldVelocities", std::span<const gpu::vec4>(velocities)};
     out.restPositions = {"restPositions", std::span<const gpu::vec4>(rest)};
     out.masses = {"masses", std::span<const gpu::vec4>(masses)};
+    out.particleSurfaces = {"particleSurfaces", std::span<const gpu::vec4>(surfaces)};
     out.particleInfo = {"particleInfo", std::span<const gpu::ParticleInfo>(infos)};
     for (auto [buffer, name] : {std::pair{&out.predicted, "predicted"}, {&out.moved, "moved"},
                                 {&out.stabilized, "stabilized"}, {&out.foundPositions, "foundPositions"}})
@@ -128,18 +132,6 @@ void uploadLinks(SolverBuffers& out, const World& world)
     out.linkTerms = {"linkTerms", 3 * world.links.size()};
 }
 
-void uploadColliders(SolverBuffers& out, const World& world)
-{
-    std::vector<gpu::GpuCollider> colliders;
-    for (const Collider& c : world.colliders) {
-        const Vector3f size = c.shape == ColliderShape::Box ? c.halfExtents : Vector3f(c.radius, c.halfHeight, 0);
-        colliders.push_back({pack(c.position, static_cast<float>(c.shape)),
-                             pack(c.orientation.vec(), c.orientation.w()), pack(size, 0),
-                             {c.staticFriction, c.kineticFriction, 0, 0}});
-    }
-    out.colliders = {"colliders", std::span<const gpu::GpuCollider>(colliders)};
-}
-
 void makeGrid(SolverBuffers& out, uint32_t particleCount)
 {
     const uint32_t cells = std::bit_ceil(std::max(particleCount, 4096u));
@@ -164,7 +156,7 @@ void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
 {
     const bool paper = s.solver == SolverKind::Paper;
     p.correction = paper ? 1.0f : 0.06f;
-    p.maxCorrection = paper ? std::numeric_limits<float>::max() : 0.5f * p.substepTime;
+    p.maxCorrection = paper ? std::numeric_limits<float>::max() : 0.25f * p.substepTime;
     p.warmStart = std::pow(0.97f, 1.0f / static_cast<float>(s.iterations));
     p.jointRelaxation = 1.8f;
     p.massScaling = s.massScaling;
@@ -218,7 +210,8 @@ void SolverBuffers::resizeContacts(const Gpu& gpu)
     const size_t count = parameters.particleCount;
     const uint64_t largest = std::max<uint64_t>(parameters.contactSlots * count, 2ull * parameters.pairCapacity);
     const auto limit = static_cast<uint64_t>(gpu.limits().storageBlockSize);
-    if (largest * sizeof(gpu::vec4) > limit || largest > static_cast<uint64_t>(gpu.limits().textureBufferSize))
+    if (largest * sizeof(gpu::vec4) > limit || largest > static_cast<uint64_t>(gpu.limits().textureBufferSize) ||
+        count > MOST_PARTICLES)
         throw DeviceError(fmt::format("{}: {} particles with {} contacts need a buffer of {} MiB and the device "
                                       "allows {}; use fewer particles or another --device",
                                       gpu.device().name, count, parameters.pairCapacity,
@@ -263,7 +256,7 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
     uploadSleep(out);
     uploadStrands(out, world);
     uploadLinks(out, world);
-    uploadColliders(out, world);
+    uploadColliders(gpu, out, world);
     makeGrid(out, count + world.fluidCount);
     makeFluid(out, world, gpu);
     uploadSoftBodies(out, world);
@@ -276,7 +269,7 @@ BufferTable SolverBuffers::table()
     BufferTable t;
     t.add(positions, velocities, particleInfo, particlePlaces, rankedParticles, masses, restPositions, restOffsets,
           links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
-          sharedParticles, sharedOwners, colliders, step);
+          sharedParticles, sharedOwners, particleSurfaces, colliders, gridValues, step);
     t.add(clusterInfo, clusterMoments, softMatter, softParticles, softLinks, clusterRotations, clusterRests,
           clusterPulls, softImpulses);
     t.add(moverCentres, moverRotations, moverMoves, moverTurns, moverVelocities, oldMoverVelocities, oldMoverMoves,

@@ -44,6 +44,12 @@ void WorldBuilder::addCollider(Collider collider)
     world_.colliders.push_back(collider);
 }
 
+uint32_t WorldBuilder::addColliderGrid(ColliderGrid grid)
+{
+    world_.colliderGrids.push_back(std::move(grid));
+    return static_cast<uint32_t>(world_.colliderGrids.size() - 1);
+}
+
 void WorldBuilder::requireObject(const char* what) const
 {
     if (!objectOpen_) throw InputError(fmt::format("{}: call beginObject() first", what));
@@ -91,7 +97,7 @@ std::vector<uint32_t> WorldBuilder::newParticles(const std::string& name, std::s
 }
 
 uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
-                               Motion motion)
+                               Motion motion, std::span<const SurfaceDistance> surface)
 {
     requireObject("addBody");
     Body body;
@@ -101,6 +107,11 @@ uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> posit
     body.object = static_cast<uint32_t>(world_.objects.size() - 1);
     const auto index = static_cast<uint32_t>(world_.bodies.size());
     bodyParticles_.push_back(newParticles(body.name, positions, material));
+    const std::vector<SurfaceDistance> lattice = surface.empty() ? latticeSurface(positions, world_.diameter())
+                                                                 : std::vector<SurfaceDistance>();
+    if (surface.empty()) surface = lattice;
+    for (size_t i = 0; i < std::min(positions.size(), surface.size()); ++i)
+        world_.particles[bodyParticles_[index][i]].surface = surface[i];
     Object& object = world_.objects.back();
     if (object.rootBody == NO_INDEX) object.rootBody = index;
     ++object.bodyCount;

@@ -38,13 +38,16 @@ public:
 
     uint32_t addMaterial(Material material);
     void addCollider(Collider collider);
+    /// @returns its index, for Collider::grid.
+    uint32_t addColliderGrid(ColliderGrid grid);
 
     /// All bodies and joints up to endObject() belong to one object named `name`.
     void beginObject(std::string name);
-    /// A rigid body of particles at `positions` (rest pose of the object) [m]. @returns the body's index.
+    /// A rigid body of particles at `positions` (rest pose of the object) [m]. `surface`: of each particle; where it is
+    /// empty, a box lattice has a box's, and anything else none. @returns the body's index.
     /// @throws InputError for an empty span or a position that is not finite.
     uint32_t addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
-                     Motion motion = Motion::Dynamic);
+                     Motion motion = Motion::Dynamic, std::span<const SurfaceDistance> surface = {});
     /// A soft body of particles at `positions` (rest pose of the object) [m], as elastic as its material.
     /// @returns the soft body's index. @throws InputError for an empty span or a position that is not finite.
     uint32_t addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material);

@@ -106,9 +106,25 @@ void validateColliders(const World& world)
                 "collider {}: position or orientation is not finite", i);
         require(c.halfExtents.minCoeff() > 0.0f && c.radius > 0.0f && c.halfHeight >= 0.0f,
                 "collider {}: sizes must be above 0", i);
+        const bool hasGrid = c.shape == ColliderShape::Mesh || c.shape == ColliderShape::Heightfield;
+        require(!hasGrid || c.grid < world.colliderGrids.size(), "collider {}: there is no grid {}", i, c.grid);
         require(c.kineticFriction >= 0.0f && c.kineticFriction <= c.staticFriction,
                 "collider {}: kinetic friction {} must be 0 to its static friction {}", i, c.kineticFriction,
                 c.staticFriction);
+    }
+}
+
+void validateGrids(const World& world)
+{
+    for (size_t i = 0; i < world.colliderGrids.size(); ++i) {
+        const ColliderGrid& grid = world.colliderGrids[i];
+        require(grid.counts.x() >= 2 && grid.counts.z() >= 2 && grid.counts.y() >= 1 &&
+                    grid.values.size() == grid.counts.cast<size_t>().prod() && grid.values.size() <= MAX_GRID_VALUES,
+                "collider grid {}: its counts and values do not fit", i);
+        require(grid.low.allFinite() && grid.cell.allFinite() && grid.cell.minCoeff() > 0.0f,
+                "collider grid {}: its place or cells are not finite", i);
+        for (const float value : grid.values)
+            require(std::isfinite(value), "collider grid {}: a value is not finite", i);
     }
 }
 
@@ -127,6 +143,7 @@ void validate(const World& world)
     validateColliders(world);
     validateSoftBodies(world);
     validateStrands(world);
+    validateGrids(world);
 }
 
 }  // namespace knuckle

@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "sim/world/collider_grid.h"
 #include "sim/world/settings.h"
 #include "sim/world/soft_matter.h"
 #include "sim/world/strand.h"
+#include "sim/world/surface.h"
 
 /// Plain data that describes a world before the GPU sees it.
 ///
@@ -52,6 +54,7 @@ struct Particle {
     /// Adds to the distance at rest below which it never touches another particle of its assembly [diameters], >= 0:
     /// the flesh around an actor's joints folds instead of holding the joint open.
     float selfMargin = 0.0f;
+    SurfaceDistance surface;                  ///< In its body; counts only where bodyCount is 1.
 };
 
 /// The paper's listing 1, on the host. Links are grouped by body: a body's block is linkStart ... linkStart+linkCount.
@@ -108,16 +111,17 @@ struct Object {
     uint32_t rootBody = NO_INDEX;             ///< The body that a following camera looks at.
 };
 
-enum class ColliderShape : uint32_t { Plane, Box, Sphere, Capsule };
+enum class ColliderShape : uint32_t { Plane, Box, Sphere, Capsule, Mesh, Heightfield };
 
 /// An immovable obstacle.
 struct Collider {
     ColliderShape shape = ColliderShape::Plane;
-    Vector3f position{0, 0, 0};               ///< A point of the plane, else the centre [m].
-    Quaternionf orientation{1, 0, 0, 0};      ///< A plane's normal and a capsule's axis are its +Y (Eigen ctor is wxyz).
+    Vector3f position{0, 0, 0};               ///< A point of the plane, a grid's origin, else the centre [m].
+    Quaternionf orientation{1, 0, 0, 0};      ///< A plane's normal, a capsule's axis are its +Y (Eigen ctor is wxyz).
     Vector3f halfExtents{0.5f, 0.5f, 0.5f};   ///< Box only [m].
     float radius = 0.5f;                      ///< Sphere and capsule [m].
     float halfHeight = 0.5f;                  ///< Capsule: half the distance between its two sphere centres [m].
+    uint32_t grid = NO_INDEX;                 ///< Mesh and heightfield: index into World::colliderGrids.
     float staticFriction = 0.5f;
     float kineticFriction = 0.5f;
     Vector3f color{0.45f, 0.47f, 0.5f};
@@ -138,6 +142,7 @@ struct World {
     std::vector<Cluster> clusters;            ///< Grouped by soft body.
     std::vector<Link> clusterLinks;           ///< Grouped by cluster, which is what Link::body says here.
     std::vector<Strand> strands;              ///< Ropes and cloth.
+    std::vector<ColliderGrid> colliderGrids;
     uint32_t assemblyCount = 0;
     /// Rest distance of fluid particles [m], 0.3 ... 0.6 diameters. A fluid particle weighs density * spacing^3.
     float fluidSpacing = 0.05f;

@@ -28,6 +28,7 @@ Actor makePair()
         };
         actor.particles.emplace_back(number(), -number(), number());
         actor.signedDistances.push_back(-number());
+        actor.outward.push_back(i % 3 == 0 ? Vector3f(0, 0, 0) : Vector3f(number() + 1e-9f, 1, -number()).normalized());
     }
     actor.bodies = {{"hip", {}, -1, {"pelvis", "belly"}}, {"leg", {}, 0, {"knee", "shin", "toe"}}};
     for (uint32_t i = 0; i < 2000; ++i) actor.bodies[i < 1200 ? 0 : 1].particles.push_back(i);
@@ -51,6 +52,7 @@ TEST(ActorFile, ReadsBackExactlyWhatWasWritten)
     EXPECT_EQ(back.name, actor.name);
     EXPECT_EQ(back.diameter, actor.diameter);
     EXPECT_EQ(back.signedDistances, actor.signedDistances);
+    EXPECT_EQ(back.outward, actor.outward);
     EXPECT_EQ(back.notes, actor.notes);
     ASSERT_EQ(back.particles.size(), actor.particles.size());
     for (size_t i = 0; i < actor.particles.size(); ++i) EXPECT_TRUE(sameBits(back.particles[i], actor.particles[i]));

@@ -96,6 +96,13 @@ const BadScene BAD_SCENES[] = {
      "or fewer"},
     {"FollowGrains", R"({"objects": [{"type": "grains", "shape": "box"}], "camera": {"kind": "follow"}})",
      ": /camera/kind: \"follow\" needs an object with a body; take \"fixed\""},
+    {"HeightfieldOfNothing", WITH(R"("colliders": [{"type": "heightfield", "size": [1, 1]}])"),
+     ": /colliders/0: needs either `file` with an image or `heights`, and not both"},
+    {"HeightfieldOfUnequalRows",
+     WITH(R"("colliders": [{"type": "heightfield", "size": [1, 1], "heights": [[0, 1], [0, 1, 2]]}])"),
+     ": /colliders/0/heights/1: has 3 heights, the first row has 2; give all as many"},
+    {"HeightfieldOfOneRow", WITH(R"("colliders": [{"type": "heightfield", "size": [1, 1], "heights": [[0, 1]]}])"),
+     ": /colliders/0: has 2 x 1 heights; must be at least 2 x 2 and at most 4000000 in all"},
     {"TwinKeys", WITH(R"("fps": 30, "fps": 60)"),
      ": the key \"fps\" stands twice in one object; remove one of them"},
 };
@@ -148,6 +155,26 @@ TEST(SceneFileErrors, TellMissingFiles)
     const std::string path = folder.write("scene.json", OBJECT(R"("type": "actor", "file": "none.glb")"));
     EXPECT_EQ(messageOf(path), path + ": /objects/0/file: there is no file " + folder.path("none.glb") +
                                    "; paths are relative to the scene");
+}
+
+TEST(SceneFileErrors, TellWhatIsWrongWithTheFilesOfColliders)
+{
+    const test::TempFolder folder;
+    const auto message = [&](const std::string& collider) {
+        return messageOf(folder.write("scene.json", R"({ "objects": [{ "type": "rigid", "shape": "box" }], "colliders": [{)" + collider + "}] }"));
+    };
+    const std::string place = folder.path("scene.json") + ": /colliders/0";
+    EXPECT_EQ(message(R"("type": "mesh", "file": "none.obj")"),
+              place + "/file: there is no file " + folder.path("none.obj") + "; paths are relative to the scene");
+    folder.write("ground.png", "not an image");
+    EXPECT_EQ(message(R"("type": "heightfield", "file": "ground.png", "size": [1, 1])"),
+              place + "/file: image " + folder.path("ground.png") +
+                  " cannot be read: Image not of any known type, or corrupt; PNG and JPEG are known");
+    folder.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
+    EXPECT_EQ(message(R"("type": "mesh", "file": "sheet.obj", "scale": 1)"),
+              place + ": the mesh encloses no volume that cells of 0.1 m see; close it, or lower `cell`");
+    folder.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
+    EXPECT_TRUE(message(R"("type": "mesh", "file": "nan.obj")").starts_with(place + ": "));
 }
 
 TEST(SceneFileErrors, ComeBeforeAnythingLargeIsMade)

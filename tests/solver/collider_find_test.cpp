@@ -56,7 +56,7 @@ protected:
             const float limit = parameters().contactRadius - DIAMETER / 2 + reach[places[i].x];
             uint32_t all = 0;
             for (uint32_t c = 0; c < GetParam(); ++c) {
-                const float distance = colliderDistance(bench.world.colliders[c], vec3(found[i]));
+                const float distance = colliderDistance(bench.world, bench.world.colliders[c], vec3(found[i]));
                 if (std::abs(distance - limit) < ROUNDING) continue;
                 const auto times = std::count(colliders[i].begin(), colliders[i].end(), c);
                 EXPECT_EQ(times, distance < limit ? 1 : 0) << "particle " << i << ", collider " << c;
@@ -84,7 +84,7 @@ TEST_P(ColliderFind, MoversKnowTheCollidersThatTheirParticlesMayTouch)
         const float limit = parameters().contactRadius - DIAMETER / 2 + radius;
         uint32_t wanted = 0, either = 0;
         for (uint32_t c = 0; c < GetParam(); ++c) {
-            const float distance = colliderDistance(bench.world.colliders[c], vec3(centres[m]));
+            const float distance = colliderDistance(bench.world, bench.world.colliders[c], vec3(centres[m]));
             if (distance < limit) wanted |= 1u << (c % 32);
             if (std::abs(distance - limit) < ROUNDING) either |= 1u << (c % 32);
         }

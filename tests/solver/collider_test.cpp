@@ -31,8 +31,8 @@ TEST(ColliderDistance, IsThatOfTheShapeInItsOwnFrame)
     const Vector3f place(0.5f, -1, 2);
     const Quaternionf turn(Eigen::AngleAxisf(1.1f, Vector3f(1, 1, 0).normalized()));
     for (const auto& row : rows) {
-        EXPECT_NEAR(colliderDistance(colliderOf(row.shape), row.point), row.distance, ROUNDING);
-        EXPECT_NEAR(colliderDistance(colliderOf(row.shape, place, turn), turn * row.point + place), row.distance,
+        EXPECT_NEAR(colliderDistance({}, colliderOf(row.shape), row.point), row.distance, ROUNDING);
+        EXPECT_NEAR(colliderDistance({}, colliderOf(row.shape, place, turn), turn * row.point + place), row.distance,
                     4 * ROUNDING) << "turned";
     }
 }
@@ -61,7 +61,9 @@ void main()
         glProgramUniform1ui(kernel.program(), 0, c);
         bench.dispatch(kernel, groupsFor(positions.size()));
         const auto results = bench.buffers.moved.download();
-        const auto distance = [&](const Vector3f& x) { return colliderDistance(bench.world.colliders[c], x); };
+        const auto distance = [&](const Vector3f& x) {
+            return colliderDistance(bench.world, bench.world.colliders[c], x);
+        };
         uint32_t smooth = 0;
         for (size_t i = 0; i < positions.size(); ++i) {
             const Vector3f x = vec3(positions[i]), normal = vec3(results[i]);

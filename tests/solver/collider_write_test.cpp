@@ -45,7 +45,7 @@ protected:
     }
     float gapOf(gpu::uvec2 contact) const
     {
-        return colliderDistance(bench.world.colliders[contact.y], vec3(found[contact.x])) - DIAMETER / 2;
+        return colliderDistance(bench.world, bench.world.colliders[contact.y], vec3(found[contact.x])) - DIAMETER / 2;
     }
     /// Distances of turned colliders (collider_test.cpp).
     static constexpr float ROUNDING = 4e-6f;

@@ -53,7 +53,8 @@ const std::vector<Member> COUNTERS = {
     MEMBER(Counters, wantedPairs), MEMBER(Counters, wantedColliderPairs), MEMBER(Counters, fastCount),
     MEMBER(Counters, fastListed), MEMBER(Counters, fastLater), MEMBER(Counters, calm)};
 const std::vector<Member> COLLIDER = {MEMBER(GpuCollider, position), MEMBER(GpuCollider, orientation),
-                                      MEMBER(GpuCollider, size), MEMBER(GpuCollider, friction)};
+                                      MEMBER(GpuCollider, size), MEMBER(GpuCollider, friction),
+                                      MEMBER(GpuCollider, gridLow), MEMBER(GpuCollider, grid)};
 const std::vector<Member> BODY_INFO = {MEMBER(BodyInfo, linkStart), MEMBER(BodyInfo, linkCount),
                                        MEMBER(BodyInfo, ownCount), MEMBER(BodyInfo, jointCount)};
 const std::vector<Member> MOVER_INFO = {MEMBER(MoverInfo, firstRank), MEMBER(MoverInfo, rankCount),

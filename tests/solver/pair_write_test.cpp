@@ -9,6 +9,15 @@ namespace knuckle::test {
 
 namespace {
 
+/// Of a pair's mover; the upper bits tell the way out (shaders/shared/one_sided.glsl).
+constexpr uint32_t MOVERS = 0xffffffu;
+
+/// The way out for the first of a pair, as the kernel decides it, and whether it is deep.
+struct WayOut {
+    Vector3d away{0, 0, 0};
+    bool deep = false;
+};
+
 /// What each pair is made of, and what it remembers.
 class PairWrite : public testing::Test {
 protected:
@@ -60,6 +69,35 @@ protected:
         if (p.body == NO_INDEX) return 1.0 / static_cast<double>(p.mass);
         const Vector3d t = r.cast<double>().cross(turns[p.body].conjugate().cast<double>() * normal);
         return 1.0 / bodyMass(bench.world, bench.world.bodies[p.body]).mass + t.dot(inertias[p.body] * t);
+    }
+
+    /// By the particle that is nearer to its surface, or between both.
+    WayOut wayOut(uint32_t i, uint32_t j) const
+    {
+        const auto known = [&](uint32_t particle) {
+            const Particle& p = bench.world.particles[particle];
+            return p.bodyCount == 1 && !p.surface.outward.isZero();
+        };
+        const auto outward = [&](uint32_t particle) -> Vector3d {
+            if (!known(particle)) return Vector3d::Zero();
+            const Particle& p = bench.world.particles[particle];
+            return turns[p.body].cast<double>() * p.surface.outward.cast<double>();
+        };
+        const double first = std::abs(bench.world.particles[i].surface.distance);
+        const double second = std::abs(bench.world.particles[j].surface.distance);
+        const bool alike = known(i) && known(j) && std::abs(second - first) < 0.25 * DIAMETER;
+        const bool byFirst = known(i) && (!known(j) || second > first);
+        const Vector3d away = alike ? Vector3d(outward(j) - outward(i)) : Vector3d(byFirst ? -outward(i) : outward(j));
+        if (away.norm() <= 0.3) return {};
+        return {away.normalized(), (byFirst ? first : second) >= DIAMETER};
+    }
+    /// Theirs, mirrored, or the way out itself.
+    static Vector3d normalOf(const Vector3d& apart, const WayOut& way)
+    {
+        const double far = apart.norm(), facing = apart.dot(way.away);
+        const bool between = far < 0.85 * DIAMETER && facing < 0.5 * far && !way.away.isZero();
+        if (between || (way.deep && far < DIAMETER && !way.away.isZero())) return way.away;
+        return (facing < 0 ? Vector3d(apart - 2.0 * facing * way.away) : apart).normalized();
     }
 
     std::vector<Quaternionf> turns;      ///< Per mover.
@@ -152,8 +190,8 @@ TEST_F(PairWrite, APairKnowsItsMoversArmsAndFriction)
     };
     for (size_t q = 0; q < found.size(); ++q) {
         const auto [i, j] = found[q];
-        ASSERT_EQ(sides[q].x, bench.moverOf(i)) << "pair " << q;
-        ASSERT_EQ(sides[q].y, bench.moverOf(j)) << "pair " << q;
+        ASSERT_EQ(sides[q].x & MOVERS, bench.moverOf(i)) << "pair " << q;
+        ASSERT_EQ(sides[q].y & MOVERS, bench.moverOf(j)) << "pair " << q;
         for (int side : {0, 1}) {
             const gpu::vec4& arm = arms[2 * q + static_cast<size_t>(side)];
             const gpu::vec4& wanted = offsets[side == 0 ? i : j];
@@ -176,14 +214,20 @@ TEST_F(PairWrite, APairKnowsTheInverseMassesAlongItsNormalAsSharesOfTheWorst)
     const auto sides = bench.buffers.pairSides.download();
     const auto offsets = bench.buffers.restOffsets.download();
     const auto found = pairs();
-    uint32_t partial = 0;
+    uint32_t partial = 0, oneSided = 0;
     for (size_t q = 0; q < found.size(); q += 7) {
         const Vector3f apart = vec3(bench.found[found[q].x]) - vec3(bench.found[found[q].y]);
+        const WayOut way = wayOut(found[q].x, found[q].y);
+        const Vector3d normal = normalOf(apart.cast<double>(), way);
+        const double facing = apart.cast<double>().dot(way.away) / static_cast<double>(apart.norm());
+        // So near a limit that rounding decides.
+        if (std::abs(facing) < 1e-4 || std::abs(facing - 0.5) < 1e-4) continue;
+        oneSided += normal.dot(apart.cast<double>().normalized()) < 0.999;
         for (int side : {0, 1}) {
             const uint32_t particle = side == 0 ? found[q].x : found[q].y;
             const gpu::vec4& arm = offsets[particle];
             // Fixed movers have no worst.
-            const double mass = inverseMass(particle, vec3(arm), apart.normalized().cast<double>());
+            const double mass = inverseMass(particle, vec3(arm), normal);
             const double wanted = arm.w == 0.0f ? 1.0 : std::min(mass / static_cast<double>(arm.w), 1.0);
             const float share = static_cast<float>(sides[q].w >> (16 * side) & 0xffffu) / 65535.0f;
             // 16 bits, and some 20 roundings of single precision.
@@ -192,6 +236,30 @@ TEST_F(PairWrite, APairKnowsTheInverseMassesAlongItsNormalAsSharesOfTheWorst)
         }
     }
     EXPECT_GT(partial, 100u);
+    EXPECT_GT(oneSided, 100u);
+}
+
+TEST_F(PairWrite, APairKnowsItsWayOut)
+{
+    setTurnsAndInertias();
+    find();
+    const auto sides = bench.buffers.pairSides.download();
+    const auto found = pairs();
+    uint32_t known = 0;
+    for (size_t q = 0; q < found.size(); ++q) {
+        const WayOut way = wayOut(found[q].x, found[q].y);
+        ASSERT_EQ(sides[q].x >> 31 == 1, !way.away.isZero()) << "pair " << q;
+        if (way.away.isZero()) continue;
+        ++known;
+        ASSERT_EQ(sides[q].y >> 31 == 1, way.deep) << "pair " << q;
+        const double u = 2.0 * (sides[q].x >> 24 & 127) / 127.0 - 1.0, v = 2.0 * (sides[q].y >> 24 & 127) / 127.0 - 1.0;
+        Vector3d n(u, v, 1.0 - std::abs(u) - std::abs(v));
+        const double fold = std::max(-n.z(), 0.0);
+        n -= fold * Vector3d(u >= 0 ? 1 : -1, v >= 0 ? 1 : -1, 0);
+        // Half a level, 1/127, on both axes moves n by up to root 6 of that, and its length is at least 1 / root 3.
+        ASSERT_LT((n.normalized() - way.away).norm(), std::sqrt(18.0) / 127.0 + 1e-5) << "pair " << q;
+    }
+    EXPECT_GT(known, 100u);
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+// One-sided contacts (Macklin et al. 2014, 5.1): a particle of a body knows the way out of it, so that what has come
+// into the body leaves it by that way instead of being held by its lattice. Which particle of a pair decides is found
+// with the pair; its way stands in the upper bits of the pair's movers, turned as the body was then.
+#include "shared/octahedron.glsl"
+
+#define MOVER_MASK 0xffffffu
+#define WAY_LEVELS 127.0             // 7 bits an axis: 2 degrees at worst
+#define WAY_KNOWN 0x80000000u        // with the first mover
+#define WAY_DEEP 0x80000000u         // with the second: both particles lie more than a diameter below their surfaces
+
+// Nearer than this many diameters, particles have sunk into each other.
+#define SUNK 0.85
+
+/// The way out for the first particle of a pair.
+struct Way {
+    vec3 away;           // unit, or zero for none
+    bool deep;
+};
+
+/// The bits for both movers.
+uvec2 packWay(Way way)
+{
+    if (way.away == vec3(0)) return uvec2(0);
+    uvec2 place = uvec2((0.5 * toSquare(way.away) + 0.5) * WAY_LEVELS + 0.5);
+    return place << 24 | uvec2(WAY_KNOWN, way.deep ? WAY_DEEP : 0u);
+}
+
+Way unpackWay(uvec2 movers)
+{
+    vec2 place = vec2(movers >> 24 & 127u) * (2.0 / WAY_LEVELS) - 1.0;
+    bool known = (movers.x & WAY_KNOWN) != 0u;
+    return Way(known ? fromSquare(place) : vec3(0), (movers.y & WAY_DEEP) != 0u);
+}
+
+/// The direction of a contact whose first particle is at `apart` from the second: theirs, or mirrored where that points
+/// into the body, or the way out itself where the particle is deep in the body or between particles of its surface,
+/// whose friction would hold it there. w: 1 where it is not simply theirs.
+vec4 sidedNormal(vec3 apart, float far, Way way)
+{
+    float facing = dot(apart, way.away);
+    bool deep = far < step.diameter && way.deep;
+    bool between = far < SUNK * step.diameter && facing < 0.5 * far && way.away != vec3(0);
+    vec3 mirrored = (apart - 2.0 * facing * way.away) / max(far, 1e-7);
+    return vec4(deep || between ? way.away : mirrored, deep || between || facing < 0.0 ? 1.0 : 0.0);
+}

@@ -1,0 +1,72 @@
+#include <cmath>
+
+#include "physics_test.h"
+#include "sim/actor/distance_grid.h"
+
+namespace knuckle::test {
+
+namespace {
+
+/// A world of one body of `positions` over a collider with this grid.
+World over(ColliderShape shape, ColliderGrid grid, std::span<const Vector3f> positions, const Vector3f& place,
+           float friction)
+{
+    WorldBuilder builder = makeBuilder({}, friction);
+    Collider collider;
+    collider.shape = shape;
+    collider.staticFriction = collider.kineticFriction = friction;
+    collider.grid = builder.addColliderGrid(std::move(grid));
+    builder.addCollider(collider);
+    builder.beginObject("body");
+    builder.addBody("body", positions, 0);
+    builder.endObject({place});
+    return builder.build();
+}
+
+/// The cube of edge 2 about the origin.
+ColliderGrid cubeGrid()
+{
+    std::vector<Vector3f> vertices;
+    for (int i = 0; i < 8; ++i) vertices.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    const std::vector<Triangle> triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
+                                             {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {2, 6, 7}, {2, 7, 3}};
+    return makeDistanceGrid(vertices, triangles, DIAMETER);
+}
+
+}  // namespace
+
+TEST(GridCollider, ABallRestsOnAMesh)
+{
+    const World world = over(ColliderShape::Mesh, cubeGrid(), sphereLattice(0.25f, DIAMETER), {0.1f, 1.4f, 0.05f}, 0.5f);
+    Solver solver(gpu(), world);
+    run(solver, world, 4.0);
+    const BodyState ball = solver.readBodies()[0];
+    // The hull of its lattice has faces like that of (2, 0, 0), (1, 1, 1) and (1, 1, -1) diameters, the square root of 2
+    // from its centre; their particles' centres are half a diameter over the mesh.
+    EXPECT_NEAR(ball.position.y(), 1.0f + (std::sqrt(2.0f) + 0.5f) * DIAMETER, 0.03f * DIAMETER);
+    EXPECT_LT(ball.velocity.norm(), 0.01f);
+    EXPECT_LT(solver.measure().worstPenetration, 0.05f * DIAMETER);
+}
+
+TEST(GridCollider, ABlockSlidesDownAHeightfieldAsOnAPlane)
+{
+    // 20 degrees, no friction: g sin(20) t^2 / 2 along the slope.
+    const float slope = std::tan(20.0f * static_cast<float>(M_PI) / 180.0f);
+    std::vector<float> heights;
+    for (int z = 0; z < 5; ++z)
+        for (int x = 0; x < 9; ++x) heights.push_back(slope * static_cast<float>(x));
+    const float up = 4.0f * slope;   // at the origin
+    const World world = over(ColliderShape::Heightfield, makeHeightfield({8, 4}, 9, 5, heights),
+                             boxLattice({5, 3, 5}, DIAMETER), {2.5f, up + 2.5f * slope + 0.28f, 0}, 0.0f);
+    Solver solver(gpu(), world);
+    run(solver, world, 0.3);   // lands and tilts
+    const BodyState before = solver.readBodies()[0];
+    run(solver, world, 0.7);
+    const BodyState after = solver.readBodies()[0];
+    const double angle = std::atan(static_cast<double>(slope));
+    const double wanted = -0.7 * GRAVITY * std::sin(angle) * std::cos(angle);
+    EXPECT_NEAR(after.velocity.x() - before.velocity.x(), wanted, 0.05 * std::abs(wanted));
+    EXPECT_NEAR(after.position.z(), 0.0f, 0.02f);
+}
+
+}  // namespace knuckle::test
