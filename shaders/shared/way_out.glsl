@@ -2,6 +2,7 @@
 #include "shared/one_sided.glsl"
 #include "shared/contact_mass.glsl"
 
+uniform usamplerBuffer particleInfo;
 uniform samplerBuffer particleSurfaces;  // way out of the body at rest, zero for none; w: distance to its surface
 
 /// The way out by the particle that is nearer to its body's surface; between both where they are about as near.
@@ -16,7 +17,8 @@ Way wayOut(int i, int j, uvec2 movers, vec3 apart)
     vec3 outSecond = rotate(texelFetch(foundRotations, int(movers.y)), second.xyz);
     vec3 away = alike ? outFirst + outSecond : byFirst ? outFirst : outSecond;
     float size = length(away);
-    // Two that look the same way know nothing of each other.
-    away = size > 0.3 ? away / size : vec3(0);
+    // Two that look the same way know nothing of each other; limbs of one assembly press each other around joints.
+    bool strangers = texelFetch(particleInfo, i).z != texelFetch(particleInfo, j).z;
+    away = strangers && size > 0.3 ? away / size : vec3(0);
     return Way(away, abs(byFirst ? first.w : second.w) >= step.diameter);
 }
