@@ -106,6 +106,8 @@ void visitFields(Material& m, Visitor&& visit)
     visit("staticFriction", m.staticFriction);
     visit("kineticFriction", m.kineticFriction);
     visit("restitution", m.restitution);
+    visit("fluid", m.fluid);
+    visit("viscosity", m.viscosity);
     visit("color", m.color);
     visit("stiffness", m.elasticity.stiffness);
     visit("poissonRatio", m.elasticity.poissonRatio);

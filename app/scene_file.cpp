@@ -80,6 +80,13 @@ std::map<std::string, uint32_t> addMaterials(const JsonFile& file, WorldBuilder&
         material.name = "default";
         indices["default"] = builder.addMaterial(material);
     }
+    if (!indices.contains("water")) {
+        Material water;
+        water.name = "water";
+        water.fluid = true;
+        water.color = {0.05f, 0.25f, 0.5f};
+        indices["water"] = builder.addMaterial(water);
+    }
     return indices;
 }
 
@@ -131,6 +138,7 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     settings.timeStep = static_cast<float>(1.0 / (scene.framesPerSecond * scene.stepsPerFrame));
 
     WorldBuilder builder(0.5f * root["diameter"].get<float>(), settings);
+    builder.setFluidSpacing(root["fluidSpacing"]);
     SceneContext context{path, builder, addMaterials(file, builder)};
     for (size_t i = 0; i < root["colliders"].size(); ++i) {
         checkFriction(file, root["colliders"][i], fmt::format("/colliders/{}", i));

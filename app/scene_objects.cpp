@@ -153,6 +153,11 @@ void addActors(const Entry& entry)
     }
 }
 
+void addFluid(const Entry& entry)
+{
+    addFluid(entry.context, entry.json, entry.pointer, {entry.material, entry.velocity}, entry.poses);
+}
+
 void addGrains(const Entry& entry)
 {
     addGrains(entry.context, entry.json, entry.pointer, {entry.material, entry.velocity}, entry.poses);
@@ -169,11 +174,15 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
     readValue(json["velocity"], entry.velocity);
     if (json.contains("spin")) readValue(json["spin"], entry.spin);
     limitParticles(entry, 1.0);
+    if (entry.context.builder.material(entry.material).fluid && json["type"] != "fluid")
+        entry.fail("/material", fmt::format("\"{}\" is a fluid; only objects of type \"fluid\" are made of fluids",
+                                            json["material"].get<std::string>()));
     entry.poses = repeatedPoses(json);
     const std::string type = json["type"];
     static const std::map<std::string, std::function<void(const Entry&)>> KINDS = {
         {"rigid", addRigidOrSoft}, {"soft", addRigidOrSoft}, {"joined", addJoined}, {"actor", addActors},
-        {"grains", [](const Entry& grains) { addGrains(grains); }}, {"rope", addStrands}, {"cloth", addStrands}};
+        {"grains", [](const Entry& grains) { addGrains(grains); }}, {"rope", addStrands}, {"cloth", addStrands},
+        {"fluid", [](const Entry& fluid) { addFluid(fluid); }}};
     try {
         KINDS.at(type)(entry);
     } catch (const InputError& error) {

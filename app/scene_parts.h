@@ -58,6 +58,10 @@ struct LooseKind {
     Vector3f velocity{0, 0, 0};                  ///< [m/s]
 };
 
+/// Adds an object of type `fluid`, at each of `poses`. @param pointer JSON path of the object. @throws InputError.
+void addFluid(SceneContext& context, const Json& object, const std::string& pointer, const LooseKind& kind,
+              const std::vector<Pose>& poses);
+
 /// Adds an object of type `grains`, at each of `poses`. @param pointer JSON path of the object. @throws InputError.
 void addGrains(SceneContext& context, const Json& object, const std::string& pointer, const LooseKind& kind,
                const std::vector<Pose>& poses);

@@ -7,11 +7,11 @@ float fluidShare(float q)
     return step.fluidVolume * b * b * (1.0 + 4.0 * q);
 }
 
-/// d fluidShare / dr [1/m].
+/// d fluidShare / dr over r [1/m2]: the gradient is this times the vector.
 float fluidSlope(float q)
 {
     float a = 1.0 - q;
-    return -20.0 * step.fluidVolume / step.fluidReach * q * a * a * a;
+    return -20.0 * step.fluidVolume / (step.fluidReach * step.fluidReach) * a * a * a;
 }
 
 /// The share of the kernel that lies behind a plane at the distance z, and its slope [1/m]: the integral of W over the

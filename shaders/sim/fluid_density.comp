@@ -34,13 +34,13 @@ void main()
     uint i = texelFetch(slotParticles, int(k)).x;
     uvec2 counts = isFluid(i) ? texelFetch(slotCounts, int(k)).xy : uvec2(0);
     vec3 x = texelFetch(slotPlaces, int(k)).xyz, own = vec3(0), walls = vec3(0), solids = vec3(0);
-    float share = fluidShare(0.0), others = 0.0;
+    float share = fluidShare(0.0), others = 0.0, inverseReach = 1.0 / step.fluidReach;
     for (uint n = 0u; n < counts.x; ++n) {
         vec3 r = x - texelFetch(slotPlaces, int(fluidNeighbour(k, n))).xyz;
-        float far = sqrt(dot(r, r)), q = min(far / step.fluidReach, 1.0), slope = fluidSlope(q);
+        float squared = dot(r, r), q = min(sqrt(squared) * inverseReach, 1.0), slope = fluidSlope(q);
         share += fluidShare(q);
-        others += slope * slope;
-        own += slope / max(far, 1e-9) * r;
+        others += slope * slope * squared;
+        own += slope * r;
     }
     float weights;
     vec4 plane = solidPlane(k, counts.y, x, weights);

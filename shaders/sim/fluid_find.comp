@@ -23,6 +23,8 @@ void main()
     bool ownSolid = (slotBits(own) & 1u) != 0u;
     ivec3 cell = cellOf(own.xyz);
     float reach = step.fluidListReach * step.fluidListReach;
+    // Fluid particles act on each other up to the kernel's reach; some come nearer before the step ends.
+    float near = 1.1025 * step.fluidReach * step.fluidReach;
     uvec2 counts = uvec2(0);
     for (int range = 0; range < AROUND_RANGES; ++range) {
         uvec2 cells = aroundCells(cell, range);
@@ -39,6 +41,8 @@ void main()
                 hits &= hits - 1u;
                 uint bits = slotBits(other), slot = bits >> 1;
                 bool solid = (bits & 1u) != 0u;
+                vec3 r = own.xyz - other.xyz;
+                if (!solid && !ownSolid && dot(r, r) > near) continue;
                 if (slot == k || (solid && ownSolid) || !inAroundRange(cell, range, other.xyz)) continue;
                 uint place = solid ? step.fluidSlots - 1u - counts.y : counts.x;
                 counts += solid ? uvec2(0, 1) : uvec2(1, 0);

@@ -32,12 +32,13 @@ void main()
     bool fluid = isFluid(i);
     uint count = fluid ? texelFetch(slotCounts, int(k)).x : 0u;
     vec4 own = texelFetch(slotPressures, int(k));
+    float inverseReach = 1.0 / step.fluidReach;
     vec3 impulse = own.w * (texelFetch(slotWalls, int(k)).xyz + texelFetch(slotSolids, int(k)).xyz);
     for (uint n = 0u; n < count; ++n) {
         vec4 other = texelFetch(slotPressures, int(fluidNeighbour(k, n)));
         vec3 r = own.xyz - other.xyz;
-        float far = sqrt(dot(r, r)), q = min(far / step.fluidReach, 1.0);
-        impulse += (own.w + other.w) * fluidSlope(q) / max(far, 1e-9) * r;
+        float q = min(sqrt(dot(r, r)) * inverseReach, 1.0);
+        impulse += (own.w + other.w) * fluidSlope(q) * r;
     }
     if (!fluid) return;
     vec3 push = texelFetch(masses, int(i)).x * impulse;

@@ -29,7 +29,8 @@ WorldBuilder::WorldBuilder(float particleRadius, Settings settings)
     world_.particleRadius = particleRadius;
     world_.settings = settings;
     setFluidSpacing(0.5f);
-    if (settings.substeps == 0)
+    choosesSubsteps_ = settings.substeps == 0;
+    if (choosesSubsteps_)
         world_.settings.substeps = automaticSubsteps(world_.diameter(), settings.timeStep);
 }
 
@@ -357,8 +358,7 @@ World WorldBuilder::build()
     for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
     makeSoftLinks(world_);
     joinStrandAssemblies(world_);
-    world_.particles.insert(world_.particles.end(), fluid_.begin(), fluid_.end());
-    world_.fluidCount = fluidCount();
+    placeFluid();
     validate(world_);
     return std::move(world_);
 }

@@ -74,11 +74,13 @@ public:
     /// Distances between particles that exist: see addRope() and addCloth().
     void addStrand(Strand strand);
 
-    /// Fluid particles of a fluid material. They come behind all others, whenever they are added.
+    /// Fluid particles of a fluid material. They come behind all others, whenever they are added; build() leaves out
+    /// those that overlap other particles.
     void addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material);
     /// Rest distance of fluids [diameters], 0.3 ... 0.6. Before addFluid().
     void setFluidSpacing(float spacing);
     float fluidSpacing() const { return world_.fluidSpacing; }
+    const Material& material(uint32_t index) const { return world_.materials.at(index); }
 
     uint32_t particleCount() const { return static_cast<uint32_t>(world_.particles.size()); }
     uint32_t fluidCount() const { return static_cast<uint32_t>(fluid_.size()); }
@@ -101,6 +103,7 @@ private:
     void shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB, Joint& joint);
     void requireObject(const char* what) const;
     void assignAssemblies();
+    void placeFluid();
     void makeBodyLinks(uint32_t bodyIndex);
     /// Of a particle's mass, in a body that it belongs to, 0 ... 1.
     float massShare(uint32_t particle, uint32_t body) const;
@@ -108,6 +111,7 @@ private:
     World world_;
     std::vector<std::vector<uint32_t>> bodyParticles_;   ///< Per body, the particles in its block, in order.
     std::vector<std::vector<uint32_t>> owners_;          ///< Per particle, its bodies.
+    bool choosesSubsteps_ = false;                       ///< Settings::substeps was 0.
     std::vector<Particle> fluid_;
     bool objectOpen_ = false;
     uint32_t objectFirstParticle_ = 0;

@@ -44,7 +44,7 @@ const BadScene BAD_SCENES[] = {
     {"NoObjects", "{}", ": /: \"objects\" is missing; add it: What moves."},
     {"EmptyObjects", R"({"objects": []})", ": /objects: is an array of 0, must be at least 1"},
     {"NoType", OBJECT(R"("shape": "box")"),
-     ": /objects/0: \"type\" is missing; known: rigid, soft, joined, actor, grains, rope, cloth"},
+     ": /objects/0: \"type\" is missing; known: rigid, soft, joined, actor, grains, fluid, rope, cloth"},
     {"UnknownType", OBJECT(R"("type": "joint")"), ": /objects/0/type: \"joint\" is unknown; did you mean \"joined\"?"},
     {"UnknownShape", OBJECT(R"("type": "rigid", "shape": "cone")"),
      ": /objects/0/shape: \"cone\" is unknown; known: box, sphere, capsule, mesh"},
