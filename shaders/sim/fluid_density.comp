@@ -10,7 +10,7 @@ layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer slotPlaces;
 uniform samplerBuffer masses;            // inverse mass
 BUFFER(vec4, SlotPressures, slotPressures);   // place, lambda [kg m2]
-BUFFER(vec4, SlotWalls, slotWalls);           // gradient of C by what walls cover [1/m]
+BUFFER(vec4, SlotWalls, slotWalls);           // gradient of C by what walls cover [1/m]; w: density over rest density
 BUFFER(vec4, SlotSolids, slotSolids);         // the same of solids; w: one over their weights
 
 /// Of the solid particles nearby as one plane: the weighted means of their distances and directions.

@@ -6,9 +6,10 @@
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
 uniform samplerBuffer velocities;
+uniform samplerBuffer masses;            // inverse mass
 uniform samplerBuffer restOffsets;
 uniform usamplerBuffer particlePlaces;   // mover, rank
-BUFFER(vec4, SlotPlaces, slotPlaces);
+BUFFER(vec4, SlotPlaces, slotPlaces);    // w: mass [kg]
 
 void main()
 {
@@ -22,5 +23,5 @@ void main()
         MoverPoint point = moverPoint(texelFetch(particlePlaces, int(i)).x, texelFetch(restOffsets, int(i)).xyz);
         x = point.centre + point.arm + point.move;
     }
-    slotPlaces[k] = vec4(x, 0);
+    slotPlaces[k] = vec4(x, 1.0 / max(texelFetch(masses, int(i)).x, 1e-20));
 }

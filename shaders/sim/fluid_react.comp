@@ -8,7 +8,10 @@ uniform samplerBuffer slotPlaces;
 uniform samplerBuffer slotPressures;     // place, lambda
 uniform samplerBuffer slotSolids;        // gradient; w: one over the weights of all solid particles there
 uniform usamplerBuffer particlePlaces;   // mover, rank
+uniform usamplerBuffer particleInfo;
 BUFFER(vec4, ParticleImpulses, particleImpulses);
+BUFFER(uvec2, AssemblyState, assemblyState);   // last substep with a contact
+READ_BUFFER(Counters, CountersBlock, counters);
 
 void main()
 {
@@ -23,5 +26,8 @@ void main()
         vec4 fluid = texelFetch(slotPressures, int(slot)), solid = texelFetch(slotSolids, int(slot));
         impulse -= solidWeight(length(fluid.xyz - x)) * solid.w * fluid.w * solid.xyz;
     }
-    if (count > 0u) particleImpulses[texelFetch(particlePlaces, int(i)).y].xyz += impulse;
+    if (impulse == vec3(0)) return;
+    // As contacts do: its assembly ends the substep to first order.
+    assemblyState[texelFetch(particleInfo, int(i)).z].x = counters[0].substep - 1u;
+    particleImpulses[texelFetch(particlePlaces, int(i)).y].xyz += impulse;
 }

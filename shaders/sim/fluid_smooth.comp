@@ -16,13 +16,17 @@ void main()
     uint i = texelFetch(slotParticles, int(k)).x;
     bool fluid = isFluid(i);
     uint count = fluid ? texelFetch(slotCounts, int(k)).x : 0u;
-    vec3 x = texelFetch(slotPlaces, int(k)).xyz, change = vec3(0);
+    vec4 place = texelFetch(slotPlaces, int(k));
+    vec3 change = vec3(0);
     vec4 own = texelFetch(slotVelocities, int(k));
     for (uint n = 0u; n < count; ++n) {
         uint slot = fluidNeighbour(k, n);
         vec4 other = texelFetch(slotVelocities, int(slot));
-        float q = min(length(x - texelFetch(slotPlaces, int(slot)).xyz) / step.fluidReach, 1.0);
-        change += 0.5 * (own.w + other.w) * fluidShare(q) * (other.xyz - own.xyz);
+        vec4 there = texelFetch(slotPlaces, int(slot));
+        float q = min(length(place.xyz - there.xyz) / step.fluidReach, 1.0);
+        // Of two masses the lighter takes more, so that momentum is kept.
+        float share = there.w / (place.w + there.w) * fluidShare(q);
+        change += (own.w + other.w) * share * (other.xyz - own.xyz);
     }
     if (fluid) velocities[i].xyz += change;
 }

@@ -24,9 +24,10 @@ bool inBody(const World& world, uint32_t particle, uint32_t bodyIndex)
 
 /// Particles sorted by cells of one diameter.
 struct Cells {
-    Cells(const std::vector<Vector3f>& positions, float size) : inverseSize(1.0f / size)
+    /// The first `count` of them.
+    Cells(const std::vector<Vector3f>& positions, uint32_t count, float size) : inverseSize(1.0f / size)
     {
-        for (uint32_t i = 0; i < positions.size(); ++i) members[cellOf(positions[i])].push_back(i);
+        for (uint32_t i = 0; i < count; ++i) members[cellOf(positions[i])].push_back(i);
     }
     std::array<int, 3> cellOf(const Vector3f& x) const
     {
@@ -54,7 +55,8 @@ Depths penetrations(const World& world, const std::vector<Vector3f>& positions)
 {
     Depths depths;
     const float diameter = world.diameter();
-    const Cells cells(positions, diameter);
+    // Fluids have no contacts.
+    const Cells cells(positions, world.solidCount(), diameter);
     for (const auto& [cell, members] : cells.members)
         for (int k = 0; k < 27; ++k) {
             const auto found = cells.members.find({cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1});
@@ -66,7 +68,7 @@ Depths penetrations(const World& world, const std::vector<Vector3f>& positions)
                     if (depth > 0.0f && mayTouch(world, i, j)) depths.add(depth);
                 }
         }
-    for (uint32_t i = 0; i < positions.size(); ++i) {
+    for (uint32_t i = 0; i < world.solidCount(); ++i) {
         const uint32_t body = world.particles[i].body;
         if (body != NO_INDEX && world.bodies[body].motion == Motion::Fixed) continue;
         for (const Collider& collider : world.colliders) {

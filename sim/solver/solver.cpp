@@ -8,6 +8,7 @@
 #include "sim/solver/buffers.h"
 #include "sim/solver/measure.h"
 #include "sim/solver/step.h"
+#include "sim/solver/upload_fluid.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -74,6 +75,10 @@ void Solver::checkCounters(uint64_t frame)
     if (counters.problems & PROBLEM_COLLIDERS)
         throw RunError(fmt::format("frame {}: a particle touches {} static colliders at a time and {} are possible; "
                                    "merge colliders that overlap", frame, counters.wantedColliders, COLLIDER_SLOTS));
+    if (counters.wantedNeighbours > impl_->buffers.parameters.fluidSlots) {
+        impl_->buffers.parameters.fluidSlots = counters.wantedNeighbours + 8;
+        makeFluid(impl_->buffers, impl_->world, impl_->gpu);
+    }
     // More contacts than there was room for: the lists grow, the next substep fills them anew.
     gpu::StepParameters& room = impl_->buffers.parameters;
     if (counters.wantedContacts > room.contactSlots) room.contactSlots = counters.wantedContacts + 4;
@@ -81,7 +86,7 @@ void Solver::checkCounters(uint64_t frame)
     if (counters.wantedColliderPairs > room.colliderPairCapacity)
         room.colliderPairCapacity = counters.wantedColliderPairs * 3 / 2;
     impl_->buffers.resizeContacts(impl_->gpu);
-    counters.problems = counters.wantedContacts = counters.wantedPairs = counters.wantedColliderPairs = 0;
+    counters.problems = counters.wantedNeighbours = counters.wantedContacts = counters.wantedPairs = counters.wantedColliderPairs = 0;
     counters.pairCount = counters.colliderPairCount = 0;
     counters.due = 1;
     impl_->buffers.counters.upload(std::span<const gpu::Counters>(&counters, 1));
@@ -124,7 +129,9 @@ std::vector<BodyState> Solver::readBodies()
 
 Measures Solver::measure()
 {
-    return measureState(impl_->world, readParticles(), readBodies());
+    Measures measures = measureState(impl_->world, readParticles(), readBodies());
+    if (impl_->world.fluidCount > 0) measureFluids(measures, impl_->buffers);
+    return measures;
 }
 
 uint64_t Solver::stateHash()

@@ -33,6 +33,9 @@ struct Measures {
     float meanSoftStrain = 0.0f;        ///< Of clusters of soft bodies by mass: sqrt(sum of (principal stretch - 1)^2).
     float worstSoftStrain = 0.0f;
     float softVolumeError = 0.0f;       ///< The largest change of a soft body's volume, as a share of it.
+    float meanDensityError = 0.0f;      ///< Of fluid particles: how much denser than at rest, as a share of that.
+    float worstDensityError = 0.0f;
+    float fluidVolumeError = 0.0f;      ///< The share of their volume that fluids have lost to that.
     float maxSpeed = 0.0f;              ///< [m/s]
     double kineticEnergy = 0.0;         ///< [J]
 };
@@ -54,7 +57,7 @@ public:
 
     /// Advances by Settings::timeStep. Only records GL work: nothing is uploaded, nothing read back.
     void step();
-    /// Once a frame: reads the 64-byte counters buffer, grows what overflowed, and
+    /// Once a frame: reads the 68-byte counters buffer, grows what overflowed, and
     /// @throws RunError for NaN or an overflow that cannot be mended, naming frame, particle and the number to raise.
     void checkCounters(uint64_t frame);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/solver/buffers.h"
+#include "sim/solver/solver.h"
 
 namespace knuckle {
 
@@ -10,5 +11,8 @@ void setFluidParameters(gpu::StepParameters& parameters, const World& world);
 /// @throws DeviceError when the device's limits are too small.
 void makeFluid(SolverBuffers& out, const World& world, const Gpu& gpu);
 void addFluid(BufferTable& table, FluidBuffers& fluid);
+
+/// The part of the measures that is about fluids, by the densities of the last substep.
+void measureFluids(Measures& out, SolverBuffers& buffers);
 
 }  // namespace knuckle
