@@ -61,8 +61,8 @@
 
 // Of the multipliers of fluids: at 1 resting water boils.
 #define FLUID_RELAXATION 0.45f
-// How far solid particles reach into fluids [diameters]; between them fluids lie deeper than a radius.
-#define SOLID_RADIUS 0.45f
+// How far solid particles keep fluids from their centres [diameters]: what floats is then as deep as it is dense.
+#define SOLID_RADIUS 0.65f
 // Steps for which an assembly has to be calm before it sleeps.
 #define CALM_STEPS 30u
 // Rounds of two iterations of the impulses that make collisions bounce.
