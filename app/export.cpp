@@ -113,6 +113,8 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
         {"meanSoftStrain", measures.meanSoftStrain},
         {"worstSoftStrain", measures.worstSoftStrain},
         {"softVolumeError", measures.softVolumeError},
+        {"meanStretch", measures.meanStretch},
+        {"worstStretch", measures.worstStretch},
         {"maxSpeed", measures.maxSpeed},
         {"kineticEnergy", measures.kineticEnergy},
         {"stateHash", hashText(solver.stateHash())},

@@ -8,6 +8,7 @@
 #include "sim/solver/buffers.h"
 #include "sim/solver/measure.h"
 #include "sim/solver/step.h"
+#include "sim/solver/upload_strands.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -124,7 +125,10 @@ std::vector<BodyState> Solver::readBodies()
 
 Measures Solver::measure()
 {
-    return measureState(impl_->world, readParticles(), readBodies());
+    const ParticleState particles = readParticles();
+    Measures measures = measureState(impl_->world, particles, readBodies());
+    measureStrands(measures, impl_->world, particles, tornDistances(impl_->buffers, impl_->world));
+    return measures;
 }
 
 uint64_t Solver::stateHash()

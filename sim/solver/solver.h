@@ -33,6 +33,8 @@ struct Measures {
     float meanSoftStrain = 0.0f;        ///< Of clusters of soft bodies by mass: sqrt(sum of (principal stretch - 1)^2).
     float worstSoftStrain = 0.0f;
     float softVolumeError = 0.0f;       ///< The largest change of a soft body's volume, as a share of it.
+    float meanStretch = 0.0f;           ///< Of ropes and threads of cloth that hold: |length / length at rest - 1|.
+    float worstStretch = 0.0f;
     float maxSpeed = 0.0f;              ///< [m/s]
     double kineticEnergy = 0.0;         ///< [J]
 };
