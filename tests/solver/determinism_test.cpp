@@ -61,15 +61,16 @@ World strandWorld()
     spec.bendCompliance = 0.01f;
     const GridSheet sheet = gridSheet(1.2f, 1.0f, DIAMETER, spec);
     const std::vector<uint32_t> held = {0, sheet.columns - 1, sheet.columns * (sheet.rows - 1)};
-    addCloth(builder, "cloth", sheet, spec, held, {});
+    builder.addCollider({});
+    addCloth(builder, "cloth", sheet, spec, held, {}, {Vector3f(0, 1, 0)});
     RopeSpec rope;
     for (int k = 0; k < 4; ++k) {
         builder.beginObject("box");
         const uint32_t body = builder.addBody("box", boxLattice({3, 4, 3}, DIAMETER), 0);
-        builder.endObject({Vector3f(0.1f * static_cast<float>(k), 0.4f + 0.5f * static_cast<float>(k), 0)}, {0, -3, 0});
+        builder.endObject({Vector3f(0.1f * static_cast<float>(k), 1.4f + 0.5f * static_cast<float>(k), 0)}, {0, -3, 0});
         rope.end = {RopeEnd::Kind::Attached, builder.ownParticles(body)[0]};
     }
-    rope.from = {-0.5f, 3.0f, 0};
+    rope.from = {-0.5f, 4.0f, 0};
     rope.start.kind = RopeEnd::Kind::Fixed;
     addRope(builder, "rope", rope);
     return builder.build();
