@@ -80,7 +80,8 @@ protected:
         fill(b.moverTurns, turns);
         states = b.strandStates.download();
         for (gpu::vec4& s : states)
-            s = {random.between(-1e-3f, 1e-3f), random.between(-400, 1000), random.between(0, 1) < 0.05f, 0};
+            s = {random.between(-1e-3f, 1e-3f), random.between(-400, 1000), random.between(0, 1) < 0.05f ? 1.0f : 0.0f,
+                 0};
         fill(b.strandStates, states);
         nodes = b.strandNodes.download();
         links = b.strandLinks.download();
