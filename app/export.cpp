@@ -116,6 +116,8 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
         {"meanDensityError", measures.meanDensityError},
         {"worstDensityError", measures.worstDensityError},
         {"fluidVolumeError", measures.fluidVolumeError},
+        {"meanStretch", measures.meanStretch},
+        {"worstStretch", measures.worstStretch},
         {"maxSpeed", measures.maxSpeed},
         {"kineticEnergy", measures.kineticEnergy},
         {"stateHash", hashText(solver.stateHash())},

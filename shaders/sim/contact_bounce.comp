@@ -2,6 +2,7 @@
 #include "shared/kernel.glsl"
 #include "shared/bounce.glsl"
 #include "shared/list_ranges.glsl"
+#include "shared/one_sided.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairs;
@@ -19,13 +20,16 @@ void main()
     if (q >= counters[0].pairCount) return;
     int place = int(counters[0].listParity * step.pairCapacity + q);
     uvec4 sides = texelFetch(pairSides, int(q));
+    uvec2 movers = sides.xy & MOVER_MASK;
     uvec2 pair = texelFetch(pairs, place).xy;
     vec4 armA = texelFetch(pairArms, int(2u * q)), armB = texelFetch(pairArms, int(2u * q + 1u));
-    PointState a = pointState(sides.x, armA.xyz), b = pointState(sides.y, armB.xyz);
+    PointState a = pointState(movers.x, armA.xyz), b = pointState(movers.y, armB.xyz);
     vec3 apart = a.position - b.position;
-    vec3 normal = contactNormal(apart, length(apart), true);
-    vec3 before = velocityBefore(sides.x, armA.xyz) - velocityBefore(sides.y, armB.xyz);
-    vec2 splits = vec2(texelFetch(moverBounces, int(sides.x)).x, texelFetch(moverBounces, int(sides.y)).x);
+    float far = length(apart);
+    vec4 sided = sidedNormal(apart, far, unpackWay(sides.xy));
+    vec3 normal = sided.w > 0.0 ? sided.xyz : contactNormal(apart, far, true);
+    vec3 before = velocityBefore(movers.x, armA.xyz) - velocityBefore(movers.y, armB.xyz);
+    vec2 splits = vec2(texelFetch(moverBounces, int(movers.x)).x, texelFetch(moverBounces, int(movers.y)).x);
     float inverseMass = dot(splits * vec2(armA.w, armB.w), unpackUnorm2x16(sides.w));
     float restitution = max(texelFetch(masses, int(pair.x)).y, texelFetch(masses, int(pair.y)).y);
     pairBounces[place] = solveBounce(texelFetch(lastPairBounces, place), texelFetch(pairImpulses, place).w, normal,

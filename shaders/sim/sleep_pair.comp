@@ -1,6 +1,7 @@
 // One thread a contact between particles: what touches is an island, as calm as the least calm of it and with one name.
 #include "shared/kernel.glsl"
 #include "shared/sleep.glsl"
+#include "shared/one_sided.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairSides;        // movers
@@ -13,8 +14,8 @@ void main()
 {
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].pairCount) return;
-    uvec4 sides = texelFetch(pairSides, int(q));
-    uvec4 a = texelFetch(moverInfo, int(sides.x)), b = texelFetch(moverInfo, int(sides.y));
+    uvec2 movers = texelFetch(pairSides, int(q)).xy & MOVER_MASK;
+    uvec4 a = texelFetch(moverInfo, int(movers.x)), b = texelFetch(moverInfo, int(movers.y));
     bool touching = texelFetch(pairImpulses, int(counters[0].listParity * step.pairCapacity + q)).w > 0.0;
     // Nothing passes through what is fixed.
     if (!touching || uintBitsToFloat(a.w) == 0.0 || uintBitsToFloat(b.w) == 0.0) return;

@@ -1,6 +1,7 @@
 // One thread a contact between particles, touching or about to: what moves wakes the island of what sleeps.
 #include "shared/kernel.glsl"
 #include "shared/sleep.glsl"
+#include "shared/one_sided.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairSides;        // movers
@@ -12,8 +13,8 @@ void main()
 {
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].pairCount) return;
-    uvec4 sides = texelFetch(pairSides, int(q));
-    uint a = texelFetch(moverInfo, int(sides.x)).z, b = texelFetch(moverInfo, int(sides.y)).z;
+    uvec2 movers = texelFetch(pairSides, int(q)).xy & MOVER_MASK;
+    uint a = texelFetch(moverInfo, int(movers.x)).z, b = texelFetch(moverInfo, int(movers.y)).z;
     uvec2 calmA = texelFetch(assemblyCalm, int(a)).xy, calmB = texelFetch(assemblyCalm, int(b)).xy;
     if (calmA.x >= CALM_STEPS && calmB.x == 0u) islandsWoken[calmA.y] = 1u;
     if (calmB.x >= CALM_STEPS && calmA.x == 0u) islandsWoken[calmB.y] = 1u;

@@ -127,7 +127,7 @@ struct SolverBuffers {
     bool hasBounces = false;             ///< Whether any material has restitution.
     bool hasOthers = false;              ///< Whether anything but contacts and joints acts (particleImpulses).
     std::vector<StrandPhase> strandPhases;
-    std::vector<uint32_t> strandStarts;  ///< Per strand of the World, its first node.
+    std::vector<uint32_t> strandStarts;  ///< Per strand of the World, its first node; its last if that is fixed.
     bool hasGrids = false;               ///< Whether a collider is a mesh or a heightfield.
     uint32_t longestBody = 0;            ///< Links of the largest body (p of eq. 10).
 

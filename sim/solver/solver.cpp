@@ -9,6 +9,7 @@
 #include "sim/solver/measure.h"
 #include "sim/solver/step.h"
 #include "sim/solver/upload_fluid.h"
+#include "sim/solver/upload_strands.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -129,7 +130,9 @@ std::vector<BodyState> Solver::readBodies()
 
 Measures Solver::measure()
 {
-    Measures measures = measureState(impl_->world, readParticles(), readBodies());
+    const ParticleState particles = readParticles();
+    Measures measures = measureState(impl_->world, particles, readBodies());
+    measureStrands(measures, impl_->world, particles, tornDistances(impl_->buffers, impl_->world));
     if (impl_->world.fluidCount > 0) measureFluids(measures, impl_->buffers);
     return measures;
 }

@@ -36,6 +36,8 @@ struct Measures {
     float meanDensityError = 0.0f;      ///< Of fluid particles: how much denser than at rest, as a share of that.
     float worstDensityError = 0.0f;
     float fluidVolumeError = 0.0f;      ///< The share of their volume that fluids have lost to that.
+    float meanStretch = 0.0f;           ///< Of ropes and threads of cloth that hold: |length / length at rest - 1|.
+    float worstStretch = 0.0f;
     float maxSpeed = 0.0f;              ///< [m/s]
     double kineticEnergy = 0.0;         ///< [J]
 };

@@ -17,6 +17,12 @@ bool isFixed(const World& world, uint32_t particle)
     return body != NO_INDEX && world.bodies[body].motion == Motion::Fixed;
 }
 
+/// Whether it is uploaded the other way round: the sweep begins at its end, which is better free.
+bool isReversed(const World& world, const Strand& strand)
+{
+    return isFixed(world, strand.particles.back());
+}
+
 /// Per strand, its phase: the first whose strands share no particle with it that can move.
 std::vector<uint32_t> phasesOf(const World& world)
 {
@@ -92,9 +98,8 @@ void uploadStrands(SolverBuffers& out, const World& world)
             out.strandPhases.push_back({static_cast<uint32_t>(rows.strands.size()), 0, false});
         StrandPhase& phase = out.strandPhases.back();
         out.strandStarts[index] = static_cast<uint32_t>(rows.nodes.size());
-        // The sweep begins at the end, which is better free.
         Strand strand = world.strands[index];
-        if (isFixed(world, strand.particles.back())) {
+        if (isReversed(world, strand)) {
             std::reverse(strand.particles.begin(), strand.particles.end());
             std::reverse(strand.restLengths.begin(), strand.restLengths.end());
         }
@@ -109,6 +114,20 @@ void uploadStrands(SolverBuffers& out, const World& world)
     out.strandLinks = {"strandLinks", std::span<const gpu::vec4>(rows.links)};
     out.strandStates = {"strandStates", rows.nodes.size()};
     out.strandFactors = {"strandFactors", 4 * rows.nodes.size()};
+}
+
+std::vector<bool> tornDistances(const SolverBuffers& buffers, const World& world)
+{
+    std::vector<bool> torn;
+    if (world.strands.empty()) return torn;
+    const std::vector<gpu::vec4> states = buffers.strandStates.download();
+    for (size_t s = 0; s < world.strands.size(); ++s) {
+        const size_t count = world.strands[s].restLengths.size();
+        const bool reversed = isReversed(world, world.strands[s]);
+        for (size_t k = 0; k < count; ++k)
+            torn.push_back(states[buffers.strandStarts[s] + (reversed ? count - 1 - k : k)].z != 0.0f);
+    }
+    return torn;
 }
 
 }  // namespace knuckle

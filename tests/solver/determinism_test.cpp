@@ -6,6 +6,8 @@
 
 #include "app/table2_world.h"
 #include "sim/solver/solver.h"
+#include "sim/world/cloth.h"
+#include "sim/world/rope.h"
 #include "solver_test.h"
 
 namespace knuckle::test {
@@ -20,7 +22,7 @@ constexpr const char* WAY_VARIABLE = "KNUCKLE_TEST_WAY";
 const std::string MARK = "state hash ";
 
 /// Ways of solving that share few kernels.
-enum Way { DEFAULT, HASH, PAPER, GROUPS, SOFT, WAYS };
+enum Way { DEFAULT, HASH, PAPER, GROUPS, SOFT, STRANDS, WAYS };
 
 Settings settingsOf(int way)
 {
@@ -49,9 +51,35 @@ World softWorld()
     return builder.build();
 }
 
+/// Boxes that fall into a cloth that tears, one on a rope.
+World strandWorld()
+{
+    WorldBuilder builder(DIAMETER / 2);
+    builder.addMaterial({});
+    ClothSpec spec;
+    spec.tearForce = 2000.0f;
+    spec.bendCompliance = 0.01f;
+    const GridSheet sheet = gridSheet(1.2f, 1.0f, DIAMETER, spec);
+    const std::vector<uint32_t> held = {0, sheet.columns - 1, sheet.columns * (sheet.rows - 1)};
+    builder.addCollider({});
+    addCloth(builder, "cloth", sheet, spec, held, {}, {Vector3f(0, 1, 0)});
+    RopeSpec rope;
+    for (int k = 0; k < 4; ++k) {
+        builder.beginObject("box");
+        const uint32_t body = builder.addBody("box", boxLattice({3, 4, 3}, DIAMETER), 0);
+        builder.endObject({Vector3f(0.1f * static_cast<float>(k), 1.4f + 0.5f * static_cast<float>(k), 0)}, {0, -3, 0});
+        rope.end = {RopeEnd::Kind::Attached, builder.ownParticles(body)[0]};
+    }
+    rope.from = {-0.5f, 4.0f, 0};
+    rope.start.kind = RopeEnd::Kind::Fixed;
+    addRope(builder, "rope", rope);
+    return builder.build();
+}
+
 World worldOf(int way)
 {
     if (way == SOFT) return softWorld();
+    if (way == STRANDS) return strandWorld();
     World world = table2World(OBJECTS, settingsOf(way));
     // One of them is shot into the others, fast enough to look further for contacts than they do.
     for (Particle& p : world.particles)
@@ -102,7 +130,7 @@ TEST_P(DeterminismOf, APileHasTheSameBitsTwiceAndAtAnyNumberOfDriverThreads)
 
 std::string wayName(const testing::TestParamInfo<int>& way)
 {
-    static constexpr const char* NAMES[WAYS] = {"Default", "Hash", "Paper", "PaperInGroups", "Soft"};
+    static constexpr const char* NAMES[WAYS] = {"Default", "Hash", "Paper", "PaperInGroups", "Soft", "Strands"};
     return NAMES[way.param];
 }
 

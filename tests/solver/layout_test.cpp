@@ -51,7 +51,8 @@ const std::vector<Member> COUNTERS = {
     MEMBER(Counters, badParticle), MEMBER(Counters, substep), MEMBER(Counters, due), MEMBER(Counters, listParity),
     MEMBER(Counters, findCount), MEMBER(Counters, pairCount), MEMBER(Counters, colliderPairCount),
     MEMBER(Counters, wantedPairs), MEMBER(Counters, wantedColliderPairs), MEMBER(Counters, fastCount),
-    MEMBER(Counters, fastListed), MEMBER(Counters, fastLater), MEMBER(Counters, calm)};
+    MEMBER(Counters, fastListed), MEMBER(Counters, fastLater), MEMBER(Counters, calm),
+    MEMBER(Counters, wantedNeighbours)};
 const std::vector<Member> COLLIDER = {MEMBER(GpuCollider, position), MEMBER(GpuCollider, orientation),
                                       MEMBER(GpuCollider, size), MEMBER(GpuCollider, friction),
                                       MEMBER(GpuCollider, gridLow), MEMBER(GpuCollider, grid)};
@@ -74,24 +75,25 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
     Bench bench(mixedWorld());
     expectMembers(bench.load("predict"), GL_UNIFORM_BLOCK, "Step", "step.", {
         MEMBER(StepParameters, gravity), MEMBER(StepParameters, particleCount), MEMBER(StepParameters, bodyCount),
-        MEMBER(StepParameters, linkCount), MEMBER(StepParameters, colliderCount), MEMBER(StepParameters, contactSlots),
-        MEMBER(StepParameters, cellMask), MEMBER(StepParameters, cellStrideY), MEMBER(StepParameters, cellStrideZ),
-        MEMBER(StepParameters, diameter), MEMBER(StepParameters, contactRadius),
+        MEMBER(StepParameters, linkCount), MEMBER(StepParameters, colliderCount),
+        MEMBER(StepParameters, contactSlots), MEMBER(StepParameters, cellMask), MEMBER(StepParameters, cellStrideY),
+        MEMBER(StepParameters, cellStrideZ), MEMBER(StepParameters, diameter), MEMBER(StepParameters, contactRadius),
         MEMBER(StepParameters, inverseCellSize), MEMBER(StepParameters, drift), MEMBER(StepParameters, substepTime),
         MEMBER(StepParameters, correction), MEMBER(StepParameters, warmStart),
         MEMBER(StepParameters, virtualParticles), MEMBER(StepParameters, freeze), MEMBER(StepParameters, damping),
         MEMBER(StepParameters, maxSpeed), MEMBER(StepParameters, secondOrder), MEMBER(StepParameters, alwaysFind),
         MEMBER(StepParameters, rotationIterations), MEMBER(StepParameters, maxCorrection),
         MEMBER(StepParameters, jointRelaxation), MEMBER(StepParameters, sharedCount),
-        MEMBER(StepParameters, sharedByTwo),
-        MEMBER(StepParameters, moverCount), MEMBER(StepParameters, pairCapacity),
-        MEMBER(StepParameters, colliderPairCapacity), MEMBER(StepParameters, lookAhead),
-        MEMBER(StepParameters, farReach), MEMBER(StepParameters, fastLimit), MEMBER(StepParameters, horizon),
-        MEMBER(StepParameters, massScaling), MEMBER(StepParameters, bounceSpeed),
-        MEMBER(StepParameters, sleepSpeed), MEMBER(StepParameters, assemblyCount),
-        MEMBER(StepParameters, fluidCount), MEMBER(StepParameters, fluidSpacing),
+        MEMBER(StepParameters, sharedByTwo), MEMBER(StepParameters, moverCount),
+        MEMBER(StepParameters, pairCapacity), MEMBER(StepParameters, colliderPairCapacity),
+        MEMBER(StepParameters, lookAhead), MEMBER(StepParameters, farReach), MEMBER(StepParameters, fastLimit),
+        MEMBER(StepParameters, horizon), MEMBER(StepParameters, fluidCount), MEMBER(StepParameters, fluidSlots),
+        MEMBER(StepParameters, fluidSpacing), MEMBER(StepParameters, fluidReach),
+        MEMBER(StepParameters, fluidListReach), MEMBER(StepParameters, fluidVolume),
         MEMBER(StepParameters, fluidSoftness), MEMBER(StepParameters, inverseFluidCell),
-        MEMBER(StepParameters, clusterCount), MEMBER(StepParameters, softCount)
+        MEMBER(StepParameters, massScaling), MEMBER(StepParameters, bounceSpeed), MEMBER(StepParameters, sleepSpeed),
+        MEMBER(StepParameters, assemblyCount), MEMBER(StepParameters, clusterCount),
+        MEMBER(StepParameters, softCount)
     });
     EXPECT_EQ(sizeof(gpu::StepParameters) % 16, 0u) << "std140 pads to whole vectors";
 }

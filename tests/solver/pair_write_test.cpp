@@ -71,9 +71,11 @@ protected:
         return 1.0 / bodyMass(bench.world, bench.world.bodies[p.body]).mass + t.dot(inertias[p.body] * t);
     }
 
-    /// By the particle that is nearer to its surface, or between both.
+    /// By the particle that is nearer to its surface, or between both; none within an assembly.
     WayOut wayOut(uint32_t i, uint32_t j) const
     {
+        const uint32_t assembly = bench.world.particles[i].assembly;
+        if (assembly != NO_INDEX && assembly == bench.world.particles[j].assembly) return {};
         const auto known = [&](uint32_t particle) {
             const Particle& p = bench.world.particles[particle];
             return p.bodyCount == 1 && !p.surface.outward.isZero();
@@ -199,7 +201,7 @@ TEST_F(PairWrite, APairKnowsItsMoversArmsAndFriction)
             ASSERT_EQ(arm.w, wanted.w) << "pair " << q;
         }
         // Half of the sum; of two loose particles, 2 / pi of that.
-        const bool loose = std::min(sides[q].x, sides[q].y) >= bench.world.bodies.size();
+        const bool loose = std::min(sides[q].x & MOVERS, sides[q].y & MOVERS) >= bench.world.bodies.size();
         const float share = loose ? 1.0f / static_cast<float>(M_PI) : 0.5f;
         const Eigen::Vector2f frictions = halves(sides[q].z);
         ASSERT_NEAR(frictions.x(), share * (material(i).staticFriction + material(j).staticFriction), HALF_ROUNDING);
