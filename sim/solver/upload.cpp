@@ -171,7 +171,7 @@ void setSearchParameters(gpu::StepParameters& p, const Settings& s)
 {
     p.contactRadius = (1.0f + s.contactMargin) * p.diameter;
     p.inverseCellSize = 1.0f / p.contactRadius;
-    p.drift = 0.9f * s.contactMargin * p.diameter;
+    p.drift = 1.0f * s.contactMargin * p.diameter;
     p.lookAhead = 0.5f * static_cast<float>(s.substeps);
     p.horizon = 2.0f * static_cast<float>(s.substeps);
     p.farReach = 0.5f * p.contactRadius;

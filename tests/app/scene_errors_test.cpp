@@ -60,7 +60,7 @@ const BadScene BAD_SCENES[] = {
     {"MeshWithoutFile", OBJECT(R"("type": "rigid", "shape": "mesh")"),
      ": /objects/0: \"file\" is missing; add it: Path relative to the scene file."},
     {"UnknownMaterial", OBJECT(R"("type": "rigid", "shape": "box", "material": "wod")"),
-     ": /objects/0/material: there is no material \"wod\"; known: default"},
+     ": /objects/0/material: there is no material \"wod\"; known: default, water"},
     {"FrictionTheWrongWayRound", WITH(R"("materials": {"ice": {"staticFriction": 0.1, "kineticFriction": 0.2}})"),
      ": /materials/ice/kineticFriction: 0.2 is above staticFriction, 0.1; lower it or raise the other"},
     {"AxisAlongTheChain", OBJECT(R"("type": "joined", "axis": [1, 0, 0])"),
