@@ -94,6 +94,14 @@ const BadScene BAD_SCENES[] = {
     {"TooManyGrains", OBJECT(R"("type": "grains", "shape": "cone", "radius": 20, "height": 20)"),
      ": /objects/0: brings the scene to 8377580 particles, the limit is 1000000; raise /diameter, or make it smaller "
      "or fewer"},
+    {"FluidOfASolid", OBJECT(R"("type": "fluid", "shape": "box", "material": "default")"),
+     ": /objects/0/material: \"default\" is not a fluid; give that material \"fluid\": true, or take another"},
+    {"SolidOfAFluid", OBJECT(R"("type": "rigid", "shape": "box", "material": "water")"),
+     ": /objects/0/material: \"water\" is a fluid; only objects of type \"fluid\" are made of fluids"},
+    {"FluidTooWide", WITH(R"("fluidSpacing": 1.2)"), ": /fluidSpacing: 1.2 is above the maximum 0.6 [diameters]"},
+    {"TooMuchFluid", OBJECT(R"("type": "fluid", "shape": "box", "size": [10, 10, 10])"),
+     ": /objects/0: brings the scene to 8000000 particles, the limit is 1000000; raise /diameter, or make it smaller "
+     "or fewer"},
     {"FollowGrains", R"({"objects": [{"type": "grains", "shape": "box"}], "camera": {"kind": "follow"}})",
      ": /camera/kind: \"follow\" needs an object with a body; take \"fixed\""},
     {"HeightfieldOfNothing", WITH(R"("colliders": [{"type": "heightfield", "size": [1, 1]}])"),

@@ -22,7 +22,7 @@ constexpr const char* WAY_VARIABLE = "KNUCKLE_TEST_WAY";
 const std::string MARK = "state hash ";
 
 /// Ways of solving that share few kernels.
-enum Way { DEFAULT, HASH, PAPER, GROUPS, SOFT, STRANDS, WAYS };
+enum Way { DEFAULT, HASH, PAPER, GROUPS, SOFT, STRANDS, FLUIDS, WAYS };
 
 Settings settingsOf(int way)
 {
@@ -76,8 +76,37 @@ World strandWorld()
     return builder.build();
 }
 
+/// Boxes that fall into two fluids, one on the other, between walls.
+World fluidWorld()
+{
+    WorldBuilder builder(DIAMETER / 2);
+    builder.addMaterial({});
+    for (const Vector3f& normal : {Vector3f(0, 1, 0), Vector3f(1, 0, 0), Vector3f(0, 0, 1), Vector3f(-1, 0, -1)}) {
+        Collider wall;
+        wall.position = -0.4f * normal;
+        wall.orientation = Quaternionf::FromTwoVectors(Vector3f::UnitY(), normal);
+        builder.addCollider(wall);
+    }
+    Material fluid;
+    fluid.fluid = true;
+    for (int kind = 0; kind < 2; ++kind) {
+        fluid.density = kind == 0 ? 1000.0f : 700.0f;
+        const uint32_t material = builder.addMaterial(fluid);
+        std::vector<Vector3f> places = boxLattice({11, 5, 13}, builder.fluidSpacing());
+        for (Vector3f& place : places) place.y() += 0.3f * static_cast<float>(kind) - 0.2f;
+        builder.addFluid(places, {0.5f, -1, 0}, material);
+    }
+    for (int k = 0; k < 3; ++k) {
+        builder.beginObject("box");
+        builder.addBody("box", boxLattice({3, 2, 3}, DIAMETER), 0);
+        builder.endObject({Vector3f(0.05f * static_cast<float>(k), 0.5f + 0.3f * static_cast<float>(k), 0)}, {0, -3, 0});
+    }
+    return builder.build();
+}
+
 World worldOf(int way)
 {
+    if (way == FLUIDS) return fluidWorld();
     if (way == SOFT) return softWorld();
     if (way == STRANDS) return strandWorld();
     World world = table2World(OBJECTS, settingsOf(way));
@@ -130,7 +159,8 @@ TEST_P(DeterminismOf, APileHasTheSameBitsTwiceAndAtAnyNumberOfDriverThreads)
 
 std::string wayName(const testing::TestParamInfo<int>& way)
 {
-    static constexpr const char* NAMES[WAYS] = {"Default", "Hash", "Paper", "PaperInGroups", "Soft", "Strands"};
+    static constexpr const char* NAMES[WAYS] = {"Default", "Hash", "Paper", "PaperInGroups", "Soft", "Strands",
+                                            "Fluids"};
     return NAMES[way.param];
 }
 
