@@ -65,7 +65,8 @@ std::vector<Vector3f> fillCone(const Region& region)
 
 void limitParticles(const SceneContext& context, const Json& object, const std::string& pointer, double count)
 {
-    const double total = context.builder.particleCount() + context.builder.fluidCount() + count * static_cast<double>(copyCount(object));
+    const double before = context.builder.particleCount() + context.builder.fluidCount();
+    const double total = before + count * static_cast<double>(copyCount(object));
     if (total <= static_cast<double>(MAX_PARTICLES)) return;
     const std::string number = total < 1e15 ? fmt::format("{:.0f}", total) : fmt::format("{:.1e}", total);
     failAt(context.path, pointer, fmt::format("brings the scene to {} particles, the limit is {}; raise /diameter, or "

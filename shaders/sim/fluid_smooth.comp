@@ -1,5 +1,6 @@
-// One thread a slot: viscosity, as velocities that even out (Macklin and Mueller 2013, eq. 17, XSPH). The strength is that
-// of the fluid's viscosity: a step of c = 6 nu t / <r^2> spreads momentum as nu does in the time t, <r^2> the kernel's mean.
+// One thread a slot: viscosity, as velocities that even out (Macklin and Mueller 2013, eq. 17, XSPH). The strength is
+// that of the fluid's viscosity: a step of c = 6 nu t / <r^2> spreads momentum as nu does in the time t, <r^2> being
+// the kernel's mean.
 #include "shared/kernel.glsl"
 #include "shared/fluid_slots.glsl"
 #include "shared/fluid.glsl"

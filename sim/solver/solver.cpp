@@ -87,7 +87,8 @@ void Solver::checkCounters(uint64_t frame)
     if (counters.wantedColliderPairs > room.colliderPairCapacity)
         room.colliderPairCapacity = counters.wantedColliderPairs * 3 / 2;
     impl_->buffers.resizeContacts(impl_->gpu);
-    counters.problems = counters.wantedNeighbours = counters.wantedContacts = counters.wantedPairs = counters.wantedColliderPairs = 0;
+    counters.problems = counters.wantedNeighbours = counters.wantedContacts = 0;
+    counters.wantedPairs = counters.wantedColliderPairs = 0;
     counters.pairCount = counters.colliderPairCount = 0;
     counters.due = 1;
     impl_->buffers.counters.upload(std::span<const gpu::Counters>(&counters, 1));

@@ -40,8 +40,7 @@ float smoothing(const gpu::StepParameters& p, const Material& material, float ti
     constexpr double LEAST = 0.03, MOST = 0.9;
     const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
     const double kinematic = material.viscosity / material.density;
-    return static_cast<float>(std::clamp(6.0 * kinematic * time * lattice.density / lattice.spread,
-                                         getenv("SMOOTH") ? atof(getenv("SMOOTH")) : LEAST, MOST));
+    return static_cast<float>(std::clamp(6.0 * kinematic * time * lattice.density / lattice.spread, LEAST, MOST));
 }
 
 }  // namespace
