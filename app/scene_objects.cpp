@@ -71,11 +71,12 @@ void addRigidOrSoft(const Entry& entry)
     if (soft && entry.json["fixed"].get<bool>())
         entry.fail("/fixed", "a soft body cannot be fixed; use type \"rigid\"");
     const std::vector<Vector3f> positions = fillRegion(entry.context, entry.json, entry.pointer, builder.diameter());
+    const std::vector<SurfaceDistance> surface = soft ? std::vector<SurfaceDistance>() : surfaceOf(entry, positions);
     const Motion motion = entry.json["fixed"].get<bool>() ? Motion::Fixed : Motion::Dynamic;
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         builder.beginObject(entry.copyName(copy));
         if (soft) builder.addSoftBody(entry.copyName(copy), positions, entry.material);
-        else builder.addBody("body", positions, entry.material, motion, surfaceOf(entry, positions));
+        else builder.addBody("body", positions, entry.material, motion, surface);
         builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
     }
 }

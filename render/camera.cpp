@@ -98,7 +98,7 @@ SceneExtent sceneExtent(const World& world)
     findGround(world, extent);
     AlignedBox3f box = particleBounds(world);
     for (const Collider& collider : world.colliders)
-        if (collider.visible && collider.shape != ColliderShape::Plane) 
+        if (collider.visible && collider.shape != ColliderShape::Plane)
             extent.solids.extend(boundsOf(world, collider));
     if (box.isEmpty()) box = extent.solids;
     if (box.isEmpty()) box = {Vector3f(-1, 0, -1), Vector3f(1, 1, 1)};

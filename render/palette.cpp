@@ -30,8 +30,8 @@ uint32_t colorWord(const World& world, uint32_t index, const RenderSettings& set
         case ColorBy::Body: break;
     }
     if (particle.body != NO_INDEX) return packColor(paletteColor(particle.body));
-    // Soft bodies by their assembly, after the rigid ones.
     if (world.materials[particle.material].fluid) return packColor(world.materials[particle.material].color);
+    // Soft bodies by their assembly, after the rigid ones.
     const auto bodies = static_cast<uint32_t>(world.bodies.size());
     return packColor(particle.assembly != NO_INDEX ? paletteColor(bodies + particle.assembly) : LOOSE_COLOR);
 }

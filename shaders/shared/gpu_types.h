@@ -52,7 +52,6 @@
 #define DISPATCH_FAST 10            // particles that find contacts from afar
 #define DISPATCH_COUNT 11
 
-
 // By how much longer contacts are to stay good where few things are fast.
 #define CALM 3.0f
 // Relaxation of a mover's contacts: where it starts, and how it grows until their impulses turn about.

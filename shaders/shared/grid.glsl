@@ -9,7 +9,8 @@ ivec3 cellOf(vec3 x)
 #ifdef GRID_HASH
 
 // Teschner et al. 2003: h = (73856093 x xor 19349663 y xor 83492791 z) mod n, on unsigned values.
-#define FORWARD_RANGES 14
+#define RANGES_AROUND(width) (width * width * width)
+#define FIRST_FORWARD 13
 
 uint cellIndex(ivec3 c)
 {
@@ -17,68 +18,35 @@ uint cellIndex(ivec3 c)
     return (73856093u * u.x ^ 19349663u * u.y ^ 83492791u * u.z) & step.cellMask;
 }
 
-ivec3 forwardCell(ivec3 c, int range)
+/// Of the cube of width^3 cells around c.
+ivec3 cellAround(ivec3 c, int range, int width)
 {
-    int n = range + 13;
-    return c + ivec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+    return c + ivec3(range % width, range / width % width, range / (width * width)) - width / 2;
 }
 
-/// First cell and the one behind the last, in the order of the sorted particles. Range 0 begins with the own cell.
+uvec2 cellsAround(ivec3 c, int range, int width)
+{
+    uint first = cellIndex(cellAround(c, range, width));
+    return uvec2(first, first + 1u);
+}
+
+// Two of the cells may share a bucket: only what lies in the cell asked for counts.
+bool inRangeAround(ivec3 c, int range, int width, vec3 x)
+{
+    return cellOf(x) == cellAround(c, range, width);
+}
+
 uvec2 forwardCells(ivec3 c, int range)
 {
-    uint first = cellIndex(forwardCell(c, range));
-    return uvec2(first, first + 1u);
-}
-
-// Two of the 27 cells may share a bucket: only what lies in the cell asked for counts.
-bool inForwardRange(ivec3 c, int range, vec3 x)
-{
-    return cellOf(x) == forwardCell(c, range);
-}
-
-// All cells around.
-#define AROUND_RANGES 27
-
-ivec3 aroundCell(ivec3 c, int range)
-{
-    return c + ivec3(range % 3 - 1, range / 3 % 3 - 1, range / 9 - 1);
-}
-
-uvec2 aroundCells(ivec3 c, int range)
-{
-    uint first = cellIndex(aroundCell(c, range));
-    return uvec2(first, first + 1u);
-}
-
-bool inAroundRange(ivec3 c, int range, vec3 x)
-{
-    return cellOf(x) == aroundCell(c, range);
-}
-
-// All cells up to two away.
-#define FAR_RANGES 125
-
-ivec3 farCell(ivec3 c, int range)
-{
-    return c + ivec3(range % 5 - 2, range / 5 % 5 - 2, range / 25 - 2);
-}
-
-uvec2 farCells(ivec3 c, int range)
-{
-    uint first = cellIndex(farCell(c, range));
-    return uvec2(first, first + 1u);
-}
-
-bool inFarRange(ivec3 c, int range, vec3 x)
-{
-    return cellOf(x) == farCell(c, range);
+    return cellsAround(c, range + FIRST_FORWARD, 3);
 }
 
 #else
 
 // A lattice wrapped onto a line. Neighbours in x are neighbours on the line, so three cells are one range; the first
 // WRAPPED_CELLS cells stand again behind the last, so that a range never wraps.
-#define FORWARD_RANGES 5
+#define RANGES_AROUND(width) (width * width)
+#define FIRST_FORWARD 4
 
 uint cellIndex(ivec3 c)
 {
@@ -86,45 +54,58 @@ uint cellIndex(ivec3 c)
     return (u.x + step.cellStrideY * u.y + step.cellStrideZ * u.z) & step.cellMask;
 }
 
-/// First cell and the one behind the last, in the order of the sorted particles. Range 0 begins with the own cell.
-uvec2 forwardCells(ivec3 c, int range)
+/// Of the rows of `width` cells along x around c.
+uvec2 cellsAround(ivec3 c, int range, int width)
 {
-    int n = range + 4;
-    uint first = cellIndex(c + ivec3(range == 0 ? 0 : -1, n % 3 - 1, n / 3 - 1));
-    return uvec2(first, first + (range == 0 ? 2u : 3u));
+    uint first = cellIndex(c + ivec3(0, range % width, range / width) - width / 2);
+    return uvec2(first, first + uint(width));
 }
 
-bool inForwardRange(ivec3 c, int range, vec3 x)
+bool inRangeAround(ivec3 c, int range, int width, vec3 x)
 {
     return true;
 }
 
+uvec2 forwardCells(ivec3 c, int range)
+{
+    uint own = cellIndex(c);
+    return range == 0 ? uvec2(own, own + 2u) : cellsAround(c, range + FIRST_FORWARD, 3);
+}
+
+#endif
+
+// Ranges of cells: each has a first cell and the one behind its last, in the order of the sorted particles.
+
+// Ahead, each pair of particles in one of the two directions; range 0 begins with the own cell.
+#define FORWARD_RANGES (RANGES_AROUND(3) - FIRST_FORWARD)
+
+bool inForwardRange(ivec3 c, int range, vec3 x)
+{
+    return inRangeAround(c, range + FIRST_FORWARD, 3, x);
+}
+
 // All cells around.
-#define AROUND_RANGES 9
+#define AROUND_RANGES RANGES_AROUND(3)
 
 uvec2 aroundCells(ivec3 c, int range)
 {
-    uint first = cellIndex(c + ivec3(-1, range % 3 - 1, range / 3 - 1));
-    return uvec2(first, first + 3u);
+    return cellsAround(c, range, 3);
 }
 
 bool inAroundRange(ivec3 c, int range, vec3 x)
 {
-    return true;
+    return inRangeAround(c, range, 3, x);
 }
 
 // All cells up to two away.
-#define FAR_RANGES 25
+#define FAR_RANGES RANGES_AROUND(5)
 
 uvec2 farCells(ivec3 c, int range)
 {
-    uint first = cellIndex(c + ivec3(-2, range % 5 - 2, range / 5 - 2));
-    return uvec2(first, first + 5u);
+    return cellsAround(c, range, 5);
 }
 
 bool inFarRange(ivec3 c, int range, vec3 x)
 {
-    return true;
+    return inRangeAround(c, range, 5, x);
 }
-
-#endif

@@ -3,9 +3,10 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
+
+#include "sim/world/cells.h"
 
 namespace knuckle {
 
@@ -21,22 +22,6 @@ bool inBody(const World& world, uint32_t particle, uint32_t bodyIndex)
         if (world.links[l].particle == particle) return true;
     return false;
 }
-
-/// Particles sorted by cells of one diameter.
-struct Cells {
-    /// The first `count` of them.
-    Cells(const std::vector<Vector3f>& positions, uint32_t count, float size) : inverseSize(1.0f / size)
-    {
-        for (uint32_t i = 0; i < count; ++i) members[cellOf(positions[i])].push_back(i);
-    }
-    std::array<int, 3> cellOf(const Vector3f& x) const
-    {
-        const Eigen::Vector3i c = (x * inverseSize).array().floor().cast<int>();
-        return {c.x(), c.y(), c.z()};
-    }
-    float inverseSize;
-    std::map<std::array<int, 3>, std::vector<uint32_t>> members;
-};
 
 struct Depths {
     uint32_t count = 0;
@@ -56,13 +41,14 @@ Depths penetrations(const World& world, const std::vector<Vector3f>& positions)
     Depths depths;
     const float diameter = world.diameter();
     // Fluids have no contacts.
-    const Cells cells(positions, world.solidCount(), diameter);
-    for (const auto& [cell, members] : cells.members)
+    Cells cells(diameter);
+    for (uint32_t i = 0; i < world.solidCount(); ++i) cells.add(positions[i], i);
+    for (const auto& [cell, members] : cells.members())
         for (int k = 0; k < 27; ++k) {
-            const auto found = cells.members.find({cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1});
-            if (found == cells.members.end()) continue;
+            const auto* others = cells.around(cell, k);
+            if (!others) continue;
             for (uint32_t i : members)
-                for (uint32_t j : found->second) {
+                for (uint32_t j : *others) {
                     if (j <= i) continue;
                     const float depth = diameter - (positions[i] - positions[j]).norm();
                     if (depth > 0.0f && mayTouch(world, i, j)) depths.add(depth);

@@ -19,6 +19,9 @@ void measureSoftBodies(Measures& out, const World& world, const ParticleState& p
 /// The part of it that is about strands. @param torn per distance of all strands, in their order (tornDistances).
 void measureStrands(Measures& out, const World& world, const ParticleState& particles, const std::vector<bool>& torn);
 
+/// The part of it that is about fluids. @param densities of their particles, over those at rest.
+void measureFluids(Measures& out, const std::vector<float>& densities);
+
 /// Signed distance of a point to a collider's surface [m], negative inside.
 float colliderDistance(const World& world, const Collider& collider, const Vector3f& point);
 

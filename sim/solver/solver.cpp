@@ -134,7 +134,7 @@ Measures Solver::measure()
     const ParticleState particles = readParticles();
     Measures measures = measureState(impl_->world, particles, readBodies());
     measureStrands(measures, impl_->world, particles, tornDistances(impl_->buffers, impl_->world));
-    if (impl_->world.fluidCount > 0) measureFluids(measures, impl_->buffers);
+    measureFluids(measures, fluidDensities(impl_->buffers));
     return measures;
 }
 

@@ -97,21 +97,14 @@ void addFluid(BufferTable& table, FluidBuffers& f)
               f.fluidMaterials, f.slotVelocities, f.slotPlaces, f.slotPressures, f.slotWalls, f.slotSolids);
 }
 
-void measureFluids(Measures& out, SolverBuffers& buffers)
+std::vector<float> fluidDensities(SolverBuffers& buffers)
 {
-    const std::vector<gpu::vec4> shares = buffers.fluid.slotWalls.download();
+    const std::vector<gpu::vec4> walls = buffers.fluid.slotWalls.download();
     const std::vector<uint32_t> particles = buffers.fluid.slotParticles.download();
-    double errors = 0.0, volume = 0.0;
-    for (size_t k = 0; k < shares.size(); ++k) {
-        if (particles[k] < buffers.parameters.particleCount) continue;
-        const float error = std::max(shares[k].w - 1.0f, 0.0f);
-        errors += error;
-        volume += 1.0 / (1.0 + error);
-        out.worstDensityError = std::max(out.worstDensityError, error);
-    }
-    const double count = buffers.parameters.fluidCount;
-    out.meanDensityError = static_cast<float>(errors / count);
-    out.fluidVolumeError = static_cast<float>(1.0 - volume / count);
+    std::vector<float> densities;
+    for (size_t k = 0; k < walls.size(); ++k)
+        if (particles[k] >= buffers.parameters.particleCount) densities.push_back(walls[k].w);
+    return densities;
 }
 
 }  // namespace knuckle

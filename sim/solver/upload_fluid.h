@@ -1,7 +1,6 @@
 #pragma once
 
 #include "sim/solver/buffers.h"
-#include "sim/solver/solver.h"
 
 namespace knuckle {
 
@@ -12,7 +11,7 @@ void setFluidParameters(gpu::StepParameters& parameters, const World& world);
 void makeFluid(SolverBuffers& out, const World& world, const Gpu& gpu);
 void addFluid(BufferTable& table, FluidBuffers& fluid);
 
-/// The part of the measures that is about fluids, by the densities of the last substep.
-void measureFluids(Measures& out, SolverBuffers& buffers);
+/// Of the last substep, of each fluid particle over its density at rest, in no order that matters. Stalls.
+std::vector<float> fluidDensities(SolverBuffers& buffers);
 
 }  // namespace knuckle

@@ -1,50 +1,32 @@
 #include <algorithm>
-#include <array>
-#include <map>
 
 #include "sim/world/builder.h"
+#include "sim/world/cells.h"
 
 namespace knuckle {
 
 namespace {
 
-/// Particles by cells of one diameter.
-class Places {
-public:
-    Places(const std::vector<Particle>& particles, float size) : inverseSize_(1.0f / size)
-    {
-        for (const Particle& p : particles) cells_[cellOf(p.position)].push_back(p.position);
+/// Whether any of the particles in cells stands nearer than `distance`, a cell at most.
+bool anyNear(const std::vector<Particle>& particles, const Cells& cells, const Vector3f& x, float distance)
+{
+    for (int k = 0; k < 27; ++k) {
+        const auto* members = cells.around(cells.cellOf(x), k);
+        if (!members) continue;
+        for (uint32_t i : *members)
+            if ((particles[i].position - x).squaredNorm() < distance * distance) return true;
     }
-    /// Whether any stands nearer than `distance`, a cell at most.
-    bool near(const Vector3f& x, float distance) const
-    {
-        const auto middle = cellOf(x);
-        for (int k = 0; k < 27; ++k) {
-            const auto cell = cells_.find({middle[0] + k % 3 - 1, middle[1] + k / 3 % 3 - 1, middle[2] + k / 9 - 1});
-            if (cell == cells_.end()) continue;
-            for (const Vector3f& place : cell->second)
-                if ((place - x).squaredNorm() < distance * distance) return true;
-        }
-        return false;
-    }
-
-private:
-    std::array<int, 3> cellOf(const Vector3f& x) const
-    {
-        const Eigen::Vector3i c = (x * inverseSize_).array().floor().cast<int>();
-        return {c.x(), c.y(), c.z()};
-    }
-    float inverseSize_;
-    std::map<std::array<int, 3>, std::vector<Vector3f>> cells_;
-};
+    return false;
+}
 
 }  // namespace
 
 void WorldBuilder::placeFluid()
 {
-    const Places solids(world_.particles, world_.diameter());
+    Cells solids(world_.diameter());
+    for (uint32_t i = 0; i < particleCount(); ++i) solids.add(world_.particles[i].position, i);
     const float apart = 0.45f * (world_.diameter() + world_.fluidSpacing);
-    std::erase_if(fluid_, [&](const Particle& p) { return solids.near(p.position, apart); });
+    std::erase_if(fluid_, [&](const Particle& p) { return anyNear(world_.particles, solids, p.position, apart); });
     world_.particles.insert(world_.particles.end(), fluid_.begin(), fluid_.end());
     world_.fluidCount = fluidCount();
     Settings& settings = world_.settings;

@@ -40,24 +40,12 @@ World gridWorld()
 
 TEST(ColliderGrid, TheKernelsSeeTheDistanceOfTheReferenceAndItsGradient)
 {
-    std::filesystem::create_directories(shaderFolder().path("sim"));
-    shaderFolder().write("sim/test_grid.comp", R"(#include "shared/kernel.glsl"
-#include "shared/colliders.glsl"
-layout(local_size_x = GROUP_SIZE) in;
-layout(location = 0) uniform uint index;
-uniform samplerBuffer positions;
-BUFFER(vec4, Moved, moved);
-void main()
-{
-    uint i = gl_GlobalInvocationID.x;
-    if (i < step.particleCount) moved[i] = colliderDistance(index, texelFetch(positions, int(i)).xyz);
-}
-)");
+    writeColliderKernel();
     Bench bench(gridWorld());
     EXPECT_TRUE(bench.buffers.hasGrids);
     const auto positions = randomVectors(bench.world.particles.size(), 0.5f, 62);
     fill(bench.buffers.positions, positions);
-    const Kernel kernel = bench.load("test_grid", {{"GRIDS", "1"}});
+    const Kernel kernel = bench.load("test_collider", {{"GRIDS", "1"}});
     for (uint32_t c = 0; c < bench.world.colliders.size(); ++c) {
         SCOPED_TRACE("collider " + std::to_string(c));
         glProgramUniform1ui(kernel.program(), 0, c);

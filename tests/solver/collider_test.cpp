@@ -39,19 +39,7 @@ TEST(ColliderDistance, IsThatOfTheShapeInItsOwnFrame)
 
 TEST(ColliderDistance, TheKernelsSeeTheSameDistanceAndItsGradient)
 {
-    std::filesystem::create_directories(shaderFolder().path("sim"));
-    shaderFolder().write("sim/test_collider.comp", R"(#include "shared/kernel.glsl"
-#include "shared/colliders.glsl"
-layout(local_size_x = GROUP_SIZE) in;
-layout(location = 0) uniform uint index;
-uniform samplerBuffer positions;
-BUFFER(vec4, Moved, moved);
-void main()
-{
-    uint i = gl_GlobalInvocationID.x;
-    if (i < step.particleCount) moved[i] = colliderDistance(index, texelFetch(positions, int(i)).xyz);
-}
-)");
+    writeColliderKernel();
     Bench bench(colliderWorld());
     const auto positions = randomVectors(bench.world.particles.size(), 0.5f, 52);
     fill(bench.buffers.positions, positions);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "solver_test.h"
 
 namespace knuckle::test {
@@ -34,6 +36,24 @@ inline World colliderWorld(uint32_t count = 4)
         world.colliders.back().kineticFriction = random.between(0.0f, 0.5f);
     }
     return world;
+}
+
+/// Has `sim/test_collider.comp` write colliderDistance() of each position, for the collider in location 0, to `moved`.
+inline void writeColliderKernel()
+{
+    std::filesystem::create_directories(shaderFolder().path("sim"));
+    shaderFolder().write("sim/test_collider.comp", R"(#include "shared/kernel.glsl"
+#include "shared/colliders.glsl"
+layout(local_size_x = GROUP_SIZE) in;
+layout(location = 0) uniform uint index;
+uniform samplerBuffer positions;
+BUFFER(vec4, Moved, moved);
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i < step.particleCount) moved[i] = colliderDistance(index, texelFetch(positions, int(i)).xyz);
+}
+)");
 }
 
 }  // namespace knuckle::test

@@ -1,0 +1,113 @@
+#include <algorithm>
+
+#include "sim/world/builder.h"
+#include "sim/world/clusters.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+/// A light cross takes what it can get of the particles that it shares: the nearer its mass is to its neighbours', the
+/// sooner the impulses between them converge.
+float shareWeight(const Body& body)
+{
+    return body.isCross ? 6.0f : 1.0f;
+}
+
+}  // namespace
+
+void WorldBuilder::assignAssemblies()
+{
+    // Bodies that share a particle are of one assembly; the smallest body index names it until it is numbered.
+    std::vector<uint32_t> root(world_.bodies.size());
+    for (uint32_t b = 0; b < root.size(); ++b) root[b] = b;
+    const auto find = [&](uint32_t b) {
+        while (root[b] != b) b = root[b] = root[root[b]];
+        return b;
+    };
+    owners_.resize(world_.particles.size());
+    for (uint32_t b = 0; b < bodyParticles_.size(); ++b)
+        for (uint32_t p : bodyParticles_[b]) {
+            Particle& particle = world_.particles[p];
+            if (particle.body == NO_INDEX) particle.body = b;
+            ++particle.bodyCount;
+            owners_[p].push_back(b);
+            const uint32_t first = find(particle.body), second = find(b);
+            root[std::max(first, second)] = std::min(first, second);
+        }
+    for (uint32_t b = 0; b < root.size(); ++b) {
+        const uint32_t top = find(b);
+        world_.bodies[b].assembly = top == b ? world_.assemblyCount++ : world_.bodies[top].assembly;
+    }
+    for (Particle& particle : world_.particles)
+        if (particle.body != NO_INDEX) particle.assembly = world_.bodies[particle.body].assembly;
+}
+
+float WorldBuilder::massShare(uint32_t particle, uint32_t body) const
+{
+    float all = 0.0f;
+    for (uint32_t owner : owners_[particle]) all += shareWeight(world_.bodies[owner]);
+    return shareWeight(world_.bodies[body]) / all;
+}
+
+void WorldBuilder::makeBodyLinks(uint32_t bodyIndex)
+{
+    Body& body = world_.bodies[bodyIndex];
+    body.linkStart = static_cast<uint32_t>(world_.links.size());
+    body.linkCount = static_cast<uint32_t>(bodyParticles_[bodyIndex].size());
+    std::vector<bool> pinned;
+    uint32_t pinCount = 0;
+    Eigen::Vector3d massCentre = Eigen::Vector3d::Zero();
+    double mass = 0.0;
+    for (uint32_t p : bodyParticles_[bodyIndex]) {
+        const Particle& particle = world_.particles[p];
+        const bool pin = world_.settings.solver == SolverKind::Paper && body.motion == Motion::Dynamic &&
+                         world_.bodies[particle.body].motion == Motion::Fixed;
+        Link link{p, bodyIndex, particle.restPosition, particle.mass};
+        if (world_.settings.splitSharedMass) link.mass *= massShare(p, bodyIndex);
+        pinned.push_back(pin);
+        pinCount += pin;
+        if (!pin) {
+            mass += link.mass;
+            massCentre += link.mass * particle.restPosition.cast<double>();
+        }
+        world_.links.push_back(link);
+    }
+    body.mass = static_cast<float>(mass);
+    if (mass > 0.0) massCentre /= mass;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    double weight = 0.0;
+    for (uint32_t i = 0; i < body.linkCount; ++i) {
+        Link& link = world_.links[body.linkStart + i];
+        if (pinned[i]) link.mass = PIN_WEIGHT * std::max(body.mass, link.mass) / static_cast<float>(pinCount);
+        weight += link.mass;
+        centre += link.mass * link.restOffset.cast<double>();
+    }
+    centre /= weight;
+    body.restCentre = centre.cast<float>();
+    body.massCentre = mass > 0.0 ? Vector3f(massCentre.cast<float>()) : body.restCentre;
+    for (uint32_t i = 0; i < body.linkCount; ++i) {
+        Vector3f& offset = world_.links[body.linkStart + i].restOffset;
+        offset = (offset.cast<double>() - centre).cast<float>();
+    }
+    body.position += body.rotation * body.restCentre;
+}
+
+World WorldBuilder::build()
+{
+    if (objectOpen_) throw InputError("build(): the last object is still open");
+    // A particle that any fixed body owns is fixed: that body must come first in its list of owners.
+    for (uint32_t b = 0; b < bodyParticles_.size(); ++b)
+        if (world_.bodies[b].motion == Motion::Fixed)
+            for (uint32_t p : bodyParticles_[b]) world_.particles[p].body = b;
+    assignAssemblies();
+    for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
+    makeSoftLinks(world_);
+    joinStrandAssemblies(world_);
+    placeFluid();
+    validate(world_);
+    return std::move(world_);
+}
+
+}  // namespace knuckle

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace knuckle {
+
+/// Points sorted by cubic cells, on the host.
+class Cells {
+public:
+    using Cell = std::array<int, 3>;
+
+    /// @param size of a cell [m], > 0.
+    explicit Cells(float size) : inverseSize_(1.0f / size) {}
+    void add(const Eigen::Vector3f& x, uint32_t index) { members_[cellOf(x)].push_back(index); }
+    Cell cellOf(const Eigen::Vector3f& x) const
+    {
+        const Eigen::Vector3i c = (x * inverseSize_).array().floor().cast<int>();
+        return {c.x(), c.y(), c.z()};
+    }
+    /// What was added into each cell, in the order of the cells.
+    const std::map<Cell, std::vector<uint32_t>>& members() const { return members_; }
+    /// What was added into the cell `k` of the 27 around a cell; nothing: null.
+    const std::vector<uint32_t>* around(const Cell& cell, int k) const
+    {
+        const auto found = members_.find({cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1});
+        return found == members_.end() ? nullptr : &found->second;
+    }
+
+private:
+    float inverseSize_;
+    std::map<Cell, std::vector<uint32_t>> members_;
+};
+
+}  // namespace knuckle
