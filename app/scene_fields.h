@@ -96,6 +96,7 @@ void visitFields(Settings& s, Visitor&& visit)
     visit("linearDamping", s.linearDamping);
     visit("maxSpeed", s.maxSpeed);
     visit("massScaling", s.massScaling);
+    visit("vorticity", s.vorticity);
     visit("sleep", s.sleepSpeed);
 }
 
@@ -108,6 +109,7 @@ void visitFields(Material& m, Visitor&& visit)
     visit("restitution", m.restitution);
     visit("fluid", m.fluid);
     visit("viscosity", m.viscosity);
+    visit("surfaceTension", m.surfaceTension);
     visit("color", m.color);
     visit("stiffness", m.elasticity.stiffness);
     visit("poissonRatio", m.elasticity.poissonRatio);

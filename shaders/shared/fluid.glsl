@@ -14,6 +14,12 @@ float fluidSlope(float q)
     return -20.0 * step.fluidVolume / (step.fluidReach * step.fluidReach) * a * a * a;
 }
 
+/// The attraction between particles of one fluid; its sums over the fluid make surface tension.
+float fluidPull(float q)
+{
+    return max((q - 0.5) * (1.0 - q), 0.0);
+}
+
 /// The share of the kernel that lies behind a plane at the distance z, and its slope [1/m]: the integral of W over the
 /// half space, 7/2 T^6 - 9/2 T^7 + 3/2 T^8 with T = 1 - z / h.
 vec2 wallShare(float z)

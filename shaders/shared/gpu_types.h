@@ -17,6 +17,8 @@
 #define STRAND_GROUP_SIZE 8
 // A soft distance that may tear does so at this many times its length.
 #define TEAR_STRETCH 1.5f
+// Slots whose lists of neighbours lie together.
+#define NEIGHBOUR_BLOCK 32u
 // "Belongs to nothing", as in sim/world/world.h.
 #define NO_BODY 0xffffffffu
 
@@ -60,6 +62,8 @@
 
 // Of the multipliers of fluids: at 1 resting water boils.
 #define FLUID_RELAXATION 0.45f
+// k of s_corr (Macklin and Mueller 2013, eq. 13), as a share of the multipliers.
+#define FLUID_REPULSION 0.1f
 // How far solid particles keep fluids from their centres [diameters]: what floats is then as deep as it is dense.
 #define SOLID_RADIUS 0.65f
 // Steps for which an assembly has to be calm before it sleeps.
@@ -181,13 +185,14 @@ struct StepParameters {
     uint fastLimit;                 // how many particles may do so
     float horizon;                  // for how long contacts should stay good, in substeps
     uint fluidCount;                // fluid particles, which come behind the particleCount others
-    uint fluidSlots;                // neighbours that one particle can have in fluids
+    uint fluidSlots;                // neighbours that one particle can have in fluids, a multiple of 4
     float fluidSpacing;             // rest distance [m]
     float fluidReach;               // of the smoothing kernel [m]
     float fluidListReach;           // neighbours are listed up to here [m]
     float fluidVolume;              // of a particle, over the volume that the kernel is normalized to [1/m3]
     float fluidSoftness;            // epsilon of Macklin and Mueller 2013, eq. 11 [1/m2]
     float inverseFluidCell;         // [1/m]
+    float vorticity;                // strength of vorticity confinement times the step [s]
     float massScaling;              // k of m exp(-k height) [1/m]
     float bounceSpeed;              // what meets more slowly does not bounce [m/s]
     float sleepSpeed;               // what is slower for long sleeps [m/s]

@@ -27,21 +27,38 @@ vec4 solidPlane(uint k, uint count, vec3 x, out float weights)
     return vec4(normalize(plane.xyz + vec3(0, 1e-20, 0)), plane.w / max(weights, 1e-20));
 }
 
+/// Sums over neighbours: share of the kernel, squares of its slopes, and its gradient.
+struct Sums {
+    float share, squares;
+    vec3 gradient;
+};
+
+void add(inout Sums sums, vec3 x, uint slot)
+{
+    vec3 r = x - texelFetch(slotPlaces, int(slot)).xyz;
+    float squared = dot(r, r), q = min(sqrt(squared) / step.fluidReach, 1.0), slope = fluidSlope(q);
+    sums.share += fluidShare(q);
+    sums.squares += slope * slope * squared;
+    sums.gradient += slope * r;
+}
+
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
     if (k >= slotCount()) return;
     uint i = texelFetch(slotParticles, int(k)).x;
     uvec2 counts = isFluid(i) ? texelFetch(slotCounts, int(k)).xy : uvec2(0);
-    vec3 x = texelFetch(slotPlaces, int(k)).xyz, own = vec3(0), walls = vec3(0), solids = vec3(0);
-    float share = fluidShare(0.0), others = 0.0, inverseReach = 1.0 / step.fluidReach;
-    for (uint n = 0u; n < counts.x; ++n) {
-        vec3 r = x - texelFetch(slotPlaces, int(fluidNeighbour(k, n))).xyz;
-        float squared = dot(r, r), q = min(sqrt(squared) * inverseReach, 1.0), slope = fluidSlope(q);
-        share += fluidShare(q);
-        others += slope * slope * squared;
-        own += slope * r;
+    vec3 x = texelFetch(slotPlaces, int(k)).xyz, walls = vec3(0), solids = vec3(0);
+    // The slot itself stands in its list where that is no multiple of four: taken away again.
+    Sums sums = Sums(fluidShare(0.0) * (1.0 - float(-counts.x & 3u)), 0.0, vec3(0));
+    for (uint n = 0u; n < counts.x; n += 4u) {
+        uvec4 slots = fourNeighbours(k, n);
+        add(sums, x, slots.x);
+        add(sums, x, slots.y);
+        add(sums, x, slots.z);
+        add(sums, x, slots.w);
     }
+    float share = sums.share;
     float weights;
     vec4 plane = solidPlane(k, counts.y, x, weights);
     vec2 covered = weights > 0.0 ? wallShare(plane.w) : vec2(0);
@@ -53,9 +70,9 @@ void main()
         share += hidden.x;
         walls += hidden.y * wall.xyz;
     }
-    own += walls + solids;
+    vec3 own = sums.gradient + walls + solids;
     // All constraints around are met at once: more than this and they overshoot.
-    float lambda = -FLUID_RELAXATION * max(share - 1.0, 0.0) / (dot(own, own) + others + step.fluidSoftness);
+    float lambda = -FLUID_RELAXATION * max(share - 1.0, 0.0) / (dot(own, own) + sums.squares + step.fluidSoftness);
     slotPressures[k] = vec4(x, lambda / max(texelFetch(masses, int(i)).x, 1e-20));
     slotWalls[k] = vec4(walls, share);
     slotSolids[k] = vec4(solids, weights > 0.0 ? 1.0 / weights : 0.0);

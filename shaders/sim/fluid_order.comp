@@ -2,21 +2,22 @@
 // neighbours is summed in one order.
 #include "shared/kernel.glsl"
 #include "shared/cell_rank.glsl"
+#include "shared/packed_places.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer fluidFoundPositions;
 BUFFER(uint, SlotParticles, slotParticles);
-BUFFER(vec4, FluidSorted, fluidSorted);  // w: bits of twice the slot, plus one if solid
+BUFFER(uint, ParticleSlots, particleSlots);
+BUFFER(uint, FluidSorted, fluidSorted);  // packed
 
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= gridParticles()) return;
     uvec2 place = placeInCells(i);
-    uint solid = i < step.particleCount ? 1u : 0u;
-    // Away from the denormals that a GPU may flush and below the NaNs.
-    vec4 sorted = vec4(texelFetch(fluidFoundPositions, int(i)).xyz, uintBitsToFloat(0x01000000u + 2u * place.x + solid));
+    uint code = packPlace(texelFetch(fluidFoundPositions, int(i)).xyz, i < step.particleCount);
     slotParticles[place.x] = i;
-    fluidSorted[place.x] = sorted;
-    if (place.y != NO_PLACE) fluidSorted[place.y] = sorted;
+    particleSlots[i] = place.x;
+    fluidSorted[place.x] = code;
+    if (place.y != NO_PLACE) fluidSorted[place.y] = code;
 }

@@ -1,27 +1,19 @@
-// One thread a slot: where its particle is predicted to be at the end of the substep if no pressure acts.
+// One thread a fluid particle: where it is predicted to be at the end of the substep if no pressure acts.
 #include "shared/kernel.glsl"
-#include "shared/fluid_slots.glsl"
-#include "shared/movers.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
 uniform samplerBuffer velocities;
 uniform samplerBuffer masses;            // inverse mass
-uniform samplerBuffer restOffsets;
-uniform usamplerBuffer particlePlaces;   // mover, rank
+uniform usamplerBuffer particleSlots;
 BUFFER(vec4, SlotPlaces, slotPlaces);    // w: mass [kg]
 
 void main()
 {
-    uint k = gl_GlobalInvocationID.x;
-    if (k >= slotCount()) return;
-    uint i = texelFetch(slotParticles, int(k)).x;
+    if (gl_GlobalInvocationID.x >= step.fluidCount) return;
+    int i = int(step.particleCount + gl_GlobalInvocationID.x);
     float h = step.substepTime;
-    vec3 v = texelFetch(velocities, int(i)).xyz + h * step.gravity.xyz;
-    vec3 x = texelFetch(positions, int(i)).xyz + h * v;
-    if (!isFluid(i)) {
-        MoverPoint point = moverPoint(texelFetch(particlePlaces, int(i)).x, texelFetch(restOffsets, int(i)).xyz);
-        x = point.centre + point.arm + point.move;
-    }
-    slotPlaces[k] = vec4(x, 1.0 / max(texelFetch(masses, int(i)).x, 1e-20));
+    vec3 v = texelFetch(velocities, i).xyz + h * step.gravity.xyz;
+    slotPlaces[texelFetch(particleSlots, i).x] = vec4(texelFetch(positions, i).xyz + h * v,
+                                                      1.0 / max(texelFetch(masses, i).x, 1e-20));
 }

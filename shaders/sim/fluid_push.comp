@@ -24,6 +24,30 @@ vec3 outside(uint k, vec3 x)
     return x;
 }
 
+/// What the particle in another slot gives. s_corr (eq. 13) adds to the multipliers of particles that are too near to
+/// each other a share of them, so where nothing is too dense nothing is pushed.
+vec3 impulseOf(vec4 own, uint slot)
+{
+    vec4 other = texelFetch(slotPressures, int(slot));
+    vec3 r = own.xyz - other.xyz;
+    float q = min(sqrt(dot(r, r)) / step.fluidReach, 1.0);
+    float crowd = fluidShare(q) / fluidShare(0.2), crowd2 = crowd * crowd;
+    return (own.w + other.w) * (1.0 + FLUID_REPULSION * crowd2 * crowd2) * fluidSlope(q) * r;
+}
+
+#ifdef TENSION
+uniform samplerBuffer fluidMaterials;    // smoothing, tension
+uniform usamplerBuffer slotMaterials;
+
+/// Surface tension: particles of one fluid attract each other (fluidPull).
+vec3 tensionOf(vec4 own, uint material, float tension, uint slot)
+{
+    vec3 r = own.xyz - texelFetch(slotPressures, int(slot)).xyz;
+    float far = length(r), same = texelFetch(slotMaterials, int(slot)).x == material ? 1.0 : 0.0;
+    return -same * tension * fluidPull(min(far / step.fluidReach, 1.0)) / max(far, 1e-9) * r;
+}
+#endif
+
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
@@ -32,13 +56,20 @@ void main()
     bool fluid = isFluid(i);
     uint count = fluid ? texelFetch(slotCounts, int(k)).x : 0u;
     vec4 own = texelFetch(slotPressures, int(k));
-    float inverseReach = 1.0 / step.fluidReach;
     vec3 impulse = own.w * (texelFetch(slotWalls, int(k)).xyz + texelFetch(slotSolids, int(k)).xyz);
-    for (uint n = 0u; n < count; ++n) {
-        vec4 other = texelFetch(slotPressures, int(fluidNeighbour(k, n)));
-        vec3 r = own.xyz - other.xyz;
-        float q = min(sqrt(dot(r, r)) * inverseReach, 1.0);
-        impulse += (own.w + other.w) * fluidSlope(q) * r;
+#ifdef TENSION
+    uint material = texelFetch(slotMaterials, int(k)).x;
+    float tension = texelFetch(fluidMaterials, int(material)).y;
+#endif
+    for (uint n = 0u; n < count; n += 4u) {
+        uvec4 others = fourNeighbours(k, n);
+        impulse += impulseOf(own, others.x);
+        impulse += impulseOf(own, others.y);
+        impulse += impulseOf(own, others.z);
+        impulse += impulseOf(own, others.w);
+#ifdef TENSION
+        for (int c = 0; c < 4; ++c) impulse += tensionOf(own, material, tension, others[c]);
+#endif
     }
     if (!fluid) return;
     vec3 push = texelFetch(masses, int(i)).x * impulse;

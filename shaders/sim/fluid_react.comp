@@ -1,4 +1,4 @@
-// One thread a slot: what the fluid around presses its solid particle with, against what fluid_push gives to the fluid.
+// One thread a solid particle: what the fluid around presses it with, against what fluid_push gives to the fluid.
 #include "shared/kernel.glsl"
 #include "shared/fluid_slots.glsl"
 #include "shared/fluid.glsl"
@@ -9,22 +9,27 @@ uniform samplerBuffer slotPressures;     // place, lambda
 uniform samplerBuffer slotSolids;        // gradient; w: one over the weights of all solid particles there
 uniform usamplerBuffer particlePlaces;   // mover, rank
 uniform usamplerBuffer particleInfo;
+uniform usamplerBuffer particleSlots;
 BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(uvec2, AssemblyState, assemblyState);   // last substep with a contact
 READ_BUFFER(Counters, CountersBlock, counters);
 
+/// The impulse of the fluid particle in a slot on a solid one at x.
+vec3 impulseOf(vec3 x, uint slot)
+{
+    vec4 fluid = texelFetch(slotPressures, int(slot)), solid = texelFetch(slotSolids, int(slot));
+    return -solidWeight(distance(fluid.xyz, x)) * solid.w * fluid.w * solid.xyz;
+}
+
 void main()
 {
-    uint k = gl_GlobalInvocationID.x;
-    if (k >= slotCount()) return;
-    uint i = texelFetch(slotParticles, int(k)).x;
-    if (isFluid(i)) return;
-    uint count = texelFetch(slotCounts, int(k)).x;
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= step.particleCount) return;
+    uint k = texelFetch(particleSlots, int(i)).x, count = texelFetch(slotCounts, int(k)).x;
     vec3 x = texelFetch(slotPlaces, int(k)).xyz, impulse = vec3(0);
-    for (uint n = 0u; n < count; ++n) {
-        uint slot = fluidNeighbour(k, n);
-        vec4 fluid = texelFetch(slotPressures, int(slot)), solid = texelFetch(slotSolids, int(slot));
-        impulse -= solidWeight(length(fluid.xyz - x)) * solid.w * fluid.w * solid.xyz;
+    for (uint n = 0u; n < count; n += 4u) {
+        uvec4 slots = fourNeighbours(k, n);
+        impulse += impulseOf(x, slots.x) + impulseOf(x, slots.y) + impulseOf(x, slots.z) + impulseOf(x, slots.w);
     }
     if (impulse == vec3(0)) return;
     // As contacts do: its assembly ends the substep to first order.

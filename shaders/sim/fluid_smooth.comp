@@ -10,6 +10,15 @@ uniform samplerBuffer slotPlaces;
 uniform samplerBuffer slotVelocities;    // w: smoothing
 BUFFER(vec4, Velocities, velocities);
 
+/// What the neighbour in a slot gives to the velocity. Of two masses the lighter takes more, so that momentum is kept.
+vec3 changeBy(vec4 place, vec4 velocity, uint slot)
+{
+    vec4 other = texelFetch(slotVelocities, int(slot)), there = texelFetch(slotPlaces, int(slot));
+    float q = min(distance(place.xyz, there.xyz) / step.fluidReach, 1.0);
+    float share = there.w / (place.w + there.w) * fluidShare(q);
+    return (velocity.w + other.w) * share * (other.xyz - velocity.xyz);
+}
+
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
@@ -20,14 +29,12 @@ void main()
     vec4 place = texelFetch(slotPlaces, int(k));
     vec3 change = vec3(0);
     vec4 own = texelFetch(slotVelocities, int(k));
-    for (uint n = 0u; n < count; ++n) {
-        uint slot = fluidNeighbour(k, n);
-        vec4 other = texelFetch(slotVelocities, int(slot));
-        vec4 there = texelFetch(slotPlaces, int(slot));
-        float q = min(length(place.xyz - there.xyz) / step.fluidReach, 1.0);
-        // Of two masses the lighter takes more, so that momentum is kept.
-        float share = there.w / (place.w + there.w) * fluidShare(q);
-        change += (own.w + other.w) * share * (other.xyz - own.xyz);
+    for (uint n = 0u; n < count; n += 4u) {
+        uvec4 slots = fourNeighbours(k, n);
+        change += changeBy(place, own, slots.x);
+        change += changeBy(place, own, slots.y);
+        change += changeBy(place, own, slots.z);
+        change += changeBy(place, own, slots.w);
     }
     if (fluid) velocities[i].xyz += change;
 }

@@ -12,15 +12,18 @@ struct FluidBuffers {
     Buffer<gpu::vec4> fluidFoundPositions;             ///< Per particle: where it was when neighbours were found.
     Buffer<gpu::uvec2> fluidParticleCells;
     Buffer<uint32_t> fluidCellCounts, fluidCellSums, fluidCellStarts, fluidCellMembers;
-    Buffer<gpu::vec4> fluidSorted;                     ///< Per slot: the same; w: bits of slot and kind.
-    Buffer<uint32_t> slotParticles;
+    Buffer<gpu::uvec4> fluidSorted;                    ///< Per slot: the same, packed; four in an element.
+    Buffer<uint32_t> slotParticles, particleSlots;     ///< Each other's inverse.
     Buffer<gpu::uvec2> slotCounts;                     ///< Fluid and solid neighbours.
-    Buffer<uint32_t> slotNeighbours;                   ///< fluidSlots a slot.
+    Buffer<gpu::uvec4> slotNeighbours;                 ///< fluidSlots a slot, shared/neighbour_lists.glsl.
     Buffer<uint32_t> slotColliders;                    ///< Bits: those nearby.
-    Buffer<gpu::vec4> fluidMaterials;                  ///< Per material: smoothing.
+    Buffer<gpu::vec4> fluidMaterials;                  ///< Per material: smoothing, tension (upload_fluid.cpp).
     Buffer<gpu::vec4> slotVelocities;                  ///< When neighbours were found [m/s]; w: smoothing.
     Buffer<gpu::vec4> slotPlaces;                      ///< Predicted [m].
     Buffer<gpu::vec4> slotPressures;                   ///< The same; w: lambda [kg m2].
+    Buffer<uint32_t> slotMaterials;
+    Buffer<gpu::vec4> slotVorticities;                 ///< [1/s]; w: its length.
+    bool hasTension = false;
     Buffer<gpu::vec4> slotWalls, slotSolids;           ///< Gradients of what walls and solids add to the density.
 };
 

@@ -6,8 +6,11 @@ FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
 {
     const gpu::StepParameters& p = buffers.parameters;
     slots_ = groupsFor(p.particleCount + p.fluidCount);
+    solids_ = groupsFor(p.particleCount);
+    fluids_ = groupsFor(p.fluidCount);
     cells_ = groupsFor(p.cellMask + 1);
     chunks_ = groupsFor((p.cellMask + 1) / SCAN_CHUNK);
+    confines_ = settings.vorticity > 0.0f;
     Defines grid{{"FLUIDS", "1"}};
     if (settings.grid == GridKind::Hash) grid.push_back({"GRID_HASH", "1"});
     found_ = load("fluid_found", {});
@@ -20,11 +23,17 @@ FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
     order_ = load("fluid_order", grid);
     find_ = load("fluid_find", grid);
     near_ = load("fluid_near", {});
+    if (confines_) {
+        vorticity_ = load("fluid_vorticity", {});
+        confine_ = load("fluid_confine", {});
+    }
+    const Defines tension = buffers.fluid.hasTension ? Defines{{"TENSION", "1"}} : Defines{};
     velocity_ = load("fluid_velocity", {});
     smooth_ = load("fluid_smooth", {});
     place_ = load("fluid_place", {});
-    density_ = load("fluid_density", {});
-    push_ = load("fluid_push", {});
+    placeSolid_ = load("fluid_place_solid", {});
+    density_ = load("fluid_density", tension);
+    push_ = load("fluid_push", tension);
     react_ = load("fluid_react", {});
 }
 
@@ -41,16 +50,26 @@ void FluidStep::findNeighbours(KernelTimer& timer) const
     find_.dispatch(timer, slots_);
     near_.dispatch(timer, slots_);
     velocity_.dispatch(timer, slots_);
-    place_.dispatch(timer, slots_);
+    place(timer);
     smooth_.dispatch(timer, slots_);
+    if (confines_) {
+        vorticity_.dispatch(timer, slots_);
+        confine_.dispatch(timer, slots_);
+    }
+}
+
+void FluidStep::place(KernelTimer& timer) const
+{
+    place_.dispatch(timer, fluids_);
+    placeSolid_.dispatch(timer, solids_);
 }
 
 void FluidStep::substep(KernelTimer& timer) const
 {
-    place_.dispatch(timer, slots_);
+    place(timer);
     density_.dispatch(timer, slots_);
     push_.dispatch(timer, slots_);
-    react_.dispatch(timer, slots_);
+    react_.dispatch(timer, solids_);
 }
 
 }  // namespace knuckle

@@ -17,9 +17,12 @@ public:
     void substep(KernelTimer& timer) const;
 
 private:
-    uint32_t slots_, cells_, chunks_;   ///< Work groups.
+    void place(KernelTimer& timer) const;
+
+    uint32_t slots_, solids_, fluids_, cells_, chunks_;   ///< Work groups.
+    bool confines_;
     Kernel found_, clear_, count_, sum_, sumChunks_, start_, scatter_, order_, find_, near_;
-    Kernel velocity_, smooth_, place_, density_, push_, react_;
+    Kernel velocity_, smooth_, place_, placeSolid_, density_, push_, react_, vorticity_, confine_;
 };
 
 }  // namespace knuckle

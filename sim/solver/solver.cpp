@@ -77,7 +77,7 @@ void Solver::checkCounters(uint64_t frame)
         throw RunError(fmt::format("frame {}: a particle touches {} static colliders at a time and {} are possible; "
                                    "merge colliders that overlap", frame, counters.wantedColliders, COLLIDER_SLOTS));
     if (counters.wantedNeighbours > impl_->buffers.parameters.fluidSlots) {
-        impl_->buffers.parameters.fluidSlots = counters.wantedNeighbours + 8;
+        impl_->buffers.parameters.fluidSlots = (counters.wantedNeighbours + 11) / 4 * 4;
         makeFluid(impl_->buffers, impl_->world, impl_->gpu);
     }
     // More contacts than there was room for: the lists grow, the next substep fills them anew.

@@ -160,6 +160,7 @@ void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
     p.warmStart = std::pow(0.97f, 1.0f / static_cast<float>(s.iterations));
     p.jointRelaxation = 1.8f;
     p.massScaling = s.massScaling;
+    p.vorticity = s.vorticity * s.timeStep;
     p.sleepSpeed = s.sleepSpeed;
     // Twice what gravity gives in a substep: what rests does not bounce.
     p.bounceSpeed = std::max(2.0f * s.gravity.norm() * p.substepTime, 0.02f);

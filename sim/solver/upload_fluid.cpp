@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "sim/world/errors.h"
 
@@ -43,6 +44,19 @@ float smoothing(const gpu::StepParameters& p, const Material& material, float ti
     return static_cast<float>(std::clamp(6.0 * kinematic * time * lattice.density / lattice.spread, LEAST, MOST));
 }
 
+/// What two particles that attract each other get in a substep is this times fluidPull(q) of shared/fluid.glsl [kg m].
+/// A pair force f(r) at the number density n gives the surface tension pi n^2 / 8 times the integral of f r^4 (Fowler
+/// 1937; Rowlinson and Widom 1982, eq. 4.99) where places are independent; fluidPull's is 0.0074777 reach^5. Puddles say
+/// that as they are it gives 1 / CORRELATION of that.
+float tension(const gpu::StepParameters& p, const Material& material)
+{
+    constexpr double CORRELATION = 1.5;
+    const double density = std::pow(p.fluidSpacing, -3.0), reach = std::pow(double(p.fluidReach), 5);
+    const double unit = std::numbers::pi / 8.0 * density * density * 0.0074777 * reach;
+    const double force = CORRELATION * material.surfaceTension / unit;
+    return static_cast<float>(force * p.substepTime * p.substepTime);
+}
+
 }  // namespace
 
 void setFluidParameters(gpu::StepParameters& p, const World& world)
@@ -65,7 +79,8 @@ void makeFluid(SolverBuffers& out, const World& world, const Gpu& gpu)
     FluidBuffers& f = out.fluid;
     const size_t count = p.fluidCount > 0 ? p.particleCount + p.fluidCount : 0;
     const size_t cells = count > 0 ? p.cellMask + 1 : 0;
-    const uint64_t largest = uint64_t(p.fluidSlots) * count * sizeof(uint32_t);
+    const size_t slots = (count + NEIGHBOUR_BLOCK - 1) / NEIGHBOUR_BLOCK * NEIGHBOUR_BLOCK;
+    const uint64_t largest = uint64_t(p.fluidSlots) * slots * sizeof(uint32_t);
     if (largest > static_cast<uint64_t>(gpu.limits().storageBlockSize))
         throw DeviceError(fmt::format("{}: {} fluid particles with {} neighbours need a buffer of {} MiB and the device "
                                       "allows {}; use fewer particles or another --device", gpu.device().name,
@@ -77,15 +92,21 @@ void makeFluid(SolverBuffers& out, const World& world, const Gpu& gpu)
     f.fluidCellSums = {"fluidCellSums", cells / SCAN_CHUNK};
     f.fluidCellStarts = {"fluidCellStarts", cells + WRAPPED_CELLS + 1};
     f.fluidCellMembers = {"fluidCellMembers", count};
-    f.fluidSorted = {"fluidSorted", 2 * count};
+    f.fluidSorted = {"fluidSorted", (2 * count + 3) / 4};
     f.slotParticles = {"slotParticles", count};
+    f.particleSlots = {"particleSlots", count};
     f.slotCounts = {"slotCounts", count};
-    f.slotNeighbours = {"slotNeighbours", p.fluidSlots * count};
+    f.slotNeighbours = {"slotNeighbours", p.fluidSlots / 4 * slots};
     f.slotColliders = {"slotColliders", count};
     std::vector<gpu::vec4> materials;
-    for (const Material& m : world.materials) materials.push_back({smoothing(p, m, world.settings.timeStep), 0, 0, 0});
+    for (const Material& m : world.materials)
+        materials.push_back({smoothing(p, m, world.settings.timeStep), tension(p, m), 0, 0});
+    f.hasTension = std::ranges::any_of(materials, [](const gpu::vec4& m) { return m.y > 0.0f; });
+    f.slotMaterials = {"slotMaterials", count};
+    f.slotVorticities = {"slotVorticities", p.vorticity > 0.0f ? count : 0};
     f.fluidMaterials = {"fluidMaterials", std::span<const gpu::vec4>(materials)};
-    for (auto [buffer, name] : {std::pair{&f.slotVelocities, "slotVelocities"}, {&f.slotPlaces, "slotPlaces"}, {&f.slotPressures, "slotPressures"},
+    for (auto [buffer, name] : {std::pair{&f.slotVelocities, "slotVelocities"}, {&f.slotPlaces, "slotPlaces"},
+                                {&f.slotPressures, "slotPressures"},
                                 {&f.slotWalls, "slotWalls"}, {&f.slotSolids, "slotSolids"}})
         *buffer = {name, count};
 }
@@ -93,8 +114,9 @@ void makeFluid(SolverBuffers& out, const World& world, const Gpu& gpu)
 void addFluid(BufferTable& table, FluidBuffers& f)
 {
     table.add(f.fluidFoundPositions, f.fluidParticleCells, f.fluidCellCounts, f.fluidCellSums, f.fluidCellStarts,
-              f.fluidCellMembers, f.fluidSorted, f.slotParticles, f.slotCounts, f.slotNeighbours, f.slotColliders,
-              f.fluidMaterials, f.slotVelocities, f.slotPlaces, f.slotPressures, f.slotWalls, f.slotSolids);
+              f.fluidCellMembers, f.fluidSorted, f.slotParticles, f.particleSlots, f.slotCounts,
+              f.slotNeighbours, f.slotColliders, f.fluidMaterials, f.slotVelocities, f.slotPlaces, f.slotPressures, f.slotMaterials,
+              f.slotVorticities, f.slotWalls, f.slotSolids);
 }
 
 std::vector<float> fluidDensities(SolverBuffers& buffers)

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "sim/world/builder.h"
 #include "sim/world/cells.h"
@@ -19,6 +21,23 @@ bool anyNear(const std::vector<Particle>& particles, const Cells& cells, const V
     return false;
 }
 
+/// How deep particles lie [m]: layers across `up` in which there are any, wherever they are.
+float depthOf(const std::vector<Particle>& particles, const Vector3f& up, float spacing)
+{
+    std::set<int> layers;
+    for (const Particle& p : particles) layers.insert(static_cast<int>(std::floor(p.position.dot(up) / spacing)));
+    return spacing * static_cast<float>(layers.size());
+}
+
+/// Over the density [m2/s2].
+float mostCohesion(const std::vector<Material>& materials, float spacing)
+{
+    float most = 0.0f;
+    for (const Material& m : materials)
+        if (m.fluid) most = std::max(most, cohesionPressure(m.surfaceTension, spacing) / m.density);
+    return most;
+}
+
 }  // namespace
 
 void WorldBuilder::placeFluid()
@@ -31,7 +50,9 @@ void WorldBuilder::placeFluid()
     world_.fluidCount = fluidCount();
     Settings& settings = world_.settings;
     if (fluid_.empty() || !choosesSubsteps_) return;
-    settings.substeps = std::max(settings.substeps, automaticFluidSubsteps(world_.fluidSpacing, settings.timeStep));
+    const float spacing = world_.fluidSpacing, depth = depthOf(fluid_, settings.gravity.normalized(), spacing);
+    const float pressure = settings.gravity.norm() * depth + mostCohesion(world_.materials, spacing);
+    settings.substeps = std::max(settings.substeps, automaticFluidSubsteps(spacing, pressure, settings.timeStep));
 }
 
 }  // namespace knuckle

@@ -45,6 +45,7 @@ struct Settings {
     float linearDamping = 0.0f;                    ///< [1/s], 0 ... 100.
     float maxSpeed = 100.0f;                       ///< [m/s], > 0.
     float massScaling = 0.0f;                      ///< k [1/m], 0 ... 10: contacts see masses m exp(-k height); 0: off.
+    float vorticity = 0.0f;                        ///< How much of the swirls that fluids lose is given back, 0 ... 1.
     float sleepSpeed = 0.0f;                       ///< What stays slower sleeps, with all it touches [m/s]; 0: off.
 };
 
@@ -52,9 +53,14 @@ struct Settings {
 /// @param diameter of particles [m]. @param timeStep [s].
 uint32_t automaticSubsteps(float diameter, float timeStep);
 
-/// The same for fluids: pressure goes about a particle far in a substep, so a pool of twenty layers is at rest less than
-/// 1 % denser than asked. 4 to 16. @param spacing of fluid particles [m]. @param timeStep [s].
-uint32_t automaticFluidSubsteps(float spacing, float timeStep);
+/// The same for fluids: pressure goes about a particle far in a substep, so fluid at rest is denser than asked by about
+/// half of pressure / density (timeStep / (substeps spacing))^2; that stays below 1 %. 4 to 32.
+/// @param spacing of fluid particles [m]. @param pressure over density [m2/s2]; at least that of twenty layers is assumed.
+/// @param timeStep [s].
+uint32_t automaticFluidSubsteps(float spacing, float pressure, float timeStep);
+
+/// What the surface tension of a fluid presses it together with [Pa]: what pulls particles acts two rest distances far.
+float cohesionPressure(float surfaceTension, float spacing);
 
 /// The paper's own choices: one substep, 4 iterations, averaged Jacobi, Householder-QR, eq. 10's reduction, the hash,
 /// freezing at half a radius, first-order velocities, whole masses at shared particles.

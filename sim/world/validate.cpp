@@ -33,6 +33,7 @@ void validateSettings(const Settings& s)
     require(within(s.linearDamping, 0.0f, 100.0f), "solver damping {} 1/s: must be 0 to 100", s.linearDamping);
     require(s.maxSpeed > 0.0f, "solver maximum speed {} m/s: must be above 0", s.maxSpeed);
     require(within(s.massScaling, 0.0f, 10.0f), "solver mass scaling {} 1/m: must be 0 to 10", s.massScaling);
+    require(within(s.vorticity, 0.0f, 1.0f), "solver vorticity {}: must be 0 to 1", s.vorticity);
     require(within(s.sleepSpeed, 0.0f, 10.0f), "solver sleep speed {} m/s: must be 0 to 10", s.sleepSpeed);
     require(s.gravity.allFinite(), "gravity must be finite");
 }
@@ -47,6 +48,8 @@ void validateMaterials(const World& world)
                 m.staticFriction);
         require(within(m.viscosity, 0.0f, 1e6f), "material \"{}\": viscosity {} Pa s must be 0 to 1e6", m.name,
                 m.viscosity);
+        require(within(m.surfaceTension, 0.0f, 1e5f), "material \"{}\": surface tension {} N/m must be 0 to 100000",
+                m.name, m.surfaceTension);
         require(within(m.restitution, 0.0f, 1.0f), "material \"{}\": restitution {} must be 0 to 1", m.name,
                 m.restitution);
     }
@@ -58,6 +61,14 @@ void validateFluids(const World& world)
     require(within(world.fluidSpacing / world.diameter(), 0.299f, 0.601f),
             "fluid spacing {} m: must be 0.3 to 0.6 of the diameter, {} m", world.fluidSpacing, world.diameter());
     require(world.settings.solver == SolverKind::Impulse, "the paper's solver has no fluids; use solver \"impulse\"");
+    for (const Material& m : world.materials) {
+        // Jitters from about 3 % of compression on (see automaticFluidSubsteps).
+        const float way = world.settings.timeStep / (float(world.settings.substeps) * world.fluidSpacing);
+        const float most = 0.06f * m.density / (way * way);
+        require(!m.fluid || cohesionPressure(m.surfaceTension, world.fluidSpacing) < most,
+                "material \"{}\": a surface tension of {} N/m jitters with {} substeps: at most {:.3g}, or raise them",
+                m.name, m.surfaceTension, world.settings.substeps, most / cohesionPressure(1.0f, world.fluidSpacing));
+    }
     for (size_t i = 0; i < world.particles.size(); ++i)
         require(world.materials[world.particles[i].material].fluid == (i >= world.solidCount()),
                 "particle {}: fluids come behind all others, and nothing else is of a fluid's material", i);

@@ -1,0 +1,19 @@
+// One thread a solid particle: its place for fluids, where its mover is predicted to bring it in the substep.
+#include "shared/kernel.glsl"
+#include "shared/movers.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer masses;            // inverse mass
+uniform samplerBuffer restOffsets;
+uniform usamplerBuffer particlePlaces;   // mover, rank
+uniform usamplerBuffer particleSlots;
+BUFFER(vec4, SlotPlaces, slotPlaces);    // w: mass [kg]
+
+void main()
+{
+    if (gl_GlobalInvocationID.x >= step.particleCount) return;
+    int i = int(gl_GlobalInvocationID.x);
+    MoverPoint point = moverPoint(texelFetch(particlePlaces, i).x, texelFetch(restOffsets, i).xyz);
+    slotPlaces[texelFetch(particleSlots, i).x] = vec4(point.centre + point.arm + point.move,
+                                                      1.0 / max(texelFetch(masses, i).x, 1e-20));
+}
