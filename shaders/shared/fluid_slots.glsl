@@ -1,15 +1,11 @@
 // Slots: all particles in the order of the cells of the fluids' grid, so that neighbours stand together. A slot's
 // neighbours within step.fluidListReach are listed once a step: of a fluid particle the fluid ones from the front of its
 // list, solid ones from its end; of a solid particle the fluid ones.
+#include "shared/fluid_living.glsl"
 
 uniform usamplerBuffer slotParticles;    // particle
 uniform usamplerBuffer slotCounts;       // fluid neighbours, solid neighbours
 uniform usamplerBuffer slotNeighbours;   // slots
-
-uint slotCount()
-{
-    return step.particleCount + step.fluidCount;
-}
 
 bool isFluid(uint particle)
 {
@@ -18,7 +14,7 @@ bool isFluid(uint particle)
 
 int neighbourPlace(uint slot, uint n)
 {
-    return int(n * slotCount() + slot);
+    return int(n * slotCapacity() + slot);
 }
 
 uint fluidNeighbour(uint slot, uint n)

@@ -18,7 +18,7 @@ uint slotBits(vec4 sorted)
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
-    if (k >= gridParticles()) return;
+    if (k >= gridMembers()) return;
     vec4 own = texelFetch(fluidSorted, int(k));
     bool ownSolid = (slotBits(own) & 1u) != 0u;
     ivec3 cell = cellOf(own.xyz);

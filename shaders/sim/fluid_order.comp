@@ -11,7 +11,7 @@ BUFFER(vec4, FluidSorted, fluidSorted);  // w: bits of twice the slot, plus one 
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= gridParticles()) return;
+    if (i >= gridParticles() || isNowhere(texelFetch(particleCells, int(i)).x)) return;
     uvec2 place = placeInCells(i);
     uint solid = i < step.particleCount ? 1u : 0u;
     // Away from the denormals that a GPU may flush and below the NaNs.

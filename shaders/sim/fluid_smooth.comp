@@ -29,5 +29,5 @@ void main()
         float share = there.w / (place.w + there.w) * fluidShare(q);
         change += (own.w + other.w) * share * (other.xyz - own.xyz);
     }
-    if (fluid) velocities[i].xyz += change;
+    if (fluid && timeHeld(velocities[i]) == 0.0) velocities[i].xyz += change;
 }

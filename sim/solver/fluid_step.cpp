@@ -7,6 +7,7 @@ FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
     const gpu::StepParameters& p = buffers.parameters;
     slots_ = groupsFor(p.particleCount + p.fluidCount);
     cells_ = groupsFor(p.cellMask + 1);
+    if (buffers.hasPool) sizes_ = &buffers.dispatches;
     chunks_ = groupsFor((p.cellMask + 1) / SCAN_CHUNK);
     Defines grid{{"FLUIDS", "1"}};
     if (settings.grid == GridKind::Hash) grid.push_back({"GRID_HASH", "1"});
@@ -28,6 +29,12 @@ FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
     react_ = load("fluid_react", {});
 }
 
+void FluidStep::onSlots(KernelTimer& timer, const Kernel& kernel) const
+{
+    if (sizes_ != nullptr) kernel.dispatchIndirect(timer, *sizes_, DISPATCH_SLOTS);
+    else kernel.dispatch(timer, slots_);
+}
+
 void FluidStep::findNeighbours(KernelTimer& timer) const
 {
     found_.dispatch(timer, slots_);
@@ -38,19 +45,19 @@ void FluidStep::findNeighbours(KernelTimer& timer) const
     start_.dispatch(timer, chunks_);
     scatter_.dispatch(timer, slots_);
     order_.dispatch(timer, slots_);
-    find_.dispatch(timer, slots_);
-    near_.dispatch(timer, slots_);
-    velocity_.dispatch(timer, slots_);
-    place_.dispatch(timer, slots_);
-    smooth_.dispatch(timer, slots_);
+    onSlots(timer, find_);
+    onSlots(timer, near_);
+    onSlots(timer, velocity_);
+    onSlots(timer, place_);
+    onSlots(timer, smooth_);
 }
 
 void FluidStep::substep(KernelTimer& timer) const
 {
-    place_.dispatch(timer, slots_);
-    density_.dispatch(timer, slots_);
-    push_.dispatch(timer, slots_);
-    react_.dispatch(timer, slots_);
+    onSlots(timer, place_);
+    onSlots(timer, density_);
+    onSlots(timer, push_);
+    onSlots(timer, react_);
 }
 
 }  // namespace knuckle

@@ -17,6 +17,9 @@ public:
     void substep(KernelTimer& timer) const;
 
 private:
+    void onSlots(KernelTimer& timer, const Kernel& kernel) const;
+
+    const RawBuffer* sizes_ = nullptr;  ///< Where the GPU decides how many slots there are.
     uint32_t slots_, cells_, chunks_;   ///< Work groups.
     Kernel found_, clear_, count_, sum_, sumChunks_, start_, scatter_, order_, find_, near_;
     Kernel velocity_, smooth_, place_, density_, push_, react_;
