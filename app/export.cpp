@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <filesystem>
@@ -33,11 +34,13 @@ std::string field(const std::string& text)
 
 void writePly(const std::string& folder, uint64_t frame, const World& world, const ParticleState& state)
 {
+    const auto there = std::count(state.parked.begin(), state.parked.end(), false);
     std::string text = fmt::format("ply\nformat binary_little_endian 1.0\ncomment frame {}\nelement vertex {}\n", frame,
-                                   state.positions.size());
+                                   there);
     text += "property uint id\nproperty float x\nproperty float y\nproperty float z\nproperty float vx\n"
             "property float vy\nproperty float vz\nproperty int body\nproperty uint material\nend_header\n";
     for (uint32_t i = 0; i < state.positions.size(); ++i) {
+        if (state.parked[i]) continue;
         const Particle& particle = world.particles[i];
         append(text, i);
         for (const Vector3f& vector : {state.positions[i], state.velocities[i]}) {
@@ -91,7 +94,7 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
     }
     const Json stats = {
         {"device", figures.device},
-        {"particles", world.particles.size()},
+        {"particles", world.solidCount() + measures.fluidCount},
         {"bodies", world.bodies.size()},
         {"joints", world.joints.size()},
         {"softBodies", world.softBodies.size()},
@@ -113,6 +116,9 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
         {"meanSoftStrain", measures.meanSoftStrain},
         {"worstSoftStrain", measures.worstSoftStrain},
         {"softVolumeError", measures.softVolumeError},
+        {"fluidParticles", measures.fluidCount},
+        {"fluidEmitted", measures.fluidEmitted},
+        {"fluidDrained", measures.fluidDrained},
         {"meanDensityError", measures.meanDensityError},
         {"worstDensityError", measures.worstDensityError},
         {"fluidVolumeError", measures.fluidVolumeError},

@@ -43,6 +43,12 @@ void settleCamera(Json& root)
     if (placed && !camera.contains("automatic")) camera["automatic"] = false;
 }
 
+/// Where something flows in, nothing else need be there.
+void settleObjects(Json& root)
+{
+    if (root.is_object() && root.contains("emitters") && !root.contains("objects")) root["objects"] = Json::array();
+}
+
 JsonFile readCompleted(const std::string& path, const std::vector<Override>& overrides)
 {
     static const Schema schema("scene.schema.json");
@@ -54,6 +60,7 @@ JsonFile readCompleted(const std::string& path, const std::vector<Override>& ove
     expandSolver(file.root);
     fillPaperChoices(file.root);
     settleCamera(file.root);
+    settleObjects(file.root);
     schema.complete(file);
     return file;
 }
@@ -143,11 +150,15 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     for (size_t i = 0; i < root["colliders"].size(); ++i) {
         checkFriction(file, root["colliders"][i], fmt::format("/colliders/{}", i));
         addColliders(context, root["colliders"][i], i);
+        context.colliderEntries.resize(builder.world().colliders.size(), i);
     }
     const Json& objects = root["objects"];
+    if (objects.empty() && root["emitters"].empty())
+        failAt(path, "/objects", "is an array of 0, must be at least 1");
     for (const bool strands : {false, true})
         for (size_t i = 0; i < objects.size(); ++i)
             if (isStrandObject(objects[i]) == strands) addObjects(context, objects[i], i);
+    addEmitters(context, root, scene.duration);
     try {
         scene.world = builder.build();
     } catch (const InputError& error) {

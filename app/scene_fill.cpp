@@ -63,14 +63,20 @@ std::vector<Vector3f> fillCone(const Region& region)
 
 }  // namespace
 
-void limitParticles(const SceneContext& context, const Json& object, const std::string& pointer, double count)
+void limitTotal(const SceneContext& context, const std::string& pointer, double count, const char* remedy)
 {
-    const double before = context.builder.particleCount() + context.builder.fluidCount();
-    const double total = before + count * static_cast<double>(copyCount(object));
+    const WorldBuilder& builder = context.builder;
+    const double total = count + builder.particleCount() + builder.fluidCount() + builder.world().pooledCount();
     if (total <= static_cast<double>(MAX_PARTICLES)) return;
     const std::string number = total < 1e15 ? fmt::format("{:.0f}", total) : fmt::format("{:.1e}", total);
-    failAt(context.path, pointer, fmt::format("brings the scene to {} particles, the limit is {}; raise /diameter, or "
-                                              "make it smaller or fewer", number, MAX_PARTICLES));
+    failAt(context.path, pointer, fmt::format("brings the scene to {} particles, the limit is {}; {}", number,
+                                              MAX_PARTICLES, remedy));
+}
+
+void limitParticles(const SceneContext& context, const Json& object, const std::string& pointer, double count)
+{
+    limitTotal(context, pointer, count * static_cast<double>(copyCount(object)),
+               "raise /diameter, or make it smaller or fewer");
 }
 
 std::vector<Vector3f> fillRegion(SceneContext& context, const Json& object, const std::string& pointer, float spacing)

@@ -11,6 +11,9 @@ namespace knuckle {
 /// @param pointer JSON path of the object. @param count particles of one copy. @throws InputError.
 void limitParticles(const SceneContext& context, const Json& object, const std::string& pointer, double count);
 
+/// The same for `count` more particles. @param remedy what to do about it.
+void limitTotal(const SceneContext& context, const std::string& pointer, double count, const char* remedy);
+
 /// Fills the region of an object (its `shape`: box, sphere, capsule, cone or mesh, with the fields of that shape) with
 /// points of a cubic lattice.
 /// @param pointer JSON path of the object. @param spacing of the lattice, and the size of what sits on it [m].

@@ -5,14 +5,19 @@
 
 namespace knuckle {
 
+void requireFluid(const SceneContext& context, uint32_t material, const std::string& pointer)
+{
+    const Material& found = context.builder.material(material);
+    if (!found.fluid)
+        failAt(context.path, pointer,
+               fmt::format("\"{}\" is not a fluid; give that material \"fluid\": true, or take another", found.name));
+}
+
 void addFluid(SceneContext& context, const Json& object, const std::string& pointer, const LooseKind& kind,
               const std::vector<Pose>& poses)
 {
     WorldBuilder& builder = context.builder;
-    if (!builder.material(kind.material).fluid)
-        failAt(context.path, pointer + "/material",
-               fmt::format("\"{}\" is not a fluid; give that material \"fluid\": true, or take another",
-                           builder.material(kind.material).name));
+    requireFluid(context, kind.material, pointer + "/material");
     const std::vector<Vector3f> lattice = fillRegion(context, object, pointer, builder.fluidSpacing());
     for (const Pose& pose : poses) {
         std::vector<Vector3f> positions = lattice;

@@ -33,15 +33,6 @@ struct Entry {
     }
 };
 
-uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer)
-{
-    const auto found = context.materials.find(name);
-    if (found != context.materials.end()) return found->second;
-    std::vector<std::string> names;
-    for (const auto& [known, index] : context.materials) names.push_back(known);
-    failAt(context.path, pointer, fmt::format("there is no material \"{}\"; {}", name, suggestion(name, names)));
-}
-
 void limitParticles(const Entry& entry, double count)
 {
     limitParticles(entry.context, entry.json, entry.pointer, count);
@@ -165,6 +156,15 @@ void addGrains(const Entry& entry)
 }
 
 }  // namespace
+
+uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer)
+{
+    const auto found = context.materials.find(name);
+    if (found != context.materials.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [known, index] : context.materials) names.push_back(known);
+    failAt(context.path, pointer, fmt::format("there is no material \"{}\"; {}", name, suggestion(name, names)));
+}
 
 void addObjects(SceneContext& context, const Json& json, size_t index)
 {

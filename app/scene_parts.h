@@ -22,7 +22,11 @@ struct SceneContext {
     WorldBuilder& builder;
     std::map<std::string, uint32_t> materials;   ///< Indices by name.
     std::map<std::string, Actor> actors = {};    ///< Read or made already, by what was asked for.
+    std::vector<size_t> colliderEntries = {};    ///< Per collider of the world: the entry of `colliders` that it is of.
 };
+
+/// Index of the material `name`. @throws InputError with `pointer` where there is none.
+uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer);
 
 /// `file` beside the scene. @throws InputError with `pointer` when there is none.
 std::string existingFile(const SceneContext& context, const std::string& file, const std::string& pointer);
@@ -61,6 +65,13 @@ struct LooseKind {
 /// Adds an object of type `fluid`, at each of `poses`. @param pointer JSON path of the object. @throws InputError.
 void addFluid(SceneContext& context, const Json& object, const std::string& pointer, const LooseKind& kind,
               const std::vector<Pose>& poses);
+
+/// @throws InputError at `pointer` unless the material is a fluid.
+void requireFluid(const SceneContext& context, uint32_t material, const std::string& pointer);
+
+/// Adds `drains`, then `emitters`, whose nozzles must not be in anything that is there: after everything else.
+/// @param duration of the film [s]. @throws InputError.
+void addEmitters(SceneContext& context, const Json& root, double duration);
 
 /// Adds an object of type `grains`, at each of `poses`. @param pointer JSON path of the object. @throws InputError.
 void addGrains(SceneContext& context, const Json& object, const std::string& pointer, const LooseKind& kind,

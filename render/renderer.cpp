@@ -128,6 +128,10 @@ void Renderer::Impl::fillInput(const World& world)
 void Renderer::Impl::attach(const ParticleView& view)
 {
     input.radius = view.radius;
+    input.solidCount = std::min(view.solidCount, view.particleCount);
+    input.fluidRadius = FLUID_RADIUS * view.fluidSpacing;
+    input.fluidShare = static_cast<uint32_t>(
+        std::round(static_cast<float>(SPACE_UNITS) * std::pow(0.5f * view.fluidSpacing / view.radius, 3.0f)));
     spheres.attach(view);
     glBindBufferBase(GL_UNIFORM_BUFFER, FRAME_INPUT_SLOT, inputBuffer.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, FRAME_VIEW_SLOT, viewBuffer.id());

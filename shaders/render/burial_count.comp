@@ -1,5 +1,6 @@
-// One thread adds one particle to its cell.
+// One thread adds the space that one particle takes to its cell.
 #include "shared/burial.glsl"
+#include "shared/sphere_sizes.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
 layout(binding = POSITIONS_UNIT) uniform samplerBuffer positions;
@@ -9,5 +10,6 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= frame.particleCount) return;
-    atomicAdd(cells[burialCell(texelFetch(positions, int(i)).xyz)], 1u);
+    vec4 position = texelFetch(positions, int(i));
+    if (isThere(position)) atomicAdd(cells[burialCell(position.xyz)], sphereSpace(i));
 }

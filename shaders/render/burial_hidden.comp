@@ -3,7 +3,7 @@
 #include "shared/burial.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
-// How many particles, before; HIDDEN_*, after.
+// How much particles take, before; HIDDEN_*, after.
 layout(std430, binding = RENDER_CELLS_SLOT) buffer Cells { uint cells[]; };
 layout(std430, binding = RENDER_BURIED_SLOT) readonly buffer Buried { uint buried[]; };
 

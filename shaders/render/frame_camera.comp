@@ -25,16 +25,21 @@ struct Box {
 Box framedBox()
 {
     vec3 low = vec3(1e30), high = vec3(-1e30), sum = vec3(0.0), squares = vec3(0.0);
+    float count = 0.0;
     for (uint i = 0u; i < BOUNDS_THREADS; ++i) {
         low = min(low, bounds[i].low.xyz);
         high = max(high, bounds[i].high.xyz);
         sum += bounds[i].sum.xyz;
+        count += bounds[i].sum.w;
         squares += bounds[i].squares.xyz;
+    }
+    if (count == 0.0) {
+        low = frame.shadowLimitLow.xyz;
+        high = frame.shadowLimitHigh.xyz;
     }
     view.particleLow = vec4(low, 0.0);
     view.particleHigh = vec4(high, 0.0);
-    if (frame.particleCount == 0u) return Box(frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz);
-    float count = float(frame.particleCount);
+    if (count == 0.0) return Box(low, high);
     vec3 mean = sum / count;
     vec3 reach = STRAY * sqrt(max(squares / count - mean * mean, 0.0));
     vec3 middle = 0.5 * (frame.shadowLimitLow.xyz + frame.shadowLimitHigh.xyz) + mean;

@@ -18,7 +18,8 @@ void burialGrid(vec3 low, vec3 high)
     // The outermost cells stay free for what is outside the bounds.
     vec3 size = max((high - low) / float(BURIAL_CELLS - 3), vec3(4.0 * diameter));
     view.cellOrigin = vec4(low - size, 0.0);
-    view.cellSize = vec4(size, FULL_SHARE * size.x * size.y * size.z / (diameter * diameter * diameter));
+    float full = float(SPACE_UNITS) * FULL_SHARE;
+    view.cellSize = vec4(size, full * size.x * size.y * size.z / (diameter * diameter * diameter));
 }
 
 // Where things shade the ground, as seen from the light: what is near them lies in there as well.

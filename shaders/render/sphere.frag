@@ -3,6 +3,7 @@
 #include "shared/surface.glsl"
 
 flat in vec4 sphere;
+flat in float radius;
 layout(location = 0) out uvec2 surface;
 // Points and quads lie at the sphere's nearest depth: hidden ones can be skipped before this runs.
 layout(depth_greater) out float gl_FragDepth;
@@ -14,9 +15,9 @@ void main()
     // From the ray's nearest point to the centre: unlike the usual discriminant it loses no digits far away.
     float along = dot(sphere.xyz, ray) * inverse;
     vec3 miss = sphere.xyz - along * ray;
-    float h = frame.radius * frame.radius - dot(miss, miss);
+    float h = radius * radius - dot(miss, miss);
     if (h < 0.0) discard;
     float depth = along - sqrt(h * inverse);
-    surface = uvec2(packNormal((depth * ray - sphere.xyz) / frame.radius), floatBitsToUint(sphere.w));
+    surface = uvec2(packNormal((depth * ray - sphere.xyz) / radius), floatBitsToUint(sphere.w));
     gl_FragDepth = depth / frame.farDepth;
 }

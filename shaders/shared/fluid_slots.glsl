@@ -1,16 +1,12 @@
 // Slots: all particles in the order of the cells of the fluids' grid, so that neighbours stand together. A slot's
 // neighbours within step.fluidListReach are listed once a step: of a fluid particle the fluid ones from the front of its
 // list, solid ones from its end; of a solid particle the fluid ones.
+#include "shared/fluid_living.glsl"
 #include "shared/neighbour_lists.glsl"
 
 uniform usamplerBuffer slotParticles;    // particle
 uniform usamplerBuffer slotCounts;       // fluid neighbours, solid neighbours
 uniform usamplerBuffer slotNeighbours;   // slots, shared/neighbour_lists.glsl
-
-uint slotCount()
-{
-    return step.particleCount + step.fluidCount;
-}
 
 bool isFluid(uint particle)
 {

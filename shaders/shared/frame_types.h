@@ -47,6 +47,10 @@ namespace knuckle::gpu {
 #define BOUNDS_THREADS 256
 // Cells a side of the grid in which buried particles are found.
 #define BURIAL_CELLS 32
+// The space that a particle takes, to be counted in integers.
+#define SPACE_UNITS 64u
+// Radius of fluid particles in their rest distances: they overlap a little, so that still water has no holes.
+#define FLUID_RADIUS 0.58f
 // Particles that one thread counts and lists, in order.
 #define LIST_CHUNK 64
 // Pixels a side of the tiles that the edge filter takes or leaves.
@@ -87,13 +91,17 @@ struct FrameInput {
     uint followedBodyStart;     // CAMERA_FOLLOWS: bodies of the object
     uint followedBodyCount;
     float trackSeconds;         // since the camera last looked [s]; below 0: it has not looked yet
+    uint solidCount;            // those behind the first so many particles are fluid
+    float fluidRadius;          // [m]
+    uint fluidShare;            // of the space that a solid particle takes, in 1 / SPACE_UNITS
+    uint unused;
 };
 
 // What one thread of frame_bounds.comp finds.
 struct ParticleBounds {
     vec4 low;                   // xyz [m]
     vec4 high;
-    vec4 sum;                   // xyz [m]: of positions from the middle of the shadow limits
+    vec4 sum;                   // xyz [m]: of positions from the middle of the shadow limits; w: how many there are
     vec4 squares;               // xyz [m2]
 };
 
@@ -108,7 +116,7 @@ struct FrameView {
     vec4 lightCentre;           // xyz; w: half the side of the square it covers [m]
     vec4 lightDepth;            // x: half the depth range [m]
     vec4 cellOrigin;            // xyz [m]: lowest corner of the burial grid
-    vec4 cellSize;              // xyz [m]; w: particles in a cell that count as full
+    vec4 cellSize;              // xyz [m]; w: what particles take of a cell that counts as full
     vec4 viewToLightX;          // light clip coordinates from view space: dot(xyz, p) + w
     vec4 viewToLightY;
     vec4 viewToLightZ;

@@ -52,7 +52,9 @@
 #define DISPATCH_PAIRS 8
 #define DISPATCH_COLLIDER_PAIRS 9
 #define DISPATCH_FAST 10            // particles that find contacts from afar
-#define DISPATCH_COUNT 11
+#define DISPATCH_SLOTS 11           // of fluids, where there are emitters or drains
+#define DISPATCH_EMIT 12
+#define DISPATCH_COUNT 13
 
 // By how much longer contacts are to stay good where few things are fast.
 #define CALM 3.0f
@@ -148,6 +150,32 @@ struct GpuCollider {
     uvec4 grid;                     // values along x, y, z; the first in gridValues
 };
 
+// What never changes about an emitter.
+struct GpuEmitter {
+    vec4 velocity;                  // of what leaves it [m/s]; w: fluid nearer than this is in the way [m]
+    uvec4 clock;                    // layers that are past at startStep and a step, both 64 bits of 2^-32, low first
+    uint startStep;                 // layers leave at the end of this step at the earliest
+    uint layerLimit;                // as many leave until it stops
+    uint firstPoint;                // in nozzlePoints
+    uint pointCount;                // particles of a layer
+    uint poolStart;                 // in poolOrder
+    uint poolCount;
+    uint takesOldest;
+    float interval;                 // between layers [s]
+};
+
+// What an emitter does in a step.
+struct EmitterState {
+    uint taken;                     // parked particles that it takes
+    uint retired;                   // of its oldest particles that are parked
+    uint parked;                    // before that
+    float age;                      // time since the last layer left [s]
+    uint firstCandidate;            // its first thread in fluid_emit
+    uint unused0;
+    uint unused1;
+    uint unused2;
+};
+
 // Everything a step needs to know; uploaded once.
 struct StepParameters {
     vec4 gravity;                   // xyz [m/s2]
@@ -199,6 +227,10 @@ struct StepParameters {
     uint assemblyCount;
     uint clusterCount;              // of soft bodies
     uint softCount;                 // particles of soft bodies
+    uint substeps;                  // a step
+    uint fluidFilled;               // fluid particles that belong to no emitter; they come first
+    uint poolCapacity;              // places in the lists of all emitters' pools
+    uint drainCount;
 };
 
 // Written by kernels, read once a frame. 68 bytes.

@@ -1,5 +1,5 @@
 // Which values a prefix sum is over: how many particles each cell of the grid holds, or (LISTS) how many contacts each
-// particle has in the lists of contact_lists.glsl.
+// particle has in the lists of contact_lists.glsl, or (POOLS) which places of the pools' lists are parked.
 
 #include "shared/fluid_grid.glsl"
 
@@ -8,6 +8,11 @@
 #define SCAN_SUMS listSums
 #define SCAN_BLOCK ListSums
 uint scanCount() { return 3u * step.particleCount; }
+#elif defined(POOLS)
+#define SCAN_VALUES poolParked
+#define SCAN_SUMS poolSums
+#define SCAN_BLOCK PoolSums
+uint scanCount() { return step.poolCapacity; }
 #else
 #define SCAN_VALUES cellCounts
 #define SCAN_SUMS cellSums

@@ -27,7 +27,7 @@ void main()
         uvec4 slots = fourNeighbours(k, n);
         for (int c = 0; c < 4; ++c) rise += riseBy(place, swirl.w, slots[c]);
     }
-    if (count == 0u) return;
+    if (count == 0u || timeHeld(velocities[i]) > 0.0) return;
     // Where the swirl is the same all around there is no middle to drive it about.
     vec3 towards = rise / (length(rise) + 0.01 * swirl.w / step.fluidSpacing + 1e-6);
     // At most a tenth of what it differs by from its neighbours.

@@ -69,7 +69,7 @@ void list(uint k, uint place, uint slot)
 
 void main()
 {
-    uint k = gl_GlobalInvocationID.x, slots = gridParticles();
+    uint k = gl_GlobalInvocationID.x, slots = gridMembers();
     if (k >= slots) return;
     ivec3 cell = cellOf(texelFetch(fluidFoundPositions, int(texelFetch(slotParticles, int(k)).x)).xyz);
     Seeker seeker = seekerAt(texelFetch(fluidSorted, int(k / 4u))[k % 4u]);

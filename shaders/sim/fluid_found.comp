@@ -14,11 +14,12 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= step.particleCount + step.fluidCount) return;
     float time = step.lookAhead * step.substepTime;
-    vec3 x = texelFetch(positions, int(i)).xyz, v = texelFetch(velocities, int(i)).xyz;
+    vec4 place = texelFetch(positions, int(i));
+    vec3 x = place.xyz, v = texelFetch(velocities, int(i)).xyz;
     if (i < step.particleCount) {
         PointState state = pointState(texelFetch(particlePlaces, int(i)).x, texelFetch(restOffsets, int(i)).xyz);
         x = state.position;
         v = state.velocity;
     }
-    fluidFoundPositions[i] = vec4(x + time * v, 0);
+    fluidFoundPositions[i] = vec4(x + time * v, place.w);   // w: whether it is parked
 }

@@ -13,7 +13,7 @@ BUFFER(uint, FluidSorted, fluidSorted);  // packed
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= gridParticles()) return;
+    if (i >= gridParticles() || isNowhere(texelFetch(particleCells, int(i)).x)) return;
     uvec2 place = placeInCells(i);
     uint code = packPlace(texelFetch(fluidFoundPositions, int(i)).xyz, i < step.particleCount);
     slotParticles[place.x] = i;

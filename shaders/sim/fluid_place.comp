@@ -1,5 +1,6 @@
 // One thread a fluid particle: where it is predicted to be at the end of the substep if no pressure acts.
 #include "shared/kernel.glsl"
+#include "shared/fluid_living.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
@@ -12,8 +13,10 @@ void main()
 {
     if (gl_GlobalInvocationID.x >= step.fluidCount) return;
     int i = int(step.particleCount + gl_GlobalInvocationID.x);
+    vec4 place = texelFetch(positions, i);
+    if (isParked(place)) return;
     float h = step.substepTime;
     vec3 v = texelFetch(velocities, i).xyz + h * step.gravity.xyz;
-    slotPlaces[texelFetch(particleSlots, i).x] = vec4(texelFetch(positions, i).xyz + h * v,
+    slotPlaces[texelFetch(particleSlots, i).x] = vec4(place.xyz + h * v,
                                                       1.0 / max(texelFetch(masses, i).x, 1e-20));
 }

@@ -73,7 +73,8 @@ void main()
     }
     if (!fluid) return;
     vec3 push = texelFetch(masses, int(i)).x * impulse;
-    push *= min(1.0, 0.1 * step.fluidReach / max(length(push), 1e-20));
+    float held = timeHeld(velocities[i]);
+    push *= held > 0.0 ? 0.0 : min(1.0, 0.1 * step.fluidReach / max(length(push), 1e-20));
     vec3 before = positions[i].xyz, x = outside(k, own.xyz + push);
     vec3 v = (x - before) * (step.damping / step.substepTime);
     float speed = length(v);
@@ -81,6 +82,6 @@ void main()
         atomicOr(counters[0].problems, PROBLEM_NAN);
         atomicMax(counters[0].badParticle, i);
     }
-    velocities[i] = vec4(v * min(1.0, step.maxSpeed / max(speed, 1e-20)), 0);
+    velocities[i] = vec4(v * min(1.0, step.maxSpeed / max(speed, 1e-20)), max(held - step.substepTime, 0.0));
     positions[i].xyz = x;
 }

@@ -36,5 +36,5 @@ void main()
         change += changeBy(place, own, slots.z);
         change += changeBy(place, own, slots.w);
     }
-    if (fluid) velocities[i].xyz += change;
+    if (fluid && timeHeld(velocities[i]) == 0.0) velocities[i].xyz += change;
 }

@@ -12,6 +12,11 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= gridParticles()) return;
-    uint cell = cellIndex(cellOf(texelFetch(foundPositions, int(i)).xyz));
+    vec4 found = texelFetch(foundPositions, int(i));
+    if (isParked(found)) {
+        particleCells[i] = uvec2(NO_CELL, 0);
+        return;
+    }
+    uint cell = cellIndex(cellOf(found.xyz));
     particleCells[i] = uvec2(cell, atomicAdd(cellCounts[cell], 1u));
 }

@@ -12,5 +12,6 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= gridParticles()) return;
     uvec2 place = texelFetch(particleCells, int(i)).xy;
+    if (isNowhere(place.x)) return;
     cellMembers[texelFetch(cellStarts, int(place.x)).x + place.y] = i;
 }

@@ -27,6 +27,17 @@ struct FluidBuffers {
     Buffer<gpu::vec4> slotWalls, slotSolids;           ///< Gradients of what walls and solids add to the density.
 };
 
+/// Emitters, and the fluid particles that are parked until one of them takes them (shaders/shared/emitters.glsl).
+struct PoolBuffers {
+    Buffer<gpu::GpuEmitter> emitters;
+    Buffer<gpu::EmitterState> emitterStates;           ///< Per emitter, within a step.
+    Buffer<gpu::vec4> nozzlePoints;                    ///< Where layers leave [m].
+    Buffer<uint32_t> poolOrder;                        ///< Halves: the particles of each pool, whose turn it is first.
+    Buffer<uint32_t> poolParked;                       ///< Per place in it: 1 if it was parked after the last step.
+    Buffer<uint32_t> poolSums, poolChunks;             ///< Per chunk of it: parked before, emitter.
+    Buffer<gpu::uvec2> fluidTotals;                    ///< Particles that came, that left.
+};
+
 /// Strands that are solved together.
 struct StrandPhase {
     uint32_t begin = 0, end = 0;         ///< In SolverBuffers::strands.
@@ -37,7 +48,7 @@ struct StrandPhase {
 /// Per particle unless said otherwise.
 struct SolverBuffers {
     // State.
-    Buffer<gpu::vec4> positions, velocities;           ///< At the end of the last step [m], [m/s].
+    Buffer<gpu::vec4> positions, velocities;           ///< At the end of the last step [m], [m/s]; w: 1 if parked.
     // What never changes.
     Buffer<gpu::ParticleInfo> particleInfo;
     Buffer<gpu::uvec2> particlePlaces;   ///< Mover, rank in the order of contact lists.
@@ -125,9 +136,11 @@ struct SolverBuffers {
     Buffer<gpu::uvec4> dispatches;       ///< DISPATCH_*.
     Buffer<gpu::Counters> counters;
     FluidBuffers fluid;
+    PoolBuffers pool;
 
     gpu::StepParameters parameters{};    ///< The host's copy of `step`.
     bool hasBounces = false;             ///< Whether any material has restitution.
+    bool hasPool = false;                ///< Whether there are emitters, or drains of fluids.
     bool hasOthers = false;              ///< Whether anything but contacts and joints acts (particleImpulses).
     std::vector<StrandPhase> strandPhases;
     std::vector<uint32_t> strandStarts;  ///< Per strand of the World, its first node; its last if that is fixed.

@@ -9,6 +9,7 @@ FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
     solids_ = groupsFor(p.particleCount);
     fluids_ = groupsFor(p.fluidCount);
     cells_ = groupsFor(p.cellMask + 1);
+    if (buffers.hasPool) sizes_ = &buffers.dispatches;
     chunks_ = groupsFor((p.cellMask + 1) / SCAN_CHUNK);
     confines_ = settings.vorticity > 0.0f;
     Defines grid{{"FLUIDS", "1"}};
@@ -37,6 +38,12 @@ FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
     react_ = load("fluid_react", {});
 }
 
+void FluidStep::onSlots(KernelTimer& timer, const Kernel& kernel) const
+{
+    if (sizes_ != nullptr) kernel.dispatchIndirect(timer, *sizes_, DISPATCH_SLOTS);
+    else kernel.dispatch(timer, slots_);
+}
+
 void FluidStep::findNeighbours(KernelTimer& timer) const
 {
     found_.dispatch(timer, slots_);
@@ -47,14 +54,14 @@ void FluidStep::findNeighbours(KernelTimer& timer) const
     start_.dispatch(timer, chunks_);
     scatter_.dispatch(timer, slots_);
     order_.dispatch(timer, slots_);
-    find_.dispatch(timer, slots_);
-    near_.dispatch(timer, slots_);
-    velocity_.dispatch(timer, slots_);
+    onSlots(timer, find_);
+    onSlots(timer, near_);
+    onSlots(timer, velocity_);
     place(timer);
-    smooth_.dispatch(timer, slots_);
+    onSlots(timer, smooth_);
     if (confines_) {
-        vorticity_.dispatch(timer, slots_);
-        confine_.dispatch(timer, slots_);
+        onSlots(timer, vorticity_);
+        onSlots(timer, confine_);
     }
 }
 
@@ -67,8 +74,8 @@ void FluidStep::place(KernelTimer& timer) const
 void FluidStep::substep(KernelTimer& timer) const
 {
     place(timer);
-    density_.dispatch(timer, slots_);
-    push_.dispatch(timer, slots_);
+    onSlots(timer, density_);
+    onSlots(timer, push_);
     react_.dispatch(timer, solids_);
 }
 

@@ -18,7 +18,9 @@ public:
 
 private:
     void place(KernelTimer& timer) const;
+    void onSlots(KernelTimer& timer, const Kernel& kernel) const;
 
+    const RawBuffer* sizes_ = nullptr;  ///< Where the GPU decides how many slots there are.
     uint32_t slots_, solids_, fluids_, cells_, chunks_;   ///< Work groups.
     bool confines_;
     Kernel found_, clear_, count_, sum_, sumChunks_, start_, scatter_, order_, find_, near_;

@@ -9,6 +9,7 @@
 #include "sim/solver/measure.h"
 #include "sim/solver/step.h"
 #include "sim/solver/upload_fluid.h"
+#include "sim/solver/upload_pool.h"
 #include "sim/solver/upload_strands.h"
 #include "sim/world/errors.h"
 
@@ -106,13 +107,18 @@ ParticleView Solver::view() const
     view.bodyRotations = b.moverRotations.id();
     view.particleCount = b.parameters.particleCount + b.parameters.fluidCount;
     view.bodyCount = b.parameters.bodyCount;
+    view.solidCount = b.parameters.particleCount;
     view.radius = impl_->world.particleRadius;
+    view.fluidSpacing = impl_->world.fluidSpacing;
     return view;
 }
 
 ParticleState Solver::readParticles()
 {
-    return {unpack(impl_->buffers.positions.download()), unpack(impl_->buffers.velocities.download())};
+    const std::vector<gpu::vec4> positions = impl_->buffers.positions.download();
+    ParticleState state{unpack(positions), unpack(impl_->buffers.velocities.download()), {}};
+    for (const gpu::vec4& position : positions) state.parked.push_back(position.w != 0.0f);
+    return state;
 }
 
 std::vector<BodyState> Solver::readBodies()
@@ -135,6 +141,10 @@ Measures Solver::measure()
     Measures measures = measureState(impl_->world, particles, readBodies());
     measureStrands(measures, impl_->world, particles, tornDistances(impl_->buffers, impl_->world));
     measureFluids(measures, fluidDensities(impl_->buffers));
+    const FluidFigures figures = fluidFigures(impl_->buffers);
+    measures.fluidCount = figures.living;
+    measures.fluidEmitted = figures.emitted;
+    measures.fluidDrained = figures.drained;
     return measures;
 }
 

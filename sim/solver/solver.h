@@ -14,6 +14,7 @@ namespace knuckle {
 struct ParticleState {
     std::vector<Vector3f> positions;    ///< [m]
     std::vector<Vector3f> velocities;   ///< [m/s]
+    std::vector<bool> parked;           ///< Fluid particles that no emitter has yet let out, or that a drain took.
 };
 
 struct BodyState {
@@ -36,6 +37,9 @@ struct Measures {
     float meanDensityError = 0.0f;      ///< Of fluid particles: how much denser than at rest, as a share of that.
     float worstDensityError = 0.0f;
     float fluidVolumeError = 0.0f;      ///< The share of their volume that fluids have lost to that.
+    uint32_t fluidCount = 0;            ///< Fluid particles that are there.
+    uint32_t fluidEmitted = 0;          ///< Since the start, from all emitters.
+    uint32_t fluidDrained = 0;          ///< Since the start, in drains or taken again as the oldest.
     float meanStretch = 0.0f;           ///< Of ropes and threads of cloth that hold: |length / length at rest - 1|.
     float worstStretch = 0.0f;
     float maxSpeed = 0.0f;              ///< [m/s]

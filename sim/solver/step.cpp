@@ -24,7 +24,8 @@
 // sleep_settle), until something that moves comes near it (sleep_wake, sleep_rouse, in each substep).
 //
 // A step ends with its particles where their bodies have them (particle_place); those that bodies share stand at the
-// mean of their goals, which is the joint (joint_place).
+// mean of their goals, which is the joint (joint_place). Where there are emitters or drains, fluid particles then leave
+// the pools (fluid_pool, pool_order, fluid_emit) or go back to them (fluid_drain).
 //
 // The paper's solver does all of this particle by particle: predict, contact_average (each particle moves by the
 // average of its overlaps), then each body is matched to its particles (body_sum, body_rotation) and they go to their
@@ -47,6 +48,7 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
         if (settings.rotation == RotationMethod::Householder) defines.push_back({"HOUSEHOLDER", "1"});
         if (settings.massScaling > 0.0f) defines.push_back({"MASS_SCALING", "1"});
         if (settings.sleepSpeed > 0.0f) defines.push_back({"SLEEP", "1"});
+        if (buffers.hasPool) defines.push_back({"POOL", "1"});
         if (buffers.hasGrids) defines.push_back({"GRIDS", "1"});
         return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
     };
@@ -54,6 +56,7 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
     if (settings.solver == SolverKind::Impulse) loadImpulseSolver(load);
     else loadPaperSolver(load);
     if (buffers.parameters.fluidCount > 0) fluid_.emplace(load, buffers, settings);
+    if (buffers.hasPool) fluidPool_.emplace(load, buffers, settings);
     if (settings.solver == SolverKind::Impulse) strandStep_ = StrandStep(gpu, buffers);
 }
 
@@ -162,6 +165,7 @@ void Step::run(KernelTimer& timer) const
     if (settings_.sleepSpeed > 0.0f) fallAsleep(timer);
     particlePlace_.dispatch(timer, particles_);
     if (shared_ > 0) jointPlace_.dispatch(timer, shared_);
+    if (fluidPool_) fluidPool_->run(timer);
 }
 
 void Step::findContacts(KernelTimer& timer) const

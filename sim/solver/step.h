@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "sim/solver/fluid_pool.h"
 #include "sim/solver/fluid_step.h"
 #include "sim/solver/soft_step.h"
 #include "sim/solver/strand_step.h"
@@ -40,6 +41,7 @@ private:
     // Work groups.
     uint32_t particles_, movers_, bodies_, loose_, assemblies_, links_, shared_, sharedByTwo_, sharedByMany_;
     std::optional<FluidStep> fluid_;
+    std::optional<FluidPool> fluidPool_;
     // Finding contacts.
     Kernel findDue_, moverReach_, foundPlace_, fastDue_, gridClear_, gridCount_, gridSum_, gridChunks_, gridStart_,
         gridScatter_, gridOrder_, contactFind_, contactFindFar_, colliderNear_, colliderFind_, listSum_, listChunks_,

@@ -11,6 +11,7 @@
 #include "sim/solver/upload_colliders.h"
 #include "sim/solver/upload_fluid.h"
 #include "sim/solver/upload_movers.h"
+#include "sim/solver/upload_pool.h"
 #include "sim/solver/upload_soft.h"
 #include "sim/solver/upload_strands.h"
 #include "sim/world/errors.h"
@@ -33,10 +34,11 @@ void uploadParticles(SolverBuffers& out, const World& world)
     std::vector<gpu::vec4> positions, velocities, rest, masses, surfaces;
     std::vector<gpu::ParticleInfo> infos;
     uint32_t assemblies = world.assemblyCount;
+    const size_t firstPooled = world.particles.size() - world.pooledCount();
     for (const Particle& p : world.particles) {
         const bool fixed = isFixed(world, p);
         const Material& material = world.materials[p.material];
-        positions.push_back(pack(p.position, 0));
+        positions.push_back(pack(p.position, positions.size() >= firstPooled ? 1.0f : 0.0f));
         velocities.push_back(pack(fixed ? Vector3f::Zero() : p.velocity, 0));
         surfaces.push_back(p.bodyCount == 1 ? pack(p.surface.outward, p.surface.distance) : gpu::vec4{});
         rest.push_back(pack(p.restPosition, p.touchesAssembly ? p.selfMargin : NO_SELF_CONTACT));
@@ -246,7 +248,6 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
     setFluidParameters(out.parameters, world);
     out.step = {"step", 1};
     out.counters = {"counters", 1};
-    out.dispatches = {"dispatches", DISPATCH_COUNT};
     out.parameters.contactSlots = FIRST_CONTACT_SLOTS;
     out.parameters.pairCapacity = out.parameters.colliderPairCapacity = std::max(2 * count, 4096u);
     for (const Material& material : world.materials) out.hasBounces |= material.restitution > 0.0f;
@@ -260,6 +261,7 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
     uploadColliders(gpu, out, world);
     makeGrid(out, count + world.fluidCount);
     makeFluid(out, world, gpu);
+    makePool(out, world);
     uploadSoftBodies(out, world);
     out.step.upload(std::span<const gpu::StepParameters>(&out.parameters, 1));
     return out;
@@ -283,6 +285,7 @@ BufferTable SolverBuffers::table()
     t.add(firstLists, colliderLists, listCounts, listSums, listStarts, pairs, pairSides, pairArms, pairImpulses,
           pairArrivals, pairReferences, colliderPairs, colliderSides, colliderArms, colliderImpulses, dispatches);
     addFluid(t, fluid);
+    addPool(t, pool);
     t.add(pairBounces, colliderBounces, moverBounces);
     t.add("countersBlock", counters, 16);
     return t;

@@ -37,7 +37,10 @@ void uploadColliders(const Gpu& gpu, SolverBuffers& out, const World& world)
 {
     const std::vector<uint32_t> firsts = uploadGrids(gpu, out, world);
     std::vector<gpu::GpuCollider> colliders;
-    for (const Collider& c : world.colliders) {
+    // Drains stand behind the colliders, where only fluid_drain looks.
+    std::vector<Collider> all = world.colliders;
+    all.insert(all.end(), world.drains.begin(), world.drains.end());
+    for (const Collider& c : all) {
         const Vector3f size = c.shape == ColliderShape::Box ? c.halfExtents : Vector3f(c.radius, c.halfHeight, 0);
         gpu::GpuCollider collider{pack(c.position, static_cast<float>(c.shape)),
                                   pack(c.orientation.vec(), c.orientation.w()), pack(size, 0),

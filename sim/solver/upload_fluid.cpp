@@ -124,7 +124,11 @@ std::vector<float> fluidDensities(SolverBuffers& buffers)
     const std::vector<gpu::vec4> walls = buffers.fluid.slotWalls.download();
     const std::vector<uint32_t> particles = buffers.fluid.slotParticles.download();
     std::vector<float> densities;
-    for (size_t k = 0; k < walls.size(); ++k)
+    // What is parked has no slot.
+    uint32_t slots = 0;
+    if (!walls.empty())
+        buffers.fluid.fluidCellStarts.read(&slots, sizeof slots, (buffers.parameters.cellMask + 1) * sizeof slots);
+    for (size_t k = 0; k < slots; ++k)
         if (particles[k] >= buffers.parameters.particleCount) densities.push_back(walls[k].w);
     return densities;
 }

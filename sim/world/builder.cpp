@@ -228,20 +228,6 @@ void WorldBuilder::setFluidSpacing(float spacing)
     world_.fluidSpacing = spacing * world_.diameter();
 }
 
-void WorldBuilder::addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material)
-{
-    if (material >= world_.materials.size() || !world_.materials[material].fluid)
-        throw InputError(fmt::format("addFluid(): material {} is not a fluid", material));
-    Particle particle;
-    particle.velocity = velocity;
-    particle.material = material;
-    particle.mass = world_.materials[material].density * std::pow(world_.fluidSpacing, 3.0f);
-    for (const Vector3f& position : positions) {
-        particle.position = particle.restPosition = position;
-        fluid_.push_back(particle);
-    }
-}
-
 void WorldBuilder::addStrand(Strand strand)
 {
     world_.strands.push_back(std::move(strand));

@@ -80,6 +80,10 @@ public:
     /// Rest distance of fluids [diameters], 0.3 ... 0.6. Before addFluid().
     void setFluidSpacing(float spacing);
     float fluidSpacing() const { return world_.fluidSpacing; }
+    /// Its pool comes behind all fluids. @throws InputError unless its material is a fluid.
+    void addEmitter(Emitter emitter);
+    /// A plane, box, sphere or capsule in which fluids vanish.
+    void addDrain(const Collider& region) { world_.drains.push_back(region); }
     const Material& material(uint32_t index) const { return world_.materials.at(index); }
 
     uint32_t particleCount() const { return static_cast<uint32_t>(world_.particles.size()); }
@@ -104,6 +108,8 @@ private:
     void requireObject(const char* what) const;
     void assignAssemblies();
     void placeFluid();
+    void requireFluid(const char* what, uint32_t material) const;
+    Particle fluidParticle(uint32_t material) const;
     void makeBodyLinks(uint32_t bodyIndex);
     /// Of a particle's mass, in a body that it belongs to, 0 ... 1.
     float massShare(uint32_t particle, uint32_t body) const;

@@ -4,7 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
+
+#include "sim/world/world.h"
 
 namespace knuckle {
 
@@ -28,6 +31,18 @@ public:
     {
         const auto found = members_.find({cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1});
         return found == members_.end() ? nullptr : &found->second;
+    }
+    /// One of the members whose particle stands nearer to x than `distance`, a cell at most.
+    std::optional<uint32_t> anyNear(const std::vector<Particle>& particles, const Eigen::Vector3f& x,
+                                    float distance) const
+    {
+        for (int k = 0; k < 27; ++k) {
+            const auto* members = around(cellOf(x), k);
+            if (!members) continue;
+            for (uint32_t i : *members)
+                if ((particles[i].position - x).squaredNorm() < distance * distance) return i;
+        }
+        return std::nullopt;
     }
 
 private:

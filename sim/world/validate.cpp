@@ -74,6 +74,24 @@ void validateFluids(const World& world)
                 "particle {}: fluids come behind all others, and nothing else is of a fluid's material", i);
 }
 
+void validateEmitters(const World& world)
+{
+    for (size_t i = 0; i < world.emitters.size(); ++i) {
+        const Emitter& e = world.emitters[i];
+        const size_t layer = e.nozzle.points.size();
+        require(layer > 0 && e.nozzle.layerSpacing > 0.0f, "emitter {}: its nozzle holds no particle", i);
+        require(e.velocity.allFinite() && e.velocity.norm() > 0.0f, "emitter {}: its speed must be above 0", i);
+        require(e.velocity.norm() <= world.settings.maxSpeed,
+                "emitter {}: its speed, {} m/s, is above the solver's maximum, {} m/s", i, e.velocity.norm(),
+                world.settings.maxSpeed);
+        require(e.start >= 0.0 && e.stop >= e.start, "emitter {}: stops at {} s and starts at {} s", i, e.stop,
+                e.start);
+        require(e.pool >= layer, "emitter {}: its pool of {} is smaller than a layer of {} particles", i, e.pool, layer);
+    }
+    for (const Collider& drain : world.drains)
+        require(drain.shape <= ColliderShape::Capsule, "a drain is a plane, a box, a sphere or a capsule");
+}
+
 void validateParticles(const World& world)
 {
     for (size_t i = 0; i < world.particles.size(); ++i) {
@@ -150,6 +168,7 @@ void validate(const World& world)
     validateMaterials(world);
     validateParticles(world);
     validateFluids(world);
+    validateEmitters(world);
     validateLinks(world);
     validateColliders(world);
     validateSoftBodies(world);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/world/collider_grid.h"
+#include "sim/world/emitter.h"
 #include "sim/world/settings.h"
 #include "sim/world/soft_matter.h"
 #include "sim/world/strand.h"
@@ -148,11 +149,19 @@ struct World {
     /// Rest distance of fluid particles [m], 0.3 ... 0.6 diameters. A fluid particle weighs density * spacing^3.
     float fluidSpacing = 0.05f;
     uint32_t fluidCount = 0;                  ///< Fluid particles; they stand behind all others in `particles`.
+    /// Their pools are the last of the fluid particles, in this order; what is in a pool is nowhere yet.
+    std::vector<Emitter> emitters;
+    std::vector<Collider> drains;             ///< Fluids vanish in them; only shape, place and size count.
 
+    /// Particles in the pools at the start.
+    uint32_t pooledCount() const;
     /// Particles that are not fluid.
     uint32_t solidCount() const { return static_cast<uint32_t>(particles.size()) - fluidCount; }
     float diameter() const { return 2.0f * particleRadius; }
 };
+
+/// Nearer to a solid particle no fluid begins [m].
+float fluidClearance(const World& world);
 
 /// Checks every invariant that the solver relies on: indices in range, links grouped by body, finite positions,
 /// positive masses, shared particles consistent with the links. @throws InputError naming the first that fails.

@@ -15,6 +15,7 @@ struct BadScene {
 
 /// A scene of one box with `fields` added at the top.
 #define WITH(fields) R"({ "objects": [{ "type": "rigid", "shape": "box" }], )" fields " }"
+#define EMITTER(fields) R"({ "emitters": [{ )" fields " }] }"
 #define OBJECT(fields) R"({ "objects": [{ )" fields " }] }"
 
 const BadScene BAD_SCENES[] = {
@@ -102,6 +103,57 @@ const BadScene BAD_SCENES[] = {
     {"TooMuchFluid", OBJECT(R"("type": "fluid", "shape": "box", "size": [10, 10, 10])"),
      ": /objects/0: brings the scene to 8000000 particles, the limit is 1000000; raise /diameter, or make it smaller "
      "or fewer"},
+    {"EmptyObjectsAndEmitters", R"({"objects": [], "emitters": []})", ": /objects: is an array of 0, must be at least 1"},
+    {"EmitterWithoutShape", EMITTER(R"("speed": 1)"), ": /emitters/0: \"shape\" is missing; known: disc, rectangle"},
+    {"EmitterOfASolid", EMITTER(R"("shape": "disc", "material": "default")"),
+     ": /emitters/0/material: \"default\" is not a fluid; give that material \"fluid\": true, or take another"},
+    {"EmitterOfNothing", EMITTER(R"("shape": "disc", "material": "watr")"),
+     ": /emitters/0/material: there is no material \"watr\"; did you mean \"water\"?"},
+    {"EmitterWithoutSpeed", EMITTER(R"("shape": "disc", "speed": 0)"), ": /emitters/0/speed: 0 must be above 0 [m/s]"},
+    {"EmitterBackwards", EMITTER(R"("shape": "disc", "speed": -2)"), ": /emitters/0/speed: -2 must be above 0 [m/s]"},
+    {"EmitterTooFast", EMITTER(R"("shape": "disc", "speed": 300)"),
+     ": /emitters/0/speed: 300 m/s is above /solver/maxSpeed, 100 m/s; lower it or raise the other"},
+    {"EmitterWithoutDirection", EMITTER(R"("shape": "disc", "direction": [0, 0, 0])"),
+     ": /emitters/0/direction: must not be zero"},
+    {"EmitterTooSmall", EMITTER(R"("shape": "disc", "radius": 0.01)"),
+     ": /emitters/0/radius: a particle takes 0.05 m, which is too wide for it; make it larger, or lower /fluidSpacing "
+     "or /diameter"},
+    {"EmitterTooNarrow", EMITTER(R"("shape": "rectangle", "size": [1, 0.02])"),
+     ": /emitters/0/size: a particle takes 0.05 m, which is too wide for it; make it larger, or lower /fluidSpacing "
+     "or /diameter"},
+    {"EmitterTooLarge", EMITTER(R"("shape": "rectangle", "size": [80, 80])"),
+     ": /emitters/0: brings the scene to 2560000 particles, the limit is 1000000; make the nozzle smaller"},
+    {"EmitterStopsBeforeItStarts", EMITTER(R"("shape": "disc", "start": 2, "stop": 1)"),
+     ": /emitters/0/stop: 1 s is before start, 2 s; raise it or lower the other"},
+    {"PoolBelowALayer", EMITTER(R"("shape": "rectangle", "size": [0.3, 0.2], "pool": 23)"),
+     ": /emitters/0/pool: 23 particles are fewer than the 24 of a layer; raise it, or make the nozzle smaller"},
+    {"TooMuchFlow", EMITTER(R"("shape": "rectangle", "size": [4, 4], "speed": 10)"),
+     ": /emitters/0/pool: brings the scene to 6400000 particles, the limit is 1000000; give a smaller pool, with drains "
+     "or with whenEmpty \"oldest\""},
+    {"EmitterAgainstAFloor",
+     R"({ "colliders": [{"type": "sphere", "position": [5, 0, 0]}, {"type": "container", "width": 2, "depth": 2}],
+          "emitters": [{"shape": "disc", "position": [0, 0.01, 0], "direction": [0, 1, 0]}] })",
+     ": /emitters/0/position: the nozzle is inside or against /colliders/1; keep it at least half a rest distance, "
+     "0.025 m, away"},
+    {"EmitterInABody",
+     R"({ "objects": [{"type": "rigid", "shape": "box", "name": "crate"}], "emitters": [{"shape": "disc"}] })",
+     ": /emitters/0/position: the nozzle is inside or against \"crate\"; keep it at least half a rest distance, "
+     "0.025 m, away"},
+    {"EmitterIntoAWall",
+     R"({ "colliders": [{"type": "plane"}], "emitters": [{"shape": "disc", "position": [0, 0.06, 0]}] })",
+     ": /emitters/0/direction: leads into /colliders/0 within 0.05 m; turn it away, or move the nozzle back"},
+    {"EmitterThroughAWall",
+     R"({ "colliders": [{"type": "box", "size": [1, 0.1, 1]}],
+          "emitters": [{"shape": "disc", "position": [0, 0.5, 0], "speed": 60}] })",
+     ": /emitters/0/direction: leads into /colliders/0 within 0.45 m; turn it away, or move the nozzle back"},
+    {"EmitterInADrain",
+     R"({ "drains": [{"shape": "plane", "position": [0, -3, 0]}, {"shape": "sphere", "radius": 1}],
+          "emitters": [{"shape": "disc"}] })",
+     ": /emitters/0/position: the nozzle is inside /drains/1; move one of them"},
+    {"DrainOfAnUnknownShape", R"({ "drains": [{"shape": "cone"}], "emitters": [{"shape": "disc"}] })",
+     ": /drains/0/shape: \"cone\" is unknown; known: box, sphere, capsule, plane"},
+    {"PaperWithEmitter", R"({ "solver": "paper", "emitters": [{"shape": "disc"}] })",
+     ": the paper's solver has no fluids; use solver \"impulse\""},
     {"FollowGrains", R"({"objects": [{"type": "grains", "shape": "box"}], "camera": {"kind": "follow"}})",
      ": /camera/kind: \"follow\" needs an object with a body; take \"fixed\""},
     {"HeightfieldOfNothing", WITH(R"("colliders": [{"type": "heightfield", "size": [1, 1]}])"),

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "app/film_run.h"
 #include "shared/gpu_types.h"
@@ -102,13 +103,13 @@ struct Watches {
     Watch<&glGetTexImage, [](auto...) { note("glGetTexImage", Way::Read, UNKNOWN); }> getTexImage{"glGetTexImage"};
 };
 
-/// The transfers of the first 60 frames of a ragdoll's film.
-void filmRagdoll()
+/// The transfers of the first 60 frames of a scene's film.
+void film(const std::string& name)
 {
     transfers.clear();
     picturesTaken = 0;
     const test::TempFolder folder;
-    const Scene scene = loadScene(KNUCKLE_ROOT "/assets/scenes/ragdoll.json",
+    const Scene scene = loadScene(KNUCKLE_ROOT "/assets/scenes/" + name,
                                   {{"render.width", WIDTH}, {"render.height", HEIGHT}});
     FilmOptions options;
     options.outputs = {folder.path("out")};
@@ -127,9 +128,11 @@ size_t countOf(Way way, bool afterFirstFrame)
     }));
 }
 
-TEST(Traffic, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
+class TrafficOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(TrafficOf, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
 {
-    filmRagdoll();
+    film(GetParam());
     ASSERT_EQ(picturesTaken, FRAMES);
     EXPECT_TRUE(std::any_of(transfers.begin(), transfers.end(), [](const Transfer& t) {
         return t.way == Way::Upload && t.bytes > KIB && t.frame == 0;
@@ -146,6 +149,10 @@ TEST(Traffic, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
         }
     }
 }
+
+// What flows out of emitters is there from the start.
+INSTANTIATE_TEST_SUITE_P(Scenes, TrafficOf, testing::Values("ragdoll.json", "fountain.json"),
+                         [](const auto& scene) { return std::string(scene.param, strchr(scene.param, '.')); });
 
 }  // namespace
 }  // namespace knuckle

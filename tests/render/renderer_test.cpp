@@ -1,5 +1,7 @@
 #include "render/renderer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "render/palette.h"
@@ -63,6 +65,53 @@ TEST(Renderer, DrawsOddSizesAndNoParticlesAtAll)
     settings.height = 19;
     const Image image = drawn(still.world, settings);
     EXPECT_EQ(image.rgb.size(), size_t{37} * 19 * 3);
+}
+
+/// Fluid particles at `positions`, behind what is there.
+void addFluid(World& world, const std::vector<Vector3f>& positions)
+{
+    for (const Vector3f& position : positions) {
+        Particle particle;
+        particle.position = position;
+        world.particles.push_back(particle);
+        ++world.fluidCount;
+    }
+}
+
+TEST(Renderer, DrawsFluidsInTheirOwnSize)
+{
+    RenderSettings settings = tiny();
+    settings.camera.automatic = false;
+    settings.camera.position = {0, 0, 1};
+    settings.camera.target = {0, 0, 0};
+    settings.camera.fieldOfView = 30.0f;
+    StillWorld solid(0.2f), fluid(0.2f);
+    solid.addBody({{0, 0, 0}}, {0, 0, 0});
+    fluid.world.fluidSpacing = 0.2f;
+    addFluid(fluid.world, {{0, 0, 0}});
+    // In front of nothing but sky: each pixel that is another without the particle.
+    const auto covered = [&](const World& world) {
+        const Image image = drawn(world, settings), sky = drawn(StillWorld(0.2f).world, settings);
+        double count = 0;
+        for (size_t k = 0; k < image.rgb.size(); k += 3)
+            count += !std::equal(&image.rgb[k], &image.rgb[k] + 3, &sky.rgb[k]);
+        return count;
+    };
+    // As their radii, 0.2 and 0.58 x 0.2 m, seen from 1 m: sin^2 of the angles. The edges are a pixel's.
+    EXPECT_NEAR(std::sqrt(covered(fluid.world) / covered(solid.world)), 0.58, 0.04);
+}
+
+TEST(Renderer, DoesNotDrawWhatIsParked)
+{
+    World world = twoCubes();
+    const Image without = drawn(world, tiny());
+    Emitter emitter;
+    emitter.pool = 1;
+    world.emitters.push_back(emitter);
+    addFluid(world, {{0.1f, 0.75f, 0.4f}});   // between the cubes, for all to see
+    EXPECT_EQ(drawn(world, tiny()).rgb, without.rgb);
+    world.emitters.clear();
+    EXPECT_NE(drawn(world, tiny()).rgb, without.rgb);
 }
 
 template <typename Change>

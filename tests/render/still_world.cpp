@@ -15,6 +15,16 @@ Buffer<gpu::vec4> vectors(const char* label, const std::vector<T>& items, Make m
     return {label, out};
 }
 
+/// The last ones are parked: those in the pools of emitters.
+Buffer<gpu::vec4> positionsOf(const World& world)
+{
+    std::vector<gpu::vec4> out;
+    const size_t there = world.particles.size() - world.pooledCount();
+    for (const Particle& p : world.particles)
+        out.push_back({p.position.x(), p.position.y(), p.position.z(), out.size() < there ? 0.0f : 1.0f});
+    return {"positions", out};
+}
+
 Buffer<gpu::ParticleInfo> infoOf(const World& world)
 {
     std::vector<gpu::ParticleInfo> out;
@@ -78,8 +88,8 @@ Collider& StillWorld::addCollider(ColliderShape shape, const Vector3f& position)
 }
 
 StillBuffers::StillBuffers(const World& world)
-    : radius_(world.particleRadius),
-      positions_(vectors("positions", world.particles, [](const Particle& p) { return p.position; })),
+    : radius_(world.particleRadius), fluidSpacing_(world.fluidSpacing), solidCount_(world.solidCount()),
+      positions_(positionsOf(world)),
       velocities_(vectors("velocities", world.particles, [](const Particle& p) { return p.velocity; })),
       centres_(vectors("centres", world.bodies, [](const Body& b) { return b.restCentre; })),
       rotations_(vectors("rotations", world.bodies, [](const Body&) { return Vector3f(0, 0, 0); })),
@@ -90,7 +100,8 @@ StillBuffers::StillBuffers(const World& world)
 ParticleView StillBuffers::view() const
 {
     return {positions_.id(), velocities_.id(), info_.id(), centres_.id(), rotations_.id(),
-            static_cast<uint32_t>(positions_.size()), static_cast<uint32_t>(centres_.size()), radius_};
+            static_cast<uint32_t>(positions_.size()), static_cast<uint32_t>(centres_.size()), radius_,
+            solidCount_, fluidSpacing_};
 }
 
 std::vector<Vector3f> cubeLattice(int count, float diameter)

@@ -31,7 +31,8 @@ public:
     ParticleView view() const;
 
 private:
-    float radius_;
+    float radius_, fluidSpacing_;
+    uint32_t solidCount_;
     Buffer<gpu::vec4> positions_, velocities_, centres_, rotations_;
     Buffer<gpu::ParticleInfo> info_;
 };

@@ -22,7 +22,7 @@ constexpr const char* WAY_VARIABLE = "KNUCKLE_TEST_WAY";
 const std::string MARK = "state hash ";
 
 /// Ways of solving that share few kernels.
-enum Way { DEFAULT, HASH, PAPER, GROUPS, SOFT, STRANDS, FLUIDS, WAYS };
+enum Way { DEFAULT, HASH, PAPER, GROUPS, SOFT, STRANDS, FLUIDS, EMITTERS, WAYS };
 
 Settings settingsOf(int way)
 {
@@ -104,8 +104,44 @@ World fluidWorld()
     return builder.build();
 }
 
+/// Two jets into each other over boxes, of which one waits and one takes its oldest again, and fluid that drains.
+World emitterWorld()
+{
+    WorldBuilder builder(DIAMETER / 2);
+    builder.addMaterial({});
+    Material fluid;
+    fluid.fluid = true;
+    const uint32_t water = builder.addMaterial(fluid);
+    builder.addCollider({});
+    for (int k = 0; k < 2; ++k) {
+        builder.beginObject("box");
+        builder.addBody("box", boxLattice({3, 2, 3}, DIAMETER), 0);
+        builder.endObject({Vector3f(0.05f * static_cast<float>(k), 0.2f + 0.25f * static_cast<float>(k), 0)});
+    }
+    std::vector<Vector3f> places = boxLattice({8, 6, 9}, builder.fluidSpacing());
+    for (Vector3f& place : places) place += Vector3f(0.6f, 0.2f, 0);
+    builder.addFluid(places, {0, 0, 0}, water);
+    Emitter emitter;
+    emitter.material = water;
+    emitter.pool = 700;
+    for (const float side : {-1.0f, 1.0f}) {
+        emitter.velocity = {-3.0f * side, 0.5f, 0.1f};
+        emitter.nozzle = placed(discNozzle(0.11f, builder.fluidSpacing()), {0.8f * side, 0.9f, 0},
+                                emitter.velocity.normalized());
+        emitter.takesOldest = side > 0.0f;
+        builder.addEmitter(emitter);
+    }
+    Collider drain;
+    drain.shape = ColliderShape::Sphere;
+    drain.position = {0.6f, 0, 0};
+    drain.radius = 0.35f;
+    builder.addDrain(drain);
+    return builder.build();
+}
+
 World worldOf(int way)
 {
+    if (way == EMITTERS) return emitterWorld();
     if (way == FLUIDS) return fluidWorld();
     if (way == SOFT) return softWorld();
     if (way == STRANDS) return strandWorld();
@@ -160,7 +196,7 @@ TEST_P(DeterminismOf, APileHasTheSameBitsTwiceAndAtAnyNumberOfDriverThreads)
 std::string wayName(const testing::TestParamInfo<int>& way)
 {
     static constexpr const char* NAMES[WAYS] = {"Default", "Hash", "Paper", "PaperInGroups", "Soft", "Strands",
-                                            "Fluids"};
+                                            "Fluids", "Emitters"};
     return NAMES[way.param];
 }
 

@@ -56,6 +56,15 @@ const std::vector<Member> COUNTERS = {
 const std::vector<Member> COLLIDER = {MEMBER(GpuCollider, position), MEMBER(GpuCollider, orientation),
                                       MEMBER(GpuCollider, size), MEMBER(GpuCollider, friction),
                                       MEMBER(GpuCollider, gridLow), MEMBER(GpuCollider, grid)};
+const std::vector<Member> EMITTER = {
+    MEMBER(GpuEmitter, velocity), MEMBER(GpuEmitter, clock), MEMBER(GpuEmitter, startStep),
+    MEMBER(GpuEmitter, layerLimit), MEMBER(GpuEmitter, firstPoint), MEMBER(GpuEmitter, pointCount),
+    MEMBER(GpuEmitter, poolStart), MEMBER(GpuEmitter, poolCount), MEMBER(GpuEmitter, takesOldest),
+    MEMBER(GpuEmitter, interval)};
+const std::vector<Member> EMITTER_STATE = {
+    MEMBER(EmitterState, taken), MEMBER(EmitterState, retired), MEMBER(EmitterState, parked),
+    MEMBER(EmitterState, age), MEMBER(EmitterState, firstCandidate), MEMBER(EmitterState, unused0),
+    MEMBER(EmitterState, unused1), MEMBER(EmitterState, unused2)};
 const std::vector<Member> BODY_INFO = {MEMBER(BodyInfo, linkStart), MEMBER(BodyInfo, linkCount),
                                        MEMBER(BodyInfo, ownCount), MEMBER(BodyInfo, jointCount)};
 const std::vector<Member> MOVER_INFO = {MEMBER(MoverInfo, firstRank), MEMBER(MoverInfo, rankCount),
@@ -93,7 +102,8 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
         MEMBER(StepParameters, fluidSoftness), MEMBER(StepParameters, inverseFluidCell), MEMBER(StepParameters, vorticity),
         MEMBER(StepParameters, massScaling), MEMBER(StepParameters, bounceSpeed), MEMBER(StepParameters, sleepSpeed),
         MEMBER(StepParameters, assemblyCount), MEMBER(StepParameters, clusterCount),
-        MEMBER(StepParameters, softCount)
+        MEMBER(StepParameters, softCount), MEMBER(StepParameters, substeps), MEMBER(StepParameters, fluidFilled),
+        MEMBER(StepParameters, poolCapacity), MEMBER(StepParameters, drainCount)
     });
     EXPECT_EQ(sizeof(gpu::StepParameters) % 16, 0u) << "std140 pads to whole vectors";
 }
@@ -104,6 +114,14 @@ TEST(Layout, CountersAndCollidersAreTheHostsStructs)
     const Kernel kernel = bench.load("collider_find");
     expectArray(kernel, "CountersBlock", "counters", sizeof(gpu::Counters), COUNTERS);
     expectArray(kernel, "Colliders", "colliders", sizeof(gpu::GpuCollider), COLLIDER);
+}
+
+TEST(Layout, EmittersAreTheHostsStructs)
+{
+    Bench bench(mixedWorld());
+    const Kernel kernel = bench.load("fluid_pool", {{"POOL", "1"}});
+    expectArray(kernel, "Emitters", "emitters", sizeof(gpu::GpuEmitter), EMITTER);
+    expectArray(kernel, "EmitterStates", "emitterStates", sizeof(gpu::EmitterState), EMITTER_STATE);
 }
 
 TEST(Layout, StructsThatKernelsReadAsTexelsAreTheHostsStructs)

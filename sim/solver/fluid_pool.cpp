@@ -1,0 +1,34 @@
+#include "sim/solver/fluid_pool.h"
+
+namespace knuckle {
+
+FluidPool::FluidPool(const LoadKernel& load, SolverBuffers& buffers, const Settings& settings)
+    : sizes_(buffers.dispatches), hasEmitters_(buffers.parameters.poolCapacity > 0),
+      chunks_(groupsFor(buffers.parameters.poolCapacity / SCAN_CHUNK)),
+      fluids_(groupsFor(buffers.parameters.fluidFilled + buffers.parameters.poolCapacity))
+{
+    Defines grid{{"FLUIDS", "1"}};
+    if (settings.grid == GridKind::Hash) grid.push_back({"GRID_HASH", "1"});
+    sum_ = load("scan_sum", {{"POOLS", "1"}});
+    sumChunks_ = load("scan_chunks", {{"POOLS", "1"}});
+    pool_ = load("fluid_pool", {});
+    order_ = load("pool_order", {});
+    emit_ = load("fluid_emit", grid);
+    drain_ = load("fluid_drain", {});
+}
+
+void FluidPool::run(KernelTimer& timer) const
+{
+    if (hasEmitters_) {
+        sum_.dispatch(timer, chunks_);
+        sumChunks_.dispatch(timer, 1);
+    }
+    pool_.dispatch(timer, 1);
+    if (hasEmitters_) {
+        order_.dispatch(timer, chunks_);
+        emit_.dispatchIndirect(timer, sizes_, DISPATCH_EMIT);
+    }
+    drain_.dispatch(timer, fluids_);
+}
+
+}  // namespace knuckle
