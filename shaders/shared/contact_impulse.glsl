@@ -6,6 +6,8 @@ struct Contact {
     float gap;           // now, negative in penetration [m]
     float startGap;      // at the start of the substep [m]
     vec3 slide;          // relative displacement since then [m]
+    float leaving;       // by how much the side that leaves the other faster has come along the normal since then [m]
+    bool kin;            // both sides are of one assembly
     float inverseMass;   // of both sides together along the normal, each split over its impulses [1/kg]
     float worstMass;     // the same for the worst direction [1/kg]
     vec2 friction;       // static, kinetic
@@ -13,22 +15,29 @@ struct Contact {
 
 /// One Jacobi iteration of an impulse: the whole in xyz, its normal part in w, or ABOUT_TO_ACT where it has none yet
 /// but will in the next iteration. Only contacts that were counted beforehand act: over those the mass is split. The
-/// normal part lets `correction` of an old penetration be taken back per substep, so that it adds next to no velocity;
-/// friction is Coulomb's, bounded by the accumulated normal impulse (Macklin et al. 2014, eq. 24).
+/// normal part lets `correction` of an old penetration be taken back per substep, the less the faster a side leaves, so
+/// that not all the contacts of a heap add to one speed. What has sunk parts as fast as that and no faster: the contact
+/// pulls by what recovery may push in a substep, and its friction grips. Limbs of one assembly do not, or they would
+/// fight their joints. Friction is Coulomb's, bounded by the accumulated normal impulse (Macklin et al. 2014, eq. 24).
 vec4 solveContact(Contact c, vec4 impulse)
 {
 #ifdef SLEEP
     if (c.worstMass == 0.0 && impulse.w > 0.0) return impulse;   // both sides sleep
 #endif
     float depth = max(-c.startGap, 0.0);
-    float error = c.gap + depth - min(step.correction * depth, step.maxCorrection);
+    bool sunk = !c.kin && depth > (1.0 - SUNK) * step.diameter;
+    float slowed = c.kin ? 1.0 : clamp(1.0 - c.leaving / (LEAVING_SPEED * step.substepTime), LEAST_RECOVERY, 1.0);
+    float error = c.gap + depth - min(step.correction * depth, step.maxCorrection * slowed);
     bool acts = impulse.w != 0.0 && c.worstMass > 0.0;
     float push = acts ? error / c.inverseMass : 0.0;
-    float normal = max(step.warmStart * max(impulse.w, 0.0) - push, 0.0);
+    float most = sunk && acts ? step.maxCorrection / c.inverseMass : 0.0;
+    float last = sunk && impulse.w < 0.0 ? min(dot(impulse.xyz, c.normal), 0.0) : max(impulse.w, 0.0);
+    float whole = max(step.warmStart * last - push, -most);
+    float normal = max(whole, 0.0), bound = max(whole, SUNK_GRIP * most);
     vec3 tangent = impulse.xyz - (acts ? 1.0 / c.worstMass : 0.0) * c.slide;
     tangent -= c.normal * dot(c.normal, tangent);
     float size = length(tangent);
-    if (size > c.friction.x * normal) tangent *= min(c.friction.y * normal / max(size, 1e-20), 1.0);
+    if (size > c.friction.x * bound) tangent *= min(c.friction.y * bound / max(size, 1e-20), 1.0);
     bool soon = 2.0 * c.gap < c.startGap;   // it will overlap after another move like this one
-    return vec4(tangent + normal * c.normal, normal > 0.0 ? normal : soon ? ABOUT_TO_ACT : 0.0);
+    return vec4(tangent + whole * c.normal, normal > 0.0 ? normal : soon || sunk ? ABOUT_TO_ACT : 0.0);
 }

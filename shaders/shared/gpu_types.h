@@ -62,6 +62,14 @@
 #define FIRST_RELAXATION 1.5f
 #define MOST_RELAXATION 3.2f
 
+// Nearer than this many diameters, particles have sunk into each other: their contact holds them while they part.
+#define SUNK 0.85f
+// Its friction has at least this many times what recovery may push in a substep as normal impulse.
+#define SUNK_GRIP 4.0f
+// What leaves faster than this is pushed out of another by no more than the least share of the recovery [m/s].
+#define LEAVING_SPEED 1.0f
+#define LEAST_RECOVERY 0.1f
+
 // Of the multipliers of fluids: at 1 resting water boils.
 #define FLUID_RELAXATION 0.45f
 // k of s_corr (Macklin and Mueller 2013, eq. 13), as a share of the multipliers.

@@ -3,43 +3,44 @@
 // with the pair; its way stands in the upper bits of the pair's movers, turned as the body was then.
 #include "shared/octahedron.glsl"
 
-#define MOVER_MASK 0xffffffu
+#define MOVER_MASK 0x7fffffu
 #define WAY_LEVELS 127.0             // 7 bits an axis: 2 degrees at worst
 #define WAY_KNOWN 0x80000000u        // with the first mover
+#define WAY_KIN 0x800000u           // with the first: both sides are of one assembly
 #define WAY_DEEP 0x80000000u         // with the second: both particles lie more than a diameter below their surfaces
-
-// Nearer than this many diameters, particles have sunk into each other.
-#define SUNK 0.85
 
 /// The way out for the first particle of a pair.
 struct Way {
     vec3 away;           // unit, or zero for none
     bool deep;
+    bool kin;            // both sides are of one assembly
 };
 
 /// The bits for both movers.
 uvec2 packWay(Way way)
 {
-    if (way.away == vec3(0)) return uvec2(0);
+    uvec2 kin = uvec2(way.kin ? WAY_KIN : 0u, 0u);
+    if (way.away == vec3(0)) return kin;
     uvec2 place = uvec2((0.5 * toSquare(way.away) + 0.5) * WAY_LEVELS + 0.5);
-    return place << 24 | uvec2(WAY_KNOWN, way.deep ? WAY_DEEP : 0u);
+    return kin | place << 24 | uvec2(WAY_KNOWN, way.deep ? WAY_DEEP : 0u);
 }
 
 Way unpackWay(uvec2 movers)
 {
     vec2 place = vec2(movers >> 24 & 127u) * (2.0 / WAY_LEVELS) - 1.0;
     bool known = (movers.x & WAY_KNOWN) != 0u;
-    return Way(known ? fromSquare(place) : vec3(0), (movers.y & WAY_DEEP) != 0u);
+    return Way(known ? fromSquare(place) : vec3(0), (movers.y & WAY_DEEP) != 0u, (movers.x & WAY_KIN) != 0u);
 }
 
 /// The direction of a contact whose first particle is at `apart` from the second: theirs, or mirrored where that points
-/// into the body, or the way out itself where the particle is deep in the body or between particles of its surface,
-/// whose friction would hold it there. w: 1 where it is not simply theirs.
+/// into the body, or the way out itself where the particle is deep in the body or has sunk between those of its
+/// surface: their friction would hold it there, and their directions would turn what parts. w: 1 where it is not simply
+/// theirs.
 vec4 sidedNormal(vec3 apart, float far, Way way)
 {
     float facing = dot(apart, way.away);
     bool deep = far < step.diameter && way.deep;
-    bool between = far < SUNK * step.diameter && facing < 0.5 * far && way.away != vec3(0);
+    bool between = far < SUNK * step.diameter && way.away != vec3(0);
     vec3 mirrored = (apart - 2.0 * facing * way.away) / max(far, 1e-7);
     return vec4(deep || between ? way.away : mirrored, deep || between || facing < 0.0 ? 1.0 : 0.0);
 }

@@ -18,7 +18,7 @@ Way wayOut(int i, int j, uvec2 movers, vec3 apart)
     vec3 away = alike ? outFirst + outSecond : byFirst ? outFirst : outSecond;
     float size = length(away);
     // Two that look the same way know nothing of each other; limbs of one assembly press each other around joints.
-    bool strangers = texelFetch(particleInfo, i).z != texelFetch(particleInfo, j).z;
-    away = strangers && size > 0.3 ? away / size : vec3(0);
-    return Way(away, abs(byFirst ? first.w : second.w) >= step.diameter);
+    bool kin = texelFetch(particleInfo, i).z == texelFetch(particleInfo, j).z;
+    away = !kin && size > 0.3 ? away / size : vec3(0);
+    return Way(away, abs(byFirst ? first.w : second.w) >= step.diameter, kin);
 }

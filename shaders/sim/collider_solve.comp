@@ -24,6 +24,8 @@ void main()
     Contact contact;
     contact.slide = point.move;
     contact.normal = surface.xyz;
+    contact.kin = false;
+    contact.leaving = dot(point.move, surface.xyz);
     contact.gap = surface.w - 0.5 * step.diameter;
     contact.startGap = colliderDistance(sides.y, start).w - 0.5 * step.diameter;
     contact.worstMass = arm.w * point.splits;

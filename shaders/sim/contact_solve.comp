@@ -28,6 +28,8 @@ void main()
     vec4 sided = sidedNormal(startApart, startFar, way);
     bool oneSided = sided.w > 0.0;
     contact.normal = oneSided ? sided.xyz : contactNormal(r, far, true);
+    contact.kin = way.kin;
+    contact.leaving = max(dot(a.move, contact.normal), -dot(b.move, contact.normal));
     contact.startGap = oneSided && way.deep ? -step.diameter : startFar - step.diameter;
     contact.gap = oneSided ? contact.startGap + dot(contact.slide, sided.xyz) : far - step.diameter;
     vec2 worst = vec2(armA.w * a.splits, armB.w * b.splits);

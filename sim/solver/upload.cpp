@@ -21,7 +21,7 @@ namespace knuckle {
 namespace {
 
 constexpr uint32_t FIRST_CONTACT_SLOTS = 8;
-constexpr uint64_t MOST_PARTICLES = 1u << 24;   // contacts have 24 bits for a mover
+constexpr uint64_t MOST_PARTICLES = 1u << 23;   // contacts have 23 bits for a mover
 constexpr float NO_SELF_CONTACT = 1e9f;   // a margin [diameters] that nothing is beyond
 
 bool isFixed(const World& world, const Particle& particle)

@@ -13,6 +13,7 @@ namespace knuckle::test {
 namespace {
 
 constexpr uint32_t PARITY = 1;
+constexpr uint32_t KIN = 1u << 23;   // shaders/shared/one_sided.glsl
 
 World worldWithColliders()
 {
@@ -78,7 +79,8 @@ void ContactBench::setPairs(std::vector<TestContact> contacts)
     std::vector<gpu::uvec4> sides;
     std::vector<gpu::vec4> arms, impulses;
     for (const TestContact& c : pairs) {
-        sides.push_back({moverOf[c.first], moverOf[c.second], packHalves(c.staticFriction, c.kineticFriction),
+        const uint32_t first = moverOf[c.first] | (c.kin ? KIN : 0u);
+        sides.push_back({first, moverOf[c.second], packHalves(c.staticFriction, c.kineticFriction),
                          packShares(c.firstShare, c.secondShare)});
         arms.push_back(packed(c.firstArm, c.firstMass));
         arms.push_back(packed(c.secondArm, c.secondMass));

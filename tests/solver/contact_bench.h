@@ -11,6 +11,7 @@ struct TestContact {
     float firstMass = 0, secondMass = 0; ///< Worst inverse masses, 0: fixed [1/kg].
     float firstShare = 1, secondShare = 1;   ///< Of them along the normal, multiples of 1/65535.
     float staticFriction = 0, kineticFriction = 0;   ///< Halves.
+    bool kin = false;                    ///< Both particles of one assembly, as the lists tell it.
     gpu::vec4 impulse{0, 0, 0, 0};       ///< Before the kernel runs.
 };
 

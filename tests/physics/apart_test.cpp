@@ -1,0 +1,248 @@
+#include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+
+#include "physics_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+// What the project promises of overlapping starts [m/s]. One contact adds nothing to what leaves faster than 1 m/s
+// (LEAVING_SPEED) but a tenth of 0.25 m/s, so ten in a row come to 1.25 m/s at most; the rest is for iterations that
+// end before all contacts agree.
+constexpr double TOP_SPEED = 2.0;
+constexpr float EDGE = 3 * DIAMETER;
+
+/// What a world that comes apart did on the way.
+struct Way {
+    double topSpeed = 0.0;     ///< Of any particle at the end of any step [m/s].
+    double ownSpeed = 0.0;     ///< The same of a mover as a whole, sqrt(2 E/m), beyond what its own fall gave it.
+    double energyGained = 0.0; ///< Kinetic and potential, from the start to the end [J].
+    double kineticEnergy = 0.0;   ///< At the end [J].
+    Measures measures;         ///< At the end.
+};
+
+/// Kinetic and potential energy of movers: bodies, then loose particles. A shared particle counts with its first body.
+struct Mover {
+    double mass = 0.0, kinetic = 0.0, potential = 0.0, highest = -INFINITY;
+};
+
+class Watch {
+public:
+    Watch(const World& world, double seconds) : world_(world), movers_(world.bodies.size() + world.particles.size())
+    {
+        Solver solver(gpu(), world);
+        const double before = look(solver);
+        const auto steps = static_cast<uint64_t>(std::lround(seconds / static_cast<double>(world.settings.timeStep)));
+        double now = before;
+        for (uint64_t i = 0; i < steps; ++i) {
+            solver.step();
+            solver.checkCounters(i);
+            now = look(solver);
+        }
+        way.energyGained = now - before;
+        way.measures = solver.measure();
+    }
+
+    Way way;
+
+private:
+    /// @returns all energy [J].
+    double look(Solver& solver)
+    {
+        const ParticleState state = solver.readParticles();
+        for (Mover& mover : movers_) mover = {.highest = mover.highest};
+        for (size_t i = 0; i < world_.particles.size(); ++i) {
+            const Particle& particle = world_.particles[i];
+            const double mass = particle.mass, speed = state.velocities[i].norm();
+            Mover& mover = movers_[particle.body != NO_INDEX ? particle.body : world_.bodies.size() + i];
+            mover.mass += mass;
+            mover.kinetic += 0.5 * mass * speed * speed;
+            mover.potential += mass * GRAVITY * static_cast<double>(state.positions[i].y());
+            way.topSpeed = std::max(way.topSpeed, speed);
+        }
+        double energy = 0.0;
+        way.kineticEnergy = 0.0;
+        for (Mover& mover : movers_) {
+            if (mover.mass == 0.0) continue;
+            energy += mover.kinetic + mover.potential;
+            way.kineticEnergy += mover.kinetic;
+            mover.highest = std::max(mover.highest, mover.potential / mover.mass);
+            const double own = (mover.kinetic + mover.potential) / mover.mass - mover.highest;
+            way.ownSpeed = std::max(way.ownSpeed, std::sqrt(2.0 * std::max(own, 0.0)));
+        }
+        return energy;
+    }
+
+    const World& world_;
+    std::vector<Mover> movers_;
+};
+
+WorldBuilder onTheFloor()
+{
+    WorldBuilder builder = makeBuilder();
+    builder.addCollider(floorPlane());
+    return builder;
+}
+
+/// Ten cubes, the k-th where `place` tells.
+World tenCubes(const Eigen::Vector3i& counts, const std::function<Vector3f(int)>& place)
+{
+    WorldBuilder builder = onTheFloor();
+    for (int k = 0; k < 10; ++k) addBox(builder, counts, {place(k)});
+    return builder.build();
+}
+
+/// Ten times what `add` puts where it is told, each by `half` [m] in some direction from the last, turned anyhow.
+World clump(uint32_t seed, float half, const std::function<void(WorldBuilder&, const Pose&)>& add)
+{
+    WorldBuilder builder = onTheFloor();
+    std::mt19937 random(seed);
+    const auto any = [&] { return static_cast<float>(random()) / 2147483648.0f - 1.0f; };
+    Vector3f at(0, 0, 0);
+    for (int k = 0; k < 10; ++k) {
+        const float w = any(), x = any(), y = any(), z = any();
+        add(builder, {at, Quaternionf(w, x, y, z).normalized()});
+        const float dx = any(), dy = any(), dz = any();
+        at += half * Vector3f(dx, dy, dz).normalized();
+        at.y() = std::abs(at.y());
+    }
+    return builder.build();
+}
+
+void addCapsule(WorldBuilder& builder, float radius, float halfHeight, const Pose& pose)
+{
+    const std::vector<Vector3f> places = halfHeight > 0 ? capsuleLattice(radius, halfHeight, DIAMETER)
+                                                        : sphereLattice(radius, DIAMETER);
+    std::vector<SurfaceDistance> surface;
+    for (const Vector3f& place : places) surface.push_back(capsuleSurface(place, radius, halfHeight));
+    builder.beginObject("capsule");
+    builder.addBody("capsule", places, 0, Motion::Dynamic, surface);
+    builder.endObject(pose);
+}
+
+}  // namespace
+
+TEST(Apart, ATowerOfTenCubesHalfInsideEachOtherGrowsAndStands)
+{
+    for (const int n : {2, 3}) {
+        SCOPED_TRACE(std::to_string(n) + " particles wide");
+        const float edge = static_cast<float>(n) * DIAMETER;
+        const World world = tenCubes({n, n, n}, [&](int k) { return Vector3f(0, 0.5f * edge * float(k), 0); });
+        // The top rises by 5 edges, at 1 m/s or a little less.
+        const Way way = Watch(world, 3.0).way;
+        EXPECT_LT(way.topSpeed, TOP_SPEED);
+        EXPECT_LT(way.measures.worstPenetration, 0.2f * DIAMETER);
+        // Cube k stood at k/2 edges and stands at k + 1/2: what that takes, and at most 1 % of it beside.
+        double mass = 0.0;
+        for (const Particle& particle : world.particles) mass += static_cast<double>(particle.mass);
+        const double lift = mass * GRAVITY * static_cast<double>(edge) * (4.5 / 2 + 0.5);
+        EXPECT_NEAR(way.energyGained, lift, 0.01 * lift);
+        EXPECT_LT(way.kineticEnergy, 0.01 * lift);
+    }
+}
+
+TEST(Apart, ACrookedTowerGrowsAndOnlyThenFalls)
+{
+    // A fifth of a diameter aside, balls do not rest on balls: it falls also where it is built without overlaps.
+    const World world = tenCubes({3, 3, 3}, [](int k) {
+        return Vector3f(0.02f * static_cast<float>(k % 3), 0.5f * EDGE * static_cast<float>(k), 0);
+    });
+    const Way way = Watch(world, 4.0).way;
+    EXPECT_LT(way.ownSpeed, TOP_SPEED);
+    EXPECT_LT(way.measures.worstPenetration, 0.2f * DIAMETER);
+}
+
+TEST(Apart, RowsAndBlocksOfCubesHalfInsideEachOtherDoNotFly)
+{
+    const auto row = [](int k) { return Vector3f(0.5f * EDGE * static_cast<float>(k), 0, 0); };
+    const auto layers = [](int k) { return Vector3f(0.5f * EDGE * Vector3f(float(k % 5), float(k / 5), 0)); };
+    const auto block = [](int k) {
+        return Vector3f(0.5f * EDGE * Vector3f(float(k % 2), float(k / 4), float(k / 2 % 2)));
+    };
+    const auto onePlace = [](int) { return Vector3f(0, 0, 0); };
+    const std::vector<std::pair<std::string, std::function<Vector3f(int)>>> places = {
+        {"row", row}, {"layers", layers}, {"block", block}, {"one place", onePlace}};
+    for (const auto& [name, place] : places) {
+        SCOPED_TRACE(name);
+        const World world = tenCubes({3, 3, 3}, place);
+        const Way way = Watch(world, name == "one place" ? 6.0 : 4.0).way;
+        EXPECT_LT(name == "one place" ? way.ownSpeed : way.topSpeed, TOP_SPEED);
+        EXPECT_LT(way.measures.worstPenetration, 0.2f * DIAMETER);
+        EXPECT_LT(way.kineticEnergy, 1.0);   // of 270 kg: at rest
+    }
+}
+
+TEST(Apart, TwoCubesInOnePlaceComeApart)
+{
+    WorldBuilder builder = onTheFloor();
+    for (int k = 0; k < 2; ++k) addBox(builder, {3, 3, 3}, {Vector3f(0, 0.5f * EDGE, 0)});
+    const World world = builder.build();
+    // One contact's worth.
+    const Way way = Watch(world, 3.0).way;
+    EXPECT_LT(way.topSpeed, 0.5);
+    EXPECT_LT(way.measures.worstPenetration, 0.2f * DIAMETER);
+    EXPECT_LT(way.kineticEnergy, 0.1);
+}
+
+TEST(Apart, ClumpsOfTenGainNoSpeedButByFalling)
+{
+    const auto cube = [](WorldBuilder& builder, const Pose& pose) { addBox(builder, {3, 3, 3}, pose); };
+    const auto ball = [](WorldBuilder& builder, const Pose& pose) { addCapsule(builder, 0.2f, 0, pose); };
+    const auto capsule = [](WorldBuilder& builder, const Pose& pose) { addCapsule(builder, 0.12f, 0.16f, pose); };
+    using Kind = std::pair<float, std::function<void(WorldBuilder&, const Pose&)>>;
+    for (const uint32_t seed : {1u, 2u, 3u}) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        for (const auto& [half, add] : {Kind{0.5f * EDGE, cube}, Kind{0.2f, ball}, Kind{0.2f, capsule}}) {
+            const World world = clump(seed, half, add);
+            const Way way = Watch(world, 3.0).way;
+            EXPECT_LT(way.ownSpeed, TOP_SPEED);
+            EXPECT_LT(way.measures.worstPenetration, 0.2f * DIAMETER);
+        }
+    }
+}
+
+TEST(Apart, ATowerOfTenJointedPairsGrowsWithoutFlying)
+{
+    for (const JointType type : {JointType::Ball, JointType::Hinge, JointType::Stiff, JointType::Universal}) {
+        SCOPED_TRACE(static_cast<int>(type));
+        WorldBuilder builder = onTheFloor();
+        for (int k = 0; k < 10; ++k) {
+            std::vector<Vector3f> left = boxLattice({3, 3, 3}, DIAMETER), right = left;
+            for (Vector3f& p : left) p.x() -= 2 * DIAMETER;
+            for (Vector3f& p : right) p.x() += 2 * DIAMETER;
+            builder.beginObject("pair");
+            const uint32_t a = builder.addBody("a", left, 0), b = builder.addBody("b", right, 0);
+            JointSpec joint;
+            joint.type = type;
+            builder.addJoint(a, b, joint);
+            builder.endObject({Vector3f(0, 0.5f * EDGE * static_cast<float>(k), 0)});
+        }
+        const World world = builder.build();
+        const Way way = Watch(world, 2.5).way;
+        EXPECT_LT(way.topSpeed, TOP_SPEED);
+        EXPECT_LT(way.measures.worstPenetration, 0.2f * DIAMETER);
+        EXPECT_LT(way.measures.worstJointGap, 0.25f * DIAMETER);
+    }
+}
+
+TEST(Apart, GrainsHalfInsideEachOtherDoNotFly)
+{
+    WorldBuilder builder = onTheFloor();
+    std::mt19937 random(5);
+    const auto any = [&] { return static_cast<float>(random()) / 2147483648.0f - 1.0f; };
+    for (int k = 0; k < 216; ++k) {
+        Particle grain;
+        grain.position = 0.5f * DIAMETER * Vector3f(float(k % 6), float(k / 6 % 6), float(k / 36));
+        for (float& x : grain.position) x += 0.02f * DIAMETER * any();
+        builder.addLooseParticle(grain);
+    }
+    const World world = builder.build();
+    const Way way = Watch(world, 2.0).way;
+    EXPECT_LT(way.ownSpeed, TOP_SPEED);
+    EXPECT_LT(way.measures.worstPenetration, 0.2f * DIAMETER);
+}
+
+}  // namespace knuckle::test
