@@ -44,7 +44,14 @@ void main()
     vec3 push = texelFetch(masses, int(i)).x * impulse;
     push *= min(1.0, 0.1 * step.fluidReach / max(length(push), 1e-20));
     vec3 before = positions[i].xyz, x = outside(k, own.xyz + push);
-    vec3 v = (x - before) * (step.damping / step.substepTime);
+    vec3 v = (x - before) / step.substepTime;
+    if (counters[0].substep <= FLUID_START) {
+        // A lattice that fills a tank is too dense at its walls: it makes room, but that makes no speed.
+        float most = length(step.gravity.xyz) * step.substepTime;
+        vec3 free = (own.xyz - before) / step.substepTime, gained = v - free;
+        v = free + gained * min(1.0, most / max(length(gained), 1e-20));
+    }
+    v *= step.damping;
     float speed = length(v);
     if (isnan(speed) || isinf(speed)) {
         atomicOr(counters[0].problems, PROBLEM_NAN);
