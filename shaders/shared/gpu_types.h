@@ -60,8 +60,6 @@
 
 // Of the multipliers of fluids: at 1 resting water boils.
 #define FLUID_RELAXATION 0.45f
-// Substeps from the start in which fluids make room without gaining speed by it.
-#define FLUID_START 48u
 // Steps for which an assembly has to be calm before it sleeps.
 #define CALM_STEPS 30u
 // Rounds of two iterations of the impulses that make collisions bounce.

@@ -1,4 +1,5 @@
 // One thread a slot: where its particle is predicted to be at the end of the substep if no pressure acts.
+// SETTLE: where it is.
 #include "shared/kernel.glsl"
 #include "shared/fluid_slots.glsl"
 #include "shared/movers.glsl"
@@ -19,9 +20,13 @@ void main()
     float h = step.substepTime;
     vec3 v = texelFetch(velocities, int(i)).xyz + h * step.gravity.xyz;
     vec3 x = texelFetch(positions, int(i)).xyz + h * v;
+#ifdef SETTLE
+    x = texelFetch(positions, int(i)).xyz;
+#else
     if (!isFluid(i)) {
         MoverPoint point = moverPoint(texelFetch(particlePlaces, int(i)).x, texelFetch(restOffsets, int(i)).xyz);
         x = point.centre + point.arm + point.move;
     }
+#endif
     slotPlaces[k] = vec4(x, 1.0 / max(texelFetch(masses, int(i)).x, 1e-20));
 }

@@ -1,5 +1,6 @@
 // One thread a slot: moves its fluid particle by the pressures around it (Macklin and Mueller 2013, eq. 12, with masses:
 // a pair exchanges the impulse (lambda_i + lambda_j) grad W, so momentum is kept) and ends its substep.
+// SETTLE: moves it without making it any faster.
 #include "shared/kernel.glsl"
 #include "shared/fluid_slots.glsl"
 #include "shared/fluid.glsl"
@@ -44,14 +45,11 @@ void main()
     vec3 push = texelFetch(masses, int(i)).x * impulse;
     push *= min(1.0, 0.1 * step.fluidReach / max(length(push), 1e-20));
     vec3 before = positions[i].xyz, x = outside(k, own.xyz + push);
-    vec3 v = (x - before) / step.substepTime;
-    if (counters[0].substep <= FLUID_START) {
-        // A lattice that fills a tank is too dense at its walls: it makes room, but that makes no speed.
-        float most = length(step.gravity.xyz) * step.substepTime;
-        vec3 free = (own.xyz - before) / step.substepTime, gained = v - free;
-        v = free + gained * min(1.0, most / max(length(gained), 1e-20));
-    }
-    v *= step.damping;
+#ifdef SETTLE
+    positions[i].xyz = x;
+    return;
+#endif
+    vec3 v = (x - before) * (step.damping / step.substepTime);
     float speed = length(v);
     if (isnan(speed) || isinf(speed)) {
         atomicOr(counters[0].problems, PROBLEM_NAN);

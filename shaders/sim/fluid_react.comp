@@ -5,8 +5,8 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer slotPlaces;
-uniform samplerBuffer slotSolids;        // gradient; w: one over the weights of all solid particles there
 uniform samplerBuffer slotPressures;     // place, lambda
+uniform samplerBuffer slotSolids;        // gradient; w: one over the weights of all solid particles there
 uniform usamplerBuffer particlePlaces;   // mover, rank
 uniform usamplerBuffer particleInfo;
 BUFFER(vec4, ParticleImpulses, particleImpulses);

@@ -2,6 +2,13 @@
 
 namespace knuckle {
 
+namespace {
+
+constexpr int SETTLING = 48;   // iterations; the pressure of the walls goes about a particle far in each
+const Defines STILL{{"SETTLE", "1"}};
+
+}  // namespace
+
 FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Settings& settings)
 {
     const gpu::StepParameters& p = buffers.parameters;
@@ -26,9 +33,11 @@ FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
     density_ = load("fluid_density", {});
     push_ = load("fluid_push", {});
     react_ = load("fluid_react", {});
+    placeStill_ = load("fluid_place", STILL);
+    pushStill_ = load("fluid_push", STILL);
 }
 
-void FluidStep::findNeighbours(KernelTimer& timer) const
+void FluidStep::list(KernelTimer& timer) const
 {
     found_.dispatch(timer, slots_);
     clear_.dispatch(timer, cells_);
@@ -40,9 +49,24 @@ void FluidStep::findNeighbours(KernelTimer& timer) const
     order_.dispatch(timer, slots_);
     find_.dispatch(timer, slots_);
     near_.dispatch(timer, slots_);
+}
+
+void FluidStep::findNeighbours(KernelTimer& timer) const
+{
+    list(timer);
     velocity_.dispatch(timer, slots_);
     place_.dispatch(timer, slots_);
     smooth_.dispatch(timer, slots_);
+}
+
+void FluidStep::settle(KernelTimer& timer) const
+{
+    list(timer);
+    for (int k = 0; k < SETTLING; ++k) {
+        placeStill_.dispatch(timer, slots_);
+        density_.dispatch(timer, slots_);
+        pushStill_.dispatch(timer, slots_);
+    }
 }
 
 void FluidStep::substep(KernelTimer& timer) const

@@ -47,6 +47,7 @@ struct Solver::Impl {
     Settings settings;
     SolverBuffers buffers;
     std::optional<Step> step;
+    bool settled = false;
     KernelTimer timer;
 };
 
@@ -56,6 +57,8 @@ Solver::~Solver() = default;
 
 void Solver::step()
 {
+    if (!impl_->settled) impl_->step->settle(impl_->timer);
+    impl_->settled = true;
     impl_->step->run(impl_->timer);
 }
 

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <map>
 
 #include "sim/world/builder.h"
 #include "sim/world/cells.h"
@@ -21,18 +19,6 @@ bool anyNear(const std::vector<Particle>& particles, const Cells& cells, const V
     return false;
 }
 
-/// How many particles lie one above the other where they are deepest, as the mean of a square of four by four.
-float layersOf(const std::vector<Particle>& fluid, float spacing)
-{
-    std::map<std::pair<int, int>, int> columns;
-    int most = 0;
-    for (const Particle& p : fluid) {
-        const Vector3f place = p.position / (4.0f * spacing);
-        most = std::max(most, ++columns[{static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.z()))}]);
-    }
-    return static_cast<float>(most) / 16.0f;
-}
-
 }  // namespace
 
 void WorldBuilder::placeFluid()
@@ -45,9 +31,7 @@ void WorldBuilder::placeFluid()
     world_.fluidCount = fluidCount();
     Settings& settings = world_.settings;
     if (fluid_.empty() || !choosesSubsteps_) return;
-    const float layers = layersOf(fluid_, world_.fluidSpacing);
-    settings.substeps = std::max(settings.substeps,
-                                 automaticFluidSubsteps(world_.fluidSpacing, layers, settings.timeStep));
+    settings.substeps = std::max(settings.substeps, automaticFluidSubsteps(world_.fluidSpacing, settings.timeStep));
 }
 
 }  // namespace knuckle

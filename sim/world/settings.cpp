@@ -11,10 +11,9 @@ uint32_t automaticSubsteps(float diameter, float timeStep)
     return static_cast<uint32_t>(std::clamp(std::ceil(needed - 0.01f), 4.0f, 16.0f));
 }
 
-uint32_t automaticFluidSubsteps(float spacing, float layers, float timeStep)
+uint32_t automaticFluidSubsteps(float spacing, float timeStep)
 {
-    const float deeper = std::sqrt(std::max(layers / 22.0f, 1.0f));
-    const float needed = 8.0f * std::sqrt(0.05f / spacing) * 60.0f * timeStep * deeper;
+    const float needed = 8.0f * std::sqrt(0.05f / spacing) * 60.0f * timeStep;
     return static_cast<uint32_t>(std::clamp(std::ceil(needed - 0.01f), 4.0f, 16.0f));
 }
 

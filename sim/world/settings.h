@@ -52,10 +52,9 @@ struct Settings {
 /// @param diameter of particles [m]. @param timeStep [s].
 uint32_t automaticSubsteps(float diameter, float timeStep);
 
-/// The same for fluids: pressure goes about a particle far in a substep, so a pool is at rest denser than asked by some
-/// gravity h^2 layers / (2 spacing); as many that this stays below 1 %. 4 to 16. @param spacing of fluid particles [m].
-/// @param layers of them, one above the other. @param timeStep [s].
-uint32_t automaticFluidSubsteps(float spacing, float layers, float timeStep);
+/// The same for fluids: pressure goes about a particle far in a substep, so a pool of twenty layers is at rest less than
+/// 1 % denser than asked. 4 to 16. @param spacing of fluid particles [m]. @param timeStep [s].
+uint32_t automaticFluidSubsteps(float spacing, float timeStep);
 
 /// The paper's own choices: one substep, 4 iterations, averaged Jacobi, Householder-QR, eq. 10's reduction, the hash,
 /// freezing at half a radius, first-order velocities, whole masses at shared particles.
