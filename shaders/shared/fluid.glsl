@@ -29,7 +29,36 @@ vec2 wallShare(float z)
     return vec2(t4 * t2 * (3.5 - 4.5 * t + 1.5 * t2), -(t4 * t) / step.fluidReach * (21.0 - 31.5 * t + 12.0 * t2));
 }
 
-/// How much a solid particle counts for a fluid one at that distance.
+/// Adds what a wall covers to what others do (gradient, share), less what both cover: the product of their shares where
+/// they stand at right angles, the smaller where they are parallel, nothing where they face each other.
+vec4 addWall(vec4 walls, vec3 normal, vec2 wall)
+{
+    float along = -dot(normal, walls.xyz) / max(length(walls.xyz), 1e-20), alike = max(along, 0.0);
+    float crossing = 1.0 - abs(along);
+    vec2 both = crossing * vec2(wall.x, walls.w) + alike * (walls.w < wall.x ? vec2(1, 0) : vec2(0, 1));
+    float twice = crossing * walls.w * wall.x + alike * min(walls.w, wall.x);
+    return vec4((1.0 - both.x) * walls.xyz + (1.0 - both.y) * wall.y * normal, walls.w + wall.x - twice);
+}
+
+/// The share of the kernel that a solid particle at the distance r covers, and its slope over r [1/m2]. A layer of such
+/// particles, a diameter apart, covers on the mean what a half space does whose surface lies a radius from their centres:
+/// 2 pi / d^2 times the integral of this times r from z + d / 2 on is wallShare(z). So every particle displaces the
+/// volume of its cell, at faces as at edges, in plates and alone.
+vec2 solidShare(float r)
+{
+    float d = step.diameter, far = max(r, 0.25 * d), inverse = 1.0 / step.fluidReach;
+    float t = clamp(1.0 - (far - 0.5 * d) * inverse, 0.0, 1.0), t2 = t * t, t4 = t2 * t2;
+    float slope = t4 * t * inverse * (21.0 - 31.5 * t + 12.0 * t2);
+    float bend = t4 * inverse * inverse * (105.0 - 189.0 * t + 84.0 * t2);
+    float scale = d * d / (6.2831853 * far);
+    vec2 share = scale * vec2(slope, -(bend + slope / far) / far);
+    // The neighbours end before the kernel does: down to nothing there, smoothly.
+    float width = 0.2 * d, u = clamp((step.fluidListReach - r) / width, 0.0, 1.0), fade = u * u * (3.0 - 2.0 * u);
+    float steep = u > 0.0 && u < 1.0 ? -6.0 * u * (1.0 - u) / width : 0.0;
+    return vec2(share.x * fade, share.y * fade + share.x * steep / far);
+}
+
+/// How much a solid particle counts for a fluid one at that distance where they share a way or a force.
 float solidWeight(float far)
 {
     float a = max(1.0 - far / step.fluidListReach, 0.0);

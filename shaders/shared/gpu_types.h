@@ -72,10 +72,10 @@
 
 // Of the multipliers of fluids: at 1 resting water boils.
 #define FLUID_RELAXATION 0.45f
+// More than this of too much density is not taken back at a time: a limit that keeps momentum.
+#define MOST_FLUID_ERROR 0.3f
 // k of s_corr (Macklin and Mueller 2013, eq. 13), as a share of the multipliers.
 #define FLUID_REPULSION 0.1f
-// How far solid particles keep fluids from their centres [diameters]: what floats is then as deep as it is dense.
-#define SOLID_RADIUS 0.65f
 // Steps for which an assembly has to be calm before it sleeps.
 #define CALM_STEPS 30u
 // Rounds of two iterations of the impulses that make collisions bounce.

@@ -13,18 +13,24 @@ BUFFER(vec4, SlotPressures, slotPressures);   // place, lambda [kg m2]
 BUFFER(vec4, SlotWalls, slotWalls);           // gradient of C by what walls cover [1/m]; w: density over rest density
 BUFFER(vec4, SlotSolids, slotSolids);         // the same of solids; w: one over their weights
 
-/// Of the solid particles nearby as one plane: the weighted means of their distances and directions.
-vec4 solidPlane(uint k, uint count, vec3 x, out float weights)
+/// What the solid particles nearby cover, w, and its slope, across the surface that they form together: along it their
+/// bumps would hold the fluid. @param weights  Sum of their weights.
+vec4 solidCover(uint k, uint count, vec3 x, out float weights)
 {
-    vec4 plane = vec4(0);
+    vec3 slope = vec3(0), way = vec3(0, 1e-12, 0);
+    float share = 0.0;
     weights = 0.0;
     for (uint n = 0u; n < count; ++n) {
         vec3 r = x - texelFetch(slotPlaces, int(solidNeighbour(k, n))).xyz;
-        float far = length(r), w = solidWeight(far);
-        plane += w * vec4(r / max(far, 1e-9), far - SOLID_RADIUS * step.diameter);
-        weights += w;
+        float far = length(r), weight = solidWeight(far);
+        vec2 covered = solidShare(far);
+        share += covered.x;
+        slope += covered.y * r;
+        weights += weight;
+        way += weight / max(far, 1e-9) * r;
     }
-    return vec4(normalize(plane.xyz + vec3(0, 1e-20, 0)), plane.w / max(weights, 1e-20));
+    vec3 across = normalize(way);
+    return vec4(dot(slope, across) * across, share);
 }
 
 /// Sums over neighbours: share of the kernel, squares of its slopes, and its gradient.
@@ -48,7 +54,7 @@ void main()
     if (k >= slotCount()) return;
     uint i = texelFetch(slotParticles, int(k)).x;
     uvec2 counts = isFluid(i) ? texelFetch(slotCounts, int(k)).xy : uvec2(0);
-    vec3 x = texelFetch(slotPlaces, int(k)).xyz, walls = vec3(0), solids = vec3(0);
+    vec3 x = texelFetch(slotPlaces, int(k)).xyz;
     // The slot itself stands in its list where that is no multiple of four: taken away again.
     Sums sums = Sums(fluidShare(0.0) * (1.0 - float(-counts.x & 3u)), 0.0, vec3(0));
     for (uint n = 0u; n < counts.x; n += 4u) {
@@ -58,22 +64,17 @@ void main()
         add(sums, x, slots.z);
         add(sums, x, slots.w);
     }
-    float share = sums.share;
     float weights;
-    vec4 plane = solidPlane(k, counts.y, x, weights);
-    vec2 covered = weights > 0.0 ? wallShare(plane.w) : vec2(0);
-    share += covered.x;
-    solids = covered.y * plane.xyz;
+    vec4 solids = solidCover(k, counts.y, x, weights), walls = vec4(0);
     for (NearColliders near = nearColliders(k); nextCollider(near);) {
         vec4 wall = colliderDistance(near.index, x);
-        vec2 hidden = wallShare(wall.w);
-        share += hidden.x;
-        walls += hidden.y * wall.xyz;
+        walls = addWall(walls, wall.xyz, wallShare(wall.w));
     }
-    vec3 own = sums.gradient + walls + solids;
+    float share = sums.share + walls.w + solids.w;
+    vec3 own = sums.gradient + walls.xyz + solids.xyz;
     // All constraints around are met at once: more than this and they overshoot.
-    float lambda = -FLUID_RELAXATION * max(share - 1.0, 0.0) / (dot(own, own) + sums.squares + step.fluidSoftness);
+    float lambda = -FLUID_RELAXATION * clamp(share - 1.0, 0.0, MOST_FLUID_ERROR) / (dot(own, own) + sums.squares + step.fluidSoftness);
     slotPressures[k] = vec4(x, lambda / max(texelFetch(masses, int(i)).x, 1e-20));
-    slotWalls[k] = vec4(walls, share);
-    slotSolids[k] = vec4(solids, weights > 0.0 ? 1.0 / weights : 0.0);
+    slotWalls[k] = vec4(walls.xyz, share);
+    slotSolids[k] = vec4(solids.xyz, weights > 0.0 ? 1.0 / weights : 0.0);
 }

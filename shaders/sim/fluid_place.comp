@@ -1,4 +1,5 @@
-// One thread a fluid particle: where it is predicted to be at the end of the substep if no pressure acts.
+// One thread a fluid particle: where it is predicted to be at the end of the substep if no pressure acts. SETTLE: where
+// it is.
 #include "shared/kernel.glsl"
 #include "shared/fluid_living.glsl"
 
@@ -16,7 +17,9 @@ void main()
     vec4 place = texelFetch(positions, i);
     if (isParked(place)) return;
     float h = step.substepTime;
-    vec3 v = texelFetch(velocities, i).xyz + h * step.gravity.xyz;
-    slotPlaces[texelFetch(particleSlots, i).x] = vec4(place.xyz + h * v,
-                                                      1.0 / max(texelFetch(masses, i).x, 1e-20));
+    vec3 x = place.xyz;
+#ifndef SETTLE
+    x += h * (texelFetch(velocities, i).xyz + h * step.gravity.xyz);
+#endif
+    slotPlaces[texelFetch(particleSlots, i).x] = vec4(x, 1.0 / max(texelFetch(masses, i).x, 1e-20));
 }

@@ -1,5 +1,6 @@
 // One thread a slot: moves its fluid particle by the pressures around it (Macklin and Mueller 2013, eq. 12, with masses:
 // a pair exchanges the impulse (lambda_i + lambda_j) grad W, so momentum is kept) and ends its substep.
+// SETTLE: moves it without making it any faster.
 #include "shared/kernel.glsl"
 #include "shared/fluid_slots.glsl"
 #include "shared/fluid.glsl"
@@ -74,8 +75,12 @@ void main()
     if (!fluid) return;
     vec3 push = texelFetch(masses, int(i)).x * impulse;
     float held = timeHeld(velocities[i]);
-    push *= held > 0.0 ? 0.0 : min(1.0, 0.1 * step.fluidReach / max(length(push), 1e-20));
+    push *= held > 0.0 ? 0.0 : min(1.0, 0.25 * step.fluidReach / max(length(push), 1e-20));
     vec3 before = positions[i].xyz, x = outside(k, own.xyz + push);
+#ifdef SETTLE
+    positions[i].xyz = x;
+    return;
+#endif
     vec3 v = (x - before) * (step.damping / step.substepTime);
     float speed = length(v);
     if (isnan(speed) || isinf(speed)) {

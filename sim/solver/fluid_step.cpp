@@ -2,6 +2,13 @@
 
 namespace knuckle {
 
+namespace {
+
+constexpr int SETTLING = 48;   // iterations; the pressure of the walls goes about a particle far in each
+const Defines STILL{{"SETTLE", "1"}};
+
+}  // namespace
+
 FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Settings& settings)
 {
     const gpu::StepParameters& p = buffers.parameters;
@@ -33,9 +40,12 @@ FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
     smooth_ = load("fluid_smooth", {});
     place_ = load("fluid_place", {});
     placeSolid_ = load("fluid_place_solid", {});
-    density_ = load("fluid_density", tension);
+    density_ = load("fluid_density", {});
     push_ = load("fluid_push", tension);
     react_ = load("fluid_react", {});
+    placeStill_ = load("fluid_place", STILL);
+    placeSolidStill_ = load("fluid_place_solid", STILL);
+    pushStill_ = load("fluid_push", STILL);
 }
 
 void FluidStep::onSlots(KernelTimer& timer, const Kernel& kernel) const
@@ -44,7 +54,7 @@ void FluidStep::onSlots(KernelTimer& timer, const Kernel& kernel) const
     else kernel.dispatch(timer, slots_);
 }
 
-void FluidStep::findNeighbours(KernelTimer& timer) const
+void FluidStep::list(KernelTimer& timer) const
 {
     found_.dispatch(timer, slots_);
     clear_.dispatch(timer, cells_);
@@ -56,6 +66,11 @@ void FluidStep::findNeighbours(KernelTimer& timer) const
     order_.dispatch(timer, slots_);
     onSlots(timer, find_);
     onSlots(timer, near_);
+}
+
+void FluidStep::findNeighbours(KernelTimer& timer) const
+{
+    list(timer);
     onSlots(timer, velocity_);
     place(timer);
     onSlots(timer, smooth_);
@@ -69,6 +84,17 @@ void FluidStep::place(KernelTimer& timer) const
 {
     place_.dispatch(timer, fluids_);
     placeSolid_.dispatch(timer, solids_);
+}
+
+void FluidStep::settle(KernelTimer& timer) const
+{
+    list(timer);
+    placeSolidStill_.dispatch(timer, solids_);
+    for (int k = 0; k < SETTLING; ++k) {
+        placeStill_.dispatch(timer, fluids_);
+        onSlots(timer, density_);
+        onSlots(timer, pushStill_);
+    }
 }
 
 void FluidStep::substep(KernelTimer& timer) const

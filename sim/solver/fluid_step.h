@@ -11,12 +11,16 @@ namespace knuckle {
 class FluidStep {
 public:
     FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Settings& settings);
+    /// Once, before the first step: a lattice that fills a tank is too dense at its walls and at solids, and makes room
+    /// there; as part of a step that would make it fast.
+    void settle(KernelTimer& timer) const;
     /// Once a step: who is whose neighbour.
     void findNeighbours(KernelTimer& timer) const;
     /// One iteration of pressures, after the movers were predicted; fluid particles are where they end then.
     void substep(KernelTimer& timer) const;
 
 private:
+    void list(KernelTimer& timer) const;
     void place(KernelTimer& timer) const;
     void onSlots(KernelTimer& timer, const Kernel& kernel) const;
 
@@ -25,6 +29,7 @@ private:
     bool confines_;
     Kernel found_, clear_, count_, sum_, sumChunks_, start_, scatter_, order_, find_, near_;
     Kernel velocity_, smooth_, place_, placeSolid_, density_, push_, react_, vorticity_, confine_;
+    Kernel placeStill_, placeSolidStill_, pushStill_;
 };
 
 }  // namespace knuckle

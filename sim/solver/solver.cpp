@@ -48,6 +48,7 @@ struct Solver::Impl {
     Settings settings;
     SolverBuffers buffers;
     std::optional<Step> step;
+    bool settled = false;
     KernelTimer timer;
 };
 
@@ -57,6 +58,8 @@ Solver::~Solver() = default;
 
 void Solver::step()
 {
+    if (!impl_->settled) impl_->step->settle(impl_->timer);
+    impl_->settled = true;
     impl_->step->run(impl_->timer);
 }
 

@@ -156,6 +156,11 @@ void Step::loadPaperSolver(const LoadKernel& load)
     finish_ = load("finish", {});
 }
 
+void Step::settle(KernelTimer& timer) const
+{
+    if (fluid_) fluid_->settle(timer);
+}
+
 void Step::run(KernelTimer& timer) const
 {
     const bool paper = settings_.solver == SolverKind::Paper;

@@ -14,6 +14,8 @@ class Step {
 public:
     Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings);
 
+    /// Once, before the first step.
+    void settle(KernelTimer& timer) const;
     /// Records one Settings::timeStep.
     void run(KernelTimer& timer) const;
 

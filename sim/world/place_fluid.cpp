@@ -25,6 +25,15 @@ float depthOf(const std::vector<Particle>& particles, const Vector3f& up, float 
     return spacing * static_cast<float>(layers.size());
 }
 
+/// Whether x lies in a hole between solid particles, as in the middle of a cell of a lattice: there are some all around.
+bool isSurrounded(const std::vector<Particle>& particles, const Cells& solids, const Vector3f& x, float distance)
+{
+    const std::vector<uint32_t> near = solids.allNear(particles, x, distance);
+    Vector3f sum(0, 0, 0);
+    for (uint32_t i : near) sum += (particles[i].position - x).normalized();
+    return near.size() >= 4 && sum.norm() < 0.35f * static_cast<float>(near.size());
+}
+
 /// Over the density [m2/s2].
 float mostCohesion(const std::vector<Material>& materials, float spacing)
 {
@@ -80,7 +89,8 @@ void WorldBuilder::placeFluid()
     for (uint32_t i = 0; i < particleCount(); ++i) solids.add(world_.particles[i].position, i);
     const float apart = fluidClearance(world_);
     std::erase_if(fluid_, [&](const Particle& p) {
-        return solids.anyNear(world_.particles, p.position, apart).has_value();
+        return solids.anyNear(world_.particles, p.position, apart).has_value() ||
+               isSurrounded(world_.particles, solids, p.position, 0.95f * world_.diameter());
     });
     world_.particles.insert(world_.particles.end(), fluid_.begin(), fluid_.end());
     for (const Emitter& emitter : world_.emitters) {
