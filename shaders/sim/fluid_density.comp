@@ -58,6 +58,9 @@ void main()
     own += walls.xyz + solids.xyz;
     // All constraints around are met at once: more than this and they overshoot.
     float lambda = -FLUID_RELAXATION * max(share - 1.0, 0.0) / (dot(own, own) + others + step.fluidSoftness);
+    // No further than fluid_push goes, or solids would be pushed by more than the fluid is.
+    vec3 held = walls.xyz + solids.xyz;
+    lambda *= min(1.0, 0.1 * step.fluidReach / max(abs(lambda) * length(held), 1e-20));
     slotPressures[k] = vec4(x, lambda / max(texelFetch(masses, int(i)).x, 1e-20));
     slotWalls[k] = vec4(walls.xyz, share);
     slotSolids[k] = vec4(solids.xyz, weights > 0.0 ? 1.0 / weights : 0.0);
