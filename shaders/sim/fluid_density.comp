@@ -73,7 +73,8 @@ void main()
     float share = sums.share + walls.w + solids.w;
     vec3 own = sums.gradient + walls.xyz + solids.xyz;
     // All constraints around are met at once: more than this and they overshoot.
-    float lambda = -FLUID_RELAXATION * clamp(share - 1.0, 0.0, MOST_FLUID_ERROR) / (dot(own, own) + sums.squares + step.fluidSoftness);
+    float tooMuch = clamp(share - 1.0, 0.0, MOST_FLUID_ERROR);
+    float lambda = -FLUID_RELAXATION * tooMuch / (dot(own, own) + sums.squares + step.fluidSoftness);
     slotPressures[k] = vec4(x, lambda / max(texelFetch(masses, int(i)).x, 1e-20));
     slotWalls[k] = vec4(walls.xyz, share);
     slotSolids[k] = vec4(solids.xyz, weights > 0.0 ? 1.0 / weights : 0.0);

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "physics_test.h"
+
+namespace knuckle::test {
+
+/// A tank with its floor at y = 0 and one corner at the origin, filled to `layers` particles; several fluids, of equal
+/// shares, from the first at the bottom up.
+struct Tank {
+    Tank(int wide, int layers, int deep, std::vector<float> densities = {1000.0f}, const Settings& settings = {});
+
+    WorldBuilder builder;
+    std::vector<uint32_t> fluids;
+    float width = 0, depth = 0;
+};
+
+/// Adds the floor y = 0 and, facing the middle, walls at x = 0, `width` and z = 0, `depth` [m].
+void addWalls(WorldBuilder& builder, float width, float depth);
+Vector3f lattice(int x, int y, int z);
+double meanHeight(const World& world, const ParticleState& state, uint32_t material);
+/// The share of a box's volume that lies below `level`, from 8000 points of it. @param size edges of the box [m].
+double submerged(const BodyState& body, const Vector3f& size, double level);
+/// How deep a box that floats alone in a tank of that area lies in it: the level rises by what it displaces.
+double submergedIn(const World& world, const BodyState& body, const Vector3f& size, double area);
+
+}  // namespace knuckle::test
