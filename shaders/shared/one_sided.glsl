@@ -33,14 +33,14 @@ Way unpackWay(uvec2 movers)
 }
 
 /// The direction of a contact whose first particle is at `apart` from the second: theirs, or mirrored where that points
-/// into the body, or the way out itself where the particle is deep in the body or has sunk between those of its
-/// surface: their friction would hold it there, and their directions would turn what parts. w: 1 where it is not simply
-/// theirs.
+/// into the body, or the way out itself where the particle is deep in the body, has sunk between particles of its
+/// surface, whose friction would hold it there, or is so near to one that their direction says nothing. w: 1 where it is
+/// not simply theirs.
 vec4 sidedNormal(vec3 apart, float far, Way way)
 {
     float facing = dot(apart, way.away);
     bool deep = far < step.diameter && way.deep;
-    bool between = far < SUNK * step.diameter && way.away != vec3(0);
+    bool between = far < (facing < 0.5 * far ? SUNK : 0.5) * step.diameter && way.away != vec3(0);
     vec3 mirrored = (apart - 2.0 * facing * way.away) / max(far, 1e-7);
     return vec4(deep || between ? way.away : mirrored, deep || between || facing < 0.0 ? 1.0 : 0.0);
 }

@@ -135,11 +135,13 @@ TEST(Apart, ATowerOfTenCubesHalfInsideEachOtherGrowsAndStands)
         const Way way = Watch(world, 3.0).way;
         EXPECT_LT(way.topSpeed, TOP_SPEED);
         EXPECT_LT(way.measures.worstPenetration, 0.2f * DIAMETER);
-        // Cube k stood at k/2 edges and stands at k + 1/2: what that takes, and at most 1 % of it beside.
+        // Cube k stood at k/2 edges and stands at k + 1/2. At most 1 % more than that takes, and little less: 3 % of
+        // penetration at each of 4.5 contacts below the mean cube are 0.05 edges of 2.75, with a third of it to spare.
         double mass = 0.0;
         for (const Particle& particle : world.particles) mass += static_cast<double>(particle.mass);
         const double lift = mass * GRAVITY * static_cast<double>(edge) * (4.5 / 2 + 0.5);
-        EXPECT_NEAR(way.energyGained, lift, 0.01 * lift);
+        EXPECT_LT(way.energyGained, 1.01 * lift);
+        EXPECT_GT(way.energyGained, 0.97 * lift);
         EXPECT_LT(way.kineticEnergy, 0.01 * lift);
     }
 }

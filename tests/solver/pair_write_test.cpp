@@ -97,7 +97,7 @@ protected:
     static Vector3d normalOf(const Vector3d& apart, const WayOut& way)
     {
         const double far = apart.norm(), facing = apart.dot(way.away);
-        const bool between = far < SUNK * DIAMETER && !way.away.isZero();
+        const bool between = far < (facing < 0.5 * far ? SUNK : 0.5) * DIAMETER && !way.away.isZero();
         if (between || (way.deep && far < DIAMETER && !way.away.isZero())) return way.away;
         return (facing < 0 ? Vector3d(apart - 2.0 * facing * way.away) : apart).normalized();
     }
@@ -223,7 +223,7 @@ TEST_F(PairWrite, APairKnowsTheInverseMassesAlongItsNormalAsSharesOfTheWorst)
         const Vector3d normal = normalOf(apart.cast<double>(), way);
         const double facing = apart.cast<double>().dot(way.away) / static_cast<double>(apart.norm());
         // So near a limit that rounding decides.
-        if (std::abs(facing) < 1e-4) continue;
+        if (std::abs(facing) < 1e-4 || std::abs(facing - 0.5) < 1e-4) continue;
         oneSided += normal.dot(apart.cast<double>().normalized()) < 0.999;
         for (int side : {0, 1}) {
             const uint32_t particle = side == 0 ? found[q].x : found[q].y;
