@@ -50,7 +50,7 @@ vec2 solidShare(float r)
     float t = clamp(1.0 - (far - 0.5 * d) * inverse, 0.0, 1.0), t2 = t * t, t4 = t2 * t2;
     float slope = t4 * t * inverse * (21.0 - 31.5 * t + 12.0 * t2);
     float bend = t4 * inverse * inverse * (105.0 - 189.0 * t + 84.0 * t2);
-    float scale = d * d / (6.2831853 * far);
+    float scale = step.solidCover * d * d / (6.2831853 * far);
     vec2 share = scale * vec2(slope, -(bend + slope / far) / far);
     // The neighbours end before the kernel does: down to nothing there, smoothly.
     float width = 0.2 * d, u = clamp((step.fluidListReach - r) / width, 0.0, 1.0), fade = u * u * (3.0 - 2.0 * u);

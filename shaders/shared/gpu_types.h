@@ -74,8 +74,8 @@
 #define FLUID_RELAXATION 0.45f
 // More than this of too much density is not taken back at a time: a limit that keeps momentum.
 #define MOST_FLUID_ERROR 0.3f
-// k of s_corr (Macklin and Mueller 2013, eq. 13), as a share of the multipliers.
-#define FLUID_REPULSION 0.1f
+// k of s_corr (Macklin and Mueller 2013, eq. 13), as a share of the multipliers: 0.1 at a fifth of the reach.
+#define FLUID_REPULSION 0.34f
 // Steps for which an assembly has to be calm before it sleeps.
 #define CALM_STEPS 30u
 // Rounds of two iterations of the impulses that make collisions bounce.
@@ -227,6 +227,7 @@ struct StepParameters {
     float fluidListReach;           // neighbours are listed up to here [m]
     float fluidVolume;              // of a particle, over the volume that the kernel is normalized to [1/m3]
     float fluidSoftness;            // epsilon of Macklin and Mueller 2013, eq. 11 [1/m2]
+    float solidCover;               // makes up for solid particles too far to be listed
     float inverseFluidCell;         // [1/m]
     float vorticity;                // strength of vorticity confinement times the step [s]
     float massScaling;              // k of m exp(-k height) [1/m]

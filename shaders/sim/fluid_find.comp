@@ -47,11 +47,10 @@ Hits hitsFrom(Seeker seeker, uint first, uint end)
     return hits;
 }
 
-/// What acts on a solid is fluid. Fluid particles act on each other up to the kernel's reach; some come nearer before
-/// the step ends.
+/// What acts on a solid is fluid. Fluid particles act on each other up to the kernel's reach.
 Seeker seekerAt(uint code)
 {
-    vec2 reach = step.inverseFluidCell * QUANTA_PER_CELL * vec2(1.05 * step.fluidReach, step.fluidListReach) + 2.0;
+    vec2 reach = step.inverseFluidCell * QUANTA_PER_CELL * vec2(step.fluidReach, step.fluidListReach) + 2.0;
     bool solid = (code & PACKED_SOLID) != 0u;
     return Seeker(packedFields(code), solid ? vec2(reach.y * reach.y, -1.0) : reach * reach);
 }

@@ -32,7 +32,7 @@ vec3 impulseOf(vec4 own, uint slot)
     vec4 other = texelFetch(slotPressures, int(slot));
     vec3 r = own.xyz - other.xyz;
     float q = min(sqrt(dot(r, r)) / step.fluidReach, 1.0);
-    float crowd = fluidShare(q) / fluidShare(0.2), crowd2 = crowd * crowd;
+    float a = 1.0 - q, a2 = a * a, crowd = a2 * a2 * (1.0 + 4.0 * q), crowd2 = crowd * crowd;
     return (own.w + other.w) * (1.0 + FLUID_REPULSION * crowd2 * crowd2) * fluidSlope(q) * r;
 }
 

@@ -99,7 +99,7 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
         MEMBER(StepParameters, horizon), MEMBER(StepParameters, fluidCount), MEMBER(StepParameters, fluidSlots),
         MEMBER(StepParameters, fluidSpacing), MEMBER(StepParameters, fluidReach),
         MEMBER(StepParameters, fluidListReach), MEMBER(StepParameters, fluidVolume),
-        MEMBER(StepParameters, fluidSoftness), MEMBER(StepParameters, inverseFluidCell), MEMBER(StepParameters, vorticity),
+        MEMBER(StepParameters, fluidSoftness), MEMBER(StepParameters, solidCover), MEMBER(StepParameters, inverseFluidCell), MEMBER(StepParameters, vorticity),
         MEMBER(StepParameters, massScaling), MEMBER(StepParameters, bounceSpeed), MEMBER(StepParameters, sleepSpeed),
         MEMBER(StepParameters, assemblyCount), MEMBER(StepParameters, clusterCount),
         MEMBER(StepParameters, softCount), MEMBER(StepParameters, substeps), MEMBER(StepParameters, fluidFilled),
