@@ -41,7 +41,7 @@ vec4 addWall(vec4 walls, vec3 normal, vec2 wall)
 }
 
 /// The share of the kernel that a solid particle at the distance r covers, and its slope over r [1/m2]. A layer of such
-/// particles, a diameter apart, covers on the mean what a half space does whose surface lies a radius from their centres:
+/// particles, a diameter apart, covers on the mean what a half space does that ends a radius from their centres:
 /// 2 pi / d^2 times the integral of this times r from z + d / 2 on is wallShare(z). So every particle displaces the
 /// volume of its cell, at faces as at edges, in plates and alone.
 vec2 solidShare(float r)
