@@ -146,8 +146,8 @@ void addFluid(BufferTable& table, FluidBuffers& f)
 {
     table.add(f.fluidFoundPositions, f.fluidParticleCells, f.fluidCellCounts, f.fluidCellSums, f.fluidCellStarts,
               f.fluidCellMembers, f.fluidSorted, f.slotParticles, f.particleSlots, f.slotCounts,
-              f.slotNeighbours, f.slotColliders, f.fluidMaterials, f.slotVelocities, f.slotPlaces, f.slotPressures, f.slotMaterials,
-              f.slotVorticities, f.slotWalls, f.slotSolids);
+              f.slotNeighbours, f.slotColliders, f.fluidMaterials, f.slotVelocities, f.slotPlaces, f.slotPressures,
+              f.slotMaterials, f.slotVorticities, f.slotWalls, f.slotSolids);
 }
 
 std::vector<float> fluidDensities(SolverBuffers& buffers)
