@@ -7,6 +7,7 @@
 
 #include "app/scene_fields.h"
 #include "app/scene_file.h"
+#include "app/scene_fill.h"
 #include "sim/world/cloth.h"
 #include "sim/world/errors.h"
 #include "sim/world/rope.h"
@@ -77,15 +78,6 @@ RopeEnd readEnd(const StrandEntry& entry, const char* key, size_t copy, const Ve
             findParticle(entry, json, copy, place, ATTACH_REACH, fmt::format("/{}", key))};
 }
 
-/// Refuses before anything large is allocated. `count`: particles of one copy.
-void limitParticles(const StrandEntry& entry, double count)
-{
-    const double total = entry.context.builder.particleCount() + count * static_cast<double>(entry.poses.size());
-    if (total > static_cast<double>(MAX_PARTICLES))
-        fail(entry, "", fmt::format("brings the scene to {:.3g} particles, the limit is {}; raise /diameter or make "
-                                    "it smaller", total, MAX_PARTICLES));
-}
-
 float readTearForce(const Json& json)
 {
     const float force = json["tearForce"];
@@ -110,7 +102,8 @@ void addRopes(const StrandEntry& entry)
     common.tearForce = readTearForce(entry.json);
     common.material = entry.material;
     common.velocity = entry.velocity;
-    limitParticles(entry, std::max(common.length, (to - from).norm()) / entry.context.builder.diameter());
+    limitParticles(entry.context, entry.json, entry.pointer,
+                   std::max(common.length, (to - from).norm()) / entry.context.builder.diameter());
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         RopeSpec spec = common;
         spec.from = entry.poses[copy].apply(from);
@@ -181,13 +174,13 @@ void addCloths(const StrandEntry& entry)
             fail(entry, "/hold", "a model has no edges by these names; use pins instead");
         const Model model = readClothModel(entry.context, json, entry.pointer);
         const ClothSheet sheet = meshSheet(model.vertices, model.triangles, diameter, spec, MAX_PARTICLES);
-        limitParticles(entry, static_cast<double>(sheet.nodes.size()));
+        limitParticles(entry.context, entry.json, entry.pointer, static_cast<double>(sheet.nodes.size()));
         placeCloth(entry, sheet, spec, {});
         return;
     }
     spec.shearCompliance = json["shearCompliance"];
     const float width = json["size"][0], depth = json["size"][1];
-    limitParticles(entry, (width / diameter + 1.0) * (depth / diameter + 1.0));
+    limitParticles(entry.context, entry.json, entry.pointer, (width / diameter + 1.0) * (depth / diameter + 1.0));
     const GridSheet sheet = gridSheet(width, depth, diameter, spec);
     std::vector<uint32_t> held;
     for (const Json& word : json["hold"]) holdNodes(sheet, word, held);

@@ -44,8 +44,8 @@ TEST(SceneStrands, TellWhatIsWrongWithRopes)
               ": /objects/1: length 0.5 m of the rope is less than the 1 m between its ends; make it longer or bring "
               "them nearer");
     EXPECT_EQ(messageOf(ROPE(R"("to": [0, 2, 0], "length": 10000, "repeat": {"counts": [20, 1, 1]})")),
-              ": /objects/1: brings the scene to 2e+06 particles, the limit is 1000000; raise /diameter or make it "
-              "smaller");
+              ": /objects/1: brings the scene to 2000027 particles, the limit is 1000000; raise /diameter, or make it "
+              "smaller or fewer");
 }
 
 TEST(SceneStrands, TellWhatTheyCannotBeTiedTo)
@@ -65,8 +65,8 @@ TEST(SceneStrands, TellWhatIsWrongWithCloth)
 {
     EXPECT_EQ(messageOf(CLOTH(R"("size": [0, 1])")), ": /objects/1/size/0: 0 must be above 0");
     EXPECT_EQ(messageOf(CLOTH(R"("size": [500, 500])")),
-              ": /objects/1: brings the scene to 2.5e+07 particles, the limit is 1000000; raise /diameter or make it "
-              "smaller");
+              ": /objects/1: brings the scene to 25010028 particles, the limit is 1000000; raise /diameter, or make it "
+              "smaller or fewer");
     EXPECT_EQ(messageOf(CLOTH(R"("hold": ["nearleft"])")),
               ": /objects/1/hold/0: \"nearleft\" is unknown; did you mean \"nearLeft\"?");
     EXPECT_TRUE(messageOf(CLOTH(R"("file": "none.obj")")).starts_with(": /objects/1/file: there is no file "));
