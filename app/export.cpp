@@ -30,6 +30,18 @@ std::string field(const std::string& text)
     return out + '"';
 }
 
+/// A line for each material: its index and name, without what would end the line.
+std::string materialComments(const World& world)
+{
+    std::string out;
+    for (size_t i = 0; i < world.materials.size(); ++i) {
+        std::string name = world.materials[i].name;
+        std::erase_if(name, [](unsigned char c) { return c < ' '; });
+        out += fmt::format("comment material {} {}\n", i, name);
+    }
+    return out;
+}
+
 }  // namespace
 
 void writePly(const std::string& folder, uint64_t frame, const World& world, const ParticleState& state)
@@ -37,6 +49,7 @@ void writePly(const std::string& folder, uint64_t frame, const World& world, con
     const auto there = std::count(state.parked.begin(), state.parked.end(), false);
     std::string text = fmt::format("ply\nformat binary_little_endian 1.0\ncomment frame {}\nelement vertex {}\n", frame,
                                    there);
+    text.insert(text.find("element"), materialComments(world));
     text += "property uint id\nproperty float x\nproperty float y\nproperty float z\nproperty float vx\n"
             "property float vy\nproperty float vz\nproperty int body\nproperty uint material\nend_header\n";
     for (uint32_t i = 0; i < state.positions.size(); ++i) {

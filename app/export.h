@@ -10,8 +10,9 @@
 
 namespace knuckle {
 
-/// Writes frame_0001.ply: binary PLY with id, position [m], velocity [m/s], body (-1: none) and material (index), of
-/// all particles but the fluid ones that are in the pools of emitters or went into drains: ids may have gaps.
+/// Writes frame_0001.ply: binary PLY with id, position [m], velocity [m/s], body (-1: none) and material (index; its
+/// comments have their names), of all particles but the fluid ones that are in pools of emitters or went into drains:
+/// ids may have gaps.
 /// @throws RunError from a full disk.
 void writePly(const std::string& folder, uint64_t frame, const World& world, const ParticleState& state);
 

@@ -82,13 +82,24 @@ TEST_F(Render, WritesFigures)
     EXPECT_NE(result.out.find("state hash " + stats["stateHash"].get<std::string>()), std::string::npos);
 }
 
+TEST_F(Render, WritesNoFigureThatIsNotDescribed)
+{
+    ASSERT_EQ(run({"render", scene, "-o", "out", "--stats", "stats.json"}).code, 0);
+    const std::string described = test::readText(KNUCKLE_ROOT "/docs/output.md");
+    const Json stats = parseJson(test::readText(folder.path("stats.json")), "stats");
+    for (const auto& [key, value] : stats.items()) {
+        EXPECT_NE(described.find('`' + key + '`'), std::string::npos) << key;
+    }
+}
+
 TEST_F(Render, ExportsParticles)
 {
     ASSERT_EQ(run({"render", scene, "-o", "out", "--export", "ply=ply", "--frames", "1:2"}).code, 0);
     const std::string ply = test::readText(folder.path("ply/frame_0001.ply"));
     EXPECT_EQ(test::listFolder(folder.path("ply")).size(), 2u);
     EXPECT_TRUE(ply.starts_with("ply\nformat binary_little_endian 1.0\n"));
-    EXPECT_NE(ply.find("element vertex 55\n"), std::string::npos);
+    EXPECT_NE(ply.find("\ncomment material 0 default\ncomment material 1 water\nelement vertex 55\n"),
+              std::string::npos);
     const size_t start = ply.find("end_header\n") + 11;
     constexpr size_t ROW = 9 * 4;    // id, position, velocity, body, material
     ASSERT_EQ(ply.size() - start, 55 * ROW);
