@@ -14,23 +14,26 @@ BUFFER(vec4, SlotWalls, slotWalls);           // gradient of C by what walls cov
 BUFFER(vec4, SlotSolids, slotSolids);         // the same of solids; w: one over their weights
 
 /// What the solid particles nearby cover, w, and its slope, across the surface that they form together: along it their
-/// bumps would hold the fluid. @param weights  Sum of their weights.
-vec4 solidCover(uint k, uint count, vec3 x, out float weights)
+/// bumps would hold the fluid. In a gap or a hole they form none, and a slope that is not the share's own would shoot
+/// out what came in slowly. @param weights  Sum of their weights. @param squares  Of the slopes of each.
+vec4 solidCover(uint k, uint count, vec3 x, out float weights, out float squares)
 {
     vec3 slope = vec3(0), way = vec3(0, 1e-12, 0);
     float share = 0.0;
-    weights = 0.0;
+    weights = squares = 0.0;
     for (uint n = 0u; n < count; ++n) {
         vec3 r = x - texelFetch(slotPlaces, int(solidNeighbour(k, n))).xyz;
         float far = length(r), weight = solidWeight(far);
         vec2 covered = solidShare(far);
         share += covered.x;
         slope += covered.y * r;
+        squares += covered.y * covered.y * far * far;
         weights += weight;
         way += weight / max(far, 1e-9) * r;
     }
-    vec3 across = normalize(way);
-    return vec4(dot(slope, across) * across, share);
+    vec3 across = normalize(way), along = slope - dot(slope, across) * across;
+    float oneSided = smoothstep(0.3, 0.6, length(way) / max(weights, 1e-20));
+    return vec4(slope - oneSided * along, share);
 }
 
 /// Sums over neighbours: share of the kernel, squares of its slopes, and its gradient.
@@ -64,8 +67,8 @@ void main()
         add(sums, x, slots.z);
         add(sums, x, slots.w);
     }
-    float weights;
-    vec4 solids = solidCover(k, counts.y, x, weights), walls = vec4(0);
+    float weights, slopes;
+    vec4 solids = solidCover(k, counts.y, x, weights, slopes), walls = vec4(0);
     for (NearColliders near = nearColliders(k); nextCollider(near);) {
         vec4 wall = colliderDistance(near.index, x);
         walls = addWall(walls, wall.xyz, wallShare(wall.w));
@@ -74,7 +77,9 @@ void main()
     vec3 own = sums.gradient + walls.xyz + solids.xyz;
     // All constraints around are met at once: more than this and they overshoot.
     float tooMuch = clamp(share - 1.0, 0.0, MOST_FLUID_ERROR);
-    float lambda = -FLUID_RELAXATION * tooMuch / (dot(own, own) + sums.squares + step.fluidSoftness);
+    // Where the slopes of solids cancel, as between two of them, no way leads out: pushing harder does not help.
+    float opposed = max(slopes - dot(solids.xyz, solids.xyz), 0.0);
+    float lambda = -FLUID_RELAXATION * tooMuch / (dot(own, own) + opposed + sums.squares + step.fluidSoftness);
     slotPressures[k] = vec4(x, lambda / max(texelFetch(masses, int(i)).x, 1e-20));
     slotWalls[k] = vec4(walls.xyz, share);
     slotSolids[k] = vec4(solids.xyz, weights > 0.0 ? 1.0 / weights : 0.0);
