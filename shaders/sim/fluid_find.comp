@@ -86,9 +86,13 @@ void main()
                 // Behind the last slot the first ones stand again.
                 uint slot = place < slots ? place : place - slots;
                 if (slot == k) continue;
-#ifdef GRID_HASH
                 uint particle = texelFetch(slotParticles, int(slot)).x;
-                if (!inAroundRange(cell, range, texelFetch(fluidFoundPositions, int(particle)).xyz)) continue;
+                vec3 there = texelFetch(fluidFoundPositions, int(particle)).xyz;
+#ifdef GRID_HASH
+                if (!inAroundRange(cell, range, there)) continue;
+#else
+                // The grid and packed places both wrap: what looks near may be a lattice's width away.
+                if (any(greaterThan(abs(cellOf(there) - cell), ivec3(1)))) continue;
 #endif
                 bool solid = (hits.solid >> bit & 1u) != 0u;
                 uvec2 more = counts + (solid ? uvec2(0, 1) : uvec2(1, 0));
