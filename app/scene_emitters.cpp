@@ -15,16 +15,8 @@ namespace knuckle {
 namespace {
 
 /// One entry of `emitters`.
-struct Entry {
-    SceneContext& context;
-    const Json& json;
-    std::string pointer;
+struct Entry : SceneEntry {
     Emitter emitter = {};
-
-    [[noreturn]] void fail(const std::string& field, const std::string& message) const
-    {
-        failAt(context.path, pointer + field, message);
-    }
 };
 
 /// The object that a particle was added for, in words.
@@ -171,7 +163,7 @@ void addEmitters(SceneContext& context, const Json& root, double duration)
     if (root["emitters"].empty()) return;
     const Surroundings surroundings(context);
     for (size_t i = 0; i < root["emitters"].size(); ++i) {
-        Entry entry{context, root["emitters"][i], fmt::format("/emitters/{}", i)};
+        Entry entry{{context, root["emitters"][i], fmt::format("/emitters/{}", i)}};
         entry.emitter.material = findMaterial(context, entry.json["material"], entry.pointer + "/material");
         requireFluid(context, entry.emitter.material, entry.pointer + "/material");
         readNozzle(entry);

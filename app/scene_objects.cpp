@@ -14,19 +14,12 @@ namespace knuckle {
 namespace {
 
 /// One entry of `objects` while its copies are made.
-struct Entry {
-    SceneContext& context;
-    const Json& json;
-    std::string pointer;
+struct Entry : SceneEntry {
     std::string name;
     uint32_t material = 0;
     Vector3f velocity{0, 0, 0}, spin{0, 0, 0};
     std::vector<Pose> poses = {};
 
-    [[noreturn]] void fail(const std::string& field, const std::string& message) const
-    {
-        failAt(context.path, pointer + field, message);
-    }
     std::string copyName(size_t copy) const
     {
         return poses.size() == 1 ? name : fmt::format("{}_{}", name, copy + 1);
@@ -130,7 +123,7 @@ void addJoined(const Entry& entry)
 
 void addStrands(const Entry& entry)
 {
-    StrandEntry strands{entry.context, entry.json, entry.pointer, {}, entry.poses, entry.material, entry.velocity};
+    StrandEntry strands{entry, {}, entry.poses, entry.material, entry.velocity};
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) strands.names.push_back(entry.copyName(copy));
     addStrandObject(strands);
 }
@@ -169,7 +162,7 @@ uint32_t findMaterial(const SceneContext& context, const std::string& name, cons
 void addObjects(SceneContext& context, const Json& json, size_t index)
 {
     const std::string given = json["name"];
-    Entry entry{context, json, fmt::format("/objects/{}", index),
+    Entry entry{{context, json, fmt::format("/objects/{}", index)},
                 given.empty() ? fmt::format("object_{}", index + 1) : given};
     entry.material = findMaterial(context, json["material"], entry.pointer + "/material");
     readValue(json["velocity"], entry.velocity);

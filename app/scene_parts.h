@@ -25,6 +25,19 @@ struct SceneContext {
     std::vector<size_t> colliderEntries = {};    ///< Per collider of the world: the entry of `colliders` that it is of.
 };
 
+/// One entry of a list of the scene while what it stands for is made.
+struct SceneEntry {
+    SceneContext& context;
+    const Json& json;
+    std::string pointer;
+
+    /// @throws InputError at a field of the entry.
+    [[noreturn]] void fail(const std::string& field, const std::string& message) const
+    {
+        failAt(context.path, pointer + field, message);
+    }
+};
+
 /// Index of the material `name`. @throws InputError with `pointer` where there is none.
 uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer);
 

@@ -19,11 +19,6 @@ namespace {
 /// How far an end may be from the particle that it is attached to [diameters].
 constexpr float ATTACH_REACH = 1.5f;
 
-[[noreturn]] void fail(const StrandEntry& entry, const std::string& field, const std::string& message)
-{
-    failAt(entry.context.path, entry.pointer + field, message);
-}
-
 /// The copy of a repeated object that belongs to this copy, else the one of that name.
 uint32_t findObject(const StrandEntry& entry, const std::string& name, size_t copy, const std::string& field)
 {
@@ -33,7 +28,7 @@ uint32_t findObject(const StrandEntry& entry, const std::string& name, size_t co
         for (uint32_t i = 0; i < objects.size(); ++i)
             if (objects[i].name == wanted) return i;
     for (const Object& object : objects) names.push_back(object.name);
-    fail(entry, field + "/object", fmt::format("there is no object \"{}\"; {}", name, suggestion(name, names)));
+    entry.fail(field + "/object", fmt::format("there is no object \"{}\"; {}", name, suggestion(name, names)));
 }
 
 /// The particle of a named object, or of a body of it, that is nearest to a place in the world.
@@ -57,15 +52,15 @@ uint32_t findParticle(const StrandEntry& entry, const Json& json, size_t copy, c
         }
     }
     if (nearest == NO_INDEX && body.empty())
-        fail(entry, field + "/object", fmt::format("object \"{}\" has no body to attach to", object.name));
+        entry.fail(field + "/object", fmt::format("object \"{}\" has no body to attach to", object.name));
     if (nearest == NO_INDEX)
-        fail(entry, field + "/body",
-             fmt::format("object \"{}\" has no body \"{}\" with particles of its own; {}", object.name, body,
-                         suggestion(body, names)));
+        entry.fail(field + "/body",
+                   fmt::format("object \"{}\" has no body \"{}\" with particles of its own; {}", object.name, body,
+                               suggestion(body, names)));
     if (best > reach * world.diameter()) {
         const Vector3f p = world.particles[nearest].position;
-        fail(entry, field, fmt::format("\"{}\" is {:.3g} m away from here, its nearest particle at [{:.4g}, {:.4g}, "
-                                       "{:.4g}]; begin there", object.name, best, p.x(), p.y(), p.z()));
+        entry.fail(field, fmt::format("\"{}\" is {:.3g} m away from here, its nearest particle at [{:.4g}, {:.4g}, "
+                                      "{:.4g}]; begin there", object.name, best, p.x(), p.y(), p.z()));
     }
     return nearest;
 }
@@ -171,7 +166,7 @@ void addCloths(const StrandEntry& entry)
     spec.material = entry.material;
     if (!json["file"].get<std::string>().empty()) {
         if (!json["hold"].empty())
-            fail(entry, "/hold", "a model has no edges by these names; use pins instead");
+            entry.fail("/hold", "a model has no edges by these names; use pins instead");
         const Model model = readClothModel(entry.context, json, entry.pointer);
         const ClothSheet sheet = meshSheet(model.vertices, model.triangles, diameter, spec, MAX_PARTICLES);
         limitParticles(entry.context, entry.json, entry.pointer, static_cast<double>(sheet.nodes.size()));

@@ -9,10 +9,7 @@
 namespace knuckle {
 
 /// One entry of `objects` that is a rope or cloth.
-struct StrandEntry {
-    SceneContext& context;
-    const Json& json;
-    std::string pointer;
+struct StrandEntry : SceneEntry {
     std::vector<std::string> names;           ///< Of its copies.
     std::vector<Pose> poses;                  ///< Of its copies.
     uint32_t material = 0;

@@ -1,5 +1,5 @@
 // The smoothing kernel of fluids: Wendland's C2, W(q) = 21 / (2 pi h^3) (1 - q)^4 (1 + 4 q), q = r / h, times the volume
-// of a particle at rest, so that its sum over the lattice that fluids are filled with is 1.
+// of a particle at rest, so that its sum over a fluid at rest is 1.
 
 float fluidShare(float q)
 {

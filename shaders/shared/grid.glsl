@@ -36,6 +36,11 @@ bool inRangeAround(ivec3 c, int range, int width, vec3 x)
     return cellOf(x) == cellAround(c, range, width);
 }
 
+bool standsAround(ivec3 c, int range, vec3 x)
+{
+    return inRangeAround(c, range, 3, x);
+}
+
 uvec2 forwardCells(ivec3 c, int range)
 {
     return cellsAround(c, range + FIRST_FORWARD, 3);
@@ -64,6 +69,11 @@ uvec2 cellsAround(ivec3 c, int range, int width)
 bool inRangeAround(ivec3 c, int range, int width, vec3 x)
 {
     return true;
+}
+
+bool standsAround(ivec3 c, int range, vec3 x)
+{
+    return all(lessThanEqual(abs(cellOf(x) - c), ivec3(1)));
 }
 
 uvec2 forwardCells(ivec3 c, int range)
@@ -96,6 +106,8 @@ bool inAroundRange(ivec3 c, int range, vec3 x)
 {
     return inRangeAround(c, range, 3, x);
 }
+
+/// The same where x may seem near although it is a lattice's width away: `bool standsAround(c, range, x)`, above.
 
 // All cells up to two away.
 #define FAR_RANGES RANGES_AROUND(5)

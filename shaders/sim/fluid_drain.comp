@@ -22,7 +22,7 @@ void main()
     if (pooled) i = texelFetch(poolOrder, int(orderAfter(stepsDone(counters[0].substep)) + place)).x;
     if (i == NO_PARTICLE) return;
     vec4 x = positions[i];
-    bool parked = x.w == PARKED, drained = false;
+    bool parked = isParked(x), drained = false;
     for (uint d = 0u; d < step.drainCount; ++d)
         drained = drained || colliderDistance(step.colliderCount + d, x.xyz).w < 0.0;
     if (drained && !parked) {

@@ -88,12 +88,8 @@ void main()
                 if (slot == k) continue;
                 uint particle = texelFetch(slotParticles, int(slot)).x;
                 vec3 there = texelFetch(fluidFoundPositions, int(particle)).xyz;
-#ifdef GRID_HASH
-                if (!inAroundRange(cell, range, there)) continue;
-#else
                 // The grid and packed places both wrap: what looks near may be a lattice's width away.
-                if (any(greaterThan(abs(cellOf(there) - cell), ivec3(1)))) continue;
-#endif
+                if (!standsAround(cell, range, there)) continue;
                 bool solid = (hits.solid >> bit & 1u) != 0u;
                 uvec2 more = counts + (solid ? uvec2(0, 1) : uvec2(1, 0));
                 ++wanted;

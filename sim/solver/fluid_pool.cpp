@@ -2,18 +2,16 @@
 
 namespace knuckle {
 
-FluidPool::FluidPool(const LoadKernel& load, SolverBuffers& buffers, const Settings& settings)
+FluidPool::FluidPool(const LoadKernel& load, SolverBuffers& buffers)
     : sizes_(buffers.dispatches), hasEmitters_(buffers.parameters.poolCapacity > 0),
       chunks_(groupsFor(buffers.parameters.poolCapacity / SCAN_CHUNK)),
       fluids_(groupsFor(buffers.parameters.fluidFilled + buffers.parameters.poolCapacity))
 {
-    Defines grid{{"FLUIDS", "1"}};
-    if (settings.grid == GridKind::Hash) grid.push_back({"GRID_HASH", "1"});
     sum_ = load("scan_sum", {{"POOLS", "1"}});
     sumChunks_ = load("scan_chunks", {{"POOLS", "1"}});
     pool_ = load("fluid_pool", {});
     order_ = load("pool_order", {});
-    emit_ = load("fluid_emit", grid);
+    emit_ = load("fluid_emit", {{"FLUIDS", "1"}});
     drain_ = load("fluid_drain", {});
 }
 

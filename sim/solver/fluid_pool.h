@@ -2,7 +2,6 @@
 
 #include "sim/gpu/kernel.h"
 #include "sim/solver/buffers.h"
-#include "sim/world/settings.h"
 
 namespace knuckle {
 
@@ -10,7 +9,7 @@ namespace knuckle {
 /// number of the step.
 class FluidPool {
 public:
-    FluidPool(const LoadKernel& load, SolverBuffers& buffers, const Settings& settings);
+    FluidPool(const LoadKernel& load, SolverBuffers& buffers);
     void run(KernelTimer& timer) const;
 
 private:

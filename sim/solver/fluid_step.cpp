@@ -19,8 +19,7 @@ FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
     if (buffers.hasPool) sizes_ = &buffers.dispatches;
     chunks_ = groupsFor((p.cellMask + 1) / SCAN_CHUNK);
     confines_ = settings.vorticity > 0.0f;
-    Defines grid{{"FLUIDS", "1"}};
-    if (settings.grid == GridKind::Hash) grid.push_back({"GRID_HASH", "1"});
+    const Defines grid{{"FLUIDS", "1"}};
     found_ = load("fluid_found", {});
     clear_ = load("grid_clear", grid);
     count_ = load("grid_count", grid);

@@ -50,19 +50,19 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
         if (settings.sleepSpeed > 0.0f) defines.push_back({"SLEEP", "1"});
         if (buffers.hasPool) defines.push_back({"POOL", "1"});
         if (buffers.hasGrids) defines.push_back({"GRIDS", "1"});
+        if (settings.grid == GridKind::Hash) defines.push_back({"GRID_HASH", "1"});
         return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
     };
     loadSearch(load);
     if (settings.solver == SolverKind::Impulse) loadImpulseSolver(load);
     else loadPaperSolver(load);
     if (buffers.parameters.fluidCount > 0) fluid_.emplace(load, buffers, settings);
-    if (buffers.hasPool) fluidPool_.emplace(load, buffers, settings);
+    if (buffers.hasPool) fluidPool_.emplace(load, buffers);
     if (settings.solver == SolverKind::Impulse) strandStep_ = StrandStep(gpu, buffers);
 }
 
 void Step::loadSearch(const LoadKernel& load)
 {
-    const Defines grid = settings_.grid == GridKind::Hash ? Defines{{"GRID_HASH", "1"}} : Defines{};
     const Defines place = settings_.solver == SolverKind::Paper ? Defines{{"FROM_POSITIONS", "1"}} : Defines{};
     const Defines lists = {{"LISTS", "1"}};
     findDue_ = load("find_due", {});
@@ -70,14 +70,14 @@ void Step::loadSearch(const LoadKernel& load)
     fastDue_ = load("fast_due", {});
     foundPlace_ = load("found_place", place);
     gridClear_ = load("grid_clear", {});
-    gridCount_ = load("grid_count", grid);
+    gridCount_ = load("grid_count", {});
     gridSum_ = load("scan_sum", {});
     gridChunks_ = load("scan_chunks", {});
     gridStart_ = load("grid_start", {});
     gridScatter_ = load("grid_scatter", {});
     gridOrder_ = load("grid_order", {});
-    contactFind_ = load("contact_find", grid);
-    contactFindFar_ = load("contact_find_far", grid);
+    contactFind_ = load("contact_find", {});
+    contactFindFar_ = load("contact_find_far", {});
     colliderNear_ = load("collider_near", {});
     colliderFind_ = load("collider_find", {});
     listSum_ = load("scan_sum", lists);

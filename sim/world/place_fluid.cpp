@@ -25,13 +25,18 @@ float depthOf(const std::vector<Particle>& particles, const Vector3f& up, float 
     return spacing * static_cast<float>(layers.size());
 }
 
-/// Whether x lies in a hole between solid particles, as in the middle of a cell of a lattice: there are some all around.
-bool isSurrounded(const std::vector<Particle>& particles, const Cells& solids, const Vector3f& x, float distance)
+/// Whether a fluid particle has room at x: no solid one is nearer than `apart`, nor are there some all around, as about
+/// the middle of a cell of a lattice.
+bool hasRoom(const World& world, const Cells& solids, const Vector3f& x, float apart)
 {
-    const std::vector<uint32_t> near = solids.allNear(particles, x, distance);
+    const std::vector<uint32_t> near = solids.allNear(world.particles, x, 0.95f * world.diameter());
     Vector3f sum(0, 0, 0);
-    for (uint32_t i : near) sum += (particles[i].position - x).normalized();
-    return near.size() >= 4 && sum.norm() < 0.35f * static_cast<float>(near.size());
+    for (uint32_t i : near) {
+        const Vector3f away = world.particles[i].position - x;
+        if (away.norm() < apart) return false;
+        sum += away.normalized();
+    }
+    return near.size() < 4 || sum.norm() >= 0.35f * static_cast<float>(near.size());
 }
 
 /// Over the density [m2/s2].
@@ -88,10 +93,7 @@ void WorldBuilder::placeFluid()
     Cells solids(world_.diameter());
     for (uint32_t i = 0; i < particleCount(); ++i) solids.add(world_.particles[i].position, i);
     const float apart = fluidClearance(world_);
-    std::erase_if(fluid_, [&](const Particle& p) {
-        return solids.anyNear(world_.particles, p.position, apart).has_value() ||
-               isSurrounded(world_.particles, solids, p.position, 0.95f * world_.diameter());
-    });
+    std::erase_if(fluid_, [&](const Particle& p) { return !hasRoom(world_, solids, p.position, apart); });
     world_.particles.insert(world_.particles.end(), fluid_.begin(), fluid_.end());
     for (const Emitter& emitter : world_.emitters) {
         Particle particle = fluidParticle(emitter.material);

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "physics_test.h"
+#include "tank.h"
 
 namespace knuckle::test {
 
@@ -190,18 +190,12 @@ TEST(Emitter, AFullTankWithAnInletAtItsFloorAndAnOverflowStaysAsFull)
     Jet jet;
     const float d = jet.spacing;
     const int wide = 14, layers = 12;
-    const Vector3f far(d * wide, 0, d * wide);
-    for (const auto& [place, normal] : {std::pair<Vector3f, Vector3f>{{0, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {1, 0, 0}},
-                                        {far, {-1, 0, 0}}, {{0, 0, 0}, {0, 0, 1}}, {far, {0, 0, -1}}}) {
-        Collider wall = floorPlane();
-        wall.position = place;
-        wall.orientation = Quaternionf::FromTwoVectors(Vector3f::UnitY(), normal);
-        jet.builder.addCollider(wall);
-    }
+    const float width = d * wide;
+    addWalls(jet.builder, width, width);
     std::vector<Vector3f> places = boxLattice({wide, layers, wide}, d);
     for (Vector3f& place : places) place += 0.5f * d * Vector3f(wide, layers, wide);
     jet.builder.addFluid(places, {0, 0, 0}, jet.emitter.material);
-    jet.aim(rectangleNozzle(4 * d, 4 * d, d), {0, 1, 0}, {0.5f * far.x(), 2 * d, 0.5f * far.z()});
+    jet.aim(rectangleNozzle(4 * d, 4 * d, d), {0, 1, 0}, {0.5f * width, 2 * d, 0.5f * width});
     // What stands higher than the surface by a particle flows off.
     Collider overflow;
     overflow.position.y() = d * (layers + 1);

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "physics_test.h"
+#include "tank.h"
 #include "sim/solver/measure.h"
 
 namespace knuckle::test {
@@ -17,15 +17,6 @@ std::vector<Vector3f> block(const WorldBuilder& builder, int x, int y, int z)
         places.push_back(builder.fluidSpacing() *
                          (Eigen::Vector3i(k % x, k / x % y, k / (x * y)).cast<float>() + Vector3f::Constant(0.5f)));
     return places;
-}
-
-void addPlane(WorldBuilder& builder, const Vector3f& place, const Vector3f& normal)
-{
-    Collider wall;
-    wall.shape = ColliderShape::Plane;
-    wall.position = place;
-    wall.orientation = Quaternionf::FromTwoVectors(Vector3f::UnitY(), normal);
-    builder.addCollider(wall);
 }
 
 uint32_t addFluidMaterial(WorldBuilder& builder, float surfaceTension = 0.0f)
@@ -94,11 +85,7 @@ TEST(FluidForces, ADeepPoolKeepsItsDensityAndVolume)
 {
     WorldBuilder builder = makeBuilder();
     const float width = 7 * builder.fluidSpacing();
-    addPlane(builder, {0, 0, 0}, {0, 1, 0});
-    addPlane(builder, {0, 0, 0}, {1, 0, 0});
-    addPlane(builder, {width, 0, 0}, {-1, 0, 0});
-    addPlane(builder, {0, 0, 0}, {0, 0, 1});
-    addPlane(builder, {0, 0, width}, {0, 0, -1});
+    addWalls(builder, width, width);
     builder.addFluid(block(builder, 7, 40, 7), {0, 0, 0}, addFluidMaterial(builder));
     const World world = builder.build();
     Solver solver(gpu(), world);

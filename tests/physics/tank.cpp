@@ -27,17 +27,21 @@ Tank::Tank(int wide, int layers, int deep, std::vector<float> densities, const S
     }
 }
 
+void addPlane(WorldBuilder& builder, const Vector3f& place, const Vector3f& normal)
+{
+    Collider wall;
+    wall.shape = ColliderShape::Plane;
+    wall.position = place;
+    wall.orientation = Quaternionf::FromTwoVectors(Vector3f::UnitY(), normal);
+    builder.addCollider(wall);
+}
+
 void addWalls(WorldBuilder& builder, float width, float depth)
 {
     const Vector3f far(width, 0, depth);
     for (const auto& [place, normal] : {std::pair<Vector3f, Vector3f>{{0, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {1, 0, 0}},
-                                        {far, {-1, 0, 0}}, {{0, 0, 0}, {0, 0, 1}}, {far, {0, 0, -1}}}) {
-        Collider wall;
-        wall.shape = ColliderShape::Plane;
-        wall.position = place;
-        wall.orientation = Quaternionf::FromTwoVectors(Vector3f::UnitY(), normal);
-        builder.addCollider(wall);
-    }
+                                        {far, {-1, 0, 0}}, {{0, 0, 0}, {0, 0, 1}}, {far, {0, 0, -1}}})
+        addPlane(builder, place, normal);
 }
 
 Vector3f lattice(int x, int y, int z)

@@ -14,6 +14,8 @@ struct Tank {
     float width = 0, depth = 0;
 };
 
+/// Adds the half space behind a plane through `place`.
+void addPlane(WorldBuilder& builder, const Vector3f& place, const Vector3f& normal);
 /// Adds the floor y = 0 and, facing the middle, walls at x = 0, `width` and z = 0, `depth` [m].
 void addWalls(WorldBuilder& builder, float width, float depth);
 Vector3f lattice(int x, int y, int z);
