@@ -17,9 +17,11 @@ struct Contact {
 /// but will in the next iteration. Only contacts that were counted beforehand act: over those the mass is split. The
 /// normal part lets `correction` of an old penetration be taken back per substep, the less the faster a side leaves, so
 /// that not all the contacts of a heap add to one speed. What has sunk parts as fast as that and no faster: the contact
-/// pulls by what recovery may push in a substep, and its friction grips. Limbs of one assembly do not, or they would
-/// fight their joints. Friction is Coulomb's, bounded by the accumulated normal impulse (Macklin et al. 2014, eq. 24).
-vec4 solveContact(Contact c, vec4 impulse)
+/// pulls by what recovery may push in a substep, and its friction grips. The normal part fades towards its mean of the
+/// last second, which calms the waves that recovery feeds. Limbs of one assembly do neither, or they would fight their
+/// joints. Friction is Coulomb's, bounded by the accumulated normal impulse (Macklin et al. 2014, eq. 24).
+/// @param mean of the normal part; updated.
+vec4 solveContact(Contact c, vec4 impulse, inout float mean)
 {
 #ifdef SLEEP
     if (c.worstMass == 0.0 && impulse.w > 0.0) return impulse;   // both sides sleep
@@ -32,7 +34,9 @@ vec4 solveContact(Contact c, vec4 impulse)
     float push = acts ? error / c.inverseMass : 0.0;
     float most = sunk && acts ? step.maxCorrection / c.inverseMass : 0.0;
     float last = sunk && impulse.w < 0.0 ? min(dot(impulse.xyz, c.normal), 0.0) : max(impulse.w, 0.0);
-    float whole = max(step.warmStart * last - push, -most);
+    mean += (last < mean ? MEAN_FALL : 1.0) * step.meanRate * (max(last, 0.0) - mean);
+    float wave = c.kin || last <= 0.0 ? 0.0 : min(last - mean, SHOCK * mean);
+    float whole = max(step.warmStart * (last - step.calming * wave) - push, -most);
     float normal = max(whole, 0.0), bound = max(whole, SUNK_GRIP * most);
     vec3 tangent = impulse.xyz - (acts ? 1.0 / c.worstMass : 0.0) * c.slide;
     tangent -= c.normal * dot(c.normal, tangent);

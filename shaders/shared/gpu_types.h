@@ -81,6 +81,10 @@
 // Rounds of two iterations of the impulses that make collisions bounce.
 #define BOUNCE_ROUNDS 2
 
+// An impulse of more than so many times its mean is a shock, which may go as it came.
+#define SHOCK 10.0
+// The mean falls so many times faster than it rises: what parts and meets again is not to be pushed by it.
+#define MEAN_FALL 4.0
 // pairImpulses[].w of a contact that is going to act but carries nothing yet.
 #define ABOUT_TO_ACT (-1.0)
 
@@ -201,7 +205,9 @@ struct StepParameters {
     float drift;                    // a particle that has moved further makes the candidates due again [m]
     float substepTime;              // [s]
     float correction;               // share of a penetration that one substep takes back
-    float warmStart;                // share of the last substep's impulses that starts this one
+    float warmStart;                // share of a normal impulse that an iteration keeps
+    float calming;                  // share of what differs from its mean that an iteration takes from it
+    float meanRate;                 // share of the way to the impulse that its mean goes in an iteration
     float virtualParticles;         // c of eq. 18
     float freeze;                   // [m], 0 off
     float damping;                  // velocity kept per substep

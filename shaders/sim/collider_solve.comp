@@ -8,7 +8,9 @@ layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer colliderSides;
 uniform samplerBuffer colliderArms;
 uniform samplerBuffer lastColliderImpulses;
+uniform samplerBuffer lastColliderMeans;
 BUFFER(vec4, ColliderImpulses, colliderImpulses);
+BUFFER(float, ColliderMeans, colliderMeans);
 READ_BUFFER(Counters, CountersBlock, counters);
 
 void main()
@@ -31,5 +33,7 @@ void main()
     contact.worstMass = arm.w * point.splits;
     contact.inverseMass = contact.worstMass * unpackUnorm2x16(sides.w).x;
     contact.friction = unpackHalf2x16(sides.z);
-    colliderImpulses[place] = solveContact(contact, texelFetch(lastColliderImpulses, int(place)));
+    float mean = texelFetch(lastColliderMeans, int(place)).x;
+    colliderImpulses[place] = solveContact(contact, texelFetch(lastColliderImpulses, int(place)), mean);
+    colliderMeans[place] = mean;
 }

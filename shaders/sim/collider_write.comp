@@ -11,17 +11,20 @@ uniform samplerBuffer masses;
 uniform samplerBuffer foundPositions;
 uniform usamplerBuffer colliderPairs;    // particle, collider
 uniform samplerBuffer lastColliderImpulses;
+uniform samplerBuffer lastColliderMeans;
 BUFFER(uvec4, ColliderSides, colliderSides);   // mover, collider, frictions, share of inverse mass
 BUFFER(vec4, ColliderArms, colliderArms);
 BUFFER(vec4, ColliderImpulses, colliderImpulses);
+BUFFER(float, ColliderMeans, colliderMeans);
 BUFFER(Counters, CountersBlock, counters);
 
-vec4 oldImpulse(uint parity, uint rank, uint collider)
+/// Where the contact stood before; -1: nowhere.
+int oldPlace(uint parity, uint rank, uint collider)
 {
     uvec2 range = listRange(parity, WITH_COLLIDER, rank, 1u) + parity * step.colliderPairCapacity;
     for (uint q = range.x; q < range.y; ++q)
-        if (texelFetch(colliderPairs, int(q)).y == collider) return texelFetch(lastColliderImpulses, int(q));
-    return vec4(0);
+        if (texelFetch(colliderPairs, int(q)).y == collider) return int(q);
+    return -1;
 }
 
 void main()
@@ -39,7 +42,9 @@ void main()
     vec2 shares = vec2(normalShare(own.x, arm, surface.xyz), 1);
     colliderSides[q] = uvec4(own.x, pair.y, packHalf2x16(friction), packUnorm2x16(shares));
     colliderArms[q] = arm;
-    vec4 impulse = oldImpulse(parity ^ 1u, own.y, pair.y);
+    int old = oldPlace(parity ^ 1u, own.y, pair.y);
+    vec4 impulse = old < 0 ? vec4(0) : texelFetch(lastColliderImpulses, old);
     if (surface.w < 0.5 * step.diameter && impulse.w <= 0.0) impulse.w = ABOUT_TO_ACT;
     colliderImpulses[place] = impulse;
+    colliderMeans[place] = old < 0 ? 0.0 : texelFetch(lastColliderMeans, old).x;
 }

@@ -9,7 +9,9 @@ layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairSides;
 uniform samplerBuffer pairArms;
 uniform samplerBuffer lastPairImpulses;
+uniform samplerBuffer lastPairMeans;
 BUFFER(vec4, PairImpulses, pairImpulses);
+BUFFER(float, PairMeans, pairMeans);
 READ_BUFFER(Counters, CountersBlock, counters);
 
 void main()
@@ -37,5 +39,7 @@ void main()
     contact.inverseMass = dot(worst, unpackUnorm2x16(sides.w));
     contact.friction = unpackHalf2x16(sides.z);
     uint place = counters[0].listParity * step.pairCapacity + q;
-    pairImpulses[place] = solveContact(contact, texelFetch(lastPairImpulses, int(place)));
+    float mean = texelFetch(lastPairMeans, int(place)).x;
+    pairImpulses[place] = solveContact(contact, texelFetch(lastPairImpulses, int(place)), mean);
+    pairMeans[place] = mean;
 }

@@ -10,15 +10,23 @@ uniform samplerBuffer masses;
 uniform samplerBuffer foundPositions;
 uniform usamplerBuffer pairs;
 uniform samplerBuffer lastPairImpulses;
+uniform samplerBuffer lastPairMeans;
 uniform usamplerBuffer pairArrivals;     // by second particle, in the order of arrival, which differs from run to run
 BUFFER(uvec4, PairSides, pairSides);     // movers with the way out, frictions, shares of inverse masses
 BUFFER(vec4, PairArms, pairArms);        // two a pair: place in the body, worst inverse mass there
 BUFFER(vec4, PairImpulses, pairImpulses);
+BUFFER(float, PairMeans, pairMeans);
 BUFFER(uint, PairReferences, pairReferences);
 BUFFER(Counters, CountersBlock, counters);
 
-/// What the pair (i, j) had before, whichever of the two was first.
-vec4 oldImpulse(uint parity, uint i, uint j, uint rankOfI, uint rankOfJ)
+/// What a pair had before.
+struct Old {
+    vec4 impulse;
+    float mean;
+};
+
+/// Of the pair (i, j), whichever of the two was first.
+Old oldImpulse(uint parity, uint i, uint j, uint rankOfI, uint rankOfJ)
 {
     uvec2 pairsOfI = listRange(parity, FIRST_OF_PAIR, rankOfI, 1u);
     uvec2 pairsOfJ = listRange(parity, FIRST_OF_PAIR, rankOfJ, 1u);
@@ -33,8 +41,9 @@ vec4 oldImpulse(uint parity, uint i, uint j, uint rankOfI, uint rankOfJ)
         place = same ? q : place;
         side = same ? (ofI ? 1.0 : -1.0) : side;
     }
-    vec4 impulse = texelFetch(lastPairImpulses, int(parity * step.pairCapacity + place));
-    return vec4(side * impulse.xyz, abs(side) * impulse.w);
+    int at = int(parity * step.pairCapacity + place);
+    vec4 impulse = texelFetch(lastPairImpulses, at);
+    return Old(vec4(side * impulse.xyz, abs(side) * impulse.w), abs(side) * texelFetch(lastPairMeans, at).x);
 }
 
 /// The second particle refers to its pairs in their order, so that what is summed over them is summed in one order.
@@ -69,8 +78,9 @@ void main()
     pairSides[q] = uvec4(movers, packHalf2x16(friction), packUnorm2x16(shares));
     pairArms[2u * q] = armA;
     pairArms[2u * q + 1u] = armB;
-    vec4 impulse = oldImpulse(parity ^ 1u, pair.x, pair.y, a.y, b.y);
-    if (far < step.diameter && impulse.w <= 0.0) impulse.w = ABOUT_TO_ACT;
-    pairImpulses[parity * step.pairCapacity + q] = impulse;
+    Old old = oldImpulse(parity ^ 1u, pair.x, pair.y, a.y, b.y);
+    if (far < step.diameter && old.impulse.w <= 0.0) old.impulse.w = ABOUT_TO_ACT;
+    pairImpulses[parity * step.pairCapacity + q] = old.impulse;
+    pairMeans[parity * step.pairCapacity + q] = old.mean;
     refer(parity, q, b.y);
 }

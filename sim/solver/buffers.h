@@ -129,10 +129,12 @@ struct SolverBuffers {
     Buffer<gpu::uvec4> pairSides;        ///< Per pair: movers (with a way out), frictions, shares of inverse masses.
     Buffer<gpu::vec4> pairArms;          ///< Per pair, two: place in the body, worst inverse mass there.
     Buffer<gpu::vec4> pairImpulses;      ///< Halves: the whole impulse, its normal part [kg m].
+    Buffer<float> pairMeans;             ///< Halves: the mean of its normal part lately [kg m].
     Buffer<uint32_t> pairArrivals, pairReferences;     ///< Pairs by their second particle; the latter in order.
     Buffer<gpu::uvec2> colliderPairs;    ///< Halves of colliderPairCapacity: particle, collider.
     Buffer<gpu::uvec4> colliderSides;    ///< Per contact with a collider: mover, collider, frictions, share.
     Buffer<gpu::vec4> colliderArms, colliderImpulses;  ///< As for pairs.
+    Buffer<float> colliderMeans;
     Buffer<gpu::uvec4> dispatches;       ///< DISPATCH_*.
     Buffer<gpu::Counters> counters;
     FluidBuffers fluid;

@@ -159,7 +159,11 @@ void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
     const bool paper = s.solver == SolverKind::Paper;
     p.correction = paper ? 1.0f : 0.06f;
     p.maxCorrection = paper ? std::numeric_limits<float>::max() : 0.25f * p.substepTime;
-    p.warmStart = std::pow(0.97f, 1.0f / static_cast<float>(s.iterations));
+    // What a substep keeps of an impulse, of what it differs by from its mean, and of the mean.
+    const float iterations = static_cast<float>(s.iterations);
+    p.warmStart = std::pow(0.985f, 1.0f / iterations);
+    p.calming = 1.0f - std::pow(0.95f, 1.0f / iterations);
+    p.meanRate = 1.0f - std::pow(0.995f, 1.0f / iterations);
     p.jointRelaxation = 1.8f;
     p.massScaling = s.massScaling;
     p.vorticity = s.vorticity * s.timeStep;
@@ -229,12 +233,14 @@ void SolverBuffers::resizeContacts(const Gpu& gpu)
     pairSides = {"pairSides", pairCount};
     pairArms = {"pairArms", 2 * pairCount};
     pairImpulses = {"pairImpulses", 2 * pairCount};
+    pairMeans = {"pairMeans", 2 * pairCount};
     pairArrivals = {"pairArrivals", parameters.contactSlots * count};
     pairReferences = {"pairReferences", parameters.contactSlots * count};
     colliderPairs = {"colliderPairs", 2 * colliderCount};
     colliderSides = {"colliderSides", colliderCount};
     colliderArms = {"colliderArms", colliderCount};
     colliderImpulses = {"colliderImpulses", 2 * colliderCount};
+    colliderMeans = {"colliderMeans", 2 * colliderCount};
     pairBounces = {"pairBounces", hasBounces ? 2 * pairCount : 0};
     colliderBounces = {"colliderBounces", hasBounces ? 2 * colliderCount : 0};
     step.upload(std::span<const gpu::StepParameters>(&parameters, 1));
@@ -283,7 +289,8 @@ BufferTable SolverBuffers::table()
     t.add(foundPositions, foundCentres, foundRotations, moverReaches, fastParticles, moverColliders, particleCells,
           cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);
     t.add(firstLists, colliderLists, listCounts, listSums, listStarts, pairs, pairSides, pairArms, pairImpulses,
-          pairArrivals, pairReferences, colliderPairs, colliderSides, colliderArms, colliderImpulses, dispatches);
+          pairMeans, pairArrivals, pairReferences, colliderPairs, colliderSides, colliderArms, colliderImpulses,
+          colliderMeans, dispatches);
     addFluid(t, fluid);
     addPool(t, pool);
     t.add(pairBounces, colliderBounces, moverBounces);

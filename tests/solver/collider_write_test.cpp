@@ -83,17 +83,22 @@ TEST_F(ColliderWrite, ContactsThatLastKeepTheirImpulsesAndFreshOnesHaveNone)
 {
     find();
     auto impulses = bench.buffers.colliderImpulses.download();
+    auto means = bench.buffers.colliderMeans.download();
     std::map<std::pair<uint32_t, uint32_t>, gpu::vec4> old;
     const auto before = contacts();
     size_t first = start();
-    for (size_t q = 0; q < before.size(); ++q)
+    for (size_t q = 0; q < before.size(); ++q) {
         old[{before[q].x, before[q].y}] = impulses[first + q] = {float(before[q].x), float(before[q].y), 3, 4};
+        means[first + q] = 5.0f + float(before[q].x);
+    }
     fill(bench.buffers.colliderImpulses, impulses);
+    fill(bench.buffers.colliderMeans, means);
     const auto shifts = randomVectors(found.size(), 0.08f, 63);
     for (size_t i = 0; i < found.size(); ++i) found[i] = packed(vec3(found[i]) + vec3(shifts[i]));
     bench.turnHalves();
     find();
     impulses = bench.buffers.colliderImpulses.download();
+    means = bench.buffers.colliderMeans.download();
     uint32_t kept = 0, fresh = 0, touching = 0;
     const auto after = contacts();
     first = start();
@@ -106,6 +111,7 @@ TEST_F(ColliderWrite, ContactsThatLastKeepTheirImpulsesAndFreshOnesHaveNone)
             last != old.end() ? last->second : gpu::vec4{0, 0, 0, gap < 0 ? float(ABOUT_TO_ACT) : 0.0f};
         ASSERT_EQ(vec3(actual), vec3(wanted)) << "particle " << after[q].x << ", collider " << after[q].y;
         ASSERT_EQ(actual.w, wanted.w) << "particle " << after[q].x << ", collider " << after[q].y;
+        ASSERT_EQ(means[first + q], last != old.end() ? 5.0f + wanted.x : 0.0f) << "particle " << after[q].x;
         ++(last != old.end() ? kept : gap < 0 ? touching : fresh);
     }
     EXPECT_GT(kept, 100u);

@@ -59,13 +59,6 @@ Vector3f ContactBench::armTo(uint32_t particle, const Vector3f& place) const
     return quaternion(rotations[m]).conjugate() * (place - vec3(centres[m]));
 }
 
-std::vector<gpu::vec4> ContactBench::secondHalf(const Buffer<gpu::vec4>& buffer, size_t count)
-{
-    std::vector<gpu::vec4> values(count);
-    buffer.read(values.data(), count * sizeof(gpu::vec4), buffer.size() / 2 * sizeof(gpu::vec4));
-    return values;
-}
-
 std::vector<TestContact> ContactBench::inOrder(std::vector<TestContact> contacts) const
 {
     std::stable_sort(contacts.begin(), contacts.end(),
@@ -78,6 +71,7 @@ void ContactBench::setPairs(std::vector<TestContact> contacts)
     pairs = inOrder(std::move(contacts));
     std::vector<gpu::uvec4> sides;
     std::vector<gpu::vec4> arms, impulses;
+    std::vector<float> means;
     for (const TestContact& c : pairs) {
         const uint32_t first = moverOf[c.first] | (c.kin ? KIN : 0u);
         sides.push_back({first, moverOf[c.second], packHalves(c.staticFriction, c.kineticFriction),
@@ -85,10 +79,12 @@ void ContactBench::setPairs(std::vector<TestContact> contacts)
         arms.push_back(packed(c.firstArm, c.firstMass));
         arms.push_back(packed(c.secondArm, c.secondMass));
         impulses.push_back(c.impulse);
+        means.push_back(c.mean);
     }
     put(buffers.pairSides, sides);
     put(buffers.pairArms, arms);
     put(buffers.pairImpulses, impulses, PARITY * buffers.parameters.pairCapacity);
+    put(buffers.pairMeans, means, PARITY * buffers.parameters.pairCapacity);
     setLists();
 }
 
@@ -97,15 +93,18 @@ void ContactBench::setColliderContacts(std::vector<TestContact> contacts)
     colliderContacts = inOrder(std::move(contacts));
     std::vector<gpu::uvec4> sides;
     std::vector<gpu::vec4> arms, impulses;
+    std::vector<float> means;
     for (const TestContact& c : colliderContacts) {
         sides.push_back({moverOf[c.first], c.second, packHalves(c.staticFriction, c.kineticFriction),
                          packShares(c.firstShare, 1)});
         arms.push_back(packed(c.firstArm, c.firstMass));
         impulses.push_back(c.impulse);
+        means.push_back(c.mean);
     }
     put(buffers.colliderSides, sides);
     put(buffers.colliderArms, arms);
     put(buffers.colliderImpulses, impulses, PARITY * buffers.parameters.colliderPairCapacity);
+    put(buffers.colliderMeans, means, PARITY * buffers.parameters.colliderPairCapacity);
     setLists();
 }
 

@@ -13,6 +13,7 @@ struct TestContact {
     float staticFriction = 0, kineticFriction = 0;   ///< Halves.
     bool kin = false;                    ///< Both particles of one assembly, as the lists tell it.
     gpu::vec4 impulse{0, 0, 0, 0};       ///< Before the kernel runs.
+    float mean = 0;                      ///< Of its normal part.
 };
 
 /// Movers with contacts of one's own making in the lists, which need not be near each other.
@@ -25,10 +26,12 @@ public:
     void setPairs(std::vector<TestContact> contacts);
     void setColliderContacts(std::vector<TestContact> contacts);
     std::vector<gpu::vec4> pairImpulses() const { return secondHalf(buffers.pairImpulses, pairs.size()); }
+    std::vector<float> pairMeans() const { return secondHalf(buffers.pairMeans, pairs.size()); }
     std::vector<gpu::vec4> colliderImpulses() const
     {
         return secondHalf(buffers.colliderImpulses, colliderContacts.size());
     }
+    std::vector<float> colliderMeans() const { return secondHalf(buffers.colliderMeans, colliderContacts.size()); }
     Vector3d place(uint32_t particle, const Vector3f& arm) const
     {
         return centre(moverOf[particle]) + this->arm(moverOf[particle], arm.cast<double>());
@@ -44,7 +47,13 @@ public:
     std::vector<uint32_t> rankOf;                       ///< Per particle.
 
 private:
-    static std::vector<gpu::vec4> secondHalf(const Buffer<gpu::vec4>& buffer, size_t count);
+    template <typename Value>
+    static std::vector<Value> secondHalf(const Buffer<Value>& buffer, size_t count)
+    {
+        std::vector<Value> values(count);
+        buffer.read(values.data(), count * sizeof(Value), buffer.size() / 2 * sizeof(Value));
+        return values;
+    }
     /// By the rank of the first particle.
     std::vector<TestContact> inOrder(std::vector<TestContact> contacts) const;
     void setLists();

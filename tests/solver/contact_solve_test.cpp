@@ -19,7 +19,7 @@ struct Situation {
 /// What an impulse becomes, and how sure that is.
 struct Answer {
     Vector3d impulse;
-    double w;
+    double w, mean;
     double tolerance;
     bool sliding;
     bool onEdge;     ///< So near the limit of a case that rounding decides.
@@ -40,6 +40,7 @@ protected:
     void addImpulse(TestContact& c, Random& random) const
     {
         const float kind = random.between(0, 4), size = 0.005f / (c.firstMass + c.secondMass + 0.01f);
+        c.mean = std::max(random.between(-size, size), 0.0f);   // what carries nothing now may have lately
         if (kind < 1) return;
         c.impulse = packed(random.inCube(kind < 1.5f ? 0.1f * size : 0.0f), ABOUT_TO_ACT);
         if (kind < 2) return;
@@ -144,8 +145,8 @@ protected:
         const double slowed = s.kin ? 1.0 : std::clamp(1.0 - speed / LEAVING_SPEED, double(LEAST_RECOVERY), 1.0);
         return std::min(step().correction * depth, step().maxCorrection * slowed);
     }
-    /// The normal part takes the old penetration back by that, and all that came with this substep; where both have
-    /// sunk, it may pull. Coulomb's cone about it. Only counted contacts act; the others are counted when they are
+    /// The normal part fades towards its mean, takes the old penetration back by that, and all that came with this
+    /// substep; where both have sunk, it may pull. Coulomb's cone about it. Only counted contacts act; the others are counted when they are
     /// about to overlap.
     Answer answer(const TestContact& c, const Situation& s) const
     {
@@ -155,8 +156,11 @@ protected:
         const bool acts = c.impulse.w != 0.0f && s.worstMass > 0.0;
         const Vector3d old = vec3(c.impulse).cast<double>();
         const double last = sunk && c.impulse.w < 0 ? std::min(old.dot(s.normal), 0.0) : std::max(c.impulse.w, 0.0f);
-        const double kept = step().warmStart * last;
-        double normal = kept;
+        Answer out;
+        const double rate = last < static_cast<double>(c.mean) ? MEAN_FALL * step().meanRate : step().meanRate;
+        out.mean = c.mean + rate * (std::max(last, 0.0) - c.mean);
+        const double wave = s.kin || last <= 0.0 ? 0.0 : std::min(last - out.mean, SHOCK * out.mean);
+        double normal = step().warmStart * (last - step().calming * wave);
         Vector3d tangent = old;
         if (acts) {
             normal -= (s.gap + allowed) / s.inverseMass;
@@ -166,7 +170,6 @@ protected:
         // turns normal part and tangent into each other; the rest by some 8 roundings of itself.
         const double error = 16 * EPSILON * s.places, turn = error / (DIAMETER / 2) + 8 * EPSILON;
         const double whole = old.norm() + tangent.norm() + (acts ? (std::abs(s.gap) + depth) / s.inverseMass : 0.0);
-        Answer out;
         out.tolerance = turn * whole + (acts ? 2 * error / s.inverseMass : 0.0);
         const double most = sunk && acts ? step().maxCorrection / s.inverseMass : 0.0;
         out.onEdge = std::abs(normal) < out.tolerance && acts;
@@ -185,7 +188,8 @@ protected:
         return out;
     }
     template <typename Situate>
-    void expectAnswers(const std::vector<TestContact>& contacts, const std::vector<gpu::vec4>& found, Situate situate)
+    void expectAnswers(const std::vector<TestContact>& contacts, const std::vector<gpu::vec4>& found,
+                       const std::vector<float>& means, Situate situate)
     {
         uint32_t sticking = 0, sliding = 0, released = 0, waiting = 0, soon = 0, edges = 0;
         for (size_t q = 0; q < contacts.size(); ++q) {
@@ -193,6 +197,7 @@ protected:
             const Answer a = answer(c, situate(c));
             if (a.onEdge && ++edges) continue;
             ASSERT_NEAR(found[q].w, a.w, a.tolerance) << "contact " << q;
+            ASSERT_NEAR(means[q], a.mean, 1e-6 * a.mean) << "contact " << q;
             ASSERT_LE((vec3(found[q]).cast<double>() - a.impulse).norm(), 3 * a.tolerance) << "contact " << q;
             if (a.w > 0.0) ++(a.sliding ? sliding : sticking);
             if (a.w <= 0.0 && c.impulse.w > 0.0f) ++released;
@@ -211,7 +216,7 @@ TEST_F(ContactSolve, PairsGetTheImpulseOfTheReference)
 {
     makePairs();
     bench.run("contact_solve", bench.pairs.size());
-    expectAnswers(bench.pairs, bench.pairImpulses(), [&](const TestContact& c) { return ofPair(c); });
+    expectAnswers(bench.pairs, bench.pairImpulses(), bench.pairMeans(), [&](const TestContact& c) { return ofPair(c); });
 }
 
 TEST_F(ContactSolve, WhatHasSunkIsHeldByNoMoreThanRecoveryPushes)
@@ -219,7 +224,7 @@ TEST_F(ContactSolve, WhatHasSunkIsHeldByNoMoreThanRecoveryPushes)
     makePairs(0.05f);
     bench.run("contact_solve", bench.pairs.size());
     const auto found = bench.pairImpulses();
-    expectAnswers(bench.pairs, found, [&](const TestContact& c) { return ofPair(c); });
+    expectAnswers(bench.pairs, found, bench.pairMeans(), [&](const TestContact& c) { return ofPair(c); });
     uint32_t pulling = 0;
     for (size_t q = 0; q < found.size(); ++q) {
         const TestContact& c = bench.pairs[q];
@@ -238,7 +243,7 @@ TEST_F(ContactSolve, ContactsWithCollidersGetTheImpulseOfTheReference)
 {
     makeColliderContacts();
     bench.run("collider_solve", bench.colliderContacts.size());
-    expectAnswers(bench.colliderContacts, bench.colliderImpulses(),
+    expectAnswers(bench.colliderContacts, bench.colliderImpulses(), bench.colliderMeans(),
                   [&](const TestContact& c) { return ofCollider(c); });
 }
 

@@ -89,6 +89,7 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
         MEMBER(StepParameters, cellStrideZ), MEMBER(StepParameters, diameter), MEMBER(StepParameters, contactRadius),
         MEMBER(StepParameters, inverseCellSize), MEMBER(StepParameters, drift), MEMBER(StepParameters, substepTime),
         MEMBER(StepParameters, correction), MEMBER(StepParameters, warmStart),
+        MEMBER(StepParameters, calming), MEMBER(StepParameters, meanRate),
         MEMBER(StepParameters, virtualParticles), MEMBER(StepParameters, freeze), MEMBER(StepParameters, damping),
         MEMBER(StepParameters, maxSpeed), MEMBER(StepParameters, secondOrder), MEMBER(StepParameters, alwaysFind),
         MEMBER(StepParameters, rotationIterations), MEMBER(StepParameters, maxCorrection),

@@ -112,16 +112,25 @@ gpu::vec4 impulseOfPair(gpu::uvec2 pair)
     return {float(pair.x), float(pair.y), 3.0f, 4.0f};
 }
 
+float meanOfPair(const gpu::vec4& impulse)
+{
+    return impulse.x + 0.5f * impulse.y;
+}
+
 TEST_F(PairWrite, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChangePlaces)
 {
     find();
     std::map<std::pair<uint32_t, uint32_t>, gpu::vec4> old;   // by first and second
     auto impulses = bench.buffers.pairImpulses.download();
+    auto means = bench.buffers.pairMeans.download();
     const auto before = pairs();
     size_t first = start();
-    for (size_t q = 0; q < before.size(); ++q)
+    for (size_t q = 0; q < before.size(); ++q) {
         old[{before[q].x, before[q].y}] = impulses[first + q] = impulseOfPair(before[q]);
+        means[first + q] = meanOfPair(impulses[first + q]);
+    }
     fill(bench.buffers.pairImpulses, impulses);
+    fill(bench.buffers.pairMeans, means);
     // What lay ahead lies behind in the mirror. Some pairs part, some come together.
     const auto shifts = randomVectors(bench.count(), 0.03f, 12);
     auto mirrored = bench.found;
@@ -131,6 +140,7 @@ TEST_F(PairWrite, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChangePlac
     bench.turnHalves();
     find();
     impulses = bench.buffers.pairImpulses.download();
+    means = bench.buffers.pairMeans.download();
     uint32_t kept = 0, swapped = 0, fresh = 0, touching = 0;
     const auto after = pairs();
     first = start();
@@ -142,6 +152,7 @@ TEST_F(PairWrite, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChangePlac
             const bool overlap = bench.distance(i, j) < DIAMETER;
             if (std::abs(bench.distance(i, j) - DIAMETER) < DISTANCE_ROUNDING) continue;
             ASSERT_EQ(vec3(actual), Vector3f::Zero()) << "particles " << i << " and " << j;
+            ASSERT_EQ(means[first + q], 0.0f) << "particles " << i << " and " << j;
             ASSERT_EQ(actual.w, overlap ? float(ABOUT_TO_ACT) : 0.0f) << "particles " << i << " and " << j;
             ++(overlap ? touching : fresh);
             continue;
@@ -150,6 +161,7 @@ TEST_F(PairWrite, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChangePlac
         const gpu::vec4& last = (swap ? turned : same)->second;
         ASSERT_EQ(vec3(actual), (swap ? -1.0f : 1.0f) * vec3(last)) << "particles " << i << " and " << j;
         ASSERT_EQ(actual.w, last.w);
+        ASSERT_EQ(means[first + q], meanOfPair(last)) << "particles " << i << " and " << j;
         ++(swap ? swapped : kept);
     }
     EXPECT_GT(kept, 100u);
