@@ -74,6 +74,8 @@
 #define FLUID_RELAXATION 0.45f
 // More than this of too much density is not taken back at a time: a limit that keeps momentum.
 #define MOST_FLUID_ERROR 1.0f
+// Among solids, fluid gets no faster than they and it were by more than this [m/s2].
+#define MOST_SQUEEZE 100.0f
 // k of s_corr (Macklin and Mueller 2013, eq. 13), as a share of the multipliers: 0.1 at a fifth of the reach.
 #define FLUID_REPULSION 0.34f
 // Steps for which an assembly has to be calm before it sleeps.

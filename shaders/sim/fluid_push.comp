@@ -10,6 +10,7 @@ layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer slotPressures;     // place, lambda
 uniform samplerBuffer slotWalls;
 uniform samplerBuffer slotSolids;
+uniform samplerBuffer slotVelocities;    // when the step began
 uniform samplerBuffer masses;            // inverse mass
 BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
@@ -49,6 +50,17 @@ vec3 tensionOf(vec4 own, uint material, float tension, uint slot)
 }
 #endif
 
+/// The speed that the particle may come to. Between solids, or one and a wall, whatever pushes it out in one substep
+/// would make it as fast as that takes; it keeps what they or it had, and a little more.
+float mostSpeed(uint k, float before)
+{
+    uint count = texelFetch(slotCounts, int(k)).y;
+    float fastest = before;
+    for (uint n = 0u; n < count; ++n)
+        fastest = max(fastest, length(texelFetch(slotVelocities, int(solidNeighbour(k, n))).xyz));
+    return count > 0u ? min(fastest + MOST_SQUEEZE * step.substepTime, step.maxSpeed) : step.maxSpeed;
+}
+
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
@@ -87,6 +99,7 @@ void main()
         atomicOr(counters[0].problems, PROBLEM_NAN);
         atomicMax(counters[0].badParticle, i);
     }
-    velocities[i] = vec4(v * min(1.0, step.maxSpeed / max(speed, 1e-20)), max(held - step.substepTime, 0.0));
+    float most = mostSpeed(k, length(velocities[i].xyz));
+    velocities[i] = vec4(v * min(1.0, most / max(speed, 1e-20)), max(held - step.substepTime, 0.0));
     positions[i].xyz = x;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "fluid_bench.h"
@@ -22,6 +23,7 @@ protected:
             pressures.push_back(pressure);
             walls.push_back(bench.isFluid(i) ? random.vec4(3.0f) : gpu::vec4{});
             solids.push_back(bench.isFluid(i) ? random.vec4(3.0f) : gpu::vec4{});
+            before.push_back({1000, 0, 0, 0});   // so fast that no limit counts
         }
     }
     void push(float harder = 1.0f, const Defines& defines = {})
@@ -29,6 +31,8 @@ protected:
         auto p = pressures;
         for (gpu::vec4& v : p) v.w *= harder;
         fill(bench.buffers.positions, starts);
+        fill(bench.buffers.velocities, before);
+        fill(bench.buffers.fluid.slotVelocities, bench.inSlots(before));
         fill(bench.buffers.fluid.slotPressures, bench.inSlots(p));
         fill(bench.buffers.fluid.slotWalls, bench.inSlots(walls));
         fill(bench.buffers.fluid.slotSolids, bench.inSlots(solids));
@@ -52,7 +56,7 @@ protected:
     }
 
     FluidBench bench;
-    std::vector<gpu::vec4> starts, pressures, walls, solids, positions;
+    std::vector<gpu::vec4> starts, before, pressures, walls, solids, positions;
 };
 
 TEST_F(FluidPush, MovesByThePressuresAround)
@@ -111,6 +115,31 @@ TEST_F(FluidPush, NobodyIsPushedByMoreThanAQuarterOfTheReach)
     EXPECT_GT(held, 500u);
 }
 
+TEST_F(FluidPush, AmongSolidsNobodyGetsMuchFasterThanTheyOrItWere)
+{
+    before = randomVectors(bench.count(), 1.0f, 44);
+    push(10.0f);
+    const auto velocities = bench.buffers.velocities.download();
+    const double h = bench.parameters().substepTime;
+    uint32_t limited = 0, free = 0;
+    for (uint32_t k = 0; k < bench.count(); ++k) {
+        const uint32_t i = bench.slotParticles[k], solidCount = bench.slotCounts[k].y;
+        if (!bench.isFluid(i)) continue;
+        double fastest = vec3(before[i]).norm();
+        for (uint32_t n = 0; n < solidCount; ++n) {
+            const uint32_t slot = bench.entry(k, bench.parameters().fluidSlots - 1 - n);
+            fastest = std::max(fastest, double(vec3(before[bench.slotParticles[slot]]).norm()));
+        }
+        const Vector3d v = (vec3(positions[i]) - vec3(starts[i])).cast<double>() * (bench.parameters().damping / h);
+        const double most = solidCount > 0 ? fastest + MOST_SQUEEZE * h : INFINITY;
+        const Vector3d wanted = v * std::min(1.0, most / v.norm());
+        ASSERT_LT((vec3(velocities[i]).cast<double>() - wanted).norm(), ROUNDING * (v.norm() + 1.0)) << i;
+        ++(v.norm() > most ? limited : free);
+    }
+    EXPECT_GT(limited, 100u);
+    EXPECT_GT(free, 50u);
+}
+
 TEST_F(FluidPush, NobodyIsLeftInAWall)
 {
     clearWalls();
@@ -131,13 +160,12 @@ TEST_F(FluidPush, SettlingMovesTheSameAndLeavesVelocities)
 {
     push();
     const auto moved = positions;
-    const auto velocities = randomVectors(bench.count(), 1.0f, 43);
-    fill(bench.buffers.velocities, velocities);
+    before = randomVectors(bench.count(), 1.0f, 43);
     push(1.0f, {{"SETTLE", "1"}});
     const auto kept = bench.buffers.velocities.download();
     for (uint32_t i = 0; i < bench.count(); ++i) {
         ASSERT_EQ(vec3(positions[i]), vec3(moved[i])) << i;
-        ASSERT_EQ(vec3(kept[i]), vec3(velocities[i])) << i;
+        ASSERT_EQ(vec3(kept[i]), vec3(before[i])) << i;
     }
 }
 
