@@ -36,11 +36,6 @@ bool inRangeAround(ivec3 c, int range, int width, vec3 x)
     return cellOf(x) == cellAround(c, range, width);
 }
 
-bool standsAround(ivec3 c, int range, vec3 x)
-{
-    return inRangeAround(c, range, 3, x);
-}
-
 uvec2 forwardCells(ivec3 c, int range)
 {
     return cellsAround(c, range + FIRST_FORWARD, 3);
@@ -69,11 +64,6 @@ uvec2 cellsAround(ivec3 c, int range, int width)
 bool inRangeAround(ivec3 c, int range, int width, vec3 x)
 {
     return true;
-}
-
-bool standsAround(ivec3 c, int range, vec3 x)
-{
-    return all(lessThanEqual(abs(cellOf(x) - c), ivec3(1)));
 }
 
 uvec2 forwardCells(ivec3 c, int range)
@@ -107,7 +97,11 @@ bool inAroundRange(ivec3 c, int range, vec3 x)
     return inRangeAround(c, range, 3, x);
 }
 
-/// The same where x may seem near although it is a lattice's width away: `bool standsAround(c, range, x)`, above.
+/// The same where x may seem near although it is a lattice's width away.
+bool standsAround(ivec3 c, int range, vec3 x)
+{
+    return all(lessThanEqual(abs(cellOf(x) - c), ivec3(1))) && inAroundRange(c, range, x);
+}
 
 // All cells up to two away.
 #define FAR_RANGES RANGES_AROUND(5)

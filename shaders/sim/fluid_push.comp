@@ -50,15 +50,17 @@ vec3 tensionOf(vec4 own, uint material, float tension, uint slot)
 }
 #endif
 
-/// The speed that the particle may come to. Between solids, or one and a wall, whatever pushes it out in one substep
-/// would make it as fast as that takes; it keeps what they or it had, and a little more.
-float mostSpeed(uint k, float before)
+/// The speed that the particle may come to, for one that had `before` and would have `now`. Between solids, or one and a
+/// wall, whatever pushes it out in one substep would make it as fast as that takes; it keeps what they or it had, and a
+/// little more.
+float mostSpeed(uint k, float before, float now)
 {
+    float gain = MOST_SQUEEZE * step.substepTime, fastest = before;
+    if (now <= before + gain) return step.maxSpeed;
     uint count = texelFetch(slotCounts, int(k)).y;
-    float fastest = before;
     for (uint n = 0u; n < count; ++n)
         fastest = max(fastest, length(texelFetch(slotVelocities, int(solidNeighbour(k, n))).xyz));
-    return count > 0u ? min(fastest + MOST_SQUEEZE * step.substepTime, step.maxSpeed) : step.maxSpeed;
+    return count > 0u ? min(fastest + gain, step.maxSpeed) : step.maxSpeed;
 }
 
 void main()
@@ -86,7 +88,8 @@ void main()
     }
     if (!fluid) return;
     vec3 push = texelFetch(masses, int(i)).x * impulse;
-    float held = timeHeld(velocities[i]);
+    vec4 last = velocities[i];
+    float held = timeHeld(last);
     push *= held > 0.0 ? 0.0 : min(1.0, 0.25 * step.fluidReach / max(length(push), 1e-20));
     vec3 before = positions[i].xyz, x = outside(k, own.xyz + push);
 #ifdef SETTLE
@@ -99,7 +102,7 @@ void main()
         atomicOr(counters[0].problems, PROBLEM_NAN);
         atomicMax(counters[0].badParticle, i);
     }
-    float most = mostSpeed(k, length(velocities[i].xyz));
+    float most = mostSpeed(k, length(last.xyz), speed);
     velocities[i] = vec4(v * min(1.0, most / max(speed, 1e-20)), max(held - step.substepTime, 0.0));
     positions[i].xyz = x;
 }
