@@ -72,8 +72,10 @@ public:
           progress_("frame", range_.last, common.quiet)
     {
         if (!outputs_.sinks.empty()) renderer_.emplace(*gpu_, scene.world, scene.render);
-        solver_.setTiming(outputs_.stats.has_value());
-        if (renderer_) renderer_->timer().setEnabled(outputs_.stats.has_value());
+        if (outputs_.stats) {
+            solver_.timePasses();
+            if (renderer_) renderer_->timer().enable(*gpu_);
+        }
         figures_.device = gpu_->device().name;
     }
 

@@ -95,8 +95,6 @@ void addChain(const Entry& entry, const JointSpec& common, uint32_t lastMaterial
         spec.anchor = centre(static_cast<float>(j) + 0.5f);
         builder.addJoint(indices[j], indices[j + 1], spec);
     }
-    // The middle of the chain is what a camera wants to see.
-    builder.setRootBody(indices[bodies / 2]);
 }
 
 void addJoined(const Entry& entry)

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/world/bounds.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -23,34 +24,10 @@ constexpr float PLEASANT_ELEVATION = 17.0f * DEGREE;
 /// Share of the picture that a followed object takes.
 constexpr float FOLLOWED_SHARE = 0.8f;
 
-AlignedBox3f boundsOf(const World& world, const Collider& collider)
-{
-    if (collider.grid != NO_INDEX) {
-        const ColliderGrid& grid = world.colliderGrids[collider.grid];
-        AlignedBox3f box{grid.drawnLow, grid.drawnHigh};
-        return box.transformed(Eigen::Isometry3f(Eigen::Translation3f(collider.position) * collider.orientation));
-    }
-    Vector3f half = collider.halfExtents;
-    if (collider.shape == ColliderShape::Sphere) half = Vector3f::Constant(collider.radius);
-    if (collider.shape == ColliderShape::Capsule)
-        half = {collider.radius, collider.radius + collider.halfHeight, collider.radius};
-    const Eigen::Matrix3f axes = collider.orientation.normalized().toRotationMatrix().cwiseAbs();
-    const Vector3f reach = axes * half;
-    return {collider.position - reach, collider.position + reach};
-}
-
 AlignedBox3f grown(AlignedBox3f box, float sideways, float upwards)
 {
     box.min() -= Vector3f(sideways, upwards, sideways);
     box.max() += Vector3f(sideways, upwards, sideways);
-    return box;
-}
-
-AlignedBox3f particleBounds(const World& world)
-{
-    AlignedBox3f box;
-    for (const Particle& particle : world.particles) box.extend(particle.position);
-    if (!box.isEmpty()) box = grown(box, world.particleRadius, world.particleRadius);
     return box;
 }
 
@@ -99,7 +76,7 @@ SceneExtent sceneExtent(const World& world)
     AlignedBox3f box = particleBounds(world);
     for (const Collider& collider : world.colliders)
         if (collider.visible && collider.shape != ColliderShape::Plane)
-            extent.solids.extend(boundsOf(world, collider));
+            extent.solids.extend(colliderBounds(world, collider));
     if (box.isEmpty()) box = extent.solids;
     if (box.isEmpty()) box = {Vector3f(-1, 0, -1), Vector3f(1, 1, 1)};
     if (extent.groundCollider != NO_INDEX) box.extend(Vector3f(box.center().x(), extent.ground, box.center().z()));

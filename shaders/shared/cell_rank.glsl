@@ -16,6 +16,6 @@ uvec2 placeInCells(uint particle)
     uint count = texelFetch(cellCounts, int(cell)).x;
     uint rank = 0u;
     for (uint k = 0u; k < count; ++k) rank += texelFetch(cellMembers, int(start + k)).x < particle ? 1u : 0u;
-    uint again = cell < WRAPPED_CELLS ? texelFetch(cellStarts, int(step.cellMask + 1u + cell)).x + rank : NO_PLACE;
+    uint again = cell < WRAPPED_CELLS ? texelFetch(cellStarts, int(gridMask() + 1u + cell)).x + rank : NO_PLACE;
     return uvec2(start + rank, again);
 }

@@ -4,12 +4,20 @@
 #include "shared/collider_grids.glsl"
 #endif
 
-READ_BUFFER(GpuCollider, Colliders, colliders);
+uniform usamplerBuffer colliders;    // a GpuCollider in every six texels
+
+GpuCollider colliderAt(uint index)
+{
+    uvec4 texels[6];
+    for (int k = 0; k < 6; ++k) texels[k] = texelFetch(colliders, int(6u * index) + k);
+    return GpuCollider(uintBitsToFloat(texels[0]), uintBitsToFloat(texels[1]), uintBitsToFloat(texels[2]),
+                       uintBitsToFloat(texels[3]), uintBitsToFloat(texels[4]), texels[5]);
+}
 
 /// @returns outward unit normal in xyz, signed distance of x to the surface in w (negative inside) [m].
 vec4 colliderDistance(uint index, vec3 x)
 {
-    GpuCollider c = colliders[index];
+    GpuCollider c = colliderAt(index);
     uint shape = uint(c.position.w);
     vec3 p = rotate(conjugate(c.orientation), x - c.position.xyz);
     vec3 normal = vec3(0, 1, 0);
@@ -45,7 +53,7 @@ vec4 colliderDistance(uint index, vec3 x)
 float colliderBound(uint index, vec3 x)
 {
 #ifdef GRIDS
-    if (uint(colliders[index].position.w) == COLLIDER_HEIGHTFIELD) return -1e9;
+    if (uint(colliderAt(index).position.w) == COLLIDER_HEIGHTFIELD) return -1e9;
 #endif
     return colliderDistance(index, x).w;
 }

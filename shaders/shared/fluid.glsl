@@ -1,17 +1,34 @@
-// The smoothing kernel of fluids: Wendland's C2, W(q) = 21 / (2 pi h^3) (1 - q)^4 (1 + 4 q), q = r / h, times the volume
-// of a particle at rest, so that its sum over a fluid at rest is 1.
+// The smoothing kernel of fluids: Wendland's C2, W(q) = 21 / (2 pi h^3) (1 - q)^4 (1 + 4 q), q = r / h, times the
+// volume of a particle at rest, so that its sum over a fluid at rest is 1.
+
+/// Where a fluid particle is at the end of the substep if no pressure acts [m].
+vec3 predictedPlace(vec3 x, vec3 v)
+{
+    return x + step.substepTime * (v + step.substepTime * step.gravity.xyz);
+}
+
+/// The kernel over its height in the middle, a = 1 - q.
+float fluidShape(float a)
+{
+    float b = a * a;
+    return b * b * (5.0 - 4.0 * a);
+}
 
 float fluidShare(float q)
 {
-    float a = 1.0 - q, b = a * a;
-    return step.fluidVolume * b * b * (1.0 + 4.0 * q);
+    return step.fluidVolume * fluidShape(1.0 - q);
 }
 
-/// d fluidShare / dr over r [1/m2]: the gradient is this times the vector.
+/// d fluidShare / dr over r [1/m2], over a^3: the gradient is this times a^3 times the vector.
+float fluidSteepness()
+{
+    return -20.0 * step.fluidVolume / (step.fluidReach * step.fluidReach);
+}
+
 float fluidSlope(float q)
 {
     float a = 1.0 - q;
-    return -20.0 * step.fluidVolume / (step.fluidReach * step.fluidReach) * a * a * a;
+    return fluidSteepness() * a * a * a;
 }
 
 /// The attraction between particles of one fluid; its sums over the fluid make surface tension.

@@ -1,7 +1,9 @@
-// FLUIDS: the same passes over the neighbour grid of fluids, which holds all particles but those that are parked.
+// FLUIDS: the same passes over the neighbour grid of fluids, which holds all particles but those that are parked. It is
+// always a lattice, and finer along x.
 #define NO_CELL 0xffffffffu
 
 #ifdef FLUIDS
+#undef GRID_HASH
 #include "shared/fluid_living.glsl"
 #define cellCounts fluidCellCounts
 #define CellCounts FluidCellCounts
@@ -16,12 +18,18 @@
 #define foundPositions fluidFoundPositions
 uint gridParticles() { return slotCapacity(); }
 uint gridMembers() { return slotCount(); }
-float inverseGridCell() { return step.inverseFluidCell; }
+uint gridMask() { return step.fluidCellMask; }
+uvec2 gridStrides() { return uvec2(step.fluidStrideY, step.fluidStrideZ); }
+vec3 inverseGridCell() { return step.inverseFluidCell * vec3(FINE_CELLS, 1, 1); }
+#define CELLS_ALONG FINE_CELLS
 #else
 uint gridParticles() { return step.particleCount; }
 uint gridMembers() { return step.particleCount; }
 bool isParked(vec4 place) { return false; }
-float inverseGridCell() { return step.inverseCellSize; }
+uint gridMask() { return step.cellMask; }
+uvec2 gridStrides() { return uvec2(step.cellStrideY, step.cellStrideZ); }
+vec3 inverseGridCell() { return vec3(step.inverseCellSize); }
+#define CELLS_ALONG 1
 #endif
 
 // Whether a particle is in no cell, by what grid_count wrote of it.

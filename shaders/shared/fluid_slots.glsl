@@ -13,14 +13,14 @@ bool isFluid(uint particle)
     return particle >= step.particleCount;
 }
 
-/// Neighbours n .. n + 3, n a multiple of four. Behind the last fluid one the slot itself stands.
-uvec4 fourNeighbours(uint slot, uint n)
+/// Four neighbours. Behind the last fluid one the slot itself stands.
+uvec4 neighboursAt(uint texel)
 {
-    return texelFetch(slotNeighbours, int(neighbourTexel(slot, n / 4u)));
+    return texelFetch(slotNeighbours, int(texel));
 }
 
 uint solidNeighbour(uint slot, uint n)
 {
     uint k = step.fluidSlots - 1u - n;
-    return fourNeighbours(slot, k)[k % 4u];
+    return neighboursAt(neighbourTexel(slot, k / 4u))[k % 4u];
 }

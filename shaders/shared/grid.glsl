@@ -15,7 +15,7 @@ ivec3 cellOf(vec3 x)
 uint cellIndex(ivec3 c)
 {
     uvec3 u = uvec3(c);
-    return (73856093u * u.x ^ 19349663u * u.y ^ 83492791u * u.z) & step.cellMask;
+    return (73856093u * u.x ^ 19349663u * u.y ^ 83492791u * u.z) & gridMask();
 }
 
 /// Of the cube of width^3 cells around c.
@@ -43,22 +43,24 @@ uvec2 forwardCells(ivec3 c, int range)
 
 #else
 
-// A lattice wrapped onto a line. Neighbours in x are neighbours on the line, so three cells are one range; the first
-// WRAPPED_CELLS cells stand again behind the last, so that a range never wraps.
+// A lattice wrapped onto a line. Neighbours in x are neighbours on the line, so three cells are one range, or three
+// times CELLS_ALONG; the first WRAPPED_CELLS cells stand again behind the last, so that a range never wraps.
 #define RANGES_AROUND(width) (width * width)
 #define FIRST_FORWARD 4
 
 uint cellIndex(ivec3 c)
 {
     uvec3 u = uvec3(c);
-    return (u.x + step.cellStrideY * u.y + step.cellStrideZ * u.z) & step.cellMask;
+    uvec2 strides = gridStrides();
+    return (u.x + strides.x * u.y + strides.y * u.z) & gridMask();
 }
 
-/// Of the rows of `width` cells along x around c.
+/// Of the rows along x around c that reach as far as `width` cells.
 uvec2 cellsAround(ivec3 c, int range, int width)
 {
-    uint first = cellIndex(c + ivec3(0, range % width, range / width) - width / 2);
-    return uvec2(first, first + uint(width));
+    int ahead = width / 2 * CELLS_ALONG;
+    uint first = cellIndex(c + ivec3(-ahead, range % width - width / 2, range / width - width / 2));
+    return uvec2(first, first + uint(2 * ahead + 1));
 }
 
 bool inRangeAround(ivec3 c, int range, int width, vec3 x)
@@ -90,17 +92,6 @@ bool inForwardRange(ivec3 c, int range, vec3 x)
 uvec2 aroundCells(ivec3 c, int range)
 {
     return cellsAround(c, range, 3);
-}
-
-bool inAroundRange(ivec3 c, int range, vec3 x)
-{
-    return inRangeAround(c, range, 3, x);
-}
-
-/// The same where x may seem near although it is a lattice's width away.
-bool standsAround(ivec3 c, int range, vec3 x)
-{
-    return all(lessThanEqual(abs(cellOf(x) - c), ivec3(1))) && inAroundRange(c, range, x);
 }
 
 // All cells up to two away.

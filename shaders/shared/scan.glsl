@@ -17,7 +17,7 @@ uint scanCount() { return step.poolCapacity; }
 #define SCAN_VALUES cellCounts
 #define SCAN_SUMS cellSums
 #define SCAN_BLOCK CellSums
-uint scanCount() { return step.cellMask + 1u; }
+uint scanCount() { return gridMask() + 1u; }
 #endif
 
 uint chunkCount()

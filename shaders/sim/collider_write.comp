@@ -38,7 +38,7 @@ void main()
     uvec2 own = texelFetch(particlePlaces, i).xy;
     vec4 arm = texelFetch(restOffsets, i);
     vec4 surface = colliderDistance(pair.y, texelFetch(foundPositions, i).xyz);
-    vec2 friction = 0.5 * (texelFetch(masses, i).zw + colliders[pair.y].friction.xy);
+    vec2 friction = 0.5 * (texelFetch(masses, i).zw + colliderAt(pair.y).friction.xy);
     vec2 shares = vec2(normalShare(own.x, arm, surface.xyz), 1);
     colliderSides[q] = uvec4(own.x, pair.y, packHalf2x16(friction), packUnorm2x16(shares));
     colliderArms[q] = arm;

@@ -23,8 +23,8 @@ void main()
     uint i = texelFetch(slotParticles, int(k)).x, count = isFluid(i) ? texelFetch(slotCounts, int(k)).x : 0u;
     vec3 place = texelFetch(slotPlaces, int(k)).xyz, rise = vec3(0);
     vec4 swirl = texelFetch(slotVorticities, int(k));
-    for (uint n = 0u; n < count; n += 4u) {
-        uvec4 slots = fourNeighbours(k, n);
+    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
+        uvec4 slots = neighboursAt(texel);
         for (int c = 0; c < 4; ++c) rise += riseBy(place, swirl.w, slots[c]);
     }
     if (count == 0u || timeHeld(velocities[i]) > 0.0) return;

@@ -36,19 +36,35 @@ vec4 solidCover(uint k, uint count, vec3 x, out float weights, out float squares
     return vec4(slope - oneSided * along, share);
 }
 
-/// Sums over neighbours: share of the kernel, squares of its slopes, and its gradient.
+/// Sums over neighbours, in units of the kernel's height and steepness: share of the kernel, squares of its slopes, and
+/// its gradient.
 struct Sums {
     float share, squares;
     vec3 gradient;
 };
 
-void add(inout Sums sums, vec3 x, uint slot)
+void add(inout Sums sums, vec3 x, float inverseReach, uint slot)
 {
     vec3 r = x - texelFetch(slotPlaces, int(slot)).xyz;
-    float squared = dot(r, r), q = min(sqrt(squared) / step.fluidReach, 1.0), slope = fluidSlope(q);
-    sums.share += fluidShare(q);
-    sums.squares += slope * slope * squared;
-    sums.gradient += slope * r;
+    float squared = dot(r, r), a = 1.0 - min(sqrt(squared) * inverseReach, 1.0), cube = a * a * a;
+    sums.share += fluidShape(a);
+    sums.squares += cube * cube * squared;
+    sums.gradient += cube * r;
+}
+
+Sums sumsOver(uint k, uint count, vec3 x)
+{
+    // The slot itself stands in its list where that is no multiple of four: taken away again.
+    Sums sums = Sums(1.0 - float(-count & 3u), 0.0, vec3(0));
+    float inverseReach = 1.0 / step.fluidReach, steepness = fluidSteepness();
+    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
+        uvec4 slots = neighboursAt(texel);
+        add(sums, x, inverseReach, slots.x);
+        add(sums, x, inverseReach, slots.y);
+        add(sums, x, inverseReach, slots.z);
+        add(sums, x, inverseReach, slots.w);
+    }
+    return Sums(step.fluidVolume * sums.share, steepness * steepness * sums.squares, steepness * sums.gradient);
 }
 
 void main()
@@ -58,15 +74,7 @@ void main()
     uint i = texelFetch(slotParticles, int(k)).x;
     uvec2 counts = isFluid(i) ? texelFetch(slotCounts, int(k)).xy : uvec2(0);
     vec3 x = texelFetch(slotPlaces, int(k)).xyz;
-    // The slot itself stands in its list where that is no multiple of four: taken away again.
-    Sums sums = Sums(fluidShare(0.0) * (1.0 - float(-counts.x & 3u)), 0.0, vec3(0));
-    for (uint n = 0u; n < counts.x; n += 4u) {
-        uvec4 slots = fourNeighbours(k, n);
-        add(sums, x, slots.x);
-        add(sums, x, slots.y);
-        add(sums, x, slots.z);
-        add(sums, x, slots.w);
-    }
+    Sums sums = sumsOver(k, counts.x, x);
     float weights, slopes;
     vec4 solids = solidCover(k, counts.y, x, weights, slopes), walls = vec4(0);
     for (NearColliders near = nearColliders(k); nextCollider(near);) {

@@ -21,7 +21,7 @@ BUFFER(uint, FluidTotals, totals);       // came, left
 bool hasRoom(vec3 x, float room)
 {
     float solidRoom = 0.45 * (step.diameter + step.fluidSpacing);
-    uint slots = texelFetch(cellStarts, int(step.cellMask + 1u)).x;
+    uint slots = texelFetch(cellStarts, int(gridMask() + 1u)).x;
     ivec3 cell = cellOf(x);
     bool free = true;
     for (int range = 0; range < AROUND_RANGES; ++range) {

@@ -1,7 +1,8 @@
-// One thread a fluid particle: where it is predicted to be at the end of the substep if no pressure acts. SETTLE: where
-// it is.
+// One thread a fluid particle: where it is predicted to be at the end of the step's first substep if no pressure acts;
+// fluid_push says so for those that follow. SETTLE: where it is.
 #include "shared/kernel.glsl"
 #include "shared/fluid_living.glsl"
+#include "shared/fluid.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
@@ -16,10 +17,10 @@ void main()
     int i = int(step.particleCount + gl_GlobalInvocationID.x);
     vec4 place = texelFetch(positions, i);
     if (isParked(place)) return;
-    float h = step.substepTime;
+#ifdef SETTLE
     vec3 x = place.xyz;
-#ifndef SETTLE
-    x += h * (texelFetch(velocities, i).xyz + h * step.gravity.xyz);
+#else
+    vec3 x = predictedPlace(place.xyz, texelFetch(velocities, i).xyz);
 #endif
     slotPlaces[texelFetch(particleSlots, i).x] = vec4(x, 1.0 / max(texelFetch(masses, i).x, 1e-20));
 }

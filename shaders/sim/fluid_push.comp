@@ -1,6 +1,6 @@
 // One thread a slot: moves its fluid particle by the pressures around it (Macklin and Mueller 2013, eq. 12, with masses:
-// a pair exchanges the impulse (lambda_i + lambda_j) grad W, so momentum is kept) and ends its substep.
-// SETTLE: moves it without making it any faster.
+// a pair exchanges the impulse (lambda_i + lambda_j) grad W, so momentum is kept), ends its substep, and predicts where
+// it comes to in the next. SETTLE: moves it without making it any faster.
 #include "shared/kernel.glsl"
 #include "shared/fluid_slots.glsl"
 #include "shared/fluid.glsl"
@@ -14,6 +14,7 @@ uniform samplerBuffer slotVelocities;    // when the step began
 uniform samplerBuffer masses;            // inverse mass
 BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
+BUFFER(vec4, SlotPlaces, slotPlaces);
 BUFFER(Counters, CountersBlock, counters);
 
 /// Out of the colliders, at least a quarter of the rest distance away from them.
@@ -26,15 +27,14 @@ vec3 outside(uint k, vec3 x)
     return x;
 }
 
-/// What the particle in another slot gives. s_corr (eq. 13) adds to the multipliers of particles that are too near to
-/// each other a share of them, so where nothing is too dense nothing is pushed.
-vec3 impulseOf(vec4 own, uint slot)
+/// What the particle in another slot gives, in units of the kernel's steepness. s_corr (eq. 13) adds to the multipliers
+/// of particles that are too near to each other a share of them, so where nothing is too dense nothing is pushed.
+vec3 impulseOf(vec4 own, float inverseReach, uint slot)
 {
     vec4 other = texelFetch(slotPressures, int(slot));
     vec3 r = own.xyz - other.xyz;
-    float q = min(sqrt(dot(r, r)) / step.fluidReach, 1.0);
-    float a = 1.0 - q, a2 = a * a, crowd = a2 * a2 * (1.0 + 4.0 * q), crowd2 = crowd * crowd;
-    return (own.w + other.w) * (1.0 + FLUID_REPULSION * crowd2 * crowd2) * fluidSlope(q) * r;
+    float a = 1.0 - min(sqrt(dot(r, r)) * inverseReach, 1.0), crowd = fluidShape(a), crowd2 = crowd * crowd;
+    return (own.w + other.w) * (1.0 + FLUID_REPULSION * crowd2 * crowd2) * (a * a * a) * r;
 }
 
 #ifdef TENSION
@@ -53,14 +53,19 @@ vec3 tensionOf(vec4 own, uint material, float tension, uint slot)
 /// The speed that the particle may come to, for one that had `before` and would have `now`. Between solids, or one and a
 /// wall, whatever pushes it out in one substep would make it as fast as that takes; it keeps what they or it had, and a
 /// little more.
-float mostSpeed(uint k, float before, float now)
+float mostSpeed(uint k, vec3 x, float before, float now)
 {
     float gain = MOST_SQUEEZE * step.substepTime, fastest = before;
     if (now <= before + gain) return step.maxSpeed;
     uint count = texelFetch(slotCounts, int(k)).y;
-    for (uint n = 0u; n < count; ++n)
-        fastest = max(fastest, length(texelFetch(slotVelocities, int(solidNeighbour(k, n))).xyz));
-    return count > 0u ? min(fastest + gain, step.maxSpeed) : step.maxSpeed;
+    bool among = false;
+    for (uint n = 0u; n < count; ++n) {
+        int solid = int(solidNeighbour(k, n));
+        if (distance(x, texelFetch(slotPressures, solid).xyz) >= step.fluidListReach) continue;
+        among = true;
+        fastest = max(fastest, length(texelFetch(slotVelocities, solid).xyz));
+    }
+    return among ? min(fastest + gain, step.maxSpeed) : step.maxSpeed;
 }
 
 void main()
@@ -71,29 +76,31 @@ void main()
     bool fluid = isFluid(i);
     uint count = fluid ? texelFetch(slotCounts, int(k)).x : 0u;
     vec4 own = texelFetch(slotPressures, int(k));
-    vec3 impulse = own.w * (texelFetch(slotWalls, int(k)).xyz + texelFetch(slotSolids, int(k)).xyz);
+    vec3 pressed = own.w * (texelFetch(slotWalls, int(k)).xyz + texelFetch(slotSolids, int(k)).xyz);
+    vec3 others = vec3(0), pulled = vec3(0);
+    float inverseReach = 1.0 / step.fluidReach;
 #ifdef TENSION
     uint material = texelFetch(slotMaterials, int(k)).x;
     float tension = texelFetch(fluidMaterials, int(material)).y;
 #endif
-    for (uint n = 0u; n < count; n += 4u) {
-        uvec4 others = fourNeighbours(k, n);
-        impulse += impulseOf(own, others.x);
-        impulse += impulseOf(own, others.y);
-        impulse += impulseOf(own, others.z);
-        impulse += impulseOf(own, others.w);
+    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
+        uvec4 slots = neighboursAt(texel);
+        others += impulseOf(own, inverseReach, slots.x);
+        others += impulseOf(own, inverseReach, slots.y);
+        others += impulseOf(own, inverseReach, slots.z);
+        others += impulseOf(own, inverseReach, slots.w);
 #ifdef TENSION
-        for (int c = 0; c < 4; ++c) impulse += tensionOf(own, material, tension, others[c]);
+        for (int c = 0; c < 4; ++c) pulled += tensionOf(own, material, tension, slots[c]);
 #endif
     }
     if (!fluid) return;
-    vec3 push = texelFetch(masses, int(i)).x * impulse;
+    vec3 push = texelFetch(masses, int(i)).x * (pressed + fluidSteepness() * others + pulled);
     vec4 last = velocities[i];
     float held = timeHeld(last);
     push *= held > 0.0 ? 0.0 : min(1.0, 0.25 * step.fluidReach / max(length(push), 1e-20));
     vec3 before = positions[i].xyz, x = outside(k, own.xyz + push);
 #ifdef SETTLE
-    positions[i].xyz = x;
+    positions[i].xyz = slotPlaces[k].xyz = x;
     return;
 #endif
     vec3 v = (x - before) * (step.damping / step.substepTime);
@@ -102,7 +109,9 @@ void main()
         atomicOr(counters[0].problems, PROBLEM_NAN);
         atomicMax(counters[0].badParticle, i);
     }
-    float most = mostSpeed(k, length(last.xyz), speed);
-    velocities[i] = vec4(v * min(1.0, most / max(speed, 1e-20)), max(held - step.substepTime, 0.0));
+    float most = mostSpeed(k, own.xyz, length(last.xyz), speed);
+    v *= min(1.0, most / max(speed, 1e-20));
+    velocities[i] = vec4(v, max(held - step.substepTime, 0.0));
     positions[i].xyz = x;
+    slotPlaces[k].xyz = predictedPlace(x, v);
 }

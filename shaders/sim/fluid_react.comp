@@ -27,8 +27,8 @@ void main()
     if (i >= step.particleCount) return;
     uint k = texelFetch(particleSlots, int(i)).x, count = texelFetch(slotCounts, int(k)).x;
     vec3 x = texelFetch(slotPlaces, int(k)).xyz, impulse = vec3(0);
-    for (uint n = 0u; n < count; n += 4u) {
-        uvec4 slots = fourNeighbours(k, n);
+    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
+        uvec4 slots = neighboursAt(texel);
         impulse += impulseOf(x, slots.x) + impulseOf(x, slots.y) + impulseOf(x, slots.z) + impulseOf(x, slots.w);
     }
     if (impulse == vec3(0)) return;

@@ -29,8 +29,8 @@ void main()
     vec4 place = texelFetch(slotPlaces, int(k));
     vec3 change = vec3(0);
     vec4 own = texelFetch(slotVelocities, int(k));
-    for (uint n = 0u; n < count; n += 4u) {
-        uvec4 slots = fourNeighbours(k, n);
+    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
+        uvec4 slots = neighboursAt(texel);
         change += changeBy(place, own, slots.x);
         change += changeBy(place, own, slots.y);
         change += changeBy(place, own, slots.z);

@@ -21,8 +21,8 @@ void main()
     if (k >= slotCount()) return;
     uint count = isFluid(texelFetch(slotParticles, int(k)).x) ? texelFetch(slotCounts, int(k)).x : 0u;
     vec3 place = texelFetch(slotPlaces, int(k)).xyz, velocity = texelFetch(slotVelocities, int(k)).xyz, swirl = vec3(0);
-    for (uint n = 0u; n < count; n += 4u) {
-        uvec4 slots = fourNeighbours(k, n);
+    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
+        uvec4 slots = neighboursAt(texel);
         for (int c = 0; c < 4; ++c) swirl += swirlBy(place, velocity, slots[c]);
     }
     slotVorticities[k] = vec4(swirl, length(swirl));

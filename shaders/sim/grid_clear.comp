@@ -8,5 +8,5 @@ BUFFER(uint, CellCounts, cellCounts);
 void main()
 {
     uint cell = gl_GlobalInvocationID.x;
-    if (cell <= step.cellMask) cellCounts[cell] = 0u;
+    if (cell <= gridMask()) cellCounts[cell] = 0u;
 }

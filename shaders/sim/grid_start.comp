@@ -20,7 +20,7 @@ void main()
         sum += texelFetch(cellCounts, int(cell)).x;
     }
     if (chunk == 0u) {
-        uint cells = step.cellMask + 1u, end = gridMembers();
+        uint cells = gridMask() + 1u, end = gridMembers();
         for (uint cell = 0u; cell <= WRAPPED_CELLS; ++cell) {
             cellStarts[cells + cell] = end;
             end += texelFetch(cellCounts, int(cell)).x;

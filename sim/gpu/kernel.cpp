@@ -66,6 +66,18 @@ KernelTimer::~KernelTimer()
     }
 }
 
+void KernelTimer::enable(const Gpu& gpu)
+{
+    enabled_ = true;
+    waits_ = gpu.device().software;
+}
+
+void KernelTimer::stamp(GLuint query) const
+{
+    glQueryCounter(query, GL_TIMESTAMP);
+    if (waits_) glFinish();
+}
+
 void KernelTimer::begin(const std::string& name)
 {
     if (!enabled_) return;
@@ -79,12 +91,12 @@ void KernelTimer::begin(const std::string& name)
         spans_.push_back(span);
     }
     spans_[used_].total = total;
-    glQueryCounter(spans_[used_].start, GL_TIMESTAMP);
+    stamp(spans_[used_].start);
 }
 
 void KernelTimer::end()
 {
-    if (enabled_) glQueryCounter(spans_[used_++].stop, GL_TIMESTAMP);
+    if (enabled_) stamp(spans_[used_++].stop);
 }
 
 void KernelTimer::collect()

@@ -44,7 +44,7 @@ public:
         uint64_t count = 0;
     };
     ~KernelTimer();
-    void setEnabled(bool on) { enabled_ = on; }
+    void enable(const Gpu& gpu);
     void begin(const std::string& name);
     void end();
     /// Adds up the finished pairs. Waits for the last of them.
@@ -57,7 +57,11 @@ private:
         size_t total = 0;
         GLuint start = 0, stop = 0;
     };
+    void stamp(GLuint query) const;
+
     bool enabled_ = false;
+    /// llvmpipe stamps when it gets to its queue of drawing, which computing does not wait for.
+    bool waits_ = false;
     std::vector<std::pair<std::string, Total>> totals_;
     std::vector<Span> spans_;   ///< Reused from frame to frame.
     size_t used_ = 0;

@@ -10,15 +10,14 @@ const Defines STILL{{"SETTLE", "1"}};
 }  // namespace
 
 FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Settings& settings)
+    : sizes_(buffers.dispatches), hasPool_(buffers.hasPool), confines_(settings.vorticity > 0.0f)
 {
     const gpu::StepParameters& p = buffers.parameters;
     slots_ = groupsFor(p.particleCount + p.fluidCount);
     solids_ = groupsFor(p.particleCount);
     fluids_ = groupsFor(p.fluidCount);
-    cells_ = groupsFor(p.cellMask + 1);
-    if (buffers.hasPool) sizes_ = &buffers.dispatches;
-    chunks_ = groupsFor((p.cellMask + 1) / SCAN_CHUNK);
-    confines_ = settings.vorticity > 0.0f;
+    cells_ = groupsFor(p.fluidCellMask + 1);
+    chunks_ = groupsFor((p.fluidCellMask + 1) / SCAN_CHUNK);
     const Defines grid{{"FLUIDS", "1"}};
     found_ = load("fluid_found", {});
     clear_ = load("grid_clear", grid);
@@ -49,7 +48,7 @@ FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
 
 void FluidStep::onSlots(KernelTimer& timer, const Kernel& kernel) const
 {
-    if (sizes_ != nullptr) kernel.dispatchIndirect(timer, *sizes_, DISPATCH_SLOTS);
+    if (hasPool_) kernel.dispatchIndirect(timer, sizes_, DISPATCH_SLOTS);
     else kernel.dispatch(timer, slots_);
 }
 
@@ -71,7 +70,7 @@ void FluidStep::findNeighbours(KernelTimer& timer) const
 {
     list(timer);
     onSlots(timer, velocity_);
-    place(timer);
+    place_.dispatch(timer, fluids_);
     onSlots(timer, smooth_);
     if (confines_) {
         onSlots(timer, vorticity_);
@@ -79,26 +78,21 @@ void FluidStep::findNeighbours(KernelTimer& timer) const
     }
 }
 
-void FluidStep::place(KernelTimer& timer) const
-{
-    place_.dispatch(timer, fluids_);
-    placeSolid_.dispatch(timer, solids_);
-}
-
 void FluidStep::settle(KernelTimer& timer) const
 {
     list(timer);
+    placeStill_.dispatch(timer, fluids_);
     placeSolidStill_.dispatch(timer, solids_);
     for (int k = 0; k < SETTLING; ++k) {
-        placeStill_.dispatch(timer, fluids_);
         onSlots(timer, density_);
         onSlots(timer, pushStill_);
     }
 }
 
-void FluidStep::substep(KernelTimer& timer) const
+void FluidStep::substep(KernelTimer& timer, bool first) const
 {
-    place(timer);
+    if (first) place_.dispatch(timer, fluids_);
+    placeSolid_.dispatch(timer, solids_);
     onSlots(timer, density_);
     onSlots(timer, push_);
     react_.dispatch(timer, solids_);

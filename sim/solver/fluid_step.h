@@ -17,16 +17,16 @@ public:
     /// Once a step: who is whose neighbour.
     void findNeighbours(KernelTimer& timer) const;
     /// One iteration of pressures, after the movers were predicted; fluid particles are where they end then.
-    void substep(KernelTimer& timer) const;
+    /// @param first  of the step
+    void substep(KernelTimer& timer, bool first) const;
 
 private:
     void list(KernelTimer& timer) const;
-    void place(KernelTimer& timer) const;
     void onSlots(KernelTimer& timer, const Kernel& kernel) const;
 
-    const RawBuffer* sizes_ = nullptr;  ///< Where the GPU decides how many slots there are.
+    const RawBuffer& sizes_;
     uint32_t slots_, solids_, fluids_, cells_, chunks_;   ///< Work groups.
-    bool confines_;
+    bool hasPool_, confines_;   ///< Pool: the GPU decides how many slots there are.
     Kernel found_, clear_, count_, sum_, sumChunks_, start_, scatter_, order_, find_, near_;
     Kernel velocity_, smooth_, place_, placeSolid_, density_, push_, react_, vorticity_, confine_;
     Kernel placeStill_, placeSolidStill_, pushStill_;

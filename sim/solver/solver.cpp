@@ -170,9 +170,9 @@ std::vector<PassTime> Solver::passTimes()
     return times;
 }
 
-void Solver::setTiming(bool on)
+void Solver::timePasses()
 {
-    impl_->timer.setEnabled(on);
+    impl_->timer.enable(impl_->gpu);
 }
 
 }  // namespace knuckle

@@ -75,8 +75,8 @@ public:
     /// FNV-1a over the bits of all positions and velocities.
     uint64_t stateHash();
     std::vector<PassTime> passTimes();
-    /// Turns the GL_TIMESTAMP queries around every pass on or off (off at first).
-    void setTiming(bool on);
+    /// From now on times every pass, for passTimes().
+    void timePasses();
 
 private:
     struct Impl;

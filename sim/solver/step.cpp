@@ -165,7 +165,7 @@ void Step::run(KernelTimer& timer) const
 {
     const bool paper = settings_.solver == SolverKind::Paper;
     if (fluid_) fluid_->findNeighbours(timer);
-    for (uint32_t i = 0; i < settings_.substeps; ++i) paper ? paperSubstep(timer) : impulseSubstep(timer);
+    for (uint32_t i = 0; i < settings_.substeps; ++i) paper ? paperSubstep(timer) : impulseSubstep(timer, i == 0);
     if (paper) return;
     if (settings_.sleepSpeed > 0.0f) fallAsleep(timer);
     particlePlace_.dispatch(timer, particles_);
@@ -206,8 +206,13 @@ void Step::dispatch(KernelTimer& timer, const ForMovers& kernels) const
     if (loose_ > 0) kernels.loose.dispatch(timer, loose_);
 }
 
-void Step::impulseSubstep(KernelTimer& timer) const
+void Step::impulseSubstep(KernelTimer& timer, bool first) const
 {
+    if (particles_ == 0) {
+        findDue_.dispatch(timer, 1);   // counts the substep
+        fluid_->substep(timer, first);
+        return;
+    }
     const RawBuffer& sizes = buffers_.dispatches;
     dispatch(timer, moverPredict_);
     if (buffers_.hasOthers) impulseClear_.dispatch(timer, particles_);
@@ -217,7 +222,7 @@ void Step::impulseSubstep(KernelTimer& timer) const
         sleepRouse_.dispatch(timer, assemblies_);
     }
     moverWarm_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
-    if (fluid_) fluid_->substep(timer);
+    if (fluid_) fluid_->substep(timer, first);
     for (uint32_t i = 0; i < settings_.iterations; ++i) {
         if (soft_) soft_->run(timer, i, settings_.iterations);
         strandStep_.run(timer, i == 0);

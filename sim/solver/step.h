@@ -31,7 +31,7 @@ private:
     void loadSleep(const LoadKernel& load);
     void loadPaperSolver(const LoadKernel& load);
     void findContacts(KernelTimer& timer) const;
-    void impulseSubstep(KernelTimer& timer) const;
+    void impulseSubstep(KernelTimer& timer, bool first) const;
     void bounce(KernelTimer& timer) const;
     void fallAsleep(KernelTimer& timer) const;
     void paperSubstep(KernelTimer& timer) const;

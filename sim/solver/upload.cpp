@@ -265,7 +265,7 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
     uploadStrands(out, world);
     uploadLinks(out, world);
     uploadColliders(gpu, out, world);
-    makeGrid(out, count + world.fluidCount);
+    makeGrid(out, count);
     makeFluid(out, world, gpu);
     makePool(out, world);
     uploadSoftBodies(out, world);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/solver/fluid_lattice.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -86,6 +87,16 @@ float tension(const gpu::StepParameters& p, const Material& material)
     return static_cast<float>(force * p.substepTime * p.substepTime);
 }
 
+void setLattice(gpu::StepParameters& p, const World& world)
+{
+    if (p.fluidCount == 0) return;
+    const uint32_t cells = 2 * std::bit_ceil(std::max(p.particleCount + p.fluidCount, 4096u));
+    const FluidLattice lattice = fluidLattice(world, p.fluidListReach, cells);
+    p.fluidCellMask = cells - 1;
+    p.fluidStrideY = lattice.strideY;
+    p.fluidStrideZ = lattice.strideZ;
+}
+
 }  // namespace
 
 void setFluidParameters(gpu::StepParameters& p, const World& world)
@@ -99,6 +110,7 @@ void setFluidParameters(gpu::StepParameters& p, const World& world)
     p.fluidListReach = std::max(p.fluidReach, 1.1f * world.diameter());
     p.solidCover = solidCover(p);
     p.inverseFluidCell = 1.0f / p.fluidListReach;
+    setLattice(p, world);
     const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
     p.fluidVolume = static_cast<float>(DISORDER / lattice.density);
     p.fluidSoftness = static_cast<float>(0.01 * lattice.slopes / (lattice.density * lattice.density));
@@ -109,7 +121,7 @@ void makeFluid(SolverBuffers& out, const World& world, const Gpu& gpu)
     const gpu::StepParameters& p = out.parameters;
     FluidBuffers& f = out.fluid;
     const size_t count = p.fluidCount > 0 ? p.particleCount + p.fluidCount : 0;
-    const size_t cells = count > 0 ? p.cellMask + 1 : 0;
+    const size_t cells = count > 0 ? p.fluidCellMask + 1 : 0;
     const size_t slots = (count + NEIGHBOUR_BLOCK - 1) / NEIGHBOUR_BLOCK * NEIGHBOUR_BLOCK;
     const uint64_t largest = uint64_t(p.fluidSlots) * slots * sizeof(uint32_t);
     if (largest > static_cast<uint64_t>(gpu.limits().storageBlockSize))
@@ -158,7 +170,7 @@ std::vector<float> fluidDensities(SolverBuffers& buffers)
     // What is parked has no slot.
     uint32_t slots = 0;
     if (!walls.empty())
-        buffers.fluid.fluidCellStarts.read(&slots, sizeof slots, (buffers.parameters.cellMask + 1) * sizeof slots);
+        buffers.fluid.fluidCellStarts.read(&slots, sizeof slots, (buffers.parameters.fluidCellMask + 1) * sizeof slots);
     for (size_t k = 0; k < slots; ++k)
         if (particles[k] >= buffers.parameters.particleCount) densities.push_back(walls[k].w);
     return densities;

@@ -102,16 +102,9 @@ uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> posit
     for (size_t i = 0; i < std::min(positions.size(), surface.size()); ++i)
         world_.particles[bodyParticles_[index][i]].surface = surface[i];
     Object& object = world_.objects.back();
-    if (object.rootBody == NO_INDEX) object.rootBody = index;
     ++object.bodyCount;
     world_.bodies.push_back(std::move(body));
     return index;
-}
-
-void WorldBuilder::setRootBody(uint32_t body)
-{
-    requireObject("setRootBody");
-    world_.objects.back().rootBody = body;
 }
 
 void WorldBuilder::shareParticle(uint32_t particle, uint32_t body)

@@ -66,9 +66,6 @@ public:
     /// Places the open object; `velocity` [m/s] and `spin` [rad/s] about its mass centre. @returns the object's index.
     uint32_t endObject(const Pose& pose = {}, const Vector3f& velocity = {0, 0, 0},
                        const Vector3f& spin = {0, 0, 0});
-    /// The body that a camera following the open object looks at; the first added unless told.
-    void setRootBody(uint32_t body);
-
     /// A particle of no body: a grain. @returns its index.
     uint32_t addLooseParticle(const Particle& particle);
     /// Distances between particles that exist: see addRope() and addCloth().

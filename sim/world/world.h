@@ -110,7 +110,6 @@ struct Joint {
 struct Object {
     std::string name;
     uint32_t bodyStart = 0, bodyCount = 0;
-    uint32_t rootBody = NO_INDEX;             ///< The body that a following camera looks at.
 };
 
 enum class ColliderShape : uint32_t { Plane, Box, Sphere, Capsule, Mesh, Heightfield };

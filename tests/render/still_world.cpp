@@ -59,7 +59,7 @@ uint32_t StillWorld::addBody(const std::vector<Vector3f>& offsets, const Vector3
     body.linkStart = static_cast<uint32_t>(world.links.size());
     body.linkCount = static_cast<uint32_t>(offsets.size());
     body.restCentre = position;
-    world.objects.push_back({body.name, index, 1, index});
+    world.objects.push_back({body.name, index, 1});
     world.bodies.push_back(body);
     for (const Vector3f& offset : offsets) {
         Particle particle;

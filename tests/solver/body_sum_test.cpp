@@ -132,7 +132,7 @@ TEST(PaperReduction, TakesAsManyStepsAsEquation10)
     settings.stabilization = 0;
     const World world = mixedWorld(settings);
     Solver solver(gpu(), world);
-    solver.setTiming(true);
+    solver.timePasses();
     solver.step();
     uint64_t terms = 0, steps = 0;
     for (const PassTime& pass : solver.passTimes()) {

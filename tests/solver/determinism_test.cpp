@@ -81,12 +81,8 @@ World fluidWorld()
 {
     WorldBuilder builder(DIAMETER / 2);
     builder.addMaterial({});
-    for (const Vector3f& normal : {Vector3f(0, 1, 0), Vector3f(1, 0, 0), Vector3f(0, 0, 1), Vector3f(-1, 0, -1)}) {
-        Collider wall;
-        wall.position = -0.4f * normal;
-        wall.orientation = Quaternionf::FromTwoVectors(Vector3f::UnitY(), normal);
-        builder.addCollider(wall);
-    }
+    for (const Vector3f& normal : {Vector3f(0, 1, 0), Vector3f(1, 0, 0), Vector3f(0, 0, 1), Vector3f(-1, 0, -1)})
+        builder.addCollider(planeAt(-0.4f * normal, normal));
     Material fluid;
     fluid.fluid = true;
     for (int kind = 0; kind < 2; ++kind) {

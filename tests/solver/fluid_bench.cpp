@@ -11,15 +11,6 @@ namespace {
 constexpr uint32_t COUNT = 1033, SLOTS = 200;
 constexpr float HALF = 0.25f;
 
-Collider plane(const Vector3f& place, const Vector3f& normal)
-{
-    Collider collider;
-    collider.shape = ColliderShape::Plane;
-    collider.position = place;
-    collider.orientation = Quaternionf::FromTwoVectors(Vector3f::UnitY(), normal);
-    return collider;
-}
-
 World fluidWorld(const Settings& settings)
 {
     WorldBuilder builder(DIAMETER / 2, settings);
@@ -37,8 +28,8 @@ World fluidWorld(const Settings& settings)
         builder.endObject();
     }
     for (int k = 0; k < 30; ++k) builder.addLooseParticle({});
-    builder.addCollider(plane({0, -HALF, 0}, {0, 1, 0}));
-    builder.addCollider(plane({HALF, 0, 0}, {-1, 0, 0}));
+    builder.addCollider(planeAt({0, -HALF, 0}, {0, 1, 0}));
+    builder.addCollider(planeAt({HALF, 0, 0}, {-1, 0, 0}));
     // Far from the solids, for none to be left out.
     for (uint32_t k = builder.particleCount(); k < COUNT; ++k) {
         const Vector3f place(5.0f + 0.1f * static_cast<float>(k), 0, 0);
@@ -53,7 +44,7 @@ FluidBench::FluidBench(const Settings& settings) : Bench(fluidWorld(settings))
 {
     buffers.parameters.fluidSlots = SLOTS;
     makeFluid(buffers, world, gpu());
-    setParameters();
+    wrap(false);
     masses = buffers.masses.download();
     setPlaces(randomVectors(count(), HALF, 31));
 }
@@ -65,11 +56,18 @@ void FluidBench::setPlaces(const std::vector<gpu::vec4>& positions)
     fill(buffers.positions, places);
 }
 
-void FluidBench::findNeighbours(GridKind grid)
+void FluidBench::wrap(bool early)
 {
-    Defines defines = gridDefines(grid);
-    defines.push_back({"FLUIDS", "1"});
-    const uint32_t cells = parameters().cellMask + 1;
+    // The place spans six cells; packed places repeat after four.
+    buffers.parameters.fluidStrideY = (early ? 4 : 10) * FINE_CELLS;
+    buffers.parameters.fluidStrideZ = 10 * buffers.parameters.fluidStrideY;
+    setParameters();
+}
+
+void FluidBench::findNeighbours()
+{
+    const Defines defines{{"FLUIDS", "1"}};
+    const uint32_t cells = parameters().fluidCellMask + 1;
     run("grid_clear", cells, defines);
     forSlots("grid_count", defines);
     run("scan_sum", cells / SCAN_CHUNK, defines);

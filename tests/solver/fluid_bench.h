@@ -20,7 +20,10 @@ public:
     double mass(uint32_t particle) const { return 1.0 / masses[particle].x; }
 
     /// Gives every particle a slot and every slot its neighbours, as the step does.
-    void findNeighbours(GridKind grid = GridKind::Lattice);
+    void findNeighbours();
+    /// How the fluids' grid is wrapped: wide enough for its place, or so early that particles look near to each other
+    /// that are not. Before findNeighbours().
+    void wrap(bool early);
     /// Moves everything; before findNeighbours().
     void setPlaces(const std::vector<gpu::vec4>& positions);
     /// Runs a kernel on all slots.

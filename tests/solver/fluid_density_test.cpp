@@ -24,10 +24,12 @@ struct Cover {
     Vector3d slope = Vector3d::Zero();
 };
 
-class FluidDensity : public testing::Test {
+/// Also where lists hold particles that only look near.
+class FluidDensity : public testing::TestWithParam<bool> {
 protected:
     FluidDensity()
     {
+        bench.wrap(GetParam());
         bench.findNeighbours();
         std::vector<uint32_t> colliders(bench.count(), 0);
         for (uint32_t i = bench.solidCount(); i < bench.count(); ++i) colliders[i] = 3;
@@ -102,7 +104,7 @@ protected:
     mutable bool usual = true;
 };
 
-TEST_F(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
+TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
 {
     const double epsilon = parameters().fluidSoftness;
     uint32_t pressed = 0, free = 0, besideSolids = 0, besideWalls = 0;
@@ -131,12 +133,12 @@ TEST_F(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
     for (uint32_t number : {pressed, free, besideSolids, besideWalls}) EXPECT_GT(number, 50u);
 }
 
-TEST_F(FluidDensity, SolidParticlesHaveNoPressure)
+TEST_P(FluidDensity, SolidParticlesHaveNoPressure)
 {
     for (uint32_t i = 0; i < bench.solidCount(); ++i) ASSERT_EQ(pressures[i].w, 0.0f) << i;
 }
 
-TEST_F(FluidDensity, SolidsAreGivenWhatTheyGive)
+TEST_P(FluidDensity, SolidsAreGivenWhatTheyGive)
 {
     // fluid_push moves a fluid particle by lambda times solids' slope; fluid_react gives that back by weights.
     fill(bench.buffers.particleImpulses, std::vector<gpu::vec4>(bench.count()));
@@ -164,6 +166,9 @@ TEST_F(FluidDensity, SolidsAreGivenWhatTheyGive)
     EXPECT_GT(pushed, 50u);
     EXPECT_LT((given + got).norm(), ROUNDING * size);
 }
+
+INSTANTIATE_TEST_SUITE_P(Lattices, FluidDensity, testing::Bool(),
+                         [](const auto& wrapped) { return wrapped.param ? "WrappedEarly" : "Wide"; });
 
 }  // namespace
 

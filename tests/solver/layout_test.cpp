@@ -100,7 +100,9 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
         MEMBER(StepParameters, horizon), MEMBER(StepParameters, fluidCount), MEMBER(StepParameters, fluidSlots),
         MEMBER(StepParameters, fluidSpacing), MEMBER(StepParameters, fluidReach),
         MEMBER(StepParameters, fluidListReach), MEMBER(StepParameters, fluidVolume),
-        MEMBER(StepParameters, fluidSoftness), MEMBER(StepParameters, solidCover), MEMBER(StepParameters, inverseFluidCell), MEMBER(StepParameters, vorticity),
+        MEMBER(StepParameters, fluidSoftness), MEMBER(StepParameters, solidCover), MEMBER(StepParameters, inverseFluidCell),
+        MEMBER(StepParameters, fluidCellMask), MEMBER(StepParameters, fluidStrideY),
+        MEMBER(StepParameters, fluidStrideZ), MEMBER(StepParameters, vorticity),
         MEMBER(StepParameters, massScaling), MEMBER(StepParameters, bounceSpeed), MEMBER(StepParameters, sleepSpeed),
         MEMBER(StepParameters, assemblyCount), MEMBER(StepParameters, clusterCount),
         MEMBER(StepParameters, softCount), MEMBER(StepParameters, substeps), MEMBER(StepParameters, fluidFilled),
@@ -109,12 +111,11 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
     EXPECT_EQ(sizeof(gpu::StepParameters) % 16, 0u) << "std140 pads to whole vectors";
 }
 
-TEST(Layout, CountersAndCollidersAreTheHostsStructs)
+TEST(Layout, CountersAreTheHostsStruct)
 {
     Bench bench(mixedWorld());
     const Kernel kernel = bench.load("collider_find");
     expectArray(kernel, "CountersBlock", "counters", sizeof(gpu::Counters), COUNTERS);
-    expectArray(kernel, "Colliders", "colliders", sizeof(gpu::GpuCollider), COLLIDER);
 }
 
 TEST(Layout, EmittersAreTheHostsStructs)
@@ -135,9 +136,11 @@ BUFFER(ParticleRigidBodyLink, Links, links);
 BUFFER(ParticleInfo, ParticleInfos, infos);
 BUFFER(BodyInfo, BodyInfos, bodies);
 BUFFER(MoverInfo, MoverInfos, movers);
+BUFFER(GpuCollider, ColliderStructs, colliders);
 void main()
 {
     links[0].mass = float(infos[0].material + bodies[0].jointCount + movers[0].rankCount + step.particleCount);
+    colliders[0].grid = uvec4(1);
 }
 )");
     Bench bench(mixedWorld());
@@ -145,11 +148,13 @@ void main()
     table.add("particleInfos", bench.buffers.particleInfo, 16);
     table.add("bodyInfos", bench.buffers.bodyInfo, 16);
     table.add("moverInfos", bench.buffers.moverInfo, 16);
+    table.add("colliderStructs", bench.buffers.colliders, 16);
     const Kernel kernel(gpu(), table, "sim/test_layout.comp");
     expectArray(kernel, "Links", "links", sizeof(gpu::ParticleRigidBodyLink), LINK);
     expectArray(kernel, "ParticleInfos", "infos", sizeof(gpu::ParticleInfo), PARTICLE_INFO);
     expectArray(kernel, "BodyInfos", "bodies", sizeof(gpu::BodyInfo), BODY_INFO);
     expectArray(kernel, "MoverInfos", "movers", sizeof(gpu::MoverInfo), MOVER_INFO);
+    expectArray(kernel, "ColliderStructs", "colliders", sizeof(gpu::GpuCollider), COLLIDER);
 }
 
 }  // namespace knuckle::test

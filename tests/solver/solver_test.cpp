@@ -167,6 +167,15 @@ Defines gridDefines(GridKind kind)
     return kind == GridKind::Hash ? Defines{{"GRID_HASH", "1"}} : Defines{};
 }
 
+Collider planeAt(const Vector3f& place, const Vector3f& normal)
+{
+    Collider collider;
+    collider.shape = ColliderShape::Plane;
+    collider.position = place;
+    collider.orientation = Quaternionf::FromTwoVectors(Vector3f::UnitY(), normal);
+    return collider;
+}
+
 std::string gridName(const testing::TestParamInfo<GridKind>& kind)
 {
     return kind.param == GridKind::Hash ? "Hash" : "Lattice";

@@ -101,6 +101,8 @@ inline Quaternionf quaternion(const gpu::vec4& v)
 
 /// What the step gives a kernel that uses the grid.
 Defines gridDefines(GridKind kind);
+/// A plane through a place, what is behind it being solid.
+Collider planeAt(const Vector3f& place, const Vector3f& normal);
 /// For the names of tests that run with each grid.
 std::string gridName(const testing::TestParamInfo<GridKind>& kind);
 

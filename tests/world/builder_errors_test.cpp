@@ -23,7 +23,6 @@ TEST(BuilderErrors, CallsOutsideAnObjectAreRefused)
     WorldBuilder builder = makeBuilder();
     EXPECT_EQ(messageOf([&] { builder.addBody("a", cubeAt({0, 0, 0}), 0); }), "addBody: call beginObject() first");
     EXPECT_EQ(messageOf([&] { builder.addJoint(0, 1, {}); }), "addJoint: call beginObject() first");
-    EXPECT_EQ(messageOf([&] { builder.setRootBody(0); }), "setRootBody: call beginObject() first");
     EXPECT_EQ(messageOf([&] { builder.setSelfMargin(0.5f); }), "setSelfMargin: call beginObject() first");
     EXPECT_EQ(messageOf([&] { builder.noteJoint({}); }), "noteJoint: call beginObject() first");
     EXPECT_EQ(messageOf([&] { builder.endObject(); }), "endObject: call beginObject() first");

@@ -212,20 +212,17 @@ TEST(Builder, AnObjectIsPlacedAsAWholeAndTurnsAboutItsMassCentre)
     }
 }
 
-TEST(Builder, AnObjectsRootIsItsFirstBodyUnlessTold)
+TEST(Builder, AnObjectKnowsItsBodies)
 {
     WorldBuilder builder = makeBuilder();
-    for (int told = 0; told < 2; ++told) {
+    for (int k = 0; k < 2; ++k) {
         builder.beginObject("pair");
         builder.addBody("a", cubeAt({-2, 0, 0}), 0);
-        const uint32_t b = builder.addBody("b", cubeAt({2, 0, 0}), 0);
-        if (told) builder.setRootBody(b);
+        builder.addBody("b", cubeAt({2, 0, 0}), 0);
         builder.endObject();
     }
     const World world = builder.build();
     ASSERT_EQ(world.objects.size(), 2u);
-    EXPECT_EQ(world.objects[0].rootBody, 0u);
-    EXPECT_EQ(world.objects[1].rootBody, 3u);
     EXPECT_EQ(world.objects[1].bodyStart, 2u);
     EXPECT_EQ(world.objects[1].bodyCount, 2u);
 }

@@ -1,0 +1,94 @@
+// Constants that C++ and GLSL share.
+#ifndef KNUCKLE_CONSTANTS_H
+#define KNUCKLE_CONSTANTS_H
+
+// Threads in a work group. llvmpipe is 30-40 % slower at 256.
+#define GROUP_SIZE 64
+// Threads that reduce one body together, where ReductionKind::Group is chosen.
+#define BODY_GROUP_SIZE 32
+// Values that one thread of a prefix sum adds up.
+#define SCAN_CHUNK 64
+// Colliders that one particle can touch at a time.
+#define COLLIDER_SLOTS 4
+// Cells of the grid that are listed once more behind the last, so that no range of neighbours wraps.
+#define WRAPPED_CELLS 9
+// Cells of the fluids' grid along x that are as long together as one is wide: rows of candidates end closer.
+#define FINE_CELLS 4
+// Threads in a work group of strands: there are few, and each is long.
+#define STRAND_GROUP_SIZE 8
+// A soft distance that may tear does so at this many times its length.
+#define TEAR_STRETCH 1.5f
+// Slots whose lists of neighbours lie together.
+#define NEIGHBOUR_BLOCK 32u
+// "Belongs to nothing", as in sim/world/world.h.
+#define NO_BODY 0xffffffffu
+
+// ColliderShape of sim/world/world.h.
+#define COLLIDER_PLANE 0u
+#define COLLIDER_BOX 1u
+#define COLLIDER_SPHERE 2u
+#define COLLIDER_CAPSULE 3u
+#define COLLIDER_MESH 4u
+#define COLLIDER_HEIGHTFIELD 5u
+
+// ParticleInfo::body of a fluid particle.
+#define IN_FLUID 0xfffffffeu
+
+// Bits of Counters::problems.
+#define PROBLEM_CONTACTS 1u
+#define PROBLEM_COLLIDERS 2u
+#define PROBLEM_NAN 4u
+#define PROBLEM_PAIRS 8u
+#define PROBLEM_FLUID 16u
+
+// Dispatches whose sizes the GPU decides (SolverBuffers::dispatches).
+#define DISPATCH_PARTICLES 0        // this and the next seven: none where contacts were not found anew
+#define DISPATCH_CELLS 1
+#define DISPATCH_CELL_CHUNKS 2
+#define DISPATCH_LIST_CHUNKS 3
+#define DISPATCH_ONE 4
+#define DISPATCH_MOVERS 5
+#define DISPATCH_NEW_PAIRS 6
+#define DISPATCH_NEW_COLLIDER_PAIRS 7
+#define DISPATCH_PAIRS 8
+#define DISPATCH_COLLIDER_PAIRS 9
+#define DISPATCH_FAST 10            // particles that find contacts from afar
+#define DISPATCH_SLOTS 11           // of fluids, where there are emitters or drains
+#define DISPATCH_EMIT 12
+#define DISPATCH_COUNT 13
+
+// By how much longer contacts are to stay good where few things are fast.
+#define CALM 3.0f
+// Relaxation of a mover's contacts: where it starts, and how it grows until their impulses turn about.
+#define FIRST_RELAXATION 1.5f
+#define MOST_RELAXATION 3.2f
+
+// Nearer than this many diameters, particles have sunk into each other: their contact holds them while they part.
+#define SUNK 0.85f
+// Its friction has at least this many times what recovery may push in a substep as normal impulse.
+#define SUNK_GRIP 4.0f
+// What leaves faster than this is pushed out of another by no more than the least share of the recovery [m/s].
+#define LEAVING_SPEED 1.0f
+#define LEAST_RECOVERY 0.1f
+// An impulse of more than so many times its mean is a shock, which may go as it came.
+#define SHOCK 10.0
+// The mean falls so many times faster than it rises: what parts and meets again is not to be pushed by it.
+#define MEAN_FALL 4.0
+
+// Of the multipliers of fluids: at 1 resting water boils.
+#define FLUID_RELAXATION 0.45f
+// More than this of too much density is not taken back at a time: a limit that keeps momentum.
+#define MOST_FLUID_ERROR 1.0f
+// Among solids, fluid gets no faster than they and it were by more than this [m/s2].
+#define MOST_SQUEEZE 100.0f
+// k of s_corr (Macklin and Mueller 2013, eq. 13), as a share of the multipliers: 0.1 at a fifth of the reach.
+#define FLUID_REPULSION 0.34f
+// Steps for which an assembly has to be calm before it sleeps.
+#define CALM_STEPS 30u
+// Rounds of two iterations of the impulses that make collisions bounce.
+#define BOUNCE_ROUNDS 2
+
+// pairImpulses[].w of a contact that is going to act but carries nothing yet.
+#define ABOUT_TO_ACT (-1.0)
+
+#endif
