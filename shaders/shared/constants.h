@@ -63,6 +63,11 @@
 #define FIRST_RELAXATION 1.5f
 #define MOST_RELAXATION 3.2f
 
+// Another is beside a particle of a lattice up to half the lattice away along an axis, and a little more, so that there is
+// always one that it is beside [diameters].
+#define BESIDE 0.55f
+// Nearer than this many diameters to a face or an edge of a box of particles, the direction away from it says nothing.
+#define LEAST_FLAT 0.3f
 // Nearer than this many diameters, particles have sunk into each other: their contact holds them while they part.
 #define SUNK 0.85f
 // Its friction has at least this many times what recovery may push in a substep as normal impulse.

@@ -2,7 +2,7 @@
 #include "shared/kernel.glsl"
 #include "shared/bounce.glsl"
 #include "shared/list_ranges.glsl"
-#include "shared/one_sided.glsl"
+#include "shared/flat_faces.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairs;
@@ -24,13 +24,12 @@ void main()
     uvec2 pair = texelFetch(pairs, place).xy;
     vec4 armA = texelFetch(pairArms, int(2u * q)), armB = texelFetch(pairArms, int(2u * q + 1u));
     PointState a = pointState(movers.x, armA.xyz), b = pointState(movers.y, armB.xyz);
+    vec4 turnA = texelFetch(moverRotations, int(movers.x)), turnB = texelFetch(moverRotations, int(movers.y));
     vec3 apart = a.position - b.position;
-    float far = length(apart);
-    vec4 sided = sidedNormal(apart, far, unpackWay(sides.xy));
-    vec3 normal = sided.w > 0.0 ? sided.xyz : contactNormal(apart, far, true);
+    vec3 normal = partingOf(apart, unpackWay(sides.xy), turnA, turnB, unpackHidden(sides.w)).normal;
     vec3 before = velocityBefore(movers.x, armA.xyz) - velocityBefore(movers.y, armB.xyz);
     vec2 splits = vec2(texelFetch(moverBounces, int(movers.x)).x, texelFetch(moverBounces, int(movers.y)).x);
-    float inverseMass = dot(splits * vec2(armA.w, armB.w), unpackUnorm2x16(sides.w));
+    float inverseMass = dot(splits * vec2(armA.w, armB.w), unpackShares(sides.w));
     float restitution = max(texelFetch(masses, int(pair.x)).y, texelFetch(masses, int(pair.y)).y);
     pairBounces[place] = solveBounce(texelFetch(lastPairBounces, place), texelFetch(pairImpulses, place).w, normal,
                                      before, a.velocity - b.velocity, inverseMass, restitution);

@@ -3,7 +3,7 @@
 #include "shared/movers.glsl"
 #include "shared/list_ranges.glsl"
 #include "shared/contact_impulse.glsl"
-#include "shared/one_sided.glsl"
+#include "shared/flat_faces.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairSides;
@@ -20,23 +20,24 @@ void main()
     if (q >= counters[0].pairCount) return;
     uvec4 sides = texelFetch(pairSides, int(q));
     vec4 armA = texelFetch(pairArms, int(2u * q)), armB = texelFetch(pairArms, int(2u * q + 1u));
-    MoverPoint a = moverPoint(sides.x & MOVER_MASK, armA.xyz), b = moverPoint(sides.y & MOVER_MASK, armB.xyz);
+    uvec2 movers = sides.xy & MOVER_MASK;
+    MoverPoint a = moverPoint(movers.x, armA.xyz), b = moverPoint(movers.y, armB.xyz);
     vec3 startApart = a.centre - b.centre + (a.arm - b.arm);
     Contact contact;
     contact.slide = a.move - b.move;
     vec3 r = startApart + contact.slide;
-    float far = length(r), startFar = length(startApart);
+    float far = length(r);
     Way way = unpackWay(sides.xy);
-    vec4 sided = sidedNormal(startApart, startFar, way);
-    bool oneSided = sided.w > 0.0;
-    contact.normal = oneSided ? sided.xyz : contactNormal(r, far, true);
+    Parting parting = partingOf(startApart, way, texelFetch(moverRotations, int(movers.x)),
+                                texelFetch(moverRotations, int(movers.y)), unpackHidden(sides.w));
+    contact.normal = parting.keeps ? parting.normal : contactNormal(r, far, true);
     contact.kin = way.kin;
     contact.leaving = max(dot(a.move, contact.normal), -dot(b.move, contact.normal));
-    contact.startGap = oneSided && way.deep ? -step.diameter : startFar - step.diameter;
-    contact.gap = oneSided ? contact.startGap + dot(contact.slide, sided.xyz) : far - step.diameter;
+    contact.startGap = (parting.sided && way.deep ? 0.0 : parting.far) - step.diameter;
+    contact.gap = parting.keeps ? contact.startGap + dot(contact.slide, parting.normal) : far - step.diameter;
     vec2 worst = vec2(armA.w * a.splits, armB.w * b.splits);
     contact.worstMass = worst.x + worst.y;
-    contact.inverseMass = dot(worst, unpackUnorm2x16(sides.w));
+    contact.inverseMass = dot(worst, unpackShares(sides.w));
     contact.friction = unpackHalf2x16(sides.z);
     uint place = counters[0].listParity * step.pairCapacity + q;
     float mean = texelFetch(lastPairMeans, int(place)).x;

@@ -2,9 +2,11 @@
 #include "shared/kernel.glsl"
 #include "shared/list_ranges.glsl"
 #include "shared/way_out.glsl"
+#include "shared/flat_faces.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer particlePlaces;   // mover, rank
+uniform usamplerBuffer latticeEnds;
 uniform samplerBuffer restOffsets;
 uniform samplerBuffer masses;
 uniform samplerBuffer foundPositions;
@@ -12,7 +14,7 @@ uniform usamplerBuffer pairs;
 uniform samplerBuffer lastPairImpulses;
 uniform samplerBuffer lastPairMeans;
 uniform usamplerBuffer pairArrivals;     // by second particle, in the order of arrival, which differs from run to run
-BUFFER(uvec4, PairSides, pairSides);     // movers with the way out, frictions, shares of inverse masses
+BUFFER(uvec4, PairSides, pairSides);     // movers with the way out, frictions, shares of inverse masses with hidden axes
 BUFFER(vec4, PairArms, pairArms);        // two a pair: place in the body, worst inverse mass there
 BUFFER(vec4, PairImpulses, pairImpulses);
 BUFFER(float, PairMeans, pairMeans);
@@ -65,21 +67,22 @@ void main()
     uvec2 a = texelFetch(particlePlaces, i).xy, b = texelFetch(particlePlaces, j).xy;
     vec4 armA = texelFetch(restOffsets, i), armB = texelFetch(restOffsets, j);
     vec3 apart = texelFetch(foundPositions, i).xyz - texelFetch(foundPositions, j).xyz;
-    float far = length(apart);
     Way way = wayOut(i, j, uvec2(a.x, b.x), apart);
-    vec4 sided = sidedNormal(apart, far, way);
-    vec3 normal = sided.w > 0.0 ? sided.xyz : contactNormal(apart, far, true);
+    vec4 turnA = texelFetch(foundRotations, int(a.x)), turnB = texelFetch(foundRotations, int(b.x));
+    uint hidden = hiddenAxes(texelFetch(latticeEnds, i).x, rotate(conjugate(turnA), -apart)) |
+                  hiddenAxes(texelFetch(latticeEnds, j).x, rotate(conjugate(turnB), apart)) << 3;
+    Parting parting = partingOf(apart, way, turnA, turnB, hidden);
     uvec2 movers = uvec2(a.x, b.x) | packWay(way);
     vec2 friction = 0.5 * (texelFetch(masses, i).zw + texelFetch(masses, j).zw);
     // A mass of balls that slide on each other and cannot turn has pi / 2 times their friction (Caquot 1934): that is
     // what the material's friction is to be.
     if (min(a.x, b.x) >= step.bodyCount) friction *= 0.63662;
-    vec2 shares = vec2(normalShare(a.x, armA, normal), normalShare(b.x, armB, normal));
-    pairSides[q] = uvec4(movers, packHalf2x16(friction), packUnorm2x16(shares));
+    vec2 shares = vec2(normalShare(a.x, armA, parting.normal), normalShare(b.x, armB, parting.normal));
+    pairSides[q] = uvec4(movers, packHalf2x16(friction), packShares(shares, hidden));
     pairArms[2u * q] = armA;
     pairArms[2u * q + 1u] = armB;
     Old old = oldImpulse(parity ^ 1u, pair.x, pair.y, a.y, b.y);
-    if (far < step.diameter && old.impulse.w <= 0.0) old.impulse.w = ABOUT_TO_ACT;
+    if (parting.far < step.diameter && old.impulse.w <= 0.0) old.impulse.w = ABOUT_TO_ACT;
     pairImpulses[parity * step.pairCapacity + q] = old.impulse;
     pairMeans[parity * step.pairCapacity + q] = old.mean;
     refer(parity, q, b.y);

@@ -67,6 +67,7 @@ struct SolverBuffers {
     Buffer<uint32_t> sharedParticles;    ///< The particles of two or more bodies.
     Buffer<gpu::uvec4> sharedOwners;     ///< Of those of exactly two, which come first: link and body of each.
     Buffer<gpu::vec4> particleSurfaces;  ///< Way out of the first body, zero where none; w: distance to its surface.
+    Buffer<uint32_t> latticeEnds;        ///< SurfaceDistance::ends of a body without joints, ALL_ENDS of all others.
     Buffer<gpu::GpuCollider> colliders;
     Buffer<float> gridValues;            ///< Of all ColliderGrids.
     Buffer<gpu::StepParameters> step;
@@ -126,7 +127,8 @@ struct SolverBuffers {
     Buffer<uint32_t> colliderLists;      ///< As found, COLLIDER_SLOTS a particle.
     Buffer<uint32_t> listCounts, listSums, listStarts; ///< Three lists of ranks; the last in halves.
     Buffer<gpu::uvec2> pairs;            ///< Halves of pairCapacity: first and second particle.
-    Buffer<gpu::uvec4> pairSides;        ///< Per pair: movers (with a way out), frictions, shares of inverse masses.
+    Buffer<gpu::uvec4> pairSides;        ///< Per pair: movers (with a way out), frictions, shares of inverse masses and
+                                         ///< hidden axes (shaders/shared/flat_faces.glsl).
     Buffer<gpu::vec4> pairArms;          ///< Per pair, two: place in the body, worst inverse mass there.
     Buffer<gpu::vec4> pairImpulses;      ///< Halves: the whole impulse, its normal part [kg m].
     Buffer<float> pairMeans;             ///< Halves: the mean of its normal part lately [kg m].

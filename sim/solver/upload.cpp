@@ -33,7 +33,10 @@ void uploadParticles(SolverBuffers& out, const World& world)
 {
     std::vector<gpu::vec4> positions, velocities, rest, masses, surfaces;
     std::vector<gpu::ParticleInfo> infos;
+    std::vector<uint32_t> ends;
     uint32_t assemblies = world.assemblyCount;
+    std::vector<uint32_t> bodiesOf(assemblies);
+    for (const Body& body : world.bodies) ++bodiesOf[body.assembly];
     const size_t firstPooled = world.particles.size() - world.pooledCount();
     for (const Particle& p : world.particles) {
         const bool fixed = isFixed(world, p);
@@ -41,6 +44,8 @@ void uploadParticles(SolverBuffers& out, const World& world)
         positions.push_back(pack(p.position, positions.size() >= firstPooled ? 1.0f : 0.0f));
         velocities.push_back(pack(fixed ? Vector3f::Zero() : p.velocity, 0));
         surfaces.push_back(p.bodyCount == 1 ? pack(p.surface.outward, p.surface.distance) : gpu::vec4{});
+        const bool alone = p.bodyCount == 1 && bodiesOf[p.assembly] == 1;
+        ends.push_back(alone ? p.surface.ends : ALL_ENDS);
         rest.push_back(pack(p.restPosition, p.touchesAssembly ? p.selfMargin : NO_SELF_CONTACT));
         const bool fluid = material.fluid;
         infos.push_back({fluid ? IN_FLUID : p.body, p.bodyCount,
@@ -56,6 +61,7 @@ void uploadParticles(SolverBuffers& out, const World& world)
     out.restPositions = {"restPositions", std::span<const gpu::vec4>(rest)};
     out.masses = {"masses", std::span<const gpu::vec4>(masses)};
     out.particleSurfaces = {"particleSurfaces", std::span<const gpu::vec4>(surfaces)};
+    out.latticeEnds = {"latticeEnds", std::span<const uint32_t>(ends)};
     out.particleInfo = {"particleInfo", std::span<const gpu::ParticleInfo>(infos)};
     for (auto [buffer, name] : {std::pair{&out.predicted, "predicted"}, {&out.moved, "moved"},
                                 {&out.stabilized, "stabilized"}, {&out.foundPositions, "foundPositions"}})
@@ -163,7 +169,7 @@ void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
     const float iterations = static_cast<float>(s.iterations);
     p.warmStart = std::pow(0.985f, 1.0f / iterations);
     p.calming = 1.0f - std::pow(0.95f, 1.0f / iterations);
-    p.meanRate = 1.0f - std::pow(0.995f, 1.0f / iterations);
+    p.meanRate = 1.0f - std::pow(0.9975f, 1.0f / iterations);
     p.jointRelaxation = 1.8f;
     p.massScaling = s.massScaling;
     p.vorticity = s.vorticity * s.timeStep;
@@ -278,7 +284,7 @@ BufferTable SolverBuffers::table()
     BufferTable t;
     t.add(positions, velocities, particleInfo, particlePlaces, rankedParticles, masses, restPositions, restOffsets,
           links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
-          sharedParticles, sharedOwners, particleSurfaces, colliders, gridValues, step);
+          sharedParticles, sharedOwners, particleSurfaces, latticeEnds, colliders, gridValues, step);
     t.add(clusterInfo, clusterMoments, softMatter, softParticles, softLinks, clusterRotations, clusterRests,
           clusterPulls, softImpulses);
     t.add(moverCentres, moverRotations, moverMoves, moverTurns, moverVelocities, oldMoverVelocities, oldMoverMoves,

@@ -11,6 +11,17 @@ namespace {
 
 constexpr float TIE = 0.01f;
 
+/// SurfaceDistance::ends of a particle that far from the outermost on each side [m].
+uint32_t latticeEnds(const Vector3f& fromLow, const Vector3f& toHigh, float diameter)
+{
+    uint32_t ends = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (fromLow[axis] < 0.5f * diameter) ends |= 1u << 2 * axis;
+        if (toHigh[axis] < 0.5f * diameter) ends |= 2u << 2 * axis;
+    }
+    return ends;
+}
+
 }  // namespace
 
 SurfaceDistance boxSurface(const Vector3f& point, const Vector3f& halfExtents)
@@ -46,7 +57,10 @@ std::vector<SurfaceDistance> latticeSurface(std::span<const Vector3f> positions,
     if (counts.prod() != static_cast<double>(positions.size())) return {};
     const Vector3f centre = 0.5f * (low + high), half = 0.5f * (high - low).array() + 0.5f * diameter;
     std::vector<SurfaceDistance> surfaces;
-    for (const Vector3f& position : positions) surfaces.push_back(boxSurface(position - centre, half));
+    for (const Vector3f& position : positions) {
+        surfaces.push_back(boxSurface(position - centre, half));
+        surfaces.back().ends = latticeEnds(position - low, high - position, diameter);
+    }
     return surfaces;
 }
 

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace knuckle {
+
+/// Of a particle that is in no lattice, see SurfaceDistance::ends.
+inline constexpr uint32_t ALL_ENDS = 63;
 
 /// Where a particle of a body stands to the surface of the body (Macklin et al. 2014, 5.1).
 struct SurfaceDistance {
@@ -12,6 +16,8 @@ struct SurfaceDistance {
     /// The distance's unit gradient, out of the body, in the rest pose; zero where it has none: midway between two
     /// sides, in particles that bodies share, and in loose ones.
     Eigen::Vector3f outward{0, 0, 0};
+    /// Where a box lattice ends at the particle: bits 2 k and 2 k + 1, towards - and + along axis k of the rest pose.
+    uint32_t ends = ALL_ENDS;
 };
 
 /// Of a point of a box about the origin with edges of twice halfExtents [m]. Where faces are equally near, to within a

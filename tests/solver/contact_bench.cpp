@@ -30,10 +30,9 @@ uint32_t packHalves(float a, float b)
     return bits(a) | bits(b) << 16;
 }
 
-uint32_t packShares(float a, float b)
+uint32_t level(float share, float levels)
 {
-    const auto bits = [](float v) { return static_cast<uint32_t>(std::lround(v * 65535.0f)); };
-    return bits(a) | bits(b) << 16;
+    return static_cast<uint32_t>(std::lround(share * levels));
 }
 
 template <typename T>
@@ -75,7 +74,7 @@ void ContactBench::setPairs(std::vector<TestContact> contacts)
     for (const TestContact& c : pairs) {
         const uint32_t first = moverOf[c.first] | (c.kin ? KIN : 0u);
         sides.push_back({first, moverOf[c.second], packHalves(c.staticFriction, c.kineticFriction),
-                         packShares(c.firstShare, c.secondShare)});
+                         level(c.firstShare, 8191) | level(c.secondShare, 8191) << 13 | c.hidden << 26});
         arms.push_back(packed(c.firstArm, c.firstMass));
         arms.push_back(packed(c.secondArm, c.secondMass));
         impulses.push_back(c.impulse);
@@ -96,7 +95,7 @@ void ContactBench::setColliderContacts(std::vector<TestContact> contacts)
     std::vector<float> means;
     for (const TestContact& c : colliderContacts) {
         sides.push_back({moverOf[c.first], c.second, packHalves(c.staticFriction, c.kineticFriction),
-                         packShares(c.firstShare, 1)});
+                         level(c.firstShare, 65535) | 0xffffu << 16});
         arms.push_back(packed(c.firstArm, c.firstMass));
         impulses.push_back(c.impulse);
         means.push_back(c.mean);

@@ -47,11 +47,11 @@ protected:
         const float normal = random.between(0, size);
         c.impulse = packed(Vector3f(normal * random.direction() + random.inCube(0.3f * size)), normal);
     }
-    void addMaterial(TestContact& c, Random& random) const
+    void addMaterial(TestContact& c, Random& random, float levels) const
     {
         c.firstMass = bench.isFixed(bench.moverOf[c.first]) ? 0.0f : random.between(0.5f, 4);
-        c.firstShare = std::floor(random.between(20000, 65535)) / 65535.0f;
-        c.secondShare = std::floor(random.between(20000, 65535)) / 65535.0f;
+        c.firstShare = std::floor(random.between(0.3f, 1.0f) * levels) / levels;
+        c.secondShare = std::floor(random.between(0.3f, 1.0f) * levels) / levels;
         c.kineticFriction = std::floor(random.between(0, 4)) / 4;
         c.staticFriction = c.kineticFriction + std::floor(random.between(0, 3)) / 4;
     }
@@ -70,13 +70,15 @@ protected:
             TestContact c{.first = anyParticle(random), .second = anyParticle(random)};
             const uint32_t a = bench.moverOf[c.first], b = bench.moverOf[c.second];
             if (a == b || (bench.isFixed(a) && bench.isFixed(b))) continue;
-            addMaterial(c, random);
+            addMaterial(c, random, 8191);
             c.secondMass = bench.isFixed(b) ? 0.0f : random.between(0.5f, 4);
             const Vector3f place = random.inCube(0.3f);
             c.firstArm = bench.armTo(c.first, place);
             const float far = DIAMETER + random.between(-deepest, 0.01f);
             c.kin = list.size() % 7 == 0;
             c.secondArm = bench.armTo(c.second, place + far * random.direction());
+            if (list.size() % 3 == 0) c.hidden = static_cast<uint32_t>(random.between(0, 63.999f));
+            if (ofPair(c).startGap < -static_cast<double>(deepest)) c.hidden = 0;
             addImpulse(c, random);
             list.push_back(c);
         }
@@ -89,7 +91,7 @@ protected:
         std::vector<TestContact> list;
         while (list.size() < 777) {
             TestContact c{.first = anyParticle(random), .second = static_cast<uint32_t>(list.size() % 2)};
-            addMaterial(c, random);
+            addMaterial(c, random, 65535);
             const Collider& collider = bench.world.colliders[c.second];
             const float off = DIAMETER / 2 + random.between(-0.01f, 0.01f);
             const Vector3f at = random.inCube(0.3f);
@@ -101,6 +103,27 @@ protected:
         }
         bench.setColliderContacts(std::move(list));
     }
+    /// A vector without its parts along the axes of a mover that `hidden` names.
+    Vector3d withoutAxes(const Vector3d& v, uint32_t mover, uint32_t hidden) const
+    {
+        Vector3d out = v;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vector3d along = bench.rotation(mover) * Vector3d::Unit(axis);
+            if (hidden >> axis & 1) out -= along * along.dot(v);
+        }
+        return out;
+    }
+    /// What is near a face or an edge is as far as from that, by the nearer of both, and stays so.
+    void flatten(Situation& s, const TestContact& c, const Vector3d& apart) const
+    {
+        const Vector3d a = withoutAxes(apart, bench.moverOf[c.first], c.hidden & 7);
+        const Vector3d b = withoutAxes(apart, bench.moverOf[c.second], c.hidden >> 3);
+        Vector3d flat = a.norm() < b.norm() ? a : b;
+        if (flat.norm() <= double(LEAST_FLAT * DIAMETER)) flat = apart;
+        s.normal = flat.normalized();
+        s.startGap = flat.norm() - DIAMETER;
+        s.gap = s.startGap + s.slide.dot(s.normal);
+    }
     Situation ofPair(const TestContact& c) const
     {
         const Vector3d a = bench.place(c.first, c.firstArm), b = bench.place(c.second, c.secondArm);
@@ -109,10 +132,11 @@ protected:
         s.slide = first - second;
         const Vector3d apart = a - b + s.slide;
         s.normal = apart.normalized();
-        s.leaving = std::max(first.dot(s.normal), -second.dot(s.normal));
-        s.kin = c.kin;
         s.gap = apart.norm() - DIAMETER;
         s.startGap = (a - b).norm() - DIAMETER;
+        if (c.hidden != 0) flatten(s, c, a - b);
+        s.leaving = std::max(first.dot(s.normal), -second.dot(s.normal));
+        s.kin = c.kin;
         s.worstMass = SPLITS * (c.firstMass + c.secondMass);
         s.inverseMass = SPLITS * (c.firstMass * c.firstShare + c.secondMass * c.secondShare);
         s.places = 2 * (c.firstArm.norm() + c.secondArm.norm()) + a.norm() + b.norm();

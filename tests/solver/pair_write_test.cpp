@@ -18,9 +18,23 @@ struct WayOut {
     bool deep = false;
 };
 
+/// How a pair parts: by the way out, mirrored, by a face, or simply from each other.
+struct Parting {
+    Vector3d normal;
+    double far = 0.0;
+    uint32_t hidden = 0;
+    bool oneSided = false;
+    bool sure = true;    ///< Not so near a limit that rounding decides.
+};
+
 /// What each pair is made of, and what it remembers.
 class PairWrite : public testing::Test {
 protected:
+    PairWrite() : bodiesOfAssembly(bench.world.assemblyCount)
+    {
+        for (const Body& body : bench.world.bodies) ++bodiesOfAssembly[body.assembly];
+        setTurnsAndInertias();
+    }
     void find()
     {
         bench.findPairs(GridKind::Lattice);
@@ -93,18 +107,61 @@ protected:
         if (away.norm() <= 0.3) return {};
         return {away.normalized(), (byFirst ? first : second) >= DIAMETER};
     }
-    /// Theirs, mirrored, or the way out itself.
-    static Vector3d normalOf(const Vector3d& apart, const WayOut& way)
+    Vector3d apart(uint32_t i, uint32_t j) const
     {
-        const double far = apart.norm(), facing = apart.dot(way.away);
-        const bool between = far < (facing < 0.5 * far ? SUNK : 0.5) * DIAMETER && !way.away.isZero();
-        if (between || (way.deep && far < DIAMETER && !way.away.isZero())) return way.away;
-        return (facing < 0 ? Vector3d(apart - 2.0 * facing * way.away) : apart).normalized();
+        return (vec3(bench.found[i]) - vec3(bench.found[j])).cast<double>();
+    }
+    /// Where a box without joints goes on from the particle towards another beside it, the other's place does not count.
+    /// `sure` becomes false where rounding decides.
+    Vector3d shown(uint32_t particle, const Vector3d& towards, uint32_t& hidden, bool& sure) const
+    {
+        const Particle& p = bench.world.particles[particle];
+        Vector3d out = towards;
+        hidden = 0;
+        if (p.bodyCount != 1 || bodiesOfAssembly.at(p.assembly) > 1) return out;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vector3d along = turns[p.body].cast<double>() * Vector3d::Unit(axis);
+            const double t = along.dot(towards);
+            sure = sure && std::min(std::abs(t), std::abs(std::abs(t) - BESIDE * DIAMETER)) > DISTANCE_ROUNDING;
+            if (std::abs(t) >= BESIDE * DIAMETER || (p.surface.ends >> (2 * axis + (t > 0)) & 1)) continue;
+            out -= along * t;
+            hidden |= 1u << axis;
+        }
+        return out;
+    }
+    Parting partingOf(uint32_t i, uint32_t j) const
+    {
+        const WayOut way = wayOut(i, j);
+        const Vector3d r = apart(i, j);
+        const double far = r.norm(), facing = r.dot(way.away);
+        const bool known = !way.away.isZero();
+        Parting out;
+        out.sure = std::abs(facing / far) > 1e-4 && std::abs(facing / far - 0.5) > 1e-4;
+        uint32_t first = 0, second = 0;
+        const Vector3d byFirst = shown(i, -r, first, out.sure), bySecond = shown(j, r, second, out.sure);
+        out.hidden = first | second << 3;
+        const bool between = known && far < (facing < 0.5 * far ? SUNK : 0.5) * DIAMETER;
+        const bool isDeep = known && way.deep && far < DIAMETER;
+        out.far = far;
+        out.normal = r / far;
+        out.oneSided = between || isDeep || facing < 0;
+        if (between || isDeep) out.normal = way.away;
+        else if (facing < 0) out.normal = (r - 2.0 * facing * way.away) / far;
+        else if (out.hidden != 0) {
+            const bool ofFirst = byFirst.norm() < bySecond.norm();
+            const Vector3d flat = ofFirst ? Vector3d(-byFirst) : bySecond;
+            out.sure = out.sure && std::abs(flat.norm() - double(LEAST_FLAT * DIAMETER)) > DISTANCE_ROUNDING;
+            if (flat.norm() <= double(LEAST_FLAT * DIAMETER)) return out;
+            out.far = flat.norm();
+            out.normal = flat / out.far;
+        }
+        return out;
     }
 
+    SearchBench bench;
     std::vector<Quaternionf> turns;      ///< Per mover.
     std::vector<Matrix3d> inertias;      ///< Per body, inverse.
-    SearchBench bench;
+    std::vector<uint32_t> bodiesOfAssembly;
 };
 
 gpu::vec4 impulseOfPair(gpu::uvec2 pair)
@@ -149,8 +206,9 @@ TEST_F(PairWrite, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChangePlac
         const auto same = old.find({i, j}), turned = old.find({j, i});
         const gpu::vec4 actual = impulses[first + q];
         if (same == old.end() && turned == old.end()) {
-            const bool overlap = bench.distance(i, j) < DIAMETER;
-            if (std::abs(bench.distance(i, j) - DIAMETER) < DISTANCE_ROUNDING) continue;
+            const Parting parting = partingOf(i, j);
+            const bool overlap = parting.far < DIAMETER;
+            if (!parting.sure || std::abs(parting.far - DIAMETER) < DISTANCE_ROUNDING) continue;
             ASSERT_EQ(vec3(actual), Vector3f::Zero()) << "particles " << i << " and " << j;
             ASSERT_EQ(means[first + q], 0.0f) << "particles " << i << " and " << j;
             ASSERT_EQ(actual.w, overlap ? float(ABOUT_TO_ACT) : 0.0f) << "particles " << i << " and " << j;
@@ -187,8 +245,9 @@ TEST_F(PairWrite, PairsWithoutAPushAreAboutToActWhereTheyOverlap)
     first = start();
     ASSERT_EQ(again.size(), found.size());
     for (size_t q = 0; q < again.size(); ++q) {
-        const float gap = bench.distance(again[q].x, again[q].y) - DIAMETER;
-        if (std::abs(gap) < DISTANCE_ROUNDING) continue;
+        const Parting parting = partingOf(again[q].x, again[q].y);
+        const double gap = parting.far - DIAMETER;
+        if (!parting.sure || std::abs(gap) < DISTANCE_ROUNDING) continue;
         ASSERT_EQ(impulses[first + q].w, gap < 0 || q % 2 == 0 ? float(ABOUT_TO_ACT) : 0.0f) << "pair " << q;
     }
 }
@@ -223,39 +282,36 @@ TEST_F(PairWrite, APairKnowsItsMoversArmsAndFriction)
 
 TEST_F(PairWrite, APairKnowsTheInverseMassesAlongItsNormalAsSharesOfTheWorst)
 {
-    setTurnsAndInertias();
     find();
     const auto sides = bench.buffers.pairSides.download();
     const auto offsets = bench.buffers.restOffsets.download();
     const auto found = pairs();
-    uint32_t partial = 0, oneSided = 0;
+    uint32_t partial = 0, oneSided = 0, flat = 0;
     for (size_t q = 0; q < found.size(); q += 7) {
-        const Vector3f apart = vec3(bench.found[found[q].x]) - vec3(bench.found[found[q].y]);
-        const WayOut way = wayOut(found[q].x, found[q].y);
-        const Vector3d normal = normalOf(apart.cast<double>(), way);
-        const double facing = apart.cast<double>().dot(way.away) / static_cast<double>(apart.norm());
-        // So near a limit that rounding decides.
-        if (std::abs(facing) < 1e-4 || std::abs(facing - 0.5) < 1e-4) continue;
-        oneSided += normal.dot(apart.cast<double>().normalized()) < 0.999;
+        const Parting parting = partingOf(found[q].x, found[q].y);
+        if (!parting.sure) continue;
+        ASSERT_EQ(sides[q].w >> 26, parting.hidden) << "pair " << q;
+        oneSided += parting.oneSided;
+        flat += !parting.oneSided && parting.hidden != 0 && parting.far > double(LEAST_FLAT * DIAMETER);
         for (int side : {0, 1}) {
             const uint32_t particle = side == 0 ? found[q].x : found[q].y;
             const gpu::vec4& arm = offsets[particle];
             // Fixed movers have no worst.
-            const double mass = inverseMass(particle, vec3(arm), normal);
+            const double mass = inverseMass(particle, vec3(arm), parting.normal);
             const double wanted = arm.w == 0.0f ? 1.0 : std::min(mass / static_cast<double>(arm.w), 1.0);
-            const float share = static_cast<float>(sides[q].w >> (16 * side) & 0xffffu) / 65535.0f;
-            // 16 bits, and some 20 roundings of single precision.
-            ASSERT_NEAR(share, wanted, 1.0 / 65535 + 20 * 0x1p-24) << "pair " << q << ", side " << side;
+            const float share = static_cast<float>(sides[q].w >> (13 * side) & 0x1fffu) / 8191.0f;
+            // 13 bits, and some 20 roundings of single precision.
+            ASSERT_NEAR(share, wanted, 1.0 / 8191 + 20 * 0x1p-24) << "pair " << q << ", side " << side;
             partial += share < 0.9f;
         }
     }
     EXPECT_GT(partial, 100u);
     EXPECT_GT(oneSided, 100u);
+    EXPECT_GT(flat, 100u);
 }
 
 TEST_F(PairWrite, APairKnowsItsWayOut)
 {
-    setTurnsAndInertias();
     find();
     const auto sides = bench.buffers.pairSides.download();
     const auto found = pairs();

@@ -21,12 +21,19 @@ TEST(Surface, ABoxLatticeHasTheDistancesOfItsBoxWhereverItStands)
     EXPECT_LT((surfaces[0].outward - Vector3f(-1, -1, -1).normalized()).norm(), 1e-6f) << "a corner";
     EXPECT_LT((surfaces[2].outward - Vector3f(0, -1, -1).normalized()).norm(), 1e-6f) << "an edge";
     EXPECT_LT((surfaces[7].outward - Vector3f(0, 0, -1)).norm(), 1e-6f) << "a face";
+    EXPECT_EQ(surfaces[0].ends, 0b010101u) << "a corner";
+    EXPECT_EQ(surfaces[2].ends, 0b010100u) << "an edge";
+    EXPECT_EQ(surfaces[7].ends, 0b010000u) << "a face";
+    EXPECT_EQ(surfaces[22].ends, 0u) << "inside";
+    EXPECT_EQ(surfaces[59].ends, 0b101010u) << "the last corner";
 }
 
 TEST(Surface, ASingleLayerHasNoWayOutAcross)
 {
     for (const SurfaceDistance& surface : latticeSurface(boxLattice({5, 1, 5}, DIAMETER), DIAMETER))
         EXPECT_EQ(surface.outward.y(), 0.0f);
+    for (const SurfaceDistance& surface : latticeSurface(boxLattice({5, 1, 5}, DIAMETER), DIAMETER))
+        EXPECT_EQ(surface.ends & 0b1100u, 0b1100u) << "both of its sides are faces";
 }
 
 TEST(Surface, WhatIsNoBoxLatticeHasNone)
