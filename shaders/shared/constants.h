@@ -9,7 +9,7 @@
 // Values that one thread of a prefix sum adds up.
 #define SCAN_CHUNK 64
 // Colliders that one particle can touch at a time.
-#define COLLIDER_SLOTS 4
+#define COLLIDER_SLOTS 8
 // Cells of the grid that are listed once more behind the last, so that no range of neighbours wraps.
 #define WRAPPED_CELLS 9
 // Cells of the fluids' grid along x that are as long together as one is wide: rows of candidates end closer.
