@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -14,6 +15,8 @@
 namespace knuckle {
 
 namespace {
+
+constexpr std::array<float, 3> WATER_COLOR = {0.05f, 0.25f, 0.5f};
 
 /// A preset's name becomes an object, and the paper's choices stand where the schema would put the other defaults.
 void expandSolver(Json& root)
@@ -43,6 +46,16 @@ void settleCamera(Json& root)
     if (placed && !camera.contains("automatic")) camera["automatic"] = false;
 }
 
+/// Without a colour of their own, fluids are blue.
+void settleMaterials(Json& root)
+{
+    if (!root.is_object() || !root.contains("materials") || !root["materials"].is_object()) return;
+    for (Json& material : root["materials"]) {
+        const bool fluid = material.is_object() && material.value("fluid", Json()) == true;
+        if (fluid && !material.contains("color")) material["color"] = WATER_COLOR;
+    }
+}
+
 /// Where something flows in, nothing else need be there.
 void settleObjects(Json& root)
 {
@@ -60,6 +73,7 @@ JsonFile readCompleted(const std::string& path, const std::vector<Override>& ove
     expandSolver(file.root);
     fillPaperChoices(file.root);
     settleCamera(file.root);
+    settleMaterials(file.root);
     settleObjects(file.root);
     schema.complete(file);
     return file;
@@ -91,7 +105,7 @@ std::map<std::string, uint32_t> addMaterials(const JsonFile& file, WorldBuilder&
         Material water;
         water.name = "water";
         water.fluid = true;
-        water.color = {0.05f, 0.25f, 0.5f};
+        water.color = Vector3f(WATER_COLOR.data());
         indices["water"] = builder.addMaterial(water);
     }
     return indices;

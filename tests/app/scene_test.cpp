@@ -89,6 +89,17 @@ TEST(Scene, TakesTheStaticFrictionForBothWhereOneIsGiven)
     EXPECT_FLOAT_EQ(scene.world.materials[0].kineticFriction, 0.2f);
 }
 
+TEST(Scene, PaintsFluidsBlueUnlessTold)
+{
+    const Scene scene = load(R"({ "materials": { "brine": { "fluid": true }, "milk": { "fluid": true, "color": [1, 1, 1] },
+                                                 "wood": {} },
+                                  "objects": [{ "type": "fluid", "material": "brine", "shape": "box" }] })");
+    for (const Material& material : scene.world.materials) {
+        const bool blue = material.name == "brine" || material.name == "water";
+        EXPECT_EQ(material.color.z() > 2 * material.color.x(), blue) << material.name;
+    }
+}
+
 TEST(FrameSteps, AreAsNearToTheTimeStepAsCanBe)
 {
     const double step = 1.0 / 60.0;
