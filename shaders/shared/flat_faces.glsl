@@ -30,7 +30,7 @@ vec3 flatApart(vec3 apart, vec4 turnA, vec4 turnB, uint hidden)
     vec3 a = withoutAxes(apart, turnA, hidden & 7u), b = withoutAxes(apart, turnB, hidden >> 3);
     vec3 nearest = dot(a, a) < dot(b, b) ? a : b;
     float least = LEAST_FLAT * step.diameter;
-    return hidden != 0u && dot(nearest, nearest) > least * least ? nearest : apart;
+    return dot(nearest, nearest) > least * least ? nearest : apart;
 }
 
 /// Which way the sides of a pair part.
