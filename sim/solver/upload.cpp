@@ -69,7 +69,6 @@ void uploadParticles(SolverBuffers& out, const World& world)
     out.restPositions = {"restPositions", std::span<const gpu::vec4>(rest)};
     out.masses = {"masses", std::span<const gpu::vec4>(masses)};
     out.particleSurfaces = {"particleSurfaces", std::span<const gpu::vec4>(surfaces)};
-    out.latticeEnds = {"latticeEnds", std::span<const uint32_t>(latticeEnds(world))};
     out.particleInfo = {"particleInfo", std::span<const gpu::ParticleInfo>(infos)};
     for (auto [buffer, name] : {std::pair{&out.predicted, "predicted"}, {&out.moved, "moved"},
                                 {&out.stabilized, "stabilized"}, {&out.foundPositions, "foundPositions"}})
@@ -188,10 +187,9 @@ void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
 
 /// How far contacts are looked for, and for how long they stay good. Neighbours rarely use up their margins both and
 /// against each other, so each may drift by more than half of it.
-void setSearchParameters(gpu::StepParameters& p, const World& world)
+void setSearchParameters(gpu::StepParameters& p, const Settings& s, std::span<const uint32_t> ends)
 {
-    const Settings& s = world.settings;
-    const bool flat = std::ranges::any_of(latticeEnds(world), [](uint32_t ends) { return ends != ALL_ENDS; });
+    const bool flat = std::ranges::any_of(ends, [](uint32_t end) { return end != ALL_ENDS; });
     p.contactRadius = ((flat ? FLAT_TOUCH : 1.0f) + s.contactMargin) * p.diameter;
     p.inverseCellSize = 1.0f / p.contactRadius;
     p.drift = 1.0f * s.contactMargin * p.diameter;
@@ -202,7 +200,7 @@ void setSearchParameters(gpu::StepParameters& p, const World& world)
     p.alwaysFind = s.solver == SolverKind::Paper ? 1u : 0u;
 }
 
-void setParameters(SolverBuffers& out, const World& world)
+void setParameters(SolverBuffers& out, const World& world, std::span<const uint32_t> ends)
 {
     const Settings& s = world.settings;
     gpu::StepParameters& p = out.parameters;
@@ -222,7 +220,7 @@ void setParameters(SolverBuffers& out, const World& world)
     p.maxSpeed = s.maxSpeed;
     p.secondOrder = s.velocityOrder == VelocityOrder::Second ? 1u : 0u;
     p.rotationIterations = 3;
-    setSearchParameters(p, world);
+    setSearchParameters(p, s, ends);
     setImpulseParameters(p, s);
 }
 
@@ -266,7 +264,8 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
 {
     SolverBuffers out;
     const uint32_t count = world.solidCount();
-    setParameters(out, world);
+    const std::vector<uint32_t> ends = latticeEnds(world);
+    setParameters(out, world, ends);
     setFluidParameters(out.parameters, world);
     out.step = {"step", 1};
     out.counters = {"counters", 1};
@@ -274,6 +273,7 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
     out.parameters.pairCapacity = out.parameters.colliderPairCapacity = std::max(2 * count, 4096u);
     for (const Material& material : world.materials) out.hasBounces |= material.restitution > 0.0f;
     out.resizeContacts(gpu);
+    out.latticeEnds = {"latticeEnds", std::span<const uint32_t>(ends)};
     uploadParticles(out, world);
     uploadBodies(out, world);
     uploadMovers(out, world);

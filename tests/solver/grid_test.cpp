@@ -19,7 +19,7 @@ protected:
         places[count - 1] = packed({0.01f, 0.02f, 0.03f});
         places[2] = packed({0.02f, 0.01f, 0.03f});
         for (uint32_t cell = 1; cell < WRAPPED_CELLS; ++cell)
-            places[40 * cell] = packed({0.13f + 0.12f * static_cast<float>(cell - 1), 0.01f, 0.03f});
+            places[40 * cell] = packed({(static_cast<float>(cell) + 0.1f) / bench.buffers.parameters.inverseCellSize, 0.01f, 0.03f});
         bench.setFound(places);
         // Every third mover drifts further than the others.
         const float drift = bench.buffers.parameters.drift;
@@ -79,13 +79,11 @@ TEST_P(Grid, CellsStartAtThePrefixSumOfTheCounts)
     std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0u);
     // The first cells stand once more behind the last.
     starts.push_back(static_cast<uint32_t>(places.size()));
-    uint32_t full = 0;
     for (uint32_t cell = 0; cell < WRAPPED_CELLS; ++cell) {
-        full += counts[cell] > 0 ? 1 : 0;
+        if (GetParam() == GridKind::Lattice) {
+            ASSERT_GT(counts[cell], 0u);
+        }
         starts.push_back(starts.back() + counts[cell]);
-    }
-    if (GetParam() == GridKind::Lattice) {
-        EXPECT_GE(full, WRAPPED_CELLS / 2);
     }
     EXPECT_EQ(bench.buffers.cellStarts.download(), starts);
 }
