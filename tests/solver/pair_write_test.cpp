@@ -2,8 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "search_test.h"
-#include "sim/solver/body_mass.h"
+#include "parting_bench.h"
 
 namespace knuckle::test {
 
@@ -12,29 +11,9 @@ namespace {
 /// Of a pair's mover; the upper bits tell the way out (shaders/shared/one_sided.glsl).
 constexpr uint32_t MOVERS = 0x7fffffu;
 
-/// The way out for the first of a pair, as the kernel decides it, and whether it is deep.
-struct WayOut {
-    Vector3d away{0, 0, 0};
-    bool deep = false;
-};
-
-/// How a pair parts: by the way out, mirrored, by a face, or simply from each other.
-struct Parting {
-    Vector3d normal;
-    double far = 0.0;
-    uint32_t hidden = 0;
-    bool oneSided = false;
-    bool sure = true;    ///< Not so near a limit that rounding decides.
-};
-
 /// What each pair is made of, and what it remembers.
 class PairWrite : public testing::Test {
 protected:
-    PairWrite() : bodiesOfAssembly(bench.world.assemblyCount)
-    {
-        for (const Body& body : bench.world.bodies) ++bodiesOfAssembly[body.assembly];
-        setTurnsAndInertias();
-    }
     void find()
     {
         bench.findPairs(GridKind::Lattice);
@@ -49,119 +28,8 @@ protected:
     }
     /// Where the impulses of the current pairs start.
     size_t start() const { return bench.counters().listParity * bench.buffers.parameters.pairCapacity; }
-    /// Turns of the movers, and inverse inertias of the bodies that no box has: nothing in them is zero [1/(kg m2)].
-    void setTurnsAndInertias()
-    {
-        Random random(41);
-        std::vector<gpu::vec4> packedTurns;
-        for (uint32_t m = 0; m < bench.buffers.parameters.moverCount; ++m) {
-            turns.push_back(random.rotation());
-            packedTurns.push_back(packed(turns.back()));
-        }
-        fill(bench.buffers.foundRotations, packedTurns);
-        std::vector<gpu::vec4> packedInertias;
-        for (const Body& body : bench.world.bodies) {
-            const BodyMass mass = bodyMass(bench.world, body);
-            const double radius = std::max(mass.radius, 0.05);   // of a body of one particle: none
-            const auto size = static_cast<float>(1.0 / (mass.mass * radius * radius));
-            const Vector3f diagonal = size * Vector3f(1.5f, 1.5f, 1.5f) + random.inCube(0.5f * size);
-            const Vector3f other = random.inCube(0.5f * size);   // xy, xz, yz
-            packedInertias.push_back(packed(diagonal, static_cast<float>(1.0 / mass.mass)));
-            packedInertias.push_back(packed(other));
-            Matrix3d inertia = diagonal.cast<double>().asDiagonal();
-            inertia(0, 1) = inertia(1, 0) = static_cast<double>(other.x());
-            inertia(0, 2) = inertia(2, 0) = static_cast<double>(other.y());
-            inertia(1, 2) = inertia(2, 1) = static_cast<double>(other.z());
-            inertias.push_back(inertia);
-        }
-        fill(bench.buffers.bodyInertias, packedInertias);
-    }
-    /// 1/M plus what turning adds: (r x n) I^-1 (r x n), for a unit impulse along n on a particle at r.
-    double inverseMass(uint32_t particle, const Vector3f& r, const Vector3d& normal) const
-    {
-        const Particle& p = bench.world.particles[particle];
-        if (p.body == NO_INDEX) return 1.0 / static_cast<double>(p.mass);
-        const Vector3d t = r.cast<double>().cross(turns[p.body].conjugate().cast<double>() * normal);
-        return 1.0 / bodyMass(bench.world, bench.world.bodies[p.body]).mass + t.dot(inertias[p.body] * t);
-    }
 
-    /// By the particle that is nearer to its surface, or between both; none within an assembly.
-    WayOut wayOut(uint32_t i, uint32_t j) const
-    {
-        const uint32_t assembly = bench.world.particles[i].assembly;
-        if (assembly != NO_INDEX && assembly == bench.world.particles[j].assembly) return {};
-        const auto known = [&](uint32_t particle) {
-            const Particle& p = bench.world.particles[particle];
-            return p.bodyCount == 1 && !p.surface.outward.isZero();
-        };
-        const auto outward = [&](uint32_t particle) -> Vector3d {
-            if (!known(particle)) return Vector3d::Zero();
-            const Particle& p = bench.world.particles[particle];
-            return turns[p.body].cast<double>() * p.surface.outward.cast<double>();
-        };
-        const double first = std::abs(bench.world.particles[i].surface.distance);
-        const double second = std::abs(bench.world.particles[j].surface.distance);
-        const bool alike = known(i) && known(j) && std::abs(second - first) < 0.25 * DIAMETER;
-        const bool byFirst = known(i) && (!known(j) || second > first);
-        const Vector3d away = alike ? Vector3d(outward(j) - outward(i)) : Vector3d(byFirst ? -outward(i) : outward(j));
-        if (away.norm() <= 0.3) return {};
-        return {away.normalized(), (byFirst ? first : second) >= DIAMETER};
-    }
-    Vector3d apart(uint32_t i, uint32_t j) const
-    {
-        return (vec3(bench.found[i]) - vec3(bench.found[j])).cast<double>();
-    }
-    /// Where a box without joints goes on from the particle towards another beside it, the other's place does not count.
-    /// `sure` becomes false where rounding decides.
-    Vector3d shown(uint32_t particle, const Vector3d& towards, uint32_t& hidden, bool& sure) const
-    {
-        const Particle& p = bench.world.particles[particle];
-        Vector3d out = towards;
-        hidden = 0;
-        if (p.bodyCount != 1 || bodiesOfAssembly.at(p.assembly) > 1) return out;
-        for (int axis = 0; axis < 3; ++axis) {
-            const Vector3d along = turns[p.body].cast<double>() * Vector3d::Unit(axis);
-            const double t = along.dot(towards);
-            sure = sure && std::min(std::abs(t), std::abs(std::abs(t) - BESIDE * DIAMETER)) > DISTANCE_ROUNDING;
-            if (std::abs(t) >= BESIDE * DIAMETER || (p.surface.ends >> (2 * axis + (t > 0)) & 1)) continue;
-            out -= along * t;
-            hidden |= 1u << axis;
-        }
-        return out;
-    }
-    Parting partingOf(uint32_t i, uint32_t j) const
-    {
-        const WayOut way = wayOut(i, j);
-        const Vector3d r = apart(i, j);
-        const double far = r.norm(), facing = r.dot(way.away);
-        const bool known = !way.away.isZero();
-        Parting out;
-        out.sure = std::abs(facing / far) > 1e-4 && std::abs(facing / far - 0.5) > 1e-4;
-        uint32_t first = 0, second = 0;
-        const Vector3d byFirst = shown(i, -r, first, out.sure), bySecond = shown(j, r, second, out.sure);
-        out.hidden = first | second << 3;
-        const bool between = known && far < (facing < 0.5 * far ? SUNK : 0.5) * DIAMETER;
-        const bool isDeep = known && way.deep && far < DIAMETER;
-        out.far = far;
-        out.normal = r / far;
-        out.oneSided = between || isDeep || facing < 0;
-        if (between || isDeep) out.normal = way.away;
-        else if (facing < 0) out.normal = (r - 2.0 * facing * way.away) / far;
-        else if (out.hidden != 0) {
-            const bool ofFirst = byFirst.norm() < bySecond.norm();
-            const Vector3d flat = ofFirst ? Vector3d(-byFirst) : bySecond;
-            out.sure = out.sure && std::abs(flat.norm() - double(LEAST_FLAT * DIAMETER)) > DISTANCE_ROUNDING;
-            if (flat.norm() <= double(LEAST_FLAT * DIAMETER)) return out;
-            out.far = flat.norm();
-            out.normal = flat / out.far;
-        }
-        return out;
-    }
-
-    SearchBench bench;
-    std::vector<Quaternionf> turns;      ///< Per mover.
-    std::vector<Matrix3d> inertias;      ///< Per body, inverse.
-    std::vector<uint32_t> bodiesOfAssembly;
+    PartingBench bench;
 };
 
 gpu::vec4 impulseOfPair(gpu::uvec2 pair)
@@ -206,7 +74,7 @@ TEST_F(PairWrite, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChangePlac
         const auto same = old.find({i, j}), turned = old.find({j, i});
         const gpu::vec4 actual = impulses[first + q];
         if (same == old.end() && turned == old.end()) {
-            const Parting parting = partingOf(i, j);
+            const Parting parting = bench.partingOf(i, j);
             const bool overlap = parting.far < DIAMETER;
             if (!parting.sure || std::abs(parting.far - DIAMETER) < DISTANCE_ROUNDING) continue;
             ASSERT_EQ(vec3(actual), Vector3f::Zero()) << "particles " << i << " and " << j;
@@ -245,7 +113,7 @@ TEST_F(PairWrite, PairsWithoutAPushAreAboutToActWhereTheyOverlap)
     first = start();
     ASSERT_EQ(again.size(), found.size());
     for (size_t q = 0; q < again.size(); ++q) {
-        const Parting parting = partingOf(again[q].x, again[q].y);
+        const Parting parting = bench.partingOf(again[q].x, again[q].y);
         const double gap = parting.far - DIAMETER;
         if (!parting.sure || std::abs(gap) < DISTANCE_ROUNDING) continue;
         ASSERT_EQ(impulses[first + q].w, gap < 0 || q % 2 == 0 ? float(ABOUT_TO_ACT) : 0.0f) << "pair " << q;
@@ -288,7 +156,7 @@ TEST_F(PairWrite, APairKnowsTheInverseMassesAlongItsNormalAsSharesOfTheWorst)
     const auto found = pairs();
     uint32_t partial = 0, oneSided = 0, flat = 0;
     for (size_t q = 0; q < found.size(); q += 7) {
-        const Parting parting = partingOf(found[q].x, found[q].y);
+        const Parting parting = bench.partingOf(found[q].x, found[q].y);
         if (!parting.sure) continue;
         ASSERT_EQ(sides[q].w >> 26, parting.hidden) << "pair " << q;
         oneSided += parting.oneSided;
@@ -297,7 +165,7 @@ TEST_F(PairWrite, APairKnowsTheInverseMassesAlongItsNormalAsSharesOfTheWorst)
             const uint32_t particle = side == 0 ? found[q].x : found[q].y;
             const gpu::vec4& arm = offsets[particle];
             // Fixed movers have no worst.
-            const double mass = inverseMass(particle, vec3(arm), parting.normal);
+            const double mass = bench.inverseMass(particle, vec3(arm), parting.normal);
             const double wanted = arm.w == 0.0f ? 1.0 : std::min(mass / static_cast<double>(arm.w), 1.0);
             const float share = static_cast<float>(sides[q].w >> (13 * side) & 0x1fffu) / 8191.0f;
             // 13 bits, and some 20 roundings of single precision.
@@ -317,7 +185,7 @@ TEST_F(PairWrite, APairKnowsItsWayOut)
     const auto found = pairs();
     uint32_t known = 0;
     for (size_t q = 0; q < found.size(); ++q) {
-        const WayOut way = wayOut(found[q].x, found[q].y);
+        const WayOut way = bench.wayOut(found[q].x, found[q].y);
         const auto assembly = [&](uint32_t particle) { return bench.world.particles[particle].assembly; };
         const uint32_t ofFirst = assembly(found[q].x);
         ASSERT_EQ((sides[q].x >> 23 & 1) == 1, ofFirst != NO_INDEX && ofFirst == assembly(found[q].y)) << "pair " << q;
