@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/scene_file.h"
 #include "app/table2_world.h"
 #include "render/renderer.h"
 #include "sim/solver/solver.h"
@@ -18,6 +19,7 @@ namespace {
 
 struct BenchOptions {
     std::string name = "table2";
+    std::vector<std::string> presets = {"default"}, sets;
     std::vector<uint32_t> objects = {300, 600, 1200};
     uint32_t steps = 600, drawnSteps = 60;
     bool json = false;
@@ -32,6 +34,7 @@ constexpr PaperRow PAPER[] = {{300, 273, 233, 195}, {600, 133, 95, 95}, {1200, 4
 constexpr uint32_t SETTLED_STEPS = 200;
 
 struct BenchRun {
+    std::string preset;
     uint32_t objectCount = 0;
     size_t particleCount = 0;
     double stepsPerSecond = 0.0, settledStepsPerSecond = 0.0, drawnStepsPerSecond = 0.0;
@@ -60,9 +63,10 @@ double timeSteps(Solver& solver, const InterruptGuard& interrupt, uint32_t first
     return secondsSince(start);
 }
 
-BenchRun runOnce(Gpu& gpu, uint32_t objectCount, const BenchOptions& options)
+BenchRun runOnce(Gpu& gpu, uint32_t objectCount, const std::string& preset, const BenchOptions& options,
+                 const Settings& settings)
 {
-    const World world = table2World(objectCount);
+    const World world = table2World(objectCount, settings);
     Solver solver(gpu, world);
     const InterruptGuard interrupt;
     const uint32_t settled = std::min(SETTLED_STEPS, options.steps);
@@ -70,6 +74,7 @@ BenchRun runOnce(Gpu& gpu, uint32_t objectCount, const BenchOptions& options)
     const double falling = timeSteps(solver, interrupt, 1, options.steps - settled, nothing);
     const double resting = timeSteps(solver, interrupt, options.steps - settled + 1, settled, nothing);
     BenchRun run;
+    run.preset = preset;
     run.objectCount = objectCount;
     run.particleCount = world.particles.size();
     run.diameter = world.diameter();
@@ -90,7 +95,8 @@ BenchRun runOnce(Gpu& gpu, uint32_t objectCount, const BenchOptions& options)
 
 nlohmann::ordered_json toJson(const BenchRun& run)
 {
-    return {{"objectCount", run.objectCount},
+    return {{"preset", run.preset},
+            {"objectCount", run.objectCount},
             {"particleCount", run.particleCount},
             {"stepsPerSecond", run.stepsPerSecond},
             {"settledStepsPerSecond", run.settledStepsPerSecond},
@@ -98,7 +104,10 @@ nlohmann::ordered_json toJson(const BenchRun& run)
             {"pileTop", run.pileTop},
             {"meanPenetration", run.measures.meanPenetration / run.diameter},
             {"worstPenetration", run.measures.worstPenetration / run.diameter},
-            {"worstJointGap", run.measures.worstJointGap / run.diameter}};
+            {"meanJointGap", run.measures.meanJointGap / run.diameter},
+            {"worstJointGap", run.measures.worstJointGap / run.diameter},
+            {"worstShapeError", run.measures.worstShapeError / run.diameter},
+            {"maxSpeed", run.measures.maxSpeed}};
 }
 
 void printRow(const BenchRun& run)
@@ -108,27 +117,34 @@ void printRow(const BenchRun& run)
     const std::string published =
         paper == std::end(PAPER) ? fmt::format("{:>7}{:>7}{:>7}", "-", "-", "-")
                                  : fmt::format("{:7}{:7}{:7}", paper->quadroP6000, paper->gtx1080, paper->unreal);
-    fmt::print("{:7}{:11}{:9.1f}{:9.1f}{:9.1f}{}{:8.2f}{:9.1f}{:9.1f}{:9.1f}\n", run.objectCount, run.particleCount,
+    fmt::print("{:<8}{:7}{:11}{:9.1f}{:9.1f}{:9.1f}{}{:8.2f}{:9.1f}{:7.1f}{:9.1f}{:7.1f}{:7.2f}\n", run.preset,
+               run.objectCount, run.particleCount,
                run.stepsPerSecond, run.settledStepsPerSecond, run.drawnStepsPerSecond, published, run.pileTop,
                100 * run.measures.meanPenetration / run.diameter, 100 * run.measures.worstPenetration / run.diameter,
-               100 * run.measures.worstJointGap / run.diameter);
+               100 * run.measures.meanJointGap / run.diameter, 100 * run.measures.worstJointGap / run.diameter,
+               run.measures.maxSpeed);
     std::fflush(stdout);
 }
 
 int bench(const BenchOptions& options, const CommonOptions& common)
 {
+    std::vector<std::pair<std::string, Settings>> presets;
+    for (const std::string& preset : options.presets) presets.emplace_back(preset, loadSettings(preset, options.sets));
     const auto gpu = openGpu(common);
     nlohmann::ordered_json runs = nlohmann::ordered_json::array();
     if (!options.json) {
         fmt::print("Table 2 on {}: {} steps of 1/60 s; steps/s of all, of the last {}, and drawn at 1280x720;\n"
-                   "beside them the paper's frames/s; penetration and joint gap in % of a diameter.\n\n"
-                   "objects  particles      all  settled    drawn  P6000   1080    UE4  top, m  mean pen worst pen "
-                   "worst gap\n", gpu->device().name, options.steps, SETTLED_STEPS);
+                   "beside them the paper's frames/s; penetration and joint gap in % of a diameter; the fastest\n"
+                   "particle at the end in m/s.\n\n"
+                   "preset  objects  particles      all  settled    drawn  P6000   1080    UE4  top, m mean pen  worst "
+                   "mean gap  worst  speed\n", gpu->device().name, options.steps, SETTLED_STEPS);
     }
     for (uint32_t objectCount : options.objects) {
-        const BenchRun run = runOnce(*gpu, objectCount, options);
-        if (options.json) runs.push_back(toJson(run));
-        else printRow(run);
+        for (const auto& [preset, settings] : presets) {
+            const BenchRun run = runOnce(*gpu, objectCount, preset, options, settings);
+            if (options.json) runs.push_back(toJson(run));
+            else printRow(run);
+        }
     }
     if (options.json) {
         const nlohmann::ordered_json result = {{"device", gpu->device().name}, {"runs", runs}};
@@ -145,12 +161,17 @@ void addBenchCommand(CommandLine line)
     command->fallthrough();
     command->footer("Objects are pairs of 3x3x3 cubes with a joint, the four types in equal shares, dropped in layers\n"
                     "into a 4 x 4 m box. Penetration and gaps stand beside the speed, since a squashed pile is fast.\n\n"
-                    "Example:\n  knuckle bench table2 --objects 300,1200 --json");
+                    "Example:\n  knuckle bench table2 --objects 300,1200 --json\n"
+                    "  knuckle bench table2 --preset default,paper --objects 300");
     auto options = std::make_shared<BenchOptions>();
     command->add_option("BENCHMARK", options->name, "What to run")->check(CLI::IsMember({"table2"}))
         ->capture_default_str();
     command->add_option("--objects", options->objects, "Numbers of objects")->delimiter(',')
         ->check(CLI::Range(1, 10000))->capture_default_str();
+    command->add_option("--preset", options->presets, "Solver presets, each with every number of objects")
+        ->delimiter(',')->check(CLI::IsMember({"default", "paper"}))->capture_default_str();
+    command->add_option("--set", options->sets, "Change a field of the solver, for instance solver.iterations=8")
+        ->type_name("PATH=VALUE")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_option("--steps", options->steps, "Steps of 1/60 s")->check(CLI::Range(1, 100000))
         ->capture_default_str();
     command->add_option("--drawn-steps", options->drawnSteps, "Further steps that are drawn as well, 0 for none")

@@ -126,6 +126,7 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
         {"worstPenetration", measures.worstPenetration},
         {"meanJointGap", measures.meanJointGap},
         {"worstJointGap", measures.worstJointGap},
+        {"worstShapeError", measures.worstShapeError},
         {"meanSoftStrain", measures.meanSoftStrain},
         {"worstSoftStrain", measures.worstSoftStrain},
         {"softVolumeError", measures.softVolumeError},

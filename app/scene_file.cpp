@@ -62,10 +62,10 @@ void settleObjects(Json& root)
     if (root.is_object() && root.contains("emitters") && !root.contains("objects")) root["objects"] = Json::array();
 }
 
-JsonFile readCompleted(const std::string& path, const std::vector<Override>& overrides)
+/// The document with its overrides, every default filled in.
+JsonFile completed(JsonFile file, const std::vector<Override>& overrides)
 {
     static const Schema schema("scene.schema.json");
-    JsonFile file = readJsonFile(path);
     for (const Override& change : overrides) {
         expandSolver(file.root);
         applyOverride(file.root, change);
@@ -144,9 +144,23 @@ uint32_t stepsForFrame(double framesPerSecond, double timeStep)
     return static_cast<uint32_t>(moreIsNearer ? more : fewer);
 }
 
+Settings loadSettings(const std::string& preset, const std::vector<std::string>& changes)
+{
+    std::vector<Override> overrides;
+    for (const std::string& change : changes) {
+        overrides.push_back(parseOverride(change));
+        if (overrides.back().path.starts_with("solver.")) continue;
+        throw InputError(fmt::format("--set {}: only fields of the solver can be set here, for instance "
+                                     "solver.iterations=8", change));
+    }
+    const Json anything = Json::array({{{"type", "rigid"}, {"shape", "box"}}});
+    const JsonFile file = completed({"--set", {{"solver", preset}, {"objects", anything}}}, overrides);
+    return readFields<Settings>(file.root["solver"]);
+}
+
 Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
 {
-    const JsonFile file = readCompleted(path, overrides);
+    const JsonFile file = completed(readJsonFile(path), overrides);
     const Json& root = file.root;
     Scene scene;
     scene.name = root["name"];

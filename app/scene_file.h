@@ -31,6 +31,10 @@ struct Scene {
 /// @throws InputError, one line with the file and the JSON pointer of what is wrong.
 Scene loadScene(const std::string& path, const std::vector<Override>& overrides = {});
 
+/// The solver's settings by a preset's name and changes of its fields, as a scene's `solver` would give them.
+/// @throws InputError as loadScene(), and for a change of anything else.
+Settings loadSettings(const std::string& preset, const std::vector<std::string>& changes);
+
 /// Steps a frame so that 1 / (framesPerSecond * steps) is as near to `timeStep` [s] as can be.
 uint32_t stepsForFrame(double framesPerSecond, double timeStep);
 

@@ -88,7 +88,7 @@
 #define MOST_SQUEEZE 100.0f
 // k of s_corr (Macklin and Mueller 2013, eq. 13), as a share of the multipliers: 0.1 at a fifth of the reach.
 #define FLUID_REPULSION 0.34f
-// Steps for which an assembly has to be calm before it sleeps.
+// Steps for which an assembly has to be calm before it sleeps, at least.
 #define CALM_STEPS 30u
 // Rounds of two iterations of the impulses that make collisions bounce.
 #define BOUNCE_ROUNDS 2

@@ -14,3 +14,10 @@ vec3 goalMove(uint body, vec3 r)
     vec3 t = 2.0 * cross(turn.xyz, arm);
     return texelFetch(moverMoves, int(body)).xyz + turn.w * t + cross(turn.xyz, t);
 }
+
+/// Where the goal of r is now [m].
+vec3 goalPlace(uint body, vec3 r)
+{
+    vec3 start = texelFetch(bodyStarts, int(2u * body)).xyz;
+    return start + rotate(texelFetch(bodyStarts, int(2u * body + 1u)), r) + goalMove(body, r);
+}

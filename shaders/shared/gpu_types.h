@@ -126,14 +126,19 @@ struct StepParameters {
     float calming;                  // share of what differs from its mean that an iteration takes from it
     float meanRate;                 // share of the way to the impulse that its mean goes in an iteration
     float virtualParticles;         // c of eq. 18
-    float freeze;                   // [m], 0 off
+    float freeze;                   // what stays within is calm [m], 0 off
     float damping;                  // velocity kept per substep
     float maxSpeed;                 // [m/s]
     uint secondOrder;               // 1: BDF2 where nothing touches
     uint alwaysFind;                // 1: candidates every substep (the paper), 0: when due
     uint rotationIterations;
-    float maxCorrection;            // of a penetration per substep [m]
+    float maxCorrection;            // of a penetration per substep, with speed [m]
     float jointRelaxation;          // of the joints' impulses
+    float overRelaxation;           // the paper's solver: of contacts of bodies
+    float stabilization;            // ... of an overlap that stabilization takes back [m]
+    float deepOverlap;              // ... that carries nothing [m]
+    float deepRecovery;             // ... of a deep overlap that is taken back [m]
+    float jointCorrection;          // ... of a joint's gap that draws a body [m]
     uint sharedCount;               // particles of two or more bodies
     uint sharedByTwo;               // of exactly two: the first of sharedParticles
     uint moverCount;                // bodies and loose particles
@@ -159,6 +164,7 @@ struct StepParameters {
     float massScaling;              // k of m exp(-k height) [1/m]
     float bounceSpeed;              // what meets more slowly does not bounce [m/s]
     float sleepSpeed;               // what is slower for long sleeps [m/s]
+    uint calmSteps;                 // for how long it has to be calm
     uint assemblyCount;
     uint clusterCount;              // of soft bodies
     uint softCount;                 // particles of soft bodies

@@ -1,11 +1,13 @@
 // One thread a body: the rotation nearest to A (eqs. 11-17).
 #include "shared/kernel.glsl"
 #include "shared/turn.glsl"
+#include "shared/sleep.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer bodyMatrices;
 uniform samplerBuffer bodyStarts;
-uniform samplerBuffer moverMoves;
+uniform usamplerBuffer moverInfo;
+BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, MoverCentres, moverCentres);
 BUFFER(vec4, MoverTurns, moverTurns);      // since the substep began
 BUFFER(vec4, MoverRotations, moverRotations);
@@ -14,7 +16,11 @@ void main()
 {
     uint b = gl_GlobalInvocationID.x;
     if (b >= step.bodyCount) return;
-    moverCentres[b] = texelFetch(bodyStarts, int(2u * b)) + texelFetch(moverMoves, int(b));
+    if (isAsleep(texelFetch(moverInfo, int(b)).z)) {
+        moverMoves[b] = vec4(0);   // what the sums make of nothing but rounding
+        return;
+    }
+    moverCentres[b] = texelFetch(bodyStarts, int(2u * b)) + moverMoves[b];
     mat3 a;
     for (int column = 0; column < 3; ++column) a[column] = texelFetch(bodyMatrices, int(3u * b) + column).xyz;
     vec4 start = texelFetch(bodyStarts, int(2u * b + 1u));

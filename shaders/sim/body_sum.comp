@@ -6,7 +6,6 @@
 #include "shared/body_shape.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer moved;
 uniform usamplerBuffer bodyInfo;
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, BodyMatrices, bodyMatrices);  // columns of A, three a body
@@ -21,9 +20,9 @@ void main()
     mat3 a = mat3(0);
     for (uint k = 0u; k < info.y; ++k) {
         LinkValues link = fetchLink(info.x + k);
-        vec3 move = texelFetch(moved, int(link.particle)).xyz;
-        centre += link.mass * vec4(move - last, 1);
-        a += outerProduct(link.mass * linkArm(link, move), link.r);
+        LinkPlace place = linkPlace(info.x + k, link, k >= info.z);
+        centre += link.mass * vec4(place.move - last, 1);
+        a += outerProduct(link.mass * place.arm, link.r);
     }
     moverMoves[b] = vec4(last + centre.xyz / centre.w, 0);
     for (int column = 0; column < 3; ++column) bodyMatrices[3u * b + uint(column)] = vec4(a[column], 0);

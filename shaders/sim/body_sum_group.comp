@@ -4,7 +4,6 @@
 #include "shared/body_shape.glsl"
 
 layout(local_size_x = BODY_GROUP_SIZE) in;
-uniform samplerBuffer moved;
 uniform usamplerBuffer bodyInfo;
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, BodyMatrices, bodyMatrices);
@@ -22,9 +21,9 @@ void main()
     mat3 a = mat3(0);
     for (uint k = t; k < info.y; k += BODY_GROUP_SIZE) {
         LinkValues link = fetchLink(info.x + k);
-        vec3 move = texelFetch(moved, int(link.particle)).xyz;
-        centre += link.mass * vec4(move - last, 1);
-        a += outerProduct(link.mass * linkArm(link, move), link.r);
+        LinkPlace place = linkPlace(info.x + k, link, k >= info.z);
+        centre += link.mass * vec4(place.move - last, 1);
+        a += outerProduct(link.mass * place.arm, link.r);
     }
     centres[t] = centre;
     for (int column = 0; column < 3; ++column) columns[column][t] = a[column];

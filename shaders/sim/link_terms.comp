@@ -4,7 +4,7 @@
 #include "shared/body_shape.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer moved;
+uniform usamplerBuffer bodyInfo;
 uniform samplerBuffer moverMoves;
 BUFFER(vec4, LinkTerms, linkTerms);      // three a link
 
@@ -13,12 +13,12 @@ void main()
     uint l = gl_GlobalInvocationID.x;
     if (l >= step.linkCount) return;
     LinkValues link = fetchLink(l);
-    vec3 move = texelFetch(moved, int(link.particle)).xyz;
+    bool isShared = l - link.blockStart >= texelFetch(bodyInfo, int(link.body)).z;
+    LinkPlace place = linkPlace(l, link, isShared);
 #ifdef CENTRES
-    linkTerms[3u * l] = link.mass * vec4(move - texelFetch(moverMoves, int(link.body)).xyz, 1);
+    linkTerms[3u * l] = link.mass * vec4(place.move - texelFetch(moverMoves, int(link.body)).xyz, 1);
 #else
-    vec3 arm = linkArm(link, move);
     for (int column = 0; column < 3; ++column)
-        linkTerms[3u * l + uint(column)] = vec4(link.mass * arm * link.r[column], 0);
+        linkTerms[3u * l + uint(column)] = vec4(link.mass * place.arm * link.r[column], 0);
 #endif
 }

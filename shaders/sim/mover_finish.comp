@@ -78,8 +78,6 @@ void main()
     STORE_FIELD(oldMoverMoves, m, move)
     STORE_FIELD(oldMoverVelocities, m, velocity)
     STORE_FIELD(moverVelocities, m, next)
-    // The paper's freezing (3.1): too small a move is not made, but its velocity is kept, so that it can grow.
-    if (length(move.t) + 2.0 * length(turn.xyz) * radius < step.freeze) return;
     moverCentres[m] = vec4(texelFetch(lastMoverCentres, int(m)).xyz + move.t, 0);
     moverRotations[m] = normalize(quaternionProduct(turn, rotation));
 }

@@ -1,6 +1,7 @@
 // One thread a particle: how far it would move in the substep if nothing touched it. BDF2 (design: second-order
 // velocities) where nothing touched its assembly lately, else symplectic Euler.
 #include "shared/kernel.glsl"
+#include "shared/sleep.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer velocities;
@@ -19,7 +20,8 @@ void main()
     float inverseMass = texelFetch(masses, int(i)).x;
     uint assembly = texelFetch(particleInfo, int(i)).z;
     uint now = counters[0].substep;
-    bool second = step.secondOrder == 1u && now > 0u && assemblyState[assembly].x + 1u != now;
+    bool asleep = isAsleep(assembly);
+    bool second = !asleep && step.secondOrder == 1u && now > 0u && assemblyState[assembly].x + 1u != now;
     assemblyState[assembly].y = second ? 2u : 1u;
 
     float h = step.substepTime;
@@ -29,7 +31,7 @@ void main()
         vec3 lastMove = texelFetch(oldMoves, int(i)).xyz;
         vec3 lastV = texelFetch(oldVelocities, int(i)).xyz;
         move = lastMove / 3.0 + h * (8.0 * v - 2.0 * lastV + 4.0 * h * step.gravity.xyz) / 9.0;
-    } else if (inverseMass > 0.0)
+    } else if (inverseMass > 0.0 && !asleep)
         move = h * (v + h * step.gravity.xyz);
     predicted[i] = vec4(move, 0);
 }

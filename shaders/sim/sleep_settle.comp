@@ -11,8 +11,8 @@ void main()
     uint a = gl_GlobalInvocationID.x;
     if (a >= step.assemblyCount) return;
     uvec2 next = assemblyNext[a];
-    uint calm = min(next.x, CALM_STEPS);
-    assemblyCalm[a] = uvec2(calm, calm < CALM_STEPS / 2u ? a : min(next.y, a));
-    assemblyNext[a] = uvec2(CALM_STEPS, a);
+    uint calm = min(next.x, step.calmSteps);
+    assemblyCalm[a] = uvec2(calm, calm < step.calmSteps / 2u ? a : min(next.y, a));
+    assemblyNext[a] = uvec2(step.calmSteps, a);
     islandsWoken[a] = 0u;
 }

@@ -102,9 +102,11 @@ struct SolverBuffers {
     Buffer<gpu::vec4> oldMoves, oldVelocities;         ///< The last substep's move, the velocity before it: for BDF2.
     Buffer<gpu::vec4> predicted;         ///< Move since the substep began, x* - x.
     Buffer<gpu::vec4> moved;             ///< The same with what contacts ask for.
-    Buffer<gpu::vec4> stabilized;
     Buffer<gpu::vec4> bodyStarts;        ///< Per body, two: centre and rotation when the substep began.
     Buffer<gpu::vec4> bodyMatrices;      ///< Per body: three columns of A.
+    Buffer<float> linkGains;             ///< Per link of a shared particle: by how much further than the mean of goals
+                                         ///< it stands in the match, in distances of goal and mean.
+    Buffer<gpu::vec4> linkPulls;         ///< ... where that is from the mean [m].
     Buffer<gpu::vec4> linkTerms;         ///< Per link, three: eq. 10.
     // Ropes and cloth.
     Buffer<gpu::uvec4> strands;          ///< First and last node, assembly.
@@ -113,6 +115,7 @@ struct SolverBuffers {
     Buffer<gpu::vec4> strandStates;      ///< Per node, to the next: multiplier [kg m], tension [N], 1 if torn.
     Buffer<gpu::vec4> strandFactors;     ///< Per node, within a dispatch.
     // The neighbour grid.
+    Buffer<gpu::vec4> calmCentres, calmRotations;      ///< Per mover: where its assembly counts its calm steps from.
     Buffer<gpu::vec4> foundPositions;    ///< Where a particle was when contacts were found.
     Buffer<gpu::vec4> foundCentres, foundRotations;    ///< Where a mover was then; w: how far it may drift [m].
     Buffer<float> moverReaches;          ///< Per mover: how much further it looks for contacts [m].

@@ -1,6 +1,7 @@
 #include "sim/solver/measure.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -65,10 +66,9 @@ Depths penetrations(const World& world, const std::vector<Vector3f>& positions)
     return depths;
 }
 
-Vector3f wantedPlace(const World& world, const Link& link, const BodyState& state)
+Vector3f wantedPlace(const Link& link, const BodyState& state)
 {
-    const Body& body = world.bodies[link.body];
-    return state.position + state.rotation * (link.restOffset + body.restCentre - body.massCentre);
+    return state.position + state.rotation * link.restOffset;
 }
 
 Depths jointGaps(const World& world, const std::vector<BodyState>& bodies)
@@ -77,7 +77,7 @@ Depths jointGaps(const World& world, const std::vector<BodyState>& bodies)
     std::map<uint32_t, std::vector<Vector3f>> places;
     for (const Link& link : world.links)
         if (world.particles[link.particle].bodyCount > 1)
-            places[link.particle].push_back(wantedPlace(world, link, bodies[link.body]));
+            places[link.particle].push_back(wantedPlace(link, bodies[link.body]));
     for (const auto& [particle, wanted] : places) {
         float gap = 0.0f;
         for (size_t a = 0; a < wanted.size(); ++a)
@@ -85,6 +85,28 @@ Depths jointGaps(const World& world, const std::vector<BodyState>& bodies)
         gaps.add(gap);
     }
     return gaps;
+}
+
+/// How far a particle of a body is from where the rigid motion that fits all of them best has it; shared ones left out.
+float worstShapeError(const World& world, const ParticleState& particles)
+{
+    double worst = 0.0;
+    for (const Body& body : world.bodies) {
+        Eigen::Matrix3Xd rest(3, body.linkCount), now(3, body.linkCount);
+        Eigen::Index own = 0;
+        for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
+            const Link& link = world.links[l];
+            if (world.particles[link.particle].bodyCount > 1) continue;
+            rest.col(own) = link.restOffset.cast<double>();
+            now.col(own++) = particles.positions[link.particle].cast<double>();
+        }
+        if (own < 2) continue;
+        const Eigen::Matrix4d fit = Eigen::umeyama(rest.leftCols(own), now.leftCols(own), false);
+        const Eigen::Vector3d shift = fit.topRightCorner<3, 1>();
+        const Eigen::Matrix3Xd moved = (fit.topLeftCorner<3, 3>() * rest.leftCols(own)).colwise() + shift;
+        worst = std::max(worst, (moved - now.leftCols(own)).colwise().norm().maxCoeff());
+    }
+    return static_cast<float>(worst);
 }
 
 }  // namespace
@@ -128,7 +150,7 @@ BodyState bodyState(const World& world, const Body& body, const ParticleState& p
 {
     BodyState state;
     state.rotation = rotation;
-    state.position = centre + rotation * (body.massCentre - body.restCentre);
+    state.position = centre;
     if (body.motion == Motion::Fixed) return state;
     Vector3d momentum = Vector3d::Zero();
     double mass = 0.0;
@@ -150,7 +172,7 @@ BodyState bodyState(const World& world, const Body& body, const ParticleState& p
     inertia += 1e-9 * (inertia.trace() + 1e-30) * Matrix3d::Identity();
     const Vector3d spin = inertia.ldlt().solve(angular);
     state.angularVelocity = spin.cast<float>();
-    state.velocity = (mean + spin.cross((state.position - centre).cast<double>())).cast<float>();
+    state.velocity = mean.cast<float>();
     return state;
 }
 
@@ -162,6 +184,7 @@ Measures measureState(const World& world, const ParticleState& particles, const 
     m.contactCount = depths.count;
     m.meanPenetration = depths.mean();
     m.worstPenetration = depths.worst;
+    m.worstShapeError = worstShapeError(world, particles);
     m.meanJointGap = gaps.mean();
     m.worstJointGap = gaps.worst;
     measureSoftBodies(m, world, particles);

@@ -31,6 +31,7 @@ struct Measures {
     float worstPenetration = 0.0f;
     float meanJointGap = 0.0f;          ///< Distance between the places two bodies want a shared particle at.
     float worstJointGap = 0.0f;
+    float worstShapeError = 0.0f;       ///< How far a body's particle is from where a rigid motion of all has it.
     float meanSoftStrain = 0.0f;        ///< Of clusters of soft bodies by mass: sqrt(sum of (principal stretch - 1)^2).
     float worstSoftStrain = 0.0f;
     float softVolumeError = 0.0f;       ///< The largest change of a soft body's volume, as a share of it.

@@ -27,18 +27,21 @@
 // mean of their goals, which is the joint (joint_place). Where there are emitters or drains, fluid particles then leave
 // the pools (fluid_pool, pool_order, fluid_emit) or go back to them (fluid_drain).
 //
-// The paper's solver does all of this particle by particle: predict, contact_average (each particle moves by the
-// average of its overlaps), then each body is matched to its particles (body_sum, body_rotation) and they go to their
-// goals (shape_goals, joint_goals), and finish.
+// Freezing (Settings::freeze) is the same for each assembly by itself: freeze_mover, freeze_settle at the end of a step.
+//
+// The paper's solver does all of this particle by particle (PaperStep): predict, then contact_average (each particle
+// moves by the average of its overlaps), then each body is matched to its particles (body_sum, body_rotation) and they
+// go to their goals (shape_goals, joint_goals), once with STABILIZE and then `iterations` times, and finish.
 #include "sim/solver/step.h"
 
 namespace knuckle {
 
 Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
-    : settings_(settings), buffers_(buffers), particles_(groupsFor(buffers.parameters.particleCount)),
+    : settings_(settings), mayRest_(settings.sleepSpeed > 0.0f || settings.freeze > 0.0f), buffers_(buffers),
+      particles_(groupsFor(buffers.parameters.particleCount)),
       movers_(groupsFor(buffers.parameters.moverCount)), bodies_(groupsFor(buffers.parameters.bodyCount)),
       loose_(groupsFor(buffers.parameters.moverCount - buffers.parameters.bodyCount)),
-      assemblies_(groupsFor(buffers.parameters.assemblyCount)), links_(groupsFor(buffers.parameters.linkCount)),
+      assemblies_(groupsFor(buffers.parameters.assemblyCount)),
       shared_(groupsFor(buffers.parameters.sharedCount)),
       sharedByTwo_(groupsFor(buffers.parameters.sharedByTwo)),
       sharedByMany_(groupsFor(buffers.parameters.sharedCount - buffers.parameters.sharedByTwo))
@@ -47,7 +50,8 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
     const LoadKernel load = [&](const char* name, Defines defines) {
         if (settings.rotation == RotationMethod::Householder) defines.push_back({"HOUSEHOLDER", "1"});
         if (settings.massScaling > 0.0f) defines.push_back({"MASS_SCALING", "1"});
-        if (settings.sleepSpeed > 0.0f) defines.push_back({"SLEEP", "1"});
+        if (mayRest_) defines.push_back({"SLEEP", "1"});
+        if (settings.freeze > 0.0f) defines.push_back({"FREEZE", "1"});
         if (buffers.hasPool) defines.push_back({"POOL", "1"});
         if (buffers.hasGrids) defines.push_back({"GRIDS", "1"});
         if (settings.grid == GridKind::Hash) defines.push_back({"GRID_HASH", "1"});
@@ -55,7 +59,8 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
     };
     loadSearch(load);
     if (settings.solver == SolverKind::Impulse) loadImpulseSolver(load);
-    else loadPaperSolver(load);
+    else paper_.emplace(load, buffers, settings);
+    if (mayRest_) loadSleep(load);
     if (buffers.parameters.fluidCount > 0) fluid_.emplace(load, buffers, settings);
     if (buffers.hasPool) fluidPool_.emplace(load, buffers);
     if (settings.solver == SolverKind::Impulse) strandStep_ = StrandStep(gpu, buffers);
@@ -110,7 +115,6 @@ void Step::loadImpulseSolver(const LoadKernel& load)
     particlePlace_ = load("particle_place", {});
     jointPlace_ = load("joint_place", {});
     if (buffers_.hasBounces) loadBounces(load);
-    if (settings_.sleepSpeed > 0.0f) loadSleep(load);
     if (buffers_.parameters.clusterCount > 0) soft_.emplace(load, buffers_);
 }
 
@@ -127,33 +131,16 @@ void Step::loadBounces(const LoadKernel& load)
 
 void Step::loadSleep(const LoadKernel& load)
 {
-    sleepMover_ = load("sleep_mover", {});
-    sleepPair_ = load("sleep_pair", {});
-    sleepSettle_ = load("sleep_settle", {});
+    if (settings_.freeze > 0.0f) {
+        freezeMover_ = load("freeze_mover", {});
+        freezeSettle_ = load("freeze_settle", {});
+    } else {
+        sleepMover_ = load("sleep_mover", {});
+        sleepPair_ = load("sleep_pair", {});
+        sleepSettle_ = load("sleep_settle", {});
+    }
     sleepWake_ = load("sleep_wake", {});
     sleepRouse_ = load("sleep_rouse", {});
-}
-
-void Step::loadPaperSolver(const LoadKernel& load)
-{
-    const Defines centres = {{"CENTRES", "1"}};
-    predict_ = load("predict", {});
-    bodyStart_ = load("body_start", {});
-    contactStabilize_ = load("contact_average", {{"STABILIZE", "1"}});
-    stabilizeApply_ = load("stabilize_apply", {});
-    contactAverage_ = load("contact_average", {});
-    if (settings_.reduction == ReductionKind::Steps) {
-        linkCentreTerms_ = load("link_terms", centres);
-        linkMatrixTerms_ = load("link_terms", {});
-        linkReduce_ = load("link_reduce", {});
-        bodyCollectCentres_ = load("body_collect", centres);
-        bodyCollectMatrices_ = load("body_collect", {});
-    } else
-        bodySum_ = load(settings_.reduction == ReductionKind::Group ? "body_sum_group" : "body_sum", {});
-    bodyRotation_ = load("body_rotation", {});
-    shapeGoals_ = load("shape_goals", {});
-    jointGoals_ = load("joint_goals", {});
-    finish_ = load("finish", {});
 }
 
 void Step::settle(KernelTimer& timer) const
@@ -166,10 +153,12 @@ void Step::run(KernelTimer& timer) const
     const bool paper = settings_.solver == SolverKind::Paper;
     if (fluid_) fluid_->findNeighbours(timer);
     for (uint32_t i = 0; i < settings_.substeps; ++i) paper ? paperSubstep(timer) : impulseSubstep(timer, i == 0);
-    if (paper) return;
     if (settings_.sleepSpeed > 0.0f) fallAsleep(timer);
-    particlePlace_.dispatch(timer, particles_);
-    if (shared_ > 0) jointPlace_.dispatch(timer, shared_);
+    if (!paper) {
+        particlePlace_.dispatch(timer, particles_);
+        if (shared_ > 0) jointPlace_.dispatch(timer, shared_);
+    }
+    if (settings_.freeze > 0.0f) freeze(timer);
     if (fluidPool_) fluidPool_->run(timer);
 }
 
@@ -217,10 +206,7 @@ void Step::impulseSubstep(KernelTimer& timer, bool first) const
     dispatch(timer, moverPredict_);
     if (buffers_.hasOthers) impulseClear_.dispatch(timer, particles_);
     findContacts(timer);
-    if (settings_.sleepSpeed > 0.0f) {
-        sleepWake_.dispatchIndirect(timer, sizes, DISPATCH_PAIRS);
-        sleepRouse_.dispatch(timer, assemblies_);
-    }
+    wake(timer);
     moverWarm_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
     if (fluid_) fluid_->substep(timer, first);
     for (uint32_t i = 0; i < settings_.iterations; ++i) {
@@ -250,6 +236,19 @@ void Step::bounce(KernelTimer& timer) const
     }
 }
 
+void Step::wake(KernelTimer& timer) const
+{
+    if (!mayRest_) return;
+    sleepWake_.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_PAIRS);
+    sleepRouse_.dispatch(timer, assemblies_);
+}
+
+void Step::freeze(KernelTimer& timer) const
+{
+    freezeMover_.dispatch(timer, movers_);
+    freezeSettle_.dispatch(timer, assemblies_);
+}
+
 void Step::fallAsleep(KernelTimer& timer) const
 {
     sleepMover_.dispatch(timer, movers_);
@@ -259,42 +258,10 @@ void Step::fallAsleep(KernelTimer& timer) const
 
 void Step::paperSubstep(KernelTimer& timer) const
 {
-    predict_.dispatch(timer, particles_);
-    bodyStart_.dispatch(timer, bodies_);
+    paper_->predict(timer);
     findContacts(timer);
-    for (uint32_t i = 0; i < settings_.stabilization; ++i) {
-        contactStabilize_.dispatch(timer, particles_);
-        stabilizeApply_.dispatch(timer, particles_);
-    }
-    for (uint32_t i = 0; i < settings_.iterations; ++i) {
-        contactAverage_.dispatch(timer, particles_);
-        matchShapes(timer);
-    }
-    finish_.dispatch(timer, particles_);
-}
-
-void Step::matchShapes(KernelTimer& timer) const
-{
-    if (settings_.reduction == ReductionKind::Steps) reduceInSteps(timer);
-    else if (settings_.reduction == ReductionKind::Group) bodySum_.dispatch(timer, buffers_.parameters.bodyCount);
-    else bodySum_.dispatch(timer, bodies_);
-    bodyRotation_.dispatch(timer, bodies_);
-    shapeGoals_.dispatch(timer, particles_);
-    if (shared_ > 0) jointGoals_.dispatch(timer, shared_);
-}
-
-void Step::reduceInSteps(KernelTimer& timer) const
-{
-    const auto reduce = [&](const Kernel& terms, const Kernel& collect) {
-        terms.dispatch(timer, links_);
-        for (uint32_t stride = 1; stride < buffers_.longestBody; stride *= 2) {
-            glProgramUniform1ui(linkReduce_.program(), 0, stride);
-            linkReduce_.dispatch(timer, links_);
-        }
-        collect.dispatch(timer, bodies_);
-    };
-    reduce(linkCentreTerms_, bodyCollectCentres_);
-    reduce(linkMatrixTerms_, bodyCollectMatrices_);
+    wake(timer);
+    paper_->solve(timer);
 }
 
 }  // namespace knuckle

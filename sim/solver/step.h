@@ -4,6 +4,7 @@
 
 #include "sim/solver/fluid_pool.h"
 #include "sim/solver/fluid_step.h"
+#include "sim/solver/paper_step.h"
 #include "sim/solver/soft_step.h"
 #include "sim/solver/strand_step.h"
 
@@ -29,19 +30,19 @@ private:
     void loadImpulseSolver(const LoadKernel& load);
     void loadBounces(const LoadKernel& load);
     void loadSleep(const LoadKernel& load);
-    void loadPaperSolver(const LoadKernel& load);
     void findContacts(KernelTimer& timer) const;
     void impulseSubstep(KernelTimer& timer, bool first) const;
     void bounce(KernelTimer& timer) const;
+    void wake(KernelTimer& timer) const;
     void fallAsleep(KernelTimer& timer) const;
+    void freeze(KernelTimer& timer) const;
     void paperSubstep(KernelTimer& timer) const;
-    void matchShapes(KernelTimer& timer) const;
-    void reduceInSteps(KernelTimer& timer) const;
 
     Settings settings_;
+    bool mayRest_;   ///< Sleep or freeze.
     SolverBuffers& buffers_;
     // Work groups.
-    uint32_t particles_, movers_, bodies_, loose_, assemblies_, links_, shared_, sharedByTwo_, sharedByMany_;
+    uint32_t particles_, movers_, bodies_, loose_, assemblies_, shared_, sharedByTwo_, sharedByMany_;
     std::optional<FluidStep> fluid_;
     std::optional<FluidPool> fluidPool_;
     // Finding contacts.
@@ -54,13 +55,10 @@ private:
         jointSolveManyFirst_, jointSolveMany_, particlePlace_, jointPlace_;
     Kernel contactCollide_, colliderCollide_, contactBounce_, colliderBounce_, contactBounceEagerly_,
         colliderBounceEagerly_, moverBounce_;
-    Kernel sleepMover_, sleepPair_, sleepSettle_, sleepWake_, sleepRouse_;
+    Kernel sleepMover_, sleepPair_, sleepSettle_, sleepWake_, sleepRouse_, freezeMover_, freezeSettle_;
     std::optional<SoftStep> soft_;
     StrandStep strandStep_;
-    // The paper's.
-    Kernel predict_, bodyStart_, contactStabilize_, stabilizeApply_, contactAverage_, bodySum_, linkCentreTerms_,
-        linkMatrixTerms_, linkReduce_, bodyCollectCentres_, bodyCollectMatrices_, bodyRotation_, shapeGoals_,
-        jointGoals_, finish_;
+    std::optional<PaperStep> paper_;
 };
 
 }  // namespace knuckle

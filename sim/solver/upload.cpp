@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "sim/solver/body_mass.h"
 #include "sim/solver/buffers.h"
@@ -11,6 +10,7 @@
 #include "sim/solver/upload_colliders.h"
 #include "sim/solver/upload_fluid.h"
 #include "sim/solver/upload_movers.h"
+#include "sim/solver/upload_paper.h"
 #include "sim/solver/upload_pool.h"
 #include "sim/solver/upload_soft.h"
 #include "sim/solver/upload_strands.h"
@@ -20,6 +20,8 @@ namespace knuckle {
 
 namespace {
 
+// For how long what freezes has to be calm [s].
+constexpr float FREEZE_SECONDS = 1.0f;
 constexpr uint32_t FIRST_CONTACT_SLOTS = 8;
 constexpr uint64_t MOST_PARTICLES = 1u << 23;   // contacts have 23 bits for a mover
 // How far particles may be from each other where one touches the other's box [diameters]: in the middle of four of a
@@ -32,13 +34,15 @@ bool isFixed(const World& world, const Particle& particle)
     return particle.body != NO_INDEX && world.bodies[particle.body].motion == Motion::Fixed;
 }
 
-/// Per particle: where its body's lattice ends. Bodies with joints keep their bumps (docs/physics.md).
+/// Per particle: where its body's lattice ends. Bodies with joints keep their bumps (docs/physics.md), and so do all in
+/// the paper's solver.
 std::vector<uint32_t> latticeEnds(const World& world)
 {
+    const bool flat = world.settings.solver == SolverKind::Impulse;
     std::vector<uint32_t> bodies(world.assemblyCount), ends;
     for (const Body& body : world.bodies) ++bodies[body.assembly];
     for (const Particle& p : world.particles)
-        ends.push_back(p.bodyCount == 1 && bodies[p.assembly] == 1 ? p.surface.ends : ALL_ENDS);
+        ends.push_back(flat && p.bodyCount == 1 && bodies[p.assembly] == 1 ? p.surface.ends : ALL_ENDS);
     return ends;
 }
 
@@ -64,15 +68,11 @@ void uploadParticles(SolverBuffers& out, const World& world)
     const size_t count = positions.size();
     out.positions = {"positions", std::span<const gpu::vec4>(positions)};
     out.velocities = {"velocities", std::span<const gpu::vec4>(velocities)};
-    out.oldMoves = {"oldMoves", count};
-    out.oldVelocities = {"oldVelocities", std::span<const gpu::vec4>(velocities)};
     out.restPositions = {"restPositions", std::span<const gpu::vec4>(rest)};
     out.masses = {"masses", std::span<const gpu::vec4>(masses)};
     out.particleSurfaces = {"particleSurfaces", std::span<const gpu::vec4>(surfaces)};
     out.particleInfo = {"particleInfo", std::span<const gpu::ParticleInfo>(infos)};
-    for (auto [buffer, name] : {std::pair{&out.predicted, "predicted"}, {&out.moved, "moved"},
-                                {&out.stabilized, "stabilized"}, {&out.foundPositions, "foundPositions"}})
-        *buffer = {name, count};
+    out.foundPositions = {"foundPositions", count};
     // No contact yet: a stamp that no substep follows.
     const std::vector<gpu::uvec2> state(assemblies, gpu::uvec2{0x7fffffffu, 1u});
     out.assemblyState = {"assemblyState", std::span<const gpu::uvec2>(state)};
@@ -90,8 +90,6 @@ void uploadBodies(SolverBuffers& out, const World& world)
         out.longestBody = std::max(out.longestBody, body.linkCount);
     }
     out.bodyInfo = {"bodyInfo", std::span<const gpu::BodyInfo>(infos)};
-    out.bodyStarts = {"bodyStarts", 2 * world.bodies.size()};
-    out.bodyMatrices = {"bodyMatrices", 3 * world.bodies.size()};
 }
 
 /// The link array of listing 1, shared particles last in each block, and its inverse.
@@ -144,7 +142,7 @@ void uploadLinks(SolverBuffers& out, const World& world)
     out.parameters.sharedByTwo = static_cast<uint32_t>(sharedOwners.size());
     out.sharedOwners = {"sharedOwners", std::span<const gpu::uvec4>(sharedOwners)};
     out.linkImpulses = {"linkImpulses", world.links.size()};
-    out.linkTerms = {"linkTerms", 3 * world.links.size()};
+    makePaper(out, world, links, linkMasses);
 }
 
 void makeGrid(SolverBuffers& out, uint32_t particleCount)
@@ -165,22 +163,18 @@ void makeGrid(SolverBuffers& out, uint32_t particleCount)
     out.sortedInfos = {"sortedInfos", 2 * size_t(particleCount)};
 }
 
-/// The numbers of the impulse solver, and what turns the same kernels into the paper's (docs/physics.md has the figures
-/// that decided them).
+/// The numbers of the impulse solver (docs/physics.md has the figures that decided them).
 void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
 {
-    const bool paper = s.solver == SolverKind::Paper;
-    p.correction = paper ? 1.0f : 0.06f;
-    p.maxCorrection = paper ? std::numeric_limits<float>::max() : 0.25f * p.substepTime;
+    p.correction = 0.06f;
+    p.maxCorrection = 0.25f * p.substepTime;
     // What a substep keeps of an impulse, of what it differs by from its mean, and of the mean.
     const float iterations = static_cast<float>(s.iterations);
     p.warmStart = std::pow(0.985f, 1.0f / iterations);
     p.calming = 1.0f - std::pow(0.95f, 1.0f / iterations);
     p.meanRate = 1.0f - std::pow(0.9975f, 1.0f / iterations);
     p.jointRelaxation = 1.8f;
-    p.massScaling = s.massScaling;
     p.vorticity = s.vorticity * s.timeStep;
-    p.sleepSpeed = s.sleepSpeed;
     // Twice what gravity gives in a substep: what rests does not bounce.
     p.bounceSpeed = std::max(2.0f * s.gravity.norm() * p.substepTime, 0.02f);
 }
@@ -215,13 +209,19 @@ void setParameters(SolverBuffers& out, const World& world, std::span<const uint3
     p.diameter = world.diameter();
     p.substepTime = s.timeStep / static_cast<float>(s.substeps);
     p.virtualParticles = s.virtualParticles;
-    p.freeze = s.freeze * world.particleRadius;
+    p.massScaling = s.massScaling;
+    p.sleepSpeed = s.sleepSpeed;
+    // No two places within half as far from a third are further apart.
+    p.freeze = 0.5f * s.freeze * world.particleRadius;
+    p.calmSteps = CALM_STEPS;
+    if (s.freeze > 0.0f) p.calmSteps = std::max(CALM_STEPS, static_cast<uint32_t>(std::ceil(FREEZE_SECONDS / s.timeStep)));
     p.damping = std::exp(-s.linearDamping * p.substepTime);
     p.maxSpeed = s.maxSpeed;
     p.secondOrder = s.velocityOrder == VelocityOrder::Second ? 1u : 0u;
     p.rotationIterations = 3;
     setSearchParameters(p, s, ends);
     setImpulseParameters(p, s);
+    if (s.solver == SolverKind::Paper) setPaperParameters(p, world);
 }
 
 }  // namespace
@@ -300,13 +300,14 @@ BufferTable SolverBuffers::table()
     t.add(moverCentres, moverRotations, moverMoves, moverTurns, moverVelocities, oldMoverVelocities, oldMoverMoves,
           moverPredictions, moverImpulses, moverChanges, particleImpulses, linkImpulses, assemblyState, assemblyCalm,
           assemblyNext, islandsWoken);
-    t.add(oldMoves, oldVelocities, predicted, moved, stabilized, bodyStarts, bodyMatrices, linkTerms);
+    t.add(oldMoves, oldVelocities, predicted, moved, bodyStarts, bodyMatrices, linkGains, linkPulls, linkTerms);
     t.add(strands, strandNodes, strandLinks, strandStates, strandFactors);
     t.add(foundPositions, foundCentres, foundRotations, moverReaches, fastParticles, moverColliders, particleCells,
           cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);
     t.add(firstLists, colliderLists, listCounts, listSums, listStarts, pairs, pairSides, pairArms, pairImpulses,
           pairMeans, pairArrivals, pairReferences, colliderPairs, colliderSides, colliderArms, colliderImpulses,
           colliderMeans, dispatches);
+    t.add(calmCentres, calmRotations);
     addFluid(t, fluid);
     addPool(t, pool);
     t.add(pairBounces, colliderBounces, moverBounces);

@@ -118,6 +118,8 @@ void uploadMovers(SolverBuffers& out, const World& world)
     out.particleImpulses = {"particleImpulses", world.particles.size()};
     out.moverBounces = {"moverBounces", count};
     out.moverReaches = {"moverReaches", count};
+    out.calmCentres = {"calmCentres", count};
+    out.calmRotations = {"calmRotations", std::span<const gpu::vec4>(unturned)};
     out.foundCentres = {"foundCentres", count};
     out.foundRotations = {"foundRotations", std::span<const gpu::vec4>(unturned)};
 }
@@ -128,7 +130,7 @@ void uploadSleep(SolverBuffers& out)
     std::vector<gpu::uvec2> awake(count), next(count);
     for (uint32_t a = 0; a < count; ++a) {
         awake[a] = {0, a};
-        next[a] = {CALM_STEPS, a};
+        next[a] = {out.parameters.calmSteps, a};
     }
     out.assemblyCalm = {"assemblyCalm", std::span<const gpu::uvec2>(awake)};
     out.assemblyNext = {"assemblyNext", std::span<const gpu::uvec2>(next)};

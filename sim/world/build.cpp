@@ -56,37 +56,19 @@ void WorldBuilder::makeBodyLinks(uint32_t bodyIndex)
     Body& body = world_.bodies[bodyIndex];
     body.linkStart = static_cast<uint32_t>(world_.links.size());
     body.linkCount = static_cast<uint32_t>(bodyParticles_[bodyIndex].size());
-    std::vector<bool> pinned;
-    uint32_t pinCount = 0;
-    Eigen::Vector3d massCentre = Eigen::Vector3d::Zero();
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double mass = 0.0;
     for (uint32_t p : bodyParticles_[bodyIndex]) {
         const Particle& particle = world_.particles[p];
-        const bool pin = world_.settings.solver == SolverKind::Paper && body.motion == Motion::Dynamic &&
-                         world_.bodies[particle.body].motion == Motion::Fixed;
         Link link{p, bodyIndex, particle.restPosition, particle.mass};
         if (world_.settings.splitSharedMass) link.mass *= massShare(p, bodyIndex);
-        pinned.push_back(pin);
-        pinCount += pin;
-        if (!pin) {
-            mass += link.mass;
-            massCentre += link.mass * particle.restPosition.cast<double>();
-        }
+        mass += link.mass;
+        centre += link.mass * particle.restPosition.cast<double>();
         world_.links.push_back(link);
     }
+    centre /= mass;
     body.mass = static_cast<float>(mass);
-    if (mass > 0.0) massCentre /= mass;
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-    double weight = 0.0;
-    for (uint32_t i = 0; i < body.linkCount; ++i) {
-        Link& link = world_.links[body.linkStart + i];
-        if (pinned[i]) link.mass = PIN_WEIGHT * std::max(body.mass, link.mass) / static_cast<float>(pinCount);
-        weight += link.mass;
-        centre += link.mass * link.restOffset.cast<double>();
-    }
-    centre /= weight;
     body.restCentre = centre.cast<float>();
-    body.massCentre = mass > 0.0 ? Vector3f(massCentre.cast<float>()) : body.restCentre;
     for (uint32_t i = 0; i < body.linkCount; ++i) {
         Vector3f& offset = world_.links[body.linkStart + i].restOffset;
         offset = (offset.cast<double>() - centre).cast<float>();

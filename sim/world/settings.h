@@ -38,8 +38,9 @@ struct Settings {
     uint32_t iterations = 2;                       ///< Per substep, 1 ... 64.
     uint32_t stabilization = 0;                    ///< Stabilization iterations per substep, 0 ... 16 (paper, 3.3).
     float contactMargin = 0.2f;                    ///< Candidates within (1 + margin) diameters, 0.05 ... 1 (3.1: 0.2).
-    float freeze = 0.0f;                           ///< Displacement per substep below which a particle stays [radii];
-                                                   ///< 0 off (3.1: 0.5).
+    float freeze = 0.0f;                           ///< An assembly whose particles change place by less in a second
+                                                   ///< keeps it until a neighbour moves [radii], 0 ... 0.8; 0 off
+                                                   ///< (3.1: 0.5).
     float virtualParticles = 0.01f;                ///< c of eq. 18, relative to the mean diagonal of A at rest, 0 ... 1.
     bool splitSharedMass = true;                   ///< A particle of k bodies weighs m/k in each: conserves momentum.
     float linearDamping = 0.0f;                    ///< [1/s], 0 ... 100.
@@ -62,8 +63,9 @@ uint32_t automaticFluidSubsteps(float spacing, float pressure, float timeStep);
 /// What the surface tension of a fluid presses it together with [Pa]: what pulls particles acts two rest distances far.
 float cohesionPressure(float surfaceTension, float spacing);
 
-/// The paper's own choices: one substep, 4 iterations, averaged Jacobi, Householder-QR, eq. 10's reduction, the hash,
-/// freezing at half a radius, first-order velocities, whole masses at shared particles.
+/// The paper's own choices: averaged Jacobi with stabilization, Householder-QR, eq. 10's reduction, the hash, freezing at
+/// half a radius, first-order velocities, whole masses at shared particles; and what makes them sound: as many substeps
+/// as the default's, 4 iterations of each, mass scaling.
 Settings paperSettings();
 
 }  // namespace knuckle

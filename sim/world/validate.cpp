@@ -28,7 +28,8 @@ void validateSettings(const Settings& s)
     require(s.iterations >= 1 && s.iterations <= 64, "solver iterations {}: must be 1 to 64", s.iterations);
     require(s.stabilization <= 16, "solver stabilization {}: must be 0 to 16", s.stabilization);
     require(within(s.contactMargin, 0.05f, 1.0f), "solver contact margin {}: must be 0.05 to 1", s.contactMargin);
-    require(within(s.freeze, 0.0f, 10.0f), "solver freeze {}: must be 0 to 10 radii", s.freeze);
+    require(within(s.freeze, 0.0f, 0.8f), "solver freeze {}: must be 0 to 0.8 radii", s.freeze);
+    require(s.freeze == 0.0f || s.sleepSpeed == 0.0f, "solver: freeze and sleep do the same; set one of them to 0");
     require(within(s.virtualParticles, 0.0f, 1.0f), "solver virtual particles {}: must be 0 to 1", s.virtualParticles);
     require(within(s.linearDamping, 0.0f, 100.0f), "solver damping {} 1/s: must be 0 to 100", s.linearDamping);
     require(s.maxSpeed > 0.0f, "solver maximum speed {} m/s: must be above 0", s.maxSpeed);
@@ -36,6 +37,11 @@ void validateSettings(const Settings& s)
     require(within(s.vorticity, 0.0f, 1.0f), "solver vorticity {}: must be 0 to 1", s.vorticity);
     require(within(s.sleepSpeed, 0.0f, 10.0f), "solver sleep speed {} m/s: must be 0 to 10", s.sleepSpeed);
     require(s.gravity.allFinite(), "gravity must be finite");
+    const bool paper = s.solver == SolverKind::Paper;
+    require(!paper || s.sleepSpeed == 0.0f, "the paper's solver has no sleep; use solver freeze, or method impulse");
+    require(paper || s.reduction == ReductionKind::Auto,
+            "solver reduction is the paper's solver's; use reduction auto, or method paper");
+    require(paper || s.stabilization == 0, "solver stabilization is the paper's solver's; use 0, or method paper");
 }
 
 void validateMaterials(const World& world)
@@ -52,6 +58,8 @@ void validateMaterials(const World& world)
                 m.name, m.surfaceTension);
         require(within(m.restitution, 0.0f, 1.0f), "material \"{}\": restitution {} must be 0 to 1", m.name,
                 m.restitution);
+        require(m.restitution == 0.0f || world.settings.solver == SolverKind::Impulse,
+                "material \"{}\": the paper's solver has no restitution; use 0, or solver method impulse", m.name);
     }
 }
 

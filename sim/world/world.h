@@ -81,19 +81,11 @@ struct Body {
     uint32_t linkStart = 0, linkCount = 0;
     uint32_t object = NO_INDEX;               ///< Index into World::objects: what the scene calls one thing.
     bool isCross = false;                     ///< The flat middle body of a universal joint.
-    float mass = 0.0f;                        ///< Sum of its particles' shares of mass, PIN_WEIGHT left out [kg].
-    /// The weighted centre that shape matching turns the body about, in the object's rest pose [m]: the mass centre,
-    /// but where PIN_WEIGHT applies.
-    Vector3f restCentre{0, 0, 0};
-    Vector3f massCentre{0, 0, 0};             ///< Mass centre in the object's rest pose [m].
+    float mass = 0.0f;                        ///< Sum of its particles' shares of mass [kg].
+    Vector3f restCentre{0, 0, 0};             ///< Mass centre in the object's rest pose [m].
     Vector3f position{0, 0, 0};               ///< Where restCentre starts [m].
     Quaternionf rotation{1, 0, 0, 0};         ///< How the rest pose is turned at the start.
 };
-
-/// What a body's pinned particles (shared with a fixed body) weigh together in its shape match, in masses of the body:
-/// large, so that the pin holds, and small enough for single precision. Only for SolverKind::Paper, which has no other
-/// way to hold them.
-inline constexpr float PIN_WEIGHT = 100.0f;
 
 enum class JointType : uint32_t { Ball, Hinge, Stiff, Universal };
 

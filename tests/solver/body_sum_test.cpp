@@ -24,6 +24,7 @@ protected:
         fill(b.moved, randomVectors(b.moved.size(), 0.02f, 22));
         fill(b.moverMoves, randomVectors(b.moverMoves.size(), 0.02f, 25));
         fill(b.positions, randomVectors(b.positions.size(), 0.3f, 26));
+        fill(b.linkPulls, randomVectors(b.linkPulls.size(), 0.1f, 27));
         std::vector<gpu::vec4> starts;
         for (size_t k = 0; k < bench.world.bodies.size(); ++k) {
             starts.push_back(packed(random.inCube(0.4f)));
@@ -33,11 +34,13 @@ protected:
         for (uint32_t k = 0; k < bench.world.bodies.size(); ++k) expected.push_back(reference(k));
     }
 
-    /// Eq. 9 about the centre before the substep, and the mean of the particles' moves.
+    /// Eq. 9 about the centre before the substep, and the mean of the particles' moves. Shared ones are pulled, and move
+    /// from where the body had them.
     BodySums reference(uint32_t body)
     {
         SolverBuffers& b = bench.buffers;
         const auto links = b.links.download();
+        const auto pulls = b.linkPulls.download();
         const auto moved = b.moved.download(), starts = b.bodyStarts.download(), positions = b.positions.download();
         const Vector3d centre = vec3(starts[2 * body]).cast<double>();
         const Vector3d last = vec3(b.moverMoves.download()[body]).cast<double>();
@@ -50,12 +53,17 @@ protected:
             if (link.rbIndex != body) continue;
             const uint32_t i = link.particleIndex;
             const Vector3d r(link.posInRigidBodyX, link.posInRigidBodyY, link.posInRigidBodyZ);
-            const Vector3d move = vec3(moved[i]).cast<double>(), place = vec3(positions[i]).cast<double>();
+            const bool shared = bench.world.particles[i].bodyCount > 1;
+            const Vector3d place = vec3(positions[i]).cast<double>();
+            Vector3d move = vec3(moved[i]).cast<double>();
+            if (shared) move += vec3(pulls[l]).cast<double>();
+            const Vector3d arm = place - centre + move;
+            if (shared) move = arm - quaternion(starts[2 * body + 1]).cast<double>() * r;
             weighted += link.mass * move;
             mass += link.mass;
-            sums.a += link.mass * (place - centre + move) * r.transpose();
-            size += link.mass * (move - last).norm();
-            armSize += link.mass * (place.norm() + centre.norm() + move.norm()) * r.norm();
+            sums.a += link.mass * arm * r.transpose();
+            size += link.mass * ((move - last).norm() + (shared ? place.norm() + centre.norm() + r.norm() : 0.0));
+            armSize += link.mass * (place.norm() + centre.norm() + arm.norm()) * r.norm();
             ++count;
         }
         sums.move = weighted / mass;

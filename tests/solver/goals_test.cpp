@@ -27,6 +27,7 @@ protected:
         fill(b.moverMoves, moves);
         moved = randomVectors(b.moved.size(), 0.02f, 72);
         fill(b.moved, moved);
+        fill(b.positions, randomVectors(b.positions.size(), 0.3f, 73));
     }
     /// Q r + c minus where r was when the substep began (eq. 8).
     Vector3d goalMove(const Link& link) const
@@ -67,6 +68,68 @@ TEST_F(Goals, ParticlesGoToTheMeanOfTheirBodiesGoals)
     }
     EXPECT_EQ(bench.buffers.parameters.sharedCount, shared);
     EXPECT_EQ(shared, 1u + 3u + 4u + 5u + 1u + 3u);
+}
+
+TEST_F(Goals, StabilizationStartsParticlesFromTheMean)
+{
+    const auto before = bench.buffers.positions.download();
+    bench.forParticles("shape_goals", {{"STABILIZE", "1"}});
+    bench.run("joint_goals", bench.buffers.parameters.sharedCount, {{"STABILIZE", "1"}});
+    const auto found = bench.buffers.positions.download();
+    const auto wanted = wantedMoves();
+    for (size_t i = 0; i < found.size(); ++i)
+        // As above, added to places of half a metre: 3e-8 more.
+        ASSERT_LT((vec3(found[i]).cast<double>() - vec3(before[i]).cast<double>() - wanted[i]).norm(), 3e-7) << i;
+}
+
+TEST_F(Goals, SharedParticlesStandBeyondTheMeanByTheirGain)
+{
+    for (const float bound : {1e9f, 0.05f}) {
+        bench.buffers.parameters.jointCorrection = bound;
+        bench.setParameters();
+        bench.forParticles("shape_goals");
+        bench.run("joint_goals", bench.buffers.parameters.sharedCount);
+        const auto pulls = bench.buffers.linkPulls.download();
+        const auto gains = bench.buffers.linkGains.download();
+        const auto links = bench.buffers.links.download();
+        const auto positions = bench.buffers.positions.download();
+        const auto wanted = wantedMoves();
+        uint32_t shared = 0, bounded = 0;
+        for (size_t l = 0; l < bench.world.links.size(); ++l) {
+            const uint32_t i = links[l].particleIndex, b = links[l].rbIndex;
+            if (bench.world.particles[i].bodyCount < 2) {
+                EXPECT_EQ(gains[l], 0.0f);
+                continue;
+            }
+            const Vector3d r(links[l].posInRigidBodyX, links[l].posInRigidBodyY, links[l].posInRigidBodyZ);
+            const Vector3d goal = vec3(starts[2 * b]).cast<double>() + vec3(moves[b]).cast<double>() +
+                                  quaternion(turns[b]).cast<double>() * (quaternion(starts[2 * b + 1]).cast<double>() * r);
+            Vector3d gap = vec3(positions[i]).cast<double>() + wanted[i] - goal;
+            bounded += gap.norm() > bound;
+            gap *= std::min(1.0, bound / gap.norm());
+            // Places of half a metre, rounded some twenty times, times the gain.
+            EXPECT_LT((vec3(pulls[l]).cast<double>() - gains[l] * gap).norm(), 1e-6 * (1.0 + std::abs(gains[l]))) << l;
+            ++shared;
+        }
+        EXPECT_GT(shared, 30u);
+        EXPECT_EQ(bounded > 0, bound < 1.0f);
+    }
+}
+
+TEST_F(Goals, BodiesThatShareAParticleAreDrawnWithOneMass)
+{
+    const auto gains = bench.buffers.linkGains.download();
+    const auto links = bench.buffers.links.download();
+    std::vector<float> mass(bench.world.particles.size(), 0.0f);
+    for (size_t l = 0; l < bench.world.links.size(); ++l) {
+        const uint32_t i = links[l].particleIndex;
+        const Particle& p = bench.world.particles[i];
+        if (p.bodyCount < 2 || bench.world.bodies[p.body].motion == Motion::Fixed) continue;
+        const float drawn = (1.0f + gains[l]) * links[l].mass;
+        EXPECT_GT(drawn, 0.0f);
+        if (mass[i] > 0.0f) { EXPECT_NEAR(drawn / mass[i], 1.0f, 1e-5f) << "particle " << i; }
+        mass[i] = drawn;
+    }
 }
 
 TEST(LinkArray, IsThePapersListing1WithSharedParticlesLastInEachBlock)

@@ -123,29 +123,6 @@ TEST_F(MoverFinish, DampingAndTheGreatestSpeedBoundTheVelocitiesOfAllParticles)
     EXPECT_GT(free, 50u);
 }
 
-TEST_F(MoverFinish, WhatMovesLessThanTheFreezingLimitStaysAndKeepsItsVelocity)
-{
-    // Between the moves of some and of others: those are up to 1 cm, with turns of a body's radius on top.
-    bench.buffers.parameters.freeze = 0.01f;
-    bench.setParameters();
-    bench.setAssemblies(0, 1);
-    const auto before = bench.buffers.moverCentres.download();
-    bench.forMovers("mover_finish");
-    const auto after = bench.buffers.moverCentres.download(), found = bench.buffers.moverVelocities.download();
-    uint32_t frozen = 0, moved = 0;
-    for (uint32_t m = 0; m < bench.moverCount(); ++m) {
-        if (bench.isFixed(m)) continue;
-        const double way = vec3(bench.moves[m]).cast<double>().norm() +
-                           2.0 * vec3(bench.turns[m]).cast<double>().norm() * bench.radius(m);
-        if (std::abs(way - 0.01) < 1e-6) continue;
-        EXPECT_EQ(vec3(after[m]) == vec3(before[m]), way < 0.01) << "mover " << m;
-        EXPECT_GT(bench.field(found, m).t.norm(), 0.0) << "mover " << m;
-        ++(way < 0.01 ? frozen : moved);
-    }
-    EXPECT_GT(frozen, 20u);
-    EXPECT_GT(moved, 20u);
-}
-
 TEST_F(MoverFinish, AVelocityThatIsNotFiniteIsReportedWithAParticleOfItsMover)
 {
     for (uint32_t m : {2u, bench.moverCount() - 7}) {

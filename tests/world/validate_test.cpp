@@ -53,7 +53,7 @@ TEST(Validate, EverySettingHasItsRange)
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.stabilization = 17; }), "solver stabilization 17: must be 0 to 16");
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.contactMargin = 0.0f; }),
               "solver contact margin 0: must be 0.05 to 1");
-    EXPECT_EQ(settingsComplaint([](Settings& s) { s.freeze = -1.0f; }), "solver freeze -1: must be 0 to 10 radii");
+    EXPECT_EQ(settingsComplaint([](Settings& s) { s.freeze = -1.0f; }), "solver freeze -1: must be 0 to 0.8 radii");
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.virtualParticles = 2.0f; }),
               "solver virtual particles 2: must be 0 to 1");
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.linearDamping = 101.0f; }),
@@ -65,6 +65,26 @@ TEST(Validate, EverySettingHasItsRange)
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.sleepSpeed = NAN; }),
               "solver sleep speed nan m/s: must be 0 to 10");
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.gravity.y() = INFINITE; }), "gravity must be finite");
+}
+
+TEST(Validate, WhatOneSolverHasNotIsRefused)
+{
+    EXPECT_EQ(settingsComplaint([](Settings& s) { s.freeze = s.sleepSpeed = 0.1f; }),
+              "solver: freeze and sleep do the same; set one of them to 0");
+    EXPECT_EQ(settingsComplaint([](Settings& s) {
+                  s.solver = SolverKind::Paper;
+                  s.sleepSpeed = 0.1f;
+              }),
+              "the paper's solver has no sleep; use solver freeze, or method impulse");
+    EXPECT_EQ(settingsComplaint([](Settings& s) { s.reduction = ReductionKind::Steps; }),
+              "solver reduction is the paper's solver's; use reduction auto, or method paper");
+    EXPECT_EQ(settingsComplaint([](Settings& s) { s.stabilization = 1; }),
+              "solver stabilization is the paper's solver's; use 0, or method paper");
+    EXPECT_EQ(complaint([](World& w) {
+                  w.settings.solver = SolverKind::Paper;
+                  w.materials[0].restitution = 0.5f;
+              }),
+              "material \"clay\": the paper's solver has no restitution; use 0, or solver method impulse");
 }
 
 TEST(Validate, MaterialsNeedADensityAndKineticFrictionBelowStatic)

@@ -1,0 +1,93 @@
+#include "sim/solver/paper_step.h"
+
+namespace knuckle {
+
+namespace {
+
+const Defines STABILIZE{{"STABILIZE", "1"}};
+
+}  // namespace
+
+PaperStep::PaperStep(const LoadKernel& load, SolverBuffers& buffers, const Settings& settings)
+    : buffers_(buffers), settings_(settings), particles_(groupsFor(buffers.parameters.particleCount)),
+      bodies_(groupsFor(buffers.parameters.bodyCount)), links_(groupsFor(buffers.parameters.linkCount)),
+      shared_(groupsFor(buffers.parameters.sharedCount))
+{
+    predict_ = load("predict", {});
+    bodyStart_ = load("body_start", {});
+    contactStabilize_ = load("contact_average", STABILIZE);
+    shapeStabilize_ = load("shape_goals", STABILIZE);
+    jointStabilize_ = load("joint_goals", STABILIZE);
+    contactAverage_ = load("contact_average", {});
+    loadSums(load);
+    bodyRotation_ = load("body_rotation", {});
+    shapeGoals_ = load("shape_goals", {});
+    jointGoals_ = load("joint_goals", {});
+    finish_ = load("finish", {});
+}
+
+void PaperStep::loadSums(const LoadKernel& load)
+{
+    if (settings_.reduction != ReductionKind::Steps) {
+        bodySum_ = load(settings_.reduction == ReductionKind::Group ? "body_sum_group" : "body_sum", {});
+        return;
+    }
+    const Defines centres = {{"CENTRES", "1"}};
+    linkCentreTerms_ = load("link_terms", centres);
+    linkMatrixTerms_ = load("link_terms", {});
+    linkReduce_ = load("link_reduce", {});
+    bodyCollectCentres_ = load("body_collect", centres);
+    bodyCollectMatrices_ = load("body_collect", {});
+}
+
+void PaperStep::predict(KernelTimer& timer) const
+{
+    predict_.dispatch(timer, particles_);
+    if (bodies_ > 0) bodyStart_.dispatch(timer, bodies_);
+}
+
+void PaperStep::solve(KernelTimer& timer) const
+{
+    for (uint32_t i = 0; i < settings_.stabilization; ++i) stabilize(timer);
+    for (uint32_t i = 0; i < settings_.iterations; ++i) {
+        contactAverage_.dispatch(timer, particles_);
+        match(timer);
+        shapeGoals_.dispatch(timer, particles_);
+        if (shared_ > 0) jointGoals_.dispatch(timer, shared_);
+    }
+    finish_.dispatch(timer, particles_);
+}
+
+void PaperStep::stabilize(KernelTimer& timer) const
+{
+    contactStabilize_.dispatch(timer, particles_);
+    match(timer);
+    shapeStabilize_.dispatch(timer, particles_);
+    if (shared_ > 0) jointStabilize_.dispatch(timer, shared_);
+    if (bodies_ > 0) bodyStart_.dispatch(timer, bodies_);
+}
+
+void PaperStep::match(KernelTimer& timer) const
+{
+    if (bodies_ == 0) return;
+    if (settings_.reduction == ReductionKind::Steps) reduceInSteps(timer);
+    else if (settings_.reduction == ReductionKind::Group) bodySum_.dispatch(timer, buffers_.parameters.bodyCount);
+    else bodySum_.dispatch(timer, bodies_);
+    bodyRotation_.dispatch(timer, bodies_);
+}
+
+void PaperStep::reduceInSteps(KernelTimer& timer) const
+{
+    const auto reduce = [&](const Kernel& terms, const Kernel& collect) {
+        terms.dispatch(timer, links_);
+        for (uint32_t stride = 1; stride < buffers_.longestBody; stride *= 2) {
+            glProgramUniform1ui(linkReduce_.program(), 0, stride);
+            linkReduce_.dispatch(timer, links_);
+        }
+        collect.dispatch(timer, bodies_);
+    };
+    reduce(linkCentreTerms_, bodyCollectCentres_);
+    reduce(linkMatrixTerms_, bodyCollectMatrices_);
+}
+
+}  // namespace knuckle
