@@ -30,8 +30,7 @@ float largestEigenvalue(mat3 a)
 vec4 matchedTurn(mat3 a, vec4 start, vec4 turned)
 {
     float size = sqrt(dot(a[0], a[0]) + dot(a[1], a[1]) + dot(a[2], a[2]));
-    if (!(size > 1e-18)) return turned;
-    a /= size;
+    a /= max(size, 1e-18);
     // Far more than rounding, so that rounding twists no line; each round leaves this share of lambda, over the
     // distance to the next eigenvalue, of what is missing.
     float lambda = (1.0 + 1e-4) * largestEigenvalue(a);
