@@ -17,7 +17,7 @@ struct EnumWords;
 template <>
 struct EnumWords<SolverKind> { static constexpr std::array WORDS{"impulse", "paper"}; };
 template <>
-struct EnumWords<RotationMethod> { static constexpr std::array WORDS{"quaternion", "householder"}; };
+struct EnumWords<RotationMethod> { static constexpr std::array WORDS{"quaternion", "householder", "higham"}; };
 template <>
 struct EnumWords<GridKind> { static constexpr std::array WORDS{"lattice", "hash"}; };
 template <>

@@ -1,9 +1,11 @@
-// The rotation of a body matched to its particles, by one of two methods:
+// The rotation of a body matched to its particles, by one of three methods:
 //   vec4 matchedTurn(mat3 a, vec4 start, vec4 turned)
 // is how far the orthogonal part of A (eq. 9) has turned since `start`, where the search may begin at `turned`.
 #include "shared/quaternion.glsl"
 #ifdef HOUSEHOLDER
 #include "shared/turn_householder.glsl"
+#elif defined(HIGHAM)
+#include "shared/turn_higham.glsl"
 #else
 #include "shared/turn_newton.glsl"
 #endif

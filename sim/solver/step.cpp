@@ -49,6 +49,7 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
     const BufferTable table = buffers.table();
     const LoadKernel load = [&](const char* name, Defines defines) {
         if (settings.rotation == RotationMethod::Householder) defines.push_back({"HOUSEHOLDER", "1"});
+        if (settings.rotation == RotationMethod::Higham) defines.push_back({"HIGHAM", "1"});
         if (settings.massScaling > 0.0f) defines.push_back({"MASS_SCALING", "1"});
         if (mayRest_) defines.push_back({"SLEEP", "1"});
         if (settings.freeze > 0.0f) defines.push_back({"FREEZE", "1"});

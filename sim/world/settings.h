@@ -12,6 +12,7 @@ enum class SolverKind : uint32_t {
 enum class RotationMethod : uint32_t {
     Quaternion,     ///< Warm-started quaternion, Newton steps (after Mueller et al. 2016).
     Householder,    ///< The paper's: eigendecomposition of A^T A by QR with Householder reflections (eqs. 11-17).
+    Higham,         ///< Higham and Noferini 2016: the dominant eigenvector of a symmetric 4x4 matrix made of A.
 };
 enum class GridKind : uint32_t {
     Lattice,        ///< Cells contiguous in x, wrapped: three neighbours are one range.

@@ -32,7 +32,7 @@ TEST(FreeMotion, ACubeFallsAsTheContinuumSays)
 
 TEST(FreeMotion, ACubeKeepsItsSpin)
 {
-    for (RotationMethod rotation : {RotationMethod::Quaternion, RotationMethod::Householder}) {
+    for (RotationMethod rotation : {RotationMethod::Quaternion, RotationMethod::Householder, RotationMethod::Higham}) {
         Settings settings = weightless();
         settings.rotation = rotation;
         WorldBuilder builder = makeBuilder(settings);

@@ -110,6 +110,16 @@ TEST_F(MoverPredict, SolidBodiesTurnTheSameByHouseholder)
     for (uint32_t m : {0u, 1u, 2u, 3u}) expectPrediction(m, false, 1e-5);
 }
 
+TEST_F(MoverPredict, AllBodiesTurnTheSameByHigham)
+{
+    bench.setAssemblies(MoverBench::SUBSTEP - 1, 2);
+    bench.forMovers("mover_predict", {{"HIGHAM", "1"}});
+    for (uint32_t m = 0; m < bench.moverCount(); ++m) {
+        SCOPED_TRACE("mover " + std::to_string(m));
+        if (!bench.isFixed(m)) expectPrediction(m, false, 1e-5);
+    }
+}
+
 TEST_F(MoverPredict, FixedBodiesStay)
 {
     const auto predictions = bench.buffers.moverPredictions.download();
