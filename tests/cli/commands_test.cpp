@@ -35,7 +35,9 @@ TEST_F(Cli, RefusesWrongOptionsInOneLine)
              {"render", scene, "--size", "0x0"}, {"render", scene, "--frames", "0:3"},
              {"render", scene, "--frames", "3:2"}, {"render", scene, "--frames", "x"},
              {"render", scene, "--export", "obj=x"}, {"render", scene, "--export", "ply="},
-             {"render", scene, "--set", "fps"}, {"render", scene, "-o", "film.gif"}}) {
+             {"render", scene, "--set", "fps"}, {"render", scene, "-o", "film.gif"},
+             {"bench", "table2", "--preset", "papr"}, {"bench", "table2", "--set", "duration=3"},
+             {"bench", "table2", "--set", "solver.iterations=0"}}) {
         const RunResult result = run(words);
         EXPECT_EQ(result.code, 2) << (words.empty() ? "" : words.back());
         EXPECT_TRUE(test::isOneLine(result.err)) << result.err;

@@ -136,7 +136,7 @@ TEST_F(BodySum, SomeBodiesAreLongerThanAGroupAndNoPowerOfTwo)
 TEST(PaperReduction, TakesAsManyStepsAsEquation10)
 {
     Settings settings = paperSettings();
-    settings.iterations = 1;
+    settings.substeps = settings.iterations = 1;
     settings.stabilization = 0;
     const World world = mixedWorld(settings);
     Solver solver(gpu(), world);
