@@ -55,7 +55,8 @@ TEST(Scene, TakesThePapersChoicesExceptWhatItSaysItself)
 {
     const Settings paper = load(ONE_BOX, {{"solver", "paper"}}).world.settings;
     EXPECT_EQ(paper.solver, SolverKind::Paper);
-    EXPECT_EQ(paper.substeps, paperSettings().substeps);
+    EXPECT_EQ(paper.iterations, paperSettings().iterations);
+    EXPECT_EQ(paper.freeze, 0.5f);
     EXPECT_EQ(paper.grid, GridKind::Hash);
     const Settings mixed = load(ONE_BOX, {{"solver", "paper"}, {"solver.iterations", 9}}).world.settings;
     EXPECT_EQ(mixed.iterations, 9u);
