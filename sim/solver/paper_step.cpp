@@ -35,7 +35,8 @@ void PaperStep::loadSums(const LoadKernel& load)
     const Defines centres = {{"CENTRES", "1"}};
     linkCentreTerms_ = load("link_terms", centres);
     linkMatrixTerms_ = load("link_terms", {});
-    linkReduce_ = load("link_reduce", {});
+    linkCentreReduce_ = load("link_reduce", centres);
+    linkMatrixReduce_ = load("link_reduce", {});
     bodyCollectCentres_ = load("body_collect", centres);
     bodyCollectMatrices_ = load("body_collect", {});
 }
@@ -78,16 +79,16 @@ void PaperStep::match(KernelTimer& timer) const
 
 void PaperStep::reduceInSteps(KernelTimer& timer) const
 {
-    const auto reduce = [&](const Kernel& terms, const Kernel& collect) {
+    const auto reduce = [&](const Kernel& terms, const Kernel& step, const Kernel& collect) {
         terms.dispatch(timer, links_);
         for (uint32_t stride = 1; stride < buffers_.longestBody; stride *= 2) {
-            glProgramUniform1ui(linkReduce_.program(), 0, stride);
-            linkReduce_.dispatch(timer, links_);
+            glProgramUniform1ui(step.program(), 0, stride);
+            step.dispatch(timer, links_);
         }
         collect.dispatch(timer, bodies_);
     };
-    reduce(linkCentreTerms_, bodyCollectCentres_);
-    reduce(linkMatrixTerms_, bodyCollectMatrices_);
+    reduce(linkCentreTerms_, linkCentreReduce_, bodyCollectCentres_);
+    reduce(linkMatrixTerms_, linkMatrixReduce_, bodyCollectMatrices_);
 }
 
 }  // namespace knuckle

@@ -86,9 +86,10 @@ protected:
             EXPECT_LE((a - expected[b].a).norm(), expected[b].matrixTolerance);
         }
     }
-    void reduce(const Kernel& terms, const Kernel& collect)
+    void reduce(const Defines& defines)
     {
-        const Kernel step = bench.load("link_reduce");
+        const Kernel terms = bench.load("link_terms", defines), step = bench.load("link_reduce", defines),
+                     collect = bench.load("body_collect", defines);
         const uint32_t links = groupsFor(bench.buffers.parameters.linkCount);
         bench.dispatch(terms, links);
         for (uint32_t stride = 1; stride < bench.buffers.longestBody; stride *= 2) {
@@ -99,9 +100,8 @@ protected:
     }
     void reduceInSteps()
     {
-        const Defines centres = {{"CENTRES", "1"}};
-        reduce(bench.load("link_terms", centres), bench.load("body_collect", centres));
-        reduce(bench.load("link_terms"), bench.load("body_collect"));
+        reduce({{"CENTRES", "1"}});
+        reduce({});
     }
 
     Bench bench;
