@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/table2_world.h"
 #include "physics_test.h"
 #include "sim/world/joints.h"
 
@@ -156,6 +157,27 @@ TEST(Paper, AHeavyLoadHangsFromAChain)
     run(solver, world, 5.0);
     EXPECT_LT(solver.measure().worstJointGap, 0.5f * DIAMETER);
     EXPECT_LT(fastest(solver), 0.2f);
+}
+
+TEST(Paper, APileKeepsStillForAMinute)
+{
+    Settings settings = paperSettings();
+    settings.reduction = ReductionKind::Thread;   // the same sums in a fifth of the dispatches
+    const World world = table2World(12, settings);
+    Solver solver(gpu(), world);
+    run(solver, world, 10.0);
+    const auto before = solver.readBodies();
+    run(solver, world, 50.0);
+    const auto after = solver.readBodies();
+    // What has come to rest is frozen, and nothing that is frozen moves.
+    for (size_t b = 0; b < before.size(); ++b)
+        EXPECT_LT((after[b].position - before[b].position).norm(), 0.1f * DIAMETER) << "body " << b;
+    const Measures m = solver.measure();
+    EXPECT_LT(m.maxSpeed, 0.1f);
+    EXPECT_LT(m.worstShapeError, 1e-3f * DIAMETER);
+    EXPECT_LT(m.meanJointGap, 0.05f * DIAMETER);
+    EXPECT_LT(m.worstJointGap, 0.5f * DIAMETER);
+    EXPECT_LT(m.meanPenetration, 0.1f * DIAMETER);
 }
 
 }  // namespace knuckle::test
