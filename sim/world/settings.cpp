@@ -38,7 +38,6 @@ Settings paperSettings()
     s.freeze = 0.5f;
     s.massScaling = 2.0f;
     s.virtualParticles = 0.01f;
-    s.splitSharedMass = false;
     return s;
 }
 

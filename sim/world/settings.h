@@ -65,8 +65,8 @@ uint32_t automaticFluidSubsteps(float spacing, float pressure, float timeStep);
 float cohesionPressure(float surfaceTension, float spacing);
 
 /// The paper's own choices: averaged Jacobi with stabilization, Householder-QR, eq. 10's reduction, the hash, freezing at
-/// half a radius, first-order velocities, whole masses at shared particles; and what makes them sound: as many substeps
-/// as the default's, 4 iterations of each, mass scaling.
+/// half a radius, first-order velocities; and what makes them sound: as many substeps as the default's, 4 iterations of
+/// each, mass scaling, split masses at shared particles.
 Settings paperSettings();
 
 }  // namespace knuckle

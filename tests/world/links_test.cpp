@@ -60,9 +60,11 @@ TEST(Links, ASharedParticleWeighsItsShareInEachOfItsBodies)
     EXPECT_FLOAT_EQ(split.bodies[1].mass, 2.5f * PARTICLE_MASS);
 }
 
-TEST(Links, ThePapersSharedParticleWeighsItsWholeMassInEachBody)
+TEST(Links, ASharedParticleWeighsItsWholeMassInEachBodyWhereAsked)
 {
-    const World whole = table1World(paperSettings());
+    Settings settings = paperSettings();
+    settings.splitSharedMass = false;
+    const World whole = table1World(settings);
     EXPECT_FLOAT_EQ(whole.links[0].mass, PARTICLE_MASS);
     EXPECT_FLOAT_EQ(whole.bodies[0].mass, 4.0f * PARTICLE_MASS);
     EXPECT_FLOAT_EQ(whole.bodies[1].mass, 3.0f * PARTICLE_MASS);
