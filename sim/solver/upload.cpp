@@ -214,7 +214,8 @@ void setParameters(SolverBuffers& out, const World& world, std::span<const uint3
     // No two places within half as far from a third are further apart.
     p.freeze = 0.5f * s.freeze * world.particleRadius;
     p.calmSteps = CALM_STEPS;
-    if (s.freeze > 0.0f) p.calmSteps = std::max(CALM_STEPS, static_cast<uint32_t>(std::ceil(FREEZE_SECONDS / s.timeStep)));
+    const auto freezeSteps = static_cast<uint32_t>(std::ceil(FREEZE_SECONDS / s.timeStep));
+    if (s.freeze > 0.0f) p.calmSteps = std::max(CALM_STEPS, freezeSteps);
     p.damping = std::exp(-s.linearDamping * p.substepTime);
     p.maxSpeed = s.maxSpeed;
     p.secondOrder = s.velocityOrder == VelocityOrder::Second ? 1u : 0u;
