@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <map>
 
 #include "app/commands.h"
 #include "app/film_run.h"
@@ -37,10 +38,13 @@ void readExports(const std::vector<std::string>& exports, FilmOptions& film)
         const size_t equals = text.find('=');
         const std::string kind = text.substr(0, equals);
         const std::string path = equals == std::string::npos ? "" : text.substr(equals + 1);
-        if (path.empty() || (kind != "ply" && kind != "bodies")) {
-            throw InputError(fmt::format("--export {}: must be ply=FOLDER or bodies=FILE.csv", text));
+        const std::map<std::string, std::string*> kinds{
+            {"ply", &film.plyFolder}, {"bodies", &film.bodyTable}, {"measures", &film.measureTable}};
+        const auto found = kinds.find(kind);
+        if (path.empty() || found == kinds.end()) {
+            throw InputError(fmt::format("--export {}: must be ply=FOLDER, bodies=FILE.csv or measures=FILE.csv", text));
         }
-        (kind == "ply" ? film.plyFolder : film.bodyTable) = path;
+        *found->second = path;
     }
 }
 
@@ -72,6 +76,7 @@ constexpr const char* NOTES =
     "Ctrl-C finishes the frame and stops.\n\n"
     "--export ply=DIR        per frame: id, position, velocity, body and material of each particle, binary PLY\n"
     "--export bodies=FILE    frame, body, object, name, position, quaternion, velocity, angular velocity, CSV\n"
+    "--export measures=FILE  per frame: contacts, penetration, joint gaps, rigidity, strain, density, energy, CSV\n"
     "--stats FILE            JSON: device, passes with ms, particles, how deep contacts are, how far joints gape,\n"
     "                        density of fluids, strain of soft bodies, stretch of ropes and cloth, energy\n"
     "docs/output.md has every property, column and key.\n\n"
@@ -102,7 +107,7 @@ void addRenderCommand(CommandLine line)
         ->check(CLI::Range(10.0, 480.0));
     list("--set", options->sets, "Change a field of the scene, for instance solver.substeps=8", "PATH=VALUE");
     command->add_option("--stats", options->film.stats, "Write figures of the run")->type_name("FILE");
-    list("--export", options->exports, "Write particles or bodies of each frame", "KIND=PATH");
+    list("--export", options->exports, "Write particles, bodies or measures of each frame", "KIND=PATH");
     command->add_flag("--hash", options->film.hash, "Print the hash of the last state");
     command->callback([=] { line.chosen = [=] { return renderScene(*options, line.common); }; });
 }

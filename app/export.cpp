@@ -42,6 +42,32 @@ std::string materialComments(const World& world)
     return out;
 }
 
+/// What both --stats and --export measures tell, in the order of docs/output.md.
+std::vector<std::pair<std::string, Json>> measureFields(const Measures& m)
+{
+    return {
+        {"contacts", m.contactCount},
+        {"meanPenetration", m.meanPenetration},
+        {"worstPenetration", m.worstPenetration},
+        {"meanJointGap", m.meanJointGap},
+        {"worstJointGap", m.worstJointGap},
+        {"worstShapeError", m.worstShapeError},
+        {"meanSoftStrain", m.meanSoftStrain},
+        {"worstSoftStrain", m.worstSoftStrain},
+        {"softVolumeError", m.softVolumeError},
+        {"fluidParticles", m.fluidCount},
+        {"fluidEmitted", m.fluidEmitted},
+        {"fluidDrained", m.fluidDrained},
+        {"meanDensityError", m.meanDensityError},
+        {"worstDensityError", m.worstDensityError},
+        {"fluidVolumeError", m.fluidVolumeError},
+        {"meanStretch", m.meanStretch},
+        {"worstStretch", m.worstStretch},
+        {"maxSpeed", m.maxSpeed},
+        {"kineticEnergy", m.kineticEnergy},
+    };
+}
+
 }  // namespace
 
 void writePly(const std::string& folder, uint64_t frame, const World& world, const ParticleState& state)
@@ -89,6 +115,20 @@ void BodyTable::write(uint64_t frame, const World& world, const std::vector<Body
     file_.write(text);
 }
 
+MeasureTable::MeasureTable(const std::string& path) : file_(path)
+{
+    std::string head = "frame";
+    for (const auto& [name, value] : measureFields({})) head += fmt::format(",{}", name);
+    file_.write(head += '\n');
+}
+
+void MeasureTable::write(uint64_t frame, const Measures& measures)
+{
+    std::string row = fmt::format("{}", frame);
+    for (const auto& [name, value] : measureFields(measures)) row += fmt::format(",{}", value.dump());
+    file_.write(row += '\n');
+}
+
 std::string hashText(uint64_t hash)
 {
     return fmt::format("{:016x}", hash);
@@ -105,7 +145,7 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
     if (drawing != nullptr) {
         for (const auto& [name, total] : drawing->totals()) add(drawingPasses, name, total.milliseconds, total.count);
     }
-    const Json stats = {
+    Json stats = {
         {"device", figures.device},
         {"particles", world.solidCount() + measures.fluidCount},
         {"bodies", world.bodies.size()},
@@ -121,29 +161,11 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
         {"simulationSeconds", figures.simulationSeconds},
         {"drawingSeconds", figures.drawingSeconds},
         {"totalSeconds", figures.totalSeconds},
-        {"contacts", measures.contactCount},
-        {"meanPenetration", measures.meanPenetration},
-        {"worstPenetration", measures.worstPenetration},
-        {"meanJointGap", measures.meanJointGap},
-        {"worstJointGap", measures.worstJointGap},
-        {"worstShapeError", measures.worstShapeError},
-        {"meanSoftStrain", measures.meanSoftStrain},
-        {"worstSoftStrain", measures.worstSoftStrain},
-        {"softVolumeError", measures.softVolumeError},
-        {"fluidParticles", measures.fluidCount},
-        {"fluidEmitted", measures.fluidEmitted},
-        {"fluidDrained", measures.fluidDrained},
-        {"meanDensityError", measures.meanDensityError},
-        {"worstDensityError", measures.worstDensityError},
-        {"fluidVolumeError", measures.fluidVolumeError},
-        {"meanStretch", measures.meanStretch},
-        {"worstStretch", measures.worstStretch},
-        {"maxSpeed", measures.maxSpeed},
-        {"kineticEnergy", measures.kineticEnergy},
-        {"stateHash", hashText(solver.stateHash())},
-        {"passes", passes},
-        {"drawingPasses", drawingPasses},
     };
+    for (const auto& [name, value] : measureFields(measures)) stats[name] = value;
+    stats["stateHash"] = hashText(solver.stateHash());
+    stats["passes"] = passes;
+    stats["drawingPasses"] = drawingPasses;
     return stats.dump(2) + "\n";
 }
 

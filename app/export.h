@@ -29,6 +29,18 @@ private:
     OutputFile file_;
 };
 
+/// One CSV file for all frames: the Measures of each, as `--stats` names them.
+class MeasureTable {
+public:
+    /// @throws InputError when the file cannot be written.
+    explicit MeasureTable(const std::string& path);
+    void write(uint64_t frame, const Measures& measures);
+    void finish() { file_.commit(); }
+
+private:
+    OutputFile file_;
+};
+
 /// What `--stats` tells beside what the solver knows.
 struct RunFigures {
     std::string device;

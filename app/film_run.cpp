@@ -36,6 +36,7 @@ private:
 struct Outputs {
     std::vector<std::unique_ptr<FrameSink>> sinks;
     std::optional<BodyTable> bodies;
+    std::optional<MeasureTable> measures;
     std::optional<OutputFile> stats;
     std::string plyFolder;
 
@@ -44,6 +45,7 @@ struct Outputs {
         for (const std::string& path : options.outputs) sinks.push_back(openSink(path, scene));
         if (!plyFolder.empty()) requireWritableFolder(plyFolder);
         if (!options.bodyTable.empty()) bodies.emplace(options.bodyTable);
+        if (!options.measureTable.empty()) measures.emplace(options.measureTable);
         if (!options.stats.empty()) stats.emplace(options.stats);
     }
 
@@ -137,6 +139,7 @@ private:
         }
         if (!outputs_.plyFolder.empty()) writePly(outputs_.plyFolder, frame, scene_.world, solver_.readParticles());
         if (outputs_.bodies) outputs_.bodies->write(frame, scene_.world, solver_.readBodies());
+        if (outputs_.measures) outputs_.measures->write(frame, solver_.measure());
     }
 
     /// Hands the picture drawn last to the sinks, once.
@@ -153,6 +156,7 @@ private:
     void finishTables()
     {
         if (outputs_.bodies) outputs_.bodies->finish();
+        if (outputs_.measures) outputs_.measures->finish();
         if (!outputs_.stats) return;
         outputs_.stats->write(statsText(figures_, scene_.world, solver_, renderer_ ? &renderer_->timer() : nullptr));
         outputs_.stats->commit();

@@ -22,7 +22,7 @@ struct FilmOptions {
     std::vector<std::string> outputs;     ///< Folders for PNG frames, and .mp4 films.
     FrameRange frames;
     std::string stats;                    ///< Empty: none, as below.
-    std::string plyFolder, bodyTable;
+    std::string plyFolder, bodyTable, measureTable;
     bool hash = false;
 };
 

@@ -1,54 +1,68 @@
-// One contact of the paper's solver: the impulse that it asks for, before the average over the contacts of a particle.
-// STABILIZE: for the overlap at the start of the substep, which leaves without adding speed.
+// One contact of the paper's solver: how it moves a particle, before the average over all contacts of that.
+// STABILIZE: for the overlap at the start of the substep, which leaves without adding speed. LAST: the last iteration
+// takes back the speed with which an old overlap leaves, which nobody gave it.
 #include "shared/one_sided.glsl"
+#include "shared/paper_constants.h"
 
 /// A particle as a contact sees it.
 struct Side {
     vec3 start;          // at the start of the substep [m]
     vec3 move;           // since then [m]
-    float inverseMass;   // 0: immovable [1/kg]
+    float inverseMass;   // scaled; 0: immovable [1/kg]
 };
 
 /// What contacts ask of a particle.
 struct Push {
-    vec3 impulse;        // [kg m]
+    vec3 move;           // [m]
     float acting;        // how many contacts act
+    bool deep;           // whether one of them only has to come out
 };
 
-/// How far a contact has to be pushed apart [m], <= 0. An overlap is all that is known of the load that presses it, so
-/// the first `maxCorrection` of an old one push with speed and the rest is left to stabilization. What is deeper than
-/// `deepOverlap` carries nothing any more, it only has to come out.
-float contactError(float gap, float startGap)
+/// How far the iterations have to push a contact apart [m], <= 0. An overlap is all that is known of the load that
+/// presses it, so the first `maxCorrection` of an old one push with speed and the rest is left to stabilization. What is
+/// deeper than `deepOverlap` carries nothing any more, it only has to come out.
+float solveError(float gap, float old)
 {
-    float old = max(-startGap, 0.0);
-    bool deep = old > step.deepOverlap;
+    return min(gap + (old > step.deepOverlap ? old : max(old - step.maxCorrection, 0.0)), 0.0);
+}
+
+/// How far this pass pushes it apart (< 0), or holds it back (> 0).
+float passError(float gap, float startGap, float old)
+{
 #ifdef STABILIZE
-    return deep ? -step.deepRecovery : -clamp(old - step.maxCorrection, 0.0, step.stabilization);
+    return old > step.deepOverlap ? -step.deepRecovery : -clamp(old - step.maxCorrection, 0.0, step.stabilization);
 #else
-    return min(gap + (deep ? old : max(old - step.maxCorrection, 0.0)), 0.0);
+#ifdef LAST
+    float tooFast = gap - startGap - CALM_SPEED * step.substepTime;
+    if (old > CALM_OVERLAP * step.diameter && tooFast > 0.0) return tooFast;
+#endif
+    return solveError(gap, old);
 #endif
 }
 
 /// An overlap (eqs. 5-7) and its friction (Macklin et al. 2014, eq. 24).
-/// @param slide of the first side on the second in the substep [m]. @param friction static, kinetic.
-Push contactPush(vec3 normal, float gap, float startGap, vec3 slide, float inverseMass, vec2 friction)
+/// @param slide of one side on the other in the substep [m]. @param friction static, kinetic.
+/// @returns the way apart along the normal, before relaxation.
+Push contactPush(vec3 normal, float gap, float startGap, vec3 slide, vec2 friction)
 {
-    float error = contactError(gap, startGap);
-    if (error >= 0.0 || inverseMass == 0.0) return Push(vec3(0), 0.0);
-    vec3 apart = -error * normal;
+    float old = max(-startGap, 0.0);
+    float error = passError(gap, startGap, old);
+    Push push = Push(-error * normal, error != 0.0 ? 1.0 : 0.0, old > step.deepOverlap);
 #ifndef STABILIZE
     vec3 tangent = slide - normal * dot(normal, slide);
     float size = length(tangent);
-    apart -= (size < -friction.x * error ? 1.0 : min(-friction.y * error / max(size, 1e-20), 1.0)) * tangent;
+    float slowed = size < -friction.x * error ? 1.0 : min(-friction.y * error / max(size, 1e-20), 1.0);
+    if (error < 0.0) push.move -= slowed * tangent;
 #endif
-    return Push(apart / inverseMass, 1.0);
+    return push;
 }
 
-/// What the contact of two particles asks of the first; the second gets the opposite.
-/// @param sides of the pair, pairSides.
-Push pairPush(Side a, Side b, uvec4 sides)
+/// What the contact of two particles asks of one.
+/// @param sides of the pair, pairSides. @param first whether `own` is the first of the pair.
+Push pairPush(Side own, Side other, bool first, uvec4 sides)
 {
-    vec3 startApart = a.start - b.start, slide = a.move - b.move;
+    float sign = first ? 1.0 : -1.0;
+    vec3 startApart = sign * (own.start - other.start), slide = sign * (own.move - other.move);
     float startFar = length(startApart);
     Way way = unpackWay(sides.xy);
     vec4 sided = sidedNormal(startApart, startFar, way);
@@ -58,5 +72,7 @@ Push pairPush(Side a, Side b, uvec4 sides)
     float far = length(apart);
     vec3 normal = keeps ? sided.xyz : contactNormal(apart, far, true);
     float gap = keeps ? startGap + dot(slide, sided.xyz) : far - step.diameter;
-    return contactPush(normal, gap, startGap, slide, a.inverseMass + b.inverseMass, unpackHalf2x16(sides.z));
+    Push push = contactPush(normal, gap, startGap, slide, unpackHalf2x16(sides.z));
+    push.move *= sign * own.inverseMass / max(own.inverseMass + other.inverseMass, 1e-30);
+    return push;
 }

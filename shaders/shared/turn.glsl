@@ -2,6 +2,7 @@
 //   vec4 matchedTurn(mat3 a, vec4 start, vec4 turned)
 // is how far the orthogonal part of A (eq. 9) has turned since `start`, where the search may begin at `turned`.
 #include "shared/quaternion.glsl"
+#include "shared/newton_turn.glsl"
 #ifdef HOUSEHOLDER
 #include "shared/turn_householder.glsl"
 #elif defined(HIGHAM)

@@ -1,6 +1,7 @@
 // The paper's polar decomposition (eqs. 11-17): Q = A M^(-1/2), M = A^T A = E lambda E^T by the QR algorithm with
 // Householder reflections. Flat and straight bodies get virtual particles (eq. 18), scaled by A and only where A is
-// rank deficient: taken everywhere they would brake every rotation.
+// rank deficient: taken everywhere they would brake every rotation. M squares what rounding does to A, so that a step of
+// Newton's method follows: a pendulum would be kept swinging by the rest.
 
 #define QR_ITERATIONS 24
 
@@ -64,5 +65,6 @@ vec4 matchedTurn(mat3 a, vec4 start, vec4 turned)
         q = orthogonalPart(a, rank);
     }
     // A mirrored or collapsed body keeps its last rotation.
-    return determinant(q) > 0.5 ? quaternionProduct(quaternionFromMatrix(q), conjugate(start)) : turned;
+    if (determinant(q) <= 0.5) return turned;
+    return newtonTurn(a, start, quaternionProduct(quaternionFromMatrix(q), conjugate(start)));
 }

@@ -7,6 +7,7 @@ layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer bodyMatrices;
 uniform samplerBuffer bodyStarts;
 uniform usamplerBuffer moverInfo;
+BUFFER(uvec2, BodyActing, bodyActing);   // counted in this iteration, in the last (contact_average)
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, MoverCentres, moverCentres);
 BUFFER(vec4, MoverTurns, moverTurns);      // since the substep began
@@ -16,6 +17,7 @@ void main()
 {
     uint b = gl_GlobalInvocationID.x;
     if (b >= step.bodyCount) return;
+    bodyActing[b] = uvec2(0u, bodyActing[b].x);
     if (isAsleep(texelFetch(moverInfo, int(b)).z)) {
         moverMoves[b] = vec4(0);   // what the sums make of nothing but rounding
         return;

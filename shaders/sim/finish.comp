@@ -5,6 +5,7 @@
 #include "shared/quaternion.glsl"
 #include "shared/links.glsl"
 #include "shared/sleep.glsl"
+#include "shared/paper_constants.h"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer predicted;
@@ -16,6 +17,7 @@ uniform samplerBuffer moverCentres;
 uniform samplerBuffer moverRotations;
 uniform usamplerBuffer particleLinks;
 uniform usamplerBuffer linksOfParticle;
+READ_BUFFER(uvec2, BodyActing, bodyActing);
 BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
 BUFFER(vec4, OldMoves, oldMoves);
@@ -62,6 +64,7 @@ void main()
     bool second = state.y == 2u && state.x + 1u != counters[0].substep;
     vec3 next = (second ? 1.5 * move - 0.5 * oldMoves[i].xyz : move) / step.substepTime;
     next *= step.damping;
+    if (info.y > 0u && (bodyActing[info.x].y & BODY_CAUGHT) != 0u) next *= exp(-step.substepTime / CAUGHT_TIME);
     next *= min(1.0, step.maxSpeed / max(length(next), 1e-20));
     if (any(isnan(next)) || any(isinf(next))) {
         atomicOr(counters[0].problems, PROBLEM_NAN);

@@ -1,11 +1,11 @@
-// One thread a link: one step of the paper's reduction (eq. 10): every second partial sum of a block takes in its
-// neighbour `stride` elements on. After ceil(log2 p) steps the first element of a block holds the sum. CENTRES: of the
-// first of a link's three terms only.
+// One thread a partial sum: one step of the paper's reduction (eq. 10): every second partial sum of a block takes in its
+// neighbour `stride` links on. After ceil(log2 p) steps the first link of a block holds the sum. CENTRES: of the first
+// of a link's three terms only.
 #include "shared/kernel.glsl"
-#include "shared/links.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-layout(location = 0) uniform uint stride;
+layout(location = 0) uniform uvec3 reduction;   // first and last of reductionLinks, stride
+uniform usamplerBuffer reductionLinks;
 uniform samplerBuffer lastLinkTerms;     // no other thread writes what this one reads
 BUFFER(vec4, LinkTerms, linkTerms);
 
@@ -17,12 +17,10 @@ BUFFER(vec4, LinkTerms, linkTerms);
 
 void main()
 {
-    uint l = gl_GlobalInvocationID.x;
-    if (l >= step.linkCount) return;
-    LinkValues link = fetchLink(l);
-    uint k = l - link.blockStart;
-    if (k % (2u * stride) != 0u || k + stride >= link.blockCount) return;
+    uint k = reduction.x + gl_GlobalInvocationID.x;
+    if (k >= reduction.y) return;
+    uint l = texelFetch(reductionLinks, int(k)).x;
     for (uint term = 0u; term < TERMS; ++term)
         linkTerms[3u * l + term] = texelFetch(lastLinkTerms, int(3u * l + term)) +
-                                   texelFetch(lastLinkTerms, int(3u * (l + stride) + term));
+                                   texelFetch(lastLinkTerms, int(3u * (l + reduction.z) + term));
 }

@@ -44,6 +44,12 @@ struct StrandPhase {
     bool hasBodies = false;              ///< Whether particles of bodies are among them.
 };
 
+/// A step of eq. 10: the links whose partial sum takes in another's.
+struct ReductionStep {
+    uint32_t begin = 0, end = 0;         ///< In SolverBuffers::reductionLinks.
+    uint32_t stride = 1;                 ///< How many links on the other stands.
+};
+
 /// Everything that simulates, on the GPU: filled once from the World. A field's name is what kernels call it.
 /// Per particle unless said otherwise.
 struct SolverBuffers {
@@ -104,10 +110,13 @@ struct SolverBuffers {
     Buffer<gpu::vec4> moved;             ///< The same with what contacts ask for.
     Buffer<gpu::vec4> bodyStarts;        ///< Per body, two: centre and rotation when the substep began.
     Buffer<gpu::vec4> bodyMatrices;      ///< Per body: three columns of A.
+    Buffer<gpu::uvec2> bodyActing;       ///< Per body: what moves it with the particles that contacts push, being
+                                         ///< summed; of the last iteration (contact_average.comp).
     Buffer<float> linkGains;             ///< Per link of a shared particle: by how much further than the mean of goals
                                          ///< it stands in the match, in distances of goal and mean.
     Buffer<gpu::vec4> linkPulls;         ///< ... where that is from the mean [m].
     Buffer<gpu::vec4> linkTerms;         ///< Per link, three: eq. 10.
+    Buffer<uint32_t> reductionLinks;     ///< Of each ReductionStep, one after another.
     // Ropes and cloth.
     Buffer<gpu::uvec4> strands;          ///< First and last node, assembly.
     Buffer<gpu::uvec4> strandNodes;      ///< Mover, rank, particle, inverse mass or split (strands.glsl).
@@ -152,7 +161,7 @@ struct SolverBuffers {
     std::vector<StrandPhase> strandPhases;
     std::vector<uint32_t> strandStarts;  ///< Per strand of the World, its first node; its last if that is fixed.
     bool hasGrids = false;               ///< Whether a collider is a mesh or a heightfield.
-    uint32_t longestBody = 0;            ///< Links of the largest body (p of eq. 10).
+    std::vector<ReductionStep> reductionSteps;   ///< ceil(log2 p) of them, p being the links of the largest body (eq. 10).
 
     /// Gives the lists of contacts the room that `parameters` asks for (contactSlots, pairCapacity,
     /// colliderPairCapacity); their contents are lost.

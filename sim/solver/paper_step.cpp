@@ -19,6 +19,7 @@ PaperStep::PaperStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
     shapeStabilize_ = load("shape_goals", STABILIZE);
     jointStabilize_ = load("joint_goals", STABILIZE);
     contactAverage_ = load("contact_average", {});
+    contactLast_ = load("contact_average", {{"LAST", "1"}});
     loadSums(load);
     bodyRotation_ = load("body_rotation", {});
     shapeGoals_ = load("shape_goals", {});
@@ -51,7 +52,7 @@ void PaperStep::solve(KernelTimer& timer) const
 {
     for (uint32_t i = 0; i < settings_.stabilization; ++i) stabilize(timer);
     for (uint32_t i = 0; i < settings_.iterations; ++i) {
-        contactAverage_.dispatch(timer, particles_);
+        (i + 1 < settings_.iterations ? contactAverage_ : contactLast_).dispatch(timer, particles_);
         match(timer);
         shapeGoals_.dispatch(timer, particles_);
         if (shared_ > 0) jointGoals_.dispatch(timer, shared_);
@@ -81,9 +82,9 @@ void PaperStep::reduceInSteps(KernelTimer& timer) const
 {
     const auto reduce = [&](const Kernel& terms, const Kernel& step, const Kernel& collect) {
         terms.dispatch(timer, links_);
-        for (uint32_t stride = 1; stride < buffers_.longestBody; stride *= 2) {
-            glProgramUniform1ui(step.program(), 0, stride);
-            step.dispatch(timer, links_);
+        for (const ReductionStep& s : buffers_.reductionSteps) {
+            glProgramUniform3ui(step.program(), 0, s.begin, s.end, s.stride);
+            step.dispatch(timer, groupsFor(s.end - s.begin));
         }
         collect.dispatch(timer, bodies_);
     };

@@ -87,7 +87,6 @@ void uploadBodies(SolverBuffers& out, const World& world)
         for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l)
             if (world.particles[world.links[l].particle].bodyCount == 1) ++own;
         infos.push_back({body.linkStart, body.linkCount, own, body.linkCount - own});
-        out.longestBody = std::max(out.longestBody, body.linkCount);
     }
     out.bodyInfo = {"bodyInfo", std::span<const gpu::BodyInfo>(infos)};
 }
@@ -301,7 +300,8 @@ BufferTable SolverBuffers::table()
     t.add(moverCentres, moverRotations, moverMoves, moverTurns, moverVelocities, oldMoverVelocities, oldMoverMoves,
           moverPredictions, moverImpulses, moverChanges, particleImpulses, linkImpulses, assemblyState, assemblyCalm,
           assemblyNext, islandsWoken);
-    t.add(oldMoves, oldVelocities, predicted, moved, bodyStarts, bodyMatrices, linkGains, linkPulls, linkTerms);
+    t.add(oldMoves, oldVelocities, predicted, moved, bodyStarts, bodyMatrices, bodyActing, linkGains, linkPulls, linkTerms,
+          reductionLinks);
     t.add(strands, strandNodes, strandLinks, strandStates, strandFactors);
     t.add(foundPositions, foundCentres, foundRotations, moverReaches, fastParticles, moverColliders, particleCells,
           cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);

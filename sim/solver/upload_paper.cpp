@@ -31,16 +31,31 @@ std::vector<float> linkGains(const World& world, std::span<const gpu::ParticleRi
     return gains;
 }
 
+/// Every second partial sum of a block takes in the next, then every fourth, and so on.
+void makeReduction(SolverBuffers& out, const World& world)
+{
+    std::vector<uint32_t> all;
+    for (uint32_t stride = 1;; stride *= 2) {
+        const auto begin = static_cast<uint32_t>(all.size());
+        for (const Body& body : world.bodies)
+            for (uint32_t k = 0; k + stride < body.linkCount; k += 2 * stride) all.push_back(body.linkStart + k);
+        const auto end = static_cast<uint32_t>(all.size());
+        if (begin == end) break;
+        out.reductionSteps.push_back({begin, end, stride});
+    }
+    out.reductionLinks = {"reductionLinks", std::span<const uint32_t>(all)};
+}
+
 }  // namespace
 
 void setPaperParameters(gpu::StepParameters& p, const World& world)
 {
     p.overRelaxation = 2.0f;
-    p.maxCorrection = 2.0f * p.substepTime;
+    p.maxCorrection = 50.0f * 9.81f * p.substepTime * p.substepTime;
     p.stabilization = 0.5f * p.substepTime;
     p.deepOverlap = 0.2f * world.diameter();
-    p.deepRecovery = 0.25f * p.substepTime;
-    p.jointCorrection = 2.0f * p.substepTime;
+    p.deepRecovery = 0.75f * p.substepTime;
+    p.jointCorrection = 4.0f * p.substepTime;
 }
 
 void makePaper(SolverBuffers& out, const World& world, std::span<const gpu::ParticleRigidBodyLink> links,
@@ -55,8 +70,10 @@ void makePaper(SolverBuffers& out, const World& world, std::span<const gpu::Part
     out.moved = {"moved", count};
     out.bodyStarts = {"bodyStarts", 2 * world.bodies.size()};
     out.bodyMatrices = {"bodyMatrices", 3 * world.bodies.size()};
+    out.bodyActing = {"bodyActing", world.bodies.size()};
     out.linkTerms = {"linkTerms", 3 * world.links.size()};
     out.linkPulls = {"linkPulls", world.links.size()};
+    makeReduction(out, world);
     const std::vector<float> gains = linkGains(world, links.first(world.links.size()), inverseMasses);
     out.linkGains = {"linkGains", std::span<const float>(gains)};
 }

@@ -19,7 +19,7 @@ WorldBuilder::WorldBuilder(float particleRadius, Settings settings)
     setFluidSpacing(0.5f);
     choosesSubsteps_ = settings.substeps == 0;
     if (choosesSubsteps_)
-        world_.settings.substeps = automaticSubsteps(world_.diameter(), settings.timeStep);
+        world_.settings.substeps = automaticSubsteps(world_.diameter(), settings.timeStep, settings.solver);
 }
 
 uint32_t WorldBuilder::addMaterial(Material material)

@@ -5,10 +5,11 @@
 
 namespace knuckle {
 
-uint32_t automaticSubsteps(float diameter, float timeStep)
+uint32_t automaticSubsteps(float diameter, float timeStep, SolverKind solver)
 {
+    const float more = solver == SolverKind::Paper ? 1.5f : 1.0f;
     const float needed = 5.0f * 4.5f * timeStep / diameter;
-    return static_cast<uint32_t>(std::clamp(std::ceil(needed - 0.01f), 4.0f, 16.0f));
+    return static_cast<uint32_t>(more * std::clamp(std::ceil(needed - 0.01f), 4.0f, 16.0f));
 }
 
 uint32_t automaticFluidSubsteps(float spacing, float pressure, float timeStep)

@@ -51,9 +51,11 @@ struct Settings {
     float sleepSpeed = 0.0f;                       ///< What stays slower sleeps, with all it touches [m/s]; 0: off.
 };
 
-/// As many that something as fast as a fall of 1 m (4.5 m/s) stays within a fifth of a diameter in one, 4 to 16.
+/// As many that something as fast as a fall of 1 m (4.5 m/s) stays within a fifth of a diameter in one, 4 to 16. Half as
+/// many again for the paper's solver: its particles part by themselves, and bodies that hit each other faster than that
+/// may get caught in each other's lattices.
 /// @param diameter of particles [m]. @param timeStep [s].
-uint32_t automaticSubsteps(float diameter, float timeStep);
+uint32_t automaticSubsteps(float diameter, float timeStep, SolverKind solver);
 
 /// The same for fluids: pressure goes about a particle far in a substep, so fluid at rest is denser than asked by about
 /// half of pressure / density (timeStep / (substeps spacing))^2; that stays below 1 %. 4 to 32.
@@ -65,8 +67,8 @@ uint32_t automaticFluidSubsteps(float spacing, float pressure, float timeStep);
 float cohesionPressure(float surfaceTension, float spacing);
 
 /// The paper's own choices: averaged Jacobi with stabilization, Householder-QR, eq. 10's reduction, the hash, freezing at
-/// half a radius, first-order velocities; and what makes them sound: as many substeps as the default's, 4 iterations of
-/// each, mass scaling, split masses at shared particles.
+/// half a radius, first-order velocities; and what makes them sound: half as many substeps again as the default's, 4 iterations
+/// of each, mass scaling, split masses at shared particles.
 Settings paperSettings();
 
 }  // namespace knuckle

@@ -24,7 +24,7 @@ TEST(Scene, NeedsNothingButAnObject)
     EXPECT_EQ(scene.name, "some_scene");
     EXPECT_EQ(scene.world.particles.size(), 27u);
     EXPECT_EQ(scene.frameCount(), 300u);
-    EXPECT_EQ(scene.world.settings.substeps, automaticSubsteps(0.1f, 1.0f / 60.0f));
+    EXPECT_EQ(scene.world.settings.substeps, automaticSubsteps(0.1f, 1.0f / 60.0f, SolverKind::Impulse));
     EXPECT_TRUE(scene.render.camera.automatic);
 }
 

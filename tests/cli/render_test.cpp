@@ -125,6 +125,26 @@ TEST_F(Render, ExportsBodies)
     EXPECT_EQ(rows, 4u * 2u);
 }
 
+TEST_F(Render, ExportsMeasuresOfEachFrameAsStatsOfTheLast)
+{
+    ASSERT_EQ(run({"render", scene, "-o", "out", "--export", "measures=m.csv", "--stats", "stats.json"}).code, 0);
+    std::istringstream table(test::readText(folder.path("m.csv")));
+    std::string head, line, last;
+    std::getline(table, head);
+    int rows = 0;
+    for (; std::getline(table, line); ++rows) last = line;
+    EXPECT_EQ(rows, 4);
+    const Json stats = parseJson(test::readText(folder.path("stats.json")), "stats");
+    std::istringstream names(head), values(last);
+    std::string name, value;
+    int columns = 0;
+    while (std::getline(names, name, ',') && std::getline(values, value, ',')) {
+        if (++columns > 1) EXPECT_EQ(parseJson(value, "value"), stats.at(name)) << name;
+        else EXPECT_EQ(value, "4");
+    }
+    EXPECT_EQ(columns, 20);
+}
+
 TEST_F(Render, FallsWithAnActorThatWasVoxelizedBefore)
 {
     const RunResult made = run({"voxelize", KNUCKLE_ROOT "/assets/models/humanoid.glb", "-o", "actor.json",

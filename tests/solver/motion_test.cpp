@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "shared/paper_constants.h"
 #include "solver_test.h"
 
 namespace knuckle::test {
@@ -143,6 +144,20 @@ TEST_F(Finish, DampingAndTheGreatestSpeedBoundVelocities)
     expectVelocities([&](size_t i) {
         const Vector3f v = 0.5f * vec3(moves[i]) / h();
         return Vector3f(v * std::min(1.0f, 1.0f / v.norm()));
+    });
+}
+
+TEST_F(Finish, BodiesThatAreCaughtInOthersLoseTheirSpeed)
+{
+    setAssemblies(0, 1);
+    std::vector<gpu::uvec2> acting;
+    for (uint32_t b = 0; b < bench.world.bodies.size(); ++b)
+        acting.push_back({BODY_CAUGHT, 1000u | (b % 2 == 0 ? BODY_CAUGHT : 0u)});   // the last iteration's counts
+    fill(bench.buffers.bodyActing, acting);
+    expectVelocities([&](size_t i) {
+        const uint32_t body = bench.world.particles[i].body;
+        const float kept = body != NO_INDEX && body % 2 == 0 ? std::exp(-h() / CAUGHT_TIME) : 1.0f;
+        return Vector3f(kept * vec3(moves[i]) / h());
     });
 }
 
