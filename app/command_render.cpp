@@ -42,7 +42,8 @@ void readExports(const std::vector<std::string>& exports, FilmOptions& film)
             {"ply", &film.plyFolder}, {"bodies", &film.bodyTable}, {"measures", &film.measureTable}};
         const auto found = kinds.find(kind);
         if (path.empty() || found == kinds.end()) {
-            throw InputError(fmt::format("--export {}: must be ply=FOLDER, bodies=FILE.csv or measures=FILE.csv", text));
+            throw InputError(fmt::format("--export {}: must be ply=FOLDER, bodies=FILE.csv or measures=FILE.csv",
+                                         text));
         }
         *found->second = path;
     }

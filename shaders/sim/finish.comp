@@ -50,6 +50,14 @@ void setVelocity(uint i, vec3 move, vec3 next)
     velocities[i] = vec4(next, 0);
 }
 
+/// Of a body that is caught in another: averages do not keep momentum and would drive it. What falls may fall.
+vec3 slowed(vec3 velocity)
+{
+    vec3 down = step.gravity.xyz / max(length(step.gravity.xyz), 1e-20);
+    vec3 fall = max(dot(velocity, down), 0.0) * down;
+    return fall + exp(-step.substepTime / CAUGHT_TIME) * (velocity - fall);
+}
+
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
@@ -64,7 +72,7 @@ void main()
     bool second = state.y == 2u && state.x + 1u != counters[0].substep;
     vec3 next = (second ? 1.5 * move - 0.5 * oldMoves[i].xyz : move) / step.substepTime;
     next *= step.damping;
-    if (info.y > 0u && (bodyActing[info.x].y & BODY_CAUGHT) != 0u) next *= exp(-step.substepTime / CAUGHT_TIME);
+    if (info.y > 0u && (bodyActing[info.x].y & BODY_CAUGHT) != 0u) next = slowed(next);
     next *= min(1.0, step.maxSpeed / max(length(next), 1e-20));
     if (any(isnan(next)) || any(isinf(next))) {
         atomicOr(counters[0].problems, PROBLEM_NAN);

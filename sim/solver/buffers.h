@@ -161,7 +161,7 @@ struct SolverBuffers {
     std::vector<StrandPhase> strandPhases;
     std::vector<uint32_t> strandStarts;  ///< Per strand of the World, its first node; its last if that is fixed.
     bool hasGrids = false;               ///< Whether a collider is a mesh or a heightfield.
-    std::vector<ReductionStep> reductionSteps;   ///< ceil(log2 p) of them, p being the links of the largest body (eq. 10).
+    std::vector<ReductionStep> reductionSteps;   ///< ceil(log2 p), p being the links of the largest body (eq. 10).
 
     /// Gives the lists of contacts the room that `parameters` asks for (contactSlots, pairCapacity,
     /// colliderPairCapacity); their contents are lost.

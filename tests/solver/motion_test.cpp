@@ -147,7 +147,7 @@ TEST_F(Finish, DampingAndTheGreatestSpeedBoundVelocities)
     });
 }
 
-TEST_F(Finish, BodiesThatAreCaughtInOthersLoseTheirSpeed)
+TEST_F(Finish, BodiesThatAreCaughtInOthersLoseTheirSpeedButFall)
 {
     setAssemblies(0, 1);
     std::vector<gpu::uvec2> acting;
@@ -156,8 +156,10 @@ TEST_F(Finish, BodiesThatAreCaughtInOthersLoseTheirSpeed)
     fill(bench.buffers.bodyActing, acting);
     expectVelocities([&](size_t i) {
         const uint32_t body = bench.world.particles[i].body;
+        const Vector3f v = vec3(moves[i]) / h();
+        const Vector3f fall(0, std::min(v.y(), 0.0f), 0);
         const float kept = body != NO_INDEX && body % 2 == 0 ? std::exp(-h() / CAUGHT_TIME) : 1.0f;
-        return Vector3f(kept * vec3(moves[i]) / h());
+        return Vector3f(fall + kept * (v - fall));
     });
 }
 
