@@ -15,7 +15,7 @@ struct Side {
 struct Push {
     vec3 move;           // [m]
     float acting;        // how many contacts act
-    bool deep;           // whether one of them only has to come out
+    bool deep;           // whether one of them is caught in something
 };
 
 /// How far the iterations have to push a contact apart [m], <= 0. An overlap is all that is known of the load that
@@ -73,6 +73,7 @@ Push pairPush(Side own, Side other, bool first, uvec4 sides)
     vec3 normal = keeps ? sided.xyz : contactNormal(apart, far, true);
     float gap = keeps ? startGap + dot(slide, sided.xyz) : far - step.diameter;
     Push push = contactPush(normal, gap, startGap, slide, unpackHalf2x16(sides.z));
+    push.deep = push.deep && !way.kin;   // limbs of one assembly may bend into each other at their joint
     push.move *= sign * own.inverseMass / max(own.inverseMass + other.inverseMass, 1e-30);
     return push;
 }
