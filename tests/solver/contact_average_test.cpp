@@ -12,13 +12,14 @@ namespace {
 struct Wanted {
     Vector3d move = Vector3d::Zero();
     double acting = 0.0;
-    bool deep = false;
+    bool deep = false, deepSure = true;
     bool sure = true;
     void add(const Wanted& other, double factor)
     {
         move += factor * other.move;
         acting += other.acting;
         deep = deep || other.deep;
+        deepSure = deepSure && other.deepSure;
         sure = sure && other.sure;
     }
 };
@@ -65,7 +66,7 @@ protected:
         while (pairs.size() < 1501) {
             TestContact c{.first = any(), .second = any()};
             frictions(c);
-            c.kin = pairs.size() % 3 == 0;
+            c.kin = pairs.size() % 2 == 0;
             if (bench.moverOf[c.first] != bench.moverOf[c.second]) pairs.push_back(c);
         }
         while (planes.size() < 700) {
@@ -129,6 +130,7 @@ protected:
         for (const double limit : {old - double(p.deepOverlap), old - double(p.maxCorrection), gap + kept, calm, tooFast})
             out.sure = out.sure && std::abs(limit) > EDGE;
         out.deep = deep && !c.kin;
+        out.deepSure = std::abs(old - double(p.deepOverlap)) > EDGE;
         out.acting = error != 0.0 ? 1.0 : 0.0;
         out.move = -error * normal;
         if (stabilize() || error >= 0.0) return out;
@@ -206,6 +208,7 @@ TEST_P(ContactAverage, EachParticleMovesByTheMeanOfWhatItsContactsAsk)
 
 TEST_P(ContactAverage, ABodyKnowsHowMuchOfItIsPushed)
 {
+    bench.setColliderContacts({});
     runPass();
     const auto found = bench.buffers.bodyActing.download();
     const auto sums = wanted();
@@ -216,7 +219,7 @@ TEST_P(ContactAverage, ABodyKnowsHowMuchOfItIsPushed)
         if (p.body == NO_INDEX || inverseMass(i) == 0.0) continue;
         if (sums[i].acting > 0.0) pushed[p.body] += share(i);
         if (sums[i].deep) deep[p.body] = true;
-        if (!sums[i].sure) sure[p.body] = false;
+        if (!sums[i].deepSure) sure[p.body] = false;
         // An integer less at most, for each.
         unsure[p.body] += sums[i].sure ? 2.0 / double(SHARE_PARTS) : share(i);
     }
@@ -227,7 +230,7 @@ TEST_P(ContactAverage, ABodyKnowsHowMuchOfItIsPushed)
         EXPECT_EQ(found[b].y, acting[b].y) << "body " << b;
         most = std::max(most, pushed[b]);
     }
-    EXPECT_GT(most, 0.5);
+    EXPECT_GT(most, 0.3);
     EXPECT_GT(std::count(deep.begin(), deep.end(), true), 0);
     EXPECT_GT(std::count(deep.begin(), deep.end(), false), 0);
 }
