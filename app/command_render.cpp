@@ -34,12 +34,12 @@ void addSize(const std::string& text, std::vector<Override>& overrides)
 
 void readExports(const std::vector<std::string>& exports, FilmOptions& film)
 {
+    const std::map<std::string, std::string*> kinds{
+        {"ply", &film.plyFolder}, {"bodies", &film.bodyTable}, {"measures", &film.measureTable}};
     for (const std::string& text : exports) {
         const size_t equals = text.find('=');
         const std::string kind = text.substr(0, equals);
         const std::string path = equals == std::string::npos ? "" : text.substr(equals + 1);
-        const std::map<std::string, std::string*> kinds{
-            {"ply", &film.plyFolder}, {"bodies", &film.bodyTable}, {"measures", &film.measureTable}};
         const auto found = kinds.find(kind);
         if (path.empty() || found == kinds.end()) {
             throw InputError(fmt::format("--export {}: must be ply=FOLDER, bodies=FILE.csv or measures=FILE.csv",

@@ -1,6 +1,5 @@
 // One contact of the paper's solver: how it moves a particle, before the average over all contacts of that.
-// STABILIZE: for the overlap at the start of the substep, which leaves without adding speed. LAST: the last iteration
-// takes back the speed with which an old overlap leaves, which nobody gave it.
+// STABILIZE: for the overlap at the start of the substep, which leaves without adding speed.
 #include "shared/one_sided.glsl"
 #include "shared/paper_constants.h"
 
@@ -15,7 +14,6 @@ struct Side {
 struct Push {
     vec3 move;           // [m]
     float acting;        // how many contacts act
-    bool deep;           // whether one of them is caught in something
 };
 
 /// How far the iterations have to push a contact apart [m], <= 0. An overlap is all that is known of the load that
@@ -26,16 +24,12 @@ float solveError(float gap, float old)
     return min(gap + (old > step.deepOverlap ? old : max(old - step.maxCorrection, 0.0)), 0.0);
 }
 
-/// How far this pass pushes it apart (< 0), or holds it back (> 0).
-float passError(float gap, float startGap, float old)
+/// How far this pass has to push it apart [m], <= 0.
+float passError(float gap, float old)
 {
 #ifdef STABILIZE
     return old > step.deepOverlap ? -step.deepRecovery : -clamp(old - step.maxCorrection, 0.0, step.stabilization);
 #else
-#ifdef LAST
-    float tooFast = gap - startGap - CALM_SPEED * step.substepTime;
-    if (old > CALM_OVERLAP * step.diameter && tooFast > 0.0) return tooFast;
-#endif
     return solveError(gap, old);
 #endif
 }
@@ -46,13 +40,13 @@ float passError(float gap, float startGap, float old)
 Push contactPush(vec3 normal, float gap, float startGap, vec3 slide, vec2 friction)
 {
     float old = max(-startGap, 0.0);
-    float error = passError(gap, startGap, old);
-    Push push = Push(-error * normal, error != 0.0 ? 1.0 : 0.0, old > step.deepOverlap);
+    float error = passError(gap, old);
+    Push push = Push(-error * normal, error < 0.0 ? 1.0 : 0.0);
 #ifndef STABILIZE
     vec3 tangent = slide - normal * dot(normal, slide);
     float size = length(tangent);
     float slowed = size < -friction.x * error ? 1.0 : min(-friction.y * error / max(size, 1e-20), 1.0);
-    if (error < 0.0) push.move -= slowed * tangent;
+    push.move -= slowed * tangent;
 #endif
     return push;
 }
@@ -73,7 +67,6 @@ Push pairPush(Side own, Side other, bool first, uvec4 sides)
     vec3 normal = keeps ? sided.xyz : contactNormal(apart, far, true);
     float gap = keeps ? startGap + dot(slide, sided.xyz) : far - step.diameter;
     Push push = contactPush(normal, gap, startGap, slide, unpackHalf2x16(sides.z));
-    push.deep = push.deep && !way.kin;   // limbs of one assembly may bend into each other at their joint
     push.move *= sign * own.inverseMass / max(own.inverseMass + other.inverseMass, 1e-30);
     return push;
 }

@@ -130,7 +130,6 @@ struct StepParameters {
     float damping;                  // velocity kept per substep
     float maxSpeed;                 // [m/s]
     uint secondOrder;               // 1: BDF2 where nothing touches
-    uint alwaysFind;                // 1: candidates every substep (the paper), 0: when due
     uint rotationIterations;
     float maxCorrection;            // of a penetration per substep, with speed [m]
     float jointRelaxation;          // of the joints' impulses

@@ -7,7 +7,6 @@ struct LinkValues {
     uint body;
     vec3 r;              // posInRigidBody [m]
     uint blockStart;
-    uint blockCount;
     float mass;          // [kg]
 };
 
@@ -15,5 +14,5 @@ LinkValues fetchLink(uint l)
 {
     uvec4 a = texelFetch(links, int(2u * l)), b = texelFetch(links, int(2u * l + 1u));
     vec3 r = vec3(uintBitsToFloat(a.z), uintBitsToFloat(a.w), uintBitsToFloat(b.x));
-    return LinkValues(a.x, a.y, r, b.y, b.z, uintBitsToFloat(b.w));
+    return LinkValues(a.x, a.y, r, b.y, uintBitsToFloat(b.w));
 }

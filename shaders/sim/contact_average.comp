@@ -1,7 +1,7 @@
 // One thread a particle: one iteration of count-averaged Jacobi over its contacts (eqs. 3-7; Macklin et al. 2014, 4.2).
 // The match of a body averages over all its particles once more, which over-relaxation makes up for, as far as the body
 // does not answer by more than is asked. STABILIZE: how far it is to be moved out of the overlaps that it starts in
-// (their 4.4). LAST: in the last iteration, what comes out of an old overlap is slowed down.
+// (their 4.4).
 #include "shared/kernel.glsl"
 #include "shared/colliders.glsl"
 #include "shared/list_ranges.glsl"
@@ -46,13 +46,12 @@ void add(inout Push sum, Push other)
 {
     sum.move += other.move;
     sum.acting += other.acting;
-    sum.deep = sum.deep || other.deep;
 }
 
 /// The sums over the three lists of a particle.
 Push allPushes(Side own, uint parity, uint rank)
 {
-    Push sum = Push(vec3(0), 0.0, false);
+    Push sum = Push(vec3(0), 0.0);
     uint base = parity * step.pairCapacity;
     uvec2 range = listRange(parity, FIRST_OF_PAIR, rank, 1u);
     for (uint q = range.x; q < range.y; ++q)
@@ -74,8 +73,7 @@ float bodyRelaxation(uint i, uint body, Push push)
 {
     float share = texelFetch(restOffsets, int(i)).w / texelFetch(masses, int(i)).x;
     if (push.acting > 0.0) atomicAdd(bodyActing[body].x, uint(share * SHARE_PARTS));
-    if (push.deep) atomicOr(bodyActing[body].x, BODY_CAUGHT);
-    float sum = float(bodyActing[body].y & ~BODY_CAUGHT) / SHARE_PARTS;
+    float sum = float(bodyActing[body].y) / SHARE_PARTS;
     float most = min(1.0 / share, SHARES_AT_ONCE / max(sum, 1e-6));
 #ifdef STABILIZE
     return most;

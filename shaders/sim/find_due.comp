@@ -9,7 +9,7 @@ BUFFER(uvec4, Dispatches, dispatches);
 
 void main()
 {
-    bool due = counters[0].due != 0u || counters[0].substep == 0u || step.alwaysFind == 1u;
+    bool due = counters[0].due != 0u || counters[0].substep == 0u;
     uint on = due ? 1u : 0u;
     uint cells = step.cellMask + 1u;
     dispatches[DISPATCH_PARTICLES] = uvec4(on * groups(step.particleCount), 1, 1, 0);

@@ -5,7 +5,6 @@
 #include "shared/quaternion.glsl"
 #include "shared/links.glsl"
 #include "shared/sleep.glsl"
-#include "shared/paper_constants.h"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer predicted;
@@ -17,7 +16,6 @@ uniform samplerBuffer moverCentres;
 uniform samplerBuffer moverRotations;
 uniform usamplerBuffer particleLinks;
 uniform usamplerBuffer linksOfParticle;
-READ_BUFFER(uvec2, BodyActing, bodyActing);
 BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
 BUFFER(vec4, OldMoves, oldMoves);
@@ -50,14 +48,6 @@ void setVelocity(uint i, vec3 move, vec3 next)
     velocities[i] = vec4(next, 0);
 }
 
-/// Of a body that is caught in another: averages do not keep momentum and would drive it. What falls may fall.
-vec3 slowed(vec3 velocity)
-{
-    vec3 down = step.gravity.xyz / max(length(step.gravity.xyz), 1e-20);
-    vec3 fall = max(dot(velocity, down), 0.0) * down;
-    return fall + exp(-step.substepTime / CAUGHT_TIME) * (velocity - fall);
-}
-
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
@@ -72,7 +62,6 @@ void main()
     bool second = state.y == 2u && state.x + 1u != counters[0].substep;
     vec3 next = (second ? 1.5 * move - 0.5 * oldMoves[i].xyz : move) / step.substepTime;
     next *= step.damping;
-    if (info.y > 0u && (bodyActing[info.x].y & BODY_CAUGHT) != 0u) next = slowed(next);
     next *= min(1.0, step.maxSpeed / max(length(next), 1e-20));
     if (any(isnan(next)) || any(isinf(next))) {
         atomicOr(counters[0].problems, PROBLEM_NAN);

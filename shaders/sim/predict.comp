@@ -1,9 +1,12 @@
 // One thread a particle: how far it would move in the substep if nothing touched it. BDF2 (design: second-order
-// velocities) where nothing touched its assembly lately, else symplectic Euler.
+// velocities) where nothing touched its assembly lately, else symplectic Euler. Asks for a new search when it would leave
+// its margin.
 #include "shared/kernel.glsl"
 #include "shared/sleep.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer positions;
+uniform samplerBuffer foundPositions;   // for which its contacts were found
 uniform samplerBuffer velocities;
 uniform samplerBuffer oldMoves;
 uniform samplerBuffer oldVelocities;
@@ -34,4 +37,6 @@ void main()
     } else if (inverseMass > 0.0 && !asleep)
         move = h * (v + h * step.gravity.xyz);
     predicted[i] = vec4(move, 0);
+    vec3 place = texelFetch(positions, int(i)).xyz + move;
+    if (distance(place, texelFetch(foundPositions, int(i)).xyz) > step.drift) counters[0].due = 1u;
 }

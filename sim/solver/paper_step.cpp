@@ -19,7 +19,6 @@ PaperStep::PaperStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
     shapeStabilize_ = load("shape_goals", STABILIZE);
     jointStabilize_ = load("joint_goals", STABILIZE);
     contactAverage_ = load("contact_average", {});
-    contactLast_ = load("contact_average", {{"LAST", "1"}});
     loadSums(load);
     bodyRotation_ = load("body_rotation", {});
     shapeGoals_ = load("shape_goals", {});
@@ -52,7 +51,7 @@ void PaperStep::solve(KernelTimer& timer) const
 {
     for (uint32_t i = 0; i < settings_.stabilization; ++i) stabilize(timer);
     for (uint32_t i = 0; i < settings_.iterations; ++i) {
-        (i + 1 < settings_.iterations ? contactAverage_ : contactLast_).dispatch(timer, particles_);
+        contactAverage_.dispatch(timer, particles_);
         match(timer);
         shapeGoals_.dispatch(timer, particles_);
         if (shared_ > 0) jointGoals_.dispatch(timer, shared_);

@@ -25,7 +25,7 @@ private:
     const SolverBuffers& buffers_;
     Settings settings_;
     uint32_t particles_, bodies_, links_, shared_;   ///< Work groups.
-    Kernel predict_, bodyStart_, contactStabilize_, shapeStabilize_, jointStabilize_, contactAverage_, contactLast_,
+    Kernel predict_, bodyStart_, contactStabilize_, shapeStabilize_, jointStabilize_, contactAverage_,
         bodySum_, linkCentreTerms_, linkMatrixTerms_, linkCentreReduce_, linkMatrixReduce_, bodyCollectCentres_,
         bodyCollectMatrices_, bodyRotation_, shapeGoals_, jointGoals_, finish_;
 };

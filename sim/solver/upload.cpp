@@ -179,18 +179,18 @@ void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
 }
 
 /// How far contacts are looked for, and for how long they stay good. Neighbours rarely use up their margins both and
-/// against each other, so each may drift by more than half of it.
+/// against each other, so each may drift by more than half of it. The paper's particles may drift by a quarter: the
+/// iterations move them further by as much.
 void setSearchParameters(gpu::StepParameters& p, const Settings& s, std::span<const uint32_t> ends)
 {
     const bool flat = std::ranges::any_of(ends, [](uint32_t end) { return end != ALL_ENDS; });
     p.contactRadius = ((flat ? FLAT_TOUCH : 1.0f) + s.contactMargin) * p.diameter;
     p.inverseCellSize = 1.0f / p.contactRadius;
-    p.drift = 1.0f * s.contactMargin * p.diameter;
+    p.drift = (s.solver == SolverKind::Paper ? 0.25f : 1.0f) * s.contactMargin * p.diameter;
     p.lookAhead = 0.5f * static_cast<float>(s.substeps);
     p.horizon = 2.0f * static_cast<float>(s.substeps);
     p.farReach = 0.5f * p.contactRadius;
     p.fastLimit = p.particleCount / 8;
-    p.alwaysFind = s.solver == SolverKind::Paper ? 1u : 0u;
 }
 
 void setParameters(SolverBuffers& out, const World& world, std::span<const uint32_t> ends)
@@ -300,8 +300,8 @@ BufferTable SolverBuffers::table()
     t.add(moverCentres, moverRotations, moverMoves, moverTurns, moverVelocities, oldMoverVelocities, oldMoverMoves,
           moverPredictions, moverImpulses, moverChanges, particleImpulses, linkImpulses, assemblyState, assemblyCalm,
           assemblyNext, islandsWoken);
-    t.add(oldMoves, oldVelocities, predicted, moved, bodyStarts, bodyMatrices, bodyActing, linkGains, linkPulls, linkTerms,
-          reductionLinks);
+    t.add(oldMoves, oldVelocities, predicted, moved, bodyStarts, bodyMatrices, bodyActing, linkGains, linkPulls,
+          linkTerms, reductionLinks);
     t.add(strands, strandNodes, strandLinks, strandStates, strandFactors);
     t.add(foundPositions, foundCentres, foundRotations, moverReaches, fastParticles, moverColliders, particleCells,
           cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);

@@ -67,8 +67,8 @@ uint32_t automaticFluidSubsteps(float spacing, float pressure, float timeStep);
 float cohesionPressure(float surfaceTension, float spacing);
 
 /// The paper's own choices: averaged Jacobi with stabilization, Householder-QR, eq. 10's reduction, the hash, freezing at
-/// half a radius, first-order velocities; and what makes them sound: half as many substeps again as the default's, 4 iterations
-/// of each, mass scaling, split masses at shared particles.
+/// half a radius, first-order velocities; and what makes them sound: half as many substeps again as the default's, 4
+/// iterations of each, mass scaling, split masses at shared particles.
 Settings paperSettings();
 
 }  // namespace knuckle

@@ -95,14 +95,6 @@ TEST_F(FindDue, TheFirstSubstepSearches)
     EXPECT_EQ(counters.substep, 1u);
 }
 
-TEST_F(FindDue, ThePaperSearchesInEverySubstep)
-{
-    bench.buffers.parameters.alwaysFind = 1;
-    bench.setParameters();
-    run();
-    expectSearch(true);
-}
-
 TEST_F(FindDue, TheFastOnesGetAThreadEach)
 {
     for (uint32_t fast : {0u, 1u, uint32_t(GROUP_SIZE), GROUP_SIZE + 1u}) {

@@ -170,14 +170,18 @@ TEST_F(FoundPlace, NoParticleIsReferredToYet)
         ASSERT_EQ(counts[k], k / particles() == 1 ? 0u : 5u) << "count " << k;
 }
 
-TEST_F(FoundPlace, ThePapersParticlesAreWhereTheyArePredicted)
+TEST_F(FoundPlace, ThePapersParticlesAreWhereTheyArePredictedAndItsBodiesAsTheyAreTurned)
 {
     const auto starts = randomVectors(particles(), 0.5f, 82), predicted = randomVectors(particles(), 0.01f, 83);
     fill(bench.buffers.positions, starts);
     fill(bench.buffers.predicted, predicted);
     bench.forParticles("found_place", {{"FROM_POSITIONS", "1"}});
-    const auto found = bench.buffers.foundPositions.download();
-    for (uint32_t i = 0; i < particles(); ++i) ASSERT_EQ(vec3(found[i]), vec3(starts[i]) + vec3(predicted[i]));
+    const auto found = bench.buffers.foundPositions.download(), turned = bench.buffers.foundRotations.download();
+    for (uint32_t i = 0; i < particles(); ++i) {
+        ASSERT_EQ(vec3(found[i]), vec3(starts[i]) + vec3(predicted[i]));
+        const uint32_t mover = places[i].x;
+        ASSERT_EQ(quaternion(turned[mover]).coeffs(), quaternion(rotations[mover]).coeffs());
+    }
 }
 
 TEST_F(FoundPlace, MoversReachAsFarAsTheirWayWillLeadThemBeyondTheDriftAndForLongerWhereFewAreFast)

@@ -91,7 +91,7 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
         MEMBER(StepParameters, correction), MEMBER(StepParameters, warmStart),
         MEMBER(StepParameters, calming), MEMBER(StepParameters, meanRate),
         MEMBER(StepParameters, virtualParticles), MEMBER(StepParameters, freeze), MEMBER(StepParameters, damping),
-        MEMBER(StepParameters, maxSpeed), MEMBER(StepParameters, secondOrder), MEMBER(StepParameters, alwaysFind),
+        MEMBER(StepParameters, maxSpeed), MEMBER(StepParameters, secondOrder),
         MEMBER(StepParameters, rotationIterations), MEMBER(StepParameters, maxCorrection),
         MEMBER(StepParameters, jointRelaxation), MEMBER(StepParameters, overRelaxation),
         MEMBER(StepParameters, stabilization), MEMBER(StepParameters, deepOverlap),

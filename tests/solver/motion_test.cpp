@@ -1,7 +1,6 @@
 #include <cmath>
 #include <limits>
 
-#include "shared/paper_constants.h"
 #include "solver_test.h"
 
 namespace knuckle::test {
@@ -116,6 +115,28 @@ TEST_F(PredictFirstOrder, EverythingMovesByFirstOrderWhereChosen)
     expectMoves([&](size_t i) { return firstOrder(i); }, 1);
 }
 
+TEST_F(PredictFirstOrder, ASearchIsDueWhereSomebodyWouldLeaveItsMargin)
+{
+    setAssemblies(0, 2);
+    bench.forParticles("predict");
+    const auto predicted = bench.buffers.predicted.download();
+    const float drift = bench.buffers.parameters.drift;
+    EXPECT_FLOAT_EQ(drift, 0.05f * DIAMETER) << "a quarter of the margin between two, half of one's own";
+    for (float far : {0.99f, 1.01f}) {
+        // All but one where they are looked for; that one next to it.
+        std::vector<gpu::vec4> found;
+        for (size_t i = 0; i < positions.size(); ++i) found.push_back(packed(vec3(positions[i]) + vec3(predicted[i])));
+        const size_t mover = positions.size() / 2;
+        found[mover] = packed(vec3(found[mover]) + far * drift * Vector3f(0.6f, 0.0f, -0.8f));
+        fill(bench.buffers.foundPositions, found);
+        gpu::Counters now = bench.counters();
+        now.due = 0;
+        bench.setCounters(now);
+        bench.forParticles("predict");
+        EXPECT_EQ(bench.counters().due, far > 1.0f ? 1u : 0u) << far;
+    }
+}
+
 TEST_F(Finish, VelocitiesAreOfTheOrderOfThePrediction)
 {
     setAssemblies(SUBSTEP - 2, 2);
@@ -144,22 +165,6 @@ TEST_F(Finish, DampingAndTheGreatestSpeedBoundVelocities)
     expectVelocities([&](size_t i) {
         const Vector3f v = 0.5f * vec3(moves[i]) / h();
         return Vector3f(v * std::min(1.0f, 1.0f / v.norm()));
-    });
-}
-
-TEST_F(Finish, BodiesThatAreCaughtInOthersLoseTheirSpeedButFall)
-{
-    setAssemblies(0, 1);
-    std::vector<gpu::uvec2> acting;
-    for (uint32_t b = 0; b < bench.world.bodies.size(); ++b)
-        acting.push_back({BODY_CAUGHT, 1000u | (b % 2 == 0 ? BODY_CAUGHT : 0u)});   // the last iteration's counts
-    fill(bench.buffers.bodyActing, acting);
-    expectVelocities([&](size_t i) {
-        const uint32_t body = bench.world.particles[i].body;
-        const Vector3f v = vec3(moves[i]) / h();
-        const Vector3f fall(0, std::min(v.y(), 0.0f), 0);
-        const float kept = body != NO_INDEX && body % 2 == 0 ? std::exp(-h() / CAUGHT_TIME) : 1.0f;
-        return Vector3f(fall + kept * (v - fall));
     });
 }
 
