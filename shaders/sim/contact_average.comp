@@ -6,7 +6,6 @@
 #include "shared/colliders.glsl"
 #include "shared/list_ranges.glsl"
 #include "shared/averaged_contact.glsl"
-#include "shared/mass_scaling.glsl"
 #include "shared/sleep.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -27,10 +26,8 @@ READ_BUFFER(Counters, CountersBlock, counters);
 
 Side sideOf(uint i)
 {
-    vec3 start = texelFetch(positions, int(i)).xyz;
-    bool held = isAsleep(texelFetch(particleInfo, int(i)).z);
-    float inverseMass = held ? 0.0 : contactScale(start) * texelFetch(masses, int(i)).x;
-    return Side(start, texelFetch(predicted, int(i)).xyz, inverseMass);
+    vec4 move = texelFetch(predicted, int(i));
+    return Side(texelFetch(positions, int(i)).xyz, move.xyz, move.w);
 }
 
 Push colliderPush(Side own, uvec4 sides)

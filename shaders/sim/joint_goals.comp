@@ -38,7 +38,7 @@ void main()
     positions[i].xyz = place;
 #else
     vec3 place = texelFetch(positions, int(i)).xyz + mean;
-    predicted[i] = vec4(mean, 0);
+    predicted[i].xyz = mean;
 #endif
     for (uint l = owned.x; l < owned.x + owned.y; ++l) {
         uvec2 owner = texelFetch(linksOfParticle, int(l)).xy;

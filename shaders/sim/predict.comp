@@ -2,6 +2,7 @@
 // velocities) where nothing touched its assembly lately, else symplectic Euler. Asks for a new search when it would leave
 // its margin.
 #include "shared/kernel.glsl"
+#include "shared/mass_scaling.glsl"
 #include "shared/sleep.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -12,7 +13,7 @@ uniform samplerBuffer oldMoves;
 uniform samplerBuffer oldVelocities;
 uniform usamplerBuffer particleInfo;
 uniform samplerBuffer masses;            // inverse mass, restitution, static and kinetic friction
-BUFFER(vec4, Predicted, predicted);
+BUFFER(vec4, Predicted, predicted);     // w: inverse mass for contacts [1/kg]
 BUFFER(uvec2, AssemblyState, assemblyState);   // last substep with a contact, order of this one
 BUFFER(Counters, CountersBlock, counters);
 
@@ -36,7 +37,7 @@ void main()
         move = lastMove / 3.0 + h * (8.0 * v - 2.0 * lastV + 4.0 * h * step.gravity.xyz) / 9.0;
     } else if (inverseMass > 0.0 && !asleep)
         move = h * (v + h * step.gravity.xyz);
-    predicted[i] = vec4(move, 0);
-    vec3 place = texelFetch(positions, int(i)).xyz + move;
-    if (distance(place, texelFetch(foundPositions, int(i)).xyz) > step.drift) counters[0].due = 1u;
+    vec3 start = texelFetch(positions, int(i)).xyz;
+    predicted[i] = vec4(move, asleep ? 0.0 : contactScale(start) * inverseMass);
+    if (distance(start + move, texelFetch(foundPositions, int(i)).xyz) > step.drift) counters[0].due = 1u;
 }

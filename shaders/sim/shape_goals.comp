@@ -25,6 +25,6 @@ void main()
 #ifdef STABILIZE
     positions[i].xyz += goal;
 #else
-    predicted[i] = vec4(goal, 0);
+    predicted[i].xyz = goal;
 #endif
 }

@@ -39,10 +39,10 @@ protected:
         p.stabilization = 0.004f;
         p.deepOverlap = 0.04f;
         p.deepRecovery = 0.001f;
-        p.massScaling = 1.5f;
         bench.setParameters();
         starts = randomVectors(count, 0.2f, 302);
         moves = randomVectors(count, 0.02f, 303);
+        for (uint32_t i = 0; i < count; ++i) moves[i].w = isFixed(i) ? 0.0f : random.between(0.2f, 5.0f);
         fill(bench.buffers.positions, starts);
         fill(bench.buffers.predicted, moves);
         makeContacts(random, static_cast<float>(count));
@@ -95,17 +95,16 @@ protected:
     }
     Vector3d start(uint32_t i) const { return vec3(starts[i]).cast<double>(); }
     Vector3d move(uint32_t i) const { return vec3(moves[i]).cast<double>(); }
-    double inverseMass(uint32_t i) const
+    bool isFixed(uint32_t i) const
     {
-        const Particle& p = bench.world.particles[i];
-        const bool fixed = p.body != NO_INDEX && bench.world.bodies[p.body].motion == Motion::Fixed;
-        return fixed ? 0.0 : 1.0 / double(p.mass);
+        const uint32_t body = bench.world.particles[i].body;
+        return body != NO_INDEX && bench.world.bodies[body].motion == Motion::Fixed;
     }
-    /// With m exp(-k height) (Macklin et al. 2014, 5.2).
+    /// As predict has it for contacts, scaled.
+    double inverseMass(uint32_t i) const { return double(moves[i].w); }
     double sideShare(uint32_t own, uint32_t other) const
     {
-        const auto scaled = [&](uint32_t i) { return inverseMass(i) * std::exp(1.5 * start(i).y()); };
-        const double mine = scaled(own), sum = mine + scaled(other);
+        const double mine = inverseMass(own), sum = mine + inverseMass(other);
         return sum > 0.0 ? mine / sum : 0.0;
     }
     /// Eqs. 5-7 with friction (Macklin et al. 2014, eq. 24) and the bounds on old overlaps.
@@ -134,9 +133,7 @@ protected:
     }
     void runPass()
     {
-        Defines defines = {{"MASS_SCALING", "1"}};
-        if (stabilize()) defines.push_back({"STABILIZE", "1"});
-        bench.forParticles("contact_average", defines);
+        bench.forParticles("contact_average", stabilize() ? Defines{{"STABILIZE", "1"}} : Defines{});
         gpu().checkErrors();
     }
     std::vector<Wanted> wanted() const

@@ -115,6 +115,19 @@ TEST_F(PredictFirstOrder, EverythingMovesByFirstOrderWhereChosen)
     expectMoves([&](size_t i) { return firstOrder(i); }, 1);
 }
 
+TEST_F(PredictFirstOrder, ContactsSeeTheLowerParticlesHeavier)
+{
+    bench.buffers.parameters.massScaling = 1.5f;
+    bench.setParameters();
+    bench.forParticles("predict", {{"MASS_SCALING", "1"}});
+    const auto predicted = bench.buffers.predicted.download();
+    for (size_t i = 0; i < predicted.size(); ++i) {
+        // m exp(-k height) (Macklin et al. 2014, 5.2); a few roundings, and those of an exponent below 1.
+        const double mass = double(bench.world.particles[i].mass) * std::exp(-1.5 * double(positions[i].y));
+        ASSERT_NEAR(double(predicted[i].w) * mass, isFixed(i) ? 0.0 : 1.0, 2e-6) << "particle " << i;
+    }
+}
+
 TEST_F(PredictFirstOrder, ASearchIsDueWhereSomebodyWouldLeaveItsMargin)
 {
     setAssemblies(0, 2);
