@@ -6,5 +6,5 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 
 preset=${KNUCKLE_PRESET:-release}
 bash scripts/build.sh "$preset"
-# The presets ci and release share a folder. One at a time: each test may use every core for its OpenGL driver.
-ctest --test-dir "build/${preset/#ci/release}" --output-on-failure -j1 "$@"
+# The presets ci and release share a folder. As many suites at a time as there are cores: each keeps to one.
+ctest --test-dir "build/${preset/#ci/release}" --output-on-failure -j"$(nproc)" "$@"
