@@ -12,6 +12,7 @@
 #include "app/table2_world.h"
 #include "render/renderer.h"
 #include "sim/solver/solver.h"
+#include "sim/solver/workload.h"
 
 namespace knuckle {
 
@@ -126,11 +127,18 @@ void printRow(const BenchRun& run)
     std::fflush(stdout);
 }
 
+/// Of a step of the largest world: one device serves all.
+Workload benchWorkload(const BenchOptions& options, const std::vector<std::pair<std::string, Settings>>& presets)
+{
+    const uint32_t most = *std::max_element(options.objects.begin(), options.objects.end());
+    return stepWorkload(table2World(most, presets.back().second));
+}
+
 int bench(const BenchOptions& options, const CommonOptions& common)
 {
     std::vector<std::pair<std::string, Settings>> presets;
     for (const std::string& preset : options.presets) presets.emplace_back(preset, loadSettings(preset, options.sets));
-    const auto gpu = openGpu(common);
+    const auto gpu = openGpu(common, benchWorkload(options, presets));
     nlohmann::ordered_json runs = nlohmann::ordered_json::array();
     if (!options.json) {
         fmt::print("Table 2 on {}: {} steps of 1/60 s; steps/s of all, of the last {}, and drawn at 1280x720;\n"

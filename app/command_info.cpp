@@ -17,6 +17,19 @@ void printDevices(const std::vector<DeviceInfo>& devices)
     }
 }
 
+/// What each run weighs when it chooses.
+void printThreads()
+{
+    if (const std::string set = driverThreadsSetting(); !set.empty()) {
+        fmt::print("  threads                     {} ({} is set)\n", set, DRIVER_THREADS_VARIABLE);
+        return;
+    }
+    const uint32_t cores = usableCores();
+    if (cores == 1) fmt::print("  threads                     none: there is one core\n");
+    else fmt::print("  threads                     {} or none, what is faster for the scene (see --stats); waking them "
+                    "takes {:.3f} ms a pass\n", cores, wakeTime(cores));
+}
+
 int info(const CommonOptions& common)
 {
     fmt::print("knuckle {}\n\nDevices:\n", KNUCKLE_VERSION);
@@ -30,6 +43,7 @@ int info(const CommonOptions& common)
     fmt::print("  largest buffer texture      {} texels\n", limits.textureBufferSize);
     fmt::print("  largest texture             {} pixels\n", limits.textureSize);
     fmt::print("  work groups a dispatch      {}\n", limits.workGroupCountX);
+    if (gpu->device().software) printThreads();
     return EXIT_FINE;
 }
 

@@ -39,10 +39,10 @@ World previewWorld(const Actor& actor)
 
 void writePreview(const std::string& path, const Actor& actor, const CommonOptions& common)
 {
-    const auto gpu = openGpu(common);
     const World world = previewWorld(actor);
     RenderSettings settings;
     settings.highlightJoints = true;
+    const auto gpu = openGpu(common, drawingWorkload(settings));
     Solver solver(*gpu, world);
     Renderer renderer(*gpu, world, settings);
     renderer.draw(solver.view(), 0.0);

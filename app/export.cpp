@@ -134,6 +134,12 @@ std::string hashText(uint64_t hash)
     return fmt::format("{:016x}", hash);
 }
 
+/// null where the program has not chosen.
+Json threadsJson(const DriverThreads& threads)
+{
+    return {{"count", threads.count ? Json(*threads.count) : Json()}, {"reason", threads.reason}};
+}
+
 std::string statsText(const RunFigures& figures, const World& world, Solver& solver, const KernelTimer* drawing)
 {
     const Measures measures = solver.measure();
@@ -147,6 +153,7 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
     }
     Json stats = {
         {"device", figures.device},
+        {"driverThreads", threadsJson(figures.driverThreads)},
         {"particles", world.solidCount() + measures.fluidCount},
         {"bodies", world.bodies.size()},
         {"joints", world.joints.size()},

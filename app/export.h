@@ -44,6 +44,7 @@ private:
 /// What `--stats` tells beside what the solver knows.
 struct RunFigures {
     std::string device;
+    DriverThreads driverThreads;
     uint64_t frames = 0, drawnFrames = 0, steps = 0;
     double simulationSeconds = 0.0, drawingSeconds = 0.0, totalSeconds = 0.0;
 };

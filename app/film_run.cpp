@@ -13,6 +13,7 @@
 #include "render/frame_sink.h"
 #include "render/renderer.h"
 #include "render/temporary_file.h"
+#include "sim/solver/workload.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -70,7 +71,7 @@ class FilmRun {
 public:
     FilmRun(const Scene& scene, const FilmOptions& options, const CommonOptions& common)
         : scene_(scene), options_(options), range_(clampRange(scene, options.frames)), outputs_(scene, options),
-          gpu_(openGpu(common)), solver_(*gpu_, scene.world),
+          gpu_(openGpu(common, workload())), solver_(*gpu_, scene.world),
           progress_("frame", range_.last, common.quiet)
     {
         if (!outputs_.sinks.empty()) renderer_.emplace(*gpu_, scene.world, scene.render);
@@ -79,6 +80,7 @@ public:
             if (renderer_) renderer_->timer().enable(*gpu_);
         }
         figures_.device = gpu_->device().name;
+        figures_.driverThreads = gpu_->threads();
     }
 
     RunFigures run()
@@ -109,6 +111,14 @@ private:
         if (range.first <= range.last && range.last <= count) return range;
         throw InputError(fmt::format("--frames {}:{}: the scene has frames 1 to {}; choose among them or raise "
                                      "/duration", range.first, range.last, count));
+    }
+
+    /// Of a frame, on average.
+    Workload workload() const
+    {
+        const double drawn = outputs_.sinks.empty() ? 0.0 : static_cast<double>(range_.last - range_.first + 1);
+        return stepWorkload(scene_.world) * scene_.stepsPerFrame +
+               drawingWorkload(scene_.render) * (drawn / static_cast<double>(range_.last));
     }
 
     double timeOf(uint64_t frame) const { return static_cast<double>(frame - 1) / scene_.framesPerSecond; }

@@ -239,6 +239,13 @@ void Renderer::Impl::fullScreen(const char* name, const Framebuffer& target, con
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+Workload drawingWorkload(const RenderSettings& settings)
+{
+    // The passes of a plain picture, of which a pixel takes 0.11 us on one core of 2.6 GHz.
+    const double samples = static_cast<double>(settings.antialiasing) * settings.antialiasing;
+    return {8.0, 1.1e-4 * settings.width * settings.height * samples};
+}
+
 Renderer::Renderer(Gpu& gpu, const World& world, const RenderSettings& settings)
     : impl_(std::make_unique<Impl>(gpu, world, settings))
 {

@@ -12,6 +12,9 @@
 
 namespace knuckle {
 
+/// About what one picture asks of a software driver, within three times.
+Workload drawingWorkload(const RenderSettings& settings);
+
 /// Draws the particles as spheres straight from the solver's buffers, with the world's colliders around them.
 class Renderer {
 public:

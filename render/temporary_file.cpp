@@ -71,13 +71,13 @@ void requireWritableFolder(const std::string& folder)
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error && !std::filesystem::is_directory(folder))
-        throw InputError(fmt::format("folder {} cannot be made: {}; choose another with -o", folder, error.message()));
+        throw InputError(fmt::format("folder {} cannot be made: {}; choose another", folder, error.message()));
     // Asking for the permission bits would not notice a read-only file system.
     try {
         TemporaryFile probe(folder + "/probe");
         probe.write("", 0);
     } catch (const RunError&) {
-        throw InputError(fmt::format("folder {} cannot be written to: {}; choose another with -o", folder,
+        throw InputError(fmt::format("folder {} cannot be written to: {}; choose another", folder,
                                      std::strerror(errno)));
     }
 }

@@ -93,11 +93,13 @@ std::vector<DeviceInfo> listDevices()
     return infos;
 }
 
-Gpu::Gpu(const DeviceChoice& choice, std::string shaderFolder)
+Gpu::Gpu(const DeviceChoice& choice, std::string shaderFolder, std::optional<Workload> work)
     : egl_(std::make_unique<Egl>()), shaders_(std::move(shaderFolder))
 {
     tuneSoftwareDriver();
+    if (work) threads_ = applyDriverThreads(*work);
     makeContext(choice);
+    if (!device_.software) threads_ = {{}, "the device is no software renderer"};
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     // A debug group a pass would be a notification each.

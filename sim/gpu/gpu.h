@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/gpu/driver_threads.h"
 #include "sim/gpu/shader_source.h"
 
 namespace knuckle {
@@ -47,14 +48,16 @@ std::vector<DeviceInfo> listDevices();
 /// GL debug messages of high severity become a DeviceError at the next checkErrors().
 class Gpu {
 public:
+    /// @param work of a frame, by which a software driver gets its threads; without it they are left to the driver.
     /// @throws DeviceError when no device fits or the context lacks a needed limit, in words.
-    explicit Gpu(const DeviceChoice& choice = {}, std::string shaderFolder = {});
+    explicit Gpu(const DeviceChoice& choice = {}, std::string shaderFolder = {}, std::optional<Workload> work = {});
     ~Gpu();
     Gpu(const Gpu&) = delete;
     Gpu& operator=(const Gpu&) = delete;
 
     const DeviceInfo& device() const { return device_; }
     const DeviceLimits& limits() const { return limits_; }
+    const DriverThreads& threads() const { return threads_; }
     /// One line for the user where Auto had to fall back to software, else empty.
     const std::string& notice() const { return notice_; }
     const ShaderSource& shaders() const { return shaders_; }
@@ -68,6 +71,7 @@ private:
     std::unique_ptr<Egl> egl_;
     DeviceInfo device_;
     DeviceLimits limits_;
+    DriverThreads threads_;
     std::string notice_;
     std::string pendingError_;
     ShaderSource shaders_;

@@ -57,6 +57,23 @@ TEST_F(Render, TakesSizeRateAndFieldsFromTheCommandLine)
               "knuckle: --frames 2:9: the scene has frames 1 to 4; choose among them or raise /duration\n");
 }
 
+TEST_F(Render, ChoosesTheDriversThreadsUnlessTheUserDoes)
+{
+    const auto threadsWith = [&](const char* variable) {
+        const RunResult result = run({"render", scene, "-o", "out", "--quiet", "--stats", "stats.json"},
+                                     {.environment = {variable}});
+        EXPECT_EQ(result.code, 0) << result.err;
+        return parseJson(test::readText(folder.path("stats.json")), "stats")["driverThreads"];
+    };
+    const Json set = threadsWith("LP_NUM_THREADS=3");
+    EXPECT_TRUE(set["count"].is_null());
+    EXPECT_EQ(set["reason"], "LP_NUM_THREADS is set to 3");
+    // 55 particles on 64 x 36 pixels are some microseconds of work. On a GPU nothing is chosen.
+    const Json chosen = threadsWith("LP_NUM_THREADS=");
+    EXPECT_TRUE(chosen["count"].is_null() || chosen["count"] == 0) << chosen;
+    EXPECT_FALSE(chosen["reason"].get<std::string>().empty());
+}
+
 TEST_F(Render, SaysNothingWhenQuiet)
 {
     const RunResult result = run({"--quiet", "render", scene});

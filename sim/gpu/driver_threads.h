@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace knuckle {
+
+/// By which llvmpipe is told.
+inline constexpr const char* DRIVER_THREADS_VARIABLE = "LP_NUM_THREADS";
+
+/// What a run asks of a software driver, say for one frame.
+struct Workload {
+    double dispatches = 0.0;       ///< Passes, each of which wakes the driver's threads and waits for them.
+    double milliseconds = 0.0;     ///< What they compute, on one thread.
+
+    Workload operator+(const Workload& other) const
+    {
+        return {dispatches + other.dispatches, milliseconds + other.milliseconds};
+    }
+    Workload operator*(double factor) const { return {dispatches * factor, milliseconds * factor}; }
+};
+
+/// How many threads llvmpipe computes with besides the caller's, and why.
+struct DriverThreads {
+    std::optional<uint32_t> count;   ///< None: the program has not chosen.
+    std::string reason;              ///< A clause for the user.
+};
+
+/// All cores where they gain more than waking them costs, else none: the driver then works in the caller's thread.
+/// @param cores that the process may use. @param wakeMilliseconds of all of them, for one dispatch (wakeTime).
+DriverThreads chooseDriverThreads(const Workload& work, uint32_t cores, double wakeMilliseconds);
+
+/// How long it takes to wake `threads` threads that wait for work, and to hear from the last of them [ms]: the mean over
+/// ten milliseconds, since on a busy machine a few take as long as all others together.
+double wakeTime(uint32_t threads);
+
+/// Cores that this process may run on, at least 1.
+uint32_t usableCores();
+
+/// What the variable is set to, empty for nothing.
+std::string driverThreadsSetting();
+
+/// Chooses, and tells llvmpipe: before the first context of the process, since it looks once. Leaves a
+/// variable that is set already.
+DriverThreads applyDriverThreads(const Workload& work);
+
+}  // namespace knuckle

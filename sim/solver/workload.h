@@ -1,0 +1,12 @@
+#pragma once
+
+#include "sim/gpu/driver_threads.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// About what one step of a world asks of a software driver: within a third of the dispatches, within three times the
+/// time. Substeps must be chosen (World as its builder leaves it).
+Workload stepWorkload(const World& world);
+
+}  // namespace knuckle
