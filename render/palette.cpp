@@ -11,7 +11,7 @@ namespace {
 const Vector3f JOINT_COLOR{0.80f, 0.015f, 0.012f};
 const Vector3f LOOSE_COLOR{0.62f, 0.50f, 0.33f};
 
-/// packAlbedo of shaders/shared/surface.glsl.
+/// packAlbedo of shaders/render/common/surface.glsl.
 uint32_t packColor(const Vector3f& color)
 {
     const Eigen::Array3f root = (color.array().max(0.0f).min(1.0f).sqrt() * 255.0f).round();

@@ -84,13 +84,13 @@ Renderer::Impl::Impl(Gpu& device, const World& world, const RenderSettings& chos
       camera(settings.camera, world, float(settings.width) / float(settings.height)),
       targets(settings.width, settings.height, settings.antialiasing), solids(gpu, world, extent),
       spheres(gpu, world, settings), reader(settings.width, settings.height),
-      bounds(Program::compute(gpu, "render/frame_bounds.comp")),
-      frameCamera(Program::compute(gpu, "render/frame_camera.comp")),
-      frameView(Program::compute(gpu, "render/frame_view.comp")),
-      occlusion(Program::graphics(gpu, "render/screen.vert", "render/occlusion.frag")),
-      lighting(Program::graphics(gpu, "render/screen.vert", "render/lighting.frag")),
-      edgeFilter(Program::graphics(gpu, "render/edge_tile.vert", "render/edge_filter.frag")),
-      resolve(Program::graphics(gpu, "render/screen.vert", "render/resolve.frag"))
+      bounds(Program::compute(gpu, "render/view/frame_bounds.comp")),
+      frameCamera(Program::compute(gpu, "render/view/frame_camera.comp")),
+      frameView(Program::compute(gpu, "render/view/frame_view.comp")),
+      occlusion(Program::graphics(gpu, "render/picture/screen.vert", "render/picture/occlusion.frag")),
+      lighting(Program::graphics(gpu, "render/picture/screen.vert", "render/picture/lighting.frag")),
+      edgeFilter(Program::graphics(gpu, "render/picture/edge_tile.vert", "render/picture/edge_filter.frag")),
+      resolve(Program::graphics(gpu, "render/picture/screen.vert", "render/picture/resolve.frag"))
 {
     glGenVertexArrays(1, &emptyArray);
     fillInput(world);

@@ -15,7 +15,7 @@ struct FluidBuffers {
     Buffer<gpu::uvec4> fluidSorted;                    ///< Per slot: the same, packed; four in an element.
     Buffer<uint32_t> slotParticles, particleSlots;     ///< Each other's inverse.
     Buffer<gpu::uvec2> slotCounts;                     ///< Fluid and solid neighbours.
-    Buffer<gpu::uvec4> slotNeighbours;                 ///< fluidSlots a slot, shared/neighbour_lists.glsl.
+    Buffer<gpu::uvec4> slotNeighbours;                 ///< fluidSlots a slot, sim/fluid/neighbour_lists.glsl.
     Buffer<uint32_t> slotColliders;                    ///< Bits: those nearby.
     Buffer<gpu::vec4> fluidMaterials;                  ///< Per material: smoothing, tension (upload_fluid.cpp).
     Buffer<gpu::vec4> slotVelocities;                  ///< When neighbours were found [m/s]; w: smoothing.
@@ -27,7 +27,7 @@ struct FluidBuffers {
     Buffer<gpu::vec4> slotWalls, slotSolids;           ///< Gradients of what walls and solids add to the density.
 };
 
-/// Emitters, and the fluid particles that are parked until one of them takes them (shaders/shared/emitters.glsl).
+/// Emitters, and the fluid particles that are parked until one of them takes them (shaders/sim/fluid/emitters.glsl).
 struct PoolBuffers {
     Buffer<gpu::GpuEmitter> emitters;
     Buffer<gpu::EmitterState> emitterStates;           ///< Per emitter, within a step.
@@ -77,7 +77,7 @@ struct SolverBuffers {
     Buffer<gpu::GpuCollider> colliders;
     Buffer<float> gridValues;            ///< Of all ColliderGrids.
     Buffer<gpu::StepParameters> step;
-    // Movers: bodies, then loose particles. Fields as in shaders/shared/fields.glsl.
+    // Movers: bodies, then loose particles. Fields as in shaders/sim/common/fields.glsl.
     Buffer<gpu::vec4> moverCentres, moverRotations;    ///< c and Q: at the start of a substep, or (paper) now.
     Buffer<gpu::vec4> moverMoves, moverTurns;          ///< Since it began: of c [m], w: acting contacts; a quaternion.
     Buffer<gpu::vec4> moverVelocities, oldMoverVelocities, oldMoverMoves;   ///< Fields [m/s], [m/s], [m].
@@ -86,15 +86,15 @@ struct SolverBuffers {
     Buffer<gpu::vec4> moverChanges;                    ///< Field: how they last changed; w of the first: relaxation.
     /// Per particle, by rank: what acts on single particles, beside contacts and joints [kg m].
     Buffer<gpu::vec4> particleImpulses;
-    // Restitution (shaders/shared/bounce.glsl), of a world that has any.
+    // Restitution (shaders/sim/restitution/bounce.glsl), of a world that has any.
     Buffer<gpu::vec4> pairBounces, colliderBounces;    ///< As pairImpulses: the last change, all of it [kg m/s].
     Buffer<float> moverBounces;                        ///< Per mover: over how many of them its mass is split.
-    // Sleep (shaders/shared/sleep.glsl). Per assembly: steps that it was calm, name of its island.
+    // Sleep (shaders/sim/common/sleep.glsl). Per assembly: steps that it was calm, name of its island.
     Buffer<gpu::uvec2> assemblyCalm, assemblyNext;
     Buffer<uint32_t> islandsWoken;                     ///< By name: 1 if something woke it in this step.
     Buffer<gpu::vec4> linkImpulses;                    ///< Per link: joints (joint_solve.comp) [kg m].
     Buffer<gpu::uvec2> assemblyState;    ///< Per assembly: last substep with a contact, order of this one.
-    // Soft bodies (sim/solver/upload_soft.h). Their links stand in `links` behind those of bodies.
+    // Soft bodies (sim/solver/soft/upload_soft.h). Their links stand in `links` behind those of bodies.
     Buffer<gpu::ClusterInfo> clusterInfo;              ///< Per cluster.
     Buffer<gpu::vec4> clusterMoments;    ///< Per cluster, four: inverse moments; directions without particles.
     Buffer<gpu::GpuSoftMatter> softMatter;             ///< Per soft body.
@@ -134,13 +134,13 @@ struct SolverBuffers {
     Buffer<uint32_t> cellCounts, cellSums, cellStarts, cellMembers;   ///< Per cell, chunk, cell, particle.
     Buffer<gpu::vec4> sortedPositions;
     Buffer<gpu::uvec4> sortedInfos;      ///< Particle, assembly, rank, 1 if fast.
-    // Lists of contacts (shaders/shared/contact_lists.glsl). "Halves": the current search and the one before.
+    // Lists of contacts (shaders/sim/common/contact_lists.glsl). "Halves": the current search and the one before.
     Buffer<gpu::uvec2> firstLists;       ///< As found, contactSlots a particle: second particle, its arrival there.
     Buffer<uint32_t> colliderLists;      ///< As found, COLLIDER_SLOTS a particle.
     Buffer<uint32_t> listCounts, listSums, listStarts; ///< Three lists of ranks; the last in halves.
     Buffer<gpu::uvec2> pairs;            ///< Halves of pairCapacity: first and second particle.
     Buffer<gpu::uvec4> pairSides;        ///< Per pair: movers (with a way out), frictions, shares of inverse masses and
-                                         ///< hidden axes (shaders/shared/flat_faces.glsl).
+                                         ///< hidden axes (shaders/sim/common/flat_faces.glsl).
     Buffer<gpu::vec4> pairArms;          ///< Per pair, two: place in the body, worst inverse mass there.
     Buffer<gpu::vec4> pairImpulses;      ///< Halves: the whole impulse, its normal part [kg m].
     Buffer<float> pairMeans;             ///< Halves: the mean of its normal part lately [kg m].

@@ -8,9 +8,9 @@
 #include "sim/solver/buffers.h"
 #include "sim/solver/measure.h"
 #include "sim/solver/step.h"
-#include "sim/solver/upload_fluid.h"
-#include "sim/solver/upload_pool.h"
-#include "sim/solver/upload_strands.h"
+#include "sim/solver/fluid/upload_fluid.h"
+#include "sim/solver/fluid/upload_pool.h"
+#include "sim/solver/rope/upload_strands.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {

@@ -3,7 +3,7 @@
 // A step of Settings::timeStep is cut into substeps; small substeps with few iterations are stiffer than one step with
 // many (Macklin et al. 2019). What moves is a mover: a body, or a loose particle. The particles of a rigid body always
 // move as a linear field over it, so the default solver predicts, matches and finishes bodies through fields
-// (shaders/shared/fields.glsl) and visits their particles only where something touches them. A substep
+// (shaders/sim/common/fields.glsl) and visits their particles only where something touches them. A substep
 //
 //   predicts how far each mover would move if nothing touched it, adds what its contacts did last, and asks for a new
 //     search when it has left its margin (mover_predict);
@@ -71,27 +71,27 @@ void Step::loadSearch(const LoadKernel& load)
 {
     const Defines place = settings_.solver == SolverKind::Paper ? Defines{{"FROM_POSITIONS", "1"}} : Defines{};
     const Defines lists = {{"LISTS", "1"}};
-    findDue_ = load("find_due", {});
-    moverReach_ = load("mover_reach", {});
-    fastDue_ = load("fast_due", {});
-    foundPlace_ = load("found_place", place);
-    gridClear_ = load("grid_clear", {});
-    gridCount_ = load("grid_count", {});
-    gridSum_ = load("scan_sum", {});
-    gridChunks_ = load("scan_chunks", {});
-    gridStart_ = load("grid_start", {});
-    gridScatter_ = load("grid_scatter", {});
-    gridOrder_ = load("grid_order", {});
-    contactFind_ = load("contact_find", {});
-    contactFindFar_ = load("contact_find_far", {});
-    colliderNear_ = load("collider_near", {});
-    colliderFind_ = load("collider_find", {});
-    listSum_ = load("scan_sum", lists);
-    listChunks_ = load("scan_chunks", lists);
-    listStart_ = load("list_start", lists);
-    pairList_ = load("pair_list", {});
-    pairWrite_ = load("pair_write", {});
-    colliderWrite_ = load("collider_write", {});
+    findDue_ = load("search/find_due", {});
+    moverReach_ = load("search/mover_reach", {});
+    fastDue_ = load("search/fast_due", {});
+    foundPlace_ = load("search/found_place", place);
+    gridClear_ = load("search/grid_clear", {});
+    gridCount_ = load("search/grid_count", {});
+    gridSum_ = load("search/scan_sum", {});
+    gridChunks_ = load("search/scan_chunks", {});
+    gridStart_ = load("search/grid_start", {});
+    gridScatter_ = load("search/grid_scatter", {});
+    gridOrder_ = load("search/grid_order", {});
+    contactFind_ = load("search/contact_find", {});
+    contactFindFar_ = load("search/contact_find_far", {});
+    colliderNear_ = load("search/collider_near", {});
+    colliderFind_ = load("search/collider_find", {});
+    listSum_ = load("search/scan_sum", lists);
+    listChunks_ = load("search/scan_chunks", lists);
+    listStart_ = load("search/list_start", lists);
+    pairList_ = load("search/pair_list", {});
+    pairWrite_ = load("contact/pair_write", {});
+    colliderWrite_ = load("contact/collider_write", {});
 }
 
 void Step::loadImpulseSolver(const LoadKernel& load)
@@ -102,46 +102,46 @@ void Step::loadImpulseSolver(const LoadKernel& load)
         loose.push_back({"LOOSE", "1"});
         return ForMovers{load(name, bodies), load(name, loose)};
     };
-    moverPredict_ = loadForMovers("mover_predict", {});
-    if (buffers_.hasOthers) impulseClear_ = load("impulse_clear", {});
-    moverWarm_ = load("mover_solve", {{"WARM", "1"}});
-    contactSolve_ = load("contact_solve", {});
-    colliderSolve_ = load("collider_solve", {});
-    jointSolveFirst_ = load("joint_solve", {{"FIRST", "1"}});
-    jointSolve_ = load("joint_solve", {});
-    jointSolveManyFirst_ = load("joint_solve_many", {{"FIRST", "1"}});
-    jointSolveMany_ = load("joint_solve_many", {});
-    moverSolve_ = loadForMovers("mover_solve", buffers_.hasOthers ? Defines{{"OTHERS", "1"}} : Defines{});
-    moverFinish_ = loadForMovers("mover_finish", {});
-    particlePlace_ = load("particle_place", {});
-    jointPlace_ = load("joint_place", {});
+    moverPredict_ = loadForMovers("body/mover_predict", {});
+    if (buffers_.hasOthers) impulseClear_ = load("contact/impulse_clear", {});
+    moverWarm_ = load("body/mover_solve", {{"WARM", "1"}});
+    contactSolve_ = load("contact/contact_solve", {});
+    colliderSolve_ = load("contact/collider_solve", {});
+    jointSolveFirst_ = load("joint/joint_solve", {{"FIRST", "1"}});
+    jointSolve_ = load("joint/joint_solve", {});
+    jointSolveManyFirst_ = load("joint/joint_solve_many", {{"FIRST", "1"}});
+    jointSolveMany_ = load("joint/joint_solve_many", {});
+    moverSolve_ = loadForMovers("body/mover_solve", buffers_.hasOthers ? Defines{{"OTHERS", "1"}} : Defines{});
+    moverFinish_ = loadForMovers("body/mover_finish", {});
+    particlePlace_ = load("body/particle_place", {});
+    jointPlace_ = load("joint/joint_place", {});
     if (buffers_.hasBounces) loadBounces(load);
     if (buffers_.parameters.clusterCount > 0) soft_.emplace(load, buffers_);
 }
 
 void Step::loadBounces(const LoadKernel& load)
 {
-    contactCollide_ = load("contact_bounce", {{"FIRST", "1"}});
-    colliderCollide_ = load("collider_bounce", {{"FIRST", "1"}});
-    contactBounce_ = load("contact_bounce", {});
-    colliderBounce_ = load("collider_bounce", {});
-    contactBounceEagerly_ = load("contact_bounce", {{"EAGER", "1"}});
-    colliderBounceEagerly_ = load("collider_bounce", {{"EAGER", "1"}});
-    moverBounce_ = load("mover_bounce", {});
+    contactCollide_ = load("restitution/contact_bounce", {{"FIRST", "1"}});
+    colliderCollide_ = load("restitution/collider_bounce", {{"FIRST", "1"}});
+    contactBounce_ = load("restitution/contact_bounce", {});
+    colliderBounce_ = load("restitution/collider_bounce", {});
+    contactBounceEagerly_ = load("restitution/contact_bounce", {{"EAGER", "1"}});
+    colliderBounceEagerly_ = load("restitution/collider_bounce", {{"EAGER", "1"}});
+    moverBounce_ = load("restitution/mover_bounce", {});
 }
 
 void Step::loadSleep(const LoadKernel& load)
 {
     if (settings_.freeze > 0.0f) {
-        freezeMover_ = load("freeze_mover", {});
-        freezeSettle_ = load("freeze_settle", {});
+        freezeMover_ = load("sleep/freeze_mover", {});
+        freezeSettle_ = load("sleep/freeze_settle", {});
     } else {
-        sleepMover_ = load("sleep_mover", {});
-        sleepPair_ = load("sleep_pair", {});
-        sleepSettle_ = load("sleep_settle", {});
+        sleepMover_ = load("sleep/sleep_mover", {});
+        sleepPair_ = load("sleep/sleep_pair", {});
+        sleepSettle_ = load("sleep/sleep_settle", {});
     }
-    sleepWake_ = load("sleep_wake", {});
-    sleepRouse_ = load("sleep_rouse", {});
+    sleepWake_ = load("sleep/sleep_wake", {});
+    sleepRouse_ = load("sleep/sleep_rouse", {});
 }
 
 void Step::settle(KernelTimer& timer) const

@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "sim/solver/fluid_pool.h"
-#include "sim/solver/fluid_step.h"
-#include "sim/solver/paper_step.h"
-#include "sim/solver/soft_step.h"
-#include "sim/solver/strand_step.h"
+#include "sim/solver/fluid/fluid_pool.h"
+#include "sim/solver/fluid/fluid_step.h"
+#include "sim/solver/paper/paper_step.h"
+#include "sim/solver/soft/soft_step.h"
+#include "sim/solver/rope/strand_step.h"
 
 namespace knuckle {
 

@@ -4,16 +4,16 @@
 #include <bit>
 #include <cmath>
 
-#include "sim/solver/body_mass.h"
+#include "sim/solver/body/body_mass.h"
 #include "sim/solver/buffers.h"
 #include "sim/solver/pack.h"
 #include "sim/solver/upload_colliders.h"
-#include "sim/solver/upload_fluid.h"
-#include "sim/solver/upload_movers.h"
-#include "sim/solver/upload_paper.h"
-#include "sim/solver/upload_pool.h"
-#include "sim/solver/upload_soft.h"
-#include "sim/solver/upload_strands.h"
+#include "sim/solver/fluid/upload_fluid.h"
+#include "sim/solver/body/upload_movers.h"
+#include "sim/solver/paper/upload_paper.h"
+#include "sim/solver/fluid/upload_pool.h"
+#include "sim/solver/soft/upload_soft.h"
+#include "sim/solver/rope/upload_strands.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <map>
 
-#include "app/model_file.h"
+#include "app/files/model_file.h"
 #include "sim/actor/articulate.h"
 
 namespace knuckle {

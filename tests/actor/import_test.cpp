@@ -6,7 +6,7 @@
 #include <fstream>
 #include <functional>
 
-#include "app/model_file.h"
+#include "app/files/model_file.h"
 #include "sim/actor/articulate.h"
 #include "sim/actor/child_process.h"
 #include "sim/actor/humanoid.h"

@@ -1,13 +1,13 @@
-#include "app/actor_file.h"
+#include "app/files/actor_file.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <random>
 
-#include "app/actor_table.h"
-#include "app/joints_file.h"
-#include "app/scene_file.h"
+#include "app/commands/actor_table.h"
+#include "app/files/joints_file.h"
+#include "app/scene/scene_file.h"
 #include "sim/world/errors.h"
 #include "tests/temp_folder.h"
 

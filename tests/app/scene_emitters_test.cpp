@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/scene_file.h"
+#include "app/scene/scene_file.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {

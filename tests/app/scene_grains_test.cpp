@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/scene_file.h"
+#include "app/scene/scene_file.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {

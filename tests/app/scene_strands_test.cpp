@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/scene_file.h"
+#include "app/scene/scene_file.h"
 #include "sim/world/errors.h"
 #include "tests/temp_folder.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/scene_file.h"
-#include "app/scene_parts.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_parts.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {

@@ -1,8 +1,8 @@
-#include "app/schema.h"
+#include "app/schema/schema.h"
 
 #include <gtest/gtest.h>
 
-#include "app/scene_fields.h"
+#include "app/scene/scene_fields.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "app/json.h"
+#include "app/files/json.h"
 #include "render/image.h"
 #include "tests/cli/cli_test.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "app/film_run.h"
+#include "app/commands/film_run.h"
 #include "shared/gpu_types.h"
 #include "tests/temp_folder.h"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/table2_world.h"
+#include "app/commands/table2_world.h"
 #include "physics_test.h"
 #include "sim/world/joints.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/scene_file.h"
+#include "app/scene/scene_file.h"
 #include "sim/solver/solver.h"
 #include "tests/render/golden.h"
 #include "tests/render/render_fixture.h"

@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/table2_world.h"
+#include "app/commands/table2_world.h"
 #include "sim/solver/solver.h"
 #include "sim/world/cloth.h"
 #include "sim/world/rope.h"
-#include "solver_test.h"
+#include "tests/solver/solver_test.h"
 
 namespace knuckle::test {
 

@@ -1,6 +1,6 @@
 #include <cstddef>
 
-#include "solver_test.h"
+#include "tests/solver/solver_test.h"
 
 namespace knuckle::test {
 
@@ -82,7 +82,7 @@ const std::vector<Member> LINK = {
 TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
 {
     Bench bench(mixedWorld());
-    expectMembers(bench.load("predict"), GL_UNIFORM_BLOCK, "Step", "step.", {
+    expectMembers(bench.load("paper/predict"), GL_UNIFORM_BLOCK, "Step", "step.", {
         MEMBER(StepParameters, gravity), MEMBER(StepParameters, particleCount), MEMBER(StepParameters, bodyCount),
         MEMBER(StepParameters, linkCount), MEMBER(StepParameters, colliderCount),
         MEMBER(StepParameters, contactSlots), MEMBER(StepParameters, cellMask), MEMBER(StepParameters, cellStrideY),
@@ -118,14 +118,14 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
 TEST(Layout, CountersAreTheHostsStruct)
 {
     Bench bench(mixedWorld());
-    const Kernel kernel = bench.load("collider_find");
+    const Kernel kernel = bench.load("search/collider_find");
     expectArray(kernel, "CountersBlock", "counters", sizeof(gpu::Counters), COUNTERS);
 }
 
 TEST(Layout, EmittersAreTheHostsStructs)
 {
     Bench bench(mixedWorld());
-    const Kernel kernel = bench.load("fluid_pool", {{"POOL", "1"}});
+    const Kernel kernel = bench.load("fluid/fluid_pool", {{"POOL", "1"}});
     expectArray(kernel, "Emitters", "emitters", sizeof(gpu::GpuEmitter), EMITTER);
     expectArray(kernel, "EmitterStates", "emitterStates", sizeof(gpu::EmitterState), EMITTER_STATE);
 }
@@ -134,7 +134,7 @@ TEST(Layout, StructsThatKernelsReadAsTexelsAreTheHostsStructs)
 {
     // No kernel declares these as storage buffers: this one does.
     std::filesystem::create_directories(shaderFolder().path("sim"));
-    shaderFolder().write("sim/test_layout.comp", R"(#include "shared/kernel.glsl"
+    shaderFolder().write("sim/test_layout.comp", R"(#include "sim/common/kernel.glsl"
 layout(local_size_x = 1) in;
 BUFFER(ParticleRigidBodyLink, Links, links);
 BUFFER(ParticleInfo, ParticleInfos, infos);

@@ -2,7 +2,7 @@
 
 #include "sim/gpu/program.h"
 #include "sim/world/errors.h"
-#include "solver_test.h"
+#include "tests/solver/solver_test.h"
 
 namespace knuckle::test {
 
@@ -74,10 +74,10 @@ TEST(ShaderSource, TranslatesTheLogsOfMesaAndNvidia)
 TEST(ShaderSource, TheFolderOverridesTheProgramsOwnFilesOneByOne)
 {
     TempFolder folder;
-    std::filesystem::create_directories(folder.path("shared"));
-    folder.write("shared/kernel.glsl", "// ours\n");
-    const std::string overridden = ShaderSource(folder.path()).resolve("sim/grid_clear.comp").text;
-    const std::string own = ShaderSource().resolve("sim/grid_clear.comp").text;
+    std::filesystem::create_directories(folder.path("sim/common"));
+    folder.write("sim/common/kernel.glsl", "// ours\n");
+    const std::string overridden = ShaderSource(folder.path()).resolve("sim/search/grid_clear.comp").text;
+    const std::string own = ShaderSource().resolve("sim/search/grid_clear.comp").text;
     EXPECT_EQ(occurrences(overridden, "// ours"), 1u);
     EXPECT_EQ(occurrences(overridden, "StepParameters"), 0u);
     EXPECT_EQ(occurrences(overridden, "void main()"), 1u) << "the kernel itself is the program's";
@@ -102,7 +102,7 @@ TEST(Program, AnErrorInAnIncludedFileNamesThatFileAndLine)
 
 TEST(Program, AnErrorAfterAnIncludeNamesTheLineOfTheFileItself)
 {
-    shaderFolder().write("late.comp", "#include \"shared/kernel.glsl\"\nlayout(local_size_x = 1) in;\n"
+    shaderFolder().write("late.comp", "#include \"sim/common/kernel.glsl\"\nlayout(local_size_x = 1) in;\n"
                                       "void main()\n{\n    missing();\n}\n");
     const std::string message = compileError("late.comp");
     EXPECT_NE(message.find("shaders/late.comp:5"), std::string::npos) << message;
@@ -111,7 +111,7 @@ TEST(Program, AnErrorAfterAnIncludeNamesTheLineOfTheFileItself)
 TEST(Kernel, ABufferThatTheSolverDoesNotHaveIsNamedWithItsKernel)
 {
     std::filesystem::create_directories(shaderFolder().path("sim"));
-    const std::string head = "#include \"shared/kernel.glsl\"\nlayout(local_size_x = 1) in;\n";
+    const std::string head = "#include \"sim/common/kernel.glsl\"\nlayout(local_size_x = 1) in;\n";
     shaderFolder().write("sim/stores.comp", head + "BUFFER(uint, Marbles, marbles);\n"
                                                    "void main() { marbles[0] = step.particleCount; }\n");
     shaderFolder().write("sim/reads.comp", head + "BUFFER(uint, CellCounts, cellCounts);\n"

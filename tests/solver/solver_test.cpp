@@ -1,4 +1,4 @@
-#include "solver_test.h"
+#include "tests/solver/solver_test.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,33 +126,33 @@ void Bench::setFound(const std::vector<gpu::vec4>& places)
 void Bench::fillGrid(const Defines& defines)
 {
     const uint32_t cells = buffers.parameters.cellMask + 1;
-    run("grid_clear", cells);
-    forParticles("grid_count", defines);
-    run("scan_sum", cells / SCAN_CHUNK);
-    run("scan_chunks", 1);
-    run("grid_start", cells / SCAN_CHUNK);
-    forParticles("grid_scatter");
-    forParticles("grid_order");
+    run("search/grid_clear", cells);
+    forParticles("search/grid_count", defines);
+    run("search/scan_sum", cells / SCAN_CHUNK);
+    run("search/scan_chunks", 1);
+    run("search/grid_start", cells / SCAN_CHUNK);
+    forParticles("search/grid_scatter");
+    forParticles("search/grid_order");
 }
 
 void Bench::findPairs(GridKind grid)
 {
     const Defines defines = gridDefines(grid);
     fillGrid(defines);
-    forParticles("contact_find", defines);
-    run("contact_find_far", counters().fastListed, defines);
+    forParticles("search/contact_find", defines);
+    run("search/contact_find_far", counters().fastListed, defines);
 }
 
 void Bench::fillLists()
 {
     const Defines lists = {{"LISTS", "1"}};
     const uint32_t chunks = 3 * buffers.parameters.particleCount / SCAN_CHUNK + 1;
-    run("scan_sum", chunks, lists);
-    run("scan_chunks", 1, lists);
-    run("list_start", chunks, lists);
-    forParticles("pair_list");
-    run("pair_write", counters().pairCount);
-    run("collider_write", counters().colliderPairCount);
+    run("search/scan_sum", chunks, lists);
+    run("search/scan_chunks", 1, lists);
+    run("search/list_start", chunks, lists);
+    forParticles("search/pair_list");
+    run("contact/pair_write", counters().pairCount);
+    run("contact/collider_write", counters().colliderPairCount);
 }
 
 void Bench::turnHalves()

@@ -1,8 +1,8 @@
 #include "sim/solver/workload.h"
 
-#include "app/table2_world.h"
+#include "app/commands/table2_world.h"
 #include "sim/solver/solver.h"
-#include "solver_test.h"
+#include "tests/solver/solver_test.h"
 
 namespace knuckle::test {
 

@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands/commands.h"
+#include "app/commands/counted.h"
+#include "app/scene/scene_file.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+int check(const std::vector<std::string>& paths, const std::vector<Override>& overrides, bool quiet)
+{
+    int code = EXIT_FINE;
+    for (const std::string& path : paths) {
+        try {
+            const Scene scene = loadScene(path, overrides);
+            if (quiet) continue;
+            const World& world = scene.world;
+            fmt::print("{}: {}, {}, {}, {}, {:g} s ({})\n", path, counted(world.particles.size(), "particle"),
+                       counted(world.bodies.size(), "body", "bodies"), counted(world.joints.size(), "joint"),
+                       counted(world.colliders.size(), "collider"), scene.duration,
+                       counted(scene.frameCount(), "frame"));
+        } catch (const InputError& error) {
+            // Told here, so that one bad scene does not hide what is wrong with the next.
+            fmt::print(stderr, "knuckle: {}\n", error.what());
+            code = EXIT_INPUT;
+        }
+    }
+    return code;
+}
+
+}  // namespace
+
+void addCheckCommand(CommandLine line)
+{
+    auto* command = line.program.add_subcommand("check", "Check scene files without running them; needs no GPU");
+    command->fallthrough();
+    command->footer("Prints a line for each scene: particles, bodies, joints, colliders, duration.\n"
+                    "Exit code 2 when one of them is wrong; all are checked.\n\nExample:\n"
+                    "  knuckle check assets/scenes/*.json");
+    auto paths = std::make_shared<std::vector<std::string>>();
+    auto sets = std::make_shared<std::vector<std::string>>();
+    command->add_option("SCENE", *paths, "Scene files")->required();
+    command->add_option("--set", *sets, "Change a field first, as of `knuckle render`")->type_name("PATH=VALUE")
+        ->take_all()->allow_extra_args(false);
+    command->callback([=] {
+        line.chosen = [=] {
+            std::vector<Override> overrides;
+            for (const std::string& text : *sets) overrides.push_back(parseOverride(text));
+            return check(*paths, overrides, line.common.quiet);
+        };
+    });
+}
+
+}  // namespace knuckle

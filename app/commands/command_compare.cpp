@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands/commands.h"
+#include "render/image.h"
+
+namespace knuckle {
+
+namespace {
+
+struct CompareOptions {
+    std::string first, second, difference;
+    uint32_t threshold = 8;
+    double maxChanged = 0.001;
+};
+
+int compare(const CompareOptions& options, bool quiet)
+{
+    const Image first = readImage(options.first), second = readImage(options.second);
+    const ImageDifference result = compareImages(first, second, options.threshold);
+    const bool different = result.changedShare > options.maxChanged;
+    if (!options.difference.empty()) writePng(options.difference, result.picture);
+    if (!quiet) {
+        fmt::print("{}: {:.4f} % of the pixels differ by more than {} of 255 (allowed {:.4f} %), mean {:.4f}, "
+                   "worst {}\n",
+                   different ? "different" : "equal", 100.0 * result.changedShare, options.threshold,
+                   100.0 * options.maxChanged, result.meanAbsolute, result.worst);
+    }
+    return different ? EXIT_DIFFERENT : EXIT_FINE;
+}
+
+}  // namespace
+
+void addCompareCommand(CommandLine line)
+{
+    auto* command = line.program.add_subcommand("compare", "Compare two images; exit code 4 when they differ");
+    command->fallthrough();
+    command->footer("Two drivers round differently at edges, so a few pixels may differ by more than the threshold.\n\n"
+                    "Example:\n  knuckle compare golden.png out/hello/frame_0060.png --difference difference.png");
+    auto options = std::make_shared<CompareOptions>();
+    command->add_option("A", options->first, "An image")->required();
+    command->add_option("B", options->second, "An image of the same size")->required();
+    command->add_option("--threshold", options->threshold, "A pixel has changed when a channel differs by more, 0-255")
+        ->check(CLI::Range(0, 255))->capture_default_str();
+    command->add_option("--max-changed", options->maxChanged, "Share of changed pixels that still counts as equal, 0-1")
+        ->check(CLI::Range(0.0, 1.0))->capture_default_str();
+    command->add_option("--difference", options->difference, "Write a picture of the difference")->type_name("OUT.png");
+    command->callback([=] { line.chosen = [=] { return compare(*options, line.common.quiet); }; });
+}
+
+}  // namespace knuckle

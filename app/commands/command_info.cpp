@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands/commands.h"
+
+namespace knuckle {
+
+namespace {
+
+void printDevices(const std::vector<DeviceInfo>& devices)
+{
+    if (devices.empty()) fmt::print("EGL lists no device.\n");
+    for (const DeviceInfo& device : devices) {
+        fmt::print("{}  {:<8}  {}\n", device.index, device.software ? "software" : "gpu", device.name);
+        fmt::print("   {}\n", device.problem.empty() ? device.version : "cannot be used: " + device.problem);
+    }
+}
+
+/// What each run weighs when it chooses.
+void printThreads()
+{
+    if (const std::string set = driverThreadsSetting(); !set.empty()) {
+        fmt::print("  threads                     {} ({} is set)\n", set, DRIVER_THREADS_VARIABLE);
+        return;
+    }
+    const uint32_t cores = usableCores();
+    if (cores == 1) fmt::print("  threads                     none: there is one core\n");
+    else fmt::print("  threads                     {} or none, what is faster for the scene (see --stats); waking them "
+                    "takes {:.3f} ms a pass\n", cores, wakeTime(cores));
+}
+
+int info(const CommonOptions& common)
+{
+    fmt::print("knuckle {}\n\nDevices:\n", KNUCKLE_VERSION);
+    printDevices(listDevices());
+    const auto gpu = openGpu(common);
+    const DeviceLimits& limits = gpu->limits();
+    fmt::print("\n--device {} takes {}: {} ({})\n", common.device, gpu->device().index, gpu->device().name,
+               gpu->device().version);
+    fmt::print("  largest storage buffer      {} MiB\n", limits.storageBlockSize >> 20);
+    fmt::print("  storage buffers a kernel    {}\n", limits.computeStorageBlocks);
+    fmt::print("  largest buffer texture      {} texels\n", limits.textureBufferSize);
+    fmt::print("  largest texture             {} pixels\n", limits.textureSize);
+    fmt::print("  work groups a dispatch      {}\n", limits.workGroupCountX);
+    if (gpu->device().software) printThreads();
+    return EXIT_FINE;
+}
+
+}  // namespace
+
+void addInfoCommand(CommandLine line)
+{
+    auto* command = line.program.add_subcommand("info", "List the devices, and the limits of the chosen one");
+    command->fallthrough();
+    command->footer("Exit code 3, with the reason, when no device can be used.");
+    command->callback([=] { line.chosen = [=] { return info(line.common); }; });
+}
+
+}  // namespace knuckle

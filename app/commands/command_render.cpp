@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+
+#include "app/commands/commands.h"
+#include "app/commands/film_run.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+struct RenderOptions {
+    std::string scene, frames, size;
+    double framesPerSecond = 0.0;
+    std::vector<std::string> outputs, sets, exports;
+    FilmOptions film;
+};
+
+/// "640x360" as two overrides, so that the schema checks the range.
+void addSize(const std::string& text, std::vector<Override>& overrides)
+{
+    const size_t cross = text.find('x');
+    const std::string width = text.substr(0, cross), height = cross == std::string::npos ? "" : text.substr(cross + 1);
+    for (const std::string& side : {width, height}) {
+        if (!side.empty() && side.size() < 9 && side.find_first_not_of("0123456789") == std::string::npos) continue;
+        throw InputError(fmt::format("--size {}: must be WIDTHxHEIGHT in pixels, for instance 1280x720", text));
+    }
+    overrides.push_back({"render.width", std::stoul(width)});
+    overrides.push_back({"render.height", std::stoul(height)});
+}
+
+void readExports(const std::vector<std::string>& exports, FilmOptions& film)
+{
+    const std::map<std::string, std::string*> kinds{
+        {"ply", &film.plyFolder}, {"bodies", &film.bodyTable}, {"measures", &film.measureTable}};
+    for (const std::string& text : exports) {
+        const size_t equals = text.find('=');
+        const std::string kind = text.substr(0, equals);
+        const std::string path = equals == std::string::npos ? "" : text.substr(equals + 1);
+        const auto found = kinds.find(kind);
+        if (path.empty() || found == kinds.end()) {
+            throw InputError(fmt::format("--export {}: must be ply=FOLDER, bodies=FILE.csv or measures=FILE.csv",
+                                         text));
+        }
+        *found->second = path;
+    }
+}
+
+std::string defaultOutput(const Scene& scene)
+{
+    std::string name = scene.name;
+    std::replace(name.begin(), name.end(), '/', '_');
+    return "out/" + (name.starts_with('.') ? "scene" + name : name);
+}
+
+int renderScene(const RenderOptions& options, const CommonOptions& common)
+{
+    FilmOptions film = options.film;
+    std::vector<Override> overrides;
+    for (const std::string& text : options.sets) overrides.push_back(parseOverride(text));
+    if (!options.size.empty()) addSize(options.size, overrides);
+    if (options.framesPerSecond != 0.0) overrides.push_back({"fps", options.framesPerSecond});
+    if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
+    readExports(options.exports, film);
+    const Scene scene = loadScene(options.scene, overrides);
+    film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
+    runFilm(scene, film, common);
+    return EXIT_FINE;
+}
+
+constexpr const char* NOTES =
+    "Frame 1 shows time 0. --frames 100:120 simulates up to frame 100 without drawing. -o may be given more than\n"
+    "once, for frames and a film of the same run; a film needs the program ffmpeg.\n"
+    "Ctrl-C finishes the frame and stops.\n\n"
+    "--export ply=DIR        per frame: id, position, velocity, body and material of each particle, binary PLY\n"
+    "--export bodies=FILE    frame, body, object, name, position, quaternion, velocity, angular velocity, CSV\n"
+    "--export measures=FILE  per frame: contacts, penetration, joint gaps, rigidity, strain, density, energy, CSV\n"
+    "--stats FILE            JSON: device, passes with ms, particles, how deep contacts are, how far joints gape,\n"
+    "                        density of fluids, strain of soft bodies, stretch of ropes and cloth, energy\n"
+    "docs/output.md has every property, column and key.\n\n"
+    "Examples:\n"
+    "  knuckle render assets/scenes/hello.json --size 640x360\n"
+    "  knuckle render assets/scenes/pile.json -o pile.mp4 --set solver.substeps=8 --stats pile.stats.json\n"
+    "  knuckle render assets/scenes/ragdoll.json --frames 100:120 --export ply=out/particles";
+
+}  // namespace
+
+void addRenderCommand(CommandLine line)
+{
+    auto* command = line.program.add_subcommand("render", "Simulate a scene and write its frames or a film");
+    command->fallthrough();
+    command->footer(NOTES);
+    auto options = std::make_shared<RenderOptions>();
+    command->add_option("SCENE", options->scene, "A scene file, see docs/scene.md")->required();
+    // One value for each time the option is given, so that the scene may follow it.
+    using Words = std::vector<std::string>;
+    const auto list = [command](const char* name, Words& values, const char* words, const char* type) {
+        command->add_option(name, values, words)->type_name(type)->take_all()->allow_extra_args(false);
+    };
+    list("-o,--output", options->outputs, "A folder for PNG frames, or a film ending in .mp4 [out/NAME]",
+         "DIR|film.mp4");
+    command->add_option("--frames", options->frames, "First and last frame to draw [all]")->type_name("A:B");
+    command->add_option("--size", options->size, "Pixels of a frame [the scene's, 1280x720]")->type_name("WxH");
+    command->add_option("--fps", options->framesPerSecond, "Frames per second [the scene's, 60]")->type_name("N")
+        ->check(CLI::Range(10.0, 480.0));
+    list("--set", options->sets, "Change a field of the scene, for instance solver.substeps=8", "PATH=VALUE");
+    command->add_option("--stats", options->film.stats, "Write figures of the run")->type_name("FILE");
+    list("--export", options->exports, "Write particles, bodies or measures of each frame", "KIND=PATH");
+    command->add_flag("--hash", options->film.hash, "Print the hash of the last state");
+    command->callback([=] { line.chosen = [=] { return renderScene(*options, line.common); }; });
+}
+
+}  // namespace knuckle

@@ -1,0 +1,28 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands/commands.h"
+#include "app/schema/schema.h"
+
+namespace knuckle {
+
+void addSchemaCommand(CommandLine line)
+{
+    auto* command = line.program.add_subcommand("schema", "Print the JSON Schema (draft 7) of scene files");
+    command->fallthrough();
+    auto document = std::make_shared<std::string>("scene");
+    auto markdown = std::make_shared<bool>(false);
+    command->add_option("DOCUMENT", *document, "Which: scene, actor (actor files), joints (joint overrides)")
+        ->check(CLI::IsMember({"scene", "actor", "joints"}))->capture_default_str();
+    command->add_flag("--markdown", *markdown, "As a page of tables, docs/scene.md");
+    command->callback([=] {
+        line.chosen = [=] {
+            const Schema schema(*document + ".schema.json");
+            fmt::print("{}", *markdown ? schemaMarkdown(schema) : std::string(schema.text()));
+            return EXIT_FINE;
+        };
+    });
+}
+
+}  // namespace knuckle

@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "app/files/actor_file.h"
+#include "app/commands/actor_table.h"
+#include "app/commands/commands.h"
+#include "app/files/joints_file.h"
+#include "app/files/output.h"
+#include "render/renderer.h"
+#include "sim/actor/articulate.h"
+#include "sim/solver/solver.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+struct VoxelizeOptions {
+    std::string model, output, joints, preview;
+    double diameter = 0.0, scale = 0.0;
+    uint32_t particles = 0;
+};
+
+/// The actor in its rest pose on a ground plane, shared particles red.
+World previewWorld(const Actor& actor)
+{
+    WorldBuilder builder(0.5f * actor.diameter);
+    const uint32_t material = builder.addMaterial({});
+    Collider ground;
+    float lowest = actor.particles.front().y();
+    for (const Vector3f& position : actor.particles) lowest = std::min(lowest, position.y());
+    ground.position.y() = lowest - 0.5f * actor.diameter;
+    builder.addCollider(ground);
+    addActor(builder, actor, material, {});
+    return builder.build();
+}
+
+void writePreview(const std::string& path, const Actor& actor, const CommonOptions& common)
+{
+    const World world = previewWorld(actor);
+    RenderSettings settings;
+    settings.highlightJoints = true;
+    const auto gpu = openGpu(common, drawingWorkload(settings));
+    Solver solver(*gpu, world);
+    Renderer renderer(*gpu, world, settings);
+    renderer.draw(solver.view(), 0.0);
+    writePng(path, renderer.readImage());
+}
+
+int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
+{
+    for (const std::string& path : {options.output, options.preview}) {
+        if (!path.empty()) OutputFile probe(path);
+    }
+    ImportOptions import;
+    import.scale = options.scale;
+    import.clips = false;
+    ActorOptions actorOptions;
+    actorOptions.voxels.diameter = static_cast<float>(options.diameter);
+    actorOptions.voxels.particleCount = options.particles;
+    if (!options.joints.empty()) readJoints(options.joints, actorOptions.articulation);
+    const Actor actor = makeActor(importModel(options.model, import), actorOptions);
+    if (!common.quiet) fmt::print("{}", actorTable(actor));
+    if (!options.output.empty()) writeActor(options.output, actor);
+    if (!options.preview.empty()) writePreview(options.preview, actor, common);
+    return EXIT_FINE;
+}
+
+}  // namespace
+
+void addVoxelizeCommand(CommandLine line)
+{
+    auto* command = line.program.add_subcommand("voxelize", "Fill a rigged model with particles, as a ragdoll");
+    command->fallthrough();
+    command->footer(
+        "Reads glTF, FBX, Collada, BVH and what else assimp knows. Prints a table of the bodies, their particles and\n"
+        "joints, and what was merged and why. Without --diameter or --particles, 3 % of the longest side.\n\n"
+        "Examples:\n"
+        "  knuckle voxelize model.glb                               print the table only\n"
+        "  knuckle voxelize model.glb -o actor.json --particles 3000 --preview actor.png\n"
+        "  knuckle schema joints                                    the format of --joints");
+    auto options = std::make_shared<VoxelizeOptions>();
+    command->add_option("MODEL", options->model, "The rigged model")->required();
+    command->add_option("-o,--output", options->output, "Write the actor here")->type_name("actor.json");
+    auto* diameter = command->add_option("--diameter", options->diameter, "Diameter of a particle [m]")
+        ->check(CLI::Range(0.001, 10.0))->type_name("M");
+    command->add_option("--particles", options->particles, "As many particles as this, or nearly")
+        ->check(CLI::Range(4, 200000))->type_name("N")->excludes(diameter);
+    command->add_option("--joints", options->joints, "Joint types that override those from the bones' names")
+        ->type_name("FILE");
+    command->add_option("--scale", options->scale, "Metres per unit of the model; 0: as the file says, else guessed")
+        ->check(CLI::Range(0.0, 1e6))->capture_default_str()->type_name("M");
+    command->add_option("--preview", options->preview, "Draw the actor, shared particles red")->type_name("actor.png");
+    command->callback([=] { line.chosen = [=] { return voxelizeFile(*options, line.common); }; });
+}
+
+}  // namespace knuckle

@@ -1,0 +1,222 @@
+#include "app/commands/film_run.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <optional>
+
+#include "app/commands/counted.h"
+#include "app/files/export.h"
+#include "app/commands/interrupt.h"
+#include "app/commands/progress.h"
+#include "render/frame_sink.h"
+#include "render/renderer.h"
+#include "render/temporary_file.h"
+#include "sim/solver/workload.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Adds the time until the end of its scope to `sum` [s].
+class Stopwatch {
+public:
+    explicit Stopwatch(double& sum) : sum_(sum) {}
+    ~Stopwatch() { sum_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+    double& sum_;
+    Clock::time_point start_ = Clock::now();
+};
+
+/// Everything that is written, opened before the first step so that nothing is simulated in vain.
+struct Outputs {
+    std::vector<std::unique_ptr<FrameSink>> sinks;
+    std::optional<BodyTable> bodies;
+    std::optional<MeasureTable> measures;
+    std::optional<OutputFile> stats;
+    std::string plyFolder;
+
+    Outputs(const Scene& scene, const FilmOptions& options) : plyFolder(options.plyFolder)
+    {
+        for (const std::string& path : options.outputs) sinks.push_back(openSink(path, scene));
+        if (!plyFolder.empty()) requireWritableFolder(plyFolder);
+        if (!options.bodyTable.empty()) bodies.emplace(options.bodyTable);
+        if (!options.measureTable.empty()) measures.emplace(options.measureTable);
+        if (!options.stats.empty()) stats.emplace(options.stats);
+    }
+
+    static std::unique_ptr<FrameSink> openSink(const std::string& path, const Scene& scene)
+    {
+        const std::string ending = std::filesystem::path(path).extension().string();
+        for (const char* film : {".mp4", ".mov", ".mkv"}) {
+            if (ending != film) continue;
+            return filmSink(path, scene.render.width, scene.render.height, scene.framesPerSecond);
+        }
+        for (const char* other : {".avi", ".webm", ".gif", ".mpg", ".png", ".jpg"}) {
+            if (ending != other) continue;
+            throw InputError(fmt::format("-o {}: films are written as .mp4, frames into a folder; name one of "
+                                         "them", path));
+        }
+        return pngSink(path);
+    }
+};
+
+/// One run from the first step to the last frame.
+class FilmRun {
+public:
+    FilmRun(const Scene& scene, const FilmOptions& options, const CommonOptions& common)
+        : scene_(scene), options_(options), range_(clampRange(scene, options.frames)), outputs_(scene, options),
+          gpu_(openGpu(common, workload())), solver_(*gpu_, scene.world),
+          progress_("frame", range_.last, common.quiet)
+    {
+        if (!outputs_.sinks.empty()) renderer_.emplace(*gpu_, scene.world, scene.render);
+        if (outputs_.stats) {
+            solver_.timePasses();
+            if (renderer_) renderer_->timer().enable(*gpu_);
+        }
+        figures_.device = gpu_->device().name;
+        figures_.driverThreads = gpu_->threads();
+    }
+
+    RunFigures run()
+    {
+        for (uint64_t frame = 1; frame <= range_.last; ++frame) {
+            if (frame > 1) advance(frame);
+            if (frame >= range_.first) takeFrame(frame);
+            else if (renderer_) renderer_->look(solver_.view(), timeOf(frame));
+            interrupt_.check();
+            progress_.update(frame);
+        }
+        fetchPicture();
+        for (const auto& sink : outputs_.sinks) sink->finish();
+        gpu_->checkErrors();
+        figures_.frames = range_.last;
+        figures_.totalSeconds = progress_.seconds();
+        finishTables();
+        return figures_;
+    }
+
+    uint64_t stateHash() { return solver_.stateHash(); }
+
+private:
+    static FrameRange clampRange(const Scene& scene, FrameRange range)
+    {
+        const uint64_t count = scene.frameCount();
+        if (range.last == 0) range.last = count;
+        if (range.first <= range.last && range.last <= count) return range;
+        throw InputError(fmt::format("--frames {}:{}: the scene has frames 1 to {}; choose among them or raise "
+                                     "/duration", range.first, range.last, count));
+    }
+
+    /// Of a frame, on average.
+    Workload workload() const
+    {
+        const double drawn = outputs_.sinks.empty() ? 0.0 : static_cast<double>(range_.last - range_.first + 1);
+        return stepWorkload(scene_.world) * scene_.stepsPerFrame +
+               drawingWorkload(scene_.render) * (drawn / static_cast<double>(range_.last));
+    }
+
+    double timeOf(uint64_t frame) const { return static_cast<double>(frame - 1) / scene_.framesPerSecond; }
+
+    /// With --stats simulating and drawing are told apart, so that each must end before the other begins. Otherwise the
+    /// picture before is read while this frame's steps are under way.
+    void advance(uint64_t frame)
+    {
+        const bool measured = outputs_.stats.has_value();
+        if (measured) fetchPicture();
+        {
+            const Stopwatch watch(figures_.simulationSeconds);
+            for (uint32_t i = 0; i < scene_.stepsPerFrame; ++i) solver_.step();
+            if (measured) solver_.checkCounters(frame);
+        }
+        fetchPicture();
+        if (!measured) solver_.checkCounters(frame);
+        figures_.steps += scene_.stepsPerFrame;
+    }
+
+    void takeFrame(uint64_t frame)
+    {
+        if (renderer_) {
+            const Stopwatch watch(figures_.drawingSeconds);
+            renderer_->draw(solver_.view(), timeOf(frame));
+            waitingFrame_ = frame;
+            ++figures_.drawnFrames;
+        }
+        if (!outputs_.plyFolder.empty()) writePly(outputs_.plyFolder, frame, scene_.world, solver_.readParticles());
+        if (outputs_.bodies) outputs_.bodies->write(frame, scene_.world, solver_.readBodies());
+        if (outputs_.measures) outputs_.measures->write(frame, solver_.measure());
+    }
+
+    /// Hands the picture drawn last to the sinks, once.
+    void fetchPicture()
+    {
+        if (waitingFrame_ == 0) return;
+        const Stopwatch watch(figures_.drawingSeconds);
+        const Image image = renderer_->readImage();
+        renderer_->timer().collect();
+        for (const auto& sink : outputs_.sinks) sink->write(image, waitingFrame_);
+        waitingFrame_ = 0;
+    }
+
+    void finishTables()
+    {
+        if (outputs_.bodies) outputs_.bodies->finish();
+        if (outputs_.measures) outputs_.measures->finish();
+        if (!outputs_.stats) return;
+        outputs_.stats->write(statsText(figures_, scene_.world, solver_, renderer_ ? &renderer_->timer() : nullptr));
+        outputs_.stats->commit();
+    }
+
+    const Scene& scene_;
+    const FilmOptions& options_;
+    FrameRange range_;
+    InterruptGuard interrupt_;
+    Outputs outputs_;
+    std::unique_ptr<Gpu> gpu_;
+    Solver solver_;
+    std::optional<Renderer> renderer_;
+    Progress progress_;
+    RunFigures figures_;
+    uint64_t waitingFrame_ = 0;
+};
+
+}  // namespace
+
+FrameRange FrameRange::parse(const std::string& text)
+{
+    const auto number = [&](const std::string& part, uint64_t missing) {
+        if (part.empty()) return missing;
+        const bool digits = part.size() <= 9 && part.find_first_not_of("0123456789") == std::string::npos;
+        if (!digits || std::stoull(part) == 0) {
+            throw InputError(fmt::format("--frames {}: must be A:B, frames from 1, for instance 1:60", text));
+        }
+        return static_cast<uint64_t>(std::stoull(part));
+    };
+    const size_t colon = text.find(':');
+    if (colon == std::string::npos) return {number(text.empty() ? "?" : text, 0), number(text, 0)};
+    const FrameRange range{number(text.substr(0, colon), 1), number(text.substr(colon + 1), 0)};
+    if (range.last != 0 && range.last < range.first) {
+        throw InputError(fmt::format("--frames {}: the last frame comes before the first; exchange them", text));
+    }
+    return range;
+}
+
+void runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions& common)
+{
+    FilmRun run(scene, options, common);
+    const RunFigures figures = run.run();
+    if (!common.quiet) {
+        fmt::print("{}, {} of them drawn, in {} ({:.1f} frames/s): {}\n", counted(figures.frames, "frame"),
+                   figures.drawnFrames, durationText(figures.totalSeconds),
+                   static_cast<double>(figures.frames) / std::max(1e-9, figures.totalSeconds),
+                   fmt::join(options.outputs, ", "));
+    }
+    if (options.hash) fmt::print("state hash {}\n", hashText(run.stateHash()));
+}
+
+}  // namespace knuckle

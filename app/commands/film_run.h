@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/commands/commands.h"
+#include "app/scene/scene_file.h"
+
+namespace knuckle {
+
+/// First and last frame to draw, from 1.
+struct FrameRange {
+    uint64_t first = 1, last = 0;    ///< last 0: the scene's last.
+
+    /// Reads "A:B", "A:", ":B" or "A". @throws InputError.
+    static FrameRange parse(const std::string& text);
+};
+
+/// What `knuckle render` was asked for beside the scene.
+struct FilmOptions {
+    std::vector<std::string> outputs;     ///< Folders for PNG frames, and .mp4 films.
+    FrameRange frames;
+    std::string stats;                    ///< Empty: none, as below.
+    std::string plyFolder, bodyTable, measureTable;
+    bool hash = false;
+};
+
+/// Simulates the scene and writes its frames, and what else was asked for. Every output is checked first.
+/// @throws InputError, DeviceError, RunError, Interrupted.
+void runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions& common);
+
+}  // namespace knuckle

@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <new>
+#include <system_error>
+
+#include "app/commands/commands.h"
+#include "app/commands/interrupt.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr const char* STDOUT_FAILURE = "standard output cannot be written";
+constexpr const char* EXAMPLES =
+    "Examples:\n"
+    "  knuckle render assets/scenes/ragdoll.json               frames in out/ragdoll\n"
+    "  knuckle render assets/scenes/pile.json -o pile.mp4      a film\n"
+    "  knuckle voxelize model.glb -o actor.json --diameter 0.04\n"
+    "  knuckle check assets/scenes/*.json\n"
+    "\n"
+    "Exit codes:\n"
+    "  0 done   1 the run failed (disk full, state became invalid)   2 bad input or options\n"
+    "  3 no usable OpenGL 4.3 device   4 the images differ (compare)   130 stopped by Ctrl-C\n";
+
+void addCommonOptions(CLI::App& program, CommonOptions& common)
+{
+    program.add_option("--device", common.device,
+                       "Where to compute: auto (a GPU, else the CPU), gpu, software, or a number of `knuckle info`")
+        ->capture_default_str()->type_name("NAME");
+    program.add_option("--shaders", common.shaderFolder, "Take shaders from this folder before the built-in ones")
+        ->type_name("DIR");
+    program.add_flag("--quiet,-q", common.quiet, "Print errors only");
+}
+
+int parseAndRun(int argc, char** argv)
+{
+    CommonOptions common;
+    std::function<int()> chosen;
+    CLI::App program("Knuckle turns rigged meshes into ragdolls made of particles, simulates them in OpenGL compute "
+                     "shaders and films them. No window and no GPU are needed.", "knuckle");
+    program.set_version_flag("--version", "knuckle " KNUCKLE_VERSION);
+    program.require_subcommand(1);
+    program.footer(EXAMPLES);
+    program.get_formatter()->column_width(34);
+    addCommonOptions(program, common);
+    const CommandLine line{program, common, chosen};
+    for (const auto add : {addRenderCommand, addVoxelizeCommand, addCheckCommand, addCompareCommand, addBenchCommand,
+                           addInfoCommand, addSchemaCommand, addModelCommand}) {
+        add(line);
+    }
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return program.exit(error);    // --help, --version
+        throw InputError(fmt::format("{}; see knuckle --help", error.what()));
+    }
+    return chosen();
+}
+
+/// Never throws: there is nobody to tell that stderr is closed.
+int tell(const std::string& message, int code)
+{
+    std::fputs(("knuckle: " + message + "\n").c_str(), stderr);
+    return code;
+}
+
+/// The reader of a pipe wants no more: ends as every filter does, without a word.
+int endByBrokenPipe()
+{
+    std::signal(SIGPIPE, SIG_DFL);
+    std::raise(SIGPIPE);
+    return EXIT_RUN;
+}
+
+}  // namespace
+
+std::unique_ptr<Gpu> openGpu(const CommonOptions& common, std::optional<Workload> work)
+{
+    auto gpu = std::make_unique<Gpu>(DeviceChoice::parse(common.device), common.shaderFolder, work);
+    if (!gpu->notice().empty() && !common.quiet) fmt::print(stderr, "{}\n", gpu->notice());
+    return gpu;
+}
+
+int runProgram(int argc, char** argv)
+{
+    std::signal(SIGPIPE, SIG_IGN);    // a reader that goes away is a write error, so that all is tidied up first
+    try {
+        const int code = parseAndRun(argc, argv);
+        if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), STDOUT_FAILURE);
+        return code;
+    } catch (const InputError& error) {
+        return tell(error.what(), EXIT_INPUT);
+    } catch (const DeviceError& error) {
+        return tell(error.what(), EXIT_DEVICE);
+    } catch (const Interrupted&) {
+        return tell("stopped; what was finished is kept", EXIT_INTERRUPTED);
+    } catch (const std::bad_alloc&) {
+        return tell("out of memory; take fewer particles or smaller frames", EXIT_RUN);
+    } catch (const std::system_error& error) {
+        return error.code() == std::errc::broken_pipe ? endByBrokenPipe() : tell(error.what(), EXIT_RUN);
+    } catch (const std::exception& error) {
+        return tell(error.what(), EXIT_RUN);
+    }
+}
+
+}  // namespace knuckle

@@ -1,0 +1,67 @@
+#include "app/commands/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace knuckle {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::chrono::milliseconds TERMINAL_INTERVAL = 200ms, PLAIN_INTERVAL = 10s;
+
+double secondsOf(std::chrono::steady_clock::duration duration)
+{
+    return std::chrono::duration<double>(duration).count();
+}
+
+}  // namespace
+
+Progress::Progress(std::string what, uint64_t total, bool quiet)
+    : what_(std::move(what)), total_(total), shown_(!quiet), terminal_(isatty(STDERR_FILENO) == 1)
+{
+}
+
+Progress::~Progress()
+{
+    if (dirty_) std::fputc('\n', stderr);
+}
+
+double Progress::seconds() const
+{
+    return secondsOf(Clock::now() - start_);
+}
+
+void Progress::update(uint64_t done)
+{
+    const auto now = Clock::now();
+    const bool due = now - last_ >= (terminal_ ? TERMINAL_INTERVAL : PLAIN_INTERVAL);
+    if (!shown_ || (!due && !(terminal_ && done == total_))) return;
+    last_ = now;
+    const double rate = static_cast<double>(done) / std::max(1e-9, secondsOf(now - start_));
+    const double left = static_cast<double>(total_ - done) / std::max(1e-9, rate);
+    const std::string line = fmt::format("{} {} of {}, {:.1f} frames/s, {} left", what_, done, total_, rate,
+                                         durationText(left));
+    if (terminal_) {
+        fmt::print(stderr, "\r\033[K{}", line);
+        dirty_ = true;
+    } else {
+        fmt::print(stderr, "{}\n", line);
+    }
+    std::fflush(stderr);
+}
+
+std::string durationText(double seconds)
+{
+    const auto whole = static_cast<uint64_t>(std::llround(std::min(seconds, 1e9)));
+    if (whole < 60) return fmt::format("{} s", whole);
+    if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+    return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+}  // namespace knuckle

@@ -1,0 +1,172 @@
+#include "app/files/actor_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "app/files/json.h"
+#include "app/files/output.h"
+#include "app/scene/scene_fields.h"
+#include "app/schema/schema.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr int ACTOR_VERSION = 1;
+
+/// The shortest decimals that read back as the same float.
+std::string vectorText(const Vector3f& v)
+{
+    return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
+}
+
+std::string stringText(const std::string& text)
+{
+    return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// `"name": [` with one element a line.
+template <typename T, typename Text>
+std::string listText(const char* name, const std::vector<T>& elements, Text&& text)
+{
+    std::vector<std::string> lines;
+    for (const T& element : elements) lines.push_back("    " + text(element));
+    return fmt::format(",\n  \"{}\": [{}{}{}]", name, lines.empty() ? "" : "\n", fmt::join(lines, ",\n"),
+                       lines.empty() ? "" : "\n  ");
+}
+
+std::string bodyText(const ActorBody& body)
+{
+    std::vector<std::string> merged;
+    for (const std::string& bone : body.mergedBones) merged.push_back(stringText(bone));
+    return fmt::format("{{ \"name\": {}, \"parent\": {}, \"mergedBones\": [{}], \"particles\": [{}] }}",
+                       stringText(body.name), body.parent, fmt::join(merged, ", "), fmt::join(body.particles, ", "));
+}
+
+std::string jointText(const ActorJoint& joint)
+{
+    return fmt::format("{{ \"name\": {}, \"type\": \"{}\", \"parent\": {}, \"child\": {}, \"anchor\": {}, "
+                       "\"axis\": {}, \"sharedParticles\": [{}] }}",
+                       stringText(joint.name), wordOf(joint.type), joint.parent, joint.child,
+                       vectorText(joint.anchor), vectorText(joint.axis), fmt::join(joint.sharedParticles, ", "));
+}
+
+void checkIndices(const JsonFile& file, const std::string& pointer, const std::vector<uint32_t>& indices, size_t count,
+                  const char* of)
+{
+    for (size_t i = 0; i < indices.size(); ++i) {
+        if (indices[i] < count) continue;
+        failAt(file.path, fmt::format("{}/{}", pointer, i),
+               fmt::format("{} is not one of the {} {}", indices[i], count, of));
+    }
+}
+
+ActorBody readBody(const JsonFile& file, const Json& json, size_t index, size_t particleCount)
+{
+    const std::string pointer = fmt::format("/bodies/{}", index);
+    ActorBody body;
+    readValue(json["name"], body.name);
+    readValue(json["parent"], body.parent);
+    readValue(json["particles"], body.particles);
+    readValue(json["mergedBones"], body.mergedBones);
+    checkIndices(file, pointer + "/particles", body.particles, particleCount, "particles");
+    if (body.parent >= static_cast<int64_t>(index)) {
+        failAt(file.path, pointer + "/parent", fmt::format("{} must be smaller than the body's own place, {}",
+                                                           body.parent, index));
+    }
+    return body;
+}
+
+ActorJoint readJoint(const JsonFile& file, const Json& json, size_t index, const Actor& actor)
+{
+    const std::string pointer = fmt::format("/joints/{}", index);
+    ActorJoint joint;
+    readValue(json["name"], joint.name);
+    readValue(json["type"], joint.type);
+    readValue(json["parent"], joint.parent);
+    readValue(json["child"], joint.child);
+    readValue(json["anchor"], joint.anchor);
+    readValue(json["axis"], joint.axis);
+    readValue(json["sharedParticles"], joint.sharedParticles);
+    checkIndices(file, pointer + "/sharedParticles", joint.sharedParticles, actor.particles.size(), "particles");
+    for (const auto& [key, body] : {std::pair{"parent", joint.parent}, std::pair{"child", joint.child}}) {
+        if (body < actor.bodies.size()) continue;
+        failAt(file.path, fmt::format("{}/{}", pointer, key),
+               fmt::format("{} is not one of the {} bodies", body, actor.bodies.size()));
+    }
+    return joint;
+}
+
+void checkConsistent(const JsonFile& file, const Actor& actor)
+{
+    if (!actor.signedDistances.empty() && actor.signedDistances.size() != actor.particles.size()) {
+        failAt(file.path, "/signedDistances", fmt::format("has {} entries for {} particles; give one each or none",
+                                                          actor.signedDistances.size(), actor.particles.size()));
+    }
+    if (!actor.outward.empty() && actor.outward.size() != actor.signedDistances.size()) {
+        failAt(file.path, "/outward", fmt::format("has {} entries for {} signedDistances; give one each or none",
+                                                  actor.outward.size(), actor.signedDistances.size()));
+    }
+    for (size_t i = 0; i < actor.outward.size(); ++i) {
+        const float length = actor.outward[i].norm();
+        if (length != 0.0f && std::abs(length - 1.0f) > 1e-3f)
+            failAt(file.path, fmt::format("/outward/{}", i), fmt::format("has a length of {}; must be 1 or 0", length));
+    }
+    std::vector<bool> used(actor.particles.size(), false);
+    for (const ActorBody& body : actor.bodies) {
+        for (const uint32_t particle : body.particles) used[particle] = true;
+    }
+    const auto unused = std::find(used.begin(), used.end(), false);
+    if (unused != used.end()) {
+        failAt(file.path, fmt::format("/particles/{}", unused - used.begin()), "belongs to no body; remove it");
+    }
+}
+
+}  // namespace
+
+std::string actorText(const Actor& actor)
+{
+    std::string text = fmt::format("{{\n  \"format\": \"knuckle-actor\",\n  \"version\": {},\n  \"name\": {},\n"
+                                   "  \"diameter\": {}", ACTOR_VERSION, stringText(actor.name), actor.diameter);
+    text += listText("bodies", actor.bodies, bodyText);
+    text += listText("joints", actor.joints, jointText);
+    text += listText("notes", actor.notes, stringText);
+    text += listText("particles", actor.particles, vectorText);
+    text += listText("outward", actor.outward, vectorText);
+    text += fmt::format(",\n  \"signedDistances\": [{}]\n}}\n", fmt::join(actor.signedDistances, ", "));
+    return text;
+}
+
+void writeActor(const std::string& path, const Actor& actor)
+{
+    OutputFile file(path);
+    file.write(actorText(actor));
+    file.commit();
+}
+
+Actor readActor(const std::string& path)
+{
+    static const Schema schema("actor.schema.json");
+    JsonFile file = readJsonFile(path);
+    schema.complete(file);
+    const Json& root = file.root;
+    Actor actor;
+    readValue(root["name"], actor.name);
+    readValue(root["diameter"], actor.diameter);
+    readValue(root["signedDistances"], actor.signedDistances);
+    readValue(root["notes"], actor.notes);
+    for (const Json& position : root["particles"]) readValue(position, actor.particles.emplace_back());
+    for (const Json& direction : root["outward"]) readValue(direction, actor.outward.emplace_back());
+    for (const Json& body : root["bodies"]) {
+        actor.bodies.push_back(readBody(file, body, actor.bodies.size(), actor.particles.size()));
+    }
+    for (const Json& joint : root["joints"]) {
+        actor.joints.push_back(readJoint(file, joint, actor.joints.size(), actor));
+    }
+    checkConsistent(file, actor);
+    return actor;
+}
+
+}  // namespace knuckle

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/files/json.h"
+
+namespace knuckle {
+
+/// One `--set path=value`: a dotted path into a scene and the JSON value to put there.
+struct Override {
+    std::string path;     ///< "solver.substeps", "objects.0.velocity"
+    Json value;
+};
+
+/// Reads "path=value"; a value that is not JSON is taken as a string. @throws InputError without "=" or a path.
+Override parseOverride(const std::string& text);
+/// Puts the value in place; objects on the way are made when missing.
+/// @throws InputError for a path through something that is neither object nor array, or past an array's end.
+void applyOverride(Json& root, const Override& change);
+
+}  // namespace knuckle

@@ -1,0 +1,184 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "app/files/json.h"
+#include "render/settings.h"
+#include "sim/world/world.h"
+
+/// Which JSON field is which struct member, said once: read() takes a struct from a document that its schema has
+/// completed, write() is the way back.
+namespace knuckle {
+
+/// The words of an enum in the order of its values.
+template <typename T>
+struct EnumWords;
+template <>
+struct EnumWords<SolverKind> { static constexpr std::array WORDS{"impulse", "paper"}; };
+template <>
+struct EnumWords<RotationMethod> { static constexpr std::array WORDS{"quaternion", "householder", "higham"}; };
+template <>
+struct EnumWords<GridKind> { static constexpr std::array WORDS{"lattice", "hash"}; };
+template <>
+struct EnumWords<ReductionKind> { static constexpr std::array WORDS{"auto", "thread", "group", "steps"}; };
+template <>
+struct EnumWords<VelocityOrder> { static constexpr std::array WORDS{"", "first", "second"}; };
+template <>
+struct EnumWords<JointType> { static constexpr std::array WORDS{"ball", "hinge", "stiff", "universal"}; };
+template <>
+struct EnumWords<CameraKind> { static constexpr std::array WORDS{"fixed", "orbit", "follow"}; };
+template <>
+struct EnumWords<ColorBy> { static constexpr std::array WORDS{"body", "material", "particle", "speed"}; };
+
+template <typename T>
+std::string wordOf(T value)
+{
+    return EnumWords<T>::WORDS.at(static_cast<size_t>(value));
+}
+
+/// The enum's value for a word that the schema has let through.
+template <typename T>
+T valueOf(const std::string& word)
+{
+    size_t index = 0;
+    while (EnumWords<T>::WORDS.at(index) != word) ++index;
+    return static_cast<T>(index);
+}
+
+inline void readValue(const Json& json, Eigen::Vector3f& out)
+{
+    out = {json.at(0).get<float>(), json.at(1).get<float>(), json.at(2).get<float>()};
+}
+
+template <typename T>
+void readValue(const Json& json, T& out)
+{
+    if constexpr (std::is_enum_v<T>) {
+        out = valueOf<T>(json.get<std::string>());
+    } else {
+        out = json.get<T>();
+    }
+}
+
+inline Json writeValue(const Eigen::Vector3f& value)
+{
+    return Json::array({value.x(), value.y(), value.z()});
+}
+
+template <typename T>
+Json writeValue(const T& value)
+{
+    if constexpr (std::is_enum_v<T>) {
+        return wordOf(value);
+    } else {
+        return value;
+    }
+}
+
+template <typename Visitor>
+void visitFields(Settings& s, Visitor&& visit)
+{
+    visit("method", s.solver);
+    visit("rotation", s.rotation);
+    visit("grid", s.grid);
+    visit("reduction", s.reduction);
+    visit("velocityOrder", s.velocityOrder);
+    visit("gravity", s.gravity);
+    visit("timeStep", s.timeStep);
+    visit("substeps", s.substeps);
+    visit("iterations", s.iterations);
+    visit("stabilization", s.stabilization);
+    visit("contactMargin", s.contactMargin);
+    visit("freeze", s.freeze);
+    visit("virtualParticles", s.virtualParticles);
+    visit("splitSharedMass", s.splitSharedMass);
+    visit("linearDamping", s.linearDamping);
+    visit("maxSpeed", s.maxSpeed);
+    visit("massScaling", s.massScaling);
+    visit("vorticity", s.vorticity);
+    visit("sleep", s.sleepSpeed);
+}
+
+template <typename Visitor>
+void visitFields(Material& m, Visitor&& visit)
+{
+    visit("density", m.density);
+    visit("staticFriction", m.staticFriction);
+    visit("kineticFriction", m.kineticFriction);
+    visit("restitution", m.restitution);
+    visit("fluid", m.fluid);
+    visit("viscosity", m.viscosity);
+    visit("surfaceTension", m.surfaceTension);
+    visit("color", m.color);
+    visit("stiffness", m.elasticity.stiffness);
+    visit("poissonRatio", m.elasticity.poissonRatio);
+    visit("damping", m.elasticity.damping);
+    visit("yield", m.elasticity.yield);
+    visit("creep", m.elasticity.creep);
+    visit("maxDeformation", m.elasticity.maxDeformation);
+}
+
+/// What every shape of collider has; the shapes' own fields are in app/scene/scene_colliders.cpp.
+template <typename Visitor>
+void visitFields(Collider& c, Visitor&& visit)
+{
+    visit("position", c.position);
+    visit("staticFriction", c.staticFriction);
+    visit("kineticFriction", c.kineticFriction);
+    visit("color", c.color);
+    visit("visible", c.visible);
+}
+
+template <typename Visitor>
+void visitFields(CameraSettings& c, Visitor&& visit)
+{
+    visit("kind", c.kind);
+    visit("automatic", c.automatic);
+    visit("position", c.position);
+    visit("target", c.target);
+    visit("fieldOfView", c.fieldOfView);
+    visit("orbitSpeed", c.orbitSpeed);
+    visit("follow", c.follow);
+}
+
+template <typename Visitor>
+void visitFields(LightSettings& l, Visitor&& visit)
+{
+    visit("direction", l.direction);
+    visit("intensity", l.intensity);
+    visit("softness", l.softness);
+    visit("skyColor", l.skyColor);
+    visit("groundColor", l.groundColor);
+}
+
+/// Camera and light are documents of their own in a scene.
+template <typename Visitor>
+void visitFields(RenderSettings& r, Visitor&& visit)
+{
+    visit("width", r.width);
+    visit("height", r.height);
+    visit("colorBy", r.colorBy);
+    visit("highlightJoints", r.highlightJoints);
+    visit("speedScale", r.speedScale);
+    visit("exposure", r.exposure);
+    visit("antialiasing", r.antialiasing);
+}
+
+template <typename T>
+T readFields(const Json& json)
+{
+    T out;
+    visitFields(out, [&](const char* key, auto& field) { readValue(json.at(key), field); });
+    return out;
+}
+
+template <typename T>
+Json writeFields(T value)
+{
+    Json out = Json::object();
+    visitFields(value, [&](const char* key, auto& field) { out[key] = writeValue(field); });
+    return out;
+}
+
+}  // namespace knuckle

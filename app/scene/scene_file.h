@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/scene/overrides.h"
+#include "render/settings.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// More particles than this are refused.
+inline constexpr uint64_t MAX_PARTICLES = 1'000'000;
+
+/// What a scene file says.
+struct Scene {
+    std::string name;
+    std::string description;
+    World world;
+    RenderSettings render;
+    double framesPerSecond = 60.0;
+    double duration = 0.0;          ///< [s]
+    uint32_t stepsPerFrame = 1;     ///< World::settings.timeStep is 1 / (framesPerSecond * stepsPerFrame).
+
+    /// Frame 1 shows time 0.
+    uint64_t frameCount() const;
+};
+
+/// Reads, checks and builds a scene. Needs no GPU; models are imported and filled with particles.
+/// @throws InputError, one line with the file and the JSON pointer of what is wrong.
+Scene loadScene(const std::string& path, const std::vector<Override>& overrides = {});
+
+/// The solver's settings by a preset's name and changes of its fields, as a scene's `solver` would give them.
+/// @throws InputError as loadScene(), and for a change of anything else.
+Settings loadSettings(const std::string& preset, const std::vector<std::string>& changes);
+
+/// Steps a frame so that 1 / (framesPerSecond * steps) is as near to `timeStep` [s] as can be.
+uint32_t stepsForFrame(double framesPerSecond, double timeStep);
+
+}  // namespace knuckle

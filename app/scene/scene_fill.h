@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/scene/scene_parts.h"
+
+namespace knuckle {
+
+/// Refuses an object that would bring the scene above MAX_PARTICLES, before anything large is allocated.
+/// @param pointer JSON path of the object. @param count particles of one copy. @throws InputError.
+void limitParticles(const SceneContext& context, const Json& object, const std::string& pointer, double count);
+
+/// The same for `count` more particles. @param remedy what to do about it.
+void limitTotal(const SceneContext& context, const std::string& pointer, double count, const char* remedy);
+
+/// Fills the region of an object (its `shape`: box, sphere, capsule, cone or mesh, with the fields of that shape) with
+/// points of a cubic lattice.
+/// @param pointer JSON path of the object. @param spacing of the lattice, and the size of what sits on it [m].
+/// @returns at least one point, in the object's own frame. @throws InputError where none fits, or too many do.
+std::vector<Vector3f> fillRegion(SceneContext& context, const Json& object, const std::string& pointer, float spacing);
+
+/// Moves each point by up to `amount` [m] along each axis; the same seed moves them the same way everywhere.
+void jitterPositions(std::vector<Vector3f>& positions, float amount, uint32_t seed);
+
+}  // namespace knuckle

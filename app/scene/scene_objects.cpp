@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "app/scene/scene_fields.h"
+#include "app/scene/scene_fill.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_parts.h"
+#include "app/scene/scene_strands.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+/// One entry of `objects` while its copies are made.
+struct Entry : SceneEntry {
+    std::string name;
+    uint32_t material = 0;
+    Vector3f velocity{0, 0, 0}, spin{0, 0, 0};
+    std::vector<Pose> poses = {};
+
+    std::string copyName(size_t copy) const
+    {
+        return poses.size() == 1 ? name : fmt::format("{}_{}", name, copy + 1);
+    }
+};
+
+void limitParticles(const Entry& entry, double count)
+{
+    limitParticles(entry.context, entry.json, entry.pointer, count);
+}
+
+/// Where the particles of a rigid body stand to its surface; empty for a box, where it follows from the lattice.
+std::vector<SurfaceDistance> surfaceOf(const Entry& entry, const std::vector<Vector3f>& positions)
+{
+    const std::string shape = entry.json["shape"];
+    std::vector<SurfaceDistance> surface;
+    if (shape == "box") return surface;
+    if (shape == "mesh") {
+        const Actor& actor = findActor(entry.context, entry.json, entry.pointer);
+        for (uint32_t i = 0; i < actor.particles.size(); ++i) surface.push_back(surfaceOf(actor, i));
+        return surface;
+    }
+    const float radius = entry.json["radius"], halfHeight = 0.5f * entry.json.value("length", 0.0f);
+    for (const Vector3f& position : positions)
+        surface.push_back(capsuleSurface(position, radius, shape == "sphere" ? 0.0f : halfHeight));
+    return surface;
+}
+
+void addRigidOrSoft(const Entry& entry)
+{
+    WorldBuilder& builder = entry.context.builder;
+    const bool soft = entry.json["type"] == "soft";
+    if (soft && entry.json["fixed"].get<bool>())
+        entry.fail("/fixed", "a soft body cannot be fixed; use type \"rigid\"");
+    const std::vector<Vector3f> positions = fillRegion(entry.context, entry.json, entry.pointer, builder.diameter());
+    const std::vector<SurfaceDistance> surface = soft ? std::vector<SurfaceDistance>() : surfaceOf(entry, positions);
+    const Motion motion = entry.json["fixed"].get<bool>() ? Motion::Fixed : Motion::Dynamic;
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
+        builder.beginObject(entry.copyName(copy));
+        if (soft) builder.addSoftBody(entry.copyName(copy), positions, entry.material);
+        else builder.addBody("body", positions, entry.material, motion, surface);
+        builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
+    }
+}
+
+/// Adds the boxes and joints of one chain; the object is open.
+void addChain(const Entry& entry, const JointSpec& common, uint32_t lastMaterial, size_t copy)
+{
+    WorldBuilder& builder = entry.context.builder;
+    const Json& json = entry.json;
+    const uint32_t bodies = json["bodies"];
+    const Eigen::Vector3i size(json["size"][0].get<int>(), json["size"][1].get<int>(), json["size"][2].get<int>());
+    const std::string hold = json["hold"];
+    const std::vector<Vector3f> lattice = boxLattice(size, builder.diameter());
+    const float pitch = static_cast<float>(size.x() + json["gap"].get<int>()) * builder.diameter();
+    const float middle = 0.5f * static_cast<float>(bodies - 1);
+    const auto centre = [&](float place) { return Vector3f(pitch * (place - middle), 0, 0); };
+    std::vector<uint32_t> indices;
+    for (uint32_t b = 0; b < bodies; ++b) {
+        std::vector<Vector3f> positions = lattice;
+        for (Vector3f& position : positions) position += centre(static_cast<float>(b));
+        const bool last = b + 1 == bodies;
+        const bool held = (b == 0 && hold != "last" && hold != "none") || (last && hold != "first" && hold != "none");
+        indices.push_back(builder.addBody(fmt::format("body_{}", b + 1), positions,
+                                          last ? lastMaterial : entry.material,
+                                          held ? Motion::Fixed : Motion::Dynamic));
+    }
+    const Json& types = json["joints"];
+    for (uint32_t j = 0; j + 1 < bodies; ++j) {
+        JointSpec spec = common;
+        spec.type = valueOf<JointType>(types[(copy * (bodies - 1) + j) % types.size()].get<std::string>());
+        spec.name = fmt::format("joint_{}", j + 1);
+        spec.anchor = centre(static_cast<float>(j) + 0.5f);
+        builder.addJoint(indices[j], indices[j + 1], spec);
+    }
+}
+
+void addJoined(const Entry& entry)
+{
+    const Json& json = entry.json;
+    double particles = json["bodies"].get<double>();
+    for (const Json& side : json["size"]) particles *= side.get<double>();
+    limitParticles(entry, particles);
+    JointSpec common;
+    readValue(json["axis"], common.axis);
+    common.limitSide = json["limitSide"];
+    if (common.axis.cross(Vector3f::UnitX()).norm() < 1e-3f) {
+        entry.fail("/axis", "must not be zero or along x, the chain's own direction; for instance [0, 0, 1]");
+    }
+    const std::string last = json["lastMaterial"];
+    const uint32_t lastMaterial =
+        last.empty() ? entry.material : findMaterial(entry.context, last, entry.pointer + "/lastMaterial");
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
+        entry.context.builder.beginObject(entry.copyName(copy));
+        addChain(entry, common, lastMaterial, copy);
+        entry.context.builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
+    }
+}
+
+void addStrands(const Entry& entry)
+{
+    StrandEntry strands{entry, {}, entry.poses, entry.material, entry.velocity};
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) strands.names.push_back(entry.copyName(copy));
+    addStrandObject(strands);
+}
+
+void addActors(const Entry& entry)
+{
+    Actor actor = findActor(entry.context, entry.json, entry.pointer);
+    limitParticles(entry, static_cast<double>(actor.particles.size()));
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
+        actor.name = entry.copyName(copy);
+        addActor(entry.context.builder, actor, entry.material, entry.poses[copy], entry.velocity);
+    }
+}
+
+void addFluid(const Entry& entry)
+{
+    addFluid(entry.context, entry.json, entry.pointer, {entry.material, entry.velocity}, entry.poses);
+}
+
+void addGrains(const Entry& entry)
+{
+    addGrains(entry.context, entry.json, entry.pointer, {entry.material, entry.velocity}, entry.poses);
+}
+
+}  // namespace
+
+uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer)
+{
+    const auto found = context.materials.find(name);
+    if (found != context.materials.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [known, index] : context.materials) names.push_back(known);
+    failAt(context.path, pointer, fmt::format("there is no material \"{}\"; {}", name, suggestion(name, names)));
+}
+
+void addObjects(SceneContext& context, const Json& json, size_t index)
+{
+    const std::string given = json["name"];
+    Entry entry{{context, json, fmt::format("/objects/{}", index)},
+                given.empty() ? fmt::format("object_{}", index + 1) : given};
+    entry.material = findMaterial(context, json["material"], entry.pointer + "/material");
+    readValue(json["velocity"], entry.velocity);
+    if (json.contains("spin")) readValue(json["spin"], entry.spin);
+    limitParticles(entry, 1.0);
+    if (entry.context.builder.material(entry.material).fluid && json["type"] != "fluid")
+        entry.fail("/material", fmt::format("\"{}\" is a fluid; only objects of type \"fluid\" are made of fluids",
+                                            json["material"].get<std::string>()));
+    entry.poses = repeatedPoses(json);
+    const std::string type = json["type"];
+    static const std::map<std::string, std::function<void(const Entry&)>> KINDS = {
+        {"rigid", addRigidOrSoft}, {"soft", addRigidOrSoft}, {"joined", addJoined}, {"actor", addActors},
+        {"grains", [](const Entry& grains) { addGrains(grains); }}, {"rope", addStrands}, {"cloth", addStrands},
+        {"fluid", [](const Entry& fluid) { addFluid(fluid); }}};
+    try {
+        KINDS.at(type)(entry);
+    } catch (const InputError& error) {
+        const std::string text = error.what();
+        // What the builder says knows nothing of the file that asked for it.
+        throw text.starts_with(context.path) ? error
+                                             : InputError(fmt::format("{}: {}: {}", context.path, entry.pointer, text));
+    }
+}
+
+}  // namespace knuckle

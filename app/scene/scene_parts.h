@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "app/files/json.h"
+#include "sim/actor/actor.h"
+#include "sim/world/builder.h"
+
+/// The parts of a scene file, from documents that the schema has completed.
+namespace knuckle {
+
+/// Rotation about the fixed axes x, y, z in this order, from `rotation` [degrees]; identity where there is none.
+Quaternionf readRotation(const Json& json);
+
+/// What objects need to know about the scene that they stand in.
+struct SceneContext {
+    std::string path;                            ///< Of the scene file; other paths are relative to its folder.
+    WorldBuilder& builder;
+    std::map<std::string, uint32_t> materials;   ///< Indices by name.
+    std::map<std::string, Actor> actors = {};    ///< Read or made already, by what was asked for.
+    std::vector<size_t> colliderEntries = {};    ///< Per collider of the world: the entry of `colliders` that it is of.
+};
+
+/// One entry of a list of the scene while what it stands for is made.
+struct SceneEntry {
+    SceneContext& context;
+    const Json& json;
+    std::string pointer;
+
+    /// @throws InputError at a field of the entry.
+    [[noreturn]] void fail(const std::string& field, const std::string& message) const
+    {
+        failAt(context.path, pointer + field, message);
+    }
+};
+
+/// Index of the material `name`. @throws InputError with `pointer` where there is none.
+uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer);
+
+/// `file` beside the scene. @throws InputError with `pointer` when there is none.
+std::string existingFile(const SceneContext& context, const std::string& file, const std::string& pointer);
+
+/// Adds one entry of `colliders`, which may stand for several. @throws InputError.
+void addColliders(SceneContext& context, const Json& json, size_t index);
+/// Adds the grid of a collider of the type `mesh` or `heightfield`, and says so in `collider`. @throws InputError.
+void addMeshGrid(SceneContext& context, const Json& json, const std::string& pointer, Collider& collider);
+void addHeightfield(SceneContext& context, const Json& json, const std::string& pointer, Collider& collider);
+
+/// Adds one entry of `objects` with its copies. @throws InputError.
+void addObjects(SceneContext& context, const Json& json, size_t index);
+
+/// Places of an object's copies. Deterministic: the same seed gives the same places everywhere.
+std::vector<Pose> repeatedPoses(const Json& object);
+/// Product of repeat.counts, exact up to 1e18.
+uint64_t copyCount(const Json& object);
+
+/// Uniform in 0 ... 1. The standard fixes the generator's numbers, but not those of its distributions.
+inline float uniformShare(std::mt19937& random)
+{
+    return static_cast<float>(static_cast<double>(random()) / 4294967296.0);
+}
+
+/// The actor for an object of type `actor`, a rigid or soft mesh or a region, made at most once for the same file and
+/// options.
+/// @param diameter of its particles [m]; 0: the scene's.
+const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer, float diameter = 0.0f);
+
+/// What the particles of a region without bodies have in common.
+struct LooseKind {
+    uint32_t material = 0;
+    Vector3f velocity{0, 0, 0};                  ///< [m/s]
+};
+
+/// Adds an object of type `fluid`, at each of `poses`. @param pointer JSON path of the object. @throws InputError.
+void addFluid(SceneContext& context, const Json& object, const std::string& pointer, const LooseKind& kind,
+              const std::vector<Pose>& poses);
+
+/// @throws InputError at `pointer` unless the material is a fluid.
+void requireFluid(const SceneContext& context, uint32_t material, const std::string& pointer);
+
+/// Adds `drains`, then `emitters`, whose nozzles must not be in anything that is there: after everything else.
+/// @param duration of the film [s]. @throws InputError.
+void addEmitters(SceneContext& context, const Json& root, double duration);
+
+/// Adds an object of type `grains`, at each of `poses`. @param pointer JSON path of the object. @throws InputError.
+void addGrains(SceneContext& context, const Json& object, const std::string& pointer, const LooseKind& kind,
+               const std::vector<Pose>& poses);
+
+}  // namespace knuckle

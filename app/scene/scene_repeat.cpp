@@ -1,0 +1,59 @@
+#include <numbers>
+#include <random>
+
+#include "app/scene/scene_fields.h"
+#include "app/scene/scene_parts.h"
+
+namespace knuckle {
+
+namespace {
+
+/// Uniform over all rotations (Shoemake 1992, "Uniform random rotations").
+Quaternionf randomRotation(std::mt19937& random)
+{
+    const float share = uniformShare(random);
+    const float first = 2.0f * std::numbers::pi_v<float> * uniformShare(random);
+    const float second = 2.0f * std::numbers::pi_v<float> * uniformShare(random);
+    const float a = std::sqrt(1.0f - share), b = std::sqrt(share);
+    return Quaternionf(b * std::cos(second), a * std::sin(first), a * std::cos(first), b * std::sin(second));
+}
+
+}  // namespace
+
+uint64_t copyCount(const Json& object)
+{
+    uint64_t count = 1;
+    for (const Json& side : object["repeat"]["counts"]) count *= side.get<uint64_t>();
+    return count;
+}
+
+std::vector<Pose> repeatedPoses(const Json& object)
+{
+    const Json& repeat = object["repeat"];
+    const int nx = repeat["counts"][0], ny = repeat["counts"][1], nz = repeat["counts"][2];
+    const float jitter = repeat["jitter"];
+    const bool turned = repeat["randomRotation"];
+    std::mt19937 random(repeat["seed"].get<uint32_t>());
+    Vector3f position, spacing;
+    readValue(object["position"], position);
+    readValue(repeat["spacing"], spacing);
+    const Quaternionf rotation = readRotation(object);
+    const Vector3f first(0.5f * static_cast<float>(1 - nx), 0.0f, 0.5f * static_cast<float>(1 - nz));
+    std::vector<Pose> poses;
+    poses.reserve(copyCount(object));
+    for (int y = 0; y < ny; ++y) {
+        for (int z = 0; z < nz; ++z) {
+            for (int x = 0; x < nx; ++x) {
+                const Vector3f cell(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+                Pose pose{position + (first + cell).cwiseProduct(spacing), rotation};
+                // One axis after the other: the order in which arguments are evaluated is open.
+                for (float& side : pose.translation) side += jitter * (2.0f * uniformShare(random) - 1.0f);
+                if (turned) pose.rotation = randomRotation(random) * rotation;
+                poses.push_back(pose);
+            }
+        }
+    }
+    return poses;
+}
+
+}  // namespace knuckle

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/files/json.h"
+
+namespace knuckle {
+
+/// A published JSON Schema (draft 7) that is part of the program.
+///
+/// Understood: type, const, enum, minimum, maximum, exclusiveMinimum, items, minItems, maxItems, minLength,
+/// properties, required, additionalProperties, $ref to a definition, oneOf whose alternatives differ by JSON type or
+/// by `const` properties, default; and the project's own `x-unit` (shown in documents and messages) and
+/// `x-default-from` (a sibling whose value is the default where it is given).
+class Schema {
+public:
+    /// @param file name below assets/schema, "scene.schema.json".
+    explicit Schema(const std::string& file);
+
+    const Json& root() const { return root_; }
+    std::string_view text() const { return text_; }
+    /// `node`, or the definition that its $ref names.
+    const Json& resolve(const Json& node) const;
+
+    /// Checks the document and fills in every default. @throws InputError for the first fault, one line with its path.
+    void complete(JsonFile& file) const;
+
+private:
+    std::string_view text_;
+    Json root_;
+};
+
+/// The schema as a Markdown page of tables: docs/scene.md.
+std::string schemaMarkdown(const Schema& schema);
+
+}  // namespace knuckle

@@ -1,0 +1,16 @@
+// Depth, normal and colour of a mesh, from whichever side it is seen.
+#include "render/common/frame_blocks.glsl"
+#include "render/common/surface.glsl"
+
+layout(location = 0) uniform vec3 color;
+
+in vec3 viewPlace;
+in vec3 viewNormal;
+layout(location = 0) out uvec2 surface;
+
+void main()
+{
+    vec3 normal = normalize(viewNormal);
+    surface = uvec2(packNormal(dot(normal, viewPlace) > 0.0 ? -normal : normal), packAlbedo(color, 1.0));
+    gl_FragDepth = -viewPlace.z / frame.farDepth;
+}

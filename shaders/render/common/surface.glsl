@@ -1,0 +1,30 @@
+// What the geometry passes leave per pixel for the lighting: a normal and a colour in two words.
+#include "math/octahedron.glsl"
+
+// Square roots spend the 8 bits a channel where the eye sees steps.
+uint packAlbedo(vec3 albedo, float alpha)
+{
+    return packUnorm4x8(vec4(sqrt(clamp(albedo, 0.0, 1.0)), alpha));
+}
+
+vec3 unpackAlbedo(uint word)
+{
+    vec3 root = unpackUnorm4x8(word).rgb;
+    return root * root;
+}
+
+// The ground's colour words have no alpha.
+bool isGround(uvec2 surface)
+{
+    return surface.y >> 24 == 0u;
+}
+
+uint packNormal(vec3 n)
+{
+    return packSnorm2x16(toSquare(n));
+}
+
+vec3 unpackNormal(uint word)
+{
+    return fromSquare(unpackSnorm2x16(word));
+}

@@ -1,0 +1,24 @@
+// One point per tile of EDGE_TILE x EDGE_TILE pixels, dropped where the tile shows nothing but ground and sky: those
+// have no steps, since their pattern is filtered already and their shadows are soft.
+#include "render/common/frame_blocks.glsl"
+#include "render/picture/shade.glsl"
+
+layout(binding = SHADE_UNIT) uniform usampler2D shadePicture;
+
+const int HALF_TILE = EDGE_TILE / 2;
+
+void main()
+{
+    ivec2 tiles = (ivec2(frame.width, frame.height) + EDGE_TILE - 1) / EDGE_TILE;
+    ivec2 tile = ivec2(gl_VertexID % tiles.x, gl_VertexID / tiles.x);
+    vec2 texel = 1.0 / vec2(textureSize(shadePicture, 0));
+    uvec4 things = uvec4(0u);
+    // Half-resolution pixels of the tile and one more all around, four at a time.
+    for (int y = 0; y <= HALF_TILE; y += 2)
+        for (int x = 0; x <= HALF_TILE; x += 2)
+            things |= shadeThing(textureGather(shadePicture, vec2(tile * HALF_TILE + ivec2(x, y)) * texel));
+    bool empty = things == uvec4(0u);
+    vec2 centre = (vec2(tile) + 0.5) * float(EDGE_TILE) / vec2(frame.width, frame.height);
+    gl_Position = vec4(empty ? vec2(-2.0) : 2.0 * centre - 1.0, 0.0, 1.0);
+    gl_PointSize = float(EDGE_TILE);
+}

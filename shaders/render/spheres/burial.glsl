@@ -1,0 +1,23 @@
+// The grid in which buried particles are found.
+#include "render/common/frame_blocks.glsl"
+
+// What is in a cell that nobody sees, or that casts no shadow which another does not.
+const uint HIDDEN_FROM_EYE = 1u;
+const uint HIDDEN_FROM_LIGHT = 2u;
+
+uint cellIndex(uvec3 cell)
+{
+    return (cell.z * BURIAL_CELLS + cell.y) * BURIAL_CELLS + cell.x;
+}
+
+// A position in cells.
+vec3 burialPlace(vec3 position)
+{
+    return (position - view.cellOrigin.xyz) / view.cellSize.xyz;
+}
+
+// The cell of a position, clamped to the grid.
+uint burialCell(vec3 position)
+{
+    return cellIndex(uvec3(clamp(burialPlace(position), vec3(0.0), vec3(float(BURIAL_CELLS) - 1.0))));
+}

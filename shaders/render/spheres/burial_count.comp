@@ -1,0 +1,15 @@
+// One thread adds the space that one particle takes to its cell.
+#include "render/spheres/burial.glsl"
+#include "render/common/sphere_sizes.glsl"
+
+layout(local_size_x = RENDER_GROUP_SIZE) in;
+layout(binding = POSITIONS_UNIT) uniform samplerBuffer positions;
+layout(std430, binding = RENDER_CELLS_SLOT) buffer Cells { uint cells[]; };
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= frame.particleCount) return;
+    vec4 position = texelFetch(positions, int(i));
+    if (isThere(position)) atomicAdd(cells[burialCell(position.xyz)], sphereSpace(i));
+}

@@ -1,0 +1,51 @@
+// One thread decides whether what lies in one cell is hidden from the eye and from the light: it is buried, or a buried
+// cell is in the way from each of its corners. What is in a buried cell cannot be seen, so neither can what is behind.
+#include "render/spheres/burial.glsl"
+
+layout(local_size_x = RENDER_GROUP_SIZE) in;
+// How much particles take, before; HIDDEN_*, after.
+layout(std430, binding = RENDER_CELLS_SLOT) buffer Cells { uint cells[]; };
+layout(std430, binding = RENDER_BURIED_SLOT) readonly buffer Buried { uint buried[]; };
+
+// Walks from cell to cell of the grid. `way`: 1 along its longest axis, in cells.
+bool meetsBuried(vec3 place, vec3 way, int cellCount)
+{
+    bool met = false, inside = true;
+    for (int i = 0; i < cellCount && inside && !met; ++i) {
+        place += way;
+        inside = all(greaterThanEqual(place, vec3(0.0))) && all(lessThan(place, vec3(float(BURIAL_CELLS))));
+        met = inside && buried[cellIndex(uvec3(clamp(place, vec3(0.0), vec3(float(BURIAL_CELLS - 1)))))] != 0u;
+    }
+    return met;
+}
+
+bool hiddenFrom(vec3 low, vec3 eye, bool farAway)
+{
+    for (int corner = 0; corner < 8; ++corner) {
+        vec3 from = low + vec3(corner & 1, corner >> 1 & 1, corner >> 2);
+        vec3 way = farAway ? eye : eye - from;
+        float cellCount = max(max(abs(way.x), abs(way.y)), abs(way.z));
+        int limit = farAway ? BURIAL_CELLS : int(min(cellCount, float(BURIAL_CELLS)));
+        if (!meetsBuried(from, way / cellCount, limit)) return false;
+    }
+    return true;
+}
+
+void main()
+{
+    uint cell = gl_GlobalInvocationID.x;
+    uvec3 place = uvec3(cell, cell / BURIAL_CELLS, cell / (BURIAL_CELLS * BURIAL_CELLS)) % uint(BURIAL_CELLS);
+    // The outermost cells hold what is far outside as well.
+    bool inner = all(greaterThan(place, uvec3(0u))) && all(lessThan(place, uvec3(BURIAL_CELLS - 1)));
+    if (cells[cell] == 0u || !inner) {
+        cells[cell] = 0u;
+        return;
+    }
+    uint hidden = HIDDEN_FROM_EYE | HIDDEN_FROM_LIGHT;
+    if (buried[cell] == 0u) {
+        vec3 low = vec3(place);
+        hidden = (hiddenFrom(low, burialPlace(view.cameraPosition.xyz), false) ? HIDDEN_FROM_EYE : 0u) |
+                 (hiddenFrom(low, frame.keyDirection.xyz / view.cellSize.xyz, true) ? HIDDEN_FROM_LIGHT : 0u);
+    }
+    cells[cell] = hidden;
+}

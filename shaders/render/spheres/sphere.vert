@@ -1,0 +1,21 @@
+// One point per listed particle, as large as the sphere's image, which is an ellipse.
+#include "render/common/sphere_sizes.glsl"
+#include "render/spheres/sphere_bounds.glsl"
+#include "render/spheres/sphere_color.glsl"
+
+layout(location = POSITION_ATTRIBUTE) in vec3 position;
+
+flat out vec4 sphere;   // view-space centre, colour word
+flat out float radius;
+
+void main()
+{
+    vec3 centre = toView(position);
+    radius = sphereRadius(uint(gl_VertexID));
+    float aspect = float(frame.width) / float(frame.height);
+    vec4 bounds = sphereBounds(centre, radius, vec2(1.0 / aspect, 1.0) / frame.tanHalfFov);
+    vec2 size = 0.5 * (bounds.zw - bounds.xy) * vec2(frame.width, frame.height);
+    sphere = vec4(centre, uintBitsToFloat(sphereColor(gl_VertexID)));
+    gl_PointSize = max(size.x, size.y) + 1.0;
+    gl_Position = vec4(0.5 * (bounds.xy + bounds.zw), 2.0 * (-centre.z - radius) / frame.farDepth - 1.0, 1.0);
+}

@@ -1,0 +1,31 @@
+// A particle's colour word: stored once, or by the speed that it has now.
+#include "render/common/frame_blocks.glsl"
+#include "render/common/surface.glsl"
+
+layout(binding = COLORS_UNIT) uniform usamplerBuffer colors;
+#ifdef COLOR_BY_SPEED
+layout(binding = VELOCITIES_UNIT) uniform samplerBuffer velocities;
+
+// Slow to fast: deep blue, teal, green, amber, and near-white heat. Linear RGB.
+vec3 speedColor(float share)
+{
+    const vec3 STOPS[5] = vec3[5](vec3(0.020, 0.050, 0.230), vec3(0.010, 0.240, 0.360), vec3(0.120, 0.480, 0.160),
+                                  vec3(0.900, 0.420, 0.040), vec3(1.000, 0.850, 0.640));
+    float place = clamp(share, 0.0, 1.0) * 4.0;
+    int below = min(int(place), 3);
+    return mix(STOPS[below], STOPS[below + 1], place - float(below));
+}
+
+uint sphereColor(int particle)
+{
+    // A stored colour is a highlighted joint's.
+    uint stored = texelFetch(colors, particle).x;
+    uint moving = packAlbedo(speedColor(length(texelFetch(velocities, particle).xyz) / frame.speedScale), 1.0);
+    return stored != 0u ? stored : moving;
+}
+#else
+uint sphereColor(int particle)
+{
+    return texelFetch(colors, particle).x;
+}
+#endif

@@ -1,0 +1,45 @@
+// One thread decides how a run of LIST_CHUNK particles is drawn, and counts them: as points, as quads (too large for
+// the driver's points, or the point's centre clipped away), as shadow casters, or not at all.
+#include "render/spheres/burial.glsl"
+#include "render/common/sphere_sizes.glsl"
+#include "render/spheres/sphere_bounds.glsl"
+#include "render/spheres/sphere_lists.glsl"
+
+layout(local_size_x = RENDER_GROUP_SIZE) in;
+layout(binding = POSITIONS_UNIT) uniform samplerBuffer positions;
+layout(std430, binding = RENDER_VISIBLE_SLOT) writeonly buffer Visible { uint visible[]; };
+layout(std430, binding = RENDER_COUNTS_SLOT) writeonly buffer Counts { uvec4 counts[]; };
+layout(std430, binding = RENDER_CELLS_SLOT) readonly buffer Cells { uint cells[]; };
+
+uint howDrawn(vec3 position, float radius)
+{
+    vec3 centre = toView(position);
+    vec2 size = vec2(frame.width, frame.height);
+    vec4 bounds = sphereBounds(centre, radius, vec2(size.y / size.x, 1.0) / frame.tanHalfFov);
+    // An eye inside the sphere sees through it.
+    bool inFront = centre.z < radius && dot(centre, centre) > radius * radius;
+    bool inside = all(lessThan(bounds.xy, vec2(1.0))) && all(greaterThan(bounds.zw, vec2(-1.0)));
+    vec2 extent = 0.5 * (bounds.zw - bounds.xy) * size;
+    vec2 middle = 0.5 * (bounds.xy + bounds.zw);
+    bool asPoint = max(extent.x, extent.y) + 1.0 <= frame.pointSizeLimit && all(lessThan(abs(middle), vec2(1.0))) &&
+                   -centre.z > 1.01 * radius;
+    uint hidden = cells[burialCell(position)];
+    bool seen = inFront && inside && (hidden & HIDDEN_FROM_EYE) == 0u;
+    uint how = !seen ? 0u : asPoint ? DRAWN_AS_POINT : DRAWN_AS_QUAD;
+    return how | ((hidden & HIDDEN_FROM_LIGHT) == 0u ? CASTS_SHADOW : 0u);
+}
+
+void main()
+{
+    uint begin = gl_GlobalInvocationID.x * LIST_CHUNK;
+    uint end = min(begin + LIST_CHUNK, frame.particleCount);
+    if (begin >= end) return;
+    uvec3 count = uvec3(0u);
+    for (uint i = begin; i < end; ++i) {
+        vec4 position = texelFetch(positions, int(i));
+        uint how = isThere(position) ? howDrawn(position.xyz, sphereRadius(i)) : 0u;
+        visible[i] = how;
+        count += listCounts(how);
+    }
+    counts[gl_GlobalInvocationID.x] = uvec4(count, 0u);
+}

@@ -1,0 +1,24 @@
+// One thread finds the bounds and the moments of every BOUNDS_THREADS-th particle, if it is there.
+#include "render/common/sphere_sizes.glsl"
+
+layout(local_size_x = RENDER_GROUP_SIZE) in;
+layout(std430, binding = RENDER_POSITIONS_SLOT) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = RENDER_BOUNDS_SLOT) writeonly buffer Bounds { ParticleBounds bounds[]; };
+
+void main()
+{
+    uint thread = gl_GlobalInvocationID.x;
+    vec3 low = vec3(1e30), high = vec3(-1e30), sum = vec3(0.0), squares = vec3(0.0);
+    float count = 0.0;
+    vec3 middle = 0.5 * (frame.shadowLimitLow.xyz + frame.shadowLimitHigh.xyz);
+    for (uint i = thread; i < frame.particleCount; i += BOUNDS_THREADS) {
+        vec3 p = positions[i].xyz;
+        if (!isThere(positions[i])) continue;
+        count += 1.0;
+        low = min(low, p);
+        high = max(high, p);
+        sum += p - middle;
+        squares += (p - middle) * (p - middle);
+    }
+    bounds[thread] = ParticleBounds(vec4(low, 0.0), vec4(high, 0.0), vec4(sum, count), vec4(squares, 0.0));
+}

@@ -1,0 +1,112 @@
+// One thread gathers the particles' bounds and aims the camera: as it is told, at the object that it follows, or so
+// that all particles and their way down to the ground are seen. What it sees moves, so the camera moves smoothly.
+#include "shared/frame_types.h"
+#include "render/view/axes.glsl"
+
+layout(local_size_x = 1) in;
+layout(std140, binding = FRAME_INPUT_SLOT) uniform FrameInputBlock { FrameInput frame; };
+layout(std430, binding = RENDER_CENTRES_SLOT) readonly buffer Centres { vec4 centres[]; };
+layout(std430, binding = RENDER_BOUNDS_SLOT) readonly buffer Bounds { ParticleBounds bounds[]; };
+layout(std430, binding = RENDER_VIEW_SLOT) buffer View { FrameView view; };
+
+// Share of the picture that what is framed may take.
+const float FRAME_SHARE = 0.85;
+// Farther from the mean than so many standard deviations, stray particles are no reason to show the rest small.
+const float STRAY = 3.0;
+// Times in which the framed box grows and shrinks, and a followed object is caught up with, but for a share 1/e [s].
+const float GROWING = 0.12;
+const float SHRINKING = 0.6;
+const float FOLLOWING = 0.1;
+
+struct Box {
+    vec3 low, high;
+};
+
+Box framedBox()
+{
+    vec3 low = vec3(1e30), high = vec3(-1e30), sum = vec3(0.0), squares = vec3(0.0);
+    float count = 0.0;
+    for (uint i = 0u; i < BOUNDS_THREADS; ++i) {
+        low = min(low, bounds[i].low.xyz);
+        high = max(high, bounds[i].high.xyz);
+        sum += bounds[i].sum.xyz;
+        count += bounds[i].sum.w;
+        squares += bounds[i].squares.xyz;
+    }
+    if (count == 0.0) {
+        low = frame.shadowLimitLow.xyz;
+        high = frame.shadowLimitHigh.xyz;
+    }
+    view.particleLow = vec4(low, 0.0);
+    view.particleHigh = vec4(high, 0.0);
+    if (count == 0.0) return Box(low, high);
+    vec3 mean = sum / count;
+    vec3 reach = STRAY * sqrt(max(squares / count - mean * mean, 0.0));
+    vec3 middle = 0.5 * (frame.shadowLimitLow.xyz + frame.shadowLimitHigh.xyz) + mean;
+    low = max(low, middle - reach) - frame.radius;
+    high = min(high, middle + reach) + frame.radius;
+    vec3 size = high - low;
+    // It will come down, but a ground far below is shown when it comes near.
+    low.y = min(low.y, max(frame.groundAlbedo.w, low.y - max(size.x, max(size.y, size.z))));
+    if (frame.cameraMode != CAMERA_FRAMES_AROUND) return Box(low, high);
+    // Seen from all sides in turn: the circle that the corners describe.
+    vec2 centre = 0.5 * (low.xz + high.xz);
+    float around = 0.5 * length(high.xz - low.xz);
+    return Box(vec3(centre.x - around, low.y, centre.y - around), vec3(centre.x + around, high.y, centre.y + around));
+}
+
+Box followedBox()
+{
+    vec3 sum = vec3(0.0);
+    for (uint i = 0u; i < frame.followedBodyCount; ++i) sum += centres[frame.followedBodyStart + i].xyz;
+    return Box(sum / float(frame.followedBodyCount), sum / float(frame.followedBodyCount));
+}
+
+// The share of the way to `now` that is gone in this frame. `outward`: where the box grows.
+vec3 shareOfWay(bvec3 outward)
+{
+    if (frame.trackSeconds < 0.0) return vec3(1.0);
+    vec3 time = frame.cameraMode == CAMERA_FOLLOWS ? vec3(FOLLOWING) : mix(vec3(SHRINKING), vec3(GROWING), outward);
+    return 1.0 - exp(-frame.trackSeconds / time);
+}
+
+Box tracked(Box now)
+{
+    Box before = Box(view.trackedLow.xyz, view.trackedHigh.xyz);
+    if (frame.trackSeconds < 0.0) before = now;
+    Box box = Box(mix(before.low, now.low, shareOfWay(lessThan(now.low, before.low))),
+                  mix(before.high, now.high, shareOfWay(greaterThan(now.high, before.high))));
+    view.trackedLow = vec4(box.low, 0.0);
+    view.trackedHigh = vec4(box.high, 0.0);
+    return box;
+}
+
+// Where the four sides of the view touch the box, or two of them where its proportions are not the picture's.
+vec3 placeThatFrames(Box box, vec3 right, vec3 up, vec3 back)
+{
+    vec2 slope = FRAME_SHARE * frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);
+    vec2 most = vec2(-1e30), least = vec2(1e30);
+    for (int corner = 0; corner < 8; ++corner) {
+        vec3 p = mix(box.low, box.high, vec3(corner & 1, corner >> 1 & 1, corner >> 2));
+        vec2 side = vec2(dot(p, right), dot(p, up));
+        most = max(most, side + slope * dot(p, back));
+        least = min(least, side - slope * dot(p, back));
+    }
+    vec2 middle = 0.5 * (most + least), away = 0.5 * (most - least) / slope;
+    return middle.x * right + middle.y * up + max(away.x, away.y) * back;
+}
+
+void main()
+{
+    Box framed = framedBox();
+    vec3 back = normalize(frame.cameraPosition.xyz - frame.cameraTarget.xyz);
+    vec3 right = perpendicular(back);
+    vec3 up = cross(back, right);
+    vec3 eye = frame.cameraPosition.xyz;
+    if (frame.cameraMode == CAMERA_FOLLOWS) eye += tracked(followedBox()).low;
+    if (frame.cameraMode >= CAMERA_FRAMES) eye = placeThatFrames(tracked(framed), right, up, back);
+    view.cameraRight = vec4(right, 0.0);
+    view.cameraUp = vec4(up, 0.0);
+    view.cameraBack = vec4(back, 0.0);
+    view.cameraPosition = vec4(eye, 0.0);
+}

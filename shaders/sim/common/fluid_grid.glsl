@@ -1,0 +1,40 @@
+// FLUIDS: the same passes over the neighbour grid of fluids, which holds all particles but those that are parked. It is
+// always a lattice, and finer along x.
+#define NO_CELL 0xffffffffu
+
+#ifdef FLUIDS
+#undef GRID_HASH
+#include "sim/common/fluid_living.glsl"
+#define cellCounts fluidCellCounts
+#define CellCounts FluidCellCounts
+#define cellSums fluidCellSums
+#define CellSums FluidCellSums
+#define cellStarts fluidCellStarts
+#define CellStarts FluidCellStarts
+#define cellMembers fluidCellMembers
+#define CellMembers FluidCellMembers
+#define particleCells fluidParticleCells
+#define ParticleCells FluidParticleCells
+#define foundPositions fluidFoundPositions
+uint gridParticles() { return slotCapacity(); }
+uint gridMembers() { return slotCount(); }
+uint gridMask() { return step.fluidCellMask; }
+uvec2 gridStrides() { return uvec2(step.fluidStrideY, step.fluidStrideZ); }
+vec3 inverseGridCell() { return step.inverseFluidCell * vec3(FINE_CELLS, 1, 1); }
+#define CELLS_ALONG FINE_CELLS
+#else
+uint gridParticles() { return step.particleCount; }
+uint gridMembers() { return step.particleCount; }
+bool isParked(vec4 place) { return false; }
+uint gridMask() { return step.cellMask; }
+uvec2 gridStrides() { return uvec2(step.cellStrideY, step.cellStrideZ); }
+vec3 inverseGridCell() { return vec3(step.inverseCellSize); }
+#define CELLS_ALONG 1
+#endif
+
+// Whether a particle is in no cell, by what grid_count wrote of it.
+#if defined(FLUIDS) && defined(POOL)
+bool isNowhere(uint cell) { return cell == NO_CELL; }
+#else
+bool isNowhere(uint cell) { return false; }
+#endif

@@ -1,0 +1,11 @@
+// One thread a particle, by rank: no impulses yet from what acts on single particles (fluids, strings, soft bodies).
+#include "sim/common/kernel.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+BUFFER(vec4, ParticleImpulses, particleImpulses);
+
+void main()
+{
+    uint rank = gl_GlobalInvocationID.x;
+    if (rank < step.particleCount) particleImpulses[rank] = vec4(0);
+}

@@ -1,0 +1,72 @@
+// One contact of the paper's solver: how it moves a particle, before the average over all contacts of that.
+// STABILIZE: for the overlap at the start of the substep, which leaves without adding speed.
+#include "sim/common/one_sided.glsl"
+#include "shared/paper_constants.h"
+
+/// A particle as a contact sees it.
+struct Side {
+    vec3 start;          // at the start of the substep [m]
+    vec3 move;           // since then [m]
+    float inverseMass;   // scaled; 0: immovable [1/kg]
+};
+
+/// What contacts ask of a particle.
+struct Push {
+    vec3 move;           // [m]
+    float acting;        // how many contacts act
+};
+
+/// How far the iterations have to push a contact apart [m], <= 0. An overlap is all that is known of the load that
+/// presses it, so the first `maxCorrection` of an old one push with speed and the rest is left to stabilization. What is
+/// deeper than `deepOverlap` carries nothing any more, it only has to come out.
+float solveError(float gap, float old)
+{
+    return min(gap + (old > step.deepOverlap ? old : max(old - step.maxCorrection, 0.0)), 0.0);
+}
+
+/// How far this pass has to push it apart [m], <= 0.
+float passError(float gap, float old)
+{
+#ifdef STABILIZE
+    return old > step.deepOverlap ? -step.deepRecovery : -clamp(old - step.maxCorrection, 0.0, step.stabilization);
+#else
+    return solveError(gap, old);
+#endif
+}
+
+/// An overlap (eqs. 5-7) and its friction (Macklin et al. 2014, eq. 24).
+/// @param slide of one side on the other in the substep [m]. @param friction static, kinetic.
+/// @returns the way apart along the normal, before relaxation.
+Push contactPush(vec3 normal, float gap, float startGap, vec3 slide, vec2 friction)
+{
+    float old = max(-startGap, 0.0);
+    float error = passError(gap, old);
+    Push push = Push(-error * normal, error < 0.0 ? 1.0 : 0.0);
+#ifndef STABILIZE
+    vec3 tangent = slide - normal * dot(normal, slide);
+    float size = length(tangent);
+    float slowed = size < -friction.x * error ? 1.0 : min(-friction.y * error / max(size, 1e-20), 1.0);
+    push.move -= slowed * tangent;
+#endif
+    return push;
+}
+
+/// What the contact of two particles asks of one.
+/// @param sides of the pair, pairSides. @param first whether `own` is the first of the pair.
+Push pairPush(Side own, Side other, bool first, uvec4 sides)
+{
+    float sign = first ? 1.0 : -1.0;
+    vec3 startApart = sign * (own.start - other.start), slide = sign * (own.move - other.move);
+    float startFar = length(startApart);
+    Way way = unpackWay(sides.xy);
+    vec4 sided = sidedNormal(startApart, startFar, way);
+    bool keeps = sided.w > 0.0;
+    float startGap = (keeps && way.deep ? 0.0 : startFar) - step.diameter;
+    vec3 apart = startApart + slide;
+    float far = length(apart);
+    vec3 normal = keeps ? sided.xyz : contactNormal(apart, far, true);
+    float gap = keeps ? startGap + dot(slide, sided.xyz) : far - step.diameter;
+    Push push = contactPush(normal, gap, startGap, slide, unpackHalf2x16(sides.z));
+    push.move *= sign * own.inverseMass / max(own.inverseMass + other.inverseMass, 1e-30);
+    return push;
+}

@@ -1,0 +1,39 @@
+// One thread a particle: the static colliders that it may touch.
+#include "sim/common/kernel.glsl"
+#include "sim/common/colliders.glsl"
+#include "sim/common/contact_lists.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer foundPositions;
+uniform samplerBuffer foundCentres;      // w: how far its mover may drift
+uniform usamplerBuffer particlePlaces;   // mover, rank
+uniform usamplerBuffer moverColliders;   // bits: those that the mover may touch
+BUFFER(uint, ColliderLists, colliderLists);
+BUFFER(uint, ListCounts, listCounts);
+BUFFER(Counters, CountersBlock, counters);
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= step.particleCount) return;
+    vec3 x = texelFetch(foundPositions, int(i)).xyz;
+    uvec2 place = texelFetch(particlePlaces, int(i)).xy;
+    float further = max(texelFetch(foundCentres, int(place.x)).w - step.drift, 0.0);
+    float reach = step.contactRadius - 0.5 * step.diameter + further;
+    uint near = texelFetch(moverColliders, int(place.x)).x;
+    uint count = 0u;
+    for (uint block = 0u; near != 0u; block += 32u) {
+        for (uint left = near; left != 0u; left &= left - 1u) {
+            uint c = block + uint(findLSB(left));
+            if (c >= step.colliderCount || colliderDistance(c, x).w > reach) continue;
+            if (count < COLLIDER_SLOTS) colliderLists[count * step.particleCount + i] = c;
+            ++count;
+        }
+        if (block + 32u >= step.colliderCount) break;
+    }
+    if (count > COLLIDER_SLOTS) {
+        atomicOr(counters[0].problems, PROBLEM_COLLIDERS);
+        atomicMax(counters[0].wantedColliders, count);
+    }
+    listCounts[listPlace(WITH_COLLIDER, place.y)] = min(count, COLLIDER_SLOTS);
+}

@@ -1,0 +1,78 @@
+// One thread a particle, in cell order: the particles ahead of it that it may touch (paper, section 3.1: nearer than
+// 1.2 diameters). Never particles of a body of its own, nor of its assembly where they overlap at rest; fast ones are
+// contact_find_far's business.
+#include "sim/common/kernel.glsl"
+#include "sim/common/fluid_grid.glsl"
+#include "sim/common/grid.glsl"
+#include "sim/search/contact_search.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+
+/// The particles ahead, range after range, as one sequence: long loops over all leave fewer lanes of a software driver
+/// idle than a loop for each range.
+struct Sequence {
+    uint begins[FORWARD_RANGES];    // place of a range's first particle in the sequence
+    uint offsets[FORWARD_RANGES];   // from there to its place in the sorted arrays
+    uint count;
+};
+
+Sequence sequenceAhead(ivec3 cell, uint k)
+{
+    Sequence s;
+    s.count = 0u;
+    for (int range = 0; range < FORWARD_RANGES; ++range) {
+        uvec2 cells = forwardCells(cell, range);
+        uint first = range == 0 ? k + 1u : texelFetch(cellStarts, int(cells.x)).x;
+        s.begins[range] = s.count;
+        s.offsets[range] = first - s.count;
+        s.count += texelFetch(cellStarts, int(cells.y)).x - first;
+    }
+    return s;
+}
+
+/// The place in the sorted arrays of the sequence's particle c; `range` is which range it is of.
+uint placeOf(Sequence s, uint c, out int range)
+{
+    uint offset = s.offsets[0];
+    range = 0;
+    for (int r = 1; r < FORWARD_RANGES; ++r)
+        if (c >= s.begins[r]) {
+            offset = s.offsets[r];
+            range = r;
+        }
+    return c + offset;
+}
+
+void main()
+{
+    uint k = gl_GlobalInvocationID.x;
+    if (k >= step.particleCount) return;
+    uvec4 info = texelFetch(sortedInfos, int(k));
+    if (info.w != 0u) return;
+    vec4 own = texelFetch(sortedPositions, int(k));
+    ivec3 cell = cellOf(own.xyz);
+    Sequence ahead = sequenceAhead(cell, k);
+    float reach = step.contactRadius * step.contactRadius;
+    uint count = 0u;
+    int range;
+    for (uint first = 0u; first < ahead.count; first += 32u) {
+        // Bits first, branch-free; the few hits are visited afterwards.
+        uint hits = 0u;
+        uint n = min(ahead.count - first, 32u);
+        for (uint b = 0u; b < n; ++b) {
+            vec4 other = texelFetch(sortedPositions, int(placeOf(ahead, first + b, range)));
+            vec3 r = own.xyz - other.xyz;
+            uint hit = dot(r, r) < reach && floatBitsToUint(other.w) != floatBitsToUint(own.w) ? 1u : 0u;
+            hits |= hit << b;
+        }
+        while (hits != 0u) {
+            uint m = placeOf(ahead, first + uint(findLSB(hits)), range);
+            hits &= hits - 1u;
+            uvec4 other = texelFetch(sortedInfos, int(m));
+            if (other.w != 0u || (other.y == info.y && !mayTouch(info.x, other.x))) continue;
+            if (!inForwardRange(cell, range, texelFetch(sortedPositions, int(m)).xyz)) continue;
+            notePair(info, other, count++);
+        }
+    }
+    noteCount(info, count);
+}

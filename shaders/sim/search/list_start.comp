@@ -1,0 +1,24 @@
+// One thread a chunk of counts: where each particle's contacts start in the lists.
+#include "sim/common/kernel.glsl"
+#include "sim/search/scan.glsl"
+#include "sim/common/contact_lists.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform usamplerBuffer listCounts;
+uniform usamplerBuffer listSums;
+BUFFER(uint, ListStarts, listStarts);
+BUFFER(Counters, CountersBlock, counters);
+
+void main()
+{
+    uint chunk = gl_GlobalInvocationID.x;
+    if (chunk >= chunkCount()) return;
+    uint first = listStart(counters[0].listParity, 0u);
+    uint end = min((chunk + 1u) * SCAN_CHUNK, scanCount());
+    uint sum = texelFetch(listSums, int(chunk)).x;
+    for (uint k = chunk * SCAN_CHUNK; k < end; ++k) {
+        listStarts[first + k] = sum;
+        sum += texelFetch(listCounts, int(k)).x;
+    }
+    if (end == scanCount()) listStarts[first + end] = sum;
+}

@@ -1,0 +1,28 @@
+// One thread a mover: by how much further it looks for contacts than others, because it will soon have left its margin
+// (a fast mover; the pace of all would else be set by a few).
+#include "sim/common/kernel.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer moverMoves;
+uniform samplerBuffer moverTurns;
+uniform samplerBuffer bodyMoments;       // w of the first of three: radius
+uniform usamplerBuffer moverInfo;
+BUFFER(float, MoverReaches, moverReaches);
+BUFFER(Counters, CountersBlock, counters);
+
+void main()
+{
+    uint m = gl_GlobalInvocationID.x;
+    if (m >= step.moverCount) return;
+    float radius = m < step.bodyCount ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
+    // found_place puts the middle of the way ahead: it lasts for 1.75 times its length. Turns are not looked ahead.
+    float path = length(texelFetch(moverMoves, int(m)).xyz) / 1.75 +
+                 2.0 * length(texelFetch(moverTurns, int(m)).xyz) * radius;
+    bool calm = counters[0].calm == 1u;
+    float missing = (calm ? CALM : 1.0) * step.horizon * path - step.drift;
+    float reach = clamp(missing, 0.0, step.farReach);
+    moverReaches[m] = reach;
+    uint particles = texelFetch(moverInfo, int(m)).y;
+    if (reach > 0.0) atomicAdd(counters[0].fastCount, particles);
+    if (CALM * step.horizon * path > step.drift) atomicAdd(counters[0].fastLater, particles);
+}

@@ -1,0 +1,55 @@
+// One thread a particle: puts the pairs that it is the first of into their places, and has their second particles refer
+// to them. The first thread sets the sizes of the lists.
+#include "sim/common/kernel.glsl"
+#include "sim/common/groups.glsl"
+#include "sim/common/list_ranges.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform usamplerBuffer firstLists;       // second particle, its arrival among that one's references
+uniform usamplerBuffer colliderLists;
+uniform usamplerBuffer listCounts;
+uniform usamplerBuffer particlePlaces;   // mover, rank
+BUFFER(uvec2, Pairs, pairs);
+BUFFER(uint, PairArrivals, pairArrivals);
+BUFFER(uint, PairReferences, pairReferences);   // pair_write puts them in order
+BUFFER(uvec2, ColliderPairs, colliderPairs);
+BUFFER(uvec4, Dispatches, dispatches);
+BUFFER(Counters, CountersBlock, counters);
+
+void setSizes(uint parity)
+{
+    uint total = listTotal(parity, FIRST_OF_PAIR), withColliders = listTotal(parity, WITH_COLLIDER);
+    counters[0].pairCount = min(total, step.pairCapacity);
+    counters[0].colliderPairCount = min(withColliders, step.colliderPairCapacity);
+    counters[0].wantedPairs = max(counters[0].wantedPairs, total);
+    counters[0].wantedColliderPairs = max(counters[0].wantedColliderPairs, withColliders);
+    if (total > step.pairCapacity || withColliders > step.colliderPairCapacity)
+        atomicOr(counters[0].problems, PROBLEM_PAIRS);
+    uvec4 pairGroups = uvec4(groups(counters[0].pairCount), 1, 1, 0);
+    uvec4 colliderGroups = uvec4(groups(counters[0].colliderPairCount), 1, 1, 0);
+    dispatches[DISPATCH_PAIRS] = dispatches[DISPATCH_NEW_PAIRS] = pairGroups;
+    dispatches[DISPATCH_COLLIDER_PAIRS] = dispatches[DISPATCH_NEW_COLLIDER_PAIRS] = colliderGroups;
+}
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= step.particleCount) return;
+    uint parity = counters[0].listParity;
+    if (i == 0u) setSizes(parity);
+    uint rank = texelFetch(particlePlaces, int(i)).y;
+    uint end = listEntry(parity, rank + 1u), slot = i;
+    uint references = listEntry(parity, listPlace(SECOND_OF_PAIR, 0u));
+    for (uint q = listEntry(parity, rank); q < end; ++q, slot += step.particleCount) {
+        uvec2 entry = texelFetch(firstLists, int(slot)).xy;
+        uint other = texelFetch(particlePlaces, int(entry.x)).y;
+        if (q < step.pairCapacity) pairs[parity * step.pairCapacity + q] = uvec2(i, entry.x);
+        uint place = listEntry(parity, listPlace(SECOND_OF_PAIR, other)) - references + entry.y;
+        pairArrivals[place] = q;
+        pairReferences[place] = NO_PAIR;
+    }
+    uvec2 range = listRange(parity, WITH_COLLIDER, rank, 1u) + parity * step.colliderPairCapacity;
+    slot = i;
+    for (uint q = range.x; q < range.y; ++q, slot += step.particleCount)
+        colliderPairs[q] = uvec2(i, texelFetch(colliderLists, int(slot)).x);
+}

@@ -1,0 +1,26 @@
+// Which values a prefix sum is over: how many particles each cell of the grid holds, or (LISTS) how many contacts each
+// particle has in the lists of contact_lists.glsl, or (POOLS) which places of the pools' lists are parked.
+
+#include "sim/common/fluid_grid.glsl"
+
+#ifdef LISTS
+#define SCAN_VALUES listCounts
+#define SCAN_SUMS listSums
+#define SCAN_BLOCK ListSums
+uint scanCount() { return 3u * step.particleCount; }
+#elif defined(POOLS)
+#define SCAN_VALUES poolParked
+#define SCAN_SUMS poolSums
+#define SCAN_BLOCK PoolSums
+uint scanCount() { return step.poolCapacity; }
+#else
+#define SCAN_VALUES cellCounts
+#define SCAN_SUMS cellSums
+#define SCAN_BLOCK CellSums
+uint scanCount() { return gridMask() + 1u; }
+#endif
+
+uint chunkCount()
+{
+    return (scanCount() + SCAN_CHUNK - 1u) / SCAN_CHUNK;
+}

@@ -1,0 +1,56 @@
+#include "sim/solver/body/body_mass.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+namespace knuckle {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+Matrix3d inverseOf(const Matrix3d& inertia)
+{
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(inertia);
+    const double largest = std::max(eigen.eigenvalues().maxCoeff(), 1e-30);
+    Vector3d inverse = Vector3d::Zero();
+    for (int k = 0; k < 3; ++k)
+        if (eigen.eigenvalues()[k] > 1e-6 * largest) inverse[k] = 1.0 / eigen.eigenvalues()[k];
+    return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
+BodyMass bodyMass(const World& world, const Body& body)
+{
+    BodyMass result;
+    for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
+        const Vector3d r = world.links[l].restOffset.cast<double>();
+        result.mass += world.links[l].mass;
+        result.moments += world.links[l].mass * r * r.transpose();
+        result.radius = std::max(result.radius, r.norm());
+    }
+    result.inverseInertia = inverseOf(result.moments.trace() * Matrix3d::Identity() - result.moments);
+    return result;
+}
+
+std::vector<float> worstInverseMasses(const World& world)
+{
+    std::vector<float> result(world.links.size(), 0.0f);
+    for (const Body& body : world.bodies) {
+        if (body.motion == Motion::Fixed) continue;
+        const BodyMass mass = bodyMass(world, body);
+        for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
+            const Vector3d r = world.links[l].restOffset.cast<double>();
+            Matrix3d cross;
+            cross << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+            const Matrix3d turn = cross * mass.inverseInertia * cross.transpose();
+            const double largest = Eigen::SelfAdjointEigenSolver<Matrix3d>(turn).eigenvalues().maxCoeff();
+            result[l] = static_cast<float>(1.0 / mass.mass + std::max(largest, 0.0));
+        }
+    }
+    return result;
+}
+
+}  // namespace knuckle

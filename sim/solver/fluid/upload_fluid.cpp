@@ -1,0 +1,179 @@
+#include "sim/solver/fluid/upload_fluid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include "sim/solver/fluid/fluid_lattice.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr uint32_t FIRST_NEIGHBOURS = 64;
+/// Of the smoothing kernel [rest distances]. Below 2.2 the sums depend so much on how particles happen to lie that water
+/// under pressure rubs like sand; above 2.5 the multipliers overshoot.
+constexpr float FLUID_REACH = 2.2f;
+/// Sums over a lattice over those over fluid at rest, which is less even.
+constexpr double DISORDER = 1.01;
+
+/// Sums over a cubic lattice of spacing `spacing` of Wendland's kernel of support `reach` without its constant, and of
+/// the squares of its slope: the density and the denominator of lambda that fluids are filled with.
+struct LatticeSums {
+    LatticeSums(double spacing, double reach)
+    {
+        const int cells = static_cast<int>(reach / spacing) + 1;
+        for (int z = -cells; z <= cells; ++z)
+            for (int y = -cells; y <= cells; ++y)
+                for (int x = -cells; x <= cells; ++x) {
+                    const double q = spacing * std::sqrt(double(x * x + y * y + z * z)) / reach, a = 1.0 - q;
+                    if (a <= 0.0) continue;
+                    density += std::pow(a, 4) * (1.0 + 4.0 * q);
+                    slopes += std::pow(20.0 / reach * q * a * a * a, 2);
+                    spread += std::pow(a, 4) * (1.0 + 4.0 * q) * reach * reach * q * q;
+                }
+    }
+    double density = 0.0, slopes = 0.0, spread = 0.0;
+};
+
+/// How much of the difference to its neighbours a particle of the material gives up in a step (fluid_smooth.comp). The
+/// least keeps resting fluids quiet; explicit steps are stable below 1.
+float smoothing(const gpu::StepParameters& p, const Material& material, float time)
+{
+    constexpr double LEAST = 0.03, MOST = 0.9;
+    const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
+    const double kinematic = material.viscosity / material.density;
+    return static_cast<float>(std::clamp(6.0 * kinematic * time * lattice.density / lattice.spread, LEAST, MOST));
+}
+
+/// The share of the kernel behind a plane at z, as in sim/fluid/fluid.glsl.
+double wallShare(double z, double reach)
+{
+    const double t = std::clamp(1.0 - z / reach, 0.0, 1.0);
+    return std::pow(t, 6) * (3.5 - 4.5 * t + 1.5 * t * t);
+}
+
+/// By how much more the listed particles of a layer have to cover for a fluid particle next to it: the list, and with it
+/// solidShare() of sim/fluid/fluid.glsl, fades out before the kernel ends. With 0.88 of that bodies float as deep as they
+/// are dense.
+float solidCover(const gpu::StepParameters& p)
+{
+    constexpr double CALIBRATION = 0.88;
+    constexpr int SAMPLES = 400;
+    const double d = p.diameter, nearest = 0.5 * (d + p.fluidSpacing), end = p.fluidListReach;
+    double listed = 0.0, share = wallShare(nearest - 0.5 * d, p.fluidReach);
+    for (int k = 0; k < SAMPLES; ++k) {
+        const double from = nearest + (end - nearest) * k / SAMPLES, to = nearest + (end - nearest) * (k + 1) / SAMPLES;
+        const double u = std::clamp((end - 0.5 * (from + to)) / (0.2 * d), 0.0, 1.0), fade = u * u * (3.0 - 2.0 * u);
+        listed += fade * (wallShare(from - 0.5 * d, p.fluidReach) - wallShare(to - 0.5 * d, p.fluidReach));
+    }
+    return static_cast<float>(CALIBRATION * share / listed);
+}
+
+/// What two particles that attract each other get in a substep is this times fluidPull(q) of sim/fluid/fluid.glsl [kg m].
+/// A pair force f(r) at the number density n gives the surface tension pi n^2 / 8 times the integral of f r^4 (Fowler
+/// 1937; Rowlinson and Widom 1982, eq. 4.99) where places are independent; fluidPull's is 0.0074777 reach^5. Puddles say
+/// that as they are it gives 1 / CORRELATION of that.
+float tension(const gpu::StepParameters& p, const Material& material)
+{
+    constexpr double CORRELATION = 1.26;
+    const double density = std::pow(p.fluidSpacing, -3.0), reach = std::pow(double(p.fluidReach), 5);
+    const double unit = std::numbers::pi / 8.0 * density * density * 0.0074777 * reach;
+    const double force = CORRELATION * material.surfaceTension / unit;
+    return static_cast<float>(force * p.substepTime * p.substepTime);
+}
+
+void setLattice(gpu::StepParameters& p, const World& world)
+{
+    if (p.fluidCount == 0) return;
+    const uint32_t cells = 2 * std::bit_ceil(std::max(p.particleCount + p.fluidCount, 4096u));
+    const FluidLattice lattice = fluidLattice(world, p.fluidListReach, cells);
+    p.fluidCellMask = cells - 1;
+    p.fluidStrideY = lattice.strideY;
+    p.fluidStrideZ = lattice.strideZ;
+}
+
+}  // namespace
+
+void setFluidParameters(gpu::StepParameters& p, const World& world)
+{
+    p.fluidCount = world.fluidCount;
+    p.fluidSlots = FIRST_NEIGHBOURS;
+    p.fluidSpacing = world.fluidSpacing;
+    p.fluidReach = FLUID_REACH * world.fluidSpacing;
+    // Neighbours stay listed for a step; what comes nearer then hardly counts yet. Solids reach a radius beyond their
+    // centres.
+    p.fluidListReach = std::max(p.fluidReach, 1.1f * world.diameter());
+    p.solidCover = solidCover(p);
+    p.inverseFluidCell = 1.0f / p.fluidListReach;
+    setLattice(p, world);
+    const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
+    p.fluidVolume = static_cast<float>(DISORDER / lattice.density);
+    p.fluidSoftness = static_cast<float>(0.01 * lattice.slopes / (lattice.density * lattice.density));
+}
+
+void makeFluid(SolverBuffers& out, const World& world, const Gpu& gpu)
+{
+    const gpu::StepParameters& p = out.parameters;
+    FluidBuffers& f = out.fluid;
+    const size_t count = p.fluidCount > 0 ? p.particleCount + p.fluidCount : 0;
+    const size_t cells = count > 0 ? p.fluidCellMask + 1 : 0;
+    const size_t slots = (count + NEIGHBOUR_BLOCK - 1) / NEIGHBOUR_BLOCK * NEIGHBOUR_BLOCK;
+    const uint64_t largest = uint64_t(p.fluidSlots) * slots * sizeof(uint32_t);
+    if (largest > static_cast<uint64_t>(gpu.limits().storageBlockSize))
+        throw DeviceError(fmt::format("{}: {} fluid particles with {} neighbours need a buffer of {} MiB and the device "
+                                      "allows {}; use fewer particles or another --device", gpu.device().name,
+                                      p.fluidCount, p.fluidSlots, largest >> 20, gpu.limits().storageBlockSize >> 20));
+    if (count > 0) out.hasOthers = true;
+    f.fluidFoundPositions = {"fluidFoundPositions", count};
+    f.fluidParticleCells = {"fluidParticleCells", count};
+    f.fluidCellCounts = {"fluidCellCounts", cells};
+    f.fluidCellSums = {"fluidCellSums", cells / SCAN_CHUNK};
+    f.fluidCellStarts = {"fluidCellStarts", cells + WRAPPED_CELLS + 1};
+    f.fluidCellMembers = {"fluidCellMembers", count};
+    f.fluidSorted = {"fluidSorted", (2 * count + 3) / 4};
+    f.slotParticles = {"slotParticles", count};
+    f.particleSlots = {"particleSlots", count};
+    f.slotCounts = {"slotCounts", count};
+    f.slotNeighbours = {"slotNeighbours", p.fluidSlots / 4 * slots};
+    f.slotColliders = {"slotColliders", count};
+    std::vector<gpu::vec4> materials;
+    for (const Material& m : world.materials)
+        materials.push_back({smoothing(p, m, world.settings.timeStep), tension(p, m), 0, 0});
+    f.hasTension = std::ranges::any_of(materials, [](const gpu::vec4& m) { return m.y > 0.0f; });
+    f.slotMaterials = {"slotMaterials", count};
+    f.slotVorticities = {"slotVorticities", p.vorticity > 0.0f ? count : 0};
+    f.fluidMaterials = {"fluidMaterials", std::span<const gpu::vec4>(materials)};
+    for (auto [buffer, name] : {std::pair{&f.slotVelocities, "slotVelocities"}, {&f.slotPlaces, "slotPlaces"},
+                                {&f.slotPressures, "slotPressures"},
+                                {&f.slotWalls, "slotWalls"}, {&f.slotSolids, "slotSolids"}})
+        *buffer = {name, count};
+}
+
+void addFluid(BufferTable& table, FluidBuffers& f)
+{
+    table.add(f.fluidFoundPositions, f.fluidParticleCells, f.fluidCellCounts, f.fluidCellSums, f.fluidCellStarts,
+              f.fluidCellMembers, f.fluidSorted, f.slotParticles, f.particleSlots, f.slotCounts,
+              f.slotNeighbours, f.slotColliders, f.fluidMaterials, f.slotVelocities, f.slotPlaces, f.slotPressures,
+              f.slotMaterials, f.slotVorticities, f.slotWalls, f.slotSolids);
+}
+
+std::vector<float> fluidDensities(SolverBuffers& buffers)
+{
+    const std::vector<gpu::vec4> walls = buffers.fluid.slotWalls.download();
+    const std::vector<uint32_t> particles = buffers.fluid.slotParticles.download();
+    std::vector<float> densities;
+    // What is parked has no slot.
+    uint32_t slots = 0;
+    if (!walls.empty())
+        buffers.fluid.fluidCellStarts.read(&slots, sizeof slots, (buffers.parameters.fluidCellMask + 1) * sizeof slots);
+    for (size_t k = 0; k < slots; ++k)
+        if (particles[k] >= buffers.parameters.particleCount) densities.push_back(walls[k].w);
+    return densities;
+}
+
+}  // namespace knuckle

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+
+#include "tests/solver/solver_test.h"
+
+namespace knuckle::test {
+
+inline Collider colliderOf(ColliderShape shape, const Vector3f& position = {0, 0, 0},
+                           const Quaternionf& turn = {1, 0, 0, 0}, float size = 1.0f)
+{
+    Collider c;
+    c.shape = shape;
+    c.position = position;
+    c.orientation = turn;
+    c.halfExtents = size * Vector3f(0.3f, 0.1f, 0.2f);
+    c.radius = size * 0.15f;
+    c.halfHeight = size * 0.2f;
+    return c;
+}
+
+/// Colliders of each shape, turned and shifted, where particles are. More than four are smaller and stand apart, so
+/// that none but the one plane among them is near many particles.
+inline World colliderWorld(uint32_t count = 4)
+{
+    World world = mixedWorld();
+    Random random(51);
+    const bool many = count > 4;
+    for (uint32_t c = 0; c < count; ++c) {
+        constexpr ColliderShape SHAPES[] = {ColliderShape::Box, ColliderShape::Sphere, ColliderShape::Capsule};
+        const ColliderShape shape = c == count - 1 ? ColliderShape::Plane : SHAPES[c % 3];
+        const Vector3f cell(float(c % 5) - 2, float(c / 5 % 5) - 2, float(c / 25) - 1);
+        const Vector3f position = many ? 0.22f * cell + random.inCube(0.03f) : random.inCube(0.2f);
+        world.colliders.push_back(colliderOf(shape, position, random.rotation(), many ? 0.25f : 1.0f));
+        world.colliders.back().staticFriction = random.between(0.5f, 1.0f);
+        world.colliders.back().kineticFriction = random.between(0.0f, 0.5f);
+    }
+    return world;
+}
+
+/// Has `sim/test_collider.comp` write colliderDistance() of each position, for the collider in location 0, to `moved`.
+inline void writeColliderKernel()
+{
+    std::filesystem::create_directories(shaderFolder().path("sim"));
+    shaderFolder().write("sim/test_collider.comp", R"(#include "sim/common/kernel.glsl"
+#include "sim/common/colliders.glsl"
+layout(local_size_x = GROUP_SIZE) in;
+layout(location = 0) uniform uint index;
+uniform samplerBuffer positions;
+BUFFER(vec4, Moved, moved);
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i < step.particleCount) moved[i] = colliderDistance(index, texelFetch(positions, int(i)).xyz);
+}
+)");
+}
+
+}  // namespace knuckle::test

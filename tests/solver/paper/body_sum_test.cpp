@@ -1,0 +1,159 @@
+#include <bit>
+
+#include "sim/solver/solver.h"
+#include "tests/solver/solver_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+/// What a reduction leaves in the buffers of a body, in double precision, and how far single precision may be off.
+struct BodySums {
+    Vector3d move = Vector3d::Zero();
+    Matrix3d a = Matrix3d::Zero();
+    double moveTolerance = 0.0, matrixTolerance = 0.0;
+};
+
+/// Random moves on top of random places, which the paper's solver leaves off their goals.
+class BodySum : public testing::Test {
+protected:
+    BodySum() : bench(mixedWorld())
+    {
+        SolverBuffers& b = bench.buffers;
+        Random random(21);
+        fill(b.moved, randomVectors(b.moved.size(), 0.02f, 22));
+        fill(b.moverMoves, randomVectors(b.moverMoves.size(), 0.02f, 25));
+        fill(b.positions, randomVectors(b.positions.size(), 0.3f, 26));
+        fill(b.linkPulls, randomVectors(b.linkPulls.size(), 0.1f, 27));
+        std::vector<gpu::vec4> starts;
+        for (size_t k = 0; k < bench.world.bodies.size(); ++k) {
+            starts.push_back(packed(random.inCube(0.4f)));
+            starts.push_back(packed(random.rotation()));
+        }
+        fill(b.bodyStarts, starts);
+        for (uint32_t k = 0; k < bench.world.bodies.size(); ++k) expected.push_back(reference(k));
+    }
+
+    /// Eq. 9 about the centre before the substep, and the mean of the particles' moves. Shared ones are pulled, and move
+    /// from where the body had them.
+    BodySums reference(uint32_t body)
+    {
+        SolverBuffers& b = bench.buffers;
+        const auto links = b.links.download();
+        const auto pulls = b.linkPulls.download();
+        const auto moved = b.moved.download(), starts = b.bodyStarts.download(), positions = b.positions.download();
+        const Vector3d centre = vec3(starts[2 * body]).cast<double>();
+        const Vector3d last = vec3(b.moverMoves.download()[body]).cast<double>();
+        BodySums sums;
+        double mass = 0.0, size = 0.0, armSize = 0.0;
+        Vector3d weighted = Vector3d::Zero();
+        uint32_t count = 0;
+        for (size_t l = 0; l < links.size(); ++l) {
+            const gpu::ParticleRigidBodyLink& link = links[l];
+            if (link.rbIndex != body) continue;
+            const uint32_t i = link.particleIndex;
+            const Vector3d r(link.posInRigidBodyX, link.posInRigidBodyY, link.posInRigidBodyZ);
+            const bool shared = bench.world.particles[i].bodyCount > 1;
+            const Vector3d place = vec3(positions[i]).cast<double>();
+            Vector3d move = vec3(moved[i]).cast<double>();
+            if (shared) move += vec3(pulls[l]).cast<double>();
+            const Vector3d arm = place - centre + move;
+            if (shared) move = arm - quaternion(starts[2 * body + 1]).cast<double>() * r;
+            weighted += link.mass * move;
+            mass += link.mass;
+            sums.a += link.mass * arm * r.transpose();
+            size += link.mass * ((move - last).norm() + (shared ? place.norm() + centre.norm() + r.norm() : 0.0));
+            armSize += link.mass * (place.norm() + centre.norm() + arm.norm()) * r.norm();
+            ++count;
+        }
+        sums.move = weighted / mass;
+        // Each of n additions and some eight operations a term round by 2^-24 of at most the sum of the sizes.
+        const double rounding = (count + 8) * 0x1p-24;
+        sums.moveTolerance = rounding * (size / mass + last.norm());
+        sums.matrixTolerance = rounding * armSize;
+        return sums;
+    }
+    void expectSums()
+    {
+        gpu().checkErrors();
+        const auto moves = bench.buffers.moverMoves.download();
+        const auto matrices = bench.buffers.bodyMatrices.download();
+        for (uint32_t b = 0; b < expected.size(); ++b) {
+            SCOPED_TRACE("body " + std::to_string(b));
+            EXPECT_LT((vec3(moves[b]).cast<double>() - expected[b].move).norm(), expected[b].moveTolerance);
+            Matrix3d a;
+            for (uint32_t c = 0; c < 3; ++c) a.col(c) = vec3(matrices[3 * b + c]).cast<double>();
+            EXPECT_LE((a - expected[b].a).norm(), expected[b].matrixTolerance);
+        }
+    }
+    void reduce(const Defines& defines)
+    {
+        const Kernel terms = bench.load("paper/link_terms", defines), step = bench.load("paper/link_reduce", defines),
+                     collect = bench.load("paper/body_collect", defines);
+        const uint32_t links = groupsFor(bench.buffers.parameters.linkCount);
+        bench.dispatch(terms, links);
+        for (const ReductionStep& s : bench.buffers.reductionSteps) {
+            glProgramUniform3ui(step.program(), 0, s.begin, s.end, s.stride);
+            bench.dispatch(step, groupsFor(s.end - s.begin));
+        }
+        bench.dispatch(collect, groupsFor(bench.buffers.parameters.bodyCount));
+    }
+    void reduceInSteps()
+    {
+        reduce({{"CENTRES", "1"}});
+        reduce({});
+    }
+
+    Bench bench;
+    std::vector<BodySums> expected;   ///< Of what the buffers held at first: the kernels overwrite moverMoves.
+};
+
+TEST_F(BodySum, OneThreadABodySumsItsLinks)
+{
+    bench.forBodies("paper/body_sum");
+    expectSums();
+}
+
+TEST_F(BodySum, OneGroupABodySumsItsLinks)
+{
+    bench.dispatch(bench.load("paper/body_sum_group"), bench.buffers.parameters.bodyCount);
+    expectSums();
+}
+
+TEST_F(BodySum, ThePapersStepsSumTheLinksOfEachBody)
+{
+    reduceInSteps();
+    expectSums();
+}
+
+TEST_F(BodySum, SomeBodiesAreLongerThanAGroupAndNoPowerOfTwo)
+{
+    uint32_t longest = 0;
+    for (const Body& body : bench.world.bodies) longest = std::max(longest, body.linkCount);
+    EXPECT_EQ(longest, 81u);
+    EXPECT_GT(longest, 2u * BODY_GROUP_SIZE);
+    EXPECT_FALSE(std::has_single_bit(longest));
+}
+
+TEST(PaperReduction, TakesAsManyStepsAsEquation10)
+{
+    Settings settings = paperSettings();
+    settings.substeps = settings.iterations = 1;
+    settings.stabilization = 0;
+    const World world = mixedWorld(settings);
+    Solver solver(gpu(), world);
+    solver.timePasses();
+    solver.step();
+    uint64_t terms = 0, steps = 0;
+    for (const PassTime& pass : solver.passTimes()) {
+        if (pass.name == "link_terms") terms = pass.count;
+        if (pass.name == "link_reduce") steps = pass.count;
+    }
+    // ceil(log2 81) + 1 = 8, once for the centres and once for A, the first of each being link_terms.
+    EXPECT_EQ(terms, 2u);
+    EXPECT_EQ(steps, 2u * 7u);
+}
+
+}  // namespace
+
+}  // namespace knuckle::test

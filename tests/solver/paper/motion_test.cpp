@@ -1,0 +1,248 @@
+#include <cmath>
+#include <limits>
+
+#include "tests/solver/solver_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+constexpr uint32_t SUBSTEP = 9;
+/// Of a movement of some centimetres: a few roundings of 2^-24.
+constexpr float ROUNDING = 2e-8f;
+
+/// The paper's predict and finish on random states of particles of every kind, in the tenth substep of a run.
+class Moves : public testing::Test {
+protected:
+    explicit Moves(const Settings& settings = {}) : bench(mixedWorld(settings))
+    {
+        const size_t count = bench.world.particles.size();
+        SolverBuffers& b = bench.buffers;
+        positions = randomVectors(count, 0.5f, 61);
+        velocities = randomVectors(count, 2.0f, 62);
+        oldMoves = randomVectors(count, 0.01f, 63);
+        oldVelocities = randomVectors(count, 2.0f, 64);
+        moves = randomVectors(count, 0.01f, 65);
+        fill(b.positions, positions);
+        fill(b.velocities, velocities);
+        fill(b.oldMoves, oldMoves);
+        fill(b.oldVelocities, oldVelocities);
+        fill(b.predicted, moves);
+        gpu::Counters now{};
+        now.substep = SUBSTEP;
+        bench.setCounters(now);
+    }
+    bool isFixed(size_t i) const
+    {
+        const Particle& p = bench.world.particles[i];
+        return p.body != NO_INDEX && bench.world.bodies[p.body].motion == Motion::Fixed;
+    }
+    /// All assemblies were last touched in this substep, and go by this order.
+    void setAssemblies(uint32_t lastContact, uint32_t order)
+    {
+        const size_t count = bench.buffers.assemblyState.size();
+        fill(bench.buffers.assemblyState, std::vector<gpu::uvec2>(count, {lastContact, order}));
+    }
+    float h() const { return bench.buffers.parameters.substepTime; }
+    Vector3f g() const { return vec3(bench.buffers.parameters.gravity); }
+    /// Every particle's predicted move is `wanted`, a fixed one's zero.
+    template <typename Wanted>
+    void expectMoves(Wanted wanted, uint32_t order)
+    {
+        bench.forParticles("paper/predict");
+        const auto found = bench.buffers.predicted.download();
+        const auto states = bench.buffers.assemblyState.download();
+        for (size_t i = 0; i < found.size(); ++i) {
+            const Vector3f move = isFixed(i) ? Vector3f::Zero() : Vector3f(wanted(i));
+            ASSERT_LT((vec3(found[i]) - move).norm(), ROUNDING) << "particle " << i;
+        }
+        for (const gpu::uvec2& state : states) ASSERT_EQ(state.y, order);
+    }
+    Vector3f firstOrder(size_t i) const { return h() * (vec3(velocities[i]) + h() * g()); }
+    /// Every moving particle's new velocity is `wanted`; fixed ones keep all they have.
+    template <typename Wanted>
+    void expectVelocities(Wanted wanted)
+    {
+        bench.forParticles("paper/finish");
+        const auto found = bench.buffers.velocities.download();
+        for (size_t i = 0; i < found.size(); ++i) {
+            const Vector3f v = isFixed(i) ? vec3(velocities[i]) : Vector3f(wanted(i));
+            // A move's rounding over a substep of a few milliseconds.
+            ASSERT_LT((vec3(found[i]) - v).norm(), ROUNDING / h()) << "particle " << i;
+        }
+    }
+
+    Bench bench;
+    std::vector<gpu::vec4> positions, velocities, oldMoves, oldVelocities, moves;
+};
+
+using Predict = Moves;
+using Finish = Moves;
+
+TEST_F(Predict, UntouchedAssembliesMoveBySecondOrder)
+{
+    setAssemblies(SUBSTEP - 3, 1);
+    // x* = 4/3 x - 1/3 x_ + 8/9 h v - 2/9 h v_ + 4/9 h^2 g, as a move from x.
+    expectMoves(
+        [&](size_t i) {
+            return Vector3f(vec3(oldMoves[i]) / 3 + h() * 8 / 9 * vec3(velocities[i]) -
+                            h() * 2 / 9 * vec3(oldVelocities[i]) + 4 * h() * h() / 9 * g());
+        },
+        2);
+}
+
+TEST_F(Predict, AssembliesTouchedInTheLastSubstepMoveByFirstOrder)
+{
+    setAssemblies(SUBSTEP - 1, 2);
+    expectMoves([&](size_t i) { return firstOrder(i); }, 1);
+}
+
+TEST_F(Predict, TheFirstSubstepIsOfFirstOrder)
+{
+    setAssemblies(0x7fffffffu, 2);
+    bench.setCounters({});
+    expectMoves([&](size_t i) { return firstOrder(i); }, 1);
+}
+
+class PredictFirstOrder : public Moves {
+protected:
+    PredictFirstOrder() : Moves(paperSettings()) {}
+};
+
+TEST_F(PredictFirstOrder, EverythingMovesByFirstOrderWhereChosen)
+{
+    setAssemblies(0, 2);
+    expectMoves([&](size_t i) { return firstOrder(i); }, 1);
+}
+
+TEST_F(PredictFirstOrder, ContactsSeeTheLowerParticlesHeavier)
+{
+    bench.buffers.parameters.massScaling = 1.5f;
+    bench.setParameters();
+    bench.forParticles("paper/predict", {{"MASS_SCALING", "1"}});
+    const auto predicted = bench.buffers.predicted.download();
+    for (size_t i = 0; i < predicted.size(); ++i) {
+        // m exp(-k height) (Macklin et al. 2014, 5.2); a few roundings, and those of an exponent below 1.
+        const double mass = double(bench.world.particles[i].mass) * std::exp(-1.5 * double(positions[i].y));
+        ASSERT_NEAR(double(predicted[i].w) * mass, isFixed(i) ? 0.0 : 1.0, 2e-6) << "particle " << i;
+    }
+}
+
+TEST_F(PredictFirstOrder, ASearchIsDueWhereSomebodyWouldLeaveItsMargin)
+{
+    setAssemblies(0, 2);
+    bench.forParticles("paper/predict");
+    const auto predicted = bench.buffers.predicted.download();
+    const float drift = bench.buffers.parameters.drift;
+    EXPECT_FLOAT_EQ(drift, 0.05f * DIAMETER) << "a quarter of the margin between two, half of one's own";
+    for (float far : {0.99f, 1.01f}) {
+        // All but one where they are looked for; that one next to it.
+        std::vector<gpu::vec4> found;
+        for (size_t i = 0; i < positions.size(); ++i) found.push_back(packed(vec3(positions[i]) + vec3(predicted[i])));
+        const size_t mover = positions.size() / 2;
+        found[mover] = packed(vec3(found[mover]) + far * drift * Vector3f(0.6f, 0.0f, -0.8f));
+        fill(bench.buffers.foundPositions, found);
+        gpu::Counters now = bench.counters();
+        now.due = 0;
+        bench.setCounters(now);
+        bench.forParticles("paper/predict");
+        EXPECT_EQ(bench.counters().due, far > 1.0f ? 1u : 0u) << far;
+    }
+}
+
+TEST_F(Finish, VelocitiesAreOfTheOrderOfThePrediction)
+{
+    setAssemblies(SUBSTEP - 2, 2);
+    // (3/2 x* - 2 x + 1/2 x_)/h
+    expectVelocities([&](size_t i) { return Vector3f((1.5f * vec3(moves[i]) - 0.5f * vec3(oldMoves[i])) / h()); });
+    const auto kept = bench.buffers.oldMoves.download();
+    const auto keptVelocities = bench.buffers.oldVelocities.download();
+    for (size_t i = 0; i < kept.size(); ++i) {
+        EXPECT_EQ(vec3(kept[i]), vec3(isFixed(i) ? oldMoves[i] : moves[i]));
+        EXPECT_EQ(vec3(keptVelocities[i]), vec3(isFixed(i) ? oldVelocities[i] : velocities[i]));
+    }
+}
+
+TEST_F(Finish, AnAssemblyTouchedInThisSubstepAnswersByFirstOrder)
+{
+    setAssemblies(SUBSTEP - 1, 2);   // find_due has counted this substep already
+    expectVelocities([&](size_t i) { return Vector3f(vec3(moves[i]) / h()); });
+}
+
+TEST_F(Finish, DampingAndTheGreatestSpeedBoundVelocities)
+{
+    setAssemblies(0, 1);
+    bench.buffers.parameters.damping = 0.5f;
+    bench.buffers.parameters.maxSpeed = 1.0f;
+    bench.setParameters();
+    expectVelocities([&](size_t i) {
+        const Vector3f v = 0.5f * vec3(moves[i]) / h();
+        return Vector3f(v * std::min(1.0f, 1.0f / v.norm()));
+    });
+}
+
+TEST_F(Finish, ParticlesOfBodiesStandWhereTheyPutThemAndOthersMove)
+{
+    setAssemblies(0, 1);
+    Random random(66);
+    std::vector<gpu::vec4> centres, rotations;
+    for (uint32_t m = 0; m < bench.buffers.parameters.moverCount; ++m) {
+        centres.push_back(packed(random.inCube(0.5f)));
+        rotations.push_back(packed(random.rotation()));
+    }
+    fill(bench.buffers.moverCentres, centres);
+    fill(bench.buffers.moverRotations, rotations);
+    bench.forParticles("paper/finish");
+    const auto found = bench.buffers.positions.download();
+    // One that bodies share stands at the mean of where they have it.
+    std::vector<Vector3d> goals(found.size(), Vector3d::Zero());
+    for (const Link& link : bench.world.links) {
+        const Vector3f place = vec3(centres[link.body]) + quaternion(rotations[link.body]) * link.restOffset;
+        goals[link.particle] += place.cast<double>() / bench.world.particles[link.particle].bodyCount;
+    }
+    for (size_t i = 0; i < found.size(); ++i) {
+        const Particle& p = bench.world.particles[i];
+        Vector3f wanted = vec3(positions[i]);
+        if (!isFixed(i) && p.bodyCount > 0) wanted = goals[i].cast<float>();
+        else if (!isFixed(i)) wanted += vec3(moves[i]);
+        // Half a metre, rounded a few times.
+        ASSERT_LT((vec3(found[i]) - wanted).norm(), 5e-7f) << "particle " << i;
+    }
+}
+
+TEST_F(Finish, WhatIsFrozenKeepsItsPlaceAndHasNoSpeed)
+{
+    setAssemblies(0, 1);
+    // Every second assembly.
+    std::vector<gpu::uvec2> calm;
+    for (uint32_t a = 0; a < bench.buffers.assemblyCalm.size(); ++a)
+        calm.push_back({a % 2 == 0 ? bench.buffers.parameters.calmSteps : 5u, a});
+    fill(bench.buffers.assemblyCalm, calm);
+    bench.forParticles("paper/finish", {{"SLEEP", "1"}});
+    const auto places = bench.buffers.positions.download(), found = bench.buffers.velocities.download();
+    const auto infos = bench.buffers.particleInfo.download();
+    uint32_t frozen = 0;
+    for (size_t i = 0; i < found.size(); ++i) {
+        if (isFixed(i)) continue;
+        const bool still = infos[i].assembly % 2 == 0;
+        frozen += still;
+        EXPECT_EQ(vec3(found[i]).norm() == 0.0f, still) << "particle " << i;
+        EXPECT_EQ(vec3(places[i]) == vec3(positions[i]), still) << "particle " << i;
+    }
+    EXPECT_GT(frozen, 100u);
+}
+
+TEST_F(Finish, AVelocityThatIsNotFiniteIsReportedWithItsParticle)
+{
+    setAssemblies(0, 1);
+    auto bad = moves;
+    bad[777].y = std::numeric_limits<float>::quiet_NaN();
+    fill(bench.buffers.predicted, bad);
+    bench.forParticles("paper/finish");
+    EXPECT_EQ(bench.counters().problems, PROBLEM_NAN);
+    EXPECT_EQ(bench.counters().badParticle, 777u);
+}
+
+}  // namespace
+
+}  // namespace knuckle::test

@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <map>
+
+#include "tests/solver/search/search_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+class ContactFind : public testing::TestWithParam<GridKind> {
+protected:
+    using Pair = std::pair<uint32_t, uint32_t>;
+
+    void find()
+    {
+        bench.findPairs(GetParam());
+        noted = bench.notedPairs();
+    }
+    /// How often each pair was found, lower id first.
+    std::map<Pair, int> timesFound() const
+    {
+        std::map<Pair, int> times;
+        for (uint32_t i = 0; i < noted.size(); ++i)
+            for (uint32_t j : noted[i]) ++times[std::minmax(i, j)];
+        return times;
+    }
+    /// Compares what was found with all pairs of particles. @returns those that had to be found.
+    std::vector<Pair> expectAllPairsOnce()
+    {
+        auto times = timesFound();
+        std::vector<Pair> wanted;
+        for (uint32_t i = 0; i < bench.count(); ++i)
+            for (uint32_t j = i + 1; j < bench.count(); ++j) {
+                const float inside = bench.limitOf(i, j) - bench.distance(i, j);
+                const auto at = times.find({i, j});
+                const int found = at == times.end() ? 0 : at->second;
+                const bool may = inside > -DISTANCE_ROUNDING && bench.mayTouch(i, j);
+                if (may && inside > DISTANCE_ROUNDING) {
+                    EXPECT_EQ(found, 1) << "particles " << i << " and " << j;
+                    wanted.push_back({i, j});
+                } else {
+                    EXPECT_LE(found, may ? 1 : 0) << "particles " << i << " and " << j;
+                }
+            }
+        return wanted;
+    }
+
+    SearchBench bench;
+    std::vector<std::vector<uint32_t>> noted;
+};
+
+TEST_P(ContactFind, FindsEachPairInReachOnce)
+{
+    find();
+    EXPECT_GT(expectAllPairsOnce().size(), 2000u) << "the world is too thin to test anything";
+    uint32_t excluded = 0;
+    for (uint32_t i = 0; i < bench.count(); ++i)
+        for (uint32_t j = 0; j < i; ++j) excluded += bench.distance(i, j) < DIAMETER && !bench.mayTouch(i, j);
+    EXPECT_GT(excluded, 20u);
+    EXPECT_EQ(bench.counters().problems, 0u);
+}
+
+TEST_P(ContactFind, FastMoversFindAllInTheirReachOnce)
+{
+    bench.makeSomeFast();
+    find();
+    uint32_t withSlow = 0, withFast = 0;
+    for (const auto& [i, j] : expectAllPairsOnce()) {
+        if (bench.distance(i, j) < bench.buffers.parameters.contactRadius) continue;
+        (bench.isFast(i) && bench.isFast(j) ? withFast : withSlow) += 1;
+    }
+    EXPECT_GT(withSlow, 300u) << "that only their reach finds";
+    EXPECT_GT(withFast, 50u) << "that only the reach of both finds";
+    EXPECT_EQ(bench.counters().problems, 0u);
+}
+
+TEST_P(ContactFind, FastMoversLookIntoEveryCellUpToTwoAway)
+{
+    // Two loose particles in cells that are so far apart, near each other's, for each such pair of cells.
+    const gpu::StepParameters& p = bench.buffers.parameters;
+    auto positions = bench.found;
+    std::vector<float> reaches(p.moverCount, 0.0f);
+    uint32_t loose = bench.count() - 1;
+    for (int k = 0; k < 125; ++k) {
+        const Eigen::Vector3i cells(k % 5 - 2, k / 5 % 5 - 2, k / 25 - 2);
+        Vector3f near = Vector3f::Constant(6.5f) + 6.0f * Vector3f(float(k % 5), float(k / 5 % 5), float(k / 25));
+        Vector3f far = near;
+        for (int axis = 0; axis < 3; ++axis) {
+            const int apart = cells[axis];
+            const float side = apart < 0 ? -1.0f : 1.0f;
+            if (apart == 0) continue;
+            near[axis] += 0.49f * side;
+            far[axis] += 0.51f * side + static_cast<float>(apart) - side;
+        }
+        for (const Vector3f& place : {near, far}) {
+            ASSERT_EQ(bench.world.particles[loose].body, NO_INDEX);
+            reaches[bench.moverOf(loose)] = p.farReach;
+            positions[loose--] = packed(place / p.inverseCellSize);
+        }
+    }
+    bench.setReaches(reaches);
+    bench.place(positions);
+    find();
+    uint32_t found = 0;
+    for (const auto& [i, j] : expectAllPairsOnce()) found += bench.isFast(i) && bench.isFast(j);
+    EXPECT_GE(found, 125u);
+}
+
+TEST_P(ContactFind, TheFirstOfAPairIsTheFastOneOrOfTwoTheOneOfLowerRank)
+{
+    bench.makeSomeFast();
+    find();
+    for (uint32_t i = 0; i < bench.count(); ++i)
+        for (uint32_t j : noted[i]) {
+            if (!bench.isFast(j)) continue;
+            ASSERT_TRUE(bench.isFast(i)) << "particles " << i << " and " << j;
+            ASSERT_LT(bench.rankOf(i), bench.rankOf(j));
+        }
+}
+
+TEST_P(ContactFind, SecondParticlesCountTheirPairsAndNumberThem)
+{
+    bench.makeSomeFast();
+    find();
+    const auto counts = bench.buffers.listCounts.download();
+    const auto entries = bench.buffers.firstLists.download();
+    std::vector<std::vector<uint32_t>> arrivals(bench.count());
+    for (uint32_t i = 0; i < bench.count(); ++i)
+        for (uint32_t slot = 0; slot < noted[i].size(); ++slot)
+            arrivals[noted[i][slot]].push_back(entries[slot * bench.count() + i].y);
+    for (uint32_t j = 0; j < bench.count(); ++j) {
+        std::sort(arrivals[j].begin(), arrivals[j].end());
+        ASSERT_EQ(counts[bench.count() + bench.rankOf(j)], arrivals[j].size()) << "particle " << j;
+        for (uint32_t k = 0; k < arrivals[j].size(); ++k) ASSERT_EQ(arrivals[j][k], k) << "particle " << j;
+    }
+}
+
+TEST_P(ContactFind, TheRulesOfWhatTouchesAllMatterHere)
+{
+    // Near each other and not of one first body, but excluded, by each rule alone: else the tests above would prove
+    // less than they say.
+    uint32_t crosses = 0, overlaps = 0, margins = 0, shared = 0;
+    const auto& particles = bench.world.particles;
+    for (uint32_t i = 0; i < bench.count(); ++i)
+        for (uint32_t j = 0; j < i; ++j) {
+            const Particle& a = particles[i];
+            const Particle& b = particles[j];
+            if (a.assembly != b.assembly || a.assembly == NO_INDEX || a.body == b.body) continue;
+            if (bench.distance(i, j) > DIAMETER) continue;
+            const bool overlap = restDistance(a, b) <= leastRestDistance(a, b);
+            const bool cross = !a.touchesAssembly || !b.touchesAssembly;
+            crosses += cross && !overlap;
+            overlaps += overlap && !cross && restDistance(a, b) <= 0.99f * DIAMETER;
+            margins += overlap && !cross && restDistance(a, b) > DIAMETER;
+            shared += !overlap && !cross && !bench.mayTouch(i, j);
+        }
+    EXPECT_GT(crosses, 0u);
+    EXPECT_GT(overlaps, 0u);
+    EXPECT_GT(margins, 0u);
+    EXPECT_GT(shared, 0u) << "a shared particle and one of its second body";
+}
+
+TEST_P(ContactFind, ListsThatAreTooShortAreReportedWithTheSizeTheyWant)
+{
+    bench.makeSomeFast();
+    find();
+    const auto all = noted;
+    constexpr uint32_t ROOM = 3;
+    bench.narrow(ROOM, bench.buffers.parameters.pairCapacity, bench.buffers.parameters.colliderPairCapacity);
+    const gpu::uvec2 untouched{0xabcdu, 0xef01u};
+    fill(bench.buffers.firstLists, std::vector<gpu::uvec2>(bench.buffers.firstLists.size(), untouched));
+    bench.place(bench.found);
+    find();
+    size_t most = 0;
+    for (uint32_t i = 0; i < bench.count(); ++i) {
+        most = std::max(most, all[i].size());
+        auto kept = all[i];
+        kept.resize(std::min<size_t>(kept.size(), ROOM));
+        ASSERT_EQ(noted[i], kept) << "particle " << i;
+    }
+    ASSERT_GT(most, ROOM);
+    EXPECT_EQ(bench.counters().problems, PROBLEM_CONTACTS);
+    EXPECT_EQ(bench.counters().wantedContacts, most);
+    const auto entries = bench.buffers.firstLists.download();
+    for (size_t k = ROOM * size_t(bench.count()); k < entries.size(); ++k) ASSERT_EQ(entries[k].x, untouched.x);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, ContactFind, testing::Values(GridKind::Lattice, GridKind::Hash), gridName);
+
+}  // namespace
+
+}  // namespace knuckle::test

@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <numeric>
+
+#include "tests/solver/search/search_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+/// NO_PAIR of shaders/sim/common/contact_lists.glsl.
+constexpr uint32_t NO_REFERENCE = 0xffffffffu;
+
+class PairLists : public testing::TestWithParam<uint32_t> {
+protected:
+    PairLists()
+    {
+        bench.makeSomeFast();
+        if (parity() == 1) bench.turnHalves();
+    }
+    uint32_t parity() const { return GetParam(); }
+    uint32_t count() const { return bench.count(); }
+    void find()
+    {
+        bench.findPairs(GridKind::Lattice);
+        noted = bench.notedPairs();
+        bench.fillLists();
+    }
+    /// The half of `values` that this search filled.
+    template <typename T>
+    std::vector<T> current(const std::vector<T>& values) const
+    {
+        const auto half = static_cast<std::ptrdiff_t>(values.size() / 2);
+        return {values.begin() + parity() * half, values.begin() + (parity() + 1) * half};
+    }
+    /// Every pair by rank of its first particle, each particle's in the order in which they were noted.
+    std::vector<gpu::uvec2> wantedPairs() const
+    {
+        std::vector<gpu::uvec2> pairs;
+        for (uint32_t i : bench.buffers.rankedParticles.download())
+            for (uint32_t j : noted[i]) pairs.push_back({i, j});
+        return pairs;
+    }
+    /// Which pairs each particle is the second of, in ascending order, by rank; those that there is no room for stand
+    /// for none, at the end of each rank.
+    std::vector<uint32_t> wantedReferences() const
+    {
+        const auto pairs = wantedPairs();
+        std::vector<uint32_t> references(pairs.size());
+        std::iota(references.begin(), references.end(), 0u);
+        std::stable_sort(references.begin(), references.end(), [&](uint32_t a, uint32_t b) {
+            return bench.rankOf(pairs[a].y) < bench.rankOf(pairs[b].y);
+        });
+        for (uint32_t& q : references)
+            if (q >= bench.buffers.parameters.pairCapacity) q = NO_REFERENCE;
+        return references;
+    }
+
+    SearchBench bench;
+    std::vector<std::vector<uint32_t>> noted;
+};
+
+/// The first of `values` are those wanted, the rest were left alone.
+void expectBegins(const std::vector<uint32_t>& values, const std::vector<uint32_t>& wanted, uint32_t untouched)
+{
+    for (size_t k = 0; k < values.size(); ++k)
+        ASSERT_EQ(values[k], k < wanted.size() ? wanted[k] : untouched) << "place " << k;
+}
+
+/// The pairs in the first `end` places are those wanted, the rest were left alone.
+void expectPairs(const std::vector<gpu::uvec2>& pairs, size_t start, const std::vector<gpu::uvec2>& wanted, size_t end,
+                 gpu::uvec2 untouched)
+{
+    for (size_t q = 0; q < pairs.size(); ++q) {
+        const bool filled = q >= start && q < start + end;
+        const gpu::uvec2& at = filled ? wanted.at(q - start) : untouched;
+        ASSERT_EQ(pairs[q].x, at.x) << "place " << q;
+        ASSERT_EQ(pairs[q].y, at.y) << "place " << q;
+    }
+}
+
+TEST_P(PairLists, ListsStartAtThePrefixSumOfTheirCounts)
+{
+    Random random(31);
+    std::vector<uint32_t> counts(bench.buffers.listCounts.size());
+    ASSERT_NE(counts.size() % SCAN_CHUNK, 0u) << "the last chunk has to be a short one";
+    for (uint32_t& c : counts) c = static_cast<uint32_t>(random.between(0, 9));
+    fill(bench.buffers.listCounts, counts);
+    const std::vector<uint32_t> untouched(bench.buffers.listStarts.size(), 12345u);
+    fill(bench.buffers.listStarts, untouched);
+    bench.fillLists();
+    std::vector<uint32_t> wanted(counts.size() + 1);
+    std::inclusive_scan(counts.begin(), counts.end(), wanted.begin() + 1);
+    const auto starts = bench.buffers.listStarts.download();
+    EXPECT_EQ(current(starts), wanted);
+    const auto other = static_cast<std::ptrdiff_t>((1 - parity()) * wanted.size());
+    EXPECT_EQ(std::count(starts.begin() + other, starts.begin() + other + std::ptrdiff_t(wanted.size()), 12345u),
+              std::ptrdiff_t(wanted.size())) << "the last search's";
+}
+
+TEST_P(PairLists, ThePairsOfEachRankStandTogether)
+{
+    const gpu::uvec2 untouched{77, 78};
+    fill(bench.buffers.pairs, std::vector<gpu::uvec2>(bench.buffers.pairs.size(), untouched));
+    find();
+    const auto wanted = wantedPairs();
+    expectPairs(bench.buffers.pairs.download(), parity() * bench.buffers.parameters.pairCapacity, wanted,
+                wanted.size(), untouched);
+    const gpu::Counters counters = bench.counters();
+    EXPECT_EQ(counters.pairCount, wanted.size());
+    EXPECT_EQ(counters.problems, 0u);
+    const auto dispatches = bench.buffers.dispatches.download();
+    for (uint32_t k : {DISPATCH_PAIRS, DISPATCH_NEW_PAIRS}) EXPECT_EQ(dispatches[k].x, groupsFor(wanted.size()));
+}
+
+TEST_P(PairLists, EachSecondParticleRefersToItsPairsInAscendingOrder)
+{
+    find();
+    expectBegins(bench.buffers.pairReferences.download(), wantedReferences(), 0);
+}
+
+TEST_P(PairLists, ReferencesDoNotDependOnTheOrderOfArrival)
+{
+    find();
+    const auto before = bench.buffers.pairReferences.download();
+    const auto counts = bench.buffers.listCounts.download();
+    auto entries = bench.buffers.firstLists.download();
+    for (uint32_t i = 0; i < count(); ++i)
+        for (uint32_t slot = 0; slot < noted[i].size(); ++slot) {
+            gpu::uvec2& entry = entries[slot * count() + i];
+            entry.y = counts[count() + bench.rankOf(entry.x)] - 1 - entry.y;
+        }
+    fill(bench.buffers.firstLists, entries);
+    bench.fillLists();
+    EXPECT_EQ(bench.buffers.pairReferences.download(), before);
+}
+
+TEST_P(PairLists, MorePairsThanThereIsRoomForAreReportedAndLeftOut)
+{
+    constexpr uint32_t ROOM = 1001;
+    bench.narrow(bench.buffers.parameters.contactSlots, ROOM, bench.buffers.parameters.colliderPairCapacity);
+    const gpu::uvec2 untouched{77, 78};
+    const gpu::vec4 untouchedVector{7, 7, 7, 7};
+    SolverBuffers& b = bench.buffers;
+    fill(b.pairs, std::vector<gpu::uvec2>(b.pairs.size(), untouched));
+    fill(b.pairReferences, std::vector<uint32_t>(b.pairReferences.size(), 99));
+    fill(b.pairSides, std::vector<gpu::uvec4>(b.pairSides.size(), gpu::uvec4{9, 9, 9, 9}));
+    for (auto* buffer : {&b.pairArms, &b.pairImpulses})
+        fill(*buffer, std::vector<gpu::vec4>(buffer->size(), untouchedVector));
+    find();
+    const auto wanted = wantedPairs();
+    ASSERT_GT(wanted.size(), ROOM);
+    EXPECT_EQ(bench.counters().problems, PROBLEM_PAIRS);
+    EXPECT_EQ(bench.counters().wantedPairs, wanted.size());
+    EXPECT_EQ(bench.counters().pairCount, ROOM);
+    EXPECT_EQ(b.dispatches.download()[DISPATCH_PAIRS].x, groupsFor(ROOM));
+    expectPairs(b.pairs.download(), parity() * ROOM, wanted, ROOM, untouched);
+    expectBegins(b.pairReferences.download(), wantedReferences(), 99);
+    const auto sides = b.pairSides.download();
+    for (size_t q = ROOM; q < sides.size(); ++q) ASSERT_EQ(sides[q].x, 9u) << "pair " << q;
+    const auto arms = b.pairArms.download(), impulses = b.pairImpulses.download();
+    for (size_t q = 2 * ROOM; q < arms.size(); ++q) ASSERT_EQ(vec3(arms[q]), vec3(untouchedVector)) << "arm " << q;
+    for (size_t q = 0; q < impulses.size(); ++q) {
+        const bool filled = q >= parity() * ROOM && q < (parity() + 1) * ROOM;
+        ASSERT_EQ(impulses[q].x == 7.0f, !filled) << "impulse " << q;
+    }
+}
+
+TEST_P(PairLists, ReferencesAreTheSameInEveryRunEvenWhereThereIsNoRoom)
+{
+    // What the arrivals held before comes from another search, in an order of its own.
+    constexpr uint32_t ROOM = 1001;
+    bench.narrow(bench.buffers.parameters.contactSlots, ROOM, bench.buffers.parameters.colliderPairCapacity);
+    find();
+    const auto first = bench.buffers.pairReferences.download();
+    Random random(32);
+    auto stale = bench.buffers.pairArrivals.download();
+    for (uint32_t& q : stale) q = static_cast<uint32_t>(random.between(0, ROOM));
+    fill(bench.buffers.pairArrivals, stale);
+    bench.fillLists();
+    EXPECT_EQ(bench.buffers.pairReferences.download(), first);
+}
+
+std::string halfName(const testing::TestParamInfo<uint32_t>& half)
+{
+    return half.param == 0 ? "FirstHalf" : "SecondHalf";
+}
+
+INSTANTIATE_TEST_SUITE_P(Halves, PairLists, testing::Values(0u, 1u), halfName);
+
+}  // namespace
+
+}  // namespace knuckle::test

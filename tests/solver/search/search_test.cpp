@@ -1,0 +1,113 @@
+#include "tests/solver/search/search_test.h"
+
+#include <algorithm>
+
+namespace knuckle::test {
+
+namespace {
+
+/// More than any particle of the bench can touch, fast or not.
+constexpr uint32_t SLOTS = 500;
+constexpr uint32_t CAPACITY = 100000;
+
+}  // namespace
+
+SearchBench::SearchBench() : Bench(mixedWorld())
+{
+    buffers.parameters.contactSlots = SLOTS;
+    buffers.parameters.pairCapacity = buffers.parameters.colliderPairCapacity = CAPACITY;
+    buffers.resizeContacts(gpu());
+    places = buffers.particlePlaces.download();
+    reaches.assign(buffers.parameters.moverCount, 0.0f);
+    bodies.resize(count());
+    for (const Link& link : world.links) bodies[link.particle].insert(link.body);
+    auto positions = randomVectors(count(), 0.5f, 11);
+    for (uint32_t i = 0; i < count(); ++i)
+        if (!bodies[i].empty()) positions[i] = packed(0.4f * vec3(positions[i]));
+    place(positions);
+}
+
+void SearchBench::place(const std::vector<gpu::vec4>& positions)
+{
+    found = positions;
+    setFound(found);
+}
+
+float restDistance(const Particle& a, const Particle& b)
+{
+    return (a.restPosition - b.restPosition).norm();
+}
+
+float leastRestDistance(const Particle& a, const Particle& b)
+{
+    return (0.99f + std::max(a.selfMargin, b.selfMargin)) * DIAMETER;
+}
+
+bool SearchBench::mayTouch(uint32_t i, uint32_t j) const
+{
+    const Particle& a = world.particles[i];
+    const Particle& b = world.particles[j];
+    for (uint32_t body : bodies[i])
+        if (bodies[j].contains(body)) return false;
+    if (a.assembly == NO_INDEX || a.assembly != b.assembly) return true;
+    return a.touchesAssembly && b.touchesAssembly && restDistance(a, b) > leastRestDistance(a, b);
+}
+
+Eigen::Vector2f halves(uint32_t packedFrictions)
+{
+    const auto half = [](uint32_t bits) {
+        return static_cast<float>(Eigen::numext::bit_cast<Eigen::half>(static_cast<uint16_t>(bits)));
+    };
+    return {half(packedFrictions & 0xffffu), half(packedFrictions >> 16)};
+}
+
+float SearchBench::limitOf(uint32_t i, uint32_t j) const
+{
+    return buffers.parameters.contactRadius + reaches[moverOf(i)] + reaches[moverOf(j)];
+}
+
+void SearchBench::makeSomeFast()
+{
+    Random random(13);
+    std::vector<float> lengths(reaches.size(), 0.0f);
+    for (size_t m = 0; m < lengths.size(); m += m < world.bodies.size() ? 4 : 9)
+        lengths[m] = (m == 0 ? 1.0f : random.between(0.05f, 1.0f)) * buffers.parameters.farReach;
+    setReaches(lengths);
+}
+
+void SearchBench::setReaches(const std::vector<float>& lengths)
+{
+    reaches = lengths;
+    std::vector<gpu::vec4> centres;
+    for (float reach : reaches) centres.push_back(packed({0, 0, 0}, buffers.parameters.drift + reach));
+    fill(buffers.foundCentres, centres);
+    std::vector<uint32_t> fast;
+    for (uint32_t i = 0; i < count(); ++i)
+        if (isFast(i)) fast.push_back(i);
+    gpu::Counters now = counters();
+    now.fastListed = static_cast<uint32_t>(fast.size());
+    setCounters(now);
+    fast.resize(count());
+    fill(buffers.fastParticles, fast);
+}
+
+std::vector<std::vector<uint32_t>> SearchBench::notedPairs() const
+{
+    const auto counts = buffers.listCounts.download();
+    const auto entries = buffers.firstLists.download();
+    std::vector<std::vector<uint32_t>> lists(count());
+    for (uint32_t i = 0; i < count(); ++i)
+        for (uint32_t slot = 0; slot < counts[rankOf(i)]; ++slot)
+            lists[i].push_back(entries.at(slot * count() + i).x);
+    return lists;
+}
+
+void SearchBench::narrow(uint32_t contactSlots, uint32_t pairs, uint32_t colliderPairs)
+{
+    buffers.parameters.contactSlots = contactSlots;
+    buffers.parameters.pairCapacity = pairs;
+    buffers.parameters.colliderPairCapacity = colliderPairs;
+    setParameters();
+}
+
+}  // namespace knuckle::test

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "tests/solver/solver_test.h"
+
+namespace knuckle::test {
+
+/// Rounding of a distance of up to half a metre: a dozen roundings of 2^-24 of it. Nearer to its limit than that a pair
+/// may be found or not.
+inline constexpr float DISTANCE_ROUNDING = 4e-7f;
+
+/// Particles at random places, whatever body they are of, those of bodies in a small space: pairs of every kind come
+/// near each other. The lists have room for all.
+class SearchBench : public Bench {
+public:
+    SearchBench();
+
+    uint32_t count() const { return buffers.parameters.particleCount; }
+    uint32_t moverOf(uint32_t particle) const { return places[particle].x; }
+    uint32_t rankOf(uint32_t particle) const { return places[particle].y; }
+    bool isFast(uint32_t particle) const { return reaches[moverOf(particle)] > 0.0f; }
+    /// Written anew from the rules: never of one body; of one assembly, neither a universal joint's cross nor nearer
+    /// than a diameter and a margin at rest.
+    bool mayTouch(uint32_t i, uint32_t j) const;
+    /// How near two particles have to be to be a pair [m]: further for fast movers.
+    float limitOf(uint32_t i, uint32_t j) const;
+    float distance(uint32_t i, uint32_t j) const { return (vec3(found[i]) - vec3(found[j])).norm(); }
+
+    /// Moves the particles that contacts are found for.
+    void place(const std::vector<gpu::vec4>& positions);
+    /// Lets some movers of each kind look further for contacts, up to as far as any may.
+    void makeSomeFast();
+    /// Lets movers look further for contacts by these lengths [m].
+    void setReaches(const std::vector<float>& lengths);
+    /// The pairs that the search noted, by first particle, in the order in which it noted them.
+    std::vector<std::vector<uint32_t>> notedPairs() const;
+    /// Lets the kernels believe in less room than the buffers have.
+    void narrow(uint32_t contactSlots, uint32_t pairs, uint32_t colliderPairs);
+
+    std::vector<gpu::vec4> found;
+    std::vector<gpu::uvec2> places;
+    std::vector<float> reaches;               ///< Per mover [m].
+    std::vector<std::set<uint32_t>> bodies;   ///< Per particle.
+};
+
+/// Frictions as contacts have them, static and kinetic, in half floats of 11 bits.
+inline constexpr float HALF_ROUNDING = 0x1p-11f;
+Eigen::Vector2f halves(uint32_t packedFrictions);
+
+/// How far two particles of an assembly are from each other at rest, and how far they have to be to touch ever [m].
+float restDistance(const Particle& a, const Particle& b);
+float leastRestDistance(const Particle& a, const Particle& b);
+
+}  // namespace knuckle::test
