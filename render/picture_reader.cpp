@@ -12,49 +12,33 @@ constexpr size_t BYTES_PER_PIXEL = 4;
 
 PictureReader::PictureReader(uint32_t width, uint32_t height) : width_(width), height_(height)
 {
-    glGenBuffers(2, buffers_);
-    for (GLuint buffer : buffers_) {
-        glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
-        glBufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(BYTES_PER_PIXEL * width * height), nullptr,
-                     GL_STREAM_READ);
-        glObjectLabel(GL_BUFFER, buffer, -1, "picture read-back");
-    }
+    glGenBuffers(1, &buffer_);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_);
+    glBufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(BYTES_PER_PIXEL * width * height), nullptr,
+                 GL_STREAM_READ);
+    glObjectLabel(GL_BUFFER, buffer_, -1, "picture read-back");
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
 PictureReader::~PictureReader()
 {
-    glDeleteBuffers(2, buffers_);
+    glDeleteBuffers(1, &buffer_);
 }
 
 void PictureReader::start(GLuint framebuffer)
 {
-    current_ ^= 1u;
-    previousWaits_ = started_ > 0;
-    ++started_;
+    started_ = true;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
     glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffers_[current_]);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_);
     glReadPixels(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_), GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
 Image PictureReader::last()
 {
-    if (started_ == 0) throw RunError("there is no picture to read: nothing has been drawn yet");
-    return map(buffers_[current_]);
-}
-
-std::optional<Image> PictureReader::previous()
-{
-    if (!previousWaits_) return std::nullopt;
-    previousWaits_ = false;
-    return map(buffers_[current_ ^ 1u]);
-}
-
-Image PictureReader::map(GLuint buffer) const
-{
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+    if (!started_) throw RunError("there is no picture to read: nothing has been drawn yet");
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_);
     const size_t rowBytes = BYTES_PER_PIXEL * width_;
     const auto* pixels = static_cast<const uint8_t*>(
         glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(rowBytes * height_), GL_MAP_READ_BIT));

@@ -285,9 +285,4 @@ KernelTimer& Renderer::timer()
     return impl_->timer;
 }
 
-std::optional<Image> Renderer::takeFinished()
-{
-    return impl_->reader.previous();
-}
-
 }  // namespace knuckle

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "render/image.h"
 #include "render/settings.h"
@@ -31,12 +30,8 @@ public:
     /// Shows a state to the camera without drawing it: one that follows or frames what moves remembers where it was, so
     /// that a frame looks the same with and without those before.
     void look(const ParticleView& view, double time);
-    /// The picture of the last draw(); waits for it. The simple way: draw(), readImage(), draw(), readImage().
+    /// The picture of the last draw(); waits for it. What is dispatched in between runs meanwhile.
     Image readImage();
-    /// The picture of the draw() before the last, once: nothing after the first draw() and nothing the second time.
-    /// The pipelined way, in which the device never waits for the host: after each draw() take what is finished, and
-    /// after the last one readImage().
-    std::optional<Image> takeFinished();
     /// Times its passes once it is enabled.
     KernelTimer& timer();
 

@@ -165,6 +165,7 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
         {"timeStep", world.settings.timeStep},
         {"substeps", world.settings.substeps},
         {"iterations", world.settings.iterations},
+        {"searches", solver.searchCount()},
         {"simulationSeconds", figures.simulationSeconds},
         {"drawingSeconds", figures.drawingSeconds},
         {"totalSeconds", figures.totalSeconds},

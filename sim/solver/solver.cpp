@@ -162,6 +162,11 @@ uint64_t Solver::stateHash()
     return hash;
 }
 
+uint32_t Solver::searchCount()
+{
+    return impl_->buffers.counters.download()[0].findCount;
+}
+
 std::vector<PassTime> Solver::passTimes()
 {
     impl_->timer.collect();

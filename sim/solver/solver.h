@@ -75,6 +75,8 @@ public:
     Measures measure();
     /// FNV-1a over the bits of all positions and velocities.
     uint64_t stateHash();
+    /// How often contacts have been looked for, at most once a substep.
+    uint32_t searchCount();
     std::vector<PassTime> passTimes();
     /// From now on times every pass, for passTimes().
     void timePasses();

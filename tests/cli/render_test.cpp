@@ -89,6 +89,8 @@ TEST_F(Render, WritesFigures)
     EXPECT_EQ(stats["particles"], 55);
     EXPECT_EQ(stats["frames"], 4);
     EXPECT_EQ(stats["steps"], 3);
+    EXPECT_GE(stats["searches"], 1);
+    EXPECT_LE(stats["searches"], 3 * stats["substeps"].get<int>());
     EXPECT_GT(stats["passes"].size(), 3u);
     EXPECT_GT(stats["drawingPasses"].size(), 3u);
     EXPECT_EQ(stats["drawingPasses"][0]["count"], 4);

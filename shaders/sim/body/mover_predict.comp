@@ -1,5 +1,5 @@
 // One thread a mover: how far it would move in the substep if nothing touched it, where the contacts' last impulses
-// lead from there, and whether its contact candidates are still good. BDF2 (design: second-order velocities) where
+// lead from there, and whether its contact candidates are still good. BDF2 (second-order velocities) where
 // nothing touched its assembly lately, else symplectic Euler.
 #include "sim/common/kernel.glsl"
 #include "sim/rotation/turn.glsl"

@@ -67,7 +67,7 @@ Field jointSum(uvec4 body)
     return sum;
 }
 
-/// What fluids, strings and soft bodies add to a mover through its particles (OTHERS: of a world that has any).
+/// What fluids, ropes and soft bodies add to a mover through its particles (OTHERS: of a world that has any).
 Field otherSum(uvec4 info)
 {
     Field sum = Field(vec3(0), mat3(0));

@@ -1,4 +1,4 @@
-// One thread a particle: how far it would move in the substep if nothing touched it. BDF2 (design: second-order
+// One thread a particle: how far it would move in the substep if nothing touched it. BDF2 (second-order
 // velocities) where nothing touched its assembly lately, else symplectic Euler. Asks for a new search when it would leave
 // its margin.
 #include "sim/common/kernel.glsl"
