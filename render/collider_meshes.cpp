@@ -47,7 +47,8 @@ void addCorners(std::vector<float>& out, const Collider& collider, const Collide
 
 ColliderMeshes::ColliderMeshes(const Gpu& gpu, const World& world)
     : program_(Program::graphics(gpu, "render/colliders/collider_mesh.vert", "render/colliders/collider_mesh.frag")),
-      shadowProgram_(Program::graphics(gpu, "render/colliders/collider_mesh.vert", "render/colliders/collider_mesh_shadow.frag",
+      shadowProgram_(Program::graphics(gpu, "render/colliders/collider_mesh.vert",
+                                       "render/colliders/collider_mesh_shadow.frag",
                                        {{"LIGHT_VIEW", "1"}}))
 {
     std::vector<float> corners;

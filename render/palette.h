@@ -15,7 +15,8 @@ Vector3f fromOklch(float lightness, float chroma, float hue);
 /// The colour number `index` of an endless palette whose neighbours differ: hues a golden section apart.
 Vector3f paletteColor(uint32_t index);
 
-/// One colour word per particle, as shaders/render/common/surface.glsl unpacks it; 0 where the GPU makes it from the speed.
+/// One colour word per particle, as shaders/render/common/surface.glsl unpacks it; 0 where the GPU makes it from the
+/// speed.
 std::vector<uint32_t> particleColors(const World& world, const RenderSettings& settings);
 
 }  // namespace knuckle

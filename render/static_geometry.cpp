@@ -30,7 +30,8 @@ gpu::ColliderInstance instanceOf(const Collider& collider)
 }  // namespace
 
 StaticGeometry::StaticGeometry(const Gpu& gpu, const World& world, const SceneExtent& extent)
-    : meshes_(gpu, world), planeProgram_(Program::graphics(gpu, "render/colliders/plane.vert", "render/colliders/plane.frag")),
+    : meshes_(gpu, world),
+      planeProgram_(Program::graphics(gpu, "render/colliders/plane.vert", "render/colliders/plane.frag")),
       shapeProgram_(Program::graphics(gpu, "render/colliders/collider.vert", "render/colliders/collider.frag")),
       shadowProgram_(Program::graphics(gpu, "render/colliders/collider.vert", "render/colliders/collider_shadow.frag",
                                        {{"LIGHT_VIEW", "1"}}))

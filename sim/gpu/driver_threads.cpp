@@ -75,8 +75,9 @@ DriverThreads chooseDriverThreads(const Workload& work, uint32_t cores, double w
     if (cores < 2) return {0, "there is one core"};
     const double speed = 1.0 + CORE_GAIN * (cores - 1);
     const double gain = work.milliseconds * (1.0 - 1.0 / speed), cost = work.dispatches * wakeMilliseconds;
-    const std::string reason = fmt::format("{} would save some {:.1f} ms a frame, and waking them costs {:.1f} ms ({:.0f} "
-                                           "times {:.3f} ms)", cores, gain, cost, work.dispatches, wakeMilliseconds);
+    const std::string reason =
+        fmt::format("{} would save some {:.1f} ms a frame, and waking them costs {:.1f} ms ({:.0f} times {:.3f} ms)", cores,
+                    gain, cost, work.dispatches, wakeMilliseconds);
     return {gain > cost ? cores : 0u, reason};
 }
 

@@ -16,21 +16,17 @@ struct Push {
     float acting;        // how many contacts act
 };
 
-/// How far the iterations have to push a contact apart [m], <= 0. An overlap is all that is known of the load that
-/// presses it, so the first `maxCorrection` of an old one push with speed and the rest is left to stabilization. What is
-/// deeper than `deepOverlap` carries nothing any more, it only has to come out.
-float solveError(float gap, float old)
+/// How far this pass has to push a contact apart [m], <= 0. An overlap is all that is known of the load that presses
+/// it, so the first `maxCorrection` of an old one push with speed and the rest is left to stabilization. What is deeper
+/// than `deepOverlap` carries nothing any more, it only has to come out.
+float contactError(float gap, float startGap)
 {
-    return min(gap + (old > step.deepOverlap ? old : max(old - step.maxCorrection, 0.0)), 0.0);
-}
-
-/// How far this pass has to push it apart [m], <= 0.
-float passError(float gap, float old)
-{
+    float old = max(-startGap, 0.0);
+    bool deep = old > step.deepOverlap;
 #ifdef STABILIZE
-    return old > step.deepOverlap ? -step.deepRecovery : -clamp(old - step.maxCorrection, 0.0, step.stabilization);
+    return deep ? -step.deepRecovery : -clamp(old - step.maxCorrection, 0.0, step.stabilization);
 #else
-    return solveError(gap, old);
+    return min(gap + (deep ? old : max(old - step.maxCorrection, 0.0)), 0.0);
 #endif
 }
 
@@ -39,8 +35,7 @@ float passError(float gap, float old)
 /// @returns the way apart along the normal, before relaxation.
 Push contactPush(vec3 normal, float gap, float startGap, vec3 slide, vec2 friction)
 {
-    float old = max(-startGap, 0.0);
-    float error = passError(gap, old);
+    float error = contactError(gap, startGap);
     Push push = Push(-error * normal, error < 0.0 ? 1.0 : 0.0);
 #ifndef STABILIZE
     vec3 tangent = slide - normal * dot(normal, slide);

@@ -1,6 +1,6 @@
-// One thread a particle: how far it would move in the substep if nothing touched it. BDF2 (second-order
-// velocities) where nothing touched its assembly lately, else symplectic Euler. Asks for a new search when it would leave
-// its margin.
+// One thread a particle: how far it would move in the substep if nothing touched it. BDF2
+// (second-order velocities) where nothing touched its assembly lately, else symplectic Euler. Asks for a new search when
+// it would leave its margin.
 #include "sim/common/kernel.glsl"
 #include "sim/common/mass_scaling.glsl"
 #include "sim/common/sleep.glsl"

@@ -24,9 +24,9 @@ struct Wanted {
 constexpr uint32_t PARITY = 1;
 constexpr double EDGE = 2e-6;   ///< Nearer to the limit of a case, rounding decides [m].
 
-/// All particles in a heap 0.4 m wide, with 1501 contacts of each other and 700 with a plane and a sphere.
 enum class Pass { Stabilize, Solve };
 
+/// All particles in a heap 0.4 m wide, with 1501 contacts of each other and 700 with a plane and a sphere.
 class ContactAverage : public testing::TestWithParam<Pass> {
 protected:
     ContactAverage()
