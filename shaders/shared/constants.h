@@ -14,8 +14,8 @@
 #define WRAPPED_CELLS 9
 // Cells of the fluids' grid along x that are as long together as one is wide: rows of candidates end closer.
 #define FINE_CELLS 4
-// Threads in a work group of strands: there are few, and each is long.
-#define STRAND_GROUP_SIZE 8
+// Threads in a work group of distanceRows: there are few, and each is long.
+#define DISTANCE_GROUP_SIZE 8
 // A soft distance that may tear does so at this many times its length.
 #define TEAR_STRETCH 1.5f
 // Slots whose lists of neighbours lie together.
@@ -30,6 +30,10 @@
 #define COLLIDER_CAPSULE 3u
 #define COLLIDER_MESH 4u
 #define COLLIDER_HEIGHTFIELD 5u
+
+// moverStates[]: whether a mover answers to impulses (sim/common/mover_info.glsl).
+#define MOVER_DYNAMIC 0u
+#define MOVER_FIXED 1u
 
 // ParticleInfo::body of a fluid particle.
 #define IN_FLUID 0xfffffffeu
@@ -60,7 +64,7 @@
 // By how much longer contacts are to stay good where few things are fast.
 #define CALM 3.0f
 // Relaxation of a mover's contacts: where it starts, and how it grows until their impulses turn about.
-#define FIRST_RELAXATION 1.5f
+#define INITIAL_RELAXATION 1.5f
 #define MOST_RELAXATION 3.2f
 
 // Another is beside a particle of a lattice up to half the lattice away along an axis, and a little more, so that there is
@@ -91,7 +95,7 @@
 // Steps for which an assembly has to be calm before it sleeps, at least.
 #define CALM_STEPS 30u
 // Rounds of two iterations of the impulses that make collisions bounce.
-#define BOUNCE_ROUNDS 2
+#define RESTITUTION_ROUNDS 2
 
 // pairImpulses[].w of a contact that is going to act but carries nothing yet.
 #define ABOUT_TO_ACT (-1.0)

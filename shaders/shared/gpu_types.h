@@ -34,6 +34,12 @@ struct ParticleInfo {
     uint material;
 };
 
+// Where a particle stands in the order of contact lists: by mover, then by its own index.
+struct ParticleRank {
+    uint mover;
+    uint rank;
+};
+
 // What never changes about a body.
 struct BodyInfo {
     uint linkStart;                 // its block of links; shared particles come last in it
@@ -161,7 +167,7 @@ struct StepParameters {
     uint fluidStrideZ;
     float vorticity;                // strength of vorticity confinement times the step [s]
     float massScaling;              // k of m exp(-k height) [1/m]
-    float bounceSpeed;              // what meets more slowly does not bounce [m/s]
+    float restitutionThreshold;              // what meets more slowly does not bounce [m/s]
     float sleepSpeed;               // what is slower for long sleeps [m/s]
     uint calmSteps;                 // for how long it has to be calm
     uint assemblyCount;
@@ -182,7 +188,7 @@ struct Counters {
     uint substep;                   // substeps since the start
     uint due;                       // somebody has used up its margin
     uint listParity;                // which half of the candidate lists is current
-    uint findCount;                 // times the candidates were found
+    uint searchCount;                 // times the candidates were found
     uint pairCount;                 // contacts between particles, touching or about to
     uint colliderPairCount;         // contacts with colliders
     uint wantedPairs;               // what the lists would have had to hold

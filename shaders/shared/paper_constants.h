@@ -3,8 +3,8 @@
 #define KNUCKLE_PAPER_CONSTANTS_H
 
 // Shares of bodies are summed as integers, so that their order makes no difference: parts of one.
-#define SHARE_PARTS 65536.0f
+#define FRACTION_PARTS 65536.0f
 // What is moved at once answers by this much of the sum of its shares at most: by all of it if all pushed the same way.
-#define SHARES_AT_ONCE 1.6f
+#define MOST_FRACTION_SUM 1.6f
 
 #endif

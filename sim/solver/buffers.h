@@ -9,7 +9,7 @@ namespace knuckle {
 
 /// What fluids need beside their particles. A slot is a particle's place in the order of the cells of the fluids' grid.
 struct FluidBuffers {
-    Buffer<gpu::vec4> fluidFoundPositions;             ///< Per particle: where it was when neighbours were found.
+    Buffer<gpu::vec4> fluidSearchPositions;             ///< Per particle: where it was when neighbours were found.
     Buffer<gpu::uvec2> fluidParticleCells;
     Buffer<uint32_t> fluidCellCounts, fluidCellSums, fluidCellStarts, fluidCellMembers;
     Buffer<gpu::uvec4> fluidSorted;                    ///< Per slot: the same, packed; four in an element.
@@ -19,7 +19,7 @@ struct FluidBuffers {
     Buffer<uint32_t> slotColliders;                    ///< Bits: those nearby.
     Buffer<gpu::vec4> fluidMaterials;                  ///< Per material: smoothing, tension (upload_fluid.cpp).
     Buffer<gpu::vec4> slotVelocities;                  ///< When neighbours were found [m/s]; w: smoothing.
-    Buffer<gpu::vec4> slotPlaces;                      ///< Predicted [m].
+    Buffer<gpu::vec4> slotPositions;                      ///< Predicted [m].
     Buffer<gpu::vec4> slotPressures;                   ///< The same; w: lambda [kg m2].
     Buffer<uint32_t> slotMaterials;
     Buffer<gpu::vec4> slotVorticities;                 ///< [1/s]; w: its length.
@@ -33,14 +33,14 @@ struct PoolBuffers {
     Buffer<gpu::EmitterState> emitterStates;           ///< Per emitter, within a step.
     Buffer<gpu::vec4> nozzlePoints;                    ///< Where layers leave [m].
     Buffer<uint32_t> poolOrder;                        ///< Halves: the particles of each pool, whose turn it is first.
-    Buffer<uint32_t> poolParked;                       ///< Per place in it: 1 if it was parked after the last step.
+    Buffer<uint32_t> poolInactive;                       ///< Per place in it: 1 if it was parked after the last step.
     Buffer<uint32_t> poolSums, poolChunks;             ///< Per chunk of it: parked before, emitter.
     Buffer<gpu::uvec2> fluidTotals;                    ///< Particles that came, that left.
 };
 
 /// Strands that are solved together.
-struct StrandPhase {
-    uint32_t begin = 0, end = 0;         ///< In SolverBuffers::strands.
+struct DistanceColor {
+    uint32_t begin = 0, end = 0;         ///< In SolverBuffers::distanceRows.
     bool hasBodies = false;              ///< Whether particles of bodies are among them.
 };
 
@@ -57,7 +57,7 @@ struct SolverBuffers {
     Buffer<gpu::vec4> positions, velocities;           ///< At the end of the last step [m], [m/s]; w: 1 if parked.
     // What never changes.
     Buffer<gpu::ParticleInfo> particleInfo;
-    Buffer<gpu::uvec2> particlePlaces;   ///< Mover, rank in the order of contact lists.
+    Buffer<gpu::uvec2> particleRanks;   ///< Mover, rank in the order of contact lists.
     Buffer<uint32_t> rankedParticles;    ///< Per rank: the particle.
     Buffer<gpu::vec4> masses;            ///< Inverse mass [1/kg], restitution, static, kinetic friction.
     Buffer<gpu::vec4> restPositions;     ///< In the assembly's rest pose [m]; w: margin of self-contact [diameters].
@@ -70,6 +70,7 @@ struct SolverBuffers {
     Buffer<gpu::vec4> bodyMoments;       ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
     Buffer<gpu::vec4> bodyInertias;      ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
     Buffer<gpu::MoverInfo> moverInfo;    ///< Per mover.
+    Buffer<uint32_t> moverStates;        ///< Per mover: MOVER_*.
     Buffer<uint32_t> sharedParticles;    ///< The particles of two or more bodies.
     Buffer<gpu::uvec4> sharedOwners;     ///< Of those of exactly two, which come first: link and body of each.
     Buffer<gpu::vec4> particleSurfaces;  ///< Way out of the first body, zero where none; w: distance to its surface.
@@ -79,16 +80,16 @@ struct SolverBuffers {
     Buffer<gpu::StepParameters> step;
     // Movers: bodies, then loose particles. Fields as in shaders/sim/common/fields.glsl.
     Buffer<gpu::vec4> moverCentres, moverRotations;    ///< c and Q: at the start of a substep, or (paper) now.
-    Buffer<gpu::vec4> moverMoves, moverTurns;          ///< Since it began: of c [m], w: acting contacts; a quaternion.
+    Buffer<gpu::vec4> moverMoves, moverRotationDeltas;          ///< Since it began: of c [m], w: acting contacts; a quaternion.
     Buffer<gpu::vec4> moverVelocities, oldMoverVelocities, oldMoverMoves;   ///< Fields [m/s], [m/s], [m].
     Buffer<gpu::vec4> moverPredictions;                ///< Field: the untouched move, A of eq. 9 after it.
     Buffer<gpu::vec4> moverImpulses;                   ///< Field: what its contacts add to it [kg m].
     Buffer<gpu::vec4> moverChanges;                    ///< Field: how they last changed; w of the first: relaxation.
     /// Per particle, by rank: what acts on single particles, beside contacts and joints [kg m].
     Buffer<gpu::vec4> particleImpulses;
-    // Restitution (shaders/sim/restitution/bounce.glsl), of a world that has any.
-    Buffer<gpu::vec4> pairBounces, colliderBounces;    ///< As pairImpulses: the last change, all of it [kg m/s].
-    Buffer<float> moverBounces;                        ///< Per mover: over how many of them its mass is split.
+    // Restitution (shaders/sim/restitution/restitution.glsl), of a world that has any.
+    Buffer<gpu::vec4> pairRestitutions, colliderRestitutions;    ///< As pairImpulses: the last change, all of it [kg m/s].
+    Buffer<float> moverRestitutionSplits;                        ///< Per mover: over how many of them its mass is split.
     // Sleep (shaders/sim/common/sleep.glsl). Per assembly: steps that it was calm, name of its island.
     Buffer<gpu::uvec2> assemblyCalm, assemblyNext;
     Buffer<uint32_t> islandsWoken;                     ///< By name: 1 if something woke it in this step.
@@ -118,15 +119,15 @@ struct SolverBuffers {
     Buffer<gpu::vec4> linkTerms;         ///< Per link, three: eq. 10.
     Buffer<uint32_t> reductionLinks;     ///< Of each ReductionStep, one after another.
     // Ropes and cloth.
-    Buffer<gpu::uvec4> strands;          ///< First and last node, assembly.
-    Buffer<gpu::uvec4> strandNodes;      ///< Mover, rank, particle, inverse mass or split (strands.glsl).
-    Buffer<gpu::vec4> strandLinks;       ///< Per node, to the next: rest length, compliance; force, length that tear.
-    Buffer<gpu::vec4> strandStates;      ///< Per node, to the next: multiplier [kg m], tension [N], 1 if torn.
-    Buffer<gpu::vec4> strandFactors;     ///< Per node, within a dispatch.
+    Buffer<gpu::uvec4> distanceRows;          ///< First and last node, assembly.
+    Buffer<gpu::uvec4> distanceNodes;      ///< Mover, rank, particle, inverse mass or split (distanceRows.glsl).
+    Buffer<gpu::vec4> distanceLinks;       ///< Per node, to the next: rest length, compliance; force, length that tear.
+    Buffer<gpu::vec4> distanceStates;      ///< Per node, to the next: multiplier [kg m], tension [N], 1 if torn.
+    Buffer<gpu::vec4> distanceFactors;     ///< Per node, within a dispatch.
     // The neighbour grid.
     Buffer<gpu::vec4> calmCentres, calmRotations;      ///< Per mover: where its assembly counts its calm steps from.
-    Buffer<gpu::vec4> foundPositions;    ///< Where a particle was when contacts were found.
-    Buffer<gpu::vec4> foundCentres, foundRotations;    ///< Where a mover was then; w: how far it may drift [m].
+    Buffer<gpu::vec4> searchPositions;    ///< Where a particle was when contacts were found.
+    Buffer<gpu::vec4> searchCentres, searchRotations;    ///< Where a mover was then; w: how far it may drift [m].
     Buffer<float> moverReaches;          ///< Per mover: how much further it looks for contacts [m].
     Buffer<uint32_t> fastParticles;      ///< Those of movers that do.
     Buffer<uint32_t> moverColliders;     ///< Per mover, bits: colliders that it may touch.
@@ -155,11 +156,11 @@ struct SolverBuffers {
     PoolBuffers pool;
 
     gpu::StepParameters parameters{};    ///< The host's copy of `step`.
-    bool hasBounces = false;             ///< Whether any material has restitution.
+    bool hasRestitution = false;             ///< Whether any material has restitution.
     bool hasPool = false;                ///< Whether there are emitters, or drains of fluids.
-    bool hasOthers = false;              ///< Whether anything but contacts and joints acts (particleImpulses).
-    std::vector<StrandPhase> strandPhases;
-    std::vector<uint32_t> strandStarts;  ///< Per strand of the World, its first node; its last if that is fixed.
+    bool hasParticleImpulses = false;              ///< Whether anything but contacts and joints acts (particleImpulses).
+    std::vector<DistanceColor> distanceColors;
+    std::vector<uint32_t> distanceStarts;  ///< Per strand of the World, its first node; its last if that is fixed.
     bool hasGrids = false;               ///< Whether a collider is a mesh or a heightfield.
     std::vector<ReductionStep> reductionSteps;   ///< ceil(log2 p), p being the links of the largest body (eq. 10).
 

@@ -9,15 +9,15 @@ namespace knuckle {
 BodyState bodyState(const World& world, const Body& body, const ParticleState& particles, const Vector3f& centre,
                     const Quaternionf& rotation);
 
-/// Contacts, gaps and energies of a state (all but strands), on the host: every pair of particles that may touch,
+/// Contacts, gaps and energies of a state (all but distanceRows), on the host: every pair of particles that may touch,
 /// independently of the solver's own lists.
 Measures measureState(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies);
 
 /// The part of it that is about soft bodies, against their shape at the start.
 void measureSoftBodies(Measures& out, const World& world, const ParticleState& particles);
 
-/// The part of it that is about strands. @param torn per distance of all strands, in their order (tornDistances).
-void measureStrands(Measures& out, const World& world, const ParticleState& particles, const std::vector<bool>& torn);
+/// The part of it that is about distanceRows. @param torn per distance of all distanceRows, in their order (tornDistances).
+void measureDistances(Measures& out, const World& world, const ParticleState& particles, const std::vector<bool>& torn);
 
 /// The part of it that is about fluids. @param densities of their particles, over those at rest.
 void measureFluids(Measures& out, const std::vector<float>& densities);

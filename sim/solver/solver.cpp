@@ -10,7 +10,7 @@
 #include "sim/solver/step.h"
 #include "sim/solver/fluid/upload_fluid.h"
 #include "sim/solver/fluid/upload_pool.h"
-#include "sim/solver/rope/upload_strands.h"
+#include "sim/solver/rope/upload_distances.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -142,7 +142,7 @@ Measures Solver::measure()
 {
     const ParticleState particles = readParticles();
     Measures measures = measureState(impl_->world, particles, readBodies());
-    measureStrands(measures, impl_->world, particles, tornDistances(impl_->buffers, impl_->world));
+    measureDistances(measures, impl_->world, particles, tornDistances(impl_->buffers, impl_->world));
     measureFluids(measures, fluidDensities(impl_->buffers));
     const FluidFigures figures = fluidFigures(impl_->buffers);
     measures.fluidCount = figures.living;
@@ -164,7 +164,7 @@ uint64_t Solver::stateHash()
 
 uint32_t Solver::searchCount()
 {
-    return impl_->buffers.counters.download()[0].findCount;
+    return impl_->buffers.counters.download()[0].searchCount;
 }
 
 std::vector<PassTime> Solver::passTimes()

@@ -7,27 +7,27 @@
 //
 //   predicts how far each mover would move if nothing touched it, adds what its contacts did last, and asks for a new
 //     search when it has left its margin (mover_predict);
-//   finds contacts, but only when somebody asked: find_due sets the sizes of those dispatches on the GPU, to zero
-//     otherwise. Particles are placed (found_place) and sorted into cells by a counting sort (grid_*); each looks for
+//   finds contacts, but only when somebody asked: search_due sets the sizes of those dispatches on the GPU, to zero
+//     otherwise. Particles are placed (search_position) and sorted into cells by a counting sort (grid_*); each looks for
 //     those that lie ahead (contact_find, further for fast ones: contact_find_far) and for colliders (collider_*); a
 //     prefix sum gives each list its place (scan_*, list_start, pair_list), and each contact learns what it is made of
-//     (pair_write, collider_write);
+//     (contact_prepare, collider_prepare);
 //   moves fluids by their pressures (fluid_*), once;
-//   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, strand_solve moves ropes and
+//   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, distance_solve moves ropes and
 //     cloth, phase by phase; contact_solve, collider_solve and joint_solve work out impulses, each contact and joint by
 //     itself, from where the movers are; mover_solve sums them for each mover and matches it (eqs. 8-9, 11-17) to where
 //     they bring its particles;
-//   finishes with velocities and places (mover_finish), and where materials have restitution, gives collisions the
-//     speeds at which they part (contact_bounce, collider_bounce, mover_bounce).
+//   finishes with velocities and places (mover_integrate), and where materials have restitution, gives collisions the
+//     speeds at which they part (contact_restitution, collider_restitution, mover_restitution).
 //
-// With Settings::sleepSpeed, what has been calm for long sleeps from the end of a step on (sleep_mover, sleep_pair,
-// sleep_settle), until something that moves comes near it (sleep_wake, sleep_rouse, in each substep).
+// With Settings::sleepSpeed, what has been calm for long sleeps from the end of a step on (sleep_mover, sleep_island,
+// sleep_update), until something that moves comes near it (sleep_wake_island, sleep_wake_assembly, in each substep).
 //
-// A step ends with its particles where their bodies have them (particle_place); those that bodies share stand at the
-// mean of their goals, which is the joint (joint_place). Where there are emitters or drains, fluid particles then leave
-// the pools (fluid_pool, pool_order, fluid_emit) or go back to them (fluid_drain).
+// A step ends with its particles where their bodies have them (particle_position); those that bodies share stand at the
+// mean of their goals, which is the joint (joint_position). Where there are emitters or drains, fluid particles then leave
+// the pools (emitter_update, pool_order, fluid_emit) or go back to them (fluid_drain).
 //
-// Freezing (Settings::freeze) is the same for each assembly by itself: freeze_mover, freeze_settle at the end of a step.
+// Freezing (Settings::freeze) is the same for each assembly by itself: freeze_mover, freeze_update at the end of a step.
 //
 // The paper's solver does all of this particle by particle (PaperStep): predict, then contact_average (each particle
 // moves by the average of its overlaps), then each body is matched to its particles (body_sum, body_rotation) and they
@@ -64,17 +64,17 @@ Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
     if (mayRest_) loadSleep(load);
     if (buffers.parameters.fluidCount > 0) fluid_.emplace(load, buffers, settings);
     if (buffers.hasPool) fluidPool_.emplace(load, buffers);
-    if (settings.solver == SolverKind::Impulse) strandStep_ = StrandStep(gpu, buffers);
+    if (settings.solver == SolverKind::Impulse) distanceStep_ = DistanceStep(gpu, buffers);
 }
 
 void Step::loadSearch(const LoadKernel& load)
 {
     const Defines place = settings_.solver == SolverKind::Paper ? Defines{{"FROM_POSITIONS", "1"}} : Defines{};
     const Defines lists = {{"LISTS", "1"}};
-    findDue_ = load("search/find_due", {});
+    searchDue_ = load("search/search_due", {});
     moverReach_ = load("search/mover_reach", {});
-    fastDue_ = load("search/fast_due", {});
-    foundPlace_ = load("search/found_place", place);
+    searchFarDue_ = load("search/search_far_due", {});
+    searchPosition_ = load("search/search_position", place);
     gridClear_ = load("search/grid_clear", {});
     gridCount_ = load("search/grid_count", {});
     gridSum_ = load("search/scan_sum", {});
@@ -90,8 +90,8 @@ void Step::loadSearch(const LoadKernel& load)
     listChunks_ = load("search/scan_chunks", lists);
     listStart_ = load("search/list_start", lists);
     pairList_ = load("search/pair_list", {});
-    pairWrite_ = load("contact/pair_write", {});
-    colliderWrite_ = load("contact/collider_write", {});
+    contactPrepare_ = load("contact/contact_prepare", {});
+    colliderPrepare_ = load("contact/collider_prepare", {});
 }
 
 void Step::loadImpulseSolver(const LoadKernel& load)
@@ -103,45 +103,45 @@ void Step::loadImpulseSolver(const LoadKernel& load)
         return ForMovers{load(name, bodies), load(name, loose)};
     };
     moverPredict_ = loadForMovers("body/mover_predict", {});
-    if (buffers_.hasOthers) impulseClear_ = load("contact/impulse_clear", {});
-    moverWarm_ = load("body/mover_solve", {{"WARM", "1"}});
+    if (buffers_.hasParticleImpulses) impulseClear_ = load("contact/impulse_clear", {});
+    moverWarmStart_ = load("body/mover_solve", {{"WARM_START", "1"}});
     contactSolve_ = load("contact/contact_solve", {});
     colliderSolve_ = load("contact/collider_solve", {});
-    jointSolveFirst_ = load("joint/joint_solve", {{"FIRST", "1"}});
+    jointSolveFirst_ = load("joint/joint_solve", {{"FIRST_ITERATION", "1"}});
     jointSolve_ = load("joint/joint_solve", {});
-    jointSolveManyFirst_ = load("joint/joint_solve_many", {{"FIRST", "1"}});
+    jointSolveManyFirst_ = load("joint/joint_solve_many", {{"FIRST_ITERATION", "1"}});
     jointSolveMany_ = load("joint/joint_solve_many", {});
-    moverSolve_ = loadForMovers("body/mover_solve", buffers_.hasOthers ? Defines{{"OTHERS", "1"}} : Defines{});
-    moverFinish_ = loadForMovers("body/mover_finish", {});
-    particlePlace_ = load("body/particle_place", {});
-    jointPlace_ = load("joint/joint_place", {});
-    if (buffers_.hasBounces) loadBounces(load);
+    moverSolve_ = loadForMovers("body/mover_solve", buffers_.hasParticleImpulses ? Defines{{"ON_PARTICLES", "1"}} : Defines{});
+    moverIntegrate_ = loadForMovers("body/mover_integrate", {});
+    particlePosition_ = load("body/particle_position", {});
+    jointPosition_ = load("joint/joint_position", {});
+    if (buffers_.hasRestitution) loadRestitution(load);
     if (buffers_.parameters.clusterCount > 0) soft_.emplace(load, buffers_);
 }
 
-void Step::loadBounces(const LoadKernel& load)
+void Step::loadRestitution(const LoadKernel& load)
 {
-    contactCollide_ = load("restitution/contact_bounce", {{"FIRST", "1"}});
-    colliderCollide_ = load("restitution/collider_bounce", {{"FIRST", "1"}});
-    contactBounce_ = load("restitution/contact_bounce", {});
-    colliderBounce_ = load("restitution/collider_bounce", {});
-    contactBounceEagerly_ = load("restitution/contact_bounce", {{"EAGER", "1"}});
-    colliderBounceEagerly_ = load("restitution/collider_bounce", {{"EAGER", "1"}});
-    moverBounce_ = load("restitution/mover_bounce", {});
+    contactDetect_ = load("restitution/contact_restitution", {{"DETECT", "1"}});
+    colliderDetect_ = load("restitution/collider_restitution", {{"DETECT", "1"}});
+    contactRestitution_ = load("restitution/contact_restitution", {});
+    colliderRestitution_ = load("restitution/collider_restitution", {});
+    contactRestitutionEager_ = load("restitution/contact_restitution", {{"EAGER", "1"}});
+    colliderRestitutionEager_ = load("restitution/collider_restitution", {{"EAGER", "1"}});
+    moverRestitution_ = load("restitution/mover_restitution", {});
 }
 
 void Step::loadSleep(const LoadKernel& load)
 {
     if (settings_.freeze > 0.0f) {
         freezeMover_ = load("sleep/freeze_mover", {});
-        freezeSettle_ = load("sleep/freeze_settle", {});
+        freezeUpdate_ = load("sleep/freeze_update", {});
     } else {
         sleepMover_ = load("sleep/sleep_mover", {});
-        sleepPair_ = load("sleep/sleep_pair", {});
-        sleepSettle_ = load("sleep/sleep_settle", {});
+        sleepIsland_ = load("sleep/sleep_island", {});
+        sleepUpdate_ = load("sleep/sleep_update", {});
     }
-    sleepWake_ = load("sleep/sleep_wake", {});
-    sleepRouse_ = load("sleep/sleep_rouse", {});
+    sleepWakeIsland_ = load("sleep/sleep_wake_island", {});
+    sleepWakeAssembly_ = load("sleep/sleep_wake_assembly", {});
 }
 
 void Step::settle(KernelTimer& timer) const
@@ -156,8 +156,8 @@ void Step::run(KernelTimer& timer) const
     for (uint32_t i = 0; i < settings_.substeps; ++i) paper ? paperSubstep(timer) : impulseSubstep(timer, i == 0);
     if (settings_.sleepSpeed > 0.0f) fallAsleep(timer);
     if (!paper) {
-        particlePlace_.dispatch(timer, particles_);
-        if (shared_ > 0) jointPlace_.dispatch(timer, shared_);
+        particlePosition_.dispatch(timer, particles_);
+        if (shared_ > 0) jointPosition_.dispatch(timer, shared_);
     }
     if (settings_.freeze > 0.0f) freeze(timer);
     if (fluidPool_) fluidPool_->run(timer);
@@ -167,10 +167,10 @@ void Step::findContacts(KernelTimer& timer) const
 {
     const RawBuffer& sizes = buffers_.dispatches;
     const bool paper = settings_.solver == SolverKind::Paper;   // its bodies are particles until the end of a step
-    findDue_.dispatch(timer, 1);
+    searchDue_.dispatch(timer, 1);
     if (!paper) moverReach_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
-    foundPlace_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
-    fastDue_.dispatchIndirect(timer, sizes, DISPATCH_ONE);
+    searchPosition_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
+    searchFarDue_.dispatchIndirect(timer, sizes, DISPATCH_ONE);
     gridClear_.dispatchIndirect(timer, sizes, DISPATCH_CELLS);
     gridCount_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
     gridSum_.dispatchIndirect(timer, sizes, DISPATCH_CELL_CHUNKS);
@@ -186,8 +186,8 @@ void Step::findContacts(KernelTimer& timer) const
     listChunks_.dispatchIndirect(timer, sizes, DISPATCH_ONE);
     listStart_.dispatchIndirect(timer, sizes, DISPATCH_LIST_CHUNKS);
     pairList_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
-    pairWrite_.dispatchIndirect(timer, sizes, DISPATCH_NEW_PAIRS);
-    colliderWrite_.dispatchIndirect(timer, sizes, DISPATCH_NEW_COLLIDER_PAIRS);
+    contactPrepare_.dispatchIndirect(timer, sizes, DISPATCH_NEW_PAIRS);
+    colliderPrepare_.dispatchIndirect(timer, sizes, DISPATCH_NEW_COLLIDER_PAIRS);
 }
 
 void Step::dispatch(KernelTimer& timer, const ForMovers& kernels) const
@@ -199,28 +199,28 @@ void Step::dispatch(KernelTimer& timer, const ForMovers& kernels) const
 void Step::impulseSubstep(KernelTimer& timer, bool first) const
 {
     if (particles_ == 0) {
-        findDue_.dispatch(timer, 1);   // counts the substep
+        searchDue_.dispatch(timer, 1);   // counts the substep
         fluid_->substep(timer, first);
         return;
     }
     const RawBuffer& sizes = buffers_.dispatches;
     dispatch(timer, moverPredict_);
-    if (buffers_.hasOthers) impulseClear_.dispatch(timer, particles_);
+    if (buffers_.hasParticleImpulses) impulseClear_.dispatch(timer, particles_);
     findContacts(timer);
     wake(timer);
-    moverWarm_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
+    moverWarmStart_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
     if (fluid_) fluid_->substep(timer, first);
     for (uint32_t i = 0; i < settings_.iterations; ++i) {
         if (soft_) soft_->run(timer, i, settings_.iterations);
-        strandStep_.run(timer, i == 0);
+        distanceStep_.run(timer, i == 0);
         contactSolve_.dispatchIndirect(timer, sizes, DISPATCH_PAIRS);
         colliderSolve_.dispatchIndirect(timer, sizes, DISPATCH_COLLIDER_PAIRS);
         if (sharedByTwo_ > 0) (i == 0 ? jointSolveFirst_ : jointSolve_).dispatch(timer, sharedByTwo_);
         if (sharedByMany_ > 0) (i == 0 ? jointSolveManyFirst_ : jointSolveMany_).dispatch(timer, sharedByMany_);
         dispatch(timer, moverSolve_);
     }
-    dispatch(timer, moverFinish_);
-    if (buffers_.hasBounces) bounce(timer);
+    dispatch(timer, moverIntegrate_);
+    if (buffers_.hasRestitution) bounce(timer);
 }
 
 void Step::bounce(KernelTimer& timer) const
@@ -228,33 +228,33 @@ void Step::bounce(KernelTimer& timer) const
     const auto iterate = [&](const Kernel& contacts, const Kernel& colliders) {
         contacts.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_PAIRS);
         colliders.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_COLLIDER_PAIRS);
-        moverBounce_.dispatch(timer, movers_);
+        moverRestitution_.dispatch(timer, movers_);
     };
-    iterate(contactCollide_, colliderCollide_);
-    for (uint32_t i = 0; i < BOUNCE_ROUNDS; ++i) {
-        iterate(contactBounce_, colliderBounce_);
-        iterate(contactBounceEagerly_, colliderBounceEagerly_);
+    iterate(contactDetect_, colliderDetect_);
+    for (uint32_t i = 0; i < RESTITUTION_ROUNDS; ++i) {
+        iterate(contactRestitution_, colliderRestitution_);
+        iterate(contactRestitutionEager_, colliderRestitutionEager_);
     }
 }
 
 void Step::wake(KernelTimer& timer) const
 {
     if (!mayRest_) return;
-    sleepWake_.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_PAIRS);
-    sleepRouse_.dispatch(timer, assemblies_);
+    sleepWakeIsland_.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_PAIRS);
+    sleepWakeAssembly_.dispatch(timer, assemblies_);
 }
 
 void Step::freeze(KernelTimer& timer) const
 {
     freezeMover_.dispatch(timer, movers_);
-    freezeSettle_.dispatch(timer, assemblies_);
+    freezeUpdate_.dispatch(timer, assemblies_);
 }
 
 void Step::fallAsleep(KernelTimer& timer) const
 {
     sleepMover_.dispatch(timer, movers_);
-    sleepPair_.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_PAIRS);
-    sleepSettle_.dispatch(timer, assemblies_);
+    sleepIsland_.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_PAIRS);
+    sleepUpdate_.dispatch(timer, assemblies_);
 }
 
 void Step::paperSubstep(KernelTimer& timer) const

@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "sim/solver/fluid/fluid_pool.h"
+#include "sim/solver/fluid/emitter_update.h"
 #include "sim/solver/fluid/fluid_step.h"
 #include "sim/solver/paper/paper_step.h"
 #include "sim/solver/soft/soft_step.h"
-#include "sim/solver/rope/strand_step.h"
+#include "sim/solver/rope/distance_step.h"
 
 namespace knuckle {
 
@@ -28,7 +28,7 @@ private:
     void dispatch(KernelTimer& timer, const ForMovers& kernels) const;
     void loadSearch(const LoadKernel& load);
     void loadImpulseSolver(const LoadKernel& load);
-    void loadBounces(const LoadKernel& load);
+    void loadRestitution(const LoadKernel& load);
     void loadSleep(const LoadKernel& load);
     void findContacts(KernelTimer& timer) const;
     void impulseSubstep(KernelTimer& timer, bool first) const;
@@ -46,18 +46,18 @@ private:
     std::optional<FluidStep> fluid_;
     std::optional<FluidPool> fluidPool_;
     // Finding contacts.
-    Kernel findDue_, moverReach_, foundPlace_, fastDue_, gridClear_, gridCount_, gridSum_, gridChunks_, gridStart_,
+    Kernel searchDue_, moverReach_, searchPosition_, searchFarDue_, gridClear_, gridCount_, gridSum_, gridChunks_, gridStart_,
         gridScatter_, gridOrder_, contactFind_, contactFindFar_, colliderNear_, colliderFind_, listSum_, listChunks_,
-        listStart_, pairList_, pairWrite_, colliderWrite_;
+        listStart_, pairList_, contactPrepare_, colliderPrepare_;
     // The default solver.
-    ForMovers moverPredict_, moverSolve_, moverFinish_;
-    Kernel impulseClear_, moverWarm_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_,
-        jointSolveManyFirst_, jointSolveMany_, particlePlace_, jointPlace_;
-    Kernel contactCollide_, colliderCollide_, contactBounce_, colliderBounce_, contactBounceEagerly_,
-        colliderBounceEagerly_, moverBounce_;
-    Kernel sleepMover_, sleepPair_, sleepSettle_, sleepWake_, sleepRouse_, freezeMover_, freezeSettle_;
+    ForMovers moverPredict_, moverSolve_, moverIntegrate_;
+    Kernel impulseClear_, moverWarmStart_, contactSolve_, colliderSolve_, jointSolveFirst_, jointSolve_,
+        jointSolveManyFirst_, jointSolveMany_, particlePosition_, jointPosition_;
+    Kernel contactDetect_, colliderDetect_, contactRestitution_, colliderRestitution_, contactRestitutionEager_,
+        colliderRestitutionEager_, moverRestitution_;
+    Kernel sleepMover_, sleepIsland_, sleepUpdate_, sleepWakeIsland_, sleepWakeAssembly_, freezeMover_, freezeUpdate_;
     std::optional<SoftStep> soft_;
-    StrandStep strandStep_;
+    DistanceStep distanceStep_;
     std::optional<PaperStep> paper_;
 };
 

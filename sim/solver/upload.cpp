@@ -13,7 +13,7 @@
 #include "sim/solver/paper/upload_paper.h"
 #include "sim/solver/fluid/upload_pool.h"
 #include "sim/solver/soft/upload_soft.h"
-#include "sim/solver/rope/upload_strands.h"
+#include "sim/solver/rope/upload_distances.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -72,7 +72,7 @@ void uploadParticles(SolverBuffers& out, const World& world)
     out.masses = {"masses", std::span<const gpu::vec4>(masses)};
     out.particleSurfaces = {"particleSurfaces", std::span<const gpu::vec4>(surfaces)};
     out.particleInfo = {"particleInfo", std::span<const gpu::ParticleInfo>(infos)};
-    out.foundPositions = {"foundPositions", count};
+    out.searchPositions = {"searchPositions", count};
     // No contact yet: a stamp that no substep follows.
     const std::vector<gpu::uvec2> state(assemblies, gpu::uvec2{0x7fffffffu, 1u});
     out.assemblyState = {"assemblyState", std::span<const gpu::uvec2>(state)};
@@ -175,7 +175,7 @@ void setImpulseParameters(gpu::StepParameters& p, const Settings& s)
     p.jointRelaxation = 1.8f;
     p.vorticity = s.vorticity * s.timeStep;
     // Twice what gravity gives in a substep: what rests does not bounce.
-    p.bounceSpeed = std::max(2.0f * s.gravity.norm() * p.substepTime, 0.02f);
+    p.restitutionThreshold = std::max(2.0f * s.gravity.norm() * p.substepTime, 0.02f);
 }
 
 /// How far contacts are looked for, and for how long they stay good. Neighbours rarely use up their margins both and
@@ -255,8 +255,8 @@ void SolverBuffers::resizeContacts(const Gpu& gpu)
     colliderArms = {"colliderArms", colliderCount};
     colliderImpulses = {"colliderImpulses", 2 * colliderCount};
     colliderMeans = {"colliderMeans", 2 * colliderCount};
-    pairBounces = {"pairBounces", hasBounces ? 2 * pairCount : 0};
-    colliderBounces = {"colliderBounces", hasBounces ? 2 * colliderCount : 0};
+    pairRestitutions = {"pairRestitutions", hasRestitution ? 2 * pairCount : 0};
+    colliderRestitutions = {"colliderRestitutions", hasRestitution ? 2 * colliderCount : 0};
     step.upload(std::span<const gpu::StepParameters>(&parameters, 1));
 }
 
@@ -271,14 +271,14 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
     out.counters = {"counters", 1};
     out.parameters.contactSlots = FIRST_CONTACT_SLOTS;
     out.parameters.pairCapacity = out.parameters.colliderPairCapacity = std::max(2 * count, 4096u);
-    for (const Material& material : world.materials) out.hasBounces |= material.restitution > 0.0f;
+    for (const Material& material : world.materials) out.hasRestitution |= material.restitution > 0.0f;
     out.resizeContacts(gpu);
     out.latticeEnds = {"latticeEnds", std::span<const uint32_t>(ends)};
     uploadParticles(out, world);
     uploadBodies(out, world);
     uploadMovers(out, world);
     uploadSleep(out);
-    uploadStrands(out, world);
+    uploadDistances(out, world);
     uploadLinks(out, world);
     uploadColliders(gpu, out, world);
     makeGrid(out, count);
@@ -292,18 +292,18 @@ SolverBuffers uploadWorld(const Gpu& gpu, const World& world)
 BufferTable SolverBuffers::table()
 {
     BufferTable t;
-    t.add(positions, velocities, particleInfo, particlePlaces, rankedParticles, masses, restPositions, restOffsets,
-          links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
+    t.add(positions, velocities, particleInfo, particleRanks, rankedParticles, masses, restPositions, restOffsets,
+          links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo, moverStates,
           sharedParticles, sharedOwners, particleSurfaces, latticeEnds, colliders, gridValues, step);
     t.add(clusterInfo, clusterMoments, softMatter, softParticles, softLinks, clusterRotations, clusterRests,
           clusterPulls, softImpulses);
-    t.add(moverCentres, moverRotations, moverMoves, moverTurns, moverVelocities, oldMoverVelocities, oldMoverMoves,
+    t.add(moverCentres, moverRotations, moverMoves, moverRotationDeltas, moverVelocities, oldMoverVelocities, oldMoverMoves,
           moverPredictions, moverImpulses, moverChanges, particleImpulses, linkImpulses, assemblyState, assemblyCalm,
           assemblyNext, islandsWoken);
     t.add(oldMoves, oldVelocities, predicted, moved, bodyStarts, bodyMatrices, bodyActing, linkGains, linkPulls,
           linkTerms, reductionLinks);
-    t.add(strands, strandNodes, strandLinks, strandStates, strandFactors);
-    t.add(foundPositions, foundCentres, foundRotations, moverReaches, fastParticles, moverColliders, particleCells,
+    t.add(distanceRows, distanceNodes, distanceLinks, distanceStates, distanceFactors);
+    t.add(searchPositions, searchCentres, searchRotations, moverReaches, fastParticles, moverColliders, particleCells,
           cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);
     t.add(firstLists, colliderLists, listCounts, listSums, listStarts, pairs, pairSides, pairArms, pairImpulses,
           pairMeans, pairArrivals, pairReferences, colliderPairs, colliderSides, colliderArms, colliderImpulses,
@@ -311,7 +311,7 @@ BufferTable SolverBuffers::table()
     t.add(calmCentres, calmRotations);
     addFluid(t, fluid);
     addPool(t, pool);
-    t.add(pairBounces, colliderBounces, moverBounces);
+    t.add(pairRestitutions, colliderRestitutions, moverRestitutionSplits);
     t.add("countersBlock", counters, 16);
     return t;
 }

@@ -49,7 +49,7 @@ void expectArray(const Kernel& kernel, const std::string& block, const std::stri
 const std::vector<Member> COUNTERS = {
     MEMBER(Counters, problems), MEMBER(Counters, wantedContacts), MEMBER(Counters, wantedColliders),
     MEMBER(Counters, badParticle), MEMBER(Counters, substep), MEMBER(Counters, due), MEMBER(Counters, listParity),
-    MEMBER(Counters, findCount), MEMBER(Counters, pairCount), MEMBER(Counters, colliderPairCount),
+    MEMBER(Counters, searchCount), MEMBER(Counters, pairCount), MEMBER(Counters, colliderPairCount),
     MEMBER(Counters, wantedPairs), MEMBER(Counters, wantedColliderPairs), MEMBER(Counters, fastCount),
     MEMBER(Counters, fastListed), MEMBER(Counters, fastLater), MEMBER(Counters, calm),
     MEMBER(Counters, wantedNeighbours)};
@@ -81,8 +81,8 @@ const std::vector<Member> LINK = {
 
 TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
 {
-    Bench bench(mixedWorld());
-    expectMembers(bench.load("paper/predict"), GL_UNIFORM_BLOCK, "Step", "step.", {
+    KernelFixture fixture(mixedWorld());
+    expectMembers(fixture.load("paper/predict"), GL_UNIFORM_BLOCK, "Step", "step.", {
         MEMBER(StepParameters, gravity), MEMBER(StepParameters, particleCount), MEMBER(StepParameters, bodyCount),
         MEMBER(StepParameters, linkCount), MEMBER(StepParameters, colliderCount),
         MEMBER(StepParameters, contactSlots), MEMBER(StepParameters, cellMask), MEMBER(StepParameters, cellStrideY),
@@ -106,7 +106,7 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
         MEMBER(StepParameters, fluidSoftness), MEMBER(StepParameters, solidCover), MEMBER(StepParameters, inverseFluidCell),
         MEMBER(StepParameters, fluidCellMask), MEMBER(StepParameters, fluidStrideY),
         MEMBER(StepParameters, fluidStrideZ), MEMBER(StepParameters, vorticity),
-        MEMBER(StepParameters, massScaling), MEMBER(StepParameters, bounceSpeed), MEMBER(StepParameters, sleepSpeed),
+        MEMBER(StepParameters, massScaling), MEMBER(StepParameters, restitutionThreshold), MEMBER(StepParameters, sleepSpeed),
         MEMBER(StepParameters, calmSteps),
         MEMBER(StepParameters, assemblyCount), MEMBER(StepParameters, clusterCount),
         MEMBER(StepParameters, softCount), MEMBER(StepParameters, substeps), MEMBER(StepParameters, fluidFilled),
@@ -117,15 +117,15 @@ TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
 
 TEST(Layout, CountersAreTheHostsStruct)
 {
-    Bench bench(mixedWorld());
-    const Kernel kernel = bench.load("search/collider_find");
+    KernelFixture fixture(mixedWorld());
+    const Kernel kernel = fixture.load("search/collider_find");
     expectArray(kernel, "CountersBlock", "counters", sizeof(gpu::Counters), COUNTERS);
 }
 
 TEST(Layout, EmittersAreTheHostsStructs)
 {
-    Bench bench(mixedWorld());
-    const Kernel kernel = bench.load("fluid/fluid_pool", {{"POOL", "1"}});
+    KernelFixture fixture(mixedWorld());
+    const Kernel kernel = fixture.load("fluid/emitter_update", {{"POOL", "1"}});
     expectArray(kernel, "Emitters", "emitters", sizeof(gpu::GpuEmitter), EMITTER);
     expectArray(kernel, "EmitterStates", "emitterStates", sizeof(gpu::EmitterState), EMITTER_STATE);
 }
@@ -147,12 +147,12 @@ void main()
     colliders[0].grid = uvec4(1);
 }
 )");
-    Bench bench(mixedWorld());
-    BufferTable table = bench.buffers.table();
-    table.add("particleInfos", bench.buffers.particleInfo, 16);
-    table.add("bodyInfos", bench.buffers.bodyInfo, 16);
-    table.add("moverInfos", bench.buffers.moverInfo, 16);
-    table.add("colliderStructs", bench.buffers.colliders, 16);
+    KernelFixture fixture(mixedWorld());
+    BufferTable table = fixture.buffers.table();
+    table.add("particleInfos", fixture.buffers.particleInfo, 16);
+    table.add("bodyInfos", fixture.buffers.bodyInfo, 16);
+    table.add("moverInfos", fixture.buffers.moverInfo, 16);
+    table.add("colliderStructs", fixture.buffers.colliders, 16);
     const Kernel kernel(gpu(), table, "sim/test_layout.comp");
     expectArray(kernel, "Links", "links", sizeof(gpu::ParticleRigidBodyLink), LINK);
     expectArray(kernel, "ParticleInfos", "infos", sizeof(gpu::ParticleInfo), PARTICLE_INFO);

@@ -117,10 +117,10 @@ TEST(Kernel, ABufferThatTheSolverDoesNotHaveIsNamedWithItsKernel)
     shaderFolder().write("sim/reads.comp", head + "BUFFER(uint, CellCounts, cellCounts);\n"
                                                   "uniform usamplerBuffer pebbles;\n"
                                                   "void main() { cellCounts[0] = texelFetch(pebbles, 0).x; }\n");
-    Bench bench(mixedWorld());
-    EXPECT_EQ(messageOf<DeviceError>([&] { bench.load("stores"); }),
+    KernelFixture fixture(mixedWorld());
+    EXPECT_EQ(messageOf<DeviceError>([&] { fixture.load("stores"); }),
               "kernel stores wants a buffer \"marbles\" that the solver does not have");
-    EXPECT_EQ(messageOf<DeviceError>([&] { bench.load("reads"); }),
+    EXPECT_EQ(messageOf<DeviceError>([&] { fixture.load("reads"); }),
               "kernel reads wants a buffer \"pebbles\" that the solver does not have");
 }
 

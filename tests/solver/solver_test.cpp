@@ -87,43 +87,43 @@ World mixedWorld(const Settings& settings, uint32_t particleCount)
     return builder.build();
 }
 
-Kernel Bench::load(const std::string& name, const Defines& defines)
+Kernel KernelFixture::load(const std::string& name, const Defines& defines)
 {
     return Kernel(gpu(), buffers.table(), "sim/" + name + ".comp", defines);
 }
 
-void Bench::run(const std::string& name, uint64_t threads, const Defines& defines)
+void KernelFixture::run(const std::string& name, uint64_t threads, const Defines& defines)
 {
     dispatch(load(name, defines), groupsFor(threads));
     gpu().checkErrors();
 }
 
-void Bench::forParticles(const std::string& name, const Defines& defines)
+void KernelFixture::forParticles(const std::string& name, const Defines& defines)
 {
     run(name, buffers.parameters.particleCount, defines);
 }
 
-void Bench::forBodies(const std::string& name, const Defines& defines)
+void KernelFixture::forBodies(const std::string& name, const Defines& defines)
 {
     run(name, buffers.parameters.bodyCount, defines);
 }
 
-void Bench::forMovers(const std::string& name, const Defines& defines)
+void KernelFixture::forMovers(const std::string& name, const Defines& defines)
 {
     run(name, buffers.parameters.moverCount, defines);
 }
 
-void Bench::setFound(const std::vector<gpu::vec4>& places)
+void KernelFixture::setFound(const std::vector<gpu::vec4>& places)
 {
-    fill(buffers.foundPositions, places);
-    // What found_place leaves besides the places.
+    fill(buffers.searchPositions, places);
+    // What search_position leaves besides the places.
     auto counts = buffers.listCounts.download();
     const uint32_t count = buffers.parameters.particleCount;
     std::fill(counts.begin() + count, counts.begin() + 2 * count, 0u);
     fill(buffers.listCounts, counts);
 }
 
-void Bench::fillGrid(const Defines& defines)
+void KernelFixture::fillGrid(const Defines& defines)
 {
     const uint32_t cells = buffers.parameters.cellMask + 1;
     run("search/grid_clear", cells);
@@ -135,7 +135,7 @@ void Bench::fillGrid(const Defines& defines)
     forParticles("search/grid_order");
 }
 
-void Bench::findPairs(GridKind grid)
+void KernelFixture::findPairs(GridKind grid)
 {
     const Defines defines = gridDefines(grid);
     fillGrid(defines);
@@ -143,7 +143,7 @@ void Bench::findPairs(GridKind grid)
     run("search/contact_find_far", counters().fastListed, defines);
 }
 
-void Bench::fillLists()
+void KernelFixture::fillLists()
 {
     const Defines lists = {{"LISTS", "1"}};
     const uint32_t chunks = 3 * buffers.parameters.particleCount / SCAN_CHUNK + 1;
@@ -151,11 +151,11 @@ void Bench::fillLists()
     run("search/scan_chunks", 1, lists);
     run("search/list_start", chunks, lists);
     forParticles("search/pair_list");
-    run("contact/pair_write", counters().pairCount);
-    run("contact/collider_write", counters().colliderPairCount);
+    run("contact/contact_prepare", counters().pairCount);
+    run("contact/collider_prepare", counters().colliderPairCount);
 }
 
-void Bench::turnHalves()
+void KernelFixture::turnHalves()
 {
     gpu::Counters now = counters();
     now.listParity ^= 1u;

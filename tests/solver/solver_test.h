@@ -50,9 +50,9 @@ private:
 World mixedWorld(const Settings& settings = {}, uint32_t particleCount = 1003);
 
 /// The solver's buffers of a world, and its kernels one at a time.
-class Bench {
+class KernelFixture {
 public:
-    explicit Bench(World worldIn) : world(std::move(worldIn)), buffers(uploadWorld(gpu(), world)) {}
+    explicit KernelFixture(World worldIn) : world(std::move(worldIn)), buffers(uploadWorld(gpu(), world)) {}
 
     Kernel load(const std::string& name, const Defines& defines = {});
     void dispatch(const Kernel& kernel, uint32_t groups) { kernel.dispatch(timer_, groups); }
@@ -60,9 +60,9 @@ public:
     void forParticles(const std::string& name, const Defines& defines = {});
     void forBodies(const std::string& name, const Defines& defines = {});
     void forMovers(const std::string& name, const Defines& defines = {});
-    /// Where contacts are found, as found_place would leave it: places [m], and no pair that refers to anybody yet.
+    /// Where contacts are found, as search_position would leave it: places [m], and no pair that refers to anybody yet.
     void setFound(const std::vector<gpu::vec4>& places);
-    /// Sorts the particles into the grid by foundPositions, as the step does.
+    /// Sorts the particles into the grid by searchPositions, as the step does.
     void fillGrid(const Defines& defines);
     /// Finds the pairs of particles, as the step does; counters().fastListed of fastParticles look further.
     void findPairs(GridKind grid);

@@ -2,7 +2,7 @@
 // lead from there, and whether its contact candidates are still good. BDF2 (second-order velocities) where
 // nothing touched its assembly lately, else symplectic Euler.
 #include "sim/common/kernel.glsl"
-#include "sim/rotation/turn.glsl"
+#include "sim/rotation/rotation_delta.glsl"
 #include "sim/common/fields.glsl"
 #include "sim/common/mass_scaling.glsl"
 #include "sim/common/sleep.glsl"
@@ -15,13 +15,13 @@ uniform samplerBuffer oldMoverVelocities;
 uniform samplerBuffer oldMoverMoves;
 uniform samplerBuffer moverImpulses;
 uniform samplerBuffer bodyMoments;       // three columns a body: sum of m r r^T; w of the first: radius
-uniform samplerBuffer foundCentres;      // w: how far it may drift
-uniform samplerBuffer foundRotations;
+uniform samplerBuffer searchCentres;      // w: how far it may drift
+uniform samplerBuffer searchRotations;
 uniform usamplerBuffer moverInfo;
 uniform usamplerBuffer lastAssemblyState;
 BUFFER(vec4, MoverPredictions, moverPredictions);   // field: the centre's move, A
 BUFFER(vec4, MoverMoves, moverMoves);
-BUFFER(vec4, MoverTurns, moverTurns);
+BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
 BUFFER(uvec2, AssemblyState, assemblyState);   // last substep with a contact, order of this one
 BUFFER(Counters, CountersBlock, counters);
 
@@ -38,7 +38,7 @@ Field predictedMove(uint m, bool second)
 /// How far its farthest particle has come since its candidates were found, at most.
 float drift(uint m, vec4 found, vec3 centre, vec4 rotation, float radius)
 {
-    vec4 since = quaternionProduct(rotation, conjugate(texelFetch(foundRotations, int(m))));
+    vec4 since = quaternionProduct(rotation, conjugate(texelFetch(searchRotations, int(m))));
     return length(centre - found.xyz) + 2.0 * length(since.xyz) * radius;
 }
 
@@ -67,20 +67,20 @@ void main()
         mat3 moments = mat3(column.xyz, texelFetch(bodyMoments, int(3u * m + 1u)).xyz,
                             texelFetch(bodyMoments, int(3u * m + 2u)).xyz);
         move.f = (matrixFromQuaternion(rotation) + move.f) * moments;
-        turn = matchedTurn(move.f + scale * impulse.f, rotation, turn);
+        turn = matchedRotationDelta(move.f + scale * impulse.f, rotation, turn);
     }
     STORE_FIELD(moverPredictions, m, move)
     if (asleep) {
         // What sleeps splits its mass over no impulse: contacts take it for immovable.
         moverMoves[m] = vec4(0);
-        moverTurns[m] = vec4(0, 0, 0, 1);
+        moverRotationDeltas[m] = vec4(0, 0, 0, 1);
         return;
     }
     vec3 shift = move.t + inverseMass * (scale * impulse.t);
     moverMoves[m].xyz = shift;
-    moverTurns[m] = turn;
+    moverRotationDeltas[m] = turn;
     vec3 centre = start + shift;
-    vec4 found = texelFetch(foundCentres, int(m));
+    vec4 found = texelFetch(searchCentres, int(m));
     if (info.y > 0u && drift(m, found, centre, quaternionProduct(turn, rotation), radius) > found.w)
         counters[0].due = 1u;
 }

@@ -1,9 +1,9 @@
 // One thread a mover: sums the impulses on it, and matches it to where they bring its particles (eqs. 8-9). An impulse
 // p on a particle at r displaces that particle by p / m, which adds p r^T to A and p / M to the centre's move. Also
-// counts the contacts that will act next, over which its mass is split (Tonge et al. 2012, mass splitting). WARM: after
+// counts the contacts that will act next, over which its mass is split (Tonge et al. 2012, mass splitting). WARM_START: after
 // the contacts were found anew, with their old impulses and without the joints, as mover_predict does.
 #include "sim/common/kernel.glsl"
-#include "sim/rotation/turn.glsl"
+#include "sim/rotation/rotation_delta.glsl"
 #include "sim/common/fields.glsl"
 #include "sim/common/impulse_sums.glsl"
 #include "sim/common/mass_scaling.glsl"
@@ -12,7 +12,7 @@
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer moverCentres;
 uniform samplerBuffer moverRotations;
-uniform samplerBuffer lastMoverTurns;
+uniform samplerBuffer lastMoverRotationDeltas;
 uniform samplerBuffer moverPredictions;
 uniform samplerBuffer lastMoverImpulses;
 uniform samplerBuffer lastMoverChanges;
@@ -20,7 +20,7 @@ uniform samplerBuffer bodyMoments;       // w of the first of three: radius
 uniform usamplerBuffer moverInfo;
 uniform usamplerBuffer bodyInfo;
 BUFFER(vec4, MoverMoves, moverMoves);    // w: over how many impulses its mass is split
-BUFFER(vec4, MoverTurns, moverTurns);
+BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
 BUFFER(vec4, MoverImpulses, moverImpulses);   // field: the sums of contacts
 BUFFER(vec4, MoverChanges, moverChanges);     // field: how they changed last; w of the first: relaxation
 BUFFER(uvec2, AssemblyState, assemblyState);
@@ -32,7 +32,7 @@ float relaxation(uint m, Field impulse, float acting)
 {
     Field last = fetchField(lastMoverChanges, m);
     float relaxation = texelFetch(lastMoverChanges, int(fieldStart(m))).w;
-#ifndef WARM
+#ifndef WARM_START
     Field before = fetchField(lastMoverImpulses, m);
     Field change = Field(impulse.t - before.t, impulse.f - before.f);
     float along = dot(change.t, last.t), size = dot(last.t, last.t);
@@ -44,7 +44,7 @@ float relaxation(uint m, Field impulse, float acting)
         }
     }
     relaxation = along < -0.9 * size ? max(0.8 * relaxation, 1.0) : min(1.05 * relaxation, MOST_RELAXATION);
-    if (acting == 0.0) relaxation = FIRST_RELAXATION;
+    if (acting == 0.0) relaxation = INITIAL_RELAXATION;
     STORE_FIELD(moverChanges, m, change)
     moverChanges[fieldStart(m)].w = relaxation;
 #endif
@@ -65,7 +65,7 @@ void main()
     if (contacts.impulse.t != vec3(0)) assemblyState[info.z].x = counters[0].substep - 1u;
 
     Field prediction = fetchField(moverPredictions, m);
-    Field others = otherSum(info);
+    Field others = particleSum(info);
     float scale = contactScale(texelFetch(moverCentres, int(m)).xyz);
     Field impulse = Field(scale * contacts.impulse.t + others.t, scale * contacts.impulse.f + others.f);
     float splits = contacts.acting;
@@ -74,8 +74,8 @@ void main()
         Field joints = jointSum(body);
         splits += float(body.w);
         impulse = Field(impulse.t + joints.t, impulse.f + joints.f);
-        moverTurns[m] = matchedTurn(prediction.f + impulse.f, texelFetch(moverRotations, int(m)),
-                                    texelFetch(lastMoverTurns, int(m)));
+        moverRotationDeltas[m] = matchedRotationDelta(prediction.f + impulse.f, texelFetch(moverRotations, int(m)),
+                                    texelFetch(lastMoverRotationDeltas, int(m)));
     }
     moverMoves[m] = vec4(prediction.t + inverseMass * impulse.t, scale * splits / relaxed);
 }

@@ -3,9 +3,9 @@
 // Contacts with colliders are a third list. listStarts has where the entries of each rank begin, for the three lists
 // one after the other; the two halves of everything take turns, so that a new search finds the old impulses.
 
-#define FIRST_OF_PAIR 0u
-#define SECOND_OF_PAIR 1u
-#define WITH_COLLIDER 2u
+#define LIST_AS_FIRST 0u
+#define LIST_AS_SECOND 1u
+#define LIST_COLLIDERS 2u
 
 /// A reference to a pair for which there was no room.
 #define NO_PAIR 0xffffffffu

@@ -4,7 +4,7 @@
 // the shares of inverse masses.
 #include "sim/common/one_sided.glsl"
 
-#define SHARE_LEVELS 8191.0          // 13 bits
+#define FRACTION_LEVELS 8191.0          // 13 bits
 
 /// The axes along which a lattice goes on from a particle towards another that is beside it. Of what is further off
 /// another particle of the lattice is nearer: with all within a diameter, contacts share what one should carry.
@@ -51,12 +51,12 @@ Parting partingOf(vec3 apart, Way way, vec4 turnA, vec4 turnB, uint hidden)
     return Parting(contactNormal(apart, far, true), far, false, hidden != 0u);
 }
 
-uint packShares(vec2 shares, uint hidden)
+uint packFractions(vec2 shares, uint hidden)
 {
-    uvec2 levels = uvec2(shares * SHARE_LEVELS + 0.5);
+    uvec2 levels = uvec2(shares * FRACTION_LEVELS + 0.5);
     return levels.x | levels.y << 13 | hidden << 26;
 }
 
-vec2 unpackShares(uint bits) { return vec2(bits & 0x1fffu, bits >> 13 & 0x1fffu) / SHARE_LEVELS; }
+vec2 unpackFractions(uint bits) { return vec2(bits & 0x1fffu, bits >> 13 & 0x1fffu) / FRACTION_LEVELS; }
 
 uint unpackHidden(uint bits) { return bits >> 26; }

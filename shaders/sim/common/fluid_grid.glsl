@@ -15,7 +15,7 @@
 #define CellMembers FluidCellMembers
 #define particleCells fluidParticleCells
 #define ParticleCells FluidParticleCells
-#define foundPositions fluidFoundPositions
+#define searchPositions fluidSearchPositions
 uint gridParticles() { return slotCapacity(); }
 uint gridMembers() { return slotCount(); }
 uint gridMask() { return step.fluidCellMask; }
@@ -25,7 +25,7 @@ vec3 inverseGridCell() { return step.inverseFluidCell * vec3(FINE_CELLS, 1, 1); 
 #else
 uint gridParticles() { return step.particleCount; }
 uint gridMembers() { return step.particleCount; }
-bool isParked(vec4 place) { return false; }
+bool isInactive(vec4 place) { return false; }
 uint gridMask() { return step.cellMask; }
 uvec2 gridStrides() { return uvec2(step.cellStrideY, step.cellStrideZ); }
 vec3 inverseGridCell() { return vec3(step.inverseCellSize); }

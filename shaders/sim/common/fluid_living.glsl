@@ -10,7 +10,7 @@ uint slotCapacity()
 
 #ifdef POOL
 uniform usamplerBuffer fluidTotals;      // fluid particles that came from emitters, that left
-#define PARKED 1.0
+#define INACTIVE 1.0
 
 uint slotCount()
 {
@@ -25,10 +25,10 @@ uint slotCount()
 #endif
 
 /// Whether a fluid particle at that place is none.
-bool isParked(vec4 place)
+bool isInactive(vec4 place)
 {
 #ifdef POOL
-    return place.w == PARKED;
+    return place.w == INACTIVE;
 #else
     return false;
 #endif

@@ -10,7 +10,7 @@ ivec3 cellOf(vec3 x)
 
 // Teschner et al. 2003: h = (73856093 x xor 19349663 y xor 83492791 z) mod n, on unsigned values.
 #define RANGES_AROUND(width) (width * width * width)
-#define FIRST_FORWARD 13
+#define FORWARD_OFFSET 13
 
 uint cellIndex(ivec3 c)
 {
@@ -38,7 +38,7 @@ bool inRangeAround(ivec3 c, int range, int width, vec3 x)
 
 uvec2 forwardCells(ivec3 c, int range)
 {
-    return cellsAround(c, range + FIRST_FORWARD, 3);
+    return cellsAround(c, range + FORWARD_OFFSET, 3);
 }
 
 #else
@@ -46,7 +46,7 @@ uvec2 forwardCells(ivec3 c, int range)
 // A lattice wrapped onto a line. Neighbours in x are neighbours on the line, so three cells are one range, or three
 // times CELLS_ALONG; the first WRAPPED_CELLS cells stand again behind the last, so that a range never wraps.
 #define RANGES_AROUND(width) (width * width)
-#define FIRST_FORWARD 4
+#define FORWARD_OFFSET 4
 
 uint cellIndex(ivec3 c)
 {
@@ -71,7 +71,7 @@ bool inRangeAround(ivec3 c, int range, int width, vec3 x)
 uvec2 forwardCells(ivec3 c, int range)
 {
     uint own = cellIndex(c);
-    return range == 0 ? uvec2(own, own + 2u) : cellsAround(c, range + FIRST_FORWARD, 3);
+    return range == 0 ? uvec2(own, own + 2u) : cellsAround(c, range + FORWARD_OFFSET, 3);
 }
 
 #endif
@@ -79,11 +79,11 @@ uvec2 forwardCells(ivec3 c, int range)
 // Ranges of cells: each has a first cell and the one behind its last, in the order of the sorted particles.
 
 // Ahead, each pair of particles in one of the two directions; range 0 begins with the own cell.
-#define FORWARD_RANGES (RANGES_AROUND(3) - FIRST_FORWARD)
+#define FORWARD_RANGES (RANGES_AROUND(3) - FORWARD_OFFSET)
 
 bool inForwardRange(ivec3 c, int range, vec3 x)
 {
-    return inRangeAround(c, range + FIRST_FORWARD, 3, x);
+    return inRangeAround(c, range + FORWARD_OFFSET, 3, x);
 }
 
 // All cells around.

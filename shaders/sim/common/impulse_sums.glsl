@@ -13,7 +13,7 @@ uniform usamplerBuffer pairReferences;
 uniform samplerBuffer COLLIDER_IMPULSES;
 uniform samplerBuffer colliderArms;
 uniform samplerBuffer linkImpulses;
-#ifdef OTHERS
+#ifdef ON_PARTICLES
 uniform samplerBuffer particleImpulses;  // by rank
 uniform samplerBuffer restOffsets;
 uniform usamplerBuffer rankedParticles;
@@ -37,27 +37,27 @@ Sum contactSum(uvec4 info, uint parity)
 {
     Sum sum = Sum(Field(vec3(0), mat3(0)), 0.0);
     int pairBase = int(parity * step.pairCapacity), colliderBase = int(parity * step.colliderPairCapacity);
-    uvec2 range = listRange(parity, FIRST_OF_PAIR, info.x, info.y);
+    uvec2 range = listRange(parity, LIST_AS_FIRST, info.x, info.y);
     for (int q = int(range.x); q < int(range.y); ++q)
         add(sum, texelFetch(PAIR_IMPULSES, pairBase + q), 1.0, texelFetch(pairArms, 2 * q).xyz);
-    range = listRange(parity, SECOND_OF_PAIR, info.x, info.y);
+    range = listRange(parity, LIST_AS_SECOND, info.x, info.y);
     for (uint k = range.x; k < range.y; ++k) {
         uint reference = texelFetch(pairReferences, int(k)).x;
         int q = int(min(reference, step.pairCapacity - 1u));
         vec4 impulse = reference == NO_PAIR ? vec4(0) : texelFetch(PAIR_IMPULSES, pairBase + q);
         add(sum, impulse, -1.0, texelFetch(pairArms, 2 * q + 1).xyz);
     }
-    range = listRange(parity, WITH_COLLIDER, info.x, info.y);
+    range = listRange(parity, LIST_COLLIDERS, info.x, info.y);
     for (int q = int(range.x); q < int(range.y); ++q)
         add(sum, texelFetch(COLLIDER_IMPULSES, colliderBase + q), 1.0, texelFetch(colliderArms, q).xyz);
     return sum;
 }
 
-/// What its joints add to a body (WARM: nothing).
+/// What its joints add to a body (WARM_START: nothing).
 Field jointSum(uvec4 body)
 {
     Field sum = Field(vec3(0), mat3(0));
-#ifndef WARM
+#ifndef WARM_START
     for (uint l = body.x + body.z; l < body.x + body.y; ++l) {
         vec3 p = texelFetch(linkImpulses, int(l)).xyz;
         sum.t += p;
@@ -67,11 +67,11 @@ Field jointSum(uvec4 body)
     return sum;
 }
 
-/// What fluids, ropes and soft bodies add to a mover through its particles (OTHERS: of a world that has any).
-Field otherSum(uvec4 info)
+/// What fluids, ropes and soft bodies add to a mover through its particles (ON_PARTICLES: of a world that has any).
+Field particleSum(uvec4 info)
 {
     Field sum = Field(vec3(0), mat3(0));
-#ifdef OTHERS
+#ifdef ON_PARTICLES
     for (uint rank = info.x; rank < info.x + info.y; ++rank) {
         vec3 p = texelFetch(particleImpulses, int(rank)).xyz;
         sum.t += p;

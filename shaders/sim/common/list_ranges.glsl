@@ -12,9 +12,9 @@ uint listEntry(uint parity, uint place)
 uvec2 listRange(uint parity, uint list, uint rank, uint count)
 {
     uint place = listPlace(list, rank);
-    uint before = list == FIRST_OF_PAIR ? 0u : listEntry(parity, listPlace(list, 0u));
-    uint capacity = list == FIRST_OF_PAIR    ? step.pairCapacity
-                    : list == SECOND_OF_PAIR ? step.contactSlots * step.particleCount
+    uint before = list == LIST_AS_FIRST ? 0u : listEntry(parity, listPlace(list, 0u));
+    uint capacity = list == LIST_AS_FIRST    ? step.pairCapacity
+                    : list == LIST_AS_SECOND ? step.contactSlots * step.particleCount
                                              : step.colliderPairCapacity;
     return min(uvec2(listEntry(parity, place), listEntry(parity, place + count)) - before, uvec2(capacity));
 }

@@ -4,7 +4,7 @@
 uniform samplerBuffer moverCentres;      // at the start of the substep [m]
 uniform samplerBuffer moverRotations;
 uniform samplerBuffer moverMoves;        // since [m]; w: over how many impulses its mass is split
-uniform samplerBuffer moverTurns;
+uniform samplerBuffer moverRotationDeltas;
 
 struct MoverPoint {
     vec3 centre;    // at the start [m]
@@ -18,7 +18,7 @@ struct MoverPoint {
 MoverPoint moverPoint(uint mover, vec3 r)
 {
     vec3 arm = rotate(texelFetch(moverRotations, int(mover)), r);
-    vec4 turn = texelFetch(moverTurns, int(mover));
+    vec4 turn = texelFetch(moverRotationDeltas, int(mover));
     vec4 move = texelFetch(moverMoves, int(mover));
     vec3 t = 2.0 * cross(turn.xyz, arm);
     return MoverPoint(texelFetch(moverCentres, int(mover)).xyz, arm,

@@ -37,7 +37,7 @@ void main()
     contact.gap = parting.keeps ? contact.startGap + dot(contact.slide, parting.normal) : far - step.diameter;
     vec2 worst = vec2(armA.w * a.splits, armB.w * b.splits);
     contact.worstMass = worst.x + worst.y;
-    contact.inverseMass = dot(worst, unpackShares(sides.w));
+    contact.inverseMass = dot(worst, unpackFractions(sides.w));
     contact.friction = unpackHalf2x16(sides.z);
     uint place = counters[0].listParity * step.pairCapacity + q;
     float mean = texelFetch(lastPairMeans, int(place)).x;

@@ -2,7 +2,7 @@
 // volume of a particle at rest, so that its sum over a fluid at rest is 1.
 
 /// Where a fluid particle is at the end of the substep if no pressure acts [m].
-vec3 predictedPlace(vec3 x, vec3 v)
+vec3 predictedPosition(vec3 x, vec3 v)
 {
     return x + step.substepTime * (v + step.substepTime * step.gravity.xyz);
 }
@@ -14,12 +14,12 @@ float fluidShape(float a)
     return b * b * (5.0 - 4.0 * a);
 }
 
-float fluidShare(float q)
+float fluidFraction(float q)
 {
     return step.fluidVolume * fluidShape(1.0 - q);
 }
 
-/// d fluidShare / dr over r [1/m2], over a^3: the gradient is this times a^3 times the vector.
+/// d fluidFraction / dr over r [1/m2], over a^3: the gradient is this times a^3 times the vector.
 float fluidSteepness()
 {
     return -20.0 * step.fluidVolume / (step.fluidReach * step.fluidReach);
@@ -39,7 +39,7 @@ float fluidPull(float q)
 
 /// The share of the kernel that lies behind a plane at the distance z, and its slope [1/m]: the integral of W over the
 /// half space, 7/2 T^6 - 9/2 T^7 + 3/2 T^8 with T = 1 - z / h.
-vec2 wallShare(float z)
+vec2 wallFraction(float z)
 {
     float t = clamp(1.0 - z / step.fluidReach, 0.0, 1.0);
     float t2 = t * t, t4 = t2 * t2;
@@ -59,9 +59,9 @@ vec4 addWall(vec4 walls, vec3 normal, vec2 wall)
 
 /// The share of the kernel that a solid particle at the distance r covers, and its slope over r [1/m2]. A layer of such
 /// particles, a diameter apart, covers on the mean what a half space does that ends a radius from their centres:
-/// 2 pi / d^2 times the integral of this times r from z + d / 2 on is wallShare(z). So every particle displaces the
+/// 2 pi / d^2 times the integral of this times r from z + d / 2 on is wallFraction(z). So every particle displaces the
 /// volume of its cell, at faces as at edges, in plates and alone.
-vec2 solidShare(float r)
+vec2 solidFraction(float r)
 {
     float d = step.diameter, far = max(r, 0.25 * d), inverse = 1.0 / step.fluidReach;
     float t = clamp(1.0 - (far - 0.5 * d) * inverse, 0.0, 1.0), t2 = t * t, t4 = t2 * t2;

@@ -7,7 +7,7 @@
 #include "sim/fluid/fluid_colliders.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer slotPlaces;
+uniform samplerBuffer slotPositions;
 uniform samplerBuffer masses;            // inverse mass
 BUFFER(vec4, SlotPressures, slotPressures);   // place, lambda [kg m2]
 BUFFER(vec4, SlotWalls, slotWalls);           // gradient of C by what walls cover [1/m]; w: density over rest density
@@ -22,9 +22,9 @@ vec4 solidCover(uint k, uint count, vec3 x, out float weights, out float squares
     float share = 0.0;
     weights = squares = 0.0;
     for (uint n = 0u; n < count; ++n) {
-        vec3 r = x - texelFetch(slotPlaces, int(solidNeighbour(k, n))).xyz;
+        vec3 r = x - texelFetch(slotPositions, int(solidNeighbour(k, n))).xyz;
         float far = length(r), weight = solidWeight(far);
-        vec2 covered = solidShare(far);
+        vec2 covered = solidFraction(far);
         share += covered.x;
         slope += covered.y * r;
         squares += covered.y * covered.y * far * far;
@@ -45,7 +45,7 @@ struct Sums {
 
 void add(inout Sums sums, vec3 x, float inverseReach, uint slot)
 {
-    vec3 r = x - texelFetch(slotPlaces, int(slot)).xyz;
+    vec3 r = x - texelFetch(slotPositions, int(slot)).xyz;
     float squared = dot(r, r), a = 1.0 - min(sqrt(squared) * inverseReach, 1.0), cube = a * a * a;
     sums.share += fluidShape(a);
     sums.squares += cube * cube * squared;
@@ -73,13 +73,13 @@ void main()
     if (k >= slotCount()) return;
     uint i = texelFetch(slotParticles, int(k)).x;
     uvec2 counts = isFluid(i) ? texelFetch(slotCounts, int(k)).xy : uvec2(0);
-    vec3 x = texelFetch(slotPlaces, int(k)).xyz;
+    vec3 x = texelFetch(slotPositions, int(k)).xyz;
     Sums sums = sumsOver(k, counts.x, x);
     float weights, slopes;
     vec4 solids = solidCover(k, counts.y, x, weights, slopes), walls = vec4(0);
     for (NearColliders near = nearColliders(k); nextCollider(near);) {
         vec4 wall = colliderDistance(near.index, x);
-        walls = addWall(walls, wall.xyz, wallShare(wall.w));
+        walls = addWall(walls, wall.xyz, wallFraction(wall.w));
     }
     float share = sums.share + walls.w + solids.w;
     vec3 own = sums.gradient + walls.xyz + solids.xyz;

@@ -8,7 +8,7 @@
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer poolOrder;
 READ_BUFFER(Counters, CountersBlock, counters);
-BUFFER(uint, PoolParked, poolParked);
+BUFFER(uint, PoolInactive, poolInactive);
 BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
 BUFFER(uint, FluidTotals, totals);       // came, left
@@ -22,13 +22,13 @@ void main()
     if (pooled) i = texelFetch(poolOrder, int(orderAfter(stepsDone(counters[0].substep)) + place)).x;
     if (i == NO_PARTICLE) return;
     vec4 x = positions[i];
-    bool parked = isParked(x), drained = false;
+    bool parked = isInactive(x), drained = false;
     for (uint d = 0u; d < step.drainCount; ++d)
         drained = drained || colliderDistance(step.colliderCount + d, x.xyz).w < 0.0;
     if (drained && !parked) {
-        positions[i].w = PARKED;
+        positions[i].w = INACTIVE;
         velocities[i] = vec4(0);
         atomicAdd(totals[1], 1u);
     }
-    if (pooled) poolParked[place] = parked || drained ? 1u : 0u;
+    if (pooled) poolInactive[place] = parked || drained ? 1u : 0u;
 }

@@ -33,7 +33,7 @@ bool hasRoom(vec3 x, float room)
             vec4 other = positions[i];
             vec3 r = x - other.xyz;
             float near = i < step.particleCount ? solidRoom : room;
-            free = free && (isParked(other) || dot(r, r) >= near * near);
+            free = free && (isInactive(other) || dot(r, r) >= near * near);
         }
     }
     return free;

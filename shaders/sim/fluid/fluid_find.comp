@@ -4,10 +4,10 @@
 #include "sim/common/fluid_grid.glsl"
 #include "sim/common/grid.glsl"
 #include "sim/fluid/neighbour_lists.glsl"
-#include "sim/fluid/packed_places.glsl"
+#include "sim/fluid/packed_positions.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer fluidFoundPositions;
+uniform samplerBuffer fluidSearchPositions;
 uniform usamplerBuffer slotParticles;
 uniform usamplerBuffer fluidSorted;      // packed, four in a texel
 uniform usamplerBuffer cellStarts;
@@ -137,7 +137,7 @@ void main()
 {
     uint k = gl_GlobalInvocationID.x, slots = gridMembers();
     if (k >= slots) return;
-    vec3 at = texelFetch(fluidFoundPositions, int(texelFetch(slotParticles, int(k)).x)).xyz * inverseGridCell();
+    vec3 at = texelFetch(fluidSearchPositions, int(texelFetch(slotParticles, int(k)).x)).xyz * inverseGridCell();
     Seeker seeker = seekerAt(texelFetch(fluidSorted, int(k / 4u))[k % 4u]);
     uvec2 counts = uvec2(0), found = uvec2(0, 1);
     uvec4 four = uvec4(k);

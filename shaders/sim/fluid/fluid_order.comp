@@ -2,10 +2,10 @@
 // neighbours is summed in one order.
 #include "sim/common/kernel.glsl"
 #include "sim/common/cell_rank.glsl"
-#include "sim/fluid/packed_places.glsl"
+#include "sim/fluid/packed_positions.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer fluidFoundPositions;
+uniform samplerBuffer fluidSearchPositions;
 BUFFER(uint, SlotParticles, slotParticles);
 BUFFER(uint, ParticleSlots, particleSlots);
 BUFFER(uint, FluidSorted, fluidSorted);  // packed
@@ -15,7 +15,7 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= gridParticles() || isNowhere(texelFetch(particleCells, int(i)).x)) return;
     uvec2 place = placeInCells(i);
-    uint code = packPlace(texelFetch(fluidFoundPositions, int(i)).xyz, i < step.particleCount);
+    uint code = packPosition(texelFetch(fluidSearchPositions, int(i)).xyz, i < step.particleCount);
     slotParticles[place.x] = i;
     particleSlots[i] = place.x;
     fluidSorted[place.x] = code;

@@ -7,7 +7,7 @@
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer poolChunks;       // per chunk: emitter
 uniform usamplerBuffer poolSums;         // per chunk: parked particles before it
-uniform usamplerBuffer poolParked;       // per place: 1 if its particle is parked
+uniform usamplerBuffer poolInactive;       // per place: 1 if its particle is parked
 uniform usamplerBuffer emitterStates;    // two texels each
 READ_BUFFER(Counters, CountersBlock, counters);
 BUFFER(uint, PoolOrder, poolOrder);
@@ -26,13 +26,13 @@ void main()
     uint before = texelFetch(poolSums, int(chunk)).x - texelFetch(poolSums, int(start / SCAN_CHUNK)).x;
     uint steps = stepsDone(counters[0].substep), from = orderBefore(steps), to = orderAfter(steps);
     for (uint j = chunk * SCAN_CHUNK - start; j < min((chunk + 1u) * SCAN_CHUNK - start, count); ++j) {
-        bool isParked = texelFetch(poolParked, int(start + j)).x != 0u;
-        uint place = isParked ? before : parked + (j - before);
-        before += isParked ? 1u : 0u;
+        bool isInactive = texelFetch(poolInactive, int(start + j)).x != 0u;
+        uint place = isInactive ? before : parked + (j - before);
+        before += isInactive ? 1u : 0u;
         uint particle = poolOrder[from + start + j];
         poolOrder[to + start + (place < taken ? count - taken + place : place - taken)] = particle;
-        if (isParked || place >= parked + retired) continue;
-        positions[particle].w = PARKED;
+        if (isInactive || place >= parked + retired) continue;
+        positions[particle].w = INACTIVE;
         velocities[particle] = vec4(0);
         atomicAdd(totals[1], 1u);
     }

@@ -1,4 +1,4 @@
-// The impulses between the bodies that share a particle. FIRST: of a substep; joints have no memory.
+// The impulses between the bodies that share a particle. FIRST_ITERATION: of a substep; joints have no memory.
 #include "sim/common/movers.glsl"
 #include "sim/common/links.glsl"
 #include "sim/common/mass_scaling.glsl"
@@ -29,7 +29,7 @@ float impulseScale(float inverseMass)
 
 void setImpulse(uint link, vec3 impulse)
 {
-#ifdef FIRST
+#ifdef FIRST_ITERATION
     linkImpulses[link] = vec4(impulse, 0);
 #else
     linkImpulses[link].xyz += impulse;

@@ -1,6 +1,6 @@
 // One thread a body: the rotation nearest to A (eqs. 11-17).
 #include "sim/common/kernel.glsl"
-#include "sim/rotation/turn.glsl"
+#include "sim/rotation/rotation_delta.glsl"
 #include "sim/common/sleep.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -10,7 +10,7 @@ uniform usamplerBuffer moverInfo;
 BUFFER(uvec2, BodyActing, bodyActing);   // counted in this iteration, in the last (contact_average)
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, MoverCentres, moverCentres);
-BUFFER(vec4, MoverTurns, moverTurns);      // since the substep began
+BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);      // since the substep began
 BUFFER(vec4, MoverRotations, moverRotations);
 
 void main()
@@ -26,7 +26,7 @@ void main()
     mat3 a;
     for (int column = 0; column < 3; ++column) a[column] = texelFetch(bodyMatrices, int(3u * b) + column).xyz;
     vec4 start = texelFetch(bodyStarts, int(2u * b + 1u));
-    vec4 turned = matchedTurn(a, start, moverTurns[b]);
-    moverTurns[b] = turned;
+    vec4 turned = matchedRotationDelta(a, start, moverRotationDeltas[b]);
+    moverRotationDeltas[b] = turned;
     moverRotations[b] = normalize(quaternionProduct(turned, start));
 }

@@ -6,7 +6,7 @@ uniform samplerBuffer moverCentres;
 uniform samplerBuffer moverRotations;
 BUFFER(vec4, BodyStarts, bodyStarts);    // centre, rotation
 BUFFER(vec4, MoverMoves, moverMoves);
-BUFFER(vec4, MoverTurns, moverTurns);
+BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
 
 void main()
 {
@@ -15,5 +15,5 @@ void main()
     bodyStarts[2u * b] = vec4(texelFetch(moverCentres, int(b)).xyz, 0);
     bodyStarts[2u * b + 1u] = texelFetch(moverRotations, int(b));
     moverMoves[b] = vec4(0);
-    moverTurns[b] = vec4(0, 0, 0, 1);
+    moverRotationDeltas[b] = vec4(0, 0, 0, 1);
 }

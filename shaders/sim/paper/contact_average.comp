@@ -16,7 +16,7 @@ uniform usamplerBuffer pairs;
 uniform usamplerBuffer pairSides;
 uniform usamplerBuffer pairReferences;
 uniform usamplerBuffer colliderSides;
-uniform usamplerBuffer particlePlaces;   // mover, rank
+uniform usamplerBuffer particleRanks;   // mover, rank
 uniform usamplerBuffer particleInfo;
 uniform samplerBuffer restOffsets;       // w: the worst inverse mass in the first body [1/kg]
 BUFFER(uvec2, BodyActing, bodyActing);   // sum of the shares of those pushed: in this iteration, in the last
@@ -50,16 +50,16 @@ Push allPushes(Side own, uint parity, uint rank)
 {
     Push sum = Push(vec3(0), 0.0);
     uint base = parity * step.pairCapacity;
-    uvec2 range = listRange(parity, FIRST_OF_PAIR, rank, 1u);
+    uvec2 range = listRange(parity, LIST_AS_FIRST, rank, 1u);
     for (uint q = range.x; q < range.y; ++q)
         add(sum, pairPush(own, sideOf(texelFetch(pairs, int(base + q)).y), true, texelFetch(pairSides, int(q))));
-    range = listRange(parity, SECOND_OF_PAIR, rank, 1u);
+    range = listRange(parity, LIST_AS_SECOND, rank, 1u);
     for (uint k = range.x; k < range.y; ++k) {
         uint q = texelFetch(pairReferences, int(k)).x;
         if (q == NO_PAIR) continue;
         add(sum, pairPush(own, sideOf(texelFetch(pairs, int(base + q)).x), false, texelFetch(pairSides, int(q))));
     }
-    range = listRange(parity, WITH_COLLIDER, rank, 1u);
+    range = listRange(parity, LIST_COLLIDERS, rank, 1u);
     for (uint q = range.x; q < range.y; ++q) add(sum, colliderPush(own, texelFetch(colliderSides, int(q))));
     return sum;
 }
@@ -69,9 +69,9 @@ Push allPushes(Side own, uint parity, uint rank)
 float bodyRelaxation(uint i, uint body, Push push)
 {
     float share = texelFetch(restOffsets, int(i)).w / texelFetch(masses, int(i)).x;
-    if (push.acting > 0.0) atomicAdd(bodyActing[body].x, uint(share * SHARE_PARTS));
-    float sum = float(bodyActing[body].y) / SHARE_PARTS;
-    float most = min(1.0 / share, SHARES_AT_ONCE / max(sum, 1e-6));
+    if (push.acting > 0.0) atomicAdd(bodyActing[body].x, uint(share * FRACTION_PARTS));
+    float sum = float(bodyActing[body].y) / FRACTION_PARTS;
+    float most = min(1.0 / share, MOST_FRACTION_SUM / max(sum, 1e-6));
 #ifdef STABILIZE
     return most;
 #else
@@ -89,7 +89,7 @@ void main()
         return;
     }
     Side own = sideOf(i);
-    Push sum = allPushes(own, counters[0].listParity, texelFetch(particlePlaces, int(i)).y);
+    Push sum = allPushes(own, counters[0].listParity, texelFetch(particleRanks, int(i)).y);
     if (sum.acting > 0.0) assemblyState[info.z].x = counters[0].substep - 1u;
     float relaxation = info.y > 0u && own.inverseMass > 0.0 ? bodyRelaxation(i, info.x, sum) : 1.0;
     vec3 push = relaxation / max(sum.acting, 1.0) * sum.move;

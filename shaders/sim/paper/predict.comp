@@ -7,7 +7,7 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
-uniform samplerBuffer foundPositions;   // for which its contacts were found
+uniform samplerBuffer searchPositions;   // for which its contacts were found
 uniform samplerBuffer velocities;
 uniform samplerBuffer oldMoves;
 uniform samplerBuffer oldVelocities;
@@ -39,5 +39,5 @@ void main()
         move = h * (v + h * step.gravity.xyz);
     vec3 start = texelFetch(positions, int(i)).xyz;
     predicted[i] = vec4(move, asleep ? 0.0 : contactScale(start) * inverseMass);
-    if (distance(start + move, texelFetch(foundPositions, int(i)).xyz) > step.drift) counters[0].due = 1u;
+    if (distance(start + move, texelFetch(searchPositions, int(i)).xyz) > step.drift) counters[0].due = 1u;
 }

@@ -4,9 +4,9 @@
 #include "sim/common/contact_lists.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer foundPositions;
-uniform samplerBuffer foundCentres;      // w: how far its mover may drift
-uniform usamplerBuffer particlePlaces;   // mover, rank
+uniform samplerBuffer searchPositions;
+uniform samplerBuffer searchCentres;      // w: how far its mover may drift
+uniform usamplerBuffer particleRanks;   // mover, rank
 uniform usamplerBuffer moverColliders;   // bits: those that the mover may touch
 BUFFER(uint, ColliderLists, colliderLists);
 BUFFER(uint, ListCounts, listCounts);
@@ -16,9 +16,9 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= step.particleCount) return;
-    vec3 x = texelFetch(foundPositions, int(i)).xyz;
-    uvec2 place = texelFetch(particlePlaces, int(i)).xy;
-    float further = max(texelFetch(foundCentres, int(place.x)).w - step.drift, 0.0);
+    vec3 x = texelFetch(searchPositions, int(i)).xyz;
+    uvec2 place = texelFetch(particleRanks, int(i)).xy;
+    float further = max(texelFetch(searchCentres, int(place.x)).w - step.drift, 0.0);
     float reach = step.contactRadius - 0.5 * step.diameter + further;
     uint near = texelFetch(moverColliders, int(place.x)).x;
     uint count = 0u;
@@ -35,5 +35,5 @@ void main()
         atomicOr(counters[0].problems, PROBLEM_COLLIDERS);
         atomicMax(counters[0].wantedColliders, count);
     }
-    listCounts[listPlace(WITH_COLLIDER, place.y)] = min(count, COLLIDER_SLOTS);
+    listCounts[listPlace(LIST_COLLIDERS, place.y)] = min(count, COLLIDER_SLOTS);
 }

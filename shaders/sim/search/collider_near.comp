@@ -3,7 +3,7 @@
 #include "sim/common/colliders.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer foundCentres;      // w: how far it may drift
+uniform samplerBuffer searchCentres;      // w: how far it may drift
 uniform samplerBuffer bodyMoments;       // w of the first of three: radius
 BUFFER(uint, MoverColliders, moverColliders);
 
@@ -12,7 +12,7 @@ void main()
     uint m = gl_GlobalInvocationID.x;
     if (m >= step.moverCount) return;
     float radius = m < step.bodyCount ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
-    vec4 found = texelFetch(foundCentres, int(m));
+    vec4 found = texelFetch(searchCentres, int(m));
     float reach = step.contactRadius - 0.5 * step.diameter + radius + max(found.w - step.drift, 0.0);
     uint near = 0u;
     for (uint c = 0u; c < step.colliderCount; ++c)

@@ -7,15 +7,15 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer fastParticles;
-uniform usamplerBuffer particlePlaces;   // mover, rank
+uniform usamplerBuffer particleRanks;   // mover, rank
 uniform usamplerBuffer particleInfo;
-uniform samplerBuffer foundPositions;
-uniform samplerBuffer foundCentres;      // w: how far its mover may drift
+uniform samplerBuffer searchPositions;
+uniform samplerBuffer searchCentres;      // w: how far its mover may drift
 
 /// How far a mover drifts beyond the others.
 float reachOf(uint particle)
 {
-    return texelFetch(foundCentres, int(texelFetch(particlePlaces, int(particle)).x)).w - step.drift;
+    return texelFetch(searchCentres, int(texelFetch(particleRanks, int(particle)).x)).w - step.drift;
 }
 
 bool isContact(uvec4 own, uvec4 other, float far, float reach)
@@ -31,8 +31,8 @@ void main()
     uint k = gl_GlobalInvocationID.x;
     if (k >= counters[0].fastListed) return;
     uint i = texelFetch(fastParticles, int(k)).x;
-    uvec4 own = uvec4(i, texelFetch(particleInfo, int(i)).z, texelFetch(particlePlaces, int(i)).y, 1);
-    vec3 x = texelFetch(foundPositions, int(i)).xyz;
+    uvec4 own = uvec4(i, texelFetch(particleInfo, int(i)).z, texelFetch(particleRanks, int(i)).y, 1);
+    vec3 x = texelFetch(searchPositions, int(i)).xyz;
     float reach = reachOf(i), farthest = step.contactRadius + reach + step.farReach;
     ivec3 cell = cellOf(x);
     uint count = 0u;

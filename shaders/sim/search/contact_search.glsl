@@ -32,7 +32,7 @@ bool mayTouch(uint i, uint j)
 void notePair(uvec4 own, uvec4 other, uint count)
 {
     if (count >= step.contactSlots) return;
-    uint arrival = atomicAdd(listCounts[listPlace(SECOND_OF_PAIR, other.z)], 1u);
+    uint arrival = atomicAdd(listCounts[listPlace(LIST_AS_SECOND, other.z)], 1u);
     firstLists[count * step.particleCount + own.x] = uvec2(other.x, arrival);
 }
 
@@ -42,5 +42,5 @@ void noteCount(uvec4 own, uint count)
         atomicOr(counters[0].problems, PROBLEM_CONTACTS);
         atomicMax(counters[0].wantedContacts, count);
     }
-    listCounts[listPlace(FIRST_OF_PAIR, own.z)] = min(count, step.contactSlots);
+    listCounts[listPlace(LIST_AS_FIRST, own.z)] = min(count, step.contactSlots);
 }

@@ -4,7 +4,7 @@
 #include "sim/common/grid.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer foundPositions;
+uniform samplerBuffer searchPositions;
 BUFFER(uint, CellCounts, cellCounts);
 BUFFER(uvec2, ParticleCells, particleCells);   // cell, arrival in it
 
@@ -12,8 +12,8 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= gridParticles()) return;
-    vec4 found = texelFetch(foundPositions, int(i));
-    if (isParked(found)) {
+    vec4 found = texelFetch(searchPositions, int(i));
+    if (isInactive(found)) {
         particleCells[i] = uvec2(NO_CELL, 0);
         return;
     }

@@ -5,9 +5,9 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer particleInfo;
-uniform usamplerBuffer particlePlaces;   // mover, rank
-uniform samplerBuffer foundPositions;
-uniform samplerBuffer foundCentres;      // w: how far its mover may drift
+uniform usamplerBuffer particleRanks;   // mover, rank
+uniform samplerBuffer searchPositions;
+uniform samplerBuffer searchCentres;      // w: how far its mover may drift
 BUFFER(vec4, SortedPositions, sortedPositions);   // w: bits of the mover's index
 BUFFER(uvec4, SortedInfos, sortedInfos);          // particle, assembly, rank, 1 if fast
 
@@ -16,11 +16,11 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= step.particleCount) return;
     uvec2 place = placeInCells(i);
-    uvec2 mover = texelFetch(particlePlaces, int(i)).xy;
+    uvec2 mover = texelFetch(particleRanks, int(i)).xy;
     uvec4 info = uvec4(i, texelFetch(particleInfo, int(i)).z, mover.y,
-                       texelFetch(foundCentres, int(mover.x)).w > step.drift ? 1u : 0u);
+                       texelFetch(searchCentres, int(mover.x)).w > step.drift ? 1u : 0u);
     // The index goes through the float's bits, offset away from the denormals that a GPU may flush and below the NaNs.
-    vec4 sorted = vec4(texelFetch(foundPositions, int(i)).xyz, uintBitsToFloat(0x01000000u + mover.x));
+    vec4 sorted = vec4(texelFetch(searchPositions, int(i)).xyz, uintBitsToFloat(0x01000000u + mover.x));
     sortedPositions[place.x] = sorted;
     sortedInfos[place.x] = info;
     if (place.y == NO_PLACE) return;

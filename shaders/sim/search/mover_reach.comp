@@ -4,7 +4,7 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer moverMoves;
-uniform samplerBuffer moverTurns;
+uniform samplerBuffer moverRotationDeltas;
 uniform samplerBuffer bodyMoments;       // w of the first of three: radius
 uniform usamplerBuffer moverInfo;
 BUFFER(float, MoverReaches, moverReaches);
@@ -15,9 +15,9 @@ void main()
     uint m = gl_GlobalInvocationID.x;
     if (m >= step.moverCount) return;
     float radius = m < step.bodyCount ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
-    // found_place puts the middle of the way ahead: it lasts for 1.75 times its length. Turns are not looked ahead.
+    // search_position puts the middle of the way ahead: it lasts for 1.75 times its length. Turns are not looked ahead.
     float path = length(texelFetch(moverMoves, int(m)).xyz) / 1.75 +
-                 2.0 * length(texelFetch(moverTurns, int(m)).xyz) * radius;
+                 2.0 * length(texelFetch(moverRotationDeltas, int(m)).xyz) * radius;
     bool calm = counters[0].calm == 1u;
     float missing = (calm ? CALM : 1.0) * step.horizon * path - step.drift;
     float reach = clamp(missing, 0.0, step.farReach);

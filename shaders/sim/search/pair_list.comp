@@ -8,17 +8,17 @@ layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer firstLists;       // second particle, its arrival among that one's references
 uniform usamplerBuffer colliderLists;
 uniform usamplerBuffer listCounts;
-uniform usamplerBuffer particlePlaces;   // mover, rank
+uniform usamplerBuffer particleRanks;   // mover, rank
 BUFFER(uvec2, Pairs, pairs);
 BUFFER(uint, PairArrivals, pairArrivals);
-BUFFER(uint, PairReferences, pairReferences);   // pair_write puts them in order
+BUFFER(uint, PairReferences, pairReferences);   // contact_prepare puts them in order
 BUFFER(uvec2, ColliderPairs, colliderPairs);
 BUFFER(uvec4, Dispatches, dispatches);
 BUFFER(Counters, CountersBlock, counters);
 
 void setSizes(uint parity)
 {
-    uint total = listTotal(parity, FIRST_OF_PAIR), withColliders = listTotal(parity, WITH_COLLIDER);
+    uint total = listTotal(parity, LIST_AS_FIRST), withColliders = listTotal(parity, LIST_COLLIDERS);
     counters[0].pairCount = min(total, step.pairCapacity);
     counters[0].colliderPairCount = min(withColliders, step.colliderPairCapacity);
     counters[0].wantedPairs = max(counters[0].wantedPairs, total);
@@ -37,18 +37,18 @@ void main()
     if (i >= step.particleCount) return;
     uint parity = counters[0].listParity;
     if (i == 0u) setSizes(parity);
-    uint rank = texelFetch(particlePlaces, int(i)).y;
+    uint rank = texelFetch(particleRanks, int(i)).y;
     uint end = listEntry(parity, rank + 1u), slot = i;
-    uint references = listEntry(parity, listPlace(SECOND_OF_PAIR, 0u));
+    uint references = listEntry(parity, listPlace(LIST_AS_SECOND, 0u));
     for (uint q = listEntry(parity, rank); q < end; ++q, slot += step.particleCount) {
         uvec2 entry = texelFetch(firstLists, int(slot)).xy;
-        uint other = texelFetch(particlePlaces, int(entry.x)).y;
+        uint other = texelFetch(particleRanks, int(entry.x)).y;
         if (q < step.pairCapacity) pairs[parity * step.pairCapacity + q] = uvec2(i, entry.x);
-        uint place = listEntry(parity, listPlace(SECOND_OF_PAIR, other)) - references + entry.y;
+        uint place = listEntry(parity, listPlace(LIST_AS_SECOND, other)) - references + entry.y;
         pairArrivals[place] = q;
         pairReferences[place] = NO_PAIR;
     }
-    uvec2 range = listRange(parity, WITH_COLLIDER, rank, 1u) + parity * step.colliderPairCapacity;
+    uvec2 range = listRange(parity, LIST_COLLIDERS, rank, 1u) + parity * step.colliderPairCapacity;
     slot = i;
     for (uint q = range.x; q < range.y; ++q, slot += step.particleCount)
         colliderPairs[q] = uvec2(i, texelFetch(colliderLists, int(slot)).x);

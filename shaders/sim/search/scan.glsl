@@ -9,7 +9,7 @@
 #define SCAN_BLOCK ListSums
 uint scanCount() { return 3u * step.particleCount; }
 #elif defined(POOLS)
-#define SCAN_VALUES poolParked
+#define SCAN_VALUES poolInactive
 #define SCAN_SUMS poolSums
 #define SCAN_BLOCK PoolSums
 uint scanCount() { return step.poolCapacity; }

@@ -2,9 +2,9 @@
 // A = sum of m (x - c) r^T times the inverse moments), F's rotation R, and how it pulls a particle: by
 // m (pull r - grip (x - c - F r)), where pull is Hooke's law for R^T F - 1 and grip holds what is not linear. As
 // (F - R) F^T is symmetric, it turns nothing; as the r of a cluster sum to zero, it moves nothing as a whole.
-// FIRST: beforehand it flows, if it is plastic.
+// FIRST_ITERATION: beforehand it flows, if it is plastic.
 #include "sim/common/kernel.glsl"
-#include "sim/rotation/turn.glsl"
+#include "sim/rotation/rotation_delta.glsl"
 #include "sim/common/links.glsl"
 #include "sim/soft/cluster_stress.glsl"
 
@@ -14,7 +14,7 @@ uniform samplerBuffer clusterMoments;    // inverse moments [1/(kg m2)], mass, 1
 uniform samplerBuffer softMatter;        // two texels: GpuSoftMatter
 uniform samplerBuffer moverCentres;
 uniform samplerBuffer moverMoves;
-uniform usamplerBuffer particlePlaces;   // mover, rank
+uniform usamplerBuffer particleRanks;   // mover, rank
 uniform usamplerBuffer assemblyState;
 BUFFER(vec4, ClusterRotations, clusterRotations);
 BUFFER(vec4, ClusterRests, clusterRests);   // columns
@@ -31,7 +31,7 @@ mat3 rotationOf(uint c, mat3 map, mat3 rest, out mat3 strain)
 {
     vec4 q = clusterRotations[c];
     mat3 elastic = map * inverse(rest);
-    q = normalize(quaternionProduct(matchedTurn(elastic, q, vec4(0, 0, 0, 1)), q));
+    q = normalize(quaternionProduct(matchedRotationDelta(elastic, q, vec4(0, 0, 0, 1)), q));
     clusterRotations[c] = q;
     mat3 rotation = matrixFromQuaternion(q);
     mat3 stretch = transpose(rotation) * elastic + fetchSymmetric(clusterMoments, int(4u * c + 2u));
@@ -45,12 +45,12 @@ void main()
     if (c >= step.clusterCount) return;
     uvec4 info = texelFetch(clusterInfo, int(c));
     // Places from the first particle's, so that rounding is a share of the cluster's size.
-    uint first = texelFetch(particlePlaces, int(fetchLink(info.x).particle)).x;
+    uint first = texelFetch(particleRanks, int(fetchLink(info.x).particle)).x;
     vec3 origin = texelFetch(moverCentres, int(first)).xyz, centre = vec3(0);
     mat3 now = mat3(0), before = mat3(0);
     for (uint l = info.x; l < info.x + info.y; ++l) {
         LinkValues link = fetchLink(l);
-        int mover = int(texelFetch(particlePlaces, int(link.particle)).x);
+        int mover = int(texelFetch(particleRanks, int(link.particle)).x);
         vec3 start = texelFetch(moverCentres, mover).xyz - origin, move = texelFetch(moverMoves, mover).xyz;
         centre += link.mass * (start + move);
         before += outerProduct(link.mass * start, link.r);
@@ -62,7 +62,7 @@ void main()
     mat3 map = now * inverseMoments, mapBefore = before * inverseMoments, strain;
     mat3 rest = mat3(clusterRests[3u * c].xyz, clusterRests[3u * c + 1u].xyz, clusterRests[3u * c + 2u].xyz);
     mat3 rotation = rotationOf(c, map, rest, strain);
-#ifdef FIRST
+#ifdef FIRST_ITERATION
     mat3 next = matter.creep > 0.0 ? flowed(matter, rest, strain) : rest;
     for (int column = 0; column < 3; ++column) clusterRests[3u * c + uint(column)] = vec4(next[column], 0);
 #endif

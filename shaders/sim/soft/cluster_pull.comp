@@ -1,6 +1,6 @@
 // One thread a particle of a soft body: the impulse that its clusters give it together, implicit in time: one iteration
 // (Chebyshev's; each with its own root) of p = h^2 f(x + p / m), with one divisor for the whole body, so that what sums
-// to zero stays so. The smoothest strains ask for 1 as the divisor, the steepest for 1 + steepest. FIRST: of a substep,
+// to zero stays so. The smoothest strains ask for 1 as the divisor, the steepest for 1 + steepest. FIRST_ITERATION: of a substep,
 // from no impulse.
 #include "sim/common/kernel.glsl"
 #include "sim/common/links.glsl"
@@ -39,7 +39,7 @@ void main()
         steepest = offset.w;
     }
     vec3 last = vec3(0);
-#ifndef FIRST
+#ifndef FIRST_ITERATION
     last = texelFetch(lastSoftImpulses, int(i)).xyz;
 #endif
     vec3 change = (wanted - last) / max(1.0, root * (1.0 + steepest));

@@ -17,6 +17,7 @@ using Eigen::Vector3d;
 /// Arrays per mover, bodies first.
 struct Movers {
     std::vector<gpu::MoverInfo> infos;
+    std::vector<uint32_t> states;                            ///< MOVER_*
     std::vector<gpu::vec4> centres, rotations, velocities;   ///< The last: fields.
     std::vector<gpu::vec4> moments, inertias;                ///< Of bodies.
 };
@@ -54,6 +55,7 @@ Movers makeMovers(const World& world, uint32_t assemblies)
         const BodyMass mass = bodyMass(world, body);
         const bool fixed = body.motion == Motion::Fixed;
         movers.infos.push_back({0, 0, body.assembly, fixed ? 0.0f : static_cast<float>(1.0 / mass.mass)});
+        movers.states.push_back(fixed ? MOVER_FIXED : MOVER_DYNAMIC);
         addMass(movers, mass);
         movers.centres.push_back(pack(body.position, 0));
         movers.rotations.push_back(pack(body.rotation.vec(), body.rotation.w()));
@@ -63,6 +65,7 @@ Movers makeMovers(const World& world, uint32_t assemblies)
         const Particle& p = world.particles[i];
         if (p.body != NO_INDEX) continue;
         movers.infos.push_back({0, 0, p.assembly != NO_INDEX ? p.assembly : assemblies++, 1.0f / p.mass});
+        movers.states.push_back(MOVER_DYNAMIC);
         movers.centres.push_back(pack(p.position, 0));
         movers.rotations.push_back({0, 0, 0, 1});
         movers.velocities.push_back(pack(p.velocity, 0));
@@ -85,7 +88,7 @@ void rankParticles(SolverBuffers& out, const World& world, Movers& movers)
         gpu::MoverInfo& mover = movers.infos[places[order[rank]].x];
         if (mover.rankCount++ == 0) mover.firstRank = rank;
     }
-    out.particlePlaces = {"particlePlaces", std::span<const gpu::uvec2>(places)};
+    out.particleRanks = {"particleRanks", std::span<const gpu::uvec2>(places)};
     out.rankedParticles = {"rankedParticles", std::span<const uint32_t>(order)};
 }
 
@@ -98,6 +101,7 @@ void uploadMovers(SolverBuffers& out, const World& world)
     const size_t count = movers.infos.size(), fields = movers.velocities.size();
     const std::vector<gpu::vec4> unturned(count, gpu::vec4{0, 0, 0, 1});
     out.moverInfo = {"moverInfo", std::span<const gpu::MoverInfo>(movers.infos)};
+    out.moverStates = {"moverStates", std::span<const uint32_t>(movers.states)};
     out.bodyMoments = {"bodyMoments", std::span<const gpu::vec4>(movers.moments)};
     out.bodyInertias = {"bodyInertias", std::span<const gpu::vec4>(movers.inertias)};
     out.moverCentres = {"moverCentres", std::span<const gpu::vec4>(movers.centres)};
@@ -106,22 +110,22 @@ void uploadMovers(SolverBuffers& out, const World& world)
     out.oldMoverVelocities = {"oldMoverVelocities", std::span<const gpu::vec4>(movers.velocities)};
     out.oldMoverMoves = {"oldMoverMoves", fields};
     out.moverMoves = {"moverMoves", count};
-    out.moverTurns = {"moverTurns", std::span<const gpu::vec4>(unturned)};
+    out.moverRotationDeltas = {"moverRotationDeltas", std::span<const gpu::vec4>(unturned)};
     out.moverPredictions = {"moverPredictions", fields};
     out.moverImpulses = {"moverImpulses", fields};
-    const std::vector<gpu::vec4> changes(fields, gpu::vec4{0, 0, 0, FIRST_RELAXATION});
+    const std::vector<gpu::vec4> changes(fields, gpu::vec4{0, 0, 0, INITIAL_RELAXATION});
     out.moverChanges = {"moverChanges", std::span<const gpu::vec4>(changes)};
     // All of them, for a solver that does not look which are near.
     const uint32_t colliders = out.parameters.colliderCount;
     const std::vector<uint32_t> all(count, colliders < 32 ? (1u << colliders) - 1u : ~0u);
     out.moverColliders = {"moverColliders", std::span<const uint32_t>(all)};
     out.particleImpulses = {"particleImpulses", world.particles.size()};
-    out.moverBounces = {"moverBounces", count};
+    out.moverRestitutionSplits = {"moverRestitutionSplits", count};
     out.moverReaches = {"moverReaches", count};
     out.calmCentres = {"calmCentres", count};
     out.calmRotations = {"calmRotations", std::span<const gpu::vec4>(unturned)};
-    out.foundCentres = {"foundCentres", count};
-    out.foundRotations = {"foundRotations", std::span<const gpu::vec4>(unturned)};
+    out.searchCentres = {"searchCentres", count};
+    out.searchRotations = {"searchRotations", std::span<const gpu::vec4>(unturned)};
 }
 
 void uploadSleep(SolverBuffers& out)

@@ -4,8 +4,8 @@ namespace knuckle {
 
 namespace {
 
-constexpr int SETTLING = 48;   // iterations; the pressure of the walls goes about a particle far in each
-const Defines STILL{{"SETTLE", "1"}};
+constexpr int RELAXATIONS = 48;   // iterations; the pressure of the walls goes about a particle far in each
+const Defines RELAXED{{"RELAX", "1"}};
 
 }  // namespace
 
@@ -19,7 +19,7 @@ FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
     cells_ = groupsFor(p.fluidCellMask + 1);
     chunks_ = groupsFor((p.fluidCellMask + 1) / SCAN_CHUNK);
     const Defines grid{{"FLUIDS", "1"}};
-    found_ = load("fluid/fluid_found", {});
+    searchPosition_ = load("fluid/fluid_search_position", {});
     clear_ = load("search/grid_clear", grid);
     count_ = load("search/grid_count", grid);
     sum_ = load("search/scan_sum", grid);
@@ -28,22 +28,22 @@ FluidStep::FluidStep(const LoadKernel& load, SolverBuffers& buffers, const Setti
     scatter_ = load("search/grid_scatter", grid);
     order_ = load("fluid/fluid_order", grid);
     find_ = load("fluid/fluid_find", grid);
-    near_ = load("fluid/fluid_near", {});
+    colliderNear_ = load("fluid/fluid_collider_near", {});
     if (confines_) {
         vorticity_ = load("fluid/fluid_vorticity", {});
-        confine_ = load("fluid/fluid_confine", {});
+        confinement_ = load("fluid/fluid_vorticity_confinement", {});
     }
     const Defines tension = buffers.fluid.hasTension ? Defines{{"TENSION", "1"}} : Defines{};
-    velocity_ = load("fluid/fluid_velocity", {});
-    smooth_ = load("fluid/fluid_smooth", {});
-    place_ = load("fluid/fluid_place", {});
-    placeSolid_ = load("fluid/fluid_place_solid", {});
+    gather_ = load("fluid/fluid_gather", {});
+    viscosity_ = load("fluid/fluid_viscosity", {});
+    predict_ = load("fluid/fluid_predict", {});
+    predictSolid_ = load("fluid/fluid_predict_solid", {});
     density_ = load("fluid/fluid_density", {});
-    push_ = load("fluid/fluid_push", tension);
-    react_ = load("fluid/fluid_react", {});
-    placeStill_ = load("fluid/fluid_place", STILL);
-    placeSolidStill_ = load("fluid/fluid_place_solid", STILL);
-    pushStill_ = load("fluid/fluid_push", STILL);
+    pressure_ = load("fluid/fluid_pressure", tension);
+    coupling_ = load("fluid/fluid_solid_coupling", {});
+    predictRelaxed_ = load("fluid/fluid_predict", RELAXED);
+    predictSolidRelaxed_ = load("fluid/fluid_predict_solid", RELAXED);
+    pressureRelaxed_ = load("fluid/fluid_pressure", RELAXED);
 }
 
 void FluidStep::onSlots(KernelTimer& timer, const Kernel& kernel) const
@@ -54,7 +54,7 @@ void FluidStep::onSlots(KernelTimer& timer, const Kernel& kernel) const
 
 void FluidStep::list(KernelTimer& timer) const
 {
-    found_.dispatch(timer, slots_);
+    searchPosition_.dispatch(timer, slots_);
     clear_.dispatch(timer, cells_);
     count_.dispatch(timer, slots_);
     sum_.dispatch(timer, chunks_);
@@ -63,39 +63,39 @@ void FluidStep::list(KernelTimer& timer) const
     scatter_.dispatch(timer, slots_);
     order_.dispatch(timer, slots_);
     onSlots(timer, find_);
-    onSlots(timer, near_);
+    onSlots(timer, colliderNear_);
 }
 
 void FluidStep::findNeighbours(KernelTimer& timer) const
 {
     list(timer);
-    onSlots(timer, velocity_);
-    place_.dispatch(timer, fluids_);
-    onSlots(timer, smooth_);
+    onSlots(timer, gather_);
+    predict_.dispatch(timer, fluids_);
+    onSlots(timer, viscosity_);
     if (confines_) {
         onSlots(timer, vorticity_);
-        onSlots(timer, confine_);
+        onSlots(timer, confinement_);
     }
 }
 
 void FluidStep::settle(KernelTimer& timer) const
 {
     list(timer);
-    placeStill_.dispatch(timer, fluids_);
-    placeSolidStill_.dispatch(timer, solids_);
-    for (int k = 0; k < SETTLING; ++k) {
+    predictRelaxed_.dispatch(timer, fluids_);
+    predictSolidRelaxed_.dispatch(timer, solids_);
+    for (int k = 0; k < RELAXATIONS; ++k) {
         onSlots(timer, density_);
-        onSlots(timer, pushStill_);
+        onSlots(timer, pressureRelaxed_);
     }
 }
 
 void FluidStep::substep(KernelTimer& timer, bool first) const
 {
-    if (first) place_.dispatch(timer, fluids_);
-    placeSolid_.dispatch(timer, solids_);
+    if (first) predict_.dispatch(timer, fluids_);
+    predictSolid_.dispatch(timer, solids_);
     onSlots(timer, density_);
-    onSlots(timer, push_);
-    react_.dispatch(timer, solids_);
+    onSlots(timer, pressure_);
+    coupling_.dispatch(timer, solids_);
 }
 
 }  // namespace knuckle

@@ -27,9 +27,9 @@ private:
     const RawBuffer& sizes_;
     uint32_t slots_, solids_, fluids_, cells_, chunks_;   ///< Work groups.
     bool hasPool_, confines_;   ///< Pool: the GPU decides how many slots there are.
-    Kernel found_, clear_, count_, sum_, sumChunks_, start_, scatter_, order_, find_, near_;
-    Kernel velocity_, smooth_, place_, placeSolid_, density_, push_, react_, vorticity_, confine_;
-    Kernel placeStill_, placeSolidStill_, pushStill_;
+    Kernel searchPosition_, clear_, count_, sum_, sumChunks_, start_, scatter_, order_, find_, colliderNear_;
+    Kernel gather_, viscosity_, predict_, predictSolid_, density_, pressure_, coupling_, vorticity_, confinement_;
+    Kernel predictRelaxed_, predictSolidRelaxed_, pressureRelaxed_;
 };
 
 }  // namespace knuckle

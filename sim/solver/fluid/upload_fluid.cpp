@@ -40,7 +40,7 @@ struct LatticeSums {
     double density = 0.0, slopes = 0.0, spread = 0.0;
 };
 
-/// How much of the difference to its neighbours a particle of the material gives up in a step (fluid_smooth.comp). The
+/// How much of the difference to its neighbours a particle of the material gives up in a step (fluid_viscosity.comp). The
 /// least keeps resting fluids quiet; explicit steps are stable below 1.
 float smoothing(const gpu::StepParameters& p, const Material& material, float time)
 {
@@ -51,25 +51,25 @@ float smoothing(const gpu::StepParameters& p, const Material& material, float ti
 }
 
 /// The share of the kernel behind a plane at z, as in sim/fluid/fluid.glsl.
-double wallShare(double z, double reach)
+double wallFraction(double z, double reach)
 {
     const double t = std::clamp(1.0 - z / reach, 0.0, 1.0);
     return std::pow(t, 6) * (3.5 - 4.5 * t + 1.5 * t * t);
 }
 
 /// By how much more the listed particles of a layer have to cover for a fluid particle next to it: the list, and with it
-/// solidShare() of sim/fluid/fluid.glsl, fades out before the kernel ends. With 0.88 of that bodies float as deep as they
+/// solidFraction() of sim/fluid/fluid.glsl, fades out before the kernel ends. With 0.88 of that bodies float as deep as they
 /// are dense.
 float solidCover(const gpu::StepParameters& p)
 {
     constexpr double CALIBRATION = 0.88;
     constexpr int SAMPLES = 400;
     const double d = p.diameter, nearest = 0.5 * (d + p.fluidSpacing), end = p.fluidListReach;
-    double listed = 0.0, share = wallShare(nearest - 0.5 * d, p.fluidReach);
+    double listed = 0.0, share = wallFraction(nearest - 0.5 * d, p.fluidReach);
     for (int k = 0; k < SAMPLES; ++k) {
         const double from = nearest + (end - nearest) * k / SAMPLES, to = nearest + (end - nearest) * (k + 1) / SAMPLES;
         const double u = std::clamp((end - 0.5 * (from + to)) / (0.2 * d), 0.0, 1.0), fade = u * u * (3.0 - 2.0 * u);
-        listed += fade * (wallShare(from - 0.5 * d, p.fluidReach) - wallShare(to - 0.5 * d, p.fluidReach));
+        listed += fade * (wallFraction(from - 0.5 * d, p.fluidReach) - wallFraction(to - 0.5 * d, p.fluidReach));
     }
     return static_cast<float>(CALIBRATION * share / listed);
 }
@@ -128,8 +128,8 @@ void makeFluid(SolverBuffers& out, const World& world, const Gpu& gpu)
         throw DeviceError(fmt::format("{}: {} fluid particles with {} neighbours need a buffer of {} MiB and the device "
                                       "allows {}; use fewer particles or another --device", gpu.device().name,
                                       p.fluidCount, p.fluidSlots, largest >> 20, gpu.limits().storageBlockSize >> 20));
-    if (count > 0) out.hasOthers = true;
-    f.fluidFoundPositions = {"fluidFoundPositions", count};
+    if (count > 0) out.hasParticleImpulses = true;
+    f.fluidSearchPositions = {"fluidSearchPositions", count};
     f.fluidParticleCells = {"fluidParticleCells", count};
     f.fluidCellCounts = {"fluidCellCounts", cells};
     f.fluidCellSums = {"fluidCellSums", cells / SCAN_CHUNK};
@@ -148,7 +148,7 @@ void makeFluid(SolverBuffers& out, const World& world, const Gpu& gpu)
     f.slotMaterials = {"slotMaterials", count};
     f.slotVorticities = {"slotVorticities", p.vorticity > 0.0f ? count : 0};
     f.fluidMaterials = {"fluidMaterials", std::span<const gpu::vec4>(materials)};
-    for (auto [buffer, name] : {std::pair{&f.slotVelocities, "slotVelocities"}, {&f.slotPlaces, "slotPlaces"},
+    for (auto [buffer, name] : {std::pair{&f.slotVelocities, "slotVelocities"}, {&f.slotPositions, "slotPositions"},
                                 {&f.slotPressures, "slotPressures"},
                                 {&f.slotWalls, "slotWalls"}, {&f.slotSolids, "slotSolids"}})
         *buffer = {name, count};
@@ -156,9 +156,9 @@ void makeFluid(SolverBuffers& out, const World& world, const Gpu& gpu)
 
 void addFluid(BufferTable& table, FluidBuffers& f)
 {
-    table.add(f.fluidFoundPositions, f.fluidParticleCells, f.fluidCellCounts, f.fluidCellSums, f.fluidCellStarts,
+    table.add(f.fluidSearchPositions, f.fluidParticleCells, f.fluidCellCounts, f.fluidCellSums, f.fluidCellStarts,
               f.fluidCellMembers, f.fluidSorted, f.slotParticles, f.particleSlots, f.slotCounts,
-              f.slotNeighbours, f.slotColliders, f.fluidMaterials, f.slotVelocities, f.slotPlaces, f.slotPressures,
+              f.slotNeighbours, f.slotColliders, f.fluidMaterials, f.slotVelocities, f.slotPositions, f.slotPressures,
               f.slotMaterials, f.slotVorticities, f.slotWalls, f.slotSolids);
 }
 

@@ -79,7 +79,7 @@ void makePool(SolverBuffers& out, const World& world)
     b.emitterStates = {"emitterStates", emitters.size()};
     b.nozzlePoints = {"nozzlePoints", std::span<const gpu::vec4>(points)};
     b.poolOrder = {"poolOrder", std::span<const uint32_t>(order)};
-    b.poolParked = {"poolParked", std::span<const uint32_t>(parked)};
+    b.poolInactive = {"poolInactive", std::span<const uint32_t>(parked)};
     b.poolSums = {"poolSums", p.poolCapacity / SCAN_CHUNK};
     b.poolChunks = {"poolChunks", std::span<const uint32_t>(chunks)};
     b.fluidTotals = {"fluidTotals", 1};
@@ -90,7 +90,7 @@ void makePool(SolverBuffers& out, const World& world)
 
 void addPool(BufferTable& table, PoolBuffers& b)
 {
-    table.add(b.emitters, b.emitterStates, b.nozzlePoints, b.poolOrder, b.poolParked, b.poolSums, b.poolChunks,
+    table.add(b.emitters, b.emitterStates, b.nozzlePoints, b.poolOrder, b.poolInactive, b.poolSums, b.poolChunks,
               b.fluidTotals);
 }
 

@@ -23,7 +23,7 @@ float rootOf(uint32_t iteration, uint32_t count)
 SoftStep::SoftStep(const LoadKernel& load, const SolverBuffers& buffers)
     : clusters_(groupsFor(buffers.parameters.clusterCount)), particles_(groupsFor(buffers.parameters.softCount))
 {
-    const Defines first = {{"FIRST", "1"}};
+    const Defines first = {{"FIRST_ITERATION", "1"}};
     clusterMatchFirst_ = load("soft/cluster_match", first);
     clusterMatch_ = load("soft/cluster_match", {});
     clusterPullFirst_ = load("soft/cluster_pull", first);

@@ -125,7 +125,7 @@ void uploadSoftBodies(SolverBuffers& out, const World& world)
     std::vector<std::vector<uint32_t>> linksOf(world.particles.size());
     for (uint32_t l = 0; l < world.clusterLinks.size(); ++l)
         linksOf[world.clusterLinks[l].particle].push_back(out.parameters.linkCount + l);
-    const auto places = out.particlePlaces.download();
+    const auto places = out.particleRanks.download();
     std::vector<gpu::uvec4> particles;
     std::vector<uint32_t> links;
     for (const SoftBody& soft : world.softBodies)
@@ -138,7 +138,7 @@ void uploadSoftBodies(SolverBuffers& out, const World& world)
     out.softLinks = {"softLinks", std::span<const uint32_t>(links)};
     out.softImpulses = {"softImpulses", particles.size()};
     out.parameters.softCount = static_cast<uint32_t>(particles.size());
-    if (!particles.empty()) out.hasOthers = true;
+    if (!particles.empty()) out.hasParticleImpulses = true;
 }
 
 }  // namespace knuckle

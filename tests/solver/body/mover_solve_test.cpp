@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "tests/solver/contact/contact_bench.h"
+#include "tests/solver/contact/contact_fixture.h"
 
 namespace knuckle::test {
 
@@ -13,19 +13,19 @@ class MoverSolve : public testing::Test {
 protected:
     MoverSolve()
     {
-        bench.setMoves(0.002f, 0.005f, 3.0f);
-        bench.setAssemblies(0x7fffffffu, 1);
+        fixture.setMoves(0.002f, 0.005f, 3.0f);
+        fixture.setAssemblies(0x7fffffffu, 1);
         makeContacts();
         sumContacts();
         makeOldSums();
-        SolverBuffers& b = bench.buffers;
-        predictions = bench.randomFields(0.01f, 0.0f, 111);
+        SolverBuffers& b = fixture.buffers;
+        predictions = fixture.randomFields(0.01f, 0.0f, 111);
         Random random(112);
-        for (uint32_t m = 0; m < bench.world.bodies.size(); ++m) {
+        for (uint32_t m = 0; m < fixture.world.bodies.size(); ++m) {
             const Eigen::AngleAxisd turn(random.between(0, 0.05f), random.direction().cast<double>());
-            const Matrix3d a = turn.toRotationMatrix() * bench.rotation(m).toRotationMatrix() * moments(m);
+            const Matrix3d a = turn.toRotationMatrix() * fixture.rotation(m).toRotationMatrix() * moments(m);
             for (uint32_t c = 0; c < 3; ++c)
-                predictions[bench.fieldStart(m) + 1 + c] = packed(Vector3f(a.col(c).cast<float>()));
+                predictions[fixture.fieldStart(m) + 1 + c] = packed(Vector3f(a.col(c).cast<float>()));
         }
         fill(b.moverPredictions, predictions);
         linkImpulses = randomVectors(b.linkImpulses.size(), 0.002f, 113);
@@ -34,20 +34,20 @@ protected:
     Matrix3d moments(uint32_t m) const
     {
         Matrix3d sum = Matrix3d::Zero();
-        for (const Part& part : bench.parts[m]) sum += part.mass * part.r * part.r.transpose();
+        for (const Part& part : fixture.parts[m]) sum += part.mass * part.r * part.r.transpose();
         return sum;
     }
     const Part& anyPart(uint32_t m, Random& random) const
     {
-        const auto count = static_cast<float>(bench.parts[m].size());
-        return bench.parts[m][static_cast<size_t>(random.between(0, 0.999f) * count)];
+        const auto count = static_cast<float>(fixture.parts[m].size());
+        return fixture.parts[m][static_cast<size_t>(random.between(0, 0.999f) * count)];
     }
     /// Of a particle of the mover, at its place in it, with an impulse that moves the mover by about a millimetre.
     TestContact anyContact(uint32_t m, Random& random) const
     {
         const Part& part = anyPart(m, random);
         TestContact c{.first = part.particle, .firstArm = part.r.cast<float>()};
-        const float kind = random.between(0, 4), mass = static_cast<float>(bench.masses[m]);
+        const float kind = random.between(0, 4), mass = static_cast<float>(fixture.masses[m]);
         if (kind > 1) c.impulse.w = ABOUT_TO_ACT;
         if (kind > 2) c.impulse = packed(random.inCube(0.001f * mass), random.between(0.1f, 1));
         return c;
@@ -57,7 +57,7 @@ protected:
     {
         Random random(114);
         std::vector<TestContact> pairs, withColliders;
-        const auto owners = static_cast<float>(bench.moverCount());
+        const auto owners = static_cast<float>(fixture.moverCount());
         while (pairs.size() < 1501 || withColliders.size() < 777) {
             const auto a = static_cast<uint32_t>(random.between(0, 0.999f) * owners);
             const auto b = static_cast<uint32_t>(random.between(0, 0.999f) * owners);
@@ -66,79 +66,79 @@ protected:
             const TestContact other = anyContact(b, random);
             c.second = other.first;
             c.secondArm = other.firstArm;
-            if (bench.moverOf[c.first] != a || bench.moverOf[c.second] != b) continue;
+            if (fixture.moverOf[c.first] != a || fixture.moverOf[c.second] != b) continue;
             if (pairs.size() < 1501) pairs.push_back(c);
             else withColliders.push_back(c);
         }
-        bench.setPairs(std::move(pairs));
-        bench.setColliderContacts(std::move(withColliders));
+        fixture.setPairs(std::move(pairs));
+        fixture.setColliderContacts(std::move(withColliders));
     }
     void sumContacts()
     {
-        sums.resize(bench.moverCount());
+        sums.resize(fixture.moverCount());
         sizes.resize(sums.size());
         counts.resize(sums.size());
         const auto add = [&](uint32_t particle, const Vector3f& arm, const gpu::vec4& impulse, double side) {
-            const uint32_t m = bench.moverOf[particle];
+            const uint32_t m = fixture.moverOf[particle];
             const Vector3d p = vec3(impulse).cast<double>();
             sums[m].add(side * p, arm.cast<double>());
             sizes[m] += p.norm();
             counts[m] += impulse.w != 0.0f;
         };
-        for (const TestContact& c : bench.pairs) {
+        for (const TestContact& c : fixture.pairs) {
             add(c.first, c.firstArm, c.impulse, 1);
             add(c.second, c.secondArm, c.impulse, -1);
         }
-        for (const TestContact& c : bench.colliderContacts) add(c.first, c.firstArm, c.impulse, 1);
+        for (const TestContact& c : fixture.colliderContacts) add(c.first, c.firstArm, c.impulse, 1);
     }
     /// The sums of the iteration before, so that they change now by `ratio` times how they did then.
     void makeOldSums()
     {
-        changes = bench.randomImpulses(0.001f, 115);
+        changes = fixture.randomImpulses(0.001f, 115);
         oldSums.resize(changes.size());
         Random random(116);
-        const float begin[] = {1.0f, 1.2f, FIRST_RELAXATION, 3.1f, MOST_RELAXATION};
-        for (uint32_t m = 0; m < bench.moverCount(); ++m) {
+        const float begin[] = {1.0f, 1.2f, INITIAL_RELAXATION, 3.1f, MOST_RELAXATION};
+        for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
             ratios.push_back(std::array{-2.0, -0.95, -0.85, -0.1, 1.0}[m % 5]);
             relaxations.push_back(begin[static_cast<size_t>(random.between(0, 4.99f))]);
-            const uint32_t start = bench.fieldStart(m);
-            const Field change = bench.field(changes, m);
+            const uint32_t start = fixture.fieldStart(m);
+            const Field change = fixture.field(changes, m);
             changes[start].w = relaxations.back();
             oldSums[start] = packed(Vector3f((sums[m].t - ratios[m] * change.t).cast<float>()));
-            for (uint32_t c = 0; bench.isBody(m) && c < 3; ++c)
+            for (uint32_t c = 0; fixture.isBody(m) && c < 3; ++c)
                 oldSums[start + 1 + c] =
                     packed(Vector3f((sums[m].f.col(c) - ratios[m] * change.f.col(c)).cast<float>()));
         }
-        fill(bench.buffers.moverImpulses, oldSums);
-        fill(bench.buffers.moverChanges, changes);
+        fill(fixture.buffers.moverImpulses, oldSums);
+        fill(fixture.buffers.moverChanges, changes);
     }
     /// It shrinks where changes turn about and lose less than a tenth, and grows else; anew where nothing acts.
     float wantedRelaxation(uint32_t m) const
     {
-        if (counts[m] == 0) return FIRST_RELAXATION;
+        if (counts[m] == 0) return INITIAL_RELAXATION;
         if (ratios[m] < -0.9) return std::max(0.8f * relaxations[m], 1.0f);
         return std::min(1.05f * relaxations[m], MOST_RELAXATION);
     }
     /// Where the mover goes: by its prediction and the impulses on it, matched to A + p r^T.
     void expectMatch(uint32_t m, const Field& impulse, double size, double splits)
     {
-        const Field prediction = bench.field(predictions, m);
-        const gpu::vec4 moved = bench.buffers.moverMoves.download()[m];
-        const Vector3d move = prediction.t + impulse.t / bench.masses[m];
-        const double rounding = EPSILON * (counts[m] + 16) * (prediction.t.norm() + size / bench.masses[m]);
+        const Field prediction = fixture.field(predictions, m);
+        const gpu::vec4 moved = fixture.buffers.moverMoves.download()[m];
+        const Vector3d move = prediction.t + impulse.t / fixture.masses[m];
+        const double rounding = EPSILON * (counts[m] + 16) * (prediction.t.norm() + size / fixture.masses[m]);
         EXPECT_LE((vec3(moved).cast<double>() - move).norm(), rounding);
         EXPECT_FLOAT_EQ(moved.w, static_cast<float>(splits));
-        if (!bench.isBody(m)) return;
-        const auto turn = quaternion(bench.buffers.moverTurns.download()[m]).cast<double>();
+        if (!fixture.isBody(m)) return;
+        const auto turn = quaternion(fixture.buffers.moverRotationDeltas.download()[m]).cast<double>();
         // Single precision gives a rotation to some 1e-6, times a body's ratio of length to width.
-        EXPECT_LT(rotationError(turn * bench.rotation(m), prediction.f + impulse.f, moments(m)), 1e-5);
+        EXPECT_LT(rotationError(turn * fixture.rotation(m), prediction.f + impulse.f, moments(m)), 1e-5);
     }
     Field jointImpulse(uint32_t m)
     {
         Field sum;
-        const auto links = bench.buffers.links.download();
+        const auto links = fixture.buffers.links.download();
         for (size_t l = 0; l < links.size(); ++l) {
-            if (links[l].rbIndex != m || bench.world.particles[links[l].particleIndex].bodyCount < 2) continue;
+            if (links[l].rbIndex != m || fixture.world.particles[links[l].particleIndex].bodyCount < 2) continue;
             const Vector3d r(links[l].posInRigidBodyX, links[l].posInRigidBodyY, links[l].posInRigidBodyZ);
             sum.add(vec3(linkImpulses[l]).cast<double>(), r);
         }
@@ -146,12 +146,12 @@ protected:
     }
     uint32_t jointCount(uint32_t m) const
     {
-        return static_cast<uint32_t>(std::count_if(bench.parts[m].begin(), bench.parts[m].end(), [&](const Part& p) {
-            return bench.world.particles[p.particle].bodyCount > 1;
+        return static_cast<uint32_t>(std::count_if(fixture.parts[m].begin(), fixture.parts[m].end(), [&](const Part& p) {
+            return fixture.world.particles[p.particle].bodyCount > 1;
         }));
     }
 
-    ContactBench bench;
+    ContactFixture fixture;
     std::vector<Field> sums;             ///< Per mover, of its contacts.
     std::vector<double> sizes, ratios;
     std::vector<uint32_t> counts;        ///< Contacts that will act.
@@ -161,27 +161,27 @@ protected:
 
 TEST_F(MoverSolve, SumsTheImpulsesOfContactsWithTheirSides)
 {
-    bench.forMovers("body/mover_solve");
-    const auto found = bench.buffers.moverImpulses.download();
+    fixture.forMovers("body/mover_solve");
+    const auto found = fixture.buffers.moverImpulses.download();
     uint32_t loaded = 0;
-    for (uint32_t m = 0; m < bench.moverCount(); ++m) {
-        if (bench.isFixed(m)) continue;
+    for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
+        if (fixture.isFixed(m)) continue;
         // Each of n additions rounds by 2^-24 of at most the sum of the sizes.
         const double rounding = EPSILON * (counts[m] + 2) * sizes[m];
-        const Field sum = bench.field(found, m);
+        const Field sum = fixture.field(found, m);
         EXPECT_LE((sum.t - sums[m].t).norm(), rounding) << "mover " << m;
-        EXPECT_LE((sum.f - sums[m].f).norm(), rounding * bench.radius(m)) << "mover " << m;
+        EXPECT_LE((sum.f - sums[m].f).norm(), rounding * fixture.radius(m)) << "mover " << m;
         loaded += sizes[m] > 0.0;
     }
-    EXPECT_GT(loaded, bench.moverCount() / 2);
+    EXPECT_GT(loaded, fixture.moverCount() / 2);
 }
 
 TEST_F(MoverSolve, MoversGoWhereTheImpulsesOfContactsAndJointsBringThem)
 {
-    bench.forMovers("body/mover_solve");
-    for (uint32_t m = 0; m < bench.moverCount(); ++m) {
+    fixture.forMovers("body/mover_solve");
+    for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         SCOPED_TRACE("mover " + std::to_string(m));
-        if (bench.isFixed(m)) continue;
+        if (fixture.isFixed(m)) continue;
         const Field joints = jointImpulse(m);
         const Field whole{sums[m].t + joints.t, sums[m].f + joints.f};
         const double splits = (counts[m] + jointCount(m)) / double(wantedRelaxation(m));
@@ -191,12 +191,12 @@ TEST_F(MoverSolve, MoversGoWhereTheImpulsesOfContactsAndJointsBringThem)
 
 TEST_F(MoverSolve, TheRelaxationFollowsHowTheSumsChange)
 {
-    bench.forMovers("body/mover_solve");
-    const auto found = bench.buffers.moverChanges.download();
-    for (uint32_t m = 0; m < bench.moverCount(); ++m) {
-        if (bench.isFixed(m)) continue;
-        EXPECT_FLOAT_EQ(found[bench.fieldStart(m)].w, wantedRelaxation(m)) << "mover " << m << ", " << ratios[m];
-        const Field change = bench.field(found, m), old = bench.field(oldSums, m);
+    fixture.forMovers("body/mover_solve");
+    const auto found = fixture.buffers.moverChanges.download();
+    for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
+        if (fixture.isFixed(m)) continue;
+        EXPECT_FLOAT_EQ(found[fixture.fieldStart(m)].w, wantedRelaxation(m)) << "mover " << m << ", " << ratios[m];
+        const Field change = fixture.field(found, m), old = fixture.field(oldSums, m);
         // Of two sums that are rounded.
         const double rounding = EPSILON * (counts[m] + 4) * (sizes[m] + old.t.norm());
         EXPECT_LE((change.t - (sums[m].t - old.t)).norm(), rounding) << "mover " << m;
@@ -205,39 +205,39 @@ TEST_F(MoverSolve, TheRelaxationFollowsHowTheSumsChange)
 
 TEST_F(MoverSolve, AfterASearchItTakesTheContactsWithoutTheJointsAndLearnsNothing)
 {
-    bench.forMovers("body/mover_solve", {{"WARM", "1"}});
-    const auto found = bench.buffers.moverChanges.download();
-    for (uint32_t m = 0; m < bench.moverCount(); ++m) {
+    fixture.forMovers("body/mover_solve", {{"WARM_START", "1"}});
+    const auto found = fixture.buffers.moverChanges.download();
+    for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         SCOPED_TRACE("mover " + std::to_string(m));
-        if (bench.isFixed(m)) continue;
+        if (fixture.isFixed(m)) continue;
         expectMatch(m, sums[m], sizes[m], (counts[m] + jointCount(m)) / double(relaxations[m]));
-        EXPECT_EQ(found[bench.fieldStart(m)].w, relaxations[m]);
-        EXPECT_EQ(bench.field(found, m).t, bench.field(changes, m).t);
+        EXPECT_EQ(found[fixture.fieldStart(m)].w, relaxations[m]);
+        EXPECT_EQ(fixture.field(found, m).t, fixture.field(changes, m).t);
     }
 }
 
 TEST_F(MoverSolve, AssembliesThatContactsPushAreStampedAndOthersAreNot)
 {
-    bench.forMovers("body/mover_solve");
-    const auto infos = bench.buffers.moverInfo.download();
-    const auto states = bench.buffers.assemblyState.download();
+    fixture.forMovers("body/mover_solve");
+    const auto infos = fixture.buffers.moverInfo.download();
+    const auto states = fixture.buffers.assemblyState.download();
     std::vector<bool> pushed(states.size());
-    for (uint32_t m = 0; m < bench.moverCount(); ++m)
-        if (!bench.isFixed(m) && sizes[m] > 0.0) pushed[infos[m].assembly] = true;
+    for (uint32_t m = 0; m < fixture.moverCount(); ++m)
+        if (!fixture.isFixed(m) && sizes[m] > 0.0) pushed[infos[m].assembly] = true;
     for (size_t k = 0; k < states.size(); ++k)
-        EXPECT_EQ(states[k].x, pushed[k] ? MoverBench::SUBSTEP - 1 : 0x7fffffffu) << "assembly " << k;
+        EXPECT_EQ(states[k].x, pushed[k] ? MoverFixture::SUBSTEP - 1 : 0x7fffffffu) << "assembly " << k;
     EXPECT_GT(std::count(pushed.begin(), pushed.end(), true), 100);
     EXPECT_GT(std::count(pushed.begin(), pushed.end(), false), 100);
 }
 
 TEST_F(MoverSolve, FixedBodiesStay)
 {
-    bench.forMovers("body/mover_solve");
-    const auto moves = bench.buffers.moverMoves.download(), turns = bench.buffers.moverTurns.download();
-    for (uint32_t m = 0; m < bench.moverCount(); ++m) {
-        if (!bench.isFixed(m)) continue;
-        EXPECT_EQ(vec3(moves[m]), vec3(bench.moves[m]));
-        EXPECT_EQ(vec3(turns[m]), vec3(bench.turns[m]));
+    fixture.forMovers("body/mover_solve");
+    const auto moves = fixture.buffers.moverMoves.download(), turns = fixture.buffers.moverRotationDeltas.download();
+    for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
+        if (!fixture.isFixed(m)) continue;
+        EXPECT_EQ(vec3(moves[m]), vec3(fixture.moves[m]));
+        EXPECT_EQ(vec3(turns[m]), vec3(fixture.turns[m]));
     }
 }
 
@@ -246,28 +246,28 @@ TEST_F(MoverSolve, APairsImpulsesOnItsTwoMoversCancelExactly)
 {
     std::vector<TestContact> pairs;
     Random random(117);
-    for (uint32_t m = 0; m + 1 < bench.moverCount(); m += 2) {
+    for (uint32_t m = 0; m + 1 < fixture.moverCount(); m += 2) {
         const Part &a = anyPart(m, random), &b = anyPart(m + 1, random);
-        if (bench.moverOf[a.particle] != m || bench.moverOf[b.particle] != m + 1) continue;
-        if (bench.isFixed(m) || bench.isFixed(m + 1)) continue;
+        if (fixture.moverOf[a.particle] != m || fixture.moverOf[b.particle] != m + 1) continue;
+        if (fixture.isFixed(m) || fixture.isFixed(m + 1)) continue;
         TestContact c{.first = a.particle, .second = b.particle, .firstArm = a.r.cast<float>()};
         const Vector3f apart = 0.98f * DIAMETER * random.direction();
-        c.secondArm = bench.armTo(b.particle, bench.place(a.particle, c.firstArm).cast<float>() + apart);
-        c.firstMass = 1 / static_cast<float>(bench.masses[m]);
-        c.secondMass = 1 / static_cast<float>(bench.masses[m + 1]);
+        c.secondArm = fixture.armTo(b.particle, fixture.place(a.particle, c.firstArm).cast<float>() + apart);
+        c.firstMass = 1 / static_cast<float>(fixture.masses[m]);
+        c.secondMass = 1 / static_cast<float>(fixture.masses[m + 1]);
         c.staticFriction = c.kineticFriction = 0.5f;
         c.impulse.w = ABOUT_TO_ACT;
         pairs.push_back(c);
     }
-    bench.setColliderContacts({});
-    bench.setPairs(pairs);
-    bench.run("contact/contact_solve", pairs.size());
-    bench.forMovers("body/mover_solve");
-    const auto sum = bench.buffers.moverImpulses.download();
+    fixture.setColliderContacts({});
+    fixture.setPairs(pairs);
+    fixture.run("contact/contact_solve", pairs.size());
+    fixture.forMovers("body/mover_solve");
+    const auto sum = fixture.buffers.moverImpulses.download();
     uint32_t acting = 0;
-    for (const TestContact& c : bench.pairs) {
-        const gpu::vec4 a = sum[bench.fieldStart(bench.moverOf[c.first])];
-        const gpu::vec4 b = sum[bench.fieldStart(bench.moverOf[c.second])];
+    for (const TestContact& c : fixture.pairs) {
+        const gpu::vec4 a = sum[fixture.fieldStart(fixture.moverOf[c.first])];
+        const gpu::vec4 b = sum[fixture.fieldStart(fixture.moverOf[c.second])];
         EXPECT_EQ(vec3(a), Vector3f(-vec3(b))) << "particles " << c.first << " and " << c.second;
         acting += vec3(a) != Vector3f::Zero();
     }

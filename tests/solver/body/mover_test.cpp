@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "tests/solver/body/mover_bench.h"
+#include "tests/solver/body/mover_fixture.h"
 
 namespace knuckle::test {
 
@@ -10,22 +10,22 @@ namespace {
 /// gives for the velocities and moves of its particles.
 class MoverPredict : public testing::Test {
 protected:
-    explicit MoverPredict(const Settings& settings = {}) : bench(mixedWorld(settings))
+    explicit MoverPredict(const Settings& settings = {}) : fixture(mixedWorld(settings))
     {
-        SolverBuffers& b = bench.buffers;
-        velocities = bench.randomFields(2.0f, 5.0f, 91);
-        oldVelocities = bench.randomFields(2.0f, 5.0f, 92);
-        oldMoves = bench.randomFields(0.01f, 0.02f, 93);
-        impulses = bench.randomImpulses(0.003f, 94);
+        SolverBuffers& b = fixture.buffers;
+        velocities = fixture.randomFields(2.0f, 5.0f, 91);
+        oldVelocities = fixture.randomFields(2.0f, 5.0f, 92);
+        oldMoves = fixture.randomFields(0.01f, 0.02f, 93);
+        impulses = fixture.randomImpulses(0.003f, 94);
         fill(b.moverVelocities, velocities);
         fill(b.oldMoverVelocities, oldVelocities);
         fill(b.oldMoverMoves, oldMoves);
         fill(b.moverImpulses, impulses);
-        bench.setMoves(0.01f, 0.05f, 3.0f);
-        fill(b.foundCentres, std::vector<gpu::vec4>(bench.moverCount(), gpu::vec4{0, 0, 0, 10}));
+        fixture.setMoves(0.01f, 0.05f, 3.0f);
+        fill(b.searchCentres, std::vector<gpu::vec4>(fixture.moverCount(), gpu::vec4{0, 0, 0, 10}));
     }
-    double h() const { return bench.buffers.parameters.substepTime; }
-    Vector3d g() const { return vec3(bench.buffers.parameters.gravity).cast<double>(); }
+    double h() const { return fixture.buffers.parameters.substepTime; }
+    Vector3d g() const { return vec3(fixture.buffers.parameters.gravity).cast<double>(); }
 
     /// A particle's move by itself, and the size of what it is a sum of.
     struct Move {
@@ -34,8 +34,8 @@ protected:
     };
     Move predictedMove(uint32_t m, const Vector3d& r, bool second) const
     {
-        const Field v = bench.field(velocities, m), old = bench.field(oldVelocities, m);
-        const Field last = bench.field(oldMoves, m);
+        const Field v = fixture.field(velocities, m), old = fixture.field(oldVelocities, m);
+        const Field last = fixture.field(oldMoves, m);
         if (!second) return {h() * (v.at(r) + h() * g()), h() * (v.size(r) + h() * g().norm())};
         // x* = 4/3 x - 1/3 x_ + 8/9 h v - 2/9 h v_ + 4/9 h^2 g, as a move from x.
         return {last.at(r) / 3 + h() * (8 * v.at(r) - 2 * old.at(r) + 4 * h() * g()) / 9,
@@ -43,93 +43,93 @@ protected:
     }
     void expectPrediction(uint32_t m, bool second, double rotationTolerance)
     {
-        const auto predictions = bench.buffers.moverPredictions.download();
+        const auto predictions = fixture.buffers.moverPredictions.download();
         Vector3d move = Vector3d::Zero();
         Matrix3d a = Matrix3d::Zero(), moments = Matrix3d::Zero();
         double moveSize = 0.0, matrixSize = 0.0;
-        for (const Part& part : bench.parts[m]) {
+        for (const Part& part : fixture.parts[m]) {
             const Move one = predictedMove(m, part.r, second);
-            move += part.mass / bench.masses[m] * one.move;
-            moveSize += part.mass / bench.masses[m] * one.size;
-            a += part.mass * (bench.arm(m, part.r) + one.move) * part.r.transpose();   // eq. 9
+            move += part.mass / fixture.masses[m] * one.move;
+            moveSize += part.mass / fixture.masses[m] * one.size;
+            a += part.mass * (fixture.arm(m, part.r) + one.move) * part.r.transpose();   // eq. 9
             matrixSize += part.mass * (part.r.norm() + one.size) * part.r.norm();
             moments += part.mass * part.r * part.r.transpose();
         }
         // Some 16 operations, each off by a rounding of at most the sizes of what is added.
-        const Field found = bench.field(predictions, m), impulse = bench.field(impulses, m);
+        const Field found = fixture.field(predictions, m), impulse = fixture.field(impulses, m);
         EXPECT_LE((found.t - move).norm(), 16 * EPSILON * moveSize);
         EXPECT_LE((found.f - a).norm(), 16 * EPSILON * matrixSize);
 
-        const gpu::vec4 moved = bench.buffers.moverMoves.download()[m];
-        const Vector3d pushed = impulse.t / bench.masses[m];
+        const gpu::vec4 moved = fixture.buffers.moverMoves.download()[m];
+        const Vector3d pushed = impulse.t / fixture.masses[m];
         EXPECT_LE((vec3(moved).cast<double>() - move - pushed).norm(), 16 * EPSILON * (moveSize + pushed.norm()));
         EXPECT_EQ(moved.w, 3.0f) << "what its mass is split over";
-        const auto turn = quaternion(bench.buffers.moverTurns.download()[m]).cast<double>();
-        EXPECT_LT(rotationError(turn * bench.rotation(m), a + impulse.f, moments), rotationTolerance);
-        EXPECT_TRUE(bench.radius(m) > 0.0 || turn.vec() == Vector3d::Zero());
+        const auto turn = quaternion(fixture.buffers.moverRotationDeltas.download()[m]).cast<double>();
+        EXPECT_LT(rotationError(turn * fixture.rotation(m), a + impulse.f, moments), rotationTolerance);
+        EXPECT_TRUE(fixture.radius(m) > 0.0 || turn.vec() == Vector3d::Zero());
     }
     void expectPredictions(bool second)
     {
-        bench.forMovers("body/mover_predict");
-        for (uint32_t m = 0; m < bench.moverCount(); ++m) {
+        fixture.forMovers("body/mover_predict");
+        for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
             SCOPED_TRACE("mover " + std::to_string(m));
             // Single precision gives a rotation to some 1e-6, times a body's ratio of length to width.
-            if (!bench.isFixed(m)) expectPrediction(m, second, 1e-5);
+            if (!fixture.isFixed(m)) expectPrediction(m, second, 1e-5);
         }
-        for (const gpu::uvec2& state : bench.buffers.assemblyState.download()) EXPECT_EQ(state.y, second ? 2u : 1u);
+        for (const gpu::uvec2& state : fixture.buffers.assemblyState.download()) EXPECT_EQ(state.y, second ? 2u : 1u);
     }
 
-    MoverBench bench;
+    MoverFixture fixture;
     std::vector<gpu::vec4> velocities, oldVelocities, oldMoves, impulses;
 };
 
 
 TEST_F(MoverPredict, UntouchedAssembliesMoveAsTheirParticlesWouldBySecondOrder)
 {
-    bench.setAssemblies(MoverBench::SUBSTEP - 3, 1);
+    fixture.setAssemblies(MoverFixture::SUBSTEP - 3, 1);
     expectPredictions(true);
 }
 
 TEST_F(MoverPredict, AssembliesTouchedInTheLastSubstepMoveAsTheirParticlesWouldByFirstOrder)
 {
-    bench.setAssemblies(MoverBench::SUBSTEP - 1, 2);
+    fixture.setAssemblies(MoverFixture::SUBSTEP - 1, 2);
     expectPredictions(false);
 }
 
 TEST_F(MoverPredict, TheFirstSubstepIsOfFirstOrder)
 {
-    bench.setAssemblies(0x7fffffffu, 2);
-    bench.setCounters({});
+    fixture.setAssemblies(0x7fffffffu, 2);
+    fixture.setCounters({});
     expectPredictions(false);
 }
 
 TEST_F(MoverPredict, SolidBodiesTurnTheSameByHouseholder)
 {
-    bench.setAssemblies(MoverBench::SUBSTEP - 1, 2);
-    bench.forMovers("body/mover_predict", {{"HOUSEHOLDER", "1"}});
+    fixture.setAssemblies(MoverFixture::SUBSTEP - 1, 2);
+    fixture.forMovers("body/mover_predict", {{"HOUSEHOLDER", "1"}});
     for (uint32_t m : {0u, 1u, 2u, 3u}) expectPrediction(m, false, 1e-5);
 }
 
 TEST_F(MoverPredict, AllBodiesTurnTheSameByHigham)
 {
-    bench.setAssemblies(MoverBench::SUBSTEP - 1, 2);
-    bench.forMovers("body/mover_predict", {{"HIGHAM", "1"}});
-    for (uint32_t m = 0; m < bench.moverCount(); ++m) {
+    fixture.setAssemblies(MoverFixture::SUBSTEP - 1, 2);
+    fixture.forMovers("body/mover_predict", {{"HIGHAM", "1"}});
+    for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         SCOPED_TRACE("mover " + std::to_string(m));
-        if (!bench.isFixed(m)) expectPrediction(m, false, 1e-5);
+        if (!fixture.isFixed(m)) expectPrediction(m, false, 1e-5);
     }
 }
 
 TEST_F(MoverPredict, FixedBodiesStay)
 {
-    const auto predictions = bench.buffers.moverPredictions.download();
-    bench.forMovers("body/mover_predict");
-    const auto found = bench.buffers.moverPredictions.download(), moves = bench.buffers.moverMoves.download();
+    const auto predictions = fixture.buffers.moverPredictions.download();
+    fixture.forMovers("body/mover_predict");
+    const auto found = fixture.buffers.moverPredictions.download(), moves = fixture.buffers.moverMoves.download();
     uint32_t fixed = 0;
-    for (uint32_t m = 0; m < bench.moverCount(); ++m) {
-        if (!bench.isFixed(m)) continue;
-        EXPECT_EQ(bench.field(found, m).f, bench.field(predictions, m).f);
-        EXPECT_EQ(vec3(moves[m]), vec3(bench.moves[m]));
+    for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
+        if (!fixture.isFixed(m)) continue;
+        EXPECT_EQ(fixture.field(found, m).f, fixture.field(predictions, m).f);
+        EXPECT_EQ(vec3(moves[m]), vec3(fixture.moves[m]));
         ++fixed;
     }
     EXPECT_EQ(fixed, 2u);
@@ -140,43 +140,43 @@ class MoverDrift : public MoverPredict {
 protected:
     bool isDue(uint32_t mover, const Vector3f& shift, float angle)
     {
-        SolverBuffers& b = bench.buffers;
+        SolverBuffers& b = fixture.buffers;
         for (Buffer<gpu::vec4>* still : {&b.moverVelocities, &b.moverImpulses}) still->clear();
         b.parameters.gravity = {0, 0, 0, 0};
-        bench.setParameters();
-        bench.setAssemblies(MoverBench::SUBSTEP - 1, 1);
-        auto centres = bench.centres, rotations = bench.rotations;
+        fixture.setParameters();
+        fixture.setAssemblies(MoverFixture::SUBSTEP - 1, 1);
+        auto centres = fixture.centres, rotations = fixture.rotations;
         for (gpu::vec4& c : centres) c.w = 0.01f;
         centres[mover] = packed(Vector3f(vec3(centres[mover]) + shift), 0.01f);
         const Quaternionf turn(Eigen::AngleAxisf(angle, Vector3f(1, 2, 2) / 3));
         rotations[mover] = packed(turn * quaternion(rotations[mover]));
-        fill(b.foundCentres, centres);
-        fill(b.foundRotations, rotations);
-        gpu::Counters now = bench.counters();
+        fill(b.searchCentres, centres);
+        fill(b.searchRotations, rotations);
+        gpu::Counters now = fixture.counters();
         now.due = 0;
-        bench.setCounters(now);
-        bench.forMovers("body/mover_predict");
-        return bench.counters().due == 1u;
+        fixture.setCounters(now);
+        fixture.forMovers("body/mover_predict");
+        return fixture.counters().due == 1u;
     }
 };
 
 TEST_F(MoverDrift, ContactsAreDueWhenTheFarthestParticleMayHaveLeftItsMargin)
 {
-    const uint32_t loose = bench.moverCount() - 1;
+    const uint32_t loose = fixture.moverCount() - 1;
     for (uint32_t m : {0u, loose}) {
         EXPECT_FALSE(isDue(m, {0, 0, 0}, 0));
         EXPECT_FALSE(isDue(m, {0, 0.0099f, 0}, 0));
         EXPECT_TRUE(isDue(m, {0, 0.0101f, 0}, 0));
     }
     // A turn takes the farthest particle along a chord.
-    const float angle = 2 * std::asin(0.01f / (2 * static_cast<float>(bench.radius(0))));
+    const float angle = 2 * std::asin(0.01f / (2 * static_cast<float>(fixture.radius(0))));
     EXPECT_FALSE(isDue(0, {0, 0, 0}, 0.99f * angle));
     EXPECT_TRUE(isDue(0, {0, 0, 0}, 1.01f * angle));
     EXPECT_FALSE(isDue(0, {0.0049f, 0, 0}, 0.5f * angle));
     EXPECT_TRUE(isDue(0, {0.0051f, 0, 0}, 0.5f * angle));
     // Fixed bodies go nowhere.
-    for (uint32_t m = 0; m < bench.moverCount(); ++m)
-        EXPECT_FALSE(bench.isFixed(m) && isDue(m, {0, 1, 0}, 0)) << "mover " << m;
+    for (uint32_t m = 0; m < fixture.moverCount(); ++m)
+        EXPECT_FALSE(fixture.isFixed(m) && isDue(m, {0, 1, 0}, 0)) << "mover " << m;
 }
 
 class MoverPredictFirst : public MoverPredict {
@@ -192,7 +192,7 @@ protected:
 
 TEST_F(MoverPredictFirst, EverythingMovesByFirstOrderWhereChosen)
 {
-    bench.setAssemblies(0, 2);
+    fixture.setAssemblies(0, 2);
     expectPredictions(false);
 }
 

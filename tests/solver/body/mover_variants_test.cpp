@@ -20,18 +20,18 @@ void expectSameBits(const Buffer<gpu::vec4>& one, const Buffer<gpu::vec4>& other
 
 TEST(MoverVariants, KernelsForBodiesAndForLooseParticlesDoWhatOneForAllDoes)
 {
-    Bench all(mixedWorld()), apart(mixedWorld());
+    KernelFixture all(mixedWorld()), apart(mixedWorld());
     ASSERT_GT(all.buffers.parameters.moverCount, all.buffers.parameters.bodyCount);
     const auto impulses = randomVectors(all.buffers.moverImpulses.size(), 0.001f, 3);
-    for (Bench* bench : {&all, &apart}) fill(bench->buffers.moverImpulses, impulses);
-    for (const char* kernel : {"body/mover_predict", "body/mover_solve", "body/mover_finish"}) {
+    for (KernelFixture* fixture : {&all, &apart}) fill(fixture->buffers.moverImpulses, impulses);
+    for (const char* kernel : {"body/mover_predict", "body/mover_solve", "body/mover_integrate"}) {
         all.forMovers(kernel);
         apart.forMovers(kernel, {{"BODIES", "1"}});
         apart.forMovers(kernel, {{"LOOSE", "1"}});
         SCOPED_TRACE(kernel);
         expectSameBits(all.buffers.moverPredictions, apart.buffers.moverPredictions);
         expectSameBits(all.buffers.moverMoves, apart.buffers.moverMoves);
-        expectSameBits(all.buffers.moverTurns, apart.buffers.moverTurns);
+        expectSameBits(all.buffers.moverRotationDeltas, apart.buffers.moverRotationDeltas);
         expectSameBits(all.buffers.moverCentres, apart.buffers.moverCentres);
         expectSameBits(all.buffers.moverVelocities, apart.buffers.moverVelocities);
     }

@@ -41,25 +41,25 @@ World gridWorld()
 TEST(ColliderGrid, TheKernelsSeeTheDistanceOfTheReferenceAndItsGradient)
 {
     writeColliderKernel();
-    Bench bench(gridWorld());
-    EXPECT_TRUE(bench.buffers.hasGrids);
-    const auto positions = randomVectors(bench.world.particles.size(), 0.5f, 62);
-    fill(bench.buffers.positions, positions);
-    const Kernel kernel = bench.load("test_collider", {{"GRIDS", "1"}});
-    for (uint32_t c = 0; c < bench.world.colliders.size(); ++c) {
+    KernelFixture fixture(gridWorld());
+    EXPECT_TRUE(fixture.buffers.hasGrids);
+    const auto positions = randomVectors(fixture.world.particles.size(), 0.5f, 62);
+    fill(fixture.buffers.positions, positions);
+    const Kernel kernel = fixture.load("test_collider", {{"GRIDS", "1"}});
+    for (uint32_t c = 0; c < fixture.world.colliders.size(); ++c) {
         SCOPED_TRACE("collider " + std::to_string(c));
         glProgramUniform1ui(kernel.program(), 0, c);
-        bench.dispatch(kernel, groupsFor(positions.size()));
-        const auto results = bench.buffers.moved.download();
-        const Collider& collider = bench.world.colliders[c];
-        const auto distance = [&](const Vector3f& x) { return colliderDistance(bench.world, collider, x); };
+        fixture.dispatch(kernel, groupsFor(positions.size()));
+        const auto results = fixture.buffers.moved.download();
+        const Collider& collider = fixture.world.colliders[c];
+        const auto distance = [&](const Vector3f& x) { return colliderDistance(fixture.world, collider, x); };
         uint32_t smooth = 0, checked = 0;
         for (size_t i = 0; i < positions.size(); ++i) {
             const Vector3f x = vec3(positions[i]), normal = vec3(results[i]);
             // Places off by 1e-7 m on slopes of up to 0.4 over a cell of 0.07.
             ASSERT_NEAR(results[i].w, distance(x), 1e-5f) << "particle " << i;
             ASSERT_NEAR(normal.norm(), 1.0f, 1e-5f) << "particle " << i;
-            const ColliderGrid& grid = bench.world.colliderGrids[collider.grid];
+            const ColliderGrid& grid = fixture.world.colliderGrids[collider.grid];
             const Vector3f p = collider.orientation.conjugate() * (x - collider.position) - grid.low;
             const Vector3f size = grid.cell.cwiseProduct((grid.counts.array() - 1).cast<float>().matrix());
             const bool field = c == 0;

@@ -40,17 +40,17 @@ TEST(ColliderDistance, IsThatOfTheShapeInItsOwnFrame)
 TEST(ColliderDistance, TheKernelsSeeTheSameDistanceAndItsGradient)
 {
     writeColliderKernel();
-    Bench bench(colliderWorld());
-    const auto positions = randomVectors(bench.world.particles.size(), 0.5f, 52);
-    fill(bench.buffers.positions, positions);
-    const Kernel kernel = bench.load("test_collider");
-    for (uint32_t c = 0; c < bench.world.colliders.size(); ++c) {
+    KernelFixture fixture(colliderWorld());
+    const auto positions = randomVectors(fixture.world.particles.size(), 0.5f, 52);
+    fill(fixture.buffers.positions, positions);
+    const Kernel kernel = fixture.load("test_collider");
+    for (uint32_t c = 0; c < fixture.world.colliders.size(); ++c) {
         SCOPED_TRACE("collider " + std::to_string(c));
         glProgramUniform1ui(kernel.program(), 0, c);
-        bench.dispatch(kernel, groupsFor(positions.size()));
-        const auto results = bench.buffers.moved.download();
+        fixture.dispatch(kernel, groupsFor(positions.size()));
+        const auto results = fixture.buffers.moved.download();
         const auto distance = [&](const Vector3f& x) {
-            return colliderDistance(bench.world, bench.world.colliders[c], x);
+            return colliderDistance(fixture.world, fixture.world.colliders[c], x);
         };
         uint32_t smooth = 0;
         for (size_t i = 0; i < positions.size(); ++i) {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/solver/contact/contact_bench.h"
+#include "tests/solver/contact/contact_fixture.h"
 
 namespace knuckle::test {
 
@@ -31,11 +31,11 @@ protected:
 
     ContactSolve()
     {
-        bench.setMoves(0.002f, 0.005f, SPLITS);
-        bench.buffers.parameters.maxCorrection = 2e-4f;   // of the depths below, some come under it and some do not
-        bench.setParameters();
+        fixture.setMoves(0.002f, 0.005f, SPLITS);
+        fixture.buffers.parameters.maxCorrection = 2e-4f;   // of the depths below, some come under it and some do not
+        fixture.setParameters();
     }
-    const gpu::StepParameters& step() const { return bench.buffers.parameters; }
+    const gpu::StepParameters& step() const { return fixture.buffers.parameters; }
     /// Contacts act (w != 0) where they were counted; those with a normal part carry a friction of up to it.
     void addImpulse(TestContact& c, Random& random) const
     {
@@ -49,7 +49,7 @@ protected:
     }
     void addMaterial(TestContact& c, Random& random, float levels) const
     {
-        c.firstMass = bench.isFixed(bench.moverOf[c.first]) ? 0.0f : random.between(0.5f, 4);
+        c.firstMass = fixture.isFixed(fixture.moverOf[c.first]) ? 0.0f : random.between(0.5f, 4);
         c.firstShare = std::floor(random.between(0.3f, 1.0f) * levels) / levels;
         c.secondShare = std::floor(random.between(0.3f, 1.0f) * levels) / levels;
         c.kineticFriction = std::floor(random.between(0, 4)) / 4;
@@ -57,7 +57,7 @@ protected:
     }
     uint32_t anyParticle(Random& random) const
     {
-        const auto count = static_cast<float>(bench.world.particles.size());
+        const auto count = static_cast<float>(fixture.world.particles.size());
         return static_cast<uint32_t>(random.between(0, 0.999f) * count);
     }
     /// 1501 pairs of particles of different movers, from `deepest` [m] to a centimetre apart; every seventh of one
@@ -68,21 +68,21 @@ protected:
         std::vector<TestContact> list;
         while (list.size() < 1501) {
             TestContact c{.first = anyParticle(random), .second = anyParticle(random)};
-            const uint32_t a = bench.moverOf[c.first], b = bench.moverOf[c.second];
-            if (a == b || (bench.isFixed(a) && bench.isFixed(b))) continue;
+            const uint32_t a = fixture.moverOf[c.first], b = fixture.moverOf[c.second];
+            if (a == b || (fixture.isFixed(a) && fixture.isFixed(b))) continue;
             addMaterial(c, random, 8191);
-            c.secondMass = bench.isFixed(b) ? 0.0f : random.between(0.5f, 4);
+            c.secondMass = fixture.isFixed(b) ? 0.0f : random.between(0.5f, 4);
             const Vector3f place = random.inCube(0.3f);
-            c.firstArm = bench.armTo(c.first, place);
+            c.firstArm = fixture.armTo(c.first, place);
             const float far = DIAMETER + random.between(-deepest, 0.01f);
             c.kin = list.size() % 7 == 0;
-            c.secondArm = bench.armTo(c.second, place + far * random.direction());
+            c.secondArm = fixture.armTo(c.second, place + far * random.direction());
             if (list.size() % 3 == 0) c.hidden = static_cast<uint32_t>(random.between(0, 63.999f));
             if (ofPair(c).startGap < -static_cast<double>(deepest)) c.hidden = 0;
             addImpulse(c, random);
             list.push_back(c);
         }
-        bench.setPairs(std::move(list));
+        fixture.setPairs(std::move(list));
     }
     /// 777 contacts of movers with the plane and the ball.
     void makeColliderContacts()
@@ -92,23 +92,23 @@ protected:
         while (list.size() < 777) {
             TestContact c{.first = anyParticle(random), .second = static_cast<uint32_t>(list.size() % 2)};
             addMaterial(c, random, 65535);
-            const Collider& collider = bench.world.colliders[c.second];
+            const Collider& collider = fixture.world.colliders[c.second];
             const float off = DIAMETER / 2 + random.between(-0.01f, 0.01f);
             const Vector3f at = random.inCube(0.3f);
             const Vector3f onPlane = collider.orientation * Vector3f(at.x(), off, at.z());
             const Vector3f onBall = collider.position + (collider.radius + off) * random.direction();
-            c.firstArm = bench.armTo(c.first, c.second == 0 ? onPlane : onBall);
+            c.firstArm = fixture.armTo(c.first, c.second == 0 ? onPlane : onBall);
             addImpulse(c, random);
             list.push_back(c);
         }
-        bench.setColliderContacts(std::move(list));
+        fixture.setColliderContacts(std::move(list));
     }
     /// A vector without its parts along the axes of a mover that `hidden` names.
     Vector3d withoutAxes(const Vector3d& v, uint32_t mover, uint32_t hidden) const
     {
         Vector3d out = v;
         for (int axis = 0; axis < 3; ++axis) {
-            const Vector3d along = bench.rotation(mover) * Vector3d::Unit(axis);
+            const Vector3d along = fixture.rotation(mover) * Vector3d::Unit(axis);
             if (hidden >> axis & 1) out -= along * along.dot(v);
         }
         return out;
@@ -116,8 +116,8 @@ protected:
     /// What is near a face or an edge is as far as from that, by the nearer of both, and stays so.
     void flatten(Situation& s, const TestContact& c, const Vector3d& apart) const
     {
-        const Vector3d a = withoutAxes(apart, bench.moverOf[c.first], c.hidden & 7);
-        const Vector3d b = withoutAxes(apart, bench.moverOf[c.second], c.hidden >> 3);
+        const Vector3d a = withoutAxes(apart, fixture.moverOf[c.first], c.hidden & 7);
+        const Vector3d b = withoutAxes(apart, fixture.moverOf[c.second], c.hidden >> 3);
         Vector3d flat = a.norm() < b.norm() ? a : b;
         if (flat.norm() <= double(LEAST_FLAT * DIAMETER)) flat = apart;
         s.normal = flat.normalized();
@@ -126,9 +126,9 @@ protected:
     }
     Situation ofPair(const TestContact& c) const
     {
-        const Vector3d a = bench.place(c.first, c.firstArm), b = bench.place(c.second, c.secondArm);
+        const Vector3d a = fixture.place(c.first, c.firstArm), b = fixture.place(c.second, c.secondArm);
         Situation s;
-        const Vector3d first = bench.moveOfArm(c.first, c.firstArm), second = bench.moveOfArm(c.second, c.secondArm);
+        const Vector3d first = fixture.moveOfArm(c.first, c.firstArm), second = fixture.moveOfArm(c.second, c.secondArm);
         s.slide = first - second;
         const Vector3d apart = a - b + s.slide;
         s.normal = apart.normalized();
@@ -144,15 +144,15 @@ protected:
     }
     Situation ofCollider(const TestContact& c) const
     {
-        const Collider& collider = bench.world.colliders[c.second];
+        const Collider& collider = fixture.world.colliders[c.second];
         const Vector3d up = collider.orientation.cast<double>() * Vector3d::UnitY();
         const Vector3d from = collider.position.cast<double>();
         const auto distance = [&](const Vector3d& x) {
             return (c.second == 0 ? up.dot(x) : (x - from).norm() - collider.radius) - DIAMETER / 2;
         };
-        const Vector3d start = bench.place(c.first, c.firstArm);
+        const Vector3d start = fixture.place(c.first, c.firstArm);
         Situation s;
-        s.slide = bench.moveOfArm(c.first, c.firstArm);
+        s.slide = fixture.moveOfArm(c.first, c.firstArm);
         s.normal = c.second == 0 ? up : (start + s.slide - from).normalized();
         s.leaving = s.slide.dot(s.normal);
         s.gap = distance(start + s.slide);
@@ -233,25 +233,25 @@ protected:
         EXPECT_LT(edges, contacts.size() / 100);
     }
 
-    ContactBench bench;
+    ContactFixture fixture;
 };
 
 TEST_F(ContactSolve, PairsGetTheImpulseOfTheReference)
 {
     makePairs();
-    bench.run("contact/contact_solve", bench.pairs.size());
-    expectAnswers(bench.pairs, bench.pairImpulses(), bench.pairMeans(), [&](const TestContact& c) { return ofPair(c); });
+    fixture.run("contact/contact_solve", fixture.pairs.size());
+    expectAnswers(fixture.pairs, fixture.pairImpulses(), fixture.pairMeans(), [&](const TestContact& c) { return ofPair(c); });
 }
 
 TEST_F(ContactSolve, WhatHasSunkIsHeldByNoMoreThanRecoveryPushes)
 {
     makePairs(0.05f);
-    bench.run("contact/contact_solve", bench.pairs.size());
-    const auto found = bench.pairImpulses();
-    expectAnswers(bench.pairs, found, bench.pairMeans(), [&](const TestContact& c) { return ofPair(c); });
+    fixture.run("contact/contact_solve", fixture.pairs.size());
+    const auto found = fixture.pairImpulses();
+    expectAnswers(fixture.pairs, found, fixture.pairMeans(), [&](const TestContact& c) { return ofPair(c); });
     uint32_t pulling = 0;
     for (size_t q = 0; q < found.size(); ++q) {
-        const TestContact& c = bench.pairs[q];
+        const TestContact& c = fixture.pairs[q];
         const Situation s = ofPair(c);
         const double pull = -vec3(found[q]).cast<double>().dot(s.normal);
         const double size = vec3(found[q]).cast<double>().norm();
@@ -266,18 +266,18 @@ TEST_F(ContactSolve, WhatHasSunkIsHeldByNoMoreThanRecoveryPushes)
 TEST_F(ContactSolve, ContactsWithCollidersGetTheImpulseOfTheReference)
 {
     makeColliderContacts();
-    bench.run("contact/collider_solve", bench.colliderContacts.size());
-    expectAnswers(bench.colliderContacts, bench.colliderImpulses(), bench.colliderMeans(),
+    fixture.run("contact/collider_solve", fixture.colliderContacts.size());
+    expectAnswers(fixture.colliderContacts, fixture.colliderImpulses(), fixture.colliderMeans(),
                   [&](const TestContact& c) { return ofCollider(c); });
 }
 
 TEST_F(ContactSolve, ImpulsesNeverPullAndStayInTheConeOfFriction)
 {
     makePairs();
-    for (int k = 0; k < 5; ++k) bench.run("contact/contact_solve", bench.pairs.size());
-    const auto found = bench.pairImpulses();
+    for (int k = 0; k < 5; ++k) fixture.run("contact/contact_solve", fixture.pairs.size());
+    const auto found = fixture.pairImpulses();
     for (size_t q = 0; q < found.size(); ++q) {
-        const TestContact& c = bench.pairs[q];
+        const TestContact& c = fixture.pairs[q];
         const Vector3d p = vec3(found[q]).cast<double>(), n = ofPair(c).normal;
         const double normal = std::max(double(found[q].w), 0.0);
         // The normal is off by a ten thousandth of a degree (places of half a metre over a diameter).
@@ -288,16 +288,16 @@ TEST_F(ContactSolve, ImpulsesNeverPullAndStayInTheConeOfFriction)
 
 TEST_F(ContactSolve, AnOldPenetrationIsTakenBackByItsShareAndNoFasterThanTheBound)
 {
-    bench.setMoves(0, 0, SPLITS);
+    fixture.setMoves(0, 0, SPLITS);
     makePairs();
-    auto resting = bench.pairs;
+    auto resting = fixture.pairs;
     for (TestContact& c : resting) c.impulse = {0, 0, 0, ABOUT_TO_ACT};
-    bench.setPairs(resting);
-    bench.run("contact/contact_solve", resting.size());
-    const auto found = bench.pairImpulses();
+    fixture.setPairs(resting);
+    fixture.run("contact/contact_solve", resting.size());
+    const auto found = fixture.pairImpulses();
     uint32_t bounded = 0, shared = 0;
     for (size_t q = 0; q < found.size(); ++q) {
-        const Situation s = ofPair(bench.pairs[q]);
+        const Situation s = ofPair(fixture.pairs[q]);
         if (s.startGap > -1e-4) continue;
         // How far the impulse takes both sides apart.
         const double apart = found[q].w * s.inverseMass, share = -step().correction * s.startGap;

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/solver/fluid/fluid_bench.h"
+#include "tests/solver/fluid/fluid_fixture.h"
 
 namespace knuckle::test {
 
@@ -12,7 +12,7 @@ namespace {
 constexpr double ROUNDING = 2e-5;
 
 /// The share of the kernel behind a plane at z (physics.md).
-double wallShare(double z, double reach)
+double wallFraction(double z, double reach)
 {
     const double t = std::clamp(1.0 - z / reach, 0.0, 1.0);
     return 3.5 * std::pow(t, 6) - 4.5 * std::pow(t, 7) + 1.5 * std::pow(t, 8);
@@ -29,36 +29,36 @@ class FluidDensity : public testing::TestWithParam<bool> {
 protected:
     FluidDensity()
     {
-        bench.wrap(GetParam());
-        bench.findNeighbours();
-        std::vector<uint32_t> colliders(bench.count(), 0);
-        for (uint32_t i = bench.solidCount(); i < bench.count(); ++i) colliders[i] = 3;
-        fill(bench.buffers.fluid.slotColliders, bench.inSlots(colliders));
-        bench.forSlots("fluid/fluid_density");
-        pressures = bench.byParticle(bench.buffers.fluid.slotPressures.download());
-        walls = bench.byParticle(bench.buffers.fluid.slotWalls.download());
-        solids = bench.byParticle(bench.buffers.fluid.slotSolids.download());
+        fixture.wrap(GetParam());
+        fixture.findNeighbours();
+        std::vector<uint32_t> colliders(fixture.count(), 0);
+        for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) colliders[i] = 3;
+        fill(fixture.buffers.fluid.slotColliders, fixture.inSlots(colliders));
+        fixture.forSlots("fluid/fluid_density");
+        pressures = fixture.byParticle(fixture.buffers.fluid.slotPressures.download());
+        walls = fixture.byParticle(fixture.buffers.fluid.slotWalls.download());
+        solids = fixture.byParticle(fixture.buffers.fluid.slotSolids.download());
     }
-    const gpu::StepParameters& parameters() const { return bench.parameters(); }
+    const gpu::StepParameters& parameters() const { return fixture.parameters(); }
     Cover byFluid(uint32_t i) const
     {
-        Cover cover{bench.share(0.0)};
-        for (uint32_t j : bench.fluidNear(i)) {
-            const Vector3d r = bench.place(i) - bench.place(j);
-            cover.share += bench.share(r.norm());
-            cover.slope += bench.slope(r.norm()) * r.normalized();
-            cover.squares += std::pow(bench.slope(r.norm()), 2);
+        Cover cover{fixture.share(0.0)};
+        for (uint32_t j : fixture.fluidNear(i)) {
+            const Vector3d r = fixture.place(i) - fixture.place(j);
+            cover.share += fixture.share(r.norm());
+            cover.slope += fixture.slope(r.norm()) * r.normalized();
+            cover.squares += std::pow(fixture.slope(r.norm()), 2);
         }
         return cover;
     }
     /// d^2 / (2 pi r) times what a wall's share grows by at r - d / 2, nearer than d / 2 what it does there, down to
     /// nothing within the last fifth of a diameter of the lists' reach.
-    double solidShare(double r) const
+    double solidFraction(double r) const
     {
         const double d = parameters().diameter, far = std::max(r, 0.25 * d), reach = parameters().fluidReach;
         const double u = std::clamp((parameters().fluidListReach - r) / (0.2 * d), 0.0, 1.0);
         const double slope =
-            FluidBench::derivative([&](double z) { return wallShare(z, reach); }, std::max(far - 0.5 * d, 2e-6));
+            FluidFixture::derivative([&](double z) { return wallFraction(z, reach); }, std::max(far - 0.5 * d, 2e-6));
         return -parameters().solidCover * d * d / (2.0 * std::numbers::pi * far) * slope * u * u * (3.0 - 2.0 * u);
     }
     static double weight(double r, double reach) { return std::pow(std::max(1.0 - r / reach, 0.0), 2); }
@@ -69,11 +69,11 @@ protected:
         Cover cover;
         Vector3d way(0, 1e-12, 0);
         weights = 0.0;
-        for (uint32_t j : bench.near(i, false, parameters().fluidListReach)) {
-            const Vector3d r = bench.place(i) - bench.place(j);
+        for (uint32_t j : fixture.near(i, false, parameters().fluidListReach)) {
+            const Vector3d r = fixture.place(i) - fixture.place(j);
             const double far = r.norm(), w = weight(far, parameters().fluidListReach);
-            cover.share += solidShare(far);
-            const double slope = FluidBench::derivative([&](double x) { return solidShare(x); }, far);
+            cover.share += solidFraction(far);
+            const double slope = FluidFixture::derivative([&](double x) { return solidFraction(x); }, far);
             cover.slope += slope * r.normalized();
             cover.squares += slope * slope;
             // Where the share no longer grows the slope goes on.
@@ -91,15 +91,15 @@ protected:
     Cover byWalls(uint32_t i) const
     {
         const double reach = parameters().fluidReach;
-        const auto share = [&](double z) { return wallShare(z, reach); };
-        const double below = bench.place(i).y() + 0.25, beside = 0.25 - bench.place(i).x();
+        const auto share = [&](double z) { return wallFraction(z, reach); };
+        const double below = fixture.place(i).y() + 0.25, beside = 0.25 - fixture.place(i).x();
         const double a = share(below), b = share(beside);
         return {a + b - a * b, 0.0,
-                Vector3d(-(1.0 - a) * FluidBench::derivative(share, beside),
-                         (1.0 - b) * FluidBench::derivative(share, below), 0.0)};
+                Vector3d(-(1.0 - a) * FluidFixture::derivative(share, beside),
+                         (1.0 - b) * FluidFixture::derivative(share, below), 0.0)};
     }
 
-    FluidBench bench;
+    FluidFixture fixture;
     std::vector<gpu::vec4> pressures, walls, solids;
     mutable bool usual = true;
 };
@@ -108,7 +108,7 @@ TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
 {
     const double epsilon = parameters().fluidSoftness;
     uint32_t pressed = 0, free = 0, besideSolids = 0, besideWalls = 0;
-    for (uint32_t i = bench.solidCount(); i < bench.count(); ++i) {
+    for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
         SCOPED_TRACE(i);
         double weights = 0.0;
         usual = true;
@@ -126,8 +126,8 @@ TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
         const double tooMuch = std::clamp(share - 1.0, 0.0, double(MOST_FLUID_ERROR));
         const Vector3d all = fluid.slope + wall.slope + solid.slope;
         const double under = all.squaredNorm() + fluid.squares + solid.squares + epsilon;
-        const double lambda = -FLUID_RELAXATION * tooMuch / under * bench.mass(i);
-        ASSERT_NEAR(pressures[i].w, lambda, 1e-3 * std::abs(lambda) + ROUNDING / under * bench.mass(i));
+        const double lambda = -FLUID_RELAXATION * tooMuch / under * fixture.mass(i);
+        ASSERT_NEAR(pressures[i].w, lambda, 1e-3 * std::abs(lambda) + ROUNDING / under * fixture.mass(i));
         ++(tooMuch > 0.0 ? pressed : free);
     }
     for (uint32_t number : {pressed, free, besideSolids, besideWalls}) EXPECT_GT(number, 50u);
@@ -135,33 +135,33 @@ TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
 
 TEST_P(FluidDensity, SolidParticlesHaveNoPressure)
 {
-    for (uint32_t i = 0; i < bench.solidCount(); ++i) ASSERT_EQ(pressures[i].w, 0.0f) << i;
+    for (uint32_t i = 0; i < fixture.solidCount(); ++i) ASSERT_EQ(pressures[i].w, 0.0f) << i;
 }
 
 TEST_P(FluidDensity, SolidsAreGivenWhatTheyGive)
 {
-    // fluid_push moves a fluid particle by lambda times solids' slope; fluid_react gives that back by weights.
-    fill(bench.buffers.particleImpulses, std::vector<gpu::vec4>(bench.count()));
-    bench.forParticles("fluid/fluid_react");
-    const auto impulses = bench.buffers.particleImpulses.download();
-    const auto places = bench.buffers.particlePlaces.download();
-    std::vector<Vector3d> wanted(bench.solidCount(), Vector3d::Zero());
+    // fluid_pressure moves a fluid particle by lambda times solids' slope; fluid_solid_coupling gives that back by weights.
+    fill(fixture.buffers.particleImpulses, std::vector<gpu::vec4>(fixture.count()));
+    fixture.forParticles("fluid/fluid_solid_coupling");
+    const auto impulses = fixture.buffers.particleImpulses.download();
+    const auto places = fixture.buffers.particleRanks.download();
+    std::vector<Vector3d> wanted(fixture.solidCount(), Vector3d::Zero());
     Vector3d given = Vector3d::Zero(), got = Vector3d::Zero();
     double size = 0.0;
-    for (uint32_t i = bench.solidCount(); i < bench.count(); ++i) {
+    for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
         const Vector3d impulse = double(pressures[i].w) * vec3(solids[i]).cast<double>();
         given += impulse;
         size += impulse.norm();
-        for (uint32_t j : bench.near(i, false, parameters().fluidListReach))
-            wanted[j] -= weight((bench.place(i) - bench.place(j)).norm(), parameters().fluidListReach) *
+        for (uint32_t j : fixture.near(i, false, parameters().fluidListReach))
+            wanted[j] -= weight((fixture.place(i) - fixture.place(j)).norm(), parameters().fluidListReach) *
                          double(solids[i].w) * impulse;
     }
     uint32_t pushed = 0;
-    for (uint32_t j = 0; j < bench.solidCount(); ++j) {
+    for (uint32_t j = 0; j < fixture.solidCount(); ++j) {
         const Vector3d found = vec3(impulses[places[j].y]).cast<double>();
         got += found;
         pushed += found.norm() > 0.0;
-        ASSERT_LT((found - wanted[j]).norm(), ROUNDING * (wanted[j].norm() + size / bench.solidCount())) << j;
+        ASSERT_LT((found - wanted[j]).norm(), ROUNDING * (wanted[j].norm() + size / fixture.solidCount())) << j;
     }
     EXPECT_GT(pushed, 50u);
     EXPECT_LT((given + got).norm(), ROUNDING * size);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/solver/body/mover_bench.h"
+#include "tests/solver/body/mover_fixture.h"
 
 namespace knuckle::test {
 
@@ -12,24 +12,24 @@ class JointSolve : public testing::Test {
 protected:
     JointSolve()
     {
-        SolverBuffers& b = bench.buffers;
+        SolverBuffers& b = fixture.buffers;
         // Bodies of a joint start together, so that what is between their goals is small against the places.
-        for (uint32_t m = 0; m < bench.moverCount(); ++m) {
-            bench.centres[m] = bench.isBody(m) ? packed(bench.world.bodies[m].position) : bench.centres[m];
-            bench.rotations[m] = bench.isBody(m) ? packed(bench.world.bodies[m].rotation) : bench.rotations[m];
+        for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
+            fixture.centres[m] = fixture.isBody(m) ? packed(fixture.world.bodies[m].position) : fixture.centres[m];
+            fixture.rotations[m] = fixture.isBody(m) ? packed(fixture.world.bodies[m].rotation) : fixture.rotations[m];
         }
-        fill(b.moverCentres, bench.centres);
-        fill(b.moverRotations, bench.rotations);
-        bench.setMoves(0.01f, 0.05f, 0.0f);
+        fill(b.moverCentres, fixture.centres);
+        fill(b.moverRotations, fixture.rotations);
+        fixture.setMoves(0.01f, 0.05f, 0.0f);
         Random random(121);
         std::vector<gpu::vec4> changes(b.moverChanges.size());
-        for (uint32_t m = 0; m < bench.moverCount(); ++m) {
+        for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
             relaxations.push_back(random.between(1, MOST_RELAXATION));
-            splits.push_back(bench.isFixed(m) ? 0.0f : 1 + std::floor(random.between(0, 9)));
-            bench.moves[m].w = splits[m] / relaxations[m];
-            changes[bench.fieldStart(m)].w = relaxations[m];
+            splits.push_back(fixture.isFixed(m) ? 0.0f : 1 + std::floor(random.between(0, 9)));
+            fixture.moves[m].w = splits[m] / relaxations[m];
+            changes[fixture.fieldStart(m)].w = relaxations[m];
         }
-        fill(b.moverMoves, bench.moves);
+        fill(b.moverMoves, fixture.moves);
         fill(b.moverChanges, changes);
         links = b.links.download();
         masses = b.linkMasses.download();
@@ -49,23 +49,23 @@ protected:
             if (links[l].particleIndex != particle) continue;
             const uint32_t m = links[l].rbIndex;
             const Vector3d r(links[l].posInRigidBodyX, links[l].posInRigidBodyY, links[l].posInRigidBodyZ);
-            const Vector3d goal = bench.centre(m) + bench.arm(m, r) + bench.moveOf(m, r);
+            const Vector3d goal = fixture.centre(m) + fixture.arm(m, r) + fixture.moveOf(m, r);
             owners.push_back({l, goal, double(masses[l]) * splits[m]});
         }
         return owners;
     }
     std::vector<gpu::vec4> solve(const Defines& defines)
     {
-        const gpu::StepParameters& p = bench.buffers.parameters;
-        bench.run("joint/joint_solve", p.sharedByTwo, defines);
-        bench.run("joint/joint_solve_many", p.sharedCount - p.sharedByTwo, defines);
-        return bench.buffers.linkImpulses.download();
+        const gpu::StepParameters& p = fixture.buffers.parameters;
+        fixture.run("joint/joint_solve", p.sharedByTwo, defines);
+        fixture.run("joint/joint_solve_many", p.sharedCount - p.sharedByTwo, defines);
+        return fixture.buffers.linkImpulses.download();
     }
     /// Each body is drawn to the mean of the goals: by n (mean - goal), over the inverse masses together.
     void expectImpulses(const std::vector<gpu::vec4>& before, const std::vector<gpu::vec4>& after) const
     {
         std::vector<uint32_t> jointsOf(4);
-        for (uint32_t i = 0; i < bench.world.particles.size(); ++i) {
+        for (uint32_t i = 0; i < fixture.world.particles.size(); ++i) {
             const auto owners = ownersOf(i);
             Vector3d sum = Vector3d::Zero();
             double inverseMass = 0.0;
@@ -73,7 +73,7 @@ protected:
             for (const Owner& o : owners) inverseMass += o.inverseMass;
             const auto n = static_cast<double>(owners.size());
             for (const Owner& o : owners) {
-                const double relaxation = bench.buffers.parameters.jointRelaxation;
+                const double relaxation = fixture.buffers.parameters.jointRelaxation;
                 const Vector3d p = owners.size() > 1 ? Vector3d(relaxation * (sum - n * o.goal) / inverseMass)
                                                      : Vector3d::Zero();
                 const Vector3f start = vec3(owners.size() > 1 ? before[o.link] : old[o.link]);
@@ -88,7 +88,7 @@ protected:
         EXPECT_EQ(jointsOf[3], 1u) << "the middle of the universal joint";
     }
 
-    MoverBench bench;
+    MoverFixture fixture;
     std::vector<gpu::ParticleRigidBodyLink> links;
     std::vector<float> masses, relaxations, splits;   ///< Per link, mover, mover.
     std::vector<gpu::vec4> old;
@@ -96,7 +96,7 @@ protected:
 
 TEST_F(JointSolve, TheFirstOfASubstepSetsTheImpulsesOfJoints)
 {
-    expectImpulses(std::vector<gpu::vec4>(old.size()), solve({{"FIRST", "1"}}));
+    expectImpulses(std::vector<gpu::vec4>(old.size()), solve({{"FIRST_ITERATION", "1"}}));
 }
 
 TEST_F(JointSolve, LaterOnesAddToThem)
@@ -107,11 +107,11 @@ TEST_F(JointSolve, LaterOnesAddToThem)
 TEST_F(JointSolve, ImpulsesOfASharedParticleSumToZero)
 {
     // Of two bodies to the last bit, also after more of them.
-    solve({{"FIRST", "1"}});
+    solve({{"FIRST_ITERATION", "1"}});
     solve({});
     const auto found = solve({});
     uint32_t pairs = 0, triples = 0;
-    for (uint32_t i = 0; i < bench.world.particles.size(); ++i) {
+    for (uint32_t i = 0; i < fixture.world.particles.size(); ++i) {
         const auto owners = ownersOf(i);
         if (owners.size() < 2) continue;
         Vector3f sum = Vector3f::Zero();
@@ -129,11 +129,11 @@ TEST_F(JointSolve, ImpulsesOfASharedParticleSumToZero)
 
 TEST_F(JointSolve, AnImpulseMovesTheGoalsOfTwoBodiesTogether)
 {
-    bench.buffers.parameters.jointRelaxation = 1.0f;
-    bench.setParameters();
-    const auto found = solve({{"FIRST", "1"}});
+    fixture.buffers.parameters.jointRelaxation = 1.0f;
+    fixture.setParameters();
+    const auto found = solve({{"FIRST_ITERATION", "1"}});
     uint32_t held = 0;
-    for (uint32_t i = 0; i < bench.world.particles.size(); ++i) {
+    for (uint32_t i = 0; i < fixture.world.particles.size(); ++i) {
         const auto owners = ownersOf(i);
         if (owners.size() != 2) continue;
         const auto moved = [&](const Owner& o) {
@@ -149,10 +149,10 @@ TEST_F(JointSolve, AnImpulseMovesTheGoalsOfTwoBodiesTogether)
 
 TEST_F(JointSolve, BodiesThatCannotMoveOweEachOtherNothing)
 {
-    bench.buffers.linkMasses.clear();
-    const auto found = solve({{"FIRST", "1"}});
+    fixture.buffers.linkMasses.clear();
+    const auto found = solve({{"FIRST_ITERATION", "1"}});
     for (size_t l = 0; l < links.size(); ++l) {
-        const bool shared = bench.world.particles[links[l].particleIndex].bodyCount > 1;
+        const bool shared = fixture.world.particles[links[l].particleIndex].bodyCount > 1;
         EXPECT_EQ(vec3(found[l]), shared ? Vector3f(0, 0, 0) : vec3(old[l])) << "link " << l;
     }
 }

@@ -17,28 +17,28 @@ struct BodySums {
 /// Random moves on top of random places, which the paper's solver leaves off their goals.
 class BodySum : public testing::Test {
 protected:
-    BodySum() : bench(mixedWorld())
+    BodySum() : fixture(mixedWorld())
     {
-        SolverBuffers& b = bench.buffers;
+        SolverBuffers& b = fixture.buffers;
         Random random(21);
         fill(b.moved, randomVectors(b.moved.size(), 0.02f, 22));
         fill(b.moverMoves, randomVectors(b.moverMoves.size(), 0.02f, 25));
         fill(b.positions, randomVectors(b.positions.size(), 0.3f, 26));
         fill(b.linkPulls, randomVectors(b.linkPulls.size(), 0.1f, 27));
         std::vector<gpu::vec4> starts;
-        for (size_t k = 0; k < bench.world.bodies.size(); ++k) {
+        for (size_t k = 0; k < fixture.world.bodies.size(); ++k) {
             starts.push_back(packed(random.inCube(0.4f)));
             starts.push_back(packed(random.rotation()));
         }
         fill(b.bodyStarts, starts);
-        for (uint32_t k = 0; k < bench.world.bodies.size(); ++k) expected.push_back(reference(k));
+        for (uint32_t k = 0; k < fixture.world.bodies.size(); ++k) expected.push_back(reference(k));
     }
 
     /// Eq. 9 about the centre before the substep, and the mean of the particles' moves. Shared ones are pulled, and move
     /// from where the body had them.
     BodySums reference(uint32_t body)
     {
-        SolverBuffers& b = bench.buffers;
+        SolverBuffers& b = fixture.buffers;
         const auto links = b.links.download();
         const auto pulls = b.linkPulls.download();
         const auto moved = b.moved.download(), starts = b.bodyStarts.download(), positions = b.positions.download();
@@ -53,7 +53,7 @@ protected:
             if (link.rbIndex != body) continue;
             const uint32_t i = link.particleIndex;
             const Vector3d r(link.posInRigidBodyX, link.posInRigidBodyY, link.posInRigidBodyZ);
-            const bool shared = bench.world.particles[i].bodyCount > 1;
+            const bool shared = fixture.world.particles[i].bodyCount > 1;
             const Vector3d place = vec3(positions[i]).cast<double>();
             Vector3d move = vec3(moved[i]).cast<double>();
             if (shared) move += vec3(pulls[l]).cast<double>();
@@ -76,8 +76,8 @@ protected:
     void expectSums()
     {
         gpu().checkErrors();
-        const auto moves = bench.buffers.moverMoves.download();
-        const auto matrices = bench.buffers.bodyMatrices.download();
+        const auto moves = fixture.buffers.moverMoves.download();
+        const auto matrices = fixture.buffers.bodyMatrices.download();
         for (uint32_t b = 0; b < expected.size(); ++b) {
             SCOPED_TRACE("body " + std::to_string(b));
             EXPECT_LT((vec3(moves[b]).cast<double>() - expected[b].move).norm(), expected[b].moveTolerance);
@@ -88,15 +88,15 @@ protected:
     }
     void reduce(const Defines& defines)
     {
-        const Kernel terms = bench.load("paper/link_terms", defines), step = bench.load("paper/link_reduce", defines),
-                     collect = bench.load("paper/body_collect", defines);
-        const uint32_t links = groupsFor(bench.buffers.parameters.linkCount);
-        bench.dispatch(terms, links);
-        for (const ReductionStep& s : bench.buffers.reductionSteps) {
+        const Kernel terms = fixture.load("paper/link_terms", defines), step = fixture.load("paper/link_reduce", defines),
+                     collect = fixture.load("paper/body_collect", defines);
+        const uint32_t links = groupsFor(fixture.buffers.parameters.linkCount);
+        fixture.dispatch(terms, links);
+        for (const ReductionStep& s : fixture.buffers.reductionSteps) {
             glProgramUniform3ui(step.program(), 0, s.begin, s.end, s.stride);
-            bench.dispatch(step, groupsFor(s.end - s.begin));
+            fixture.dispatch(step, groupsFor(s.end - s.begin));
         }
-        bench.dispatch(collect, groupsFor(bench.buffers.parameters.bodyCount));
+        fixture.dispatch(collect, groupsFor(fixture.buffers.parameters.bodyCount));
     }
     void reduceInSteps()
     {
@@ -104,19 +104,19 @@ protected:
         reduce({});
     }
 
-    Bench bench;
+    KernelFixture fixture;
     std::vector<BodySums> expected;   ///< Of what the buffers held at first: the kernels overwrite moverMoves.
 };
 
 TEST_F(BodySum, OneThreadABodySumsItsLinks)
 {
-    bench.forBodies("paper/body_sum");
+    fixture.forBodies("paper/body_sum");
     expectSums();
 }
 
 TEST_F(BodySum, OneGroupABodySumsItsLinks)
 {
-    bench.dispatch(bench.load("paper/body_sum_group"), bench.buffers.parameters.bodyCount);
+    fixture.dispatch(fixture.load("paper/body_sum_group"), fixture.buffers.parameters.bodyCount);
     expectSums();
 }
 
@@ -129,7 +129,7 @@ TEST_F(BodySum, ThePapersStepsSumTheLinksOfEachBody)
 TEST_F(BodySum, SomeBodiesAreLongerThanAGroupAndNoPowerOfTwo)
 {
     uint32_t longest = 0;
-    for (const Body& body : bench.world.bodies) longest = std::max(longest, body.linkCount);
+    for (const Body& body : fixture.world.bodies) longest = std::max(longest, body.linkCount);
     EXPECT_EQ(longest, 81u);
     EXPECT_GT(longest, 2u * BODY_GROUP_SIZE);
     EXPECT_FALSE(std::has_single_bit(longest));

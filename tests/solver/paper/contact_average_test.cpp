@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/solver/contact/contact_bench.h"
+#include "tests/solver/contact/contact_fixture.h"
 #include "shared/paper_constants.h"
 
 namespace knuckle::test {
@@ -32,24 +32,24 @@ protected:
     ContactAverage()
     {
         Random random(301);
-        const size_t count = bench.world.particles.size();
-        gpu::StepParameters& p = bench.buffers.parameters;
+        const size_t count = fixture.world.particles.size();
+        gpu::StepParameters& p = fixture.buffers.parameters;
         p.overRelaxation = 1.7f;
         p.maxCorrection = 0.01f;
         p.stabilization = 0.004f;
         p.deepOverlap = 0.04f;
         p.deepRecovery = 0.001f;
-        bench.setParameters();
+        fixture.setParameters();
         starts = randomVectors(count, 0.2f, 302);
         moves = randomVectors(count, 0.02f, 303);
         for (uint32_t i = 0; i < count; ++i) moves[i].w = isFixed(i) ? 0.0f : random.between(0.2f, 5.0f);
-        fill(bench.buffers.positions, starts);
-        fill(bench.buffers.predicted, moves);
+        fill(fixture.buffers.positions, starts);
+        fill(fixture.buffers.predicted, moves);
         makeContacts(random, static_cast<float>(count));
-        restOffsets = bench.buffers.restOffsets.download();
-        for (size_t b = 0; b < bench.world.bodies.size(); ++b)
-            acting.push_back({0, static_cast<uint32_t>(random.between(0.0f, 2.0f) * SHARE_PARTS)});
-        bench.buffers.bodyActing.upload(std::span<const gpu::uvec2>(acting));
+        restOffsets = fixture.buffers.restOffsets.download();
+        for (size_t b = 0; b < fixture.world.bodies.size(); ++b)
+            acting.push_back({0, static_cast<uint32_t>(random.between(0.0f, 2.0f) * FRACTION_PARTS)});
+        fixture.buffers.bodyActing.upload(std::span<const gpu::uvec2>(acting));
     }
     void makeContacts(Random& random, float count)
     {
@@ -63,7 +63,7 @@ protected:
             TestContact c{.first = any(), .second = any()};
             frictions(c);
             c.kin = pairs.size() % 2 == 0;
-            if (bench.moverOf[c.first] != bench.moverOf[c.second]) pairs.push_back(c);
+            if (fixture.moverOf[c.first] != fixture.moverOf[c.second]) pairs.push_back(c);
         }
         while (planes.size() < 700) {
             TestContact c{.first = any(), .second = planes.size() % 2 == 0 ? 0u : 1u};
@@ -71,34 +71,34 @@ protected:
             planes.push_back(c);
         }
         setPairs(pairs);
-        bench.setColliderContacts(planes);
+        fixture.setColliderContacts(planes);
     }
     void setPairs(const std::vector<TestContact>& pairs)
     {
-        bench.setPairs(pairs);
+        fixture.setPairs(pairs);
         std::vector<gpu::uvec2> listed;
-        for (const TestContact& c : bench.pairs) listed.push_back({c.first, c.second});
-        bench.buffers.pairs.write(listed.data(), listed.size() * sizeof(gpu::uvec2),
-                                  PARITY * bench.buffers.parameters.pairCapacity * sizeof(gpu::uvec2));
+        for (const TestContact& c : fixture.pairs) listed.push_back({c.first, c.second});
+        fixture.buffers.pairs.write(listed.data(), listed.size() * sizeof(gpu::uvec2),
+                                  PARITY * fixture.buffers.parameters.pairCapacity * sizeof(gpu::uvec2));
     }
     bool stabilize() const { return GetParam() == Pass::Stabilize; }
     /// What part of a particle's move its body follows with there: its mass over the effective mass of the body.
-    double share(uint32_t i) const { return double(restOffsets[i].w) * double(bench.world.particles[i].mass); }
+    double share(uint32_t i) const { return double(restOffsets[i].w) * double(fixture.world.particles[i].mass); }
     /// As much as the body takes without answering by more than what is asked, at most 1.7 times but to stabilize.
     double relaxation(uint32_t i) const
     {
-        const Particle& p = bench.world.particles[i];
+        const Particle& p = fixture.world.particles[i];
         if (p.body == NO_INDEX || inverseMass(i) == 0.0) return 1.0;
-        const double pushed = double(acting[p.body].y) / double(SHARE_PARTS);
-        const double most = std::min(1.0 / share(i), double(SHARES_AT_ONCE) / std::max(pushed, 1e-9));
+        const double pushed = double(acting[p.body].y) / double(FRACTION_PARTS);
+        const double most = std::min(1.0 / share(i), double(MOST_FRACTION_SUM) / std::max(pushed, 1e-9));
         return stabilize() ? most : std::min(most, 1.7);
     }
     Vector3d start(uint32_t i) const { return vec3(starts[i]).cast<double>(); }
     Vector3d move(uint32_t i) const { return vec3(moves[i]).cast<double>(); }
     bool isFixed(uint32_t i) const
     {
-        const uint32_t body = bench.world.particles[i].body;
-        return body != NO_INDEX && bench.world.bodies[body].motion == Motion::Fixed;
+        const uint32_t body = fixture.world.particles[i].body;
+        return body != NO_INDEX && fixture.world.bodies[body].motion == Motion::Fixed;
     }
     /// As predict has it for contacts, scaled.
     double inverseMass(uint32_t i) const { return double(moves[i].w); }
@@ -110,7 +110,7 @@ protected:
     /// Eqs. 5-7 with friction (Macklin et al. 2014, eq. 24) and the bounds on old overlaps.
     Wanted push(const Vector3d& normal, double gap, double startGap, const Vector3d& slide, const TestContact& c) const
     {
-        const gpu::StepParameters& p = bench.buffers.parameters;
+        const gpu::StepParameters& p = fixture.buffers.parameters;
         const double old = std::max(-startGap, 0.0);
         const bool deep = old > double(p.deepOverlap);
         const double kept = deep ? old : std::max(old - double(p.maxCorrection), 0.0);
@@ -133,13 +133,13 @@ protected:
     }
     void runPass()
     {
-        bench.forParticles("paper/contact_average", stabilize() ? Defines{{"STABILIZE", "1"}} : Defines{});
+        fixture.forParticles("paper/contact_average", stabilize() ? Defines{{"STABILIZE", "1"}} : Defines{});
         gpu().checkErrors();
     }
     std::vector<Wanted> wanted() const
     {
         std::vector<Wanted> sums(starts.size());
-        for (const TestContact& c : bench.pairs) {
+        for (const TestContact& c : fixture.pairs) {
             const Vector3d apart = start(c.first) - start(c.second), slide = move(c.first) - move(c.second);
             const Vector3d now = apart + slide;
             const Wanted one = push(now.normalized(), now.norm() - double(DIAMETER), apart.norm() - double(DIAMETER),
@@ -147,8 +147,8 @@ protected:
             sums[c.first].add(one, sideShare(c.first, c.second));
             sums[c.second].add(one, -sideShare(c.second, c.first));
         }
-        for (const TestContact& c : bench.colliderContacts) {
-            const Collider& collider = bench.world.colliders[c.second];
+        for (const TestContact& c : fixture.colliderContacts) {
+            const Collider& collider = fixture.world.colliders[c.second];
             const auto distance = [&](const Vector3d& place) {
                 const Vector3d p = place - collider.position.cast<double>();
                 const Vector3d up = collider.orientation.cast<double>() * Vector3d::UnitY();
@@ -165,7 +165,7 @@ protected:
         return sums;
     }
 
-    ContactBench bench;
+    ContactFixture fixture;
     std::vector<gpu::vec4> starts, moves, restOffsets;
     std::vector<gpu::uvec2> acting;
 };
@@ -173,7 +173,7 @@ protected:
 TEST_P(ContactAverage, EachParticleMovesByTheMeanOfWhatItsContactsAsk)
 {
     runPass();
-    const auto found = bench.buffers.moved.download();
+    const auto found = fixture.buffers.moved.download();
     const auto sums = wanted();
     uint32_t pushed = 0, averaged = 0, unsure = 0;
     for (uint32_t i = 0; i < found.size(); ++i) {
@@ -195,21 +195,21 @@ TEST_P(ContactAverage, EachParticleMovesByTheMeanOfWhatItsContactsAsk)
 
 TEST_P(ContactAverage, ABodyKnowsHowMuchOfItIsPushed)
 {
-    bench.setColliderContacts({});
+    fixture.setColliderContacts({});
     runPass();
-    const auto found = bench.buffers.bodyActing.download();
+    const auto found = fixture.buffers.bodyActing.download();
     const auto sums = wanted();
     std::vector<double> pushed(found.size()), unsure(found.size());
     for (uint32_t i = 0; i < sums.size(); ++i) {
-        const Particle& p = bench.world.particles[i];
+        const Particle& p = fixture.world.particles[i];
         if (p.body == NO_INDEX || inverseMass(i) == 0.0) continue;
         if (sums[i].acting > 0.0) pushed[p.body] += share(i);
         // An integer less at most, for each.
-        unsure[p.body] += sums[i].sure ? 2.0 / double(SHARE_PARTS) : share(i);
+        unsure[p.body] += sums[i].sure ? 2.0 / double(FRACTION_PARTS) : share(i);
     }
     double most = 0.0;
     for (size_t b = 0; b < found.size(); ++b) {
-        EXPECT_NEAR(double(found[b].x) / double(SHARE_PARTS), pushed[b], unsure[b] + 1e-5) << "body " << b;
+        EXPECT_NEAR(double(found[b].x) / double(FRACTION_PARTS), pushed[b], unsure[b] + 1e-5) << "body " << b;
         EXPECT_EQ(found[b].y, acting[b].y) << "body " << b;
         most = std::max(most, pushed[b]);
     }

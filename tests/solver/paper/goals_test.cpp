@@ -9,11 +9,11 @@ namespace {
 /// Bodies moved and turned at random since the substep began.
 class Goals : public testing::Test {
 protected:
-    Goals() : bench(mixedWorld())
+    Goals() : fixture(mixedWorld())
     {
-        SolverBuffers& b = bench.buffers;
+        SolverBuffers& b = fixture.buffers;
         Random random(71);
-        const size_t bodies = bench.world.bodies.size();
+        const size_t bodies = fixture.world.bodies.size();
         for (size_t k = 0; k < bodies; ++k) {
             starts.push_back(packed(random.inCube(0.4f)));
             starts.push_back(packed(random.rotation()));
@@ -23,7 +23,7 @@ protected:
             moves.push_back(packed(random.inCube(0.02f)));
         }
         fill(b.bodyStarts, starts);
-        fill(b.moverTurns, turns);
+        fill(b.moverRotationDeltas, turns);
         fill(b.moverMoves, moves);
         moved = randomVectors(b.moved.size(), 0.02f, 72);
         fill(b.moved, moved);
@@ -40,42 +40,42 @@ protected:
     std::vector<Vector3d> wantedMoves() const
     {
         std::vector<Vector3d> wanted(moved.size(), Vector3d::Zero());
-        for (const Link& link : bench.world.links)
-            wanted[link.particle] += goalMove(link) / bench.world.particles[link.particle].bodyCount;
+        for (const Link& link : fixture.world.links)
+            wanted[link.particle] += goalMove(link) / fixture.world.particles[link.particle].bodyCount;
         for (size_t i = 0; i < wanted.size(); ++i) {
-            const Particle& p = bench.world.particles[i];
-            const bool fixed = p.body != NO_INDEX && bench.world.bodies[p.body].motion == Motion::Fixed;
+            const Particle& p = fixture.world.particles[i];
+            const bool fixed = p.body != NO_INDEX && fixture.world.bodies[p.body].motion == Motion::Fixed;
             if (fixed || p.bodyCount == 0) wanted[i] = vec3(moved[i]).cast<double>();
         }
         return wanted;
     }
 
-    Bench bench;
+    KernelFixture fixture;
     std::vector<gpu::vec4> starts, turns, moves, moved;
 };
 
 TEST_F(Goals, ParticlesGoToTheMeanOfTheirBodiesGoals)
 {
-    bench.forParticles("paper/shape_goals");
-    bench.run("paper/joint_goals", bench.buffers.parameters.sharedCount);
-    const auto found = bench.buffers.predicted.download();
+    fixture.forParticles("paper/shape_goals");
+    fixture.run("paper/joint_goals", fixture.buffers.parameters.sharedCount);
+    const auto found = fixture.buffers.predicted.download();
     const auto wanted = wantedMoves();
     uint32_t shared = 0;
     for (size_t i = 0; i < found.size(); ++i) {
         // Turns of arms of half a metre, rounded some eight times.
         ASSERT_LT((vec3(found[i]).cast<double>() - wanted[i]).norm(), 2.5e-7) << "particle " << i;
-        shared += bench.world.particles[i].bodyCount > 1;
+        shared += fixture.world.particles[i].bodyCount > 1;
     }
-    EXPECT_EQ(bench.buffers.parameters.sharedCount, shared);
+    EXPECT_EQ(fixture.buffers.parameters.sharedCount, shared);
     EXPECT_EQ(shared, 1u + 3u + 4u + 5u + 1u + 3u);
 }
 
 TEST_F(Goals, StabilizationStartsParticlesFromTheMean)
 {
-    const auto before = bench.buffers.positions.download();
-    bench.forParticles("paper/shape_goals", {{"STABILIZE", "1"}});
-    bench.run("paper/joint_goals", bench.buffers.parameters.sharedCount, {{"STABILIZE", "1"}});
-    const auto found = bench.buffers.positions.download();
+    const auto before = fixture.buffers.positions.download();
+    fixture.forParticles("paper/shape_goals", {{"STABILIZE", "1"}});
+    fixture.run("paper/joint_goals", fixture.buffers.parameters.sharedCount, {{"STABILIZE", "1"}});
+    const auto found = fixture.buffers.positions.download();
     const auto wanted = wantedMoves();
     for (size_t i = 0; i < found.size(); ++i)
         // As above, added to places of half a metre: 3e-8 more.
@@ -85,19 +85,19 @@ TEST_F(Goals, StabilizationStartsParticlesFromTheMean)
 TEST_F(Goals, SharedParticlesStandBeyondTheMeanByTheirGain)
 {
     for (const float bound : {1e9f, 0.05f}) {
-        bench.buffers.parameters.jointCorrection = bound;
-        bench.setParameters();
-        bench.forParticles("paper/shape_goals");
-        bench.run("paper/joint_goals", bench.buffers.parameters.sharedCount);
-        const auto pulls = bench.buffers.linkPulls.download();
-        const auto gains = bench.buffers.linkGains.download();
-        const auto links = bench.buffers.links.download();
-        const auto positions = bench.buffers.positions.download();
+        fixture.buffers.parameters.jointCorrection = bound;
+        fixture.setParameters();
+        fixture.forParticles("paper/shape_goals");
+        fixture.run("paper/joint_goals", fixture.buffers.parameters.sharedCount);
+        const auto pulls = fixture.buffers.linkPulls.download();
+        const auto gains = fixture.buffers.linkGains.download();
+        const auto links = fixture.buffers.links.download();
+        const auto positions = fixture.buffers.positions.download();
         const auto wanted = wantedMoves();
         uint32_t shared = 0, bounded = 0;
-        for (size_t l = 0; l < bench.world.links.size(); ++l) {
+        for (size_t l = 0; l < fixture.world.links.size(); ++l) {
             const uint32_t i = links[l].particleIndex, b = links[l].rbIndex;
-            if (bench.world.particles[i].bodyCount < 2) {
+            if (fixture.world.particles[i].bodyCount < 2) {
                 EXPECT_EQ(gains[l], 0.0f);
                 continue;
             }
@@ -118,13 +118,13 @@ TEST_F(Goals, SharedParticlesStandBeyondTheMeanByTheirGain)
 
 TEST_F(Goals, BodiesThatShareAParticleAreDrawnWithOneMass)
 {
-    const auto gains = bench.buffers.linkGains.download();
-    const auto links = bench.buffers.links.download();
-    std::vector<float> mass(bench.world.particles.size(), 0.0f);
-    for (size_t l = 0; l < bench.world.links.size(); ++l) {
+    const auto gains = fixture.buffers.linkGains.download();
+    const auto links = fixture.buffers.links.download();
+    std::vector<float> mass(fixture.world.particles.size(), 0.0f);
+    for (size_t l = 0; l < fixture.world.links.size(); ++l) {
         const uint32_t i = links[l].particleIndex;
-        const Particle& p = bench.world.particles[i];
-        if (p.bodyCount < 2 || bench.world.bodies[p.body].motion == Motion::Fixed) continue;
+        const Particle& p = fixture.world.particles[i];
+        if (p.bodyCount < 2 || fixture.world.bodies[p.body].motion == Motion::Fixed) continue;
         const float drawn = (1.0f + gains[l]) * links[l].mass;
         EXPECT_GT(drawn, 0.0f);
         if (mass[i] > 0.0f) { EXPECT_NEAR(drawn / mass[i], 1.0f, 1e-5f) << "particle " << i; }
@@ -134,10 +134,10 @@ TEST_F(Goals, BodiesThatShareAParticleAreDrawnWithOneMass)
 
 TEST(LinkArray, IsThePapersListing1WithSharedParticlesLastInEachBlock)
 {
-    Bench bench(mixedWorld());
-    const World& world = bench.world;
-    const auto links = bench.buffers.links.download();
-    const auto infos = bench.buffers.bodyInfo.download();
+    KernelFixture fixture(mixedWorld());
+    const World& world = fixture.world;
+    const auto links = fixture.buffers.links.download();
+    const auto infos = fixture.buffers.bodyInfo.download();
     ASSERT_EQ(links.size(), world.links.size());
     for (uint32_t b = 0; b < world.bodies.size(); ++b) {
         const Body& body = world.bodies[b];
@@ -162,13 +162,13 @@ TEST(LinkArray, IsThePapersListing1WithSharedParticlesLastInEachBlock)
 
 TEST(LinkArray, ItsInverseNamesEachParticlesLinks)
 {
-    Bench bench(mixedWorld());
-    const auto links = bench.buffers.links.download();
-    const auto ranges = bench.buffers.particleLinks.download();
-    const auto inverse = bench.buffers.linksOfParticle.download();
+    KernelFixture fixture(mixedWorld());
+    const auto links = fixture.buffers.links.download();
+    const auto ranges = fixture.buffers.particleLinks.download();
+    const auto inverse = fixture.buffers.linksOfParticle.download();
     uint32_t total = 0;
     for (uint32_t i = 0; i < ranges.size(); ++i) {
-        EXPECT_EQ(ranges[i].y, bench.world.particles[i].bodyCount);
+        EXPECT_EQ(ranges[i].y, fixture.world.particles[i].bodyCount);
         for (uint32_t k = ranges[i].x; k < ranges[i].x + ranges[i].y; ++k) {
             EXPECT_EQ(links[inverse[k].x].particleIndex, i);
             EXPECT_EQ(links[inverse[k].x].rbIndex, inverse[k].y);

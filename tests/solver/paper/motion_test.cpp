@@ -14,10 +14,10 @@ constexpr float ROUNDING = 2e-8f;
 /// The paper's predict and finish on random states of particles of every kind, in the tenth substep of a run.
 class Moves : public testing::Test {
 protected:
-    explicit Moves(const Settings& settings = {}) : bench(mixedWorld(settings))
+    explicit Moves(const Settings& settings = {}) : fixture(mixedWorld(settings))
     {
-        const size_t count = bench.world.particles.size();
-        SolverBuffers& b = bench.buffers;
+        const size_t count = fixture.world.particles.size();
+        SolverBuffers& b = fixture.buffers;
         positions = randomVectors(count, 0.5f, 61);
         velocities = randomVectors(count, 2.0f, 62);
         oldMoves = randomVectors(count, 0.01f, 63);
@@ -30,28 +30,28 @@ protected:
         fill(b.predicted, moves);
         gpu::Counters now{};
         now.substep = SUBSTEP;
-        bench.setCounters(now);
+        fixture.setCounters(now);
     }
     bool isFixed(size_t i) const
     {
-        const Particle& p = bench.world.particles[i];
-        return p.body != NO_INDEX && bench.world.bodies[p.body].motion == Motion::Fixed;
+        const Particle& p = fixture.world.particles[i];
+        return p.body != NO_INDEX && fixture.world.bodies[p.body].motion == Motion::Fixed;
     }
     /// All assemblies were last touched in this substep, and go by this order.
     void setAssemblies(uint32_t lastContact, uint32_t order)
     {
-        const size_t count = bench.buffers.assemblyState.size();
-        fill(bench.buffers.assemblyState, std::vector<gpu::uvec2>(count, {lastContact, order}));
+        const size_t count = fixture.buffers.assemblyState.size();
+        fill(fixture.buffers.assemblyState, std::vector<gpu::uvec2>(count, {lastContact, order}));
     }
-    float h() const { return bench.buffers.parameters.substepTime; }
-    Vector3f g() const { return vec3(bench.buffers.parameters.gravity); }
+    float h() const { return fixture.buffers.parameters.substepTime; }
+    Vector3f g() const { return vec3(fixture.buffers.parameters.gravity); }
     /// Every particle's predicted move is `wanted`, a fixed one's zero.
     template <typename Wanted>
     void expectMoves(Wanted wanted, uint32_t order)
     {
-        bench.forParticles("paper/predict");
-        const auto found = bench.buffers.predicted.download();
-        const auto states = bench.buffers.assemblyState.download();
+        fixture.forParticles("paper/predict");
+        const auto found = fixture.buffers.predicted.download();
+        const auto states = fixture.buffers.assemblyState.download();
         for (size_t i = 0; i < found.size(); ++i) {
             const Vector3f move = isFixed(i) ? Vector3f::Zero() : Vector3f(wanted(i));
             ASSERT_LT((vec3(found[i]) - move).norm(), ROUNDING) << "particle " << i;
@@ -63,8 +63,8 @@ protected:
     template <typename Wanted>
     void expectVelocities(Wanted wanted)
     {
-        bench.forParticles("paper/finish");
-        const auto found = bench.buffers.velocities.download();
+        fixture.forParticles("paper/finish");
+        const auto found = fixture.buffers.velocities.download();
         for (size_t i = 0; i < found.size(); ++i) {
             const Vector3f v = isFixed(i) ? vec3(velocities[i]) : Vector3f(wanted(i));
             // A move's rounding over a substep of a few milliseconds.
@@ -72,7 +72,7 @@ protected:
         }
     }
 
-    Bench bench;
+    KernelFixture fixture;
     std::vector<gpu::vec4> positions, velocities, oldMoves, oldVelocities, moves;
 };
 
@@ -100,7 +100,7 @@ TEST_F(Predict, AssembliesTouchedInTheLastSubstepMoveByFirstOrder)
 TEST_F(Predict, TheFirstSubstepIsOfFirstOrder)
 {
     setAssemblies(0x7fffffffu, 2);
-    bench.setCounters({});
+    fixture.setCounters({});
     expectMoves([&](size_t i) { return firstOrder(i); }, 1);
 }
 
@@ -117,13 +117,13 @@ TEST_F(PredictFirstOrder, EverythingMovesByFirstOrderWhereChosen)
 
 TEST_F(PredictFirstOrder, ContactsSeeTheLowerParticlesHeavier)
 {
-    bench.buffers.parameters.massScaling = 1.5f;
-    bench.setParameters();
-    bench.forParticles("paper/predict", {{"MASS_SCALING", "1"}});
-    const auto predicted = bench.buffers.predicted.download();
+    fixture.buffers.parameters.massScaling = 1.5f;
+    fixture.setParameters();
+    fixture.forParticles("paper/predict", {{"MASS_SCALING", "1"}});
+    const auto predicted = fixture.buffers.predicted.download();
     for (size_t i = 0; i < predicted.size(); ++i) {
         // m exp(-k height) (Macklin et al. 2014, 5.2); a few roundings, and those of an exponent below 1.
-        const double mass = double(bench.world.particles[i].mass) * std::exp(-1.5 * double(positions[i].y));
+        const double mass = double(fixture.world.particles[i].mass) * std::exp(-1.5 * double(positions[i].y));
         ASSERT_NEAR(double(predicted[i].w) * mass, isFixed(i) ? 0.0 : 1.0, 2e-6) << "particle " << i;
     }
 }
@@ -131,9 +131,9 @@ TEST_F(PredictFirstOrder, ContactsSeeTheLowerParticlesHeavier)
 TEST_F(PredictFirstOrder, ASearchIsDueWhereSomebodyWouldLeaveItsMargin)
 {
     setAssemblies(0, 2);
-    bench.forParticles("paper/predict");
-    const auto predicted = bench.buffers.predicted.download();
-    const float drift = bench.buffers.parameters.drift;
+    fixture.forParticles("paper/predict");
+    const auto predicted = fixture.buffers.predicted.download();
+    const float drift = fixture.buffers.parameters.drift;
     EXPECT_FLOAT_EQ(drift, 0.05f * DIAMETER) << "a quarter of the margin between two, half of one's own";
     for (float far : {0.99f, 1.01f}) {
         // All but one where they are looked for; that one next to it.
@@ -141,12 +141,12 @@ TEST_F(PredictFirstOrder, ASearchIsDueWhereSomebodyWouldLeaveItsMargin)
         for (size_t i = 0; i < positions.size(); ++i) found.push_back(packed(vec3(positions[i]) + vec3(predicted[i])));
         const size_t mover = positions.size() / 2;
         found[mover] = packed(vec3(found[mover]) + far * drift * Vector3f(0.6f, 0.0f, -0.8f));
-        fill(bench.buffers.foundPositions, found);
-        gpu::Counters now = bench.counters();
+        fill(fixture.buffers.searchPositions, found);
+        gpu::Counters now = fixture.counters();
         now.due = 0;
-        bench.setCounters(now);
-        bench.forParticles("paper/predict");
-        EXPECT_EQ(bench.counters().due, far > 1.0f ? 1u : 0u) << far;
+        fixture.setCounters(now);
+        fixture.forParticles("paper/predict");
+        EXPECT_EQ(fixture.counters().due, far > 1.0f ? 1u : 0u) << far;
     }
 }
 
@@ -155,8 +155,8 @@ TEST_F(Finish, VelocitiesAreOfTheOrderOfThePrediction)
     setAssemblies(SUBSTEP - 2, 2);
     // (3/2 x* - 2 x + 1/2 x_)/h
     expectVelocities([&](size_t i) { return Vector3f((1.5f * vec3(moves[i]) - 0.5f * vec3(oldMoves[i])) / h()); });
-    const auto kept = bench.buffers.oldMoves.download();
-    const auto keptVelocities = bench.buffers.oldVelocities.download();
+    const auto kept = fixture.buffers.oldMoves.download();
+    const auto keptVelocities = fixture.buffers.oldVelocities.download();
     for (size_t i = 0; i < kept.size(); ++i) {
         EXPECT_EQ(vec3(kept[i]), vec3(isFixed(i) ? oldMoves[i] : moves[i]));
         EXPECT_EQ(vec3(keptVelocities[i]), vec3(isFixed(i) ? oldVelocities[i] : velocities[i]));
@@ -165,16 +165,16 @@ TEST_F(Finish, VelocitiesAreOfTheOrderOfThePrediction)
 
 TEST_F(Finish, AnAssemblyTouchedInThisSubstepAnswersByFirstOrder)
 {
-    setAssemblies(SUBSTEP - 1, 2);   // find_due has counted this substep already
+    setAssemblies(SUBSTEP - 1, 2);   // search_due has counted this substep already
     expectVelocities([&](size_t i) { return Vector3f(vec3(moves[i]) / h()); });
 }
 
 TEST_F(Finish, DampingAndTheGreatestSpeedBoundVelocities)
 {
     setAssemblies(0, 1);
-    bench.buffers.parameters.damping = 0.5f;
-    bench.buffers.parameters.maxSpeed = 1.0f;
-    bench.setParameters();
+    fixture.buffers.parameters.damping = 0.5f;
+    fixture.buffers.parameters.maxSpeed = 1.0f;
+    fixture.setParameters();
     expectVelocities([&](size_t i) {
         const Vector3f v = 0.5f * vec3(moves[i]) / h();
         return Vector3f(v * std::min(1.0f, 1.0f / v.norm()));
@@ -186,22 +186,22 @@ TEST_F(Finish, ParticlesOfBodiesStandWhereTheyPutThemAndOthersMove)
     setAssemblies(0, 1);
     Random random(66);
     std::vector<gpu::vec4> centres, rotations;
-    for (uint32_t m = 0; m < bench.buffers.parameters.moverCount; ++m) {
+    for (uint32_t m = 0; m < fixture.buffers.parameters.moverCount; ++m) {
         centres.push_back(packed(random.inCube(0.5f)));
         rotations.push_back(packed(random.rotation()));
     }
-    fill(bench.buffers.moverCentres, centres);
-    fill(bench.buffers.moverRotations, rotations);
-    bench.forParticles("paper/finish");
-    const auto found = bench.buffers.positions.download();
+    fill(fixture.buffers.moverCentres, centres);
+    fill(fixture.buffers.moverRotations, rotations);
+    fixture.forParticles("paper/finish");
+    const auto found = fixture.buffers.positions.download();
     // One that bodies share stands at the mean of where they have it.
     std::vector<Vector3d> goals(found.size(), Vector3d::Zero());
-    for (const Link& link : bench.world.links) {
+    for (const Link& link : fixture.world.links) {
         const Vector3f place = vec3(centres[link.body]) + quaternion(rotations[link.body]) * link.restOffset;
-        goals[link.particle] += place.cast<double>() / bench.world.particles[link.particle].bodyCount;
+        goals[link.particle] += place.cast<double>() / fixture.world.particles[link.particle].bodyCount;
     }
     for (size_t i = 0; i < found.size(); ++i) {
-        const Particle& p = bench.world.particles[i];
+        const Particle& p = fixture.world.particles[i];
         Vector3f wanted = vec3(positions[i]);
         if (!isFixed(i) && p.bodyCount > 0) wanted = goals[i].cast<float>();
         else if (!isFixed(i)) wanted += vec3(moves[i]);
@@ -215,12 +215,12 @@ TEST_F(Finish, WhatIsFrozenKeepsItsPlaceAndHasNoSpeed)
     setAssemblies(0, 1);
     // Every second assembly.
     std::vector<gpu::uvec2> calm;
-    for (uint32_t a = 0; a < bench.buffers.assemblyCalm.size(); ++a)
-        calm.push_back({a % 2 == 0 ? bench.buffers.parameters.calmSteps : 5u, a});
-    fill(bench.buffers.assemblyCalm, calm);
-    bench.forParticles("paper/finish", {{"SLEEP", "1"}});
-    const auto places = bench.buffers.positions.download(), found = bench.buffers.velocities.download();
-    const auto infos = bench.buffers.particleInfo.download();
+    for (uint32_t a = 0; a < fixture.buffers.assemblyCalm.size(); ++a)
+        calm.push_back({a % 2 == 0 ? fixture.buffers.parameters.calmSteps : 5u, a});
+    fill(fixture.buffers.assemblyCalm, calm);
+    fixture.forParticles("paper/finish", {{"SLEEP", "1"}});
+    const auto places = fixture.buffers.positions.download(), found = fixture.buffers.velocities.download();
+    const auto infos = fixture.buffers.particleInfo.download();
     uint32_t frozen = 0;
     for (size_t i = 0; i < found.size(); ++i) {
         if (isFixed(i)) continue;
@@ -237,10 +237,10 @@ TEST_F(Finish, AVelocityThatIsNotFiniteIsReportedWithItsParticle)
     setAssemblies(0, 1);
     auto bad = moves;
     bad[777].y = std::numeric_limits<float>::quiet_NaN();
-    fill(bench.buffers.predicted, bad);
-    bench.forParticles("paper/finish");
-    EXPECT_EQ(bench.counters().problems, PROBLEM_NAN);
-    EXPECT_EQ(bench.counters().badParticle, 777u);
+    fill(fixture.buffers.predicted, bad);
+    fixture.forParticles("paper/finish");
+    EXPECT_EQ(fixture.counters().problems, PROBLEM_NAN);
+    EXPECT_EQ(fixture.counters().badParticle, 777u);
 }
 
 }  // namespace

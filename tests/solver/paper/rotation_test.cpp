@@ -3,7 +3,7 @@
 #include <functional>
 #include <numbers>
 
-#include "tests/solver/body/mover_bench.h"
+#include "tests/solver/body/mover_fixture.h"
 
 namespace knuckle::test {
 
@@ -49,12 +49,12 @@ Nearest nearest(const Matrix3d& a)
 
 class Rotation : public testing::Test {
 protected:
-    Rotation() : bench(mixedWorld()), count(bench.world.bodies.size()) {}
+    Rotation() : fixture(mixedWorld()), count(fixture.world.bodies.size()) {}
 
     /// Runs the kernel by this method on one case a body. @returns where each body ends.
     std::vector<Eigen::Quaterniond> solve(const Defines& method, const std::vector<Case>& cases)
     {
-        SolverBuffers& b = bench.buffers;
+        SolverBuffers& b = fixture.buffers;
         std::vector<gpu::vec4> matrices, starts, rotations(b.moverRotations.size(), packed(Quaternionf::Identity()));
         const std::vector<gpu::vec4> unturned = rotations;
         for (const Case& c : cases) {
@@ -67,10 +67,10 @@ protected:
         fill(b.bodyStarts, starts);
         fill(b.moverRotations, rotations);
         fill(b.moverMoves, std::vector<gpu::vec4>(rotations.size(), packed({0.5f, 0, 0})));
-        fill(b.moverTurns, unturned);
-        bench.forBodies("paper/body_rotation", method);
+        fill(b.moverRotationDeltas, unturned);
+        fixture.forBodies("paper/body_rotation", method);
         std::vector<Eigen::Quaterniond> found;
-        const auto turns = b.moverTurns.download(), ends = b.moverRotations.download();
+        const auto turns = b.moverRotationDeltas.download(), ends = b.moverRotations.download();
         const auto centres = b.moverCentres.download();
         for (size_t k = 0; k < cases.size(); ++k) {
             found.push_back(quaternion(ends[k]).cast<double>());
@@ -106,7 +106,7 @@ protected:
         }
     }
 
-    Bench bench;
+    KernelFixture fixture;
     size_t count;
 };
 
@@ -187,7 +187,7 @@ TEST_F(Rotation, VirtualParticlesTurnFlatBodiesByHouseholder)
     const auto found = solve(HOUSEHOLDER, list);
     for (size_t k = 0; k < list.size(); ++k) {
         // The least eigenvalue of A^T A is c^2 of the largest, 1e-4, and rounded by some 2^-24 of it: 1e-3.
-        const Matrix3d a = withVirtualParticles(list[k], bench.buffers.parameters.virtualParticles);
+        const Matrix3d a = withVirtualParticles(list[k], fixture.buffers.parameters.virtualParticles);
         EXPECT_LT(found[k].angularDistance(nearestRotation(a)), 2e-3) << "body " << k;
     }
 }
@@ -198,7 +198,7 @@ TEST_F(Rotation, VirtualParticlesTurnStraightBodiesByHouseholder)
     const auto found = solve(HOUSEHOLDER, list);
     for (size_t k = 0; k < list.size(); ++k) {
         const Eigen::Quaterniond wanted =
-            nearestRotation(withVirtualParticles(list[k], bench.buffers.parameters.virtualParticles));
+            nearestRotation(withVirtualParticles(list[k], fixture.buffers.parameters.virtualParticles));
         // The two small singular values are c and c cos 20 deg: their squares' ratio, 0.88, is what one QR iteration
         // gains, and 24 leave 0.88^24 = 5 % of what is between them.
         const Vector3d line = list[k].a.transpose() * (list[k].a * Vector3d(1, 2, 3));

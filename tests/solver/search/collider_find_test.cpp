@@ -14,30 +14,30 @@ constexpr float ROUNDING = 4e-6f;
 /// Movers at random places, with their particles around them. The parameter: how many colliders there are.
 class ColliderFind : public testing::TestWithParam<uint32_t> {
 protected:
-    ColliderFind() : bench(colliderWorld(GetParam()))
+    ColliderFind() : fixture(colliderWorld(GetParam()))
     {
         Random random(53);
-        SolverBuffers& b = bench.buffers;
+        SolverBuffers& b = fixture.buffers;
         const uint32_t movers = b.parameters.moverCount;
         std::vector<Quaternionf> turns;
         for (uint32_t m = 0; m < movers; ++m) {
             centres.push_back(packed(random.inCube(0.5f), b.parameters.drift));
             turns.push_back(random.rotation());
         }
-        places = b.particlePlaces.download();
+        places = b.particleRanks.download();
         const auto offsets = b.restOffsets.download();
         for (uint32_t i = 0; i < places.size(); ++i) {
             const uint32_t m = places[i].x;
             found.push_back(packed(vec3(centres[m]) + turns[m] * vec3(offsets[i])));
         }
-        fill(b.foundCentres, centres);
-        bench.setFound(found);
+        fill(b.searchCentres, centres);
+        fixture.setFound(found);
     }
-    const gpu::StepParameters& parameters() const { return bench.buffers.parameters; }
+    const gpu::StepParameters& parameters() const { return fixture.buffers.parameters; }
     /// What the particles found.
     std::vector<std::vector<uint32_t>> download() const
     {
-        const auto counts = bench.buffers.listCounts.download(), lists = bench.buffers.colliderLists.download();
+        const auto counts = fixture.buffers.listCounts.download(), lists = fixture.buffers.colliderLists.download();
         const uint32_t count = parameters().particleCount;
         std::vector<std::vector<uint32_t>> colliders(count);
         for (uint32_t i = 0; i < count; ++i)
@@ -56,7 +56,7 @@ protected:
             const float limit = parameters().contactRadius - DIAMETER / 2 + reach[places[i].x];
             uint32_t all = 0;
             for (uint32_t c = 0; c < GetParam(); ++c) {
-                const float distance = colliderDistance(bench.world, bench.world.colliders[c], vec3(found[i]));
+                const float distance = colliderDistance(fixture.world, fixture.world.colliders[c], vec3(found[i]));
                 if (std::abs(distance - limit) < ROUNDING) continue;
                 const auto times = std::count(colliders[i].begin(), colliders[i].end(), c);
                 EXPECT_EQ(times, distance < limit ? 1 : 0) << "particle " << i << ", collider " << c;
@@ -65,26 +65,26 @@ protected:
             }
             EXPECT_LE(all, uint32_t(COLLIDER_SLOTS)) << "the colliders of the test stand too close";
         }
-        EXPECT_EQ(bench.counters().problems, 0u);
+        EXPECT_EQ(fixture.counters().problems, 0u);
         return wanted;
     }
 
-    Bench bench;
+    KernelFixture fixture;
     std::vector<gpu::vec4> centres, found;
     std::vector<gpu::uvec2> places;
 };
 
 TEST_P(ColliderFind, MoversKnowTheCollidersThatTheirParticlesMayTouch)
 {
-    bench.forMovers("search/collider_near");
-    const auto near = bench.buffers.moverColliders.download();
-    const auto moments = bench.buffers.bodyMoments.download();
+    fixture.forMovers("search/collider_near");
+    const auto near = fixture.buffers.moverColliders.download();
+    const auto moments = fixture.buffers.bodyMoments.download();
     for (uint32_t m = 0; m < near.size(); ++m) {
         const float radius = m < parameters().bodyCount ? moments[3 * m].w : 0.0f;
         const float limit = parameters().contactRadius - DIAMETER / 2 + radius;
         uint32_t wanted = 0, either = 0;
         for (uint32_t c = 0; c < GetParam(); ++c) {
-            const float distance = colliderDistance(bench.world, bench.world.colliders[c], vec3(centres[m]));
+            const float distance = colliderDistance(fixture.world, fixture.world.colliders[c], vec3(centres[m]));
             if (distance < limit) wanted |= 1u << (c % 32);
             if (std::abs(distance - limit) < ROUNDING) either |= 1u << (c % 32);
         }
@@ -94,8 +94,8 @@ TEST_P(ColliderFind, MoversKnowTheCollidersThatTheirParticlesMayTouch)
 
 TEST_P(ColliderFind, ListsTheCollidersThatAParticleMayTouchOfThoseThatItsMoverMay)
 {
-    bench.forMovers("search/collider_near");
-    bench.forParticles("search/collider_find");
+    fixture.forMovers("search/collider_near");
+    fixture.forParticles("search/collider_find");
     const auto contacts = expectAllInReach(std::vector<float>(centres.size(), 0.0f));
     EXPECT_LT(std::count(contacts.begin(), contacts.end(), 0u), 1 + GetParam() / 8) << "most have to be near something";
     EXPECT_GT(contacts.back(), 0u);
@@ -103,7 +103,7 @@ TEST_P(ColliderFind, ListsTheCollidersThatAParticleMayTouchOfThoseThatItsMoverMa
 
 TEST_P(ColliderFind, ListsTheSameWhereNobodyHasLookedWhichAreNear)
 {
-    bench.forParticles("search/collider_find");   // the paper's solver, with what the upload left
+    fixture.forParticles("search/collider_find");   // the paper's solver, with what the upload left
     expectAllInReach(std::vector<float>(centres.size(), 0.0f));
 }
 
@@ -112,9 +112,9 @@ TEST_P(ColliderFind, FastMoversLookAsMuchFurtherForColliders)
     std::vector<float> reach(centres.size(), 0.0f);
     for (size_t m = 0; m < centres.size(); m += 2) reach[m] = 0.1f * parameters().farReach;
     for (size_t m = 0; m < centres.size(); ++m) centres[m].w = parameters().drift + reach[m];
-    fill(bench.buffers.foundCentres, centres);
-    bench.forMovers("search/collider_near");
-    bench.forParticles("search/collider_find");
+    fill(fixture.buffers.searchCentres, centres);
+    fixture.forMovers("search/collider_near");
+    fixture.forParticles("search/collider_find");
     expectAllInReach(reach);
 }
 
@@ -132,12 +132,12 @@ TEST(ColliderLists, MoreCollidersThanSlotsAreReported)
 {
     World world = mixedWorld();
     world.colliders.assign(COLLIDER_SLOTS + 2, colliderOf(ColliderShape::Plane));
-    Bench bench(std::move(world));
-    bench.forParticles("search/collider_find");   // found positions are zero: all on every plane
-    EXPECT_EQ(bench.counters().problems, PROBLEM_COLLIDERS);
-    EXPECT_EQ(bench.counters().wantedColliders, COLLIDER_SLOTS + 2u);
-    const auto counts = bench.buffers.listCounts.download();
-    const uint32_t count = bench.buffers.parameters.particleCount;
+    KernelFixture fixture(std::move(world));
+    fixture.forParticles("search/collider_find");   // found positions are zero: all on every plane
+    EXPECT_EQ(fixture.counters().problems, PROBLEM_COLLIDERS);
+    EXPECT_EQ(fixture.counters().wantedColliders, COLLIDER_SLOTS + 2u);
+    const auto counts = fixture.buffers.listCounts.download();
+    const uint32_t count = fixture.buffers.parameters.particleCount;
     for (uint32_t rank = 0; rank < count; ++rank)
         ASSERT_EQ(counts[2 * count + rank], uint32_t(COLLIDER_SLOTS)) << "rank " << rank;
 }

@@ -13,8 +13,8 @@ protected:
 
     void find()
     {
-        bench.findPairs(GetParam());
-        noted = bench.notedPairs();
+        fixture.findPairs(GetParam());
+        noted = fixture.notedPairs();
     }
     /// How often each pair was found, lower id first.
     std::map<Pair, int> timesFound() const
@@ -29,12 +29,12 @@ protected:
     {
         auto times = timesFound();
         std::vector<Pair> wanted;
-        for (uint32_t i = 0; i < bench.count(); ++i)
-            for (uint32_t j = i + 1; j < bench.count(); ++j) {
-                const float inside = bench.limitOf(i, j) - bench.distance(i, j);
+        for (uint32_t i = 0; i < fixture.count(); ++i)
+            for (uint32_t j = i + 1; j < fixture.count(); ++j) {
+                const float inside = fixture.limitOf(i, j) - fixture.distance(i, j);
                 const auto at = times.find({i, j});
                 const int found = at == times.end() ? 0 : at->second;
-                const bool may = inside > -DISTANCE_ROUNDING && bench.mayTouch(i, j);
+                const bool may = inside > -DISTANCE_ROUNDING && fixture.mayTouch(i, j);
                 if (may && inside > DISTANCE_ROUNDING) {
                     EXPECT_EQ(found, 1) << "particles " << i << " and " << j;
                     wanted.push_back({i, j});
@@ -45,7 +45,7 @@ protected:
         return wanted;
     }
 
-    SearchBench bench;
+    SearchBench fixture;
     std::vector<std::vector<uint32_t>> noted;
 };
 
@@ -54,33 +54,33 @@ TEST_P(ContactFind, FindsEachPairInReachOnce)
     find();
     EXPECT_GT(expectAllPairsOnce().size(), 2000u) << "the world is too thin to test anything";
     uint32_t excluded = 0;
-    for (uint32_t i = 0; i < bench.count(); ++i)
-        for (uint32_t j = 0; j < i; ++j) excluded += bench.distance(i, j) < DIAMETER && !bench.mayTouch(i, j);
+    for (uint32_t i = 0; i < fixture.count(); ++i)
+        for (uint32_t j = 0; j < i; ++j) excluded += fixture.distance(i, j) < DIAMETER && !fixture.mayTouch(i, j);
     EXPECT_GT(excluded, 20u);
-    EXPECT_EQ(bench.counters().problems, 0u);
+    EXPECT_EQ(fixture.counters().problems, 0u);
 }
 
 TEST_P(ContactFind, FastMoversFindAllInTheirReachOnce)
 {
-    bench.makeSomeFast();
+    fixture.makeSomeFast();
     find();
     uint32_t withSlow = 0, withFast = 0;
     for (const auto& [i, j] : expectAllPairsOnce()) {
-        if (bench.distance(i, j) < bench.buffers.parameters.contactRadius) continue;
-        (bench.isFast(i) && bench.isFast(j) ? withFast : withSlow) += 1;
+        if (fixture.distance(i, j) < fixture.buffers.parameters.contactRadius) continue;
+        (fixture.isFast(i) && fixture.isFast(j) ? withFast : withSlow) += 1;
     }
     EXPECT_GT(withSlow, 300u) << "that only their reach finds";
     EXPECT_GT(withFast, 50u) << "that only the reach of both finds";
-    EXPECT_EQ(bench.counters().problems, 0u);
+    EXPECT_EQ(fixture.counters().problems, 0u);
 }
 
 TEST_P(ContactFind, FastMoversLookIntoEveryCellUpToTwoAway)
 {
     // Two loose particles in cells that are so far apart, near each other's, for each such pair of cells.
-    const gpu::StepParameters& p = bench.buffers.parameters;
-    auto positions = bench.found;
+    const gpu::StepParameters& p = fixture.buffers.parameters;
+    auto positions = fixture.found;
     std::vector<float> reaches(p.moverCount, 0.0f);
-    uint32_t loose = bench.count() - 1;
+    uint32_t loose = fixture.count() - 1;
     for (int k = 0; k < 125; ++k) {
         const Eigen::Vector3i cells(k % 5 - 2, k / 5 % 5 - 2, k / 25 - 2);
         Vector3f near = Vector3f::Constant(6.5f) + 6.0f * Vector3f(float(k % 5), float(k / 5 % 5), float(k / 25));
@@ -93,44 +93,44 @@ TEST_P(ContactFind, FastMoversLookIntoEveryCellUpToTwoAway)
             far[axis] += 0.51f * side + static_cast<float>(apart) - side;
         }
         for (const Vector3f& place : {near, far}) {
-            ASSERT_EQ(bench.world.particles[loose].body, NO_INDEX);
-            reaches[bench.moverOf(loose)] = p.farReach;
+            ASSERT_EQ(fixture.world.particles[loose].body, NO_INDEX);
+            reaches[fixture.moverOf(loose)] = p.farReach;
             positions[loose--] = packed(place / p.inverseCellSize);
         }
     }
-    bench.setReaches(reaches);
-    bench.place(positions);
+    fixture.setReaches(reaches);
+    fixture.place(positions);
     find();
     uint32_t found = 0;
-    for (const auto& [i, j] : expectAllPairsOnce()) found += bench.isFast(i) && bench.isFast(j);
+    for (const auto& [i, j] : expectAllPairsOnce()) found += fixture.isFast(i) && fixture.isFast(j);
     EXPECT_GE(found, 125u);
 }
 
 TEST_P(ContactFind, TheFirstOfAPairIsTheFastOneOrOfTwoTheOneOfLowerRank)
 {
-    bench.makeSomeFast();
+    fixture.makeSomeFast();
     find();
-    for (uint32_t i = 0; i < bench.count(); ++i)
+    for (uint32_t i = 0; i < fixture.count(); ++i)
         for (uint32_t j : noted[i]) {
-            if (!bench.isFast(j)) continue;
-            ASSERT_TRUE(bench.isFast(i)) << "particles " << i << " and " << j;
-            ASSERT_LT(bench.rankOf(i), bench.rankOf(j));
+            if (!fixture.isFast(j)) continue;
+            ASSERT_TRUE(fixture.isFast(i)) << "particles " << i << " and " << j;
+            ASSERT_LT(fixture.rankOf(i), fixture.rankOf(j));
         }
 }
 
 TEST_P(ContactFind, SecondParticlesCountTheirPairsAndNumberThem)
 {
-    bench.makeSomeFast();
+    fixture.makeSomeFast();
     find();
-    const auto counts = bench.buffers.listCounts.download();
-    const auto entries = bench.buffers.firstLists.download();
-    std::vector<std::vector<uint32_t>> arrivals(bench.count());
-    for (uint32_t i = 0; i < bench.count(); ++i)
+    const auto counts = fixture.buffers.listCounts.download();
+    const auto entries = fixture.buffers.firstLists.download();
+    std::vector<std::vector<uint32_t>> arrivals(fixture.count());
+    for (uint32_t i = 0; i < fixture.count(); ++i)
         for (uint32_t slot = 0; slot < noted[i].size(); ++slot)
-            arrivals[noted[i][slot]].push_back(entries[slot * bench.count() + i].y);
-    for (uint32_t j = 0; j < bench.count(); ++j) {
+            arrivals[noted[i][slot]].push_back(entries[slot * fixture.count() + i].y);
+    for (uint32_t j = 0; j < fixture.count(); ++j) {
         std::sort(arrivals[j].begin(), arrivals[j].end());
-        ASSERT_EQ(counts[bench.count() + bench.rankOf(j)], arrivals[j].size()) << "particle " << j;
+        ASSERT_EQ(counts[fixture.count() + fixture.rankOf(j)], arrivals[j].size()) << "particle " << j;
         for (uint32_t k = 0; k < arrivals[j].size(); ++k) ASSERT_EQ(arrivals[j][k], k) << "particle " << j;
     }
 }
@@ -140,19 +140,19 @@ TEST_P(ContactFind, TheRulesOfWhatTouchesAllMatterHere)
     // Near each other and not of one first body, but excluded, by each rule alone: else the tests above would prove
     // less than they say.
     uint32_t crosses = 0, overlaps = 0, margins = 0, shared = 0;
-    const auto& particles = bench.world.particles;
-    for (uint32_t i = 0; i < bench.count(); ++i)
+    const auto& particles = fixture.world.particles;
+    for (uint32_t i = 0; i < fixture.count(); ++i)
         for (uint32_t j = 0; j < i; ++j) {
             const Particle& a = particles[i];
             const Particle& b = particles[j];
             if (a.assembly != b.assembly || a.assembly == NO_INDEX || a.body == b.body) continue;
-            if (bench.distance(i, j) > DIAMETER) continue;
+            if (fixture.distance(i, j) > DIAMETER) continue;
             const bool overlap = restDistance(a, b) <= leastRestDistance(a, b);
             const bool cross = !a.touchesAssembly || !b.touchesAssembly;
             crosses += cross && !overlap;
             overlaps += overlap && !cross && restDistance(a, b) <= 0.99f * DIAMETER;
             margins += overlap && !cross && restDistance(a, b) > DIAMETER;
-            shared += !overlap && !cross && !bench.mayTouch(i, j);
+            shared += !overlap && !cross && !fixture.mayTouch(i, j);
         }
     EXPECT_GT(crosses, 0u);
     EXPECT_GT(overlaps, 0u);
@@ -162,27 +162,27 @@ TEST_P(ContactFind, TheRulesOfWhatTouchesAllMatterHere)
 
 TEST_P(ContactFind, ListsThatAreTooShortAreReportedWithTheSizeTheyWant)
 {
-    bench.makeSomeFast();
+    fixture.makeSomeFast();
     find();
     const auto all = noted;
     constexpr uint32_t ROOM = 3;
-    bench.narrow(ROOM, bench.buffers.parameters.pairCapacity, bench.buffers.parameters.colliderPairCapacity);
+    fixture.narrow(ROOM, fixture.buffers.parameters.pairCapacity, fixture.buffers.parameters.colliderPairCapacity);
     const gpu::uvec2 untouched{0xabcdu, 0xef01u};
-    fill(bench.buffers.firstLists, std::vector<gpu::uvec2>(bench.buffers.firstLists.size(), untouched));
-    bench.place(bench.found);
+    fill(fixture.buffers.firstLists, std::vector<gpu::uvec2>(fixture.buffers.firstLists.size(), untouched));
+    fixture.place(fixture.found);
     find();
     size_t most = 0;
-    for (uint32_t i = 0; i < bench.count(); ++i) {
+    for (uint32_t i = 0; i < fixture.count(); ++i) {
         most = std::max(most, all[i].size());
         auto kept = all[i];
         kept.resize(std::min<size_t>(kept.size(), ROOM));
         ASSERT_EQ(noted[i], kept) << "particle " << i;
     }
     ASSERT_GT(most, ROOM);
-    EXPECT_EQ(bench.counters().problems, PROBLEM_CONTACTS);
-    EXPECT_EQ(bench.counters().wantedContacts, most);
-    const auto entries = bench.buffers.firstLists.download();
-    for (size_t k = ROOM * size_t(bench.count()); k < entries.size(); ++k) ASSERT_EQ(entries[k].x, untouched.x);
+    EXPECT_EQ(fixture.counters().problems, PROBLEM_CONTACTS);
+    EXPECT_EQ(fixture.counters().wantedContacts, most);
+    const auto entries = fixture.buffers.firstLists.download();
+    for (size_t k = ROOM * size_t(fixture.count()); k < entries.size(); ++k) ASSERT_EQ(entries[k].x, untouched.x);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ContactFind, testing::Values(GridKind::Lattice, GridKind::Hash), gridName);

@@ -12,29 +12,29 @@ namespace {
 /// Particles all over 9^3 cells on both sides of the origin, some of them in the cells that are listed twice.
 class Grid : public testing::TestWithParam<GridKind> {
 protected:
-    Grid() : bench(mixedWorld())
+    Grid() : fixture(mixedWorld())
     {
-        const uint32_t count = bench.buffers.parameters.particleCount;
+        const uint32_t count = fixture.buffers.parameters.particleCount;
         places = randomVectors(count, 0.5f, 3);
         places[count - 1] = packed({0.01f, 0.02f, 0.03f});
         places[2] = packed({0.02f, 0.01f, 0.03f});
         for (uint32_t cell = 1; cell < WRAPPED_CELLS; ++cell)
-            places[40 * cell] = packed({(static_cast<float>(cell) + 0.1f) / bench.buffers.parameters.inverseCellSize, 0.01f, 0.03f});
-        bench.setFound(places);
+            places[40 * cell] = packed({(static_cast<float>(cell) + 0.1f) / fixture.buffers.parameters.inverseCellSize, 0.01f, 0.03f});
+        fixture.setFound(places);
         // Every third mover drifts further than the others.
-        const float drift = bench.buffers.parameters.drift;
-        std::vector<gpu::vec4> centres(bench.buffers.parameters.moverCount, packed({0, 0, 0}, drift));
+        const float drift = fixture.buffers.parameters.drift;
+        std::vector<gpu::vec4> centres(fixture.buffers.parameters.moverCount, packed({0, 0, 0}, drift));
         for (size_t m = 0; m < centres.size(); m += 3) centres[m].w = std::nextafter(drift, 1.0f);
-        fill(bench.buffers.foundCentres, centres);
+        fill(fixture.buffers.searchCentres, centres);
         // Left behind by an earlier search.
-        fill(bench.buffers.cellCounts, std::vector<uint32_t>(bench.buffers.cellCounts.size(), 77));
-        bench.fillGrid(gridDefines(GetParam()));
+        fill(fixture.buffers.cellCounts, std::vector<uint32_t>(fixture.buffers.cellCounts.size(), 77));
+        fixture.fillGrid(gridDefines(GetParam()));
     }
     Vector3f place(uint32_t i) const { return vec3(places[i]); }
     /// The wrapped lattice, or the hash of physics.md's source (Teschner et al. 2003).
     uint32_t cellOf(uint32_t i) const
     {
-        const gpu::StepParameters& p = bench.buffers.parameters;
+        const gpu::StepParameters& p = fixture.buffers.parameters;
         const Eigen::Vector3i c = (place(i) * p.inverseCellSize).array().floor().cast<int>();
         const auto x = static_cast<uint32_t>(c.x()), y = static_cast<uint32_t>(c.y()), z = static_cast<uint32_t>(c.z());
         if (GetParam() == GridKind::Hash) return (73856093u * x ^ 19349663u * y ^ 83492791u * z) & p.cellMask;
@@ -51,24 +51,24 @@ protected:
     std::vector<uint32_t> ids() const
     {
         std::vector<uint32_t> found;
-        for (const gpu::uvec4& info : bench.buffers.sortedInfos.download()) found.push_back(info.x);
+        for (const gpu::uvec4& info : fixture.buffers.sortedInfos.download()) found.push_back(info.x);
         return found;
     }
     std::vector<uint32_t> histogram() const
     {
-        std::vector<uint32_t> counts(bench.buffers.cellCounts.size(), 0);
+        std::vector<uint32_t> counts(fixture.buffers.cellCounts.size(), 0);
         for (uint32_t i = 0; i < places.size(); ++i) ++counts[cellOf(i)];
         return counts;
     }
 
-    Bench bench;
+    KernelFixture fixture;
     std::vector<gpu::vec4> places;
 };
 
 TEST_P(Grid, CountsTheParticlesOfEachCell)
 {
-    EXPECT_EQ(bench.buffers.cellCounts.download(), histogram());
-    const auto cells = bench.buffers.particleCells.download();
+    EXPECT_EQ(fixture.buffers.cellCounts.download(), histogram());
+    const auto cells = fixture.buffers.particleCells.download();
     for (uint32_t i = 0; i < cells.size(); ++i) ASSERT_EQ(cells[i].x, cellOf(i)) << "particle " << i;
 }
 
@@ -85,7 +85,7 @@ TEST_P(Grid, CellsStartAtThePrefixSumOfTheCounts)
         }
         starts.push_back(starts.back() + counts[cell]);
     }
-    EXPECT_EQ(bench.buffers.cellStarts.download(), starts);
+    EXPECT_EQ(fixture.buffers.cellStarts.download(), starts);
 }
 
 TEST_P(Grid, SortsParticlesByCellAndIdAndListsTheFirstCellsAgain)
@@ -94,8 +94,8 @@ TEST_P(Grid, SortsParticlesByCellAndIdAndListsTheFirstCellsAgain)
     const auto counts = histogram();
     const uint32_t again = std::accumulate(counts.begin(), counts.begin() + WRAPPED_CELLS, 0u);
     for (uint32_t k = 0; k < again; ++k) expected.push_back(expected[k]);
-    const auto infos = bench.buffers.sortedInfos.download();
-    const auto sortedPlaces = bench.buffers.sortedPositions.download();
+    const auto infos = fixture.buffers.sortedInfos.download();
+    const auto sortedPlaces = fixture.buffers.sortedPositions.download();
     ASSERT_LE(expected.size(), infos.size());
     for (uint32_t k = 0; k < expected.size(); ++k) {
         ASSERT_EQ(infos[k].x, expected[k]) << "place " << k;
@@ -105,10 +105,10 @@ TEST_P(Grid, SortsParticlesByCellAndIdAndListsTheFirstCellsAgain)
 
 TEST_P(Grid, TellsOfEachSortedParticleWhatTheSearchNeeds)
 {
-    const auto infos = bench.buffers.sortedInfos.download();
-    const auto sortedPlaces = bench.buffers.sortedPositions.download();
-    const auto ranks = bench.buffers.particlePlaces.download();
-    const auto particles = bench.buffers.particleInfo.download();
+    const auto infos = fixture.buffers.sortedInfos.download();
+    const auto sortedPlaces = fixture.buffers.sortedPositions.download();
+    const auto ranks = fixture.buffers.particleRanks.download();
+    const auto particles = fixture.buffers.particleInfo.download();
     for (uint32_t k = 0; k < places.size(); ++k) {
         const uint32_t mover = ranks[infos[k].x].x;
         ASSERT_EQ(infos[k].y, particles[infos[k].x].assembly) << "place " << k;
@@ -122,13 +122,13 @@ TEST_P(Grid, SortsTheSameWhenParticlesArriveInAnotherOrder)
 {
     // Scatter once more with the arrivals of each cell reversed, as another thread order could have left them.
     const auto before = ids();
-    auto cells = bench.buffers.particleCells.download();
-    const auto counts = bench.buffers.cellCounts.download();
+    auto cells = fixture.buffers.particleCells.download();
+    const auto counts = fixture.buffers.cellCounts.download();
     for (gpu::uvec2& c : cells) c.y = counts[c.x] - 1 - c.y;
-    fill(bench.buffers.particleCells, cells);
-    bench.buffers.sortedInfos.clear();
-    bench.forParticles("search/grid_scatter");
-    bench.forParticles("search/grid_order");
+    fill(fixture.buffers.particleCells, cells);
+    fixture.buffers.sortedInfos.clear();
+    fixture.forParticles("search/grid_scatter");
+    fixture.forParticles("search/grid_order");
     EXPECT_EQ(ids(), before);
 }
 

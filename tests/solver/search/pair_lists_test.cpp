@@ -14,16 +14,16 @@ class PairLists : public testing::TestWithParam<uint32_t> {
 protected:
     PairLists()
     {
-        bench.makeSomeFast();
-        if (parity() == 1) bench.turnHalves();
+        fixture.makeSomeFast();
+        if (parity() == 1) fixture.turnHalves();
     }
     uint32_t parity() const { return GetParam(); }
-    uint32_t count() const { return bench.count(); }
+    uint32_t count() const { return fixture.count(); }
     void find()
     {
-        bench.findPairs(GridKind::Lattice);
-        noted = bench.notedPairs();
-        bench.fillLists();
+        fixture.findPairs(GridKind::Lattice);
+        noted = fixture.notedPairs();
+        fixture.fillLists();
     }
     /// The half of `values` that this search filled.
     template <typename T>
@@ -36,7 +36,7 @@ protected:
     std::vector<gpu::uvec2> wantedPairs() const
     {
         std::vector<gpu::uvec2> pairs;
-        for (uint32_t i : bench.buffers.rankedParticles.download())
+        for (uint32_t i : fixture.buffers.rankedParticles.download())
             for (uint32_t j : noted[i]) pairs.push_back({i, j});
         return pairs;
     }
@@ -48,14 +48,14 @@ protected:
         std::vector<uint32_t> references(pairs.size());
         std::iota(references.begin(), references.end(), 0u);
         std::stable_sort(references.begin(), references.end(), [&](uint32_t a, uint32_t b) {
-            return bench.rankOf(pairs[a].y) < bench.rankOf(pairs[b].y);
+            return fixture.rankOf(pairs[a].y) < fixture.rankOf(pairs[b].y);
         });
         for (uint32_t& q : references)
-            if (q >= bench.buffers.parameters.pairCapacity) q = NO_REFERENCE;
+            if (q >= fixture.buffers.parameters.pairCapacity) q = NO_REFERENCE;
         return references;
     }
 
-    SearchBench bench;
+    SearchBench fixture;
     std::vector<std::vector<uint32_t>> noted;
 };
 
@@ -81,16 +81,16 @@ void expectPairs(const std::vector<gpu::uvec2>& pairs, size_t start, const std::
 TEST_P(PairLists, ListsStartAtThePrefixSumOfTheirCounts)
 {
     Random random(31);
-    std::vector<uint32_t> counts(bench.buffers.listCounts.size());
+    std::vector<uint32_t> counts(fixture.buffers.listCounts.size());
     ASSERT_NE(counts.size() % SCAN_CHUNK, 0u) << "the last chunk has to be a short one";
     for (uint32_t& c : counts) c = static_cast<uint32_t>(random.between(0, 9));
-    fill(bench.buffers.listCounts, counts);
-    const std::vector<uint32_t> untouched(bench.buffers.listStarts.size(), 12345u);
-    fill(bench.buffers.listStarts, untouched);
-    bench.fillLists();
+    fill(fixture.buffers.listCounts, counts);
+    const std::vector<uint32_t> untouched(fixture.buffers.listStarts.size(), 12345u);
+    fill(fixture.buffers.listStarts, untouched);
+    fixture.fillLists();
     std::vector<uint32_t> wanted(counts.size() + 1);
     std::inclusive_scan(counts.begin(), counts.end(), wanted.begin() + 1);
-    const auto starts = bench.buffers.listStarts.download();
+    const auto starts = fixture.buffers.listStarts.download();
     EXPECT_EQ(current(starts), wanted);
     const auto other = static_cast<std::ptrdiff_t>((1 - parity()) * wanted.size());
     EXPECT_EQ(std::count(starts.begin() + other, starts.begin() + other + std::ptrdiff_t(wanted.size()), 12345u),
@@ -100,47 +100,47 @@ TEST_P(PairLists, ListsStartAtThePrefixSumOfTheirCounts)
 TEST_P(PairLists, ThePairsOfEachRankStandTogether)
 {
     const gpu::uvec2 untouched{77, 78};
-    fill(bench.buffers.pairs, std::vector<gpu::uvec2>(bench.buffers.pairs.size(), untouched));
+    fill(fixture.buffers.pairs, std::vector<gpu::uvec2>(fixture.buffers.pairs.size(), untouched));
     find();
     const auto wanted = wantedPairs();
-    expectPairs(bench.buffers.pairs.download(), parity() * bench.buffers.parameters.pairCapacity, wanted,
+    expectPairs(fixture.buffers.pairs.download(), parity() * fixture.buffers.parameters.pairCapacity, wanted,
                 wanted.size(), untouched);
-    const gpu::Counters counters = bench.counters();
+    const gpu::Counters counters = fixture.counters();
     EXPECT_EQ(counters.pairCount, wanted.size());
     EXPECT_EQ(counters.problems, 0u);
-    const auto dispatches = bench.buffers.dispatches.download();
+    const auto dispatches = fixture.buffers.dispatches.download();
     for (uint32_t k : {DISPATCH_PAIRS, DISPATCH_NEW_PAIRS}) EXPECT_EQ(dispatches[k].x, groupsFor(wanted.size()));
 }
 
 TEST_P(PairLists, EachSecondParticleRefersToItsPairsInAscendingOrder)
 {
     find();
-    expectBegins(bench.buffers.pairReferences.download(), wantedReferences(), 0);
+    expectBegins(fixture.buffers.pairReferences.download(), wantedReferences(), 0);
 }
 
 TEST_P(PairLists, ReferencesDoNotDependOnTheOrderOfArrival)
 {
     find();
-    const auto before = bench.buffers.pairReferences.download();
-    const auto counts = bench.buffers.listCounts.download();
-    auto entries = bench.buffers.firstLists.download();
+    const auto before = fixture.buffers.pairReferences.download();
+    const auto counts = fixture.buffers.listCounts.download();
+    auto entries = fixture.buffers.firstLists.download();
     for (uint32_t i = 0; i < count(); ++i)
         for (uint32_t slot = 0; slot < noted[i].size(); ++slot) {
             gpu::uvec2& entry = entries[slot * count() + i];
-            entry.y = counts[count() + bench.rankOf(entry.x)] - 1 - entry.y;
+            entry.y = counts[count() + fixture.rankOf(entry.x)] - 1 - entry.y;
         }
-    fill(bench.buffers.firstLists, entries);
-    bench.fillLists();
-    EXPECT_EQ(bench.buffers.pairReferences.download(), before);
+    fill(fixture.buffers.firstLists, entries);
+    fixture.fillLists();
+    EXPECT_EQ(fixture.buffers.pairReferences.download(), before);
 }
 
 TEST_P(PairLists, MorePairsThanThereIsRoomForAreReportedAndLeftOut)
 {
     constexpr uint32_t ROOM = 1001;
-    bench.narrow(bench.buffers.parameters.contactSlots, ROOM, bench.buffers.parameters.colliderPairCapacity);
+    fixture.narrow(fixture.buffers.parameters.contactSlots, ROOM, fixture.buffers.parameters.colliderPairCapacity);
     const gpu::uvec2 untouched{77, 78};
     const gpu::vec4 untouchedVector{7, 7, 7, 7};
-    SolverBuffers& b = bench.buffers;
+    SolverBuffers& b = fixture.buffers;
     fill(b.pairs, std::vector<gpu::uvec2>(b.pairs.size(), untouched));
     fill(b.pairReferences, std::vector<uint32_t>(b.pairReferences.size(), 99));
     fill(b.pairSides, std::vector<gpu::uvec4>(b.pairSides.size(), gpu::uvec4{9, 9, 9, 9}));
@@ -149,9 +149,9 @@ TEST_P(PairLists, MorePairsThanThereIsRoomForAreReportedAndLeftOut)
     find();
     const auto wanted = wantedPairs();
     ASSERT_GT(wanted.size(), ROOM);
-    EXPECT_EQ(bench.counters().problems, PROBLEM_PAIRS);
-    EXPECT_EQ(bench.counters().wantedPairs, wanted.size());
-    EXPECT_EQ(bench.counters().pairCount, ROOM);
+    EXPECT_EQ(fixture.counters().problems, PROBLEM_PAIRS);
+    EXPECT_EQ(fixture.counters().wantedPairs, wanted.size());
+    EXPECT_EQ(fixture.counters().pairCount, ROOM);
     EXPECT_EQ(b.dispatches.download()[DISPATCH_PAIRS].x, groupsFor(ROOM));
     expectPairs(b.pairs.download(), parity() * ROOM, wanted, ROOM, untouched);
     expectBegins(b.pairReferences.download(), wantedReferences(), 99);
@@ -169,15 +169,15 @@ TEST_P(PairLists, ReferencesAreTheSameInEveryRunEvenWhereThereIsNoRoom)
 {
     // What the arrivals held before comes from another search, in an order of its own.
     constexpr uint32_t ROOM = 1001;
-    bench.narrow(bench.buffers.parameters.contactSlots, ROOM, bench.buffers.parameters.colliderPairCapacity);
+    fixture.narrow(fixture.buffers.parameters.contactSlots, ROOM, fixture.buffers.parameters.colliderPairCapacity);
     find();
-    const auto first = bench.buffers.pairReferences.download();
+    const auto first = fixture.buffers.pairReferences.download();
     Random random(32);
-    auto stale = bench.buffers.pairArrivals.download();
+    auto stale = fixture.buffers.pairArrivals.download();
     for (uint32_t& q : stale) q = static_cast<uint32_t>(random.between(0, ROOM));
-    fill(bench.buffers.pairArrivals, stale);
-    bench.fillLists();
-    EXPECT_EQ(bench.buffers.pairReferences.download(), first);
+    fill(fixture.buffers.pairArrivals, stale);
+    fixture.fillLists();
+    EXPECT_EQ(fixture.buffers.pairReferences.download(), first);
 }
 
 std::string halfName(const testing::TestParamInfo<uint32_t>& half)

@@ -6,18 +6,18 @@ namespace knuckle::test {
 
 namespace {
 
-/// More than any particle of the bench can touch, fast or not.
+/// More than any particle of the fixture can touch, fast or not.
 constexpr uint32_t SLOTS = 500;
 constexpr uint32_t CAPACITY = 100000;
 
 }  // namespace
 
-SearchBench::SearchBench() : Bench(mixedWorld())
+SearchBench::SearchBench() : KernelFixture(mixedWorld())
 {
     buffers.parameters.contactSlots = SLOTS;
     buffers.parameters.pairCapacity = buffers.parameters.colliderPairCapacity = CAPACITY;
     buffers.resizeContacts(gpu());
-    places = buffers.particlePlaces.download();
+    places = buffers.particleRanks.download();
     reaches.assign(buffers.parameters.moverCount, 0.0f);
     bodies.resize(count());
     for (const Link& link : world.links) bodies[link.particle].insert(link.body);
@@ -80,7 +80,7 @@ void SearchBench::setReaches(const std::vector<float>& lengths)
     reaches = lengths;
     std::vector<gpu::vec4> centres;
     for (float reach : reaches) centres.push_back(packed({0, 0, 0}, buffers.parameters.drift + reach));
-    fill(buffers.foundCentres, centres);
+    fill(buffers.searchCentres, centres);
     std::vector<uint32_t> fast;
     for (uint32_t i = 0; i < count(); ++i)
         if (isFast(i)) fast.push_back(i);

@@ -14,7 +14,7 @@ inline constexpr float DISTANCE_ROUNDING = 4e-7f;
 
 /// Particles at random places, whatever body they are of, those of bodies in a small space: pairs of every kind come
 /// near each other. The lists have room for all.
-class SearchBench : public Bench {
+class SearchBench : public KernelFixture {
 public:
     SearchBench();
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "tests/solver/body/mover_bench.h"
+#include "tests/solver/body/mover_fixture.h"
 #include "sim/solver/soft/upload_soft.h"
 
 namespace knuckle::test {
@@ -54,29 +54,29 @@ struct Wanted {
 
 class ClusterKernels : public testing::Test {
 protected:
-    ClusterKernels() : bench(softWorld()), places(bench.buffers.particlePlaces.download())
+    ClusterKernels() : fixture(softWorld()), places(fixture.buffers.particleRanks.download())
     {
         Random random(11);
-        auto starts = bench.buffers.moverCentres.download(), moveValues = bench.buffers.moverMoves.download();
-        auto rests = bench.buffers.clusterRests.download();
-        for (const SoftBody& soft : bench.world.softBodies)
+        auto starts = fixture.buffers.moverCentres.download(), moveValues = fixture.buffers.moverMoves.download();
+        auto rests = fixture.buffers.clusterRests.download();
+        for (const SoftBody& soft : fixture.world.softBodies)
             for (uint32_t i = soft.particleStart; i < soft.particleStart + soft.particleCount; ++i) {
                 gpu::vec4& start = starts[places[i].x];
                 start = packed(Vector3f(vec3(start) + random.inCube(0.15f * DIAMETER)));
                 moveValues[places[i].x] = packed(random.inCube(0.02f * DIAMETER), 3.0f);
             }
-        for (uint32_t c = 0; c < bench.world.clusters.size(); ++c) {
-            if (bench.world.softBodies[bench.world.clusters[c].softBody].material == 0) continue;
+        for (uint32_t c = 0; c < fixture.world.clusters.size(); ++c) {
+            if (fixture.world.softBodies[fixture.world.clusters[c].softBody].material == 0) continue;
             Matrix3d rest = Matrix3d::Identity() + 0.1 * Matrix3d(random.rotation().cast<double>());
             rest /= std::cbrt(rest.determinant());
             for (uint32_t k = 0; k < 3; ++k) rests[3 * c + k] = packed(Vector3f(rest.col(k).cast<float>()));
         }
-        fill(bench.buffers.moverCentres, starts);
-        fill(bench.buffers.moverMoves, moveValues);
-        fill(bench.buffers.clusterRests, rests);
-        auto states = bench.buffers.assemblyState.download();
-        states[bench.world.softBodies[0].assembly].y = 2;   // BDF2 in this one
-        fill(bench.buffers.assemblyState, states);
+        fill(fixture.buffers.moverCentres, starts);
+        fill(fixture.buffers.moverMoves, moveValues);
+        fill(fixture.buffers.clusterRests, rests);
+        auto states = fixture.buffers.assemblyState.download();
+        states[fixture.world.softBodies[0].assembly].y = 2;   // BDF2 in this one
+        fill(fixture.buffers.assemblyState, states);
         centres = starts;
         moves = moveValues;
         restsBefore = rests;
@@ -91,7 +91,7 @@ protected:
 
     Wanted wanted(uint32_t c) const
     {
-        const World& world = bench.world;
+        const World& world = fixture.world;
         const Cluster& cluster = world.clusters[c];
         const Material& material = world.materials[world.softBodies[cluster.softBody].material];
         const ClusterMoments m = clusterMoments(world, cluster);
@@ -119,7 +119,7 @@ protected:
         };
         const Matrix3d mapBefore = before * m.inverse;
         const Matrix3d rate = 0.5 * (out.map.transpose() * out.map - mapBefore.transpose() * mapBefore);
-        const double h = bench.buffers.parameters.substepTime, share = timeShare(cluster.softBody);
+        const double h = fixture.buffers.parameters.substepTime, share = timeShare(cluster.softBody);
         const double drawnOut = std::max(1.0, out.map.squaredNorm() / 3.0);
         const Matrix3d stress = share * h * h * out.rotation * hooke(out.strain) * rest.inverse().transpose() +
                                 share * h * e.damping / drawnOut * out.map * hooke(rate);
@@ -127,16 +127,16 @@ protected:
         out.pull = out.grip * out.map - m.mass * stress * m.inverse;
         return out;
     }
-    void match() { bench.run("soft/cluster_match", bench.world.clusters.size(), {{"FIRST", "1"}}); }
+    void match() { fixture.run("soft/cluster_match", fixture.world.clusters.size(), {{"FIRST_ITERATION", "1"}}); }
     void pull()
     {
-        const Kernel kernel = bench.load("soft/cluster_pull", {{"FIRST", "1"}});
+        const Kernel kernel = fixture.load("soft/cluster_pull", {{"FIRST_ITERATION", "1"}});
         glProgramUniform1f(kernel.program(), 0, ROOT);
-        bench.dispatch(kernel, groupsFor(bench.buffers.parameters.softCount));
+        fixture.dispatch(kernel, groupsFor(fixture.buffers.parameters.softCount));
         gpu().checkErrors();
     }
 
-    Bench bench;
+    KernelFixture fixture;
     std::vector<gpu::uvec2> places;
     std::vector<gpu::vec4> centres, moves, restsBefore;
 };
@@ -144,9 +144,9 @@ protected:
 TEST_F(ClusterKernels, AClusterIsMatchedAndPullsAsTheReferenceSays)
 {
     match();
-    const auto pulls = bench.buffers.clusterPulls.download(), rotations = bench.buffers.clusterRotations.download();
-    ASSERT_GT(bench.world.clusters.size(), 40u);
-    for (uint32_t c = 0; c < bench.world.clusters.size(); ++c) {
+    const auto pulls = fixture.buffers.clusterPulls.download(), rotations = fixture.buffers.clusterRotations.download();
+    ASSERT_GT(fixture.world.clusters.size(), 40u);
+    for (uint32_t c = 0; c < fixture.world.clusters.size(); ++c) {
         SCOPED_TRACE("cluster " + std::to_string(c));
         const Wanted w = wanted(c);
         // Rotations to 1e-5 (rotation_test.cpp); a line's twist is open, and R times its only direction is not.
@@ -162,13 +162,13 @@ TEST_F(ClusterKernels, AClusterIsMatchedAndPullsAsTheReferenceSays)
 TEST_F(ClusterKernels, AClusterFlowsByAShareOfWhatIsBeyondItsYield)
 {
     match();
-    const auto rests = bench.buffers.clusterRests.download();
+    const auto rests = fixture.buffers.clusterRests.download();
     uint32_t flowed = 0;
-    for (uint32_t c = 0; c < bench.world.clusters.size(); ++c) {
-        const SoftBody& soft = bench.world.softBodies[bench.world.clusters[c].softBody];
-        const Elasticity& e = bench.world.materials[soft.material].elasticity;
+    for (uint32_t c = 0; c < fixture.world.clusters.size(); ++c) {
+        const SoftBody& soft = fixture.world.softBodies[fixture.world.clusters[c].softBody];
+        const Elasticity& e = fixture.world.materials[soft.material].elasticity;
         const Matrix3d before = columns(restsBefore, 3 * c), strain = wanted(c).strain;
-        const double share = 1.0 - std::exp(-e.creep * bench.buffers.parameters.substepTime);
+        const double share = 1.0 - std::exp(-e.creep * fixture.buffers.parameters.substepTime);
         const double beyond = std::max(1.0 - e.yield / strain.norm(), 0.0);
         Matrix3d next = before + share * beyond * strain * before;
         if (e.creep > 0.0f) next /= std::cbrt(next.determinant());
@@ -183,13 +183,13 @@ TEST_F(ClusterKernels, AClusterFlowsByAShareOfWhatIsBeyondItsYield)
 TEST_F(ClusterKernels, ParticlesGetTheImpulsesOfTheirClustersTogether)
 {
     match();
-    const auto pulls = bench.buffers.clusterPulls.download();
+    const auto pulls = fixture.buffers.clusterPulls.download();
     pull();
-    const auto impulses = bench.buffers.particleImpulses.download();
-    const auto movesNow = bench.buffers.moverMoves.download();
-    std::vector<Vector3d> sums(bench.world.particles.size(), Vector3d::Zero());
+    const auto impulses = fixture.buffers.particleImpulses.download();
+    const auto movesNow = fixture.buffers.moverMoves.download();
+    std::vector<Vector3d> sums(fixture.world.particles.size(), Vector3d::Zero());
     std::vector<double> steepest(sums.size()), sizes(sums.size());
-    for (const Link& link : bench.world.clusterLinks) {
+    for (const Link& link : fixture.world.clusterLinks) {
         const Wanted w = wanted(link.body);
         const Vector3d p = link.mass * (w.pull * link.restOffset.cast<double>() -
                                         w.grip * (place(link.particle) - w.centre));
@@ -202,9 +202,9 @@ TEST_F(ClusterKernels, ParticlesGetTheImpulsesOfTheirClustersTogether)
         const double divisor = std::max(1.0, ROOT * (1.0 + steepest[i]));
         const Vector3d found = vec3(impulses[places[i].y]).cast<double>();
         EXPECT_LE((found - sums[i] / divisor).norm(), 2e-4 * sizes[i]);
-        if (bench.world.particles[i].body != NO_INDEX) continue;
+        if (fixture.world.particles[i].body != NO_INDEX) continue;
         const Vector3d moved = (vec3(movesNow[places[i].x]) - vec3(moves[places[i].x])).cast<double>();
-        EXPECT_LE((moved - found / bench.world.particles[i].mass).norm(), 1e-8);   // moves of 2 mm round to 1e-10
+        EXPECT_LE((moved - found / fixture.world.particles[i].mass).norm(), 1e-8);   // moves of 2 mm round to 1e-10
         EXPECT_EQ(movesNow[places[i].x].w, moves[places[i].x].w);
     }
 }
@@ -213,8 +213,8 @@ TEST_F(ClusterKernels, TheImpulsesOfABodyNeitherMoveNorTurnIt)
 {
     match();
     pull();
-    const auto impulses = bench.buffers.particleImpulses.download();
-    for (const SoftBody& soft : bench.world.softBodies) {
+    const auto impulses = fixture.buffers.particleImpulses.download();
+    for (const SoftBody& soft : fixture.world.softBodies) {
         SCOPED_TRACE("soft body of " + std::to_string(soft.particleCount));
         Vector3d sum = Vector3d::Zero(), torque = Vector3d::Zero();
         double size = 0.0;
@@ -234,8 +234,8 @@ TEST_F(ClusterKernels, TheImpulsesOfABodyNeitherMoveNorTurnIt)
 
 TEST_F(ClusterKernels, AnUnstrainedBodyIsNotPulled)
 {
-    const Bench still(softWorld());
-    SolverBuffers& b = bench.buffers;
+    const KernelFixture still(softWorld());
+    SolverBuffers& b = fixture.buffers;
     fill(b.moverCentres, still.buffers.moverCentres.download());
     fill(b.moverMoves, std::vector<gpu::vec4>(moves.size()));
     fill(b.clusterRests, still.buffers.clusterRests.download());

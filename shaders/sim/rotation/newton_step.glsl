@@ -1,0 +1,26 @@
+// Newton's method on trace(R^T A) (the torque of Mueller et al. 2016, divided by the Hessian trace(S) I - S instead of
+// by trace(S), so that long bodies converge about their axis too); where the Hessian is not positive, Mueller's own
+// step. The turn since the substep began is kept by itself, so that its rounding stays as small as it is.
+
+vec3 newtonStep(mat3 s, vec3 torque)
+{
+    float trace = s[0][0] + s[1][1] + s[2][2];
+    // A direction that no particle determines (a line's twist) keeps its rotation: eq. 18's purpose without its pull.
+    mat3 hessian = mat3((1.0 + 1e-5) * trace) - s;
+    float minor = hessian[0][0] * hessian[1][1] - hessian[0][1] * hessian[1][0];
+    float size = abs(trace) + 1e-30;
+    bool positive = hessian[0][0] > 0.0 && minor > 0.0 && determinant(hessian / size) > 1e-12;
+    return positive ? inverse(hessian / size) * (torque / size) : torque / size;
+}
+
+/// `turned` after one step.
+vec4 newtonRotationDelta(mat3 a, vec4 start, vec4 turned)
+{
+    mat3 r = matrixFromQuaternion(quaternionProduct(turned, start));
+    vec3 torque = cross(r[0], a[0]) + cross(r[1], a[1]) + cross(r[2], a[2]);
+    mat3 g = a * transpose(r);
+    vec3 turn = newtonStep(0.5 * (g + transpose(g)), torque);
+    float angle = length(turn);
+    turn *= min(1.0, 1.0 / max(angle, 1e-20));   // at most one radian
+    return normalize(quaternionProduct(quaternionFromRotation(turn), turned));
+}

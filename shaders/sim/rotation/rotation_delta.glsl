@@ -1,0 +1,12 @@
+// The rotation of a body matched to its particles, by one of three methods:
+//   vec4 matchedRotationDelta(mat3 a, vec4 start, vec4 turned)
+// is how far the orthogonal part of A (eq. 9) has turned since `start`, where the search may begin at `turned`.
+#include "math/quaternion.glsl"
+#include "sim/rotation/newton_step.glsl"
+#ifdef HOUSEHOLDER
+#include "sim/rotation/householder.glsl"
+#elif defined(HIGHAM)
+#include "sim/rotation/higham.glsl"
+#else
+#include "sim/rotation/newton.glsl"
+#endif

@@ -1,0 +1,32 @@
+// One thread: counts the substep and sets the sizes of the dispatches that find contact candidates, to zero where
+// nobody has used up its margin.
+#include "sim/common/kernel.glsl"
+#include "sim/common/groups.glsl"
+
+layout(local_size_x = 1) in;
+BUFFER(Counters, CountersBlock, counters);
+BUFFER(uvec4, Dispatches, dispatches);
+
+void main()
+{
+    bool due = counters[0].due != 0u || counters[0].substep == 0u;
+    uint on = due ? 1u : 0u;
+    uint cells = step.cellMask + 1u;
+    dispatches[DISPATCH_PARTICLES] = uvec4(on * groups(step.particleCount), 1, 1, 0);
+    dispatches[DISPATCH_CELLS] = uvec4(on * groups(cells), 1, 1, 0);
+    dispatches[DISPATCH_CELL_CHUNKS] = uvec4(on * groups(cells / SCAN_CHUNK), 1, 1, 0);
+    dispatches[DISPATCH_LIST_CHUNKS] = uvec4(on * groups(3u * step.particleCount / SCAN_CHUNK + 1u), 1, 1, 0);
+    dispatches[DISPATCH_ONE] = uvec4(on, 1, 1, 0);
+    dispatches[DISPATCH_MOVERS] = uvec4(on * groups(step.moverCount), 1, 1, 0);
+    dispatches[DISPATCH_NEW_PAIRS] = dispatches[DISPATCH_NEW_COLLIDER_PAIRS] = dispatches[DISPATCH_FAST] =
+        uvec4(0, 1, 1, 0);
+    if (due) {
+        counters[0].calm = counters[0].fastLater <= step.fastLimit ? 1u : 0u;
+        counters[0].fastLater = 0u;
+    }
+    counters[0].fastCount = counters[0].fastListed = 0u;
+    counters[0].due = 0u;
+    counters[0].substep += 1u;
+    counters[0].searchCount += on;
+    counters[0].listParity ^= on;
+}

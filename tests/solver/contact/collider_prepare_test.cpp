@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "tests/solver/contact/collider_world.h"
+#include "tests/solver/search/search_test.h"
+#include "sim/solver/measure.h"
+
+namespace knuckle::test {
+
+namespace {
+
+/// Particles at random places among the colliders: their contacts, listed in both halves of the lists in turn.
+class ColliderPrepare : public testing::Test {
+protected:
+    ColliderPrepare() : fixture(colliderWorld())
+    {
+        found = randomVectors(fixture.buffers.parameters.particleCount, 0.5f, 61);
+        places = fixture.buffers.particleRanks.download();
+    }
+    void find()
+    {
+        fixture.setFound(found);
+        fixture.forParticles("search/collider_find");
+        fixture.fillLists();
+    }
+    size_t start() const { return fixture.counters().listParity * fixture.buffers.parameters.colliderPairCapacity; }
+    /// The current contacts, in order: particle, collider.
+    std::vector<gpu::uvec2> contacts() const
+    {
+        const auto all = fixture.buffers.colliderPairs.download();
+        const auto first = all.begin() + static_cast<std::ptrdiff_t>(start());
+        return {first, first + fixture.counters().colliderPairCount};
+    }
+    /// The same of what the particles found.
+    std::vector<gpu::uvec2> wantedContacts() const
+    {
+        const auto counts = fixture.buffers.listCounts.download(), lists = fixture.buffers.colliderLists.download();
+        const auto count = static_cast<uint32_t>(found.size());
+        std::vector<gpu::uvec2> wanted;
+        for (uint32_t i : fixture.buffers.rankedParticles.download())
+            for (uint32_t slot = 0; slot < counts[2 * count + places[i].y]; ++slot)
+                wanted.push_back({i, lists[slot * count + i]});
+        return wanted;
+    }
+    float gapOf(gpu::uvec2 contact) const
+    {
+        return colliderDistance(fixture.world, fixture.world.colliders[contact.y], vec3(found[contact.x])) - DIAMETER / 2;
+    }
+    /// Distances of turned colliders (collider_test.cpp).
+    static constexpr float ROUNDING = 4e-6f;
+    KernelFixture fixture;
+    std::vector<gpu::vec4> found;
+    std::vector<gpu::uvec2> places;
+};
+
+void expectSame(const std::vector<gpu::uvec2>& actual, const std::vector<gpu::uvec2>& wanted)
+{
+    ASSERT_EQ(actual.size(), wanted.size());
+    for (size_t q = 0; q < actual.size(); ++q) {
+        ASSERT_EQ(actual[q].x, wanted[q].x) << "contact " << q;
+        ASSERT_EQ(actual[q].y, wanted[q].y) << "contact " << q;
+    }
+}
+
+TEST_F(ColliderPrepare, TheContactsOfEachRankStandTogetherInBothHalves)
+{
+    for (int half : {0, 1}) {
+        SCOPED_TRACE(half);
+        find();
+        const auto wanted = wantedContacts();
+        ASSERT_GT(wanted.size(), 200u);
+        expectSame(contacts(), wanted);
+        const auto dispatches = fixture.buffers.dispatches.download();
+        for (uint32_t k : {DISPATCH_COLLIDER_PAIRS, DISPATCH_NEW_COLLIDER_PAIRS})
+            EXPECT_EQ(dispatches[k].x, groupsFor(wanted.size()));
+        found = randomVectors(found.size(), 0.5f, 62);
+        fixture.turnHalves();
+    }
+}
+
+TEST_F(ColliderPrepare, ContactsThatLastKeepTheirImpulsesAndFreshOnesHaveNone)
+{
+    find();
+    auto impulses = fixture.buffers.colliderImpulses.download();
+    auto means = fixture.buffers.colliderMeans.download();
+    std::map<std::pair<uint32_t, uint32_t>, gpu::vec4> old;
+    const auto before = contacts();
+    size_t first = start();
+    for (size_t q = 0; q < before.size(); ++q) {
+        old[{before[q].x, before[q].y}] = impulses[first + q] = {float(before[q].x), float(before[q].y), 3, 4};
+        means[first + q] = 5.0f + float(before[q].x);
+    }
+    fill(fixture.buffers.colliderImpulses, impulses);
+    fill(fixture.buffers.colliderMeans, means);
+    const auto shifts = randomVectors(found.size(), 0.12f, 63);
+    for (size_t i = 0; i < found.size(); ++i) found[i] = packed(vec3(found[i]) + vec3(shifts[i]));
+    fixture.turnHalves();
+    find();
+    impulses = fixture.buffers.colliderImpulses.download();
+    means = fixture.buffers.colliderMeans.download();
+    uint32_t kept = 0, fresh = 0, touching = 0;
+    const auto after = contacts();
+    first = start();
+    for (size_t q = 0; q < after.size(); ++q) {
+        const gpu::vec4& actual = impulses[first + q];
+        const auto last = old.find({after[q].x, after[q].y});
+        const float gap = gapOf(after[q]);
+        if (last == old.end() && std::abs(gap) < ROUNDING) continue;
+        const gpu::vec4 wanted =
+            last != old.end() ? last->second : gpu::vec4{0, 0, 0, gap < 0 ? float(ABOUT_TO_ACT) : 0.0f};
+        ASSERT_EQ(vec3(actual), vec3(wanted)) << "particle " << after[q].x << ", collider " << after[q].y;
+        ASSERT_EQ(actual.w, wanted.w) << "particle " << after[q].x << ", collider " << after[q].y;
+        ASSERT_EQ(means[first + q], last != old.end() ? 5.0f + wanted.x : 0.0f) << "particle " << after[q].x;
+        ++(last != old.end() ? kept : gap < 0 ? touching : fresh);
+    }
+    EXPECT_GT(kept, 100u);
+    EXPECT_GT(fresh, 20u);
+    EXPECT_GT(touching, 20u);
+}
+
+TEST_F(ColliderPrepare, AContactKnowsItsMoverColliderArmAndFriction)
+{
+    find();
+    const auto sides = fixture.buffers.colliderSides.download();
+    const auto arms = fixture.buffers.colliderArms.download(), offsets = fixture.buffers.restOffsets.download();
+    const auto all = contacts();
+    for (size_t q = 0; q < all.size(); ++q) {
+        const auto [i, c] = all[q];
+        const Material& material = fixture.world.materials[fixture.world.particles[i].material];
+        const Collider& collider = fixture.world.colliders[c];
+        ASSERT_EQ(sides[q].x, places[i].x) << "contact " << q;
+        ASSERT_EQ(sides[q].y, c) << "contact " << q;
+        ASSERT_EQ(vec3(arms[q]), vec3(offsets[i])) << "contact " << q;
+        ASSERT_EQ(arms[q].w, offsets[i].w) << "contact " << q;
+        const Eigen::Vector2f friction = halves(sides[q].z);
+        ASSERT_NEAR(friction.x(), 0.5f * (material.staticFriction + collider.staticFriction), HALF_ROUNDING);
+        ASSERT_NEAR(friction.y(), 0.5f * (material.kineticFriction + collider.kineticFriction), HALF_ROUNDING);
+    }
+}
+
+TEST_F(ColliderPrepare, MoreContactsThanThereIsRoomForAreReportedAndLeftOut)
+{
+    constexpr uint32_t ROOM = 101;
+    SolverBuffers& b = fixture.buffers;
+    b.parameters.colliderPairCapacity = ROOM;
+    fixture.setParameters();
+    fixture.turnHalves();
+    fill(b.colliderPairs, std::vector<gpu::uvec2>(b.colliderPairs.size(), gpu::uvec2{77, 78}));
+    fill(b.colliderSides, std::vector<gpu::uvec4>(b.colliderSides.size(), gpu::uvec4{9, 9, 9, 9}));
+    for (auto* buffer : {&b.colliderArms, &b.colliderImpulses})
+        fill(*buffer, std::vector<gpu::vec4>(buffer->size(), gpu::vec4{7, 7, 7, 7}));
+    find();
+    auto wanted = wantedContacts();
+    ASSERT_GT(wanted.size(), ROOM);
+    EXPECT_EQ(fixture.counters().problems, PROBLEM_PAIRS);
+    EXPECT_EQ(fixture.counters().wantedColliderPairs, wanted.size());
+    EXPECT_EQ(fixture.counters().colliderPairCount, ROOM);
+    wanted.resize(ROOM);
+    expectSame(contacts(), wanted);
+    const auto pairs = b.colliderPairs.download();
+    const auto sides = b.colliderSides.download();
+    const auto arms = b.colliderArms.download(), impulses = b.colliderImpulses.download();
+    for (size_t q = 0; q < pairs.size(); ++q) {
+        const bool filled = q >= ROOM && q < 2 * ROOM;
+        ASSERT_EQ(pairs[q].x == 77u && pairs[q].y == 78u, !filled) << "contact " << q;
+        ASSERT_EQ(impulses[q].x == 7.0f, !filled) << "impulse " << q;
+        if (q < ROOM || q >= sides.size()) continue;
+        ASSERT_EQ(sides[q].x, 9u) << "contact " << q;
+        ASSERT_EQ(arms[q].x, 7.0f) << "arm " << q;
+    }
+}
+
+}  // namespace
+
+}  // namespace knuckle::test

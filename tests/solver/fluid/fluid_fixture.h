@@ -1,0 +1,70 @@
+#pragma once
+
+#include "tests/solver/solver_test.h"
+
+namespace knuckle::test {
+
+/// A block, a plate, loose particles and water and oil, 1033 particles in all (no multiple of any group size), thrown
+/// together at random on both sides of the origin, as dense as water at rest on the mean; a plane below and one at the
+/// side. Lists have room for all neighbours. What kernels read is written from here, so that each is tested by itself;
+/// "neighbours" are those of brute force.
+class FluidFixture : public KernelFixture {
+public:
+    explicit FluidFixture(const Settings& settings = {});
+
+    const gpu::StepParameters& parameters() const { return buffers.parameters; }
+    uint32_t count() const { return static_cast<uint32_t>(world.particles.size()); }
+    uint32_t solidCount() const { return parameters().particleCount; }
+    bool isFluid(uint32_t particle) const { return particle >= solidCount(); }
+    Vector3d place(uint32_t particle) const { return vec3(places[particle]).cast<double>(); }
+    double mass(uint32_t particle) const { return 1.0 / masses[particle].x; }
+
+    /// Gives every particle a slot and every slot its neighbours, as the step does.
+    void findNeighbours();
+    /// How the fluids' grid is wrapped: wide enough for its place, or so early that particles look near to each other
+    /// that are not. Before findNeighbours().
+    void wrap(bool early);
+    /// Moves everything; before findNeighbours().
+    void setPlaces(const std::vector<gpu::vec4>& positions);
+    /// Runs a kernel on all slots.
+    void forSlots(const std::string& name, const Defines& defines = {}) { run(name, count(), defines); }
+    /// Values of particles in the order of slots, and back.
+    template <typename T>
+    std::vector<T> inSlots(const std::vector<T>& values) const
+    {
+        std::vector<T> sorted(values.size());
+        for (uint32_t k = 0; k < values.size(); ++k) sorted[k] = values[slotParticles[k]];
+        return sorted;
+    }
+    template <typename T>
+    std::vector<T> byParticle(const std::vector<T>& sorted) const
+    {
+        std::vector<T> values(sorted.size());
+        for (uint32_t k = 0; k < sorted.size(); ++k) values[slotParticles[k]] = sorted[k];
+        return values;
+    }
+    /// Entry n of a slot's list, sim/fluid/neighbour_lists.glsl written anew.
+    uint32_t entry(uint32_t slot, uint32_t n) const;
+    /// Other particles of one kind that are nearer than `reach` [m].
+    std::vector<uint32_t> near(uint32_t particle, bool fluid, double reach) const;
+    /// Fluid particles that its kernel reaches.
+    std::vector<uint32_t> fluidNear(uint32_t particle) const { return near(particle, true, parameters().fluidReach); }
+
+    /// W times a particle's volume at the distance r, and its derivative by r [1/m]: sim/fluid/fluid.glsl written anew.
+    double share(double r) const;
+    double slope(double r) const { return derivative([&](double x) { return share(x); }, r); }
+    /// By a central difference, for the reference not to repeat the shaders' formulas.
+    template <typename Function>
+    static double derivative(const Function& function, double x)
+    {
+        constexpr double STEP = 1e-6;
+        return (function(x + STEP) - function(x - STEP)) / (2.0 * STEP);
+    }
+
+    std::vector<gpu::vec4> places, masses;
+    std::vector<uint32_t> slotParticles;
+    std::vector<gpu::uvec2> slotCounts;
+    std::vector<uint32_t> neighbours;   ///< slotNeighbours, one by one.
+};
+
+}  // namespace knuckle::test

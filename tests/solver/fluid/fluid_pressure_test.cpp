@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tests/solver/fluid/fluid_fixture.h"
+
+namespace knuckle::test {
+
+namespace {
+
+constexpr double ROUNDING = 1e-5;
+
+/// Random pressures as of particles that are up to twice too dense; starts a little off the places.
+class FluidPressure : public testing::Test {
+protected:
+    FluidPressure()
+    {
+        fixture.findNeighbours();
+        Random random(41);
+        for (uint32_t i = 0; i < fixture.count(); ++i) {
+            starts.push_back(packed(vec3(fixture.places[i]) + random.inCube(0.003f)));
+            gpu::vec4 pressure = fixture.places[i];
+            pressure.w = fixture.isFluid(i) ? -random.between(0.0f, 2e-4f) * float(fixture.mass(i)) : 0.0f;
+            pressures.push_back(pressure);
+            walls.push_back(fixture.isFluid(i) ? random.vec4(3.0f) : gpu::vec4{});
+            solids.push_back(fixture.isFluid(i) ? random.vec4(3.0f) : gpu::vec4{});
+            before.push_back({1000, 0, 0, 0});   // so fast that no limit counts
+        }
+    }
+    void push(float harder = 1.0f, const Defines& defines = {})
+    {
+        auto p = pressures;
+        for (gpu::vec4& v : p) v.w *= harder;
+        fill(fixture.buffers.positions, starts);
+        fill(fixture.buffers.velocities, before);
+        fill(fixture.buffers.fluid.slotVelocities, fixture.inSlots(before));
+        fill(fixture.buffers.fluid.slotPressures, fixture.inSlots(p));
+        fill(fixture.buffers.fluid.slotWalls, fixture.inSlots(walls));
+        fill(fixture.buffers.fluid.slotSolids, fixture.inSlots(solids));
+        fixture.forSlots("fluid/fluid_pressure", defines);
+        positions = fixture.buffers.positions.download();
+    }
+    void clearWalls() { walls = solids = std::vector<gpu::vec4>(fixture.count()); }
+    Vector3d move(uint32_t i) const { return vec3(positions[i]).cast<double>() - fixture.place(i); }
+    /// Macklin and Mueller 2013, eqs. 12 and 13, with masses [kg m].
+    Vector3d impulse(uint32_t i) const
+    {
+        const double lambda = pressures[i].w;
+        Vector3d sum = lambda * (vec3(walls[i]) + vec3(solids[i])).cast<double>();
+        for (uint32_t j : fixture.fluidNear(i)) {
+            const Vector3d r = fixture.place(i) - fixture.place(j);
+            const double crowd = fixture.share(r.norm()) / fixture.share(0.0);
+            sum += (lambda + pressures[j].w) * (1.0 + FLUID_REPULSION * std::pow(crowd, 4)) * fixture.slope(r.norm()) *
+                   r.normalized();
+        }
+        return sum;
+    }
+
+    FluidFixture fixture;
+    std::vector<gpu::vec4> starts, before, pressures, walls, solids, positions;
+};
+
+TEST_F(FluidPressure, MovesByThePressuresAround)
+{
+    push();
+    const auto velocities = fixture.buffers.velocities.download();
+    const double h = fixture.parameters().substepTime, most = 0.25 * fixture.parameters().fluidReach;
+    double moved = 0.0;
+    for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
+        const Vector3d wanted = impulse(i) / fixture.mass(i);
+        ASSERT_LT(wanted.norm(), most);
+        ASSERT_LT((move(i) - wanted).norm(), ROUNDING * (wanted.norm() + 0.01)) << i;
+        const Vector3d v = (vec3(positions[i]) - vec3(starts[i])).cast<double>() * (fixture.parameters().damping / h);
+        ASSERT_LT((vec3(velocities[i]).cast<double>() - v).norm(), ROUNDING * (v.norm() + 1.0)) << i;
+        moved += wanted.norm();
+    }
+    EXPECT_GT(moved / fixture.parameters().fluidCount, 1e-3);
+    EXPECT_EQ(fixture.counters().problems, 0u);
+}
+
+TEST_F(FluidPressure, ImpulsesOfPairsAddUpToNothing)
+{
+    clearWalls();
+    fill(fixture.buffers.fluid.fluidMaterials, std::vector<gpu::vec4>{{0, 0, 0, 0}, {0, 2e-5f, 0, 0}, {0, 1e-5f, 0, 0}});
+    std::vector<uint32_t> materials;
+    for (const Particle& p : fixture.world.particles) materials.push_back(p.material);
+    fill(fixture.buffers.fluid.slotMaterials, fixture.inSlots(materials));
+    std::vector<gpu::vec4> without;
+    for (const Defines& defines : {Defines{}, Defines{{"TENSION", "1"}}}) {
+        push(1.0f, defines);
+        Vector3d sum = Vector3d::Zero();
+        double size = 0.0, changed = 0.0;
+        for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
+            sum += fixture.mass(i) * move(i);
+            size += fixture.mass(i) * move(i).norm();
+            if (!without.empty()) changed += (vec3(positions[i]) - vec3(without[i])).norm();
+        }
+        EXPECT_LT(sum.norm(), ROUNDING * size);
+        EXPECT_EQ(changed > 0.01 * size, !without.empty()) << "surface tension";
+        without = positions;
+    }
+}
+
+TEST_F(FluidPressure, NobodyIsPushedByMoreThanAQuarterOfTheReach)
+{
+    push(1000.0f);
+    const double most = 0.25 * fixture.parameters().fluidReach;
+    uint32_t held = 0;
+    for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
+        const Vector3d wanted = 1000.0 * impulse(i) / fixture.mass(i);
+        ASSERT_LT(move(i).norm(), most * 1.0001) << i;
+        if (wanted.norm() < most) continue;
+        ++held;
+        ASSERT_LT((move(i).normalized() - wanted.normalized()).norm(), 1e-3) << i;
+    }
+    EXPECT_GT(held, 500u);
+}
+
+TEST_F(FluidPressure, AmongSolidsNobodyGetsMuchFasterThanTheyOrItWere)
+{
+    before = randomVectors(fixture.count(), 1.0f, 44);
+    push(10.0f);
+    const auto velocities = fixture.buffers.velocities.download();
+    const double h = fixture.parameters().substepTime;
+    uint32_t limited = 0, free = 0;
+    for (uint32_t k = 0; k < fixture.count(); ++k) {
+        const uint32_t i = fixture.slotParticles[k];
+        if (!fixture.isFluid(i)) continue;
+        const auto nearSolids = fixture.near(i, false, fixture.parameters().fluidListReach);
+        double fastest = vec3(before[i]).norm();
+        for (uint32_t j : nearSolids) fastest = std::max(fastest, double(vec3(before[j]).norm()));
+        const Vector3d v = (vec3(positions[i]) - vec3(starts[i])).cast<double>() * (fixture.parameters().damping / h);
+        const double most = !nearSolids.empty() ? fastest + MOST_SQUEEZE * h : INFINITY;
+        const Vector3d wanted = v * std::min(1.0, most / v.norm());
+        ASSERT_LT((vec3(velocities[i]).cast<double>() - wanted).norm(), ROUNDING * (v.norm() + 1.0)) << i;
+        ++(v.norm() > most ? limited : free);
+    }
+    EXPECT_GT(limited, 100u);
+    EXPECT_GT(free, 50u);
+}
+
+TEST_F(FluidPressure, NobodyIsLeftInAWall)
+{
+    clearWalls();
+    std::vector<uint32_t> colliders(fixture.count(), 3);
+    fill(fixture.buffers.fluid.slotColliders, colliders);
+    push();
+    const float away = 0.25f * fixture.parameters().fluidSpacing;
+    uint32_t shifted = 0;
+    for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
+        ASSERT_GT(positions[i].y, -0.25f + away - 1e-6f);
+        ASSERT_LT(positions[i].x, 0.25f - away + 1e-6f);
+        shifted += positions[i].y < -0.25f + away + 1e-6f || positions[i].x > 0.25f - away - 1e-6f;
+    }
+    EXPECT_GT(shifted, 20u);
+}
+
+TEST_F(FluidPressure, SettlingMovesTheSameAndLeavesVelocities)
+{
+    push();
+    const auto moved = positions;
+    before = randomVectors(fixture.count(), 1.0f, 43);
+    push(1.0f, {{"RELAX", "1"}});
+    const auto kept = fixture.buffers.velocities.download();
+    for (uint32_t i = 0; i < fixture.count(); ++i) {
+        ASSERT_EQ(vec3(positions[i]), vec3(moved[i])) << i;
+        ASSERT_EQ(vec3(kept[i]), vec3(before[i])) << i;
+    }
+}
+
+TEST_F(FluidPressure, PredictsWhereTheNextSubstepEndsWithoutPressures)
+{
+    push();
+    const auto velocities = fixture.buffers.velocities.download();
+    const auto next = fixture.byParticle(fixture.buffers.fluid.slotPositions.download());
+    const float h = fixture.parameters().substepTime;
+    const Vector3f fall = h * vec3(fixture.parameters().gravity);
+    for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
+        const Vector3f wanted = vec3(positions[i]) + h * (vec3(velocities[i]) + fall);
+        ASSERT_LT((vec3(next[i]) - wanted).norm(), 1e-6f) << i;
+        ASSERT_NEAR(next[i].w, fixture.mass(i), ROUNDING * fixture.mass(i)) << i;
+    }
+    push(1.0f, {{"RELAX", "1"}});
+    const auto still = fixture.byParticle(fixture.buffers.fluid.slotPositions.download());
+    for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) ASSERT_EQ(vec3(still[i]), vec3(positions[i])) << i;
+}
+
+}  // namespace
+
+}  // namespace knuckle::test

@@ -1,0 +1,110 @@
+#include "tests/solver/solver_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+constexpr uint32_t SUBSTEP = 12;
+
+/// Work groups per dispatch of a search.
+struct SearchSize {
+    uint32_t dispatch;
+    uint64_t threads;
+};
+
+class SearchDue : public testing::Test {
+protected:
+    SearchDue() : fixture(mixedWorld())
+    {
+        // More than the world has, so that lists of all lengths take several groups.
+        fixture.buffers.parameters.particleCount = 30001;
+        fixture.buffers.parameters.moverCount = 20011;
+        fixture.setParameters();
+        counters.substep = SUBSTEP;
+        counters.listParity = 1;
+        counters.searchCount = 7;
+        counters.fastCount = 3;
+        counters.fastLater = fixture.buffers.parameters.fastLimit + 1;
+        counters.calm = 1;
+        counters.fastListed = 2;
+        counters.pairCount = 55;
+        // What the last search left.
+        fill(fixture.buffers.dispatches, std::vector<gpu::uvec4>(DISPATCH_COUNT, gpu::uvec4{9, 1, 1, 0}));
+    }
+    void run()
+    {
+        fixture.setCounters(counters);
+        fixture.run("search/search_due", 1);
+        counters = fixture.counters();
+        sizes = fixture.buffers.dispatches.download();
+    }
+    std::vector<SearchSize> searchSizes() const
+    {
+        const gpu::StepParameters& p = fixture.buffers.parameters;
+        return {{DISPATCH_PARTICLES, p.particleCount}, {DISPATCH_CELLS, p.cellMask + 1},
+                {DISPATCH_CELL_CHUNKS, (p.cellMask + 1) / SCAN_CHUNK}, {DISPATCH_MOVERS, p.moverCount},
+                {DISPATCH_ONE, 1}, {DISPATCH_LIST_CHUNKS, (3 * p.particleCount + SCAN_CHUNK - 1) / SCAN_CHUNK}};
+    }
+    void expectSearch(bool found)
+    {
+        for (const auto& [dispatch, threads] : searchSizes()) {
+            EXPECT_EQ(sizes[dispatch].x, found ? groupsFor(threads) : 0u) << "dispatch " << dispatch;
+            EXPECT_EQ(sizes[dispatch].y, 1u);
+            EXPECT_EQ(sizes[dispatch].z, 1u);
+        }
+        // Their sizes are known later.
+        for (uint32_t dispatch : {DISPATCH_NEW_PAIRS, DISPATCH_NEW_COLLIDER_PAIRS, DISPATCH_FAST})
+            EXPECT_EQ(sizes[dispatch].x, 0u) << "dispatch " << dispatch;
+        // The contacts of the last search, which are solved where there is no new one.
+        for (uint32_t dispatch : {DISPATCH_PAIRS, DISPATCH_COLLIDER_PAIRS}) EXPECT_EQ(sizes[dispatch].x, 9u);
+        EXPECT_EQ(counters.pairCount, 55u);
+        EXPECT_EQ(counters.listParity, found ? 0u : 1u);
+        EXPECT_EQ(counters.searchCount, found ? 8u : 7u);
+        EXPECT_EQ(counters.fastCount, 0u);
+        EXPECT_EQ(counters.fastListed, 0u);
+        EXPECT_EQ(counters.fastLater, found ? 0u : fixture.buffers.parameters.fastLimit + 1u);
+        EXPECT_EQ(counters.calm, found ? 0u : 1u) << "too many were fast in the last search";
+        EXPECT_EQ(counters.due, 0u);
+    }
+
+    KernelFixture fixture;
+    gpu::Counters counters{};
+    std::vector<gpu::uvec4> sizes;
+};
+
+TEST_F(SearchDue, NothingIsSearchedWhereNobodyHasLeftItsMargin)
+{
+    run();
+    expectSearch(false);
+    EXPECT_EQ(counters.substep, SUBSTEP + 1);
+}
+
+TEST_F(SearchDue, ASearchIsMadeWhereSomebodyHas)
+{
+    counters.due = 1;
+    run();
+    expectSearch(true);
+    EXPECT_EQ(counters.substep, SUBSTEP + 1);
+}
+
+TEST_F(SearchDue, TheFirstSubstepSearches)
+{
+    counters.substep = 0;
+    run();
+    expectSearch(true);
+    EXPECT_EQ(counters.substep, 1u);
+}
+
+TEST_F(SearchDue, TheFastOnesGetAThreadEach)
+{
+    for (uint32_t fast : {0u, 1u, uint32_t(GROUP_SIZE), GROUP_SIZE + 1u}) {
+        counters.fastListed = fast;
+        fixture.setCounters(counters);
+        fixture.run("search/search_far_due", 1);
+        EXPECT_EQ(fixture.buffers.dispatches.download()[DISPATCH_FAST].x, groupsFor(fast));
+    }
+}
+
+}  // namespace
+
+}  // namespace knuckle::test
