@@ -42,6 +42,7 @@ class Buffer : public RawBuffer {
     static_assert(std::is_trivially_copyable_v<T>);
 
 public:
+    using Element = T;
     Buffer() = default;
     Buffer(std::string label, size_t size) : RawBuffer(std::move(label), size * sizeof(T)), size_(size) { clear(); }
     Buffer(std::string label, std::span<const T> data)

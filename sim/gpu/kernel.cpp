@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::string_view LAST = "last";
 
+using Scalar = ElementType::Scalar;
+
 std::string resourceName(GLuint program, GLenum interface, GLuint index)
 {
     char name[128] = "";
@@ -38,12 +40,35 @@ GLenum texelFormat(uint32_t bytes, bool isUnsigned)
     }
 }
 
-}  // namespace
-
-void BufferTable::add(const std::string& name, RawBuffer& buffer, uint32_t texelBytes)
+/// One property of an active resource.
+GLint property(GLuint program, GLenum interface, GLuint index, GLenum asked)
 {
-    entries_[name] = {&buffer, texelBytes};
+    GLint value = 0;
+    glGetProgramResourceiv(program, interface, index, 1, &asked, 1, nullptr, &value);
+    return value;
 }
+
+/// A storage block is one array; it must consist of what the host says.
+void checkBlock(GLuint program, GLuint block, const std::string& name, const ElementType& element,
+                const std::string& kernel)
+{
+    const GLint count = property(program, GL_SHADER_STORAGE_BLOCK, block, GL_NUM_ACTIVE_VARIABLES);
+    if (count < 1) return;
+    // Room for all: Mesa 22.3 writes them all, whatever the buffer's size.
+    std::vector<GLint> variables(static_cast<size_t>(count));
+    const GLenum asked = GL_ACTIVE_VARIABLES;
+    glGetProgramResourceiv(program, GL_SHADER_STORAGE_BLOCK, block, 1, &asked, count, nullptr, variables.data());
+    const auto variable = static_cast<GLuint>(variables[0]);
+    // Zero but for arrays of structs.
+    GLint stride = property(program, GL_BUFFER_VARIABLE, variable, GL_TOP_LEVEL_ARRAY_STRIDE);
+    if (stride == 0) stride = property(program, GL_BUFFER_VARIABLE, variable, GL_ARRAY_STRIDE);
+    const auto type = static_cast<GLenum>(property(program, GL_BUFFER_VARIABLE, variable, GL_TYPE));
+    if (stride == static_cast<GLint>(element.bytes) && (element.glType == GL_NONE || type == element.glType)) return;
+    throw DeviceError(fmt::format("kernel {} declares the block \"{}\" with elements of {} bytes and another type than "
+                                  "the host's, of {} bytes", kernel, name, stride, element.bytes));
+}
+
+}  // namespace
 
 const BufferTable::Entry& BufferTable::find(const std::string& name, const std::string& kernel) const
 {
@@ -112,8 +137,9 @@ void KernelTimer::collect()
     used_ = 0;
 }
 
-Kernel::Kernel(const Gpu& gpu, const BufferTable& buffers, const std::string& path, const Defines& defines)
-    : program_(Program::compute(gpu, path, defines))
+Kernel::Kernel(const Gpu& gpu, const BufferTable& buffers, const std::string& path, const Defines& defines,
+               const std::string& variant)
+    : program_(Program::compute(gpu, path, defines)), name_(program_.name() + variant)
 {
     bindStorage(buffers);
     bindTextures(buffers);
@@ -127,22 +153,27 @@ void Kernel::bindStorage(const BufferTable& buffers)
 {
     for (GLuint i = 0; i < resourceCount(program_.id(), GL_SHADER_STORAGE_BLOCK); ++i) {
         const std::string block = resourceName(program_.id(), GL_SHADER_STORAGE_BLOCK, i);
+        const BufferTable::Entry& entry = buffers.find(block, name());
+        checkBlock(program_.id(), i, block, entry.element, name());
         glShaderStorageBlockBinding(program_.id(), i, static_cast<GLuint>(storage_.size()));
-        storage_.push_back(buffers.find(block, name()).buffer->id());
+        storage_.push_back(entry.buffer);
     }
 }
 
 void Kernel::bindTextures(const BufferTable& buffers)
 {
     for (GLuint i = 0; i < resourceCount(program_.id(), GL_UNIFORM); ++i) {
-        const GLenum asked[] = {GL_TYPE, GL_LOCATION};
-        GLint values[2] = {};
-        glGetProgramResourceiv(program_.id(), GL_UNIFORM, i, 2, asked, 2, nullptr, values);
-        const bool isFloat = values[0] == GL_SAMPLER_BUFFER;
-        if (!isFloat && values[0] != GL_UNSIGNED_INT_SAMPLER_BUFFER) continue;
-        const auto& entry = buffers.find(resourceName(program_.id(), GL_UNIFORM, i), name());
-        glProgramUniform1i(program_.id(), values[1], static_cast<GLint>(textures_.size()));
-        textures_.push_back(entry.buffer->texture(texelFormat(entry.texelBytes, !isFloat)));
+        const auto type = static_cast<GLenum>(property(program_.id(), GL_UNIFORM, i, GL_TYPE));
+        const bool isFloat = type == GL_SAMPLER_BUFFER;
+        if (!isFloat && type != GL_UNSIGNED_INT_SAMPLER_BUFFER) continue;
+        const std::string sampler = resourceName(program_.id(), GL_UNIFORM, i);
+        const BufferTable::Entry& entry = buffers.find(sampler, name());
+        if (isFloat != (entry.element.scalar == Scalar::Float))
+            throw DeviceError(fmt::format("kernel {} declares \"{}\" as a {}, which the host's buffer does not hold",
+                                          name(), sampler, isFloat ? "samplerBuffer" : "usamplerBuffer"));
+        glProgramUniform1i(program_.id(), property(program_.id(), GL_UNIFORM, i, GL_LOCATION),
+                           static_cast<GLint>(textures_.size()));
+        textures_.push_back({entry.buffer, texelFormat(entry.element.texelBytes, !isFloat)});
     }
 }
 
@@ -151,7 +182,7 @@ void Kernel::bindUniformBlocks(const BufferTable& buffers)
     for (GLuint i = 0; i < resourceCount(program_.id(), GL_UNIFORM_BLOCK); ++i) {
         glUniformBlockBinding(program_.id(), i, static_cast<GLuint>(uniforms_.size()));
         const std::string block = resourceName(program_.id(), GL_UNIFORM_BLOCK, i);
-        uniforms_.push_back(buffers.find(block, name()).buffer->id());
+        uniforms_.push_back(buffers.find(block, name()).buffer);
     }
 }
 
@@ -159,11 +190,11 @@ void Kernel::begin(KernelTimer& timer) const
 {
     glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name().c_str());
     glUseProgram(program_.id());
-    for (GLuint i = 0; i < storage_.size(); ++i) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, storage_[i]);
-    for (GLuint i = 0; i < uniforms_.size(); ++i) glBindBufferBase(GL_UNIFORM_BUFFER, i, uniforms_[i]);
+    for (GLuint i = 0; i < storage_.size(); ++i) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, storage_[i]->id());
+    for (GLuint i = 0; i < uniforms_.size(); ++i) glBindBufferBase(GL_UNIFORM_BUFFER, i, uniforms_[i]->id());
     for (GLuint i = 0; i < textures_.size(); ++i) {
         glActiveTexture(GL_TEXTURE0 + i);
-        glBindTexture(GL_TEXTURE_BUFFER, textures_[i]);
+        glBindTexture(GL_TEXTURE_BUFFER, textures_[i].buffer->texture(textures_[i].format));
     }
     timer.begin(name());
 }

@@ -1,40 +1,14 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <map>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "sim/gpu/buffer.h"
+#include "sim/gpu/buffer_table.h"
 #include "sim/gpu/program.h"
 
 namespace knuckle {
-
-/// Buffers by the name that kernels know them by. A storage block `Positions` and a sampler `positions` both mean the
-/// buffer "positions"; so does a sampler `lastPositions`, for kernels that write what they read. Those read only
-/// elements that the same thread writes, or that nobody does.
-class BufferTable {
-public:
-    /// @param texelBytes 4, 8 or 16: what one texel of the buffer's texture holds.
-    void add(const std::string& name, RawBuffer& buffer, uint32_t texelBytes);
-    /// Each under its label, a texel as large as an element, 16 bytes at most.
-    template <typename... T>
-    void add(Buffer<T>&... buffers)
-    {
-        (add(buffers.label(), buffers, static_cast<uint32_t>(std::min<size_t>(sizeof(T), 16))), ...);
-    }
-    struct Entry {
-        RawBuffer* buffer = nullptr;
-        uint32_t texelBytes = 4;
-    };
-    /// @throws DeviceError for an unknown name, saying which kernel asked.
-    const Entry& find(const std::string& name, const std::string& kernel) const;
-
-private:
-    std::map<std::string, Entry> entries_;
-};
 
 /// Times of kernels by pairs of GL_TIMESTAMP (GL_TIME_ELAPSED always says 1 ns on llvmpipe).
 class KernelTimer {
@@ -67,20 +41,29 @@ private:
     size_t used_ = 0;
 };
 
-/// A compute program with its buffers bound by name, dispatched with its label, its barrier and its time.
+/// A compute program with its buffers bound by name, dispatched with its label, its barrier and its time. It refers to
+/// the buffers: one that is assigned to, because a list grew, is bound anew by itself.
 class Kernel {
 public:
     Kernel() = default;
-    /// @param path below shaders/. Every storage block, sampler and uniform block in it must be in the table.
-    Kernel(const Gpu& gpu, const BufferTable& buffers, const std::string& path, const Defines& defines = {});
+    /// @param path below shaders/. Every storage block, sampler and uniform block in it must be in the table, with the
+    /// type of element that the host gave the buffer.
+    /// @param variant names the kernel apart from others of the same file, in times and labels; may be empty.
+    /// @throws DeviceError naming the kernel and what it declares otherwise.
+    Kernel(const Gpu& gpu, const BufferTable& buffers, const std::string& path, const Defines& defines = {},
+           const std::string& variant = {});
 
-    const std::string& name() const { return program_.name(); }
+    const std::string& name() const { return name_; }
     GLuint program() const { return program_.id(); }
     void dispatch(KernelTimer& timer, uint32_t groups) const;
     /// Group counts from `arguments` at element `index` of four words each.
     void dispatchIndirect(KernelTimer& timer, const RawBuffer& arguments, uint32_t index) const;
 
 private:
+    struct TextureBinding {
+        RawBuffer* buffer = nullptr;
+        GLenum format = GL_R32F;
+    };
     void bindStorage(const BufferTable& buffers);
     void bindTextures(const BufferTable& buffers);
     void bindUniformBlocks(const BufferTable& buffers);
@@ -88,13 +71,15 @@ private:
     static void end(KernelTimer& timer);
 
     Program program_;
-    std::vector<GLuint> storage_, textures_, uniforms_;   ///< Position is binding point.
+    std::string name_;
+    std::vector<const RawBuffer*> storage_, uniforms_;   ///< Position is binding point, as in textures_.
+    std::vector<TextureBinding> textures_;
 };
 
 /// Groups of GROUP_SIZE threads that cover `threads`.
 uint32_t groupsFor(uint64_t threads);
 
-/// Compiles a kernel of the simulation by its name.
-using LoadKernel = std::function<Kernel(const char* name, Defines defines)>;
+/// Compiles a kernel of the simulation: its path below shaders/sim, and the defines of this variant of it.
+using LoadKernel = std::function<Kernel(const char* path, const Defines& variant)>;
 
 }  // namespace knuckle

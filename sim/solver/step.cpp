@@ -36,233 +36,72 @@
 
 namespace knuckle {
 
-Step::Step(const Gpu& gpu, SolverBuffers& buffers, const Settings& settings)
-    : settings_(settings), mayRest_(settings.sleepSpeed > 0.0f || settings.freeze > 0.0f), buffers_(buffers),
-      particles_(groupsFor(buffers.parameters.particleCount)),
-      movers_(groupsFor(buffers.parameters.moverCount)), bodies_(groupsFor(buffers.parameters.bodyCount)),
-      loose_(groupsFor(buffers.parameters.moverCount - buffers.parameters.bodyCount)),
-      assemblies_(groupsFor(buffers.parameters.assemblyCount)),
-      shared_(groupsFor(buffers.parameters.sharedCount)),
-      sharedByTwo_(groupsFor(buffers.parameters.sharedByTwo)),
-      sharedByMany_(groupsFor(buffers.parameters.sharedCount - buffers.parameters.sharedByTwo))
-{
-    const BufferTable table = buffers.table();
-    const LoadKernel load = [&](const char* name, Defines defines) {
-        if (settings.rotation == RotationMethod::Householder) defines.push_back({"HOUSEHOLDER", "1"});
-        if (settings.rotation == RotationMethod::Higham) defines.push_back({"HIGHAM", "1"});
-        if (settings.massScaling > 0.0f) defines.push_back({"MASS_SCALING", "1"});
-        if (mayRest_) defines.push_back({"SLEEP", "1"});
-        if (settings.freeze > 0.0f) defines.push_back({"FREEZE", "1"});
-        if (buffers.hasPool) defines.push_back({"POOL", "1"});
-        if (buffers.hasGrids) defines.push_back({"GRIDS", "1"});
-        if (settings.grid == GridKind::Hash) defines.push_back({"GRID_HASH", "1"});
-        return Kernel(gpu, table, std::string("sim/") + name + ".comp", defines);
-    };
-    loadSearch(load);
-    if (settings.solver == SolverKind::Impulse) loadImpulseSolver(load);
-    else paper_.emplace(load, buffers, settings);
-    if (mayRest_) loadSleep(load);
-    if (buffers.parameters.fluidCount > 0) fluid_.emplace(load, buffers, settings);
-    if (buffers.hasPool) fluidPool_.emplace(load, buffers);
-    if (settings.solver == SolverKind::Impulse) distanceStep_ = DistanceStep(gpu, buffers);
-}
+namespace {
 
-void Step::loadSearch(const LoadKernel& load)
+void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorder, bool first)
 {
-    const Defines place = settings_.solver == SolverKind::Paper ? Defines{{"FROM_POSITIONS", "1"}} : Defines{};
-    const Defines lists = {{"LISTS", "1"}};
-    searchDue_ = load("search/search_due", {});
-    moverReach_ = load("search/mover_reach", {});
-    searchFarDue_ = load("search/search_far_due", {});
-    searchPosition_ = load("search/search_position", place);
-    gridClear_ = load("search/grid_clear", {});
-    gridCount_ = load("search/grid_count", {});
-    gridSum_ = load("search/scan_sum", {});
-    gridChunks_ = load("search/scan_chunks", {});
-    gridStart_ = load("search/grid_start", {});
-    gridScatter_ = load("search/grid_scatter", {});
-    gridOrder_ = load("search/grid_order", {});
-    contactFind_ = load("search/contact_find", {});
-    contactFindFar_ = load("search/contact_find_far", {});
-    colliderNear_ = load("search/collider_near", {});
-    colliderFind_ = load("search/collider_find", {});
-    listSum_ = load("search/scan_sum", lists);
-    listChunks_ = load("search/scan_chunks", lists);
-    listStart_ = load("search/list_start", lists);
-    pairList_ = load("search/pair_list", {});
-    contactPrepare_ = load("contact/contact_prepare", {});
-    colliderPrepare_ = load("contact/collider_prepare", {});
-}
-
-void Step::loadImpulseSolver(const LoadKernel& load)
-{
-    const auto loadForMovers = [&](const char* name, Defines defines) {
-        Defines bodies = defines, loose = defines;
-        bodies.push_back({"BODIES", "1"});
-        loose.push_back({"LOOSE", "1"});
-        return ForMovers{load(name, bodies), load(name, loose)};
-    };
-    moverPredict_ = loadForMovers("body/mover_predict", {});
-    if (buffers_.hasParticleImpulses) impulseClear_ = load("contact/impulse_clear", {});
-    moverWarmStart_ = load("body/mover_solve", {{"WARM_START", "1"}});
-    contactSolve_ = load("contact/contact_solve", {});
-    colliderSolve_ = load("contact/collider_solve", {});
-    jointSolveFirst_ = load("joint/joint_solve", {{"FIRST_ITERATION", "1"}});
-    jointSolve_ = load("joint/joint_solve", {});
-    jointSolveManyFirst_ = load("joint/joint_solve_many", {{"FIRST_ITERATION", "1"}});
-    jointSolveMany_ = load("joint/joint_solve_many", {});
-    moverSolve_ = loadForMovers("body/mover_solve", buffers_.hasParticleImpulses ? Defines{{"ON_PARTICLES", "1"}} : Defines{});
-    moverIntegrate_ = loadForMovers("body/mover_integrate", {});
-    particlePosition_ = load("body/particle_position", {});
-    jointPosition_ = load("joint/joint_position", {});
-    if (buffers_.hasRestitution) loadRestitution(load);
-    if (buffers_.parameters.clusterCount > 0) soft_.emplace(load, buffers_);
-}
-
-void Step::loadRestitution(const LoadKernel& load)
-{
-    contactDetect_ = load("restitution/contact_restitution", {{"DETECT", "1"}});
-    colliderDetect_ = load("restitution/collider_restitution", {{"DETECT", "1"}});
-    contactRestitution_ = load("restitution/contact_restitution", {});
-    colliderRestitution_ = load("restitution/collider_restitution", {});
-    contactRestitutionEager_ = load("restitution/contact_restitution", {{"EAGER", "1"}});
-    colliderRestitutionEager_ = load("restitution/collider_restitution", {{"EAGER", "1"}});
-    moverRestitution_ = load("restitution/mover_restitution", {});
-}
-
-void Step::loadSleep(const LoadKernel& load)
-{
-    if (settings_.freeze > 0.0f) {
-        freezeMover_ = load("sleep/freeze_mover", {});
-        freezeUpdate_ = load("sleep/freeze_update", {});
-    } else {
-        sleepMover_ = load("sleep/sleep_mover", {});
-        sleepIsland_ = load("sleep/sleep_island", {});
-        sleepUpdate_ = load("sleep/sleep_update", {});
+    s.bodies.predict(recorder);
+    s.search.find(recorder);
+    s.contacts.prepare(recorder);
+    if (s.sleep) s.sleep->wake(recorder);
+    s.bodies.warmStart(recorder);
+    if (s.fluids) s.fluids->substep(recorder, first);
+    for (uint32_t i = 0; i < settings.iterations; ++i) {
+        if (s.soft) s.soft->solve(recorder, i, settings.iterations);
+        if (s.distances) s.distances->solve(recorder, i == 0);
+        s.contacts.solve(recorder);
+        s.joints.solve(recorder, i == 0);
+        s.bodies.solve(recorder);
     }
-    sleepWakeIsland_ = load("sleep/sleep_wake_island", {});
-    sleepWakeAssembly_ = load("sleep/sleep_wake_assembly", {});
+    s.bodies.integrate(recorder);
+    if (s.restitution) s.restitution->apply(recorder);
 }
 
-void Step::settle(KernelTimer& timer) const
+/// Of a world without solid particles.
+void fluidSubstep(const Stages& s, Recorder& recorder, bool first)
 {
-    if (fluid_) fluid_->settle(timer);
+    s.search.count(recorder);
+    s.fluids->substep(recorder, first);
 }
 
-void Step::run(KernelTimer& timer) const
+void impulseStep(const Stages& s, const Settings& settings, Recorder& recorder)
 {
-    const bool paper = settings_.solver == SolverKind::Paper;
-    if (fluid_) fluid_->findNeighbours(timer);
-    for (uint32_t i = 0; i < settings_.substeps; ++i) paper ? paperSubstep(timer) : impulseSubstep(timer, i == 0);
-    if (settings_.sleepSpeed > 0.0f) fallAsleep(timer);
-    if (!paper) {
-        particlePosition_.dispatch(timer, particles_);
-        if (shared_ > 0) jointPosition_.dispatch(timer, shared_);
+    const bool fluidsOnly = s.layout.solidCount == 0;
+    if (s.fluids) s.fluids->beginStep(recorder);
+    for (uint32_t i = 0; i < settings.substeps; ++i)
+        fluidsOnly ? fluidSubstep(s, recorder, i == 0) : impulseSubstep(s, settings, recorder, i == 0);
+    if (s.sleep) s.sleep->fallAsleep(recorder);
+    s.bodies.placeParticles(recorder);
+    s.joints.placeParticles(recorder);
+    if (s.sleep) s.sleep->freeze(recorder);
+    if (s.emitters) s.emitters->endStep(recorder);
+}
+
+void paperStep(const Stages& s, const Settings& settings, Recorder& recorder)
+{
+    for (uint32_t i = 0; i < settings.substeps; ++i) {
+        s.paper->predict(recorder);
+        s.search.find(recorder);
+        s.contacts.prepare(recorder);
+        if (s.sleep) s.sleep->wake(recorder);
+        s.paper->solve(recorder);
     }
-    if (settings_.freeze > 0.0f) freeze(timer);
-    if (fluidPool_) fluidPool_->run(timer);
+    if (!s.sleep) return;
+    s.sleep->fallAsleep(recorder);
+    s.sleep->freeze(recorder);
 }
 
-void Step::findContacts(KernelTimer& timer) const
+}  // namespace
+
+void recordStart(const Stages& stages, Recorder& recorder)
 {
-    const RawBuffer& sizes = buffers_.dispatches;
-    const bool paper = settings_.solver == SolverKind::Paper;   // its bodies are particles until the end of a step
-    searchDue_.dispatch(timer, 1);
-    if (!paper) moverReach_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
-    searchPosition_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
-    searchFarDue_.dispatchIndirect(timer, sizes, DISPATCH_ONE);
-    gridClear_.dispatchIndirect(timer, sizes, DISPATCH_CELLS);
-    gridCount_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
-    gridSum_.dispatchIndirect(timer, sizes, DISPATCH_CELL_CHUNKS);
-    gridChunks_.dispatchIndirect(timer, sizes, DISPATCH_ONE);
-    gridStart_.dispatchIndirect(timer, sizes, DISPATCH_CELL_CHUNKS);
-    gridScatter_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
-    gridOrder_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
-    contactFind_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
-    contactFindFar_.dispatchIndirect(timer, sizes, DISPATCH_FAST);
-    if (!paper) colliderNear_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
-    colliderFind_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
-    listSum_.dispatchIndirect(timer, sizes, DISPATCH_LIST_CHUNKS);
-    listChunks_.dispatchIndirect(timer, sizes, DISPATCH_ONE);
-    listStart_.dispatchIndirect(timer, sizes, DISPATCH_LIST_CHUNKS);
-    pairList_.dispatchIndirect(timer, sizes, DISPATCH_PARTICLES);
-    contactPrepare_.dispatchIndirect(timer, sizes, DISPATCH_NEW_PAIRS);
-    colliderPrepare_.dispatchIndirect(timer, sizes, DISPATCH_NEW_COLLIDER_PAIRS);
+    if (stages.fluids) stages.fluids->relax(recorder);
 }
 
-void Step::dispatch(KernelTimer& timer, const ForMovers& kernels) const
+void recordStep(const Stages& stages, const Settings& settings, Recorder& recorder)
 {
-    if (bodies_ > 0) kernels.bodies.dispatch(timer, bodies_);
-    if (loose_ > 0) kernels.loose.dispatch(timer, loose_);
-}
-
-void Step::impulseSubstep(KernelTimer& timer, bool first) const
-{
-    if (particles_ == 0) {
-        searchDue_.dispatch(timer, 1);   // counts the substep
-        fluid_->substep(timer, first);
-        return;
-    }
-    const RawBuffer& sizes = buffers_.dispatches;
-    dispatch(timer, moverPredict_);
-    if (buffers_.hasParticleImpulses) impulseClear_.dispatch(timer, particles_);
-    findContacts(timer);
-    wake(timer);
-    moverWarmStart_.dispatchIndirect(timer, sizes, DISPATCH_MOVERS);
-    if (fluid_) fluid_->substep(timer, first);
-    for (uint32_t i = 0; i < settings_.iterations; ++i) {
-        if (soft_) soft_->run(timer, i, settings_.iterations);
-        distanceStep_.run(timer, i == 0);
-        contactSolve_.dispatchIndirect(timer, sizes, DISPATCH_PAIRS);
-        colliderSolve_.dispatchIndirect(timer, sizes, DISPATCH_COLLIDER_PAIRS);
-        if (sharedByTwo_ > 0) (i == 0 ? jointSolveFirst_ : jointSolve_).dispatch(timer, sharedByTwo_);
-        if (sharedByMany_ > 0) (i == 0 ? jointSolveManyFirst_ : jointSolveMany_).dispatch(timer, sharedByMany_);
-        dispatch(timer, moverSolve_);
-    }
-    dispatch(timer, moverIntegrate_);
-    if (buffers_.hasRestitution) bounce(timer);
-}
-
-void Step::bounce(KernelTimer& timer) const
-{
-    const auto iterate = [&](const Kernel& contacts, const Kernel& colliders) {
-        contacts.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_PAIRS);
-        colliders.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_COLLIDER_PAIRS);
-        moverRestitution_.dispatch(timer, movers_);
-    };
-    iterate(contactDetect_, colliderDetect_);
-    for (uint32_t i = 0; i < RESTITUTION_ROUNDS; ++i) {
-        iterate(contactRestitution_, colliderRestitution_);
-        iterate(contactRestitutionEager_, colliderRestitutionEager_);
-    }
-}
-
-void Step::wake(KernelTimer& timer) const
-{
-    if (!mayRest_) return;
-    sleepWakeIsland_.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_PAIRS);
-    sleepWakeAssembly_.dispatch(timer, assemblies_);
-}
-
-void Step::freeze(KernelTimer& timer) const
-{
-    freezeMover_.dispatch(timer, movers_);
-    freezeUpdate_.dispatch(timer, assemblies_);
-}
-
-void Step::fallAsleep(KernelTimer& timer) const
-{
-    sleepMover_.dispatch(timer, movers_);
-    sleepIsland_.dispatchIndirect(timer, buffers_.dispatches, DISPATCH_PAIRS);
-    sleepUpdate_.dispatch(timer, assemblies_);
-}
-
-void Step::paperSubstep(KernelTimer& timer) const
-{
-    paper_->predict(timer);
-    findContacts(timer);
-    wake(timer);
-    paper_->solve(timer);
+    if (stages.paper) paperStep(stages, settings, recorder);
+    else impulseStep(stages, settings, recorder);
 }
 
 }  // namespace knuckle

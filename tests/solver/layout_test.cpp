@@ -81,7 +81,7 @@ const std::vector<Member> LINK = {
 
 TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
 {
-    KernelFixture fixture(mixedWorld());
+    KernelFixture fixture(mixedWorld(byThePaper()));
     expectMembers(fixture.load("paper/predict"), GL_UNIFORM_BLOCK, "Step", "step.", {
         MEMBER(StepParameters, gravity), MEMBER(StepParameters, particleCount), MEMBER(StepParameters, bodyCount),
         MEMBER(StepParameters, linkCount), MEMBER(StepParameters, colliderCount),
@@ -124,7 +124,13 @@ TEST(Layout, CountersAreTheHostsStruct)
 
 TEST(Layout, EmittersAreTheHostsStructs)
 {
-    KernelFixture fixture(mixedWorld());
+    WorldBuilder builder(DIAMETER / 2);
+    Material water;
+    water.fluid = true;
+    const Vector3f place(0, 0, 0);
+    builder.addFluid(std::span(&place, 1), {0, 0, 0}, builder.addMaterial(water));
+    builder.addDrain(Collider{});
+    KernelFixture fixture(builder.build());
     const Kernel kernel = fixture.load("fluid/emitter_update", {{"POOL", "1"}});
     expectArray(kernel, "Emitters", "emitters", sizeof(gpu::GpuEmitter), EMITTER);
     expectArray(kernel, "EmitterStates", "emitterStates", sizeof(gpu::EmitterState), EMITTER_STATE);
@@ -132,7 +138,7 @@ TEST(Layout, EmittersAreTheHostsStructs)
 
 TEST(Layout, StructsThatKernelsReadAsTexelsAreTheHostsStructs)
 {
-    // No kernel declares these as storage buffers: this one does.
+    // No kernel declares these as storage stages: this one does.
     std::filesystem::create_directories(shaderFolder().path("sim"));
     shaderFolder().write("sim/test_layout.comp", R"(#include "sim/common/kernel.glsl"
 layout(local_size_x = 1) in;
@@ -148,11 +154,11 @@ void main()
 }
 )");
     KernelFixture fixture(mixedWorld());
-    BufferTable table = fixture.buffers.table();
-    table.add("particleInfos", fixture.buffers.particleInfo, 16);
-    table.add("bodyInfos", fixture.buffers.bodyInfo, 16);
-    table.add("moverInfos", fixture.buffers.moverInfo, 16);
-    table.add("colliderStructs", fixture.buffers.colliders, 16);
+    BufferTable table = fixture.stages.table();
+    table.add("particleInfos", fixture.stages.particles.particleInfo, elementType<gpu::ParticleInfo>());
+    table.add("bodyInfos", fixture.stages.bodies.bodyInfo, elementType<gpu::BodyInfo>());
+    table.add("moverInfos", fixture.stages.bodies.moverInfo, elementType<gpu::MoverInfo>());
+    table.add("colliderStructs", fixture.stages.colliders.colliders, elementType<gpu::GpuCollider>());
     const Kernel kernel(gpu(), table, "sim/test_layout.comp");
     expectArray(kernel, "Links", "links", sizeof(gpu::ParticleRigidBodyLink), LINK);
     expectArray(kernel, "ParticleInfos", "infos", sizeof(gpu::ParticleInfo), PARTICLE_INFO);

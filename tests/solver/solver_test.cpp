@@ -87,9 +87,16 @@ World mixedWorld(const Settings& settings, uint32_t particleCount)
     return builder.build();
 }
 
+Settings byThePaper()
+{
+    Settings settings;
+    settings.solver = SolverKind::Paper;
+    return settings;
+}
+
 Kernel KernelFixture::load(const std::string& name, const Defines& defines)
 {
-    return Kernel(gpu(), buffers.table(), "sim/" + name + ".comp", defines);
+    return Kernel(gpu(), stages.table(), "sim/" + name + ".comp", defines);
 }
 
 void KernelFixture::run(const std::string& name, uint64_t threads, const Defines& defines)
@@ -100,32 +107,32 @@ void KernelFixture::run(const std::string& name, uint64_t threads, const Defines
 
 void KernelFixture::forParticles(const std::string& name, const Defines& defines)
 {
-    run(name, buffers.parameters.particleCount, defines);
+    run(name, stages.parameters.particleCount, defines);
 }
 
 void KernelFixture::forBodies(const std::string& name, const Defines& defines)
 {
-    run(name, buffers.parameters.bodyCount, defines);
+    run(name, stages.parameters.bodyCount, defines);
 }
 
 void KernelFixture::forMovers(const std::string& name, const Defines& defines)
 {
-    run(name, buffers.parameters.moverCount, defines);
+    run(name, stages.parameters.moverCount, defines);
 }
 
 void KernelFixture::setFound(const std::vector<gpu::vec4>& places)
 {
-    fill(buffers.searchPositions, places);
+    fill(stages.search.searchPositions, places);
     // What search_position leaves besides the places.
-    auto counts = buffers.listCounts.download();
-    const uint32_t count = buffers.parameters.particleCount;
+    auto counts = stages.search.listCounts.download();
+    const uint32_t count = stages.parameters.particleCount;
     std::fill(counts.begin() + count, counts.begin() + 2 * count, 0u);
-    fill(buffers.listCounts, counts);
+    fill(stages.search.listCounts, counts);
 }
 
 void KernelFixture::fillGrid(const Defines& defines)
 {
-    const uint32_t cells = buffers.parameters.cellMask + 1;
+    const uint32_t cells = stages.parameters.cellMask + 1;
     run("search/grid_clear", cells);
     forParticles("search/grid_count", defines);
     run("search/scan_sum", cells / SCAN_CHUNK);
@@ -146,7 +153,7 @@ void KernelFixture::findPairs(GridKind grid)
 void KernelFixture::fillLists()
 {
     const Defines lists = {{"LISTS", "1"}};
-    const uint32_t chunks = 3 * buffers.parameters.particleCount / SCAN_CHUNK + 1;
+    const uint32_t chunks = 3 * stages.parameters.particleCount / SCAN_CHUNK + 1;
     run("search/scan_sum", chunks, lists);
     run("search/scan_chunks", 1, lists);
     run("search/list_start", chunks, lists);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/solver/buffers.h"
+#include "sim/solver/stages.h"
 #include "sim/world/builder.h"
 #include "tests/temp_folder.h"
 
@@ -49,10 +49,13 @@ private:
 /// straight and a long body, a fixed one, and loose particles for the rest.
 World mixedWorld(const Settings& settings = {}, uint32_t particleCount = 1003);
 
-/// The solver's buffers of a world, and its kernels one at a time.
+/// Otherwise the defaults, so that a world has the paper's stages.
+Settings byThePaper();
+
+/// The solver's stages of a world, and its kernels one at a time.
 class KernelFixture {
 public:
-    explicit KernelFixture(World worldIn) : world(std::move(worldIn)), buffers(uploadWorld(gpu(), world)) {}
+    explicit KernelFixture(World worldIn) : world(std::move(worldIn)), stages(gpu(), world) {}
 
     Kernel load(const std::string& name, const Defines& defines = {});
     void dispatch(const Kernel& kernel, uint32_t groups) { kernel.dispatch(timer_, groups); }
@@ -70,13 +73,13 @@ public:
     void fillLists();
     /// The next search writes the other half of the lists.
     void turnHalves();
-    /// Uploads `buffers.parameters` after a change.
-    void setParameters() { buffers.step.upload(std::span<const gpu::StepParameters>(&buffers.parameters, 1)); }
-    gpu::Counters counters() const { return buffers.counters.download()[0]; }
-    void setCounters(const gpu::Counters& c) { buffers.counters.upload(std::span<const gpu::Counters>(&c, 1)); }
+    /// Uploads `stages.parameters` after a change.
+    void setParameters() { stages.step.upload(std::span<const gpu::StepParameters>(&stages.parameters, 1)); }
+    gpu::Counters counters() const { return stages.counters.download()[0]; }
+    void setCounters(const gpu::Counters& c) { stages.counters.upload(std::span<const gpu::Counters>(&c, 1)); }
 
     World world;
-    SolverBuffers buffers;
+    Stages stages;
 
 private:
     KernelTimer timer_;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "sim/solver/measure.h"
-#include "sim/solver/soft/upload_soft.h"
+#include "sim/solver/soft/cluster_links.h"
 
 namespace knuckle {
 

@@ -13,8 +13,8 @@ MoverFixture::MoverFixture(World worldIn) : KernelFixture(std::move(worldIn))
         centres.push_back(packed(random.inCube(0.2f)));
         rotations.push_back(packed(isBody(m) ? random.rotation() : Quaternionf::Identity()));
     }
-    fill(buffers.moverCentres, centres);
-    fill(buffers.moverRotations, rotations);
+    fill(stages.bodies.moverCentres, centres);
+    fill(stages.bodies.moverRotations, rotations);
     gpu::Counters now{};
     now.substep = SUBSTEP;
     now.listParity = 1;
@@ -62,7 +62,7 @@ Field MoverFixture::field(const std::vector<gpu::vec4>& fields, uint32_t mover) 
 std::vector<gpu::vec4> MoverFixture::randomFields(float ofT, float ofF, uint32_t seed) const
 {
     Random random(seed);
-    std::vector<gpu::vec4> fields(buffers.moverVelocities.size());
+    std::vector<gpu::vec4> fields(stages.bodies.moverVelocities.size());
     for (uint32_t m = 0; m < moverCount(); ++m) {
         fields[fieldStart(m)] = random.vec4(ofT);
         for (uint32_t c = 1; isBody(m) && c <= 3; ++c) fields[fieldStart(m) + c] = random.vec4(ofF);
@@ -73,7 +73,7 @@ std::vector<gpu::vec4> MoverFixture::randomFields(float ofT, float ofF, uint32_t
 std::vector<gpu::vec4> MoverFixture::randomImpulses(float move, uint32_t seed) const
 {
     Random random(seed);
-    std::vector<gpu::vec4> fields(buffers.moverVelocities.size());
+    std::vector<gpu::vec4> fields(stages.bodies.moverVelocities.size());
     for (uint32_t m = 0; m < moverCount(); ++m) {
         Field sum;
         for (int k = 0; k < 3; ++k) {
@@ -98,13 +98,13 @@ void MoverFixture::setMoves(float move, float angle, float w)
         const Quaternionf turn(Eigen::AngleAxisf(random.between(0, angle), random.direction()));
         turns.push_back(packed(isBody(m) ? turn : Quaternionf::Identity()));
     }
-    fill(buffers.moverMoves, moves);
-    fill(buffers.moverRotationDeltas, turns);
+    fill(stages.bodies.moverMoves, moves);
+    fill(stages.bodies.moverRotationDeltas, turns);
 }
 
 void MoverFixture::setAssemblies(uint32_t lastContact, uint32_t order)
 {
-    fill(buffers.assemblyState, std::vector<gpu::uvec2>(buffers.assemblyState.size(), {lastContact, order}));
+    fill(stages.particles.assemblyState, std::vector<gpu::uvec2>(stages.particles.assemblyState.size(), {lastContact, order}));
 }
 
 Vector3d MoverFixture::moveOf(uint32_t mover, const Vector3d& r) const

@@ -37,7 +37,7 @@ public:
 
     explicit MoverFixture(World worldIn = mixedWorld());
 
-    uint32_t moverCount() const { return buffers.parameters.moverCount; }
+    uint32_t moverCount() const { return stages.parameters.moverCount; }
     bool isBody(uint32_t mover) const { return mover < world.bodies.size(); }
     bool isFixed(uint32_t mover) const { return isBody(mover) && world.bodies[mover].motion == Motion::Fixed; }
     double radius(uint32_t mover) const;

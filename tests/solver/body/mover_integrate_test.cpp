@@ -12,22 +12,22 @@ class MoverIntegrate : public testing::Test {
 protected:
     MoverIntegrate()
     {
-        SolverBuffers& b = fixture.buffers;
+        Stages& b = fixture.stages;
         velocities = fixture.randomFields(2.0f, 5.0f, 91);
         oldVelocities = fixture.randomFields(2.0f, 5.0f, 92);
         oldMoves = fixture.randomFields(0.01f, 0.02f, 93);
-        fill(b.moverVelocities, velocities);
-        fill(b.oldMoverVelocities, oldVelocities);
-        fill(b.oldMoverMoves, oldMoves);
+        fill(b.bodies.moverVelocities, velocities);
+        fill(b.bodies.oldMoverVelocities, oldVelocities);
+        fill(b.bodies.oldMoverMoves, oldMoves);
         fixture.setMoves(0.01f, 0.05f, 3.0f);
     }
-    double h() const { return fixture.buffers.parameters.substepTime; }
+    double h() const { return fixture.stages.parameters.substepTime; }
     /// Every particle's new velocity is `wanted` of the move it makes and the one before.
     template <typename Wanted>
     void expectVelocities(Wanted wanted)
     {
         fixture.forMovers("body/mover_integrate");
-        const auto found = fixture.buffers.moverVelocities.download();
+        const auto found = fixture.stages.bodies.moverVelocities.download();
         for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
             for (const Part& part : fixture.parts[m]) {
                 const Vector3d move = fixture.moveOf(m, part.r), last = fixture.field(oldMoves, m).at(part.r);
@@ -49,7 +49,7 @@ protected:
         fixture.setCounters(clean);
         auto bad = fixture.moves;
         bad[mover].y = std::numeric_limits<float>::quiet_NaN();
-        fill(fixture.buffers.moverMoves, bad);
+        fill(fixture.stages.bodies.moverMoves, bad);
         fixture.forMovers("body/mover_integrate");
         EXPECT_EQ(fixture.counters().problems, PROBLEM_NAN) << "mover " << mover;
         return fixture.counters().badParticle;
@@ -78,9 +78,9 @@ TEST_F(MoverIntegrate, EveryParticleEndsWhereItsMoveTookIt)
 {
     fixture.setAssemblies(0, 1);
     fixture.forMovers("body/mover_integrate");
-    SolverBuffers& b = fixture.buffers;
-    const auto centres = b.moverCentres.download(), rotations = b.moverRotations.download();
-    const auto keptMoves = b.oldMoverMoves.download(), keptVelocities = b.oldMoverVelocities.download();
+    Stages& b = fixture.stages;
+    const auto centres = b.bodies.moverCentres.download(), rotations = b.bodies.moverRotations.download();
+    const auto keptMoves = b.bodies.oldMoverMoves.download(), keptVelocities = b.bodies.oldMoverVelocities.download();
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         const bool fixed = fixture.isFixed(m);
         for (const Part& part : fixture.parts[m]) {
@@ -101,8 +101,8 @@ TEST_F(MoverIntegrate, EveryParticleEndsWhereItsMoveTookIt)
 TEST_F(MoverIntegrate, DampingAndTheGreatestSpeedBoundTheVelocitiesOfAllParticles)
 {
     fixture.setAssemblies(0, 1);
-    fixture.buffers.parameters.damping = 0.5f;
-    fixture.buffers.parameters.maxSpeed = 1.0f;
+    fixture.stages.parameters.damping = 0.5f;
+    fixture.stages.parameters.maxSpeed = 1.0f;
     fixture.setParameters();
     // A body is slowed as a whole, by what its farthest particle could have at most: it stays rigid.
     std::vector<double> shares;
@@ -134,7 +134,7 @@ TEST_F(MoverIntegrate, AVelocityThatIsNotFiniteIsReportedWithAParticleOfItsMover
 
 TEST_F(MoverIntegrate, ABodyThatOwnsNoParticleAloneIsReportedWithOneThatItShares)
 {
-    const auto infos = fixture.buffers.moverInfo.download();
+    const auto infos = fixture.stages.bodies.moverInfo.download();
     uint32_t crosses = 0;
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         if (infos[m].rankCount > 0) continue;
@@ -148,11 +148,11 @@ TEST_F(MoverIntegrate, ABodyThatOwnsNoParticleAloneIsReportedWithOneThatItShares
 
 TEST_F(MoverIntegrate, ParticlesStandAtTheMeanOfTheirBodiesGoalsWithTheMeanOfTheirVelocities)
 {
-    SolverBuffers& b = fixture.buffers;
-    const auto before = b.positions.download(), velocitiesBefore = b.velocities.download();
+    Stages& b = fixture.stages;
+    const auto before = b.particles.positions.download(), velocitiesBefore = b.particles.velocities.download();
     fixture.forParticles("body/particle_position");
     fixture.run("joint/joint_position", b.parameters.sharedCount);
-    const auto after = b.positions.download(), velocitiesAfter = b.velocities.download();
+    const auto after = b.particles.positions.download(), velocitiesAfter = b.particles.velocities.download();
     std::vector<Vector3d> places(before.size(), Vector3d::Zero()), speeds = places;
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         for (const Part& part : fixture.parts[m]) {

@@ -18,7 +18,7 @@ protected:
         makeContacts();
         sumContacts();
         makeOldSums();
-        SolverBuffers& b = fixture.buffers;
+        Stages& b = fixture.stages;
         predictions = fixture.randomFields(0.01f, 0.0f, 111);
         Random random(112);
         for (uint32_t m = 0; m < fixture.world.bodies.size(); ++m) {
@@ -27,9 +27,9 @@ protected:
             for (uint32_t c = 0; c < 3; ++c)
                 predictions[fixture.fieldStart(m) + 1 + c] = packed(Vector3f(a.col(c).cast<float>()));
         }
-        fill(b.moverPredictions, predictions);
-        linkImpulses = randomVectors(b.linkImpulses.size(), 0.002f, 113);
-        fill(b.linkImpulses, linkImpulses);
+        fill(b.bodies.moverPredictions, predictions);
+        linkImpulses = randomVectors(b.joints.linkImpulses.size(), 0.002f, 113);
+        fill(b.joints.linkImpulses, linkImpulses);
     }
     Matrix3d moments(uint32_t m) const
     {
@@ -109,8 +109,8 @@ protected:
                 oldSums[start + 1 + c] =
                     packed(Vector3f((sums[m].f.col(c) - ratios[m] * change.f.col(c)).cast<float>()));
         }
-        fill(fixture.buffers.moverImpulses, oldSums);
-        fill(fixture.buffers.moverChanges, changes);
+        fill(fixture.stages.bodies.moverImpulses, oldSums);
+        fill(fixture.stages.bodies.moverChanges, changes);
     }
     /// It shrinks where changes turn about and lose less than a tenth, and grows else; anew where nothing acts.
     float wantedRelaxation(uint32_t m) const
@@ -123,20 +123,20 @@ protected:
     void expectMatch(uint32_t m, const Field& impulse, double size, double splits)
     {
         const Field prediction = fixture.field(predictions, m);
-        const gpu::vec4 moved = fixture.buffers.moverMoves.download()[m];
+        const gpu::vec4 moved = fixture.stages.bodies.moverMoves.download()[m];
         const Vector3d move = prediction.t + impulse.t / fixture.masses[m];
         const double rounding = EPSILON * (counts[m] + 16) * (prediction.t.norm() + size / fixture.masses[m]);
         EXPECT_LE((vec3(moved).cast<double>() - move).norm(), rounding);
         EXPECT_FLOAT_EQ(moved.w, static_cast<float>(splits));
         if (!fixture.isBody(m)) return;
-        const auto turn = quaternion(fixture.buffers.moverRotationDeltas.download()[m]).cast<double>();
+        const auto turn = quaternion(fixture.stages.bodies.moverRotationDeltas.download()[m]).cast<double>();
         // Single precision gives a rotation to some 1e-6, times a body's ratio of length to width.
         EXPECT_LT(rotationError(turn * fixture.rotation(m), prediction.f + impulse.f, moments(m)), 1e-5);
     }
     Field jointImpulse(uint32_t m)
     {
         Field sum;
-        const auto links = fixture.buffers.links.download();
+        const auto links = fixture.stages.bodies.links.download();
         for (size_t l = 0; l < links.size(); ++l) {
             if (links[l].rbIndex != m || fixture.world.particles[links[l].particleIndex].bodyCount < 2) continue;
             const Vector3d r(links[l].posInRigidBodyX, links[l].posInRigidBodyY, links[l].posInRigidBodyZ);
@@ -162,7 +162,7 @@ protected:
 TEST_F(MoverSolve, SumsTheImpulsesOfContactsWithTheirSides)
 {
     fixture.forMovers("body/mover_solve");
-    const auto found = fixture.buffers.moverImpulses.download();
+    const auto found = fixture.stages.bodies.moverImpulses.download();
     uint32_t loaded = 0;
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         if (fixture.isFixed(m)) continue;
@@ -192,7 +192,7 @@ TEST_F(MoverSolve, MoversGoWhereTheImpulsesOfContactsAndJointsBringThem)
 TEST_F(MoverSolve, TheRelaxationFollowsHowTheSumsChange)
 {
     fixture.forMovers("body/mover_solve");
-    const auto found = fixture.buffers.moverChanges.download();
+    const auto found = fixture.stages.bodies.moverChanges.download();
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         if (fixture.isFixed(m)) continue;
         EXPECT_FLOAT_EQ(found[fixture.fieldStart(m)].w, wantedRelaxation(m)) << "mover " << m << ", " << ratios[m];
@@ -206,7 +206,7 @@ TEST_F(MoverSolve, TheRelaxationFollowsHowTheSumsChange)
 TEST_F(MoverSolve, AfterASearchItTakesTheContactsWithoutTheJointsAndLearnsNothing)
 {
     fixture.forMovers("body/mover_solve", {{"WARM_START", "1"}});
-    const auto found = fixture.buffers.moverChanges.download();
+    const auto found = fixture.stages.bodies.moverChanges.download();
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         SCOPED_TRACE("mover " + std::to_string(m));
         if (fixture.isFixed(m)) continue;
@@ -219,8 +219,8 @@ TEST_F(MoverSolve, AfterASearchItTakesTheContactsWithoutTheJointsAndLearnsNothin
 TEST_F(MoverSolve, AssembliesThatContactsPushAreStampedAndOthersAreNot)
 {
     fixture.forMovers("body/mover_solve");
-    const auto infos = fixture.buffers.moverInfo.download();
-    const auto states = fixture.buffers.assemblyState.download();
+    const auto infos = fixture.stages.bodies.moverInfo.download();
+    const auto states = fixture.stages.particles.assemblyState.download();
     std::vector<bool> pushed(states.size());
     for (uint32_t m = 0; m < fixture.moverCount(); ++m)
         if (!fixture.isFixed(m) && sizes[m] > 0.0) pushed[infos[m].assembly] = true;
@@ -233,7 +233,7 @@ TEST_F(MoverSolve, AssembliesThatContactsPushAreStampedAndOthersAreNot)
 TEST_F(MoverSolve, FixedBodiesStay)
 {
     fixture.forMovers("body/mover_solve");
-    const auto moves = fixture.buffers.moverMoves.download(), turns = fixture.buffers.moverRotationDeltas.download();
+    const auto moves = fixture.stages.bodies.moverMoves.download(), turns = fixture.stages.bodies.moverRotationDeltas.download();
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         if (!fixture.isFixed(m)) continue;
         EXPECT_EQ(vec3(moves[m]), vec3(fixture.moves[m]));
@@ -263,7 +263,7 @@ TEST_F(MoverSolve, APairsImpulsesOnItsTwoMoversCancelExactly)
     fixture.setPairs(pairs);
     fixture.run("contact/contact_solve", pairs.size());
     fixture.forMovers("body/mover_solve");
-    const auto sum = fixture.buffers.moverImpulses.download();
+    const auto sum = fixture.stages.bodies.moverImpulses.download();
     uint32_t acting = 0;
     for (const TestContact& c : fixture.pairs) {
         const gpu::vec4 a = sum[fixture.fieldStart(fixture.moverOf[c.first])];

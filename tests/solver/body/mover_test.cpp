@@ -12,20 +12,20 @@ class MoverPredict : public testing::Test {
 protected:
     explicit MoverPredict(const Settings& settings = {}) : fixture(mixedWorld(settings))
     {
-        SolverBuffers& b = fixture.buffers;
+        Stages& b = fixture.stages;
         velocities = fixture.randomFields(2.0f, 5.0f, 91);
         oldVelocities = fixture.randomFields(2.0f, 5.0f, 92);
         oldMoves = fixture.randomFields(0.01f, 0.02f, 93);
         impulses = fixture.randomImpulses(0.003f, 94);
-        fill(b.moverVelocities, velocities);
-        fill(b.oldMoverVelocities, oldVelocities);
-        fill(b.oldMoverMoves, oldMoves);
-        fill(b.moverImpulses, impulses);
+        fill(b.bodies.moverVelocities, velocities);
+        fill(b.bodies.oldMoverVelocities, oldVelocities);
+        fill(b.bodies.oldMoverMoves, oldMoves);
+        fill(b.bodies.moverImpulses, impulses);
         fixture.setMoves(0.01f, 0.05f, 3.0f);
-        fill(b.searchCentres, std::vector<gpu::vec4>(fixture.moverCount(), gpu::vec4{0, 0, 0, 10}));
+        fill(b.search.searchCentres, std::vector<gpu::vec4>(fixture.moverCount(), gpu::vec4{0, 0, 0, 10}));
     }
-    double h() const { return fixture.buffers.parameters.substepTime; }
-    Vector3d g() const { return vec3(fixture.buffers.parameters.gravity).cast<double>(); }
+    double h() const { return fixture.stages.parameters.substepTime; }
+    Vector3d g() const { return vec3(fixture.stages.parameters.gravity).cast<double>(); }
 
     /// A particle's move by itself, and the size of what it is a sum of.
     struct Move {
@@ -43,7 +43,7 @@ protected:
     }
     void expectPrediction(uint32_t m, bool second, double rotationTolerance)
     {
-        const auto predictions = fixture.buffers.moverPredictions.download();
+        const auto predictions = fixture.stages.bodies.moverPredictions.download();
         Vector3d move = Vector3d::Zero();
         Matrix3d a = Matrix3d::Zero(), moments = Matrix3d::Zero();
         double moveSize = 0.0, matrixSize = 0.0;
@@ -60,11 +60,11 @@ protected:
         EXPECT_LE((found.t - move).norm(), 16 * EPSILON * moveSize);
         EXPECT_LE((found.f - a).norm(), 16 * EPSILON * matrixSize);
 
-        const gpu::vec4 moved = fixture.buffers.moverMoves.download()[m];
+        const gpu::vec4 moved = fixture.stages.bodies.moverMoves.download()[m];
         const Vector3d pushed = impulse.t / fixture.masses[m];
         EXPECT_LE((vec3(moved).cast<double>() - move - pushed).norm(), 16 * EPSILON * (moveSize + pushed.norm()));
         EXPECT_EQ(moved.w, 3.0f) << "what its mass is split over";
-        const auto turn = quaternion(fixture.buffers.moverRotationDeltas.download()[m]).cast<double>();
+        const auto turn = quaternion(fixture.stages.bodies.moverRotationDeltas.download()[m]).cast<double>();
         EXPECT_LT(rotationError(turn * fixture.rotation(m), a + impulse.f, moments), rotationTolerance);
         EXPECT_TRUE(fixture.radius(m) > 0.0 || turn.vec() == Vector3d::Zero());
     }
@@ -76,7 +76,7 @@ protected:
             // Single precision gives a rotation to some 1e-6, times a body's ratio of length to width.
             if (!fixture.isFixed(m)) expectPrediction(m, second, 1e-5);
         }
-        for (const gpu::uvec2& state : fixture.buffers.assemblyState.download()) EXPECT_EQ(state.y, second ? 2u : 1u);
+        for (const gpu::uvec2& state : fixture.stages.particles.assemblyState.download()) EXPECT_EQ(state.y, second ? 2u : 1u);
     }
 
     MoverFixture fixture;
@@ -122,9 +122,9 @@ TEST_F(MoverPredict, AllBodiesTurnTheSameByHigham)
 
 TEST_F(MoverPredict, FixedBodiesStay)
 {
-    const auto predictions = fixture.buffers.moverPredictions.download();
+    const auto predictions = fixture.stages.bodies.moverPredictions.download();
     fixture.forMovers("body/mover_predict");
-    const auto found = fixture.buffers.moverPredictions.download(), moves = fixture.buffers.moverMoves.download();
+    const auto found = fixture.stages.bodies.moverPredictions.download(), moves = fixture.stages.bodies.moverMoves.download();
     uint32_t fixed = 0;
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         if (!fixture.isFixed(m)) continue;
@@ -140,8 +140,8 @@ class MoverDrift : public MoverPredict {
 protected:
     bool isDue(uint32_t mover, const Vector3f& shift, float angle)
     {
-        SolverBuffers& b = fixture.buffers;
-        for (Buffer<gpu::vec4>* still : {&b.moverVelocities, &b.moverImpulses}) still->clear();
+        Stages& b = fixture.stages;
+        for (Buffer<gpu::vec4>* still : {&b.bodies.moverVelocities, &b.bodies.moverImpulses}) still->clear();
         b.parameters.gravity = {0, 0, 0, 0};
         fixture.setParameters();
         fixture.setAssemblies(MoverFixture::SUBSTEP - 1, 1);
@@ -150,8 +150,8 @@ protected:
         centres[mover] = packed(Vector3f(vec3(centres[mover]) + shift), 0.01f);
         const Quaternionf turn(Eigen::AngleAxisf(angle, Vector3f(1, 2, 2) / 3));
         rotations[mover] = packed(turn * quaternion(rotations[mover]));
-        fill(b.searchCentres, centres);
-        fill(b.searchRotations, rotations);
+        fill(b.search.searchCentres, centres);
+        fill(b.search.searchRotations, rotations);
         gpu::Counters now = fixture.counters();
         now.due = 0;
         fixture.setCounters(now);

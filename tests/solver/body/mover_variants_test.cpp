@@ -21,19 +21,19 @@ void expectSameBits(const Buffer<gpu::vec4>& one, const Buffer<gpu::vec4>& other
 TEST(MoverVariants, KernelsForBodiesAndForLooseParticlesDoWhatOneForAllDoes)
 {
     KernelFixture all(mixedWorld()), apart(mixedWorld());
-    ASSERT_GT(all.buffers.parameters.moverCount, all.buffers.parameters.bodyCount);
-    const auto impulses = randomVectors(all.buffers.moverImpulses.size(), 0.001f, 3);
-    for (KernelFixture* fixture : {&all, &apart}) fill(fixture->buffers.moverImpulses, impulses);
+    ASSERT_GT(all.stages.parameters.moverCount, all.stages.parameters.bodyCount);
+    const auto impulses = randomVectors(all.stages.bodies.moverImpulses.size(), 0.001f, 3);
+    for (KernelFixture* fixture : {&all, &apart}) fill(fixture->stages.bodies.moverImpulses, impulses);
     for (const char* kernel : {"body/mover_predict", "body/mover_solve", "body/mover_integrate"}) {
         all.forMovers(kernel);
         apart.forMovers(kernel, {{"BODIES", "1"}});
         apart.forMovers(kernel, {{"LOOSE", "1"}});
         SCOPED_TRACE(kernel);
-        expectSameBits(all.buffers.moverPredictions, apart.buffers.moverPredictions);
-        expectSameBits(all.buffers.moverMoves, apart.buffers.moverMoves);
-        expectSameBits(all.buffers.moverRotationDeltas, apart.buffers.moverRotationDeltas);
-        expectSameBits(all.buffers.moverCentres, apart.buffers.moverCentres);
-        expectSameBits(all.buffers.moverVelocities, apart.buffers.moverVelocities);
+        expectSameBits(all.stages.bodies.moverPredictions, apart.stages.bodies.moverPredictions);
+        expectSameBits(all.stages.bodies.moverMoves, apart.stages.bodies.moverMoves);
+        expectSameBits(all.stages.bodies.moverRotationDeltas, apart.stages.bodies.moverRotationDeltas);
+        expectSameBits(all.stages.bodies.moverCentres, apart.stages.bodies.moverCentres);
+        expectSameBits(all.stages.bodies.moverVelocities, apart.stages.bodies.moverVelocities);
     }
 }
 

@@ -42,15 +42,15 @@ TEST(ColliderGrid, TheKernelsSeeTheDistanceOfTheReferenceAndItsGradient)
 {
     writeColliderKernel();
     KernelFixture fixture(gridWorld());
-    EXPECT_TRUE(fixture.buffers.hasGrids);
+    EXPECT_TRUE(fixture.stages.colliders.hasGrids);
     const auto positions = randomVectors(fixture.world.particles.size(), 0.5f, 62);
-    fill(fixture.buffers.positions, positions);
+    fill(fixture.stages.particles.positions, positions);
     const Kernel kernel = fixture.load("test_collider", {{"GRIDS", "1"}});
     for (uint32_t c = 0; c < fixture.world.colliders.size(); ++c) {
         SCOPED_TRACE("collider " + std::to_string(c));
         glProgramUniform1ui(kernel.program(), 0, c);
         fixture.dispatch(kernel, groupsFor(positions.size()));
-        const auto results = fixture.buffers.moved.download();
+        const auto results = fixture.stages.particles.velocities.download();
         const Collider& collider = fixture.world.colliders[c];
         const auto distance = [&](const Vector3f& x) { return colliderDistance(fixture.world, collider, x); };
         uint32_t smooth = 0, checked = 0;

@@ -15,8 +15,8 @@ class ColliderPrepare : public testing::Test {
 protected:
     ColliderPrepare() : fixture(colliderWorld())
     {
-        found = randomVectors(fixture.buffers.parameters.particleCount, 0.5f, 61);
-        places = fixture.buffers.particleRanks.download();
+        found = randomVectors(fixture.stages.parameters.particleCount, 0.5f, 61);
+        places = fixture.stages.particles.particleRanks.download();
     }
     void find()
     {
@@ -24,21 +24,21 @@ protected:
         fixture.forParticles("search/collider_find");
         fixture.fillLists();
     }
-    size_t start() const { return fixture.counters().listParity * fixture.buffers.parameters.colliderPairCapacity; }
+    size_t start() const { return fixture.counters().listParity * fixture.stages.parameters.colliderPairCapacity; }
     /// The current contacts, in order: particle, collider.
     std::vector<gpu::uvec2> contacts() const
     {
-        const auto all = fixture.buffers.colliderPairs.download();
+        const auto all = fixture.stages.search.colliderPairs.download();
         const auto first = all.begin() + static_cast<std::ptrdiff_t>(start());
         return {first, first + fixture.counters().colliderPairCount};
     }
     /// The same of what the particles found.
     std::vector<gpu::uvec2> wantedContacts() const
     {
-        const auto counts = fixture.buffers.listCounts.download(), lists = fixture.buffers.colliderLists.download();
+        const auto counts = fixture.stages.search.listCounts.download(), lists = fixture.stages.search.colliderLists.download();
         const auto count = static_cast<uint32_t>(found.size());
         std::vector<gpu::uvec2> wanted;
-        for (uint32_t i : fixture.buffers.rankedParticles.download())
+        for (uint32_t i : fixture.stages.particles.rankedParticles.download())
             for (uint32_t slot = 0; slot < counts[2 * count + places[i].y]; ++slot)
                 wanted.push_back({i, lists[slot * count + i]});
         return wanted;
@@ -71,7 +71,7 @@ TEST_F(ColliderPrepare, TheContactsOfEachRankStandTogetherInBothHalves)
         const auto wanted = wantedContacts();
         ASSERT_GT(wanted.size(), 200u);
         expectSame(contacts(), wanted);
-        const auto dispatches = fixture.buffers.dispatches.download();
+        const auto dispatches = fixture.stages.dispatches.download();
         for (uint32_t k : {DISPATCH_COLLIDER_PAIRS, DISPATCH_NEW_COLLIDER_PAIRS})
             EXPECT_EQ(dispatches[k].x, groupsFor(wanted.size()));
         found = randomVectors(found.size(), 0.5f, 62);
@@ -82,8 +82,8 @@ TEST_F(ColliderPrepare, TheContactsOfEachRankStandTogetherInBothHalves)
 TEST_F(ColliderPrepare, ContactsThatLastKeepTheirImpulsesAndFreshOnesHaveNone)
 {
     find();
-    auto impulses = fixture.buffers.colliderImpulses.download();
-    auto means = fixture.buffers.colliderMeans.download();
+    auto impulses = fixture.stages.contacts.colliderImpulses.download();
+    auto means = fixture.stages.contacts.colliderMeans.download();
     std::map<std::pair<uint32_t, uint32_t>, gpu::vec4> old;
     const auto before = contacts();
     size_t first = start();
@@ -91,14 +91,14 @@ TEST_F(ColliderPrepare, ContactsThatLastKeepTheirImpulsesAndFreshOnesHaveNone)
         old[{before[q].x, before[q].y}] = impulses[first + q] = {float(before[q].x), float(before[q].y), 3, 4};
         means[first + q] = 5.0f + float(before[q].x);
     }
-    fill(fixture.buffers.colliderImpulses, impulses);
-    fill(fixture.buffers.colliderMeans, means);
+    fill(fixture.stages.contacts.colliderImpulses, impulses);
+    fill(fixture.stages.contacts.colliderMeans, means);
     const auto shifts = randomVectors(found.size(), 0.12f, 63);
     for (size_t i = 0; i < found.size(); ++i) found[i] = packed(vec3(found[i]) + vec3(shifts[i]));
     fixture.turnHalves();
     find();
-    impulses = fixture.buffers.colliderImpulses.download();
-    means = fixture.buffers.colliderMeans.download();
+    impulses = fixture.stages.contacts.colliderImpulses.download();
+    means = fixture.stages.contacts.colliderMeans.download();
     uint32_t kept = 0, fresh = 0, touching = 0;
     const auto after = contacts();
     first = start();
@@ -122,8 +122,8 @@ TEST_F(ColliderPrepare, ContactsThatLastKeepTheirImpulsesAndFreshOnesHaveNone)
 TEST_F(ColliderPrepare, AContactKnowsItsMoverColliderArmAndFriction)
 {
     find();
-    const auto sides = fixture.buffers.colliderSides.download();
-    const auto arms = fixture.buffers.colliderArms.download(), offsets = fixture.buffers.restOffsets.download();
+    const auto sides = fixture.stages.contacts.colliderSides.download();
+    const auto arms = fixture.stages.contacts.colliderArms.download(), offsets = fixture.stages.particles.restOffsets.download();
     const auto all = contacts();
     for (size_t q = 0; q < all.size(); ++q) {
         const auto [i, c] = all[q];
@@ -142,13 +142,13 @@ TEST_F(ColliderPrepare, AContactKnowsItsMoverColliderArmAndFriction)
 TEST_F(ColliderPrepare, MoreContactsThanThereIsRoomForAreReportedAndLeftOut)
 {
     constexpr uint32_t ROOM = 101;
-    SolverBuffers& b = fixture.buffers;
+    Stages& b = fixture.stages;
     b.parameters.colliderPairCapacity = ROOM;
     fixture.setParameters();
     fixture.turnHalves();
-    fill(b.colliderPairs, std::vector<gpu::uvec2>(b.colliderPairs.size(), gpu::uvec2{77, 78}));
-    fill(b.colliderSides, std::vector<gpu::uvec4>(b.colliderSides.size(), gpu::uvec4{9, 9, 9, 9}));
-    for (auto* buffer : {&b.colliderArms, &b.colliderImpulses})
+    fill(b.search.colliderPairs, std::vector<gpu::uvec2>(b.search.colliderPairs.size(), gpu::uvec2{77, 78}));
+    fill(b.contacts.colliderSides, std::vector<gpu::uvec4>(b.contacts.colliderSides.size(), gpu::uvec4{9, 9, 9, 9}));
+    for (auto* buffer : {&b.contacts.colliderArms, &b.contacts.colliderImpulses})
         fill(*buffer, std::vector<gpu::vec4>(buffer->size(), gpu::vec4{7, 7, 7, 7}));
     find();
     auto wanted = wantedContacts();
@@ -158,9 +158,9 @@ TEST_F(ColliderPrepare, MoreContactsThanThereIsRoomForAreReportedAndLeftOut)
     EXPECT_EQ(fixture.counters().colliderPairCount, ROOM);
     wanted.resize(ROOM);
     expectSame(contacts(), wanted);
-    const auto pairs = b.colliderPairs.download();
-    const auto sides = b.colliderSides.download();
-    const auto arms = b.colliderArms.download(), impulses = b.colliderImpulses.download();
+    const auto pairs = b.search.colliderPairs.download();
+    const auto sides = b.contacts.colliderSides.download();
+    const auto arms = b.contacts.colliderArms.download(), impulses = b.contacts.colliderImpulses.download();
     for (size_t q = 0; q < pairs.size(); ++q) {
         const bool filled = q >= ROOM && q < 2 * ROOM;
         ASSERT_EQ(pairs[q].x == 77u && pairs[q].y == 78u, !filled) << "contact " << q;

@@ -42,13 +42,13 @@ TEST(ColliderDistance, TheKernelsSeeTheSameDistanceAndItsGradient)
     writeColliderKernel();
     KernelFixture fixture(colliderWorld());
     const auto positions = randomVectors(fixture.world.particles.size(), 0.5f, 52);
-    fill(fixture.buffers.positions, positions);
+    fill(fixture.stages.particles.positions, positions);
     const Kernel kernel = fixture.load("test_collider");
     for (uint32_t c = 0; c < fixture.world.colliders.size(); ++c) {
         SCOPED_TRACE("collider " + std::to_string(c));
         glProgramUniform1ui(kernel.program(), 0, c);
         fixture.dispatch(kernel, groupsFor(positions.size()));
-        const auto results = fixture.buffers.moved.download();
+        const auto results = fixture.stages.particles.velocities.download();
         const auto distance = [&](const Vector3f& x) {
             return colliderDistance(fixture.world, fixture.world.colliders[c], x);
         };

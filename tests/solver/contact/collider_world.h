@@ -38,7 +38,7 @@ inline World colliderWorld(uint32_t count = 4)
     return world;
 }
 
-/// Has `sim/test_collider.comp` write colliderDistance() of each position, for the collider in location 0, to `moved`.
+/// Has `sim/test_collider.comp` write colliderDistance() of each position, for the collider in location 0, to `velocities`.
 inline void writeColliderKernel()
 {
     std::filesystem::create_directories(shaderFolder().path("sim"));
@@ -47,11 +47,11 @@ inline void writeColliderKernel()
 layout(local_size_x = GROUP_SIZE) in;
 layout(location = 0) uniform uint index;
 uniform samplerBuffer positions;
-BUFFER(vec4, Moved, moved);
+BUFFER(vec4, Velocities, velocities);
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i < step.particleCount) moved[i] = colliderDistance(index, texelFetch(positions, int(i)).xyz);
+    if (i < step.particleCount) velocities[i] = colliderDistance(index, texelFetch(positions, int(i)).xyz);
 }
 )");
 }

@@ -15,9 +15,9 @@ namespace {
 constexpr uint32_t PARITY = 1;
 constexpr uint32_t KIN = 1u << 23;   // shaders/sim/common/one_sided.glsl
 
-World worldWithColliders()
+World worldWithColliders(const Settings& settings)
 {
-    World world = mixedWorld();
+    World world = mixedWorld(settings);
     const Quaternionf tilt(Eigen::AngleAxisf(0.4f, Vector3f(1, 0, 0)));
     world.colliders = {colliderOf(ColliderShape::Plane, {0, 0, 0}, tilt),
                        colliderOf(ColliderShape::Sphere, {0.1f, -0.2f, 0.3f})};
@@ -43,7 +43,7 @@ void put(Buffer<T>& buffer, const std::vector<T>& values, size_t start = 0)
 
 }  // namespace
 
-ContactFixture::ContactFixture() : MoverFixture(worldWithColliders())
+ContactFixture::ContactFixture(const Settings& settings) : MoverFixture(worldWithColliders(settings))
 {
     std::vector<uint32_t> order(moverOf.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -80,10 +80,10 @@ void ContactFixture::setPairs(std::vector<TestContact> contacts)
         impulses.push_back(c.impulse);
         means.push_back(c.mean);
     }
-    put(buffers.pairSides, sides);
-    put(buffers.pairArms, arms);
-    put(buffers.pairImpulses, impulses, PARITY * buffers.parameters.pairCapacity);
-    put(buffers.pairMeans, means, PARITY * buffers.parameters.pairCapacity);
+    put(stages.contacts.pairSides, sides);
+    put(stages.contacts.pairArms, arms);
+    put(stages.contacts.pairImpulses, impulses, PARITY * stages.parameters.pairCapacity);
+    put(stages.contacts.pairMeans, means, PARITY * stages.parameters.pairCapacity);
     setLists();
 }
 
@@ -100,10 +100,10 @@ void ContactFixture::setColliderContacts(std::vector<TestContact> contacts)
         impulses.push_back(c.impulse);
         means.push_back(c.mean);
     }
-    put(buffers.colliderSides, sides);
-    put(buffers.colliderArms, arms);
-    put(buffers.colliderImpulses, impulses, PARITY * buffers.parameters.colliderPairCapacity);
-    put(buffers.colliderMeans, means, PARITY * buffers.parameters.colliderPairCapacity);
+    put(stages.contacts.colliderSides, sides);
+    put(stages.contacts.colliderArms, arms);
+    put(stages.contacts.colliderImpulses, impulses, PARITY * stages.parameters.colliderPairCapacity);
+    put(stages.contacts.colliderMeans, means, PARITY * stages.parameters.colliderPairCapacity);
     setLists();
 }
 
@@ -122,8 +122,8 @@ void ContactFixture::setLists()
     std::stable_sort(references.begin(), references.end(), [&](uint32_t a, uint32_t b) {
         return rankOf[pairs[a].second] < rankOf[pairs[b].second];
     });
-    put(buffers.listStarts, starts, PARITY * starts.size());
-    put(buffers.pairReferences, references);
+    put(stages.search.listStarts, starts, PARITY * starts.size());
+    put(stages.search.pairReferences, references);
     gpu::Counters now = counters();
     now.pairCount = static_cast<uint32_t>(pairs.size());
     now.colliderPairCount = static_cast<uint32_t>(colliderContacts.size());

@@ -22,18 +22,18 @@ struct TestContact {
 class ContactFixture : public MoverFixture {
 public:
     /// With a plane and a sphere.
-    ContactFixture();
+    explicit ContactFixture(const Settings& settings = {});
 
     /// Puts the contacts into the lists of the second half, each in its place by rank.
     void setPairs(std::vector<TestContact> contacts);
     void setColliderContacts(std::vector<TestContact> contacts);
-    std::vector<gpu::vec4> pairImpulses() const { return secondHalf(buffers.pairImpulses, pairs.size()); }
-    std::vector<float> pairMeans() const { return secondHalf(buffers.pairMeans, pairs.size()); }
+    std::vector<gpu::vec4> pairImpulses() const { return secondHalf(stages.contacts.pairImpulses, pairs.size()); }
+    std::vector<float> pairMeans() const { return secondHalf(stages.contacts.pairMeans, pairs.size()); }
     std::vector<gpu::vec4> colliderImpulses() const
     {
-        return secondHalf(buffers.colliderImpulses, colliderContacts.size());
+        return secondHalf(stages.contacts.colliderImpulses, colliderContacts.size());
     }
-    std::vector<float> colliderMeans() const { return secondHalf(buffers.colliderMeans, colliderContacts.size()); }
+    std::vector<float> colliderMeans() const { return secondHalf(stages.contacts.colliderMeans, colliderContacts.size()); }
     Vector3d place(uint32_t particle, const Vector3f& arm) const
     {
         return centre(moverOf[particle]) + this->arm(moverOf[particle], arm.cast<double>());

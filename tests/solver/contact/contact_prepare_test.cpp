@@ -22,12 +22,12 @@ protected:
     /// The current pairs, in order.
     std::vector<gpu::uvec2> pairs() const
     {
-        const auto all = fixture.buffers.pairs.download();
+        const auto all = fixture.stages.search.pairs.download();
         const auto first = all.begin() + static_cast<std::ptrdiff_t>(start());
         return {first, first + fixture.counters().pairCount};
     }
     /// Where the impulses of the current pairs start.
-    size_t start() const { return fixture.counters().listParity * fixture.buffers.parameters.pairCapacity; }
+    size_t start() const { return fixture.counters().listParity * fixture.stages.parameters.pairCapacity; }
 
     PartingFixture fixture;
 };
@@ -46,16 +46,16 @@ TEST_F(ContactPrepare, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChang
 {
     find();
     std::map<std::pair<uint32_t, uint32_t>, gpu::vec4> old;   // by first and second
-    auto impulses = fixture.buffers.pairImpulses.download();
-    auto means = fixture.buffers.pairMeans.download();
+    auto impulses = fixture.stages.contacts.pairImpulses.download();
+    auto means = fixture.stages.contacts.pairMeans.download();
     const auto before = pairs();
     size_t first = start();
     for (size_t q = 0; q < before.size(); ++q) {
         old[{before[q].x, before[q].y}] = impulses[first + q] = impulseOfPair(before[q]);
         means[first + q] = meanOfPair(impulses[first + q]);
     }
-    fill(fixture.buffers.pairImpulses, impulses);
-    fill(fixture.buffers.pairMeans, means);
+    fill(fixture.stages.contacts.pairImpulses, impulses);
+    fill(fixture.stages.contacts.pairMeans, means);
     // What lay ahead lies behind in the mirror. Some pairs part, some come together.
     const auto shifts = randomVectors(fixture.count(), 0.06f, 12);
     auto mirrored = fixture.found;
@@ -64,8 +64,8 @@ TEST_F(ContactPrepare, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChang
     fixture.place(mirrored);
     fixture.turnHalves();
     find();
-    impulses = fixture.buffers.pairImpulses.download();
-    means = fixture.buffers.pairMeans.download();
+    impulses = fixture.stages.contacts.pairImpulses.download();
+    means = fixture.stages.contacts.pairMeans.download();
     uint32_t kept = 0, swapped = 0, fresh = 0, touching = 0;
     const auto after = pairs();
     first = start();
@@ -100,15 +100,15 @@ TEST_F(ContactPrepare, PairsWithoutAPushAreAboutToActWhereTheyOverlap)
 {
     find();
     // The same places again: all pairs last, some with nothing, some with the mark already.
-    auto impulses = fixture.buffers.pairImpulses.download();
+    auto impulses = fixture.stages.contacts.pairImpulses.download();
     const auto found = pairs();
     size_t first = start();
     for (size_t q = 0; q < found.size(); ++q) impulses[first + q] = {0, 0, 0, q % 2 == 0 ? float(ABOUT_TO_ACT) : 0};
-    fill(fixture.buffers.pairImpulses, impulses);
+    fill(fixture.stages.contacts.pairImpulses, impulses);
     fixture.place(fixture.found);
     fixture.turnHalves();
     find();
-    impulses = fixture.buffers.pairImpulses.download();
+    impulses = fixture.stages.contacts.pairImpulses.download();
     const auto again = pairs();
     first = start();
     ASSERT_EQ(again.size(), found.size());
@@ -123,8 +123,8 @@ TEST_F(ContactPrepare, PairsWithoutAPushAreAboutToActWhereTheyOverlap)
 TEST_F(ContactPrepare, APairKnowsItsMoversArmsAndFriction)
 {
     find();
-    const auto sides = fixture.buffers.pairSides.download();
-    const auto arms = fixture.buffers.pairArms.download(), offsets = fixture.buffers.restOffsets.download();
+    const auto sides = fixture.stages.contacts.pairSides.download();
+    const auto arms = fixture.stages.contacts.pairArms.download(), offsets = fixture.stages.particles.restOffsets.download();
     const auto found = pairs();
     const auto material = [&](uint32_t particle) -> const Material& {
         return fixture.world.materials[fixture.world.particles[particle].material];
@@ -151,8 +151,8 @@ TEST_F(ContactPrepare, APairKnowsItsMoversArmsAndFriction)
 TEST_F(ContactPrepare, APairKnowsTheInverseMassesAlongItsNormalAsSharesOfTheWorst)
 {
     find();
-    const auto sides = fixture.buffers.pairSides.download();
-    const auto offsets = fixture.buffers.restOffsets.download();
+    const auto sides = fixture.stages.contacts.pairSides.download();
+    const auto offsets = fixture.stages.particles.restOffsets.download();
     const auto found = pairs();
     uint32_t partial = 0, oneSided = 0, flat = 0;
     for (size_t q = 0; q < found.size(); q += 7) {
@@ -181,7 +181,7 @@ TEST_F(ContactPrepare, APairKnowsTheInverseMassesAlongItsNormalAsSharesOfTheWors
 TEST_F(ContactPrepare, APairKnowsItsWayOut)
 {
     find();
-    const auto sides = fixture.buffers.pairSides.download();
+    const auto sides = fixture.stages.contacts.pairSides.download();
     const auto found = pairs();
     uint32_t known = 0;
     for (size_t q = 0; q < found.size(); ++q) {

@@ -32,10 +32,10 @@ protected:
     ContactSolve()
     {
         fixture.setMoves(0.002f, 0.005f, SPLITS);
-        fixture.buffers.parameters.maxCorrection = 2e-4f;   // of the depths below, some come under it and some do not
+        fixture.stages.parameters.maxCorrection = 2e-4f;   // of the depths below, some come under it and some do not
         fixture.setParameters();
     }
-    const gpu::StepParameters& step() const { return fixture.buffers.parameters; }
+    const gpu::StepParameters& step() const { return fixture.stages.parameters; }
     /// Contacts act (w != 0) where they were counted; those with a normal part carry a friction of up to it.
     void addImpulse(TestContact& c, Random& random) const
     {

@@ -17,11 +17,11 @@ void PartingFixture::setTurnsAndInertias()
 {
     Random random(41);
     std::vector<gpu::vec4> packedTurns;
-    for (uint32_t m = 0; m < buffers.parameters.moverCount; ++m) {
+    for (uint32_t m = 0; m < stages.parameters.moverCount; ++m) {
         turns_.push_back(random.rotation());
         packedTurns.push_back(packed(turns_.back()));
     }
-    fill(buffers.searchRotations, packedTurns);
+    fill(stages.search.searchRotations, packedTurns);
     std::vector<gpu::vec4> packedInertias;
     for (const Body& body : world.bodies) {
         const BodyMass mass = bodyMass(world, body);
@@ -37,7 +37,7 @@ void PartingFixture::setTurnsAndInertias()
         inertia(1, 2) = inertia(2, 1) = static_cast<double>(other.z());
         inertias_.push_back(inertia);
     }
-    fill(buffers.bodyInertias, packedInertias);
+    fill(stages.bodies.bodyInertias, packedInertias);
 }
 
 double PartingFixture::inverseMass(uint32_t particle, const Vector3f& r, const Vector3d& normal) const

@@ -33,11 +33,11 @@ protected:
         fixture.findNeighbours();
         std::vector<uint32_t> colliders(fixture.count(), 0);
         for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) colliders[i] = 3;
-        fill(fixture.buffers.fluid.slotColliders, fixture.inSlots(colliders));
+        fill(fixture.stages.fluids->slotColliders, fixture.inSlots(colliders));
         fixture.forSlots("fluid/fluid_density");
-        pressures = fixture.byParticle(fixture.buffers.fluid.slotPressures.download());
-        walls = fixture.byParticle(fixture.buffers.fluid.slotWalls.download());
-        solids = fixture.byParticle(fixture.buffers.fluid.slotSolids.download());
+        pressures = fixture.byParticle(fixture.stages.fluids->slotPressures.download());
+        walls = fixture.byParticle(fixture.stages.fluids->slotWalls.download());
+        solids = fixture.byParticle(fixture.stages.fluids->slotSolids.download());
     }
     const gpu::StepParameters& parameters() const { return fixture.parameters(); }
     Cover byFluid(uint32_t i) const
@@ -141,10 +141,10 @@ TEST_P(FluidDensity, SolidParticlesHaveNoPressure)
 TEST_P(FluidDensity, SolidsAreGivenWhatTheyGive)
 {
     // fluid_pressure moves a fluid particle by lambda times solids' slope; fluid_solid_coupling gives that back by weights.
-    fill(fixture.buffers.particleImpulses, std::vector<gpu::vec4>(fixture.count()));
+    fill(fixture.stages.bodies.particleImpulses, std::vector<gpu::vec4>(fixture.count()));
     fixture.forParticles("fluid/fluid_solid_coupling");
-    const auto impulses = fixture.buffers.particleImpulses.download();
-    const auto places = fixture.buffers.particleRanks.download();
+    const auto impulses = fixture.stages.bodies.particleImpulses.download();
+    const auto places = fixture.stages.particles.particleRanks.download();
     std::vector<Vector3d> wanted(fixture.solidCount(), Vector3d::Zero());
     Vector3d given = Vector3d::Zero(), got = Vector3d::Zero();
     double size = 0.0;

@@ -56,7 +56,7 @@ protected:
 TEST_P(FluidFind, EveryParticleHasOneSlot)
 {
     auto particles = fixture.slotParticles;
-    const auto slots = fixture.buffers.fluid.particleSlots.download();
+    const auto slots = fixture.stages.fluids->particleSlots.download();
     for (uint32_t k = 0; k < particles.size(); ++k) ASSERT_EQ(slots[particles[k]], k);
     std::sort(particles.begin(), particles.end());
     for (uint32_t i = 0; i < fixture.count(); ++i) ASSERT_EQ(particles[i], i);
@@ -112,8 +112,8 @@ TEST_P(FluidFind, BehindItsLastFluidNeighbourASlotListsItself)
 
 TEST_P(FluidFind, WhatHasNoRoomIsReported)
 {
-    // Told of less room than the buffers have: lists are as far apart as it says.
-    fixture.buffers.parameters.fluidSlots = 32;
+    // Told of less room than the stages have: lists are as far apart as it says.
+    fixture.stages.parameters.fluidSlots = 32;
     fixture.setParameters();
     const auto whole = fixture.slotCounts;
     fixture.findNeighbours();

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/solver/fluid/upload_fluid.h"
+#include "sim/solver/fluid/fluid_numbers.h"
 
 namespace knuckle::test {
 
@@ -42,25 +42,25 @@ World fluidWorld(const Settings& settings)
 
 FluidFixture::FluidFixture(const Settings& settings) : KernelFixture(fluidWorld(settings))
 {
-    buffers.parameters.fluidSlots = SLOTS;
-    makeFluid(buffers, world, gpu());
+    stages.parameters.fluidSlots = SLOTS;
+    stages.fluids->makeLists(gpu());
     wrap(false);
-    masses = buffers.masses.download();
+    masses = stages.particles.masses.download();
     setPlaces(randomVectors(count(), HALF, 31));
 }
 
 void FluidFixture::setPlaces(const std::vector<gpu::vec4>& positions)
 {
     places = positions;
-    fill(buffers.fluid.fluidSearchPositions, places);
-    fill(buffers.positions, places);
+    fill(stages.fluids->fluidSearchPositions, places);
+    fill(stages.particles.positions, places);
 }
 
 void FluidFixture::wrap(bool early)
 {
     // The place spans six cells; packed places repeat after four.
-    buffers.parameters.fluidStrideY = (early ? 4 : 10) * FINE_CELLS;
-    buffers.parameters.fluidStrideZ = 10 * buffers.parameters.fluidStrideY;
+    stages.parameters.fluidStrideY = (early ? 4 : 10) * FINE_CELLS;
+    stages.parameters.fluidStrideZ = 10 * stages.parameters.fluidStrideY;
     setParameters();
 }
 
@@ -74,7 +74,7 @@ void FluidFixture::findNeighbours()
     run("search/scan_chunks", 1, defines);
     run("search/grid_start", cells / SCAN_CHUNK, defines);
     for (const char* kernel : {"search/grid_scatter", "fluid/fluid_order", "fluid/fluid_find"}) forSlots(kernel, defines);
-    FluidBuffers& f = buffers.fluid;
+    FluidStage& f = *stages.fluids;
     slotParticles = f.slotParticles.download();
     slotCounts = f.slotCounts.download();
     neighbours.clear();

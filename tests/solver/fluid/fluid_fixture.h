@@ -12,7 +12,7 @@ class FluidFixture : public KernelFixture {
 public:
     explicit FluidFixture(const Settings& settings = {});
 
-    const gpu::StepParameters& parameters() const { return buffers.parameters; }
+    const gpu::StepParameters& parameters() const { return stages.parameters; }
     uint32_t count() const { return static_cast<uint32_t>(world.particles.size()); }
     uint32_t solidCount() const { return parameters().particleCount; }
     bool isFluid(uint32_t particle) const { return particle >= solidCount(); }

@@ -30,14 +30,14 @@ protected:
     {
         auto p = pressures;
         for (gpu::vec4& v : p) v.w *= harder;
-        fill(fixture.buffers.positions, starts);
-        fill(fixture.buffers.velocities, before);
-        fill(fixture.buffers.fluid.slotVelocities, fixture.inSlots(before));
-        fill(fixture.buffers.fluid.slotPressures, fixture.inSlots(p));
-        fill(fixture.buffers.fluid.slotWalls, fixture.inSlots(walls));
-        fill(fixture.buffers.fluid.slotSolids, fixture.inSlots(solids));
+        fill(fixture.stages.particles.positions, starts);
+        fill(fixture.stages.particles.velocities, before);
+        fill(fixture.stages.fluids->slotVelocities, fixture.inSlots(before));
+        fill(fixture.stages.fluids->slotPressures, fixture.inSlots(p));
+        fill(fixture.stages.fluids->slotWalls, fixture.inSlots(walls));
+        fill(fixture.stages.fluids->slotSolids, fixture.inSlots(solids));
         fixture.forSlots("fluid/fluid_pressure", defines);
-        positions = fixture.buffers.positions.download();
+        positions = fixture.stages.particles.positions.download();
     }
     void clearWalls() { walls = solids = std::vector<gpu::vec4>(fixture.count()); }
     Vector3d move(uint32_t i) const { return vec3(positions[i]).cast<double>() - fixture.place(i); }
@@ -62,7 +62,7 @@ protected:
 TEST_F(FluidPressure, MovesByThePressuresAround)
 {
     push();
-    const auto velocities = fixture.buffers.velocities.download();
+    const auto velocities = fixture.stages.particles.velocities.download();
     const double h = fixture.parameters().substepTime, most = 0.25 * fixture.parameters().fluidReach;
     double moved = 0.0;
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
@@ -80,10 +80,10 @@ TEST_F(FluidPressure, MovesByThePressuresAround)
 TEST_F(FluidPressure, ImpulsesOfPairsAddUpToNothing)
 {
     clearWalls();
-    fill(fixture.buffers.fluid.fluidMaterials, std::vector<gpu::vec4>{{0, 0, 0, 0}, {0, 2e-5f, 0, 0}, {0, 1e-5f, 0, 0}});
+    fill(fixture.stages.fluids->fluidMaterials, std::vector<gpu::vec4>{{0, 0, 0, 0}, {0, 2e-5f, 0, 0}, {0, 1e-5f, 0, 0}});
     std::vector<uint32_t> materials;
     for (const Particle& p : fixture.world.particles) materials.push_back(p.material);
-    fill(fixture.buffers.fluid.slotMaterials, fixture.inSlots(materials));
+    fill(fixture.stages.fluids->slotMaterials, fixture.inSlots(materials));
     std::vector<gpu::vec4> without;
     for (const Defines& defines : {Defines{}, Defines{{"TENSION", "1"}}}) {
         push(1.0f, defines);
@@ -119,7 +119,7 @@ TEST_F(FluidPressure, AmongSolidsNobodyGetsMuchFasterThanTheyOrItWere)
 {
     before = randomVectors(fixture.count(), 1.0f, 44);
     push(10.0f);
-    const auto velocities = fixture.buffers.velocities.download();
+    const auto velocities = fixture.stages.particles.velocities.download();
     const double h = fixture.parameters().substepTime;
     uint32_t limited = 0, free = 0;
     for (uint32_t k = 0; k < fixture.count(); ++k) {
@@ -142,7 +142,7 @@ TEST_F(FluidPressure, NobodyIsLeftInAWall)
 {
     clearWalls();
     std::vector<uint32_t> colliders(fixture.count(), 3);
-    fill(fixture.buffers.fluid.slotColliders, colliders);
+    fill(fixture.stages.fluids->slotColliders, colliders);
     push();
     const float away = 0.25f * fixture.parameters().fluidSpacing;
     uint32_t shifted = 0;
@@ -160,7 +160,7 @@ TEST_F(FluidPressure, SettlingMovesTheSameAndLeavesVelocities)
     const auto moved = positions;
     before = randomVectors(fixture.count(), 1.0f, 43);
     push(1.0f, {{"RELAX", "1"}});
-    const auto kept = fixture.buffers.velocities.download();
+    const auto kept = fixture.stages.particles.velocities.download();
     for (uint32_t i = 0; i < fixture.count(); ++i) {
         ASSERT_EQ(vec3(positions[i]), vec3(moved[i])) << i;
         ASSERT_EQ(vec3(kept[i]), vec3(before[i])) << i;
@@ -170,8 +170,8 @@ TEST_F(FluidPressure, SettlingMovesTheSameAndLeavesVelocities)
 TEST_F(FluidPressure, PredictsWhereTheNextSubstepEndsWithoutPressures)
 {
     push();
-    const auto velocities = fixture.buffers.velocities.download();
-    const auto next = fixture.byParticle(fixture.buffers.fluid.slotPositions.download());
+    const auto velocities = fixture.stages.particles.velocities.download();
+    const auto next = fixture.byParticle(fixture.stages.fluids->slotPositions.download());
     const float h = fixture.parameters().substepTime;
     const Vector3f fall = h * vec3(fixture.parameters().gravity);
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
@@ -180,7 +180,7 @@ TEST_F(FluidPressure, PredictsWhereTheNextSubstepEndsWithoutPressures)
         ASSERT_NEAR(next[i].w, fixture.mass(i), ROUNDING * fixture.mass(i)) << i;
     }
     push(1.0f, {{"RELAX", "1"}});
-    const auto still = fixture.byParticle(fixture.buffers.fluid.slotPositions.download());
+    const auto still = fixture.byParticle(fixture.stages.fluids->slotPositions.download());
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) ASSERT_EQ(vec3(still[i]), vec3(positions[i])) << i;
 }
 

@@ -21,14 +21,14 @@ protected:
     void setVelocities(const std::vector<gpu::vec4>& values)
     {
         velocities = values;
-        fill(fixture.buffers.velocities, velocities);
+        fill(fixture.stages.particles.velocities, velocities);
         fixture.forSlots("fluid/fluid_gather");
     }
     Vector3d velocity(uint32_t i) const { return vec3(velocities[i]).cast<double>(); }
     std::vector<gpu::vec4> vorticities()
     {
         fixture.forSlots("fluid/fluid_vorticity");
-        return fixture.byParticle(fixture.buffers.fluid.slotVorticities.download());
+        return fixture.byParticle(fixture.stages.fluids->slotVorticities.download());
     }
 
     FluidFixture fixture;
@@ -39,9 +39,9 @@ TEST_F(FluidViscosity, VelocitiesEvenOutAndKeepTheirMomentum)
 {
     fixture.findNeighbours();
     setVelocities(randomVectors(fixture.count(), 1.0f, 51));
-    const auto strengths = fixture.buffers.fluid.fluidMaterials.download();
+    const auto strengths = fixture.stages.fluids->fluidMaterials.download();
     fixture.forSlots("fluid/fluid_viscosity");
-    const auto found = fixture.buffers.velocities.download();
+    const auto found = fixture.stages.particles.velocities.download();
     const auto strength = [&](uint32_t i) { return double(strengths[fixture.world.particles[i].material].x); };
     EXPECT_GT(strengths[2].x, 2.0f * strengths[1].x);
     Vector3d sum = Vector3d::Zero();

@@ -12,29 +12,29 @@ class JointSolve : public testing::Test {
 protected:
     JointSolve()
     {
-        SolverBuffers& b = fixture.buffers;
+        Stages& b = fixture.stages;
         // Bodies of a joint start together, so that what is between their goals is small against the places.
         for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
             fixture.centres[m] = fixture.isBody(m) ? packed(fixture.world.bodies[m].position) : fixture.centres[m];
             fixture.rotations[m] = fixture.isBody(m) ? packed(fixture.world.bodies[m].rotation) : fixture.rotations[m];
         }
-        fill(b.moverCentres, fixture.centres);
-        fill(b.moverRotations, fixture.rotations);
+        fill(b.bodies.moverCentres, fixture.centres);
+        fill(b.bodies.moverRotations, fixture.rotations);
         fixture.setMoves(0.01f, 0.05f, 0.0f);
         Random random(121);
-        std::vector<gpu::vec4> changes(b.moverChanges.size());
+        std::vector<gpu::vec4> changes(b.bodies.moverChanges.size());
         for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
             relaxations.push_back(random.between(1, MOST_RELAXATION));
             splits.push_back(fixture.isFixed(m) ? 0.0f : 1 + std::floor(random.between(0, 9)));
             fixture.moves[m].w = splits[m] / relaxations[m];
             changes[fixture.fieldStart(m)].w = relaxations[m];
         }
-        fill(b.moverMoves, fixture.moves);
-        fill(b.moverChanges, changes);
-        links = b.links.download();
-        masses = b.linkMasses.download();
+        fill(b.bodies.moverMoves, fixture.moves);
+        fill(b.bodies.moverChanges, changes);
+        links = b.bodies.links.download();
+        masses = b.bodies.linkMasses.download();
         old = randomVectors(links.size(), 0.1f, 122);
-        fill(b.linkImpulses, old);
+        fill(b.joints.linkImpulses, old);
     }
     struct Owner {
         size_t link;
@@ -56,10 +56,10 @@ protected:
     }
     std::vector<gpu::vec4> solve(const Defines& defines)
     {
-        const gpu::StepParameters& p = fixture.buffers.parameters;
+        const gpu::StepParameters& p = fixture.stages.parameters;
         fixture.run("joint/joint_solve", p.sharedByTwo, defines);
         fixture.run("joint/joint_solve_many", p.sharedCount - p.sharedByTwo, defines);
-        return fixture.buffers.linkImpulses.download();
+        return fixture.stages.joints.linkImpulses.download();
     }
     /// Each body is drawn to the mean of the goals: by n (mean - goal), over the inverse masses together.
     void expectImpulses(const std::vector<gpu::vec4>& before, const std::vector<gpu::vec4>& after) const
@@ -73,7 +73,7 @@ protected:
             for (const Owner& o : owners) inverseMass += o.inverseMass;
             const auto n = static_cast<double>(owners.size());
             for (const Owner& o : owners) {
-                const double relaxation = fixture.buffers.parameters.jointRelaxation;
+                const double relaxation = fixture.stages.parameters.jointRelaxation;
                 const Vector3d p = owners.size() > 1 ? Vector3d(relaxation * (sum - n * o.goal) / inverseMass)
                                                      : Vector3d::Zero();
                 const Vector3f start = vec3(owners.size() > 1 ? before[o.link] : old[o.link]);
@@ -129,7 +129,7 @@ TEST_F(JointSolve, ImpulsesOfASharedParticleSumToZero)
 
 TEST_F(JointSolve, AnImpulseMovesTheGoalsOfTwoBodiesTogether)
 {
-    fixture.buffers.parameters.jointRelaxation = 1.0f;
+    fixture.stages.parameters.jointRelaxation = 1.0f;
     fixture.setParameters();
     const auto found = solve({{"FIRST_ITERATION", "1"}});
     uint32_t held = 0;
@@ -149,7 +149,7 @@ TEST_F(JointSolve, AnImpulseMovesTheGoalsOfTwoBodiesTogether)
 
 TEST_F(JointSolve, BodiesThatCannotMoveOweEachOtherNothing)
 {
-    fixture.buffers.linkMasses.clear();
+    fixture.stages.bodies.linkMasses.clear();
     const auto found = solve({{"FIRST_ITERATION", "1"}});
     for (size_t l = 0; l < links.size(); ++l) {
         const bool shared = fixture.world.particles[links[l].particleIndex].bodyCount > 1;

@@ -7,7 +7,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// What a reduction leaves in the buffers of a body, in double precision, and how far single precision may be off.
+/// What a reduction leaves in the stages of a body, in double precision, and how far single precision may be off.
 struct BodySums {
     Vector3d move = Vector3d::Zero();
     Matrix3d a = Matrix3d::Zero();
@@ -17,20 +17,20 @@ struct BodySums {
 /// Random moves on top of random places, which the paper's solver leaves off their goals.
 class BodySum : public testing::Test {
 protected:
-    BodySum() : fixture(mixedWorld())
+    BodySum() : fixture(mixedWorld(byThePaper()))
     {
-        SolverBuffers& b = fixture.buffers;
+        Stages& b = fixture.stages;
         Random random(21);
-        fill(b.moved, randomVectors(b.moved.size(), 0.02f, 22));
-        fill(b.moverMoves, randomVectors(b.moverMoves.size(), 0.02f, 25));
-        fill(b.positions, randomVectors(b.positions.size(), 0.3f, 26));
-        fill(b.linkPulls, randomVectors(b.linkPulls.size(), 0.1f, 27));
+        fill(b.paper->moved, randomVectors(b.paper->moved.size(), 0.02f, 22));
+        fill(b.bodies.moverMoves, randomVectors(b.bodies.moverMoves.size(), 0.02f, 25));
+        fill(b.particles.positions, randomVectors(b.particles.positions.size(), 0.3f, 26));
+        fill(b.paper->linkPulls, randomVectors(b.paper->linkPulls.size(), 0.1f, 27));
         std::vector<gpu::vec4> starts;
         for (size_t k = 0; k < fixture.world.bodies.size(); ++k) {
             starts.push_back(packed(random.inCube(0.4f)));
             starts.push_back(packed(random.rotation()));
         }
-        fill(b.bodyStarts, starts);
+        fill(b.paper->bodyStarts, starts);
         for (uint32_t k = 0; k < fixture.world.bodies.size(); ++k) expected.push_back(reference(k));
     }
 
@@ -38,12 +38,12 @@ protected:
     /// from where the body had them.
     BodySums reference(uint32_t body)
     {
-        SolverBuffers& b = fixture.buffers;
-        const auto links = b.links.download();
-        const auto pulls = b.linkPulls.download();
-        const auto moved = b.moved.download(), starts = b.bodyStarts.download(), positions = b.positions.download();
+        Stages& b = fixture.stages;
+        const auto links = b.bodies.links.download();
+        const auto pulls = b.paper->linkPulls.download();
+        const auto moved = b.paper->moved.download(), starts = b.paper->bodyStarts.download(), positions = b.particles.positions.download();
         const Vector3d centre = vec3(starts[2 * body]).cast<double>();
-        const Vector3d last = vec3(b.moverMoves.download()[body]).cast<double>();
+        const Vector3d last = vec3(b.bodies.moverMoves.download()[body]).cast<double>();
         BodySums sums;
         double mass = 0.0, size = 0.0, armSize = 0.0;
         Vector3d weighted = Vector3d::Zero();
@@ -76,8 +76,8 @@ protected:
     void expectSums()
     {
         gpu().checkErrors();
-        const auto moves = fixture.buffers.moverMoves.download();
-        const auto matrices = fixture.buffers.bodyMatrices.download();
+        const auto moves = fixture.stages.bodies.moverMoves.download();
+        const auto matrices = fixture.stages.paper->bodyMatrices.download();
         for (uint32_t b = 0; b < expected.size(); ++b) {
             SCOPED_TRACE("body " + std::to_string(b));
             EXPECT_LT((vec3(moves[b]).cast<double>() - expected[b].move).norm(), expected[b].moveTolerance);
@@ -90,13 +90,13 @@ protected:
     {
         const Kernel terms = fixture.load("paper/link_terms", defines), step = fixture.load("paper/link_reduce", defines),
                      collect = fixture.load("paper/body_collect", defines);
-        const uint32_t links = groupsFor(fixture.buffers.parameters.linkCount);
+        const uint32_t links = groupsFor(fixture.stages.parameters.linkCount);
         fixture.dispatch(terms, links);
-        for (const ReductionStep& s : fixture.buffers.reductionSteps) {
+        for (const PaperStage::ReductionStep& s : fixture.stages.paper->reductionSteps) {
             glProgramUniform3ui(step.program(), 0, s.begin, s.end, s.stride);
             fixture.dispatch(step, groupsFor(s.end - s.begin));
         }
-        fixture.dispatch(collect, groupsFor(fixture.buffers.parameters.bodyCount));
+        fixture.dispatch(collect, groupsFor(fixture.stages.parameters.bodyCount));
     }
     void reduceInSteps()
     {
@@ -105,7 +105,7 @@ protected:
     }
 
     KernelFixture fixture;
-    std::vector<BodySums> expected;   ///< Of what the buffers held at first: the kernels overwrite moverMoves.
+    std::vector<BodySums> expected;   ///< Of what the stages held at first: the kernels overwrite moverMoves.
 };
 
 TEST_F(BodySum, OneThreadABodySumsItsLinks)
@@ -116,7 +116,7 @@ TEST_F(BodySum, OneThreadABodySumsItsLinks)
 
 TEST_F(BodySum, OneGroupABodySumsItsLinks)
 {
-    fixture.dispatch(fixture.load("paper/body_sum_group"), fixture.buffers.parameters.bodyCount);
+    fixture.dispatch(fixture.load("paper/body_sum_group"), fixture.stages.parameters.bodyCount);
     expectSums();
 }
 
@@ -146,8 +146,8 @@ TEST(PaperReduction, TakesAsManyStepsAsEquation10)
     solver.step();
     uint64_t terms = 0, steps = 0;
     for (const PassTime& pass : solver.passTimes()) {
-        if (pass.name == "link_terms") terms = pass.count;
-        if (pass.name == "link_reduce") steps = pass.count;
+        if (pass.name.starts_with("link_terms")) terms += pass.count;
+        if (pass.name.starts_with("link_reduce")) steps += pass.count;
     }
     // ceil(log2 81) + 1 = 8, once for the centres and once for A, the first of each being link_terms.
     EXPECT_EQ(terms, 2u);

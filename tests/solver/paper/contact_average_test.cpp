@@ -33,7 +33,7 @@ protected:
     {
         Random random(301);
         const size_t count = fixture.world.particles.size();
-        gpu::StepParameters& p = fixture.buffers.parameters;
+        gpu::StepParameters& p = fixture.stages.parameters;
         p.overRelaxation = 1.7f;
         p.maxCorrection = 0.01f;
         p.stabilization = 0.004f;
@@ -43,13 +43,13 @@ protected:
         starts = randomVectors(count, 0.2f, 302);
         moves = randomVectors(count, 0.02f, 303);
         for (uint32_t i = 0; i < count; ++i) moves[i].w = isFixed(i) ? 0.0f : random.between(0.2f, 5.0f);
-        fill(fixture.buffers.positions, starts);
-        fill(fixture.buffers.predicted, moves);
+        fill(fixture.stages.particles.positions, starts);
+        fill(fixture.stages.paper->predicted, moves);
         makeContacts(random, static_cast<float>(count));
-        restOffsets = fixture.buffers.restOffsets.download();
+        restOffsets = fixture.stages.particles.restOffsets.download();
         for (size_t b = 0; b < fixture.world.bodies.size(); ++b)
             acting.push_back({0, static_cast<uint32_t>(random.between(0.0f, 2.0f) * FRACTION_PARTS)});
-        fixture.buffers.bodyActing.upload(std::span<const gpu::uvec2>(acting));
+        fixture.stages.paper->bodyActing.upload(std::span<const gpu::uvec2>(acting));
     }
     void makeContacts(Random& random, float count)
     {
@@ -78,8 +78,8 @@ protected:
         fixture.setPairs(pairs);
         std::vector<gpu::uvec2> listed;
         for (const TestContact& c : fixture.pairs) listed.push_back({c.first, c.second});
-        fixture.buffers.pairs.write(listed.data(), listed.size() * sizeof(gpu::uvec2),
-                                  PARITY * fixture.buffers.parameters.pairCapacity * sizeof(gpu::uvec2));
+        fixture.stages.search.pairs.write(listed.data(), listed.size() * sizeof(gpu::uvec2),
+                                  PARITY * fixture.stages.parameters.pairCapacity * sizeof(gpu::uvec2));
     }
     bool stabilize() const { return GetParam() == Pass::Stabilize; }
     /// What part of a particle's move its body follows with there: its mass over the effective mass of the body.
@@ -110,7 +110,7 @@ protected:
     /// Eqs. 5-7 with friction (Macklin et al. 2014, eq. 24) and the bounds on old overlaps.
     Wanted push(const Vector3d& normal, double gap, double startGap, const Vector3d& slide, const TestContact& c) const
     {
-        const gpu::StepParameters& p = fixture.buffers.parameters;
+        const gpu::StepParameters& p = fixture.stages.parameters;
         const double old = std::max(-startGap, 0.0);
         const bool deep = old > double(p.deepOverlap);
         const double kept = deep ? old : std::max(old - double(p.maxCorrection), 0.0);
@@ -165,7 +165,7 @@ protected:
         return sums;
     }
 
-    ContactFixture fixture;
+    ContactFixture fixture{byThePaper()};
     std::vector<gpu::vec4> starts, moves, restOffsets;
     std::vector<gpu::uvec2> acting;
 };
@@ -173,7 +173,7 @@ protected:
 TEST_P(ContactAverage, EachParticleMovesByTheMeanOfWhatItsContactsAsk)
 {
     runPass();
-    const auto found = fixture.buffers.moved.download();
+    const auto found = fixture.stages.paper->moved.download();
     const auto sums = wanted();
     uint32_t pushed = 0, averaged = 0, unsure = 0;
     for (uint32_t i = 0; i < found.size(); ++i) {
@@ -197,7 +197,7 @@ TEST_P(ContactAverage, ABodyKnowsHowMuchOfItIsPushed)
 {
     fixture.setColliderContacts({});
     runPass();
-    const auto found = fixture.buffers.bodyActing.download();
+    const auto found = fixture.stages.paper->bodyActing.download();
     const auto sums = wanted();
     std::vector<double> pushed(found.size()), unsure(found.size());
     for (uint32_t i = 0; i < sums.size(); ++i) {

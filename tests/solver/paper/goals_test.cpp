@@ -9,9 +9,9 @@ namespace {
 /// Bodies moved and turned at random since the substep began.
 class Goals : public testing::Test {
 protected:
-    Goals() : fixture(mixedWorld())
+    Goals() : fixture(mixedWorld(byThePaper()))
     {
-        SolverBuffers& b = fixture.buffers;
+        Stages& b = fixture.stages;
         Random random(71);
         const size_t bodies = fixture.world.bodies.size();
         for (size_t k = 0; k < bodies; ++k) {
@@ -22,12 +22,12 @@ protected:
             turns.push_back(packed(Quaternionf(Eigen::AngleAxisf(random.between(0, 0.5f), random.direction()))));
             moves.push_back(packed(random.inCube(0.02f)));
         }
-        fill(b.bodyStarts, starts);
-        fill(b.moverRotationDeltas, turns);
-        fill(b.moverMoves, moves);
-        moved = randomVectors(b.moved.size(), 0.02f, 72);
-        fill(b.moved, moved);
-        fill(b.positions, randomVectors(b.positions.size(), 0.3f, 73));
+        fill(b.paper->bodyStarts, starts);
+        fill(b.bodies.moverRotationDeltas, turns);
+        fill(b.bodies.moverMoves, moves);
+        moved = randomVectors(b.paper->moved.size(), 0.02f, 72);
+        fill(b.paper->moved, moved);
+        fill(b.particles.positions, randomVectors(b.particles.positions.size(), 0.3f, 73));
     }
     /// Q r + c minus where r was when the substep began (eq. 8).
     Vector3d goalMove(const Link& link) const
@@ -57,8 +57,8 @@ protected:
 TEST_F(Goals, ParticlesGoToTheMeanOfTheirBodiesGoals)
 {
     fixture.forParticles("paper/shape_goals");
-    fixture.run("paper/joint_goals", fixture.buffers.parameters.sharedCount);
-    const auto found = fixture.buffers.predicted.download();
+    fixture.run("paper/joint_goals", fixture.stages.parameters.sharedCount);
+    const auto found = fixture.stages.paper->predicted.download();
     const auto wanted = wantedMoves();
     uint32_t shared = 0;
     for (size_t i = 0; i < found.size(); ++i) {
@@ -66,16 +66,16 @@ TEST_F(Goals, ParticlesGoToTheMeanOfTheirBodiesGoals)
         ASSERT_LT((vec3(found[i]).cast<double>() - wanted[i]).norm(), 2.5e-7) << "particle " << i;
         shared += fixture.world.particles[i].bodyCount > 1;
     }
-    EXPECT_EQ(fixture.buffers.parameters.sharedCount, shared);
+    EXPECT_EQ(fixture.stages.parameters.sharedCount, shared);
     EXPECT_EQ(shared, 1u + 3u + 4u + 5u + 1u + 3u);
 }
 
 TEST_F(Goals, StabilizationStartsParticlesFromTheMean)
 {
-    const auto before = fixture.buffers.positions.download();
+    const auto before = fixture.stages.particles.positions.download();
     fixture.forParticles("paper/shape_goals", {{"STABILIZE", "1"}});
-    fixture.run("paper/joint_goals", fixture.buffers.parameters.sharedCount, {{"STABILIZE", "1"}});
-    const auto found = fixture.buffers.positions.download();
+    fixture.run("paper/joint_goals", fixture.stages.parameters.sharedCount, {{"STABILIZE", "1"}});
+    const auto found = fixture.stages.particles.positions.download();
     const auto wanted = wantedMoves();
     for (size_t i = 0; i < found.size(); ++i)
         // As above, added to places of half a metre: 3e-8 more.
@@ -85,14 +85,14 @@ TEST_F(Goals, StabilizationStartsParticlesFromTheMean)
 TEST_F(Goals, SharedParticlesStandBeyondTheMeanByTheirGain)
 {
     for (const float bound : {1e9f, 0.05f}) {
-        fixture.buffers.parameters.jointCorrection = bound;
+        fixture.stages.parameters.jointCorrection = bound;
         fixture.setParameters();
         fixture.forParticles("paper/shape_goals");
-        fixture.run("paper/joint_goals", fixture.buffers.parameters.sharedCount);
-        const auto pulls = fixture.buffers.linkPulls.download();
-        const auto gains = fixture.buffers.linkGains.download();
-        const auto links = fixture.buffers.links.download();
-        const auto positions = fixture.buffers.positions.download();
+        fixture.run("paper/joint_goals", fixture.stages.parameters.sharedCount);
+        const auto pulls = fixture.stages.paper->linkPulls.download();
+        const auto gains = fixture.stages.paper->linkGains.download();
+        const auto links = fixture.stages.bodies.links.download();
+        const auto positions = fixture.stages.particles.positions.download();
         const auto wanted = wantedMoves();
         uint32_t shared = 0, bounded = 0;
         for (size_t l = 0; l < fixture.world.links.size(); ++l) {
@@ -118,8 +118,8 @@ TEST_F(Goals, SharedParticlesStandBeyondTheMeanByTheirGain)
 
 TEST_F(Goals, BodiesThatShareAParticleAreDrawnWithOneMass)
 {
-    const auto gains = fixture.buffers.linkGains.download();
-    const auto links = fixture.buffers.links.download();
+    const auto gains = fixture.stages.paper->linkGains.download();
+    const auto links = fixture.stages.bodies.links.download();
     std::vector<float> mass(fixture.world.particles.size(), 0.0f);
     for (size_t l = 0; l < fixture.world.links.size(); ++l) {
         const uint32_t i = links[l].particleIndex;
@@ -134,10 +134,10 @@ TEST_F(Goals, BodiesThatShareAParticleAreDrawnWithOneMass)
 
 TEST(LinkArray, IsThePapersListing1WithSharedParticlesLastInEachBlock)
 {
-    KernelFixture fixture(mixedWorld());
+    KernelFixture fixture(mixedWorld(byThePaper()));
     const World& world = fixture.world;
-    const auto links = fixture.buffers.links.download();
-    const auto infos = fixture.buffers.bodyInfo.download();
+    const auto links = fixture.stages.bodies.links.download();
+    const auto infos = fixture.stages.bodies.bodyInfo.download();
     ASSERT_EQ(links.size(), world.links.size());
     for (uint32_t b = 0; b < world.bodies.size(); ++b) {
         const Body& body = world.bodies[b];
@@ -162,10 +162,10 @@ TEST(LinkArray, IsThePapersListing1WithSharedParticlesLastInEachBlock)
 
 TEST(LinkArray, ItsInverseNamesEachParticlesLinks)
 {
-    KernelFixture fixture(mixedWorld());
-    const auto links = fixture.buffers.links.download();
-    const auto ranges = fixture.buffers.particleLinks.download();
-    const auto inverse = fixture.buffers.linksOfParticle.download();
+    KernelFixture fixture(mixedWorld(byThePaper()));
+    const auto links = fixture.stages.bodies.links.download();
+    const auto ranges = fixture.stages.bodies.particleLinks.download();
+    const auto inverse = fixture.stages.bodies.linksOfParticle.download();
     uint32_t total = 0;
     for (uint32_t i = 0; i < ranges.size(); ++i) {
         EXPECT_EQ(ranges[i].y, fixture.world.particles[i].bodyCount);

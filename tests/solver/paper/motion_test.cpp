@@ -14,20 +14,20 @@ constexpr float ROUNDING = 2e-8f;
 /// The paper's predict and finish on random states of particles of every kind, in the tenth substep of a run.
 class Moves : public testing::Test {
 protected:
-    explicit Moves(const Settings& settings = {}) : fixture(mixedWorld(settings))
+    explicit Moves(const Settings& settings = byThePaper()) : fixture(mixedWorld(settings))
     {
         const size_t count = fixture.world.particles.size();
-        SolverBuffers& b = fixture.buffers;
+        Stages& b = fixture.stages;
         positions = randomVectors(count, 0.5f, 61);
         velocities = randomVectors(count, 2.0f, 62);
         oldMoves = randomVectors(count, 0.01f, 63);
         oldVelocities = randomVectors(count, 2.0f, 64);
         moves = randomVectors(count, 0.01f, 65);
-        fill(b.positions, positions);
-        fill(b.velocities, velocities);
-        fill(b.oldMoves, oldMoves);
-        fill(b.oldVelocities, oldVelocities);
-        fill(b.predicted, moves);
+        fill(b.particles.positions, positions);
+        fill(b.particles.velocities, velocities);
+        fill(b.paper->oldMoves, oldMoves);
+        fill(b.paper->oldVelocities, oldVelocities);
+        fill(b.paper->predicted, moves);
         gpu::Counters now{};
         now.substep = SUBSTEP;
         fixture.setCounters(now);
@@ -40,18 +40,18 @@ protected:
     /// All assemblies were last touched in this substep, and go by this order.
     void setAssemblies(uint32_t lastContact, uint32_t order)
     {
-        const size_t count = fixture.buffers.assemblyState.size();
-        fill(fixture.buffers.assemblyState, std::vector<gpu::uvec2>(count, {lastContact, order}));
+        const size_t count = fixture.stages.particles.assemblyState.size();
+        fill(fixture.stages.particles.assemblyState, std::vector<gpu::uvec2>(count, {lastContact, order}));
     }
-    float h() const { return fixture.buffers.parameters.substepTime; }
-    Vector3f g() const { return vec3(fixture.buffers.parameters.gravity); }
+    float h() const { return fixture.stages.parameters.substepTime; }
+    Vector3f g() const { return vec3(fixture.stages.parameters.gravity); }
     /// Every particle's predicted move is `wanted`, a fixed one's zero.
     template <typename Wanted>
     void expectMoves(Wanted wanted, uint32_t order)
     {
         fixture.forParticles("paper/predict");
-        const auto found = fixture.buffers.predicted.download();
-        const auto states = fixture.buffers.assemblyState.download();
+        const auto found = fixture.stages.paper->predicted.download();
+        const auto states = fixture.stages.particles.assemblyState.download();
         for (size_t i = 0; i < found.size(); ++i) {
             const Vector3f move = isFixed(i) ? Vector3f::Zero() : Vector3f(wanted(i));
             ASSERT_LT((vec3(found[i]) - move).norm(), ROUNDING) << "particle " << i;
@@ -64,7 +64,7 @@ protected:
     void expectVelocities(Wanted wanted)
     {
         fixture.forParticles("paper/finish");
-        const auto found = fixture.buffers.velocities.download();
+        const auto found = fixture.stages.particles.velocities.download();
         for (size_t i = 0; i < found.size(); ++i) {
             const Vector3f v = isFixed(i) ? vec3(velocities[i]) : Vector3f(wanted(i));
             // A move's rounding over a substep of a few milliseconds.
@@ -117,10 +117,10 @@ TEST_F(PredictFirstOrder, EverythingMovesByFirstOrderWhereChosen)
 
 TEST_F(PredictFirstOrder, ContactsSeeTheLowerParticlesHeavier)
 {
-    fixture.buffers.parameters.massScaling = 1.5f;
+    fixture.stages.parameters.massScaling = 1.5f;
     fixture.setParameters();
     fixture.forParticles("paper/predict", {{"MASS_SCALING", "1"}});
-    const auto predicted = fixture.buffers.predicted.download();
+    const auto predicted = fixture.stages.paper->predicted.download();
     for (size_t i = 0; i < predicted.size(); ++i) {
         // m exp(-k height) (Macklin et al. 2014, 5.2); a few roundings, and those of an exponent below 1.
         const double mass = double(fixture.world.particles[i].mass) * std::exp(-1.5 * double(positions[i].y));
@@ -132,8 +132,8 @@ TEST_F(PredictFirstOrder, ASearchIsDueWhereSomebodyWouldLeaveItsMargin)
 {
     setAssemblies(0, 2);
     fixture.forParticles("paper/predict");
-    const auto predicted = fixture.buffers.predicted.download();
-    const float drift = fixture.buffers.parameters.drift;
+    const auto predicted = fixture.stages.paper->predicted.download();
+    const float drift = fixture.stages.parameters.drift;
     EXPECT_FLOAT_EQ(drift, 0.05f * DIAMETER) << "a quarter of the margin between two, half of one's own";
     for (float far : {0.99f, 1.01f}) {
         // All but one where they are looked for; that one next to it.
@@ -141,7 +141,7 @@ TEST_F(PredictFirstOrder, ASearchIsDueWhereSomebodyWouldLeaveItsMargin)
         for (size_t i = 0; i < positions.size(); ++i) found.push_back(packed(vec3(positions[i]) + vec3(predicted[i])));
         const size_t mover = positions.size() / 2;
         found[mover] = packed(vec3(found[mover]) + far * drift * Vector3f(0.6f, 0.0f, -0.8f));
-        fill(fixture.buffers.searchPositions, found);
+        fill(fixture.stages.search.searchPositions, found);
         gpu::Counters now = fixture.counters();
         now.due = 0;
         fixture.setCounters(now);
@@ -155,8 +155,8 @@ TEST_F(Finish, VelocitiesAreOfTheOrderOfThePrediction)
     setAssemblies(SUBSTEP - 2, 2);
     // (3/2 x* - 2 x + 1/2 x_)/h
     expectVelocities([&](size_t i) { return Vector3f((1.5f * vec3(moves[i]) - 0.5f * vec3(oldMoves[i])) / h()); });
-    const auto kept = fixture.buffers.oldMoves.download();
-    const auto keptVelocities = fixture.buffers.oldVelocities.download();
+    const auto kept = fixture.stages.paper->oldMoves.download();
+    const auto keptVelocities = fixture.stages.paper->oldVelocities.download();
     for (size_t i = 0; i < kept.size(); ++i) {
         EXPECT_EQ(vec3(kept[i]), vec3(isFixed(i) ? oldMoves[i] : moves[i]));
         EXPECT_EQ(vec3(keptVelocities[i]), vec3(isFixed(i) ? oldVelocities[i] : velocities[i]));
@@ -172,8 +172,8 @@ TEST_F(Finish, AnAssemblyTouchedInThisSubstepAnswersByFirstOrder)
 TEST_F(Finish, DampingAndTheGreatestSpeedBoundVelocities)
 {
     setAssemblies(0, 1);
-    fixture.buffers.parameters.damping = 0.5f;
-    fixture.buffers.parameters.maxSpeed = 1.0f;
+    fixture.stages.parameters.damping = 0.5f;
+    fixture.stages.parameters.maxSpeed = 1.0f;
     fixture.setParameters();
     expectVelocities([&](size_t i) {
         const Vector3f v = 0.5f * vec3(moves[i]) / h();
@@ -186,14 +186,14 @@ TEST_F(Finish, ParticlesOfBodiesStandWhereTheyPutThemAndOthersMove)
     setAssemblies(0, 1);
     Random random(66);
     std::vector<gpu::vec4> centres, rotations;
-    for (uint32_t m = 0; m < fixture.buffers.parameters.moverCount; ++m) {
+    for (uint32_t m = 0; m < fixture.stages.parameters.moverCount; ++m) {
         centres.push_back(packed(random.inCube(0.5f)));
         rotations.push_back(packed(random.rotation()));
     }
-    fill(fixture.buffers.moverCentres, centres);
-    fill(fixture.buffers.moverRotations, rotations);
+    fill(fixture.stages.bodies.moverCentres, centres);
+    fill(fixture.stages.bodies.moverRotations, rotations);
     fixture.forParticles("paper/finish");
-    const auto found = fixture.buffers.positions.download();
+    const auto found = fixture.stages.particles.positions.download();
     // One that bodies share stands at the mean of where they have it.
     std::vector<Vector3d> goals(found.size(), Vector3d::Zero());
     for (const Link& link : fixture.world.links) {
@@ -210,17 +210,28 @@ TEST_F(Finish, ParticlesOfBodiesStandWhereTheyPutThemAndOthersMove)
     }
 }
 
-TEST_F(Finish, WhatIsFrozenKeepsItsPlaceAndHasNoSpeed)
+class FinishFrozen : public Moves {
+protected:
+    FinishFrozen() : Moves(freezing()) {}
+    static Settings freezing()
+    {
+        Settings settings = byThePaper();
+        settings.freeze = 0.5f;
+        return settings;
+    }
+};
+
+TEST_F(FinishFrozen, WhatIsFrozenKeepsItsPlaceAndHasNoSpeed)
 {
     setAssemblies(0, 1);
     // Every second assembly.
     std::vector<gpu::uvec2> calm;
-    for (uint32_t a = 0; a < fixture.buffers.assemblyCalm.size(); ++a)
-        calm.push_back({a % 2 == 0 ? fixture.buffers.parameters.calmSteps : 5u, a});
-    fill(fixture.buffers.assemblyCalm, calm);
+    for (uint32_t a = 0; a < fixture.stages.sleep->assemblyCalm.size(); ++a)
+        calm.push_back({a % 2 == 0 ? fixture.stages.parameters.calmSteps : 5u, a});
+    fill(fixture.stages.sleep->assemblyCalm, calm);
     fixture.forParticles("paper/finish", {{"SLEEP", "1"}});
-    const auto places = fixture.buffers.positions.download(), found = fixture.buffers.velocities.download();
-    const auto infos = fixture.buffers.particleInfo.download();
+    const auto places = fixture.stages.particles.positions.download(), found = fixture.stages.particles.velocities.download();
+    const auto infos = fixture.stages.particles.particleInfo.download();
     uint32_t frozen = 0;
     for (size_t i = 0; i < found.size(); ++i) {
         if (isFixed(i)) continue;
@@ -237,7 +248,7 @@ TEST_F(Finish, AVelocityThatIsNotFiniteIsReportedWithItsParticle)
     setAssemblies(0, 1);
     auto bad = moves;
     bad[777].y = std::numeric_limits<float>::quiet_NaN();
-    fill(fixture.buffers.predicted, bad);
+    fill(fixture.stages.paper->predicted, bad);
     fixture.forParticles("paper/finish");
     EXPECT_EQ(fixture.counters().problems, PROBLEM_NAN);
     EXPECT_EQ(fixture.counters().badParticle, 777u);

@@ -49,13 +49,13 @@ Nearest nearest(const Matrix3d& a)
 
 class Rotation : public testing::Test {
 protected:
-    Rotation() : fixture(mixedWorld()), count(fixture.world.bodies.size()) {}
+    Rotation() : fixture(mixedWorld(byThePaper())), count(fixture.world.bodies.size()) {}
 
     /// Runs the kernel by this method on one case a body. @returns where each body ends.
     std::vector<Eigen::Quaterniond> solve(const Defines& method, const std::vector<Case>& cases)
     {
-        SolverBuffers& b = fixture.buffers;
-        std::vector<gpu::vec4> matrices, starts, rotations(b.moverRotations.size(), packed(Quaternionf::Identity()));
+        Stages& b = fixture.stages;
+        std::vector<gpu::vec4> matrices, starts, rotations(b.bodies.moverRotations.size(), packed(Quaternionf::Identity()));
         const std::vector<gpu::vec4> unturned = rotations;
         for (const Case& c : cases) {
             for (int k = 0; k < 3; ++k) matrices.push_back(packed(Vector3f(c.a.col(k).cast<float>())));
@@ -63,15 +63,15 @@ protected:
             starts.push_back(packed(c.start));
             rotations[starts.size() / 2 - 1] = starts.back();
         }
-        fill(b.bodyMatrices, matrices);
-        fill(b.bodyStarts, starts);
-        fill(b.moverRotations, rotations);
-        fill(b.moverMoves, std::vector<gpu::vec4>(rotations.size(), packed({0.5f, 0, 0})));
-        fill(b.moverRotationDeltas, unturned);
+        fill(b.paper->bodyMatrices, matrices);
+        fill(b.paper->bodyStarts, starts);
+        fill(b.bodies.moverRotations, rotations);
+        fill(b.bodies.moverMoves, std::vector<gpu::vec4>(rotations.size(), packed({0.5f, 0, 0})));
+        fill(b.bodies.moverRotationDeltas, unturned);
         fixture.forBodies("paper/body_rotation", method);
         std::vector<Eigen::Quaterniond> found;
-        const auto turns = b.moverRotationDeltas.download(), ends = b.moverRotations.download();
-        const auto centres = b.moverCentres.download();
+        const auto turns = b.bodies.moverRotationDeltas.download(), ends = b.bodies.moverRotations.download();
+        const auto centres = b.bodies.moverCentres.download();
         for (size_t k = 0; k < cases.size(); ++k) {
             found.push_back(quaternion(ends[k]).cast<double>());
             EXPECT_EQ(vec3(centres[k]), Vector3f(1.5f, 2, 3)) << "body " << k;
@@ -187,7 +187,7 @@ TEST_F(Rotation, VirtualParticlesTurnFlatBodiesByHouseholder)
     const auto found = solve(HOUSEHOLDER, list);
     for (size_t k = 0; k < list.size(); ++k) {
         // The least eigenvalue of A^T A is c^2 of the largest, 1e-4, and rounded by some 2^-24 of it: 1e-3.
-        const Matrix3d a = withVirtualParticles(list[k], fixture.buffers.parameters.virtualParticles);
+        const Matrix3d a = withVirtualParticles(list[k], fixture.stages.parameters.virtualParticles);
         EXPECT_LT(found[k].angularDistance(nearestRotation(a)), 2e-3) << "body " << k;
     }
 }
@@ -198,7 +198,7 @@ TEST_F(Rotation, VirtualParticlesTurnStraightBodiesByHouseholder)
     const auto found = solve(HOUSEHOLDER, list);
     for (size_t k = 0; k < list.size(); ++k) {
         const Eigen::Quaterniond wanted =
-            nearestRotation(withVirtualParticles(list[k], fixture.buffers.parameters.virtualParticles));
+            nearestRotation(withVirtualParticles(list[k], fixture.stages.parameters.virtualParticles));
         // The two small singular values are c and c cos 20 deg: their squares' ratio, 0.88, is what one QR iteration
         // gains, and 24 leave 0.88^24 = 5 % of what is between them.
         const Vector3d line = list[k].a.transpose() * (list[k].a * Vector3d(1, 2, 3));

@@ -62,36 +62,36 @@ struct Wanted {
     std::vector<gpu::vec4> states;         ///< Per link.
 };
 
-class StrandSolve : public testing::TestWithParam<bool> {
+class DistanceSolve : public testing::TestWithParam<bool> {
 protected:
-    StrandSolve() : fixture(strandWorld())
+    DistanceSolve() : fixture(strandWorld())
     {
         Random random(77);
-        SolverBuffers& b = fixture.buffers;
-        moves = b.moverMoves.download();
-        turns = b.moverRotationDeltas.download();
+        Stages& b = fixture.stages;
+        moves = b.bodies.moverMoves.download();
+        turns = b.bodies.moverRotationDeltas.download();
         for (uint32_t m = 0; m < moves.size(); ++m) {
             moves[m] = packed(random.inCube(0.1f * DIAMETER), 1.0f);
             const Vector3f half = random.inCube(0.02f);
             if (m < fixture.world.bodies.size())
                 turns[m] = packed(half, std::sqrt(1.0f - half.squaredNorm()));
         }
-        fill(b.moverMoves, moves);
-        fill(b.moverRotationDeltas, turns);
-        states = b.distanceStates.download();
+        fill(b.bodies.moverMoves, moves);
+        fill(b.bodies.moverRotationDeltas, turns);
+        states = b.distances->distanceStates.download();
         for (gpu::vec4& s : states)
             s = {random.between(-1e-3f, 1e-3f), random.between(-400, 1000), random.between(0, 1) < 0.05f ? 1.0f : 0.0f,
                  0};
-        fill(b.distanceStates, states);
-        nodes = b.distanceNodes.download();
-        links = b.distanceLinks.download();
-        centres = b.moverCentres.download();
-        rotations = b.moverRotations.download();
-        offsets = b.restOffsets.download();
-        inertias = b.bodyInertias.download();
-        auto orders = b.assemblyState.download();
+        fill(b.distances->distanceStates, states);
+        nodes = b.distances->distanceNodes.download();
+        links = b.distances->distanceLinks.download();
+        centres = b.bodies.moverCentres.download();
+        rotations = b.bodies.moverRotations.download();
+        offsets = b.particles.restOffsets.download();
+        inertias = b.bodies.bodyInertias.download();
+        auto orders = b.particles.assemblyState.download();
         for (size_t a = 0; a < orders.size(); a += 2) orders[a].y = 2;
-        fill(b.assemblyState, orders);
+        fill(b.particles.assemblyState, orders);
         assemblies = orders;
     }
 
@@ -129,7 +129,7 @@ protected:
     Wanted wanted(const gpu::uvec4& strand) const
     {
         const uint32_t first = strand.x, count = strand.y - strand.x + 1;
-        const double h = static_cast<double>(fixture.buffers.parameters.substepTime);
+        const double h = static_cast<double>(fixture.stages.parameters.substepTime);
         const double squared = (assemblies[strand.z].y == 2 ? 4.0 / 9.0 : 1.0) * h * h;
         const Eigen::Index size = 4 * count - 1;
         Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
@@ -198,24 +198,24 @@ protected:
     std::vector<gpu::uvec2> assemblies;
 };
 
-TEST_P(StrandSolve, AStrandIsSolvedAsAllItsEquationsAtOnce)
+TEST_P(DistanceSolve, ARowIsSolvedAsAllItsEquationsAtOnce)
 {
-    SolverBuffers& b = fixture.buffers;
-    const auto distanceRows = b.distanceRows.download();
+    Stages& b = fixture.stages;
+    const auto distanceRows = b.distances->distanceRows.download();
     uint32_t torn = 0, bodies = 0;
-    ASSERT_GT(b.distanceColors.size(), 2u);
-    for (const DistanceColor& phase : b.distanceColors) {
+    ASSERT_GT(b.distances->colors().size(), 2u);
+    for (const DistanceStage::Color& color : b.distances->colors()) {
         Defines defines;
         if (GetParam()) defines.push_back({"FIRST_ITERATION", "1"});
-        if (phase.hasBodies) defines.push_back({"BODIES", "1"});
-        const auto impulsesBefore = b.particleImpulses.download();
+        if (color.hasBodies) defines.push_back({"BODIES", "1"});
+        const auto impulsesBefore = b.bodies.particleImpulses.download();
         const Kernel kernel = fixture.load("rope/distance_solve", defines);
-        glProgramUniform2ui(kernel.program(), 0, phase.begin, phase.end);
-        fixture.dispatch(kernel, (phase.end - phase.begin + DISTANCE_GROUP_SIZE - 1) / DISTANCE_GROUP_SIZE);
+        glProgramUniform2ui(kernel.program(), 0, color.begin, color.end);
+        fixture.dispatch(kernel, (color.end - color.begin + DISTANCE_GROUP_SIZE - 1) / DISTANCE_GROUP_SIZE);
         gpu().checkErrors();
-        const auto impulses = b.particleImpulses.download(), movesNow = b.moverMoves.download();
-        const auto statesNow = b.distanceStates.download();
-        for (uint32_t s = phase.begin; s < phase.end; ++s) {
+        const auto impulses = b.bodies.particleImpulses.download(), movesNow = b.bodies.moverMoves.download();
+        const auto statesNow = b.distances->distanceStates.download();
+        for (uint32_t s = color.begin; s < color.end; ++s) {
             SCOPED_TRACE("strand " + std::to_string(s));
             const Wanted w = wanted(distanceRows[s]);
             double size = 0.0;
@@ -244,7 +244,7 @@ TEST_P(StrandSolve, AStrandIsSolvedAsAllItsEquationsAtOnce)
     EXPECT_GT(bodies, 3u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Iterations, StrandSolve, testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Iterations, DistanceSolve, testing::Bool(),
                          [](const auto& first) { return first.param ? "First" : "Later"; });
 
 }  // namespace

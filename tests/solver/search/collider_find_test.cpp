@@ -17,27 +17,27 @@ protected:
     ColliderFind() : fixture(colliderWorld(GetParam()))
     {
         Random random(53);
-        SolverBuffers& b = fixture.buffers;
+        Stages& b = fixture.stages;
         const uint32_t movers = b.parameters.moverCount;
         std::vector<Quaternionf> turns;
         for (uint32_t m = 0; m < movers; ++m) {
             centres.push_back(packed(random.inCube(0.5f), b.parameters.drift));
             turns.push_back(random.rotation());
         }
-        places = b.particleRanks.download();
-        const auto offsets = b.restOffsets.download();
+        places = b.particles.particleRanks.download();
+        const auto offsets = b.particles.restOffsets.download();
         for (uint32_t i = 0; i < places.size(); ++i) {
             const uint32_t m = places[i].x;
             found.push_back(packed(vec3(centres[m]) + turns[m] * vec3(offsets[i])));
         }
-        fill(b.searchCentres, centres);
+        fill(b.search.searchCentres, centres);
         fixture.setFound(found);
     }
-    const gpu::StepParameters& parameters() const { return fixture.buffers.parameters; }
+    const gpu::StepParameters& parameters() const { return fixture.stages.parameters; }
     /// What the particles found.
     std::vector<std::vector<uint32_t>> download() const
     {
-        const auto counts = fixture.buffers.listCounts.download(), lists = fixture.buffers.colliderLists.download();
+        const auto counts = fixture.stages.search.listCounts.download(), lists = fixture.stages.search.colliderLists.download();
         const uint32_t count = parameters().particleCount;
         std::vector<std::vector<uint32_t>> colliders(count);
         for (uint32_t i = 0; i < count; ++i)
@@ -77,8 +77,8 @@ protected:
 TEST_P(ColliderFind, MoversKnowTheCollidersThatTheirParticlesMayTouch)
 {
     fixture.forMovers("search/collider_near");
-    const auto near = fixture.buffers.moverColliders.download();
-    const auto moments = fixture.buffers.bodyMoments.download();
+    const auto near = fixture.stages.search.moverColliders.download();
+    const auto moments = fixture.stages.bodies.bodyMoments.download();
     for (uint32_t m = 0; m < near.size(); ++m) {
         const float radius = m < parameters().bodyCount ? moments[3 * m].w : 0.0f;
         const float limit = parameters().contactRadius - DIAMETER / 2 + radius;
@@ -112,7 +112,7 @@ TEST_P(ColliderFind, FastMoversLookAsMuchFurtherForColliders)
     std::vector<float> reach(centres.size(), 0.0f);
     for (size_t m = 0; m < centres.size(); m += 2) reach[m] = 0.1f * parameters().farReach;
     for (size_t m = 0; m < centres.size(); ++m) centres[m].w = parameters().drift + reach[m];
-    fill(fixture.buffers.searchCentres, centres);
+    fill(fixture.stages.search.searchCentres, centres);
     fixture.forMovers("search/collider_near");
     fixture.forParticles("search/collider_find");
     expectAllInReach(reach);
@@ -136,8 +136,8 @@ TEST(ColliderLists, MoreCollidersThanSlotsAreReported)
     fixture.forParticles("search/collider_find");   // found positions are zero: all on every plane
     EXPECT_EQ(fixture.counters().problems, PROBLEM_COLLIDERS);
     EXPECT_EQ(fixture.counters().wantedColliders, COLLIDER_SLOTS + 2u);
-    const auto counts = fixture.buffers.listCounts.download();
-    const uint32_t count = fixture.buffers.parameters.particleCount;
+    const auto counts = fixture.stages.search.listCounts.download();
+    const uint32_t count = fixture.stages.parameters.particleCount;
     for (uint32_t rank = 0; rank < count; ++rank)
         ASSERT_EQ(counts[2 * count + rank], uint32_t(COLLIDER_SLOTS)) << "rank " << rank;
 }

@@ -66,7 +66,7 @@ TEST_P(ContactFind, FastMoversFindAllInTheirReachOnce)
     find();
     uint32_t withSlow = 0, withFast = 0;
     for (const auto& [i, j] : expectAllPairsOnce()) {
-        if (fixture.distance(i, j) < fixture.buffers.parameters.contactRadius) continue;
+        if (fixture.distance(i, j) < fixture.stages.parameters.contactRadius) continue;
         (fixture.isFast(i) && fixture.isFast(j) ? withFast : withSlow) += 1;
     }
     EXPECT_GT(withSlow, 300u) << "that only their reach finds";
@@ -77,7 +77,7 @@ TEST_P(ContactFind, FastMoversFindAllInTheirReachOnce)
 TEST_P(ContactFind, FastMoversLookIntoEveryCellUpToTwoAway)
 {
     // Two loose particles in cells that are so far apart, near each other's, for each such pair of cells.
-    const gpu::StepParameters& p = fixture.buffers.parameters;
+    const gpu::StepParameters& p = fixture.stages.parameters;
     auto positions = fixture.found;
     std::vector<float> reaches(p.moverCount, 0.0f);
     uint32_t loose = fixture.count() - 1;
@@ -122,8 +122,8 @@ TEST_P(ContactFind, SecondParticlesCountTheirPairsAndNumberThem)
 {
     fixture.makeSomeFast();
     find();
-    const auto counts = fixture.buffers.listCounts.download();
-    const auto entries = fixture.buffers.firstLists.download();
+    const auto counts = fixture.stages.search.listCounts.download();
+    const auto entries = fixture.stages.search.firstLists.download();
     std::vector<std::vector<uint32_t>> arrivals(fixture.count());
     for (uint32_t i = 0; i < fixture.count(); ++i)
         for (uint32_t slot = 0; slot < noted[i].size(); ++slot)
@@ -166,9 +166,9 @@ TEST_P(ContactFind, ListsThatAreTooShortAreReportedWithTheSizeTheyWant)
     find();
     const auto all = noted;
     constexpr uint32_t ROOM = 3;
-    fixture.narrow(ROOM, fixture.buffers.parameters.pairCapacity, fixture.buffers.parameters.colliderPairCapacity);
+    fixture.narrow(ROOM, fixture.stages.parameters.pairCapacity, fixture.stages.parameters.colliderPairCapacity);
     const gpu::uvec2 untouched{0xabcdu, 0xef01u};
-    fill(fixture.buffers.firstLists, std::vector<gpu::uvec2>(fixture.buffers.firstLists.size(), untouched));
+    fill(fixture.stages.search.firstLists, std::vector<gpu::uvec2>(fixture.stages.search.firstLists.size(), untouched));
     fixture.place(fixture.found);
     find();
     size_t most = 0;
@@ -181,7 +181,7 @@ TEST_P(ContactFind, ListsThatAreTooShortAreReportedWithTheSizeTheyWant)
     ASSERT_GT(most, ROOM);
     EXPECT_EQ(fixture.counters().problems, PROBLEM_CONTACTS);
     EXPECT_EQ(fixture.counters().wantedContacts, most);
-    const auto entries = fixture.buffers.firstLists.download();
+    const auto entries = fixture.stages.search.firstLists.download();
     for (size_t k = ROOM * size_t(fixture.count()); k < entries.size(); ++k) ASSERT_EQ(entries[k].x, untouched.x);
 }
 

@@ -14,27 +14,27 @@ class Grid : public testing::TestWithParam<GridKind> {
 protected:
     Grid() : fixture(mixedWorld())
     {
-        const uint32_t count = fixture.buffers.parameters.particleCount;
+        const uint32_t count = fixture.stages.parameters.particleCount;
         places = randomVectors(count, 0.5f, 3);
         places[count - 1] = packed({0.01f, 0.02f, 0.03f});
         places[2] = packed({0.02f, 0.01f, 0.03f});
         for (uint32_t cell = 1; cell < WRAPPED_CELLS; ++cell)
-            places[40 * cell] = packed({(static_cast<float>(cell) + 0.1f) / fixture.buffers.parameters.inverseCellSize, 0.01f, 0.03f});
+            places[40 * cell] = packed({(static_cast<float>(cell) + 0.1f) / fixture.stages.parameters.inverseCellSize, 0.01f, 0.03f});
         fixture.setFound(places);
         // Every third mover drifts further than the others.
-        const float drift = fixture.buffers.parameters.drift;
-        std::vector<gpu::vec4> centres(fixture.buffers.parameters.moverCount, packed({0, 0, 0}, drift));
+        const float drift = fixture.stages.parameters.drift;
+        std::vector<gpu::vec4> centres(fixture.stages.parameters.moverCount, packed({0, 0, 0}, drift));
         for (size_t m = 0; m < centres.size(); m += 3) centres[m].w = std::nextafter(drift, 1.0f);
-        fill(fixture.buffers.searchCentres, centres);
+        fill(fixture.stages.search.searchCentres, centres);
         // Left behind by an earlier search.
-        fill(fixture.buffers.cellCounts, std::vector<uint32_t>(fixture.buffers.cellCounts.size(), 77));
+        fill(fixture.stages.search.cellCounts, std::vector<uint32_t>(fixture.stages.search.cellCounts.size(), 77));
         fixture.fillGrid(gridDefines(GetParam()));
     }
     Vector3f place(uint32_t i) const { return vec3(places[i]); }
     /// The wrapped lattice, or the hash of physics.md's source (Teschner et al. 2003).
     uint32_t cellOf(uint32_t i) const
     {
-        const gpu::StepParameters& p = fixture.buffers.parameters;
+        const gpu::StepParameters& p = fixture.stages.parameters;
         const Eigen::Vector3i c = (place(i) * p.inverseCellSize).array().floor().cast<int>();
         const auto x = static_cast<uint32_t>(c.x()), y = static_cast<uint32_t>(c.y()), z = static_cast<uint32_t>(c.z());
         if (GetParam() == GridKind::Hash) return (73856093u * x ^ 19349663u * y ^ 83492791u * z) & p.cellMask;
@@ -51,12 +51,12 @@ protected:
     std::vector<uint32_t> ids() const
     {
         std::vector<uint32_t> found;
-        for (const gpu::uvec4& info : fixture.buffers.sortedInfos.download()) found.push_back(info.x);
+        for (const gpu::uvec4& info : fixture.stages.search.sortedInfos.download()) found.push_back(info.x);
         return found;
     }
     std::vector<uint32_t> histogram() const
     {
-        std::vector<uint32_t> counts(fixture.buffers.cellCounts.size(), 0);
+        std::vector<uint32_t> counts(fixture.stages.search.cellCounts.size(), 0);
         for (uint32_t i = 0; i < places.size(); ++i) ++counts[cellOf(i)];
         return counts;
     }
@@ -67,8 +67,8 @@ protected:
 
 TEST_P(Grid, CountsTheParticlesOfEachCell)
 {
-    EXPECT_EQ(fixture.buffers.cellCounts.download(), histogram());
-    const auto cells = fixture.buffers.particleCells.download();
+    EXPECT_EQ(fixture.stages.search.cellCounts.download(), histogram());
+    const auto cells = fixture.stages.search.particleCells.download();
     for (uint32_t i = 0; i < cells.size(); ++i) ASSERT_EQ(cells[i].x, cellOf(i)) << "particle " << i;
 }
 
@@ -85,7 +85,7 @@ TEST_P(Grid, CellsStartAtThePrefixSumOfTheCounts)
         }
         starts.push_back(starts.back() + counts[cell]);
     }
-    EXPECT_EQ(fixture.buffers.cellStarts.download(), starts);
+    EXPECT_EQ(fixture.stages.search.cellStarts.download(), starts);
 }
 
 TEST_P(Grid, SortsParticlesByCellAndIdAndListsTheFirstCellsAgain)
@@ -94,8 +94,8 @@ TEST_P(Grid, SortsParticlesByCellAndIdAndListsTheFirstCellsAgain)
     const auto counts = histogram();
     const uint32_t again = std::accumulate(counts.begin(), counts.begin() + WRAPPED_CELLS, 0u);
     for (uint32_t k = 0; k < again; ++k) expected.push_back(expected[k]);
-    const auto infos = fixture.buffers.sortedInfos.download();
-    const auto sortedPlaces = fixture.buffers.sortedPositions.download();
+    const auto infos = fixture.stages.search.sortedInfos.download();
+    const auto sortedPlaces = fixture.stages.search.sortedPositions.download();
     ASSERT_LE(expected.size(), infos.size());
     for (uint32_t k = 0; k < expected.size(); ++k) {
         ASSERT_EQ(infos[k].x, expected[k]) << "place " << k;
@@ -105,10 +105,10 @@ TEST_P(Grid, SortsParticlesByCellAndIdAndListsTheFirstCellsAgain)
 
 TEST_P(Grid, TellsOfEachSortedParticleWhatTheSearchNeeds)
 {
-    const auto infos = fixture.buffers.sortedInfos.download();
-    const auto sortedPlaces = fixture.buffers.sortedPositions.download();
-    const auto ranks = fixture.buffers.particleRanks.download();
-    const auto particles = fixture.buffers.particleInfo.download();
+    const auto infos = fixture.stages.search.sortedInfos.download();
+    const auto sortedPlaces = fixture.stages.search.sortedPositions.download();
+    const auto ranks = fixture.stages.particles.particleRanks.download();
+    const auto particles = fixture.stages.particles.particleInfo.download();
     for (uint32_t k = 0; k < places.size(); ++k) {
         const uint32_t mover = ranks[infos[k].x].x;
         ASSERT_EQ(infos[k].y, particles[infos[k].x].assembly) << "place " << k;
@@ -122,11 +122,11 @@ TEST_P(Grid, SortsTheSameWhenParticlesArriveInAnotherOrder)
 {
     // Scatter once more with the arrivals of each cell reversed, as another thread order could have left them.
     const auto before = ids();
-    auto cells = fixture.buffers.particleCells.download();
-    const auto counts = fixture.buffers.cellCounts.download();
+    auto cells = fixture.stages.search.particleCells.download();
+    const auto counts = fixture.stages.search.cellCounts.download();
     for (gpu::uvec2& c : cells) c.y = counts[c.x] - 1 - c.y;
-    fill(fixture.buffers.particleCells, cells);
-    fixture.buffers.sortedInfos.clear();
+    fill(fixture.stages.search.particleCells, cells);
+    fixture.stages.search.sortedInfos.clear();
     fixture.forParticles("search/grid_scatter");
     fixture.forParticles("search/grid_order");
     EXPECT_EQ(ids(), before);

@@ -36,7 +36,7 @@ protected:
     std::vector<gpu::uvec2> wantedPairs() const
     {
         std::vector<gpu::uvec2> pairs;
-        for (uint32_t i : fixture.buffers.rankedParticles.download())
+        for (uint32_t i : fixture.stages.particles.rankedParticles.download())
             for (uint32_t j : noted[i]) pairs.push_back({i, j});
         return pairs;
     }
@@ -51,7 +51,7 @@ protected:
             return fixture.rankOf(pairs[a].y) < fixture.rankOf(pairs[b].y);
         });
         for (uint32_t& q : references)
-            if (q >= fixture.buffers.parameters.pairCapacity) q = NO_REFERENCE;
+            if (q >= fixture.stages.parameters.pairCapacity) q = NO_REFERENCE;
         return references;
     }
 
@@ -81,16 +81,16 @@ void expectPairs(const std::vector<gpu::uvec2>& pairs, size_t start, const std::
 TEST_P(PairLists, ListsStartAtThePrefixSumOfTheirCounts)
 {
     Random random(31);
-    std::vector<uint32_t> counts(fixture.buffers.listCounts.size());
+    std::vector<uint32_t> counts(fixture.stages.search.listCounts.size());
     ASSERT_NE(counts.size() % SCAN_CHUNK, 0u) << "the last chunk has to be a short one";
     for (uint32_t& c : counts) c = static_cast<uint32_t>(random.between(0, 9));
-    fill(fixture.buffers.listCounts, counts);
-    const std::vector<uint32_t> untouched(fixture.buffers.listStarts.size(), 12345u);
-    fill(fixture.buffers.listStarts, untouched);
+    fill(fixture.stages.search.listCounts, counts);
+    const std::vector<uint32_t> untouched(fixture.stages.search.listStarts.size(), 12345u);
+    fill(fixture.stages.search.listStarts, untouched);
     fixture.fillLists();
     std::vector<uint32_t> wanted(counts.size() + 1);
     std::inclusive_scan(counts.begin(), counts.end(), wanted.begin() + 1);
-    const auto starts = fixture.buffers.listStarts.download();
+    const auto starts = fixture.stages.search.listStarts.download();
     EXPECT_EQ(current(starts), wanted);
     const auto other = static_cast<std::ptrdiff_t>((1 - parity()) * wanted.size());
     EXPECT_EQ(std::count(starts.begin() + other, starts.begin() + other + std::ptrdiff_t(wanted.size()), 12345u),
@@ -100,51 +100,51 @@ TEST_P(PairLists, ListsStartAtThePrefixSumOfTheirCounts)
 TEST_P(PairLists, ThePairsOfEachRankStandTogether)
 {
     const gpu::uvec2 untouched{77, 78};
-    fill(fixture.buffers.pairs, std::vector<gpu::uvec2>(fixture.buffers.pairs.size(), untouched));
+    fill(fixture.stages.search.pairs, std::vector<gpu::uvec2>(fixture.stages.search.pairs.size(), untouched));
     find();
     const auto wanted = wantedPairs();
-    expectPairs(fixture.buffers.pairs.download(), parity() * fixture.buffers.parameters.pairCapacity, wanted,
+    expectPairs(fixture.stages.search.pairs.download(), parity() * fixture.stages.parameters.pairCapacity, wanted,
                 wanted.size(), untouched);
     const gpu::Counters counters = fixture.counters();
     EXPECT_EQ(counters.pairCount, wanted.size());
     EXPECT_EQ(counters.problems, 0u);
-    const auto dispatches = fixture.buffers.dispatches.download();
+    const auto dispatches = fixture.stages.dispatches.download();
     for (uint32_t k : {DISPATCH_PAIRS, DISPATCH_NEW_PAIRS}) EXPECT_EQ(dispatches[k].x, groupsFor(wanted.size()));
 }
 
 TEST_P(PairLists, EachSecondParticleRefersToItsPairsInAscendingOrder)
 {
     find();
-    expectBegins(fixture.buffers.pairReferences.download(), wantedReferences(), 0);
+    expectBegins(fixture.stages.search.pairReferences.download(), wantedReferences(), 0);
 }
 
 TEST_P(PairLists, ReferencesDoNotDependOnTheOrderOfArrival)
 {
     find();
-    const auto before = fixture.buffers.pairReferences.download();
-    const auto counts = fixture.buffers.listCounts.download();
-    auto entries = fixture.buffers.firstLists.download();
+    const auto before = fixture.stages.search.pairReferences.download();
+    const auto counts = fixture.stages.search.listCounts.download();
+    auto entries = fixture.stages.search.firstLists.download();
     for (uint32_t i = 0; i < count(); ++i)
         for (uint32_t slot = 0; slot < noted[i].size(); ++slot) {
             gpu::uvec2& entry = entries[slot * count() + i];
             entry.y = counts[count() + fixture.rankOf(entry.x)] - 1 - entry.y;
         }
-    fill(fixture.buffers.firstLists, entries);
+    fill(fixture.stages.search.firstLists, entries);
     fixture.fillLists();
-    EXPECT_EQ(fixture.buffers.pairReferences.download(), before);
+    EXPECT_EQ(fixture.stages.search.pairReferences.download(), before);
 }
 
 TEST_P(PairLists, MorePairsThanThereIsRoomForAreReportedAndLeftOut)
 {
     constexpr uint32_t ROOM = 1001;
-    fixture.narrow(fixture.buffers.parameters.contactSlots, ROOM, fixture.buffers.parameters.colliderPairCapacity);
+    fixture.narrow(fixture.stages.parameters.contactSlots, ROOM, fixture.stages.parameters.colliderPairCapacity);
     const gpu::uvec2 untouched{77, 78};
     const gpu::vec4 untouchedVector{7, 7, 7, 7};
-    SolverBuffers& b = fixture.buffers;
-    fill(b.pairs, std::vector<gpu::uvec2>(b.pairs.size(), untouched));
-    fill(b.pairReferences, std::vector<uint32_t>(b.pairReferences.size(), 99));
-    fill(b.pairSides, std::vector<gpu::uvec4>(b.pairSides.size(), gpu::uvec4{9, 9, 9, 9}));
-    for (auto* buffer : {&b.pairArms, &b.pairImpulses})
+    Stages& b = fixture.stages;
+    fill(b.search.pairs, std::vector<gpu::uvec2>(b.search.pairs.size(), untouched));
+    fill(b.search.pairReferences, std::vector<uint32_t>(b.search.pairReferences.size(), 99));
+    fill(b.contacts.pairSides, std::vector<gpu::uvec4>(b.contacts.pairSides.size(), gpu::uvec4{9, 9, 9, 9}));
+    for (auto* buffer : {&b.contacts.pairArms, &b.contacts.pairImpulses})
         fill(*buffer, std::vector<gpu::vec4>(buffer->size(), untouchedVector));
     find();
     const auto wanted = wantedPairs();
@@ -153,11 +153,11 @@ TEST_P(PairLists, MorePairsThanThereIsRoomForAreReportedAndLeftOut)
     EXPECT_EQ(fixture.counters().wantedPairs, wanted.size());
     EXPECT_EQ(fixture.counters().pairCount, ROOM);
     EXPECT_EQ(b.dispatches.download()[DISPATCH_PAIRS].x, groupsFor(ROOM));
-    expectPairs(b.pairs.download(), parity() * ROOM, wanted, ROOM, untouched);
-    expectBegins(b.pairReferences.download(), wantedReferences(), 99);
-    const auto sides = b.pairSides.download();
+    expectPairs(b.search.pairs.download(), parity() * ROOM, wanted, ROOM, untouched);
+    expectBegins(b.search.pairReferences.download(), wantedReferences(), 99);
+    const auto sides = b.contacts.pairSides.download();
     for (size_t q = ROOM; q < sides.size(); ++q) ASSERT_EQ(sides[q].x, 9u) << "pair " << q;
-    const auto arms = b.pairArms.download(), impulses = b.pairImpulses.download();
+    const auto arms = b.contacts.pairArms.download(), impulses = b.contacts.pairImpulses.download();
     for (size_t q = 2 * ROOM; q < arms.size(); ++q) ASSERT_EQ(vec3(arms[q]), vec3(untouchedVector)) << "arm " << q;
     for (size_t q = 0; q < impulses.size(); ++q) {
         const bool filled = q >= parity() * ROOM && q < (parity() + 1) * ROOM;
@@ -169,15 +169,15 @@ TEST_P(PairLists, ReferencesAreTheSameInEveryRunEvenWhereThereIsNoRoom)
 {
     // What the arrivals held before comes from another search, in an order of its own.
     constexpr uint32_t ROOM = 1001;
-    fixture.narrow(fixture.buffers.parameters.contactSlots, ROOM, fixture.buffers.parameters.colliderPairCapacity);
+    fixture.narrow(fixture.stages.parameters.contactSlots, ROOM, fixture.stages.parameters.colliderPairCapacity);
     find();
-    const auto first = fixture.buffers.pairReferences.download();
+    const auto first = fixture.stages.search.pairReferences.download();
     Random random(32);
-    auto stale = fixture.buffers.pairArrivals.download();
+    auto stale = fixture.stages.search.pairArrivals.download();
     for (uint32_t& q : stale) q = static_cast<uint32_t>(random.between(0, ROOM));
-    fill(fixture.buffers.pairArrivals, stale);
+    fill(fixture.stages.search.pairArrivals, stale);
     fixture.fillLists();
-    EXPECT_EQ(fixture.buffers.pairReferences.download(), first);
+    EXPECT_EQ(fixture.stages.search.pairReferences.download(), first);
 }
 
 std::string halfName(const testing::TestParamInfo<uint32_t>& half)

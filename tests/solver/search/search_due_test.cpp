@@ -17,30 +17,30 @@ protected:
     SearchDue() : fixture(mixedWorld())
     {
         // More than the world has, so that lists of all lengths take several groups.
-        fixture.buffers.parameters.particleCount = 30001;
-        fixture.buffers.parameters.moverCount = 20011;
+        fixture.stages.parameters.particleCount = 30001;
+        fixture.stages.parameters.moverCount = 20011;
         fixture.setParameters();
         counters.substep = SUBSTEP;
         counters.listParity = 1;
         counters.searchCount = 7;
         counters.fastCount = 3;
-        counters.fastLater = fixture.buffers.parameters.fastLimit + 1;
+        counters.fastLater = fixture.stages.parameters.fastLimit + 1;
         counters.calm = 1;
         counters.fastListed = 2;
         counters.pairCount = 55;
         // What the last search left.
-        fill(fixture.buffers.dispatches, std::vector<gpu::uvec4>(DISPATCH_COUNT, gpu::uvec4{9, 1, 1, 0}));
+        fill(fixture.stages.dispatches, std::vector<gpu::uvec4>(DISPATCH_COUNT, gpu::uvec4{9, 1, 1, 0}));
     }
     void run()
     {
         fixture.setCounters(counters);
         fixture.run("search/search_due", 1);
         counters = fixture.counters();
-        sizes = fixture.buffers.dispatches.download();
+        sizes = fixture.stages.dispatches.download();
     }
     std::vector<SearchSize> searchSizes() const
     {
-        const gpu::StepParameters& p = fixture.buffers.parameters;
+        const gpu::StepParameters& p = fixture.stages.parameters;
         return {{DISPATCH_PARTICLES, p.particleCount}, {DISPATCH_CELLS, p.cellMask + 1},
                 {DISPATCH_CELL_CHUNKS, (p.cellMask + 1) / SCAN_CHUNK}, {DISPATCH_MOVERS, p.moverCount},
                 {DISPATCH_ONE, 1}, {DISPATCH_LIST_CHUNKS, (3 * p.particleCount + SCAN_CHUNK - 1) / SCAN_CHUNK}};
@@ -62,7 +62,7 @@ protected:
         EXPECT_EQ(counters.searchCount, found ? 8u : 7u);
         EXPECT_EQ(counters.fastCount, 0u);
         EXPECT_EQ(counters.fastListed, 0u);
-        EXPECT_EQ(counters.fastLater, found ? 0u : fixture.buffers.parameters.fastLimit + 1u);
+        EXPECT_EQ(counters.fastLater, found ? 0u : fixture.stages.parameters.fastLimit + 1u);
         EXPECT_EQ(counters.calm, found ? 0u : 1u) << "too many were fast in the last search";
         EXPECT_EQ(counters.due, 0u);
     }
@@ -101,7 +101,7 @@ TEST_F(SearchDue, TheFastOnesGetAThreadEach)
         counters.fastListed = fast;
         fixture.setCounters(counters);
         fixture.run("search/search_far_due", 1);
-        EXPECT_EQ(fixture.buffers.dispatches.download()[DISPATCH_FAST].x, groupsFor(fast));
+        EXPECT_EQ(fixture.stages.dispatches.download()[DISPATCH_FAST].x, groupsFor(fast));
     }
 }
 

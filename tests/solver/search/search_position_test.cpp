@@ -11,7 +11,7 @@ namespace {
 /// Movers that have moved and turned at random since the substep began, from not at all to too far to look ahead.
 class SearchPosition : public testing::Test {
 protected:
-    SearchPosition() : fixture(mixedWorld())
+    explicit SearchPosition(const Settings& settings = {}) : fixture(mixedWorld(settings))
     {
         Random random(81);
         for (uint32_t m = 0; m < movers(); ++m) {
@@ -24,18 +24,18 @@ protected:
         }
         // Loose particles do not turn.
         for (uint32_t m = parameters().bodyCount; m < movers(); ++m) rotations[m] = turns[m] = {0, 0, 0, 1};
-        SolverBuffers& b = fixture.buffers;
-        fill(b.moverCentres, centres);
-        fill(b.moverRotations, rotations);
-        fill(b.moverMoves, moves);
-        fill(b.moverRotationDeltas, turns);
-        fill(b.moverReaches, reaches);
-        fill(b.listCounts, std::vector<uint32_t>(b.listCounts.size(), 5));
-        places = b.particleRanks.download();
+        Stages& b = fixture.stages;
+        fill(b.bodies.moverCentres, centres);
+        fill(b.bodies.moverRotations, rotations);
+        fill(b.bodies.moverMoves, moves);
+        fill(b.bodies.moverRotationDeltas, turns);
+        fill(b.search.moverReaches, reaches);
+        fill(b.search.listCounts, std::vector<uint32_t>(b.search.listCounts.size(), 5));
+        places = b.particles.particleRanks.download();
     }
-    const gpu::StepParameters& parameters() const { return fixture.buffers.parameters; }
-    uint32_t movers() const { return fixture.buffers.parameters.moverCount; }
-    uint32_t particles() const { return fixture.buffers.parameters.particleCount; }
+    const gpu::StepParameters& parameters() const { return fixture.stages.parameters; }
+    uint32_t movers() const { return fixture.stages.parameters.moverCount; }
+    uint32_t particles() const { return fixture.stages.parameters.particleCount; }
     void setFastCount(uint32_t fast)
     {
         gpu::Counters counters = fixture.counters();
@@ -53,10 +53,10 @@ protected:
     /// @param reach whether movers use their reaches.
     void expectPlaces(bool reach)
     {
-        const auto found = fixture.buffers.searchPositions.download(), offsets = fixture.buffers.restOffsets.download();
-        const auto searchCentres = fixture.buffers.searchCentres.download();
-        const auto searchRotations = fixture.buffers.searchRotations.download();
-        const auto infos = fixture.buffers.moverInfo.download();
+        const auto found = fixture.stages.search.searchPositions.download(), offsets = fixture.stages.particles.restOffsets.download();
+        const auto searchCentres = fixture.stages.search.searchCentres.download();
+        const auto searchRotations = fixture.stages.search.searchRotations.download();
+        const auto infos = fixture.stages.bodies.moverInfo.download();
         for (uint32_t i = 0; i < particles(); ++i) {
             const uint32_t m = places[i].x;
             const double drift = parameters().drift + (reach ? reaches[m] : 0.0f);
@@ -72,7 +72,7 @@ protected:
     }
     std::vector<uint32_t> fastParticles() const
     {
-        auto fast = fixture.buffers.fastParticles.download();
+        auto fast = fixture.stages.search.fastParticles.download();
         fast.resize(fixture.counters().fastListed);
         std::sort(fast.begin(), fast.end());
         return fast;
@@ -80,9 +80,9 @@ protected:
 
     void expectReaches(float longer)
     {
-        const auto found = fixture.buffers.moverReaches.download();
-        const auto infos = fixture.buffers.moverInfo.download();
-        const auto moments = fixture.buffers.bodyMoments.download();
+        const auto found = fixture.stages.search.moverReaches.download();
+        const auto infos = fixture.stages.bodies.moverInfo.download();
+        const auto moments = fixture.stages.bodies.bodyMoments.download();
         uint32_t fast = 0, later = 0, none = 0, most = 0;
         for (uint32_t m = 0; m < movers(); ++m) {
             const double radius = m < parameters().bodyCount ? moments[3 * m].w : 0.0;
@@ -148,12 +148,12 @@ TEST_F(SearchPosition, TheGridAgreesOnWhoIsFastHoweverLittleAMoverReaches)
 {
     // contact_find leaves to contact_find_far those that grid_order calls fast: nobody may be both's or neither's.
     for (size_t m = 0; m < reaches.size(); ++m) reaches[m] = std::pow(10.0f, -static_cast<float>(m % 20));
-    fill(fixture.buffers.moverReaches, reaches);
+    fill(fixture.stages.search.moverReaches, reaches);
     setFastCount(0);
     fixture.forParticles("search/search_position");
     fixture.fillGrid({});
     std::vector<uint32_t> fast;
-    const auto infos = fixture.buffers.sortedInfos.download();
+    const auto infos = fixture.stages.search.sortedInfos.download();
     for (uint32_t k = 0; k < particles(); ++k)
         if (infos[k].w != 0) fast.push_back(infos[k].x);
     std::sort(fast.begin(), fast.end());
@@ -165,18 +165,23 @@ TEST_F(SearchPosition, TheGridAgreesOnWhoIsFastHoweverLittleAMoverReaches)
 TEST_F(SearchPosition, NoParticleIsReferredToYet)
 {
     fixture.forParticles("search/search_position");
-    const auto counts = fixture.buffers.listCounts.download();
+    const auto counts = fixture.stages.search.listCounts.download();
     for (uint32_t k = 0; k < counts.size(); ++k)
         ASSERT_EQ(counts[k], k / particles() == 1 ? 0u : 5u) << "count " << k;
 }
 
-TEST_F(SearchPosition, ThePapersParticlesAreWhereTheyArePredictedAndItsBodiesAsTheyAreTurned)
+class SearchPositionByThePaper : public SearchPosition {
+protected:
+    SearchPositionByThePaper() : SearchPosition(byThePaper()) {}
+};
+
+TEST_F(SearchPositionByThePaper, ThePapersParticlesAreWhereTheyArePredictedAndItsBodiesAsTheyAreTurned)
 {
     const auto starts = randomVectors(particles(), 0.5f, 82), predicted = randomVectors(particles(), 0.01f, 83);
-    fill(fixture.buffers.positions, starts);
-    fill(fixture.buffers.predicted, predicted);
+    fill(fixture.stages.particles.positions, starts);
+    fill(fixture.stages.paper->predicted, predicted);
     fixture.forParticles("search/search_position", {{"FROM_POSITIONS", "1"}});
-    const auto found = fixture.buffers.searchPositions.download(), turned = fixture.buffers.searchRotations.download();
+    const auto found = fixture.stages.search.searchPositions.download(), turned = fixture.stages.search.searchRotations.download();
     for (uint32_t i = 0; i < particles(); ++i) {
         ASSERT_EQ(vec3(found[i]), vec3(starts[i]) + vec3(predicted[i]));
         const uint32_t mover = places[i].x;
@@ -187,7 +192,7 @@ TEST_F(SearchPosition, ThePapersParticlesAreWhereTheyArePredictedAndItsBodiesAsT
 TEST_F(SearchPosition, MoversReachAsFarAsTheirWayWillLeadThemBeyondTheDriftAndForLongerWhereFewAreFast)
 {
     moves[1] = packed({1e30f, 0, 0});
-    fill(fixture.buffers.moverMoves, moves);
+    fill(fixture.stages.bodies.moverMoves, moves);
     for (uint32_t calm : {0u, 1u}) {
         SCOPED_TRACE(calm);
         gpu::Counters counters = fixture.counters();

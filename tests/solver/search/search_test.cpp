@@ -14,11 +14,13 @@ constexpr uint32_t CAPACITY = 100000;
 
 SearchBench::SearchBench() : KernelFixture(mixedWorld())
 {
-    buffers.parameters.contactSlots = SLOTS;
-    buffers.parameters.pairCapacity = buffers.parameters.colliderPairCapacity = CAPACITY;
-    buffers.resizeContacts(gpu());
-    places = buffers.particleRanks.download();
-    reaches.assign(buffers.parameters.moverCount, 0.0f);
+    stages.parameters.contactSlots = SLOTS;
+    stages.parameters.pairCapacity = stages.parameters.colliderPairCapacity = CAPACITY;
+    stages.search.makeLists(gpu());
+    stages.contacts.makeLists();
+    stages.uploadParameters();
+    places = stages.particles.particleRanks.download();
+    reaches.assign(stages.parameters.moverCount, 0.0f);
     bodies.resize(count());
     for (const Link& link : world.links) bodies[link.particle].insert(link.body);
     auto positions = randomVectors(count(), 0.5f, 11);
@@ -63,7 +65,7 @@ Eigen::Vector2f halves(uint32_t packedFrictions)
 
 float SearchBench::limitOf(uint32_t i, uint32_t j) const
 {
-    return buffers.parameters.contactRadius + reaches[moverOf(i)] + reaches[moverOf(j)];
+    return stages.parameters.contactRadius + reaches[moverOf(i)] + reaches[moverOf(j)];
 }
 
 void SearchBench::makeSomeFast()
@@ -71,7 +73,7 @@ void SearchBench::makeSomeFast()
     Random random(13);
     std::vector<float> lengths(reaches.size(), 0.0f);
     for (size_t m = 0; m < lengths.size(); m += m < world.bodies.size() ? 4 : 9)
-        lengths[m] = (m == 0 ? 1.0f : random.between(0.05f, 1.0f)) * buffers.parameters.farReach;
+        lengths[m] = (m == 0 ? 1.0f : random.between(0.05f, 1.0f)) * stages.parameters.farReach;
     setReaches(lengths);
 }
 
@@ -79,8 +81,8 @@ void SearchBench::setReaches(const std::vector<float>& lengths)
 {
     reaches = lengths;
     std::vector<gpu::vec4> centres;
-    for (float reach : reaches) centres.push_back(packed({0, 0, 0}, buffers.parameters.drift + reach));
-    fill(buffers.searchCentres, centres);
+    for (float reach : reaches) centres.push_back(packed({0, 0, 0}, stages.parameters.drift + reach));
+    fill(stages.search.searchCentres, centres);
     std::vector<uint32_t> fast;
     for (uint32_t i = 0; i < count(); ++i)
         if (isFast(i)) fast.push_back(i);
@@ -88,13 +90,13 @@ void SearchBench::setReaches(const std::vector<float>& lengths)
     now.fastListed = static_cast<uint32_t>(fast.size());
     setCounters(now);
     fast.resize(count());
-    fill(buffers.fastParticles, fast);
+    fill(stages.search.fastParticles, fast);
 }
 
 std::vector<std::vector<uint32_t>> SearchBench::notedPairs() const
 {
-    const auto counts = buffers.listCounts.download();
-    const auto entries = buffers.firstLists.download();
+    const auto counts = stages.search.listCounts.download();
+    const auto entries = stages.search.firstLists.download();
     std::vector<std::vector<uint32_t>> lists(count());
     for (uint32_t i = 0; i < count(); ++i)
         for (uint32_t slot = 0; slot < counts[rankOf(i)]; ++slot)
@@ -104,9 +106,9 @@ std::vector<std::vector<uint32_t>> SearchBench::notedPairs() const
 
 void SearchBench::narrow(uint32_t contactSlots, uint32_t pairs, uint32_t colliderPairs)
 {
-    buffers.parameters.contactSlots = contactSlots;
-    buffers.parameters.pairCapacity = pairs;
-    buffers.parameters.colliderPairCapacity = colliderPairs;
+    stages.parameters.contactSlots = contactSlots;
+    stages.parameters.pairCapacity = pairs;
+    stages.parameters.colliderPairCapacity = colliderPairs;
     setParameters();
 }
 

@@ -18,7 +18,7 @@ class SearchBench : public KernelFixture {
 public:
     SearchBench();
 
-    uint32_t count() const { return buffers.parameters.particleCount; }
+    uint32_t count() const { return stages.parameters.particleCount; }
     uint32_t moverOf(uint32_t particle) const { return places[particle].x; }
     uint32_t rankOf(uint32_t particle) const { return places[particle].y; }
     bool isFast(uint32_t particle) const { return reaches[moverOf(particle)] > 0.0f; }
@@ -37,7 +37,7 @@ public:
     void setReaches(const std::vector<float>& lengths);
     /// The pairs that the search noted, by first particle, in the order in which it noted them.
     std::vector<std::vector<uint32_t>> notedPairs() const;
-    /// Lets the kernels believe in less room than the buffers have.
+    /// Lets the kernels believe in less room than the stages have.
     void narrow(uint32_t contactSlots, uint32_t pairs, uint32_t colliderPairs);
 
     std::vector<gpu::vec4> found;

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "tests/solver/body/mover_fixture.h"
-#include "sim/solver/soft/upload_soft.h"
+#include "sim/solver/soft/cluster_links.h"
 
 namespace knuckle::test {
 
@@ -54,11 +54,11 @@ struct Wanted {
 
 class ClusterKernels : public testing::Test {
 protected:
-    ClusterKernels() : fixture(softWorld()), places(fixture.buffers.particleRanks.download())
+    ClusterKernels() : fixture(softWorld()), places(fixture.stages.particles.particleRanks.download())
     {
         Random random(11);
-        auto starts = fixture.buffers.moverCentres.download(), moveValues = fixture.buffers.moverMoves.download();
-        auto rests = fixture.buffers.clusterRests.download();
+        auto starts = fixture.stages.bodies.moverCentres.download(), moveValues = fixture.stages.bodies.moverMoves.download();
+        auto rests = fixture.stages.soft->clusterRests.download();
         for (const SoftBody& soft : fixture.world.softBodies)
             for (uint32_t i = soft.particleStart; i < soft.particleStart + soft.particleCount; ++i) {
                 gpu::vec4& start = starts[places[i].x];
@@ -71,12 +71,12 @@ protected:
             rest /= std::cbrt(rest.determinant());
             for (uint32_t k = 0; k < 3; ++k) rests[3 * c + k] = packed(Vector3f(rest.col(k).cast<float>()));
         }
-        fill(fixture.buffers.moverCentres, starts);
-        fill(fixture.buffers.moverMoves, moveValues);
-        fill(fixture.buffers.clusterRests, rests);
-        auto states = fixture.buffers.assemblyState.download();
+        fill(fixture.stages.bodies.moverCentres, starts);
+        fill(fixture.stages.bodies.moverMoves, moveValues);
+        fill(fixture.stages.soft->clusterRests, rests);
+        auto states = fixture.stages.particles.assemblyState.download();
         states[fixture.world.softBodies[0].assembly].y = 2;   // BDF2 in this one
-        fill(fixture.buffers.assemblyState, states);
+        fill(fixture.stages.particles.assemblyState, states);
         centres = starts;
         moves = moveValues;
         restsBefore = rests;
@@ -119,7 +119,7 @@ protected:
         };
         const Matrix3d mapBefore = before * m.inverse;
         const Matrix3d rate = 0.5 * (out.map.transpose() * out.map - mapBefore.transpose() * mapBefore);
-        const double h = fixture.buffers.parameters.substepTime, share = timeShare(cluster.softBody);
+        const double h = fixture.stages.parameters.substepTime, share = timeShare(cluster.softBody);
         const double drawnOut = std::max(1.0, out.map.squaredNorm() / 3.0);
         const Matrix3d stress = share * h * h * out.rotation * hooke(out.strain) * rest.inverse().transpose() +
                                 share * h * e.damping / drawnOut * out.map * hooke(rate);
@@ -132,7 +132,7 @@ protected:
     {
         const Kernel kernel = fixture.load("soft/cluster_pull", {{"FIRST_ITERATION", "1"}});
         glProgramUniform1f(kernel.program(), 0, ROOT);
-        fixture.dispatch(kernel, groupsFor(fixture.buffers.parameters.softCount));
+        fixture.dispatch(kernel, groupsFor(fixture.stages.parameters.softCount));
         gpu().checkErrors();
     }
 
@@ -144,7 +144,7 @@ protected:
 TEST_F(ClusterKernels, AClusterIsMatchedAndPullsAsTheReferenceSays)
 {
     match();
-    const auto pulls = fixture.buffers.clusterPulls.download(), rotations = fixture.buffers.clusterRotations.download();
+    const auto pulls = fixture.stages.soft->clusterPulls.download(), rotations = fixture.stages.soft->clusterRotations.download();
     ASSERT_GT(fixture.world.clusters.size(), 40u);
     for (uint32_t c = 0; c < fixture.world.clusters.size(); ++c) {
         SCOPED_TRACE("cluster " + std::to_string(c));
@@ -162,13 +162,13 @@ TEST_F(ClusterKernels, AClusterIsMatchedAndPullsAsTheReferenceSays)
 TEST_F(ClusterKernels, AClusterFlowsByAShareOfWhatIsBeyondItsYield)
 {
     match();
-    const auto rests = fixture.buffers.clusterRests.download();
+    const auto rests = fixture.stages.soft->clusterRests.download();
     uint32_t flowed = 0;
     for (uint32_t c = 0; c < fixture.world.clusters.size(); ++c) {
         const SoftBody& soft = fixture.world.softBodies[fixture.world.clusters[c].softBody];
         const Elasticity& e = fixture.world.materials[soft.material].elasticity;
         const Matrix3d before = columns(restsBefore, 3 * c), strain = wanted(c).strain;
-        const double share = 1.0 - std::exp(-e.creep * fixture.buffers.parameters.substepTime);
+        const double share = 1.0 - std::exp(-e.creep * fixture.stages.parameters.substepTime);
         const double beyond = std::max(1.0 - e.yield / strain.norm(), 0.0);
         Matrix3d next = before + share * beyond * strain * before;
         if (e.creep > 0.0f) next /= std::cbrt(next.determinant());
@@ -183,10 +183,10 @@ TEST_F(ClusterKernels, AClusterFlowsByAShareOfWhatIsBeyondItsYield)
 TEST_F(ClusterKernels, ParticlesGetTheImpulsesOfTheirClustersTogether)
 {
     match();
-    const auto pulls = fixture.buffers.clusterPulls.download();
+    const auto pulls = fixture.stages.soft->clusterPulls.download();
     pull();
-    const auto impulses = fixture.buffers.particleImpulses.download();
-    const auto movesNow = fixture.buffers.moverMoves.download();
+    const auto impulses = fixture.stages.bodies.particleImpulses.download();
+    const auto movesNow = fixture.stages.bodies.moverMoves.download();
     std::vector<Vector3d> sums(fixture.world.particles.size(), Vector3d::Zero());
     std::vector<double> steepest(sums.size()), sizes(sums.size());
     for (const Link& link : fixture.world.clusterLinks) {
@@ -213,7 +213,7 @@ TEST_F(ClusterKernels, TheImpulsesOfABodyNeitherMoveNorTurnIt)
 {
     match();
     pull();
-    const auto impulses = fixture.buffers.particleImpulses.download();
+    const auto impulses = fixture.stages.bodies.particleImpulses.download();
     for (const SoftBody& soft : fixture.world.softBodies) {
         SCOPED_TRACE("soft body of " + std::to_string(soft.particleCount));
         Vector3d sum = Vector3d::Zero(), torque = Vector3d::Zero();
@@ -235,13 +235,13 @@ TEST_F(ClusterKernels, TheImpulsesOfABodyNeitherMoveNorTurnIt)
 TEST_F(ClusterKernels, AnUnstrainedBodyIsNotPulled)
 {
     const KernelFixture still(softWorld());
-    SolverBuffers& b = fixture.buffers;
-    fill(b.moverCentres, still.buffers.moverCentres.download());
-    fill(b.moverMoves, std::vector<gpu::vec4>(moves.size()));
-    fill(b.clusterRests, still.buffers.clusterRests.download());
+    Stages& b = fixture.stages;
+    fill(b.bodies.moverCentres, still.stages.bodies.moverCentres.download());
+    fill(b.bodies.moverMoves, std::vector<gpu::vec4>(moves.size()));
+    fill(b.soft->clusterRests, still.stages.soft->clusterRests.download());
     match();
     pull();
-    for (const gpu::vec4& p : b.softImpulses.download()) {
+    for (const gpu::vec4& p : b.soft->softImpulses.download()) {
         // Of places of 2 m, rounded to 1e-7 m, times a particle's 1.7 kg and less than the divisor.
         EXPECT_LT(vec3(p).norm(), 1e-6);
     }

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <type_traits>
+
+#include "shared/gpu_types.h"
+#include "sim/gpu/buffer.h"
+
+namespace knuckle {
+
+/// What the host says that a buffer holds, by which the declarations of kernels are checked.
+struct ElementType {
+    enum class Scalar { Float, Unsigned, Mixed };
+
+    uint32_t bytes = 4;               ///< Of one element.
+    uint32_t texelBytes = 4;          ///< Of one texel of the buffer's texture: 4, 8 or 16.
+    Scalar scalar = Scalar::Mixed;    ///< Mixed: a struct of both, which kernels read as unsigned texels.
+    GLenum glType = GL_NONE;          ///< GL_FLOAT_VEC4, GL_UNSIGNED_INT, ...; GL_NONE for structs.
+};
+
+/// The ElementType of T: float, uint32_t, the vectors of gpu_types.h, or a struct. Structs count as mixed but those that
+/// are listed here.
+template <typename T>
+constexpr ElementType elementType()
+{
+    using Scalar = ElementType::Scalar;
+    constexpr uint32_t bytes = sizeof(T), texel = bytes < 16 ? bytes : 16;
+    if (std::is_same_v<T, float>) return {bytes, texel, Scalar::Float, GL_FLOAT};
+    if (std::is_same_v<T, gpu::vec4>) return {bytes, texel, Scalar::Float, GL_FLOAT_VEC4};
+    if (std::is_same_v<T, uint32_t>) return {bytes, texel, Scalar::Unsigned, GL_UNSIGNED_INT};
+    if (std::is_same_v<T, gpu::uvec2>) return {bytes, texel, Scalar::Unsigned, GL_UNSIGNED_INT_VEC2};
+    if (std::is_same_v<T, gpu::uvec4>) return {bytes, texel, Scalar::Unsigned, GL_UNSIGNED_INT_VEC4};
+    if (std::is_same_v<T, gpu::GpuSoftMatter>) return {bytes, texel, Scalar::Float, GL_NONE};
+    return {bytes, texel, Scalar::Mixed, GL_NONE};
+}
+
+/// Buffers by the name that kernels know them by. A storage block `Positions` and a sampler `positions` both mean the
+/// buffer "positions"; so does a sampler `lastPositions`, for kernels that write what they read. Those read only
+/// elements that the same thread writes, or that nobody does.
+class BufferTable {
+public:
+    struct Entry {
+        RawBuffer* buffer = nullptr;
+        ElementType element;
+    };
+
+    void add(const std::string& name, RawBuffer& buffer, ElementType element) { entries_[name] = {&buffer, element}; }
+    /// Each under its label. The buffers must outlive the kernels; assigning to one of them is seen by all kernels.
+    template <typename... T>
+    void add(Buffer<T>&... buffers)
+    {
+        (add(buffers.label(), buffers, elementType<T>()), ...);
+    }
+    /// @throws DeviceError for an unknown name, saying which kernel asked.
+    const Entry& find(const std::string& name, const std::string& kernel) const;
+    const std::map<std::string, Entry>& entries() const { return entries_; }
+
+private:
+    std::map<std::string, Entry> entries_;
+};
+
+}  // namespace knuckle

@@ -1,0 +1,191 @@
+#include "sim/solver/body/body_stage.h"
+
+#include <Eigen/QR>
+
+#include "sim/solver/body/body_mass.h"
+#include "sim/solver/pack.h"
+#include "sim/solver/soft/cluster_links.h"
+
+namespace knuckle {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Arrays per mover, bodies first.
+struct Movers {
+    std::vector<gpu::MoverInfo> infos;
+    std::vector<uint32_t> states;
+    std::vector<gpu::vec4> centres, rotations, velocities;   ///< The last: fields.
+    std::vector<gpu::vec4> moments, inertias;                ///< Of bodies.
+};
+
+/// The particles of a body move as one: the linear field nearest to their velocities, by least squares.
+void addVelocityField(std::vector<gpu::vec4>& out, const World& world, const Body& body, const BodyMass& mass)
+{
+    Vector3d momentum = Vector3d::Zero();
+    Matrix3d cross = Matrix3d::Zero();
+    for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
+        const Vector3d v = world.links[l].mass * world.particles[world.links[l].particle].velocity.cast<double>();
+        momentum += v;
+        cross += v * world.links[l].restOffset.cast<double>().transpose();
+    }
+    const bool fixed = body.motion == Motion::Fixed;
+    out.push_back(pack(fixed ? Vector3f::Zero() : Vector3f((momentum / mass.mass).cast<float>()), 0));
+    const Matrix3d f = mass.moments.completeOrthogonalDecomposition().solve(cross.transpose()).transpose();
+    for (int column = 0; column < 3; ++column)
+        out.push_back(pack(fixed ? Vector3f::Zero() : Vector3f(f.col(column).cast<float>()), 0));
+}
+
+void addMass(Movers& out, const BodyMass& mass)
+{
+    for (int column = 0; column < 3; ++column)
+        out.moments.push_back(pack(mass.moments.col(column).cast<float>(), static_cast<float>(mass.radius)));
+    const Eigen::Matrix3f inverse = mass.inverseInertia.cast<float>();
+    out.inertias.push_back(pack(inverse.diagonal(), static_cast<float>(1.0 / mass.mass)));
+    out.inertias.push_back({inverse(0, 1), inverse(0, 2), inverse(1, 2), 0});
+}
+
+void addBody(Movers& out, const World& world, const Body& body)
+{
+    const BodyMass mass = bodyMass(world, body);
+    const bool fixed = body.motion == Motion::Fixed;
+    out.infos.push_back({0, 0, body.assembly, fixed ? 0.0f : static_cast<float>(1.0 / mass.mass)});
+    out.states.push_back(fixed ? MOVER_FIXED : MOVER_DYNAMIC);
+    addMass(out, mass);
+    out.centres.push_back(pack(body.position, 0));
+    out.rotations.push_back(pack(body.rotation.vec(), body.rotation.w()));
+    addVelocityField(out.velocities, world, body, mass);
+}
+
+Movers makeMovers(const World& world, const Layout& layout)
+{
+    Movers movers;
+    for (const Body& body : world.bodies) addBody(movers, world, body);
+    for (uint32_t i = 0; i < layout.solidCount; ++i) {
+        const Particle& p = world.particles[i];
+        if (p.body != NO_INDEX) continue;
+        movers.infos.push_back({0, 0, layout.assemblies[i], 1.0f / p.mass});
+        movers.states.push_back(MOVER_DYNAMIC);
+        movers.centres.push_back(pack(p.position, 0));
+        movers.rotations.push_back({0, 0, 0, 1});
+        movers.velocities.push_back(pack(p.velocity, 0));
+    }
+    for (size_t m = 0; m < movers.infos.size(); ++m) {
+        movers.infos[m].firstRank = layout.moverRanks[m].x;
+        movers.infos[m].rankCount = layout.moverRanks[m].y;
+    }
+    return movers;
+}
+
+}  // namespace
+
+Defines BodyStage::solveVariant(const char* movers, bool onParticles)
+{
+    Defines variant{{movers, "1"}};
+    if (onParticles) variant.push_back({"ON_PARTICLES", "1"});
+    return variant;
+}
+
+BodyStage::BodyStage(const StageSetup& setup, bool onParticles)
+    : parameters_(setup.parameters), onParticles_(onParticles),
+      hasBodies_(setup.world.settings.solver == SolverKind::Impulse && setup.layout.bodyCount > 0),
+      hasLoose_(setup.world.settings.solver == SolverKind::Impulse && setup.layout.looseCount > 0)
+{
+    uploadLinks(setup);
+    uploadMovers(setup);
+    particleImpulses = {"particleImpulses", setup.world.particles.size()};
+    setup.parameters.rotationIterations = 3;
+}
+
+void BodyStage::uploadLinks(const StageSetup& setup)
+{
+    const World& world = setup.world;
+    const Layout& layout = setup.layout;
+    std::vector<gpu::ParticleRigidBodyLink> all;
+    std::vector<float> inverseMasses;
+    for (uint32_t l : layout.linkOrder) {
+        const Link& link = world.links[l];
+        const Body& body = world.bodies[link.body];
+        const Vector3f& r = link.restOffset;
+        all.push_back({link.particle, link.body, r.x(), r.y(), r.z(), body.linkStart, body.linkCount, link.mass});
+        inverseMasses.push_back(layout.worstInverseMasses[l]);
+    }
+    appendClusterLinks(all, world);
+    std::vector<gpu::uvec2> ranges, inverse;
+    for (const auto& owned : layout.owners) {
+        ranges.push_back({static_cast<uint32_t>(inverse.size()), static_cast<uint32_t>(owned.size())});
+        for (const Layout::Owner& owner : owned) inverse.push_back({owner.link, owner.body});
+    }
+    std::vector<gpu::BodyInfo> infos;
+    for (const Body& body : world.bodies) {
+        const uint32_t own = layout.ownLinkCounts[infos.size()];
+        infos.push_back({body.linkStart, body.linkCount, own, body.linkCount - own});
+    }
+    links = {"links", std::span<const gpu::ParticleRigidBodyLink>(all)};
+    linkMasses = {"linkMasses", std::span<const float>(inverseMasses)};
+    particleLinks = {"particleLinks", std::span<const gpu::uvec2>(ranges)};
+    linksOfParticle = {"linksOfParticle", std::span<const gpu::uvec2>(inverse)};
+    bodyInfo = {"bodyInfo", std::span<const gpu::BodyInfo>(infos)};
+}
+
+void BodyStage::uploadMovers(const StageSetup& setup)
+{
+    const Movers movers = makeMovers(setup.world, setup.layout);
+    const size_t count = movers.infos.size(), fields = movers.velocities.size();
+    const std::vector<gpu::vec4> unturned(count, gpu::vec4{0, 0, 0, 1});
+    const std::vector<gpu::vec4> changes(fields, gpu::vec4{0, 0, 0, INITIAL_RELAXATION});
+    moverInfo = {"moverInfo", std::span<const gpu::MoverInfo>(movers.infos)};
+    moverStates = {"moverStates", std::span<const uint32_t>(movers.states)};
+    bodyMoments = {"bodyMoments", std::span<const gpu::vec4>(movers.moments)};
+    bodyInertias = {"bodyInertias", std::span<const gpu::vec4>(movers.inertias)};
+    moverCentres = {"moverCentres", std::span<const gpu::vec4>(movers.centres)};
+    moverRotations = {"moverRotations", std::span<const gpu::vec4>(movers.rotations)};
+    moverVelocities = {"moverVelocities", std::span<const gpu::vec4>(movers.velocities)};
+    oldMoverVelocities = {"oldMoverVelocities", std::span<const gpu::vec4>(movers.velocities)};
+    oldMoverMoves = {"oldMoverMoves", fields};
+    moverMoves = {"moverMoves", count};
+    moverRotationDeltas = {"moverRotationDeltas", std::span<const gpu::vec4>(unturned)};
+    moverPredictions = {"moverPredictions", fields};
+    moverImpulses = {"moverImpulses", fields};
+    moverChanges = {"moverChanges", std::span<const gpu::vec4>(changes)};
+}
+
+void BodyStage::addBuffers(BufferTable& table)
+{
+    table.add(links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
+              moverStates, moverCentres, moverRotations, moverVelocities, oldMoverVelocities, oldMoverMoves, moverMoves,
+              moverRotationDeltas, moverPredictions, moverImpulses, moverChanges, particleImpulses);
+}
+
+void BodyStage::predict(Recorder& recorder) const
+{
+    recorder.perElement(predictBodies_, parameters_.bodyCount);
+    recorder.perElement(predictLoose_, parameters_.moverCount - parameters_.bodyCount);
+    if (onParticles_) recorder.perElement(clear_, parameters_.particleCount);
+}
+
+void BodyStage::warmStart(Recorder& recorder) const
+{
+    recorder.decided(warmStart_, DISPATCH_MOVERS);
+}
+
+void BodyStage::solve(Recorder& recorder) const
+{
+    recorder.perElement(solveBodies_, parameters_.bodyCount);
+    recorder.perElement(solveLoose_, parameters_.moverCount - parameters_.bodyCount);
+}
+
+void BodyStage::integrate(Recorder& recorder) const
+{
+    recorder.perElement(integrateBodies_, parameters_.bodyCount);
+    recorder.perElement(integrateLoose_, parameters_.moverCount - parameters_.bodyCount);
+}
+
+void BodyStage::placeParticles(Recorder& recorder) const
+{
+    recorder.perElement(place_, parameters_.particleCount);
+}
+
+}  // namespace knuckle

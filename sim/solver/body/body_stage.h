@@ -1,0 +1,65 @@
+#pragma once
+
+#include "sim/solver/stage.h"
+
+namespace knuckle {
+
+/// Movers (bodies and loose particles): how they would move, what acts on them, and how they did move. Fields as in
+/// shaders/sim/common/fields.glsl.
+class BodyStage : public Stage {
+public:
+    /// @param onParticles whether anything acts on single particles, beside contacts and joints.
+    BodyStage(const StageSetup& setup, bool onParticles);
+    void addBuffers(BufferTable& table) override;
+
+    void predict(Recorder& recorder) const;
+    /// The last impulses of contacts again, by the lists of a new search.
+    void warmStart(Recorder& recorder) const;
+    /// Sums the impulses of an iteration, and matches each mover to them.
+    void solve(Recorder& recorder) const;
+    void integrate(Recorder& recorder) const;
+    /// Particles where their bodies have them, at the end of a step.
+    void placeParticles(Recorder& recorder) const;
+
+    // What never changes.
+    Buffer<gpu::ParticleRigidBodyLink> links;   ///< The paper's listing 1, of bodies and then of clusters.
+    Buffer<float> linkMasses;                   ///< Per link of a body: worst inverse mass of it at the particle [1/kg].
+    Buffer<gpu::uvec2> particleLinks;           ///< Per particle: first entry and count in linksOfParticle.
+    Buffer<gpu::uvec2> linksOfParticle;         ///< Per link, grouped by particle: link, body.
+    Buffer<gpu::BodyInfo> bodyInfo;
+    Buffer<gpu::vec4> bodyMoments;     ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
+    Buffer<gpu::vec4> bodyInertias;    ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
+    Buffer<gpu::MoverInfo> moverInfo;
+    // State, per mover.
+    Buffer<uint32_t> moverStates;                              ///< MOVER_*.
+    Buffer<gpu::vec4> moverCentres, moverRotations;            ///< c and Q: when a substep begins, or (paper) now.
+    Buffer<gpu::vec4> moverVelocities, oldMoverVelocities;     ///< Fields [m/s]; the second: a substep before.
+    Buffer<gpu::vec4> oldMoverMoves;                           ///< Field: the last substep's move [m].
+    // Within a substep, per mover.
+    Buffer<gpu::vec4> moverMoves;            ///< Of c since it began [m]; w: over how many impulses its mass is split.
+    Buffer<gpu::vec4> moverRotationDeltas;   ///< The rotation since it began: a quaternion.
+    Buffer<gpu::vec4> moverPredictions;      ///< Field: the untouched move, A of eq. 9 after it.
+    Buffer<gpu::vec4> moverImpulses;         ///< Field: what its contacts add to it [kg m].
+    Buffer<gpu::vec4> moverChanges;          ///< Field: how they last changed; w of the first: relaxation.
+    Buffer<gpu::vec4> particleImpulses;      ///< Per particle, by rank: what acts on it alone [kg m].
+
+private:
+    void uploadLinks(const StageSetup& setup);
+    void uploadMovers(const StageSetup& setup);
+
+    const gpu::StepParameters& parameters_;
+    bool onParticles_, hasBodies_, hasLoose_;
+    Pass predictBodies_{*this, "body/mover_predict", {{"BODIES", "1"}}, hasBodies_};
+    Pass predictLoose_{*this, "body/mover_predict", {{"LOOSE", "1"}}, hasLoose_};
+    Pass clear_{*this, "contact/impulse_clear", {}, onParticles_};
+    Pass warmStart_{*this, "body/mover_solve", {{"WARM_START", "1"}}, hasBodies_ || hasLoose_};
+    Pass solveBodies_{*this, "body/mover_solve", solveVariant("BODIES", onParticles_), hasBodies_};
+    Pass solveLoose_{*this, "body/mover_solve", solveVariant("LOOSE", onParticles_), hasLoose_};
+    Pass integrateBodies_{*this, "body/mover_integrate", {{"BODIES", "1"}}, hasBodies_};
+    Pass integrateLoose_{*this, "body/mover_integrate", {{"LOOSE", "1"}}, hasLoose_};
+    Pass place_{*this, "body/particle_position", {}, hasBodies_ || hasLoose_};
+
+    static Defines solveVariant(const char* movers, bool onParticles);
+};
+
+}  // namespace knuckle

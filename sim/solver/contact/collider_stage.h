@@ -1,0 +1,19 @@
+#pragma once
+
+#include "sim/solver/stage.h"
+
+namespace knuckle {
+
+/// Static colliders, and behind them the drains of fluids. It has no kernels: contacts and fluids read it.
+class ColliderStage : public Stage {
+public:
+    /// @throws DeviceError when the device's limits are too small for the grids of meshes and heightfields.
+    explicit ColliderStage(const StageSetup& setup);
+    void addBuffers(BufferTable& table) override;
+
+    Buffer<gpu::GpuCollider> colliders;
+    Buffer<float> gridValues;            ///< Of all ColliderGrids, one after another.
+    bool hasGrids = false;               ///< Whether a collider is a mesh or a heightfield.
+};
+
+}  // namespace knuckle

@@ -1,0 +1,66 @@
+#include "sim/solver/contact/contact_stage.h"
+
+#include <cmath>
+
+namespace knuckle {
+
+ContactStage::ContactStage(const StageSetup& setup)
+    : parameters_(setup.parameters), byImpulses_(setup.world.settings.solver == SolverKind::Impulse), hasSolids_(setup.layout.solidCount > 0),
+      hasColliders_(hasSolids_ && !setup.world.colliders.empty())
+{
+    setParameters(setup);
+    makeLists();
+}
+
+/// docs/physics.md has the figures that decided these numbers.
+void ContactStage::setParameters(const StageSetup& setup)
+{
+    const Settings& s = setup.world.settings;
+    gpu::StepParameters& p = setup.parameters;
+    p.correction = 0.06f;
+    p.maxCorrection = 0.25f * p.substepTime;
+    // What a substep keeps of an impulse, of what it differs by from its mean, and of the mean.
+    const float iterations = static_cast<float>(s.iterations);
+    p.warmStart = std::pow(0.985f, 1.0f / iterations);
+    p.calming = 1.0f - std::pow(0.95f, 1.0f / iterations);
+    p.meanRate = 1.0f - std::pow(0.9975f, 1.0f / iterations);
+    p.massScaling = s.massScaling;
+}
+
+void ContactStage::makeLists()
+{
+    const size_t pairCount = parameters_.pairCapacity, colliderCount = parameters_.colliderPairCapacity;
+    pairSides = {"pairSides", pairCount};
+    pairArms = {"pairArms", 2 * pairCount};
+    pairImpulses = {"pairImpulses", 2 * pairCount};
+    pairMeans = {"pairMeans", 2 * pairCount};
+    colliderSides = {"colliderSides", colliderCount};
+    colliderArms = {"colliderArms", colliderCount};
+    colliderImpulses = {"colliderImpulses", 2 * colliderCount};
+    colliderMeans = {"colliderMeans", 2 * colliderCount};
+}
+
+void ContactStage::grow(const Gpu&, gpu::StepParameters&, const gpu::Counters&)
+{
+    makeLists();
+}
+
+void ContactStage::addBuffers(BufferTable& table)
+{
+    table.add(pairSides, pairArms, pairImpulses, pairMeans, colliderSides, colliderArms, colliderImpulses,
+              colliderMeans);
+}
+
+void ContactStage::prepare(Recorder& recorder) const
+{
+    recorder.decided(preparePairs_, DISPATCH_NEW_PAIRS);
+    if (hasColliders_) recorder.decided(prepareColliders_, DISPATCH_NEW_COLLIDER_PAIRS);
+}
+
+void ContactStage::solve(Recorder& recorder) const
+{
+    recorder.decided(solvePairs_, DISPATCH_PAIRS);
+    if (hasColliders_) recorder.decided(solveColliders_, DISPATCH_COLLIDER_PAIRS);
+}
+
+}  // namespace knuckle

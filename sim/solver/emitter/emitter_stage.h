@@ -1,0 +1,44 @@
+#pragma once
+
+#include "sim/solver/measure.h"
+#include "sim/solver/stage.h"
+
+namespace knuckle {
+
+/// Emitters and drains, which end a step, and the fluid particles that are inactive until an emitter takes them
+/// (shaders/sim/emitter/emitters.glsl). The host has no part in it: what is due follows from the number of the step.
+class EmitterStage : public Stage {
+public:
+    static bool isNeeded(const World& world)
+    {
+        return world.fluidCount > 0 && !(world.emitters.empty() && world.drains.empty());
+    }
+    explicit EmitterStage(const StageSetup& setup);
+    void addBuffers(BufferTable& table) override;
+
+    void endStep(Recorder& recorder) const;
+    /// Fluid particles that are there, that came and that left since the start. Stalls until the GPU is done.
+    void measure(Measures& out) const;
+
+    Buffer<gpu::GpuEmitter> emitters;
+    Buffer<gpu::EmitterState> emitterStates;           ///< Per emitter, within a step.
+    Buffer<gpu::vec4> nozzlePoints;                    ///< Where layers leave [m].
+    Buffer<uint32_t> poolOrder;                        ///< Halves: the particles of each pool, whose turn it is first.
+    Buffer<uint32_t> poolInactive;                     ///< Per place in it: 1 if it was inactive after the last step.
+    Buffer<uint32_t> poolSums, poolChunks;             ///< Per chunk of it: inactive before, emitter.
+    Buffer<uint32_t> fluidTotals;                      ///< Particles that came, that left.
+
+private:
+    void uploadPools(const StageSetup& setup);
+
+    const gpu::StepParameters& parameters_;
+    bool hasEmitters_;
+    Pass sum_{*this, "search/scan_sum", {{"POOLS", "1"}}, hasEmitters_};
+    Pass sumChunks_{*this, "search/scan_chunks", {{"POOLS", "1"}}, hasEmitters_};
+    Pass update_{*this, "fluid/emitter_update"};
+    Pass order_{*this, "fluid/pool_order", {}, hasEmitters_};
+    Pass emit_{*this, "fluid/fluid_emit", {{"FLUIDS", "1"}}, hasEmitters_};
+    Pass drain_{*this, "fluid/fluid_drain"};
+};
+
+}  // namespace knuckle

@@ -1,0 +1,152 @@
+#include "sim/solver/fluid/fluid_stage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/solver/emitter/emitter_stage.h"
+#include "sim/solver/fluid/fluid_numbers.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr int RELAXATIONS = 48;   // the pressure of the walls goes about a particle far in each
+
+bool hasTensionIn(const World& world)
+{
+    return std::ranges::any_of(world.materials, [](const Material& m) { return m.surfaceTension > 0.0f; });
+}
+
+}  // namespace
+
+FluidStage::FluidStage(const StageSetup& setup)
+    : parameters_(setup.parameters), hasPool_(EmitterStage::isNeeded(setup.world)),
+      confines_(setup.world.settings.vorticity > 0.0f), hasTension_(hasTensionIn(setup.world))
+{
+    const Settings& settings = setup.world.settings;
+    setup.parameters.vorticity = settings.vorticity * settings.timeStep;
+    setFluidParameters(setup.parameters, setup.world);
+    std::vector<gpu::vec4> materials;
+    for (const Material& m : setup.world.materials)
+        materials.push_back({smoothing(parameters_, m, settings.timeStep), tension(parameters_, m), 0, 0});
+    fluidMaterials = {"fluidMaterials", std::span<const gpu::vec4>(materials)};
+    makeLists(setup.gpu);
+}
+
+void FluidStage::makeLists(const Gpu& gpu)
+{
+    const gpu::StepParameters& p = parameters_;
+    const size_t count = p.particleCount + p.fluidCount, cells = p.fluidCellMask + 1;
+    const size_t slots = (count + NEIGHBOUR_BLOCK - 1) / NEIGHBOUR_BLOCK * NEIGHBOUR_BLOCK;
+    const uint64_t largest = uint64_t(p.fluidSlots) * slots * sizeof(uint32_t);
+    if (largest > static_cast<uint64_t>(gpu.limits().storageBlockSize))
+        throw DeviceError(fmt::format("{}: {} fluid particles with {} neighbours need a buffer of {} MiB and the device "
+                                      "allows {}; use fewer particles or another --device", gpu.device().name,
+                                      p.fluidCount, p.fluidSlots, largest >> 20, gpu.limits().storageBlockSize >> 20));
+    fluidSearchPositions = {"fluidSearchPositions", count};
+    fluidParticleCells = {"fluidParticleCells", count};
+    fluidCellCounts = {"fluidCellCounts", cells};
+    fluidCellSums = {"fluidCellSums", cells / SCAN_CHUNK};
+    fluidCellStarts = {"fluidCellStarts", cells + WRAPPED_CELLS + 1};
+    fluidCellMembers = {"fluidCellMembers", count};
+    fluidSorted = {"fluidSorted", (2 * count + 3) / 4 * 4};
+    slotParticles = {"slotParticles", count};
+    particleSlots = {"particleSlots", count};
+    slotCounts = {"slotCounts", count};
+    slotNeighbours = {"slotNeighbours", p.fluidSlots / 4 * slots};
+    slotColliders = {"slotColliders", count};
+    slotMaterials = {"slotMaterials", count};
+    slotVelocities = {"slotVelocities", count};
+    slotPositions = {"slotPositions", count};
+    slotPressures = {"slotPressures", count};
+    slotVorticities = {"slotVorticities", confines_ ? count : 0};
+    slotWalls = {"slotWalls", count};
+    slotSolids = {"slotSolids", count};
+}
+
+void FluidStage::grow(const Gpu& gpu, gpu::StepParameters& parameters, const gpu::Counters& counters)
+{
+    if (counters.wantedNeighbours <= parameters.fluidSlots) return;
+    parameters.fluidSlots = (counters.wantedNeighbours + 11) / 4 * 4;
+    makeLists(gpu);
+}
+
+void FluidStage::addBuffers(BufferTable& table)
+{
+    table.add(fluidSearchPositions, fluidParticleCells, fluidCellCounts, fluidCellSums, fluidCellStarts,
+              fluidCellMembers, slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, fluidMaterials,
+              slotMaterials, slotVelocities, slotPositions, slotPressures, slotVorticities, slotWalls, slotSolids);
+    ElementType fourAtATime = elementType<uint32_t>();
+    fourAtATime.texelBytes = 16;
+    table.add("fluidSorted", fluidSorted, fourAtATime);
+}
+
+void FluidStage::perSlot(Recorder& recorder, const Kernel& kernel) const
+{
+    if (hasPool_) recorder.decided(kernel, DISPATCH_SLOTS);
+    else recorder.perElement(kernel, parameters_.particleCount + parameters_.fluidCount);
+}
+
+void FluidStage::list(Recorder& recorder) const
+{
+    const uint32_t particles = parameters_.particleCount + parameters_.fluidCount;
+    const uint32_t cells = parameters_.fluidCellMask + 1;
+    recorder.perElement(searchPosition_, particles);
+    recorder.perElement(clear_, cells);
+    recorder.perElement(count_, particles);
+    recorder.perElement(sum_, cells / SCAN_CHUNK);
+    recorder.groups(sumChunks_, 1);
+    recorder.perElement(start_, cells / SCAN_CHUNK);
+    recorder.perElement(scatter_, particles);
+    recorder.perElement(order_, particles);
+    perSlot(recorder, find_);
+    perSlot(recorder, colliderNear_);
+}
+
+void FluidStage::beginStep(Recorder& recorder) const
+{
+    list(recorder);
+    perSlot(recorder, gather_);
+    recorder.perElement(predict_, parameters_.fluidCount);
+    perSlot(recorder, viscosity_);
+    if (!confines_) return;
+    perSlot(recorder, vorticity_);
+    perSlot(recorder, confinement_);
+}
+
+void FluidStage::relax(Recorder& recorder) const
+{
+    list(recorder);
+    recorder.perElement(predictRelaxed_, parameters_.fluidCount);
+    recorder.perElement(predictSolidRelaxed_, parameters_.particleCount);
+    for (int k = 0; k < RELAXATIONS; ++k) {
+        perSlot(recorder, density_);
+        perSlot(recorder, pressureRelaxed_);
+    }
+}
+
+void FluidStage::substep(Recorder& recorder, bool first) const
+{
+    if (first) recorder.perElement(predict_, parameters_.fluidCount);
+    recorder.perElement(predictSolid_, parameters_.particleCount);
+    perSlot(recorder, density_);
+    perSlot(recorder, pressure_);
+    recorder.perElement(coupling_, parameters_.particleCount);
+}
+
+std::vector<float> FluidStage::densities() const
+{
+    const std::vector<gpu::vec4> walls = slotWalls.download();
+    const std::vector<uint32_t> particles = slotParticles.download();
+    std::vector<float> densities;
+    // What is inactive has no slot.
+    uint32_t slots = 0;
+    fluidCellStarts.read(&slots, sizeof slots, (parameters_.fluidCellMask + 1) * sizeof slots);
+    for (size_t k = 0; k < slots; ++k)
+        if (particles[k] >= parameters_.particleCount) densities.push_back(walls[k].w);
+    return densities;
+}
+
+}  // namespace knuckle

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "sim/solver/measure.h"
+#include "sim/solver/stage.h"
+
+namespace knuckle {
+
+/// Fluids: position based fluids (Macklin and Mueller 2013) on the particles that stand behind all others. They are no
+/// movers; what they press solids with goes through BodyStage::particleImpulses. A slot is a particle's place in the
+/// order of the cells of the fluids' own grid.
+class FluidStage : public Stage {
+public:
+    static bool isNeeded(const World& world) { return world.fluidCount > 0; }
+    /// @throws DeviceError when the device's limits are too small for the lists of neighbours.
+    explicit FluidStage(const StageSetup& setup);
+    void addBuffers(BufferTable& table) override;
+    void grow(const Gpu& gpu, gpu::StepParameters& parameters, const gpu::Counters& counters) override;
+
+    /// Makes the buffers of slots anew, with the room that the parameters say. @throws DeviceError as the constructor.
+    void makeLists(const Gpu& gpu);
+    /// Once, before the first step: a lattice that fills a tank is too dense at its walls and at solids, and makes room
+    /// there; as part of a step that would make it fast.
+    void relax(Recorder& recorder) const;
+    /// Once a step: who is whose neighbour; viscosity and vorticity confinement.
+    void beginStep(Recorder& recorder) const;
+    /// One iteration of pressures, after the movers were predicted; fluid particles are where they end then.
+    /// @param first of the step
+    void substep(Recorder& recorder, bool first) const;
+    /// Of the last substep, each fluid particle's density over that at rest, in no order that matters. Stalls until the
+    /// GPU is done.
+    std::vector<float> densities() const;
+
+    Buffer<gpu::vec4> fluidSearchPositions;            ///< Per particle: where it was when neighbours were found.
+    Buffer<gpu::uvec2> fluidParticleCells;             ///< Cell, arrival in it.
+    Buffer<uint32_t> fluidCellCounts, fluidCellSums, fluidCellStarts, fluidCellMembers;   ///< As of SearchStage.
+    Buffer<uint32_t> fluidSorted;                      ///< Per slot: its position, packed (packed_positions.glsl).
+    Buffer<uint32_t> slotParticles, particleSlots;     ///< Each other's inverse.
+    Buffer<gpu::uvec2> slotCounts;                     ///< Fluid and solid neighbours.
+    Buffer<gpu::uvec4> slotNeighbours;                 ///< fluidSlots a slot (neighbour_lists.glsl).
+    Buffer<uint32_t> slotColliders;                    ///< Bits: those nearby.
+    Buffer<gpu::vec4> fluidMaterials;                  ///< Per material: smoothing, tension.
+    Buffer<uint32_t> slotMaterials;
+    Buffer<gpu::vec4> slotVelocities;                  ///< When neighbours were found [m/s]; w: smoothing.
+    Buffer<gpu::vec4> slotPositions;                   ///< Predicted [m]; w: mass [kg].
+    Buffer<gpu::vec4> slotPressures;                   ///< Position; w: lambda [kg m2].
+    Buffer<gpu::vec4> slotVorticities;                 ///< [1/s]; w: its length.
+    Buffer<gpu::vec4> slotWalls, slotSolids;           ///< Gradients of what walls and solids add to the density.
+
+private:
+    void list(Recorder& recorder) const;
+    void perSlot(Recorder& recorder, const Kernel& kernel) const;
+
+    const gpu::StepParameters& parameters_;
+    bool hasPool_;               ///< The GPU decides how many slots there are.
+    bool confines_, hasTension_;
+    Pass searchPosition_{*this, "fluid/fluid_search_position"};
+    Pass clear_{*this, "search/grid_clear", {{"FLUIDS", "1"}}};
+    Pass count_{*this, "search/grid_count", {{"FLUIDS", "1"}}};
+    Pass sum_{*this, "search/scan_sum", {{"FLUIDS", "1"}}};
+    Pass sumChunks_{*this, "search/scan_chunks", {{"FLUIDS", "1"}}};
+    Pass start_{*this, "search/grid_start", {{"FLUIDS", "1"}}};
+    Pass scatter_{*this, "search/grid_scatter", {{"FLUIDS", "1"}}};
+    Pass order_{*this, "fluid/fluid_order", {{"FLUIDS", "1"}}};
+    Pass find_{*this, "fluid/fluid_find", {{"FLUIDS", "1"}}};
+    Pass colliderNear_{*this, "fluid/fluid_collider_near"};
+    Pass gather_{*this, "fluid/fluid_gather"};
+    Pass viscosity_{*this, "fluid/fluid_viscosity"};
+    Pass vorticity_{*this, "fluid/fluid_vorticity", {}, confines_};
+    Pass confinement_{*this, "fluid/fluid_vorticity_confinement", {}, confines_};
+    Pass predict_{*this, "fluid/fluid_predict"};
+    Pass predictSolid_{*this, "fluid/fluid_predict_solid"};
+    Pass density_{*this, "fluid/fluid_density"};
+    Pass pressure_{*this, "fluid/fluid_pressure", hasTension_ ? Defines{{"TENSION", "1"}} : Defines{}};
+    Pass coupling_{*this, "fluid/fluid_solid_coupling"};
+    Pass predictRelaxed_{*this, "fluid/fluid_predict", {{"RELAX", "1"}}};
+    Pass predictSolidRelaxed_{*this, "fluid/fluid_predict_solid", {{"RELAX", "1"}}};
+    Pass pressureRelaxed_{*this, "fluid/fluid_pressure", {{"RELAX", "1"}}};
+};
+
+}  // namespace knuckle

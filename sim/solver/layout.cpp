@@ -1,0 +1,77 @@
+#include "sim/solver/layout.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "sim/solver/body/body_mass.h"
+
+namespace knuckle {
+
+Layout::Layout(const World& world)
+    : solidCount(world.solidCount()), bodyCount(static_cast<uint32_t>(world.bodies.size())),
+      linkCount(static_cast<uint32_t>(world.links.size())), worstInverseMasses(knuckle::worstInverseMasses(world))
+{
+    assignAssemblies(world);
+    rankParticles(world);
+    orderLinks(world);
+    listShared();
+}
+
+void Layout::assignAssemblies(const World& world)
+{
+    assemblyCount = world.assemblyCount;
+    for (const Particle& p : world.particles) {
+        const bool fluid = assemblies.size() >= solidCount;
+        assemblies.push_back(p.assembly != NO_INDEX || fluid ? p.assembly : assemblyCount++);
+    }
+}
+
+void Layout::rankParticles(const World& world)
+{
+    ranks.resize(solidCount);
+    for (uint32_t i = 0; i < solidCount; ++i) {
+        const uint32_t body = world.particles[i].body;
+        ranks[i].mover = body != NO_INDEX ? body : bodyCount + looseCount++;
+    }
+    rankedParticles.resize(solidCount);
+    std::iota(rankedParticles.begin(), rankedParticles.end(), 0u);
+    std::stable_sort(rankedParticles.begin(), rankedParticles.end(),
+                     [&](uint32_t a, uint32_t b) { return ranks[a].mover < ranks[b].mover; });
+    moverRanks.resize(moverCount());
+    for (uint32_t rank = 0; rank < solidCount; ++rank) {
+        gpu::ParticleRank& particle = ranks[rankedParticles[rank]];
+        particle.rank = rank;
+        gpu::uvec2& mover = moverRanks[particle.mover];
+        if (mover.y++ == 0) mover.x = rank;
+    }
+}
+
+void Layout::orderLinks(const World& world)
+{
+    linkOrder.resize(linkCount);
+    std::iota(linkOrder.begin(), linkOrder.end(), 0u);
+    const auto isOwn = [&](uint32_t l) { return world.particles[world.links[l].particle].bodyCount == 1; };
+    for (const Body& body : world.bodies) {
+        const auto begin = linkOrder.begin() + body.linkStart;
+        const auto shared = std::stable_partition(begin, begin + body.linkCount, isOwn);
+        ownLinkCounts.push_back(static_cast<uint32_t>(shared - begin));
+    }
+    owners.resize(world.particles.size());
+    for (uint32_t l = 0; l < linkCount; ++l) {
+        const Link& link = world.links[linkOrder[l]];
+        owners[link.particle].push_back({l, link.body});
+    }
+}
+
+void Layout::listShared()
+{
+    for (uint32_t i = 0; i < owners.size(); ++i)
+        if (owners[i].size() > 1) sharedParticles.push_back(i);
+    // Those of as many bodies together: the threads of a vector then do as much.
+    std::stable_sort(sharedParticles.begin(), sharedParticles.end(),
+                     [&](uint32_t a, uint32_t b) { return owners[a].size() < owners[b].size(); });
+    const auto isByTwo = [&](uint32_t particle) { return owners[particle].size() == 2; };
+    sharedByTwo = static_cast<uint32_t>(std::ranges::count_if(sharedParticles, isByTwo));
+}
+
+}  // namespace knuckle

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "shared/gpu_types.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// Where everything of a World stands in the solver's arrays. Made from the World alone, before anything is uploaded, so
+/// that uploads need no order and read nothing back.
+struct Layout {
+    /// A link in the order of the GPU's array, and its body.
+    struct Owner {
+        uint32_t link = 0, body = 0;
+    };
+
+    explicit Layout(const World& world);
+
+    uint32_t solidCount = 0;                       ///< Particles that are no fluid; they come first.
+    uint32_t bodyCount = 0, looseCount = 0;        ///< Movers: bodies, then loose particles in the order of particles.
+    uint32_t linkCount = 0;                        ///< Of bodies; those of clusters stand behind them.
+    uint32_t assemblyCount = 0;                    ///< With one for each loose particle that belongs to none.
+    uint32_t moverCount() const { return bodyCount + looseCount; }
+
+    std::vector<uint32_t> assemblies;              ///< Per particle; NO_INDEX for fluids.
+    std::vector<gpu::ParticleRank> ranks;          ///< Per solid particle.
+    std::vector<uint32_t> rankedParticles;         ///< Per rank: the particle.
+    std::vector<gpu::uvec2> moverRanks;            ///< Per mover: its first rank, and how many.
+    std::vector<uint32_t> linkOrder;               ///< World::links in the GPU's order: a body's shared ones come last.
+    std::vector<float> worstInverseMasses;         ///< Per World::links: see worstInverseMasses() [1/kg].
+    std::vector<uint32_t> ownLinkCounts;           ///< Per body: links before the first shared one.
+    std::vector<std::vector<Owner>> owners;        ///< Per particle: its links, in their order.
+    std::vector<uint32_t> sharedParticles;         ///< Particles of two or more bodies, those of fewer bodies first.
+    uint32_t sharedByTwo = 0;                      ///< How many of them have exactly two.
+
+private:
+    void assignAssemblies(const World& world);
+    void rankParticles(const World& world);
+    void orderLinks(const World& world);
+    void listShared();
+};
+
+}  // namespace knuckle

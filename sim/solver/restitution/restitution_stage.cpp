@@ -1,0 +1,55 @@
+#include "sim/solver/restitution/restitution_stage.h"
+
+#include <algorithm>
+
+namespace knuckle {
+
+bool RestitutionStage::isNeeded(const World& world)
+{
+    return world.settings.solver == SolverKind::Impulse && world.solidCount() > 0 &&
+           std::ranges::any_of(world.materials, [](const Material& material) { return material.restitution > 0.0f; });
+}
+
+RestitutionStage::RestitutionStage(const StageSetup& setup)
+    : parameters_(setup.parameters), hasColliders_(!setup.world.colliders.empty())
+{
+    // Twice what gravity gives in a substep: what rests does not bounce.
+    gpu::StepParameters& p = setup.parameters;
+    p.restitutionThreshold = std::max(2.0f * setup.world.settings.gravity.norm() * p.substepTime, 0.02f);
+    moverRestitutionSplits = {"moverRestitutionSplits", setup.layout.moverCount()};
+    makeLists();
+}
+
+void RestitutionStage::makeLists()
+{
+    pairRestitutions = {"pairRestitutions", 2 * size_t(parameters_.pairCapacity)};
+    colliderRestitutions = {"colliderRestitutions", 2 * size_t(parameters_.colliderPairCapacity)};
+}
+
+void RestitutionStage::grow(const Gpu&, gpu::StepParameters&, const gpu::Counters&)
+{
+    makeLists();
+}
+
+void RestitutionStage::addBuffers(BufferTable& table)
+{
+    table.add(pairRestitutions, colliderRestitutions, moverRestitutionSplits);
+}
+
+void RestitutionStage::iterate(Recorder& recorder, const Kernel& pairs, const Kernel& colliders) const
+{
+    recorder.decided(pairs, DISPATCH_PAIRS);
+    if (hasColliders_) recorder.decided(colliders, DISPATCH_COLLIDER_PAIRS);
+    recorder.perElement(movers_, parameters_.moverCount);
+}
+
+void RestitutionStage::apply(Recorder& recorder) const
+{
+    iterate(recorder, detectPairs_, detectColliders_);
+    for (uint32_t i = 0; i < RESTITUTION_ROUNDS; ++i) {
+        iterate(recorder, solvePairs_, solveColliders_);
+        iterate(recorder, solvePairsEagerly_, solveCollidersEagerly_);
+    }
+}
+
+}  // namespace knuckle

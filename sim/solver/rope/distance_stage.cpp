@@ -1,0 +1,155 @@
+#include "sim/solver/rope/distance_stage.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <numeric>
+
+namespace knuckle {
+
+namespace {
+
+constexpr float NEVER = std::numeric_limits<float>::max();
+
+bool isFixed(const World& world, uint32_t particle)
+{
+    const uint32_t body = world.particles[particle].body;
+    return body != NO_INDEX && world.bodies[body].motion == Motion::Fixed;
+}
+
+/// Whether it is uploaded the other way round: the sweep begins at its end, which is better free.
+bool isReversed(const World& world, const Strand& strand)
+{
+    return isFixed(world, strand.particles.back());
+}
+
+/// Per strand, its colour: the first whose distanceRows share no particle with it that can move.
+std::vector<uint32_t> colorsOf(const World& world)
+{
+    std::vector<std::vector<uint32_t>> taken(world.particles.size());
+    std::vector<uint32_t> colors;
+    for (const Strand& strand : world.strands) {
+        std::vector<uint32_t> others;
+        for (uint32_t particle : strand.particles)
+            others.insert(others.end(), taken[particle].begin(), taken[particle].end());
+        uint32_t color = 0;
+        while (std::find(others.begin(), others.end(), color) != others.end()) ++color;
+        for (uint32_t particle : strand.particles)
+            if (!isFixed(world, particle)) taken[particle].push_back(color);
+        colors.push_back(color);
+    }
+    return colors;
+}
+
+/// Per body, how many ends and nodes of distanceRows are its particles: its mass is split over them.
+std::vector<uint32_t> nodeCounts(const World& world)
+{
+    std::vector<uint32_t> counts(world.bodies.size(), 0);
+    for (const Strand& strand : world.strands)
+        for (uint32_t particle : strand.particles)
+            if (world.particles[particle].body != NO_INDEX) ++counts[world.particles[particle].body];
+    return counts;
+}
+
+struct Rows {
+    std::vector<gpu::uvec4> rows, nodes;
+    std::vector<gpu::vec4> links;
+
+    void add(const World& world, const Strand& strand, const std::vector<uint32_t>& counts,
+             const std::vector<gpu::ParticleRank>& ranks)
+    {
+        const auto first = static_cast<uint32_t>(nodes.size());
+        for (uint32_t index : strand.particles) {
+            const Particle& particle = world.particles[index];
+            const float share = isFixed(world, index)        ? 0.0f
+                                : particle.body == NO_INDEX  ? 1.0f / particle.mass
+                                                             : static_cast<float>(counts[particle.body]);
+            nodes.push_back({ranks[index].mover, ranks[index].rank, index, std::bit_cast<uint32_t>(share)});
+        }
+        for (float length : strand.restLengths) {
+            const bool tears = strand.tearForce < NEVER;
+            const bool soft = strand.kind != StrandKind::Stretch;
+            links.push_back({length, strand.compliance, std::min(strand.tearForce, NEVER),
+                             tears && soft ? TEAR_STRETCH * length : NEVER});
+        }
+        links.push_back({});
+        const uint32_t assembly = world.particles[strand.particles.front()].assembly;
+        rows.push_back({first, static_cast<uint32_t>(nodes.size()) - 1, assembly, 0});
+    }
+};
+
+}  // namespace
+
+bool DistanceStage::isNeeded(const World& world)
+{
+    return world.settings.solver == SolverKind::Impulse && !world.strands.empty();
+}
+
+DistanceStage::DistanceStage(const StageSetup& setup)
+{
+    const World& world = setup.world;
+    const std::vector<uint32_t> colors = colorsOf(world), counts = nodeCounts(world);
+    std::vector<uint32_t> order(world.strands.size());
+    std::iota(order.begin(), order.end(), 0u);
+    // Of a colour the long ones first: the threads of a vector then do as much.
+    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+        if (colors[a] != colors[b]) return colors[a] < colors[b];
+        return world.strands[a].particles.size() > world.strands[b].particles.size();
+    });
+    Rows rows;
+    starts_.resize(world.strands.size());
+    for (uint32_t index : order) {
+        if (colors_.size() <= colors[index]) colors_.push_back({static_cast<uint32_t>(rows.rows.size()), 0, false});
+        Color& color = colors_.back();
+        starts_[index] = static_cast<uint32_t>(rows.nodes.size());
+        Strand strand = world.strands[index];
+        if (isReversed(world, strand)) {
+            std::reverse(strand.particles.begin(), strand.particles.end());
+            std::reverse(strand.restLengths.begin(), strand.restLengths.end());
+        }
+        rows.add(world, strand, counts, setup.layout.ranks);
+        color.end = static_cast<uint32_t>(rows.rows.size());
+        for (uint32_t particle : world.strands[index].particles)
+            if (world.particles[particle].body != NO_INDEX) color.hasBodies = true;
+    }
+    distanceRows = {"distanceRows", std::span<const gpu::uvec4>(rows.rows)};
+    distanceNodes = {"distanceNodes", std::span<const gpu::uvec4>(rows.nodes)};
+    distanceLinks = {"distanceLinks", std::span<const gpu::vec4>(rows.links)};
+    distanceStates = {"distanceStates", rows.nodes.size()};
+    distanceFactors = {"distanceFactors", 4 * rows.nodes.size()};
+}
+
+void DistanceStage::addBuffers(BufferTable& table)
+{
+    table.add(distanceRows, distanceNodes, distanceLinks, distanceStates, distanceFactors);
+}
+
+void DistanceStage::solve(Recorder& recorder, bool first) const
+{
+    for (const Color& color : colors_) {
+        const Kernel& kernel = color.hasBodies ? (first ? firstWithBodies_ : laterWithBodies_)
+                                               : (first ? first_ : later_);
+        glProgramUniform2ui(kernel.program(), 0, color.begin, color.end);
+        recorder.groups(kernel, (color.end - color.begin + DISTANCE_GROUP_SIZE - 1) / DISTANCE_GROUP_SIZE);
+    }
+}
+
+void DistanceStage::measure(Measures& out, const World& world, const ParticleState& particles) const
+{
+    measureDistances(out, world, particles, tornDistances(world));
+}
+
+std::vector<bool> DistanceStage::tornDistances(const World& world) const
+{
+    std::vector<bool> torn;
+    const std::vector<gpu::vec4> states = distanceStates.download();
+    for (size_t s = 0; s < world.strands.size(); ++s) {
+        const size_t count = world.strands[s].restLengths.size();
+        const bool reversed = isReversed(world, world.strands[s]);
+        for (size_t k = 0; k < count; ++k)
+            torn.push_back(states[starts_[s] + (reversed ? count - 1 - k : k)].z != 0.0f);
+    }
+    return torn;
+}
+
+}  // namespace knuckle

@@ -1,0 +1,147 @@
+#include "sim/solver/search/search_stage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr uint32_t FIRST_CONTACT_SLOTS = 8;
+constexpr uint64_t MOST_PARTICLES = 1u << 23;   // contacts have 23 bits for a mover
+// How far particles may be from each other where one touches the other's box [diameters]: in the middle of four of a
+// face root 1.5, less what it may sink in before it is found; root 2 would find all neighbours across two faces.
+constexpr float FLAT_TOUCH = 1.2f;
+
+}  // namespace
+
+SearchStage::SearchStage(const StageSetup& setup, bool flatFaces)
+    : parameters_(setup.parameters), byParticles_(setup.world.settings.solver == SolverKind::Paper), hasSolids_(setup.layout.solidCount > 0),
+      hasColliders_(hasSolids_ && !setup.world.colliders.empty())
+{
+    setParameters(setup, flatFaces);
+    makeGrid(setup.parameters);
+    makeLists(setup.gpu);
+    const uint32_t movers = setup.layout.moverCount();
+    const std::vector<gpu::vec4> unturned(movers, gpu::vec4{0, 0, 0, 1});
+    // All of them, for a solver that does not look which are near.
+    const uint32_t colliders = setup.parameters.colliderCount;
+    const std::vector<uint32_t> all(movers, colliders < 32 ? (1u << colliders) - 1u : ~0u);
+    searchPositions = {"searchPositions", setup.world.particles.size()};
+    searchCentres = {"searchCentres", movers};
+    searchRotations = {"searchRotations", std::span<const gpu::vec4>(unturned)};
+    moverReaches = {"moverReaches", movers};
+    moverColliders = {"moverColliders", std::span<const uint32_t>(all)};
+}
+
+/// How far contacts are looked for, and for how long they stay good. Neighbours rarely use up their margins both and
+/// against each other, so each may drift by more than half of it. The paper's particles may drift by a quarter: the
+/// iterations move them further by as much.
+void SearchStage::setParameters(const StageSetup& setup, bool flatFaces)
+{
+    const Settings& s = setup.world.settings;
+    gpu::StepParameters& p = setup.parameters;
+    p.contactRadius = ((flatFaces ? FLAT_TOUCH : 1.0f) + s.contactMargin) * p.diameter;
+    p.inverseCellSize = 1.0f / p.contactRadius;
+    p.drift = (byParticles_ ? 0.25f : 1.0f) * s.contactMargin * p.diameter;
+    p.lookAhead = 0.5f * static_cast<float>(s.substeps);
+    p.horizon = 2.0f * static_cast<float>(s.substeps);
+    p.farReach = 0.5f * p.contactRadius;
+    p.fastLimit = p.particleCount / 8;
+    p.contactSlots = FIRST_CONTACT_SLOTS;
+    p.pairCapacity = p.colliderPairCapacity = std::max(2 * p.particleCount, 4096u);
+}
+
+void SearchStage::makeGrid(gpu::StepParameters& p)
+{
+    const uint32_t count = p.particleCount, cells = std::bit_ceil(std::max(count, 4096u));
+    // A box of cells about as wide as high and deep, wrapped.
+    const uint32_t bits = static_cast<uint32_t>(std::countr_zero(cells));
+    p.cellMask = cells - 1;
+    p.cellStrideY = 1u << (bits / 3);
+    p.cellStrideZ = 1u << (2 * bits / 3);
+    cellCounts = {"cellCounts", cells};
+    cellSums = {"cellSums", cells / SCAN_CHUNK};
+    cellStarts = {"cellStarts", cells + WRAPPED_CELLS + 1};
+    cellMembers = {"cellMembers", count};
+    fastParticles = {"fastParticles", count};
+    particleCells = {"particleCells", count};
+    sortedPositions = {"sortedPositions", 2 * size_t(count)};
+    sortedInfos = {"sortedInfos", 2 * size_t(count)};
+}
+
+void SearchStage::makeLists(const Gpu& gpu)
+{
+    const gpu::StepParameters& p = parameters_;
+    const size_t count = p.particleCount;
+    const uint64_t largest = std::max<uint64_t>(p.contactSlots * count, 2ull * p.pairCapacity);
+    const auto limit = static_cast<uint64_t>(gpu.limits().storageBlockSize);
+    if (largest * sizeof(gpu::vec4) > limit || largest > static_cast<uint64_t>(gpu.limits().textureBufferSize) ||
+        count > MOST_PARTICLES)
+        throw DeviceError(fmt::format("{}: {} particles with {} contacts need a buffer of {} MiB and the device "
+                                      "allows {}; use fewer particles or another --device",
+                                      gpu.device().name, count, p.pairCapacity,
+                                      largest * sizeof(gpu::vec4) >> 20, limit >> 20));
+    firstLists = {"firstLists", p.contactSlots * count};
+    colliderLists = {"colliderLists", COLLIDER_SLOTS * count};
+    listCounts = {"listCounts", 3 * count};
+    listSums = {"listSums", 3 * count / SCAN_CHUNK + 1};
+    listStarts = {"listStarts", 2 * (3 * count + 1)};
+    pairs = {"pairs", 2 * size_t(p.pairCapacity)};
+    pairArrivals = {"pairArrivals", p.contactSlots * count};
+    pairReferences = {"pairReferences", p.contactSlots * count};
+    colliderPairs = {"colliderPairs", 2 * size_t(p.colliderPairCapacity)};
+}
+
+void SearchStage::grow(const Gpu& gpu, gpu::StepParameters& p, const gpu::Counters& counters)
+{
+    if (counters.wantedContacts > p.contactSlots) p.contactSlots = counters.wantedContacts + 4;
+    if (counters.wantedPairs > p.pairCapacity) p.pairCapacity = counters.wantedPairs * 3 / 2;
+    if (counters.wantedColliderPairs > p.colliderPairCapacity)
+        p.colliderPairCapacity = counters.wantedColliderPairs * 3 / 2;
+    makeLists(gpu);
+}
+
+void SearchStage::addBuffers(BufferTable& table)
+{
+    table.add(searchPositions, searchCentres, searchRotations, moverReaches, fastParticles, moverColliders,
+              particleCells, cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);
+    table.add(firstLists, colliderLists, listCounts, listSums, listStarts, pairs, pairArrivals, pairReferences,
+              colliderPairs);
+}
+
+void SearchStage::count(Recorder& recorder) const
+{
+    recorder.groups(due_, 1);
+}
+
+void SearchStage::find(Recorder& recorder) const
+{
+    count(recorder);
+    if (!byParticles_) recorder.decided(reach_, DISPATCH_MOVERS);
+    recorder.decided(position_, DISPATCH_PARTICLES);
+    recorder.decided(farDue_, DISPATCH_ONE);
+    recorder.decided(clear_, DISPATCH_CELLS);
+    recorder.decided(countCells_, DISPATCH_PARTICLES);
+    recorder.decided(cellSum_, DISPATCH_CELL_CHUNKS);
+    recorder.decided(cellChunks_, DISPATCH_ONE);
+    recorder.decided(cellStart_, DISPATCH_CELL_CHUNKS);
+    recorder.decided(scatter_, DISPATCH_PARTICLES);
+    recorder.decided(order_, DISPATCH_PARTICLES);
+    recorder.decided(find_, DISPATCH_PARTICLES);
+    recorder.decided(findFar_, DISPATCH_FAST);
+    if (hasColliders_) {
+        if (!byParticles_) recorder.decided(colliderNear_, DISPATCH_MOVERS);
+        recorder.decided(colliderFind_, DISPATCH_PARTICLES);
+    }
+    recorder.decided(listSum_, DISPATCH_LIST_CHUNKS);
+    recorder.decided(listChunks_, DISPATCH_ONE);
+    recorder.decided(listStart_, DISPATCH_LIST_CHUNKS);
+    recorder.decided(list_, DISPATCH_PARTICLES);
+}
+
+}  // namespace knuckle

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "sim/solver/stage.h"
+
+namespace knuckle {
+
+/// Who may touch whom: the neighbour grid, and the lists of contacts (shaders/sim/common/contact_lists.glsl). It searches
+/// only when something has left its margin, which kernels decide. "Halves": of the current search and the one before.
+class SearchStage : public Stage {
+public:
+    /// @param flatFaces whether boxes are flat to what touches them, which has to be found from further away.
+    /// @throws DeviceError when the device's limits are too small for the lists, with the number.
+    SearchStage(const StageSetup& setup, bool flatFaces);
+    void addBuffers(BufferTable& table) override;
+    void grow(const Gpu& gpu, gpu::StepParameters& parameters, const gpu::Counters& counters) override;
+
+    /// Makes the lists anew, with the room that the parameters say. @throws DeviceError when the device allows less.
+    void makeLists(const Gpu& gpu);
+    /// Counts the substep. All of a substep's search where there are no solid particles.
+    void count(Recorder& recorder) const;
+    /// Up to the lists of pairs; ContactStage prepares what they are made of.
+    void find(Recorder& recorder) const;
+
+    Buffer<gpu::vec4> searchPositions;                   ///< Per particle: where contacts were found for.
+    Buffer<gpu::vec4> searchCentres, searchRotations;    ///< The same of a mover; w: how far it may drift [m].
+    Buffer<float> moverReaches;                          ///< Per mover: how much further it looks for contacts [m].
+    Buffer<uint32_t> fastParticles;                      ///< Those of movers that do.
+    Buffer<uint32_t> moverColliders;                     ///< Per mover, bits: colliders that it may touch.
+    Buffer<gpu::uvec2> particleCells;                    ///< Cell, arrival in it.
+    Buffer<uint32_t> cellCounts, cellSums, cellStarts, cellMembers;   ///< Per cell, chunk, cell, particle.
+    Buffer<gpu::vec4> sortedPositions;                   ///< In the order of cells; w: bits of the mover's index.
+    Buffer<gpu::uvec4> sortedInfos;                      ///< Particle, assembly, rank, 1 if fast.
+    Buffer<gpu::uvec2> firstLists;       ///< As found, contactSlots a particle: second particle, its arrival there.
+    Buffer<uint32_t> colliderLists;      ///< As found, COLLIDER_SLOTS a particle.
+    Buffer<uint32_t> listCounts, listSums, listStarts;   ///< Three lists of ranks; the last in halves.
+    Buffer<gpu::uvec2> pairs;            ///< Halves of pairCapacity: first and second particle.
+    Buffer<uint32_t> pairArrivals, pairReferences;       ///< Pairs by their second particle; the latter in order.
+    Buffer<gpu::uvec2> colliderPairs;    ///< Halves of colliderPairCapacity: particle, collider.
+
+private:
+    void setParameters(const StageSetup& setup, bool flatFaces);
+    void makeGrid(gpu::StepParameters& parameters);
+
+    const gpu::StepParameters& parameters_;
+    /// Bodies of the paper's solver are particles until the end of a step.
+    bool byParticles_, hasSolids_, hasColliders_;
+    Pass due_{*this, "search/search_due"};
+    Pass reach_{*this, "search/mover_reach", {}, hasSolids_ && !byParticles_};
+    Pass position_{*this, "search/search_position", byParticles_ ? Defines{{"FROM_POSITIONS", "1"}} : Defines{},
+                   hasSolids_};
+    Pass farDue_{*this, "search/search_far_due", {}, hasSolids_};
+    Pass clear_{*this, "search/grid_clear", {}, hasSolids_};
+    Pass countCells_{*this, "search/grid_count", {}, hasSolids_};
+    Pass cellSum_{*this, "search/scan_sum", {}, hasSolids_};
+    Pass cellChunks_{*this, "search/scan_chunks", {}, hasSolids_};
+    Pass cellStart_{*this, "search/grid_start", {}, hasSolids_};
+    Pass scatter_{*this, "search/grid_scatter", {}, hasSolids_};
+    Pass order_{*this, "search/grid_order", {}, hasSolids_};
+    Pass find_{*this, "search/contact_find", {}, hasSolids_};
+    Pass findFar_{*this, "search/contact_find_far", {}, hasSolids_};
+    Pass colliderNear_{*this, "search/collider_near", {}, hasColliders_ && !byParticles_};
+    Pass colliderFind_{*this, "search/collider_find", {}, hasColliders_};
+    Pass listSum_{*this, "search/scan_sum", {{"LISTS", "1"}}, hasSolids_};
+    Pass listChunks_{*this, "search/scan_chunks", {{"LISTS", "1"}}, hasSolids_};
+    Pass listStart_{*this, "search/list_start", {{"LISTS", "1"}}, hasSolids_};
+    Pass list_{*this, "search/pair_list", {}, hasSolids_};
+};
+
+}  // namespace knuckle

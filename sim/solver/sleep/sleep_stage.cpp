@@ -1,0 +1,65 @@
+#include "sim/solver/sleep/sleep_stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knuckle {
+
+namespace {
+
+// For how long what freezes has to be calm [s].
+constexpr float FREEZE_SECONDS = 1.0f;
+
+}  // namespace
+
+SleepStage::SleepStage(const StageSetup& setup)
+    : parameters_(setup.parameters), freezes_(setup.world.settings.freeze > 0.0f)
+{
+    const Settings& s = setup.world.settings;
+    gpu::StepParameters& p = setup.parameters;
+    p.sleepSpeed = s.sleepSpeed;
+    // No two places within half as far from a third are further apart.
+    p.freeze = 0.5f * s.freeze * setup.world.particleRadius;
+    p.calmSteps = CALM_STEPS;
+    if (freezes_) p.calmSteps = std::max(CALM_STEPS, static_cast<uint32_t>(std::ceil(FREEZE_SECONDS / s.timeStep)));
+    const uint32_t count = setup.layout.assemblyCount;
+    std::vector<gpu::uvec2> awake(count), next(count);
+    for (uint32_t a = 0; a < count; ++a) {
+        awake[a] = {0, a};
+        next[a] = {p.calmSteps, a};
+    }
+    const std::vector<gpu::vec4> unturned(setup.layout.moverCount(), gpu::vec4{0, 0, 0, 1});
+    assemblyCalm = {"assemblyCalm", std::span<const gpu::uvec2>(awake)};
+    assemblyNext = {"assemblyNext", std::span<const gpu::uvec2>(next)};
+    islandsWoken = {"islandsWoken", count};
+    calmCentres = {"calmCentres", setup.layout.moverCount()};
+    calmRotations = {"calmRotations", std::span<const gpu::vec4>(unturned)};
+}
+
+void SleepStage::addBuffers(BufferTable& table)
+{
+    table.add(assemblyCalm, assemblyNext, islandsWoken, calmCentres, calmRotations);
+}
+
+void SleepStage::wake(Recorder& recorder) const
+{
+    recorder.decided(wakeIsland_, DISPATCH_PAIRS);
+    recorder.perElement(wakeAssembly_, parameters_.assemblyCount);
+}
+
+void SleepStage::fallAsleep(Recorder& recorder) const
+{
+    if (freezes_) return;
+    recorder.perElement(sleepMover_, parameters_.moverCount);
+    recorder.decided(sleepIsland_, DISPATCH_PAIRS);
+    recorder.perElement(sleepUpdate_, parameters_.assemblyCount);
+}
+
+void SleepStage::freeze(Recorder& recorder) const
+{
+    if (!freezes_) return;
+    recorder.perElement(freezeMover_, parameters_.moverCount);
+    recorder.perElement(freezeUpdate_, parameters_.assemblyCount);
+}
+
+}  // namespace knuckle

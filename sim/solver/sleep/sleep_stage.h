@@ -1,0 +1,38 @@
+#pragma once
+
+#include "sim/solver/stage.h"
+
+namespace knuckle {
+
+/// Sleep of islands (Settings::sleepSpeed), or freezing of assemblies by themselves (Settings::freeze); see
+/// shaders/sim/common/sleep.glsl.
+class SleepStage : public Stage {
+public:
+    static bool isNeeded(const Settings& settings) { return settings.sleepSpeed > 0.0f || settings.freeze > 0.0f; }
+    explicit SleepStage(const StageSetup& setup);
+    void addBuffers(BufferTable& table) override;
+
+    /// What moves wakes what it comes near, in each substep after the search.
+    void wake(Recorder& recorder) const;
+    /// Islands that have been calm for long fall asleep: at a step's end, before particles are placed.
+    void fallAsleep(Recorder& recorder) const;
+    /// The same of assemblies that freeze: after particles are placed.
+    void freeze(Recorder& recorder) const;
+
+    Buffer<gpu::uvec2> assemblyCalm, assemblyNext;     ///< Per assembly: steps that it was calm, name of its island.
+    Buffer<uint32_t> islandsWoken;                     ///< By name: 1 if something woke it in this step.
+    Buffer<gpu::vec4> calmCentres, calmRotations;      ///< Per mover: where its assembly counts its calm steps from.
+
+private:
+    const gpu::StepParameters& parameters_;
+    bool freezes_;
+    Pass wakeIsland_{*this, "sleep/sleep_wake_island"};
+    Pass wakeAssembly_{*this, "sleep/sleep_wake_assembly"};
+    Pass sleepMover_{*this, "sleep/sleep_mover", {}, !freezes_};
+    Pass sleepIsland_{*this, "sleep/sleep_island", {}, !freezes_};
+    Pass sleepUpdate_{*this, "sleep/sleep_update", {}, !freezes_};
+    Pass freezeMover_{*this, "sleep/freeze_mover", {}, freezes_};
+    Pass freezeUpdate_{*this, "sleep/freeze_update", {}, freezes_};
+};
+
+}  // namespace knuckle

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "sim/gpu/kernel.h"
+#include "sim/solver/layout.h"
+
+namespace knuckle {
+
+/// What stages are made from.
+struct StageSetup {
+    const Gpu& gpu;
+    const World& world;
+    const Layout& layout;
+    gpu::StepParameters& parameters;   ///< Each stage sets those that are its own; uploaded when all are made.
+};
+
+/// Records the passes of a step.
+class Recorder {
+public:
+    /// @param sizes SolverStages::dispatches.
+    Recorder(KernelTimer& timer, const RawBuffer& sizes) : timer_(timer), sizes_(sizes) {}
+
+    /// One thread per element; nothing for none.
+    void perElement(const Kernel& kernel, uint64_t elements)
+    {
+        if (elements > 0) kernel.dispatch(timer_, groupsFor(elements));
+    }
+    void groups(const Kernel& kernel, uint32_t count)
+    {
+        if (count > 0) kernel.dispatch(timer_, count);
+    }
+    /// As many work groups as kernels before it have decided. @param slot DISPATCH_*.
+    void decided(const Kernel& kernel, uint32_t slot) { kernel.dispatchIndirect(timer_, sizes_, slot); }
+
+private:
+    KernelTimer& timer_;
+    const RawBuffer& sizes_;
+};
+
+/// A room of the solver: the buffers that it owns, filled from the World when it is made, its kernels, and the passes
+/// that it records. It stays where it is, since kernels refer to its buffers.
+class Stage {
+public:
+    Stage() = default;
+    virtual ~Stage() = default;
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    /// Adds its buffers under the names by which kernels know them.
+    virtual void addBuffers(BufferTable& table) = 0;
+    /// Compiles its kernels, when all stages have added their buffers.
+    void load(const LoadKernel& load)
+    {
+        for (Pass* pass : passes_) pass->load(load);
+    }
+    /// After an overflow: gives its lists the room that kernels asked for. Their contents are lost; the next substep finds
+    /// contacts anew, the next step neighbours of fluids.
+    virtual void grow(const Gpu&, gpu::StepParameters&, const gpu::Counters&) {}
+
+protected:
+    /// A kernel of a stage, named once.
+    class Pass : public Kernel {
+    public:
+        /// @param path below shaders/sim, without its ending. @param variant defines, by which it is also named.
+        /// @param needed false for a world that will never run it.
+        Pass(Stage& owner, const char* path, Defines variant = {}, bool needed = true)
+            : path_(path), variant_(std::move(variant))
+        {
+            if (needed) owner.passes_.push_back(this);
+        }
+        void load(const LoadKernel& load) { Kernel::operator=(load(path_, variant_)); }
+
+    private:
+        const char* path_;
+        Defines variant_;
+    };
+
+private:
+    std::vector<Pass*> passes_;
+};
+
+}  // namespace knuckle

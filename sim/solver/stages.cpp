@@ -1,0 +1,134 @@
+#include "sim/solver/stages.h"
+
+#include <cctype>
+#include <cmath>
+
+#include "sim/solver/pack.h"
+
+namespace knuckle {
+
+namespace {
+
+/// What every stage starts from.
+gpu::StepParameters commonParameters(const World& world, const Layout& layout)
+{
+    const Settings& s = world.settings;
+    gpu::StepParameters p{};
+    p.gravity = pack(s.gravity, 0);
+    p.particleCount = layout.solidCount;
+    p.fluidCount = world.fluidCount;
+    p.bodyCount = layout.bodyCount;
+    p.moverCount = layout.moverCount();
+    p.linkCount = layout.linkCount;
+    p.assemblyCount = layout.assemblyCount;
+    p.diameter = world.diameter();
+    p.substeps = s.substeps;
+    p.substepTime = s.timeStep / static_cast<float>(s.substeps);
+    p.virtualParticles = s.virtualParticles;
+    p.damping = std::exp(-s.linearDamping * p.substepTime);
+    p.maxSpeed = s.maxSpeed;
+    p.secondOrder = s.velocityOrder == VelocityOrder::Second ? 1u : 0u;
+    return p;
+}
+
+bool actsOnParticles(const World& world)
+{
+    return FluidStage::isNeeded(world) || DistanceStage::isNeeded(world) || SoftStage::isNeeded(world);
+}
+
+/// "_lists" for {{"LISTS", "1"}}.
+std::string variantName(const Defines& variant)
+{
+    std::string name;
+    for (const auto& [define, value] : variant) {
+        name += '_';
+        for (const char c : define) name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return name;
+}
+
+}  // namespace
+
+Stages::Stages(const Gpu& gpu, const World& world)
+    : gpu_(gpu), world_(world), layout(world), parameters(commonParameters(world, layout)),
+      setup_{gpu, world, layout, parameters}, particles(setup_), colliders(setup_),
+      search(setup_, particles.hasFlatFaces), contacts(setup_), bodies(setup_, actsOnParticles(world)), joints(setup_)
+{
+    if (RestitutionStage::isNeeded(world)) restitution.emplace(setup_);
+    if (SleepStage::isNeeded(world.settings)) sleep.emplace(setup_);
+    if (SoftStage::isNeeded(world)) soft.emplace(setup_);
+    if (DistanceStage::isNeeded(world)) distances.emplace(setup_);
+    if (FluidStage::isNeeded(world)) fluids.emplace(setup_);
+    if (EmitterStage::isNeeded(world)) emitters.emplace(setup_);
+    if (world.settings.solver == SolverKind::Paper) paper.emplace(setup_);
+    uploadParameters();
+    const gpu::uvec4 slots{groupsFor(parameters.particleCount + parameters.fluidFilled), 1, 1, 0};
+    dispatches.write(&slots, sizeof slots, DISPATCH_SLOTS * sizeof slots);
+}
+
+std::vector<Stage*> Stages::all()
+{
+    std::vector<Stage*> stages{&particles, &colliders, &search, &contacts, &bodies, &joints};
+    const auto add = [&](auto& stage) {
+        if (stage) stages.push_back(&*stage);
+    };
+    add(restitution);
+    add(sleep);
+    add(soft);
+    add(distances);
+    add(fluids);
+    add(emitters);
+    add(paper);
+    return stages;
+}
+
+BufferTable Stages::table()
+{
+    BufferTable table;
+    for (Stage* stage : all()) stage->addBuffers(table);
+    table.add(step, dispatches);
+    table.add("countersBlock", counters, elementType<gpu::Counters>());
+    return table;
+}
+
+Defines Stages::worldDefines() const
+{
+    const Settings& s = world_.settings;
+    Defines defines;
+    const auto add = [&](bool needed, const char* name) {
+        if (needed) defines.push_back({name, "1"});
+    };
+    add(s.rotation == RotationMethod::Householder, "HOUSEHOLDER");
+    add(s.rotation == RotationMethod::Higham, "HIGHAM");
+    add(s.massScaling > 0.0f, "MASS_SCALING");
+    add(sleep.has_value(), "SLEEP");
+    add(s.freeze > 0.0f, "FREEZE");
+    add(emitters.has_value(), "POOL");
+    add(colliders.hasGrids, "GRIDS");
+    add(s.grid == GridKind::Hash, "GRID_HASH");
+    return defines;
+}
+
+void Stages::load()
+{
+    const BufferTable buffers = table();
+    const Defines common = worldDefines();
+    const LoadKernel load = [&](const char* path, const Defines& variant) {
+        Defines defines = common;
+        defines.insert(defines.end(), variant.begin(), variant.end());
+        return Kernel(gpu_, buffers, std::string("sim/") + path + ".comp", defines, variantName(variant));
+    };
+    for (Stage* stage : all()) stage->load(load);
+}
+
+void Stages::grow(gpu::Counters c)
+{
+    for (Stage* stage : all()) stage->grow(gpu_, parameters, c);
+    uploadParameters();
+    c.problems = c.wantedNeighbours = c.wantedContacts = c.wantedPairs = c.wantedColliderPairs = 0;
+    c.pairCount = c.colliderPairCount = 0;
+    c.due = 1;
+    counters.upload(std::span<const gpu::Counters>(&c, 1));
+}
+
+}  // namespace knuckle

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/solver/body/body_stage.h"
+#include "sim/solver/contact/collider_stage.h"
+#include "sim/solver/contact/contact_stage.h"
+#include "sim/solver/emitter/emitter_stage.h"
+#include "sim/solver/fluid/fluid_stage.h"
+#include "sim/solver/joint/joint_stage.h"
+#include "sim/solver/paper/paper_stage.h"
+#include "sim/solver/particle/particle_stage.h"
+#include "sim/solver/restitution/restitution_stage.h"
+#include "sim/solver/rope/distance_stage.h"
+#include "sim/solver/search/search_stage.h"
+#include "sim/solver/sleep/sleep_stage.h"
+#include "sim/solver/soft/soft_stage.h"
+
+namespace knuckle {
+
+/// All rooms of a world's solver and what they share: everything that simulates, on the GPU, filled once from the World.
+/// An optional stage is there where the world has any of its kind.
+class Stages {
+public:
+    /// Uploads the world; compiles nothing yet. @param world must outlive it.
+    /// @throws DeviceError when the device's limits are too small for it, with the number.
+    Stages(const Gpu& gpu, const World& world);
+
+    /// Compiles the kernels of all stages. @throws DeviceError.
+    void load();
+    /// After an overflow: gives every list the room that kernels asked for. The next substep finds contacts anew.
+    void grow(gpu::Counters counters);
+    /// The buffers of all stages by the names that kernels know them by.
+    BufferTable table();
+    /// To be uploaded again after a change: for tests.
+    void uploadParameters() { step.upload(std::span<const gpu::StepParameters>(&parameters, 1)); }
+
+private:
+    std::vector<Stage*> all();
+    /// What all kernels of this world are compiled with.
+    Defines worldDefines() const;
+
+    const Gpu& gpu_;
+    const World& world_;
+
+public:
+    Layout layout;
+    gpu::StepParameters parameters{};    ///< The host's copy of `step`.
+    Buffer<gpu::StepParameters> step{"step", 1};
+    Buffer<gpu::Counters> counters{"counters", 1};
+    Buffer<gpu::uvec4> dispatches{"dispatches", DISPATCH_COUNT};   ///< DISPATCH_*: work groups that kernels decide.
+
+private:
+    StageSetup setup_;
+
+public:
+    ParticleStage particles;
+    ColliderStage colliders;
+    SearchStage search;
+    ContactStage contacts;
+    BodyStage bodies;
+    JointStage joints;
+    std::optional<RestitutionStage> restitution;
+    std::optional<SleepStage> sleep;
+    std::optional<SoftStage> soft;
+    std::optional<DistanceStage> distances;
+    std::optional<FluidStage> fluids;
+    std::optional<EmitterStage> emitters;
+    std::optional<PaperStage> paper;
+};
+
+}  // namespace knuckle
