@@ -127,7 +127,7 @@ void printRow(const BenchRun& run)
     std::fflush(stdout);
 }
 
-/// Of a step of the largest world: one device serves all.
+/// What a step of the largest world asks of a software driver: one device, with its threads, serves all worlds.
 Workload benchWorkload(const BenchOptions& options, const std::vector<std::pair<std::string, Settings>>& presets)
 {
     const uint32_t most = *std::max_element(options.objects.begin(), options.objects.end());

@@ -17,7 +17,7 @@ void printDevices(const std::vector<DeviceInfo>& devices)
     }
 }
 
-/// What each run weighs when it chooses.
+/// The number of threads that a run may choose, and what waking them costs.
 void printThreads()
 {
     if (const std::string set = driverThreadsSetting(); !set.empty()) {

@@ -19,7 +19,8 @@ struct CommonOptions {
     bool quiet = false;
 };
 
-/// Where a command adds its options. Its callback sets `chosen` to what runs it and returns the exit code.
+/// What a command needs to register itself. Its callback sets `chosen` to the function that runs it and returns the
+/// exit code.
 struct CommandLine {
     CLI::App& program;
     const CommonOptions& common;

@@ -33,7 +33,7 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-/// Everything that is written, opened before the first step so that nothing is simulated in vain.
+/// All outputs. They are opened before the first step, so that a path that cannot be written costs no simulation.
 struct Outputs {
     std::vector<std::unique_ptr<FrameSink>> sinks;
     std::optional<BodyTable> bodies;
@@ -113,7 +113,7 @@ private:
                                      "/duration", range.first, range.last, count));
     }
 
-    /// Of a frame, on average.
+    /// What one frame asks of a software driver, averaged over the run.
     Workload workload() const
     {
         const double drawn = outputs_.sinks.empty() ? 0.0 : static_cast<double>(range_.last - range_.first + 1);
@@ -123,8 +123,8 @@ private:
 
     double timeOf(uint64_t frame) const { return static_cast<double>(frame - 1) / scene_.framesPerSecond; }
 
-    /// With --stats simulating and drawing are told apart, so that each must end before the other begins. Otherwise the
-    /// picture before is read while this frame's steps are under way.
+    /// Simulates and draws a frame. With --stats each must end before the other begins, so that their times can be told
+    /// apart. Otherwise the previous picture is read back while this frame is being simulated.
     void advance(uint64_t frame)
     {
         const bool measured = outputs_.stats.has_value();

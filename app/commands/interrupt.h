@@ -5,7 +5,8 @@ namespace knuckle {
 /// Thrown when the user asked to stop. Ends the program with exit code 130.
 struct Interrupted {};
 
-/// While it lives, SIGINT and SIGTERM only leave a mark, so that a frame is finished and temporary files are removed.
+/// While an object of this class exists, SIGINT and SIGTERM only set a flag, so that the frame is finished and
+/// temporary files are removed.
 /// A second signal ends the program at once.
 class InterruptGuard {
 public:

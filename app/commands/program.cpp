@@ -62,14 +62,14 @@ int parseAndRun(int argc, char** argv)
     return chosen();
 }
 
-/// Never throws: there is nobody to tell that stderr is closed.
+/// Prints the error. Never throws: if stderr is closed, there is no way left to report that.
 int tell(const std::string& message, int code)
 {
     std::fputs(("knuckle: " + message + "\n").c_str(), stderr);
     return code;
 }
 
-/// The reader of a pipe wants no more: ends as every filter does, without a word.
+/// The reader of our output has closed its pipe: ends silently by SIGPIPE, as other filters (cat, grep) do.
 int endByBrokenPipe()
 {
     std::signal(SIGPIPE, SIG_DFL);

@@ -40,7 +40,7 @@ public:
         for (uint32_t i = 0; i < particles.size(); ++i) solids_.add(particles[i].position, i);
     }
 
-    /// What a fluid particle at x would be in or against, in words; nothing where it has room.
+    /// Names what a fluid particle at x would overlap; nothing where it has room.
     std::optional<std::string> whatIsAt(const Vector3f& x) const
     {
         for (size_t c = 0; c < world().colliders.size(); ++c)
@@ -106,7 +106,7 @@ void readTimesAndPool(Entry& entry, double duration)
     emitter.pool = static_cast<uint32_t>(pool);
 }
 
-/// The nozzle and the way that a step leads from it at the least must be free.
+/// Refuses a nozzle that is blocked, or whose jet would be blocked within its first step.
 void requireRoom(const Entry& entry, const Surroundings& surroundings)
 {
     const World& world = entry.context.builder.world();

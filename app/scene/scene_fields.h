@@ -37,7 +37,7 @@ std::string wordOf(T value)
     return EnumWords<T>::WORDS.at(static_cast<size_t>(value));
 }
 
-/// The enum's value for a word that the schema has let through.
+/// The enum's value for a word that the schema has already accepted.
 template <typename T>
 T valueOf(const std::string& word)
 {

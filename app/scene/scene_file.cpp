@@ -37,7 +37,7 @@ void fillPaperChoices(Json& root)
     }
 }
 
-/// A camera that is told where to stand is not automatic.
+/// A camera whose position the scene gives is not automatic.
 void settleCamera(Json& root)
 {
     if (!root.is_object() || !root.contains("camera") || !root["camera"].is_object()) return;
@@ -56,7 +56,7 @@ void settleMaterials(Json& root)
     }
 }
 
-/// Where something flows in, nothing else need be there.
+/// A scene may be empty at the start only if it has an emitter.
 void settleObjects(Json& root)
 {
     if (root.is_object() && root.contains("emitters") && !root.contains("objects")) root["objects"] = Json::array();

@@ -13,7 +13,7 @@ namespace knuckle {
 
 namespace {
 
-/// What is about to be filled.
+/// The object whose shape is to be filled with particles.
 struct Region {
     SceneContext& context;
     const Json& object;

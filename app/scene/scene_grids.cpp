@@ -19,7 +19,7 @@ struct Heights {
     std::vector<float> values;   ///< [m], the row of the lowest z first.
 };
 
-/// Runs `make`; what it says knows nothing of the scene that asked for it.
+/// Runs `make`, and adds the scene's file and JSON path to its error.
 void atPointer(const SceneContext& context, const std::string& pointer, const std::function<void()>& make)
 {
     try {

@@ -31,7 +31,8 @@ void limitParticles(const Entry& entry, double count)
     limitParticles(entry.context, entry.json, entry.pointer, count);
 }
 
-/// Where the particles of a rigid body stand to its surface; empty for a box, where it follows from the lattice.
+/// The distance of each particle of a rigid body to its surface, and the way out; empty for a box, whose lattice gives
+/// the builder both.
 std::vector<SurfaceDistance> surfaceOf(const Entry& entry, const std::vector<Vector3f>& positions)
 {
     const std::string shape = entry.json["shape"];
@@ -179,7 +180,7 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
         KINDS.at(type)(entry);
     } catch (const InputError& error) {
         const std::string text = error.what();
-        // What the builder says knows nothing of the file that asked for it.
+        // The builder's message lacks the file and the JSON path: they are added here.
         throw text.starts_with(context.path) ? error
                                              : InputError(fmt::format("{}: {}: {}", context.path, entry.pointer, text));
     }

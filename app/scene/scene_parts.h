@@ -25,7 +25,7 @@ struct SceneContext {
     std::vector<size_t> colliderEntries = {};    ///< Per collider of the world: the entry of `colliders` that it is of.
 };
 
-/// One entry of a list of the scene while what it stands for is made.
+/// One entry of a list of the scene (objects, colliders, ...) while it is being built.
 struct SceneEntry {
     SceneContext& context;
     const Json& json;
@@ -58,7 +58,8 @@ std::vector<Pose> repeatedPoses(const Json& object);
 /// Product of repeat.counts, exact up to 1e18.
 uint64_t copyCount(const Json& object);
 
-/// Uniform in 0 ... 1. The standard fixes the generator's numbers, but not those of its distributions.
+/// Uniform in 0 ... 1, made from the generator's raw numbers: those are the same everywhere, unlike those of the
+/// standard library's distributions.
 inline float uniformShare(std::mt19937& random)
 {
     return static_cast<float>(static_cast<double>(random()) / 4294967296.0);

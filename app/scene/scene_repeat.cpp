@@ -46,7 +46,7 @@ std::vector<Pose> repeatedPoses(const Json& object)
             for (int x = 0; x < nx; ++x) {
                 const Vector3f cell(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
                 Pose pose{position + (first + cell).cwiseProduct(spacing), rotation};
-                // One axis after the other: the order in which arguments are evaluated is open.
+                // A statement for each axis: C++ does not say in which order the arguments of one call are evaluated.
                 for (float& side : pose.translation) side += jitter * (2.0f * uniformShare(random) - 1.0f);
                 if (turned) pose.rotation = randomRotation(random) * rotation;
                 poses.push_back(pose);

@@ -19,7 +19,8 @@ namespace {
 /// How far an end may be from the particle that it is attached to [diameters].
 constexpr float ATTACH_REACH = 1.5f;
 
-/// The copy of a repeated object that belongs to this copy, else the one of that name.
+/// The object `name` that copy number `copy` of this entry is attached to: `name_<copy + 1>` where `name` is repeated
+/// as well, else `name` itself.
 uint32_t findObject(const StrandEntry& entry, const std::string& name, size_t copy, const std::string& field)
 {
     const std::vector<Object>& objects = entry.context.builder.world().objects;

@@ -39,7 +39,7 @@ std::string expectation(const Schema& schema, const Json& node)
     return fmt::format("{} {}{}", vowel ? "an" : "a", type, unit);
 }
 
-/// The value as it may stand in a message: short.
+/// The value, shortened for a message.
 std::string shown(const Json& value)
 {
     const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
