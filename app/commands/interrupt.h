@@ -6,8 +6,7 @@ namespace knuckle {
 struct Interrupted {};
 
 /// While an object of this class exists, SIGINT and SIGTERM only set a flag, so that the frame is finished and
-/// temporary files are removed.
-/// A second signal ends the program at once.
+/// temporary files are removed. A second signal ends the program at once.
 class InterruptGuard {
 public:
     InterruptGuard();

@@ -56,7 +56,7 @@ void settleMaterials(Json& root)
     }
 }
 
-/// A scene may be empty at the start only if it has an emitter.
+/// A scene with an emitter may leave out `objects`.
 void settleObjects(Json& root)
 {
     if (root.is_object() && root.contains("emitters") && !root.contains("objects")) root["objects"] = Json::array();
