@@ -121,7 +121,7 @@ JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, ui
     if (drafts[parent].parent >= 0 && above.norm() > voxels.diameter) {
         const Vector3f bend = above.normalized().cross(plan.along);
         const Vector3f deviation = plan.along - plan.along.dot(above.normalized()) * above.normalized();
-        // A limb bent at rest says where its hinge is, unless it is bent against its nature.
+        // A limb that is bent at rest shows its hinge's axis, unless it is bent the wrong way (a knee forward).
         if (bend.norm() > BENT && deviation.dot(plan.flexion) > 0.5f * deviation.norm()) {
             plan.flexion = perpendicular(deviation, plan.along);
         }
@@ -150,7 +150,7 @@ void checkOverrides(const Model& model, const std::map<std::string, Value>& over
     }
 }
 
-// What is left after the joints were made, with indices closed up.
+// The actor without the particles that gave way to joints; indices are renumbered without gaps.
 void collect(const std::vector<ParticleDraft>& particles, Actor& actor)
 {
     std::vector<uint32_t> index(particles.size(), NO_INDEX);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float TOUCH = 1.8f;                   // lattice neighbours, diagonals included, are nearer than this [d]
 constexpr float LOOSE = 2.6f;                   // bodies farther apart than this are looked at again [d]
-constexpr float NEAR_JOINT = 2.5f;              // a bone's head is believed up to this distance from its body [d]
+constexpr float NEAR_JOINT = 2.5f;              // a bone's head is its joint up to this distance from its body [d]
 constexpr size_t PAIR_LIMIT = 1500;             // particles a side when two bodies' distance is measured
 
 using Particles = std::vector<uint32_t>;

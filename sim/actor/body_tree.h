@@ -15,7 +15,7 @@ struct Contact {
     Eigen::Vector3f middle{0, 0, 0};                   ///< Mean of the middles of the nearest pairs
 };
 
-/// Bodies of thousands of particles are looked at in every n-th.
+/// Of bodies with thousands of particles only every n-th particle is compared.
 Contact contactOf(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b, const Voxels& voxels);
 
 /// Makes one tree of the bodies, parents first: further roots join the body nearest to them, bodies apart from their

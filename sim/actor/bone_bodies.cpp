@@ -40,7 +40,7 @@ std::vector<uint32_t> assignBones(const Model& model, const Voxels& voxels)
     return bones;
 }
 
-// The lattice again, from the positions: which particle stands in which cell.
+// Finds a particle by its cell of the voxelizer's lattice, which is recovered from the positions.
 class Cells {
 public:
     explicit Cells(const Voxels& voxels) : voxels_(voxels)
@@ -78,7 +78,8 @@ private:
     std::vector<std::pair<int64_t, uint32_t>> cells_;
 };
 
-// Small parts that the skin cuts off from their bone's other particles, and that touch another bone's, go there.
+// Where the skin's weights cut a bone's particles into pieces, a small piece goes to another bone whose particles it
+// touches.
 void moveIslands(std::vector<uint32_t>& bones, const Voxels& voxels)
 {
     const Cells cells(voxels);
@@ -174,7 +175,7 @@ BoneCut mergeSmall(const Model& model, const Voxels& voxels, const std::vector<u
             join(b, static_cast<size_t>(ancestor));
         }
     }
-    // Nothing above: the nearest body that is large enough.
+    // No ancestor has a body: take the nearest body that is large enough.
     for (size_t b = 0; b < model.bones.size(); ++b) {
         if (cut.particles[b].empty() || large(b)) {
             continue;

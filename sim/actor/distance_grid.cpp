@@ -42,8 +42,8 @@ bool fillGrid(ColliderGrid& grid, const TriangleTree& tree)
             for (int x = 0; x < grid.counts.x(); ++x) {
                 const Vector3f point = grid.low + grid.cell.cwiseProduct(Eigen::Vector3i(x, y, z).cast<float>());
                 const float distance = tree.nearest(point).distance;
-                // No triangle lies between two points when one of them is further from all than from the other; more
-                // than that, since a point on the surface has no certain side.
+                // If one of two neighbours is further than a cell from the surface, no triangle lies between them and
+                // both are on the same side. 1.5 cells, since a point on the surface itself has no certain side.
                 if (x == 0 || std::max(before, distance) <= 1.5f * grid.cell.x()) inside = tree.inside(point);
                 grid.values.push_back(inside ? -distance : distance);
                 anyInside |= inside;

@@ -161,7 +161,7 @@ SkinWeights skinAt(const Vector3d& vertex)
     SkinWeights skin;
     for (size_t i = 0; i < BONES_PER_VERTEX; ++i) {
         skin.bones[i] = order[i];
-        // Rounded like the vertices; the sum stays within 1e-4 of 1 and import normalizes it.
+        // Rounded like the vertices. The sum is then within 1e-4 of 1, and import normalizes it.
         skin.weights[i] = static_cast<float>(std::round(weights[order[i]] / sum * 1e4) * 1e-4);
     }
     return skin;

@@ -23,7 +23,7 @@ namespace {
 constexpr uint8_t HOLDS_MODEL = 0, HOLDS_MESSAGE = 1;
 constexpr uintmax_t FILE_LIMIT = 512ull << 20;      // [bytes]
 constexpr float LARGEST_FIGURE = 20.0f;             // taller than this cannot be meant in metres [m]
-constexpr float SMALLEST = 0.005f, LARGEST = 200.0f;   // sizes believed after all [m]
+constexpr float SMALLEST = 0.005f, LARGEST = 200.0f;   // sizes that a guess may lead to [m]
 constexpr float PERSON = 1.7f;                      // what a skeleton without a mesh stands for [m]
 
 struct Unit {
@@ -66,7 +66,8 @@ void scaleBy(Model& model, float factor)
     }
 }
 
-// The unit in which a figure too large for metres makes sense, and for bare skeletons the one that makes a person.
+// Guesses the file's unit: for a figure too large for metres one that gives a plausible size, for a skeleton without a
+// mesh the one that makes it as tall as a person.
 const Unit& guessUnit(const Model& model, float size)
 {
     if (model.triangles.empty()) {

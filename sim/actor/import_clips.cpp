@@ -38,7 +38,7 @@ Quaterniond between(const Quaterniond& a, const Quaterniond& b, double t)
     return a.slerp(t, b);
 }
 
-// The value at a time in ticks; the ends hold.
+// The value at a time in ticks; before the first and after the last key it stays that of the key.
 template <typename Key>
 auto sampleKeys(const Key* keys, unsigned count, double time)
 {
@@ -73,7 +73,7 @@ Matrix4d sampleChannel(const aiNodeAnim& channel, const Matrix4d& rest, double t
     return m;
 }
 
-// Per node its channel, if any. Meshes may bear the names of bones: a bone is meant.
+// Per node its channel, if any. Where a mesh and a bone have the same name, the channel is the bone's.
 std::vector<const aiNodeAnim*> channelsByNode(const aiAnimation& animation, const NodeTable& table)
 {
     std::map<std::string, uint32_t> nodeByName;

@@ -197,7 +197,7 @@ std::vector<uint32_t> makeStiff(Particles& particles, const JointPlan& plan, flo
         }
         return chosen;
     }
-    // They hardly touch: a square of new particles across the joint.
+    // The bodies hardly touch: join them by a square of new particles across the joint.
     const Vector3f cross = plan.along.cross(plan.axis);
     chosen.clear();
     for (const auto& [u, v] : {std::pair(-0.5f, -0.5f), {0.5f, -0.5f}, {-0.5f, 0.5f}, {0.5f, 0.5f}}) {
@@ -210,7 +210,7 @@ std::vector<uint32_t> makeStiff(Particles& particles, const JointPlan& plan, flo
 std::vector<uint32_t> makeUniversal(Particles& particles, const JointPlan& plan, float diameter, uint32_t crossBody)
 {
     const Vector3f cross = plan.along.cross(plan.axis).normalized();
-    // The middle first takes the room, for both sides.
+    // The particle in the middle is placed first: those of both sides must leave room for it.
     const uint32_t middle = place(particles, plan.anchor, {plan.parent, plan.child, crossBody}, diameter);
     particles[middle].bodies = {crossBody};
     std::vector<uint32_t> shared;

@@ -64,7 +64,7 @@ public:
         return (static_cast<size_t>(cell.z()) * counts_.y() + cell.y()) * counts_.x() + cell.x();
     }
     Vector3f position(const Vector3i& cell) const { return origin_ + spacing_ * cell.cast<float>(); }
-    // Slightly towards the lower point, so that a plate midway between two layers takes one of them throughout.
+    // Rounded slightly downwards: of a plate midway between two layers of the lattice, all points go to the same layer.
     Vector3i round(const Vector3f& p) const
     {
         const Vector3f cell = ((p - origin_) / spacing_).array() + 0.45f;
@@ -111,7 +111,7 @@ private:
     size_t count_ = 0;
 };
 
-// Depths behind the surface at which the solid is probed [d]; what reaches beyond the last fills itself.
+// Depths behind the surface at which the solid is probed [d]. A part deeper than the last holds lattice points anyway.
 constexpr float PROBES[] = {0.03f, 0.06f, 0.12f, 0.25f, 0.5f, 0.75f, 1.0f, 1.25f, 1.5f, 1.75f};
 constexpr float DEEPEST = PROBES[std::size(PROBES) - 1];
 

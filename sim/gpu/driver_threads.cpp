@@ -22,7 +22,7 @@ constexpr double TRIAL = 0.01;
 /// Between two dispatches [s].
 constexpr double PAUSE = 2e-5;
 
-/// Threads that wait for rounds as llvmpipe's do: one lock, a signal to all, one back from the last.
+/// Threads that wait for work in the way of llvmpipe's: under one lock, one signal wakes all, the last one answers.
 class Pool {
 public:
     explicit Pool(uint32_t size) : size_(size)

@@ -6,7 +6,7 @@
 
 namespace knuckle {
 
-/// By which llvmpipe is told.
+/// The environment variable by which llvmpipe is told its number of threads.
 inline constexpr const char* DRIVER_THREADS_VARIABLE = "LP_NUM_THREADS";
 
 /// What a run asks of a software driver, say for one frame.
@@ -24,7 +24,7 @@ struct Workload {
 /// How many threads llvmpipe computes with besides the caller's, and why.
 struct DriverThreads {
     std::optional<uint32_t> count;   ///< None: the program has not chosen.
-    std::string reason;              ///< A clause for the user.
+    std::string reason;              ///< For the user, as part of a sentence.
 };
 
 /// All cores where they gain more than waking them costs, else none: the driver then works in the caller's thread.

@@ -27,7 +27,7 @@ bool has(const char* extensions, const char* name)
     return extensions != nullptr && std::strstr(extensions, name) != nullptr;
 }
 
-/// Points `function` at what EGL knows under `name`, and leaves it alone where EGL knows nothing.
+/// Sets `function` to EGL's function `name`, if EGL has it.
 template <typename Function>
 void resolve(Function*& function, const char* name)
 {

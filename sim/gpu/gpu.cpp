@@ -102,7 +102,7 @@ Gpu::Gpu(const DeviceChoice& choice, std::string shaderFolder, std::optional<Wor
     if (!device_.software) threads_ = {{}, "the device is no software renderer"};
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    // A debug group a pass would be a notification each.
+    // Without this, the debug group of each pass would be reported as a message.
     glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, nullptr, GL_FALSE);
     glDebugMessageCallback(onDebugMessage, &pendingError_);
     readLimits();

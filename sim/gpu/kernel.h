@@ -34,7 +34,8 @@ private:
     void stamp(GLuint query) const;
 
     bool enabled_ = false;
-    /// llvmpipe stamps when it gets to its queue of drawing, which computing does not wait for.
+    /// On llvmpipe a timestamp is taken when the drawing queue gets to it, and compute kernels do not wait for that
+    /// queue: so the timer waits itself.
     bool waits_ = false;
     std::vector<std::pair<std::string, Total>> totals_;
     std::vector<Span> spans_;   ///< Reused from frame to frame.
@@ -71,9 +72,7 @@ private:
     static void end(KernelTimer& timer);
 
     Program program_;
-    std::string name_;
-    std::vector<const RawBuffer*> storage_, uniforms_;   ///< Position is binding point, as in textures_.
-    std::vector<TextureBinding> textures_;
+    std::vector<GLuint> storage_, textures_, uniforms_;   ///< The index is the binding point.
 };
 
 /// Groups of GROUP_SIZE threads that cover `threads`.

@@ -60,7 +60,7 @@ void ShaderSource::append(const std::string& path, ResolvedShader& out, std::vec
             append(match[1], out, seen);
             continue;
         }
-        // C++ headers' system includes mean nothing to GLSL, whose preprocessor refuses the directive.
+        // System includes of headers that C++ shares mean nothing to GLSL, whose preprocessor refuses them.
         if (line.starts_with("#include <")) continue;
         out.text += line + "\n";
         out.origins.push_back({path, number});

@@ -8,8 +8,8 @@ namespace knuckle {
 
 namespace {
 
-/// A light cross takes what it can get of the particles that it shares: the nearer its mass is to its neighbours', the
-/// sooner the impulses between them converge.
+/// Weight of a body when the masses of shared particles are split. The cross of a universal joint is light; with a
+/// larger part of those masses it is nearer to its neighbours, and the impulses between them converge sooner.
 float shareWeight(const Body& body)
 {
     return body.isCross ? 6.0f : 1.0f;
@@ -19,7 +19,7 @@ float shareWeight(const Body& body)
 
 void WorldBuilder::assignAssemblies()
 {
-    // Bodies that share a particle are of one assembly; the smallest body index names it until it is numbered.
+    // Union-find: bodies that share a particle are of one assembly, whose root is its smallest body index.
     std::vector<uint32_t> root(world_.bodies.size());
     for (uint32_t b = 0; b < root.size(); ++b) root[b] = b;
     const auto find = [&](uint32_t b) {

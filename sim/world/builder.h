@@ -74,7 +74,7 @@ public:
     /// Fluid particles of a fluid material. They come behind all others, whenever they are added; build() leaves out
     /// those that overlap other particles.
     void addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material);
-    /// Rest distance of fluids [diameters], 0.3 ... 0.6. Before addFluid().
+    /// Sets the rest distance of fluids [diameters], 0.3 ... 0.6. To be called before addFluid().
     void setFluidSpacing(float spacing);
     float fluidSpacing() const { return world_.fluidSpacing; }
     /// Its pool comes behind all fluids. @throws InputError unless its material is a fluid.
@@ -90,7 +90,7 @@ public:
     float particleMass(uint32_t material) const;
     /// The particles that a body was given so far and shares with no other.
     std::vector<uint32_t> ownParticles(uint32_t body) const;
-    /// What there is so far: particles placed, links and assemblies yet to be made.
+    /// The world built so far: particles are placed, links and assemblies are not made before build().
     const World& world() const { return world_; }
 
     /// Groups links by body, fills centres, masses and assemblies, and validates. The builder is spent afterwards.
@@ -108,7 +108,7 @@ private:
     void requireFluid(const char* what, uint32_t material) const;
     Particle fluidParticle(uint32_t material) const;
     void makeBodyLinks(uint32_t bodyIndex);
-    /// Of a particle's mass, in a body that it belongs to, 0 ... 1.
+    /// The part of a particle's mass that counts in one of its bodies, 0 ... 1.
     float massShare(uint32_t particle, uint32_t body) const;
 
     World world_;

@@ -63,7 +63,8 @@ bool refine(Mesh& mesh, float longest)
     if (middles.empty()) return false;
     std::vector<Triangle> cut;
     for (const Triangle& t : mesh.triangles) {
-        // Round the triangle, with the middles that there are; then a fan, but all three middles make four.
+        // The corners in order, with the middles of the edges that were halved between them. Three middles make four
+        // triangles; one or two are cut as a fan.
         std::vector<uint32_t> ring;
         std::vector<uint32_t> own;
         for (int e = 0; e < 3; ++e) {
@@ -78,7 +79,7 @@ bool refine(Mesh& mesh, float longest)
             cut.push_back({own[0], own[1], own[2]});
             continue;
         }
-        // From a middle, so that no part has three points on a line.
+        // The fan starts at a middle: from a corner, one of its triangles could have three points on a line.
         if (!own.empty())
             std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), own.front()), ring.end());
         for (size_t k = 2; k < ring.size(); ++k) cut.push_back({ring[0], ring[k - 1], ring[k]});
@@ -181,7 +182,7 @@ ClothSheet meshSheet(std::span<const Vector3f> vertices, std::span<const Triangl
         }
     }
     if (!(area > 0.0f)) throw InputError("the cloth's mesh has no area; give one with triangles");
-    // What is left of vertices of no triangle, or of slivers, still weighs something.
+    // Vertices without a triangle, or with slivers only, get a little mass too: masses must be above zero.
     const float least = 1e-3f * area / static_cast<float>(mesh.nodes.size());
     for (float& share : sheet.areas) share = std::max(share, least);
     sheet.nodes = std::move(mesh.nodes);

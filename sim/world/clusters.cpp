@@ -63,7 +63,7 @@ std::map<Cell, Members> fillBoxes(std::span<const Vector3f> positions, float dia
     return boxes;
 }
 
-/// Appends the parts of a box that hang together, but no single particles.
+/// Appends the connected parts of a box as clusters; single particles are left out.
 void appendParts(std::vector<Members>& out, const Members& box, std::span<const Vector3f> positions, float diameter)
 {
     DisjointSets sets(box.size());
@@ -76,7 +76,7 @@ void appendParts(std::vector<Members>& out, const Members& box, std::span<const 
         if (members.size() > 1) out.push_back(std::move(members));
 }
 
-/// Without those that lie in a larger one.
+/// Removes clusters that are part of a larger one.
 std::vector<Members> withoutContained(std::vector<Members> clusters, size_t particleCount)
 {
     std::stable_sort(clusters.begin(), clusters.end(),
@@ -94,7 +94,8 @@ std::vector<Members> withoutContained(std::vector<Members> clusters, size_t part
     return kept;
 }
 
-/// Neighbours off the lattice that no box has together get a cluster of their own where nothing else holds them.
+/// Particles that stand off the lattice may be neighbours without being in a common box. Where nothing else connects
+/// them, they get a cluster of their own.
 void bridgeGaps(std::vector<Members>& clusters, std::span<const Vector3f> positions, float diameter)
 {
     DisjointSets sets(positions.size());

@@ -8,7 +8,7 @@
 
 namespace knuckle {
 
-/// Particles along an edge of a cluster: the fewest that see a bend. Neighbours share a layer.
+/// Particles along an edge of a cluster: with fewer it could not tell when it is bent. Neighbours share a layer.
 inline constexpr uint32_t CLUSTER_SIZE = 3;
 
 /// Overlapping pieces of a body: boxes of `size` particles an edge that share a layer with their neighbours, each cut

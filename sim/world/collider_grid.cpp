@@ -10,7 +10,7 @@ using Eigen::Vector3i;
 
 namespace {
 
-/// A place between the values: the lower ones' indices, and the share of the upper ones.
+/// A position between grid values: indices of the lower ones, and the weight of the upper ones on each axis.
 struct Between {
     Vector3i cell;
     Vector3f share;

@@ -11,10 +11,10 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// A layer is by so much wider than the nozzle: at the density of rest, rounding would press it apart.
+/// Layers are this much wider than the nozzle. At exactly the density of rest, rounding alone would make pressure.
 constexpr float WIDER = 1.01f;
 
-/// Volume of a particle times the number of a layer over the nozzle's area.
+/// Distance between layers: the volume of a layer's particles over the nozzle's area.
 float layersApart(size_t count, float area, float spacing)
 {
     return static_cast<float>(count) * spacing * spacing * spacing / area;
@@ -32,7 +32,7 @@ std::vector<Vector3f> latticeByDistance(float offset, int reach)
     return points;
 }
 
-/// The first points that are a whole number of rings, as near to `wanted` as can be.
+/// The first points, ending with a whole ring of points as far from the origin, about `wanted` of them.
 std::vector<Vector3f> wholeRings(std::vector<Vector3f> points, double wanted)
 {
     size_t best = 0;

@@ -24,13 +24,13 @@ Nozzle rectangleNozzle(float width, float height, float spacing);
 /// middle at `position` [m].
 Nozzle placed(Nozzle nozzle, const Eigen::Vector3f& position, const Eigen::Vector3f& direction);
 
-/// Where fluid particles come into a world, layer by layer, out of a pool that no step adds to.
+/// Where fluid particles come into a world, layer by layer. They come from a pool of fixed size.
 struct Emitter {
     uint32_t material = 0;                    ///< A fluid: index into World::materials.
     Nozzle nozzle;
     Eigen::Vector3f velocity{0, 0, 0};        ///< Of what leaves the nozzle, square to its plane [m/s], not zero.
     double start = 0.0, stop = 3600.0;        ///< The first layer leaves at start, the last at stop at the latest [s].
-    uint32_t pool = 0;                        ///< Most of its particles that are there at a time; a layer at least.
+    uint32_t pool = 0;                        ///< Most of its particles that are active at a time; at least a layer.
     /// When the pool has no whole layer left: the oldest particles are taken again. Else layers are left out.
     bool takesOldest = false;
 

@@ -17,7 +17,7 @@ float fluidClearance(const World& world)
 
 namespace {
 
-/// How deep particles lie [m]: layers across `up` in which there are any, wherever they are.
+/// Depth of the fluid [m]: the number of layers along `up` that hold particles, times their spacing.
 float depthOf(const std::vector<Particle>& particles, const Vector3f& up, float spacing)
 {
     std::set<int> layers;
@@ -25,8 +25,8 @@ float depthOf(const std::vector<Particle>& particles, const Vector3f& up, float 
     return spacing * static_cast<float>(layers.size());
 }
 
-/// Whether a fluid particle has room at x: no solid one is nearer than `apart`, nor are there some all around, as about
-/// the middle of a cell of a lattice.
+/// Whether a fluid particle has room at x: no solid one is nearer than `apart`, and they do not surround it, as those
+/// of a body's lattice surround the middle of a cell.
 bool hasRoom(const World& world, const Cells& solids, const Vector3f& x, float apart)
 {
     const std::vector<uint32_t> near = solids.allNear(world.particles, x, 0.95f * world.diameter());
@@ -39,7 +39,7 @@ bool hasRoom(const World& world, const Cells& solids, const Vector3f& x, float a
     return near.size() < 4 || sum.norm() >= 0.35f * static_cast<float>(near.size());
 }
 
-/// Over the density [m2/s2].
+/// The largest pressure that surface tension makes in any of the fluids, over its density [m2/s2].
 float mostCohesion(const std::vector<Material>& materials, float spacing)
 {
     float most = 0.0f;

@@ -13,8 +13,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A hanging chain by its forces, in units of a node's weight: each link pulls sideways by `pull`, the first down by
-/// `first` and each further one by one less. Links lean along their forces.
+/// A chain that hangs at rest, described by the forces in its links, in units of a node's weight. All links pull
+/// sideways by `pull`. The first pulls down by `first`, each further one by 1 less, as it carries one node less. A link
+/// points along its force.
 struct Chain {
     uint32_t count;
     double pull, first;
@@ -60,7 +61,7 @@ std::vector<Vector3f> hangingChain(const Vector3f& from, const Vector3f& to, uin
     Vector3d aside = way - down * way.dot(down);
     const double width = aside.norm() / length;
     aside = width > 1e-6 ? Vector3d(aside.normalized()) : down.unitOrthogonal();
-    // By the logarithm of the pull: links lean between along gravity and straight to the other end.
+    // Bisection over the logarithm of the pull: a small one lets the chain hang down, a large one pulls it taut.
     double low = std::log(1e-9), high = std::log(1e9);
     Chain chain{count, 1.0, 0.0};
     for (int i = 0; i < HALVINGS; ++i) {
@@ -94,7 +95,7 @@ void checkRope(const RopeSpec& spec, float distance)
             fmt::format("bend compliance {} m/N of the rope must be above 0", spec.bendCompliance));
 }
 
-/// What the ends of a rope are, and what is added for those that are nothing yet.
+/// Adds a rope: its particles, a fixed body of one particle for each end that is fixed, and its distances.
 class RopeBuilder {
 public:
     RopeBuilder(WorldBuilder& builder, const RopeSpec& spec)

@@ -16,7 +16,8 @@ struct Elasticity {
     float maxDeformation = 0.5f;   ///< The most that it ever flows by, as a strain, 0 ... 2.
 };
 
-/// Particle::selfMargin of soft bodies [diameters]: what is within two and a half at rest comes nearer by strain alone.
+/// Particle::selfMargin of soft bodies [diameters]: particles within 2.5 diameters of each other at rest never touch,
+/// so that only the elastic forces hold them apart.
 inline constexpr float SOFT_SELF_MARGIN = 1.5f;
 
 /// Particles of no rigid body that overlapping clusters hold together.

@@ -30,8 +30,8 @@ struct Strand {
 /// Particle::selfMargin of what strands are made of: neighbours stand at a diameter and must not touch each other.
 inline constexpr float STRAND_MARGIN = 0.1f;
 
-/// Makes one assembly of all that strands connect: particles that are nearer than a diameter when the world begins then
-/// do not touch each other, and all of them go by one order of velocities. The world's start becomes the rest pose.
+/// Makes one assembly of everything that strands connect, so that particles nearer than a diameter at the start do not
+/// touch each other, and velocities are of the same order in all of it. The world's start becomes the rest pose.
 void joinStrandAssemblies(World& world);
 
 /// Checks what the solver relies on. @throws InputError naming the first that fails, with the remedy.

@@ -10,11 +10,11 @@ namespace knuckle {
 /// Of a particle that is in no lattice, see SurfaceDistance::ends.
 inline constexpr uint32_t ALL_ENDS = 63;
 
-/// Where a particle of a body stands to the surface of the body (Macklin et al. 2014, 5.1).
+/// A particle's distance to the surface of its body, and the way out (Macklin et al. 2014, 5.1).
 struct SurfaceDistance {
     float distance = 0.0f;                    ///< Of the particle's centre [m], negative inside.
-    /// The distance's unit gradient, out of the body, in the rest pose; zero where it has none: midway between two
-    /// sides, in particles that bodies share, and in loose ones.
+    /// Unit vector from the particle to the nearest surface and out, in the rest pose. Zero where there is no single
+    /// one: midway between two sides, for particles that bodies share, and for loose ones.
     Eigen::Vector3f outward{0, 0, 0};
     /// Where a box lattice ends at the particle: bits 2 k and 2 k + 1, towards - and + along axis k of the rest pose.
     uint32_t ends = ALL_ENDS;

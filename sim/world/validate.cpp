@@ -70,7 +70,7 @@ void validateFluids(const World& world)
             "fluid spacing {} m: must be 0.3 to 0.6 of the diameter, {} m", world.fluidSpacing, world.diameter());
     require(world.settings.solver == SolverKind::Impulse, "the paper's solver has no fluids; use solver \"impulse\"");
     for (const Material& m : world.materials) {
-        // Jitters from about 3 % of compression on (see automaticFluidSubsteps).
+        // A fluid that its tension compresses by more than about 3 % jitters (see automaticFluidSubsteps).
         const float way = world.settings.timeStep / (float(world.settings.substeps) * world.fluidSpacing);
         const float most = 0.06f * m.density / (way * way);
         require(!m.fluid || cohesionPressure(m.surfaceTension, world.fluidSpacing) < most,
