@@ -97,7 +97,7 @@ TEST(Humanoid, danceKeepsBoneLengthsAndFeetAboveTheFloor)
                         1e-5f) << model.bones[b].name;
         }
         for (const Vector3f& v : pose(model, key)) {
-            EXPECT_GT(v.y(), -0.004f);   // skin between shin and foot is blended, nothing else may dip
+            EXPECT_GT(v.y(), -0.004f);   // 4 mm: blended skin between shin and foot may reach below the ground
         }
     }
 }

@@ -203,7 +203,7 @@ TEST_F(Import, verticesThatAreNotNumbersAreRefused)
 
 TEST_F(Import, boneCycleIsRefused)
 {
-    // The head takes the hips for a child.
+    // Makes the hips a child of the head: a cycle.
     expectRefused(write("ring.glb", damaged("\"children\":[4]", "\"children\":[0]")), "");
 }
 

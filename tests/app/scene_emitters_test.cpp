@@ -23,7 +23,7 @@ TEST(SceneEmitters, APoolHasRoomForAllThatFlowsInTheFilm)
     ASSERT_EQ(emitter.nozzle.points.size(), 8u);
     EXPECT_NEAR(emitter.nozzle.layerSpacing, 0.05f, 1e-6f);
     EXPECT_LT((emitter.velocity - Vector3f(0, 0, -1.5f)).norm(), 1e-6f);
-    // 1.5 s of 30 layers a second, and the first.
+    // 30 layers a second for 1.5 s, and one at the start.
     EXPECT_EQ(emitter.pool, 8u * 46u);
     EXPECT_EQ(world.fluidCount, emitter.pool);
     EXPECT_EQ(world.pooledCount(), emitter.pool);

@@ -7,11 +7,11 @@
 namespace knuckle {
 namespace {
 
-/// A rope from a place above the cube with more `fields`, which need not be right.
+/// A rope from a position above the cube, with more `fields`, which may be wrong on purpose.
 #define ROPE(fields) R"("type": "rope", "from": [0, 1, 0], )" fields
 #define CLOTH(fields) R"("type": "cloth", )" fields
 
-/// What loading a scene of a cube of 0.3 m at the origin and this object says behind the file's name.
+/// The error, without the file's name, of loading a scene with this object and a cube of 0.3 m at the origin.
 std::string messageOf(const std::string& object)
 {
     const test::TempFolder folder;

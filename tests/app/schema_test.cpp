@@ -8,7 +8,7 @@
 namespace knuckle {
 namespace {
 
-/// Compares as floats: 1/60 and 0.1 have other bits as doubles.
+/// Compares as floats: the schema's 0.1, read as a double, is not the struct's float.
 void expectSame(const std::string& field, const Json& inSchema, const Json& inStruct)
 {
     if (inStruct.is_array()) {
@@ -115,7 +115,7 @@ TEST(Schema, DefaultsKeepTheirOwnRules)
 
 TEST(Schema, SceneReferenceIsCurrent)
 {
-    // Not EXPECT_EQ, which would print the whole page.
+    // EXPECT_EQ would print the whole page where it fails.
     EXPECT_TRUE(test::readText(KNUCKLE_ROOT "/docs/scene.md") == schemaMarkdown(Schema("scene.schema.json")))
         << "renew it: knuckle schema --markdown > docs/scene.md";
 }

@@ -93,7 +93,7 @@ TEST_F(Cli, TellsAFullStandardOutput)
     EXPECT_NE(result.err.find("No space left"), std::string::npos) << result.err;
 }
 
-/// A pipe that nobody reads takes the place of the descriptor.
+/// Replaces the descriptor by a pipe that nobody reads.
 std::function<void()> closedPipe(int descriptor)
 {
     return [descriptor] {

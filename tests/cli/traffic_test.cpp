@@ -14,7 +14,7 @@ namespace knuckle {
 namespace {
 
 constexpr size_t KIB = 1024;
-/// The size of a transfer by a function that the project does not use, and that would need a look here.
+/// Stands for the size of a transfer by a function that the project does not use: if it ever does, this test fails.
 constexpr size_t UNKNOWN = size_t{1} << 40;
 constexpr uint64_t FRAMES = 60;
 constexpr uint32_t WIDTH = 64, HEIGHT = 36;
@@ -150,7 +150,7 @@ TEST_P(TrafficOf, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
     }
 }
 
-// What flows out of emitters is there from the start.
+// With emitters too: their particles are uploaded at the start, so nothing is added later.
 INSTANTIATE_TEST_SUITE_P(Scenes, TrafficOf, testing::Values("ragdoll.json", "fountain.json"),
                          [](const auto& scene) { return std::string(scene.param, strchr(scene.param, '.')); });
 

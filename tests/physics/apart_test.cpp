@@ -9,16 +9,16 @@ namespace knuckle::test {
 
 namespace {
 
-// What the project promises of overlapping starts [m/s]. One contact adds nothing to what leaves faster than 1 m/s
-// (LEAVING_SPEED) but a tenth of 0.25 m/s, so ten in a row come to 1.25 m/s at most; the rest is for iterations that
-// end before all contacts agree.
+// The highest speed that overlapping starts may reach [m/s]. A contact gives a side that already leaves at 1 m/s
+// (LEAVING_SPEED) no more than a tenth of 0.25 m/s, so ten in a row come to 1.25 m/s. The rest is a margin for
+// iterations that end before all contacts agree.
 constexpr double TOP_SPEED = 2.0;
 constexpr float EDGE = 3 * DIAMETER;
 
-/// What a world that comes apart did on the way.
+/// What happened in a world while its overlaps came apart.
 struct Way {
     double topSpeed = 0.0;     ///< Of any particle at the end of any step [m/s].
-    double ownSpeed = 0.0;     ///< The same of a mover as a whole, sqrt(2 E/m), beyond what its own fall gave it.
+    double ownSpeed = 0.0;     ///< The same of whole movers, sqrt(2 E/m), without what their own fall gave.
     double energyGained = 0.0; ///< Kinetic and potential, from the start to the end [J].
     double kineticEnergy = 0.0;   ///< At the end [J].
     Measures measures;         ///< At the end.
@@ -87,7 +87,7 @@ WorldBuilder onTheFloor()
     return builder;
 }
 
-/// Ten cubes, the k-th where `place` tells.
+/// Ten cubes; `place(k)` is where the k-th stands.
 World tenCubes(const Eigen::Vector3i& counts, const std::function<Vector3f(int)>& place)
 {
     WorldBuilder builder = onTheFloor();
@@ -95,7 +95,7 @@ World tenCubes(const Eigen::Vector3i& counts, const std::function<Vector3f(int)>
     return builder.build();
 }
 
-/// Ten times what `add` puts where it is told, each by `half` [m] in some direction from the last, turned anyhow.
+/// Calls `add` for ten poses: each `half` [m] from the last in a random direction, with a random rotation.
 World clump(uint32_t seed, float half, const std::function<void(WorldBuilder&, const Pose&)>& add)
 {
     WorldBuilder builder = onTheFloor();
@@ -182,7 +182,7 @@ TEST(Apart, TwoCubesInOnePlaceComeApart)
     WorldBuilder builder = onTheFloor();
     for (int k = 0; k < 2; ++k) addBox(builder, {3, 3, 3}, {Vector3f(0, 0.5f * EDGE, 0)});
     const World world = builder.build();
-    // One contact's worth.
+    // No more than one contact recovers by itself.
     const Way way = Watch(world, 3.0).way;
     EXPECT_LT(way.topSpeed, 0.5);
     EXPECT_LT(way.measures.worstPenetration, 0.2f * DIAMETER);

@@ -66,7 +66,7 @@ TEST(DamBreak, TheFrontAdvancesAsMartinAndMoyceMeasuredAndEnergyFalls)
         EXPECT_LT(front, 1 + 2 * time + 0.1) << "nothing is faster than Ritter's 2 sqrt(g h)";
         for (; next < measured.size() && measured[next].first <= time; ++next) {
             const double here = last + (front - last) * (measured[next].first - before) / (time - before);
-            // Theirs begins late, as the sheet that holds it has to burn away: some 0.2 widths.
+            // The experiment's column starts late, since the sheet that holds it must burn away first: some 0.2 widths.
             EXPECT_NEAR(here, measured[next].second + 0.1, 0.25) << "at " << measured[next].first;
         }
     }

@@ -57,7 +57,7 @@ TEST(Emitter, LayersComeWhenTheyAreDueAndAsFarApartAsAtRestAtAnySpeed)
         const auto layers = static_cast<uint32_t>((seconds - 0.107) * speed / jet.spacing) + 1;
         ASSERT_EQ(living(state), 12 * layers) << speed << " m/s";
         EXPECT_EQ(solver.measure().fluidEmitted, 12 * layers);
-        // Particles leave in the order of their numbers: where each is, its layer says.
+        // Particles leave in the order of their ids, so the position follows from the layer of each.
         for (uint32_t i = 0; i < 12 * layers; ++i) {
             const double age = seconds - 0.107 - i / 12 * jet.emitter.interval();
             EXPECT_NEAR(state.positions[i].x() - NOZZLE.x(), speed * age, 0.01 * jet.spacing) << i;
@@ -77,7 +77,7 @@ TEST(Emitter, TheFlowIsDensityTimesAreaTimesSpeed)
         const ParticleState state = solver.readParticles();
         for (size_t i = 0; i < world.particles.size(); ++i)
             if (!state.parked[i]) mass += world.particles[i].mass;
-        // A layer more or less: the first leaves at once.
+        // To within a layer, since the first leaves at time 0.
         const double area = std::numbers::pi * radius * radius;
         EXPECT_NEAR(mass, 1000.0 * area * 3.0, 1.01 * jet.layer() * world.particles[0].mass) << radius;
     }
@@ -146,7 +146,7 @@ TEST(Emitter, WaitsWhileItsPoolIsEmptyOrTakesTheOldestAgain)
         const ParticleState state = solver.readParticles();
         EXPECT_LE(living(state), 43u);
         EXPECT_GE(living(state), 36u);
-        // Those that are there left last: none is further than the pool reaches.
+        // Only the last particles are still active, so none is further than the pool's layers reach.
         for (size_t i = 0; i < state.positions.size(); ++i) {
             if (!oldest || state.parked[i]) continue;
             EXPECT_LT(state.positions[i].x() - NOZZLE.x(), 0.05f * 11.5f);
@@ -180,7 +180,7 @@ TEST(Emitter, JetsThatMeetKeepTheirMomentum)
         given += world.particles[i].mass * velocity;
         energy += 0.5 * world.particles[i].mass * velocity.squaredNorm();
     }
-    // As for fluids without emitters: what rounding leaves of the pairs.
+    // As for fluids without emitters: only the rounding of the pairs' impulses.
     EXPECT_LT((sum.momentum - given).norm(), 1e-4 * sum.speedSum);
     EXPECT_LT(solver.measure().kineticEnergy, energy) << "the collision takes energy, it has none to give";
 }
@@ -212,7 +212,7 @@ TEST(Emitter, AFullTankWithAnInletAtItsFloorAndAnOverflowStaysAsFull)
     EXPECT_NEAR(last.fluidCount, wide * wide * layers, 0.15 * wide * wide * layers);
     EXPECT_NEAR(last.fluidCount, first.fluidCount, 0.08 * first.fluidCount) << "the level has not settled";
     EXPECT_LT(last.meanDensityError, 0.03f);
-    // Of all of it, what comes in at 1 m/s and stirs the tank; single drops splash at 4 to 9 m/s.
+    // The root mean square speed: the inlet stirs the tank with 1 m/s, single drops splash at 4 to 9 m/s.
     const double mass = last.fluidCount * double(world.particles[0].mass);
     EXPECT_LT(std::sqrt(2.0 * last.kineticEnergy / mass), 1.3) << "it bursts";
 }

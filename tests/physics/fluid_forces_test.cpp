@@ -97,7 +97,7 @@ TEST(FluidForces, ADeepPoolKeepsItsDensityAndVolume)
     EXPECT_LT(solver.measure().meanDensityError, 0.01f);
 }
 
-/// Of a swirl in a closed box without weight, what is left of its energy after a second.
+/// The part of a swirl's energy that is left after a second, in a closed box without gravity.
 double keptEnergy(float vorticity)
 {
     Settings settings = weightless();

@@ -12,7 +12,7 @@ namespace knuckle::test {
 inline constexpr float DIAMETER = 0.1f;
 inline constexpr double GRAVITY = 9.81;
 
-/// One context for the whole test program: making one costs more than most tests.
+/// The GL context of the whole test program: making one takes longer than most tests.
 Gpu& gpu();
 
 /// A builder with one material (density 1000 kg/m3, friction `friction`) at index 0.

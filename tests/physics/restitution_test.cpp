@@ -26,7 +26,8 @@ float lowest(std::span<const Vector3f> positions)
     return low - 0.5f * DIAMETER;
 }
 
-/// How high something rises again that falls by about 1 m [m], onto a plane or a fixed block of particles, amid four.
+/// How high something rises again after a fall of about 1 m [m], onto a plane or onto the middle of four particles of a
+/// fixed block.
 float rebound(Thing thing, float restitution, float fall = 1.0f, bool onBlock = false)
 {
     WorldBuilder builder = bouncyBuilder(restitution);

@@ -60,12 +60,12 @@ double meanLength(const World& world, double settle)
 
 }  // namespace
 
-/// How far a rope of `compliance` under a cube of that density is stretched, over what its load says.
+/// How far a rope of `compliance` is stretched by a cube of that density, over load times compliance.
 double stretchShare(float density, float compliance, uint32_t iterations)
 {
     Settings settings;
     settings.iterations = iterations;
-    settings.linearDamping = 4;   // it bounces before it hangs
+    settings.linearDamping = 4;   // so that it stops bouncing
     WorldBuilder builder = makeBuilder(settings);
     Material material;
     material.density = density;

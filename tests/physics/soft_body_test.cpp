@@ -117,7 +117,7 @@ TEST(SoftBody, ATumblingCubeKeepsMomentumAndAngularMomentum)
     }
 }
 
-/// The largest mean strain on the way of a cube that falls by 0.5 m, and that when it has come to rest.
+/// Mean strain of a cube that falls by 0.5 m: the largest on the way, and that at rest.
 std::pair<float, float> strainOfFall(float creep)
 {
     Elasticity elasticity = jelly(3e4f, 0.3f);

@@ -26,15 +26,15 @@ float topSpeed(Solver& solver, const World& world, double seconds)
     return top;
 }
 
-/// `add` puts a body where it is told, ten times: `offset` from one to the next in a row, the rows on each other, the
-/// first row half inside the floor.
+/// Calls `add` for ten positions: in rows, `offset` from one to the next, the rows on each other and the first half
+/// inside the floor.
 World overlaps(const std::function<void(WorldBuilder&, const Vector3f&)>& add, const Vector3f& offset, int inRow)
 {
     WorldBuilder builder = makeBuilder();
     builder.addCollider(floorPlane());
     for (int i = 0; i < 10; ++i) {
         const float up = 1.5f * DIAMETER * static_cast<float>(i / inRow);
-        // A little aside, so that no two lattices agree.
+        // Shifted a little, so that no two lattices coincide.
         add(builder, static_cast<float>(i % inRow) * offset + Vector3f(0.02f * static_cast<float>(i % 3), up, 0));
     }
     return builder.build();

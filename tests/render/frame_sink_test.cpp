@@ -150,7 +150,7 @@ TEST_F(FrameSinkTest, AFullDiskStopsAFilmWithOneLine)
     EXPECT_EQ(fileCount(), 0u);
 }
 
-/// Replaces PATH while it lives.
+/// Replaces PATH until it is destroyed.
 class PathIs {
 public:
     explicit PathIs(const std::string& path) : before_(std::getenv("PATH")) { setenv("PATH", path.c_str(), 1); }
@@ -180,7 +180,7 @@ TEST_F(FrameSinkTest, WhatFfmpegSaysReachesTheUserInOneLine)
     const PathIs path(at("bin"));
     const auto sink = filmSink(at("film.mp4"), 512, 512, 30.0);
     try {
-        // More than a pipe holds: at some point nobody reads any more.
+        // More than a pipe holds, so that a write fails after the reader has gone.
         for (uint64_t i = 1; i <= 8; ++i) sink->write(noise(512, 512), i);
         sink->finish();
         FAIL() << "a failing ffmpeg went unnoticed";

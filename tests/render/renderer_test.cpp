@@ -63,7 +63,7 @@ TEST(Renderer, DrawsOddSizesAndNoParticlesAtAll)
     EXPECT_EQ(image.rgb.size(), size_t{37} * 19 * 3);
 }
 
-/// Fluid particles at `positions`, behind what is there.
+/// Adds fluid particles at `positions`, behind the particles that exist.
 void addFluid(World& world, const std::vector<Vector3f>& positions)
 {
     for (const Vector3f& position : positions) {

@@ -29,7 +29,7 @@ class SceneGolden : public testing::TestWithParam<const char*> {};
 
 TEST_P(SceneGolden, OpensAsItDid)
 {
-    // What happens after two steps would change with every detail of the solver.
+    // Two steps only: later pictures would change with every detail of the solver.
     expectGolden(std::string("scene_") + GetParam(), picture(GetParam(), 2));
 }
 
@@ -42,7 +42,7 @@ class PaperGolden : public testing::TestWithParam<const char*> {};
 
 TEST_P(PaperGolden, LooksAsItDidAfterASecond)
 {
-    // Scenes in which nothing is left to chance by then: what stands, and what swings from a joint.
+    // Scenes that are not chaotic by then: things that stand, or swing from a joint.
     expectGolden(std::string("paper_") + GetParam(), picture(GetParam(), 60, {{"solver", "paper"}}));
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using Clusters = std::vector<std::vector<uint32_t>>;
 
-/// How many separate things the clusters make of the particles.
+/// The number of connected parts that the clusters make of the particles.
 size_t pieces(const Clusters& clusters, size_t count)
 {
     std::vector<uint32_t> piece(count);

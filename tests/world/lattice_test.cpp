@@ -6,7 +6,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// Nearest distance between two points: the spacing of the lattice.
+/// The least distance between two points, which is the spacing of the lattice.
 float spacing(const std::vector<Vector3f>& points)
 {
     float nearest = 1e9f;

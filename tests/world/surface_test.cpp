@@ -15,7 +15,7 @@ TEST(Surface, ABoxLatticeHasTheDistancesOfItsBoxWhereverItStands)
     ASSERT_EQ(surfaces.size(), positions.size());
     for (size_t i = 0; i < positions.size(); ++i) {
         const Vector3f p = positions[i] - Vector3f(1, -2, 3), half(0.25f, 0.15f, 0.2f);
-        // Places of a few metres in single precision.
+        // Rounding of positions of a few metres in single precision.
         EXPECT_NEAR(surfaces[i].distance, (p.cwiseAbs() - half).maxCoeff(), 2e-6f);
     }
     EXPECT_LT((surfaces[0].outward - Vector3f(-1, -1, -1).normalized()).norm(), 1e-6f) << "a corner";

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float INFINITE = std::numeric_limits<float>::infinity();
 
-/// What validate() says of a good world (two cubes with a ball, one collider) that `spoil` has changed.
+/// The error of validate() for a valid world (two cubes with a ball joint, one collider) after `spoil` has changed it.
 std::string complaint(const std::function<void(World&)>& spoil)
 {
     World world = jointedCubes({});

@@ -13,7 +13,7 @@ struct Situation {
     double gap, startGap, leaving;
     bool kin = false;
     double inverseMass, worstMass;
-    double places;   ///< How large the places are that gap and slide are differences of [m].
+    double places;   ///< Size of the positions whose differences gap and slide are [m]: it sets the rounding.
 };
 
 /// What an impulse becomes, and how sure that is.

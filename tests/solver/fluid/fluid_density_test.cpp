@@ -24,7 +24,7 @@ struct Cover {
     Vector3d slope = Vector3d::Zero();
 };
 
-/// Also where lists hold particles that only look near.
+/// With a grid that wraps too early as well, whose lists hold particles that are far away.
 class FluidDensity : public testing::TestWithParam<bool> {
 protected:
     FluidDensity()

@@ -35,7 +35,7 @@ Case turned(const Vector3d& values, double degrees, Random& random)
 
 struct Nearest {
     Eigen::Quaterniond rotation;
-    double gap;   ///< A torque over this is a turn: s2 + s3, s3 < 0 where `a` is mirrored, as a share of `a`.
+    double gap;   ///< Torque over rotation: s2 + s3 over the size of `a`; s3 < 0 where `a` is mirrored.
 };
 
 /// The proper rotation nearest to `a`, by its singular values: not by the 4x4 matrix that one of the methods takes.
@@ -144,7 +144,7 @@ TEST_F(Rotation, MirroredBodiesHaveTheNearestProperRotationByHigham)
         SCOPED_TRACE(pressed);
         expectHigham(cases([&](Random& r) { return turned({0.3, 0.2, pressed}, r.between(0, 170), r); }));
     }
-    // Many rotations are nearest: any will do that is one.
+    // Many rotations are equally near: any proper rotation will do.
     solve(HIGHAM, cases([](Random& r) { return turned({0.2, 0.2, -0.2}, 20.0, r); }));
 }
 
