@@ -10,11 +10,11 @@
 #include <numeric>
 
 #include "sim/actor/body_tree.h"
+#include "sim/world/cells.h"
 
 namespace knuckle {
 
 using Eigen::Vector3f;
-using Eigen::Vector3i;
 
 namespace {
 
@@ -40,49 +40,34 @@ std::vector<uint32_t> assignBones(const Model& model, const Voxels& voxels)
     return bones;
 }
 
-// Finds a particle by its cell of the voxelizer's lattice, which is recovered from the positions.
-class Cells {
+// The voxels' lattice again: each particle in the middle of a cell of its own, whatever was rounded.
+class VoxelCells {
 public:
-    explicit Cells(const Voxels& voxels) : voxels_(voxels)
+    explicit VoxelCells(const Voxels& voxels) : voxels_(voxels), cells_(voxels.diameter)
     {
-        for (uint32_t p = 0; p < voxels.positions.size(); ++p) {
-            cells_.emplace_back(key(cellOf(p)), p);
-        }
-        std::sort(cells_.begin(), cells_.end());
+        for (uint32_t p = 0; p < voxels.positions.size(); ++p) cells_.add(place(p), p);
     }
+    // Calls visit(index) for the particle and those beside it.
     template <typename Visit>
-    void forNeighbours(uint32_t particle, Visit visit) const
+    void forEachAround(uint32_t particle, Visit visit) const
     {
-        const Vector3i centre = cellOf(particle);
-        for (int i = 0; i < 27; ++i) {
-            const int64_t wanted = key(centre + Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
-            const auto found = std::lower_bound(cells_.begin(), cells_.end(), std::pair(wanted, 0u));
-            if (i != 13 && found != cells_.end() && found->first == wanted) {
-                visit(found->second);
-            }
-        }
+        cells_.forEachAround(place(particle), visit);
     }
 
 private:
-    Vector3i cellOf(uint32_t particle) const
+    Vector3f place(uint32_t particle) const
     {
-        const Vector3f cell = (voxels_.positions[particle] - voxels_.positions.front()) / voxels_.diameter;
-        return cell.array().round().cast<int>();
-    }
-    static int64_t key(const Vector3i& cell)
-    {
-        constexpr int64_t SPAN = 1 << 20;
-        return (cell.z() * SPAN + cell.y()) * SPAN + cell.x();
+        return voxels_.positions[particle] - voxels_.positions.front() + Vector3f::Constant(0.5f * voxels_.diameter);
     }
     const Voxels& voxels_;
-    std::vector<std::pair<int64_t, uint32_t>> cells_;
+    Cells cells_;
 };
 
 // Where the skin's weights cut a bone's particles into pieces, a small piece goes to another bone whose particles it
 // touches.
 void moveIslands(std::vector<uint32_t>& bones, const Voxels& voxels)
 {
-    const Cells cells(voxels);
+    const VoxelCells cells(voxels);
     std::vector<Particles> parts;
     std::vector<uint8_t> seen(bones.size(), 0);
     std::map<uint32_t, size_t> sizes;
@@ -94,7 +79,7 @@ void moveIslands(std::vector<uint32_t>& bones, const Voxels& voxels)
         seen[seed] = 1;
         Particles part{seed};
         for (size_t i = 0; i < part.size(); ++i) {
-            cells.forNeighbours(part[i], [&](uint32_t other) {
+            cells.forEachAround(part[i], [&](uint32_t other) {
                 if (!seen[other] && bones[other] == bones[seed]) {
                     seen[other] = 1;
                     part.push_back(other);
@@ -111,7 +96,7 @@ void moveIslands(std::vector<uint32_t>& bones, const Voxels& voxels)
         }
         std::map<uint32_t, size_t> touching;
         for (uint32_t particle : part) {
-            cells.forNeighbours(particle, [&](uint32_t other) { touching[before[other]] += before[other] != own; });
+            cells.forEachAround(particle, [&](uint32_t other) { touching[before[other]] += before[other] != own; });
         }
         touching.erase(own);
         const auto most = std::max_element(touching.begin(), touching.end(),

@@ -8,12 +8,10 @@
 
 namespace knuckle {
 
-inline constexpr uint32_t NO_BONE = 0xffffffffu;
-
 /// A body before its joints are made: a bone, and the particles that it and the bones merged into it took.
 struct BodyDraft {
     std::string name;
-    uint32_t bone = NO_BONE;
+    uint32_t bone = NO_INDEX;
     int32_t parent = -1;                        ///< Into the list of drafts; parents come first.
     std::vector<uint32_t> particles;            ///< Into Voxels, ascending.
     std::vector<std::string> mergedBones;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/world/no_index.h"
+
 namespace knuckle {
 
 using Eigen::Vector3d;
@@ -9,7 +11,6 @@ using Eigen::Vector3i;
 
 namespace {
 
-constexpr uint32_t NO_VERTEX = 0xffffffffu;
 constexpr int PROJECTION_STEPS = 2;
 // Vertices are rounded to this [model unit], so that the last bits of the mathematical library do not show.
 constexpr double GRAIN = 1e-4;
@@ -103,7 +104,7 @@ TriangleMesh surfaceNets(const std::function<double(const Vector3d&)>& distance,
 {
     const Grid grid = sample(distance, low, high, step);
     TriangleMesh mesh;
-    std::vector<uint32_t> cells(grid.values.size(), NO_VERTEX);
+    std::vector<uint32_t> cells(grid.values.size(), NO_INDEX);
     const auto forEachCell = [&](auto visit) {
         for (int z = 0; z + 1 < grid.counts.z(); ++z) {
             for (int y = 0; y + 1 < grid.counts.y(); ++y) {

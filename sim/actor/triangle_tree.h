@@ -7,13 +7,15 @@
 #include <span>
 #include <vector>
 
+#include "sim/world/no_index.h"
+
 namespace knuckle {
 
 using Triangle = std::array<uint32_t, 3>;   ///< Vertex indices, counter-clockwise seen from outside.
 
 /// The point of a mesh nearest to a query.
 struct SurfacePoint {
-    uint32_t triangle = 0xffffffffu;
+    uint32_t triangle = NO_INDEX;
     Eigen::Vector3f barycentric{0, 0, 0};   ///< Weights of the triangle's three vertices.
     Eigen::Vector3f position{0, 0, 0};
     float distance = 0.0f;                  ///< From the query [the mesh's unit], >= 0.

@@ -1,7 +1,6 @@
-#include <algorithm>
-
 #include "sim/world/builder.h"
 #include "sim/world/clusters.h"
+#include "sim/world/disjoint_sets.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -19,13 +18,8 @@ float shareWeight(const Body& body)
 
 void WorldBuilder::assignAssemblies()
 {
-    // Union-find: bodies that share a particle are of one assembly, whose root is its smallest body index.
-    std::vector<uint32_t> root(world_.bodies.size());
-    for (uint32_t b = 0; b < root.size(); ++b) root[b] = b;
-    const auto find = [&](uint32_t b) {
-        while (root[b] != b) b = root[b] = root[root[b]];
-        return b;
-    };
+    // Bodies that share a particle are of one assembly; the smallest body index names it until it is numbered.
+    DisjointSets sets(world_.bodies.size());
     owners_.resize(world_.particles.size());
     for (uint32_t b = 0; b < bodyParticles_.size(); ++b)
         for (uint32_t p : bodyParticles_[b]) {
@@ -33,11 +27,10 @@ void WorldBuilder::assignAssemblies()
             if (particle.body == NO_INDEX) particle.body = b;
             ++particle.bodyCount;
             owners_[p].push_back(b);
-            const uint32_t first = find(particle.body), second = find(b);
-            root[std::max(first, second)] = std::min(first, second);
+            sets.unite(particle.body, b);
         }
-    for (uint32_t b = 0; b < root.size(); ++b) {
-        const uint32_t top = find(b);
+    for (uint32_t b = 0; b < sets.size(); ++b) {
+        const uint32_t top = sets.find(b);
         world_.bodies[b].assembly = top == b ? world_.assemblyCount++ : world_.bodies[top].assembly;
     }
     for (Particle& particle : world_.particles)

@@ -32,17 +32,24 @@ public:
         const auto found = members_.find({cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1});
         return found == members_.end() ? nullptr : &found->second;
     }
+    /// Calls visit(index) for what was added into the 27 cells around x.
+    template <typename Visit>
+    void forEachAround(const Eigen::Vector3f& x, Visit visit) const
+    {
+        for (int k = 0; k < 27; ++k) {
+            const auto* members = around(cellOf(x), k);
+            if (!members) continue;
+            for (uint32_t i : *members) visit(i);
+        }
+    }
     /// Those of the members whose particles stand nearer to x than `distance`, a cell at most.
     std::vector<uint32_t> allNear(const std::vector<Particle>& particles, const Eigen::Vector3f& x,
                                   float distance) const
     {
         std::vector<uint32_t> all;
-        for (int k = 0; k < 27; ++k) {
-            const auto* members = around(cellOf(x), k);
-            if (!members) continue;
-            for (uint32_t i : *members)
-                if ((particles[i].position - x).squaredNorm() < distance * distance) all.push_back(i);
-        }
+        forEachAround(x, [&](uint32_t i) {
+            if ((particles[i].position - x).squaredNorm() < distance * distance) all.push_back(i);
+        });
         return all;
     }
     /// One of them.

@@ -1,41 +1,22 @@
 #include "sim/world/clusters.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "sim/world/builder.h"
+#include "sim/world/cells.h"
+#include "sim/world/disjoint_sets.h"
 
 namespace knuckle {
 
 namespace {
 
 using Members = std::vector<uint32_t>;
-using Cell = std::array<int, 3>;
+using Cell = Cells::Cell;
 
 constexpr float NEIGHBOUR_DISTANCE = 1.8f;   // diameters: lattice neighbours by a face, an edge or a corner
 constexpr float LATTICE_SLACK = 0.25f;       // diameters: how far from its layer a particle still counts to it
-
-class DisjointSets {
-public:
-    explicit DisjointSets(size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0u); }
-    uint32_t find(uint32_t i)
-    {
-        while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-        return i;
-    }
-    void unite(uint32_t a, uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        parents_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<uint32_t> parents_;
-};
 
 bool areNeighbours(const Vector3f& a, const Vector3f& b, float diameter)
 {
@@ -101,25 +82,15 @@ void bridgeGaps(std::vector<Members>& clusters, std::span<const Vector3f> positi
     DisjointSets sets(positions.size());
     for (const Members& members : clusters)
         for (uint32_t i : members) sets.unite(members[0], i);
-    const float cellSize = NEIGHBOUR_DISTANCE * diameter;
-    std::map<Cell, Members> cells;
-    const auto cellOf = [&](const Vector3f& p) {
-        const Eigen::Vector3i c = (p / cellSize).array().floor().cast<int>();
-        return Cell{c.x(), c.y(), c.z()};
-    };
-    for (uint32_t i = 0; i < positions.size(); ++i) cells[cellOf(positions[i])].push_back(i);
+    Cells cells(NEIGHBOUR_DISTANCE * diameter);
+    for (uint32_t i = 0; i < positions.size(); ++i) cells.add(positions[i], i);
     for (uint32_t i = 0; i < positions.size(); ++i)
-        for (int k = 0; k < 27; ++k) {
-            const Cell own = cellOf(positions[i]);
-            const auto found = cells.find({own[0] + k % 3 - 1, own[1] + k / 3 % 3 - 1, own[2] + k / 9 - 1});
-            if (found == cells.end()) continue;
-            for (uint32_t j : found->second) {
-                if (j <= i || sets.find(i) == sets.find(j)) continue;
-                if (!areNeighbours(positions[i], positions[j], diameter)) continue;
-                clusters.push_back({i, j});
-                sets.unite(i, j);
-            }
-        }
+        cells.forEachAround(positions[i], [&](uint32_t j) {
+            if (j <= i || sets.find(i) == sets.find(j)) return;
+            if (!areNeighbours(positions[i], positions[j], diameter)) return;
+            clusters.push_back({i, j});
+            sets.unite(i, j);
+        });
 }
 
 void appendCluster(World& world, uint32_t softBody, const Members& members, const std::vector<uint32_t>& counts)

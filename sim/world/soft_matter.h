@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/world/no_index.h"
+
 namespace knuckle {
 
 /// How a soft body of a material answers to strain. Rigid bodies ignore it.
@@ -24,8 +26,8 @@ inline constexpr float SOFT_SELF_MARGIN = 1.5f;
 struct SoftBody {
     std::string name;
     uint32_t material = 0;
-    uint32_t object = 0xffffffffu;     ///< Index into World::objects.
-    uint32_t assembly = 0xffffffffu;   ///< Of its own: particles that are near at rest never touch.
+    uint32_t object = NO_INDEX;                ///< Index into World::objects.
+    uint32_t assembly = NO_INDEX;              ///< Of its own: particles that are near at rest never touch.
     Eigen::Quaternionf rotation{1, 0, 0, 0};   ///< How the rest pose is turned at the start (Eigen ctor is wxyz).
     uint32_t particleStart = 0, particleCount = 0;
     uint32_t clusterStart = 0, clusterCount = 0;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "sim/world/disjoint_sets.h"
 #include "sim/world/errors.h"
 #include "sim/world/world.h"
 
@@ -54,31 +54,21 @@ void checkStrand(const World& world, const Strand& strand, size_t index)
 void joinStrandAssemblies(World& world)
 {
     if (world.strands.empty()) return;
-    std::vector<uint32_t> root(world.assemblyCount);
-    std::iota(root.begin(), root.end(), 0u);
-    const auto find = [&](uint32_t a) {
-        while (root[a] != a) a = root[a] = root[root[a]];
-        return a;
-    };
+    DisjointSets sets(world.assemblyCount);
     for (const Strand& strand : world.strands) {
         for (uint32_t index : strand.particles) {
             Particle& particle = world.particles.at(index);
-            if (particle.assembly != NO_INDEX) continue;
-            particle.assembly = static_cast<uint32_t>(root.size());
-            root.push_back(particle.assembly);
+            if (particle.assembly == NO_INDEX) particle.assembly = sets.add();
         }
-        for (uint32_t index : strand.particles) {
-            const uint32_t a = find(world.particles[strand.particles[0]].assembly);
-            const uint32_t b = find(world.particles[index].assembly);
-            root[std::max(a, b)] = std::min(a, b);
-        }
+        for (uint32_t index : strand.particles)
+            sets.unite(world.particles[strand.particles[0]].assembly, world.particles[index].assembly);
     }
     // Numbered anew, without gaps.
-    std::vector<uint32_t> number(root.size(), NO_INDEX);
-    std::vector<bool> joined(root.size(), false);
+    std::vector<uint32_t> number(sets.size(), NO_INDEX);
+    std::vector<bool> joined(sets.size(), false);
     world.assemblyCount = 0;
-    for (uint32_t a = 0; a < root.size(); ++a)
-        number[a] = find(a) == a ? world.assemblyCount++ : number[find(a)];
+    for (uint32_t a = 0; a < sets.size(); ++a)
+        number[a] = sets.find(a) == a ? world.assemblyCount++ : number[sets.find(a)];
     for (const Strand& strand : world.strands)
         for (uint32_t index : strand.particles) joined[number[world.particles[index].assembly]] = true;
     for (Body& body : world.bodies) body.assembly = number[body.assembly];

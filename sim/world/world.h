@@ -8,6 +8,7 @@
 
 #include "sim/world/collider_grid.h"
 #include "sim/world/emitter.h"
+#include "sim/world/no_index.h"
 #include "sim/world/settings.h"
 #include "sim/world/soft_matter.h"
 #include "sim/world/strand.h"
@@ -21,9 +22,6 @@ namespace knuckle {
 
 using Eigen::Quaternionf;
 using Eigen::Vector3f;
-
-/// "Belongs to nothing" for every index below.
-inline constexpr uint32_t NO_INDEX = 0xffffffffu;
 
 /// What particles are made of.
 struct Material {
@@ -150,6 +148,12 @@ struct World {
     uint32_t solidCount() const { return static_cast<uint32_t>(particles.size()) - fluidCount; }
     float diameter() const { return 2.0f * particleRadius; }
 };
+
+/// Whether a particle never moves: a fixed body has it.
+inline bool isFixed(const World& world, const Particle& particle)
+{
+    return particle.body != NO_INDEX && world.bodies[particle.body].motion == Motion::Fixed;
+}
 
 /// Nearer to a solid particle no fluid begins [m].
 float fluidClearance(const World& world);
