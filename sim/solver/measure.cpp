@@ -56,8 +56,7 @@ Depths penetrations(const World& world, const std::vector<Vector3f>& positions)
                 }
         }
     for (uint32_t i = 0; i < world.solidCount(); ++i) {
-        const uint32_t body = world.particles[i].body;
-        if (body != NO_INDEX && world.bodies[body].motion == Motion::Fixed) continue;
+        if (isFixed(world, world.particles[i])) continue;
         for (const Collider& collider : world.colliders) {
             const float depth = world.particleRadius - colliderDistance(world, collider, positions[i]);
             if (depth > 0.0f) depths.add(depth);

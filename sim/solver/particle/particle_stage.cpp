@@ -23,11 +23,6 @@ std::vector<uint32_t> latticeEndsOf(const World& world)
     return ends;
 }
 
-bool isFixed(const World& world, const Particle& particle)
-{
-    return particle.body != NO_INDEX && world.bodies[particle.body].motion == Motion::Fixed;
-}
-
 }  // namespace
 
 ParticleStage::ParticleStage(const StageSetup& setup)

@@ -11,16 +11,10 @@ namespace {
 
 constexpr float NEVER = std::numeric_limits<float>::max();
 
-bool isFixed(const World& world, uint32_t particle)
-{
-    const uint32_t body = world.particles[particle].body;
-    return body != NO_INDEX && world.bodies[body].motion == Motion::Fixed;
-}
-
 /// Whether it is uploaded the other way round: the sweep begins at its end, which is better free.
 bool isReversed(const World& world, const Strand& strand)
 {
-    return isFixed(world, strand.particles.back());
+    return isFixed(world, world.particles[strand.particles.back()]);
 }
 
 /// Per strand, its colour: the first whose distanceRows share no particle with it that can move.
@@ -35,7 +29,7 @@ std::vector<uint32_t> colorsOf(const World& world)
         uint32_t color = 0;
         while (std::find(others.begin(), others.end(), color) != others.end()) ++color;
         for (uint32_t particle : strand.particles)
-            if (!isFixed(world, particle)) taken[particle].push_back(color);
+            if (!isFixed(world, world.particles[particle])) taken[particle].push_back(color);
         colors.push_back(color);
     }
     return colors;
@@ -61,9 +55,9 @@ struct Rows {
         const auto first = static_cast<uint32_t>(nodes.size());
         for (uint32_t index : strand.particles) {
             const Particle& particle = world.particles[index];
-            const float share = isFixed(world, index)        ? 0.0f
-                                : particle.body == NO_INDEX  ? 1.0f / particle.mass
-                                                             : static_cast<float>(counts[particle.body]);
+            const float share = isFixed(world, particle)    ? 0.0f
+                                : particle.body == NO_INDEX ? 1.0f / particle.mass
+                                                            : static_cast<float>(counts[particle.body]);
             nodes.push_back({ranks[index].mover, ranks[index].rank, index, std::bit_cast<uint32_t>(share)});
         }
         for (float length : strand.restLengths) {

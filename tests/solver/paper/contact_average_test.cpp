@@ -97,8 +97,7 @@ protected:
     Vector3d move(uint32_t i) const { return vec3(moves[i]).cast<double>(); }
     bool isFixed(uint32_t i) const
     {
-        const uint32_t body = fixture.world.particles[i].body;
-        return body != NO_INDEX && fixture.world.bodies[body].motion == Motion::Fixed;
+        return knuckle::isFixed(bench.world, bench.world.particles[i]);
     }
     /// As predict has it for contacts, scaled.
     double inverseMass(uint32_t i) const { return double(moves[i].w); }

@@ -34,8 +34,7 @@ protected:
     }
     bool isFixed(size_t i) const
     {
-        const Particle& p = fixture.world.particles[i];
-        return p.body != NO_INDEX && fixture.world.bodies[p.body].motion == Motion::Fixed;
+        return knuckle::isFixed(bench.world, bench.world.particles[i]);
     }
     /// All assemblies were last touched in this substep, and go by this order.
     void setAssemblies(uint32_t lastContact, uint32_t order)

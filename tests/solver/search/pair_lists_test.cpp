@@ -8,7 +8,6 @@ namespace knuckle::test {
 namespace {
 
 /// NO_PAIR of shaders/sim/common/contact_lists.glsl.
-constexpr uint32_t NO_REFERENCE = 0xffffffffu;
 
 class PairLists : public testing::TestWithParam<uint32_t> {
 protected:
@@ -51,7 +50,7 @@ protected:
             return fixture.rankOf(pairs[a].y) < fixture.rankOf(pairs[b].y);
         });
         for (uint32_t& q : references)
-            if (q >= fixture.stages.parameters.pairCapacity) q = NO_REFERENCE;
+            if (q >= bench.buffers.parameters.pairCapacity) q = NO_INDEX;
         return references;
     }
 
