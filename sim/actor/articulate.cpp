@@ -128,10 +128,6 @@ JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, ui
     }
     plan.axis = plan.along.cross(plan.flexion).normalized();
     if (const auto found = options.axes.find(draft.name); found != options.axes.end()) {
-        if (!(found->second.norm() > 1e-6f) || !found->second.allFinite()) {
-            throw InputError(fmt::format("joint of bone '{}': its axis has no direction: give three numbers not all 0",
-                                         draft.name));
-        }
         plan.axis = found->second.normalized();
         plan.along = perpendicular(plan.along, plan.axis);
         plan.flexion.setZero();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 
 #include "sim/world/errors.h"
 
@@ -238,13 +239,14 @@ float chooseDiameter(const TriangleTree& tree, std::span<const Vector3f> vertice
 {
     if (options.diameter != 0.0f) {
         if (!(options.diameter > 0.0f) || !std::isfinite(options.diameter)) {
-            throw InputError(fmt::format("particle diameter must be a length above 0 m, not {}", options.diameter));
+            throw std::logic_error(
+                fmt::format("particle diameter must be a length above 0 m, not {}", options.diameter));
         }
         return options.diameter;
     }
     if (options.particleCount > options.particleLimit) {
-        throw InputError(fmt::format("{} particles wanted for one model, at most {} are allowed: ask for fewer",
-                                     options.particleCount, options.particleLimit));
+        throw std::logic_error(fmt::format("{} particles wanted for one model, at most {} are allowed: ask for fewer",
+                                           options.particleCount, options.particleLimit));
     }
     if (options.particleCount > 0) {
         return searchDiameter(tree, vertices, triangles, bounds, options.particleCount);

@@ -29,7 +29,8 @@ struct Voxels {
 /// its triangles face one way. Parts thinner than the lattice keep one layer, those thinner in two directions a row.
 ///
 /// With neither diameter nor count, the diameter is 3 % of the longest side.
-/// @throws InputError for an empty mesh, a diameter that is not finite and positive, or more particles than the limit.
+/// @throws InputError for a mesh that is empty or needs more particles than the limit, std::logic_error for options out
+/// of range.
 Voxels voxelize(std::span<const Eigen::Vector3f> vertices, std::span<const Triangle> triangles,
                 const VoxelOptions& options);
 

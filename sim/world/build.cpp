@@ -1,7 +1,8 @@
+#include <stdexcept>
+
 #include "sim/world/builder.h"
 #include "sim/world/clusters.h"
 #include "sim/world/disjoint_sets.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 
@@ -71,7 +72,7 @@ void WorldBuilder::makeBodyLinks(uint32_t bodyIndex)
 
 World WorldBuilder::build()
 {
-    if (objectOpen_) throw InputError("build(): the last object is still open");
+    if (objectOpen_) throw std::logic_error("build(): the last object is still open");
     // A particle that any fixed body owns is fixed: that body must come first in its list of owners.
     for (uint32_t b = 0; b < bodyParticles_.size(); ++b)
         if (world_.bodies[b].motion == Motion::Fixed)

@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
-#include "sim/world/errors.h"
 #include "sim/world/joints.h"
 
 namespace knuckle {
 
 WorldBuilder::WorldBuilder(float particleRadius, Settings settings)
 {
-    if (!(particleRadius > 0.0f) || !std::isfinite(particleRadius))
-        throw InputError(fmt::format("particle radius {} m: must be above 0", particleRadius));
+    if (!(particleRadius > 0.0f) || !std::isfinite(particleRadius))   // before anything is divided by it
+        throw std::logic_error(fmt::format("particle radius {} m: must be above 0", particleRadius));
     world_.particleRadius = particleRadius;
     world_.settings = settings;
     setFluidSpacing(0.5f);
@@ -41,12 +41,12 @@ uint32_t WorldBuilder::addColliderGrid(ColliderGrid grid)
 
 void WorldBuilder::requireObject(const char* what) const
 {
-    if (!objectOpen_) throw InputError(fmt::format("{}: call beginObject() first", what));
+    if (!objectOpen_) throw std::logic_error(fmt::format("{}: call beginObject() first", what));
 }
 
 void WorldBuilder::beginObject(std::string name)
 {
-    if (objectOpen_) throw InputError(fmt::format("object \"{}\": the one before is still open", name));
+    if (objectOpen_) throw std::logic_error(fmt::format("object \"{}\": the one before is still open", name));
     objectOpen_ = true;
     objectFirstParticle_ = particleCount();
     Object object;
@@ -74,12 +74,12 @@ std::vector<uint32_t> WorldBuilder::newParticles(const std::string& name, std::s
                                                  uint32_t material)
 {
     if (material >= world_.materials.size())
-        throw InputError(fmt::format("body \"{}\": there is no material {}", name, material));
-    if (positions.empty()) throw InputError(fmt::format("body \"{}\" has no particles", name));
+        throw std::logic_error(fmt::format("body \"{}\": there is no material {}", name, material));
+    if (positions.empty()) throw std::logic_error(fmt::format("body \"{}\" has no particles", name));
     std::vector<uint32_t> indices;
     for (const Vector3f& position : positions) {
         if (!position.allFinite())
-            throw InputError(fmt::format("body \"{}\": a particle's position is not finite", name));
+            throw std::logic_error(fmt::format("body \"{}\": a particle's position is not finite", name));
         indices.push_back(newParticle(position, material));
     }
     return indices;
@@ -143,7 +143,7 @@ uint32_t WorldBuilder::addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec&
 {
     requireObject("addJoint");
     if (bodyA == bodyB || std::max(bodyA, bodyB) >= world_.bodies.size())
-        throw InputError(fmt::format("joint \"{}\": needs two different bodies that exist", spec.name));
+        throw std::logic_error(fmt::format("joint \"{}\": needs two different bodies that exist", spec.name));
     const JointPlaces places = jointPlaces(spec, world_.diameter());
     Joint joint;
     joint.type = spec.type;

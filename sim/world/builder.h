@@ -31,9 +31,11 @@ struct JointSpec {
 /// Builds a World: bodies from particle positions, joints by sharing particles (paper, section 4), colliders.
 ///
 /// Indices handed out stay valid. Bodies, joints and particles are added in the rest pose of their object, then
-/// placed as a whole: beginObject(), addBody()..., addJoint()..., endObject(pose, velocity).
+/// placed as a whole: beginObject(), addBody()..., addJoint()..., endObject(pose, velocity). A call out of this order,
+/// or with an index of nothing, is a std::logic_error.
 class WorldBuilder {
 public:
+    /// @param particleRadius [m], > 0.
     explicit WorldBuilder(float particleRadius, Settings settings = {});
 
     uint32_t addMaterial(Material material);
@@ -45,11 +47,11 @@ public:
     void beginObject(std::string name);
     /// A rigid body of particles at `positions` (rest pose of the object) [m]. `surface`: of each particle; where it is
     /// empty, a box lattice has a box's, and anything else none. @returns the body's index.
-    /// @throws InputError for an empty span or a position that is not finite.
+    /// @throws std::logic_error for an empty span or a position that is not finite.
     uint32_t addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
                      Motion motion = Motion::Dynamic, std::span<const SurfaceDistance> surface = {});
     /// A soft body of particles at `positions` (rest pose of the object) [m], as elastic as its material.
-    /// @returns the soft body's index. @throws InputError for an empty span or a position that is not finite.
+    /// @returns the soft body's index. @throws std::logic_error for an empty span or a position that is not finite.
     uint32_t addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material);
     /// Joins two bodies by particles shared between them. Particles of A or B within half a diameter of a place the
     /// joint needs become the shared ones; elsewhere new particles are made. @returns the joint's index.
@@ -77,7 +79,7 @@ public:
     /// Sets the rest distance of fluids [diameters], 0.3 ... 0.6. To be called before addFluid().
     void setFluidSpacing(float spacing);
     float fluidSpacing() const { return world_.fluidSpacing; }
-    /// Its pool comes behind all fluids. @throws InputError unless its material is a fluid.
+    /// Its pool comes behind all fluids. @throws std::logic_error unless its material is a fluid.
     void addEmitter(Emitter emitter);
     /// A plane, box, sphere or capsule in which fluids vanish.
     void addDrain(const Collider& region) { world_.drains.push_back(region); }
@@ -98,7 +100,7 @@ public:
 
 private:
     uint32_t newParticle(const Vector3f& position, uint32_t material);
-    /// As newParticle for each. @throws InputError for what addBody() and addSoftBody() refuse.
+    /// As newParticle for each. @throws std::logic_error for what addBody() and addSoftBody() refuse.
     std::vector<uint32_t> newParticles(const std::string& name, std::span<const Vector3f> positions, uint32_t material);
     uint32_t findOrCreate(const Vector3f& position, uint32_t bodyA, uint32_t bodyB);
     void shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB, Joint& joint);

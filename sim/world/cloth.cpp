@@ -62,19 +62,7 @@ private:
 
 uint32_t cellsOf(float length, float diameter)
 {
-    if (!(length > 0.0f) || !std::isfinite(length))
-        throw InputError(fmt::format("size {} m of the cloth must be above 0", length));
     return static_cast<uint32_t>(std::max(1.0f, std::ceil(length / diameter - 1e-3f)));
-}
-
-void checkCloth(const ClothSpec& spec)
-{
-    for (float compliance : {spec.stretchCompliance, spec.shearCompliance})
-        if (!(compliance >= 0.0f) || !std::isfinite(compliance))
-            throw InputError(fmt::format("compliance {} m/N of the cloth must be 0 (rigid) or above", compliance));
-    if (!(spec.bendCompliance >= 0.0f))
-        throw InputError(fmt::format("bend compliance {} m/N of the cloth must be 0 (rigid) or above",
-                                     spec.bendCompliance));
 }
 
 void addTie(WorldBuilder& builder, const ClothSpec& spec, uint32_t node, uint32_t particle)
@@ -115,7 +103,6 @@ uint32_t addCloth(WorldBuilder& builder, const std::string& name, const ClothShe
                   std::span<const uint32_t> held, std::span<const ClothTie> ties, const Pose& pose,
                   const Vector3f& velocity)
 {
-    checkCloth(spec);
     builder.beginObject(name);
     std::vector<uint32_t> particles(sheet.nodes.size(), NO_INDEX);
     std::vector<Vector3f> heldPlaces;

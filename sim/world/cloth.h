@@ -34,7 +34,7 @@ struct ClothTie {
 };
 
 /// A rectangle in the x-z plane about the origin: rows along x, columns along z, spaced by a diameter or a little less.
-/// Node k of row j (z grows with j) is nodes[j * columns + k]. @param width, depth along x and z [m].
+/// Node k of row j (z grows with j) is nodes[j * columns + k]. @param width, depth along x and z [m], > 0.
 struct GridSheet : ClothSheet {
     uint32_t columns = 0, rows = 0;
 };
@@ -47,7 +47,7 @@ ClothSheet meshSheet(std::span<const Vector3f> vertices, std::span<const std::ar
                      float diameter, const ClothSpec& spec, size_t limit);
 
 /// Adds a sheet as an object. @param held nodes that stay where they are put. @returns the object's index.
-/// @throws InputError for values out of range, or a tie longer than a diameter.
+/// @throws InputError for a tie longer than a diameter.
 uint32_t addCloth(WorldBuilder& builder, const std::string& name, const ClothSheet& sheet, const ClothSpec& spec,
                   std::span<const uint32_t> held, std::span<const ClothTie> ties, const Pose& pose = {},
                   const Vector3f& velocity = {0, 0, 0});

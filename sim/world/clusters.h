@@ -21,7 +21,7 @@ std::vector<std::vector<uint32_t>> makeClusters(std::span<const Vector3f> positi
 /// Gives each soft body of the world its assembly, its clusters and their links (builder, after assemblies).
 void makeSoftLinks(World& world);
 
-/// The invariants of soft bodies. @throws InputError naming the first that fails.
+/// The part of validate() that is about soft bodies.
 void validateSoftBodies(const World& world);
 
 }  // namespace knuckle

@@ -5,6 +5,8 @@
 
 namespace knuckle {
 
+/// What code got wrong that calls a function against its contract is a std::logic_error; these three are for the rest.
+
 /// Something the user gave is wrong (scene, model, image, option). The message is one line that says what, where
 /// (file, JSON path) and the remedy. Ends the program with exit code 2.
 struct InputError : std::runtime_error {

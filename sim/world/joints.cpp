@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/world/errors.h"
+#include <stdexcept>
 
 namespace knuckle {
 
@@ -22,8 +22,8 @@ JointPlaces jointPlaces(const JointSpec& spec, float diameter)
     const Vector3f axis = spec.axis.normalized();
     const Vector3f along = (spec.along - axis * axis.dot(spec.along)).normalized();
     if (!axis.allFinite() || !along.allFinite() || axis.norm() < 0.5f || along.norm() < 0.5f)
-        throw InputError(fmt::format("joint \"{}\": axis and direction must be two vectors that are neither zero nor "
-                                     "parallel", spec.name));
+        throw std::logic_error(fmt::format("joint \"{}\": axis and direction must be two vectors that are neither zero "
+                                           "nor parallel", spec.name));
     const Vector3f u = diameter * axis;
     const Vector3f v = diameter * along.cross(axis);
     const Vector3f& p = spec.anchor;

@@ -16,7 +16,7 @@ struct JointPlaces {
 };
 
 /// @param diameter particle diameter [m]: the spacing of the joint's particles.
-/// @throws InputError for an axis or `along` of length zero, or parallel ones.
+/// @throws std::logic_error for an axis or `along` of length zero, or parallel ones.
 JointPlaces jointPlaces(const JointSpec& spec, float diameter);
 
 /// "ball", "hinge", "stiff" or "universal".

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 #include "sim/world/builder.h"
 #include "sim/world/cells.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 
@@ -60,7 +60,7 @@ uint32_t World::pooledCount() const
 void WorldBuilder::requireFluid(const char* what, uint32_t material) const
 {
     if (material >= world_.materials.size() || !world_.materials[material].fluid)
-        throw InputError(fmt::format("{}(): material {} is not a fluid", what, material));
+        throw std::logic_error(fmt::format("{}(): material {} is not a fluid", what, material));
 }
 
 Particle WorldBuilder::fluidParticle(uint32_t material) const

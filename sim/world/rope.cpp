@@ -84,15 +84,10 @@ void checkRope(const RopeSpec& spec, float distance)
     const auto require = [](bool holds, const std::string& what) {
         if (!holds) throw InputError(what);
     };
-    require(std::isfinite(distance), "the ends of the rope must be finite");
-    require(spec.length >= 0.0f && std::isfinite(spec.length),
-            fmt::format("length {} m of the rope must be above 0", spec.length));
     require(spec.length > 0.0f || distance > 0.0f, "the rope has no length; move its ends apart or set length");
     require(spec.length == 0.0f || spec.length >= 0.9999f * distance,
             fmt::format("length {} m of the rope is less than the {} m between its ends; make it longer or bring them "
                         "nearer", spec.length, distance));
-    require(spec.bendCompliance > 0.0f,
-            fmt::format("bend compliance {} m/N of the rope must be above 0", spec.bendCompliance));
 }
 
 /// Adds a rope: its particles, a fixed body of one particle for each end that is fixed, and its distances.

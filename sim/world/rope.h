@@ -23,14 +23,14 @@ struct RopeSpec {
     float length = 0.0f;                      ///< At rest [m]; 0: the distance between its ends. Longer ones sag.
     RopeEnd start, end;
     float compliance = 0.0f;                  ///< Of the whole rope: longer by so much per newton of load [m/N], >= 0.
-    float bendCompliance = std::numeric_limits<float>::infinity();   ///< Per particle [m/N], > 0; infinite: limp.
+    float bendCompliance = std::numeric_limits<float>::infinity();   ///< Per particle [m/N], >= 0; infinite: limp.
     float tearForce = std::numeric_limits<float>::infinity();        ///< [N], > 0.
     uint32_t material = 0;                    ///< It weighs density x diameter^2 x length.
     Vector3f velocity{0, 0, 0};               ///< [m/s]
 };
 
 /// Adds a rope as an object. @returns the object's index.
-/// @throws InputError for a length below the distance of its ends, or values out of range.
+/// @throws InputError for a length below the distance of its ends.
 uint32_t addRope(WorldBuilder& builder, const std::string& name, const RopeSpec& spec);
 
 /// The nodes of a chain of `count` links of `length` each [m] that hangs at rest between two points, the same mass at

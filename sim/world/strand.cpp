@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "sim/world/disjoint_sets.h"
 #include "sim/world/errors.h"
@@ -26,12 +27,15 @@ void checkStrand(const World& world, const Strand& strand, size_t index)
     const auto fail = [&](const std::string& what) {
         throw InputError(fmt::format("strand {} ({}): {}", index, nameOf(strand.kind), what));
     };
-    if (strand.particles.size() < 2) fail("has fewer than 2 particles; make it longer");
+    const auto misuse = [&](const std::string& what) {
+        throw std::logic_error(fmt::format("strand {} ({}): {}", index, nameOf(strand.kind), what));
+    };
+    if (strand.particles.size() < 2) misuse("has fewer than 2 particles; make it longer");
     if (strand.restLengths.size() + 1 != strand.particles.size())
-        fail(fmt::format("{} particles and {} distances; there must be one distance less", strand.particles.size(),
-                         strand.restLengths.size()));
+        misuse(fmt::format("{} particles and {} distances; there must be one distance less", strand.particles.size(),
+                           strand.restLengths.size()));
     if (!(strand.compliance >= 0.0f) || !std::isfinite(strand.compliance))
-        fail(fmt::format("compliance {} m/N must be 0 (rigid) or above", strand.compliance));
+        misuse(fmt::format("compliance {} m/N must be 0 (rigid) or above", strand.compliance));
     if (!(strand.tearForce > 0.0f)) fail(fmt::format("tear force {} N must be above 0", strand.tearForce));
     for (float length : strand.restLengths) {
         if (!(length > 0.0f) || !std::isfinite(length)) fail(fmt::format("rest distance {} m must be above 0", length));
@@ -41,7 +45,7 @@ void checkStrand(const World& world, const Strand& strand, size_t index)
     }
     std::vector<uint32_t> sorted = strand.particles;
     std::sort(sorted.begin(), sorted.end());
-    if (sorted.back() >= world.particles.size()) fail(fmt::format("there is no particle {}", sorted.back()));
+    if (sorted.back() >= world.particles.size()) misuse(fmt::format("there is no particle {}", sorted.back()));
     if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) fail("has a particle twice");
     for (uint32_t particle : strand.particles)
         if (world.particles[particle].bodyCount > 1)

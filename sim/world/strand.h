@@ -34,7 +34,7 @@ inline constexpr float STRAND_MARGIN = 0.1f;
 /// touch each other, and velocities are of the same order in all of it. The world's start becomes the rest pose.
 void joinStrandAssemblies(World& world);
 
-/// Checks what the solver relies on. @throws InputError naming the first that fails, with the remedy.
+/// The part of validate() that is about strands.
 void validateStrands(const World& world);
 
 }  // namespace knuckle

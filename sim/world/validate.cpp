@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "sim/world/clusters.h"
 #include "sim/world/errors.h"
@@ -10,8 +11,17 @@ namespace knuckle {
 
 namespace {
 
+/// For what only code can get wrong: ranges of single values among them. In a scene file the schema has checked those, and
+/// told their place; here they are checked for who fills a World in code.
 template <typename... Args>
 void require(bool holds, fmt::format_string<Args...> format, Args&&... args)
+{
+    if (!holds) throw std::logic_error(fmt::format(format, std::forward<Args>(args)...));
+}
+
+/// For what a scene file can cause with each of its values in range: some do not go together, and some are rounded to 0.
+template <typename... Args>
+void requireInput(bool holds, fmt::format_string<Args...> format, Args&&... args)
 {
     if (!holds) throw InputError(fmt::format(format, std::forward<Args>(args)...));
 }
@@ -29,26 +39,26 @@ void validateSettings(const Settings& s)
     require(s.stabilization <= 16, "solver stabilization {}: must be 0 to 16", s.stabilization);
     require(within(s.contactMargin, 0.05f, 1.0f), "solver contact margin {}: must be 0.05 to 1", s.contactMargin);
     require(within(s.freeze, 0.0f, 0.8f), "solver freeze {}: must be 0 to 0.8 radii", s.freeze);
-    require(s.freeze == 0.0f || s.sleepSpeed == 0.0f, "solver: freeze and sleep do the same; set one of them to 0");
+    requireInput(s.freeze == 0.0f || s.sleepSpeed == 0.0f, "solver: freeze and sleep do the same; set one of them to 0");
     require(within(s.virtualParticles, 0.0f, 1.0f), "solver virtual particles {}: must be 0 to 1", s.virtualParticles);
     require(within(s.linearDamping, 0.0f, 100.0f), "solver damping {} 1/s: must be 0 to 100", s.linearDamping);
-    require(s.maxSpeed > 0.0f, "solver maximum speed {} m/s: must be above 0", s.maxSpeed);
+    requireInput(s.maxSpeed > 0.0f, "solver maximum speed {} m/s: must be above 0", s.maxSpeed);
     require(within(s.massScaling, 0.0f, 10.0f), "solver mass scaling {} 1/m: must be 0 to 10", s.massScaling);
     require(within(s.vorticity, 0.0f, 1.0f), "solver vorticity {}: must be 0 to 1", s.vorticity);
     require(within(s.sleepSpeed, 0.0f, 10.0f), "solver sleep speed {} m/s: must be 0 to 10", s.sleepSpeed);
     require(s.gravity.allFinite(), "gravity must be finite");
     const bool paper = s.solver == SolverKind::Paper;
-    require(!paper || s.sleepSpeed == 0.0f, "the paper's solver has no sleep; use solver freeze, or method impulse");
-    require(paper || s.reduction == ReductionKind::Auto,
-            "solver reduction is the paper's solver's; use reduction auto, or method paper");
-    require(paper || s.stabilization == 0, "solver stabilization is the paper's solver's; use 0, or method paper");
+    requireInput(!paper || s.sleepSpeed == 0.0f, "the paper's solver has no sleep; use solver freeze, or method impulse");
+    requireInput(paper || s.reduction == ReductionKind::Auto,
+                 "solver reduction is the paper's solver's; use reduction auto, or method paper");
+    requireInput(paper || s.stabilization == 0, "solver stabilization is the paper's solver's; use 0, or method paper");
 }
 
 void validateMaterials(const World& world)
 {
     for (const Material& m : world.materials) {
-        require(m.density > 0.0f && std::isfinite(m.density), "material \"{}\": density {} kg/m3 must be above 0",
-                m.name, m.density);
+        requireInput(m.density > 0.0f && std::isfinite(m.density), "material \"{}\": density {} kg/m3 must be above 0",
+                     m.name, m.density);
         require(m.kineticFriction >= 0.0f && m.kineticFriction <= m.staticFriction,
                 "material \"{}\": kinetic friction {} must be 0 to its static friction {}", m.name, m.kineticFriction,
                 m.staticFriction);
@@ -58,8 +68,8 @@ void validateMaterials(const World& world)
                 m.name, m.surfaceTension);
         require(within(m.restitution, 0.0f, 1.0f), "material \"{}\": restitution {} must be 0 to 1", m.name,
                 m.restitution);
-        require(m.restitution == 0.0f || world.settings.solver == SolverKind::Impulse,
-                "material \"{}\": the paper's solver has no restitution; use 0, or solver method impulse", m.name);
+        requireInput(m.restitution == 0.0f || world.settings.solver == SolverKind::Impulse,
+                     "material \"{}\": the paper's solver has no restitution; use 0, or solver method impulse", m.name);
     }
 }
 
@@ -68,14 +78,14 @@ void validateFluids(const World& world)
     if (world.fluidCount == 0) return;
     require(within(world.fluidSpacing / world.diameter(), 0.299f, 0.601f),
             "fluid spacing {} m: must be 0.3 to 0.6 of the diameter, {} m", world.fluidSpacing, world.diameter());
-    require(world.settings.solver == SolverKind::Impulse, "the paper's solver has no fluids; use solver \"impulse\"");
+    requireInput(world.settings.solver == SolverKind::Impulse, "the paper's solver has no fluids; use solver \"impulse\"");
     for (const Material& m : world.materials) {
         // A fluid that its tension compresses by more than about 3 % jitters (see automaticFluidSubsteps).
         const float way = world.settings.timeStep / (float(world.settings.substeps) * world.fluidSpacing);
         const float most = 0.06f * m.density / (way * way);
-        require(!m.fluid || cohesionPressure(m.surfaceTension, world.fluidSpacing) < most,
-                "material \"{}\": a surface tension of {} N/m jitters with {} substeps: at most {:.3g}, or raise them",
-                m.name, m.surfaceTension, world.settings.substeps, most / cohesionPressure(1.0f, world.fluidSpacing));
+        requireInput(!m.fluid || cohesionPressure(m.surfaceTension, world.fluidSpacing) < most,
+                     "material \"{}\": a surface tension of {} N/m jitters with {} substeps: at most {:.3g}, or raise them",
+                     m.name, m.surfaceTension, world.settings.substeps, most / cohesionPressure(1.0f, world.fluidSpacing));
     }
     for (size_t i = 0; i < world.particles.size(); ++i)
         require(world.materials[world.particles[i].material].fluid == (i >= world.solidCount()),
@@ -105,7 +115,7 @@ void validateParticles(const World& world)
     for (size_t i = 0; i < world.particles.size(); ++i) {
         const Particle& p = world.particles[i];
         require(p.position.allFinite() && p.velocity.allFinite(), "particle {}: position or velocity is not finite", i);
-        require(p.mass > 0.0f && std::isfinite(p.mass), "particle {}: mass {} kg must be above 0", i, p.mass);
+        requireInput(p.mass > 0.0f && std::isfinite(p.mass), "particle {}: mass {} kg must be above 0", i, p.mass);
         require(p.material < world.materials.size(), "particle {}: there is no material {}", i, p.material);
         require(p.body == NO_INDEX || p.body < world.bodies.size(), "particle {}: there is no body {}", i, p.body);
     }
@@ -125,7 +135,7 @@ void validateLinks(const World& world)
         for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
             const Link& link = world.links[l];
             require(link.body == b && link.particle < world.particles.size(), "link {}: body or particle is wrong", l);
-            require(link.mass > 0.0f, "link {}: mass {} kg must be above 0", l, link.mass);
+            requireInput(link.mass > 0.0f, "link {}: mass {} kg must be above 0", l, link.mass);
             ++bodiesOf[link.particle];
         }
     }
@@ -141,8 +151,8 @@ void validateColliders(const World& world)
         const Collider& c = world.colliders[i];
         require(c.position.allFinite() && std::abs(c.orientation.norm() - 1.0f) < 1e-3f,
                 "collider {}: position or orientation is not finite", i);
-        require(c.halfExtents.minCoeff() > 0.0f && c.radius > 0.0f && c.halfHeight >= 0.0f,
-                "collider {}: sizes must be above 0", i);
+        requireInput(c.halfExtents.minCoeff() > 0.0f && c.radius > 0.0f && c.halfHeight >= 0.0f,
+                     "collider {}: sizes must be above 0", i);
         const bool hasGrid = c.shape == ColliderShape::Mesh || c.shape == ColliderShape::Heightfield;
         require(!hasGrid || c.grid < world.colliderGrids.size(), "collider {}: there is no grid {}", i, c.grid);
         require(c.kineticFriction >= 0.0f && c.kineticFriction <= c.staticFriction,
@@ -171,7 +181,7 @@ void validate(const World& world)
 {
     require(world.particleRadius > 0.0f && std::isfinite(world.particleRadius),
             "particle radius {} m: must be above 0", world.particleRadius);
-    require(!world.particles.empty(), "the world has no particles: add an object");
+    requireInput(!world.particles.empty(), "the world has no particles: add an object");
     validateSettings(world.settings);
     validateMaterials(world);
     validateParticles(world);

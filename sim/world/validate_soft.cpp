@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <cmath>
+#include <stdexcept>
 
 #include "sim/world/clusters.h"
 #include "sim/world/errors.h"
@@ -12,8 +12,8 @@ namespace {
 void requireWithin(const Material& material, const char* what, float value, float low, float high, const char* unit)
 {
     if (value >= low && value <= high) return;
-    throw InputError(fmt::format("material \"{}\": {} {}{} must be {} to {}", material.name, what, value, unit, low,
-                                 high));
+    throw std::logic_error(fmt::format("material \"{}\": {} {}{} must be {} to {}", material.name, what, value, unit, low,
+                                       high));
 }
 
 void validateElasticity(const Material& material)
@@ -30,7 +30,7 @@ void validateElasticity(const Material& material)
 void validateBlock(const World& world, const SoftBody& soft, uint32_t index)
 {
     const auto fail = [&](const char* what) {
-        throw InputError(fmt::format("soft body \"{}\": {}", soft.name, what));
+        throw std::logic_error(fmt::format("soft body \"{}\": {}", soft.name, what));
     };
     if (soft.clusterStart + soft.clusterCount > world.clusters.size()) fail("its clusters reach beyond the array");
     for (uint32_t c = soft.clusterStart; c < soft.clusterStart + soft.clusterCount; ++c) {

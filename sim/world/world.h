@@ -159,7 +159,8 @@ inline bool isFixed(const World& world, const Particle& particle)
 float fluidClearance(const World& world);
 
 /// Checks every invariant that the solver relies on: indices in range, links grouped by body, finite positions,
-/// positive masses, shared particles consistent with the links. @throws InputError naming the first that fails.
+/// positive masses, shared particles consistent with the links. It is the one place that does, for Worlds of any origin.
+/// @throws InputError naming the first that fails where a scene file can be the cause, else std::logic_error.
 void validate(const World& world);
 
 }  // namespace knuckle

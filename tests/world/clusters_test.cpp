@@ -114,7 +114,7 @@ TEST(Clusters, WrongMaterialsGetOneLineEach)
     const auto message = [](float Elasticity::* field, float value) {
         Elasticity elasticity;
         elasticity.*field = value;
-        return messageOf([&] { softWorld(elasticity); });
+        return misuseOf([&] { softWorld(elasticity); });
     };
     EXPECT_EQ(message(&Elasticity::stiffness, 0.0f), "material \"jelly\": stiffness 0 Pa must be 1 to 1000000000000");
     EXPECT_EQ(message(&Elasticity::stiffness, NAN), "material \"jelly\": stiffness nan Pa must be 1 to 1000000000000");
@@ -123,7 +123,7 @@ TEST(Clusters, WrongMaterialsGetOneLineEach)
     EXPECT_EQ(message(&Elasticity::yield, 11.0f), "material \"jelly\": yield 11 must be 0 to 10");
     EXPECT_EQ(message(&Elasticity::creep, -2.0f), "material \"jelly\": creep -2 1/s must be 0 to 1000");
     EXPECT_EQ(message(&Elasticity::maxDeformation, 3.0f), "material \"jelly\": largest deformation 3 must be 0 to 2");
-    EXPECT_EQ(messageOf([] { softWorld({}, paperSettings()); }),
+    EXPECT_EQ(complaintOf([] { softWorld({}, paperSettings()); }),
               "soft body \"thing\": the paper's solver has none; use solver method impulse");
 }
 
@@ -131,10 +131,10 @@ TEST(Clusters, BrokenBlocksAreRefused)
 {
     World world = softWorld({});
     world.clusters[0].linkCount = 100000;
-    EXPECT_EQ(messageOf([&] { validate(world); }), "soft body \"thing\": its links reach beyond the array");
+    EXPECT_EQ(misuseOf([&] { validate(world); }), "soft body \"thing\": its links reach beyond the array");
     world = softWorld({});
     world.clusterLinks[0].particle = 5000;
-    EXPECT_EQ(messageOf([&] { validate(world); }), "soft body \"thing\": a link names another cluster or body");
+    EXPECT_EQ(misuseOf([&] { validate(world); }), "soft body \"thing\": a link names another cluster or body");
 }
 
 }  // namespace knuckle::test

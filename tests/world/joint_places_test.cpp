@@ -82,11 +82,11 @@ TEST(JointPlaces, AxesThatAreZeroOrParallelAreRefused)
     spec.name = "elbow";
     for (const Vector3f& axis : {Vector3f(0, 0, 0), Vector3f(2, 0, 0), Vector3f(NAN, 0, 1)}) {
         spec.axis = axis;   // `along` is x
-        EXPECT_EQ(messageOf([&] { jointPlaces(spec, DIAMETER); }), wanted) << axis.transpose();
+        EXPECT_EQ(misuseOf([&] { jointPlaces(spec, DIAMETER); }), wanted) << axis.transpose();
     }
     spec.axis = Vector3f::UnitZ();
     spec.along = Vector3f::Zero();
-    EXPECT_EQ(messageOf([&] { jointPlaces(spec, DIAMETER); }), wanted);
+    EXPECT_EQ(misuseOf([&] { jointPlaces(spec, DIAMETER); }), wanted);
 }
 
 TEST(JointPlaces, EveryTypeHasItsName)

@@ -9,20 +9,23 @@ namespace {
 
 constexpr float INFINITE = std::numeric_limits<float>::infinity();
 
-/// The error of validate() for a valid world (two cubes with a ball joint, one collider) after `spoil` has changed it.
+/// What validate() says of a good world (two cubes with a ball, one collider) that `spoil` has changed.
+/// @tparam Error what it should throw; anything else ends the test.
+template <typename Error = std::logic_error>
 std::string complaint(const std::function<void(World&)>& spoil)
 {
     World world = jointedCubes({});
     world.colliders.emplace_back();
     spoil(world);
-    const std::string message = messageOf([&] { validate(world); });
+    const std::string message = messageOf<Error>([&] { validate(world); });
     EXPECT_EQ(message.find('\n'), std::string::npos) << "more than one line";
     return message;
 }
 
+template <typename Error = std::logic_error>
 std::string settingsComplaint(const std::function<void(Settings&)>& spoil)
 {
-    return complaint([&](World& world) { spoil(world.settings); });
+    return complaint<Error>([&](World& world) { spoil(world.settings); });
 }
 
 }  // namespace
@@ -41,7 +44,7 @@ TEST(Validate, TheWorldNeedsARadiusAndParticles)
 {
     EXPECT_EQ(complaint([](World& w) { w.particleRadius = 0.0f; }), "particle radius 0 m: must be above 0");
     EXPECT_EQ(complaint([](World& w) { w.particleRadius = NAN; }), "particle radius nan m: must be above 0");
-    EXPECT_EQ(complaint([](World& w) { w.particles.clear(); }), "the world has no particles: add an object");
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.particles.clear(); }), "the world has no particles: add an object");
 }
 
 TEST(Validate, EverySettingHasItsRange)
@@ -62,7 +65,7 @@ TEST(Validate, EverySettingHasItsRange)
               "solver virtual particles 2: must be 0 to 1");
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.linearDamping = 101.0f; }),
               "solver damping 101 1/s: must be 0 to 100");
-    EXPECT_EQ(settingsComplaint([](Settings& s) { s.maxSpeed = 0.0f; }),
+    EXPECT_EQ(settingsComplaint<InputError>([](Settings& s) { s.maxSpeed = 0.0f; }),
               "solver maximum speed 0 m/s: must be above 0");
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.massScaling = -1.0f; }),
               "solver mass scaling -1 1/m: must be 0 to 10");
@@ -73,18 +76,18 @@ TEST(Validate, EverySettingHasItsRange)
 
 TEST(Validate, WhatOneSolverHasNotIsRefused)
 {
-    EXPECT_EQ(settingsComplaint([](Settings& s) { s.freeze = s.sleepSpeed = 0.1f; }),
+    EXPECT_EQ(settingsComplaint<InputError>([](Settings& s) { s.freeze = s.sleepSpeed = 0.1f; }),
               "solver: freeze and sleep do the same; set one of them to 0");
-    EXPECT_EQ(settingsComplaint([](Settings& s) {
+    EXPECT_EQ(settingsComplaint<InputError>([](Settings& s) {
                   s.solver = SolverKind::Paper;
                   s.sleepSpeed = 0.1f;
               }),
               "the paper's solver has no sleep; use solver freeze, or method impulse");
-    EXPECT_EQ(settingsComplaint([](Settings& s) { s.reduction = ReductionKind::Steps; }),
+    EXPECT_EQ(settingsComplaint<InputError>([](Settings& s) { s.reduction = ReductionKind::Steps; }),
               "solver reduction is the paper's solver's; use reduction auto, or method paper");
-    EXPECT_EQ(settingsComplaint([](Settings& s) { s.stabilization = 1; }),
+    EXPECT_EQ(settingsComplaint<InputError>([](Settings& s) { s.stabilization = 1; }),
               "solver stabilization is the paper's solver's; use 0, or method paper");
-    EXPECT_EQ(complaint([](World& w) {
+    EXPECT_EQ(complaint<InputError>([](World& w) {
                   w.settings.solver = SolverKind::Paper;
                   w.materials[0].restitution = 0.5f;
               }),
@@ -93,9 +96,9 @@ TEST(Validate, WhatOneSolverHasNotIsRefused)
 
 TEST(Validate, MaterialsNeedADensityAndKineticFrictionBelowStatic)
 {
-    EXPECT_EQ(complaint([](World& w) { w.materials[0].density = 0.0f; }),
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.materials[0].density = 0.0f; }),
               "material \"clay\": density 0 kg/m3 must be above 0");
-    EXPECT_EQ(complaint([](World& w) { w.materials[0].density = INFINITE; }),
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.materials[0].density = INFINITE; }),
               "material \"clay\": density inf kg/m3 must be above 0");
     EXPECT_EQ(complaint([](World& w) { w.materials[0].restitution = 1.5f; }),
               "material \"clay\": restitution 1.5 must be 0 to 1");
@@ -111,7 +114,7 @@ TEST(Validate, ParticlesAreFiniteHeavyAndPointAtThingsThatExist)
               "particle 5: position or velocity is not finite");
     EXPECT_EQ(complaint([](World& w) { w.particles[5].velocity.z() = INFINITE; }),
               "particle 5: position or velocity is not finite");
-    EXPECT_EQ(complaint([](World& w) { w.particles[6].mass = 0.0f; }), "particle 6: mass 0 kg must be above 0");
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.particles[6].mass = 0.0f; }), "particle 6: mass 0 kg must be above 0");
     EXPECT_EQ(complaint([](World& w) { w.particles[7].material = 3; }), "particle 7: there is no material 3");
     EXPECT_EQ(complaint([](World& w) { w.particles[8].body = 2; }), "particle 8: there is no body 2");
 }
@@ -127,7 +130,7 @@ TEST(Validate, LinksAreBlocksThatAgreeWithBodiesAndParticles)
               "body \"a\": its rotation is not a unit quaternion");
     EXPECT_EQ(complaint([](World& w) { w.links[4].body = 1; }), "link 4: body or particle is wrong");
     EXPECT_EQ(complaint([](World& w) { w.links[4].particle = 999; }), "link 4: body or particle is wrong");
-    EXPECT_EQ(complaint([](World& w) { w.links[4].mass = 0.0f; }), "link 4: mass 0 kg must be above 0");
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.links[4].mass = 0.0f; }), "link 4: mass 0 kg must be above 0");
     EXPECT_EQ(complaint([](World& w) { w.links.push_back(w.links.back()); }), "there are links of no body");
     EXPECT_EQ(complaint([](World& w) { w.particles[0].bodyCount = 2; }),
               "particle 0: 1 links name it, but it counts 2 bodies");
@@ -139,9 +142,9 @@ TEST(Validate, CollidersHaveAPlaceASizeAndFriction)
               "collider 0: position or orientation is not finite");
     EXPECT_EQ(complaint([](World& w) { w.colliders[0].orientation.w() = 0.0f; }),
               "collider 0: position or orientation is not finite");
-    EXPECT_EQ(complaint([](World& w) { w.colliders[0].radius = 0.0f; }), "collider 0: sizes must be above 0");
-    EXPECT_EQ(complaint([](World& w) { w.colliders[0].halfExtents.z() = -1.0f; }), "collider 0: sizes must be above 0");
-    EXPECT_EQ(complaint([](World& w) { w.colliders[0].halfHeight = -1.0f; }), "collider 0: sizes must be above 0");
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.colliders[0].radius = 0.0f; }), "collider 0: sizes must be above 0");
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.colliders[0].halfExtents.z() = -1.0f; }), "collider 0: sizes must be above 0");
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.colliders[0].halfHeight = -1.0f; }), "collider 0: sizes must be above 0");
     EXPECT_EQ(complaint([](World& w) { w.colliders[0].kineticFriction = 0.75f; }),
               "collider 0: kinetic friction 0.75 must be 0 to its static friction 0.5");
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 
 #include "sim/world/builder.h"
@@ -44,16 +45,30 @@ inline World jointedCubes(const JointSpec& spec, const Settings& settings = {}, 
     return builder.build();
 }
 
-/// The message of the InputError that `act` throws; empty when it throws none.
-template <typename Act>
+/// The message of the Error that `act` throws; empty when it throws none.
+template <typename Error, typename Act>
 std::string messageOf(Act act)
 {
     try {
         act();
-    } catch (const InputError& error) {
+    } catch (const Error& error) {
         return error.what();
     }
     return "";
+}
+
+/// Of what a user's file can cause.
+template <typename Act>
+std::string complaintOf(Act act)
+{
+    return messageOf<InputError>(act);
+}
+
+/// Of what only code that calls wrongly can cause.
+template <typename Act>
+std::string misuseOf(Act act)
+{
+    return messageOf<std::logic_error>(act);
 }
 
 }  // namespace knuckle::test
