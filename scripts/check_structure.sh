@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Finds includes against the direction of the data, and shaders that include from another room. docs/architecture.md.
+# Finds includes against the direction of the data, shaders that include from another room, and sources that no
+# CMakeLists.txt names. docs/architecture.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 failed=0
@@ -14,11 +15,12 @@ refuse() {
   fi
 }
 
-refuse sim/world 'sim/(gpu|solver|actor)/|render/|app/'
-refuse sim/gpu 'sim/(solver|actor)/|render/|app/'
-refuse sim/actor 'sim/(gpu|solver)/|render/|app/'
-refuse sim/solver 'sim/actor/|render/|app/'
-refuse render 'sim/actor/|app/'
+refuse sim/world 'sim/(gpu|solver|actor)/|render/|app/|tools/'
+refuse sim/gpu 'sim/(solver|actor)/|render/|app/|tools/'
+refuse sim/actor 'sim/(gpu|solver)/|render/|app/|tools/'
+refuse sim/solver 'sim/actor/|render/|app/|tools/'
+refuse render 'sim/actor/|app/|tools/'
+refuse app 'tools/'
 refuse app/files 'app/commands/'
 refuse app/scene 'app/commands/'
 refuse app/schema 'app/(commands|scene)/'
@@ -32,4 +34,15 @@ for part in sim render; do
     refuse "shaders/$part/$room" "$part/($others)/"
   done
 done
+
+# A source is named in the CMakeLists.txt of its folder, or of the nearest one above.
+while read -r source; do
+  folder=$(dirname "$source")
+  while [[ ! -f $folder/CMakeLists.txt ]]; do folder=$(dirname "$folder"); done
+  grep -q 'GLOB_RECURSE sources' "$folder/CMakeLists.txt" && continue
+  if ! grep -qE "(^|[ (/])${source#"$folder"/}([ )]|\$)" "$folder/CMakeLists.txt"; then
+    echo "$source is not listed in $folder/CMakeLists.txt" >&2
+    failed=1
+  fi
+done < <(find sim render app tools tests -name '*.cpp' | sort)
 exit $failed

@@ -9,7 +9,7 @@
 #include "app/files/joints_file.h"
 #include "app/files/output.h"
 #include "render/renderer.h"
-#include "sim/actor/articulate.h"
+#include "sim/actor/bodies/articulate.h"
 #include "sim/solver/solver.h"
 #include "sim/world/errors.h"
 

@@ -43,8 +43,6 @@ void addCompareCommand(CommandLine line);
 void addBenchCommand(CommandLine line);
 void addInfoCommand(CommandLine line);
 void addSchemaCommand(CommandLine line);
-/// Writes the project's own models; not shown in the help.
-void addModelCommand(CommandLine line);
 
 /// The whole program: reads the command line, runs the command, tells errors on stderr. @returns the exit code.
 int runProgram(int argc, char** argv);

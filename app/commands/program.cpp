@@ -50,7 +50,7 @@ int parseAndRun(int argc, char** argv)
     addCommonOptions(program, common);
     const CommandLine line{program, common, chosen};
     for (const auto add : {addRenderCommand, addVoxelizeCommand, addCheckCommand, addCompareCommand, addBenchCommand,
-                           addInfoCommand, addSchemaCommand, addModelCommand}) {
+                           addInfoCommand, addSchemaCommand}) {
         add(line);
     }
     try {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/world/builder.h"
+#include "sim/world/builder/builder.h"
 
 namespace knuckle {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sim/actor/articulate.h"
+#include "sim/actor/bodies/articulate.h"
 
 namespace knuckle {
 

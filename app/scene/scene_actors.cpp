@@ -8,7 +8,7 @@
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_parts.h"
 #include "app/scene/scene_strands.h"
-#include "sim/actor/articulate.h"
+#include "sim/actor/bodies/articulate.h"
 
 namespace knuckle {
 

@@ -8,7 +8,7 @@
 
 #include "app/files/json.h"
 #include "sim/actor/actor.h"
-#include "sim/world/builder.h"
+#include "sim/world/builder/builder.h"
 
 /// The parts of a scene file, from documents that the schema has completed.
 namespace knuckle {

@@ -8,9 +8,9 @@
 #include "app/scene/scene_fields.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_fill.h"
-#include "sim/world/cloth.h"
+#include "sim/world/builder/cloth.h"
 #include "sim/world/errors.h"
-#include "sim/world/rope.h"
+#include "sim/world/builder/rope.h"
 
 namespace knuckle {
 

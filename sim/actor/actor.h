@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/world/builder.h"
+#include "sim/world/builder/builder.h"
 #include "sim/world/world.h"
 
 namespace knuckle {

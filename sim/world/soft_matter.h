@@ -8,6 +8,8 @@
 
 namespace knuckle {
 
+struct World;
+
 /// How a soft body of a material answers to strain. Rigid bodies ignore it.
 struct Elasticity {
     float stiffness = 5e4f;        ///< Young's modulus [Pa], > 0. A free column of height H sags by rho g H^2 / (2 E).
@@ -39,5 +41,8 @@ struct Cluster {
     uint32_t softBody = 0;
     uint32_t linkStart = 0, linkCount = 0;
 };
+
+/// The part of validate() that is about soft bodies.
+void validateSoftBodies(const World& world);
 
 }  // namespace knuckle

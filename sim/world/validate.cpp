@@ -3,7 +3,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/world/clusters.h"
 #include "sim/world/errors.h"
 #include "sim/world/world.h"
 
@@ -11,15 +10,15 @@ namespace knuckle {
 
 namespace {
 
-/// For what only code can get wrong: ranges of single values among them. In a scene file the schema has checked those, and
-/// told their place; here they are checked for who fills a World in code.
+/// For what only code can get wrong: ranges of single values among them. Of a scene file the schema has checked those and
+/// knows their place; here they are checked for who fills a World in code.
 template <typename... Args>
 void require(bool holds, fmt::format_string<Args...> format, Args&&... args)
 {
     if (!holds) throw std::logic_error(fmt::format(format, std::forward<Args>(args)...));
 }
 
-/// For what a scene file can cause with each of its values in range: some do not go together, and some are rounded to 0.
+/// For what a scene file can cause with all values in range: some do not go together, others are rounded to 0.
 template <typename... Args>
 void requireInput(bool holds, fmt::format_string<Args...> format, Args&&... args)
 {

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "sim/world/clusters.h"
 #include "sim/world/errors.h"
+#include "sim/world/world.h"
 
 namespace knuckle {
 

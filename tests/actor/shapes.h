@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/actor/surface_nets.h"
+#include "sim/actor/mesh/triangle_tree.h"
 
 namespace knuckle {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "physics_test.h"
-#include "sim/world/cloth.h"
+#include "sim/world/builder/cloth.h"
 
 namespace knuckle::test {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "physics_test.h"
-#include "sim/actor/distance_grid.h"
+#include "sim/actor/mesh/distance_grid.h"
 
 namespace knuckle::test {
 

@@ -3,7 +3,7 @@
 
 #include "app/commands/table2_world.h"
 #include "physics_test.h"
-#include "sim/world/joints.h"
+#include "sim/world/builder/joints.h"
 
 namespace knuckle::test {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "physics_test.h"
-#include "sim/world/rope.h"
+#include "sim/world/builder/rope.h"
 
 namespace knuckle::test {
 

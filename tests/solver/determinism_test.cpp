@@ -6,8 +6,8 @@
 
 #include "app/commands/table2_world.h"
 #include "sim/solver/solver.h"
-#include "sim/world/cloth.h"
-#include "sim/world/rope.h"
+#include "sim/world/builder/cloth.h"
+#include "sim/world/builder/rope.h"
 #include "tests/solver/solver_test.h"
 
 namespace knuckle::test {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/solver/stages.h"
-#include "sim/world/builder.h"
+#include "sim/solver/buffers.h"
+#include "sim/world/builder/builder.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle::test {

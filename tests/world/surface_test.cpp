@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/world/builder.h"
+#include "sim/world/builder/builder.h"
 
 namespace knuckle {
 namespace {

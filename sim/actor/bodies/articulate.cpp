@@ -1,0 +1,221 @@
+#include "sim/actor/bodies/articulate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/actor/bodies/bone_bodies.h"
+#include "sim/actor/bodies/joint_particles.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr float BENT = 0.15f;                // sine of the rest bend from which a hinge's axis is taken from it
+
+// Which way a figure faces in its rest pose.
+struct Bearings {
+    Vector3f left{1, 0, 0};
+    Vector3f forward{0, 0, 1};
+};
+
+Bearings bearingsOf(const Model& model)
+{
+    Vector3f left = Vector3f::Zero(), right = Vector3f::Zero();
+    int lefts = 0, rights = 0;
+    for (uint32_t b = 0; b < model.bones.size(); ++b) {
+        const int side = sideFromName(model.bones[b].name);
+        left += side > 0 ? boneHead(model, b) : Vector3f::Zero();
+        right += side < 0 ? boneHead(model, b) : Vector3f::Zero();
+        lefts += side > 0;
+        rights += side < 0;
+    }
+    Bearings bearings;
+    if (lefts > 0 && rights > 0) {
+        Vector3f across = left / static_cast<float>(lefts) - right / static_cast<float>(rights);
+        across.y() = 0.0f;
+        if (across.norm() > 1e-4f) {
+            bearings.left = across.normalized();
+            bearings.forward = bearings.left.cross(Vector3f::UnitY());
+        }
+    }
+    return bearings;
+}
+
+Vector3f perpendicular(const Vector3f& v, const Vector3f& along)
+{
+    const Vector3f across = v - v.dot(along) * along;
+    return across.norm() > 1e-3f ? Vector3f(across.normalized()) : along.unitOrthogonal().eval();
+}
+
+int32_t firstChild(const Model& model, uint32_t bone)
+{
+    for (uint32_t b = bone + 1; b < model.bones.size(); ++b) {
+        if (model.bones[b].parent == static_cast<int32_t>(bone)) {
+            return static_cast<int32_t>(b);
+        }
+    }
+    return -1;
+}
+
+std::string nameOf(const Model& model, int32_t bone)
+{
+    return bone < 0 ? std::string() : model.bones[bone].name;
+}
+
+// The direction in which the body leaves its joint: towards the next joint, else towards its middle.
+Vector3f directionOf(const std::vector<BodyDraft>& drafts, uint32_t body, const Voxels& voxels)
+{
+    Vector3f end = Vector3f::Zero();
+    float count = 0.0f;
+    for (const BodyDraft& draft : drafts) {
+        if (draft.parent == static_cast<int32_t>(body)) {
+            end += draft.anchor;
+            count += 1.0f;
+        }
+    }
+    if (count == 0.0f) {
+        for (uint32_t p : drafts[body].particles) {
+            end += voxels.positions[p];
+        }
+        count = static_cast<float>(drafts[body].particles.size());
+    }
+    const Vector3f along = end / count - drafts[body].anchor;
+    return along.norm() > 1e-3f * voxels.diameter ? Vector3f(along.normalized()) : Vector3f(0, -1, 0);
+}
+
+// Which way a hinge bends, from the words of its bone: knees back, toes and everything else forward, or up where the
+// limb itself points forward.
+Vector3f bendDirection(const std::string& name, const Vector3f& along, const Bearings& bearings)
+{
+    std::string words = name;
+    std::transform(words.begin(), words.end(), words.begin(), [](unsigned char c) { return std::tolower(c); });
+    const auto says = [&](const char* part) { return words.find(part) != std::string::npos; };
+    const bool arm = says("arm") || says("elbow");
+    const bool leg = !arm && (says("leg") || says("knee") || says("shin") || says("calf"));
+    const Vector3f wanted = leg ? Vector3f(-bearings.forward) : bearings.forward;
+    return std::abs(wanted.dot(along)) < 0.8f ? perpendicular(wanted, along)
+                                              : perpendicular(Vector3f::UnitY(), along);
+}
+
+JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, uint32_t body, const Voxels& voxels,
+                    const ArticulationOptions& options, const Bearings& bearings)
+{
+    const BodyDraft& draft = drafts[body];
+    const uint32_t parent = static_cast<uint32_t>(draft.parent);
+    JointPlan plan;
+    plan.type = jointTypeFromName(draft.name, nameOf(model, model.bones[draft.bone].parent),
+                                  nameOf(model, firstChild(model, draft.bone)));
+    if (const auto found = options.types.find(draft.name); found != options.types.end()) {
+        plan.type = found->second;
+    }
+    plan.parent = parent;
+    plan.child = body;
+    plan.anchor = draft.anchor;
+    plan.clear = options.clearJoints;
+    plan.along = directionOf(drafts, body, voxels);
+    plan.flexion = bendDirection(draft.name, plan.along, bearings);
+    const Vector3f above = draft.anchor - drafts[parent].anchor;
+    if (drafts[parent].parent >= 0 && above.norm() > voxels.diameter) {
+        const Vector3f bend = above.normalized().cross(plan.along);
+        const Vector3f deviation = plan.along - plan.along.dot(above.normalized()) * above.normalized();
+        // A limb that is bent at rest shows its hinge's axis, unless it is bent the wrong way (a knee forward).
+        if (bend.norm() > BENT && deviation.dot(plan.flexion) > 0.5f * deviation.norm()) {
+            plan.flexion = perpendicular(deviation, plan.along);
+        }
+    }
+    plan.axis = plan.along.cross(plan.flexion).normalized();
+    if (const auto found = options.axes.find(draft.name); found != options.axes.end()) {
+        plan.axis = found->second.normalized();
+        plan.along = perpendicular(plan.along, plan.axis);
+        plan.flexion.setZero();
+    }
+    return plan;
+}
+
+template <typename Value>
+void checkOverrides(const Model& model, const std::map<std::string, Value>& overrides)
+{
+    for (const auto& [name, value] : overrides) {
+        if (std::none_of(model.bones.begin(), model.bones.end(), [&](const Bone& b) { return b.name == name; })) {
+            throw InputError(fmt::format("joint for bone '{}': the model '{}' has no bone of that name", name,
+                                         model.name));
+        }
+    }
+}
+
+// The actor without the particles that gave way to joints; indices are renumbered without gaps.
+void collect(const std::vector<ParticleDraft>& particles, Actor& actor)
+{
+    std::vector<uint32_t> index(particles.size(), NO_INDEX);
+    for (size_t p = 0; p < particles.size(); ++p) {
+        if (particles[p].bodies.empty()) {
+            continue;
+        }
+        index[p] = static_cast<uint32_t>(actor.particles.size());
+        actor.particles.push_back(particles[p].position);
+        actor.signedDistances.push_back(particles[p].signedDistance);
+        actor.outward.push_back(particles[p].outward);
+        for (uint32_t body : particles[p].bodies) {
+            actor.bodies[body].particles.push_back(index[p]);
+        }
+    }
+    for (ActorJoint& joint : actor.joints) {
+        for (uint32_t& particle : joint.sharedParticles) {
+            particle = index[particle];
+        }
+    }
+}
+
+void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointPlan& plan)
+{
+    const std::string name = actor.bodies[plan.child].name;
+    const uint32_t crossBody = static_cast<uint32_t>(actor.bodies.size());
+    const std::vector<uint32_t> shared = makeJointParticles(particles, plan, actor.diameter, crossBody);
+    if (plan.type != JointType::Universal) {
+        actor.joints.push_back({name, plan.type, plan.parent, plan.child, plan.anchor, plan.axis, shared});
+        return;
+    }
+    actor.bodies.push_back({name + "/cross", {}, static_cast<int32_t>(plan.parent), {}});
+    actor.bodies[plan.child].parent = static_cast<int32_t>(crossBody);
+    actor.joints.push_back({name + "/cross", plan.type, plan.parent, crossBody, plan.anchor, plan.axis,
+                            {shared[0], shared[1]}});
+    actor.joints.push_back({name, plan.type, crossBody, plan.child, plan.anchor,
+                            plan.along.cross(plan.axis).normalized(), {shared[2], shared[3]}});
+}
+
+}  // namespace
+
+Actor makeActor(const Model& model, const ActorOptions& options)
+{
+    checkOverrides(model, options.articulation.types);
+    checkOverrides(model, options.articulation.axes);
+    const Voxels voxels = voxelize(model.vertices, model.triangles, options.voxels);
+    Actor actor;
+    actor.name = options.name.empty() ? model.name : options.name;
+    actor.diameter = voxels.diameter;
+    actor.notes = model.notes;
+    const std::vector<BodyDraft> drafts = cutIntoBodies(model, voxels, actor.notes);
+    std::vector<ParticleDraft> particles(voxels.positions.size());
+    for (size_t p = 0; p < particles.size(); ++p) {
+        particles[p].position = voxels.positions[p];
+        particles[p].signedDistance = voxels.signedDistances[p];
+        particles[p].outward = voxels.outward[p];
+    }
+    for (uint32_t b = 0; b < drafts.size(); ++b) {
+        actor.bodies.push_back({drafts[b].name, {}, drafts[b].parent, drafts[b].mergedBones});
+        for (uint32_t p : drafts[b].particles) {
+            particles[p].bodies = {b};
+        }
+    }
+    const Bearings bearings = bearingsOf(model);
+    for (uint32_t b = 1; b < drafts.size(); ++b) {
+        addJoints(actor, particles, planJoint(model, drafts, b, voxels, options.articulation, bearings));
+    }
+    collect(particles, actor);
+    return actor;
+}
+
+}  // namespace knuckle

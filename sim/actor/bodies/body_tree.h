@@ -1,0 +1,25 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "sim/actor/bodies/bone_bodies.h"
+#include "sim/actor/mesh/voxelize.h"
+
+namespace knuckle {
+
+/// Where two bodies come nearest.
+struct Contact {
+    float distance = std::numeric_limits<float>::infinity();   ///< [m]
+    Eigen::Vector3f middle{0, 0, 0};                   ///< Mean of the middles of the nearest pairs
+};
+
+/// Of bodies with thousands of particles only every n-th particle is compared.
+Contact contactOf(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b, const Voxels& voxels);
+
+/// Makes one tree of the bodies, parents first: further roots join the body nearest to them, bodies apart from their
+/// parent join one they touch, and joints whose bone's head is away from both move to where they meet.
+void arrangeTree(std::vector<BodyDraft>& drafts, const Voxels& voxels, std::vector<std::string>& notes);
+
+}  // namespace knuckle

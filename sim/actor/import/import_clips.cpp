@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/actor/import/import_scene.h"
+
+namespace knuckle {
+
+using Eigen::Matrix4d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double SAMPLES_PER_SECOND = 60.0;
+constexpr double DEFAULT_TICKS = 25.0;       // per second, where the file does not say
+constexpr double LONGEST = 3600.0;           // [s]
+constexpr size_t MATRIX_LIMIT = 1000000;     // bone poses of all clips together, 64 MB
+
+Vector3d valueOf(const aiVectorKey& key)
+{
+    return {key.mValue.x, key.mValue.y, key.mValue.z};
+}
+
+Quaterniond valueOf(const aiQuatKey& key)
+{
+    return Quaterniond(key.mValue.w, key.mValue.x, key.mValue.y, key.mValue.z).normalized();
+}
+
+Vector3d between(const Vector3d& a, const Vector3d& b, double t)
+{
+    return a + t * (b - a);
+}
+
+Quaterniond between(const Quaterniond& a, const Quaterniond& b, double t)
+{
+    return a.slerp(t, b);
+}
+
+// The value at a time in ticks; before the first and after the last key it stays that of the key.
+template <typename Key>
+auto sampleKeys(const Key* keys, unsigned count, double time)
+{
+    const Key* next = std::upper_bound(keys, keys + count, time, [](double t, const Key& k) { return t < k.mTime; });
+    if (next == keys || next == keys + count) {
+        return valueOf(next == keys ? keys[0] : keys[count - 1]);
+    }
+    const Key& before = next[-1];
+    const double span = next->mTime - before.mTime;
+    return between(valueOf(before), valueOf(*next), span > 0.0 ? (time - before.mTime) / span : 0.0);
+}
+
+Matrix4d sampleChannel(const aiNodeAnim& channel, const Matrix4d& rest, double time)
+{
+    Eigen::Affine3d restAffine(rest);
+    Vector3d position = restAffine.translation();
+    const Vector3d restScale = rest.topLeftCorner<3, 3>().colwise().norm();
+    Vector3d scale = restScale;
+    Eigen::Matrix3d rotation = rest.topLeftCorner<3, 3>() * restScale.cwiseMax(1e-12).cwiseInverse().asDiagonal();
+    if (channel.mNumPositionKeys > 0) {
+        position = sampleKeys(channel.mPositionKeys, channel.mNumPositionKeys, time);
+    }
+    if (channel.mNumRotationKeys > 0) {
+        rotation = sampleKeys(channel.mRotationKeys, channel.mNumRotationKeys, time).toRotationMatrix();
+    }
+    if (channel.mNumScalingKeys > 0) {
+        scale = sampleKeys(channel.mScalingKeys, channel.mNumScalingKeys, time);
+    }
+    Matrix4d m = Matrix4d::Identity();
+    m.topLeftCorner<3, 3>() = rotation * scale.asDiagonal();
+    m.block<3, 1>(0, 3) = position;
+    return m;
+}
+
+// Per node its channel, if any. Where a mesh and a bone have the same name, the channel is the bone's.
+std::vector<const aiNodeAnim*> channelsByNode(const aiAnimation& animation, const NodeTable& table)
+{
+    std::map<std::string, uint32_t> nodeByName;
+    for (uint32_t n = 0; n < table.nodes.size(); ++n) {
+        const std::string name = table.nodes[n]->mName.C_Str();
+        const auto found = nodeByName.find(name);
+        if (found == nodeByName.end() || (table.boneOf[found->second] < 0 && table.boneOf[n] >= 0)) {
+            nodeByName[name] = n;
+        }
+    }
+    std::vector<const aiNodeAnim*> channels(table.nodes.size(), nullptr);
+    for (unsigned c = 0; c < animation.mNumChannels; ++c) {
+        const auto found = nodeByName.find(animation.mChannels[c]->mNodeName.C_Str());
+        if (found != nodeByName.end()) {
+            channels[found->second] = animation.mChannels[c];
+        }
+    }
+    return channels;
+}
+
+std::vector<Eigen::Matrix4f> poseAt(const std::vector<const aiNodeAnim*>& channels, const NodeTable& table,
+                                    double ticks, size_t boneCount)
+{
+    std::vector<Matrix4d> globals(table.nodes.size());
+    std::vector<Eigen::Matrix4f> poses(boneCount);
+    for (size_t n = 0; n < table.nodes.size(); ++n) {
+        Matrix4d local = table.locals[n];
+        if (channels[n] != nullptr) {
+            local = sampleChannel(*channels[n], toEigen(table.nodes[n]->mTransformation), ticks);
+            local = table.parents[n] < 0 ? Matrix4d(table.upright * local) : local;
+        }
+        globals[n] = table.parents[n] < 0 ? local : Matrix4d(globals[table.parents[n]] * local);
+        if (table.boneOf[n] >= 0) {
+            poses[table.boneOf[n]] = globals[n].cast<float>();
+        }
+    }
+    return poses;
+}
+
+// From the first key to the last, in ticks.
+std::pair<double, double> spanOf(const aiAnimation& animation)
+{
+    double first = 1e300, last = -1e300;
+    const auto include = [&](const auto* keys, unsigned count) {
+        for (unsigned k = 0; k < count; ++k) {
+            first = std::min(first, keys[k].mTime);
+            last = std::max(last, keys[k].mTime);
+        }
+    };
+    for (unsigned c = 0; c < animation.mNumChannels; ++c) {
+        include(animation.mChannels[c]->mPositionKeys, animation.mChannels[c]->mNumPositionKeys);
+        include(animation.mChannels[c]->mRotationKeys, animation.mChannels[c]->mNumRotationKeys);
+        include(animation.mChannels[c]->mScalingKeys, animation.mChannels[c]->mNumScalingKeys);
+    }
+    return {first, last};
+}
+
+void convertClip(const aiAnimation& animation, const NodeTable& table, size_t keyLimit, Model& model)
+{
+    Clip clip;
+    clip.name = animation.mName.length > 0 ? animation.mName.C_Str() : fmt::format("clip {}", model.clips.size());
+    double ticksPerSecond = animation.mTicksPerSecond;
+    if (!(ticksPerSecond > 0.0) || !std::isfinite(ticksPerSecond)) {
+        ticksPerSecond = DEFAULT_TICKS;
+        model.notes.push_back(fmt::format("Clip '{}' does not say how fast it runs: {} ticks a second assumed.",
+                                          clip.name, DEFAULT_TICKS));
+    }
+    const auto [first, last] = spanOf(animation);
+    clip.duration = (last - first) / ticksPerSecond;
+    if (!(clip.duration >= 0.0) || clip.duration > LONGEST) {
+        model.notes.push_back(fmt::format("Clip '{}' has no keys, or none at sensible times, and was left out.",
+                                          clip.name));
+        return;
+    }
+    const size_t wanted = static_cast<size_t>(std::ceil(clip.duration * SAMPLES_PER_SECOND)) + 1;
+    const size_t count = std::min(wanted, std::max<size_t>(keyLimit, 2));
+    if (count < wanted) {
+        model.notes.push_back(fmt::format("Clip '{}' was sampled {} times instead of {} to save memory.", clip.name,
+                                          count, wanted));
+    }
+    const std::vector<const aiNodeAnim*> channels = channelsByNode(animation, table);
+    for (size_t k = 0; k < count; ++k) {
+        const double part = count > 1 ? static_cast<double>(k) / static_cast<double>(count - 1) : 0.0;
+        clip.keyTimes.push_back(part * clip.duration);
+        clip.poses.push_back(poseAt(channels, table, first + part * (last - first), model.bones.size()));
+        for (const Eigen::Matrix4f& pose : clip.poses.back()) {
+            if (!pose.allFinite()) {
+                model.notes.push_back(fmt::format("Clip '{}' has keys that are not numbers and was left out.",
+                                                  clip.name));
+                return;
+            }
+        }
+    }
+    model.clips.push_back(std::move(clip));
+}
+
+}  // namespace
+
+void convertClips(const aiScene& scene, const NodeTable& table, Model& model)
+{
+    if (model.bones.empty() || scene.mNumAnimations == 0) {
+        return;
+    }
+    const size_t keyLimit = MATRIX_LIMIT / (model.bones.size() * scene.mNumAnimations);
+    for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
+        convertClip(*scene.mAnimations[a], table, keyLimit, model);
+    }
+}
+
+}  // namespace knuckle

@@ -1,0 +1,178 @@
+#include "sim/actor/import/import_scene.h"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <fmt/format.h>
+
+#include <assimp/Importer.hpp>
+#include <filesystem>
+#include <new>
+#include <set>
+#include <utility>
+
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr size_t NODE_LIMIT = 100000;
+constexpr size_t DEPTH_LIMIT = 1000;
+constexpr size_t BONE_LIMIT = 4096;
+
+// FBX keeps the up axis as metadata and the data as they are.
+Eigen::Matrix4d uprightFrom(const aiScene& scene)
+{
+    int32_t upAxis = 1;
+    if (scene.mMetaData != nullptr) {
+        scene.mMetaData->Get("UpAxis", upAxis);
+    }
+    Eigen::Matrix4d upright = Eigen::Matrix4d::Identity();
+    if (upAxis == 2) {
+        upright.row(1).swap(upright.row(2));
+        upright.row(2) *= -1.0;
+    } else if (upAxis == 0) {
+        upright.row(0).swap(upright.row(1));
+        upright.row(0) *= -1.0;
+    }
+    return upright;
+}
+
+std::set<const aiNode*> boneNodes(const aiScene& scene, const NodeTable& table)
+{
+    std::set<const aiNode*> bones;
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b) {
+            bones.insert(&nodeOfBone(scene, *scene.mMeshes[m]->mBones[b]));
+        }
+    }
+    // A skeleton without a mesh: all of its nodes, but those that assimp makes for FBX pivots.
+    for (size_t n = 0; n < table.nodes.size() && scene.mNumMeshes == 0; ++n) {
+        if (std::string(table.nodes[n]->mName.C_Str()).find("_$AssimpFbx$_") == std::string::npos) {
+            bones.insert(table.nodes[n]);
+        }
+    }
+    return bones;
+}
+
+}  // namespace
+
+const aiNode& nodeOfBone(const aiScene& scene, const aiBone& bone)
+{
+    const aiNode* node = bone.mNode != nullptr ? bone.mNode : scene.mRootNode->FindNode(bone.mName);
+    if (node == nullptr) {
+        throw InputError(fmt::format("bone '{}' is not among the scene's nodes: export the model with its skeleton",
+                                     bone.mName.C_Str()));
+    }
+    return *node;
+}
+
+Eigen::Matrix4d toEigen(const aiMatrix4x4& m)
+{
+    Eigen::Matrix4d e;
+    e << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4;
+    return e;
+}
+
+int32_t NodeTable::boneAbove(uint32_t node) const
+{
+    int32_t n = static_cast<int32_t>(node);
+    while (n >= 0 && boneOf[n] < 0) {
+        n = parents[n];
+    }
+    return n < 0 ? -1 : boneOf[n];
+}
+
+NodeTable listNodes(const aiScene& scene)
+{
+    struct Visit {
+        const aiNode* node;
+        int32_t parent;
+        size_t depth;
+    };
+    NodeTable table;
+    table.upright = uprightFrom(scene);
+    std::vector<Visit> stack{{scene.mRootNode, -1, 0}};
+    while (!stack.empty()) {
+        const Visit visit = stack.back();
+        stack.pop_back();
+        if (visit.depth > DEPTH_LIMIT || table.nodes.size() >= NODE_LIMIT) {
+            throw InputError(fmt::format("its node tree is deeper than {} or has more than {} nodes: simplify it",
+                                         DEPTH_LIMIT, NODE_LIMIT));
+        }
+        const uint32_t index = static_cast<uint32_t>(table.nodes.size());
+        const Eigen::Matrix4d local = toEigen(visit.node->mTransformation);
+        table.nodes.push_back(visit.node);
+        table.parents.push_back(visit.parent);
+        table.locals.push_back(visit.parent < 0 ? Eigen::Matrix4d(table.upright * local) : local);
+        table.globals.push_back(visit.parent < 0 ? table.locals.back()
+                                                 : Eigen::Matrix4d(table.globals[visit.parent] * local));
+        table.indices[visit.node] = index;
+        if (!table.globals.back().allFinite()) {
+            throw InputError(fmt::format("node '{}' has a transform that is not a number", visit.node->mName.C_Str()));
+        }
+        for (unsigned c = visit.node->mNumChildren; c-- > 0;) {
+            stack.push_back({visit.node->mChildren[c], static_cast<int32_t>(index), visit.depth + 1});
+        }
+    }
+    table.boneOf.assign(table.nodes.size(), -1);
+    return table;
+}
+
+void convertBones(const aiScene& scene, NodeTable& table, Model& model)
+{
+    const std::set<const aiNode*> chosen = boneNodes(scene, table);
+    if (chosen.size() > BONE_LIMIT) {
+        throw InputError(fmt::format("it has {} bones, at most {} are read", chosen.size(), BONE_LIMIT));
+    }
+    std::map<std::string, int> seen;
+    for (uint32_t n = 0; n < table.nodes.size(); ++n) {
+        if (!chosen.contains(table.nodes[n])) {
+            continue;
+        }
+        Bone bone;
+        bone.name = table.nodes[n]->mName.C_Str();
+        if (bone.name.empty()) {
+            bone.name = fmt::format("bone {}", model.bones.size());
+        }
+        if (const int times = ++seen[bone.name]; times > 1) {
+            bone.name += fmt::format("#{}", times);
+        }
+        bone.parent = table.boneAbove(n);
+        bone.restPose = table.globals[n].cast<float>();
+        table.boneOf[n] = static_cast<int32_t>(model.bones.size());
+        model.bones.push_back(bone);
+    }
+}
+
+Model readScene(const std::string& path, bool clips)
+{
+    Assimp::Importer importer;
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+    // Importers of some games' formats look for further files beside the given one. None of them is needed.
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_TEXTURES | aiComponent_MATERIALS |
+                                aiComponent_LIGHTS | aiComponent_CAMERAS);
+    const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_PopulateArmatureData |
+                                                       aiProcess_GlobalScale);
+    if (scene == nullptr || scene->mRootNode == nullptr) {
+        const std::string reason = importer.GetErrorString();
+        if (reason.find("bad_alloc") != std::string::npos) {
+            throw std::bad_alloc();   // assimp caught it and made it a message; out of memory has a message of its own
+        }
+        std::string line = reason.substr(0, reason.find('\n'));
+        line.erase(line.find_last_not_of(". ") + 1);
+        throw InputError(fmt::format("it cannot be read as a model ({}); export it as glTF, FBX, Collada or BVH",
+                                     line.empty() ? "it holds no scene" : line));
+    }
+    Model model;
+    model.name = std::filesystem::path(path).stem().string();
+    NodeTable table = listNodes(*scene);
+    convertBones(*scene, table, model);
+    convertMeshes(*scene, table, model);
+    if (clips) {
+        convertClips(*scene, table, model);
+    }
+    return model;
+}
+
+}  // namespace knuckle

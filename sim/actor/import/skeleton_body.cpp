@@ -1,0 +1,156 @@
+#include "sim/actor/import/skeleton_body.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+namespace knuckle {
+
+using Eigen::Vector3f;
+
+namespace {
+
+constexpr int SIDES = 8;                     // of a capsule, around
+constexpr int CAP_RINGS = 2;                 // of each of its ends
+constexpr float SAME_PLACE = 1e-3f;          // of the figure's size
+constexpr float FOLDED = 0.3f;               // second longest over longest side of the bounds
+constexpr float THICK_PART = 0.5f;           // a capsule, but the skull, is no thicker than this share of its length ...
+constexpr float THINNEST = 0.012f;           // ... unless that would be thinner than this share of the figure's size
+
+struct Thickness {
+    const char* word;
+    float radius;                            // of the figure's size
+};
+
+// The first word found in the lower-case name counts. Radii of an adult.
+constexpr Thickness THICKNESSES[] = {
+    {"thumb", 0.008f}, {"index", 0.008f}, {"middle", 0.008f}, {"ring", 0.008f}, {"pinky", 0.008f},
+    {"finger", 0.012f}, {"hand", 0.022f}, {"wrist", 0.022f}, {"forearm", 0.024f}, {"elbow", 0.024f},
+    {"collar", 0.035f}, {"clavicle", 0.035f}, {"arm", 0.03f}, {"shoulder", 0.03f}, {"toe", 0.018f},
+    {"foot", 0.024f}, {"ankle", 0.024f}, {"upleg", 0.045f}, {"thigh", 0.045f}, {"knee", 0.033f},
+    {"shin", 0.033f}, {"calf", 0.033f}, {"leg", 0.035f}, {"hipjoint", 0.05f}, {"hips", 0.06f}, {"hip", 0.045f},
+    {"neck", 0.032f}, {"head", 0.05f}, {"spine", 0.06f}, {"chest", 0.065f}, {"back", 0.06f}, {"torso", 0.065f},
+    {"abdomen", 0.06f}, {"pelvis", 0.06f}, {"body", 0.06f},
+};
+constexpr float USUAL_THICKNESS = 0.03f;
+
+Vector3f headOf(const Model& model, size_t bone)
+{
+    return model.bones[bone].restPose.block<3, 1>(0, 3);
+}
+
+Vector3f sizeOf(const Model& model)
+{
+    Vector3f low = headOf(model, 0), high = low;
+    for (size_t b = 0; b < model.bones.size(); ++b) {
+        low = low.cwiseMin(headOf(model, b));
+        high = high.cwiseMax(headOf(model, b));
+    }
+    return high - low;
+}
+
+float radiusFor(const std::string& name, float length, float size)
+{
+    std::string lower = name;
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    float part = USUAL_THICKNESS;
+    for (const Thickness& thickness : THICKNESSES) {
+        if (lower.find(thickness.word) != std::string::npos) {
+            part = thickness.radius;
+            break;
+        }
+    }
+    const bool skull = lower.find("head") != std::string::npos;
+    return skull ? part * size : std::min(part * size, std::max(THICK_PART * length, THINNEST * size));
+}
+
+// Rings from the tip of one cap to the tip of the other; the tips are single vertices.
+void addCapsule(Model& model, const Vector3f& a, const Vector3f& b, float radius, uint32_t bone)
+{
+    const Vector3f axis = (b - a).normalized(), u = axis.unitOrthogonal(), v = axis.cross(u);
+    const uint32_t first = static_cast<uint32_t>(model.vertices.size());
+    constexpr int RINGS = 2 * CAP_RINGS;
+    const auto add = [&](const Vector3f& p) {
+        SkinWeights skin;
+        skin.bones[0] = bone;
+        skin.weights[0] = 1.0f;
+        model.vertices.push_back(p);
+        model.skin.push_back(skin);
+    };
+    add(a - radius * axis);
+    for (int r = 0; r < RINGS; ++r) {
+        const int step = r < CAP_RINGS ? r + 1 - CAP_RINGS : r - CAP_RINGS;
+        const float tilt = 0.5f * std::numbers::pi_v<float> * static_cast<float>(step) / CAP_RINGS;
+        const Vector3f centre = (r < CAP_RINGS ? a : b) + radius * std::sin(tilt) * axis;
+        for (int s = 0; s < SIDES; ++s) {
+            const float turn = 2.0f * std::numbers::pi_v<float> * static_cast<float>(s) / SIDES;
+            add(centre + radius * std::cos(tilt) * (std::cos(turn) * u + std::sin(turn) * v));
+        }
+    }
+    add(b + radius * axis);
+    const uint32_t last = static_cast<uint32_t>(model.vertices.size() - 1);
+    const auto at = [&](int ring, int side) { return first + 1 + static_cast<uint32_t>(ring * SIDES + side % SIDES); };
+    for (int s = 0; s < SIDES; ++s) {
+        model.triangles.push_back({first, at(0, s + 1), at(0, s)});
+        for (int r = 0; r + 1 < RINGS; ++r) {
+            model.triangles.push_back({at(r, s), at(r, s + 1), at(r + 1, s + 1)});
+            model.triangles.push_back({at(r, s), at(r + 1, s + 1), at(r + 1, s)});
+        }
+        model.triangles.push_back({last, at(RINGS - 1, s), at(RINGS - 1, s + 1)});
+    }
+}
+
+}  // namespace
+
+void addBodyAlongBones(Model& model)
+{
+    if (model.bones.size() < 2) {
+        return;
+    }
+    const float size = sizeOf(model).maxCoeff();
+    std::vector<uint32_t> carrier(model.bones.size());
+    for (uint32_t b = 0; b < model.bones.size(); ++b) {
+        const int32_t parent = model.bones[b].parent;
+        carrier[b] = b;
+        if (parent < 0) {
+            continue;
+        }
+        const Vector3f from = headOf(model, static_cast<size_t>(parent)), to = headOf(model, b);
+        const float length = (to - from).norm();
+        if (length < SAME_PLACE * size) {
+            carrier[b] = carrier[parent];
+        } else {
+            addCapsule(model, from, to, radiusFor(model.bones[parent].name, length, size), carrier[parent]);
+        }
+    }
+    model.notes.push_back("The file has a skeleton and no mesh: a body was made of capsules along its bones.");
+}
+
+void unfoldRestPose(Model& model)
+{
+    Vector3f size = sizeOf(model);
+    std::sort(size.data(), size.data() + 3);
+    if (model.clips.empty() || size[1] > FOLDED * size[2]) {
+        return;
+    }
+    const std::vector<Eigen::Matrix4f>& pose = model.clips.front().poses.front();
+    Vector3f low = Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
+    for (const Eigen::Matrix4f& bone : pose) {
+        low = low.cwiseMin(bone.block<3, 1>(0, 3));
+        high = high.cwiseMax(bone.block<3, 1>(0, 3));
+    }
+    const Vector3f origin(0.5f * (low.x() + high.x()), low.y(), 0.5f * (low.z() + high.z()));
+    for (size_t b = 0; b < model.bones.size(); ++b) {
+        model.bones[b].restPose = pose[b];
+        model.bones[b].restPose.block<3, 1>(0, 3) -= origin;
+    }
+    model.notes.push_back(fmt::format("The skeleton's rest pose is folded up: the first pose of clip '{}' was taken, "
+                                      "moved to the origin.", model.clips.front().name));
+}
+
+}  // namespace knuckle

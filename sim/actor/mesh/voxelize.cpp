@@ -1,0 +1,296 @@
+#include "sim/actor/mesh/voxelize.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+using Eigen::Vector3f;
+using Eigen::Vector3i;
+
+namespace {
+
+constexpr double CELL_LIMIT = 5e7;          // lattice points looked at
+constexpr double SAMPLE_LIMIT = 2e7;        // surface samples looked at
+constexpr float DEFAULT_DIAMETER = 0.03f;   // of the longest side
+constexpr int SEARCH_STEPS = 12;
+constexpr double SEARCH_TOLERANCE = 0.01;   // of the wanted count
+
+struct Bounds {
+    Vector3f low, high;
+    float longest() const { return (high - low).maxCoeff(); }
+};
+
+Bounds boundsOf(std::span<const Vector3f> vertices, std::span<const Triangle> triangles)
+{
+    Bounds bounds{Vector3f::Constant(std::numeric_limits<float>::max()),
+                  Vector3f::Constant(std::numeric_limits<float>::lowest())};
+    for (const Triangle& triangle : triangles) {
+        for (uint32_t v : triangle) {
+            bounds.low = bounds.low.cwiseMin(vertices[v]);
+            bounds.high = bounds.high.cwiseMax(vertices[v]);
+        }
+    }
+    return bounds;
+}
+
+// The cubic lattice over a mesh, and which of its points are taken.
+class Lattice {
+public:
+    Lattice(const Bounds& bounds, float spacing) : spacing_(spacing)
+    {
+        const Vector3f half = 0.5f * (bounds.high - bounds.low);
+        // One point beyond the bounds on each side, since a thin part's layer may stand outside.
+        const Eigen::Vector3d reach = (half / spacing).cast<double>().array().ceil() + 1.0;
+        const double cells = (2.0 * reach.array() + 1.0).prod();
+        if (!(cells <= CELL_LIMIT)) {
+            throw InputError(fmt::format(
+                "particle diameter {:g} m is too small for a model of {:.3g} x {:.3g} x {:.3g} m: use a larger one",
+                spacing, 2 * half.x(), 2 * half.y(), 2 * half.z()));
+        }
+        counts_ = 2 * reach.cast<int>() + Vector3i::Ones();
+        origin_ = 0.5f * (bounds.low + bounds.high) - spacing * reach.cast<float>();
+        taken_.assign(static_cast<size_t>(counts_.prod()), 0);
+    }
+
+    size_t index(const Vector3i& cell) const
+    {
+        return (static_cast<size_t>(cell.z()) * counts_.y() + cell.y()) * counts_.x() + cell.x();
+    }
+    Vector3f position(const Vector3i& cell) const { return origin_ + spacing_ * cell.cast<float>(); }
+    // Rounded slightly downwards: of a plate midway between two layers of the lattice, all points go to the same layer.
+    Vector3i round(const Vector3f& p) const
+    {
+        const Vector3f cell = ((p - origin_) / spacing_).array() + 0.45f;
+        return cell.array().floor().cast<int>().cwiseMax(1).matrix().cwiseMin(counts_ - 2 * Vector3i::Ones());
+    }
+    bool taken(const Vector3i& cell) const { return taken_[index(cell)] != 0; }
+    void take(const Vector3i& cell)
+    {
+        count_ += taken(cell) ? 0 : 1;
+        taken_[index(cell)] = 1;
+    }
+    // Is a taken point nearer to p than `reach` (below one spacing)?
+    bool covered(const Vector3f& p, float reach) const
+    {
+        const Vector3i centre = round(p);
+        for (int i = 0; i < 27; ++i) {
+            const Vector3i cell = centre + Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            if (taken(cell) && (position(cell) - p).norm() < reach) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    template <typename Visit>
+    void forEach(Visit visit) const
+    {
+        for (int z = 0; z < counts_.z(); ++z) {
+            for (int y = 0; y < counts_.y(); ++y) {
+                for (int x = 0; x < counts_.x(); ++x) {
+                    visit(Vector3i(x, y, z));
+                }
+            }
+        }
+    }
+    size_t count() const { return count_; }
+    float spacing() const { return spacing_; }
+
+private:
+    float spacing_;
+    Vector3i counts_;
+    Vector3f origin_;
+    std::vector<uint8_t> taken_;
+    size_t count_ = 0;
+};
+
+// Depths behind the surface at which the solid is probed [d]. A part deeper than the last holds lattice points anyway.
+constexpr float PROBES[] = {0.03f, 0.06f, 0.12f, 0.25f, 0.5f, 0.75f, 1.0f, 1.25f, 1.5f, 1.75f};
+constexpr float DEEPEST = PROBES[std::size(PROBES) - 1];
+
+// How deep the solid goes behind a surface sample, at most DEEPEST [d]; 0 for an open sheet.
+float probeDepth(const TriangleTree& tree, const Vector3f& sample, const Vector3f& inward, float diameter)
+{
+    float depth = 0.0f;
+    for (const float probe : PROBES) {
+        if (!tree.inside(sample + probe * diameter * inward)) {
+            break;
+        }
+        depth = probe;
+    }
+    return depth;
+}
+
+// Takes the lattice point nearest to the middle of a part that is too thin for the lattice, if none is there.
+void keepThinPart(Lattice& lattice, const TriangleTree& tree, const Vector3f& sample, const Vector3f& normal)
+{
+    const float d = lattice.spacing();
+    // Most samples end here: a taken point lies just behind them.
+    if (lattice.covered(sample - 0.5f * d * normal, 0.75f * d) || lattice.covered(sample, 0.5f * d)) {
+        return;
+    }
+    for (const float side : {-1.0f, 1.0f}) {
+        const float depth = probeDepth(tree, sample, side * normal, d);
+        if (depth >= DEEPEST) {
+            return;
+        }
+        if (depth > 0.0f || side > 0.0f) {
+            const Vector3f middle = sample + 0.5f * depth * d * side * normal;
+            // Half the diagonal of a cell is 0.87: with less, nothing could cover the middle of a cell.
+            if (!lattice.covered(middle, 0.9f * d)) {
+                lattice.take(lattice.round(middle));
+            }
+            return;
+        }
+    }
+}
+
+// Walks over the surface in samples at most half a diameter apart.
+void keepThinParts(Lattice& lattice, const TriangleTree& tree, std::span<const Vector3f> vertices,
+                   std::span<const Triangle> triangles)
+{
+    double samples = 0.0;
+    for (const Triangle& t : triangles) {
+        const Vector3f a = vertices[t[0]], ab = vertices[t[1]] - a, ac = vertices[t[2]] - a;
+        const float longest = std::max({ab.norm(), ac.norm(), (ab - ac).norm()});
+        const Vector3f normal = ab.cross(ac).normalized();
+        if (!normal.allFinite()) {
+            continue;
+        }
+        const int n = static_cast<int>(std::ceil(longest / (0.5f * lattice.spacing())));
+        samples += 0.5 * n * (n + 1.0);
+        if (samples > SAMPLE_LIMIT) {
+            throw InputError(fmt::format("particle diameter {:g} m is too small for this model's surface: "
+                                         "use a larger one", lattice.spacing()));
+        }
+        for (int i = 0; i < n; ++i) {
+            for (int j = 0; i + j < n; ++j) {
+                const float u = (static_cast<float>(i) + 1.0f / 3.0f) / static_cast<float>(n);
+                const float v = (static_cast<float>(j) + 1.0f / 3.0f) / static_cast<float>(n);
+                keepThinPart(lattice, tree, a + u * ab + v * ac, normal);
+            }
+        }
+    }
+}
+
+Lattice fill(const TriangleTree& tree, std::span<const Vector3f> vertices, std::span<const Triangle> triangles,
+             const Bounds& bounds, float diameter)
+{
+    Lattice lattice(bounds, diameter);
+    lattice.forEach([&](const Vector3i& cell) {
+        if (tree.inside(lattice.position(cell))) {
+            lattice.take(cell);
+        }
+    });
+    keepThinParts(lattice, tree, vertices, triangles);
+    return lattice;
+}
+
+float signedDistance(const TriangleTree& tree, const Vector3f& point)
+{
+    const float distance = tree.nearest(point).distance;
+    return tree.inside(point) ? -distance : distance;
+}
+
+// Depth [d] that half a diameter inwards must add for a side to be the only nearest one.
+constexpr float DEEPER = 0.15f;
+
+Vector3f outwardOf(const TriangleTree& tree, const Vector3f& point, float distance, const Vector3f& nearest,
+                   float diameter)
+{
+    if (std::abs(distance) < 1e-3f * diameter) {
+        return Vector3f::Zero();
+    }
+    const Vector3f outward = (point - nearest) / distance;
+    const bool deeper = signedDistance(tree, point - 0.5f * diameter * outward) < distance - DEEPER * diameter;
+    return deeper ? outward : Vector3f(Vector3f::Zero());
+}
+
+// The count falls with the cube of the diameter (with its square for thin meshes, so the steps converge there too).
+float searchDiameter(const TriangleTree& tree, std::span<const Vector3f> vertices, std::span<const Triangle> triangles,
+                     const Bounds& bounds, uint32_t wanted)
+{
+    float diameter = DEFAULT_DIAMETER * bounds.longest(), best = diameter;
+    double bestError = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < SEARCH_STEPS && bestError > SEARCH_TOLERANCE * wanted; ++step) {
+        const double count = static_cast<double>(fill(tree, vertices, triangles, bounds, diameter).count());
+        const double error = std::abs(count - wanted);
+        if (error < bestError) {
+            bestError = error;
+            best = diameter;
+        }
+        // Damped after the first steps: the count jumps as lattice layers come and go.
+        const double power = step < 4 ? 1.0 / 3.0 : 1.0 / 6.0;
+        diameter *= static_cast<float>(std::pow(std::max(count, 0.5) / wanted, power));
+    }
+    return best;
+}
+
+float chooseDiameter(const TriangleTree& tree, std::span<const Vector3f> vertices,
+                     std::span<const Triangle> triangles, const Bounds& bounds, const VoxelOptions& options)
+{
+    if (options.diameter != 0.0f) {
+        if (!(options.diameter > 0.0f) || !std::isfinite(options.diameter)) {
+            throw std::logic_error(
+                fmt::format("particle diameter must be a length above 0 m, not {}", options.diameter));
+        }
+        return options.diameter;
+    }
+    if (options.particleCount > options.particleLimit) {
+        throw std::logic_error(fmt::format("{} particles wanted for one model, at most {} are allowed: ask for fewer",
+                                           options.particleCount, options.particleLimit));
+    }
+    if (options.particleCount > 0) {
+        return searchDiameter(tree, vertices, triangles, bounds, options.particleCount);
+    }
+    return DEFAULT_DIAMETER * bounds.longest();
+}
+
+}  // namespace
+
+Voxels voxelize(std::span<const Vector3f> vertices, std::span<const Triangle> triangles, const VoxelOptions& options)
+{
+    if (triangles.empty()) {
+        throw InputError("the model has no triangles to fill with particles");
+    }
+    const Bounds bounds = boundsOf(vertices, triangles);
+    if (!(bounds.longest() > 0.0f)) {
+        throw InputError("the model has no size: all of its vertices are at one point");
+    }
+    const TriangleTree tree(vertices, triangles);
+    Voxels voxels;
+    voxels.diameter = chooseDiameter(tree, vertices, triangles, bounds, options);
+    const Lattice lattice = fill(tree, vertices, triangles, bounds, voxels.diameter);
+    if (lattice.count() > options.particleLimit) {
+        const double factor = std::cbrt(static_cast<double>(lattice.count()) / options.particleLimit);
+        throw InputError(fmt::format("diameter {:g} m fills the model with {} particles, at most {} are allowed: "
+                                     "use {:.2g} m or more", voxels.diameter, lattice.count(), options.particleLimit,
+                                     1.05 * factor * voxels.diameter));
+    }
+    lattice.forEach([&](const Vector3i& cell) {
+        if (lattice.taken(cell)) {
+            const Vector3f position = lattice.position(cell);
+            const SurfacePoint nearest = tree.nearest(position);
+            voxels.positions.push_back(position);
+            voxels.nearest.push_back(nearest);
+            const float distance = tree.inside(position) ? -nearest.distance : nearest.distance;
+            voxels.signedDistances.push_back(distance);
+            voxels.outward.push_back(outwardOf(tree, position, distance, nearest.position, voxels.diameter));
+        }
+    });
+    if (voxels.positions.empty()) {
+        throw InputError(fmt::format("no particle of {:g} m fits into the model: use a smaller diameter",
+                                     voxels.diameter));
+    }
+    return voxels;
+}
+
+}  // namespace knuckle

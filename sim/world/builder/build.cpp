@@ -1,0 +1,89 @@
+#include <stdexcept>
+
+#include "sim/world/builder/builder.h"
+#include "sim/world/builder/clusters.h"
+#include "sim/world/disjoint_sets.h"
+
+namespace knuckle {
+
+namespace {
+
+/// Weight of a body when the masses of shared particles are split. The cross of a universal joint is light; with a
+/// larger part of those masses it is nearer to its neighbours, and the impulses between them converge sooner.
+float shareWeight(const Body& body)
+{
+    return body.isCross ? 6.0f : 1.0f;
+}
+
+}  // namespace
+
+void WorldBuilder::assignAssemblies()
+{
+    // Bodies that share a particle are of one assembly; the smallest body index names it until it is numbered.
+    DisjointSets sets(world_.bodies.size());
+    owners_.resize(world_.particles.size());
+    for (uint32_t b = 0; b < bodyParticles_.size(); ++b)
+        for (uint32_t p : bodyParticles_[b]) {
+            Particle& particle = world_.particles[p];
+            if (particle.body == NO_INDEX) particle.body = b;
+            ++particle.bodyCount;
+            owners_[p].push_back(b);
+            sets.unite(particle.body, b);
+        }
+    for (uint32_t b = 0; b < sets.size(); ++b) {
+        const uint32_t top = sets.find(b);
+        world_.bodies[b].assembly = top == b ? world_.assemblyCount++ : world_.bodies[top].assembly;
+    }
+    for (Particle& particle : world_.particles)
+        if (particle.body != NO_INDEX) particle.assembly = world_.bodies[particle.body].assembly;
+}
+
+float WorldBuilder::massShare(uint32_t particle, uint32_t body) const
+{
+    float all = 0.0f;
+    for (uint32_t owner : owners_[particle]) all += shareWeight(world_.bodies[owner]);
+    return shareWeight(world_.bodies[body]) / all;
+}
+
+void WorldBuilder::makeBodyLinks(uint32_t bodyIndex)
+{
+    Body& body = world_.bodies[bodyIndex];
+    body.linkStart = static_cast<uint32_t>(world_.links.size());
+    body.linkCount = static_cast<uint32_t>(bodyParticles_[bodyIndex].size());
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    double mass = 0.0;
+    for (uint32_t p : bodyParticles_[bodyIndex]) {
+        const Particle& particle = world_.particles[p];
+        Link link{p, bodyIndex, particle.restPosition, particle.mass};
+        if (world_.settings.splitSharedMass) link.mass *= massShare(p, bodyIndex);
+        mass += link.mass;
+        centre += link.mass * particle.restPosition.cast<double>();
+        world_.links.push_back(link);
+    }
+    centre /= mass;
+    body.mass = static_cast<float>(mass);
+    body.restCentre = centre.cast<float>();
+    for (uint32_t i = 0; i < body.linkCount; ++i) {
+        Vector3f& offset = world_.links[body.linkStart + i].restOffset;
+        offset = (offset.cast<double>() - centre).cast<float>();
+    }
+    body.position += body.rotation * body.restCentre;
+}
+
+World WorldBuilder::build()
+{
+    if (objectOpen_) throw std::logic_error("build(): the last object is still open");
+    // A particle that any fixed body owns is fixed: that body must come first in its list of owners.
+    for (uint32_t b = 0; b < bodyParticles_.size(); ++b)
+        if (world_.bodies[b].motion == Motion::Fixed)
+            for (uint32_t p : bodyParticles_[b]) world_.particles[p].body = b;
+    assignAssemblies();
+    for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
+    makeSoftLinks(world_);
+    joinStrandAssemblies(world_);
+    placeFluid();
+    validate(world_);
+    return std::move(world_);
+}
+
+}  // namespace knuckle

@@ -1,0 +1,145 @@
+#include "tools/humanoid/humanoid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "tools/humanoid/glb.h"
+#include "sim/actor/mesh/triangle_tree.h"
+
+namespace knuckle {
+namespace {
+
+using Eigen::Vector3f;
+
+std::vector<Vector3f> pose(const Model& model, const std::vector<Eigen::Matrix4f>& bones)
+{
+    std::vector<Vector3f> posed;
+    for (size_t v = 0; v < model.vertices.size(); ++v) {
+        Eigen::Vector4f p = Eigen::Vector4f::Zero();
+        for (size_t i = 0; i < 8; ++i) {
+            const uint32_t bone = model.skin[v].bones[i];
+            p += model.skin[v].weights[i] *
+                 (bones[bone] * (model.bones[bone].restPose.inverse() * model.vertices[v].homogeneous()));
+        }
+        posed.push_back(p.head<3>());
+    }
+    return posed;
+}
+
+TEST(Humanoid, isAnAdultOf175CentimetresOnTheGround)
+{
+    const Model model = makeHumanoid();
+    EXPECT_GE(model.bones.size(), 16u);
+    EXPECT_LE(model.bones.size(), 20u);
+    float low = 1e9f, high = -1e9f;
+    for (const Vector3f& v : model.vertices) {
+        low = std::min(low, v.y());
+        high = std::max(high, v.y());
+    }
+    EXPECT_NEAR(low, 0.0f, 0.002f);
+    EXPECT_NEAR(high, 1.75f, 0.005f);
+}
+
+TEST(Humanoid, meshIsClosed)
+{
+    std::map<std::pair<uint32_t, uint32_t>, int> edges;
+    for (const auto& t : makeHumanoid().triangles) {
+        for (size_t i = 0; i < 3; ++i) {
+            ++edges[{t[i], t[(i + 1) % 3]}];
+            --edges[{t[(i + 1) % 3], t[i]}];
+        }
+    }
+    for (const auto& [edge, balance] : edges) {
+        EXPECT_EQ(balance, 0);
+    }
+}
+
+TEST(Humanoid, weightsSumToOne)
+{
+    for (const SkinWeights& skin : makeHumanoid().skin) {
+        float sum = 0.0f;
+        for (float weight : skin.weights) {
+            sum += weight;
+        }
+        EXPECT_NEAR(sum, 1.0f, 2.1e-4f);   // four weights rounded to 1e-4
+    }
+}
+
+TEST(Humanoid, danceLoopsAndMovesEveryLimb)
+{
+    const Model model = makeHumanoid();
+    ASSERT_EQ(model.clips.size(), 1u);
+    const Clip& clip = model.clips[0];
+    EXPECT_EQ(clip.poses.front(), clip.poses.back());
+    EXPECT_EQ(clip.keyTimes.back(), clip.duration);
+    for (uint32_t b = 0; b < model.bones.size(); ++b) {
+        float travel = 0.0f;
+        for (const auto& key : clip.poses) {
+            travel = std::max(travel, (key[b] - clip.poses[0][b]).block<3, 1>(0, 3).norm());
+        }
+        EXPECT_GT(travel, 0.02f) << model.bones[b].name;
+    }
+}
+
+TEST(Humanoid, danceKeepsBoneLengthsAndFeetAboveTheFloor)
+{
+    const Model model = makeHumanoid();
+    for (const auto& key : model.clips[0].poses) {
+        for (uint32_t b = 1; b < model.bones.size(); ++b) {
+            const auto length = [&](const Eigen::Matrix4f& x, const Eigen::Matrix4f& y) {
+                return (x - y).block<3, 1>(0, 3).norm();
+            };
+            const int32_t parent = model.bones[b].parent;
+            EXPECT_NEAR(length(key[b], key[parent]), length(model.bones[b].restPose, model.bones[parent].restPose),
+                        1e-5f) << model.bones[b].name;
+        }
+        for (const Vector3f& v : pose(model, key)) {
+            EXPECT_GT(v.y(), -0.004f);   // 4 mm: blended skin between shin and foot may reach below the ground
+        }
+    }
+}
+
+TEST(Humanoid, committedFileIsWhatTheCodeMakes)
+{
+    std::ifstream file(KNUCKLE_ROOT "/assets/models/humanoid.glb", std::ios::binary);
+    const std::string committed{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_TRUE(committed == toGlb(makeHumanoid()))
+        << "make it again: build/release/bin/make_humanoid assets/models/humanoid.glb";
+    EXPECT_LT(committed.size(), 400000u);
+}
+
+TEST(Humanoid, fileComesBackAsItWas)
+{
+    const Model made = makeHumanoid(), read = importModel(KNUCKLE_ROOT "/assets/models/humanoid.glb");
+    // By place: assimp's versions differ in the order of vertices.
+    ASSERT_EQ(read.vertices.size(), made.vertices.size());
+    const TriangleTree surface(made.vertices, made.triangles);
+    std::vector<bool> found(made.vertices.size(), false);
+    for (const Vector3f& vertex : read.vertices) {
+        const auto& corners = made.triangles.at(surface.nearest(vertex).triangle);
+        const auto nearest = std::min_element(corners.begin(), corners.end(), [&](uint32_t a, uint32_t b) {
+            return (made.vertices[a] - vertex).norm() < (made.vertices[b] - vertex).norm();
+        });
+        EXPECT_LT((made.vertices[*nearest] - vertex).norm(), 1e-4f);
+        found[*nearest] = true;
+    }
+    EXPECT_EQ(std::count(found.begin(), found.end(), false), 0);
+    ASSERT_EQ(read.bones.size(), made.bones.size());
+    std::map<std::string, Eigen::Matrix4f> rest;
+    for (const Bone& bone : made.bones) {
+        rest[bone.name] = bone.restPose;
+    }
+    for (const Bone& bone : read.bones) {
+        EXPECT_LT((bone.restPose - rest.at(bone.name)).norm(), 1e-5f) << bone.name;
+    }
+    ASSERT_EQ(read.clips.size(), 1u);
+    EXPECT_EQ(read.clips[0].name, "dance");
+    EXPECT_NEAR(read.clips[0].duration, made.clips[0].duration, 1e-3);
+}
+
+}  // namespace
+}  // namespace knuckle
