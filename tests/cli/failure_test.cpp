@@ -4,7 +4,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "tests/cli/cli_test.h"
+#include "tests/cli/cli_fixture.h"
 
 namespace knuckle {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "tests/cli/cli_test.h"
+#include "tests/cli/cli_fixture.h"
 
 namespace knuckle {
 namespace {

@@ -3,7 +3,7 @@
 #include <random>
 #include <string>
 
-#include "physics_test.h"
+#include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {
 
@@ -212,15 +212,9 @@ TEST(Apart, ATowerOfTenJointedPairsGrowsWithoutFlying)
         SCOPED_TRACE(static_cast<int>(type));
         WorldBuilder builder = onTheFloor();
         for (int k = 0; k < 10; ++k) {
-            std::vector<Vector3f> left = boxLattice({3, 3, 3}, DIAMETER), right = left;
-            for (Vector3f& p : left) p.x() -= 2 * DIAMETER;
-            for (Vector3f& p : right) p.x() += 2 * DIAMETER;
-            builder.beginObject("pair");
-            const uint32_t a = builder.addBody("a", left, 0), b = builder.addBody("b", right, 0);
-            JointSpec joint;
-            joint.type = type;
-            builder.addJoint(a, b, joint);
-            builder.endObject({Vector3f(0, 0.5f * EDGE * static_cast<float>(k), 0)});
+            PairSpec pair;
+            pair.joint.type = type;
+            addJointedPair(builder, pair, {Vector3f(0, 0.5f * EDGE * static_cast<float>(k), 0)});
         }
         const World world = builder.build();
         const Way way = Watch(world, 2.5).way;

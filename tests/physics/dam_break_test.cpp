@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tank.h"
+#include "tests/physics/tank.h"
 
 namespace knuckle::test {
 

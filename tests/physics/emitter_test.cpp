@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tank.h"
+#include "tests/physics/tank.h"
 
 namespace knuckle::test {
 

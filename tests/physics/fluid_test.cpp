@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "sim/solver/measure.h"
-#include "tank.h"
+#include "tests/physics/tank.h"
 
 namespace knuckle::test {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "physics_test.h"
+#include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {
 

@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "app/commands/table2_world.h"
-#include "physics_test.h"
+#include "tests/physics/physics_fixture.h"
 #include "sim/world/builder/joints.h"
 
 namespace knuckle::test {

@@ -1,4 +1,4 @@
-#include "physics_test.h"
+#include "tests/physics/physics_fixture.h"
 
 #include <cmath>
 
@@ -40,18 +40,11 @@ World jointedPair(JointType type, const Settings& settings, const Pose& pose, co
                   const Vector3f& spin, bool fixed, int limitSide)
 {
     WorldBuilder builder = makeBuilder(settings);
-    std::vector<Vector3f> left = boxLattice({3, 3, 3}, DIAMETER), right = left;
-    for (Vector3f& p : left) p.x() -= 2 * DIAMETER;
-    for (Vector3f& p : right) p.x() += 2 * DIAMETER;
-    builder.beginObject("pair");
-    const uint32_t a = builder.addBody("a", left, 0, fixed ? Motion::Fixed : Motion::Dynamic);
-    const uint32_t b = builder.addBody("b", right, 0);
-    JointSpec joint;
-    joint.type = type;
-    joint.name = "joint";
-    joint.limitSide = limitSide;
-    builder.addJoint(a, b, joint);
-    builder.endObject(pose, velocity, spin);
+    PairSpec pair;
+    pair.joint.type = type;
+    pair.joint.limitSide = limitSide;
+    pair.motionOfA = fixed ? Motion::Fixed : Motion::Dynamic;
+    addJointedPair(builder, pair, pose, velocity, spin);
     return builder.build();
 }
 

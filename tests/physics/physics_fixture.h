@@ -6,6 +6,7 @@
 
 #include "sim/solver/solver.h"
 #include "sim/world/builder/builder.h"
+#include "tests/pair_fixture.h"
 
 namespace knuckle::test {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <span>
 
-#include "physics_test.h"
+#include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics_test.h"
+#include "tests/physics/physics_fixture.h"
 #include "sim/world/builder/rope.h"
 
 namespace knuckle::test {

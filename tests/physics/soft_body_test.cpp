@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "physics_test.h"
+#include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {
 

@@ -1,4 +1,4 @@
-#include "tank.h"
+#include "tests/physics/tank.h"
 
 #include <cmath>
 

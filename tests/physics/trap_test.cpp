@@ -2,7 +2,7 @@
 #include <functional>
 #include <string>
 
-#include "physics_test.h"
+#include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {
 
@@ -99,13 +99,7 @@ TEST(Trap, TenCubesHalfInsideEachOtherAndTheFloorComeApartWithoutFlying)
 TEST(Trap, TenJointedPairsHalfInsideEachOtherAndTheFloorComeApartWithoutFlying)
 {
     const auto add = [](WorldBuilder& builder, const Vector3f& place) {
-        std::vector<Vector3f> left = boxLattice({3, 3, 3}, DIAMETER), right = left;
-        for (Vector3f& p : left) p.x() -= 2 * DIAMETER;
-        for (Vector3f& p : right) p.x() += 2 * DIAMETER;
-        builder.beginObject("pair");
-        const uint32_t a = builder.addBody("a", left, 0), b = builder.addBody("b", right, 0);
-        builder.addJoint(a, b, {});
-        builder.endObject({place});
+        addJointedPair(builder, {}, {place});
     };
     const World world = overlaps(add, {0.3f * DIAMETER, 0, 1.5f * DIAMETER}, 10);
     Solver solver(gpu(), world);

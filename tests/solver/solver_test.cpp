@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/pair_fixture.h"
+
 namespace knuckle::test {
 
 TempFolder& shaderFolder()
@@ -41,22 +43,17 @@ void addOne(WorldBuilder& builder, const Eigen::Vector3i& counts, const Pose& po
     builder.endObject(pose);
 }
 
-/// Two cubes of 27 whose centres are `apart` diameters apart in x, joined in the middle.
 void addPair(WorldBuilder& builder, JointType type, float apart, const Pose& pose,
-             Motion motionOfLeft = Motion::Dynamic)
+             Motion motionOfA = Motion::Dynamic)
 {
-    std::vector<Vector3f> left = boxLattice({3, 3, 3}, DIAMETER), right = left;
-    for (Vector3f& p : left) p.x() -= 0.5f * apart * DIAMETER;
-    for (Vector3f& p : right) p.x() += 0.5f * apart * DIAMETER;
-    builder.beginObject("pair");
-    const uint32_t a = builder.addBody("left", left, 0, motionOfLeft);
-    const uint32_t b = builder.addBody("right", right, 1);
-    JointSpec spec;
-    spec.type = type;
-    spec.limitSide = 1;
-    builder.addJoint(a, b, spec);
-    builder.setSelfMargin(apart < 3.0f ? 0.5f : 0.0f);   // for the pair that overlaps
-    builder.endObject(pose);
+    PairSpec pair;
+    pair.joint.type = type;
+    pair.joint.limitSide = 1;
+    pair.apart = apart;
+    pair.materialOfB = 1;
+    pair.motionOfA = motionOfA;
+    pair.selfMargin = apart < 3.0f ? 0.5f : 0.0f;   // for the pair that overlaps
+    addJointedPair(builder, pair, pose);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <functional>
 #include <limits>
 
-#include "tests/world/world_test.h"
+#include "tests/world/world_fixture.h"
 
 namespace knuckle::test {
 

@@ -7,6 +7,7 @@
 
 #include "sim/world/builder/builder.h"
 #include "sim/world/errors.h"
+#include "tests/pair_fixture.h"
 #include "sim/world/builder/joints.h"
 
 namespace knuckle::test {
@@ -37,11 +38,10 @@ inline std::vector<Vector3f> cubeAt(const Vector3f& centre)
 inline World jointedCubes(const JointSpec& spec, const Settings& settings = {}, Motion motionOfA = Motion::Dynamic)
 {
     WorldBuilder builder = makeBuilder(settings);
-    builder.beginObject("pair");
-    const uint32_t a = builder.addBody("a", cubeAt({-2, 0, 0}), 0, motionOfA);
-    const uint32_t b = builder.addBody("b", cubeAt({2, 0, 0}), 0);
-    builder.addJoint(a, b, spec);
-    builder.endObject();
+    PairSpec pair;
+    pair.joint = spec;
+    pair.motionOfA = motionOfA;
+    addJointedPair(builder, pair);
     return builder.build();
 }
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "tests/world/world_test.h"
+#include "tests/world/world_fixture.h"
 
 namespace knuckle::test {
 
@@ -117,14 +117,9 @@ TEST(Builder, ASelfMarginAndAnExemptionHoldForTheOpenObjectOnly)
 
 TEST(Builder, ACrossHasMostOfTheMassThatItShares)
 {
-    WorldBuilder builder = makeBuilder();
-    builder.beginObject("pair");
-    const uint32_t a = builder.addBody("a", cubeAt({-2, 0, 0}), 0), b = builder.addBody("b", cubeAt({2, 0, 0}), 0);
     JointSpec spec;
     spec.type = JointType::Universal;
-    builder.addJoint(a, b, spec);
-    builder.endObject();
-    const World world = builder.build();
+    const World world = jointedCubes(spec);
     std::vector<float> sums(world.particles.size());
     for (const Link& link : world.links) {
         const Particle& particle = world.particles[link.particle];

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <set>
 
-#include "tests/world/world_test.h"
+#include "tests/world/world_fixture.h"
 
 namespace knuckle::test {
 

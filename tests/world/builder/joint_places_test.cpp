@@ -1,4 +1,4 @@
-#include "tests/world/world_test.h"
+#include "tests/world/world_fixture.h"
 
 namespace knuckle::test {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "tests/world/world_test.h"
+#include "tests/world/world_fixture.h"
 
 namespace knuckle::test {
 
