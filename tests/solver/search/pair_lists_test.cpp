@@ -7,8 +7,6 @@ namespace knuckle::test {
 
 namespace {
 
-/// NO_PAIR of shaders/sim/common/contact_lists.glsl.
-
 class PairLists : public testing::TestWithParam<uint32_t> {
 protected:
     PairLists()
@@ -50,7 +48,7 @@ protected:
             return fixture.rankOf(pairs[a].y) < fixture.rankOf(pairs[b].y);
         });
         for (uint32_t& q : references)
-            if (q >= bench.buffers.parameters.pairCapacity) q = NO_INDEX;
+            if (q >= bench.buffers.parameters.pairCapacity) q = NO_INDEX;   // NO_PAIR of the shaders
         return references;
     }
 
