@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/camera.h"
+#include "render/colliders/static_geometry.h"
 #include "render/pass_scope.h"
-#include "render/picture_reader.h"
-#include "render/render_targets.h"
-#include "render/sphere_pass.h"
-#include "render/static_geometry.h"
+#include "render/picture/picture_reader.h"
+#include "render/picture/render_targets.h"
+#include "render/spheres/sphere_pass.h"
+#include "render/view/camera.h"
 
 // A frame:
 //   frame_bounds, frame_camera   aim the camera on the GPU, since only it knows the positions

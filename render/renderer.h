@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "render/image.h"
+#include "render/picture/image.h"
 #include "render/settings.h"
 #include "sim/gpu/gpu.h"
 #include "sim/gpu/kernel.h"

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.h"
-#include "render/image.h"
+#include "render/picture/image.h"
 
 namespace knuckle {
 

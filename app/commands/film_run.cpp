@@ -7,12 +7,12 @@
 #include <optional>
 
 #include "app/commands/counted.h"
-#include "app/files/export.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
-#include "render/frame_sink.h"
+#include "app/files/export.h"
+#include "render/output/frame_sink.h"
+#include "render/output/temporary_file.h"
 #include "render/renderer.h"
-#include "render/temporary_file.h"
 #include "sim/solver/workload.h"
 #include "sim/world/errors.h"
 

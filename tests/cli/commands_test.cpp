@@ -3,8 +3,8 @@
 #include <csignal>
 
 #include "app/files/json.h"
-#include "render/image.h"
-#include "tests/cli/cli_fixture.h"
+#include "render/picture/image.h"
+#include "tests/cli/cli_test.h"
 
 namespace knuckle {
 namespace {

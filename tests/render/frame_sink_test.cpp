@@ -1,4 +1,4 @@
-#include "render/frame_sink.h"
+#include "render/output/frame_sink.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "render/ffmpeg.h"
+#include "render/output/ffmpeg.h"
 #include "sim/world/errors.h"
 
 namespace knuckle::test {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "render/image.h"
+#include "render/picture/image.h"
 
 namespace knuckle::test {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "render/palette.h"
+#include "render/spheres/palette.h"
 #include "shared/frame_types.h"
 #include "sim/gpu/program.h"
 #include "sim/world/errors.h"

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "render/image.h"
+#include "render/picture/image.h"
 
 namespace knuckle {
 

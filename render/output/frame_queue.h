@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "render/image.h"
+#include "render/picture/image.h"
 
 namespace knuckle {
 

@@ -1,4 +1,4 @@
-#include "render/picture_reader.h"
+#include "render/picture/picture_reader.h"
 
 #include "sim/world/errors.h"
 

@@ -1,4 +1,4 @@
-#include "render/collider_meshes.h"
+#include "render/colliders/collider_meshes.h"
 
 #include <cmath>
 

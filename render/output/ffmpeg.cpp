@@ -1,4 +1,4 @@
-#include "render/ffmpeg.h"
+#include "render/output/ffmpeg.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "render/static_geometry.h"
+#include "render/colliders/static_geometry.h"
 
 #include <cmath>
 

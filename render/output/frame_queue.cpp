@@ -1,4 +1,4 @@
-#include "render/frame_queue.h"
+#include "render/output/frame_queue.h"
 
 #include <csignal>
 

@@ -1,4 +1,4 @@
-#include "render/render_targets.h"
+#include "render/picture/render_targets.h"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
-#include "render/ffmpeg.h"
-#include "render/frame_queue.h"
-#include "render/frame_sink.h"
-#include "render/temporary_file.h"
+#include "render/output/ffmpeg.h"
+#include "render/output/frame_queue.h"
+#include "render/output/frame_sink.h"
+#include "render/output/temporary_file.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "render/frame_queue.h"
-#include "render/frame_sink.h"
-#include "render/temporary_file.h"
+#include "render/output/frame_queue.h"
+#include "render/output/frame_sink.h"
+#include "render/output/temporary_file.h"
 
 namespace knuckle {
 

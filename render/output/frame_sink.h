@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "render/image.h"
+#include "render/picture/image.h"
 
 namespace knuckle {
 

@@ -1,8 +1,8 @@
-#include "render/sphere_pass.h"
+#include "render/spheres/sphere_pass.h"
 
 #include <fmt/format.h>
 
-#include "render/palette.h"
+#include "render/spheres/palette.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {

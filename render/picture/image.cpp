@@ -1,4 +1,4 @@
-#include "render/image.h"
+#include "render/picture/image.h"
 
 #include <fmt/format.h>
 #include <stb/stb_image.h>
@@ -11,7 +11,7 @@
 #include <cstring>
 #include <memory>
 
-#include "render/temporary_file.h"
+#include "render/output/temporary_file.h"
 #include "sim/world/errors.h"
 
 // Not declared in stb's header, but meant to be called: the encoder behind stbi_write_png.

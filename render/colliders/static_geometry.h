@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/camera.h"
-#include "render/collider_meshes.h"
+#include "render/colliders/collider_meshes.h"
+#include "render/view/camera.h"
 #include "shared/frame_types.h"
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/gpu.h"
