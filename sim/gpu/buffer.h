@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/gpu/gl_handle.h"
+
 namespace knuckle {
 
 /// An untyped, labelled GL buffer with, on demand, a buffer texture that views it.
@@ -17,21 +19,22 @@ public:
     /// @param bytes at least 16 are allocated, so that an empty array still binds.
     /// @throws DeviceError when the driver has no memory for it.
     RawBuffer(std::string label, size_t bytes, const void* data = nullptr);
-    ~RawBuffer();
-    RawBuffer(RawBuffer&& other) noexcept;
-    RawBuffer& operator=(RawBuffer&& other) noexcept;
+    /// Stands for a buffer that is somebody else's, who keeps it alive. `id` may be 0.
+    static RawBuffer standIn(std::string label, GLuint id, size_t bytes);
 
-    GLuint id() const { return id_; }
+    GLuint id() const { return handle_.id() != 0 ? handle_.id() : standsFor_; }
     size_t bytes() const { return bytes_; }
     const std::string& label() const { return label_; }
     /// A buffer texture over the same storage; the format is fixed by the first call (GL_RGBA32F, GL_R32UI, ...).
-    GLuint texture(GLenum format);
+    GLuint texture(GLenum format) const;
     void read(void* out, size_t byteCount, size_t byteOffset = 0) const;
     void write(const void* data, size_t byteCount, size_t byteOffset = 0);
     void clear();
 
 private:
-    GLuint id_ = 0, texture_ = 0;
+    BufferHandle handle_;
+    GLuint standsFor_ = 0;
+    mutable TextureHandle texture_;
     size_t bytes_ = 0;
     std::string label_;
 };

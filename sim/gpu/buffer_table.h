@@ -3,12 +3,14 @@
 #include <epoxy/gl.h>
 
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <type_traits>
 
 #include "shared/gpu_types.h"
 #include "sim/gpu/buffer.h"
+#include "sim/gpu/texture.h"
 
 namespace knuckle {
 
@@ -38,7 +40,7 @@ constexpr ElementType elementType()
     return {bytes, texel, Scalar::Mixed, GL_NONE};
 }
 
-/// Buffers by the name that kernels know them by. A storage block `Positions` and a sampler `positions` both mean the
+/// Buffers and textures by the names that kernels and draw passes know them by. A storage block `Positions` and a sampler `positions` both mean the
 /// buffer "positions"; so does a sampler `lastPositions`, for kernels that write what they read. Those read only
 /// elements that the same thread writes, or that nobody does.
 class BufferTable {
@@ -55,12 +57,23 @@ public:
     {
         (add(buffers.label(), buffers, elementType<T>()), ...);
     }
-    /// @throws DeviceError for an unknown name, saying which kernel asked.
-    const Entry& find(const std::string& name, const std::string& kernel) const;
+    /// Each under its label, for samplers of pictures.
+    template <typename... T>
+    void add(const Texture& texture, const T&... others)
+    {
+        textures_[texture.label()] = &texture;
+        if constexpr (sizeof...(others) > 0) add(others...);
+    }
+    /// @throws DeviceError for an unknown name, saying which kernel or pass asked.
+    const Entry& find(const std::string& name, const std::string& user) const;
+    const Texture& findTexture(const std::string& name, const std::string& user) const;
+    /// What is named, buffers and textures, for a pass that uses nothing else.
+    BufferTable only(std::initializer_list<std::string> names, const std::string& user) const;
     const std::map<std::string, Entry>& entries() const { return entries_; }
 
 private:
     std::map<std::string, Entry> entries_;
+    std::map<std::string, const Texture*> textures_;
 };
 
 }  // namespace knuckle

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/gpu/buffer_table.h"
+#include "sim/gpu/bindings.h"
 #include "sim/gpu/program.h"
 
 namespace knuckle {
@@ -17,7 +17,6 @@ public:
         double milliseconds = 0.0;
         uint64_t count = 0;
     };
-    ~KernelTimer();
     void enable(const Gpu& gpu);
     void begin(const std::string& name);
     void end();
@@ -29,7 +28,7 @@ public:
 private:
     struct Span {
         size_t total = 0;
-        GLuint start = 0, stop = 0;
+        QueryHandle start = QueryHandle::make(), stop = QueryHandle::make();
     };
     void stamp(GLuint query) const;
 
@@ -61,18 +60,12 @@ public:
     void dispatchIndirect(KernelTimer& timer, const RawBuffer& arguments, uint32_t index) const;
 
 private:
-    struct TextureBinding {
-        RawBuffer* buffer = nullptr;
-        GLenum format = GL_R32F;
-    };
-    void bindStorage(const BufferTable& buffers);
-    void bindTextures(const BufferTable& buffers);
-    void bindUniformBlocks(const BufferTable& buffers);
     void begin(KernelTimer& timer) const;
     static void end(KernelTimer& timer);
 
     Program program_;
-    std::vector<GLuint> storage_, textures_, uniforms_;   ///< The index is the binding point.
+    std::string name_;
+    Bindings bindings_;
 };
 
 /// Groups of GROUP_SIZE threads that cover `threads`.

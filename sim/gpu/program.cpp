@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <utility>
 
 #include "sim/world/errors.h"
 
@@ -23,35 +22,33 @@ std::string infoLog(GLuint object, bool isProgram)
     return log;
 }
 
-GLuint compileShader(const Gpu& gpu, GLenum stage, const std::string& path, const Defines& defines)
+ShaderHandle compileShader(const Gpu& gpu, GLenum stage, const std::string& path, const Defines& defines)
 {
     const ResolvedShader source = gpu.shaders().resolve(path, defines);
-    const GLuint shader = glCreateShader(stage);
+    ShaderHandle shader = ShaderHandle::make(stage);
     const char* text = source.text.c_str();
-    glShaderSource(shader, 1, &text, nullptr);
-    glCompileShader(shader);
+    glShaderSource(shader.id(), 1, &text, nullptr);
+    glCompileShader(shader.id());
     GLint ok = 0;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
     if (ok) return shader;
-    const std::string log = source.translate(infoLog(shader, false));
-    glDeleteShader(shader);
-    throw DeviceError(fmt::format("shader {} does not compile on {}: {}", path, gpu.device().name, log));
+    throw DeviceError(fmt::format("shader {} does not compile on {}: {}", path, gpu.device().name,
+                                  source.translate(infoLog(shader.id(), false))));
 }
 
-GLuint link(const Gpu& gpu, const std::string& name, std::initializer_list<GLuint> shaders)
+template <typename... Shaders>
+ProgramHandle link(const Gpu& gpu, const std::string& name, const Shaders&... shaders)
 {
-    const GLuint program = glCreateProgram();
-    for (GLuint shader : shaders) glAttachShader(program, shader);
-    glLinkProgram(program);
-    for (GLuint shader : shaders) glDeleteShader(shader);
+    ProgramHandle program = ProgramHandle::make();
+    (glAttachShader(program.id(), shaders.id()), ...);
+    glLinkProgram(program.id());
     GLint ok = 0;
-    glGetProgramiv(program, GL_LINK_STATUS, &ok);
-    if (!ok) {
-        const std::string log = infoLog(program, true);
-        glDeleteProgram(program);
-        throw DeviceError(fmt::format("program {} does not link on {}: {}", name, gpu.device().name, log));
-    }
-    glObjectLabel(GL_PROGRAM, program, -1, name.c_str());
+    glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
+    if (!ok)
+        throw DeviceError(fmt::format("program {} does not link on {}: {}", name, gpu.device().name,
+                                      infoLog(program.id(), true)));
+    (glDetachShader(program.id(), shaders.id()), ...);
+    glObjectLabel(GL_PROGRAM, program.id(), -1, name.c_str());
     return program;
 }
 
@@ -61,7 +58,7 @@ Program Program::compute(const Gpu& gpu, const std::string& path, const Defines&
 {
     Program program;
     program.name_ = std::filesystem::path(path).stem().string();
-    program.id_ = link(gpu, program.name_, {compileShader(gpu, GL_COMPUTE_SHADER, path, defines)});
+    program.handle_ = link(gpu, program.name_, compileShader(gpu, GL_COMPUTE_SHADER, path, defines));
     return program;
 }
 
@@ -70,23 +67,9 @@ Program Program::graphics(const Gpu& gpu, const std::string& vertexPath, const s
 {
     Program program;
     program.name_ = std::filesystem::path(fragmentPath).stem().string();
-    const GLuint vertex = compileShader(gpu, GL_VERTEX_SHADER, vertexPath, defines);
-    program.id_ = link(gpu, program.name_, {vertex, compileShader(gpu, GL_FRAGMENT_SHADER, fragmentPath, defines)});
+    program.handle_ = link(gpu, program.name_, compileShader(gpu, GL_VERTEX_SHADER, vertexPath, defines),
+                           compileShader(gpu, GL_FRAGMENT_SHADER, fragmentPath, defines));
     return program;
-}
-
-Program::~Program()
-{
-    if (id_ != 0) glDeleteProgram(id_);
-}
-
-Program::Program(Program&& other) noexcept : id_(std::exchange(other.id_, 0)), name_(std::move(other.name_)) {}
-
-Program& Program::operator=(Program&& other) noexcept
-{
-    std::swap(id_, other.id_);
-    std::swap(name_, other.name_);
-    return *this;
 }
 
 }  // namespace knuckle

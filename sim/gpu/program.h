@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "sim/gpu/gl_handle.h"
 #include "sim/gpu/gpu.h"
 
 namespace knuckle {
@@ -15,17 +16,14 @@ public:
     static Program compute(const Gpu& gpu, const std::string& path, const Defines& defines = {});
     static Program graphics(const Gpu& gpu, const std::string& vertexPath, const std::string& fragmentPath,
                             const Defines& defines = {});
-    ~Program();
-    Program(Program&& other) noexcept;
-    Program& operator=(Program&& other) noexcept;
 
-    GLuint id() const { return id_; }
+    GLuint id() const { return handle_.id(); }
     const std::string& name() const { return name_; }
     /// -1 when the program has no such active uniform (GL ignores writes to -1).
-    GLint uniform(const char* name) const { return glGetUniformLocation(id_, name); }
+    GLint uniform(const char* name) const { return glGetUniformLocation(id(), name); }
 
 private:
-    GLuint id_ = 0;
+    ProgramHandle handle_;
     std::string name_;
 };
 

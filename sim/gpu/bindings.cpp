@@ -1,0 +1,134 @@
+#include "sim/gpu/bindings.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+using Scalar = ElementType::Scalar;
+
+/// Blocks begin with a capital in shaders, and nothing does in the table.
+std::string resourceName(GLuint program, GLenum interface, GLuint index)
+{
+    char name[128] = "";
+    glGetProgramResourceName(program, interface, index, sizeof name, nullptr, name);
+    name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+    return name;
+}
+
+GLuint resourceCount(GLuint program, GLenum interface)
+{
+    GLint count = 0;
+    glGetProgramInterfaceiv(program, interface, GL_ACTIVE_RESOURCES, &count);
+    return static_cast<GLuint>(count);
+}
+
+/// One property of an active resource.
+GLint property(GLuint program, GLenum interface, GLuint index, GLenum asked)
+{
+    GLint value = 0;
+    glGetProgramResourceiv(program, interface, index, 1, &asked, 1, nullptr, &value);
+    return value;
+}
+
+GLenum texelFormat(uint32_t bytes, bool isUnsigned)
+{
+    switch (bytes) {
+        case 4: return isUnsigned ? GL_R32UI : GL_R32F;
+        case 8: return isUnsigned ? GL_RG32UI : GL_RG32F;
+        default: return isUnsigned ? GL_RGBA32UI : GL_RGBA32F;
+    }
+}
+
+/// A storage block is one array, or one struct; it must consist of what the host says.
+void checkBlock(GLuint program, GLuint block, const std::string& name, const ElementType& element,
+                const std::string& user)
+{
+    const GLint count = property(program, GL_SHADER_STORAGE_BLOCK, block, GL_NUM_ACTIVE_VARIABLES);
+    if (count < 1) return;
+    // All of them: Mesa writes as many, whatever room it is told of.
+    std::vector<GLint> variables(static_cast<size_t>(count));
+    const GLenum asked = GL_ACTIVE_VARIABLES;
+    glGetProgramResourceiv(program, GL_SHADER_STORAGE_BLOCK, block, 1, &asked, count, nullptr, variables.data());
+    const auto variable = static_cast<GLuint>(variables[0]);
+    // Arrays of structs have the first, others the second, and a struct by itself neither.
+    GLint bytes = property(program, GL_BUFFER_VARIABLE, variable, GL_TOP_LEVEL_ARRAY_STRIDE);
+    if (bytes == 0) bytes = property(program, GL_BUFFER_VARIABLE, variable, GL_ARRAY_STRIDE);
+    if (bytes == 0) bytes = property(program, GL_SHADER_STORAGE_BLOCK, block, GL_BUFFER_DATA_SIZE);
+    const auto type = static_cast<GLenum>(property(program, GL_BUFFER_VARIABLE, variable, GL_TYPE));
+    if (bytes == static_cast<GLint>(element.bytes) && (element.glType == GL_NONE || type == element.glType)) return;
+    throw DeviceError(fmt::format("{} declares the block \"{}\" with elements of {} bytes and another type than the "
+                                  "host's, of {} bytes", user, name, bytes, element.bytes));
+}
+
+}  // namespace
+
+Bindings::Bindings(const Program& program, const BufferTable& table, const std::string& user) : program_(program.id())
+{
+    findStorage(table, user);
+    findUniforms(table, user);
+    findSamplers(table, user);
+}
+
+void Bindings::findStorage(const BufferTable& table, const std::string& user)
+{
+    for (GLuint i = 0; i < resourceCount(program_, GL_SHADER_STORAGE_BLOCK); ++i) {
+        const std::string block = resourceName(program_, GL_SHADER_STORAGE_BLOCK, i);
+        const BufferTable::Entry& entry = table.find(block, user);
+        checkBlock(program_, i, block, entry.element, user);
+        glShaderStorageBlockBinding(program_, i, static_cast<GLuint>(storage_.size()));
+        storage_.push_back(entry.buffer);
+    }
+}
+
+void Bindings::findUniforms(const BufferTable& table, const std::string& user)
+{
+    for (GLuint i = 0; i < resourceCount(program_, GL_UNIFORM_BLOCK); ++i) {
+        glUniformBlockBinding(program_, i, static_cast<GLuint>(uniforms_.size()));
+        uniforms_.push_back(table.find(resourceName(program_, GL_UNIFORM_BLOCK, i), user).buffer);
+    }
+}
+
+void Bindings::findSamplers(const BufferTable& table, const std::string& user)
+{
+    for (GLuint i = 0; i < resourceCount(program_, GL_UNIFORM); ++i) {
+        const auto type = static_cast<GLenum>(property(program_, GL_UNIFORM, i, GL_TYPE));
+        const bool isPicture = type == GL_SAMPLER_2D || type == GL_UNSIGNED_INT_SAMPLER_2D;
+        const bool isFloat = type == GL_SAMPLER_BUFFER;
+        if (!isPicture && !isFloat && type != GL_UNSIGNED_INT_SAMPLER_BUFFER) continue;
+        const std::string sampler = resourceName(program_, GL_UNIFORM, i);
+        glProgramUniform1i(program_, property(program_, GL_UNIFORM, i, GL_LOCATION),
+                           static_cast<GLint>(samplers_.size()));
+        if (isPicture) {
+            samplers_.push_back({nullptr, GL_NONE, &table.findTexture(sampler, user)});
+            continue;
+        }
+        const BufferTable::Entry& entry = table.find(sampler, user);
+        if (isFloat != (entry.element.scalar == Scalar::Float))
+            throw DeviceError(fmt::format("{} declares \"{}\" as a {}, which the host's buffer does not hold", user,
+                                          sampler, isFloat ? "samplerBuffer" : "usamplerBuffer"));
+        samplers_.push_back({entry.buffer, texelFormat(entry.element.texelBytes, !isFloat)});
+    }
+}
+
+void Bindings::bind() const
+{
+    glUseProgram(program_);
+    for (GLuint i = 0; i < storage_.size(); ++i) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, storage_[i]->id());
+    for (GLuint i = 0; i < uniforms_.size(); ++i) glBindBufferBase(GL_UNIFORM_BUFFER, i, uniforms_[i]->id());
+    for (GLuint i = 0; i < samplers_.size(); ++i) {
+        const Sampled& sampled = samplers_[i];
+        // First, since making a buffer's texture disturbs the active unit.
+        glActiveTexture(GL_TEXTURE0 + i);
+        const GLuint texture = sampled.picture != nullptr ? sampled.picture->id()
+                                                          : sampled.buffer->texture(sampled.format);
+        glBindTexture(sampled.picture != nullptr ? GL_TEXTURE_2D : GL_TEXTURE_BUFFER, texture);
+    }
+}
+
+}  // namespace knuckle

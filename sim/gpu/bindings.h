@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/gpu/buffer_table.h"
+#include "sim/gpu/program.h"
+
+namespace knuckle {
+
+/// What a program reads and writes: its storage blocks, uniform blocks and samplers, each found in a table by its name.
+/// Refers to the buffers and textures: one that is assigned to is bound anew by itself.
+class Bindings {
+public:
+    Bindings() = default;
+    /// @param user names the kernel or pass in errors.
+    /// @throws DeviceError for a block or sampler that the table does not have, or has with another type of element.
+    Bindings(const Program& program, const BufferTable& table, const std::string& user);
+
+    size_t storageCount() const { return storage_.size(); }
+    /// For what is dispatched or drawn next.
+    void bind() const;
+
+private:
+    struct Sampled {
+        const RawBuffer* buffer = nullptr;   ///< Null for a picture.
+        GLenum format = GL_R32F;
+        const Texture* picture = nullptr;
+    };
+    void findStorage(const BufferTable& table, const std::string& user);
+    void findUniforms(const BufferTable& table, const std::string& user);
+    void findSamplers(const BufferTable& table, const std::string& user);
+
+    GLuint program_ = 0;
+    std::vector<const RawBuffer*> storage_, uniforms_;   ///< Position is binding point, as in samplers_.
+    std::vector<Sampled> samplers_;
+};
+
+}  // namespace knuckle

@@ -1,0 +1,64 @@
+#include "sim/gpu/texture.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+Texture::Texture(std::string label, GLenum format, uint32_t width, uint32_t height, GLint filter)
+    : handle_(TextureHandle::make()), label_(std::move(label)), width_(width), height_(height)
+{
+    glBindTexture(GL_TEXTURE_2D, id());
+    glTexStorage2D(GL_TEXTURE_2D, 1, format, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glObjectLabel(GL_TEXTURE, id(), -1, label_.c_str());
+}
+
+void Texture::copy(const Texture& source)
+{
+    glCopyImageSubData(source.id(), GL_TEXTURE_2D, 0, 0, 0, 0, id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                       static_cast<GLsizei>(width_), static_cast<GLsizei>(height_), 1);
+}
+
+Framebuffer::Framebuffer(std::string label, std::initializer_list<const Texture*> colors, const Texture* depth)
+    : handle_(FramebufferHandle::make()), colorCount_(static_cast<GLint>(colors.size())), hasDepth_(depth != nullptr)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, id());
+    std::vector<GLenum> buffers;
+    for (const Texture* color : colors) {
+        buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size()));
+        glFramebufferTexture(GL_FRAMEBUFFER, buffers.back(), color->id(), 0);
+    }
+    if (depth != nullptr) glFramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth->id(), 0);
+    const Texture& sized = depth != nullptr ? *depth : **colors.begin();
+    width_ = sized.width();
+    height_ = sized.height();
+    glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+    glObjectLabel(GL_FRAMEBUFFER, id(), -1, label.c_str());
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
+    throw DeviceError(fmt::format("the device cannot draw into {} at {}x{}; try a smaller --size", label, width_,
+                                  height_));
+}
+
+void Framebuffer::bind() const
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, id());
+    glViewport(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_));
+}
+
+void Framebuffer::clear() const
+{
+    bind();
+    const GLuint nothing[4] = {0, 0, 0, 0};
+    for (GLint color = 0; color < colorCount_; ++color) glClearBufferuiv(GL_COLOR, color, nothing);
+    if (hasDepth_) glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+}  // namespace knuckle
