@@ -1,40 +1,34 @@
 #pragma once
 
-#include "render/colliders/collider_meshes.h"
+#include "render/colliders/mesh_pass.h"
 #include "render/view/camera.h"
 #include "shared/frame_types.h"
-#include "sim/gpu/buffer.h"
-#include "sim/gpu/gpu.h"
-#include "sim/gpu/program.h"
-#include "sim/world/world.h"
 
 namespace knuckle {
 
-/// The visible colliders: planes over the whole picture, grids as triangles, others as ray-cast shapes inside boxes.
-class StaticGeometry {
+/// Draws the visible colliders: planes over the whole picture, grids as triangles, others as ray-cast shapes inside
+/// boxes.
+class ColliderPass {
 public:
-    StaticGeometry(const Gpu& gpu, const World& world, const SceneExtent& extent);
-    ~StaticGeometry();
-    StaticGeometry(const StaticGeometry&) = delete;
-    StaticGeometry& operator=(const StaticGeometry&) = delete;
+    /// @param table must have "frame" and "view".
+    ColliderPass(const Gpu& gpu, BufferTable& table, const World& world, const SceneExtent& extent,
+                 const RenderTargets& targets);
+    ColliderPass(const ColliderPass&) = delete;
+    ColliderPass& operator=(const ColliderPass&) = delete;
 
-    /// Into the bound geometry buffers.
-    void draw() const;
-    /// Into the bound shadow map. Planes cast no shadow.
-    void drawShadow() const;
+    /// Into the shadow map. Planes cast no shadow.
+    void drawShadow(KernelTimer& timer) const;
+    /// Into the geometry buffers.
+    void draw(KernelTimer& timer) const;
 
 private:
-    struct Plane {
-        gpu::vec4 equation;     ///< Unit normal, and its component of the plane's points [m].
-        gpu::vec4 color;        ///< w: 1 for the ground.
-    };
-    void drawShapes() const;
+    void upload(const World& world, const SceneExtent& extent);
+    void drawShapes(KernelTimer& timer, const DrawPass& pass) const;
 
-    std::vector<Plane> planes_;
-    ColliderMeshes meshes_;
-    Buffer<gpu::ColliderInstance> shapes_;
-    GLuint vertexArray_ = 0;
-    Program planeProgram_, shapeProgram_, shadowProgram_;
+    MeshPass meshes_;
+    Buffer<gpu::vec4> planes_;    ///< Two each: unit normal, w: its component of the points [m]; colour, w: 1 for ground.
+    Buffer<gpu::vec4> shapes_;    ///< A ColliderInstance each.
+    DrawPass planePass_, shapePass_, shapeShadow_;
 };
 
 }  // namespace knuckle

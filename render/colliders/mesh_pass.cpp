@@ -1,14 +1,11 @@
-#include "render/colliders/collider_meshes.h"
+#include "render/colliders/mesh_pass.h"
 
-#include <cmath>
-
-#include "shared/frame_types.h"
+#include <array>
 
 namespace knuckle {
 
 namespace {
 
-constexpr GLsizei CORNER_FLOATS = 6;
 /// Cosine of the angle from which an edge is drawn sharp.
 constexpr float CREASE = 0.77f;
 
@@ -28,7 +25,8 @@ std::vector<Vector3f> vertexNormals(const ColliderGrid& grid)
     return normals;
 }
 
-void addCorners(std::vector<float>& out, const Collider& collider, const ColliderGrid& grid)
+/// Two vectors a corner: its place, w: `mesh`; its normal.
+void addCorners(std::vector<gpu::vec4>& out, const Collider& collider, const ColliderGrid& grid, size_t mesh)
 {
     const std::vector<Vector3f> normals = vertexNormals(grid);
     const Eigen::Matrix3f turn = collider.orientation.normalized().toRotationMatrix();
@@ -37,61 +35,30 @@ void addCorners(std::vector<float>& out, const Collider& collider, const Collide
         for (const uint32_t vertex : triangle) {
             const Vector3f place = turn * grid.vertices[vertex] + collider.position;
             const Vector3f normal = turn * (normals[vertex].dot(flat) < CREASE ? flat : normals[vertex]);
-            out.insert(out.end(), place.begin(), place.end());
-            out.insert(out.end(), normal.begin(), normal.end());
+            out.push_back({place.x(), place.y(), place.z(), static_cast<float>(mesh)});
+            out.push_back({normal.x(), normal.y(), normal.z(), 0.0f});
         }
     }
 }
 
 }  // namespace
 
-ColliderMeshes::ColliderMeshes(const Gpu& gpu, const World& world)
-    : program_(Program::graphics(gpu, "render/colliders/collider_mesh.vert", "render/colliders/collider_mesh.frag")),
-      shadowProgram_(Program::graphics(gpu, "render/colliders/collider_mesh.vert",
-                                       "render/colliders/collider_mesh_shadow.frag",
-                                       {{"LIGHT_VIEW", "1"}}))
+MeshPass::MeshPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderTargets& targets)
 {
-    std::vector<float> corners;
+    std::vector<gpu::vec4> corners, colors;
     for (const Collider& collider : world.colliders) {
         const bool hasMesh = collider.shape == ColliderShape::Mesh || collider.shape == ColliderShape::Heightfield;
         if (!hasMesh || !collider.visible) continue;
-        const size_t first = corners.size();
-        addCorners(corners, collider, world.colliderGrids[collider.grid]);
-        parts_.push_back({static_cast<GLint>(first / CORNER_FLOATS),
-                          static_cast<GLsizei>((corners.size() - first) / CORNER_FLOATS),
-                          {collider.color.x(), collider.color.y(), collider.color.z()}});
+        addCorners(corners, collider, world.colliderGrids[collider.grid], colors.size());
+        colors.push_back({collider.color.x(), collider.color.y(), collider.color.z(), 0.0f});
     }
-    corners_ = Buffer<float>("collider meshes", corners);
-    glGenVertexArrays(1, &vertexArray_);
-    glBindVertexArray(vertexArray_);
-    glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
-    for (GLuint attribute : {0u, 1u}) {
-        glEnableVertexAttribArray(attribute);
-        glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, CORNER_FLOATS * sizeof(float),
-                              reinterpret_cast<const void*>(attribute * 3 * sizeof(float)));
-    }
-}
-
-ColliderMeshes::~ColliderMeshes()
-{
-    glDeleteVertexArrays(1, &vertexArray_);
-}
-
-void ColliderMeshes::draw() const
-{
-    glUseProgram(program_.id());
-    glBindVertexArray(vertexArray_);
-    for (const Part& part : parts_) {
-        glUniform3fv(0, 1, part.color.data());
-        glDrawArrays(GL_TRIANGLES, part.first, part.count);
-    }
-}
-
-void ColliderMeshes::drawShadow() const
-{
-    glUseProgram(shadowProgram_.id());
-    glBindVertexArray(vertexArray_);
-    for (const Part& part : parts_) glDrawArrays(GL_TRIANGLES, part.first, part.count);
+    corners_ = {"meshCorners", std::span<const gpu::vec4>(corners)};
+    colors_ = {"meshColors", std::span<const gpu::vec4>(colors)};
+    table.add(corners_, colors_);
+    meshes_ = DrawPass(gpu, table, {"colliders/collider_mesh", "colliders/collider_mesh"},
+                       {"frame", "view", "meshCorners", "meshColors"}, targets.geometry);
+    shadow_ = DrawPass(gpu, table, {"colliders/collider_mesh", "colliders/collider_mesh_shadow", {{"LIGHT_VIEW", "1"}}},
+                       {"frame", "view", "meshCorners", "meshColors"}, targets.shadowMap);
 }
 
 }  // namespace knuckle

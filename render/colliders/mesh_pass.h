@@ -1,40 +1,31 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
-#include "sim/gpu/buffer.h"
-#include "sim/gpu/gpu.h"
-#include "sim/gpu/program.h"
+#include "render/draw_pass.h"
+#include "render/picture/render_targets.h"
+#include "shared/gpu_types.h"
 #include "sim/world/world.h"
 
 namespace knuckle {
 
-/// The visible colliders that are made of triangles: meshes and heightfields.
-class ColliderMeshes {
+/// Draws the visible colliders that are made of triangles: meshes and heightfields.
+class MeshPass {
 public:
-    ColliderMeshes(const Gpu& gpu, const World& world);
-    ~ColliderMeshes();
-    ColliderMeshes(const ColliderMeshes&) = delete;
-    ColliderMeshes& operator=(const ColliderMeshes&) = delete;
+    /// @param table must have "frame" and "view".
+    MeshPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderTargets& targets);
+    MeshPass(const MeshPass&) = delete;
+    MeshPass& operator=(const MeshPass&) = delete;
 
-    /// Into the bound geometry buffers.
-    void draw() const;
-    /// Into the bound shadow map.
-    void drawShadow() const;
+    /// Into the shadow map.
+    void drawShadow(KernelTimer& timer) const { shadow_.draw(timer, GL_TRIANGLES, cornerCount()); }
+    /// Into the geometry buffers.
+    void draw(KernelTimer& timer) const { meshes_.draw(timer, GL_TRIANGLES, cornerCount()); }
 
 private:
-    /// Triangles of one collider, in a row of the corners.
-    struct Part {
-        GLint first;
-        GLsizei count;
-        std::array<float, 3> color;
-    };
+    uint32_t cornerCount() const { return static_cast<uint32_t>(corners_.size() / 2); }
 
-    std::vector<Part> parts_;
-    Buffer<float> corners_;   ///< Place and normal in the world.
-    GLuint vertexArray_ = 0;
-    Program program_, shadowProgram_;
+    Buffer<gpu::vec4> corners_;   ///< Two a corner: place in the world, w: mesh; normal.
+    Buffer<gpu::vec4> colors_;    ///< Of each mesh.
+    DrawPass meshes_, shadow_;
 };
 
 }  // namespace knuckle

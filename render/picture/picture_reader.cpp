@@ -10,19 +10,14 @@ constexpr size_t BYTES_PER_PIXEL = 4;
 
 }  // namespace
 
-PictureReader::PictureReader(uint32_t width, uint32_t height) : width_(width), height_(height)
+PictureReader::PictureReader(uint32_t width, uint32_t height)
+    : width_(width), height_(height), buffer_(BufferHandle::make())
 {
-    glGenBuffers(1, &buffer_);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());
     glBufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(BYTES_PER_PIXEL * width * height), nullptr,
                  GL_STREAM_READ);
-    glObjectLabel(GL_BUFFER, buffer_, -1, "picture read-back");
+    glObjectLabel(GL_BUFFER, buffer_.id(), -1, "picture read-back");
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-}
-
-PictureReader::~PictureReader()
-{
-    glDeleteBuffers(1, &buffer_);
 }
 
 void PictureReader::start(GLuint framebuffer)
@@ -30,7 +25,7 @@ void PictureReader::start(GLuint framebuffer)
     started_ = true;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
     glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());
     glReadPixels(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_), GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
@@ -38,7 +33,7 @@ void PictureReader::start(GLuint framebuffer)
 Image PictureReader::last()
 {
     if (!started_) throw RunError("there is no picture to read: nothing has been drawn yet");
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());
     const size_t rowBytes = BYTES_PER_PIXEL * width_;
     const auto* pixels = static_cast<const uint8_t*>(
         glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(rowBytes * height_), GL_MAP_READ_BIT));

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <epoxy/gl.h>
-
 #include <cstdint>
 
 #include "render/picture/image.h"
+#include "sim/gpu/gl_handle.h"
 
 namespace knuckle {
 
@@ -12,9 +11,6 @@ namespace knuckle {
 class PictureReader {
 public:
     PictureReader(uint32_t width, uint32_t height);
-    ~PictureReader();
-    PictureReader(const PictureReader&) = delete;
-    PictureReader& operator=(const PictureReader&) = delete;
 
     /// Starts the copy of the whole `framebuffer`.
     void start(GLuint framebuffer);
@@ -23,7 +19,7 @@ public:
 
 private:
     uint32_t width_, height_;
-    GLuint buffer_ = 0;
+    BufferHandle buffer_;
     bool started_ = false;
 };
 

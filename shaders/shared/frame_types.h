@@ -9,34 +9,6 @@
 namespace knuckle::gpu {
 #endif
 
-// Uniform blocks.
-#define FRAME_INPUT_SLOT 0
-#define FRAME_VIEW_SLOT 1
-// Storage buffers of the renderer's kernels.
-#define RENDER_POSITIONS_SLOT 0
-#define RENDER_CENTRES_SLOT 1
-#define RENDER_BOUNDS_SLOT 2
-#define RENDER_VIEW_SLOT 3
-#define RENDER_VISIBLE_SLOT 4
-#define RENDER_COUNTS_SLOT 5
-#define RENDER_LIST_SLOT 6
-#define RENDER_DRAWS_SLOT 7
-// Once frame_view is done with its inputs (OpenGL 4.3 promises only eight).
-#define RENDER_CELLS_SLOT 1
-#define RENDER_BURIED_SLOT 2
-// Texture units.
-#define DEPTH_UNIT 0
-#define SURFACE_UNIT 1
-#define SHADOW_UNIT 2
-#define SHADE_UNIT 3
-#define PICTURE_UNIT 4
-#define POSITIONS_UNIT 6
-#define COLORS_UNIT 7
-#define VELOCITIES_UNIT 8
-// Vertex attributes.
-#define POSITION_ATTRIBUTE 0
-#define INDEX_ATTRIBUTE 0
-
 #define RENDER_GROUP_SIZE 64
 // Where the camera is: as told, moving with an object, or where it sees all particles from one side or all around.
 #define CAMERA_FIXED 0u
@@ -51,7 +23,7 @@ namespace knuckle::gpu {
 #define SPACE_UNITS 64u
 // Radius of fluid particles in their rest distances: they overlap a little, so that still water has no holes.
 #define FLUID_RADIUS 0.58f
-// Particles that one thread counts and lists, in order.
+// Particles that one thread counts and lists, in order: solids or fluids.
 #define LIST_CHUNK 64
 // Pixels a side of the tiles that the edge filter takes or leaves.
 #define EDGE_TILE 16
@@ -94,7 +66,7 @@ struct FrameInput {
     uint solidCount;            // those behind the first so many particles are fluid
     float fluidRadius;          // [m]
     uint fluidShare;            // of the space that a solid particle takes, in 1 / SPACE_UNITS
-    uint unused;
+    uint resolveFactor;         // samples an axis of a pixel of the frame
 };
 
 // What one thread of frame_bounds.comp finds.
@@ -137,22 +109,23 @@ struct ColliderInstance {
     vec4 color;                 // rgb; w: shape (SHAPE_*)
 };
 
-// Places of the draw arguments.
+// Which spheres a list has, and how they are drawn from it; each list has draw arguments of its own.
+#define SOLID_SPHERES 0
+#define FLUID_SPHERES 1
 #define POINT_DRAW 0
 #define QUAD_DRAW 1
 #define SHADOW_DRAW 2
-#define DRAW_COUNT 3
+#define DRAWS_PER_GROUP 3
+#define SPHERE_DRAWS 6
+// Corners of the two triangles of a quad.
+#define QUAD_CORNERS 6
 
-// glDrawElementsIndirect's arguments (and with `first` glDrawArraysIndirect's, whose layout is a prefix's).
+// glDrawArraysIndirect's arguments.
 struct DrawArguments {
     uint count;
     uint instanceCount;
-    uint firstIndex;
-    uint baseVertex;
+    uint first;
     uint baseInstance;
-    uint pad0;
-    uint pad1;
-    uint pad2;
 };
 
 #ifdef __cplusplus

@@ -174,13 +174,13 @@ TEST(Renderer, HostAndDriverAgreeOnTheFramesBlocks)
     const Program program = Program::graphics(sharedGpu(), "render/picture/screen.vert", "render/picture/lighting.frag");
     using gpu::FrameInput;
     using gpu::FrameView;
-    expectOffsets(program, "FrameInputBlock", sizeof(FrameInput),
+    expectOffsets(program, "Frame", sizeof(FrameInput),
                   {{"frame.keyDirection", offsetof(FrameInput, keyDirection)},
                    {"frame.solidHigh", offsetof(FrameInput, solidHigh)},
                    {"frame.width", offsetof(FrameInput, width)},
                    {"frame.radius", offsetof(FrameInput, radius)},
                    {"frame.groundFade", offsetof(FrameInput, groundFade)}});
-    expectOffsets(program, "FrameViewBlock", sizeof(FrameView),
+    expectOffsets(program, "View", sizeof(FrameView),
                   {{"view.cameraPosition", offsetof(FrameView, cameraPosition)},
                    {"view.lightDepth", offsetof(FrameView, lightDepth)},
                    {"view.upInView", offsetof(FrameView, upInView)}});

@@ -2,10 +2,9 @@
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 
-layout(location = 0) uniform vec3 color;
-
 in vec3 viewPlace;
 in vec3 viewNormal;
+flat in vec3 color;
 layout(location = 0) out uvec2 surface;
 
 void main()

@@ -2,9 +2,9 @@
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 
-layout(location = 1) uniform vec4 planeColor;   // rgb; w: 1 for the ground
 flat in vec4 planeInView;                       // normal; w: the eye's height above the plane
 flat in uint normalWord;
+flat in vec4 planeColor;                        // rgb; w: 1 for the ground
 layout(location = 0) out uvec2 surface;
 
 // Share of a pixel of width `w` covered by lines of half-width `h` around the whole numbers: the integral of the line

@@ -1,8 +1,7 @@
-// The two uniform blocks that every render shader reads.
-#include "shared/frame_types.h"
+// What the host says of a frame, and the view that the camera's kernels made of it.
+#include "render/common/frame.glsl"
 
-layout(std140, binding = FRAME_INPUT_SLOT) uniform FrameInputBlock { FrameInput frame; };
-layout(std140, binding = FRAME_VIEW_SLOT) uniform FrameViewBlock { FrameView view; };
+layout(std140) uniform View { FrameView view; };
 
 vec3 toView(vec3 world)
 {

@@ -1,9 +1,9 @@
 // One point per tile of EDGE_TILE x EDGE_TILE pixels, dropped where the tile shows nothing but ground and sky: those
 // have no steps, since their pattern is filtered already and their shadows are soft.
-#include "render/common/frame_blocks.glsl"
+#include "render/common/frame.glsl"
 #include "render/picture/shade.glsl"
 
-layout(binding = SHADE_UNIT) uniform usampler2D shadePicture;
+uniform usampler2D shadePicture;
 
 const int HALF_TILE = EDGE_TILE / 2;
 

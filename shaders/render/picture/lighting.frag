@@ -5,9 +5,9 @@
 #include "render/picture/sky.glsl"
 #include "render/picture/tone_map.glsl"
 
-layout(binding = DEPTH_UNIT) uniform sampler2D depthPicture;
-layout(binding = SURFACE_UNIT) uniform usampler2D surfacePicture;
-layout(binding = SHADE_UNIT) uniform usampler2D shadePicture;
+uniform sampler2D depthPicture;
+uniform usampler2D surfacePicture;
+uniform usampler2D shadePicture;
 layout(location = 0) out vec4 picture;
 
 // Diffuse reflection of the key light is 1/pi of what arrives; these are that and the sky's, balanced by eye.

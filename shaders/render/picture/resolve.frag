@@ -1,15 +1,15 @@
 // The mean of the samples of one pixel of the finished picture.
-#include "shared/frame_types.h"
+#include "render/common/frame.glsl"
 
-layout(binding = PICTURE_UNIT) uniform sampler2D picture;
-layout(location = 0) uniform int factor;
+uniform sampler2D smoothedPicture;
 layout(location = 0) out vec4 resolved;
 
 void main()
 {
+    int factor = int(frame.resolveFactor);
     vec3 sum = vec3(0.0);
     for (int y = 0; y < factor; ++y)
         for (int x = 0; x < factor; ++x)
-            sum += texelFetch(picture, ivec2(gl_FragCoord.xy) * factor + ivec2(x, y), 0).rgb;
+            sum += texelFetch(smoothedPicture, ivec2(gl_FragCoord.xy) * factor + ivec2(x, y), 0).rgb;
     resolved = vec4(sum / float(factor * factor), 1.0);
 }

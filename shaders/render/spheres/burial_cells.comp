@@ -3,8 +3,8 @@
 #include "render/spheres/burial.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
-layout(std430, binding = RENDER_CELLS_SLOT) readonly buffer Cells { uint cells[]; };
-layout(std430, binding = RENDER_BURIED_SLOT) writeonly buffer Buried { uint buried[]; };
+layout(std430) readonly buffer BurialCells { uint cells[]; };
+layout(std430) writeonly buffer BuriedCells { uint buried[]; };
 
 void main()
 {

@@ -3,8 +3,8 @@
 #include "render/common/sphere_sizes.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
-layout(binding = POSITIONS_UNIT) uniform samplerBuffer positions;
-layout(std430, binding = RENDER_CELLS_SLOT) buffer Cells { uint cells[]; };
+uniform samplerBuffer positions;
+layout(std430) buffer BurialCells { uint cells[]; };
 
 void main()
 {

@@ -4,8 +4,8 @@
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
 // How much particles take, before; HIDDEN_*, after.
-layout(std430, binding = RENDER_CELLS_SLOT) buffer Cells { uint cells[]; };
-layout(std430, binding = RENDER_BURIED_SLOT) readonly buffer Buried { uint buried[]; };
+layout(std430) buffer BurialCells { uint cells[]; };
+layout(std430) readonly buffer BuriedCells { uint buried[]; };
 
 // Walks from cell to cell of the grid. `way`: 1 along its longest axis, in cells.
 bool meetsBuried(vec3 place, vec3 way, int cellCount)

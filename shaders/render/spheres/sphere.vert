@@ -3,19 +3,21 @@
 #include "render/spheres/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
 
-layout(location = POSITION_ATTRIBUTE) in vec3 position;
+uniform usamplerBuffer sphereList;
+uniform samplerBuffer positions;
 
 flat out vec4 sphere;   // view-space centre, colour word
 flat out float radius;
 
 void main()
 {
-    vec3 centre = toView(position);
-    radius = sphereRadius(uint(gl_VertexID));
+    int particle = int(texelFetch(sphereList, gl_VertexID).x);
+    vec3 centre = toView(texelFetch(positions, particle).xyz);
+    radius = sphereRadius(uint(particle));
     float aspect = float(frame.width) / float(frame.height);
     vec4 bounds = sphereBounds(centre, radius, vec2(1.0 / aspect, 1.0) / frame.tanHalfFov);
     vec2 size = 0.5 * (bounds.zw - bounds.xy) * vec2(frame.width, frame.height);
-    sphere = vec4(centre, uintBitsToFloat(sphereColor(gl_VertexID)));
+    sphere = vec4(centre, uintBitsToFloat(sphereColor(particle)));
     gl_PointSize = max(size.x, size.y) + 1.0;
     gl_Position = vec4(0.5 * (bounds.xy + bounds.zw), 2.0 * (-centre.z - radius) / frame.farDepth - 1.0, 1.0);
 }

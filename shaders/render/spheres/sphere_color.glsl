@@ -2,9 +2,9 @@
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 
-layout(binding = COLORS_UNIT) uniform usamplerBuffer colors;
+uniform usamplerBuffer sphereColors;
 #ifdef COLOR_BY_SPEED
-layout(binding = VELOCITIES_UNIT) uniform samplerBuffer velocities;
+uniform samplerBuffer velocities;
 
 // Slow to fast: deep blue, teal, green, amber, and near-white heat. Linear RGB.
 vec3 speedColor(float share)
@@ -19,13 +19,13 @@ vec3 speedColor(float share)
 uint sphereColor(int particle)
 {
     // A stored colour is a highlighted joint's.
-    uint stored = texelFetch(colors, particle).x;
+    uint stored = texelFetch(sphereColors, particle).x;
     uint moving = packAlbedo(speedColor(length(texelFetch(velocities, particle).xyz) / frame.speedScale), 1.0);
     return stored != 0u ? stored : moving;
 }
 #else
 uint sphereColor(int particle)
 {
-    return texelFetch(colors, particle).x;
+    return texelFetch(sphereColors, particle).x;
 }
 #endif

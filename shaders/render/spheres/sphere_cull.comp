@@ -1,15 +1,16 @@
-// One thread decides how a run of LIST_CHUNK particles is drawn, and counts them: as points, as quads (too large for
+// One thread decides how the particles of a run are drawn, and counts them: as points, as quads (too large for
 // the driver's points, or the point's centre clipped away), as shadow casters, or not at all.
 #include "render/spheres/burial.glsl"
 #include "render/common/sphere_sizes.glsl"
 #include "render/spheres/sphere_bounds.glsl"
 #include "render/spheres/sphere_lists.glsl"
+#include "render/spheres/sphere_runs.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
-layout(binding = POSITIONS_UNIT) uniform samplerBuffer positions;
-layout(std430, binding = RENDER_VISIBLE_SLOT) writeonly buffer Visible { uint visible[]; };
-layout(std430, binding = RENDER_COUNTS_SLOT) writeonly buffer Counts { uvec4 counts[]; };
-layout(std430, binding = RENDER_CELLS_SLOT) readonly buffer Cells { uint cells[]; };
+uniform samplerBuffer positions;
+layout(std430) writeonly buffer SphereWays { uint ways[]; };
+layout(std430) writeonly buffer SphereCounts { uvec4 counts[]; };
+layout(std430) readonly buffer BurialCells { uint cells[]; };
 
 uint howDrawn(vec3 position, float radius)
 {
@@ -31,14 +32,13 @@ uint howDrawn(vec3 position, float radius)
 
 void main()
 {
-    uint begin = gl_GlobalInvocationID.x * LIST_CHUNK;
-    uint end = min(begin + LIST_CHUNK, frame.particleCount);
-    if (begin >= end) return;
+    Run run = runAt(gl_GlobalInvocationID.x);
+    if (run.begin >= run.end) return;
     uvec3 count = uvec3(0u);
-    for (uint i = begin; i < end; ++i) {
+    for (uint i = run.begin; i < run.end; ++i) {
         vec4 position = texelFetch(positions, int(i));
         uint how = isThere(position) ? howDrawn(position.xyz, sphereRadius(i)) : 0u;
-        visible[i] = how;
+        ways[i] = how;
         count += listCounts(how);
     }
     counts[gl_GlobalInvocationID.x] = uvec4(count, 0u);

@@ -1,20 +1,29 @@
-// One thread turns the counts of all runs into where each run's list begins, and writes the draw arguments.
-#include "render/common/frame_blocks.glsl"
+// One thread turns the counts of all runs into where each run's lists begin, and writes the draw arguments: of solids and
+// of fluids.
+#include "render/spheres/sphere_runs.glsl"
 
 layout(local_size_x = 1) in;
-layout(std430, binding = RENDER_COUNTS_SLOT) buffer Counts { uvec4 counts[]; };
-layout(std430, binding = RENDER_DRAWS_SLOT) writeonly buffer Draws { DrawArguments draws[DRAW_COUNT]; };
+layout(std430) buffer SphereCounts { uvec4 counts[]; };
+layout(std430) writeonly buffer SphereDraws { DrawArguments draws[]; };
 
-void main()
+void listGroup(uint group, uint firstRun, uint runs, uint first)
 {
     uvec4 total = uvec4(0u);
-    uint chunks = (frame.particleCount + LIST_CHUNK - 1u) / LIST_CHUNK;
-    for (uint i = 0u; i < chunks; ++i) {
+    for (uint i = firstRun; i < firstRun + runs; ++i) {
         uvec4 count = counts[i];
         counts[i] = total;
         total += count;
     }
-    draws[POINT_DRAW] = DrawArguments(total.x, 1u, 0u, 0u, 0u, 0u, 0u, 0u);
-    draws[QUAD_DRAW] = DrawArguments(4u, total.y, 0u, 0u, 0u, 0u, 0u, 0u);
-    draws[SHADOW_DRAW] = DrawArguments(total.z, 1u, 2u * frame.particleCount, 0u, 0u, 0u, 0u, 0u);
+    uvec3 begin = first + uvec3(0u, 1u, 2u) * frame.particleCount;
+    uint draw = DRAWS_PER_GROUP * group;
+    draws[draw + POINT_DRAW] = DrawArguments(total.x, 1u, begin.x, 0u);
+    draws[draw + QUAD_DRAW] = DrawArguments(QUAD_CORNERS * total.y, 1u, QUAD_CORNERS * begin.y, 0u);
+    draws[draw + SHADOW_DRAW] = DrawArguments(total.z, 1u, begin.z, 0u);
+}
+
+void main()
+{
+    uint solidRuns = runCount(frame.solidCount);
+    listGroup(SOLID_SPHERES, 0u, solidRuns, 0u);
+    listGroup(FLUID_SPHERES, solidRuns, runCount(frame.particleCount - frame.solidCount), frame.solidCount);
 }

@@ -1,23 +1,26 @@
-// Four corners around the image of each listed sphere, for those too large for the driver's points.
+// Two triangles around the image of each listed sphere, for those too large for the driver's points.
 #include "render/common/sphere_sizes.glsl"
 #include "render/spheres/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
 
-layout(location = INDEX_ATTRIBUTE) in uint particle;
-layout(binding = POSITIONS_UNIT) uniform samplerBuffer positions;
+uniform usamplerBuffer sphereList;
+uniform samplerBuffer positions;
 
 flat out vec4 sphere;   // view-space centre, colour word
 flat out float radius;
 
 void main()
 {
+    uint particle = texelFetch(sphereList, gl_VertexID / QUAD_CORNERS).x;
     vec3 centre = toView(texelFetch(positions, int(particle)).xyz);
     radius = sphereRadius(particle);
     float aspect = float(frame.width) / float(frame.height);
     vec4 bounds = sphereBounds(centre, radius, vec2(1.0 / aspect, 1.0) / frame.tanHalfFov);
     float nearest = max(-centre.z - radius, 0.0);
     sphere = vec4(centre, uintBitsToFloat(sphereColor(int(particle))));
-    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    const int CORNERS[QUAD_CORNERS] = int[QUAD_CORNERS](0, 1, 2, 2, 1, 3);
+    int place = CORNERS[gl_VertexID % QUAD_CORNERS];
+    vec2 corner = vec2(place & 1, place >> 1);
     gl_Position = vec4(clamp(mix(bounds.xy, bounds.zw, corner), -1.0, 1.0),
                        2.0 * nearest / frame.farDepth - 1.0, 1.0);
 }

@@ -1,10 +1,12 @@
 // One point per particle in the light's view.
 #include "render/common/sphere_sizes.glsl"
 
-layout(location = POSITION_ATTRIBUTE) in vec3 position;
+uniform usamplerBuffer sphereList;
+uniform samplerBuffer positions;
 
 void main()
 {
-    gl_Position = vec4(worldToLight(position), 1.0);
-    gl_PointSize = sphereRadius(uint(gl_VertexID)) / view.lightCentre.w * frame.shadowSize;
+    uint particle = texelFetch(sphereList, gl_VertexID).x;
+    gl_Position = vec4(worldToLight(texelFetch(positions, int(particle)).xyz), 1.0);
+    gl_PointSize = sphereRadius(particle) / view.lightCentre.w * frame.shadowSize;
 }

@@ -2,8 +2,8 @@
 #include "render/common/sphere_sizes.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
-layout(std430, binding = RENDER_POSITIONS_SLOT) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = RENDER_BOUNDS_SLOT) writeonly buffer Bounds { ParticleBounds bounds[]; };
+layout(std430) readonly buffer Positions { vec4 positions[]; };
+layout(std430) writeonly buffer ParticleBoxes { ParticleBounds bounds[]; };
 
 void main()
 {

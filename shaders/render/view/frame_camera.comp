@@ -1,26 +1,16 @@
 // One thread gathers the particles' bounds and aims the camera: as it is told, at the object that it follows, or so
 // that all particles and their way down to the ground are seen. What it sees moves, so the camera moves smoothly.
-#include "shared/frame_types.h"
+#include "render/common/frame.glsl"
 #include "render/view/axes.glsl"
+#include "render/view/framing.glsl"
 
 layout(local_size_x = 1) in;
-layout(std140, binding = FRAME_INPUT_SLOT) uniform FrameInputBlock { FrameInput frame; };
-layout(std430, binding = RENDER_CENTRES_SLOT) readonly buffer Centres { vec4 centres[]; };
-layout(std430, binding = RENDER_BOUNDS_SLOT) readonly buffer Bounds { ParticleBounds bounds[]; };
-layout(std430, binding = RENDER_VIEW_SLOT) buffer View { FrameView view; };
+layout(std430) readonly buffer BodyCentres { vec4 centres[]; };
+layout(std430) readonly buffer ParticleBoxes { ParticleBounds bounds[]; };
+layout(std430) buffer View { FrameView view; };
 
-// Share of the picture that what is framed may take.
-const float FRAME_SHARE = 0.85;
 // Farther from the mean than so many standard deviations, stray particles are no reason to show the rest small.
 const float STRAY = 3.0;
-// Times in which the framed box grows and shrinks, and a followed object is caught up with, but for a share 1/e [s].
-const float GROWING = 0.12;
-const float SHRINKING = 0.6;
-const float FOLLOWING = 0.1;
-
-struct Box {
-    vec3 low, high;
-};
 
 Box framedBox()
 {
@@ -62,14 +52,6 @@ Box followedBox()
     return Box(sum / float(frame.followedBodyCount), sum / float(frame.followedBodyCount));
 }
 
-// The share of the way to `now` that is gone in this frame. `outward`: where the box grows.
-vec3 shareOfWay(bvec3 outward)
-{
-    if (frame.trackSeconds < 0.0) return vec3(1.0);
-    vec3 time = frame.cameraMode == CAMERA_FOLLOWS ? vec3(FOLLOWING) : mix(vec3(SHRINKING), vec3(GROWING), outward);
-    return 1.0 - exp(-frame.trackSeconds / time);
-}
-
 Box tracked(Box now)
 {
     Box before = Box(view.trackedLow.xyz, view.trackedHigh.xyz);
@@ -79,21 +61,6 @@ Box tracked(Box now)
     view.trackedLow = vec4(box.low, 0.0);
     view.trackedHigh = vec4(box.high, 0.0);
     return box;
-}
-
-// Where the four sides of the view touch the box, or two of them where its proportions are not the picture's.
-vec3 placeThatFrames(Box box, vec3 right, vec3 up, vec3 back)
-{
-    vec2 slope = FRAME_SHARE * frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);
-    vec2 most = vec2(-1e30), least = vec2(1e30);
-    for (int corner = 0; corner < 8; ++corner) {
-        vec3 p = mix(box.low, box.high, vec3(corner & 1, corner >> 1 & 1, corner >> 2));
-        vec2 side = vec2(dot(p, right), dot(p, up));
-        most = max(most, side + slope * dot(p, back));
-        least = min(least, side - slope * dot(p, back));
-    }
-    vec2 middle = 0.5 * (most + least), away = 0.5 * (most - least) / slope;
-    return middle.x * right + middle.y * up + max(away.x, away.y) * back;
 }
 
 void main()

@@ -1,10 +1,9 @@
 // One thread fits the shadow map and the burial grid to the particles' bounds, for the camera that frame_camera aimed.
-#include "shared/frame_types.h"
+#include "render/common/frame.glsl"
 #include "render/view/axes.glsl"
 
 layout(local_size_x = 1) in;
-layout(std140, binding = FRAME_INPUT_SLOT) uniform FrameInputBlock { FrameInput frame; };
-layout(std430, binding = RENDER_VIEW_SLOT) buffer View { FrameView view; };
+layout(std430) buffer View { FrameView view; };
 
 // The map grows in steps, so that its texels stand still while the scene breathes.
 const float SIZE_STEPS_PER_OCTAVE = 3.0;

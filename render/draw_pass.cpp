@@ -1,0 +1,65 @@
+#include "render/draw_pass.h"
+
+#include "shared/frame_types.h"
+
+namespace knuckle {
+
+namespace {
+
+void enable(GLenum what, bool wanted)
+{
+    if (wanted) glEnable(what);
+    else glDisable(what);
+}
+
+}  // namespace
+
+DrawPass::DrawPass(const Gpu& gpu, const BufferTable& table, const DrawShaders& shaders,
+                   std::initializer_list<std::string> reads, const Framebuffer& target, GLenum culled)
+    : program_(Program::graphics(gpu, "render/" + shaders.vertex + ".vert", "render/" + shaders.fragment + ".frag",
+                                 shaders.defines)),
+      bindings_(program_, table.only(reads, "pass " + name()), "pass " + name()),
+      noAttributes_(VertexArrayHandle::make()), target_(&target), culled_(culled)
+{
+}
+
+void DrawPass::begin(KernelTimer& timer) const
+{
+    glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name().c_str());
+    timer.begin(name());
+    target_->bind();
+    bindings_.bind();
+    glBindVertexArray(noAttributes_.id());
+    enable(GL_DEPTH_TEST, target_->hasDepth());
+    enable(GL_CULL_FACE, culled_ != GL_NONE);
+    if (culled_ != GL_NONE) glCullFace(culled_);
+}
+
+void DrawPass::end(KernelTimer& timer)
+{
+    timer.end();
+    glPopDebugGroup();
+}
+
+void DrawPass::drawScreen(KernelTimer& timer, uint32_t instances) const
+{
+    draw(timer, GL_TRIANGLES, 3, instances);
+}
+
+void DrawPass::draw(KernelTimer& timer, GLenum primitive, uint32_t vertices, uint32_t instances) const
+{
+    if (vertices == 0 || instances == 0) return;
+    begin(timer);
+    glDrawArraysInstanced(primitive, 0, static_cast<GLsizei>(vertices), static_cast<GLsizei>(instances));
+    end(timer);
+}
+
+void DrawPass::drawIndirect(KernelTimer& timer, GLenum primitive, const RawBuffer& arguments, uint32_t index) const
+{
+    begin(timer);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.id());
+    glDrawArraysIndirect(primitive, reinterpret_cast<const void*>(index * sizeof(gpu::DrawArguments)));
+    end(timer);
+}
+
+}  // namespace knuckle

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+
+#include "sim/gpu/bindings.h"
+#include "sim/gpu/kernel.h"
+#include "sim/gpu/texture.h"
+
+namespace knuckle {
+
+/// Files below shaders/render/, without their endings.
+struct DrawShaders {
+    std::string vertex, fragment;
+    Defines defines = {};
+};
+
+/// A draw of the frame: a program that reads buffers and textures by their names and draws into one target. It has its
+/// time and its label by the name of its fragment shader. There are no vertex attributes: shaders fetch what they need.
+class DrawPass {
+public:
+    DrawPass() = default;
+    /// @param reads what the shaders may declare, of the table.
+    /// @param target must outlive the pass. What has a depth buffer is drawn with the depth test.
+    /// @param culled GL_FRONT or GL_BACK, the faces that are not drawn.
+    /// @throws DeviceError naming the pass and what it declares beside that, or what is not in the table.
+    DrawPass(const Gpu& gpu, const BufferTable& table, const DrawShaders& shaders,
+             std::initializer_list<std::string> reads, const Framebuffer& target, GLenum culled = GL_NONE);
+
+    const std::string& name() const { return program_.name(); }
+    /// One triangle over the whole target, an instance each.
+    void drawScreen(KernelTimer& timer, uint32_t instances = 1) const;
+    /// @param primitive GL_POINTS, GL_TRIANGLES, ...
+    void draw(KernelTimer& timer, GLenum primitive, uint32_t vertices, uint32_t instances = 1) const;
+    /// With the DrawArguments of `arguments` at element `index`.
+    void drawIndirect(KernelTimer& timer, GLenum primitive, const RawBuffer& arguments, uint32_t index) const;
+
+private:
+    void begin(KernelTimer& timer) const;
+    static void end(KernelTimer& timer);
+
+    Program program_;
+    Bindings bindings_;
+    VertexArrayHandle noAttributes_;
+    const Framebuffer* target_ = nullptr;
+    GLenum culled_ = GL_NONE;
+};
+
+}  // namespace knuckle

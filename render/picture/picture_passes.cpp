@@ -1,0 +1,36 @@
+#include "render/picture/picture_passes.h"
+
+namespace knuckle {
+
+PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& targets)
+    : targets_(targets), isResolved_(targets.resolved.id() != 0)
+{
+    table.add(targets.surface, targets.depth, targets.shadow, targets.shade, targets.lit, targets.smoothed);
+    occlusion_ = DrawPass(gpu, table, {"picture/screen", "picture/occlusion"},
+                          {"frame", "view", "depthPicture", "surfacePicture", "shadowPicture"}, targets.occlusion);
+    lighting_ = DrawPass(gpu, table, {"picture/screen", "picture/lighting"},
+                         {"frame", "view", "depthPicture", "surfacePicture", "shadePicture"}, targets.lighting);
+    edgeFilter_ = DrawPass(gpu, table, {"picture/edge_tile", "picture/edge_filter"},
+                           {"frame", "litPicture", "shadePicture"}, targets.edges);
+    if (isResolved_)
+        resolve_ = DrawPass(gpu, table, {"picture/screen", "picture/resolve"}, {"frame", "smoothedPicture"},
+                            targets.resolve);
+}
+
+void PicturePasses::drawOcclusion(KernelTimer& timer) const
+{
+    // The pass leaves out what is in full light.
+    targets_.occlusion.clear();
+    occlusion_.drawScreen(timer);
+}
+
+void PicturePasses::drawSmooth(KernelTimer& timer) const
+{
+    // What the filter leaves alone must be there already.
+    targets_.smoothed.copy(targets_.lit);
+    const auto tiles = [](uint32_t pixels) { return (pixels + EDGE_TILE - 1) / EDGE_TILE; };
+    edgeFilter_.draw(timer, GL_POINTS, tiles(targets_.lit.width()) * tiles(targets_.lit.height()));
+    if (isResolved_) resolve_.drawScreen(timer);
+}
+
+}  // namespace knuckle

@@ -1,0 +1,55 @@
+#include "render/spheres/sphere_lists.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr size_t CELL_COUNT = size_t{BURIAL_CELLS} * BURIAL_CELLS * BURIAL_CELLS;
+
+/// Runs of LIST_CHUNK particles at most, with one more for where solids end and fluids begin.
+size_t runLimit(size_t particleCount)
+{
+    return (particleCount + LIST_CHUNK - 1) / LIST_CHUNK + 1;
+}
+
+uint32_t groupsOf(size_t threads)
+{
+    return static_cast<uint32_t>((threads + RENDER_GROUP_SIZE - 1) / RENDER_GROUP_SIZE);
+}
+
+}  // namespace
+
+SphereLists::SphereLists(const Gpu& gpu, BufferTable& table, size_t particleCount)
+    : particleCount_(static_cast<uint32_t>(particleCount)), ways_("sphereWays", particleCount),
+      list_("sphereList", 3 * particleCount), cells_("burialCells", CELL_COUNT), buried_("buriedCells", CELL_COUNT),
+      counts_("sphereCounts", runLimit(particleCount)), draws_("sphereDraws", SPHERE_DRAWS)
+{
+    table.add(ways_, list_, cells_, buried_, counts_, draws_);
+    const auto load = [&](const std::string& name) { return Kernel(gpu, table, "render/spheres/" + name + ".comp"); };
+    burialCount_ = load("burial_count");
+    burialCells_ = load("burial_cells");
+    burialHidden_ = load("burial_hidden");
+    cull_ = load("sphere_cull");
+    offsets_ = load("sphere_offsets");
+    write_ = load("sphere_list");
+}
+
+void SphereLists::update(KernelTimer& timer)
+{
+    if (particleCount_ == 0) return;
+    cells_.clear();
+    burialCount_.dispatch(timer, groupsOf(particleCount_));
+    burialCells_.dispatch(timer, groupsOf(CELL_COUNT));
+    burialHidden_.dispatch(timer, groupsOf(CELL_COUNT));
+    cull_.dispatch(timer, groupsOf(runLimit(particleCount_)));
+    offsets_.dispatch(timer, 1);
+    write_.dispatch(timer, groupsOf(runLimit(particleCount_)));
+}
+
+void SphereLists::draw(KernelTimer& timer, const DrawPass& pass, SphereGroup group, uint32_t way) const
+{
+    const GLenum primitive = way == QUAD_DRAW ? GL_TRIANGLES : GL_POINTS;
+    pass.drawIndirect(timer, primitive, draws_, DRAWS_PER_GROUP * static_cast<uint32_t>(group) + way);
+}
+
+}  // namespace knuckle

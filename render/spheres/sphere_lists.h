@@ -1,0 +1,32 @@
+#pragma once
+
+#include "render/draw_pass.h"
+#include "shared/frame_types.h"
+#include "sim/gpu/kernel.h"
+
+namespace knuckle {
+
+/// Spheres that are listed apart from others.
+enum class SphereGroup : uint32_t { Solid = SOLID_SPHERES, Fluid = FLUID_SPHERES };
+
+/// Lists, on the device, which particles the camera and the key light can see. Buried ones are in neither list.
+class SphereLists {
+public:
+    /// Adds "sphereList" and its own buffers to the table, which must have "frame", "view" and "positions".
+    SphereLists(const Gpu& gpu, BufferTable& table, size_t particleCount);
+    SphereLists(const SphereLists&) = delete;
+    SphereLists& operator=(const SphereLists&) = delete;
+
+    void update(KernelTimer& timer);
+    /// Draws points (POINT_DRAW), corners (QUAD_DRAW) or points in the light's view (SHADOW_DRAW) of a group.
+    void draw(KernelTimer& timer, const DrawPass& pass, SphereGroup group, uint32_t way) const;
+
+private:
+    uint32_t particleCount_;
+    Buffer<uint32_t> ways_, list_, cells_, buried_;
+    Buffer<gpu::uvec4> counts_;
+    Buffer<gpu::DrawArguments> draws_;
+    Kernel burialCount_, burialCells_, burialHidden_, cull_, offsets_, write_;
+};
+
+}  // namespace knuckle

@@ -1,0 +1,24 @@
+#include "render/view/view_passes.h"
+
+namespace knuckle {
+
+ViewPasses::ViewPasses(const Gpu& gpu, BufferTable& table)
+{
+    table.add(view_, boxes_);
+    bounds_ = Kernel(gpu, table, "render/view/frame_bounds.comp");
+    camera_ = Kernel(gpu, table, "render/view/frame_camera.comp");
+    fit_ = Kernel(gpu, table, "render/view/frame_view.comp");
+}
+
+void ViewPasses::aim(KernelTimer& timer) const
+{
+    bounds_.dispatch(timer, BOUNDS_THREADS / RENDER_GROUP_SIZE);
+    camera_.dispatch(timer, 1);
+}
+
+void ViewPasses::fit(KernelTimer& timer) const
+{
+    fit_.dispatch(timer, 1);
+}
+
+}  // namespace knuckle

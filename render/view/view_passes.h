@@ -1,0 +1,27 @@
+#pragma once
+
+#include "shared/frame_types.h"
+#include "sim/gpu/kernel.h"
+
+namespace knuckle {
+
+/// Finds the frame's view on the device, since only it knows where particles are.
+class ViewPasses {
+public:
+    /// Adds "view" to the table, which must have "frame", "positions" and "bodyCentres".
+    ViewPasses(const Gpu& gpu, BufferTable& table);
+    ViewPasses(const ViewPasses&) = delete;
+    ViewPasses& operator=(const ViewPasses&) = delete;
+
+    /// Aims the camera.
+    void aim(KernelTimer& timer) const;
+    /// Fits the shadow map and the burial grid to what is there.
+    void fit(KernelTimer& timer) const;
+
+private:
+    Buffer<gpu::FrameView> view_{"view", 1};
+    Buffer<gpu::ParticleBounds> boxes_{"particleBoxes", BOUNDS_THREADS};
+    Kernel bounds_, camera_, fit_;
+};
+
+}  // namespace knuckle

@@ -1,0 +1,4 @@
+// What the host says of a frame.
+#include "shared/frame_types.h"
+
+layout(std140) uniform Frame { FrameInput frame; };

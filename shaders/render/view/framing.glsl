@@ -1,0 +1,36 @@
+// The box that the camera shows: how fast the camera follows it, and from where all of it is seen.
+#include "render/common/frame.glsl"
+
+// Share of the picture that what is framed may take.
+const float FRAME_SHARE = 0.85;
+// Times in which the framed box grows and shrinks, and a followed object is caught up with, but for a share 1/e [s].
+const float GROWING = 0.12;
+const float SHRINKING = 0.6;
+const float FOLLOWING = 0.1;
+
+struct Box {
+    vec3 low, high;
+};
+
+// The share of the way to `now` that is gone in this frame. `outward`: where the box grows.
+vec3 shareOfWay(bvec3 outward)
+{
+    if (frame.trackSeconds < 0.0) return vec3(1.0);
+    vec3 time = frame.cameraMode == CAMERA_FOLLOWS ? vec3(FOLLOWING) : mix(vec3(SHRINKING), vec3(GROWING), outward);
+    return 1.0 - exp(-frame.trackSeconds / time);
+}
+
+// Where the four sides of the view touch the box, or two of them where its proportions are not the picture's.
+vec3 placeThatFrames(Box box, vec3 right, vec3 up, vec3 back)
+{
+    vec2 slope = FRAME_SHARE * frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);
+    vec2 most = vec2(-1e30), least = vec2(1e30);
+    for (int corner = 0; corner < 8; ++corner) {
+        vec3 p = mix(box.low, box.high, vec3(corner & 1, corner >> 1 & 1, corner >> 2));
+        vec2 side = vec2(dot(p, right), dot(p, up));
+        most = max(most, side + slope * dot(p, back));
+        least = min(least, side - slope * dot(p, back));
+    }
+    vec2 middle = 0.5 * (most + least), away = 0.5 * (most - least) / slope;
+    return middle.x * right + middle.y * up + max(away.x, away.y) * back;
+}
