@@ -18,16 +18,21 @@ constexpr std::string_view LAST = "last";
     throw DeviceError(fmt::format("{} declares \"{}\", which is not among what it is given", user, name));
 }
 
+/// "positions" of "lastPositions"; empty for other names.
+std::string withoutLast(const std::string& name)
+{
+    if (!name.starts_with(LAST)) return "";
+    std::string own = name.substr(LAST.size());
+    if (!own.empty()) own[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(own[0])));
+    return own;
+}
+
 }  // namespace
 
 const BufferTable::Entry& BufferTable::find(const std::string& name, const std::string& user) const
 {
     auto found = entries_.find(name);
-    if (found == entries_.end() && name.starts_with(LAST) && name.size() > LAST.size()) {
-        std::string own = name.substr(LAST.size());
-        own[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(own[0])));
-        found = entries_.find(own);
-    }
+    if (found == entries_.end()) found = entries_.find(withoutLast(name));
     if (found == entries_.end()) refuse(name, user);
     return found->second;
 }
@@ -44,8 +49,11 @@ BufferTable BufferTable::only(std::initializer_list<std::string> names, const st
     BufferTable part;
     for (const std::string& name : names) {
         const auto texture = textures_.find(name);
-        if (texture != textures_.end()) part.add(*texture->second);
-        else part.entries_[name] = find(name, user);
+        const auto entry = entries_.find(name);
+        if (texture == textures_.end() && entry == entries_.end())
+            throw DeviceError(fmt::format("{} asks for \"{}\", which is not in the table", user, name));
+        if (texture != textures_.end()) part.textures_.insert(*texture);
+        else part.entries_.insert(*entry);
     }
     return part;
 }

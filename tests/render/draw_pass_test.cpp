@@ -1,0 +1,80 @@
+#include "render/draw_pass.h"
+
+#include "shared/frame_types.h"
+#include "sim/world/errors.h"
+#include "tests/render/render_fixture.h"
+
+namespace knuckle::test {
+namespace {
+
+/// What the pass that lights the picture reads.
+struct LightingInputs {
+    Buffer<gpu::FrameInput> frame{"frame", 1};
+    Buffer<gpu::FrameView> view{"view", 1};
+    Texture depth{"depthPicture", GL_DEPTH_COMPONENT32F, 16, 16}, surface{"surfacePicture", GL_RG32UI, 16, 16};
+    Texture shade{"shadePicture", GL_R32UI, 8, 8}, lit{"litPicture", GL_RGBA8, 16, 16};
+    Framebuffer target{"lighting", {&lit}, nullptr};
+
+    std::string problemOf(const BufferTable& table, std::initializer_list<std::string> reads) const
+    {
+        try {
+            DrawPass(sharedGpu(), table, {"picture/screen", "picture/lighting"}, reads, target);
+        } catch (const DeviceError& error) {
+            return error.what();
+        }
+        return "";
+    }
+};
+
+TEST(DrawPass, ReadsWhatItIsGivenByName)
+{
+    sharedGpu();
+    LightingInputs inputs;
+    BufferTable table;
+    table.add(inputs.frame, inputs.view);
+    table.add(inputs.depth, inputs.surface, inputs.shade);
+    EXPECT_EQ(inputs.problemOf(table, {"frame", "view", "depthPicture", "surfacePicture", "shadePicture"}), "");
+}
+
+TEST(DrawPass, NamesWhatItDeclaresBesideItsInputs)
+{
+    sharedGpu();
+    LightingInputs inputs;
+    BufferTable table;
+    table.add(inputs.frame, inputs.view);
+    table.add(inputs.depth, inputs.surface, inputs.shade);
+    EXPECT_EQ(inputs.problemOf(table, {"frame", "view", "depthPicture", "surfacePicture"}),
+              "pass lighting declares \"shadePicture\", which is not among what it is given");
+    EXPECT_EQ(inputs.problemOf(table, {"frame", "depthPicture", "surfacePicture", "shadePicture"}),
+              "pass lighting declares \"view\", which is not among what it is given");
+}
+
+TEST(DrawPass, NamesAnInputThatDoesNotExist)
+{
+    sharedGpu();
+    LightingInputs inputs;
+    BufferTable table;
+    table.add(inputs.frame, inputs.view);
+    EXPECT_EQ(inputs.problemOf(table, {"frame", "view", "depthPicture"}),
+              "pass lighting asks for \"depthPicture\", which is not in the table");
+}
+
+TEST(Kernel, NamesABlockOfAnotherTypeThanTheBuffers)
+{
+    sharedGpu();
+    LightingInputs inputs;
+    Buffer<float> positions("positions", 4);
+    Buffer<gpu::ParticleBounds> boxes("particleBoxes", BOUNDS_THREADS);
+    BufferTable table;
+    table.add(inputs.frame, positions, boxes);
+    try {
+        Kernel(sharedGpu(), table, "render/view/frame_bounds.comp");
+        FAIL() << "positions are vectors in the shader";
+    } catch (const DeviceError& error) {
+        EXPECT_NE(std::string(error.what()).find("kernel frame_bounds declares the block \"positions\""),
+                  std::string::npos) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace knuckle::test
