@@ -1,14 +1,10 @@
 // Rays against the colliders' shapes, in the shape's own frame: parametric distance of the first hit in front of the
 // origin, or a negative number, with the outward normal.
-
-vec3 rotate(vec4 q, vec3 v)
-{
-    return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v);
-}
+#include "math/quaternion.glsl"
 
 vec3 rotateBack(vec4 q, vec3 v)
 {
-    return rotate(vec4(-q.xyz, q.w), v);
+    return rotate(conjugate(q), v);
 }
 
 // Slabs (Kay and Kajiya 1986).
