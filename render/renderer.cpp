@@ -17,7 +17,7 @@ namespace knuckle {
 /// Members in the order in which they need each other: each pass finds what it reads in the table when it is made.
 struct Renderer::Impl {
     Impl(Gpu& gpu, const World& world, const RenderSettings& chosen);
-    BufferTable& withView();
+    BufferTable& addInputs();         ///< To the table, which it returns.
     void attach(const ParticleView& view);
     void aimCamera(double time);
     void draw();
@@ -44,7 +44,7 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
     : settings((checkSettings(chosen), chosen)), extent(sceneExtent(world)),
       camera(settings.camera, world, float(settings.width) / float(settings.height)),
       input(frameInput(world, settings, extent, camera)),
-      targets(settings.width, settings.height, settings.antialiasing), view(gpu, withView()),
+      targets(settings.width, settings.height, settings.antialiasing), view(gpu, addInputs()),
       lists(gpu, table, world.particles.size()), colliders(gpu, table, world, extent, targets),
       spheres(gpu, table, world, settings, targets), picture(gpu, table, targets),
       reader(settings.width, settings.height)
@@ -52,7 +52,7 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
     gpu.checkErrors();
 }
 
-BufferTable& Renderer::Impl::withView()
+BufferTable& Renderer::Impl::addInputs()
 {
     table.add(inputBuffer);
     table.add("positions", positions, elementType<gpu::vec4>());

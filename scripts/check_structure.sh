@@ -15,12 +15,14 @@ refuse() {
   fi
 }
 
-refuse sim/world 'sim/(gpu|solver|actor)/|render/|app/|tools/'
-refuse sim/gpu 'sim/(solver|actor)/|render/|app/|tools/'
-refuse sim/actor 'sim/(gpu|solver)/|render/|app/|tools/'
-refuse sim/solver 'sim/actor/|render/|app/|tools/'
-refuse render 'sim/actor/|app/|tools/'
-refuse app 'tools/'
+refuse sim/world 'sim/(gpu|solver|actor)/|render/|app/'
+refuse sim/gpu 'sim/(solver|actor)/|render/|app/'
+refuse sim/actor 'sim/(gpu|solver)/|render/|app/'
+refuse sim/solver 'sim/actor/|render/|app/'
+refuse render 'sim/actor/|app/'
+refuse render/picture 'render/(spheres|colliders|view)/'
+refuse render/view 'render/(spheres|colliders|picture|output)/'
+refuse render/output 'render/(spheres|colliders|view)/'
 refuse app/files 'app/commands/'
 refuse app/scene 'app/commands/'
 refuse app/schema 'app/(commands|scene)/'

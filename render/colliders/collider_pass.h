@@ -26,7 +26,7 @@ private:
     void drawShapes(KernelTimer& timer, const DrawPass& pass) const;
 
     MeshPass meshes_;
-    Buffer<gpu::vec4> planes_;    ///< Two each: unit normal, w: its component of the points [m]; colour, w: 1 for ground.
+    Buffer<gpu::vec4> planes_;    ///< Two each: unit normal, w: its component of the points [m]; colour, w: is ground.
     Buffer<gpu::vec4> shapes_;    ///< A ColliderInstance each.
     DrawPass planePass_, shapePass_, shapeShadow_;
 };

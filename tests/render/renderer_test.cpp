@@ -171,7 +171,8 @@ void expectOffsets(const Program& program, const char* block, size_t size, std::
 
 TEST(Renderer, HostAndDriverAgreeOnTheFramesBlocks)
 {
-    const Program program = Program::graphics(sharedGpu(), "render/picture/screen.vert", "render/picture/lighting.frag");
+    const Program program = Program::graphics(sharedGpu(), "render/picture/screen.vert",
+                                              "render/picture/lighting.frag");
     using gpu::FrameInput;
     using gpu::FrameView;
     expectOffsets(program, "Frame", sizeof(FrameInput),

@@ -27,7 +27,8 @@ void main()
     vec2 tangent = vec2(-gradient.y, gradient.x);
     float shortest = min(abs(tangent.x), abs(tangent.y)) + 0.03 * (nw + ne + sw + se) * 0.25 + 1.0 / 128.0;
     tangent = clamp(tangent / shortest, -MAX_SPAN, MAX_SPAN) * texel;
-    vec4 near = 0.5 * (textureLod(litPicture, at - tangent / 6.0, 0.0) + textureLod(litPicture, at + tangent / 6.0, 0.0));
+    vec4 near = 0.5 * (textureLod(litPicture, at - tangent / 6.0, 0.0) +
+                       textureLod(litPicture, at + tangent / 6.0, 0.0));
     vec4 far = 0.5 * near + 0.25 * (textureLod(litPicture, at - 0.5 * tangent, 0.0) +
                                     textureLod(litPicture, at + 0.5 * tangent, 0.0));
     // A long span that leaves the range of its neighbours has crossed another edge.

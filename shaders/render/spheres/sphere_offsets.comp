@@ -1,5 +1,5 @@
-// One thread turns the counts of all runs into where each run's lists begin, and writes the draw arguments: of solids and
-// of fluids.
+// One thread turns the counts of all runs into where each run's lists begin, and writes the draw arguments, those of
+// solids and those of fluids.
 #include "render/spheres/sphere_runs.glsl"
 
 layout(local_size_x = 1) in;
