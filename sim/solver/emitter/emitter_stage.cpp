@@ -91,10 +91,10 @@ void EmitterStage::uploadPools(const StageSetup& setup)
 
 void EmitterStage::addBuffers(BufferTable& table)
 {
-    table.add(b.emitters, b.emitterStates, b.nozzlePoints, b.poolOrder, b.poolInactive, b.poolSums, b.poolChunks);
+    table.add(emitters, emitterStates, nozzlePoints, poolOrder, poolInactive, poolSums, poolChunks);
     ElementType bothAtOnce = elementType<uint32_t>();
     bothAtOnce.texelBytes = 8;
-    table.add("fluidTotals", b.fluidTotals, bothAtOnce);
+    table.add("fluidTotals", fluidTotals, bothAtOnce);
 }
 
 void EmitterStage::endStep(Recorder& recorder) const

@@ -104,27 +104,11 @@ float smoothing(const gpu::StepParameters& p, const Material& material, float ti
 // that as they are it gives 1 / CORRELATION of that.
 float tension(const gpu::StepParameters& p, const Material& material)
 {
-    table.add(f.fluidSearchPositions, f.fluidParticleCells, f.fluidCellCounts, f.fluidCellSums, f.fluidCellStarts,
-              f.fluidCellMembers, f.slotParticles, f.particleSlots, f.slotCounts,
-              f.slotNeighbours, f.slotColliders, f.fluidMaterials, f.slotVelocities, f.slotPositions, f.slotPressures,
-              f.slotMaterials, f.slotVorticities, f.slotWalls, f.slotSolids);
-    ElementType fourAtATime = elementType<uint32_t>();
-    fourAtATime.texelBytes = 16;
-    table.add("fluidSorted", f.fluidSorted, fourAtATime);
-}
-
-std::vector<float> fluidDensities(SolverBuffers& buffers)
-{
-    const std::vector<gpu::vec4> walls = buffers.fluid.slotWalls.download();
-    const std::vector<uint32_t> particles = buffers.fluid.slotParticles.download();
-    std::vector<float> densities;
-    // What is parked has no slot.
-    uint32_t slots = 0;
-    if (!walls.empty())
-        buffers.fluid.fluidCellStarts.read(&slots, sizeof slots, (buffers.parameters.fluidCellMask + 1) * sizeof slots);
-    for (size_t k = 0; k < slots; ++k)
-        if (particles[k] >= buffers.parameters.particleCount) densities.push_back(walls[k].w);
-    return densities;
+    constexpr double CORRELATION = 1.26;
+    const double density = std::pow(p.fluidSpacing, -3.0), reach = std::pow(double(p.fluidReach), 5);
+    const double unit = std::numbers::pi / 8.0 * density * density * 0.0074777 * reach;
+    const double force = CORRELATION * material.surfaceTension / unit;
+    return static_cast<float>(force * p.substepTime * p.substepTime);
 }
 
 }  // namespace knuckle
