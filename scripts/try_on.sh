@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Builds and tests what is committed on a fresh Debian, in a folder of its own that is removed afterwards; on trixie the
+# tests also with zink, OpenGL on Vulkan (lavapipe). As root: scripts/try_on.sh bookworm|trixie
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+suite=${1:-}
+if [[ $suite != bookworm && $suite != trixie ]]; then
+    echo "usage: scripts/try_on.sh bookworm|trixie" >&2
+    exit 2
+fi
+if [[ $EUID -ne 0 ]] || ! command -v debootstrap >/dev/null; then
+    echo "needs root and debootstrap (apt-get install debootstrap)" >&2
+    exit 2
+fi
+# Mounts in a namespace of our own end with it, so that nothing of this system is in the folder when it is removed.
+if [[ -z ${KNUCKLE_TRY_ROOT:-} ]]; then
+    root=$(mktemp -d)
+    chmod 755 "$root"   # apt downloads as a user of its own
+    trap 'rm -rf "$root"' EXIT
+    KNUCKLE_TRY_ROOT=$root unshare --mount "$BASH" scripts/try_on.sh "$suite"
+    exit
+fi
+
+root=$KNUCKLE_TRY_ROOT
+mirror=http://deb.debian.org/debian
+debootstrap --variant=minbase --include=ca-certificates,git "$suite" "$root" "$mirror" >/dev/null
+mount -t proc proc "$root/proc"
+mount -t tmpfs tmpfs "$root/tmp"
+mount --rbind /dev "$root/dev"
+cp /etc/resolv.conf "$root/etc/resolv.conf"
+git clone --quiet --no-local . "$root/root/knuckle"
+inside() {
+    env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 chroot "$root" bash -euo pipefail -c "$1"
+}
+
+inside 'cd /root/knuckle && bash test.sh'
+if [[ $suite == trixie ]]; then
+    inside 'export DEBIAN_FRONTEND=noninteractive
+        apt-get install -y -qq --no-install-recommends mesa-vulkan-drivers >/dev/null'
+    inside 'cd /root/knuckle && export LIBGL_ALWAYS_SOFTWARE=1 MESA_LOADER_DRIVER_OVERRIDE=zink &&
+        build/release/bin/knuckle info && bash test.sh'
+fi
