@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that Knuckle is built from, those that are missing only.
+# Installs the Debian packages that Knuckle is built from, those that are missing only; with --checks also those that
+# its source is checked with.
 set -euo pipefail
 
 packages=(build-essential cmake ninja-build pkg-config ccache libegl-dev libgl-dev libepoxy-dev libegl1
     libgl1-mesa-dri libeigen3-dev libassimp-dev libstb-dev libdeflate-dev nlohmann-json3-dev libcli11-dev libfmt-dev
     libgtest-dev libopengl0 ffmpeg git ca-certificates)
+[[ ${1:-} == --checks ]] && packages+=(clang-format clang-tidy)
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     # Elsewhere the build itself says what it does not find.
-    echo "Without apt nothing is installed; the build needs what these Debian 12 packages hold: ${packages[*]}" >&2
+    echo "Without apt nothing is installed; the build needs what these Debian packages hold: ${packages[*]}" >&2
     exit 0
 fi
 
