@@ -10,7 +10,7 @@
 
 namespace knuckle {
 
-WorldBuilder::WorldBuilder(float particleRadius, Settings settings)
+WorldBuilder::WorldBuilder(float particleRadius, const Settings& settings)
 {
     if (!(particleRadius > 0.0f) || !std::isfinite(particleRadius))   // before anything is divided by it
         throw std::logic_error(fmt::format("particle radius {} m: must be above 0", particleRadius));
@@ -28,7 +28,7 @@ uint32_t WorldBuilder::addMaterial(Material material)
     return static_cast<uint32_t>(world_.materials.size() - 1);
 }
 
-void WorldBuilder::addCollider(Collider collider)
+void WorldBuilder::addCollider(const Collider& collider)
 {
     world_.colliders.push_back(collider);
 }

@@ -36,10 +36,10 @@ struct JointSpec {
 class WorldBuilder {
 public:
     /// @param particleRadius [m], > 0.
-    explicit WorldBuilder(float particleRadius, Settings settings = {});
+    explicit WorldBuilder(float particleRadius, const Settings& settings = {});
 
     uint32_t addMaterial(Material material);
-    void addCollider(Collider collider);
+    void addCollider(const Collider& collider);
     /// @returns its index, for Collider::grid.
     uint32_t addColliderGrid(ColliderGrid grid);
 
