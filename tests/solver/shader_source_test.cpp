@@ -119,9 +119,9 @@ TEST(Kernel, ABufferThatTheSolverDoesNotHaveIsNamedWithItsKernel)
                                                   "void main() { cellCounts[0] = texelFetch(pebbles, 0).x; }\n");
     KernelFixture fixture(mixedWorld());
     EXPECT_EQ(messageOf<DeviceError>([&] { fixture.load("stores"); }),
-              "kernel stores wants a buffer \"marbles\" that the solver does not have");
+              "kernel stores declares \"marbles\", which is not among what it is given");
     EXPECT_EQ(messageOf<DeviceError>([&] { fixture.load("reads"); }),
-              "kernel reads wants a buffer \"pebbles\" that the solver does not have");
+              "kernel reads declares \"pebbles\", which is not among what it is given");
 }
 
 TEST(Kernel, GroupsCoverTheThreads)
