@@ -40,9 +40,9 @@ constexpr ElementType elementType()
     return {bytes, texel, Scalar::Mixed, GL_NONE};
 }
 
-/// Buffers and textures by the names that kernels and draw passes know them by. A storage block `Positions` and a sampler `positions` both mean the
-/// buffer "positions"; so does a sampler `lastPositions`, for kernels that write what they read. Those read only
-/// elements that the same thread writes, or that nobody does.
+/// Buffers and textures by the names that kernels and draw passes know them by. A storage block `Positions` and a
+/// sampler `positions` both mean the buffer "positions"; so does a sampler `lastPositions`, for kernels that write what
+/// they read. Those read only elements that the same thread writes, or that nobody does.
 class BufferTable {
 public:
     struct Entry {
