@@ -7,7 +7,7 @@
 #include "app/scene/scene_parts.h"
 #include "render/picture/image.h"
 #include "sim/actor/mesh/distance_grid.h"
-#include "sim/actor/model.h"
+#include "sim/actor/import/model.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -7,6 +8,9 @@
 #include "render/picture/image.h"
 
 namespace knuckle {
+
+/// Frames that a sink holds at most.
+inline constexpr size_t MAX_UNWRITTEN = 4;
 
 /// Takes finished frames and writes them on another thread.
 class FrameSink {

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "render/output/ffmpeg.h"
-#include "render/output/frame_queue.h"
 #include "render/output/frame_sink.h"
+#include "render/output/task_thread.h"
 #include "render/output/temporary_file.h"
 #include "sim/world/errors.h"
 
@@ -41,8 +41,7 @@ public:
     FilmSink(const std::string& ffmpeg, const std::string& path, uint32_t width, uint32_t height,
              double framesPerSecond)
         : width_(width), height_(height), file_(path),
-          ffmpeg_(ffmpeg, encoderArguments(path, file_.name(), width, height, framesPerSecond), path),
-          queue_([this](const Image& image, uint64_t) { ffmpeg_.write(image.rgb.data(), image.rgb.size()); })
+          ffmpeg_(ffmpeg, encoderArguments(path, file_.name(), width, height, framesPerSecond), path)
     {
     }
 
@@ -51,22 +50,22 @@ public:
         if (image.width != width_ || image.height != height_)
             throw RunError(fmt::format("frame {} is {}x{}, but the film is {}x{}", number, image.width, image.height,
                                        width_, height_));
-        queue_.push(std::move(image), number);
+        writer_.push([this, image = std::move(image)] { ffmpeg_.write(image.rgb.data(), image.rgb.size()); });
     }
 
     void finish() override
     {
-        queue_.drain();
+        writer_.drain();
         ffmpeg_.finish();
         file_.commit();
     }
 
 private:
     uint32_t width_, height_;
-    // In this order: the queue's thread ends first, then ffmpeg is stopped, then what it wrote is removed.
+    // In this order: the thread ends first, then ffmpeg is stopped, then what it wrote is removed.
     TemporaryFile file_;
     Ffmpeg ffmpeg_;
-    FrameQueue queue_;
+    TaskThread writer_{MAX_UNWRITTEN};
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "render/output/frame_queue.h"
 #include "render/output/frame_sink.h"
+#include "render/output/task_thread.h"
 #include "render/output/temporary_file.h"
 
 namespace knuckle {
@@ -10,17 +10,18 @@ namespace {
 
 class PngSink : public FrameSink {
 public:
-    explicit PngSink(std::string folder)
-        : queue_([folder = std::move(folder)](const Image& image, uint64_t number) {
-              writePng(fmt::format("{}/frame_{:04}.png", folder, number), image);
-          })
+    explicit PngSink(std::string folder) : folder_(std::move(folder)) {}
+    void write(Image image, uint64_t number) override
     {
+        writer_.push([this, number, image = std::move(image)] {
+            writePng(fmt::format("{}/frame_{:04}.png", folder_, number), image);
+        });
     }
-    void write(Image image, uint64_t number) override { queue_.push(std::move(image), number); }
-    void finish() override { queue_.drain(); }
+    void finish() override { writer_.drain(); }
 
 private:
-    FrameQueue queue_;
+    const std::string folder_;
+    TaskThread writer_{MAX_UNWRITTEN};
 };
 
 }  // namespace
