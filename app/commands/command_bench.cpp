@@ -138,7 +138,7 @@ int bench(const BenchOptions& options, const CommonOptions& common)
 {
     std::vector<std::pair<std::string, Settings>> presets;
     for (const std::string& preset : options.presets) presets.emplace_back(preset, loadSettings(preset, options.sets));
-    const auto gpu = openGpu(common, benchWorkload(options, presets));
+    const auto gpu = openGpu(common, FrameWork{benchWorkload(options, presets), {}});
     nlohmann::ordered_json runs = nlohmann::ordered_json::array();
     if (!options.json) {
         fmt::print("Table 2 on {}: {} steps of 1/60 s; steps/s of all, of the last {}, and drawn at 1280x720;\n"

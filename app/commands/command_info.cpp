@@ -43,7 +43,11 @@ int info(const CommonOptions& common)
     fmt::print("  largest buffer texture      {} texels\n", limits.textureBufferSize);
     fmt::print("  largest texture             {} pixels\n", limits.textureSize);
     fmt::print("  work groups a dispatch      {}\n", limits.workGroupCountX);
-    if (gpu->device().software) printThreads();
+    if (!gpu->device().software) return EXIT_FINE;
+    printThreads();
+    fmt::print("  drawing                     {}\n",
+               usableCores() > 1 ? "beside simulating the next frame, where both take long enough (see --stats)"
+                                 : "after simulating: there is one core");
     return EXIT_FINE;
 }
 

@@ -42,7 +42,7 @@ void writePreview(const std::string& path, const Actor& actor, const CommonOptio
     const World world = previewWorld(actor);
     RenderSettings settings;
     settings.highlightJoints = true;
-    const auto gpu = openGpu(common, drawingWorkload(settings));
+    const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(settings)});
     Solver solver(*gpu, world);
     Renderer renderer(*gpu, world, settings);
     renderer.draw(solver.view(), 0.0);

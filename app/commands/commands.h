@@ -49,6 +49,6 @@ int runProgram(int argc, char** argv);
 
 /// The device that `--device` names; says on stderr what had to be chosen instead. @throws DeviceError, InputError.
 /// @param work of a frame, by which a software renderer gets its threads, else they are left to it.
-std::unique_ptr<Gpu> openGpu(const CommonOptions& common, std::optional<Workload> work = {});
+std::unique_ptr<Gpu> openGpu(const CommonOptions& common, std::optional<FrameWork> work = {});
 
 }  // namespace knuckle

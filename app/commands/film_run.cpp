@@ -7,12 +7,12 @@
 #include <optional>
 
 #include "app/commands/counted.h"
+#include "app/commands/frame_drawing.h"
+#include "app/files/export.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
-#include "app/files/export.h"
-#include "render/output/frame_sink.h"
+#include "app/commands/stopwatch.h"
 #include "render/output/temporary_file.h"
-#include "render/renderer.h"
 #include "sim/solver/workload.h"
 #include "sim/world/errors.h"
 
@@ -20,22 +20,9 @@ namespace knuckle {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-/// Adds the time until the end of its scope to `sum` [s].
-class Stopwatch {
-public:
-    explicit Stopwatch(double& sum) : sum_(sum) {}
-    ~Stopwatch() { sum_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-private:
-    double& sum_;
-    Clock::time_point start_ = Clock::now();
-};
-
-/// All outputs. They are opened before the first step, so that a path that cannot be written costs no simulation.
+/// Everything that is written, opened before the first step so that nothing is simulated in vain.
 struct Outputs {
-    std::vector<std::unique_ptr<FrameSink>> sinks;
+    FrameSinks sinks;
     std::optional<BodyTable> bodies;
     std::optional<MeasureTable> measures;
     std::optional<OutputFile> stats;
@@ -71,14 +58,12 @@ class FilmRun {
 public:
     FilmRun(const Scene& scene, const FilmOptions& options, const CommonOptions& common)
         : scene_(scene), options_(options), range_(clampRange(scene, options.frames)), outputs_(scene, options),
-          gpu_(openGpu(common, workload())), solver_(*gpu_, scene.world),
+          gpu_(openGpu(common, work())), solver_(*gpu_, scene.world),
           progress_("frame", range_.last, common.quiet)
     {
-        if (!outputs_.sinks.empty()) renderer_.emplace(*gpu_, scene.world, scene.render);
-        if (outputs_.stats) {
-            solver_.timePasses();
-            if (renderer_) renderer_->timer().enable(*gpu_);
-        }
+        const bool timed = outputs_.stats.has_value();
+        if (timed) solver_.timePasses();
+        if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
         figures_.device = gpu_->device().name;
         figures_.driverThreads = gpu_->threads();
     }
@@ -87,16 +72,16 @@ public:
     {
         for (uint64_t frame = 1; frame <= range_.last; ++frame) {
             if (frame > 1) advance(frame);
-            if (frame >= range_.first) takeFrame(frame);
-            else if (renderer_) renderer_->look(solver_.view(), timeOf(frame));
+            takeFrame(frame);
             interrupt_.check();
             progress_.update(frame);
         }
-        fetchPicture();
+        if (drawing_) drawing_->wait();
         for (const auto& sink : outputs_.sinks) sink->finish();
         gpu_->checkErrors();
         figures_.frames = range_.last;
         figures_.totalSeconds = progress_.seconds();
+        if (drawing_) figures_.drawing = drawing_->figures();
         finishTables();
         return figures_;
     }
@@ -113,54 +98,46 @@ private:
                                      "/duration", range.first, range.last, count));
     }
 
-    /// What one frame asks of a software driver, averaged over the run.
-    Workload workload() const
+    /// Of a frame, on average.
+    FrameWork work() const
     {
         const double drawn = outputs_.sinks.empty() ? 0.0 : static_cast<double>(range_.last - range_.first + 1);
-        return stepWorkload(scene_.world) * scene_.stepsPerFrame +
-               drawingWorkload(scene_.render) * (drawn / static_cast<double>(range_.last));
+        return {stepWorkload(scene_.world) * scene_.stepsPerFrame,
+                drawingWorkload(scene_.render) * (drawn / static_cast<double>(range_.last))};
     }
 
-    double timeOf(uint64_t frame) const { return static_cast<double>(frame - 1) / scene_.framesPerSecond; }
+    std::unique_ptr<FrameDrawing> openDrawing(bool timed)
+    {
+        if (options_.drawAside.value_or(gpu_->threads().drawAside))
+            return std::make_unique<DrawingThread>(*gpu_, scene_, outputs_.sinks, timed);
+        return std::make_unique<DrawingHere>(*gpu_, scene_, outputs_.sinks, timed);
+    }
 
-    /// Simulates and draws a frame. With --stats each must end before the other begins, so that their times can be told
-    /// apart. Otherwise the previous picture is read back while this frame is being simulated.
+    /// With --stats simulating and drawing are told apart, so that each must end before the other begins. Otherwise the
+    /// frame before is drawn or read while this one's steps are under way.
     void advance(uint64_t frame)
     {
         const bool measured = outputs_.stats.has_value();
-        if (measured) fetchPicture();
+        if (measured && drawing_) drawing_->wait();
         {
             const Stopwatch watch(figures_.simulationSeconds);
             for (uint32_t i = 0; i < scene_.stepsPerFrame; ++i) solver_.step();
             if (measured) solver_.checkCounters(frame);
         }
-        fetchPicture();
+        if (drawing_) drawing_->fetch();
         if (!measured) solver_.checkCounters(frame);
         figures_.steps += scene_.stepsPerFrame;
     }
 
     void takeFrame(uint64_t frame)
     {
-        if (renderer_) {
-            const Stopwatch watch(figures_.drawingSeconds);
-            renderer_->draw(solver_.view(), timeOf(frame));
-            waitingFrame_ = frame;
-            ++figures_.drawnFrames;
-        }
+        const bool wanted = frame >= range_.first;
+        const double time = static_cast<double>(frame - 1) / scene_.framesPerSecond;
+        if (drawing_) drawing_->take(solver_.view(), {frame, time, wanted});
+        if (!wanted) return;
         if (!outputs_.plyFolder.empty()) writePly(outputs_.plyFolder, frame, scene_.world, solver_.readParticles());
         if (outputs_.bodies) outputs_.bodies->write(frame, scene_.world, solver_.readBodies());
         if (outputs_.measures) outputs_.measures->write(frame, solver_.measure());
-    }
-
-    /// Hands the picture drawn last to the sinks, once.
-    void fetchPicture()
-    {
-        if (waitingFrame_ == 0) return;
-        const Stopwatch watch(figures_.drawingSeconds);
-        const Image image = renderer_->readImage();
-        renderer_->timer().collect();
-        for (const auto& sink : outputs_.sinks) sink->write(image, waitingFrame_);
-        waitingFrame_ = 0;
     }
 
     void finishTables()
@@ -168,7 +145,7 @@ private:
         if (outputs_.bodies) outputs_.bodies->finish();
         if (outputs_.measures) outputs_.measures->finish();
         if (!outputs_.stats) return;
-        outputs_.stats->write(statsText(figures_, scene_.world, solver_, renderer_ ? &renderer_->timer() : nullptr));
+        outputs_.stats->write(statsText(figures_, scene_.world, solver_));
         outputs_.stats->commit();
     }
 
@@ -179,10 +156,9 @@ private:
     Outputs outputs_;
     std::unique_ptr<Gpu> gpu_;
     Solver solver_;
-    std::optional<Renderer> renderer_;
+    std::unique_ptr<FrameDrawing> drawing_;
     Progress progress_;
     RunFigures figures_;
-    uint64_t waitingFrame_ = 0;
 };
 
 }  // namespace
@@ -212,7 +188,7 @@ void runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions
     const RunFigures figures = run.run();
     if (!common.quiet) {
         fmt::print("{}, {} of them drawn, in {} ({:.1f} frames/s): {}\n", counted(figures.frames, "frame"),
-                   figures.drawnFrames, durationText(figures.totalSeconds),
+                   figures.drawing.frames, durationText(figures.totalSeconds),
                    static_cast<double>(figures.frames) / std::max(1e-9, figures.totalSeconds),
                    fmt::join(options.outputs, ", "));
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct FilmOptions {
     std::string stats;                    ///< Empty: none, as below.
     std::string plyFolder, bodyTable, measureTable;
     bool hash = false;
+    std::optional<bool> drawAside;        ///< On a thread of its own; none: where that is faster.
 };
 
 /// Simulates the scene and writes its frames, and what else was asked for. Every output is checked first.

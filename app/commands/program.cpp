@@ -79,7 +79,7 @@ int endByBrokenPipe()
 
 }  // namespace
 
-std::unique_ptr<Gpu> openGpu(const CommonOptions& common, std::optional<Workload> work)
+std::unique_ptr<Gpu> openGpu(const CommonOptions& common, std::optional<FrameWork> work)
 {
     auto gpu = std::make_unique<Gpu>(DeviceChoice::parse(common.device), common.shaderFolder, work);
     if (!gpu->notice().empty() && !common.quiet) fmt::print(stderr, "{}\n", gpu->notice());

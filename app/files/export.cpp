@@ -137,10 +137,12 @@ std::string hashText(uint64_t hash)
 /// null where the program has not chosen.
 Json threadsJson(const DriverThreads& threads)
 {
-    return {{"count", threads.count ? Json(*threads.count) : Json()}, {"reason", threads.reason}};
+    return {{"count", threads.count ? Json(*threads.count) : Json()},
+            {"drawAside", threads.drawAside},
+            {"reason", threads.reason}};
 }
 
-std::string statsText(const RunFigures& figures, const World& world, Solver& solver, const KernelTimer* drawing)
+std::string statsText(const RunFigures& figures, const World& world, Solver& solver)
 {
     const Measures measures = solver.measure();
     Json passes = Json::array(), drawingPasses = Json::array();
@@ -148,9 +150,8 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
         list.push_back({{"name", name}, {"milliseconds", milliseconds}, {"count", count}});
     };
     for (const PassTime& pass : solver.passTimes()) add(passes, pass.name, pass.milliseconds, pass.count);
-    if (drawing != nullptr) {
-        for (const auto& [name, total] : drawing->totals()) add(drawingPasses, name, total.milliseconds, total.count);
-    }
+    for (const auto& [name, total] : figures.drawing.passes)
+        add(drawingPasses, name, total.milliseconds, total.count);
     Json stats = {
         {"device", figures.device},
         {"driverThreads", threadsJson(figures.driverThreads)},
@@ -160,14 +161,14 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
         {"softBodies", world.softBodies.size()},
         {"clusters", world.clusters.size()},
         {"frames", figures.frames},
-        {"drawnFrames", figures.drawnFrames},
+        {"drawnFrames", figures.drawing.frames},
         {"steps", figures.steps},
         {"timeStep", world.settings.timeStep},
         {"substeps", world.settings.substeps},
         {"iterations", world.settings.iterations},
         {"searches", solver.searchCount()},
         {"simulationSeconds", figures.simulationSeconds},
-        {"drawingSeconds", figures.drawingSeconds},
+        {"drawingSeconds", figures.drawing.seconds},
         {"totalSeconds", figures.totalSeconds},
     };
     for (const auto& [name, value] : measureFields(measures)) stats[name] = value;

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/files/output.h"
 #include "sim/gpu/kernel.h"
@@ -41,16 +43,24 @@ private:
     OutputFile file_;
 };
 
+/// What the drawing of a film took.
+struct DrawingFigures {
+    uint64_t frames = 0;
+    double seconds = 0.0;      ///< By the clock, on the thread that draws.
+    std::vector<std::pair<std::string, KernelTimer::Total>> passes;   ///< Where they are timed.
+};
+
 /// What `--stats` tells beside what the solver knows.
 struct RunFigures {
     std::string device;
     DriverThreads driverThreads;
-    uint64_t frames = 0, drawnFrames = 0, steps = 0;
-    double simulationSeconds = 0.0, drawingSeconds = 0.0, totalSeconds = 0.0;
+    uint64_t frames = 0, steps = 0;
+    double simulationSeconds = 0.0, totalSeconds = 0.0;
+    DrawingFigures drawing;
 };
 
-/// The text of `--stats`: JSON. `drawing`: times of the renderer's passes, or null.
-std::string statsText(const RunFigures& figures, const World& world, Solver& solver, const KernelTimer* drawing);
+/// The text of `--stats`: JSON.
+std::string statsText(const RunFigures& figures, const World& world, Solver& solver);
 
 /// A state hash as it is printed everywhere: 16 hexadecimal digits.
 std::string hashText(uint64_t hash);

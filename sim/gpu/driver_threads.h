@@ -21,10 +21,17 @@ struct Workload {
     Workload operator*(double factor) const { return {dispatches * factor, milliseconds * factor}; }
 };
 
-/// How many threads llvmpipe computes with besides the caller's, and why.
+/// A frame's.
+struct FrameWork {
+    Workload simulation, drawing;
+};
+
+/// How many threads llvmpipe computes with besides the caller's, whether a frame is drawn on another thread of the
+/// program while the next is simulated, and why.
 struct DriverThreads {
     std::optional<uint32_t> count;   ///< None: the program has not chosen.
-    std::string reason;              ///< For the user, as part of a sentence.
+    bool drawAside = false;
+    std::string reason;              ///< A clause for the user.
 };
 
 /// All cores where they gain more than waking them costs, else none: the driver then works in the caller's thread.
@@ -43,6 +50,6 @@ std::string driverThreadsSetting();
 
 /// Chooses, and tells llvmpipe: before the first context of the process, since it looks once. Leaves a
 /// variable that is set already.
-DriverThreads applyDriverThreads(const Workload& work);
+DriverThreads applyDriverThreads(const FrameWork& work);
 
 }  // namespace knuckle

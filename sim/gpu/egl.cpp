@@ -42,6 +42,24 @@ void resolveWithoutGlx()
     resolve(glGetIntegerv, "glGetIntegerv");
 }
 
+/// Gives the display a context that is current on this thread. On failure destroys what there is and says why.
+std::string makeCurrent(Context& result, EGLContext sharedWith)
+{
+    eglBindAPI(EGL_OPENGL_API);
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 3,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE, EGL_NONE};
+    std::string problem;
+    result.context = eglCreateContext(result.display, EGL_NO_CONFIG_KHR, sharedWith, attributes);
+    if (result.context == EGL_NO_CONTEXT) {
+        problem = fmt::format("no OpenGL 4.3 context: {}", errorWord(eglGetError()));
+    } else if (!eglMakeCurrent(result.display, EGL_NO_SURFACE, EGL_NO_SURFACE, result.context)) {
+        problem = fmt::format("the context cannot be used without a window: {}", errorWord(eglGetError()));
+    }
+    if (!problem.empty()) destroy(result);
+    return problem;
+}
+
 }  // namespace
 
 std::vector<Device> devices()
@@ -76,22 +94,17 @@ Context create(const Device& device, std::string& problem)
         problem = fmt::format("no display: {}", errorWord(eglGetError()));
         return {};
     }
-    eglBindAPI(EGL_OPENGL_API);
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 3,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE, EGL_NONE};
-    result.context = eglCreateContext(result.display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (result.context == EGL_NO_CONTEXT) {
-        problem = fmt::format("no OpenGL 4.3 context: {}", errorWord(eglGetError()));
-        destroy(result);
-        return {};
-    }
-    if (!eglMakeCurrent(result.display, EGL_NO_SURFACE, EGL_NO_SURFACE, result.context)) {
-        problem = fmt::format("the context cannot be used without a window: {}", errorWord(eglGetError()));
-        destroy(result);
-        return {};
-    }
+    problem = makeCurrent(result, EGL_NO_CONTEXT);
+    if (!problem.empty()) return {};
     resolveWithoutGlx();
+    return result;
+}
+
+Context createSharing(const Context& other)
+{
+    Context result{other.display, EGL_NO_CONTEXT};
+    const std::string problem = makeCurrent(result, other.context);
+    if (!problem.empty()) throw DeviceError(fmt::format("no second OpenGL context beside the first: {}", problem));
     return result;
 }
 

@@ -28,6 +28,9 @@ struct Context {
 
 /// A GL 4.3 core context on `device`, current on this thread. On failure the context is empty and `problem` says why.
 Context create(const Device& device, std::string& problem);
+/// A context on this thread that shares buffers, textures and fences with `other`, which may be current on another one.
+/// @throws DeviceError when the driver refuses.
+Context createSharing(const Context& other);
 void destroy(Context& context);
 
 }  // namespace knuckle::egl

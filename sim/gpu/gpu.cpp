@@ -93,24 +93,42 @@ std::vector<DeviceInfo> listDevices()
     return infos;
 }
 
-Gpu::Gpu(const DeviceChoice& choice, std::string shaderFolder, std::optional<Workload> work)
+Gpu::Gpu(const DeviceChoice& choice, std::string shaderFolder, std::optional<FrameWork> work)
     : egl_(std::make_unique<Egl>()), shaders_(std::move(shaderFolder))
 {
     tuneSoftwareDriver();
     if (work) threads_ = applyDriverThreads(*work);
     makeContext(choice);
-    if (!device_.software) threads_ = {{}, "the device is no software renderer"};
-    glEnable(GL_DEBUG_OUTPUT);
-    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    // Without this, the debug group of each pass would be reported as a message.
-    glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, nullptr, GL_FALSE);
-    glDebugMessageCallback(onDebugMessage, &pendingError_);
+    if (!device_.software) threads_ = {{}, false, "the device is no software renderer"};
+    watchErrors();
     readLimits();
+}
+
+Gpu::Gpu(const ShaderSource& shaders) : egl_(std::make_unique<Egl>()), shaders_(shaders) {}
+
+std::unique_ptr<Gpu> Gpu::sharingWith(const Gpu& other)
+{
+    std::unique_ptr<Gpu> gpu(new Gpu(other.shaders_));
+    gpu->device_ = other.device_;
+    gpu->limits_ = other.limits_;
+    gpu->threads_ = other.threads_;
+    gpu->egl_->context = egl::createSharing(other.egl_->context);
+    gpu->watchErrors();
+    return gpu;
 }
 
 Gpu::~Gpu()
 {
     egl::destroy(egl_->context);
+}
+
+void Gpu::watchErrors()
+{
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    // A debug group a pass would be a notification each.
+    glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, nullptr, GL_FALSE);
+    glDebugMessageCallback(onDebugMessage, &pendingError_);
 }
 
 void Gpu::makeContext(const DeviceChoice& choice)

@@ -50,7 +50,11 @@ class Gpu {
 public:
     /// @param work of a frame, by which a software driver gets its threads; without it they are left to the driver.
     /// @throws DeviceError when no device fits or the context lacks a needed limit, in words.
-    explicit Gpu(const DeviceChoice& choice = {}, std::string shaderFolder = {}, std::optional<Workload> work = {});
+    explicit Gpu(const DeviceChoice& choice = {}, std::string shaderFolder = {}, std::optional<FrameWork> work = {});
+    /// A second context, current on this thread, that shares buffers, textures and fences with `other`, which lives on
+    /// its own thread and outlives this one. Vertex arrays, framebuffers and queries are each context's own.
+    /// @throws DeviceError when the driver refuses.
+    static std::unique_ptr<Gpu> sharingWith(const Gpu& other);
     ~Gpu();
     Gpu(const Gpu&) = delete;
     Gpu& operator=(const Gpu&) = delete;
@@ -66,6 +70,8 @@ public:
 
 private:
     struct Egl;
+    explicit Gpu(const ShaderSource& shaders);
+    void watchErrors();
     void makeContext(const DeviceChoice& choice);
     void readLimits();
     std::unique_ptr<Egl> egl_;

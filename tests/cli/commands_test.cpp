@@ -4,7 +4,7 @@
 
 #include "app/files/json.h"
 #include "render/picture/image.h"
-#include "tests/cli/cli_test.h"
+#include "tests/cli/cli_fixture.h"
 
 namespace knuckle {
 namespace {

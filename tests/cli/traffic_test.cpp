@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
+#include <mutex>
+#include <set>
+#include <thread>
 
 #include "app/commands/film_run.h"
 #include "shared/gpu_types.h"
@@ -26,14 +30,17 @@ struct Transfer {
     Way way;
     size_t bytes;
     uint64_t frame;    ///< Pictures taken before, so 0 until the first frame has been drawn.
+    std::thread::id thread;
 };
 
+std::mutex mutex;      ///< A film may be drawn on a thread of its own.
 std::vector<Transfer> transfers;
-uint64_t picturesTaken = 0;
+std::atomic<uint64_t> picturesTaken = 0;
 
 void note(const char* function, Way way, size_t bytes)
 {
-    transfers.push_back({function, way, bytes, picturesTaken});
+    const std::lock_guard lock(mutex);
+    transfers.push_back({function, way, bytes, picturesTaken, std::this_thread::get_id()});
 }
 
 /// Calls NOTE with the arguments of each call of the GL function that libepoxy's pointer FUNCTION leads to.
@@ -103,8 +110,8 @@ struct Watches {
     Watch<&glGetTexImage, [](auto...) { note("glGetTexImage", Way::Read, UNKNOWN); }> getTexImage{"glGetTexImage"};
 };
 
-/// The transfers of the first 60 frames of a scene's film.
-void film(const std::string& name)
+/// The transfers of the first 60 frames of a scene's film. @returns its last picture.
+std::string film(const std::string& name, bool drawAside)
 {
     transfers.clear();
     picturesTaken = 0;
@@ -114,11 +121,22 @@ void film(const std::string& name)
     FilmOptions options;
     options.outputs = {folder.path("out")};
     options.frames = {1, FRAMES};
+    options.drawAside = drawAside;
     CommonOptions common;
     common.device = "software";
     common.quiet = true;
     const Watches watches;
     runFilm(scene, options, common);
+    return test::readText(folder.path("out/frame_0060.png"));
+}
+
+/// That moved anything after the first frame.
+size_t threadCount()
+{
+    std::set<std::thread::id> threads;
+    for (const Transfer& t : transfers)
+        if (t.frame > 0) threads.insert(t.thread);
+    return threads.size();
 }
 
 size_t countOf(Way way, bool afterFirstFrame)
@@ -128,11 +146,13 @@ size_t countOf(Way way, bool afterFirstFrame)
     }));
 }
 
-class TrafficOf : public testing::TestWithParam<const char*> {};
+class TrafficOf : public testing::TestWithParam<const char*> {
+protected:
+    static void expectPicturesOnly();
+};
 
-TEST_P(TrafficOf, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
+void TrafficOf::expectPicturesOnly()
 {
-    film(GetParam());
     ASSERT_EQ(picturesTaken, FRAMES);
     EXPECT_TRUE(std::any_of(transfers.begin(), transfers.end(), [](const Transfer& t) {
         return t.way == Way::Upload && t.bytes > KIB && t.frame == 0;
@@ -150,7 +170,18 @@ TEST_P(TrafficOf, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
     }
 }
 
-// With emitters too: their particles are uploaded at the start, so nothing is added later.
+TEST_P(TrafficOf, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
+{
+    const std::string here = film(GetParam(), false);
+    EXPECT_EQ(threadCount(), 1u);
+    expectPicturesOnly();
+    const std::string aside = film(GetParam(), true);
+    EXPECT_EQ(threadCount(), 2u) << "the other thread's transfers are not seen";
+    expectPicturesOnly();
+    EXPECT_TRUE(here == aside) << "the pictures differ";
+}
+
+// What flows out of emitters is there from the start.
 INSTANTIATE_TEST_SUITE_P(Scenes, TrafficOf, testing::Values("ragdoll.json", "fountain.json"),
                          [](const auto& scene) { return std::string(scene.param, strchr(scene.param, '.')); });
 

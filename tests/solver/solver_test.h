@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/solver/buffers.h"
+#include "sim/solver/stages.h"
 #include "sim/world/builder/builder.h"
 #include "tests/temp_folder.h"
 

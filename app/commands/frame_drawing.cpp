@@ -1,0 +1,60 @@
+#include "app/commands/frame_drawing.h"
+
+#include "app/commands/stopwatch.h"
+
+namespace knuckle {
+
+DrawingHere::DrawingHere(Gpu& gpu, const Scene& scene, const FrameSinks& sinks, bool timed)
+    : gpu_(gpu), sinks_(sinks), renderer_(gpu, scene.world, scene.render)
+{
+    if (timed) renderer_.timer().enable(gpu);
+}
+
+void DrawingHere::take(const ParticleView& view, const Frame& frame)
+{
+    if (!frame.drawn) return renderer_.look(view, frame.time);
+    const Stopwatch watch(figures_.seconds);
+    renderer_.draw(view, frame.time);
+    unread_ = frame.number;
+    ++figures_.frames;
+}
+
+void DrawingHere::fetch()
+{
+    if (!unread_) return;
+    const Stopwatch watch(figures_.seconds);
+    const Image image = renderer_.readImage();
+    renderer_.timer().collect();
+    figures_.passes = renderer_.timer().totals();
+    gpu_.checkErrors();
+    for (const auto& sink : sinks_) sink->write(image, *unread_);
+    unread_.reset();
+}
+
+DrawingThread::DrawingThread(const Gpu& gpu, const Scene& scene, const FrameSinks& sinks, bool timed)
+    : thread_(SNAPSHOTS, [this] {
+          drawing_.reset();
+          gpu_.reset();
+      })
+{
+    thread_.push([&, this] {
+        gpu_ = Gpu::sharingWith(gpu);
+        drawing_ = std::make_unique<DrawingHere>(*gpu_, scene, sinks, timed);
+    });
+    thread_.drain();
+}
+
+void DrawingThread::take(const ParticleView& view, const Frame& frame)
+{
+    thread_.waitForRoom();
+    FrameSnapshot& snapshot = snapshots_[next_];
+    next_ = (next_ + 1) % SNAPSHOTS;
+    snapshot.take(view);
+    thread_.push([this, &snapshot, frame] {
+        drawing_->take(snapshot.begin(), frame);
+        snapshot.end();
+        drawing_->fetch();
+    });
+}
+
+}  // namespace knuckle

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/files/export.h"
+#include "app/scene/scene_file.h"
+#include "render/output/frame_sink.h"
+#include "render/frame_snapshot.h"
+#include "render/renderer.h"
+#include "render/output/task_thread.h"
+
+namespace knuckle {
+
+struct Frame {
+    uint64_t number = 1;       ///< As in frame_0001.png.
+    double time = 0.0;         ///< [s]
+    bool drawn = true;         ///< Otherwise it is only shown to the camera.
+};
+
+using FrameSinks = std::vector<std::unique_ptr<FrameSink>>;
+
+/// Draws a film's frames and hands their pictures to its sinks.
+class FrameDrawing {
+public:
+    virtual ~FrameDrawing() = default;
+    virtual void take(const ParticleView& view, const Frame& frame) = 0;
+    /// Once the next frame's steps are under way: brings back the picture before, where nobody else does.
+    virtual void fetch() = 0;
+    /// Until the sinks have the pictures of all frames taken.
+    virtual void wait() = 0;
+    /// After wait().
+    virtual const DrawingFigures& figures() const = 0;
+};
+
+/// On the thread that made it and simulates as well.
+class DrawingHere : public FrameDrawing {
+public:
+    /// @param timed: every pass, see DrawingFigures. @throws what Renderer throws.
+    DrawingHere(Gpu& gpu, const Scene& scene, const FrameSinks& sinks, bool timed);
+    void take(const ParticleView& view, const Frame& frame) override;
+    void fetch() override;
+    void wait() override { fetch(); }
+    const DrawingFigures& figures() const override { return figures_; }
+
+private:
+    Gpu& gpu_;
+    const FrameSinks& sinks_;
+    Renderer renderer_;
+    std::optional<uint64_t> unread_;     ///< The frame drawn last.
+    DrawingFigures figures_;
+};
+
+/// On a thread and in a context of its own, which draw from copies while the caller simulates on. What goes wrong there
+/// is thrown by the next call.
+class DrawingThread : public FrameDrawing {
+public:
+    /// Waits until the thread can draw. @throws as DrawingHere, and DeviceError where there is no second context.
+    DrawingThread(const Gpu& gpu, const Scene& scene, const FrameSinks& sinks, bool timed);
+    /// Copies the state; waits for the frame before the last.
+    void take(const ParticleView& view, const Frame& frame) override;
+    void fetch() override {}
+    void wait() override { thread_.drain(); }
+    const DrawingFigures& figures() const override { return drawing_->figures(); }
+
+private:
+    /// One is drawn while the next waits.
+    static constexpr size_t SNAPSHOTS = 2;
+
+    FrameSnapshot snapshots_[SNAPSHOTS];
+    size_t next_ = 0;
+    // Made, used and destroyed on the thread; whoever waits for it may read figures.
+    std::unique_ptr<Gpu> gpu_;
+    std::unique_ptr<DrawingHere> drawing_;
+    TaskThread thread_;
+};
+
+}  // namespace knuckle

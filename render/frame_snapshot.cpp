@@ -1,0 +1,63 @@
+#include "render/frame_snapshot.h"
+
+#include "shared/gpu_types.h"
+
+namespace knuckle {
+
+namespace {
+
+/// Into `copy`, which is made on first use. @returns its name.
+GLuint copyVectors(GLuint source, uint32_t count, RawBuffer& copy, const char* label)
+{
+    const size_t bytes = count * sizeof(gpu::vec4);
+    if (copy.id() == 0) copy = RawBuffer(label, bytes);
+    glBindBuffer(GL_COPY_READ_BUFFER, source);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, copy.id());
+    if (bytes > 0) glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes));
+    return copy.id();
+}
+
+}  // namespace
+
+FrameSnapshot::Fence::~Fence()
+{
+    glDeleteSync(sync_);
+}
+
+void FrameSnapshot::Fence::set()
+{
+    glDeleteSync(sync_);
+    sync_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    // Else the other context might wait for what was never sent.
+    glFlush();
+}
+
+void FrameSnapshot::Fence::wait()
+{
+    if (sync_ != nullptr) glWaitSync(sync_, 0, GL_TIMEOUT_IGNORED);
+}
+
+void FrameSnapshot::take(const ParticleView& view)
+{
+    drawn_.wait();
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    view_ = view;
+    view_.positions = copyVectors(view.positions, view.particleCount, positions_, "drawn positions");
+    view_.velocities = copyVectors(view.velocities, view.particleCount, velocities_, "drawn velocities");
+    view_.bodyCentres = copyVectors(view.bodyCentres, view.bodyCount, centres_, "drawn centres");
+    view_.bodyRotations = copyVectors(view.bodyRotations, view.bodyCount, rotations_, "drawn rotations");
+    taken_.set();
+}
+
+const ParticleView& FrameSnapshot::begin()
+{
+    taken_.wait();
+    return view_;
+}
+
+void FrameSnapshot::end()
+{
+    drawn_.set();
+}
+
+}  // namespace knuckle
