@@ -81,8 +81,8 @@ const std::vector<Member> LINK = {
 
 TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
 {
-    KernelFixture fixture(mixedWorld(byThePaper()));
-    expectMembers(fixture.load("paper/predict"), GL_UNIFORM_BLOCK, "Step", "step.", {
+    KernelFixture fixture(mixedWorld());
+    expectMembers(fixture.load("paper/predict"), GL_UNIFORM_BLOCK, "Step", "sim.", {
         MEMBER(StepParameters, gravity), MEMBER(StepParameters, particleCount), MEMBER(StepParameters, bodyCount),
         MEMBER(StepParameters, linkCount), MEMBER(StepParameters, colliderCount),
         MEMBER(StepParameters, contactSlots), MEMBER(StepParameters, cellMask), MEMBER(StepParameters, cellStrideY),
@@ -149,7 +149,7 @@ BUFFER(MoverInfo, MoverInfos, movers);
 BUFFER(GpuCollider, ColliderStructs, colliders);
 void main()
 {
-    links[0].mass = float(infos[0].material + bodies[0].jointCount + movers[0].rankCount + step.particleCount);
+    links[0].mass = float(infos[0].material + bodies[0].jointCount + movers[0].rankCount + sim.particleCount);
     colliders[0].grid = uvec4(1);
 }
 )");

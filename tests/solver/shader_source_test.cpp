@@ -113,7 +113,7 @@ TEST(Kernel, ABufferThatTheSolverDoesNotHaveIsNamedWithItsKernel)
     std::filesystem::create_directories(shaderFolder().path("sim"));
     const std::string head = "#include \"sim/common/kernel.glsl\"\nlayout(local_size_x = 1) in;\n";
     shaderFolder().write("sim/stores.comp", head + "BUFFER(uint, Marbles, marbles);\n"
-                                                   "void main() { marbles[0] = step.particleCount; }\n");
+                                                   "void main() { marbles[0] = sim.particleCount; }\n");
     shaderFolder().write("sim/reads.comp", head + "BUFFER(uint, CellCounts, cellCounts);\n"
                                                   "uniform usamplerBuffer pebbles;\n"
                                                   "void main() { cellCounts[0] = texelFetch(pebbles, 0).x; }\n");

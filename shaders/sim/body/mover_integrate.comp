@@ -41,8 +41,8 @@ Field moveOf(uint m, vec4 rotation, vec4 turn)
 /// The velocity of move and the last move: BDF2's, or first order.
 Field velocityOf(Field move, Field last, bool second)
 {
-    float a = (second ? 1.5 : 1.0) * step.damping / step.substepTime;
-    float b = (second ? -0.5 : 0.0) * step.damping / step.substepTime;
+    float a = (second ? 1.5 : 1.0) * sim.damping / sim.substepTime;
+    float b = (second ? -0.5 : 0.0) * sim.damping / sim.substepTime;
     return Field(a * move.t + b * last.t, a * move.f + b * last.f);
 }
 
@@ -67,7 +67,7 @@ void main()
     Field next = velocityOf(move, last, state.y == 2u && state.x + 1u != counters[0].substep);
 
     float speed = fastestOf(next, radius);
-    float slow = min(1.0, step.maxSpeed / max(speed, 1e-20));
+    float slow = min(1.0, sim.maxSpeed / max(speed, 1e-20));
     next = Field(slow * next.t, slow * next.f);
     if (isnan(speed) || isinf(speed)) {
         atomicOr(counters[0].problems, PROBLEM_NAN);

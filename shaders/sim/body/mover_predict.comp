@@ -27,11 +27,11 @@ BUFFER(Counters, CountersBlock, counters);
 
 Field predictedMove(uint m, bool second)
 {
-    float h = step.substepTime;
+    float h = sim.substepTime;
     Field v = fetchField(moverVelocities, m);
-    if (!second) return Field(h * (v.t + h * step.gravity.xyz), h * v.f);
+    if (!second) return Field(h * (v.t + h * sim.gravity.xyz), h * v.f);
     Field move = fetchField(oldMoverMoves, m), last = fetchField(oldMoverVelocities, m);
-    return Field(move.t / 3.0 + h * (8.0 * v.t - 2.0 * last.t + 4.0 * h * step.gravity.xyz) / 9.0,
+    return Field(move.t / 3.0 + h * (8.0 * v.t - 2.0 * last.t + 4.0 * h * sim.gravity.xyz) / 9.0,
                  move.f / 3.0 + h * (8.0 * v.f - 2.0 * last.f) / 9.0);
 }
 
@@ -48,7 +48,7 @@ void main()
     if (m >= MOVER_END) return;
     uvec4 info = texelFetch(moverInfo, int(m));
     uint now = counters[0].substep;
-    bool second = step.secondOrder == 1u && now > 0u && texelFetch(lastAssemblyState, int(info.z)).x + 1u != now;
+    bool second = sim.secondOrder == 1u && now > 0u && texelFetch(lastAssemblyState, int(info.z)).x + 1u != now;
     bool asleep = isAsleep(info.z);
     second = second && !asleep;
     assemblyState[info.z].y = second ? 2u : 1u;

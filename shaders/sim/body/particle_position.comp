@@ -12,7 +12,7 @@ BUFFER(vec4, Velocities, velocities);
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount || texelFetch(masses, int(i)).x == 0.0) return;
+    if (i >= sim.particleCount || texelFetch(masses, int(i)).x == 0.0) return;
     PointState state = pointState(texelFetch(particleRanks, int(i)).x, texelFetch(restOffsets, int(i)).xyz);
     positions[i].xyz = state.position;
     velocities[i] = vec4(state.velocity, 0);

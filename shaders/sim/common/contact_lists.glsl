@@ -13,11 +13,11 @@
 /// The place of a rank in one of the lists, as in listCounts.
 uint listPlace(uint list, uint rank)
 {
-    return list * step.particleCount + rank;
+    return list * sim.particleCount + rank;
 }
 
 /// Where listStarts has the first entry of a rank's list; the next entry is the end.
 uint listStart(uint parity, uint place)
 {
-    return parity * (3u * step.particleCount + 1u) + place;
+    return parity * (3u * sim.particleCount + 1u) + place;
 }

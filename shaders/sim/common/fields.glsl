@@ -6,15 +6,15 @@
 #if defined(BODIES)
 #define IS_BODY(mover) true
 #define MOVER_OF_THREAD gl_GlobalInvocationID.x
-#define MOVER_END step.bodyCount
+#define MOVER_END sim.bodyCount
 #elif defined(LOOSE)
 #define IS_BODY(mover) false
-#define MOVER_OF_THREAD (step.bodyCount + gl_GlobalInvocationID.x)
-#define MOVER_END step.moverCount
+#define MOVER_OF_THREAD (sim.bodyCount + gl_GlobalInvocationID.x)
+#define MOVER_END sim.moverCount
 #else
-#define IS_BODY(mover) ((mover) < step.bodyCount)
+#define IS_BODY(mover) ((mover) < sim.bodyCount)
 #define MOVER_OF_THREAD gl_GlobalInvocationID.x
-#define MOVER_END step.moverCount
+#define MOVER_END sim.moverCount
 #endif
 
 struct Field {
@@ -24,7 +24,7 @@ struct Field {
 
 uint fieldStart(uint mover)
 {
-    return IS_BODY(mover) ? 4u * mover : 3u * step.bodyCount + mover;
+    return IS_BODY(mover) ? 4u * mover : 3u * sim.bodyCount + mover;
 }
 
 Field fetchField(samplerBuffer fields, uint mover)

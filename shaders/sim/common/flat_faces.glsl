@@ -13,7 +13,7 @@
 uint hiddenAxes(uint ends, vec3 towards)
 {
     uvec3 end = uvec3(ends) >> (uvec3(0, 2, 4) + uvec3(greaterThan(towards, vec3(0)))) & 1u;
-    uvec3 hidden = (1u - end) * uvec3(lessThan(abs(towards), vec3(BESIDE * step.diameter)));
+    uvec3 hidden = (1u - end) * uvec3(lessThan(abs(towards), vec3(BESIDE * sim.diameter)));
     return hidden.x | hidden.y << 1 | hidden.z << 2;
 }
 
@@ -29,7 +29,7 @@ vec3 flatApart(vec3 apart, vec4 turnA, vec4 turnB, uint hidden)
 {
     vec3 a = withoutAxes(apart, turnA, hidden & 7u), b = withoutAxes(apart, turnB, hidden >> 3);
     vec3 nearest = dot(a, a) < dot(b, b) ? a : b;
-    float least = LEAST_FLAT * step.diameter;
+    float least = LEAST_FLAT * sim.diameter;
     return dot(nearest, nearest) > least * least ? nearest : apart;
 }
 

@@ -18,17 +18,17 @@
 #define searchPositions fluidSearchPositions
 uint gridParticles() { return slotCapacity(); }
 uint gridMembers() { return slotCount(); }
-uint gridMask() { return step.fluidCellMask; }
-uvec2 gridStrides() { return uvec2(step.fluidStrideY, step.fluidStrideZ); }
-vec3 inverseGridCell() { return step.inverseFluidCell * vec3(FINE_CELLS, 1, 1); }
+uint gridMask() { return sim.fluidCellMask; }
+uvec2 gridStrides() { return uvec2(sim.fluidStrideY, sim.fluidStrideZ); }
+vec3 inverseGridCell() { return sim.inverseFluidCell * vec3(FINE_CELLS, 1, 1); }
 #define CELLS_ALONG FINE_CELLS
 #else
-uint gridParticles() { return step.particleCount; }
-uint gridMembers() { return step.particleCount; }
+uint gridParticles() { return sim.particleCount; }
+uint gridMembers() { return sim.particleCount; }
 bool isInactive(vec4 place) { return false; }
-uint gridMask() { return step.cellMask; }
-uvec2 gridStrides() { return uvec2(step.cellStrideY, step.cellStrideZ); }
-vec3 inverseGridCell() { return vec3(step.inverseCellSize); }
+uint gridMask() { return sim.cellMask; }
+uvec2 gridStrides() { return uvec2(sim.cellStrideY, sim.cellStrideZ); }
+vec3 inverseGridCell() { return vec3(sim.inverseCellSize); }
 #define CELLS_ALONG 1
 #endif
 

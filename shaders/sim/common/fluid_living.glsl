@@ -5,7 +5,7 @@
 /// Room for slots.
 uint slotCapacity()
 {
-    return step.particleCount + step.fluidCount;
+    return sim.particleCount + sim.fluidCount;
 }
 
 #ifdef POOL
@@ -15,7 +15,7 @@ uniform usamplerBuffer fluidTotals;      // fluid particles that came from emitt
 uint slotCount()
 {
     uvec2 totals = texelFetch(fluidTotals, 0).xy;
-    return step.particleCount + step.fluidFilled + totals.x - totals.y;
+    return sim.particleCount + sim.fluidFilled + totals.x - totals.y;
 }
 #else
 uint slotCount()

@@ -36,14 +36,14 @@ void add(inout Sum sum, vec4 impulse, float side, vec3 r)
 Sum contactSum(uvec4 info, uint parity)
 {
     Sum sum = Sum(Field(vec3(0), mat3(0)), 0.0);
-    int pairBase = int(parity * step.pairCapacity), colliderBase = int(parity * step.colliderPairCapacity);
+    int pairBase = int(parity * sim.pairCapacity), colliderBase = int(parity * sim.colliderPairCapacity);
     uvec2 range = listRange(parity, LIST_AS_FIRST, info.x, info.y);
     for (int q = int(range.x); q < int(range.y); ++q)
         add(sum, texelFetch(PAIR_IMPULSES, pairBase + q), 1.0, texelFetch(pairArms, 2 * q).xyz);
     range = listRange(parity, LIST_AS_SECOND, info.x, info.y);
     for (uint k = range.x; k < range.y; ++k) {
         uint reference = texelFetch(pairReferences, int(k)).x;
-        int q = int(min(reference, step.pairCapacity - 1u));
+        int q = int(min(reference, sim.pairCapacity - 1u));
         vec4 impulse = reference == NO_PAIR ? vec4(0) : texelFetch(PAIR_IMPULSES, pairBase + q);
         add(sum, impulse, -1.0, texelFetch(pairArms, 2 * q + 1).xyz);
     }

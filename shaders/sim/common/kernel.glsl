@@ -5,4 +5,4 @@
 #define BUFFER(type, Block, name) layout(std430) restrict buffer Block { type name[]; }
 #define READ_BUFFER(type, Block, name) layout(std430) restrict readonly buffer Block { type name[]; }
 
-layout(std140) uniform Step { StepParameters step; };
+layout(std140) uniform Step { StepParameters sim; };

@@ -13,9 +13,9 @@ uvec2 listRange(uint parity, uint list, uint rank, uint count)
 {
     uint place = listPlace(list, rank);
     uint before = list == LIST_AS_FIRST ? 0u : listEntry(parity, listPlace(list, 0u));
-    uint capacity = list == LIST_AS_FIRST    ? step.pairCapacity
-                    : list == LIST_AS_SECOND ? step.contactSlots * step.particleCount
-                                             : step.colliderPairCapacity;
+    uint capacity = list == LIST_AS_FIRST    ? sim.pairCapacity
+                    : list == LIST_AS_SECOND ? sim.contactSlots * sim.particleCount
+                                             : sim.colliderPairCapacity;
     return min(uvec2(listEntry(parity, place), listEntry(parity, place + count)) - before, uvec2(capacity));
 }
 

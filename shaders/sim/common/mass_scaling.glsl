@@ -5,8 +5,8 @@
 float contactScale(vec3 centre)
 {
 #ifdef MASS_SCALING
-    vec3 down = step.gravity.xyz / max(length(step.gravity.xyz), 1e-20);
-    return exp(clamp(-step.massScaling * dot(centre, down), -30.0, 30.0));
+    vec3 down = sim.gravity.xyz / max(length(sim.gravity.xyz), 1e-20);
+    return exp(clamp(-sim.massScaling * dot(centre, down), -30.0, 30.0));
 #else
     return 1.0;
 #endif

@@ -39,8 +39,8 @@ Way unpackWay(uvec2 movers)
 vec4 sidedNormal(vec3 apart, float far, Way way)
 {
     float facing = dot(apart, way.away);
-    bool deep = far < step.diameter && way.deep;
-    bool between = far < (facing < 0.5 * far ? SUNK : 0.5) * step.diameter && way.away != vec3(0);
+    bool deep = far < sim.diameter && way.deep;
+    bool between = far < (facing < 0.5 * far ? SUNK : 0.5) * sim.diameter && way.away != vec3(0);
     vec3 mirrored = (apart - 2.0 * facing * way.away) / max(far, 1e-7);
     return vec4(deep || between ? way.away : mirrored, deep || between || facing < 0.0 ? 1.0 : 0.0);
 }

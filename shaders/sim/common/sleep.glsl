@@ -13,7 +13,7 @@ uniform usamplerBuffer assemblyCalm;     // calm steps, name of the island
 bool isAsleep(uint assembly)
 {
 #ifdef SLEEP
-    return texelFetch(assemblyCalm, int(assembly)).x >= step.calmSteps;
+    return texelFetch(assemblyCalm, int(assembly)).x >= sim.calmSteps;
 #else
     return false;
 #endif

@@ -21,7 +21,7 @@ BUFFER(Counters, CountersBlock, counters);
 /// Where the contact stood before; -1: nowhere.
 int oldPlace(uint parity, uint rank, uint collider)
 {
-    uvec2 range = listRange(parity, LIST_COLLIDERS, rank, 1u) + parity * step.colliderPairCapacity;
+    uvec2 range = listRange(parity, LIST_COLLIDERS, rank, 1u) + parity * sim.colliderPairCapacity;
     for (uint q = range.x; q < range.y; ++q)
         if (texelFetch(colliderPairs, int(q)).y == collider) return int(q);
     return -1;
@@ -32,7 +32,7 @@ void main()
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].colliderPairCount) return;
     uint parity = counters[0].listParity;
-    uint place = parity * step.colliderPairCapacity + q;
+    uint place = parity * sim.colliderPairCapacity + q;
     uvec2 pair = texelFetch(colliderPairs, int(place)).xy;
     int i = int(pair.x);
     uvec2 own = texelFetch(particleRanks, i).xy;
@@ -44,7 +44,7 @@ void main()
     colliderArms[q] = arm;
     int old = oldPlace(parity ^ 1u, own.y, pair.y);
     vec4 impulse = old < 0 ? vec4(0) : texelFetch(lastColliderImpulses, old);
-    if (surface.w < 0.5 * step.diameter && impulse.w <= 0.0) impulse.w = ABOUT_TO_ACT;
+    if (surface.w < 0.5 * sim.diameter && impulse.w <= 0.0) impulse.w = ABOUT_TO_ACT;
     colliderImpulses[place] = impulse;
     colliderMeans[place] = old < 0 ? 0.0 : texelFetch(lastColliderMeans, old).x;
 }

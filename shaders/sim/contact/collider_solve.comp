@@ -17,7 +17,7 @@ void main()
 {
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].colliderPairCount) return;
-    uint place = counters[0].listParity * step.colliderPairCapacity + q;
+    uint place = counters[0].listParity * sim.colliderPairCapacity + q;
     uvec4 sides = texelFetch(colliderSides, int(q));
     vec4 arm = texelFetch(colliderArms, int(q));
     MoverPoint point = moverPoint(sides.x, arm.xyz);
@@ -28,8 +28,8 @@ void main()
     contact.normal = surface.xyz;
     contact.kin = false;
     contact.leaving = dot(point.move, surface.xyz);
-    contact.gap = surface.w - 0.5 * step.diameter;
-    contact.startGap = colliderDistance(sides.y, start).w - 0.5 * step.diameter;
+    contact.gap = surface.w - 0.5 * sim.diameter;
+    contact.startGap = colliderDistance(sides.y, start).w - 0.5 * sim.diameter;
     contact.worstMass = arm.w * point.splits;
     contact.inverseMass = contact.worstMass * unpackUnorm2x16(sides.w).x;
     contact.friction = unpackHalf2x16(sides.z);

@@ -27,16 +27,16 @@ vec4 solveContact(Contact c, vec4 impulse, inout float mean)
     if (c.worstMass == 0.0 && impulse.w > 0.0) return impulse;   // both sides sleep
 #endif
     float depth = max(-c.startGap, 0.0);
-    bool sunk = !c.kin && depth > (1.0 - SUNK) * step.diameter;
-    float slowed = c.kin ? 1.0 : clamp(1.0 - c.leaving / (LEAVING_SPEED * step.substepTime), LEAST_RECOVERY, 1.0);
-    float error = c.gap + depth - min(step.correction * depth, step.maxCorrection * slowed);
+    bool sunk = !c.kin && depth > (1.0 - SUNK) * sim.diameter;
+    float slowed = c.kin ? 1.0 : clamp(1.0 - c.leaving / (LEAVING_SPEED * sim.substepTime), LEAST_RECOVERY, 1.0);
+    float error = c.gap + depth - min(sim.correction * depth, sim.maxCorrection * slowed);
     bool acts = impulse.w != 0.0 && c.worstMass > 0.0;
     float push = acts ? error / c.inverseMass : 0.0;
-    float most = sunk && acts ? step.maxCorrection / c.inverseMass : 0.0;
+    float most = sunk && acts ? sim.maxCorrection / c.inverseMass : 0.0;
     float last = sunk && impulse.w < 0.0 ? min(dot(impulse.xyz, c.normal), 0.0) : max(impulse.w, 0.0);
-    mean += (last < mean ? MEAN_FALL : 1.0) * step.meanRate * (max(last, 0.0) - mean);
+    mean += (last < mean ? MEAN_FALL : 1.0) * sim.meanRate * (max(last, 0.0) - mean);
     float wave = c.kin || last <= 0.0 ? 0.0 : min(last - mean, SHOCK * mean);
-    float whole = max(step.warmStart * (last - step.calming * wave) - push, -most);
+    float whole = max(sim.warmStart * (last - sim.calming * wave) - push, -most);
     float normal = max(whole, 0.0), bound = max(whole, SUNK_GRIP * most);
     vec3 tangent = impulse.xyz - (acts ? 1.0 / c.worstMass : 0.0) * c.slide;
     tangent -= c.normal * dot(c.normal, tangent);

@@ -8,7 +8,7 @@ uniform samplerBuffer bodyInertias;      // two a body, inverse: xx, yy, zz, 1 /
 /// @param arm the particle's place in the body; w: the inverse mass of the worst direction there.
 float normalFraction(uint mover, vec4 arm, vec3 normal)
 {
-    if (mover >= step.bodyCount || arm.w == 0.0) return 1.0;
+    if (mover >= sim.bodyCount || arm.w == 0.0) return 1.0;
     vec4 diagonal = texelFetch(bodyInertias, int(2u * mover));
     vec3 other = texelFetch(bodyInertias, int(2u * mover + 1u)).xyz;
     vec3 t = cross(arm.xyz, rotate(conjugate(texelFetch(searchRotations, int(mover))), normal));

@@ -39,11 +39,11 @@ Old oldImpulse(uint parity, uint i, uint j, uint rankOfI, uint rankOfJ)
     for (uint k = 0u; k < count; ++k) {
         bool ofI = k < countOfI;
         uint q = ofI ? pairsOfI.x + k : pairsOfJ.x + k - countOfI;
-        bool same = texelFetch(pairs, int(parity * step.pairCapacity + q)).y == (ofI ? j : i);
+        bool same = texelFetch(pairs, int(parity * sim.pairCapacity + q)).y == (ofI ? j : i);
         place = same ? q : place;
         side = same ? (ofI ? 1.0 : -1.0) : side;
     }
-    int at = int(parity * step.pairCapacity + place);
+    int at = int(parity * sim.pairCapacity + place);
     vec4 impulse = texelFetch(lastPairImpulses, at);
     return Old(vec4(side * impulse.xyz, abs(side) * impulse.w), abs(side) * texelFetch(lastPairMeans, at).x);
 }
@@ -62,7 +62,7 @@ void main()
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].pairCount) return;
     uint parity = counters[0].listParity;
-    uvec2 pair = texelFetch(pairs, int(parity * step.pairCapacity + q)).xy;
+    uvec2 pair = texelFetch(pairs, int(parity * sim.pairCapacity + q)).xy;
     int i = int(pair.x), j = int(pair.y);
     uvec2 a = texelFetch(particleRanks, i).xy, b = texelFetch(particleRanks, j).xy;
     vec4 armA = texelFetch(restOffsets, i), armB = texelFetch(restOffsets, j);
@@ -76,14 +76,14 @@ void main()
     vec2 friction = 0.5 * (texelFetch(masses, i).zw + texelFetch(masses, j).zw);
     // A mass of balls that slide on each other and cannot turn has pi / 2 times their friction (Caquot 1934): that is
     // what the material's friction is to be.
-    if (min(a.x, b.x) >= step.bodyCount) friction *= 0.63662;
+    if (min(a.x, b.x) >= sim.bodyCount) friction *= 0.63662;
     vec2 shares = vec2(normalFraction(a.x, armA, parting.normal), normalFraction(b.x, armB, parting.normal));
     pairSides[q] = uvec4(movers, packHalf2x16(friction), packFractions(shares, hidden));
     pairArms[2u * q] = armA;
     pairArms[2u * q + 1u] = armB;
     Old old = oldImpulse(parity ^ 1u, pair.x, pair.y, a.y, b.y);
-    if (parting.far < step.diameter && old.impulse.w <= 0.0) old.impulse.w = ABOUT_TO_ACT;
-    pairImpulses[parity * step.pairCapacity + q] = old.impulse;
-    pairMeans[parity * step.pairCapacity + q] = old.mean;
+    if (parting.far < sim.diameter && old.impulse.w <= 0.0) old.impulse.w = ABOUT_TO_ACT;
+    pairImpulses[parity * sim.pairCapacity + q] = old.impulse;
+    pairMeans[parity * sim.pairCapacity + q] = old.mean;
     refer(parity, q, b.y);
 }

@@ -33,13 +33,13 @@ void main()
     contact.normal = parting.keeps ? parting.normal : contactNormal(r, far, true);
     contact.kin = way.kin;
     contact.leaving = max(dot(a.move, contact.normal), -dot(b.move, contact.normal));
-    contact.startGap = (parting.sided && way.deep ? 0.0 : parting.far) - step.diameter;
-    contact.gap = parting.keeps ? contact.startGap + dot(contact.slide, parting.normal) : far - step.diameter;
+    contact.startGap = (parting.sided && way.deep ? 0.0 : parting.far) - sim.diameter;
+    contact.gap = parting.keeps ? contact.startGap + dot(contact.slide, parting.normal) : far - sim.diameter;
     vec2 worst = vec2(armA.w * a.splits, armB.w * b.splits);
     contact.worstMass = worst.x + worst.y;
     contact.inverseMass = dot(worst, unpackFractions(sides.w));
     contact.friction = unpackHalf2x16(sides.z);
-    uint place = counters[0].listParity * step.pairCapacity + q;
+    uint place = counters[0].listParity * sim.pairCapacity + q;
     float mean = texelFetch(lastPairMeans, int(place)).x;
     pairImpulses[place] = solveContact(contact, texelFetch(lastPairImpulses, int(place)), mean);
     pairMeans[place] = mean;

@@ -11,7 +11,7 @@ Way wayOut(int i, int j, uvec2 movers, vec3 apart)
     vec4 first = texelFetch(particleSurfaces, i), second = texelFetch(particleSurfaces, j);
     bool hasFirst = first.xyz != vec3(0), hasSecond = second.xyz != vec3(0);
     float nearer = abs(second.w) - abs(first.w);   // above 0: the first
-    bool alike = hasFirst && hasSecond && abs(nearer) < 0.25 * step.diameter;
+    bool alike = hasFirst && hasSecond && abs(nearer) < 0.25 * sim.diameter;
     bool byFirst = hasFirst && (!hasSecond || nearer > 0.0);
     vec3 outFirst = -rotate(texelFetch(searchRotations, int(movers.x)), first.xyz);
     vec3 outSecond = rotate(texelFetch(searchRotations, int(movers.y)), second.xyz);
@@ -20,5 +20,5 @@ Way wayOut(int i, int j, uvec2 movers, vec3 apart)
     // Two that look the same way know nothing of each other; limbs of one assembly press each other around joints.
     bool kin = texelFetch(particleInfo, i).z == texelFetch(particleInfo, j).z;
     away = !kin && size > 0.3 ? away / size : vec3(0);
-    return Way(away, abs(byFirst ? first.w : second.w) >= step.diameter, kin);
+    return Way(away, abs(byFirst ? first.w : second.w) >= sim.diameter, kin);
 }

@@ -7,5 +7,5 @@ BUFFER(vec4, ParticleImpulses, particleImpulses);
 void main()
 {
     uint rank = gl_GlobalInvocationID.x;
-    if (rank < step.particleCount) particleImpulses[rank] = vec4(0);
+    if (rank < sim.particleCount) particleImpulses[rank] = vec4(0);
 }

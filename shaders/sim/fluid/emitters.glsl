@@ -12,16 +12,16 @@ READ_BUFFER(GpuEmitter, Emitters, emitters);
 /// Steps that are complete now: emitters and drains end a step.
 uint stepsDone(uint substep)
 {
-    return substep / step.substeps;
+    return substep / sim.substeps;
 }
 
 /// The half of poolOrder that a step reads; it writes the other.
 uint orderBefore(uint steps)
 {
-    return (steps & 1u) * step.poolCapacity;
+    return (steps & 1u) * sim.poolCapacity;
 }
 
 uint orderAfter(uint steps)
 {
-    return step.poolCapacity - orderBefore(steps);
+    return sim.poolCapacity - orderBefore(steps);
 }

@@ -4,7 +4,7 @@
 /// Where a fluid particle is at the end of the substep if no pressure acts [m].
 vec3 predictedPosition(vec3 x, vec3 v)
 {
-    return x + step.substepTime * (v + step.substepTime * step.gravity.xyz);
+    return x + sim.substepTime * (v + sim.substepTime * sim.gravity.xyz);
 }
 
 /// The kernel over its height in the middle, a = 1 - q.
@@ -16,13 +16,13 @@ float fluidShape(float a)
 
 float fluidFraction(float q)
 {
-    return step.fluidVolume * fluidShape(1.0 - q);
+    return sim.fluidVolume * fluidShape(1.0 - q);
 }
 
 /// d fluidFraction / dr over r [1/m2], over a^3: the gradient is this times a^3 times the vector.
 float fluidSteepness()
 {
-    return -20.0 * step.fluidVolume / (step.fluidReach * step.fluidReach);
+    return -20.0 * sim.fluidVolume / (sim.fluidReach * sim.fluidReach);
 }
 
 float fluidSlope(float q)
@@ -41,9 +41,9 @@ float fluidPull(float q)
 /// half space, 7/2 T^6 - 9/2 T^7 + 3/2 T^8 with T = 1 - z / h.
 vec2 wallFraction(float z)
 {
-    float t = clamp(1.0 - z / step.fluidReach, 0.0, 1.0);
+    float t = clamp(1.0 - z / sim.fluidReach, 0.0, 1.0);
     float t2 = t * t, t4 = t2 * t2;
-    return vec2(t4 * t2 * (3.5 - 4.5 * t + 1.5 * t2), -(t4 * t) / step.fluidReach * (21.0 - 31.5 * t + 12.0 * t2));
+    return vec2(t4 * t2 * (3.5 - 4.5 * t + 1.5 * t2), -(t4 * t) / sim.fluidReach * (21.0 - 31.5 * t + 12.0 * t2));
 }
 
 /// Adds what a wall covers to what others do (gradient, share), less what both cover: the product of their shares where
@@ -63,14 +63,14 @@ vec4 addWall(vec4 walls, vec3 normal, vec2 wall)
 /// volume of its cell, at faces as at edges, in plates and alone.
 vec2 solidFraction(float r)
 {
-    float d = step.diameter, far = max(r, 0.25 * d), inverse = 1.0 / step.fluidReach;
+    float d = sim.diameter, far = max(r, 0.25 * d), inverse = 1.0 / sim.fluidReach;
     float t = clamp(1.0 - (far - 0.5 * d) * inverse, 0.0, 1.0), t2 = t * t, t4 = t2 * t2;
     float slope = t4 * t * inverse * (21.0 - 31.5 * t + 12.0 * t2);
     float bend = t4 * inverse * inverse * (105.0 - 189.0 * t + 84.0 * t2);
-    float scale = step.solidCover * d * d / (6.2831853 * far);
+    float scale = sim.solidCover * d * d / (6.2831853 * far);
     vec2 share = scale * vec2(slope, -(bend + slope / far) / far);
     // The neighbours end before the kernel does: down to nothing there, smoothly.
-    float width = 0.2 * d, u = clamp((step.fluidListReach - r) / width, 0.0, 1.0), fade = u * u * (3.0 - 2.0 * u);
+    float width = 0.2 * d, u = clamp((sim.fluidListReach - r) / width, 0.0, 1.0), fade = u * u * (3.0 - 2.0 * u);
     float steep = u > 0.0 && u < 1.0 ? -6.0 * u * (1.0 - u) / width : 0.0;
     return vec2(share.x * fade, share.y * fade + share.x * steep / far);
 }
@@ -78,6 +78,6 @@ vec2 solidFraction(float r)
 /// How much a solid particle counts for a fluid one at that distance where they share a way or a force.
 float solidWeight(float far)
 {
-    float a = max(1.0 - far / step.fluidListReach, 0.0);
+    float a = max(1.0 - far / sim.fluidListReach, 0.0);
     return a * a;
 }

@@ -16,10 +16,10 @@ void main()
     uint i = texelFetch(slotParticles, int(k)).x;
     vec3 x = texelFetch(fluidSearchPositions, int(i)).xyz;
     // The place is that of the middle of the step; half as much again for what changes on the way.
-    float way = step.lookAhead * step.substepTime * length(texelFetch(velocities, int(i)).xyz);
-    float reach = step.fluidListReach + 1.5 * way;
+    float way = sim.lookAhead * sim.substepTime * length(texelFetch(velocities, int(i)).xyz);
+    float reach = sim.fluidListReach + 1.5 * way;
     uint near = 0u;
-    for (uint c = 0u; c < step.colliderCount; ++c)
+    for (uint c = 0u; c < sim.colliderCount; ++c)
         near |= (colliderDistance(c, x).w < reach ? 1u : 0u) << (c & 31u);
     slotColliders[k] = isFluid(i) ? near : 0u;
 }

@@ -24,5 +24,5 @@ bool nextCollider(inout NearColliders near)
     }
     near.index = near.block + uint(findLSB(near.left));
     near.left &= near.left - 1u;
-    return near.bits != 0u && near.index < step.colliderCount;
+    return near.bits != 0u && near.index < sim.colliderCount;
 }

@@ -56,7 +56,7 @@ Sums sumsOver(uint k, uint count, vec3 x)
 {
     // The slot itself stands in its list where that is no multiple of four: taken away again.
     Sums sums = Sums(1.0 - float(-count & 3u), 0.0, vec3(0));
-    float inverseReach = 1.0 / step.fluidReach, steepness = fluidSteepness();
+    float inverseReach = 1.0 / sim.fluidReach, steepness = fluidSteepness();
     for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
         uvec4 slots = neighboursAt(texel);
         add(sums, x, inverseReach, slots.x);
@@ -64,7 +64,7 @@ Sums sumsOver(uint k, uint count, vec3 x)
         add(sums, x, inverseReach, slots.z);
         add(sums, x, inverseReach, slots.w);
     }
-    return Sums(step.fluidVolume * sums.share, steepness * steepness * sums.squares, steepness * sums.gradient);
+    return Sums(sim.fluidVolume * sums.share, steepness * steepness * sums.squares, steepness * sums.gradient);
 }
 
 void main()
@@ -87,7 +87,7 @@ void main()
     float tooMuch = clamp(share - 1.0, 0.0, MOST_FLUID_ERROR);
     // Where the slopes of solids cancel, as between two of them, no way leads out: pushing harder does not help.
     float opposed = max(slopes - dot(solids.xyz, solids.xyz), 0.0);
-    float lambda = -FLUID_RELAXATION * tooMuch / (dot(own, own) + opposed + sums.squares + step.fluidSoftness);
+    float lambda = -FLUID_RELAXATION * tooMuch / (dot(own, own) + opposed + sums.squares + sim.fluidSoftness);
     slotPressures[k] = vec4(x, lambda / max(texelFetch(masses, int(i)).x, 1e-20));
     slotWalls[k] = vec4(walls.xyz, share);
     slotSolids[k] = vec4(solids.xyz, weights > 0.0 ? 1.0 / weights : 0.0);

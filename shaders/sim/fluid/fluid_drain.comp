@@ -16,15 +16,15 @@ BUFFER(uint, FluidTotals, totals);       // came, left
 void main()
 {
     uint thread = gl_GlobalInvocationID.x;
-    if (thread >= step.fluidFilled + step.poolCapacity) return;
-    bool pooled = thread >= step.fluidFilled;
-    uint place = thread - step.fluidFilled, i = step.particleCount + thread;
+    if (thread >= sim.fluidFilled + sim.poolCapacity) return;
+    bool pooled = thread >= sim.fluidFilled;
+    uint place = thread - sim.fluidFilled, i = sim.particleCount + thread;
     if (pooled) i = texelFetch(poolOrder, int(orderAfter(stepsDone(counters[0].substep)) + place)).x;
     if (i == NO_PARTICLE) return;
     vec4 x = positions[i];
     bool parked = isInactive(x), drained = false;
-    for (uint d = 0u; d < step.drainCount; ++d)
-        drained = drained || colliderDistance(step.colliderCount + d, x.xyz).w < 0.0;
+    for (uint d = 0u; d < sim.drainCount; ++d)
+        drained = drained || colliderDistance(sim.colliderCount + d, x.xyz).w < 0.0;
     if (drained && !parked) {
         positions[i].w = INACTIVE;
         velocities[i] = vec4(0);

@@ -20,7 +20,7 @@ BUFFER(uint, FluidTotals, totals);       // came, left
 /// positions: what this step emits was in no cell.
 bool hasRoom(vec3 x, float room)
 {
-    float solidRoom = 0.45 * (step.diameter + step.fluidSpacing);
+    float solidRoom = 0.45 * (sim.diameter + sim.fluidSpacing);
     uint slots = texelFetch(cellStarts, int(gridMask() + 1u)).x;
     ivec3 cell = cellOf(x);
     bool free = true;
@@ -32,7 +32,7 @@ bool hasRoom(vec3 x, float room)
             uint i = texelFetch(slotParticles, int(place < slots ? place : place - slots)).x;
             vec4 other = positions[i];
             vec3 r = x - other.xyz;
-            float near = i < step.particleCount ? solidRoom : room;
+            float near = i < sim.particleCount ? solidRoom : room;
             free = free && (isInactive(other) || dot(r, r) >= near * near);
         }
     }
@@ -55,9 +55,9 @@ void main()
     uint laterLayers = state.x / e.pointCount - 1u - q / e.pointCount;
     float t = uintBitsToFloat(state.w) + float(laterLayers) * e.interval;
     // As the solver's steps would have brought it here.
-    vec3 fall = step.gravity.xyz * t;
+    vec3 fall = sim.gravity.xyz * t;
     vec3 nozzle = texelFetch(nozzlePoints, int(e.firstPoint + q % e.pointCount)).xyz;
-    vec3 x = nozzle + t * e.velocity.xyz + 0.5 * (t + step.substepTime) * fall;
+    vec3 x = nozzle + t * e.velocity.xyz + 0.5 * (t + sim.substepTime) * fall;
     if (!hasRoom(x, e.velocity.w)) return;
     uint place = e.poolStart + e.poolCount - state.x + q;
     uint i = texelFetch(poolOrder, int(orderAfter(stepsDone(counters[0].substep)) + place)).x;

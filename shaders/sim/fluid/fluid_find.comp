@@ -23,7 +23,7 @@ struct Seeker {
 /// What acts on a solid is fluid. Fluid particles act on each other up to the kernel's reach.
 Seeker seekerAt(uint code)
 {
-    vec2 reach = step.inverseFluidCell * QUANTA_PER_CELL * vec2(step.fluidReach, step.fluidListReach) + 2.0;
+    vec2 reach = sim.inverseFluidCell * QUANTA_PER_CELL * vec2(sim.fluidReach, sim.fluidListReach) + 2.0;
     bool solid = (code & PACKED_SOLID) != 0u;
     return Seeker(packedFields(code), solid ? vec2(reach.y * reach.y, -1.0) : reach * reach);
 }
@@ -102,7 +102,7 @@ void listFluids(uint k, uint slots, inout uvec2 counts, inout uvec4 four)
     for (int range = 0; range < AROUND_RANGES; ++range) ranges |= fluids[range] != 0u ? 1u << range : 0u;
     int range = max(findLSB(ranges), 0);
     uint bits = fluids[range], first = firsts[range];
-    while (ranges != 0u && (counts.x & ~3u) + 4u + counts.y <= step.fluidSlots) {
+    while (ranges != 0u && (counts.x & ~3u) + 4u + counts.y <= sim.fluidSlots) {
         uint texel = neighbourTexel(k, counts.x / 4u);
         for (uint c = 0u; c < 4u; ++c) {
             if (c < held || ranges == 0u) continue;
@@ -127,8 +127,8 @@ void listSolids(uint k, uint slots, inout uvec2 counts)
 {
     for (int range = 0; range < AROUND_RANGES; ++range)
         for (uint bits = solids[range]; bits != 0u; bits &= bits - 1u) {
-            if ((counts.x + 3u & ~3u) + counts.y >= step.fluidSlots) return;
-            uint place = firsts[range] + uint(findLSB(bits)), n = step.fluidSlots - ++counts.y;
+            if ((counts.x + 3u & ~3u) + counts.y >= sim.fluidSlots) return;
+            uint place = firsts[range] + uint(findLSB(bits)), n = sim.fluidSlots - ++counts.y;
             slotNeighbours[neighbourTexel(k, n / 4u)][n % 4u] = place < slots ? place : place - slots;
         }
 }

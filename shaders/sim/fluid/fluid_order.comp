@@ -15,7 +15,7 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= gridParticles() || isNowhere(texelFetch(particleCells, int(i)).x)) return;
     uvec2 place = placeInCells(i);
-    uint code = packPosition(texelFetch(fluidSearchPositions, int(i)).xyz, i < step.particleCount);
+    uint code = packPosition(texelFetch(fluidSearchPositions, int(i)).xyz, i < sim.particleCount);
     slotParticles[place.x] = i;
     particleSlots[i] = place.x;
     fluidSorted[place.x] = code;

@@ -13,8 +13,8 @@ BUFFER(vec4, SlotPositions, slotPositions);    // w: mass [kg]
 
 void main()
 {
-    if (gl_GlobalInvocationID.x >= step.fluidCount) return;
-    int i = int(step.particleCount + gl_GlobalInvocationID.x);
+    if (gl_GlobalInvocationID.x >= sim.fluidCount) return;
+    int i = int(sim.particleCount + gl_GlobalInvocationID.x);
     vec4 place = texelFetch(positions, i);
     if (isInactive(place)) return;
 #ifdef RELAX

@@ -13,7 +13,7 @@ BUFFER(vec4, SlotPositions, slotPositions);    // w: mass [kg]
 
 void main()
 {
-    if (gl_GlobalInvocationID.x >= step.particleCount) return;
+    if (gl_GlobalInvocationID.x >= sim.particleCount) return;
     int i = int(gl_GlobalInvocationID.x);
 #ifdef RELAX
     vec3 x = texelFetch(positions, i).xyz;

@@ -22,7 +22,7 @@ vec3 outside(uint k, vec3 x)
 {
     for (NearColliders near = nearColliders(k); nextCollider(near);) {
         vec4 wall = colliderDistance(near.index, x);
-        x += max(0.25 * step.fluidSpacing - wall.w, 0.0) * wall.xyz;
+        x += max(0.25 * sim.fluidSpacing - wall.w, 0.0) * wall.xyz;
     }
     return x;
 }
@@ -46,7 +46,7 @@ vec3 tensionOf(vec4 own, uint material, float tension, uint slot)
 {
     vec3 r = own.xyz - texelFetch(slotPressures, int(slot)).xyz;
     float far = length(r), same = texelFetch(slotMaterials, int(slot)).x == material ? 1.0 : 0.0;
-    return -same * tension * fluidPull(min(far / step.fluidReach, 1.0)) / max(far, 1e-9) * r;
+    return -same * tension * fluidPull(min(far / sim.fluidReach, 1.0)) / max(far, 1e-9) * r;
 }
 #endif
 
@@ -55,17 +55,17 @@ vec3 tensionOf(vec4 own, uint material, float tension, uint slot)
 /// little more.
 float mostSpeed(uint k, vec3 x, float before, float now)
 {
-    float gain = MOST_SQUEEZE * step.substepTime, fastest = before;
-    if (now <= before + gain) return step.maxSpeed;
+    float gain = MOST_SQUEEZE * sim.substepTime, fastest = before;
+    if (now <= before + gain) return sim.maxSpeed;
     uint count = texelFetch(slotCounts, int(k)).y;
     bool among = false;
     for (uint n = 0u; n < count; ++n) {
         int solid = int(solidNeighbour(k, n));
-        if (distance(x, texelFetch(slotPressures, solid).xyz) >= step.fluidListReach) continue;
+        if (distance(x, texelFetch(slotPressures, solid).xyz) >= sim.fluidListReach) continue;
         among = true;
         fastest = max(fastest, length(texelFetch(slotVelocities, solid).xyz));
     }
-    return among ? min(fastest + gain, step.maxSpeed) : step.maxSpeed;
+    return among ? min(fastest + gain, sim.maxSpeed) : sim.maxSpeed;
 }
 
 void main()
@@ -78,7 +78,7 @@ void main()
     vec4 own = texelFetch(slotPressures, int(k));
     vec3 pressed = own.w * (texelFetch(slotWalls, int(k)).xyz + texelFetch(slotSolids, int(k)).xyz);
     vec3 others = vec3(0), pulled = vec3(0);
-    float inverseReach = 1.0 / step.fluidReach;
+    float inverseReach = 1.0 / sim.fluidReach;
 #ifdef TENSION
     uint material = texelFetch(slotMaterials, int(k)).x;
     float tension = texelFetch(fluidMaterials, int(material)).y;
@@ -97,13 +97,13 @@ void main()
     vec3 push = texelFetch(masses, int(i)).x * (pressed + fluidSteepness() * others + pulled);
     vec4 last = velocities[i];
     float held = timeHeld(last);
-    push *= held > 0.0 ? 0.0 : min(1.0, 0.25 * step.fluidReach / max(length(push), 1e-20));
+    push *= held > 0.0 ? 0.0 : min(1.0, 0.25 * sim.fluidReach / max(length(push), 1e-20));
     vec3 before = positions[i].xyz, x = outside(k, own.xyz + push);
 #ifdef RELAX
     positions[i].xyz = slotPositions[k].xyz = x;
     return;
 #endif
-    vec3 v = (x - before) * (step.damping / step.substepTime);
+    vec3 v = (x - before) * (sim.damping / sim.substepTime);
     float speed = length(v);
     if (isnan(speed) || isinf(speed)) {
         atomicOr(counters[0].problems, PROBLEM_NAN);
@@ -111,7 +111,7 @@ void main()
     }
     float most = mostSpeed(k, own.xyz, length(last.xyz), speed);
     v *= min(1.0, most / max(speed, 1e-20));
-    velocities[i] = vec4(v, max(held - step.substepTime, 0.0));
+    velocities[i] = vec4(v, max(held - sim.substepTime, 0.0));
     positions[i].xyz = x;
     slotPositions[k].xyz = predictedPosition(x, v);
 }

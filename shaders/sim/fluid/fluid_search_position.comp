@@ -12,11 +12,11 @@ BUFFER(vec4, FluidSearchPositions, fluidSearchPositions);
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount + step.fluidCount) return;
-    float time = step.lookAhead * step.substepTime;
+    if (i >= sim.particleCount + sim.fluidCount) return;
+    float time = sim.lookAhead * sim.substepTime;
     vec4 place = texelFetch(positions, int(i));
     vec3 x = place.xyz, v = texelFetch(velocities, int(i)).xyz;
-    if (i < step.particleCount) {
+    if (i < sim.particleCount) {
         PointState state = pointState(texelFetch(particleRanks, int(i)).x, texelFetch(restOffsets, int(i)).xyz);
         x = state.position;
         v = state.velocity;

@@ -1,5 +1,5 @@
 // Slots: all particles in the order of the cells of the fluids' grid, so that neighbours stand together. A slot's
-// neighbours within step.fluidListReach are listed once a step: of a fluid particle the fluid ones from the front of its
+// neighbours within sim.fluidListReach are listed once a step: of a fluid particle the fluid ones from the front of its
 // list, solid ones from its end; of a solid particle the fluid ones.
 #include "sim/common/fluid_living.glsl"
 #include "sim/fluid/neighbour_lists.glsl"
@@ -10,7 +10,7 @@ uniform usamplerBuffer slotNeighbours;   // slots, sim/fluid/neighbour_lists.gls
 
 bool isFluid(uint particle)
 {
-    return particle >= step.particleCount;
+    return particle >= sim.particleCount;
 }
 
 /// Four neighbours. Behind the last fluid one the slot itself stands.
@@ -21,6 +21,6 @@ uvec4 neighboursAt(uint texel)
 
 uint solidNeighbour(uint slot, uint n)
 {
-    uint k = step.fluidSlots - 1u - n;
+    uint k = sim.fluidSlots - 1u - n;
     return neighboursAt(neighbourTexel(slot, k / 4u))[k % 4u];
 }

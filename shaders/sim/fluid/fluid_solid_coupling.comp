@@ -24,7 +24,7 @@ vec3 impulseOf(vec3 x, uint slot)
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount) return;
+    if (i >= sim.particleCount) return;
     uint k = texelFetch(particleSlots, int(i)).x, count = texelFetch(slotCounts, int(k)).x;
     vec3 x = texelFetch(slotPositions, int(k)).xyz, impulse = vec3(0);
     for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {

@@ -14,7 +14,7 @@ BUFFER(vec4, Velocities, velocities);
 vec3 changeBy(vec4 place, vec4 velocity, uint slot)
 {
     vec4 other = texelFetch(slotVelocities, int(slot)), there = texelFetch(slotPositions, int(slot));
-    float q = min(distance(place.xyz, there.xyz) / step.fluidReach, 1.0);
+    float q = min(distance(place.xyz, there.xyz) / sim.fluidReach, 1.0);
     float share = there.w / (place.w + there.w) * fluidFraction(q);
     return (velocity.w + other.w) * share * (other.xyz - velocity.xyz);
 }

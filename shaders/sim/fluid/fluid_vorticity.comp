@@ -11,7 +11,7 @@ BUFFER(vec4, SlotVorticities, slotVorticities);   // w: length
 vec3 swirlBy(vec3 place, vec3 velocity, uint slot)
 {
     vec3 r = place - texelFetch(slotPositions, int(slot)).xyz;
-    float q = min(length(r) / step.fluidReach, 1.0);
+    float q = min(length(r) / sim.fluidReach, 1.0);
     return fluidSlope(q) * cross(r, texelFetch(slotVelocities, int(slot)).xyz - velocity);
 }
 

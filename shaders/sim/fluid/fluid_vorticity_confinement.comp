@@ -12,7 +12,7 @@ BUFFER(vec4, Velocities, velocities);
 vec3 riseBy(vec3 place, float swirl, uint slot)
 {
     vec3 r = place - texelFetch(slotPositions, int(slot)).xyz;
-    float q = min(length(r) / step.fluidReach, 1.0);
+    float q = min(length(r) / sim.fluidReach, 1.0);
     return (texelFetch(slotVorticities, int(slot)).w - swirl) * fluidSlope(q) * r;
 }
 
@@ -29,8 +29,8 @@ void main()
     }
     if (count == 0u || timeHeld(velocities[i]) > 0.0) return;
     // Where the swirl is the same all around there is no middle to drive it about.
-    vec3 towards = rise / (length(rise) + 0.01 * swirl.w / step.fluidSpacing + 1e-6);
+    vec3 towards = rise / (length(rise) + 0.01 * swirl.w / sim.fluidSpacing + 1e-6);
     // At most a tenth of what it differs by from its neighbours.
-    float turn = min(step.vorticity * swirl.w, 0.1);
-    velocities[i].xyz += turn * step.fluidSpacing * cross(towards, swirl.xyz);
+    float turn = min(sim.vorticity * swirl.w, 0.1);
+    velocities[i].xyz += turn * sim.fluidSpacing * cross(towards, swirl.xyz);
 }

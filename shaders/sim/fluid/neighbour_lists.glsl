@@ -3,5 +3,5 @@
 /// The texel of a slot's neighbours 4 four .. 4 four + 3. The next four are NEIGHBOUR_BLOCK texels further.
 uint neighbourTexel(uint slot, uint four)
 {
-    return (slot / NEIGHBOUR_BLOCK * (step.fluidSlots / 4u) + four) * NEIGHBOUR_BLOCK + slot % NEIGHBOUR_BLOCK;
+    return (slot / NEIGHBOUR_BLOCK * (sim.fluidSlots / 4u) + four) * NEIGHBOUR_BLOCK + slot % NEIGHBOUR_BLOCK;
 }

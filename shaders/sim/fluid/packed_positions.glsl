@@ -6,7 +6,7 @@
 
 uint packPosition(vec3 x, bool solid)
 {
-    uvec3 q = uvec3(ivec3(floor(x * (step.inverseFluidCell * QUANTA_PER_CELL)))) & 1023u;
+    uvec3 q = uvec3(ivec3(floor(x * (sim.inverseFluidCell * QUANTA_PER_CELL)))) & 1023u;
     return q.x | q.y << 10 | q.z << 20 | (solid ? PACKED_SOLID : 0u);
 }
 

@@ -18,7 +18,7 @@ BUFFER(uint, FluidTotals, totals);       // came, left
 void main()
 {
     uint chunk = gl_GlobalInvocationID.x;
-    if ((chunk + 1u) * SCAN_CHUNK >= step.poolCapacity) return;
+    if ((chunk + 1u) * SCAN_CHUNK >= sim.poolCapacity) return;
     uint k = texelFetch(poolChunks, int(chunk)).x;
     uint start = emitters[k].poolStart, count = emitters[k].poolCount;
     uvec4 state = texelFetch(emitterStates, int(2u * k));

@@ -24,7 +24,7 @@ float splitInverseMass(uvec2 owner)
 /// What impulses are over the distance between goals, for bodies of that inverse mass together.
 float impulseScale(float inverseMass)
 {
-    return inverseMass > 0.0 ? step.jointRelaxation / inverseMass : 0.0;
+    return inverseMass > 0.0 ? sim.jointRelaxation / inverseMass : 0.0;
 }
 
 void setImpulse(uint link, vec3 impulse)

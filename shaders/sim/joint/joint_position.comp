@@ -21,7 +21,7 @@ PointState goalOf(uint place)
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
-    if (k >= step.sharedCount) return;
+    if (k >= sim.sharedCount) return;
     uint i = texelFetch(sharedParticles, int(k)).x;
     if (texelFetch(masses, int(i)).x == 0.0) return;
     uvec2 owned = texelFetch(particleLinks, int(i)).xy;

@@ -9,7 +9,7 @@ uniform usamplerBuffer sharedOwners;     // link and body of the one, of the oth
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
-    if (k >= step.sharedByTwo) return;
+    if (k >= sim.sharedByTwo) return;
     uvec4 owners = texelFetch(sharedOwners, int(k));
     // Both from the first body's goal, so that the impulses cancel to the last bit.
     vec3 apart = goal(owners.zw, goal(owners.xy, vec3(0)));

@@ -10,8 +10,8 @@ uniform usamplerBuffer linksOfParticle;
 
 void main()
 {
-    uint k = step.sharedByTwo + gl_GlobalInvocationID.x;
-    if (k >= step.sharedCount) return;
+    uint k = sim.sharedByTwo + gl_GlobalInvocationID.x;
+    if (k >= sim.sharedCount) return;
     uvec2 owned = texelFetch(particleLinks, int(texelFetch(sharedParticles, int(k)).x)).xy;
     uvec2 first = texelFetch(linksOfParticle, int(owned.x)).xy;
     vec3 origin = goal(first, vec3(0)), sum = vec3(0);

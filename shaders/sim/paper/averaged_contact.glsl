@@ -22,11 +22,11 @@ struct Push {
 float contactError(float gap, float startGap)
 {
     float old = max(-startGap, 0.0);
-    bool deep = old > step.deepOverlap;
+    bool deep = old > sim.deepOverlap;
 #ifdef STABILIZE
-    return deep ? -step.deepRecovery : -clamp(old - step.maxCorrection, 0.0, step.stabilization);
+    return deep ? -sim.deepRecovery : -clamp(old - sim.maxCorrection, 0.0, sim.stabilization);
 #else
-    return min(gap + (deep ? old : max(old - step.maxCorrection, 0.0)), 0.0);
+    return min(gap + (deep ? old : max(old - sim.maxCorrection, 0.0)), 0.0);
 #endif
 }
 
@@ -56,11 +56,11 @@ Push pairPush(Side own, Side other, bool first, uvec4 sides)
     Way way = unpackWay(sides.xy);
     vec4 sided = sidedNormal(startApart, startFar, way);
     bool keeps = sided.w > 0.0;
-    float startGap = (keeps && way.deep ? 0.0 : startFar) - step.diameter;
+    float startGap = (keeps && way.deep ? 0.0 : startFar) - sim.diameter;
     vec3 apart = startApart + slide;
     float far = length(apart);
     vec3 normal = keeps ? sided.xyz : contactNormal(apart, far, true);
-    float gap = keeps ? startGap + dot(slide, sided.xyz) : far - step.diameter;
+    float gap = keeps ? startGap + dot(slide, sided.xyz) : far - sim.diameter;
     Push push = contactPush(normal, gap, startGap, slide, unpackHalf2x16(sides.z));
     push.move *= sign * own.inverseMass / max(own.inverseMass + other.inverseMass, 1e-30);
     return push;

@@ -10,7 +10,7 @@ BUFFER(vec4, BodyMatrices, bodyMatrices);
 void main()
 {
     uint b = gl_GlobalInvocationID.x;
-    if (b >= step.bodyCount) return;
+    if (b >= sim.bodyCount) return;
     int first = int(3u * texelFetch(bodyInfo, int(b)).x);
 #ifdef CENTRES
     vec4 centre = texelFetch(linkTerms, first);

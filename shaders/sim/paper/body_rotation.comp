@@ -16,7 +16,7 @@ BUFFER(vec4, MoverRotations, moverRotations);
 void main()
 {
     uint b = gl_GlobalInvocationID.x;
-    if (b >= step.bodyCount) return;
+    if (b >= sim.bodyCount) return;
     bodyActing[b] = uvec2(0u, bodyActing[b].x);
     if (isAsleep(texelFetch(moverInfo, int(b)).z)) {
         moverMoves[b] = vec4(0);   // what the sums make of nothing but rounding

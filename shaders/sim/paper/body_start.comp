@@ -11,7 +11,7 @@ BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
 void main()
 {
     uint b = gl_GlobalInvocationID.x;
-    if (b >= step.bodyCount) return;
+    if (b >= sim.bodyCount) return;
     bodyStarts[2u * b] = vec4(texelFetch(moverCentres, int(b)).xyz, 0);
     bodyStarts[2u * b + 1u] = texelFetch(moverRotations, int(b));
     moverMoves[b] = vec4(0);

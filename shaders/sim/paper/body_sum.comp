@@ -13,7 +13,7 @@ BUFFER(vec4, BodyMatrices, bodyMatrices);  // columns of A, three a body
 void main()
 {
     uint b = gl_GlobalInvocationID.x;
-    if (b >= step.bodyCount) return;
+    if (b >= sim.bodyCount) return;
     uvec4 info = texelFetch(bodyInfo, int(b));
     vec3 last = moverMoves[b].xyz;
     vec4 centre = vec4(0);

@@ -33,8 +33,8 @@ Side sideOf(uint i)
 Push colliderPush(Side own, uvec4 sides)
 {
     vec4 surface = colliderDistance(sides.y, own.start + own.move);
-    float startGap = colliderDistance(sides.y, own.start).w - 0.5 * step.diameter;
-    Push push = contactPush(surface.xyz, surface.w - 0.5 * step.diameter, startGap, own.move, unpackHalf2x16(sides.z));
+    float startGap = colliderDistance(sides.y, own.start).w - 0.5 * sim.diameter;
+    Push push = contactPush(surface.xyz, surface.w - 0.5 * sim.diameter, startGap, own.move, unpackHalf2x16(sides.z));
     push.move *= own.inverseMass > 0.0 ? 1.0 : 0.0;
     return push;
 }
@@ -49,7 +49,7 @@ void add(inout Push sum, Push other)
 Push allPushes(Side own, uint parity, uint rank)
 {
     Push sum = Push(vec3(0), 0.0);
-    uint base = parity * step.pairCapacity;
+    uint base = parity * sim.pairCapacity;
     uvec2 range = listRange(parity, LIST_AS_FIRST, rank, 1u);
     for (uint q = range.x; q < range.y; ++q)
         add(sum, pairPush(own, sideOf(texelFetch(pairs, int(base + q)).y), true, texelFetch(pairSides, int(q))));
@@ -75,14 +75,14 @@ float bodyRelaxation(uint i, uint body, Push push)
 #ifdef STABILIZE
     return most;
 #else
-    return min(most, step.overRelaxation);
+    return min(most, sim.overRelaxation);
 #endif
 }
 
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount) return;
+    if (i >= sim.particleCount) return;
     uvec4 info = texelFetch(particleInfo, int(i));
     if (isAsleep(info.z)) {
         moved[i] = vec4(0);

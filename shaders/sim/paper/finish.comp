@@ -51,7 +51,7 @@ void setVelocity(uint i, vec3 move, vec3 next)
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount || texelFetch(masses, int(i)).x == 0.0) return;
+    if (i >= sim.particleCount || texelFetch(masses, int(i)).x == 0.0) return;
     uvec4 info = texelFetch(particleInfo, int(i));
     if (isAsleep(info.z)) {
         setVelocity(i, vec3(0), vec3(0));
@@ -60,9 +60,9 @@ void main()
     vec3 move = texelFetch(predicted, int(i)).xyz;
     uvec2 state = texelFetch(assemblyState, int(info.z)).xy;
     bool second = state.y == 2u && state.x + 1u != counters[0].substep;
-    vec3 next = (second ? 1.5 * move - 0.5 * oldMoves[i].xyz : move) / step.substepTime;
-    next *= step.damping;
-    next *= min(1.0, step.maxSpeed / max(length(next), 1e-20));
+    vec3 next = (second ? 1.5 * move - 0.5 * oldMoves[i].xyz : move) / sim.substepTime;
+    next *= sim.damping;
+    next *= min(1.0, sim.maxSpeed / max(length(next), 1e-20));
     if (any(isnan(next)) || any(isinf(next))) {
         atomicOr(counters[0].problems, PROBLEM_NAN);
         atomicMax(counters[0].badParticle, i);

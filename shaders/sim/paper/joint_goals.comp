@@ -23,7 +23,7 @@ BUFFER(vec4, Predicted, predicted);
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
-    if (k >= step.sharedCount) return;
+    if (k >= sim.sharedCount) return;
     uint i = texelFetch(sharedParticles, int(k)).x;
     uvec2 owned = texelFetch(particleLinks, int(i)).xy;
     vec3 sum = vec3(0);
@@ -43,7 +43,7 @@ void main()
     for (uint l = owned.x; l < owned.x + owned.y; ++l) {
         uvec2 owner = texelFetch(linksOfParticle, int(l)).xy;
         vec3 gap = place - goalPlace(owner.y, fetchLink(owner.x).r);
-        float bound = min(1.0, step.jointCorrection / max(length(gap), 1e-20));
+        float bound = min(1.0, sim.jointCorrection / max(length(gap), 1e-20));
         linkPulls[owner.x] = vec4(texelFetch(linkGains, int(owner.x)).x * bound * gap, 0);
     }
 }

@@ -11,7 +11,7 @@ BUFFER(vec4, LinkTerms, linkTerms);      // three a link
 void main()
 {
     uint l = gl_GlobalInvocationID.x;
-    if (l >= step.linkCount) return;
+    if (l >= sim.linkCount) return;
     LinkValues link = fetchLink(l);
     bool isShared = l - link.blockStart >= texelFetch(bodyInfo, int(link.body)).z;
     LinkPlace place = linkPlace(l, link, isShared);

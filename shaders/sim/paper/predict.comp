@@ -20,24 +20,24 @@ BUFFER(Counters, CountersBlock, counters);
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount) return;
+    if (i >= sim.particleCount) return;
     float inverseMass = texelFetch(masses, int(i)).x;
     uint assembly = texelFetch(particleInfo, int(i)).z;
     uint now = counters[0].substep;
     bool asleep = isAsleep(assembly);
-    bool second = !asleep && step.secondOrder == 1u && now > 0u && assemblyState[assembly].x + 1u != now;
+    bool second = !asleep && sim.secondOrder == 1u && now > 0u && assemblyState[assembly].x + 1u != now;
     assemblyState[assembly].y = second ? 2u : 1u;
 
-    float h = step.substepTime;
+    float h = sim.substepTime;
     vec3 v = texelFetch(velocities, int(i)).xyz;
     vec3 move = vec3(0);
     if (inverseMass > 0.0 && second) {
         vec3 lastMove = texelFetch(oldMoves, int(i)).xyz;
         vec3 lastV = texelFetch(oldVelocities, int(i)).xyz;
-        move = lastMove / 3.0 + h * (8.0 * v - 2.0 * lastV + 4.0 * h * step.gravity.xyz) / 9.0;
+        move = lastMove / 3.0 + h * (8.0 * v - 2.0 * lastV + 4.0 * h * sim.gravity.xyz) / 9.0;
     } else if (inverseMass > 0.0 && !asleep)
-        move = h * (v + h * step.gravity.xyz);
+        move = h * (v + h * sim.gravity.xyz);
     vec3 start = texelFetch(positions, int(i)).xyz;
     predicted[i] = vec4(move, asleep ? 0.0 : contactScale(start) * inverseMass);
-    if (distance(start + move, texelFetch(searchPositions, int(i)).xyz) > step.drift) counters[0].due = 1u;
+    if (distance(start + move, texelFetch(searchPositions, int(i)).xyz) > sim.drift) counters[0].due = 1u;
 }

@@ -17,7 +17,7 @@ BUFFER(vec4, Predicted, predicted);
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount) return;
+    if (i >= sim.particleCount) return;
     uvec4 info = texelFetch(particleInfo, int(i));
     if (info.y > 1u) return;
     bool held = info.y == 1u && texelFetch(masses, int(i)).x > 0.0;

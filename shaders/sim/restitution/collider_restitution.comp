@@ -17,7 +17,7 @@ void main()
 {
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].colliderPairCount) return;
-    int place = int(counters[0].listParity * step.colliderPairCapacity + q);
+    int place = int(counters[0].listParity * sim.colliderPairCapacity + q);
     uvec4 sides = texelFetch(colliderSides, int(q));
     vec4 arm = texelFetch(colliderArms, int(q));
     PointState point = pointState(sides.x, arm.xyz);

@@ -18,7 +18,7 @@ void main()
 {
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].pairCount) return;
-    int place = int(counters[0].listParity * step.pairCapacity + q);
+    int place = int(counters[0].listParity * sim.pairCapacity + q);
     uvec4 sides = texelFetch(pairSides, int(q));
     uvec2 movers = sides.xy & MOVER_MASK;
     uvec2 pair = texelFetch(pairs, place).xy;

@@ -30,7 +30,7 @@ Field velocityChange(uint body, Field impulse)
 void main()
 {
     uint m = gl_GlobalInvocationID.x;
-    if (m >= step.moverCount) return;
+    if (m >= sim.moverCount) return;
     uvec4 info = texelFetch(moverInfo, int(m));
     float inverseMass = uintBitsToFloat(info.w);
     if (inverseMass == 0.0) return;
@@ -38,7 +38,7 @@ void main()
     moverRestitutionSplits[m] = sum.acting;
     Field v = fetchField(lastMoverVelocities, m);
     Field change = Field(inverseMass * sum.impulse.t, mat3(0));
-    if (m < step.bodyCount) change = velocityChange(m, sum.impulse);
+    if (m < sim.bodyCount) change = velocityChange(m, sum.impulse);
     Field next = Field(v.t + change.t, v.f + change.f);
     STORE_FIELD(moverVelocities, m, next)
 }

@@ -21,7 +21,7 @@ vec4 solveRestitution(vec4 last, float impulse, vec3 normal, vec3 before, vec3 n
 {
     float approach = -dot(normal, before);
 #ifdef DETECT
-    bool collides = restitution > 0.0 && impulse > 0.0 && approach > step.restitutionThreshold;
+    bool collides = restitution > 0.0 && impulse > 0.0 && approach > sim.restitutionThreshold;
     return vec4(0, 0, 0, collides ? ABOUT_TO_ACT : 0.0);
 #else
     if (last.w == 0.0) return vec4(0);

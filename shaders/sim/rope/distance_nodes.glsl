@@ -37,7 +37,7 @@ vec3 between(DistanceNode a, DistanceNode b)
 vec3 response(DistanceNode node, vec3 n)
 {
 #ifdef BODIES
-    if (node.mover < step.bodyCount) {
+    if (node.mover < sim.bodyCount) {
         vec4 diagonal = texelFetch(bodyInertias, int(2u * node.mover));
         vec3 other = texelFetch(bodyInertias, int(2u * node.mover + 1u)).xyz;
         mat3 inverse = mat3(diagonal.x, other.x, other.y, other.x, diagonal.y, other.z, other.y, other.z, diagonal.z);
@@ -53,7 +53,7 @@ vec3 response(DistanceNode node, vec3 n)
 mat3 massOf(DistanceNode node)
 {
 #ifdef BODIES
-    if (node.mover < step.bodyCount)
+    if (node.mover < sim.bodyCount)
         return node.share == 0.0 ? mat3(0) : inverse(mat3(response(node, vec3(1, 0, 0)), response(node, vec3(0, 1, 0)),
                                                           response(node, vec3(0, 0, 1))));
 #endif

@@ -26,7 +26,7 @@ void push(uint node, vec3 impulse)
     float share = uintBitsToFloat(info.w);
     if (share == 0.0) return;
     particleImpulses[info.y].xyz += impulse;
-    if (info.x >= step.bodyCount) moved[info.x].xyz += share * impulse;
+    if (info.x >= sim.bodyCount) moved[info.x].xyz += share * impulse;
 }
 
 /// Eliminates from the end on. Of the node b of a link: A dx = r + f; with its link B = (A + k P)^-1, P = 1 - n n^T.
@@ -72,7 +72,7 @@ void main()
     uvec4 strand = texelFetch(distanceRows, int(s));
     // BDF2 takes 4/9 of h^2 for an acceleration.
     bool second = texelFetch(assemblyState, int(strand.z)).y == 2u;
-    float squaredTime = (second ? 4.0 / 9.0 : 1.0) * step.substepTime * step.substepTime;
+    float squaredTime = (second ? 4.0 / 9.0 : 1.0) * sim.substepTime * sim.substepTime;
     vec3 move = eliminate(strand, squaredTime), before = vec3(0);
     for (uint k = strand.x; k < strand.y; ++k) {
         vec4 f = distanceFactors[4u * k], state = distanceStates[k];

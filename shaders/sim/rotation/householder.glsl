@@ -59,9 +59,9 @@ vec4 matchedRotationDelta(mat3 a, vec4 start, vec4 turned)
 {
     float rank;
     mat3 q = orthogonalPart(a, rank);
-    if (rank < 1e-5 && step.virtualParticles > 0.0) {
+    if (rank < 1e-5 && sim.virtualParticles > 0.0) {
         float size = sqrt(dot(a[0], a[0]) + dot(a[1], a[1]) + dot(a[2], a[2]));
-        a += step.virtualParticles * size * matrixFromQuaternion(quaternionProduct(turned, start));
+        a += sim.virtualParticles * size * matrixFromQuaternion(quaternionProduct(turned, start));
         q = orthogonalPart(a, rank);
     }
     // A mirrored or collapsed body keeps its last rotation.

@@ -2,6 +2,6 @@
 
 vec4 matchedRotationDelta(mat3 a, vec4 start, vec4 turned)
 {
-    for (uint k = 0u; k < step.rotationIterations; ++k) turned = newtonRotationDelta(a, start, turned);
+    for (uint k = 0u; k < sim.rotationIterations; ++k) turned = newtonRotationDelta(a, start, turned);
     return turned;
 }

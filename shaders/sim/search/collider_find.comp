@@ -15,21 +15,21 @@ BUFFER(Counters, CountersBlock, counters);
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount) return;
+    if (i >= sim.particleCount) return;
     vec3 x = texelFetch(searchPositions, int(i)).xyz;
     uvec2 place = texelFetch(particleRanks, int(i)).xy;
-    float further = max(texelFetch(searchCentres, int(place.x)).w - step.drift, 0.0);
-    float reach = step.contactRadius - 0.5 * step.diameter + further;
+    float further = max(texelFetch(searchCentres, int(place.x)).w - sim.drift, 0.0);
+    float reach = sim.contactRadius - 0.5 * sim.diameter + further;
     uint near = texelFetch(moverColliders, int(place.x)).x;
     uint count = 0u;
     for (uint block = 0u; near != 0u; block += 32u) {
         for (uint left = near; left != 0u; left &= left - 1u) {
             uint c = block + uint(findLSB(left));
-            if (c >= step.colliderCount || colliderDistance(c, x).w > reach) continue;
-            if (count < COLLIDER_SLOTS) colliderLists[count * step.particleCount + i] = c;
+            if (c >= sim.colliderCount || colliderDistance(c, x).w > reach) continue;
+            if (count < COLLIDER_SLOTS) colliderLists[count * sim.particleCount + i] = c;
             ++count;
         }
-        if (block + 32u >= step.colliderCount) break;
+        if (block + 32u >= sim.colliderCount) break;
     }
     if (count > COLLIDER_SLOTS) {
         atomicOr(counters[0].problems, PROBLEM_COLLIDERS);

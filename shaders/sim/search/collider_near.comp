@@ -10,12 +10,12 @@ BUFFER(uint, MoverColliders, moverColliders);
 void main()
 {
     uint m = gl_GlobalInvocationID.x;
-    if (m >= step.moverCount) return;
-    float radius = m < step.bodyCount ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
+    if (m >= sim.moverCount) return;
+    float radius = m < sim.bodyCount ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
     vec4 found = texelFetch(searchCentres, int(m));
-    float reach = step.contactRadius - 0.5 * step.diameter + radius + max(found.w - step.drift, 0.0);
+    float reach = sim.contactRadius - 0.5 * sim.diameter + radius + max(found.w - sim.drift, 0.0);
     uint near = 0u;
-    for (uint c = 0u; c < step.colliderCount; ++c)
+    for (uint c = 0u; c < sim.colliderCount; ++c)
         near |= (colliderBound(c, found.xyz) < reach ? 1u : 0u) << (c & 31u);
     moverColliders[m] = near;
 }

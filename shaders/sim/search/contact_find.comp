@@ -46,13 +46,13 @@ uint placeOf(Sequence s, uint c, out int range)
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
-    if (k >= step.particleCount) return;
+    if (k >= sim.particleCount) return;
     uvec4 info = texelFetch(sortedInfos, int(k));
     if (info.w != 0u) return;
     vec4 own = texelFetch(sortedPositions, int(k));
     ivec3 cell = cellOf(own.xyz);
     Sequence ahead = sequenceAhead(cell, k);
-    float reach = step.contactRadius * step.contactRadius;
+    float reach = sim.contactRadius * sim.contactRadius;
     uint count = 0u;
     int range;
     for (uint first = 0u; first < ahead.count; first += 32u) {

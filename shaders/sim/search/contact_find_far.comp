@@ -15,14 +15,14 @@ uniform samplerBuffer searchCentres;      // w: how far its mover may drift
 /// How far a mover drifts beyond the others.
 float reachOf(uint particle)
 {
-    return texelFetch(searchCentres, int(texelFetch(particleRanks, int(particle)).x)).w - step.drift;
+    return texelFetch(searchCentres, int(texelFetch(particleRanks, int(particle)).x)).w - sim.drift;
 }
 
 bool isContact(uvec4 own, uvec4 other, float far, float reach)
 {
     if (other.w != 0u && other.z < own.z) return false;
     float both = reach + (other.w != 0u ? reachOf(other.x) : 0.0);
-    if (far >= step.contactRadius + both) return false;
+    if (far >= sim.contactRadius + both) return false;
     return other.y != own.y || mayTouch(own.x, other.x);
 }
 
@@ -33,7 +33,7 @@ void main()
     uint i = texelFetch(fastParticles, int(k)).x;
     uvec4 own = uvec4(i, texelFetch(particleInfo, int(i)).z, texelFetch(particleRanks, int(i)).y, 1);
     vec3 x = texelFetch(searchPositions, int(i)).xyz;
-    float reach = reachOf(i), farthest = step.contactRadius + reach + step.farReach;
+    float reach = reachOf(i), farthest = sim.contactRadius + reach + sim.farReach;
     ivec3 cell = cellOf(x);
     uint count = 0u;
     for (int range = 0; range < FAR_RANGES; ++range) {

@@ -25,22 +25,22 @@ bool inSameBody(uint i, uint j)
 bool mayTouch(uint i, uint j)
 {
     vec4 a = texelFetch(restPositions, int(i)), b = texelFetch(restPositions, int(j));
-    return length(a.xyz - b.xyz) > (0.99 + max(a.w, b.w)) * step.diameter && !inSameBody(i, j);
+    return length(a.xyz - b.xyz) > (0.99 + max(a.w, b.w)) * sim.diameter && !inSameBody(i, j);
 }
 
 /// Lists `other` (of sortedInfos) as the second of a pair with the particle `own`, which has `count` before it.
 void notePair(uvec4 own, uvec4 other, uint count)
 {
-    if (count >= step.contactSlots) return;
+    if (count >= sim.contactSlots) return;
     uint arrival = atomicAdd(listCounts[listPlace(LIST_AS_SECOND, other.z)], 1u);
-    firstLists[count * step.particleCount + own.x] = uvec2(other.x, arrival);
+    firstLists[count * sim.particleCount + own.x] = uvec2(other.x, arrival);
 }
 
 void noteCount(uvec4 own, uint count)
 {
-    if (count > step.contactSlots) {
+    if (count > sim.contactSlots) {
         atomicOr(counters[0].problems, PROBLEM_CONTACTS);
         atomicMax(counters[0].wantedContacts, count);
     }
-    listCounts[listPlace(LIST_AS_FIRST, own.z)] = min(count, step.contactSlots);
+    listCounts[listPlace(LIST_AS_FIRST, own.z)] = min(count, sim.contactSlots);
 }

@@ -14,11 +14,11 @@ BUFFER(uvec4, SortedInfos, sortedInfos);          // particle, assembly, rank, 1
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount) return;
+    if (i >= sim.particleCount) return;
     uvec2 place = placeInCells(i);
     uvec2 mover = texelFetch(particleRanks, int(i)).xy;
     uvec4 info = uvec4(i, texelFetch(particleInfo, int(i)).z, mover.y,
-                       texelFetch(searchCentres, int(mover.x)).w > step.drift ? 1u : 0u);
+                       texelFetch(searchCentres, int(mover.x)).w > sim.drift ? 1u : 0u);
     // The index goes through the float's bits, offset away from the denormals that a GPU may flush and below the NaNs.
     vec4 sorted = vec4(texelFetch(searchPositions, int(i)).xyz, uintBitsToFloat(0x01000000u + mover.x));
     sortedPositions[place.x] = sorted;

@@ -13,16 +13,16 @@ BUFFER(Counters, CountersBlock, counters);
 void main()
 {
     uint m = gl_GlobalInvocationID.x;
-    if (m >= step.moverCount) return;
-    float radius = m < step.bodyCount ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
+    if (m >= sim.moverCount) return;
+    float radius = m < sim.bodyCount ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
     // search_position puts the middle of the way ahead: it lasts for 1.75 times its length. Turns are not looked ahead.
     float path = length(texelFetch(moverMoves, int(m)).xyz) / 1.75 +
                  2.0 * length(texelFetch(moverRotationDeltas, int(m)).xyz) * radius;
     bool calm = counters[0].calm == 1u;
-    float missing = (calm ? CALM : 1.0) * step.horizon * path - step.drift;
-    float reach = clamp(missing, 0.0, step.farReach);
+    float missing = (calm ? CALM : 1.0) * sim.horizon * path - sim.drift;
+    float reach = clamp(missing, 0.0, sim.farReach);
     moverReaches[m] = reach;
     uint particles = texelFetch(moverInfo, int(m)).y;
     if (reach > 0.0) atomicAdd(counters[0].fastCount, particles);
-    if (CALM * step.horizon * path > step.drift) atomicAdd(counters[0].fastLater, particles);
+    if (CALM * sim.horizon * path > sim.drift) atomicAdd(counters[0].fastLater, particles);
 }

@@ -19,11 +19,11 @@ BUFFER(Counters, CountersBlock, counters);
 void setSizes(uint parity)
 {
     uint total = listTotal(parity, LIST_AS_FIRST), withColliders = listTotal(parity, LIST_COLLIDERS);
-    counters[0].pairCount = min(total, step.pairCapacity);
-    counters[0].colliderPairCount = min(withColliders, step.colliderPairCapacity);
+    counters[0].pairCount = min(total, sim.pairCapacity);
+    counters[0].colliderPairCount = min(withColliders, sim.colliderPairCapacity);
     counters[0].wantedPairs = max(counters[0].wantedPairs, total);
     counters[0].wantedColliderPairs = max(counters[0].wantedColliderPairs, withColliders);
-    if (total > step.pairCapacity || withColliders > step.colliderPairCapacity)
+    if (total > sim.pairCapacity || withColliders > sim.colliderPairCapacity)
         atomicOr(counters[0].problems, PROBLEM_PAIRS);
     uvec4 pairGroups = uvec4(groups(counters[0].pairCount), 1, 1, 0);
     uvec4 colliderGroups = uvec4(groups(counters[0].colliderPairCount), 1, 1, 0);
@@ -34,22 +34,22 @@ void setSizes(uint parity)
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount) return;
+    if (i >= sim.particleCount) return;
     uint parity = counters[0].listParity;
     if (i == 0u) setSizes(parity);
     uint rank = texelFetch(particleRanks, int(i)).y;
     uint end = listEntry(parity, rank + 1u), slot = i;
     uint references = listEntry(parity, listPlace(LIST_AS_SECOND, 0u));
-    for (uint q = listEntry(parity, rank); q < end; ++q, slot += step.particleCount) {
+    for (uint q = listEntry(parity, rank); q < end; ++q, slot += sim.particleCount) {
         uvec2 entry = texelFetch(firstLists, int(slot)).xy;
         uint other = texelFetch(particleRanks, int(entry.x)).y;
-        if (q < step.pairCapacity) pairs[parity * step.pairCapacity + q] = uvec2(i, entry.x);
+        if (q < sim.pairCapacity) pairs[parity * sim.pairCapacity + q] = uvec2(i, entry.x);
         uint place = listEntry(parity, listPlace(LIST_AS_SECOND, other)) - references + entry.y;
         pairArrivals[place] = q;
         pairReferences[place] = NO_PAIR;
     }
-    uvec2 range = listRange(parity, LIST_COLLIDERS, rank, 1u) + parity * step.colliderPairCapacity;
+    uvec2 range = listRange(parity, LIST_COLLIDERS, rank, 1u) + parity * sim.colliderPairCapacity;
     slot = i;
-    for (uint q = range.x; q < range.y; ++q, slot += step.particleCount)
+    for (uint q = range.x; q < range.y; ++q, slot += sim.particleCount)
         colliderPairs[q] = uvec2(i, texelFetch(colliderLists, int(slot)).x);
 }

@@ -7,12 +7,12 @@
 #define SCAN_VALUES listCounts
 #define SCAN_SUMS listSums
 #define SCAN_BLOCK ListSums
-uint scanCount() { return 3u * step.particleCount; }
+uint scanCount() { return 3u * sim.particleCount; }
 #elif defined(POOLS)
 #define SCAN_VALUES poolInactive
 #define SCAN_SUMS poolSums
 #define SCAN_BLOCK PoolSums
-uint scanCount() { return step.poolCapacity; }
+uint scanCount() { return sim.poolCapacity; }
 #else
 #define SCAN_VALUES cellCounts
 #define SCAN_SUMS cellSums

@@ -26,7 +26,7 @@ BUFFER(uint, ListCounts, listCounts);
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.particleCount) return;
+    if (i >= sim.particleCount) return;
     uvec2 place = texelFetch(particleRanks, int(i)).xy;
     uint mover = place.x;
     bool isFirst = texelFetch(moverInfo, int(mover)).x == place.y;
@@ -36,10 +36,10 @@ void main()
 #else
     MoverPoint point = moverPoint(mover, texelFetch(restOffsets, int(i)).xyz);
     vec3 move = texelFetch(moverMoves, int(mover)).xyz;
-    float reach = counters[0].fastCount <= step.fastLimit ? texelFetch(moverReaches, int(mover)).x : 0.0;
-    float drift = step.drift + reach;
-    vec3 ahead = move * min(step.lookAhead, 0.75 * drift / max(length(move), 1e-20));
-    if (drift > step.drift) fastParticles[atomicAdd(counters[0].fastListed, 1u)] = i;
+    float reach = counters[0].fastCount <= sim.fastLimit ? texelFetch(moverReaches, int(mover)).x : 0.0;
+    float drift = sim.drift + reach;
+    vec3 ahead = move * min(sim.lookAhead, 0.75 * drift / max(length(move), 1e-20));
+    if (drift > sim.drift) fastParticles[atomicAdd(counters[0].fastListed, 1u)] = i;
     searchPositions[i] = vec4(point.centre + point.arm + point.move + ahead, 0);
     if (isFirst) {
         searchCentres[mover] = vec4(point.centre + move + ahead, drift);

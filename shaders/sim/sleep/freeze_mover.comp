@@ -18,10 +18,10 @@ BUFFER(uvec2, AssemblyNext, assemblyNext);
 void main()
 {
     uint m = gl_GlobalInvocationID.x;
-    if (m >= step.moverCount) return;
+    if (m >= sim.moverCount) return;
     uvec4 info = texelFetch(moverInfo, int(m));
     if (uintBitsToFloat(info.w) == 0.0) return;
-    bool body = m < step.bodyCount;
+    bool body = m < sim.bodyCount;
     vec3 centre = body ? texelFetch(moverCentres, int(m)).xyz
                        : texelFetch(positions, int(texelFetch(rankedParticles, int(info.x)).x)).xyz;
     vec4 rotation = texelFetch(moverRotations, int(m));
@@ -33,5 +33,5 @@ void main()
     vec4 turn = quaternionProduct(rotation, conjugate(calmRotations[m]));
     float radius = body ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
     float come = length(centre - calmCentres[m].xyz) + 2.0 * length(turn.xyz) * radius;
-    if (come > step.freeze) assemblyNext[info.z].x = 0u;
+    if (come > sim.freeze) assemblyNext[info.z].x = 0u;
 }

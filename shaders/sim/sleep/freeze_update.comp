@@ -9,8 +9,8 @@ BUFFER(uint, IslandsWoken, islandsWoken);
 void main()
 {
     uint a = gl_GlobalInvocationID.x;
-    if (a >= step.assemblyCount) return;
-    assemblyCalm[a].x = assemblyNext[a].x == 0u ? 0u : min(assemblyCalm[a].x + 1u, step.calmSteps);
-    assemblyNext[a].x = step.calmSteps;
+    if (a >= sim.assemblyCount) return;
+    assemblyCalm[a].x = assemblyNext[a].x == 0u ? 0u : min(assemblyCalm[a].x + 1u, sim.calmSteps);
+    assemblyNext[a].x = sim.calmSteps;
     islandsWoken[a] = 0u;
 }

@@ -16,7 +16,7 @@ void main()
     if (q >= counters[0].pairCount) return;
     uvec2 movers = texelFetch(pairSides, int(q)).xy & MOVER_MASK;
     uvec4 a = texelFetch(moverInfo, int(movers.x)), b = texelFetch(moverInfo, int(movers.y));
-    bool touching = texelFetch(pairImpulses, int(counters[0].listParity * step.pairCapacity + q)).w > 0.0;
+    bool touching = texelFetch(pairImpulses, int(counters[0].listParity * sim.pairCapacity + q)).w > 0.0;
     // Nothing passes through what is fixed.
     if (!touching || uintBitsToFloat(a.w) == 0.0 || uintBitsToFloat(b.w) == 0.0) return;
     uvec2 calmA = texelFetch(assemblyCalm, int(a.z)).xy, calmB = texelFetch(assemblyCalm, int(b.z)).xy;

@@ -12,11 +12,11 @@ BUFFER(uvec2, AssemblyNext, assemblyNext);
 void main()
 {
     uint m = gl_GlobalInvocationID.x;
-    if (m >= step.moverCount) return;
+    if (m >= sim.moverCount) return;
     uvec4 info = texelFetch(moverInfo, int(m));
     if (uintBitsToFloat(info.w) == 0.0) return;
-    float radius = m < step.bodyCount ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
+    float radius = m < sim.bodyCount ? texelFetch(bodyMoments, int(3u * m)).w : 0.0;
     float speed = fastestOf(fetchField(moverVelocities, m), radius);
     uint calm = texelFetch(assemblyCalm, int(info.z)).x + 1u;
-    atomicMin(assemblyNext[info.z].x, speed > step.sleepSpeed ? 0u : calm);
+    atomicMin(assemblyNext[info.z].x, speed > sim.sleepSpeed ? 0u : calm);
 }

@@ -9,10 +9,10 @@ BUFFER(uint, IslandsWoken, islandsWoken);
 void main()
 {
     uint a = gl_GlobalInvocationID.x;
-    if (a >= step.assemblyCount) return;
+    if (a >= sim.assemblyCount) return;
     uvec2 next = assemblyNext[a];
-    uint calm = min(next.x, step.calmSteps);
-    assemblyCalm[a] = uvec2(calm, calm < step.calmSteps / 2u ? a : min(next.y, a));
-    assemblyNext[a] = uvec2(step.calmSteps, a);
+    uint calm = min(next.x, sim.calmSteps);
+    assemblyCalm[a] = uvec2(calm, calm < sim.calmSteps / 2u ? a : min(next.y, a));
+    assemblyNext[a] = uvec2(sim.calmSteps, a);
     islandsWoken[a] = 0u;
 }

@@ -11,13 +11,13 @@ BUFFER(uvec4, Dispatches, dispatches);
 void main()
 {
     uint a = gl_GlobalInvocationID.x;
-    if (a >= step.assemblyCount) return;
+    if (a >= sim.assemblyCount) return;
     uvec2 calm = assemblyCalm[a];
-    if (calm.x < step.calmSteps || texelFetch(islandsWoken, int(calm.y)).x == 0u) return;
+    if (calm.x < sim.calmSteps || texelFetch(islandsWoken, int(calm.y)).x == 0u) return;
 #ifdef FREEZE
     assemblyCalm[a].x = 1u;   // it has not moved itself, and wakes nobody
 #else
     assemblyCalm[a] = uvec2(0u, a);
 #endif
-    dispatches[DISPATCH_MOVERS] = uvec4(groups(step.moverCount), 1, 1, 0);
+    dispatches[DISPATCH_MOVERS] = uvec4(groups(sim.moverCount), 1, 1, 0);
 }

@@ -16,6 +16,6 @@ void main()
     uvec2 movers = texelFetch(pairSides, int(q)).xy & MOVER_MASK;
     uint a = texelFetch(moverInfo, int(movers.x)).z, b = texelFetch(moverInfo, int(movers.y)).z;
     uvec2 calmA = texelFetch(assemblyCalm, int(a)).xy, calmB = texelFetch(assemblyCalm, int(b)).xy;
-    if (calmA.x >= step.calmSteps && calmB.x == 0u) islandsWoken[calmA.y] = 1u;
-    if (calmB.x >= step.calmSteps && calmA.x == 0u) islandsWoken[calmB.y] = 1u;
+    if (calmA.x >= sim.calmSteps && calmB.x == 0u) islandsWoken[calmA.y] = 1u;
+    if (calmB.x >= sim.calmSteps && calmA.x == 0u) islandsWoken[calmB.y] = 1u;
 }

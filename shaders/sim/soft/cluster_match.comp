@@ -42,7 +42,7 @@ mat3 rotationOf(uint c, mat3 map, mat3 rest, out mat3 strain)
 void main()
 {
     uint c = gl_GlobalInvocationID.x;
-    if (c >= step.clusterCount) return;
+    if (c >= sim.clusterCount) return;
     uvec4 info = texelFetch(clusterInfo, int(c));
     // Places from the first particle's, so that rounding is a share of the cluster's size.
     uint first = texelFetch(particleRanks, int(fetchLink(info.x).particle)).x;
@@ -67,7 +67,7 @@ void main()
     for (int column = 0; column < 3; ++column) clusterRests[3u * c + uint(column)] = vec4(next[column], 0);
 #endif
     // A force f displaces by h^2 f / m at the end of a substep, of BDF2 by 4/9 of it.
-    float h = step.substepTime;
+    float h = sim.substepTime;
     float share = texelFetch(assemblyState, int(info.w)).y == 2u ? 4.0 / 9.0 : 1.0;
     grip *= share * h * h * matter.shear;
     mat3 stress = (share * h * h) * rotation * hooke(matter, strain) * transpose(inverse(rest)) +

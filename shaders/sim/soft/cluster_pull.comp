@@ -22,7 +22,7 @@ BUFFER(vec4, SoftImpulses, softImpulses);
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= step.softCount) return;
+    if (i >= sim.softCount) return;
     uvec4 own = texelFetch(softParticles, int(i));
     vec3 centre = texelFetch(moverCentres, int(own.x)).xyz;
     vec4 move = texelFetch(lastMoverMoves, int(own.x));

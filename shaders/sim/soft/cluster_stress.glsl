@@ -36,7 +36,7 @@ mat3 viscousStress(GpuSoftMatter matter, mat3 map, mat3 mapBefore)
 mat3 flowed(GpuSoftMatter matter, mat3 rest, mat3 strain)
 {
     float size = sqrt(squaredNorm(strain));
-    float share = (1.0 - exp(-matter.creep * step.substepTime)) * max(1.0 - matter.yield / max(size, 1e-20), 0.0);
+    float share = (1.0 - exp(-matter.creep * sim.substepTime)) * max(1.0 - matter.yield / max(size, 1e-20), 0.0);
     mat3 next = rest + share * strain * rest;
     next *= pow(max(determinant(next), 1e-6), -1.0 / 3.0);
     mat3 change = next - mat3(1);
