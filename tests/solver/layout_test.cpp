@@ -124,16 +124,10 @@ TEST(Layout, CountersAreTheHostsStruct)
 
 TEST(Layout, EmittersAreTheHostsStructs)
 {
-    WorldBuilder builder(DIAMETER / 2);
-    Material water;
-    water.fluid = true;
-    const Vector3f place(0, 0, 0);
-    builder.addFluid(std::span(&place, 1), {0, 0, 0}, builder.addMaterial(water));
-    builder.addDrain(Collider{});
-    KernelFixture fixture(builder.build());
-    const Kernel kernel = fixture.load("fluid/emitter_update", {{"POOL", "1"}});
+    KernelFixture fixture(mixedWorld());
+    const Kernel kernel = fixture.load("emitter/emitter_update", {{"POOL", "1"}});
     expectArray(kernel, "Emitters", "emitters", sizeof(gpu::GpuEmitter), EMITTER);
-    expectArray(kernel, "EmitterStates", "emitterStates", sizeof(gpu::EmitterState), EMITTER_STATE);
+    expectArray(kernel, "EmitterStates", "newStates", sizeof(gpu::EmitterState), EMITTER_STATE);
 }
 
 TEST(Layout, StructsThatKernelsReadAsTexelsAreTheHostsStructs)

@@ -25,20 +25,21 @@ float fluidSteepness()
     return -20.0 * sim.fluidVolume / (sim.fluidReach * sim.fluidReach);
 }
 
+/// d fluidFraction / dr over r [1/m2].
 float fluidSlope(float q)
 {
     float a = 1.0 - q;
     return fluidSteepness() * a * a * a;
 }
 
-/// The attraction between particles of one fluid; its sums over the fluid make surface tension.
-float fluidPull(float q)
+/// How strongly particles of one fluid attract each other. The sums over the fluid make its surface tension.
+float fluidAttraction(float q)
 {
     return max((q - 0.5) * (1.0 - q), 0.0);
 }
 
-/// The share of the kernel that lies behind a plane at the distance z, and its slope [1/m]: the integral of W over the
-/// half space, 7/2 T^6 - 9/2 T^7 + 3/2 T^8 with T = 1 - z / h.
+/// The fraction of the kernel that lies behind a plane at the distance z, and its slope [1/m]: the integral of W over
+/// the half space, 7/2 T^6 - 9/2 T^7 + 3/2 T^8 with T = 1 - z / h.
 vec2 wallFraction(float z)
 {
     float t = clamp(1.0 - z / sim.fluidReach, 0.0, 1.0);
@@ -46,8 +47,8 @@ vec2 wallFraction(float z)
     return vec2(t4 * t2 * (3.5 - 4.5 * t + 1.5 * t2), -(t4 * t) / sim.fluidReach * (21.0 - 31.5 * t + 12.0 * t2));
 }
 
-/// Adds what a wall covers to what others do (gradient, share), less what both cover: the product of their shares where
-/// they stand at right angles, the smaller where they are parallel, nothing where they face each other.
+/// Adds what a wall covers to what others do (gradient, fraction), less what both cover: the product of their fractions
+/// where they stand at right angles, the smaller where they are parallel, nothing where they face each other.
 vec4 addWall(vec4 walls, vec3 normal, vec2 wall)
 {
     float along = -dot(normal, walls.xyz) / max(length(walls.xyz), 1e-20), alike = max(along, 0.0);
@@ -57,27 +58,28 @@ vec4 addWall(vec4 walls, vec3 normal, vec2 wall)
     return vec4((1.0 - both.x) * walls.xyz + (1.0 - both.y) * wall.y * normal, walls.w + wall.x - twice);
 }
 
-/// The share of the kernel that a solid particle at the distance r covers, and its slope over r [1/m2]. A layer of such
-/// particles, a diameter apart, covers on the mean what a half space does that ends a radius from their centres:
-/// 2 pi / d^2 times the integral of this times r from z + d / 2 on is wallFraction(z). So every particle displaces the
-/// volume of its cell, at faces as at edges, in plates and alone.
-vec2 solidFraction(float r)
+/// The fraction of the kernel that a solid particle of diameter d at the distance r covers, and its slope over r
+/// [1/m2]. A layer of such particles, a diameter apart, covers on the mean what a half space does that ends a radius
+/// from their centres: 2 pi / d^2 times the integral of this times r from z + d / 2 on is wallFraction(z). So every
+/// particle displaces the volume of its cell, at faces as at edges, in plates and alone.
+vec2 solidFraction(float r, float d)
 {
-    float d = sim.diameter, far = max(r, 0.25 * d), inverse = 1.0 / sim.fluidReach;
-    float t = clamp(1.0 - (far - 0.5 * d) * inverse, 0.0, 1.0), t2 = t * t, t4 = t2 * t2;
+    float bounded = max(r, 0.25 * d), inverse = 1.0 / sim.fluidReach;
+    float t = clamp(1.0 - (bounded - 0.5 * d) * inverse, 0.0, 1.0), t2 = t * t, t4 = t2 * t2;
     float slope = t4 * t * inverse * (21.0 - 31.5 * t + 12.0 * t2);
     float bend = t4 * inverse * inverse * (105.0 - 189.0 * t + 84.0 * t2);
-    float scale = sim.solidCover * d * d / (6.2831853 * far);
-    vec2 share = scale * vec2(slope, -(bend + slope / far) / far);
-    // The neighbours end before the kernel does: down to nothing there, smoothly.
+    float scale = sim.solidCover * d * d / (6.2831853 * bounded);
+    vec2 covered = scale * vec2(slope, -(bend + slope / bounded) / bounded);
+    // Lists of neighbours end before the kernel does: it fades to nothing there, smoothly.
     float width = 0.2 * d, u = clamp((sim.fluidListReach - r) / width, 0.0, 1.0), fade = u * u * (3.0 - 2.0 * u);
     float steep = u > 0.0 && u < 1.0 ? -6.0 * u * (1.0 - u) / width : 0.0;
-    return vec2(share.x * fade, share.y * fade + share.x * steep / far);
+    return vec2(covered.x * fade, covered.y * fade + covered.x * steep / bounded);
 }
 
-/// How much a solid particle counts for a fluid one at that distance where they share a way or a force.
-float solidWeight(float far)
+/// How much a solid particle at the distance r counts for a fluid one, where several solid particles share the force on
+/// it or the direction out of them.
+float solidWeight(float r)
 {
-    float a = max(1.0 - far / sim.fluidListReach, 0.0);
+    float a = max(1.0 - r / sim.fluidListReach, 0.0);
     return a * a;
 }

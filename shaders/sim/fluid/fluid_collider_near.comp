@@ -13,11 +13,11 @@ void main()
 {
     uint k = gl_GlobalInvocationID.x;
     if (k >= slotCount()) return;
-    uint i = texelFetch(slotParticles, int(k)).x;
+    uint i = fetchSlotParticle(k);
     vec3 x = texelFetch(fluidSearchPositions, int(i)).xyz;
-    // The place is that of the middle of the step; half as much again for what changes on the way.
-    float way = sim.lookAhead * sim.substepTime * length(texelFetch(velocities, int(i)).xyz);
-    float reach = sim.fluidListReach + 1.5 * way;
+    // Where it is in the middle of the step; half of its path lies on each side, and half as much again may be added.
+    float halfPath = sim.lookAhead * sim.substepTime * length(texelFetch(velocities, int(i)).xyz);
+    float reach = sim.fluidListReach + 1.5 * halfPath;
     uint near = 0u;
     for (uint c = 0u; c < sim.colliderCount; ++c)
         near |= (colliderDistance(c, x).w < reach ? 1u : 0u) << (c & 31u);

@@ -1,19 +1,20 @@
-// Static colliders near a slot.
+// Static colliders near a slot, by the bits that fluid_collider_near has set.
 #include "sim/common/colliders.glsl"
 
-uniform usamplerBuffer slotColliders;    // bits: bit k for colliders k, k + 32, ...
+uniform usamplerBuffer slotColliders;    // bit k for colliders k, k + 32, ...
 
-#define NO_COLLIDER 0xffffffffu
-
-/// Calls for each collider near a slot: `for (NearColliders n = nearColliders(k); nextCollider(n);) ... n.index`.
+/// Visits each collider near a slot: `for (NearColliders n = nearColliders(k); nextCollider(n);) ... n.index`.
 struct NearColliders {
-    uint bits, left, block, index;
+    uint bits;    // of the slot
+    uint left;    // of them those not yet visited in this block
+    uint block;   // first of 32 colliders
+    uint index;   // the collider
 };
 
 NearColliders nearColliders(uint slot)
 {
     uint bits = texelFetch(slotColliders, int(slot)).x;
-    return NearColliders(bits, bits, 0u, NO_COLLIDER);
+    return NearColliders(bits, bits, 0u, 0u);
 }
 
 bool nextCollider(inout NearColliders near)

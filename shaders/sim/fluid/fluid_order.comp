@@ -1,7 +1,8 @@
-// One thread a particle: its slot, cells in order and each cell by particle id, so that everything that is summed over
-// neighbours is summed in one order.
+// One thread a particle: its slot. Slots are in the order of cells, and within a cell of particle ids, so that all sums
+// over neighbours have one order.
 #include "sim/common/kernel.glsl"
 #include "sim/common/cell_rank.glsl"
+#include "sim/common/fluid_particles.glsl"
 #include "sim/fluid/packed_positions.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -14,10 +15,10 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= gridParticles() || isNowhere(texelFetch(particleCells, int(i)).x)) return;
-    uvec2 place = placeInCells(i);
-    uint code = packPosition(texelFetch(fluidSearchPositions, int(i)).xyz, i < sim.particleCount);
-    slotParticles[place.x] = i;
-    particleSlots[i] = place.x;
-    fluidSorted[place.x] = code;
-    if (place.y != NO_PLACE) fluidSorted[place.y] = code;
+    uvec2 indices = placeInCells(i);
+    uint code = packPosition(texelFetch(fluidSearchPositions, int(i)).xyz, !isFluid(i));
+    slotParticles[indices.x] = i;
+    particleSlots[i] = indices.x;
+    fluidSorted[indices.x] = code;
+    if (indices.y != NO_PLACE) fluidSorted[indices.y] = code;
 }

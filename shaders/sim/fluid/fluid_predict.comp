@@ -1,26 +1,26 @@
 // One thread a fluid particle: where it is predicted to be at the end of the step's first substep if no pressure acts;
-// fluid_pressure says so for those that follow. RELAX: where it is.
+// for the substeps that follow, fluid_pressure says so. RELAX: where it is.
 #include "sim/common/kernel.glsl"
-#include "sim/common/fluid_living.glsl"
+#include "sim/common/particles.glsl"
+#include "sim/fluid/fluid_slots.glsl"
+#include "sim/fluid/slot_values.glsl"
 #include "sim/fluid/fluid.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
 uniform samplerBuffer velocities;
-uniform samplerBuffer masses;            // inverse mass
-uniform usamplerBuffer particleSlots;
-BUFFER(vec4, SlotPositions, slotPositions);    // w: mass [kg]
+BUFFER(vec4, SlotPositions, newSlotPositions);
 
 void main()
 {
     if (gl_GlobalInvocationID.x >= sim.fluidCount) return;
-    int i = int(sim.particleCount + gl_GlobalInvocationID.x);
-    vec4 place = texelFetch(positions, i);
-    if (isInactive(place)) return;
+    uint i = sim.particleCount + gl_GlobalInvocationID.x;
+    FluidPosition own = fluidPosition(texelFetch(positions, int(i)));
+    if (own.inactive) return;
 #ifdef RELAX
-    vec3 x = place.xyz;
+    vec3 x = own.position;
 #else
-    vec3 x = predictedPosition(place.xyz, texelFetch(velocities, i).xyz);
+    vec3 x = predictedPosition(own.position, texelFetch(velocities, int(i)).xyz);
 #endif
-    slotPositions[texelFetch(particleSlots, i).x] = vec4(x, 1.0 / max(texelFetch(masses, i).x, 1e-20));
+    newSlotPositions[fetchParticleSlot(i)] = pack(SlotPosition(x, 1.0 / max(fetchMass(i).inverseMass, 1e-20)));
 }

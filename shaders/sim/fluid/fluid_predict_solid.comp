@@ -1,25 +1,24 @@
-// One thread a solid particle: its place for fluids, where its mover is predicted to bring it in the substep.
+// One thread a solid particle: where fluids see it, which is where its mover is predicted to bring it in the substep.
 // RELAX: where it is.
 #include "sim/common/kernel.glsl"
 #include "sim/common/movers.glsl"
+#include "sim/common/particles.glsl"
+#include "sim/fluid/fluid_slots.glsl"
+#include "sim/fluid/slot_values.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
-uniform samplerBuffer masses;            // inverse mass
-uniform samplerBuffer restOffsets;
-uniform usamplerBuffer particleRanks;   // mover, rank
-uniform usamplerBuffer particleSlots;
-BUFFER(vec4, SlotPositions, slotPositions);    // w: mass [kg]
+BUFFER(vec4, SlotPositions, newSlotPositions);
 
 void main()
 {
-    if (gl_GlobalInvocationID.x >= sim.particleCount) return;
-    int i = int(gl_GlobalInvocationID.x);
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= sim.particleCount) return;
 #ifdef RELAX
-    vec3 x = texelFetch(positions, i).xyz;
+    vec3 x = texelFetch(positions, int(i)).xyz;
 #else
-    MoverPoint point = moverPoint(texelFetch(particleRanks, i).x, texelFetch(restOffsets, i).xyz);
+    MoverPoint point = moverPoint(fetchRank(i).mover, fetchArm(i).r);
     vec3 x = point.centre + point.arm + point.move;
 #endif
-    slotPositions[texelFetch(particleSlots, i).x] = vec4(x, 1.0 / max(texelFetch(masses, i).x, 1e-20));
+    newSlotPositions[fetchParticleSlot(i)] = pack(SlotPosition(x, 0.0));
 }

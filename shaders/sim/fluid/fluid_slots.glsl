@@ -1,26 +1,66 @@
 // Slots: all particles in the order of the cells of the fluids' grid, so that neighbours stand together. A slot's
-// neighbours within sim.fluidListReach are listed once a step: of a fluid particle the fluid ones from the front of its
-// list, solid ones from its end; of a solid particle the fluid ones.
-#include "sim/common/fluid_living.glsl"
-#include "sim/fluid/neighbour_lists.glsl"
+// neighbours within sim.fluidListReach are listed once a step. A fluid particle's list has fluid neighbours from its
+// front on and solid ones from its end on; a solid particle's list has fluid neighbours only.
+// A kernel that stores into a buffer that has a sampler here calls its block new...
+#include "sim/common/fluid_particles.glsl"
 
-uniform usamplerBuffer slotParticles;    // particle
-uniform usamplerBuffer slotCounts;       // fluid neighbours, solid neighbours
-uniform usamplerBuffer slotNeighbours;   // slots, sim/fluid/neighbour_lists.glsl
+uniform usamplerBuffer slotParticles;
+uniform usamplerBuffer particleSlots;
+uniform usamplerBuffer slotCounts;
+uniform usamplerBuffer slotNeighbours;
 
-bool isFluid(uint particle)
+/// The particle in a slot.
+uint fetchSlotParticle(uint slot)
 {
-    return particle >= sim.particleCount;
+    return texelFetch(slotParticles, int(slot)).x;
 }
 
-/// Four neighbours. Behind the last fluid one the slot itself stands.
-uvec4 neighboursAt(uint texel)
+/// The slot of a particle.
+uint fetchParticleSlot(uint particle)
+{
+    return texelFetch(particleSlots, int(particle)).x;
+}
+
+/// How many neighbours a slot lists.
+struct NeighbourCounts {
+    uint fluids, solids;
+};
+
+NeighbourCounts fetchCounts(uint slot)
+{
+    uvec2 t = texelFetch(slotCounts, int(slot)).xy;
+    return NeighbourCounts(t.x, t.y);
+}
+
+uvec2 pack(NeighbourCounts counts)
+{
+    return uvec2(counts.fluids, counts.solids);
+}
+
+/// The same for what acts between fluid particles, or on them: none in the slot of a solid particle.
+NeighbourCounts fetchFluidCounts(uint slot, uint particle)
+{
+    return isFluid(particle) ? fetchCounts(slot) : NeighbourCounts(0u, 0u);
+}
+
+// Lists of neighbours have four slots in a texel. Texels of NEIGHBOUR_BLOCK slots stand side by side, so that threads
+// that read their lists together read memory in order.
+
+/// The texel of a slot's neighbours 4 four .. 4 four + 3. The next four are NEIGHBOUR_BLOCK texels further.
+uint neighbourTexel(uint slot, uint four)
+{
+    return (slot / NEIGHBOUR_BLOCK * (sim.fluidSlots / 4u) + four) * NEIGHBOUR_BLOCK + slot % NEIGHBOUR_BLOCK;
+}
+
+/// Four fluid neighbours. Behind the last one the slot itself is listed.
+uvec4 fetchNeighbours(uint texel)
 {
     return texelFetch(slotNeighbours, int(texel));
 }
 
-uint solidNeighbour(uint slot, uint n)
+/// Of the solid neighbours the nth.
+uint fetchSolidNeighbour(uint slot, uint n)
 {
     uint k = sim.fluidSlots - 1u - n;
-    return neighboursAt(neighbourTexel(slot, k / 4u))[k % 4u];
+    return fetchNeighbours(neighbourTexel(slot, k / 4u))[k % 4u];
 }

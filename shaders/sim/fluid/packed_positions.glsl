@@ -1,5 +1,5 @@
-// Places in the fluids' grid packed into 32 bits: ten bits an axis, wrapped every four cells, and whether they are
-// solid. Neighbours are less than two cells apart, so their difference is known.
+// Positions in the fluids' grid packed into 32 bits: ten bits an axis, wrapped every four cells, and whether they are
+// of solid particles. Neighbours are less than two cells apart, so that the difference of two is known.
 
 #define QUANTA_PER_CELL 256.0
 #define PACKED_SOLID 0x40000000u
@@ -10,13 +10,13 @@ uint packPosition(vec3 x, bool solid)
     return q.x | q.y << 10 | q.z << 20 | (solid ? PACKED_SOLID : 0u);
 }
 
-/// The three fields, each in its ten highest bits.
-uvec3 packedFields(uint code)
+/// The coordinates, each in its ten highest bits, so that a difference of two wraps as positions do.
+uvec3 packedCoordinates(uint code)
 {
     return uvec3(code << 22, (code << 12) & 0xffc00000u, (code << 2) & 0xffc00000u);
 }
 
-/// The squared distance of two places [quanta^2]. An axis is wrong by less than one quantum.
+/// The squared distance of two positions [quanta^2]. An axis is wrong by less than one quantum.
 float packedSquare(uvec3 a, uvec3 b)
 {
     vec3 r = vec3(ivec3(a - b)) * (1.0 / 4194304.0);

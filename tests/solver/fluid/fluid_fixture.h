@@ -43,7 +43,7 @@ public:
         for (uint32_t k = 0; k < sorted.size(); ++k) values[slotParticles[k]] = sorted[k];
         return values;
     }
-    /// Entry n of a slot's list, sim/fluid/neighbour_lists.glsl written anew.
+    /// Entry n of a slot's list, sim/fluid/fluid_slots.glsl written anew.
     uint32_t entry(uint32_t slot, uint32_t n) const;
     /// Other particles of one kind that are nearer than `reach` [m].
     std::vector<uint32_t> near(uint32_t particle, bool fluid, double reach) const;

@@ -1,27 +1,26 @@
-// One thread: what each emitter does in this step, from the number of the step alone: how many layers are due, and what
-// they take of its pool. The time in layers is a 64-bit integer of 2^-32 layers, so that none is late or lost.
+// One thread: what each emitter does in this step, by the number of the step alone: how many layers are due, and how
+// many particles they take from its pool. The time in layers is a 64-bit integer of 2^-32 layers, so that no layer is
+// late or lost.
 #include "sim/common/kernel.glsl"
-#include "sim/common/fluid_living.glsl"
-#include "sim/fluid/emitters.glsl"
+#include "sim/emitter/emitters.glsl"
 #include "sim/common/groups.glsl"
 
 layout(local_size_x = 1) in;
-uniform usamplerBuffer poolSums;         // per chunk: parked particles before it
 READ_BUFFER(Counters, CountersBlock, counters);
-BUFFER(EmitterState, EmitterStates, emitterStates);
+BUFFER(EmitterState, EmitterStates, newStates);
 BUFFER(uvec4, Dispatches, dispatches);
 
-/// Layers since the first, whole and in 2^-32; (NO_LAYER, 0) before it.
-#define NO_LAYER 0xffffffffu
+/// Layers since the first, whole and in 2^-32. Before the first: layer -1.
 uvec2 layerTime(GpuEmitter e, uint steps)
 {
-    if (steps < e.startStep) return uvec2(NO_LAYER, 0);
+    if (steps < e.startStep) return uvec2(-1, 0);
     uint high, low, carry;
     umulExtended(steps - e.startStep, e.clock.z, high, low);
     low = uaddCarry(low, e.clock.x, carry);
     return uvec2(high + (steps - e.startStep) * e.clock.w + e.clock.y + carry, low);
 }
 
+/// How many layers have left after so many steps.
 uint layersAt(GpuEmitter e, uint steps)
 {
     return min(layerTime(e, steps).x + 1u, e.layerLimit);
@@ -33,18 +32,18 @@ void main()
     for (uint k = 0u; k < uint(emitters.length()); ++k) {
         GpuEmitter e = emitters[k];
         uint chunk = e.poolStart / SCAN_CHUNK, chunks = (e.poolCount + SCAN_CHUNK - 1u) / SCAN_CHUNK;
-        uint parked = texelFetch(poolSums, int(chunk + chunks)).x - texelFetch(poolSums, int(chunk)).x;
+        uint inactive = inactiveBefore(chunk + chunks) - inactiveBefore(chunk);
         uvec2 now = layerTime(e, steps);
         uint layers = layersAt(e, steps), due = layers - layersAt(e, steps - 1u);
         EmitterState state;
-        // A layer needs all of its particles; one that lacks some is left out.
-        state.taken = min(due, parked / e.pointCount) * e.pointCount;
-        uint left = parked - state.taken, wanted = (layersAt(e, steps + 1u) - layers) * e.pointCount;
-        state.retired = e.takesOldest != 0u ? min(max(wanted, left) - left, e.poolCount - parked) : 0u;
-        state.parked = parked;
+        // A layer needs all of its particles; one for which some are missing is left out.
+        state.taken = min(due, inactive / e.pointCount) * e.pointCount;
+        uint left = inactive - state.taken, wanted = (layersAt(e, steps + 1u) - layers) * e.pointCount;
+        state.retired = e.takesOldest != 0u ? min(max(wanted, left) - left, e.poolCount - inactive) : 0u;
+        state.parked = inactive;
         state.firstCandidate = candidates;
         state.age = (float(now.x - (layers - 1u)) + float(now.y) * exp2(-32.0)) * e.interval;
-        emitterStates[k] = state;
+        newStates[k] = state;
         candidates += state.taken;
     }
     dispatches[DISPATCH_EMIT] = uvec4(groups(candidates), 1, 1, 0);

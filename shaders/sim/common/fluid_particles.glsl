@@ -1,0 +1,45 @@
+// What `positions` and `velocities` hold of a fluid particle (sim/common/fluid_living.glsl). Fluid particles come
+// behind all others, the solid ones.
+#include "sim/common/fluid_living.glsl"
+
+bool isFluid(uint particle)
+{
+    return particle >= sim.particleCount;
+}
+
+/// The diameter that fluids see of a solid particle [m].
+float solidDiameter(uint particle)
+{
+    return sim.diameter;
+}
+
+struct FluidPosition {
+    vec3 position;   // [m]
+    bool inactive;   // it waits in the pool of its emitter, or a drain has taken it: it is nowhere
+};
+
+FluidPosition fluidPosition(vec4 t)
+{
+    return FluidPosition(t.xyz, isInactive(t));
+}
+
+/// At another position, inactive or not as it was.
+vec4 withPosition(vec4 t, vec3 position)
+{
+    return vec4(position, t.w);
+}
+
+struct FluidVelocity {
+    vec3 velocity;   // [m/s]
+    float timeHeld;  // for so long only gravity changes it, as it has just left a nozzle [s]
+};
+
+FluidVelocity fluidVelocity(vec4 t)
+{
+    return FluidVelocity(t.xyz, timeHeld(t));
+}
+
+vec4 pack(FluidVelocity v)
+{
+    return vec4(v.velocity, v.timeHeld);
+}

@@ -1,0 +1,132 @@
+// What the kernels of fluids know of the particle in each slot (sim/fluid/fluid_slots.glsl): fetch...() reads a struct,
+// pack() makes of it what to store. Here the samplers have the buffers' names, so a kernel that stores into one of them
+// calls its block new...
+
+uniform samplerBuffer slotPositions;
+uniform samplerBuffer slotVelocities;
+uniform samplerBuffer slotVorticities;
+uniform samplerBuffer slotPressures;
+uniform samplerBuffer slotWalls;
+uniform samplerBuffer slotSolids;
+uniform usamplerBuffer slotMaterials;
+uniform samplerBuffer fluidMaterials;
+
+/// Where it is predicted to be at the end of the substep.
+struct SlotPosition {
+    vec3 position;    // [m]
+    float mass;       // [kg]; nobody asks for that of a solid particle
+};
+
+SlotPosition fetchSlotPosition(uint slot)
+{
+    vec4 t = texelFetch(slotPositions, int(slot));
+    return SlotPosition(t.xyz, t.w);
+}
+
+vec4 pack(SlotPosition s)
+{
+    return vec4(s.position, s.mass);
+}
+
+/// Its velocity when the step began.
+struct SlotVelocity {
+    vec3 velocity;    // [m/s]
+    float smoothing;  // part of its difference to its neighbours that a step takes away, 0 ... 1
+};
+
+SlotVelocity fetchSlotVelocity(uint slot)
+{
+    vec4 t = texelFetch(slotVelocities, int(slot));
+    return SlotVelocity(t.xyz, t.w);
+}
+
+vec4 pack(SlotVelocity s)
+{
+    return vec4(s.velocity, s.smoothing);
+}
+
+/// How its surroundings swirl.
+struct SlotVorticity {
+    vec3 vorticity;   // [1/s]
+    float size;       // its length
+};
+
+SlotVorticity fetchSlotVorticity(uint slot)
+{
+    vec4 t = texelFetch(slotVorticities, int(slot));
+    return SlotVorticity(t.xyz, t.w);
+}
+
+vec4 pack(SlotVorticity s)
+{
+    return vec4(s.vorticity, s.size);
+}
+
+/// The multiplier of its density constraint.
+struct SlotPressure {
+    vec3 position;    // where it was worked out [m]
+    float lambda;     // <= 0 [kg m2]
+};
+
+SlotPressure fetchSlotPressure(uint slot)
+{
+    vec4 t = texelFetch(slotPressures, int(slot));
+    return SlotPressure(t.xyz, t.w);
+}
+
+vec4 pack(SlotPressure s)
+{
+    return vec4(s.position, s.lambda);
+}
+
+/// What walls and everything else add to its density.
+struct SlotWallCover {
+    vec3 gradient;    // of the density constraint, by what walls cover of the kernel [1/m]
+    float density;    // over the density at rest, of all together
+};
+
+SlotWallCover fetchSlotWalls(uint slot)
+{
+    vec4 t = texelFetch(slotWalls, int(slot));
+    return SlotWallCover(t.xyz, t.w);
+}
+
+vec4 pack(SlotWallCover s)
+{
+    return vec4(s.gradient, s.density);
+}
+
+/// What solid particles add to its density.
+struct SlotSolidCover {
+    vec3 gradient;    // of the density constraint, by what they cover of the kernel [1/m]
+    float inverseWeight;   // one over the sum of solidWeight() over them; 0: there are none
+};
+
+SlotSolidCover fetchSlotSolids(uint slot)
+{
+    vec4 t = texelFetch(slotSolids, int(slot));
+    return SlotSolidCover(t.xyz, t.w);
+}
+
+vec4 pack(SlotSolidCover s)
+{
+    return vec4(s.gradient, s.inverseWeight);
+}
+
+/// What a material does as a fluid.
+struct FluidMaterial {
+    float smoothing;   // part of its difference to its neighbours that a step takes from a velocity, 0 ... 1
+    float tension;     // what particles that attract each other get in a substep, over fluidAttraction() [kg m]
+};
+
+FluidMaterial fetchFluidMaterial(uint material)
+{
+    vec2 t = texelFetch(fluidMaterials, int(material)).xy;
+    return FluidMaterial(t.x, t.y);
+}
+
+/// The material of the particle in a slot.
+uint fetchSlotMaterial(uint slot)
+{
+    return texelFetch(slotMaterials, int(slot)).x;
+}

@@ -1,0 +1,33 @@
+// What solid particles cover of the smoothing kernel of a fluid one.
+
+/// By how much they add to its density, and how that changes with its position.
+struct SolidCover {
+    vec3 slope;      // of the fraction [1/m]
+    float fraction;  // of the kernel
+    float weights;   // sum of solidWeight()
+    float squares;   // sum of the squares of the slopes of each [1/m2]
+};
+
+/// The cover by the solid neighbours of slot k, of a particle at x. The slope is taken across the surface that they
+/// form together: along it, their bumps would hold the fluid. In a gap or a hole they form no surface, and the slope
+/// has to be that of the fraction, or what came in slowly would be shot out.
+SolidCover solidCover(uint k, uint count, vec3 x)
+{
+    SolidCover cover = SolidCover(vec3(0), 0.0, 0.0, 0.0);
+    vec3 outward = vec3(0, 1e-12, 0);
+    for (uint n = 0u; n < count; ++n) {
+        uint slot = fetchSolidNeighbour(k, n);
+        vec3 offset = x - fetchSlotPosition(slot).position;
+        float r = length(offset), weight = solidWeight(r);
+        vec2 covered = solidFraction(r, solidDiameter(fetchSlotParticle(slot)));
+        cover.fraction += covered.x;
+        cover.slope += covered.y * offset;
+        cover.squares += covered.y * covered.y * r * r;
+        cover.weights += weight;
+        outward += weight / max(r, 1e-9) * offset;
+    }
+    vec3 across = normalize(outward), along = cover.slope - dot(cover.slope, across) * across;
+    float oneSided = smoothstep(0.3, 0.6, length(outward) / max(cover.weights, 1e-20));
+    cover.slope -= oneSided * along;
+    return cover;
+}
