@@ -1,42 +1,57 @@
 // One thread a particle of a soft body: the impulse that its clusters give it together, implicit in time: one iteration
-// (Chebyshev's; each with its own root) of p = h^2 f(x + p / m), with one divisor for the whole body, so that what sums
-// to zero stays so. The smoothest strains ask for 1 as the divisor, the steepest for 1 + steepest. FIRST_ITERATION: of a substep,
-// from no impulse.
+// (of Chebyshev's; each has its own root) of p = h^2 f(x + p / m). The whole body has one divisor, so that what sums to
+// zero keeps doing so. The smoothest strains ask for 1 as the divisor, the steepest for 1 + steepest. FIRST_ITERATION:
+// of a substep, from no impulse.
 #include "sim/common/kernel.glsl"
 #include "sim/common/links.glsl"
+#include "sim/common/mover_info.glsl"
+#include "sim/soft/clusters.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer softParticles;    // mover, rank; first entry and count in softLinks
+uniform usamplerBuffer softParticles;
 uniform usamplerBuffer softLinks;
-uniform samplerBuffer clusterPulls;      // origin, grip; c - origin, steepest; columns of pull + grip F
 uniform samplerBuffer moverCentres;
 uniform samplerBuffer lastMoverMoves;
 uniform samplerBuffer lastParticleImpulses;
 uniform samplerBuffer lastSoftImpulses;
-uniform usamplerBuffer moverInfo;
 layout(location = 0) uniform float root;   // of the iteration, in 0 ... 1
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(vec4, SoftImpulses, softImpulses);
 
+/// What never changes about a particle of a soft body.
+struct SoftParticle {
+    uint mover, rank;
+    uint firstLink, linkCount;   // in softLinks
+};
+
+SoftParticle fetchSoftParticle(uint i)
+{
+    uvec4 t = texelFetch(softParticles, int(i));
+    return SoftParticle(t.x, t.y, t.z, t.w);
+}
+
+/// A mover that has moved further, whose mass is split over as many impulses.
+vec4 withMove(vec4 t, vec3 move)
+{
+    return vec4(move, t.w);
+}
+
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.softCount) return;
-    uvec4 own = texelFetch(softParticles, int(i));
-    vec3 centre = texelFetch(moverCentres, int(own.x)).xyz;
-    vec4 move = texelFetch(lastMoverMoves, int(own.x));
+    SoftParticle own = fetchSoftParticle(i);
+    vec3 centre = texelFetch(moverCentres, int(own.mover)).xyz;
+    vec4 moved = texelFetch(lastMoverMoves, int(own.mover));
     vec3 wanted = vec3(0);
     float steepest = 0.0;
-    for (uint k = own.z; k < own.z + own.w; ++k) {
+    for (uint k = own.firstLink; k < own.firstLink + own.linkCount; ++k) {
         LinkValues link = fetchLink(texelFetch(softLinks, int(k)).x);
-        int c = int(5u * link.body);
-        vec4 origin = texelFetch(clusterPulls, c), offset = texelFetch(clusterPulls, c + 1);
-        mat3 pull = mat3(texelFetch(clusterPulls, c + 2).xyz, texelFetch(clusterPulls, c + 3).xyz,
-                         texelFetch(clusterPulls, c + 4).xyz);
-        vec3 arm = (centre - origin.xyz) + (move.xyz - offset.xyz);
-        wanted += link.mass * (pull * link.r - origin.w * arm);
-        steepest = offset.w;
+        ClusterPull cluster = fetchClusterPull(link.body);
+        vec3 arm = (centre - cluster.origin) + (moved.xyz - cluster.centre);
+        wanted += link.mass * (cluster.pull * link.r - cluster.grip * arm);
+        steepest = cluster.steepest;
     }
     vec3 last = vec3(0);
 #ifndef FIRST_ITERATION
@@ -44,6 +59,6 @@ void main()
 #endif
     vec3 change = (wanted - last) / max(1.0, root * (1.0 + steepest));
     softImpulses[i] = vec4(last + change, 0);
-    particleImpulses[own.y] = texelFetch(lastParticleImpulses, int(own.y)) + vec4(change, 0);
-    moverMoves[own.x] = vec4(move.xyz + uintBitsToFloat(texelFetch(moverInfo, int(own.x)).w) * change, move.w);
+    particleImpulses[own.rank] = texelFetch(lastParticleImpulses, int(own.rank)) + vec4(change, 0);
+    moverMoves[own.mover] = withMove(moved, moved.xyz + fetchMover(own.mover).inverseMass * change);
 }

@@ -1,12 +1,5 @@
 // Elastic stress of a cluster of a soft body, by the linear map F that is nearest to where its particles are.
 
-/// A symmetric matrix from two texels: xx, yy, zz; xy, xz, yz.
-mat3 fetchSymmetric(samplerBuffer values, int place)
-{
-    vec3 d = texelFetch(values, place).xyz, o = texelFetch(values, place + 1).xyz;
-    return mat3(d.x, o.x, o.y, o.x, d.y, o.z, o.y, o.z, d.z);
-}
-
 float trace(mat3 m)
 {
     return m[0][0] + m[1][1] + m[2][2];
@@ -23,21 +16,21 @@ mat3 hooke(GpuSoftMatter matter, mat3 strain)
     return matter.shear * strain + mat3(matter.dilation * trace(strain));
 }
 
-/// Viscous stress times the substep, in the axes at rest: of Green's strain, which rotations leave alone, and not more
-/// where the cluster is drawn out, so that it stays stable.
+/// Viscous stress times the substep, in the axes at rest: of Green's strain, which rotations leave alone. It does not
+/// grow with how far the cluster is drawn out, so that it stays stable.
 mat3 viscousStress(GpuSoftMatter matter, mat3 map, mat3 mapBefore)
 {
     mat3 change = 0.5 * (transpose(map) * map - transpose(mapBefore) * mapBefore);
     return (matter.damping / max(1.0, squaredNorm(map) / 3.0)) * hooke(matter, change);
 }
 
-/// What a cluster has flowed by after a substep, from before (Mueller et al. 2005, section 4.3): by a share of the
-/// strain beyond `yield`, at constant volume.
+/// What a cluster has flowed by after a substep, from before (Mueller et al. 2005, section 4.3): by a fraction
+/// of the strain beyond `yield`, at constant volume.
 mat3 flowed(GpuSoftMatter matter, mat3 rest, mat3 strain)
 {
     float size = sqrt(squaredNorm(strain));
-    float share = (1.0 - exp(-matter.creep * sim.substepTime)) * max(1.0 - matter.yield / max(size, 1e-20), 0.0);
-    mat3 next = rest + share * strain * rest;
+    float fraction = (1.0 - exp(-matter.creep * sim.substepTime)) * max(1.0 - matter.yield / max(size, 1e-20), 0.0);
+    mat3 next = rest + fraction * strain * rest;
     next *= pow(max(determinant(next), 1e-6), -1.0 / 3.0);
     mat3 change = next - mat3(1);
     return mat3(1) + min(1.0, matter.maxDeformation / max(sqrt(squaredNorm(change)), 1e-20)) * change;

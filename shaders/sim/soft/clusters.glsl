@@ -1,0 +1,59 @@
+// Clusters of soft bodies: what never changes about them, and what pulls their particles.
+#include "sim/common/bodies.glsl"
+
+uniform usamplerBuffer clusterInfo;
+uniform samplerBuffer clusterMoments;
+uniform samplerBuffer softMatter;
+uniform samplerBuffer clusterPulls;
+
+ClusterInfo fetchCluster(uint c)
+{
+    uvec4 t = texelFetch(clusterInfo, int(c));
+    return ClusterInfo(t.x, t.y, t.z, t.w);
+}
+
+/// How the masses of a cluster lie at rest.
+struct ClusterMoments {
+    mat3 inverse;         // of the sum of m r r^T [1/(kg m2)]; zero along empty directions
+    mat3 empty;           // the sum of d d^T over directions d in which it has no extent
+    float mass;           // [kg]
+    float inverseExtent;  // one over its mean square extent along an axis [1/m2]
+};
+
+ClusterMoments fetchClusterMoments(uint c)
+{
+    int first = int(4u * c);
+    vec4 diagonal = texelFetch(clusterMoments, first), offDiagonal = texelFetch(clusterMoments, first + 1);
+    mat3 empty = symmetricMatrix(texelFetch(clusterMoments, first + 2).xyz, texelFetch(clusterMoments, first + 3).xyz);
+    return ClusterMoments(symmetricMatrix(diagonal.xyz, offDiagonal.xyz), empty, diagonal.w, offDiagonal.w);
+}
+
+GpuSoftMatter fetchSoftMatter(uint softBody)
+{
+    vec4 a = texelFetch(softMatter, int(2u * softBody)), b = texelFetch(softMatter, int(2u * softBody + 1u));
+    return GpuSoftMatter(a.x, a.y, a.z, a.w, b.x, b.y, b.z, 0.0);
+}
+
+/// The impulse that a cluster gives a particle of mass m that is at x: m (pull r - grip (x - centre)).
+struct ClusterPull {
+    vec3 origin;      // where its first particle was when the substep began [m]
+    vec3 centre;      // from there [m]
+    mat3 pull;
+    float grip;
+    float steepest;   // no impulse grows by more than this times mass and displacement
+};
+
+ClusterPull fetchClusterPull(uint c)
+{
+    int first = int(5u * c);
+    vec4 origin = texelFetch(clusterPulls, first), centre = texelFetch(clusterPulls, first + 1);
+    mat3 pull = mat3(texelFetch(clusterPulls, first + 2).xyz, texelFetch(clusterPulls, first + 3).xyz,
+                     texelFetch(clusterPulls, first + 4).xyz);
+    return ClusterPull(origin.xyz, centre.xyz, pull, origin.w, centre.w);
+}
+
+/// Stores one; a macro, as GLSL passes no arrays of unknown size.
+#define STORE_CLUSTER_PULL(pulls, c, values) \
+    pulls[5u * c] = vec4((values).origin, (values).grip); \
+    pulls[5u * c + 1u] = vec4((values).centre, (values).steepest); \
+    for (int column = 0; column < 3; ++column) pulls[5u * c + 2u + uint(column)] = vec4((values).pull[column], 0)
