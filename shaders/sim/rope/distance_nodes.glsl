@@ -1,29 +1,66 @@
-// Particles of distanceRows. BODIES: some of them are parts of bodies, which turn.
+// Distance rows: rows of particles at given distances, each solved as a whole by one thread. A rope is one row, cloth
+// is many that cross. A row's particles are its nodes; link k leads from node k to the next. BODIES: some of the
+// particles are parts of bodies, which turn.
+#include "sim/common/bodies.glsl"
+#include "sim/common/mover_info.glsl"
 #include "sim/common/movers.glsl"
+#include "sim/common/particles.glsl"
 
-uniform usamplerBuffer distanceNodes;      // mover, rank, particle, share as the bits of a float
-uniform samplerBuffer distanceLinks;       // to the next: rest length [m], compliance [m/N]; force, length that tear it
-#ifdef BODIES
-uniform samplerBuffer restOffsets;
-uniform samplerBuffer bodyInertias;      // two a body, inverse: xx, yy, zz, 1 / mass; xy, xz, yz
-#endif
+uniform usamplerBuffer distanceRows;
+uniform usamplerBuffer distanceNodes;
+uniform samplerBuffer distanceLinks;
+
+struct DistanceRow {
+    uint first, last;   // nodes
+    uint assembly;
+};
+
+DistanceRow fetchRow(uint row)
+{
+    uvec4 t = texelFetch(distanceRows, int(row));
+    return DistanceRow(t.x, t.y, t.z);
+}
+
+/// What never changes about a node.
+struct NodeInfo {
+    uint mover, rank, particle;
+    float inverseMass;   // [1/kg]; of a particle of a body: over how many nodes its mass is split. 0: nothing moves it
+};
+
+NodeInfo fetchNodeInfo(uint node)
+{
+    uvec4 t = texelFetch(distanceNodes, int(node));
+    return NodeInfo(t.x, t.y, t.z, isFixed(t.x) ? 0.0 : uintBitsToFloat(t.w));
+}
+
+/// What never changes about a link.
+struct DistanceLink {
+    float restLength;   // [m]
+    float compliance;   // [m/N]
+    float tearForce;    // a tension beyond this tears it [N]
+    float tearLength;   // and so does a length beyond this [m]
+};
+
+DistanceLink fetchDistanceLink(uint k)
+{
+    vec4 t = texelFetch(distanceLinks, int(k));
+    return DistanceLink(t.x, t.y, t.z, t.w);
+}
 
 struct DistanceNode {
-    uint mover, rank;
-    float share;        // inverse mass, or (body) over how many distanceRows its mass is split; 0: fixed
+    NodeInfo info;
     MoverPoint point;
 };
 
 DistanceNode fetchNode(uint node)
 {
-    uvec4 info = texelFetch(distanceNodes, int(node));
-    float share = uintBitsToFloat(info.w);
+    NodeInfo info = fetchNodeInfo(node);
 #ifdef BODIES
-    return DistanceNode(info.x, info.y, share, moverPoint(info.x, texelFetch(restOffsets, int(info.z)).xyz));
+    return DistanceNode(info, moverPoint(info.mover, fetchArm(info.particle).r));
 #else
-    MoverPoint point = MoverPoint(texelFetch(moverCentres, int(info.x)).xyz, vec3(0),
-                                  texelFetch(moverMoves, int(info.x)).xyz, 1.0);
-    return DistanceNode(info.x, info.y, share, point);
+    MoverPoint point = MoverPoint(texelFetch(moverCentres, int(info.mover)).xyz, vec3(0),
+                                  texelFetch(moverMoves, int(info.mover)).xyz, 1.0);
+    return DistanceNode(info, point);
 #endif
 }
 
@@ -37,25 +74,25 @@ vec3 between(DistanceNode a, DistanceNode b)
 vec3 response(DistanceNode node, vec3 n)
 {
 #ifdef BODIES
-    if (node.mover < sim.bodyCount) {
-        vec4 diagonal = texelFetch(bodyInertias, int(2u * node.mover));
-        vec3 other = texelFetch(bodyInertias, int(2u * node.mover + 1u)).xyz;
-        mat3 inverse = mat3(diagonal.x, other.x, other.y, other.x, diagonal.y, other.z, other.y, other.z, diagonal.z);
-        vec4 rotation = texelFetch(moverRotations, int(node.mover));
-        vec3 turn = inverse * rotate(conjugate(rotation), cross(node.point.arm, n));
-        return node.share * (diagonal.w * n + cross(rotate(rotation, turn), node.point.arm));
+    if (node.info.mover < sim.bodyCount) {
+        InverseInertia body = fetchInverseInertia(node.info.mover);
+        vec4 rotation = texelFetch(moverRotations, int(node.info.mover));
+        vec3 turned = symmetricMatrix(body.diagonal, body.offDiagonal) *
+                      rotate(conjugate(rotation), cross(node.point.arm, n));
+        return node.info.inverseMass * (body.inverseMass * n + cross(rotate(rotation, turned), node.point.arm));
     }
 #endif
-    return node.share * n;
+    return node.info.inverseMass * n;
 }
 
-/// The matrix that gives the impulse for a move of the node [kg]; of one that is fixed nothing.
+/// The matrix that gives the impulse for a move of the node [kg]; zero of one that nothing moves.
 mat3 massOf(DistanceNode node)
 {
+    bool held = node.info.inverseMass == 0.0;
 #ifdef BODIES
-    if (node.mover < sim.bodyCount)
-        return node.share == 0.0 ? mat3(0) : inverse(mat3(response(node, vec3(1, 0, 0)), response(node, vec3(0, 1, 0)),
-                                                          response(node, vec3(0, 0, 1))));
+    if (node.info.mover < sim.bodyCount)
+        return held ? mat3(0) : inverse(mat3(response(node, vec3(1, 0, 0)), response(node, vec3(0, 1, 0)),
+                                             response(node, vec3(0, 0, 1))));
 #endif
-    return mat3(node.share == 0.0 ? 0.0 : 1.0 / node.share);
+    return mat3(held ? 0.0 : 1.0 / node.info.inverseMass);
 }

@@ -95,7 +95,12 @@ protected:
         assemblies = orders;
     }
 
-    double share(uint32_t node) const { return static_cast<double>(std::bit_cast<float>(nodes[node].w)); }
+    /// What the solver takes for its inverse mass; 0: nothing moves it.
+    double share(uint32_t node) const
+    {
+        const bool fixed = isBody(node) && fixture.world.bodies[nodes[node].x].motion == Motion::Fixed;
+        return fixed ? 0.0 : static_cast<double>(std::bit_cast<float>(nodes[node].w));
+    }
     bool isBody(uint32_t node) const { return nodes[node].x < fixture.world.bodies.size(); }
     Vector3d arm(uint32_t node) const
     {

@@ -1,0 +1,64 @@
+// What distance_solve stores of each link.
+
+/// Between iterations.
+struct DistanceState {
+    float multiplier;   // [kg m]
+    float tension;      // of the last iteration [N]
+    float torn;         // 1: it holds nothing any more
+};
+
+DistanceState distanceState(vec4 t)
+{
+    return DistanceState(t.x, t.y, t.z);
+}
+
+vec4 pack(DistanceState s)
+{
+    return vec4(s.multiplier, s.tension, s.torn, 0.0);
+}
+
+/// The same between the two sweeps of an iteration: the multiplier changes by the residual over the divisor.
+struct EliminatedLink {
+    float multiplier;
+    float residual;     // [m]
+    float torn;
+    float divisor;      // [1/kg]; 0: it does nothing
+};
+
+EliminatedLink eliminatedLink(vec4 t)
+{
+    return EliminatedLink(t.x, t.y, t.z, t.w);
+}
+
+vec4 pack(EliminatedLink s)
+{
+    return vec4(s.multiplier, s.residual, s.torn, s.divisor);
+}
+
+/// From the sweep that eliminates to the one that moves.
+struct DistanceFactor {
+    vec3 n;          // unit, along the link
+    float turning;   // what turning it costs, k [kg]
+    mat3 inverse;    // B of its second node
+    vec3 r;          // what that node is asked for [kg m]
+};
+
+#define STORE_DISTANCE_FACTOR(factors, k, factor) \
+    factors[4u * k] = vec4((factor).n, (factor).turning); \
+    for (int line = 0; line < 3; ++line) \
+        factors[4u * k + 1u + uint(line)] = vec4((factor).inverse[line], (factor).r[line])
+
+#define LOAD_DISTANCE_FACTOR(factors, k, factor) \
+    (factor).n = factors[4u * k].xyz; \
+    (factor).turning = factors[4u * k].w; \
+    for (int line = 0; line < 3; ++line) { \
+        vec4 values = factors[4u * k + 1u + uint(line)]; \
+        (factor).inverse[line] = values.xyz; \
+        (factor).r[line] = values.w; \
+    }
+
+/// What resists the link's turning, k (1 - n n^T).
+mat3 turningMass(vec3 n, float turning)
+{
+    return mat3(turning) - turning * outerProduct(n, n);
+}
