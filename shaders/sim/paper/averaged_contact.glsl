@@ -7,7 +7,7 @@
 struct Side {
     vec3 start;          // at the start of the substep [m]
     vec3 move;           // since then [m]
-    float inverseMass;   // scaled; 0: immovable [1/kg]
+    float inverseMass;   // as contacts see it; 0: it does not respond [1/kg]
 };
 
 /// What contacts ask of a particle.
@@ -32,7 +32,7 @@ float contactError(float gap, float startGap)
 
 /// An overlap (eqs. 5-7) and its friction (Macklin et al. 2014, eq. 24).
 /// @param slide of one side on the other in the substep [m]. @param friction static, kinetic.
-/// @returns the way apart along the normal, before relaxation.
+/// @returns the move apart along the normal, before relaxation.
 Push contactPush(vec3 normal, float gap, float startGap, vec3 slide, vec2 friction)
 {
     float error = contactError(gap, startGap);
@@ -48,19 +48,20 @@ Push contactPush(vec3 normal, float gap, float startGap, vec3 slide, vec2 fricti
 
 /// What the contact of two particles asks of one.
 /// @param sides of the pair, pairSides. @param first whether `own` is the first of the pair.
-Push pairPush(Side own, Side other, bool first, uvec4 sides)
+/// @param touching nearer than this they overlap [m].
+Push pairPush(Side own, Side other, bool first, uvec4 sides, float touching)
 {
     float sign = first ? 1.0 : -1.0;
     vec3 startApart = sign * (own.start - other.start), slide = sign * (own.move - other.move);
-    float startFar = length(startApart);
+    float startDistance = length(startApart);
     Way way = unpackWay(sides.xy);
-    vec4 sided = sidedNormal(startApart, startFar, way);
+    vec4 sided = sidedNormal(startApart, startDistance, way);
     bool keeps = sided.w > 0.0;
-    float startGap = (keeps && way.deep ? 0.0 : startFar) - sim.diameter;
+    float startGap = (keeps && way.deep ? 0.0 : startDistance) - touching;
     vec3 apart = startApart + slide;
-    float far = length(apart);
-    vec3 normal = keeps ? sided.xyz : contactNormal(apart, far, true);
-    float gap = keeps ? startGap + dot(slide, sided.xyz) : far - sim.diameter;
+    float distanceNow = length(apart);
+    vec3 normal = keeps ? sided.xyz : contactNormal(apart, distanceNow, true);
+    float gap = keeps ? startGap + dot(slide, sided.xyz) : distanceNow - touching;
     Push push = contactPush(normal, gap, startGap, slide, unpackHalf2x16(sides.z));
     push.move *= sign * own.inverseMass / max(own.inverseMass + other.inverseMass, 1e-30);
     return push;

@@ -3,10 +3,9 @@
 // centre's move is summed from the particles' moves alone, about its last value, so that rounding never reaches the
 // momentum.
 #include "sim/common/kernel.glsl"
-#include "sim/paper/body_shape.glsl"
+#include "sim/paper/body_sums.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer bodyInfo;
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, BodyMatrices, bodyMatrices);  // columns of A, three a body
 
@@ -14,16 +13,10 @@ void main()
 {
     uint b = gl_GlobalInvocationID.x;
     if (b >= sim.bodyCount) return;
-    uvec4 info = texelFetch(bodyInfo, int(b));
+    BodyInfo body = fetchBody(b);
     vec3 last = moverMoves[b].xyz;
-    vec4 centre = vec4(0);
-    mat3 a = mat3(0);
-    for (uint k = 0u; k < info.y; ++k) {
-        LinkValues link = fetchLink(info.x + k);
-        LinkPlace place = linkPlace(info.x + k, link, k >= info.z);
-        centre += link.mass * vec4(place.move - last, 1);
-        a += outerProduct(link.mass * place.arm, link.r);
-    }
-    moverMoves[b] = vec4(last + centre.xyz / centre.w, 0);
-    for (int column = 0; column < 3; ++column) bodyMatrices[3u * b + uint(column)] = vec4(a[column], 0);
+    BodySum sum = BodySum(vec4(0), mat3(0));
+    for (uint k = 0u; k < body.linkCount; ++k) addLink(sum, body, k, last);
+    moverMoves[b] = vec4(last + meanMove(sum.centre), 0);
+    for (int column = 0; column < 3; ++column) bodyMatrices[3u * b + uint(column)] = vec4(sum.a[column], 0);
 }

@@ -1,10 +1,9 @@
 // One work group a body: the sums of body_sum, each thread over every BODY_GROUP_SIZE-th link, then a tree in shared
 // memory. For devices where groups are cheap and for large bodies.
 #include "sim/common/kernel.glsl"
-#include "sim/paper/body_shape.glsl"
+#include "sim/paper/body_sums.glsl"
 
 layout(local_size_x = BODY_GROUP_SIZE) in;
-uniform usamplerBuffer bodyInfo;
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, BodyMatrices, bodyMatrices);
 
@@ -15,18 +14,12 @@ void main()
 {
     uint b = gl_WorkGroupID.x;
     uint t = gl_LocalInvocationID.x;
-    uvec4 info = texelFetch(bodyInfo, int(b));
+    BodyInfo body = fetchBody(b);
     vec3 last = moverMoves[b].xyz;
-    vec4 centre = vec4(0);
-    mat3 a = mat3(0);
-    for (uint k = t; k < info.y; k += BODY_GROUP_SIZE) {
-        LinkValues link = fetchLink(info.x + k);
-        LinkPlace place = linkPlace(info.x + k, link, k >= info.z);
-        centre += link.mass * vec4(place.move - last, 1);
-        a += outerProduct(link.mass * place.arm, link.r);
-    }
-    centres[t] = centre;
-    for (int column = 0; column < 3; ++column) columns[column][t] = a[column];
+    BodySum sum = BodySum(vec4(0), mat3(0));
+    for (uint k = t; k < body.linkCount; k += BODY_GROUP_SIZE) addLink(sum, body, k, last);
+    centres[t] = sum.centre;
+    for (int column = 0; column < 3; ++column) columns[column][t] = sum.a[column];
     for (uint stride = BODY_GROUP_SIZE / 2; stride > 0u; stride >>= 1) {
         barrier();
         if (t < stride) {
@@ -35,7 +28,7 @@ void main()
         }
     }
     if (t != 0u) return;
-    moverMoves[b] = vec4(last + centres[0].xyz / centres[0].w, 0);
+    moverMoves[b] = vec4(last + meanMove(centres[0]), 0);
     for (int column = 0; column < 3; ++column)
         bodyMatrices[3u * b + uint(column)] = vec4(columns[column][0], 0);
 }

@@ -1,16 +1,15 @@
 // One thread a shared particle: its move to the mean of its goals (paper, section 4): the joint. In the next match of
-// each body it stands beyond the mean, by as much as brings the body's goal to it: with its own mass alone it would draw
-// a body of 27 by a thirtieth of the gap. STABILIZE: it starts from the mean.
+// each body it stands beyond the mean, by as much as brings the body's goal to it: with its own mass alone it would
+// draw a body of 27 by a thirtieth of the gap. STABILIZE: it starts from the mean.
 #include "sim/common/kernel.glsl"
+#include "sim/common/mover_info.glsl"
+#include "sim/common/owners.glsl"
+#include "sim/common/particles.glsl"
 #include "sim/paper/goals.glsl"
-#include "sim/common/links.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer sharedParticles;
 uniform samplerBuffer moved;
-uniform samplerBuffer masses;
-uniform usamplerBuffer particleLinks;
-uniform usamplerBuffer linksOfParticle;
 uniform samplerBuffer linkGains;
 BUFFER(vec4, LinkPulls, linkPulls);
 #ifdef STABILIZE
@@ -25,25 +24,25 @@ void main()
     uint k = gl_GlobalInvocationID.x;
     if (k >= sim.sharedCount) return;
     uint i = texelFetch(sharedParticles, int(k)).x;
-    uvec2 owned = texelFetch(particleLinks, int(i)).xy;
+    OwnerRange owners = fetchOwners(i);
     vec3 sum = vec3(0);
-    for (uint l = owned.x; l < owned.x + owned.y; ++l) {
-        uvec2 owner = texelFetch(linksOfParticle, int(l)).xy;
-        sum += goalMove(owner.y, fetchLink(owner.x).r);
+    for (uint l = owners.first; l < owners.first + owners.count; ++l) {
+        Owner owner = fetchOwner(l);
+        sum += goalMove(owner.body, fetchLink(owner.link).r);
     }
-    bool held = texelFetch(masses, int(i)).x > 0.0;
-    vec3 mean = held ? sum / float(owned.y) : texelFetch(moved, int(i)).xyz;
+    bool matched = !isFixed(fetchRank(i).mover);
+    vec3 mean = matched ? sum / float(owners.count) : texelFetch(moved, int(i)).xyz;
 #ifdef STABILIZE
-    vec3 place = positions[i].xyz + mean;
-    positions[i].xyz = place;
+    vec3 position = positions[i].xyz + mean;
+    positions[i].xyz = position;
 #else
-    vec3 place = texelFetch(positions, int(i)).xyz + mean;
+    vec3 position = texelFetch(positions, int(i)).xyz + mean;
     predicted[i].xyz = mean;
 #endif
-    for (uint l = owned.x; l < owned.x + owned.y; ++l) {
-        uvec2 owner = texelFetch(linksOfParticle, int(l)).xy;
-        vec3 gap = place - goalPlace(owner.y, fetchLink(owner.x).r);
+    for (uint l = owners.first; l < owners.first + owners.count; ++l) {
+        Owner owner = fetchOwner(l);
+        vec3 gap = position - goalPosition(owner.body, fetchLink(owner.link).r);
         float bound = min(1.0, sim.jointCorrection / max(length(gap), 1e-20));
-        linkPulls[owner.x] = vec4(texelFetch(linkGains, int(owner.x)).x * bound * gap, 0);
+        linkPulls[owner.link] = vec4(texelFetch(linkGains, int(owner.link)).x * bound * gap, 0);
     }
 }

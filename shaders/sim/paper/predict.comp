@@ -1,9 +1,12 @@
-// One thread a particle: how far it would move in the substep if nothing touched it. BDF2
-// (second-order velocities) where nothing touched its assembly lately, else symplectic Euler. Asks for a new search when
-// it would leave its margin.
+// One thread a particle: how far it would move in the substep if nothing touched it. BDF2 (second-order velocities)
+// where nothing touched its assembly lately, else symplectic Euler. Asks for a new search when it would leave its
+// margin.
 #include "sim/common/kernel.glsl"
+#include "sim/common/assemblies.glsl"
 #include "sim/common/mass_scaling.glsl"
-#include "sim/common/sleep.glsl"
+#include "sim/common/mover_info.glsl"
+#include "sim/common/particles.glsl"
+#include "sim/paper/predicted_moves.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
@@ -11,33 +14,31 @@ uniform samplerBuffer searchPositions;   // for which its contacts were found
 uniform samplerBuffer velocities;
 uniform samplerBuffer oldMoves;
 uniform samplerBuffer oldVelocities;
-uniform usamplerBuffer particleInfo;
-uniform samplerBuffer masses;            // inverse mass, restitution, static and kinetic friction
-BUFFER(vec4, Predicted, predicted);     // w: inverse mass for contacts [1/kg]
-BUFFER(uvec2, AssemblyState, assemblyState);   // last substep with a contact, order of this one
+BUFFER(vec4, Predicted, newPredicted);
+BUFFER(Assembly, AssemblyState, assemblies);
 BUFFER(Counters, CountersBlock, counters);
 
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.particleCount) return;
-    float inverseMass = texelFetch(masses, int(i)).x;
-    uint assembly = texelFetch(particleInfo, int(i)).z;
-    uint now = counters[0].substep;
+    bool fixedHere = isFixed(fetchRank(i).mover);
+    float inverseMass = fixedHere ? 0.0 : fetchMass(i).inverseMass;
+    uint assembly = fetchParticle(i).assembly, now = counters[0].substep;
     bool asleep = isAsleep(assembly);
-    bool second = !asleep && sim.secondOrder == 1u && now > 0u && assemblyState[assembly].x + 1u != now;
-    assemblyState[assembly].y = second ? 2u : 1u;
+    bool second = !asleep && sim.secondOrder == 1u && now > 0u && assemblies[assembly].lastContact + 1u != now;
+    assemblies[assembly].order = second ? 2u : 1u;
 
     float h = sim.substepTime;
     vec3 v = texelFetch(velocities, int(i)).xyz;
     vec3 move = vec3(0);
-    if (inverseMass > 0.0 && second) {
+    if (!fixedHere && second) {
         vec3 lastMove = texelFetch(oldMoves, int(i)).xyz;
         vec3 lastV = texelFetch(oldVelocities, int(i)).xyz;
         move = lastMove / 3.0 + h * (8.0 * v - 2.0 * lastV + 4.0 * h * sim.gravity.xyz) / 9.0;
-    } else if (inverseMass > 0.0 && !asleep)
+    } else if (!fixedHere && !asleep)
         move = h * (v + h * sim.gravity.xyz);
     vec3 start = texelFetch(positions, int(i)).xyz;
-    predicted[i] = vec4(move, asleep ? 0.0 : contactScale(start) * inverseMass);
+    newPredicted[i] = pack(PredictedMove(move, asleep ? 0.0 : contactScale(start) * inverseMass));
     if (distance(start + move, texelFetch(searchPositions, int(i)).xyz) > sim.drift) counters[0].due = 1u;
 }

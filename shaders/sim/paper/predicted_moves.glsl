@@ -1,0 +1,17 @@
+// How far particles would move in the substep.
+
+/// So far.
+struct PredictedMove {
+    vec3 move;                  // x* - x [m]
+    float contactInverseMass;   // as contacts see it; 0: it does not respond [1/kg]
+};
+
+PredictedMove predictedMove(vec4 t)
+{
+    return PredictedMove(t.xyz, t.w);
+}
+
+vec4 pack(PredictedMove p)
+{
+    return vec4(p.move, p.contactInverseMass);
+}
