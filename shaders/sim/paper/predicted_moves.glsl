@@ -1,6 +1,5 @@
-// How far particles would move in the substep.
+// What `predicted` holds of a particle: how far it moves in the substep, as far as that is known.
 
-/// So far.
 struct PredictedMove {
     vec3 move;                  // x* - x [m]
     float contactInverseMass;   // as contacts see it; 0: it does not respond [1/kg]

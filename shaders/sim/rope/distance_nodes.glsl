@@ -77,9 +77,9 @@ vec3 response(DistanceNode node, vec3 n)
     if (node.info.mover < sim.bodyCount) {
         InverseInertia body = fetchInverseInertia(node.info.mover);
         vec4 rotation = texelFetch(moverRotations, int(node.info.mover));
-        vec3 turned = symmetricMatrix(body.diagonal, body.offDiagonal) *
+        vec3 angle = symmetricMatrix(body.diagonal, body.offDiagonal) *
                       rotate(conjugate(rotation), cross(node.point.arm, n));
-        return node.info.inverseMass * (body.inverseMass * n + cross(rotate(rotation, turned), node.point.arm));
+        return node.info.inverseMass * (body.inverseMass * n + cross(rotate(rotation, angle), node.point.arm));
     }
 #endif
     return node.info.inverseMass * n;

@@ -1,7 +1,7 @@
 // Higham and Noferini 2016: the quaternion of the orthogonal part of A is the dominant eigenvector of a symmetric 4x4
 // matrix K made of A. The adjugate of lambda I - K, lambda just above the largest eigenvalue, takes any quaternion
 // nearly there; what A does not determine (a line's twist) it keeps. K is built anew around each quaternion found: that
-// is (0, 0, 0, 1) there, only the adjugate's last column is needed, and small turns have small rounding.
+// is (0, 0, 0, 1) there, only the adjugate's last column is needed, and small rotations have small rounding.
 
 /// The columns of a symmetric m's adjugate, the rows of any other's.
 mat3 adjugate(mat3 m)
@@ -27,22 +27,22 @@ float largestEigenvalue(mat3 a)
     return sqrt(1.0 + u);
 }
 
-vec4 matchedRotationDelta(mat3 a, vec4 start, vec4 turned)
+vec4 matchedRotationDelta(mat3 a, vec4 start, vec4 delta)
 {
     float size = sqrt(dot(a[0], a[0]) + dot(a[1], a[1]) + dot(a[2], a[2]));
     a /= max(size, 1e-18);
-    // Far more than rounding, so that rounding twists no line; each round leaves this share of lambda, over the
-    // distance to the next eigenvalue, of what is missing.
+    // Far more than rounding, so that rounding twists no line; each round leaves of what is missing this fraction
+    // of lambda, over the distance to the next eigenvalue.
     float lambda = (1.0 + 1e-4) * largestEigenvalue(a);
     for (int k = 0; k < 3; ++k) {
-        mat3 b = a * transpose(matrixFromQuaternion(quaternionProduct(turned, start)));
+        mat3 b = a * transpose(matrixFromQuaternion(quaternionProduct(delta, start)));
         float trace = b[0][0] + b[1][1] + b[2][2];
         vec3 torque = vec3(b[1][2] - b[2][1], b[2][0] - b[0][2], b[0][1] - b[1][0]);
         mat3 p = mat3(lambda + trace) - b - transpose(b);   // lambda I - K without its last row and column
         mat3 minors = adjugate(p);
-        vec4 turn = vec4(minors * torque, dot(p[0], minors[0]));
-        float square = dot(turn, turn);
-        if (square > 1e-30) turned = normalize(quaternionProduct(turn * inversesqrt(square), turned));
+        vec4 further = vec4(minors * torque, dot(p[0], minors[0]));
+        float square = dot(further, further);
+        if (square > 1e-30) delta = normalize(quaternionProduct(further * inversesqrt(square), delta));
     }
-    return turned;
+    return delta;
 }

@@ -1,7 +1,7 @@
 // The paper's polar decomposition (eqs. 11-17): Q = A M^(-1/2), M = A^T A = E lambda E^T by the QR algorithm with
 // Householder reflections. Flat and straight bodies get virtual particles (eq. 18), scaled by A and only where A is
-// rank deficient: taken everywhere they would brake every rotation. M squares what rounding does to A, so that a step of
-// Newton's method follows: a pendulum would be kept swinging by the rest.
+// rank deficient: taken everywhere they would brake every rotation. M squares what rounding does to A, so that a step
+// of Newton's method follows: a pendulum would be kept swinging by the rest.
 
 #define QR_ITERATIONS 24
 
@@ -55,16 +55,16 @@ mat3 orthogonalPart(mat3 a, out float rank)
     return a * e * mat3(root.x, 0, 0, 0, root.y, 0, 0, 0, root.z) * transpose(e);
 }
 
-vec4 matchedRotationDelta(mat3 a, vec4 start, vec4 turned)
+vec4 matchedRotationDelta(mat3 a, vec4 start, vec4 delta)
 {
     float rank;
     mat3 q = orthogonalPart(a, rank);
     if (rank < 1e-5 && sim.virtualParticles > 0.0) {
         float size = sqrt(dot(a[0], a[0]) + dot(a[1], a[1]) + dot(a[2], a[2]));
-        a += sim.virtualParticles * size * matrixFromQuaternion(quaternionProduct(turned, start));
+        a += sim.virtualParticles * size * matrixFromQuaternion(quaternionProduct(delta, start));
         q = orthogonalPart(a, rank);
     }
     // A mirrored or collapsed body keeps its last rotation.
-    if (determinant(q) <= 0.5) return turned;
+    if (determinant(q) <= 0.5) return delta;
     return newtonRotationDelta(a, start, quaternionProduct(quaternionFromMatrix(q), conjugate(start)));
 }

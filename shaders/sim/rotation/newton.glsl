@@ -1,7 +1,7 @@
 // Newton's method from the last rotation on.
 
-vec4 matchedRotationDelta(mat3 a, vec4 start, vec4 turned)
+vec4 matchedRotationDelta(mat3 a, vec4 start, vec4 delta)
 {
-    for (uint k = 0u; k < sim.rotationIterations; ++k) turned = newtonRotationDelta(a, start, turned);
-    return turned;
+    for (uint k = 0u; k < sim.rotationIterations; ++k) delta = newtonRotationDelta(a, start, delta);
+    return delta;
 }

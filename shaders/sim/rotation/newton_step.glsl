@@ -1,6 +1,6 @@
 // Newton's method on trace(R^T A) (the torque of Mueller et al. 2016, divided by the Hessian trace(S) I - S instead of
 // by trace(S), so that long bodies converge about their axis too); where the Hessian is not positive, Mueller's own
-// step. The turn since the substep began is kept by itself, so that its rounding stays as small as it is.
+// step. Kept is the rotation delta since the substep began, so that rounding is as small as that is.
 
 vec3 newtonStep(mat3 s, vec3 torque)
 {
@@ -13,14 +13,14 @@ vec3 newtonStep(mat3 s, vec3 torque)
     return positive ? inverse(hessian / size) * (torque / size) : torque / size;
 }
 
-/// `turned` after one step.
-vec4 newtonRotationDelta(mat3 a, vec4 start, vec4 turned)
+/// The rotation delta after one step.
+vec4 newtonRotationDelta(mat3 a, vec4 start, vec4 delta)
 {
-    mat3 r = matrixFromQuaternion(quaternionProduct(turned, start));
+    mat3 r = matrixFromQuaternion(quaternionProduct(delta, start));
     vec3 torque = cross(r[0], a[0]) + cross(r[1], a[1]) + cross(r[2], a[2]);
     mat3 g = a * transpose(r);
-    vec3 turn = newtonStep(0.5 * (g + transpose(g)), torque);
-    float angle = length(turn);
-    turn *= min(1.0, 1.0 / max(angle, 1e-20));   // at most one radian
-    return normalize(quaternionProduct(quaternionFromRotation(turn), turned));
+    vec3 further = newtonStep(0.5 * (g + transpose(g)), torque);
+    float angle = length(further);
+    further *= min(1.0, 1.0 / max(angle, 1e-20));   // at most one radian
+    return normalize(quaternionProduct(quaternionFromRotation(further), delta));
 }
