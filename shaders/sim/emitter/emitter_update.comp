@@ -14,10 +14,12 @@ BUFFER(uvec4, Dispatches, dispatches);
 uvec2 layerTime(GpuEmitter e, uint steps)
 {
     if (steps < e.startStep) return uvec2(-1, 0);
+    // 64-bit numbers, low half first.
+    uvec2 atStart = e.clock.xy, perStep = e.clock.zw;
     uint high, low, carry;
-    umulExtended(steps - e.startStep, e.clock.z, high, low);
-    low = uaddCarry(low, e.clock.x, carry);
-    return uvec2(high + (steps - e.startStep) * e.clock.w + e.clock.y + carry, low);
+    umulExtended(steps - e.startStep, perStep.x, high, low);
+    low = uaddCarry(low, atStart.x, carry);
+    return uvec2(high + (steps - e.startStep) * perStep.y + atStart.y + carry, low);
 }
 
 /// How many layers have left after so many steps.

@@ -19,6 +19,12 @@ EmitterState fetchEmitterState(uint k)
     return EmitterState(a.x, a.y, a.z, uintBitsToFloat(a.w), b.x, 0u, 0u, 0u);
 }
 
+/// Fluid nearer than this is in the way of a particle that leaves the nozzle [m].
+float clearanceOf(GpuEmitter e)
+{
+    return e.velocity.w;
+}
+
 /// How many particles are inactive in all chunks before this one.
 uint inactiveBefore(uint chunk)
 {

@@ -16,7 +16,7 @@ BUFFER(vec4, Velocities, velocities);
 BUFFER(uint, FluidTotals, totals);
 
 /// Whether nothing is in the way at x. The cells say who may be near, as of the start of the step; where they are now
-/// stands in positions. What this step emits is in no cell. @param room  Fluid particles are to be as far away [m].
+/// stands in positions. What this step emits is in no cell. @param room  Fluid particles have to be this far away [m].
 bool hasRoom(vec3 x, float room)
 {
     uint slots = texelFetch(cellStarts, int(gridMask() + 1u)).x;
@@ -51,7 +51,7 @@ void main()
     vec3 fall = sim.gravity.xyz * t;
     vec3 nozzle = texelFetch(nozzlePoints, int(e.firstPoint + q % e.pointCount)).xyz;
     vec3 x = nozzle + t * e.velocity.xyz + 0.5 * (t + sim.substepTime) * fall;
-    if (!hasRoom(x, e.velocity.w)) return;
+    if (!hasRoom(x, clearanceOf(e))) return;
     uint index = e.poolStart + e.poolCount - state.taken + q;
     uint i = texelFetch(poolOrder, int(orderAfter(stepsDone(counters[0].substep)) + index)).x;
     positions[i] = vec4(x, 0);

@@ -54,19 +54,19 @@ void main()
     vec3 x = fetchSlotPosition(k).position;
     Sums sums = sumsOver(k, counts.fluids, x);
     SolidCover solids = solidCover(k, counts.solids, x);
-    vec4 walls = vec4(0);   // gradient, fraction
+    WallCover walls = WallCover(vec3(0), 0.0);
     for (NearColliders near = nearColliders(k); nextCollider(near);) {
         vec4 wall = colliderDistance(near.index, x);
         walls = addWall(walls, wall.xyz, wallFraction(wall.w));
     }
-    float density = sums.fraction + walls.w + solids.fraction;
-    vec3 own = sums.gradient + walls.xyz + solids.slope;
+    float density = sums.fraction + walls.fraction + solids.fraction;
+    vec3 own = sums.gradient + walls.gradient + solids.slope;
     // The constraints around are all met at once, each as if alone: beyond this they overshoot.
     float tooMuch = clamp(density - 1.0, 0.0, MOST_FLUID_ERROR);
     // Where the slopes of solids cancel, as between two of them, no direction leads out: a harder push does not help.
     float opposed = max(solids.squares - dot(solids.slope, solids.slope), 0.0);
     float lambda = -FLUID_RELAXATION * tooMuch / (dot(own, own) + opposed + sums.squares + sim.fluidSoftness);
     newSlotPressures[k] = pack(SlotPressure(x, lambda / max(fetchMass(i).inverseMass, 1e-20)));
-    newSlotWalls[k] = pack(SlotWallCover(walls.xyz, density));
+    newSlotWalls[k] = pack(SlotWallCover(walls.gradient, density));
     newSlotSolids[k] = pack(SlotSolidCover(solids.slope, solids.weights > 0.0 ? 1.0 / solids.weights : 0.0));
 }
