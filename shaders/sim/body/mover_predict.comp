@@ -3,26 +3,26 @@
 // nothing touched its assembly lately, else symplectic Euler.
 #include "sim/common/kernel.glsl"
 #include "sim/rotation/rotation_delta.glsl"
+#include "sim/common/assemblies.glsl"
+#include "sim/common/bodies.glsl"
 #include "sim/common/fields.glsl"
 #include "sim/common/mass_scaling.glsl"
-#include "sim/common/sleep.glsl"
+#include "sim/common/mover_info.glsl"
+#include "sim/common/mover_poses.glsl"
+#include "sim/common/search_margin.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer moverCentres;
-uniform samplerBuffer moverRotations;
 uniform samplerBuffer moverVelocities;
 uniform samplerBuffer oldMoverVelocities;
 uniform samplerBuffer oldMoverMoves;
 uniform samplerBuffer moverImpulses;
-uniform samplerBuffer bodyMoments;       // three columns a body: sum of m r r^T; w of the first: radius
-uniform samplerBuffer searchCentres;      // w: how far it may drift
+uniform samplerBuffer searchCentres;
 uniform samplerBuffer searchRotations;
-uniform usamplerBuffer moverInfo;
 uniform usamplerBuffer lastAssemblyState;
 BUFFER(vec4, MoverPredictions, moverPredictions);   // field: the centre's move, A
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
-BUFFER(uvec2, AssemblyState, assemblyState);   // last substep with a contact, order of this one
+BUFFER(Assembly, AssemblyState, assemblies);
 BUFFER(Counters, CountersBlock, counters);
 
 Field predictedMove(uint m, bool second)
@@ -36,51 +36,47 @@ Field predictedMove(uint m, bool second)
 }
 
 /// How far its farthest particle has come since its candidates were found, at most.
-float drift(uint m, vec4 found, vec3 centre, vec4 rotation, float radius)
+float drift(uint m, SearchCentre found, vec3 centre, vec4 rotation, float radius)
 {
     vec4 since = quaternionProduct(rotation, conjugate(texelFetch(searchRotations, int(m))));
-    return length(centre - found.xyz) + 2.0 * length(since.xyz) * radius;
+    return length(centre - found.position) + 2.0 * length(since.xyz) * radius;
 }
 
 void main()
 {
     uint m = MOVER_OF_THREAD;
     if (m >= MOVER_END) return;
-    uvec4 info = texelFetch(moverInfo, int(m));
+    MoverInfo mover = fetchMover(m);
     uint now = counters[0].substep;
-    bool second = sim.secondOrder == 1u && now > 0u && texelFetch(lastAssemblyState, int(info.z)).x + 1u != now;
-    bool asleep = isAsleep(info.z);
+    bool second = sim.secondOrder == 1u && now > 0u && fetchAssembly(lastAssemblyState, mover.assembly).lastContact + 1u != now;
+    bool asleep = isAsleep(mover.assembly);
     second = second && !asleep;
-    assemblyState[info.z].y = second ? 2u : 1u;
-    float inverseMass = uintBitsToFloat(info.w);
-    if (inverseMass == 0.0) return;
+    assemblies[mover.assembly].order = second ? 2u : 1u;
+    if (isFixed(m)) return;   // its move stays 0, and so do its splits
 
-    vec4 rotation = texelFetch(moverRotations, int(m)), turn = vec4(0, 0, 0, 1);
+    vec4 rotation = fetchRotation(m), delta = vec4(0, 0, 0, 1);
     Field move = predictedMove(m, second);
     Field impulse = fetchField(moverImpulses, m);
-    vec3 start = texelFetch(moverCentres, int(m)).xyz;
+    vec3 start = fetchCentre(m);
     float scale = contactScale(start);
     float radius = 0.0;
     if (IS_BODY(m)) {
-        vec4 column = texelFetch(bodyMoments, int(3u * m));
-        radius = column.w;
-        mat3 moments = mat3(column.xyz, texelFetch(bodyMoments, int(3u * m + 1u)).xyz,
-                            texelFetch(bodyMoments, int(3u * m + 2u)).xyz);
-        move.f = (matrixFromQuaternion(rotation) + move.f) * moments;
-        turn = matchedRotationDelta(move.f + scale * impulse.f, rotation, turn);
+        radius = bodyRadius(m);
+        move.f = (matrixFromQuaternion(rotation) + move.f) * fetchMoments(m);
+        delta = matchedRotationDelta(move.f + scale * impulse.f, rotation, delta);
     }
     STORE_FIELD(moverPredictions, m, move)
     if (asleep) {
         // What sleeps splits its mass over no impulse: contacts take it for immovable.
-        moverMoves[m] = vec4(0);
+        moverMoves[m] = packMove(MoverMove(vec3(0), 0.0));
         moverRotationDeltas[m] = vec4(0, 0, 0, 1);
         return;
     }
-    vec3 shift = move.t + inverseMass * (scale * impulse.t);
+    vec3 shift = move.t + mover.inverseMass * (scale * impulse.t);
     moverMoves[m].xyz = shift;
-    moverRotationDeltas[m] = turn;
+    moverRotationDeltas[m] = delta;
     vec3 centre = start + shift;
-    vec4 found = texelFetch(searchCentres, int(m));
-    if (info.y > 0u && drift(m, found, centre, quaternionProduct(turn, rotation), radius) > found.w)
+    SearchCentre found = fetchSearchCentre(searchCentres, m);
+    if (mover.rankCount > 0u && drift(m, found, centre, quaternionProduct(delta, rotation), radius) > found.margin)
         counters[0].due = 1u;
 }

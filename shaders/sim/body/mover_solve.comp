@@ -4,26 +4,23 @@
 // the contacts were found anew, with their old impulses and without the joints, as mover_predict does.
 #include "sim/common/kernel.glsl"
 #include "sim/rotation/rotation_delta.glsl"
+#include "sim/common/assemblies.glsl"
 #include "sim/common/fields.glsl"
 #include "sim/common/impulse_sums.glsl"
 #include "sim/common/mass_scaling.glsl"
-#include "sim/common/sleep.glsl"
+#include "sim/common/mover_info.glsl"
+#include "sim/common/mover_poses.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer moverCentres;
-uniform samplerBuffer moverRotations;
 uniform samplerBuffer lastMoverRotationDeltas;
 uniform samplerBuffer moverPredictions;
 uniform samplerBuffer lastMoverImpulses;
 uniform samplerBuffer lastMoverChanges;
-uniform samplerBuffer bodyMoments;       // w of the first of three: radius
-uniform usamplerBuffer moverInfo;
-uniform usamplerBuffer bodyInfo;
-BUFFER(vec4, MoverMoves, moverMoves);    // w: over how many impulses its mass is split
+BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
 BUFFER(vec4, MoverImpulses, moverImpulses);   // field: the sums of contacts
-BUFFER(vec4, MoverChanges, moverChanges);     // field: how they changed last; w of the first: relaxation
-BUFFER(uvec2, AssemblyState, assemblyState);
+BUFFER(vec4, MoverChanges, moverChanges);     // field: how they changed last; with the relaxation
+BUFFER(Assembly, AssemblyState, assemblies);
 BUFFER(Counters, CountersBlock, counters);
 
 /// The relaxation of a mover's contacts: as large as lets their impulses converge. Too large shows as changes that turn
@@ -31,13 +28,13 @@ BUFFER(Counters, CountersBlock, counters);
 float relaxation(uint m, Field impulse, float acting)
 {
     Field last = fetchField(lastMoverChanges, m);
-    float relaxation = texelFetch(lastMoverChanges, int(fieldStart(m))).w;
+    float relaxation = fetchRelaxation(lastMoverChanges, m);
 #ifndef WARM_START
     Field before = fetchField(lastMoverImpulses, m);
     Field change = Field(impulse.t - before.t, impulse.f - before.f);
     float along = dot(change.t, last.t), size = dot(last.t, last.t);
     if (IS_BODY(m)) {
-        float radius = max(texelFetch(bodyMoments, int(3u * m)).w, 1e-6), scale = 1.0 / (radius * radius);
+        float radius = max(bodyRadius(m), 1e-6), scale = 1.0 / (radius * radius);
         for (int column = 0; column < 3; ++column) {
             along += scale * dot(change.f[column], last.f[column]);
             size += scale * dot(last.f[column], last.f[column]);
@@ -46,7 +43,7 @@ float relaxation(uint m, Field impulse, float acting)
     relaxation = along < -0.9 * size ? max(0.8 * relaxation, 1.0) : min(1.05 * relaxation, MOST_RELAXATION);
     if (acting == 0.0) relaxation = INITIAL_RELAXATION;
     STORE_FIELD(moverChanges, m, change)
-    moverChanges[fieldStart(m)].w = relaxation;
+    STORE_RELAXATION(moverChanges, m, relaxation)
 #endif
     return relaxation;
 }
@@ -55,27 +52,25 @@ void main()
 {
     uint m = MOVER_OF_THREAD;
     if (m >= MOVER_END) return;
-    uvec4 info = texelFetch(moverInfo, int(m));
-    float inverseMass = uintBitsToFloat(info.w);
-    if (inverseMass == 0.0) return;
-    if (isAsleep(info.z)) return;
-    Sum contacts = contactSum(info, counters[0].listParity);
+    MoverInfo mover = fetchMover(m);
+    if (!responds(m, mover.assembly)) return;
+    Sum contacts = contactSum(mover, counters[0].listParity);
     float relaxed = relaxation(m, contacts.impulse, contacts.acting);
     STORE_FIELD(moverImpulses, m, contacts.impulse)
-    if (contacts.impulse.t != vec3(0)) assemblyState[info.z].x = counters[0].substep - 1u;
+    if (contacts.impulse.t != vec3(0)) assemblies[mover.assembly].lastContact = counters[0].substep - 1u;
 
     Field prediction = fetchField(moverPredictions, m);
-    Field others = particleSum(info);
-    float scale = contactScale(texelFetch(moverCentres, int(m)).xyz);
+    Field others = particleSum(mover);
+    float scale = contactScale(fetchCentre(m));
     Field impulse = Field(scale * contacts.impulse.t + others.t, scale * contacts.impulse.f + others.f);
     float splits = contacts.acting;
     if (IS_BODY(m)) {
-        uvec4 body = texelFetch(bodyInfo, int(m));
+        BodyInfo body = fetchBody(m);
         Field joints = jointSum(body);
-        splits += float(body.w);
+        splits += float(body.jointCount);
         impulse = Field(impulse.t + joints.t, impulse.f + joints.f);
-        moverRotationDeltas[m] = matchedRotationDelta(prediction.f + impulse.f, texelFetch(moverRotations, int(m)),
-                                    texelFetch(lastMoverRotationDeltas, int(m)));
+        moverRotationDeltas[m] = matchedRotationDelta(prediction.f + impulse.f, fetchRotation(m),
+                                                      texelFetch(lastMoverRotationDeltas, int(m)));
     }
-    moverMoves[m] = vec4(prediction.t + inverseMass * impulse.t, scale * splits / relaxed);
+    moverMoves[m] = packMove(MoverMove(prediction.t + mover.inverseMass * impulse.t, scale * splits / relaxed));
 }

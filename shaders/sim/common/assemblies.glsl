@@ -8,10 +8,16 @@ struct Assembly {
     uint order;         // of the time integration in this substep: 1, or 2 for BDF2
 };
 
+/// Of a kernel that stores assemblies, too: `states` is lastAssemblyState.
+Assembly fetchAssembly(usamplerBuffer states, uint assembly)
+{
+    uvec2 t = texelFetch(states, int(assembly)).xy;
+    return Assembly(t.x, t.y);
+}
+
 Assembly fetchAssembly(uint assembly)
 {
-    uvec2 t = texelFetch(assemblyState, int(assembly)).xy;
-    return Assembly(t.x, t.y);
+    return fetchAssembly(assemblyState, assembly);
 }
 
 /// By how much of h^2 times an acceleration it moves in a substep of h: BDF2 takes 4/9 of it.

@@ -6,9 +6,7 @@ uniform usamplerBuffer cellCounts;
 uniform usamplerBuffer cellMembers;
 uniform usamplerBuffer particleCells;
 
-#define NO_PLACE 0xffffffffu
-
-/// The place, and where it stands once more if its cell is one of the first (sim/common/grid.glsl), else NO_PLACE.
+/// The place, and where it stands once more if its cell is one of the first (sim/common/grid.glsl), else NONE.
 uvec2 placeInCells(uint particle)
 {
     uint cell = texelFetch(particleCells, int(particle)).x;
@@ -16,6 +14,6 @@ uvec2 placeInCells(uint particle)
     uint count = texelFetch(cellCounts, int(cell)).x;
     uint rank = 0u;
     for (uint k = 0u; k < count; ++k) rank += texelFetch(cellMembers, int(start + k)).x < particle ? 1u : 0u;
-    uint again = cell < WRAPPED_CELLS ? texelFetch(cellStarts, int(gridMask() + 1u + cell)).x + rank : NO_PLACE;
+    uint again = cell < WRAPPED_CELLS ? texelFetch(cellStarts, int(gridMask() + 1u + cell)).x + rank : NONE;
     return uvec2(start + rank, again);
 }

@@ -14,11 +14,22 @@ GpuCollider colliderAt(uint index)
                        uintBitsToFloat(texels[3]), uintBitsToFloat(texels[4]), texels[5]);
 }
 
+uint colliderShape(GpuCollider collider)
+{
+    return uint(collider.position.w);
+}
+
+/// Static and kinetic.
+vec2 fetchColliderFriction(uint index)
+{
+    return colliderAt(index).friction.xy;
+}
+
 /// @returns outward unit normal in xyz, signed distance of x to the surface in w (negative inside) [m].
 vec4 colliderDistance(uint index, vec3 x)
 {
     GpuCollider c = colliderAt(index);
-    uint shape = uint(c.position.w);
+    uint shape = colliderShape(c);
     vec3 p = rotate(conjugate(c.orientation), x - c.position.xyz);
     vec3 normal = vec3(0, 1, 0);
     float gap = p.y;
@@ -26,17 +37,17 @@ vec4 colliderDistance(uint index, vec3 x)
         vec3 q = abs(p) - c.size.xyz;
         vec3 side = vec3(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0, p.z < 0.0 ? -1.0 : 1.0);
         vec3 outside = max(q, 0.0);
-        float far = length(outside);
+        float apart = length(outside);
         float inner = max(q.x, max(q.y, q.z));
         vec3 face = q.x >= inner ? vec3(1, 0, 0) : q.y >= inner ? vec3(0, 1, 0) : vec3(0, 0, 1);
-        gap = far > 0.0 ? far : inner;
-        normal = side * (far > 1e-9 ? outside / far : face);
+        gap = apart > 0.0 ? apart : inner;
+        normal = side * (apart > 1e-9 ? outside / apart : face);
     } else if (shape == COLLIDER_SPHERE || shape == COLLIDER_CAPSULE) {
         float halfHeight = shape == COLLIDER_CAPSULE ? c.size.y : 0.0;
         vec3 fromAxis = p - vec3(0, clamp(p.y, -halfHeight, halfHeight), 0);
-        float far = length(fromAxis);
-        gap = far - c.size.x;
-        normal = far > 1e-9 ? fromAxis / far : vec3(1, 0, 0);
+        float apart = length(fromAxis);
+        gap = apart - c.size.x;
+        normal = apart > 1e-9 ? fromAxis / apart : vec3(1, 0, 0);
     }
 #ifdef GRIDS
     if (shape >= COLLIDER_MESH) {
@@ -49,11 +60,12 @@ vec4 colliderDistance(uint index, vec3 x)
     return vec4(rotate(c.orientation, normal), gap);
 }
 
-/// How near a collider comes to a point, at the most: what a plane touches may rise beside it.
+/// A lower bound of the distance from a point to a collider [m]. Of a heightfield none is known: colliderDistance() takes
+/// the plane that touches it above or below the point, and the field may rise beside that.
 float colliderBound(uint index, vec3 x)
 {
 #ifdef GRIDS
-    if (uint(colliderAt(index).position.w) == COLLIDER_HEIGHTFIELD) return -1e9;
+    if (colliderShape(colliderAt(index)) == COLLIDER_HEIGHTFIELD) return -1e9;
 #endif
     return colliderDistance(index, x).w;
 }

@@ -1,5 +1,6 @@
 // The lists of contacts. A contact between particles is a pair, listed with its first particle: particles by rank (by
-// body, then by id), so that a body's pairs stand together. Its second particle refers to it from a list of references.
+// body, then by id), so that a body's pairs stand together. Its second particle refers to it from a list of references, which are NONE where there was
+// no room for the pair.
 // Contacts with colliders are a third list. listStarts has where the entries of each rank begin, for the three lists
 // one after the other; the two halves of everything take turns, so that a new search finds the old impulses.
 
@@ -7,17 +8,14 @@
 #define LIST_AS_SECOND 1u
 #define LIST_COLLIDERS 2u
 
-/// A reference to a pair for which there was no room.
-#define NO_PAIR 0xffffffffu
-
-/// The place of a rank in one of the lists, as in listCounts.
-uint listPlace(uint list, uint rank)
+/// Where listCounts has the count of a rank in one of the lists.
+uint listIndex(uint list, uint rank)
 {
     return list * sim.particleCount + rank;
 }
 
 /// Where listStarts has the first entry of a rank's list; the next entry is the end.
-uint listStart(uint parity, uint place)
+uint listStart(uint parity, uint index)
 {
-    return parity * (3u * sim.particleCount + 1u) + place;
+    return parity * (3u * sim.particleCount + 1u) + index;
 }

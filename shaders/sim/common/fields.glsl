@@ -36,6 +36,15 @@ Field fetchField(samplerBuffer fields, uint mover)
     return field;
 }
 
+/// Beside the field of how a mover's contact impulses changed last (moverChanges): the relaxation of its contacts.
+float fetchRelaxation(samplerBuffer changes, uint mover)
+{
+    return texelFetch(changes, int(fieldStart(mover))).w;
+}
+
+/// Stores it, after the field. A macro as the next.
+#define STORE_RELAXATION(changes, mover, relaxation) changes[fieldStart(mover)].w = relaxation;
+
 /// The fastest particle of a mover with this velocity field, whose farthest is `radius` away, is not faster than this.
 float fastestOf(Field v, float radius)
 {

@@ -1,6 +1,5 @@
 // FLUIDS: the same passes over the neighbour grid of fluids, which holds all particles but those that are parked. It is
 // always a lattice, and finer along x.
-#define NO_CELL 0xffffffffu
 
 #ifdef FLUIDS
 #undef GRID_HASH
@@ -34,7 +33,7 @@ vec3 inverseGridCell() { return vec3(sim.inverseCellSize); }
 
 // Whether a particle is in no cell, by what grid_count wrote of it.
 #if defined(FLUIDS) && defined(POOL)
-bool isNowhere(uint cell) { return cell == NO_CELL; }
+bool isNowhere(uint cell) { return cell == NONE; }
 #else
 bool isNowhere(uint cell) { return false; }
 #endif

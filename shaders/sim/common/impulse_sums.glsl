@@ -1,7 +1,10 @@
-// Sums of the impulses on a mover: of a linear field, p and p r^T.
+// Sums of the impulses on a mover, as linear fields: p and p r^T.
+#include "sim/common/bodies.glsl"
+#include "sim/common/contacts.glsl"
 #include "sim/common/fields.glsl"
 #include "sim/common/list_ranges.glsl"
 #include "sim/common/links.glsl"
+#include "sim/common/mover_info.glsl"
 
 #ifndef PAIR_IMPULSES
 #define PAIR_IMPULSES pairImpulses
@@ -15,50 +18,50 @@ uniform samplerBuffer colliderArms;
 uniform samplerBuffer linkImpulses;
 #ifdef ON_PARTICLES
 uniform samplerBuffer particleImpulses;  // by rank
-uniform samplerBuffer restOffsets;
-uniform usamplerBuffer rankedParticles;
 #endif
 
 struct Sum {
     Field impulse;
-    float acting;
+    float acting;    // how many of the contacts act
 };
 
-void add(inout Sum sum, vec4 impulse, float side, vec3 r)
+/// @param side 1 for the first side of a contact, -1 for the second.
+void add(inout Sum sum, Impulse impulse, float side, Arm arm)
 {
-    vec3 p = side * impulse.xyz;
+    vec3 p = side * impulse.whole;
     sum.impulse.t += p;
-    sum.impulse.f += outerProduct(p, r);
-    sum.acting += impulse.w != 0.0 ? 1.0 : 0.0;
+    sum.impulse.f += outerProduct(p, arm.r);
+    sum.acting += impulse.normal != 0.0 ? 1.0 : 0.0;
 }
 
 /// What its contacts add to a mover, and how many will act next.
-Sum contactSum(uvec4 info, uint parity)
+Sum contactSum(MoverInfo mover, uint parity)
 {
     Sum sum = Sum(Field(vec3(0), mat3(0)), 0.0);
-    int pairBase = int(parity * sim.pairCapacity), colliderBase = int(parity * sim.colliderPairCapacity);
-    uvec2 range = listRange(parity, LIST_AS_FIRST, info.x, info.y);
-    for (int q = int(range.x); q < int(range.y); ++q)
-        add(sum, texelFetch(PAIR_IMPULSES, pairBase + q), 1.0, texelFetch(pairArms, 2 * q).xyz);
-    range = listRange(parity, LIST_AS_SECOND, info.x, info.y);
+    uint pairBase = parity * sim.pairCapacity, colliderBase = parity * sim.colliderPairCapacity;
+    uvec2 range = listRange(parity, LIST_AS_FIRST, mover.firstRank, mover.rankCount);
+    for (uint q = range.x; q < range.y; ++q)
+        add(sum, fetchImpulse(PAIR_IMPULSES, pairBase + q), 1.0, fetchContactArm(pairArms, firstArm(q)));
+    range = listRange(parity, LIST_AS_SECOND, mover.firstRank, mover.rankCount);
     for (uint k = range.x; k < range.y; ++k) {
         uint reference = texelFetch(pairReferences, int(k)).x;
-        int q = int(min(reference, sim.pairCapacity - 1u));
-        vec4 impulse = reference == NO_PAIR ? vec4(0) : texelFetch(PAIR_IMPULSES, pairBase + q);
-        add(sum, impulse, -1.0, texelFetch(pairArms, 2 * q + 1).xyz);
+        uint q = min(reference, sim.pairCapacity - 1u);
+        Impulse impulse = fetchImpulse(PAIR_IMPULSES, pairBase + q);
+        if (reference == NONE) impulse = Impulse(vec3(0), 0.0);   // there was no room for the pair
+        add(sum, impulse, -1.0, fetchContactArm(pairArms, secondArm(q)));
     }
-    range = listRange(parity, LIST_COLLIDERS, info.x, info.y);
-    for (int q = int(range.x); q < int(range.y); ++q)
-        add(sum, texelFetch(COLLIDER_IMPULSES, colliderBase + q), 1.0, texelFetch(colliderArms, q).xyz);
+    range = listRange(parity, LIST_COLLIDERS, mover.firstRank, mover.rankCount);
+    for (uint q = range.x; q < range.y; ++q)
+        add(sum, fetchImpulse(COLLIDER_IMPULSES, colliderBase + q), 1.0, fetchContactArm(colliderArms, q));
     return sum;
 }
 
 /// What its joints add to a body (WARM_START: nothing).
-Field jointSum(uvec4 body)
+Field jointSum(BodyInfo body)
 {
     Field sum = Field(vec3(0), mat3(0));
 #ifndef WARM_START
-    for (uint l = body.x + body.z; l < body.x + body.y; ++l) {
+    for (uint l = body.linkStart + body.ownCount; l < body.linkStart + body.linkCount; ++l) {
         vec3 p = texelFetch(linkImpulses, int(l)).xyz;
         sum.t += p;
         sum.f += outerProduct(p, fetchLink(l).r);
@@ -68,14 +71,14 @@ Field jointSum(uvec4 body)
 }
 
 /// What fluids, ropes and soft bodies add to a mover through its particles (ON_PARTICLES: of a world that has any).
-Field particleSum(uvec4 info)
+Field particleSum(MoverInfo mover)
 {
     Field sum = Field(vec3(0), mat3(0));
 #ifdef ON_PARTICLES
-    for (uint rank = info.x; rank < info.x + info.y; ++rank) {
+    for (uint rank = mover.firstRank; rank < mover.firstRank + mover.rankCount; ++rank) {
         vec3 p = texelFetch(particleImpulses, int(rank)).xyz;
         sum.t += p;
-        sum.f += outerProduct(p, texelFetch(restOffsets, int(texelFetch(rankedParticles, int(rank)).x)).xyz);
+        sum.f += outerProduct(p, fetchArm(fetchRankedParticle(rank)).r);
     }
 #endif
     return sum;

@@ -6,3 +6,6 @@
 #define READ_BUFFER(type, Block, name) layout(std430) restrict readonly buffer Block { type name[]; }
 
 layout(std140) uniform Step { StepParameters sim; };
+
+// An index of nothing: no pair, no cell, no second place.
+#define NONE 0xffffffffu

@@ -1,9 +1,7 @@
 // Points of movers as they are between steps.
 #include "sim/common/fields.glsl"
-#include "math/quaternion.glsl"
+#include "sim/common/mover_poses.glsl"
 
-uniform samplerBuffer moverCentres;
-uniform samplerBuffer moverRotations;
 uniform samplerBuffer moverVelocities;
 
 struct PointState {
@@ -11,9 +9,10 @@ struct PointState {
     vec3 velocity;   // [m/s]
 };
 
+/// Of the point of a mover at r in its axes.
 PointState pointState(uint mover, vec3 r)
 {
     Field velocity = fetchField(moverVelocities, mover);
-    vec3 arm = rotate(texelFetch(moverRotations, int(mover)), r);
-    return PointState(texelFetch(moverCentres, int(mover)).xyz + arm, velocity.t + velocity.f * r);
+    vec3 arm = rotate(fetchRotation(mover), r);
+    return PointState(fetchCentre(mover) + arm, velocity.t + velocity.f * r);
 }

@@ -1,26 +1,33 @@
-// Where movers are: bodies, and loose particles as bodies that cannot turn.
-#include "math/quaternion.glsl"
+// Where points of movers are within a substep.
+#include "sim/common/mover_poses.glsl"
 
-uniform samplerBuffer moverCentres;      // at the start of the substep [m]
-uniform samplerBuffer moverRotations;
-uniform samplerBuffer moverMoves;        // since [m]; w: over how many impulses its mass is split
+uniform samplerBuffer moverMoves;
 uniform samplerBuffer moverRotationDeltas;
 
+MoverMove fetchMove(uint mover)
+{
+    return unpackMove(texelFetch(moverMoves, int(mover)));
+}
+
+/// By how much a mover has turned since the start of the substep.
+vec4 fetchRotationDelta(uint mover)
+{
+    return texelFetch(moverRotationDeltas, int(mover));
+}
+
 struct MoverPoint {
-    vec3 centre;    // at the start [m]
+    vec3 centre;    // of the mover, at the start [m]
     vec3 arm;       // from there to the point, at the start [m]
     vec3 move;      // of the point since [m]
     float splits;   // over how many impulses the mover's mass is split
 };
 
-/// A point of a mover at r. The move comes from the turn, not from two positions, so that its rounding stays as small
-/// as itself.
+/// The point of a mover at r in its axes.
 MoverPoint moverPoint(uint mover, vec3 r)
 {
-    vec3 arm = rotate(texelFetch(moverRotations, int(mover)), r);
-    vec4 turn = texelFetch(moverRotationDeltas, int(mover));
-    vec4 move = texelFetch(moverMoves, int(mover));
-    vec3 t = 2.0 * cross(turn.xyz, arm);
-    return MoverPoint(texelFetch(moverCentres, int(mover)).xyz, arm,
-                      move.xyz + turn.w * t + cross(turn.xyz, t), move.w);
+    vec3 arm = rotate(fetchRotation(mover), r);
+    vec4 rotation = fetchRotationDelta(mover);
+    MoverMove move = fetchMove(mover);
+    vec3 t = 2.0 * cross(rotation.xyz, arm);
+    return MoverPoint(fetchCentre(mover), arm, move.shift + rotation.w * t + cross(rotation.xyz, t), move.splits);
 }

@@ -1,46 +1,63 @@
-// One-sided contacts (Macklin et al. 2014, 5.1): a particle of a body knows the way out of it, so that what has come
-// into the body leaves it by that way instead of being held by its lattice. Which particle of a pair decides is found
-// with the pair; its way stands in the upper bits of the pair's movers, turned as the body was then.
+// One-sided contacts (Macklin et al. 2014, 5.1). A particle of a body knows the exit direction, which leads to the
+// nearest point of the body's surface. What has come into the body leaves it in that direction, instead of being held
+// between the particles of its lattice. Which particle of a pair decides is settled when the pair is found
+// (sim/contact/exit_direction.glsl); the direction, turned as the body was then, is packed into the upper bits of the
+// pair's movers.
 #include "math/octahedron.glsl"
 
 #define MOVER_MASK 0x7fffffu
-#define WAY_LEVELS 127.0             // 7 bits an axis: 2 degrees at worst
-#define WAY_KNOWN 0x80000000u        // with the first mover
-#define WAY_KIN 0x800000u           // with the first: both sides are of one assembly
-#define WAY_DEEP 0x80000000u         // with the second: both particles lie more than a diameter below their surfaces
+#define EXIT_LEVELS 127.0                // 7 bits an axis: 2 degrees at worst
+#define EXIT_KNOWN 0x80000000u           // with the first mover
+#define EXIT_SAME_ASSEMBLY 0x800000u     // with the first mover
+#define EXIT_DEEP_INSIDE 0x80000000u     // with the second mover
 
-/// The way out for the first particle of a pair.
-struct Way {
-    vec3 away;           // unit, or zero for none
-    bool deep;
-    bool kin;            // both sides are of one assembly
+/// In which direction the first particle of a pair leaves the other's body, or the other leaves its body backwards.
+struct ExitDirection {
+    vec3 direction;      // unit, or zero for none
+    bool deepInside;     // both particles lie so far below their surfaces that they would not touch outside
+    bool sameAssembly;   // both particles are of one assembly
 };
 
-/// The bits for both movers.
-uvec2 packWay(Way way)
+/// The bits to be added to both movers.
+uvec2 packExit(ExitDirection exit)
 {
-    uvec2 kin = uvec2(way.kin ? WAY_KIN : 0u, 0u);
-    if (way.away == vec3(0)) return kin;
-    uvec2 place = uvec2((0.5 * toSquare(way.away) + 0.5) * WAY_LEVELS + 0.5);
-    return kin | place << 24 | uvec2(WAY_KNOWN, way.deep ? WAY_DEEP : 0u);
+    uvec2 bits = uvec2(exit.sameAssembly ? EXIT_SAME_ASSEMBLY : 0u, 0u);
+    if (exit.direction == vec3(0)) return bits;
+    uvec2 levels = uvec2((0.5 * toSquare(exit.direction) + 0.5) * EXIT_LEVELS + 0.5);
+    return bits | levels << 24 | uvec2(EXIT_KNOWN, exit.deepInside ? EXIT_DEEP_INSIDE : 0u);
 }
 
-Way unpackWay(uvec2 movers)
+ExitDirection unpackExit(uvec2 movers)
 {
-    vec2 place = vec2(movers >> 24 & 127u) * (2.0 / WAY_LEVELS) - 1.0;
-    bool known = (movers.x & WAY_KNOWN) != 0u;
-    return Way(known ? fromSquare(place) : vec3(0), (movers.y & WAY_DEEP) != 0u, (movers.x & WAY_KIN) != 0u);
+    vec2 square = vec2(movers >> 24 & 127u) * (2.0 / EXIT_LEVELS) - 1.0;
+    bool known = (movers.x & EXIT_KNOWN) != 0u;
+    return ExitDirection(known ? fromSquare(square) : vec3(0), (movers.y & EXIT_DEEP_INSIDE) != 0u,
+                         (movers.x & EXIT_SAME_ASSEMBLY) != 0u);
 }
 
-/// The direction of a contact whose first particle is at `apart` from the second: theirs, or mirrored where that points
-/// into the body, or the way out itself where the particle is deep in the body, has sunk between particles of its
-/// surface, whose friction would hold it there, or is so near to one that their direction says nothing. w: 1 where it is
-/// not simply theirs.
-vec4 sidedNormal(vec3 apart, float far, Way way)
+struct OneSidedNormal {
+    vec3 normal;   // unit, towards the first particle
+    bool applies;  // false: the contact's normal is simply the direction between the two particles
+};
+
+/// The normal of a contact by the exit direction:
+/// - the exit direction itself where both particles are deep inside, or where they are so near to each other that the
+///   direction between them says nothing, or the friction of the particles around would hold what has sunk there;
+/// - the direction between the two, mirrored, where that points into the body.
+/// @param difference from the second particle to the first, `apart` long [m].
+/// @param touch the distance at which the two touch [m].
+OneSidedNormal oneSidedNormal(vec3 difference, float apart, ExitDirection exit, float touch)
 {
-    float facing = dot(apart, way.away);
-    bool deep = far < sim.diameter && way.deep;
-    bool between = far < (facing < 0.5 * far ? SUNK : 0.5) * sim.diameter && way.away != vec3(0);
-    vec3 mirrored = (apart - 2.0 * facing * way.away) / max(far, 1e-7);
-    return vec4(deep || between ? way.away : mirrored, deep || between || facing < 0.0 ? 1.0 : 0.0);
+    float facing = dot(difference, exit.direction);
+    bool deepInside = apart < touch && exit.deepInside;
+    bool between = apart < (facing < 0.5 * apart ? SUNK : 0.5) * touch && exit.direction != vec3(0);
+    vec3 mirrored = (difference - 2.0 * facing * exit.direction) / max(apart, 1e-7);
+    bool exits = deepInside || between;
+    return OneSidedNormal(exits ? exit.direction : mirrored, exits || facing < 0.0);
+}
+
+/// From the second of two points to the first; for two that are at most a rounding error apart: up or down.
+vec3 contactNormal(vec3 difference, float apart, bool first)
+{
+    return apart > 1e-7 ? difference / apart : vec3(0, first ? 1.0 : -1.0, 0);
 }

@@ -7,13 +7,32 @@
 // may do either.
 
 #ifdef SLEEP
-uniform usamplerBuffer assemblyCalm;     // calm steps, name of the island
+uniform usamplerBuffer assemblyCalm;
 #endif
+
+/// For how long an assembly has been calm. BUFFER(Calm, AssemblyCalm, ...) stores it.
+struct Calm {
+    uint steps;
+    uint island;     // the name of its island
+};
+
+#ifdef SLEEP
+Calm fetchCalm(uint assembly)
+{
+    uvec2 t = texelFetch(assemblyCalm, int(assembly)).xy;
+    return Calm(t.x, t.y);
+}
+#endif
+
+bool sleeps(Calm calm)
+{
+    return calm.steps >= sim.calmSteps;
+}
 
 bool isAsleep(uint assembly)
 {
 #ifdef SLEEP
-    return texelFetch(assemblyCalm, int(assembly)).x >= sim.calmSteps;
+    return sleeps(fetchCalm(assembly));
 #else
     return false;
 #endif

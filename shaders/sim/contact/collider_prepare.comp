@@ -2,29 +2,27 @@
 #include "sim/common/kernel.glsl"
 #include "sim/common/list_ranges.glsl"
 #include "sim/common/colliders.glsl"
+#include "sim/common/touch.glsl"
 #include "sim/contact/contact_mass.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer particleRanks;   // mover, rank
-uniform samplerBuffer restOffsets;
-uniform samplerBuffer masses;
 uniform samplerBuffer searchPositions;
-uniform usamplerBuffer colliderPairs;    // particle, collider
+uniform usamplerBuffer colliderPairs;
 uniform samplerBuffer lastColliderImpulses;
 uniform samplerBuffer lastColliderMeans;
-BUFFER(uvec4, ColliderSides, colliderSides);   // mover, collider, frictions, share of inverse mass
+BUFFER(uvec4, ColliderSides, colliderSides);
 BUFFER(vec4, ColliderArms, colliderArms);
 BUFFER(vec4, ColliderImpulses, colliderImpulses);
 BUFFER(float, ColliderMeans, colliderMeans);
 BUFFER(Counters, CountersBlock, counters);
 
-/// Where the contact stood before; -1: nowhere.
-int oldPlace(uint parity, uint rank, uint collider)
+/// The index that the contact had before, or NONE.
+uint oldIndex(uint parity, uint rank, uint collider)
 {
     uvec2 range = listRange(parity, LIST_COLLIDERS, rank, 1u) + parity * sim.colliderPairCapacity;
     for (uint q = range.x; q < range.y; ++q)
-        if (texelFetch(colliderPairs, int(q)).y == collider) return int(q);
-    return -1;
+        if (fetchColliderPair(colliderPairs, q).collider == collider) return q;
+    return NONE;
 }
 
 void main()
@@ -32,19 +30,18 @@ void main()
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].colliderPairCount) return;
     uint parity = counters[0].listParity;
-    uint place = parity * sim.colliderPairCapacity + q;
-    uvec2 pair = texelFetch(colliderPairs, int(place)).xy;
-    int i = int(pair.x);
-    uvec2 own = texelFetch(particleRanks, i).xy;
-    vec4 arm = texelFetch(restOffsets, i);
-    vec4 surface = colliderDistance(pair.y, texelFetch(searchPositions, i).xyz);
-    vec2 friction = 0.5 * (texelFetch(masses, i).zw + colliderAt(pair.y).friction.xy);
-    vec2 shares = vec2(normalFraction(own.x, arm, surface.xyz), 1);
-    colliderSides[q] = uvec4(own.x, pair.y, packHalf2x16(friction), packUnorm2x16(shares));
-    colliderArms[q] = arm;
-    int old = oldPlace(parity ^ 1u, own.y, pair.y);
-    vec4 impulse = old < 0 ? vec4(0) : texelFetch(lastColliderImpulses, old);
-    if (surface.w < 0.5 * sim.diameter && impulse.w <= 0.0) impulse.w = ABOUT_TO_ACT;
-    colliderImpulses[place] = impulse;
-    colliderMeans[place] = old < 0 ? 0.0 : texelFetch(lastColliderMeans, old).x;
+    uint index = parity * sim.colliderPairCapacity + q;
+    ColliderPair pair = fetchColliderPair(colliderPairs, index);
+    ParticleRank own = fetchRank(pair.particle);
+    Arm arm = fetchArm(pair.particle);
+    vec4 surface = colliderDistance(pair.collider, texelFetch(searchPositions, int(pair.particle)).xyz);
+    vec2 friction = 0.5 * (fetchMass(pair.particle).friction + fetchColliderFriction(pair.collider));
+    colliderSides[q] = packColliderContact(
+        ColliderContact(own.mover, pair.collider, friction, normalFraction(own.mover, arm, surface.xyz)));
+    colliderArms[q] = packArm(arm);
+    uint old = oldIndex(parity ^ 1u, own.rank, pair.collider);
+    Impulse impulse = old == NONE ? Impulse(vec3(0), 0.0) : fetchImpulse(lastColliderImpulses, old);
+    if (surface.w < particleRadius(pair.particle) && impulse.normal <= 0.0) impulse.normal = ABOUT_TO_ACT;
+    colliderImpulses[index] = packImpulse(impulse);
+    colliderMeans[index] = old == NONE ? 0.0 : texelFetch(lastColliderMeans, int(old)).x;
 }

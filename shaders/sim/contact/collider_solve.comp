@@ -2,9 +2,12 @@
 #include "sim/common/kernel.glsl"
 #include "sim/common/movers.glsl"
 #include "sim/common/colliders.glsl"
+#include "sim/common/contacts.glsl"
+#include "sim/common/touch.glsl"
 #include "sim/contact/contact_impulse.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
+uniform usamplerBuffer colliderPairs;
 uniform usamplerBuffer colliderSides;
 uniform samplerBuffer colliderArms;
 uniform samplerBuffer lastColliderImpulses;
@@ -17,23 +20,25 @@ void main()
 {
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].colliderPairCount) return;
-    uint place = counters[0].listParity * sim.colliderPairCapacity + q;
-    uvec4 sides = texelFetch(colliderSides, int(q));
-    vec4 arm = texelFetch(colliderArms, int(q));
-    MoverPoint point = moverPoint(sides.x, arm.xyz);
+    uint index = counters[0].listParity * sim.colliderPairCapacity + q;
+    float radius = particleRadius(fetchColliderPair(colliderPairs, index).particle);
+    ColliderContact sides = fetchColliderContact(colliderSides, q);
+    Arm arm = fetchContactArm(colliderArms, q);
+    MoverPoint point = moverPoint(sides.mover, arm.r);
     vec3 start = point.centre + point.arm;
-    vec4 surface = colliderDistance(sides.y, start + point.move);
+    vec4 surface = colliderDistance(sides.collider, start + point.move);
     Contact contact;
+    contact.touch = 2.0 * radius;
     contact.slide = point.move;
     contact.normal = surface.xyz;
-    contact.kin = false;
+    contact.sameAssembly = false;
     contact.leaving = dot(point.move, surface.xyz);
-    contact.gap = surface.w - 0.5 * sim.diameter;
-    contact.startGap = colliderDistance(sides.y, start).w - 0.5 * sim.diameter;
-    contact.worstMass = arm.w * point.splits;
-    contact.inverseMass = contact.worstMass * unpackUnorm2x16(sides.w).x;
-    contact.friction = unpackHalf2x16(sides.z);
-    float mean = texelFetch(lastColliderMeans, int(place)).x;
-    colliderImpulses[place] = solveContact(contact, texelFetch(lastColliderImpulses, int(place)), mean);
-    colliderMeans[place] = mean;
+    contact.gap = surface.w - radius;
+    contact.startGap = colliderDistance(sides.collider, start).w - radius;
+    contact.worstInverseMass = arm.worstInverseMass * point.splits;
+    contact.inverseMass = contact.worstInverseMass * sides.fraction;
+    contact.friction = sides.friction;
+    float mean = texelFetch(lastColliderMeans, int(index)).x;
+    colliderImpulses[index] = packImpulse(solveContact(contact, fetchImpulse(lastColliderImpulses, index), mean));
+    colliderMeans[index] = mean;
 }

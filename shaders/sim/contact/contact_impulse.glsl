@@ -1,47 +1,52 @@
 // One contact as an accumulated impulse, in units of mass times displacement [kg m].
+#include "sim/common/contacts.glsl"
 
 /// What a contact is made of.
 struct Contact {
-    vec3 normal;         // towards the first side
-    float gap;           // now, negative in penetration [m]
-    float startGap;      // at the start of the substep [m]
-    vec3 slide;          // relative displacement since then [m]
-    float leaving;       // by how much the side that leaves the other faster has come along the normal since then [m]
-    bool kin;            // both sides are of one assembly
-    float inverseMass;   // of both sides together along the normal, each split over its impulses [1/kg]
-    float worstMass;     // the same for the worst direction [1/kg]
-    vec2 friction;       // static, kinetic
+    vec3 normal;              // towards the first side
+    float touch;              // at which distance the two touch; with a collider: the particle's diameter [m]
+    float gap;                // now, negative in penetration [m]
+    float startGap;           // at the start of the substep [m]
+    vec3 slide;               // relative displacement since then [m]
+    float leaving;            // how far the side that leaves the other faster has come along the normal since then [m]
+    bool sameAssembly;        // both sides are of one assembly
+    float inverseMass;        // of both sides together along the normal, each split over its impulses [1/kg]
+    float worstInverseMass;   // the same for the worst direction; 0 where neither side responds [1/kg]
+    vec2 friction;            // static, kinetic
 };
 
-/// One Jacobi iteration of an impulse: the whole in xyz, its normal part in w, or ABOUT_TO_ACT where it has none yet
-/// but will in the next iteration. Only contacts that were counted beforehand act: over those the mass is split. The
-/// normal part lets `correction` of an old penetration be taken back per substep, the less the faster a side leaves, so
-/// that not all the contacts of a heap add to one speed. What has sunk parts as fast as that and no faster: the contact
-/// pulls by what recovery may push in a substep, and its friction grips. The normal part fades towards its mean of the
-/// last second, which calms the waves that recovery feeds. Limbs of one assembly do neither, or they would fight their
-/// joints. Friction is Coulomb's, bounded by the accumulated normal impulse (Macklin et al. 2014, eq. 24).
+/// One Jacobi iteration of an impulse. Only contacts that were counted beforehand act: over those the mass is split, so
+/// a contact that will act in the next iteration says so (ABOUT_TO_ACT).
+/// - The normal part lets `correction` of an old penetration be taken back per substep, the less the faster a side
+///   leaves, so that not all the contacts of a heap add to one speed.
+/// - Two that have sunk into each other part as fast as that and no faster: the contact pulls by what recovery may push
+///   in a substep, and its friction grips.
+/// - The normal part fades towards its mean of the last second, which calms the waves that recovery feeds.
+/// - Limbs of one assembly do none of the last two, or they would fight their joints.
+/// - Friction is Coulomb's, bounded by the accumulated normal impulse (Macklin et al. 2014, eq. 24).
 /// @param mean of the normal part; updated.
-vec4 solveContact(Contact c, vec4 impulse, inout float mean)
+Impulse solveContact(Contact c, Impulse impulse, inout float mean)
 {
 #ifdef SLEEP
-    if (c.worstMass == 0.0 && impulse.w > 0.0) return impulse;   // both sides sleep
+    if (c.worstInverseMass == 0.0 && impulse.normal > 0.0) return impulse;   // both sides sleep
 #endif
     float depth = max(-c.startGap, 0.0);
-    bool sunk = !c.kin && depth > (1.0 - SUNK) * sim.diameter;
-    float slowed = c.kin ? 1.0 : clamp(1.0 - c.leaving / (LEAVING_SPEED * sim.substepTime), LEAST_RECOVERY, 1.0);
+    bool sunk = !c.sameAssembly && depth > (1.0 - SUNK) * c.touch;
+    float slowed = c.sameAssembly ? 1.0
+                                  : clamp(1.0 - c.leaving / (LEAVING_SPEED * sim.substepTime), LEAST_RECOVERY, 1.0);
     float error = c.gap + depth - min(sim.correction * depth, sim.maxCorrection * slowed);
-    bool acts = impulse.w != 0.0 && c.worstMass > 0.0;
+    bool acts = impulse.normal != 0.0 && c.worstInverseMass > 0.0;
     float push = acts ? error / c.inverseMass : 0.0;
     float most = sunk && acts ? sim.maxCorrection / c.inverseMass : 0.0;
-    float last = sunk && impulse.w < 0.0 ? min(dot(impulse.xyz, c.normal), 0.0) : max(impulse.w, 0.0);
+    float last = sunk && impulse.normal < 0.0 ? min(dot(impulse.whole, c.normal), 0.0) : max(impulse.normal, 0.0);
     mean += (last < mean ? MEAN_FALL : 1.0) * sim.meanRate * (max(last, 0.0) - mean);
-    float wave = c.kin || last <= 0.0 ? 0.0 : min(last - mean, SHOCK * mean);
+    float wave = c.sameAssembly || last <= 0.0 ? 0.0 : min(last - mean, SHOCK * mean);
     float whole = max(sim.warmStart * (last - sim.calming * wave) - push, -most);
     float normal = max(whole, 0.0), bound = max(whole, SUNK_GRIP * most);
-    vec3 tangent = impulse.xyz - (acts ? 1.0 / c.worstMass : 0.0) * c.slide;
+    vec3 tangent = impulse.whole - (acts ? 1.0 / c.worstInverseMass : 0.0) * c.slide;
     tangent -= c.normal * dot(c.normal, tangent);
     float size = length(tangent);
     if (size > c.friction.x * bound) tangent *= min(c.friction.y * bound / max(size, 1e-20), 1.0);
     bool soon = 2.0 * c.gap < c.startGap;   // it will overlap after another move like this one
-    return vec4(tangent + whole * c.normal, normal > 0.0 ? normal : soon || sunk ? ABOUT_TO_ACT : 0.0);
+    return Impulse(tangent + whole * c.normal, normal > 0.0 ? normal : soon || sunk ? ABOUT_TO_ACT : 0.0);
 }

@@ -2,88 +2,92 @@
 #include "sim/common/kernel.glsl"
 #include "sim/common/list_ranges.glsl"
 #include "sim/contact/exit_direction.glsl"
-#include "sim/common/flat_faces.glsl"
+#include "sim/common/touch.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer particleRanks;   // mover, rank
 uniform usamplerBuffer latticeEnds;
-uniform samplerBuffer restOffsets;
-uniform samplerBuffer masses;
 uniform samplerBuffer searchPositions;
 uniform usamplerBuffer pairs;
 uniform samplerBuffer lastPairImpulses;
 uniform samplerBuffer lastPairMeans;
 uniform usamplerBuffer pairArrivals;     // by second particle, in the order of arrival, which differs from run to run
-BUFFER(uvec4, PairSides, pairSides);     // movers with the way out, frictions, shares of inverse masses with hidden axes
-BUFFER(vec4, PairArms, pairArms);        // two a pair: place in the body, worst inverse mass there
+BUFFER(uvec4, PairSides, pairSides);
+BUFFER(vec4, PairArms, pairArms);
 BUFFER(vec4, PairImpulses, pairImpulses);
 BUFFER(float, PairMeans, pairMeans);
 BUFFER(uint, PairReferences, pairReferences);
 BUFFER(Counters, CountersBlock, counters);
 
+/// A mass of balls that slide on each other and cannot turn has pi / 2 times their friction (Caquot 1934). As the
+/// material's friction is to be that of the mass, loose particles get less.
+#define LOOSE_FRICTION 0.63662
+
 /// What a pair had before.
 struct Old {
-    vec4 impulse;
+    Impulse impulse;
     float mean;
 };
 
-/// Of the pair (i, j), whichever of the two was first.
-Old oldImpulse(uint parity, uint i, uint j, uint rankOfI, uint rankOfJ)
+/// Of a pair with those ranks, whichever of the two was the first.
+Old oldImpulse(uint parity, Pair pair, uint firstRank, uint secondRank)
 {
-    uvec2 pairsOfI = listRange(parity, LIST_AS_FIRST, rankOfI, 1u);
-    uvec2 pairsOfJ = listRange(parity, LIST_AS_FIRST, rankOfJ, 1u);
-    uint countOfI = pairsOfI.y - pairsOfI.x;
-    uint count = countOfI + pairsOfJ.y - pairsOfJ.x;
-    uint place = 0u;
+    uvec2 ofFirst = listRange(parity, LIST_AS_FIRST, firstRank, 1u);
+    uvec2 ofSecond = listRange(parity, LIST_AS_FIRST, secondRank, 1u);
+    uint firstCount = ofFirst.y - ofFirst.x;
+    uint count = firstCount + ofSecond.y - ofSecond.x;
+    uint index = 0u;
     float side = 0.0;
     for (uint k = 0u; k < count; ++k) {
-        bool ofI = k < countOfI;
-        uint q = ofI ? pairsOfI.x + k : pairsOfJ.x + k - countOfI;
-        bool same = texelFetch(pairs, int(parity * sim.pairCapacity + q)).y == (ofI ? j : i);
-        place = same ? q : place;
-        side = same ? (ofI ? 1.0 : -1.0) : side;
+        bool isFirst = k < firstCount;
+        uint q = isFirst ? ofFirst.x + k : ofSecond.x + k - firstCount;
+        uint other = fetchPair(pairs, parity * sim.pairCapacity + q).second;
+        bool same = other == (isFirst ? pair.second : pair.first);
+        index = same ? q : index;
+        side = same ? (isFirst ? 1.0 : -1.0) : side;
     }
-    int at = int(parity * sim.pairCapacity + place);
-    vec4 impulse = texelFetch(lastPairImpulses, at);
-    return Old(vec4(side * impulse.xyz, abs(side) * impulse.w), abs(side) * texelFetch(lastPairMeans, at).x);
+    uint old = parity * sim.pairCapacity + index;
+    Impulse impulse = fetchImpulse(lastPairImpulses, old);
+    return Old(Impulse(side * impulse.whole, abs(side) * impulse.normal),
+               abs(side) * texelFetch(lastPairMeans, int(old)).x);
 }
 
 /// The second particle refers to its pairs in their order, so that what is summed over them is summed in one order.
-void refer(uint parity, uint q, uint rankOfJ)
+void refer(uint parity, uint q, uint secondRank)
 {
-    uvec2 range = listRange(parity, LIST_AS_SECOND, rankOfJ, 1u);
-    uint place = range.x;
-    for (uint k = range.x; k < range.y; ++k) place += texelFetch(pairArrivals, int(k)).x < q ? 1u : 0u;
-    pairReferences[place] = q;
+    uvec2 range = listRange(parity, LIST_AS_SECOND, secondRank, 1u);
+    uint index = range.x;
+    for (uint k = range.x; k < range.y; ++k) index += texelFetch(pairArrivals, int(k)).x < q ? 1u : 0u;
+    pairReferences[index] = q;
 }
 
 void main()
 {
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].pairCount) return;
-    uint parity = counters[0].listParity;
-    uvec2 pair = texelFetch(pairs, int(parity * sim.pairCapacity + q)).xy;
-    int i = int(pair.x), j = int(pair.y);
-    uvec2 a = texelFetch(particleRanks, i).xy, b = texelFetch(particleRanks, j).xy;
-    vec4 armA = texelFetch(restOffsets, i), armB = texelFetch(restOffsets, j);
-    vec3 apart = texelFetch(searchPositions, i).xyz - texelFetch(searchPositions, j).xyz;
-    Way way = wayOut(i, j, uvec2(a.x, b.x), apart);
-    vec4 turnA = texelFetch(searchRotations, int(a.x)), turnB = texelFetch(searchRotations, int(b.x));
-    uint hidden = hiddenAxes(texelFetch(latticeEnds, i).x, rotate(conjugate(turnA), -apart)) |
-                  hiddenAxes(texelFetch(latticeEnds, j).x, rotate(conjugate(turnB), apart)) << 3;
-    Parting parting = partingOf(apart, way, turnA, turnB, hidden);
-    uvec2 movers = uvec2(a.x, b.x) | packWay(way);
-    vec2 friction = 0.5 * (texelFetch(masses, i).zw + texelFetch(masses, j).zw);
-    // A mass of balls that slide on each other and cannot turn has pi / 2 times their friction (Caquot 1934): that is
-    // what the material's friction is to be.
-    if (min(a.x, b.x) >= sim.bodyCount) friction *= 0.63662;
-    vec2 shares = vec2(normalFraction(a.x, armA, parting.normal), normalFraction(b.x, armB, parting.normal));
-    pairSides[q] = uvec4(movers, packHalf2x16(friction), packFractions(shares, hidden));
-    pairArms[2u * q] = armA;
-    pairArms[2u * q + 1u] = armB;
-    Old old = oldImpulse(parity ^ 1u, pair.x, pair.y, a.y, b.y);
-    if (parting.far < sim.diameter && old.impulse.w <= 0.0) old.impulse.w = ABOUT_TO_ACT;
-    pairImpulses[parity * sim.pairCapacity + q] = old.impulse;
-    pairMeans[parity * sim.pairCapacity + q] = old.mean;
-    refer(parity, q, b.y);
+    uint parity = counters[0].listParity, index = parity * sim.pairCapacity + q;
+    Pair pair = fetchPair(pairs, index);
+    ParticleRank a = fetchRank(pair.first), b = fetchRank(pair.second);
+    Arm armA = fetchArm(pair.first), armB = fetchArm(pair.second);
+    float touch = touchDistance(pair.first, pair.second);
+    vec3 difference = texelFetch(searchPositions, int(pair.first)).xyz -
+                      texelFetch(searchPositions, int(pair.second)).xyz;
+    vec4 rotationA = texelFetch(searchRotations, int(a.mover)), rotationB = texelFetch(searchRotations, int(b.mover));
+    ContactSides sides;
+    sides.movers = uvec2(a.mover, b.mover);
+    sides.exit = exitDirection(pair, sides.movers, touch);
+    sides.hidden =
+        hiddenAxes(texelFetch(latticeEnds, int(pair.first)).x, rotate(conjugate(rotationA), -difference), touch) |
+        hiddenAxes(texelFetch(latticeEnds, int(pair.second)).x, rotate(conjugate(rotationB), difference), touch) << 3;
+    Separation separation = separationOf(difference, sides.exit, rotationA, rotationB, sides.hidden, touch);
+    sides.friction = 0.5 * (fetchMass(pair.first).friction + fetchMass(pair.second).friction);
+    if (min(a.mover, b.mover) >= sim.bodyCount) sides.friction *= LOOSE_FRICTION;
+    sides.fractions = vec2(normalFraction(a.mover, armA, separation.normal), normalFraction(b.mover, armB, separation.normal));
+    pairSides[q] = packContactSides(sides);
+    pairArms[firstArm(q)] = packArm(armA);
+    pairArms[secondArm(q)] = packArm(armB);
+    Old old = oldImpulse(parity ^ 1u, pair, a.rank, b.rank);
+    if (separation.distance < touch && old.impulse.normal <= 0.0) old.impulse.normal = ABOUT_TO_ACT;
+    pairImpulses[index] = packImpulse(old.impulse);
+    pairMeans[index] = old.mean;
+    refer(parity, q, b.rank);
 }

@@ -1,11 +1,12 @@
 // One thread a contact between particles: one Jacobi iteration of its impulse. mover_solve gives it to both sides.
 #include "sim/common/kernel.glsl"
 #include "sim/common/movers.glsl"
-#include "sim/common/list_ranges.glsl"
+#include "sim/common/contacts.glsl"
+#include "sim/common/touch.glsl"
 #include "sim/contact/contact_impulse.glsl"
-#include "sim/common/flat_faces.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
+uniform usamplerBuffer pairs;
 uniform usamplerBuffer pairSides;
 uniform samplerBuffer pairArms;
 uniform samplerBuffer lastPairImpulses;
@@ -18,29 +19,29 @@ void main()
 {
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].pairCount) return;
-    uvec4 sides = texelFetch(pairSides, int(q));
-    vec4 armA = texelFetch(pairArms, int(2u * q)), armB = texelFetch(pairArms, int(2u * q + 1u));
-    uvec2 movers = sides.xy & MOVER_MASK;
-    MoverPoint a = moverPoint(movers.x, armA.xyz), b = moverPoint(movers.y, armB.xyz);
-    vec3 startApart = a.centre - b.centre + (a.arm - b.arm);
+    uint index = counters[0].listParity * sim.pairCapacity + q;
+    Pair pair = fetchPair(pairs, index);
+    ContactSides sides = fetchContactSides(pairSides, q);
+    Arm armA = fetchContactArm(pairArms, firstArm(q)), armB = fetchContactArm(pairArms, secondArm(q));
+    MoverPoint a = moverPoint(sides.movers.x, armA.r), b = moverPoint(sides.movers.y, armB.r);
+    vec3 startDifference = a.centre - b.centre + (a.arm - b.arm);
     Contact contact;
+    contact.touch = touchDistance(pair.first, pair.second);
     contact.slide = a.move - b.move;
-    vec3 r = startApart + contact.slide;
-    float far = length(r);
-    Way way = unpackWay(sides.xy);
-    Parting parting = partingOf(startApart, way, texelFetch(moverRotations, int(movers.x)),
-                                texelFetch(moverRotations, int(movers.y)), unpackHidden(sides.w));
-    contact.normal = parting.keeps ? parting.normal : contactNormal(r, far, true);
-    contact.kin = way.kin;
+    vec3 difference = startDifference + contact.slide;
+    float apart = length(difference);
+    Separation start = separationOf(startDifference, sides.exit, fetchRotation(sides.movers.x),
+                                    fetchRotation(sides.movers.y), sides.hidden, contact.touch);
+    contact.normal = start.keepsNormal ? start.normal : contactNormal(difference, apart, true);
+    contact.sameAssembly = sides.exit.sameAssembly;
     contact.leaving = max(dot(a.move, contact.normal), -dot(b.move, contact.normal));
-    contact.startGap = (parting.sided && way.deep ? 0.0 : parting.far) - sim.diameter;
-    contact.gap = parting.keeps ? contact.startGap + dot(contact.slide, parting.normal) : far - sim.diameter;
-    vec2 worst = vec2(armA.w * a.splits, armB.w * b.splits);
-    contact.worstMass = worst.x + worst.y;
-    contact.inverseMass = dot(worst, unpackFractions(sides.w));
-    contact.friction = unpackHalf2x16(sides.z);
-    uint place = counters[0].listParity * sim.pairCapacity + q;
-    float mean = texelFetch(lastPairMeans, int(place)).x;
-    pairImpulses[place] = solveContact(contact, texelFetch(lastPairImpulses, int(place)), mean);
-    pairMeans[place] = mean;
+    contact.startGap = (start.oneSided && sides.exit.deepInside ? 0.0 : start.distance) - contact.touch;
+    contact.gap = start.keepsNormal ? contact.startGap + dot(contact.slide, start.normal) : apart - contact.touch;
+    vec2 worst = vec2(armA.worstInverseMass * a.splits, armB.worstInverseMass * b.splits);
+    contact.worstInverseMass = worst.x + worst.y;
+    contact.inverseMass = dot(worst, sides.fractions);
+    contact.friction = sides.friction;
+    float mean = texelFetch(lastPairMeans, int(index)).x;
+    pairImpulses[index] = packImpulse(solveContact(contact, fetchImpulse(lastPairImpulses, index), mean));
+    pairMeans[index] = mean;
 }

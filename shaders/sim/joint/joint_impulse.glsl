@@ -1,24 +1,28 @@
 // The impulses between the bodies that share a particle. FIRST_ITERATION: of a substep; joints have no memory.
+#include "sim/common/fields.glsl"
 #include "sim/common/movers.glsl"
+#include "sim/common/particle_links.glsl"
 #include "sim/common/links.glsl"
 #include "sim/common/mass_scaling.glsl"
 
-uniform samplerBuffer moverChanges;      // w of the first of four: relaxation of contacts
-uniform samplerBuffer linkMasses;        // effective inverse mass of a link's body at the particle
+uniform samplerBuffer moverChanges;      // with the relaxation of contacts
+uniform samplerBuffer linkMasses;        // the worst inverse mass of a link's body at the particle [1/kg]
 BUFFER(vec4, LinkImpulses, linkImpulses);
 
-/// Where the body `owner.y` would have the particle by its link `owner.x`, from `origin`.
-vec3 goal(uvec2 owner, vec3 origin)
+/// Where a body would have the particle, from `origin`.
+vec3 goal(OwnedLink owned, vec3 origin)
 {
-    MoverPoint point = moverPoint(owner.y, fetchLink(owner.x).r);
+    MoverPoint point = moverPoint(owned.body, fetchLink(owned.link).r);
     return point.centre - origin + (point.arm + point.move);
 }
 
-float splitInverseMass(uvec2 owner)
+/// The inverse mass with which a body answers at the particle, split over its impulses; 0 where it does not respond.
+/// The splits are those of contacts: over their relaxation, and scaled for them.
+float splitInverseMass(OwnedLink owned)
 {
-    float relaxation = texelFetch(moverChanges, int(4u * owner.y)).w;
-    float splits = texelFetch(moverMoves, int(owner.y)).w / contactScale(texelFetch(moverCentres, int(owner.y)).xyz);
-    return texelFetch(linkMasses, int(owner.x)).x * splits * relaxation;
+    float relaxation = fetchRelaxation(moverChanges, owned.body);
+    float splits = fetchMove(owned.body).splits / contactScale(fetchCentre(owned.body));
+    return texelFetch(linkMasses, int(owned.link)).x * splits * relaxation;
 }
 
 /// What impulses are over the distance between goals, for bodies of that inverse mass together.

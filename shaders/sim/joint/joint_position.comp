@@ -3,19 +3,19 @@
 #include "sim/common/kernel.glsl"
 #include "sim/common/mover_state.glsl"
 #include "sim/common/links.glsl"
+#include "sim/common/mover_info.glsl"
+#include "sim/common/particle_links.glsl"
+#include "sim/common/particles.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer sharedParticles;
-uniform samplerBuffer masses;
-uniform usamplerBuffer particleLinks;
-uniform usamplerBuffer linksOfParticle;
 BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
 
-PointState goalOf(uint place)
+PointState goalOf(uint entry)
 {
-    uvec2 owner = texelFetch(linksOfParticle, int(place)).xy;
-    return pointState(owner.y, fetchLink(owner.x).r);
+    OwnedLink owned = fetchOwnedLink(entry);
+    return pointState(owned.body, fetchLink(owned.link).r);
 }
 
 void main()
@@ -23,16 +23,16 @@ void main()
     uint k = gl_GlobalInvocationID.x;
     if (k >= sim.sharedCount) return;
     uint i = texelFetch(sharedParticles, int(k)).x;
-    if (texelFetch(masses, int(i)).x == 0.0) return;
-    uvec2 owned = texelFetch(particleLinks, int(i)).xy;
+    if (isFixed(fetchRank(i).mover)) return;   // where a fixed body has it, that is the first of its bodies
+    LinkRange range = fetchLinkRange(i);
     // From the first goal, so that rounding stays as small as what is between them.
-    PointState first = goalOf(owned.x);
+    PointState first = goalOf(range.first);
     vec3 shift = vec3(0), change = vec3(0);
-    for (uint l = owned.x + 1u; l < owned.x + owned.y; ++l) {
+    for (uint l = range.first + 1u; l < range.first + range.count; ++l) {
         PointState other = goalOf(l);
         shift += other.position - first.position;
         change += other.velocity - first.velocity;
     }
-    positions[i].xyz = first.position + shift / float(owned.y);
-    velocities[i] = vec4(first.velocity + change / float(owned.y), 0);
+    positions[i].xyz = first.position + shift / float(range.count);
+    velocities[i] = vec4(first.velocity + change / float(range.count), 0);
 }

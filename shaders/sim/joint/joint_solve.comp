@@ -4,16 +4,17 @@
 #include "sim/joint/joint_impulse.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer sharedOwners;     // link and body of the one, of the other
+uniform usamplerBuffer sharedOwners;     // the one link and its body, the other
 
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
     if (k >= sim.sharedByTwo) return;
     uvec4 owners = texelFetch(sharedOwners, int(k));
+    OwnedLink a = OwnedLink(owners.x, owners.y), b = OwnedLink(owners.z, owners.w);
     // Both from the first body's goal, so that the impulses cancel to the last bit.
-    vec3 apart = goal(owners.zw, goal(owners.xy, vec3(0)));
-    vec3 impulse = impulseScale(splitInverseMass(owners.xy) + splitInverseMass(owners.zw)) * apart;
-    setImpulse(owners.x, impulse);
-    setImpulse(owners.z, -impulse);
+    vec3 difference = goal(b, goal(a, vec3(0)));
+    vec3 impulse = impulseScale(splitInverseMass(a) + splitInverseMass(b)) * difference;
+    setImpulse(a.link, impulse);
+    setImpulse(b.link, -impulse);
 }

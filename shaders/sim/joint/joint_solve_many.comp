@@ -5,26 +5,24 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer sharedParticles;
-uniform usamplerBuffer particleLinks;
-uniform usamplerBuffer linksOfParticle;
 
 void main()
 {
     uint k = sim.sharedByTwo + gl_GlobalInvocationID.x;
     if (k >= sim.sharedCount) return;
-    uvec2 owned = texelFetch(particleLinks, int(texelFetch(sharedParticles, int(k)).x)).xy;
-    uvec2 first = texelFetch(linksOfParticle, int(owned.x)).xy;
+    LinkRange range = fetchLinkRange(texelFetch(sharedParticles, int(k)).x);
+    OwnedLink first = fetchOwnedLink(range.first);
     vec3 origin = goal(first, vec3(0)), sum = vec3(0);
     float inverseMass = splitInverseMass(first);
-    for (uint l = owned.x + 1u; l < owned.x + owned.y; ++l) {
-        uvec2 owner = texelFetch(linksOfParticle, int(l)).xy;
-        inverseMass += splitInverseMass(owner);
-        sum += goal(owner, origin);
+    for (uint l = range.first + 1u; l < range.first + range.count; ++l) {
+        OwnedLink owned = fetchOwnedLink(l);
+        inverseMass += splitInverseMass(owned);
+        sum += goal(owned, origin);
     }
     float scale = impulseScale(inverseMass);
-    setImpulse(first.x, scale * sum);
-    for (uint l = owned.x + 1u; l < owned.x + owned.y; ++l) {
-        uvec2 owner = texelFetch(linksOfParticle, int(l)).xy;
-        setImpulse(owner.x, scale * (sum - float(owned.y) * goal(owner, origin)));
+    setImpulse(first.link, scale * sum);
+    for (uint l = range.first + 1u; l < range.first + range.count; ++l) {
+        OwnedLink owned = fetchOwnedLink(l);
+        setImpulse(owned.link, scale * (sum - float(range.count) * goal(owned, origin)));
     }
 }

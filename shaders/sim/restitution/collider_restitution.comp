@@ -4,11 +4,10 @@
 #include "sim/common/colliders.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer colliderPairs;    // particle, collider
+uniform usamplerBuffer colliderPairs;
 uniform usamplerBuffer colliderSides;
 uniform samplerBuffer colliderArms;
 uniform samplerBuffer colliderImpulses;
-uniform samplerBuffer masses;            // y: restitution
 uniform samplerBuffer lastColliderRestitutions;
 BUFFER(vec4, ColliderRestitutions, colliderRestitutions);
 READ_BUFFER(Counters, CountersBlock, counters);
@@ -17,14 +16,14 @@ void main()
 {
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].colliderPairCount) return;
-    int place = int(counters[0].listParity * sim.colliderPairCapacity + q);
-    uvec4 sides = texelFetch(colliderSides, int(q));
-    vec4 arm = texelFetch(colliderArms, int(q));
-    PointState point = pointState(sides.x, arm.xyz);
-    vec3 normal = colliderDistance(sides.y, point.position).xyz;
-    float inverseMass = texelFetch(moverRestitutionSplits, int(sides.x)).x * arm.w * unpackUnorm2x16(sides.w).x;
-    float restitution = texelFetch(masses, int(texelFetch(colliderPairs, place).x)).y;
-    colliderRestitutions[place] = solveRestitution(texelFetch(lastColliderRestitutions, place),
-                                         texelFetch(colliderImpulses, place).w, normal,
-                                         velocityBefore(sides.x, arm.xyz), point.velocity, inverseMass, restitution);
+    uint index = counters[0].listParity * sim.colliderPairCapacity + q;
+    ColliderContact sides = fetchColliderContact(colliderSides, q);
+    Arm arm = fetchContactArm(colliderArms, q);
+    PointState point = pointState(sides.mover, arm.r);
+    vec3 normal = colliderDistance(sides.collider, point.position).xyz;
+    float inverseMass = restitutionSplits(sides.mover) * arm.worstInverseMass * sides.fraction;
+    float restitution = fetchMass(fetchColliderPair(colliderPairs, index).particle).restitution;
+    colliderRestitutions[index] = packImpulse(
+        solveRestitution(fetchImpulse(lastColliderRestitutions, index), fetchImpulse(colliderImpulses, index).normal,
+                         normal, velocityBefore(sides.mover, arm.r), point.velocity, inverseMass, restitution));
 }

@@ -2,11 +2,14 @@
 #include "sim/common/kernel.glsl"
 #include "sim/common/colliders.glsl"
 #include "sim/common/contact_lists.glsl"
+#include "sim/common/particles.glsl"
+#include "sim/common/search_margin.glsl"
+#include "sim/common/touch.glsl"
+#include "sim/search/candidates.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer searchPositions;
-uniform samplerBuffer searchCentres;      // w: how far its mover may drift
-uniform usamplerBuffer particleRanks;   // mover, rank
+uniform samplerBuffer searchCentres;
 uniform usamplerBuffer moverColliders;   // bits: those that the mover may touch
 BUFFER(uint, ColliderLists, colliderLists);
 BUFFER(uint, ListCounts, listCounts);
@@ -17,16 +20,15 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.particleCount) return;
     vec3 x = texelFetch(searchPositions, int(i)).xyz;
-    uvec2 place = texelFetch(particleRanks, int(i)).xy;
-    float further = max(texelFetch(searchCentres, int(place.x)).w - sim.drift, 0.0);
-    float reach = sim.contactRadius - 0.5 * sim.diameter + further;
-    uint near = texelFetch(moverColliders, int(place.x)).x;
+    ParticleRank own = fetchRank(i);
+    float reach = colliderReach() + max(extraMargin(fetchSearchCentre(searchCentres, own.mover)), 0.0);
+    uint near = texelFetch(moverColliders, int(own.mover)).x;
     uint count = 0u;
     for (uint block = 0u; near != 0u; block += 32u) {
         for (uint left = near; left != 0u; left &= left - 1u) {
             uint c = block + uint(findLSB(left));
             if (c >= sim.colliderCount || colliderDistance(c, x).w > reach) continue;
-            if (count < COLLIDER_SLOTS) colliderLists[count * sim.particleCount + i] = c;
+            if (count < COLLIDER_SLOTS) colliderLists[candidateIndex(count, i)] = c;
             ++count;
         }
         if (block + 32u >= sim.colliderCount) break;
@@ -35,5 +37,5 @@ void main()
         atomicOr(counters[0].problems, PROBLEM_COLLIDERS);
         atomicMax(counters[0].wantedColliders, count);
     }
-    listCounts[listPlace(LIST_COLLIDERS, place.y)] = min(count, COLLIDER_SLOTS);
+    listCounts[listIndex(LIST_COLLIDERS, own.rank)] = min(count, COLLIDER_SLOTS);
 }

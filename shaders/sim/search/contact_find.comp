@@ -1,6 +1,6 @@
 // One thread a particle, in cell order: the particles ahead of it that it may touch (paper, section 3.1: nearer than
 // 1.2 diameters). Never particles of a body of its own, nor of its assembly where they overlap at rest; fast ones are
-// contact_find_far's business.
+// found by contact_find_far.
 #include "sim/common/kernel.glsl"
 #include "sim/common/fluid_grid.glsl"
 #include "sim/common/grid.glsl"
@@ -11,8 +11,8 @@ layout(local_size_x = GROUP_SIZE) in;
 /// The particles ahead, range after range, as one sequence: long loops over all leave fewer lanes of a software driver
 /// idle than a loop for each range.
 struct Sequence {
-    uint begins[FORWARD_RANGES];    // place of a range's first particle in the sequence
-    uint offsets[FORWARD_RANGES];   // from there to its place in the sorted arrays
+    uint begins[FORWARD_RANGES];    // index of a range's first particle in the sequence
+    uint offsets[FORWARD_RANGES];   // from there to its index in the sorted arrays
     uint count;
 };
 
@@ -30,8 +30,8 @@ Sequence sequenceAhead(ivec3 cell, uint k)
     return s;
 }
 
-/// The place in the sorted arrays of the sequence's particle c; `range` is which range it is of.
-uint placeOf(Sequence s, uint c, out int range)
+/// The index in the sorted arrays of the sequence's particle c; `range` is which range it is of.
+uint indexOf(Sequence s, uint c, out int range)
 {
     uint offset = s.offsets[0];
     range = 0;
@@ -47,10 +47,10 @@ void main()
 {
     uint k = gl_GlobalInvocationID.x;
     if (k >= sim.particleCount) return;
-    uvec4 info = texelFetch(sortedInfos, int(k));
-    if (info.w != 0u) return;
-    vec4 own = texelFetch(sortedPositions, int(k));
-    ivec3 cell = cellOf(own.xyz);
+    SortedInfo info = fetchSortedInfo(k);
+    if (info.fast) return;
+    SortedPosition own = fetchSortedPosition(k);
+    ivec3 cell = cellOf(own.position);
     Sequence ahead = sequenceAhead(cell, k);
     float reach = sim.contactRadius * sim.contactRadius;
     uint count = 0u;
@@ -60,17 +60,17 @@ void main()
         uint hits = 0u;
         uint n = min(ahead.count - first, 32u);
         for (uint b = 0u; b < n; ++b) {
-            vec4 other = texelFetch(sortedPositions, int(placeOf(ahead, first + b, range)));
-            vec3 r = own.xyz - other.xyz;
-            uint hit = dot(r, r) < reach && floatBitsToUint(other.w) != floatBitsToUint(own.w) ? 1u : 0u;
+            SortedPosition other = fetchSortedPosition(indexOf(ahead, first + b, range));
+            vec3 r = own.position - other.position;
+            uint hit = dot(r, r) < reach && other.mover != own.mover ? 1u : 0u;
             hits |= hit << b;
         }
         while (hits != 0u) {
-            uint m = placeOf(ahead, first + uint(findLSB(hits)), range);
+            uint m = indexOf(ahead, first + uint(findLSB(hits)), range);
             hits &= hits - 1u;
-            uvec4 other = texelFetch(sortedInfos, int(m));
-            if (other.w != 0u || (other.y == info.y && !mayTouch(info.x, other.x))) continue;
-            if (!inForwardRange(cell, range, texelFetch(sortedPositions, int(m)).xyz)) continue;
+            SortedInfo other = fetchSortedInfo(m);
+            if (other.fast || (other.assembly == info.assembly && !mayTouch(info.particle, other.particle))) continue;
+            if (!inForwardRange(cell, range, fetchSortedPosition(m).position)) continue;
             notePair(info, other, count++);
         }
     }

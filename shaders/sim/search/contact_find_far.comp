@@ -3,27 +3,27 @@
 #include "sim/common/kernel.glsl"
 #include "sim/common/fluid_grid.glsl"
 #include "sim/common/grid.glsl"
+#include "sim/common/particles.glsl"
+#include "sim/common/search_margin.glsl"
 #include "sim/search/contact_search.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer fastParticles;
-uniform usamplerBuffer particleRanks;   // mover, rank
-uniform usamplerBuffer particleInfo;
 uniform samplerBuffer searchPositions;
-uniform samplerBuffer searchCentres;      // w: how far its mover may drift
+uniform samplerBuffer searchCentres;
 
-/// How far a mover drifts beyond the others.
+/// By how much further a particle looks than others.
 float reachOf(uint particle)
 {
-    return texelFetch(searchCentres, int(texelFetch(particleRanks, int(particle)).x)).w - sim.drift;
+    return extraMargin(fetchSearchCentre(searchCentres, fetchRank(particle).mover));
 }
 
-bool isContact(uvec4 own, uvec4 other, float far, float reach)
+bool isContact(SortedInfo own, SortedInfo other, float apart, float reach)
 {
-    if (other.w != 0u && other.z < own.z) return false;
-    float both = reach + (other.w != 0u ? reachOf(other.x) : 0.0);
-    if (far >= sim.contactRadius + both) return false;
-    return other.y != own.y || mayTouch(own.x, other.x);
+    if (other.fast && other.rank < own.rank) return false;
+    float both = reach + (other.fast ? reachOf(other.particle) : 0.0);
+    if (apart >= sim.contactRadius + both) return false;
+    return other.assembly != own.assembly || mayTouch(own.particle, other.particle);
 }
 
 void main()
@@ -31,7 +31,7 @@ void main()
     uint k = gl_GlobalInvocationID.x;
     if (k >= counters[0].fastListed) return;
     uint i = texelFetch(fastParticles, int(k)).x;
-    uvec4 own = uvec4(i, texelFetch(particleInfo, int(i)).z, texelFetch(particleRanks, int(i)).y, 1);
+    SortedInfo own = SortedInfo(i, fetchParticle(i).assembly, fetchRank(i).rank, true);
     vec3 x = texelFetch(searchPositions, int(i)).xyz;
     float reach = reachOf(i), farthest = sim.contactRadius + reach + sim.farReach;
     ivec3 cell = cellOf(x);
@@ -40,11 +40,11 @@ void main()
         uvec2 cells = farCells(cell, range);
         uint end = texelFetch(cellStarts, int(cells.y)).x;
         for (uint m = texelFetch(cellStarts, int(cells.x)).x; m < end; ++m) {
-            vec3 y = texelFetch(sortedPositions, int(m)).xyz;
-            float far = length(x - y);
-            if (far >= farthest || !inFarRange(cell, range, y)) continue;
-            uvec4 other = texelFetch(sortedInfos, int(m));
-            if (isContact(own, other, far, reach)) notePair(own, other, count++);
+            vec3 y = fetchSortedPosition(m).position;
+            float apart = length(x - y);
+            if (apart >= farthest || !inFarRange(cell, range, y)) continue;
+            SortedInfo other = fetchSortedInfo(m);
+            if (isContact(own, other, apart, reach)) notePair(own, other, count++);
         }
     }
     noteCount(own, count);

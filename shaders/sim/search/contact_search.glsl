@@ -1,46 +1,71 @@
 // What a search for contacts knows about particles, and where it notes what it finds.
 #include "sim/common/contact_lists.glsl"
+#include "sim/common/particle_links.glsl"
+#include "sim/common/touch.glsl"
+#include "sim/search/candidates.glsl"
+#include "sim/search/sorted_particles.glsl"
 
 uniform samplerBuffer sortedPositions;
-uniform usamplerBuffer sortedInfos;      // particle, assembly, rank, 1 if fast
+uniform usamplerBuffer sortedInfos;
 uniform usamplerBuffer cellStarts;
 uniform samplerBuffer restPositions;
-uniform usamplerBuffer particleLinks;    // first entry and count in linksOfParticle
-uniform usamplerBuffer linksOfParticle;  // link, its body
-BUFFER(uvec2, FirstLists, firstLists);   // second particle, its arrival among that one's references
+BUFFER(uvec2, FirstLists, firstLists);   // candidates
 BUFFER(uint, ListCounts, listCounts);
 BUFFER(Counters, CountersBlock, counters);
 
+SortedPosition fetchSortedPosition(uint k)
+{
+    return unpackSortedPosition(texelFetch(sortedPositions, int(k)));
+}
+
+SortedInfo fetchSortedInfo(uint k)
+{
+    return unpackSortedInfo(texelFetch(sortedInfos, int(k)));
+}
+
+/// Where a particle is in its assembly.
+struct RestPosition {
+    vec3 position;   // in the rest pose [m]
+    float margin;    // nearer than 1 + this there, in distances of touch, particles never touch
+};
+
+RestPosition fetchRestPosition(uint i)
+{
+    vec4 t = texelFetch(restPositions, int(i));
+    return RestPosition(t.xyz, t.w);
+}
+
 bool inSameBody(uint i, uint j)
 {
-    uvec2 a = texelFetch(particleLinks, int(i)).xy, b = texelFetch(particleLinks, int(j)).xy;
+    LinkRange a = fetchLinkRange(i), b = fetchLinkRange(j);
     bool same = false;
-    for (uint k = 0u; k < a.y; ++k)
-        for (uint l = 0u; l < b.y; ++l)
-            same = same || texelFetch(linksOfParticle, int(a.x + k)).y == texelFetch(linksOfParticle, int(b.x + l)).y;
+    for (uint k = 0u; k < a.count; ++k)
+        for (uint l = 0u; l < b.count; ++l)
+            same = same || fetchOwnedLink(a.first + k).body == fetchOwnedLink(b.first + l).body;
     return same;
 }
 
-/// For two particles of one assembly.
+/// For two particles of one assembly: a little less than the distance at which they touch already holds them apart at
+/// rest.
 bool mayTouch(uint i, uint j)
 {
-    vec4 a = texelFetch(restPositions, int(i)), b = texelFetch(restPositions, int(j));
-    return length(a.xyz - b.xyz) > (0.99 + max(a.w, b.w)) * sim.diameter && !inSameBody(i, j);
+    RestPosition a = fetchRestPosition(i), b = fetchRestPosition(j);
+    return length(a.position - b.position) > (0.99 + max(a.margin, b.margin)) * touchDistance(i, j) && !inSameBody(i, j);
 }
 
-/// Lists `other` (of sortedInfos) as the second of a pair with the particle `own`, which has `count` before it.
-void notePair(uvec4 own, uvec4 other, uint count)
+/// Lists `other` as the second of a pair whose first is `own`, which has `count` before it.
+void notePair(SortedInfo own, SortedInfo other, uint count)
 {
     if (count >= sim.contactSlots) return;
-    uint arrival = atomicAdd(listCounts[listPlace(LIST_AS_SECOND, other.z)], 1u);
-    firstLists[count * sim.particleCount + own.x] = uvec2(other.x, arrival);
+    uint arrival = atomicAdd(listCounts[listIndex(LIST_AS_SECOND, other.rank)], 1u);
+    firstLists[candidateIndex(count, own.particle)] = packCandidate(Candidate(other.particle, arrival));
 }
 
-void noteCount(uvec4 own, uint count)
+void noteCount(SortedInfo own, uint count)
 {
     if (count > sim.contactSlots) {
         atomicOr(counters[0].problems, PROBLEM_CONTACTS);
         atomicMax(counters[0].wantedContacts, count);
     }
-    listCounts[listPlace(LIST_AS_FIRST, own.z)] = min(count, sim.contactSlots);
+    listCounts[listIndex(LIST_AS_FIRST, own.rank)] = min(count, sim.contactSlots);
 }

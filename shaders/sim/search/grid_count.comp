@@ -14,7 +14,7 @@ void main()
     if (i >= gridParticles()) return;
     vec4 found = texelFetch(searchPositions, int(i));
     if (isInactive(found)) {
-        particleCells[i] = uvec2(NO_CELL, 0);
+        particleCells[i] = uvec2(NONE, 0);
         return;
     }
     uint cell = cellIndex(cellOf(found.xyz));

@@ -3,16 +3,17 @@
 #include "sim/common/kernel.glsl"
 #include "sim/common/groups.glsl"
 #include "sim/common/list_ranges.glsl"
+#include "sim/common/particles.glsl"
+#include "sim/search/candidates.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer firstLists;       // second particle, its arrival among that one's references
+uniform usamplerBuffer firstLists;       // candidates
 uniform usamplerBuffer colliderLists;
 uniform usamplerBuffer listCounts;
-uniform usamplerBuffer particleRanks;   // mover, rank
-BUFFER(uvec2, Pairs, pairs);
+BUFFER(uvec2, Pairs, pairs);             // first and second particle
 BUFFER(uint, PairArrivals, pairArrivals);
 BUFFER(uint, PairReferences, pairReferences);   // contact_prepare puts them in order
-BUFFER(uvec2, ColliderPairs, colliderPairs);
+BUFFER(uvec2, ColliderPairs, colliderPairs);    // particle, collider
 BUFFER(uvec4, Dispatches, dispatches);
 BUFFER(Counters, CountersBlock, counters);
 
@@ -37,19 +38,18 @@ void main()
     if (i >= sim.particleCount) return;
     uint parity = counters[0].listParity;
     if (i == 0u) setSizes(parity);
-    uint rank = texelFetch(particleRanks, int(i)).y;
-    uint end = listEntry(parity, rank + 1u), slot = i;
-    uint references = listEntry(parity, listPlace(LIST_AS_SECOND, 0u));
-    for (uint q = listEntry(parity, rank); q < end; ++q, slot += sim.particleCount) {
-        uvec2 entry = texelFetch(firstLists, int(slot)).xy;
-        uint other = texelFetch(particleRanks, int(entry.x)).y;
-        if (q < sim.pairCapacity) pairs[parity * sim.pairCapacity + q] = uvec2(i, entry.x);
-        uint place = listEntry(parity, listPlace(LIST_AS_SECOND, other)) - references + entry.y;
-        pairArrivals[place] = q;
-        pairReferences[place] = NO_PAIR;
+    uint rank = fetchRank(i).rank;
+    uint first = listEntry(parity, rank), end = listEntry(parity, rank + 1u);
+    uint references = listEntry(parity, listIndex(LIST_AS_SECOND, 0u));
+    for (uint q = first; q < end; ++q) {
+        Candidate candidate = unpackCandidate(texelFetch(firstLists, int(candidateIndex(q - first, i))).xy);
+        uint other = fetchRank(candidate.second).rank;
+        if (q < sim.pairCapacity) pairs[parity * sim.pairCapacity + q] = uvec2(i, candidate.second);
+        uint index = listEntry(parity, listIndex(LIST_AS_SECOND, other)) - references + candidate.arrival;
+        pairArrivals[index] = q;
+        pairReferences[index] = NONE;
     }
     uvec2 range = listRange(parity, LIST_COLLIDERS, rank, 1u) + parity * sim.colliderPairCapacity;
-    slot = i;
-    for (uint q = range.x; q < range.y; ++q, slot += sim.particleCount)
-        colliderPairs[q] = uvec2(i, texelFetch(colliderLists, int(slot)).x);
+    for (uint q = range.x; q < range.y; ++q)
+        colliderPairs[q] = uvec2(i, texelFetch(colliderLists, int(candidateIndex(q - range.x, i))).x);
 }

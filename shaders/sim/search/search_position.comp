@@ -3,13 +3,14 @@
 // longer.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contact_lists.glsl"
+#include "sim/common/mover_info.glsl"
+#include "sim/common/movers.glsl"
+#include "sim/common/particles.glsl"
+#include "sim/common/search_margin.glsl"
 #ifdef FROM_POSITIONS
 uniform samplerBuffer positions;
 uniform samplerBuffer predicted;
-uniform samplerBuffer moverRotations;
 #else
-#include "sim/common/movers.glsl"
-uniform samplerBuffer restOffsets;
 uniform samplerBuffer moverReaches;
 BUFFER(uint, FastParticles, fastParticles);
 BUFFER(Counters, CountersBlock, counters);
@@ -17,8 +18,6 @@ BUFFER(vec4, SearchCentres, searchCentres);
 #endif
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer particleRanks;   // mover, rank
-uniform usamplerBuffer moverInfo;
 BUFFER(vec4, SearchRotations, searchRotations);
 BUFFER(vec4, SearchPositions, searchPositions);
 BUFFER(uint, ListCounts, listCounts);
@@ -27,25 +26,24 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.particleCount) return;
-    uvec2 place = texelFetch(particleRanks, int(i)).xy;
-    uint mover = place.x;
-    bool isFirst = texelFetch(moverInfo, int(mover)).x == place.y;
+    ParticleRank own = fetchRank(i);
+    uint mover = own.mover;
+    bool isFirst = fetchMover(mover).firstRank == own.rank;
 #ifdef FROM_POSITIONS
     searchPositions[i] = texelFetch(positions, int(i)) + texelFetch(predicted, int(i));
-    if (isFirst) searchRotations[mover] = texelFetch(moverRotations, int(mover));
+    if (isFirst) searchRotations[mover] = fetchRotation(mover);
 #else
-    MoverPoint point = moverPoint(mover, texelFetch(restOffsets, int(i)).xyz);
-    vec3 move = texelFetch(moverMoves, int(mover)).xyz;
+    MoverPoint point = moverPoint(mover, fetchArm(i).r);
+    vec3 move = fetchMove(mover).shift;
     float reach = counters[0].fastCount <= sim.fastLimit ? texelFetch(moverReaches, int(mover)).x : 0.0;
-    float drift = sim.drift + reach;
-    vec3 ahead = move * min(sim.lookAhead, 0.75 * drift / max(length(move), 1e-20));
-    if (drift > sim.drift) fastParticles[atomicAdd(counters[0].fastListed, 1u)] = i;
+    float margin = sim.drift + reach;
+    vec3 ahead = move * min(sim.lookAhead, 0.75 * margin / max(length(move), 1e-20));
+    if (margin > sim.drift) fastParticles[atomicAdd(counters[0].fastListed, 1u)] = i;
     searchPositions[i] = vec4(point.centre + point.arm + point.move + ahead, 0);
     if (isFirst) {
-        searchCentres[mover] = vec4(point.centre + move + ahead, drift);
-        searchRotations[mover] = quaternionProduct(texelFetch(moverRotationDeltas, int(mover)),
-                                                  texelFetch(moverRotations, int(mover)));
+        searchCentres[mover] = packSearchCentre(SearchCentre(point.centre + move + ahead, margin));
+        searchRotations[mover] = quaternionProduct(fetchRotationDelta(mover), fetchRotation(mover));
     }
 #endif
-    listCounts[listPlace(LIST_AS_SECOND, place.y)] = 0u;
+    listCounts[listIndex(LIST_AS_SECOND, own.rank)] = 0u;
 }

@@ -1,0 +1,36 @@
+// What the search knows of particles in the order of cells.
+
+/// As in sortedPositions.
+struct SortedPosition {
+    vec3 position;   // the one for which contacts are found [m]
+    uint mover;      // only to be compared with another's
+};
+
+SortedPosition unpackSortedPosition(vec4 t)
+{
+    return SortedPosition(t.xyz, floatBitsToUint(t.w));
+}
+
+// The mover's index goes through a float's bits, offset away from the denormals that a GPU may flush and below the NaNs.
+vec4 packSortedPosition(vec3 position, uint mover)
+{
+    return vec4(position, uintBitsToFloat(0x01000000u + mover));
+}
+
+/// As in sortedInfos.
+struct SortedInfo {
+    uint particle;
+    uint assembly;
+    uint rank;
+    bool fast;       // it looks further for contacts: contact_find_far finds them
+};
+
+SortedInfo unpackSortedInfo(uvec4 t)
+{
+    return SortedInfo(t.x, t.y, t.z, t.w != 0u);
+}
+
+uvec4 packSortedInfo(SortedInfo info)
+{
+    return uvec4(info.particle, info.assembly, info.rank, info.fast ? 1u : 0u);
+}
