@@ -1,5 +1,5 @@
-// One thread a mover: its velocity and place at the end of the substep. BDF2 where the prediction was and nothing has
-// touched since (second order would answer a shock one and a half times), else move / h.
+// One thread a mover: its velocity, and where it is at the end of the substep. BDF2 where the prediction used it and
+// nothing has touched the assembly since, else move / h: second order would answer a collision one and a half times.
 #include "sim/common/kernel.glsl"
 #include "sim/common/assemblies.glsl"
 #include "sim/common/bodies.glsl"

@@ -1,5 +1,5 @@
-// One thread a mover: how far it would move in the substep if nothing touched it, where the contacts' last impulses
-// lead from there, and whether its contact candidates are still good. BDF2 (second-order velocities) where
+// One thread a mover: how far it would move in the substep if nothing touched it, where the last impulses of its
+// contacts bring it from there, and whether its contact candidates are still good. BDF2 (second-order velocities) where
 // nothing touched its assembly lately, else symplectic Euler.
 #include "sim/common/kernel.glsl"
 #include "sim/rotation/rotation_delta.glsl"
@@ -48,9 +48,9 @@ void main()
     if (m >= MOVER_END) return;
     MoverInfo mover = fetchMover(m);
     uint now = counters[0].substep;
-    bool second = sim.secondOrder == 1u && now > 0u && fetchAssembly(lastAssemblyState, mover.assembly).lastContact + 1u != now;
+    uint lastContact = fetchAssembly(lastAssemblyState, mover.assembly).lastContact;
     bool asleep = isAsleep(mover.assembly);
-    second = second && !asleep;
+    bool second = sim.secondOrder == 1u && now > 0u && lastContact + 1u != now && !asleep;
     assemblies[mover.assembly].order = second ? 2u : 1u;
     if (isFixed(m)) return;   // its move stays 0, and so do its splits
 
@@ -67,7 +67,7 @@ void main()
     }
     STORE_FIELD(moverPredictions, m, move)
     if (asleep) {
-        // What sleeps splits its mass over no impulse: contacts take it for immovable.
+        // Contacts and joints take what splits its mass over no impulse for immovable.
         moverMoves[m] = packMove(MoverMove(vec3(0), 0.0));
         moverRotationDeltas[m] = vec4(0, 0, 0, 1);
         return;

@@ -1,7 +1,7 @@
 // One thread a mover: sums the impulses on it, and matches it to where they bring its particles (eqs. 8-9). An impulse
 // p on a particle at r displaces that particle by p / m, which adds p r^T to A and p / M to the centre's move. Also
-// counts the contacts that will act next, over which its mass is split (Tonge et al. 2012, mass splitting). WARM_START: after
-// the contacts were found anew, with their old impulses and without the joints, as mover_predict does.
+// counts the contacts that will act next, over which its mass is split (Tonge et al. 2012, mass splitting). WARM_START:
+// after the contacts were found anew, with their old impulses and without the joints, as mover_predict does.
 #include "sim/common/kernel.glsl"
 #include "sim/rotation/rotation_delta.glsl"
 #include "sim/common/assemblies.glsl"
@@ -23,8 +23,8 @@ BUFFER(vec4, MoverChanges, moverChanges);     // field: how they changed last; w
 BUFFER(Assembly, AssemblyState, assemblies);
 BUFFER(Counters, CountersBlock, counters);
 
-/// The relaxation of a mover's contacts: as large as lets their impulses converge. Too large shows as changes that turn
-/// about from iteration to iteration and shrink by less than a tenth.
+/// The relaxation of a mover's contacts: the largest with which their impulses converge. It is too large where a change
+/// of the impulses is followed by the opposite change, at least nine tenths as large.
 float relaxation(uint m, Field impulse, float acting)
 {
     Field last = fetchField(lastMoverChanges, m);

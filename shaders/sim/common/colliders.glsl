@@ -60,12 +60,24 @@ vec4 colliderDistance(uint index, vec3 x)
     return vec4(rotate(c.orientation, normal), gap);
 }
 
-/// A lower bound of the distance from a point to a collider [m]. Of a heightfield none is known: colliderDistance() takes
-/// the plane that touches it above or below the point, and the field may rise beside that.
+/// The point of a collider's surface that is nearest to a point.
+struct ColliderSurface {
+    vec3 normal;      // outward, unit
+    float distance;   // to it, negative inside [m]
+};
+
+ColliderSurface colliderSurface(uint index, vec3 x)
+{
+    vec4 t = colliderDistance(index, x);
+    return ColliderSurface(t.xyz, t.w);
+}
+
+/// A lower bound of the distance from a point to a collider [m]. Of a heightfield none is known:
+/// colliderDistance() takes the plane that touches it above or below the point, and the field may rise beside that.
 float colliderBound(uint index, vec3 x)
 {
 #ifdef GRIDS
     if (colliderShape(colliderAt(index)) == COLLIDER_HEIGHTFIELD) return -1e9;
 #endif
-    return colliderDistance(index, x).w;
+    return colliderSurface(index, x).distance;
 }

@@ -1,12 +1,12 @@
-// Boxes of particles have flat faces for what touches them. Where the lattice of a box goes on beside a particle, another
-// particle's distance counts from the line or the plane through the lattice, so that nothing is caught by its bumps. The
-// axes along which the lattice goes on are the hidden axes: three bits for each side of a pair, which are found with the
-// pair and leave only what is across them.
+// Boxes of particles have flat faces for what touches them. Where the lattice of a box goes on beside a particle, the
+// distance of another particle counts from the line or the plane through the lattice, so that nothing is caught by its
+// bumps. The axes along which the lattice goes on are the hidden axes. They are found with the pair, three bits for
+// each side; a contact's direction has no part along them.
 #include "math/quaternion.glsl"
 #include "sim/common/one_sided.glsl"
 
 /// The axes along which a lattice goes on from a particle towards another that is beside it. What is further off is
-/// nearer to another particle of the lattice: if all within touch counted, several contacts would carry what one should.
+/// nearer to another particle of the lattice: several contacts would carry what one should.
 /// @param ends of the lattice at the particle, bits 2 k and 2 k + 1: towards - and + along axis k.
 /// @param towards the other particle, in the body's axes [m]. @param touch the distance at which they touch [m].
 uint hiddenAxes(uint ends, vec3 towards, float touch)

@@ -1,7 +1,7 @@
-// Mass scaling (Macklin et al. 2014, 5.2): contacts see masses m exp(-k h), so that the lower of two gives way less and
+// Mass scaling (Macklin et al. 2014, 5.2): contacts see masses m exp(-k h), so that the lower of two moves less and
 // piles converge sooner. It breaks momentum: MASS_SCALING, of a world that asks for it.
 
-/// By how much more a mover at `centre` gives way to contacts than its mass says.
+/// How many times the inverse mass of a mover at `centre` contacts see.
 float contactScale(vec3 centre)
 {
 #ifdef MASS_SCALING

@@ -1,10 +1,10 @@
 // Islands that sleep. An assembly (what joints connect; a loose particle is one) counts the steps for which it was
-// calm, but one more at most than the least of what it touches: so the count is also how many contacts the next thing
-// that moves is away. At calmSteps it sleeps: it keeps its place and its impulses, and nothing moves it. What sleeps
-// has the name of its island, the least assembly that the island consists of, and wakes with all of it.
-// Freezing (paper, section 3.1) is the same for each assembly by itself: it counts the steps for which all its particles
-// have stayed near where they were, and wakes alone when a neighbour has left such a place. SLEEP: of a world where things
-// may do either.
+// calm. Its count is at most one more than the least count of what it touches, so it also tells over how many contacts
+// the nearest thing that moves is away. At calmSteps the assembly sleeps: it stays where it is, keeps its impulses, and
+// nothing moves it. An island is what touches; its name is the lowest index of its assemblies. It wakes as a whole.
+// Freezing (paper, section 3.1) is the same for each assembly by itself: it counts the steps for which all its
+// particles have stayed near where they were, and wakes alone when a neighbour has moved away.
+// SLEEP: of a world where things may sleep or freeze.
 
 #ifdef SLEEP
 uniform usamplerBuffer assemblyCalm;

@@ -34,14 +34,15 @@ void main()
     ColliderPair pair = fetchColliderPair(colliderPairs, index);
     ParticleRank own = fetchRank(pair.particle);
     Arm arm = fetchArm(pair.particle);
-    vec4 surface = colliderDistance(pair.collider, texelFetch(searchPositions, int(pair.particle)).xyz);
+    ColliderSurface surface =
+        colliderSurface(pair.collider, texelFetch(searchPositions, int(pair.particle)).xyz);
     vec2 friction = 0.5 * (fetchMass(pair.particle).friction + fetchColliderFriction(pair.collider));
     colliderSides[q] = packColliderContact(
-        ColliderContact(own.mover, pair.collider, friction, normalFraction(own.mover, arm, surface.xyz)));
+        ColliderContact(own.mover, pair.collider, friction, normalFraction(own.mover, arm, surface.normal)));
     colliderArms[q] = packArm(arm);
     uint old = oldIndex(parity ^ 1u, own.rank, pair.collider);
     Impulse impulse = old == NONE ? Impulse(vec3(0), 0.0) : fetchImpulse(lastColliderImpulses, old);
-    if (surface.w < particleRadius(pair.particle) && impulse.normal <= 0.0) impulse.normal = ABOUT_TO_ACT;
+    if (surface.distance < particleRadius(pair.particle) && impulse.normal <= 0.0) impulse.normal = ABOUT_TO_ACT;
     colliderImpulses[index] = packImpulse(impulse);
     colliderMeans[index] = old == NONE ? 0.0 : texelFetch(lastColliderMeans, int(old)).x;
 }

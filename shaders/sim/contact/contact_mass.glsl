@@ -1,4 +1,5 @@
-// The inverse mass that a contact's normal impulse meets. Worked out when contacts are found, from where bodies are then.
+// The inverse mass that a contact's normal impulse meets. Worked out when contacts are found, from where bodies are
+// then.
 #include "sim/common/bodies.glsl"
 #include "sim/common/contacts.glsl"
 #include "sim/common/mover_info.glsl"

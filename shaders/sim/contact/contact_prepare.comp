@@ -81,7 +81,8 @@ void main()
     Separation separation = separationOf(difference, sides.exit, rotationA, rotationB, sides.hidden, touch);
     sides.friction = 0.5 * (fetchMass(pair.first).friction + fetchMass(pair.second).friction);
     if (min(a.mover, b.mover) >= sim.bodyCount) sides.friction *= LOOSE_FRICTION;
-    sides.fractions = vec2(normalFraction(a.mover, armA, separation.normal), normalFraction(b.mover, armB, separation.normal));
+    sides.fractions =
+        vec2(normalFraction(a.mover, armA, separation.normal), normalFraction(b.mover, armB, separation.normal));
     pairSides[q] = packContactSides(sides);
     pairArms[firstArm(q)] = packArm(armA);
     pairArms[secondArm(q)] = packArm(armB);

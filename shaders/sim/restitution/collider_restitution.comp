@@ -20,7 +20,7 @@ void main()
     ColliderContact sides = fetchColliderContact(colliderSides, q);
     Arm arm = fetchContactArm(colliderArms, q);
     PointState point = pointState(sides.mover, arm.r);
-    vec3 normal = colliderDistance(sides.collider, point.position).xyz;
+    vec3 normal = colliderSurface(sides.collider, point.position).normal;
     float inverseMass = restitutionSplits(sides.mover) * arm.worstInverseMass * sides.fraction;
     float restitution = fetchMass(fetchColliderPair(colliderPairs, index).particle).restitution;
     colliderRestitutions[index] = packImpulse(

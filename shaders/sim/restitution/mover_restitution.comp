@@ -19,7 +19,8 @@ Field velocityChange(uint body, Field impulse)
     mat3 a = impulse.f * transpose(axes);   // sum of p (R r)^T
     vec3 torque = vec3(a[1].z - a[2].y, a[2].x - a[0].z, a[0].y - a[1].x);
     vec3 spin = axes * (symmetricMatrix(inertia.diagonal, inertia.offDiagonal) * (torque * axes));
-    return Field(inertia.inverseMass * impulse.t, mat3(cross(spin, axes[0]), cross(spin, axes[1]), cross(spin, axes[2])));
+    return Field(inertia.inverseMass * impulse.t,
+                 mat3(cross(spin, axes[0]), cross(spin, axes[1]), cross(spin, axes[2])));
 }
 
 void main()

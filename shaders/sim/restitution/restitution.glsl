@@ -1,7 +1,7 @@
 // Restitution, after a substep: an impulse gives each collision the speed of separation that it owes to the speed of
 // approach before the substep (Mueller et al. 2020, "Detailed Rigid Body Simulation with Extended Position Based
 // Dynamics", 3.6). DETECT: only notes which contacts collide, so that they can be counted. EAGER: every other iteration
-// takes longer steps, for collisions that share a body's work well; a single one is done after the first.
+// takes longer steps. They suit collisions of which a body has many; a single one is done after the first iteration.
 #include "sim/common/contacts.glsl"
 #include "sim/common/mover_state.glsl"
 

@@ -27,7 +27,7 @@ void main()
     for (uint block = 0u; near != 0u; block += 32u) {
         for (uint left = near; left != 0u; left &= left - 1u) {
             uint c = block + uint(findLSB(left));
-            if (c >= sim.colliderCount || colliderDistance(c, x).w > reach) continue;
+            if (c >= sim.colliderCount || colliderSurface(c, x).distance > reach) continue;
             if (count < COLLIDER_SLOTS) colliderLists[candidateIndex(count, i)] = c;
             ++count;
         }

@@ -45,12 +45,12 @@ bool inSameBody(uint i, uint j)
     return same;
 }
 
-/// For two particles of one assembly: a little less than the distance at which they touch already holds them apart at
-/// rest.
+/// For two particles of one assembly: only where they do not touch or overlap at rest.
 bool mayTouch(uint i, uint j)
 {
     RestPosition a = fetchRestPosition(i), b = fetchRestPosition(j);
-    return length(a.position - b.position) > (0.99 + max(a.margin, b.margin)) * touchDistance(i, j) && !inSameBody(i, j);
+    float least = (0.99 + max(a.margin, b.margin)) * touchDistance(i, j);
+    return length(a.position - b.position) > least && !inSameBody(i, j);
 }
 
 /// Lists `other` as the second of a pair whose first is `own`, which has `count` before it.

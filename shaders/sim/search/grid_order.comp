@@ -1,4 +1,4 @@
-// One thread a particle: its place in the sorted arrays, cells in order and each cell by particle id, so that
+// One thread a particle: copies it into the sorted arrays, cells in order and each cell by particle id, so that
 // everything that is later summed over neighbours is summed in one order.
 #include "sim/common/kernel.glsl"
 #include "sim/common/cell_rank.glsl"

@@ -11,7 +11,8 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= gridParticles()) return;
-    uvec2 place = texelFetch(particleCells, int(i)).xy;
-    if (isNowhere(place.x)) return;
-    cellMembers[texelFetch(cellStarts, int(place.x)).x + place.y] = i;
+    uvec2 found = texelFetch(particleCells, int(i)).xy;
+    uint cell = found.x, arrival = found.y;
+    if (isNowhere(cell)) return;
+    cellMembers[texelFetch(cellStarts, int(cell)).x + arrival] = i;
 }

@@ -14,7 +14,8 @@ void main()
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
     float radius = m < sim.bodyCount ? bodyRadius(m) : 0.0;
-    // search_position puts the middle of the way ahead: it lasts for 1.75 times its length. Turns are not looked ahead.
+    // search_position looks ahead by three quarters of the margin: the margin lasts for 1.75 times its length.
+    // Rotations are not looked ahead of.
     float path = length(fetchMove(m).shift) / 1.75 +
                  2.0 * length(fetchRotationDelta(m).xyz) * radius;
     bool calm = counters[0].calm == 1u;

@@ -1,5 +1,5 @@
-// One thread a particle: puts the pairs that it is the first of into their places, and has their second particles refer
-// to them. The first thread sets the sizes of the lists.
+// One thread a particle: puts the pairs of which it is the first into their list, and has the second particles refer to
+// them. The first thread sets the sizes of the lists.
 #include "sim/common/kernel.glsl"
 #include "sim/common/groups.glsl"
 #include "sim/common/list_ranges.glsl"

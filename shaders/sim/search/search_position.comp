@@ -1,6 +1,6 @@
-// One thread a particle: the place for which its contacts are found, and an empty count of the pairs that will refer to
-// it. The place lies on its predicted way, ahead of it by most of its margin, so that it stays near that place for
-// longer.
+// One thread a particle: the position for which its contacts are found, and an empty count of the pairs that will refer
+// to it. That position lies ahead, where its mover is going, by most of the mover's margin, so that the particle stays
+// near it for longer. FROM_POSITIONS: of the paper's solver, its predicted position.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contact_lists.glsl"
 #include "sim/common/mover_info.glsl"

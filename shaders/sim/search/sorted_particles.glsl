@@ -11,7 +11,8 @@ SortedPosition unpackSortedPosition(vec4 t)
     return SortedPosition(t.xyz, floatBitsToUint(t.w));
 }
 
-// The mover's index goes through a float's bits, offset away from the denormals that a GPU may flush and below the NaNs.
+// The mover's index is stored as a float's bits, with an offset: a GPU may flush the denormals that small indices would
+// be. It stays below the NaNs.
 vec4 packSortedPosition(vec3 position, uint mover)
 {
     return vec4(position, uintBitsToFloat(0x01000000u + mover));

@@ -1,5 +1,5 @@
-// One thread a mover: whether its farthest particle has left the place from which its assembly counts its calm steps
-// (paper, section 3.1: freezing). An assembly that has counts anew from where it is.
+// One thread a mover: whether its farthest particle has moved too far from where its assembly began to count its calm
+// steps (paper, section 3.1: freezing). If so, the assembly begins to count anew, from where it is now.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies.glsl"
 #include "sim/common/mover_info.glsl"

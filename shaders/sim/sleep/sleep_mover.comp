@@ -1,4 +1,4 @@
-// One thread a mover: for how many steps its assembly has been calm, as far as this mover goes.
+// One thread a mover: bounds for how many steps its assembly has been calm, by whether this mover is.
 #include "sim/common/kernel.glsl"
 #include "sim/common/fields.glsl"
 #include "sim/common/bodies.glsl"

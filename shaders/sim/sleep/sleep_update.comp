@@ -1,4 +1,5 @@
-// One thread an assembly: takes over what sleep_mover and sleep_island found. One that has moved lately has its own name.
+// One thread an assembly: takes over what sleep_mover and sleep_island found. One that has moved lately is an
+// island of its own.
 #include "sim/common/kernel.glsl"
 #include "sim/common/sleep.glsl"
 
