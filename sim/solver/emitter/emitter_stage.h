@@ -35,10 +35,10 @@ private:
     bool hasEmitters_;
     Pass sum_{*this, "search/scan_sum", {{"POOLS", "1"}}, hasEmitters_};
     Pass sumChunks_{*this, "search/scan_chunks", {{"POOLS", "1"}}, hasEmitters_};
-    Pass update_{*this, "fluid/emitter_update"};
-    Pass order_{*this, "fluid/pool_order", {}, hasEmitters_};
-    Pass emit_{*this, "fluid/fluid_emit", {{"FLUIDS", "1"}}, hasEmitters_};
-    Pass drain_{*this, "fluid/fluid_drain"};
+    Pass update_{*this, "emitter/emitter_update"};
+    Pass order_{*this, "emitter/pool_order", {}, hasEmitters_};
+    Pass emit_{*this, "emitter/fluid_emit", {{"FLUIDS", "1"}}, hasEmitters_};
+    Pass drain_{*this, "emitter/fluid_drain"};
 };
 
 }  // namespace knuckle

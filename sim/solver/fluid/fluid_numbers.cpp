@@ -113,8 +113,8 @@ float smoothing(const gpu::StepParameters& p, const Material& material, float ti
 }
 
 // A pair force f(r) at the number density n gives the surface tension pi n^2 / 8 times the integral of f r^4 (Fowler
-// 1937; Rowlinson and Widom 1982, eq. 4.99) where places are independent; fluidPull's is 0.0074777 reach^5. Puddles say
-// that as they are it gives 1 / CORRELATION of that.
+// 1937; Rowlinson and Widom 1982, eq. 4.99) where positions are independent; fluidAttraction's is 0.0074777 reach^5.
+// Those of a fluid are not: measured on puddles, it gives 1 / CORRELATION of that.
 float tension(const gpu::StepParameters& p, const Material& material)
 {
     constexpr double CORRELATION = 1.26;

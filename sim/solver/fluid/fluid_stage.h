@@ -36,7 +36,7 @@ public:
     Buffer<uint32_t> fluidSorted;                      ///< Per slot: its position, packed (packed_positions.glsl).
     Buffer<uint32_t> slotParticles, particleSlots;     ///< Each other's inverse.
     Buffer<gpu::uvec2> slotCounts;                     ///< Fluid and solid neighbours.
-    Buffer<gpu::uvec4> slotNeighbours;                 ///< fluidSlots a slot (neighbour_lists.glsl).
+    Buffer<gpu::uvec4> slotNeighbours;                 ///< fluidSlots a slot (fluid_slots.glsl).
     Buffer<uint32_t> slotColliders;                    ///< Bits: those nearby.
     Buffer<gpu::vec4> fluidMaterials;                  ///< Per material: smoothing, tension.
     Buffer<uint32_t> slotMaterials;

@@ -17,7 +17,8 @@ std::vector<float> linkGainsOf(const World& world, const Layout& layout)
     const auto isShared = [&](const Link& link) { return world.particles[link.particle].bodyCount > 1; };
     for (uint32_t l : layout.linkOrder) {
         const Link& link = world.links[l];
-        if (isShared(link)) inverse[link.particle] += layout.worstInverseMasses[l] * sharedOfBody[link.body];
+        const bool responds = world.bodies[link.body].motion != Motion::Fixed;
+        if (isShared(link) && responds) inverse[link.particle] += layout.worstInverseMasses[l] * sharedOfBody[link.body];
     }
     std::vector<float> gains;
     for (uint32_t l : layout.linkOrder) {

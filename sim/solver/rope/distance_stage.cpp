@@ -55,10 +55,9 @@ struct Rows {
         const auto first = static_cast<uint32_t>(nodes.size());
         for (uint32_t index : strand.particles) {
             const Particle& particle = world.particles[index];
-            const float share = isFixed(world, particle)    ? 0.0f
-                                : particle.body == NO_INDEX ? 1.0f / particle.mass
-                                                            : static_cast<float>(counts[particle.body]);
-            nodes.push_back({ranks[index].mover, ranks[index].rank, index, std::bit_cast<uint32_t>(share)});
+            const float inverseMass = particle.body == NO_INDEX ? 1.0f / particle.mass
+                                                                : static_cast<float>(counts[particle.body]);
+            nodes.push_back({ranks[index].mover, ranks[index].rank, index, std::bit_cast<uint32_t>(inverseMass)});
         }
         for (float length : strand.restLengths) {
             const bool tears = strand.tearForce < NEVER;
