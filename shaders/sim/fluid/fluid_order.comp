@@ -15,10 +15,10 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= gridParticles() || isNowhere(texelFetch(particleCells, int(i)).x)) return;
-    uvec2 place = placeInCells(i);
-    uint code = packPosition(texelFetch(fluidSearchPositions, int(i)).xyz, i < sim.particleCount);
-    slotParticles[place.x] = i;
-    particleSlots[i] = place.x;
-    fluidSorted[place.x] = code;
-    if (place.y != NONE) fluidSorted[place.y] = code;
+    uvec2 indices = placeInCells(i);
+    uint code = packPosition(texelFetch(fluidSearchPositions, int(i)).xyz, !isFluid(i));
+    slotParticles[indices.x] = i;
+    particleSlots[i] = indices.x;
+    fluidSorted[indices.x] = code;
+    if (indices.y != NONE) fluidSorted[indices.y] = code;
 }

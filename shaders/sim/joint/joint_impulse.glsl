@@ -1,7 +1,7 @@
 // The impulses between the bodies that share a particle. FIRST_ITERATION: of a substep; joints have no memory.
 #include "sim/common/fields.glsl"
 #include "sim/common/movers.glsl"
-#include "sim/common/particle_links.glsl"
+#include "sim/common/owners.glsl"
 #include "sim/common/links.glsl"
 #include "sim/common/mass_scaling.glsl"
 
@@ -10,7 +10,7 @@ uniform samplerBuffer linkMasses;        // the worst inverse mass of a link's b
 BUFFER(vec4, LinkImpulses, linkImpulses);
 
 /// Where a body would have the particle, from `origin`.
-vec3 goal(OwnedLink owned, vec3 origin)
+vec3 goal(Owner owned, vec3 origin)
 {
     MoverPoint point = moverPoint(owned.body, fetchLink(owned.link).r);
     return point.centre - origin + (point.arm + point.move);
@@ -18,7 +18,7 @@ vec3 goal(OwnedLink owned, vec3 origin)
 
 /// The inverse mass with which a body answers at the particle, split over its impulses; 0 where it does not respond.
 /// The splits are those of contacts: over their relaxation, and scaled for them.
-float splitInverseMass(OwnedLink owned)
+float splitInverseMass(Owner owned)
 {
     float relaxation = fetchRelaxation(moverChanges, owned.body);
     float splits = fetchMove(owned.body).splits / contactScale(fetchCentre(owned.body));

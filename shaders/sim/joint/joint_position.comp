@@ -4,7 +4,7 @@
 #include "sim/common/mover_state.glsl"
 #include "sim/common/links.glsl"
 #include "sim/common/mover_info.glsl"
-#include "sim/common/particle_links.glsl"
+#include "sim/common/owners.glsl"
 #include "sim/common/particles.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -14,7 +14,7 @@ BUFFER(vec4, Velocities, velocities);
 
 PointState goalOf(uint entry)
 {
-    OwnedLink owned = fetchOwnedLink(entry);
+    Owner owned = fetchOwner(entry);
     return pointState(owned.body, fetchLink(owned.link).r);
 }
 
@@ -24,7 +24,7 @@ void main()
     if (k >= sim.sharedCount) return;
     uint i = texelFetch(sharedParticles, int(k)).x;
     if (isFixed(fetchRank(i).mover)) return;   // where a fixed body has it, that is the first of its bodies
-    LinkRange range = fetchLinkRange(i);
+    OwnerRange range = fetchOwners(i);
     // From the first goal, so that rounding stays as small as what is between them.
     PointState first = goalOf(range.first);
     vec3 shift = vec3(0), change = vec3(0);

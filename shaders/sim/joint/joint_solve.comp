@@ -11,7 +11,7 @@ void main()
     uint k = gl_GlobalInvocationID.x;
     if (k >= sim.sharedByTwo) return;
     uvec4 owners = texelFetch(sharedOwners, int(k));
-    OwnedLink a = OwnedLink(owners.x, owners.y), b = OwnedLink(owners.z, owners.w);
+    Owner a = Owner(owners.x, owners.y), b = Owner(owners.z, owners.w);
     // Both from the first body's goal, so that the impulses cancel to the last bit.
     vec3 difference = goal(b, goal(a, vec3(0)));
     vec3 impulse = impulseScale(splitInverseMass(a) + splitInverseMass(b)) * difference;

@@ -10,19 +10,19 @@ void main()
 {
     uint k = sim.sharedByTwo + gl_GlobalInvocationID.x;
     if (k >= sim.sharedCount) return;
-    LinkRange range = fetchLinkRange(texelFetch(sharedParticles, int(k)).x);
-    OwnedLink first = fetchOwnedLink(range.first);
+    OwnerRange range = fetchOwners(texelFetch(sharedParticles, int(k)).x);
+    Owner first = fetchOwner(range.first);
     vec3 origin = goal(first, vec3(0)), sum = vec3(0);
     float inverseMass = splitInverseMass(first);
     for (uint l = range.first + 1u; l < range.first + range.count; ++l) {
-        OwnedLink owned = fetchOwnedLink(l);
+        Owner owned = fetchOwner(l);
         inverseMass += splitInverseMass(owned);
         sum += goal(owned, origin);
     }
     float scale = impulseScale(inverseMass);
     setImpulse(first.link, scale * sum);
     for (uint l = range.first + 1u; l < range.first + range.count; ++l) {
-        OwnedLink owned = fetchOwnedLink(l);
+        Owner owned = fetchOwner(l);
         setImpulse(owned.link, scale * (sum - float(range.count) * goal(owned, origin)));
     }
 }

@@ -53,15 +53,15 @@ Push pairPush(Side own, Side other, bool first, uvec4 sides, float touching)
 {
     float sign = first ? 1.0 : -1.0;
     vec3 startApart = sign * (own.start - other.start), slide = sign * (own.move - other.move);
-    float startFar = length(startApart);
+    float startDistance = length(startApart);
     ExitDirection exit = unpackExit(sides.xy);
-    OneSidedNormal sided = oneSidedNormal(startApart, startFar, exit, sim.diameter);
+    OneSidedNormal sided = oneSidedNormal(startApart, startDistance, exit, touching);
     bool keeps = sided.applies;
-    float startGap = (keeps && exit.deepInside ? 0.0 : startFar) - sim.diameter;
+    float startGap = (keeps && exit.deepInside ? 0.0 : startDistance) - touching;
     vec3 apart = startApart + slide;
-    float far = length(apart);
-    vec3 normal = keeps ? sided.normal : contactNormal(apart, far, true);
-    float gap = keeps ? startGap + dot(slide, sided.normal) : far - sim.diameter;
+    float distanceNow = length(apart);
+    vec3 normal = keeps ? sided.normal : contactNormal(apart, distanceNow, true);
+    float gap = keeps ? startGap + dot(slide, sided.normal) : distanceNow - touching;
     Push push = contactPush(normal, gap, startGap, slide, unpackHalf2x16(sides.z));
     push.move *= sign * own.inverseMass / max(own.inverseMass + other.inverseMass, 1e-30);
     return push;

@@ -46,7 +46,7 @@ Push allPushes(Side own, uint parity, uint rank, float touching)
     range = listRange(parity, LIST_AS_SECOND, rank, 1u);
     for (uint k = range.x; k < range.y; ++k) {
         uint q = texelFetch(pairReferences, int(k)).x;
-        if (q == NO_PAIR) continue;
+        if (q == NONE) continue;
         Side other = fetchSide(texelFetch(pairs, int(base + q)).x);
         add(sum, pairPush(own, other, false, texelFetch(pairSides, int(q)), touching));
     }

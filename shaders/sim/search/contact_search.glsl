@@ -1,6 +1,6 @@
 // What a search for contacts knows about particles, and where it notes what it finds.
 #include "sim/common/contact_lists.glsl"
-#include "sim/common/particle_links.glsl"
+#include "sim/common/owners.glsl"
 #include "sim/common/touch.glsl"
 #include "sim/search/candidates.glsl"
 #include "sim/search/sorted_particles.glsl"
@@ -37,11 +37,11 @@ RestPosition fetchRestPosition(uint i)
 
 bool inSameBody(uint i, uint j)
 {
-    LinkRange a = fetchLinkRange(i), b = fetchLinkRange(j);
+    OwnerRange a = fetchOwners(i), b = fetchOwners(j);
     bool same = false;
     for (uint k = 0u; k < a.count; ++k)
         for (uint l = 0u; l < b.count; ++l)
-            same = same || fetchOwnedLink(a.first + k).body == fetchOwnedLink(b.first + l).body;
+            same = same || fetchOwner(a.first + k).body == fetchOwner(b.first + l).body;
     return same;
 }
 
