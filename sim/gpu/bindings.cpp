@@ -45,7 +45,16 @@ GLenum texelFormat(uint32_t bytes, bool isUnsigned)
     }
 }
 
-/// A storage block is one array, or one struct; it must consist of what the host says.
+/// Whether a member of a kernel's struct may stand where the host has elements of that scalar.
+bool fits(GLenum member, Scalar scalar)
+{
+    const bool isUnsigned = member == GL_UNSIGNED_INT || member == GL_UNSIGNED_INT_VEC2 ||
+                            member == GL_UNSIGNED_INT_VEC4;
+    return scalar == Scalar::Mixed || isUnsigned == (scalar == Scalar::Unsigned);
+}
+
+/// A storage block is one array, or one struct; it must consist of what the host says. Where the host has vectors, a
+/// kernel may give their components names by a struct of the same size.
 void checkBlock(GLuint program, GLuint block, const std::string& name, const ElementType& element,
                 const std::string& user)
 {
@@ -56,14 +65,16 @@ void checkBlock(GLuint program, GLuint block, const std::string& name, const Ele
     const GLenum asked = GL_ACTIVE_VARIABLES;
     glGetProgramResourceiv(program, GL_SHADER_STORAGE_BLOCK, block, 1, &asked, count, nullptr, variables.data());
     const auto variable = static_cast<GLuint>(variables[0]);
+    const auto type = static_cast<GLenum>(property(program, GL_BUFFER_VARIABLE, variable, GL_TYPE));
     // Arrays of structs have the first, others the second, and a struct by itself neither.
     GLint bytes = property(program, GL_BUFFER_VARIABLE, variable, GL_TOP_LEVEL_ARRAY_STRIDE);
+    const bool isStruct = bytes != 0 || element.glType == GL_NONE;
     if (bytes == 0) bytes = property(program, GL_BUFFER_VARIABLE, variable, GL_ARRAY_STRIDE);
     if (bytes == 0) bytes = property(program, GL_SHADER_STORAGE_BLOCK, block, GL_BUFFER_DATA_SIZE);
-    const auto type = static_cast<GLenum>(property(program, GL_BUFFER_VARIABLE, variable, GL_TYPE));
-    if (bytes == static_cast<GLint>(element.bytes) && (element.glType == GL_NONE || type == element.glType)) return;
-    throw DeviceError(fmt::format("{} declares the block \"{}\" with elements of {} bytes and another type than the "
-                                  "host's, of {} bytes", user, name, bytes, element.bytes));
+    const bool sameType = isStruct ? fits(type, element.scalar) : type == element.glType;
+    if (bytes == static_cast<GLint>(element.bytes) && sameType) return;
+    throw DeviceError(fmt::format("{} declares the block \"{}\" with elements of {} bytes{}; the host's have {}", user,
+                                  name, bytes, sameType ? "" : " and of another type", element.bytes));
 }
 
 }  // namespace

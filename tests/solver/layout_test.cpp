@@ -148,11 +148,11 @@ void main()
 }
 )");
     KernelFixture fixture(mixedWorld());
-    BufferTable table = fixture.buffers.table();
-    table.add("particleInfos", fixture.buffers.particleInfo, elementType<decltype(fixture.buffers.particleInfo)::Element>());
-    table.add("bodyInfos", fixture.buffers.bodyInfo, elementType<decltype(fixture.buffers.bodyInfo)::Element>());
-    table.add("moverInfos", fixture.buffers.moverInfo, elementType<decltype(fixture.buffers.moverInfo)::Element>());
-    table.add("colliderStructs", fixture.buffers.colliders, elementType<decltype(fixture.buffers.colliders)::Element>());
+    BufferTable table = fixture.stages.table();
+    table.add("particleInfos", fixture.stages.particles.particleInfo, elementType<decltype(fixture.stages.particles.particleInfo)::Element>());
+    table.add("bodyInfos", fixture.stages.bodies.bodyInfo, elementType<decltype(fixture.stages.bodies.bodyInfo)::Element>());
+    table.add("moverInfos", fixture.stages.bodies.moverInfo, elementType<decltype(fixture.stages.bodies.moverInfo)::Element>());
+    table.add("colliderStructs", fixture.stages.colliders.colliders, elementType<decltype(fixture.stages.colliders.colliders)::Element>());
     const Kernel kernel(gpu(), table, "sim/test_layout.comp");
     expectArray(kernel, "Links", "links", sizeof(gpu::ParticleRigidBodyLink), LINK);
     expectArray(kernel, "ParticleInfos", "infos", sizeof(gpu::ParticleInfo), PARTICLE_INFO);

@@ -15,48 +15,8 @@ BUFFER(Assembly, AssemblyState, assemblies);
 BUFFER(vec4, Moved, moved);              // as predicted, with what contacts ask for [m]; STABILIZE: only that
 READ_BUFFER(Counters, CountersBlock, counters);
 
-Side sideOf(uint i)
-{
-    vec4 move = texelFetch(predicted, int(i));
-    return Side(texelFetch(positions, int(i)).xyz, move.xyz, move.w);
-}
-
-Push colliderPush(Side own, uvec4 sides)
-{
-    vec4 surface = colliderDistance(sides.y, own.start + own.move);
-    float startGap = colliderDistance(sides.y, own.start).w - 0.5 * sim.diameter;
-    Push push = contactPush(surface.xyz, surface.w - 0.5 * sim.diameter, startGap, own.move, unpackHalf2x16(sides.z));
-    push.move *= own.inverseMass > 0.0 ? 1.0 : 0.0;
-    return push;
-}
-
-void add(inout Push sum, Push other)
-{
-    sum.move += other.move;
-    sum.acting += other.acting;
-}
-
-/// The sums over the three lists of a particle.
-Push allPushes(Side own, uint parity, uint rank)
-{
-    Push sum = Push(vec3(0), 0.0);
-    uint base = parity * sim.pairCapacity;
-    uvec2 range = listRange(parity, LIST_AS_FIRST, rank, 1u);
-    for (uint q = range.x; q < range.y; ++q)
-        add(sum, pairPush(own, sideOf(texelFetch(pairs, int(base + q)).y), true, texelFetch(pairSides, int(q))));
-    range = listRange(parity, LIST_AS_SECOND, rank, 1u);
-    for (uint k = range.x; k < range.y; ++k) {
-        uint q = texelFetch(pairReferences, int(k)).x;
-        if (q == NONE) continue;
-        add(sum, pairPush(own, sideOf(texelFetch(pairs, int(base + q)).x), false, texelFetch(pairSides, int(q))));
-    }
-    range = listRange(parity, LIST_COLLIDERS, rank, 1u);
-    for (uint q = range.x; q < range.y; ++q) add(sum, colliderPush(own, texelFetch(colliderSides, int(q))));
-    return sum;
-}
-
-/// How many times as far as its contacts ask a particle of a body is moved, since the match passes on only its share.
-/// Counts it among those that are pushed.
+/// How many times as far as its contacts ask a particle of a body is moved, since the match passes on only its
+/// fraction. Counts it among those that are pushed.
 float bodyRelaxation(uint i, uint body, Push push)
 {
     float fraction = fetchArm(i).worstInverseMass / fetchMass(i).inverseMass;

@@ -39,7 +39,6 @@ std::vector<float> worstInverseMasses(const World& world)
 {
     std::vector<float> result(world.links.size(), 0.0f);
     for (const Body& body : world.bodies) {
-        if (body.motion == Motion::Fixed) continue;
         const BodyMass mass = bodyMass(world, body);
         for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
             const Vector3d r = world.links[l].restOffset.cast<double>();

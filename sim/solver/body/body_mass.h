@@ -18,7 +18,7 @@ struct BodyMass {
 BodyMass bodyMass(const World& world, const Body& body);
 
 /// Per link, the largest inverse mass that an impulse on its particle can meet in the body: 1/M plus the largest
-/// eigenvalue of [r] I^-1 [r]^T; zero in a fixed body [1/kg].
+/// eigenvalue of [r] I^-1 [r]^T [1/kg].
 std::vector<float> worstInverseMasses(const World& world);
 
 }  // namespace knuckle

@@ -51,7 +51,7 @@ void addBody(Movers& out, const World& world, const Body& body)
 {
     const BodyMass mass = bodyMass(world, body);
     const bool fixed = body.motion == Motion::Fixed;
-    out.infos.push_back({0, 0, body.assembly, fixed ? 0.0f : static_cast<float>(1.0 / mass.mass)});
+    out.infos.push_back({0, 0, body.assembly, static_cast<float>(1.0 / mass.mass)});
     out.states.push_back(fixed ? MOVER_FIXED : MOVER_DYNAMIC);
     addMass(out, mass);
     out.centres.push_back(pack(body.position, 0));

@@ -61,19 +61,6 @@ float solidCover(const gpu::StepParameters& p)
     return static_cast<float>(CALIBRATION * share / listed);
 }
 
-/// What two particles that attract each other get in a substep is this times fluidAttraction(q) of sim/fluid/fluid.glsl [kg m].
-/// A pair force f(r) at the number density n gives the surface tension pi n^2 / 8 times the integral of f r^4 (Fowler
-/// 1937; Rowlinson and Widom 1982, eq. 4.99) where places are independent; fluidAttraction's is 0.0074777 reach^5. Puddles say
-/// that as they are it gives 1 / CORRELATION of that.
-float tension(const gpu::StepParameters& p, const Material& material)
-{
-    constexpr double CORRELATION = 1.26;
-    const double density = std::pow(p.fluidSpacing, -3.0), reach = std::pow(double(p.fluidReach), 5);
-    const double unit = std::numbers::pi / 8.0 * density * density * 0.0074777 * reach;
-    const double force = CORRELATION * material.surfaceTension / unit;
-    return static_cast<float>(force * p.substepTime * p.substepTime);
-}
-
 void setLattice(gpu::StepParameters& p, const World& world)
 {
     if (p.fluidCount == 0) return;

@@ -53,7 +53,7 @@ void ParticleStage::uploadConstants(const StageSetup& setup)
         rest.push_back(pack(p.restPosition, p.touchesAssembly ? p.selfMargin : NO_SELF_CONTACT));
         infos.push_back({material.fluid ? IN_FLUID : p.body, p.bodyCount, setup.layout.assemblies[infos.size()],
                          p.material});
-        mass.push_back({isFixed(world, p) ? 0.0f : 1.0f / p.mass, material.restitution, material.staticFriction,
+        mass.push_back({1.0f / p.mass, material.restitution, material.staticFriction,
                         material.kineticFriction});
     }
     std::vector<gpu::uvec2> ranks;

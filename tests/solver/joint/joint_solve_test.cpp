@@ -12,11 +12,11 @@ class JointSolve : public testing::Test {
 protected:
     JointSolve()
     {
-        SolverBuffers& b = bench.buffers;
+        Stages& b = fixture.stages;
         // Bodies of a joint start in place, so the distance between their goals is small beside the positions.
-        for (uint32_t m = 0; m < bench.moverCount(); ++m) {
-            bench.centres[m] = bench.isBody(m) ? packed(bench.world.bodies[m].position) : bench.centres[m];
-            bench.rotations[m] = bench.isBody(m) ? packed(bench.world.bodies[m].rotation) : bench.rotations[m];
+        for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
+            fixture.centres[m] = fixture.isBody(m) ? packed(fixture.world.bodies[m].position) : fixture.centres[m];
+            fixture.rotations[m] = fixture.isBody(m) ? packed(fixture.world.bodies[m].rotation) : fixture.rotations[m];
         }
         fill(b.bodies.moverCentres, fixture.centres);
         fill(b.bodies.moverRotations, fixture.rotations);

@@ -97,7 +97,7 @@ protected:
     Vector3d move(uint32_t i) const { return vec3(moves[i]).cast<double>(); }
     bool isFixed(uint32_t i) const
     {
-        return knuckle::isFixed(bench.world, bench.world.particles[i]);
+        return knuckle::isFixed(fixture.world, fixture.world.particles[i]);
     }
     /// As predict has it for contacts, scaled.
     double inverseMass(uint32_t i) const { return double(moves[i].w); }

@@ -43,8 +43,8 @@ protected:
         for (const Link& link : fixture.world.links)
             wanted[link.particle] += goalMove(link) / fixture.world.particles[link.particle].bodyCount;
         for (size_t i = 0; i < wanted.size(); ++i) {
-            const Particle& p = bench.world.particles[i];
-            const bool fixed = isFixed(bench.world, p);
+            const Particle& p = fixture.world.particles[i];
+            const bool fixed = isFixed(fixture.world, p);
             if (fixed || p.bodyCount == 0) wanted[i] = vec3(moved[i]).cast<double>();
         }
         return wanted;
@@ -123,8 +123,8 @@ TEST_F(Goals, BodiesThatShareAParticleAreDrawnWithOneMass)
     std::vector<float> mass(fixture.world.particles.size(), 0.0f);
     for (size_t l = 0; l < fixture.world.links.size(); ++l) {
         const uint32_t i = links[l].particleIndex;
-        const Particle& p = bench.world.particles[i];
-        if (p.bodyCount < 2 || isFixed(bench.world, p)) continue;
+        const Particle& p = fixture.world.particles[i];
+        if (p.bodyCount < 2 || isFixed(fixture.world, p)) continue;
         const float drawn = (1.0f + gains[l]) * links[l].mass;
         EXPECT_GT(drawn, 0.0f);
         if (mass[i] > 0.0f) { EXPECT_NEAR(drawn / mass[i], 1.0f, 1e-5f) << "particle " << i; }

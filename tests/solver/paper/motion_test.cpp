@@ -34,7 +34,7 @@ protected:
     }
     bool isFixed(size_t i) const
     {
-        return knuckle::isFixed(bench.world, bench.world.particles[i]);
+        return knuckle::isFixed(fixture.world, fixture.world.particles[i]);
     }
     /// All assemblies were last touched in this substep, and go by this order.
     void setAssemblies(uint32_t lastContact, uint32_t order)

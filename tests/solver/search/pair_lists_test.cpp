@@ -51,7 +51,7 @@ protected:
             return fixture.rankOf(pairs[a].y) < fixture.rankOf(pairs[b].y);
         });
         for (uint32_t& q : references)
-            if (q >= bench.buffers.parameters.pairCapacity) q = NO_INDEX;   // NO_PAIR of the shaders
+            if (q >= fixture.stages.parameters.pairCapacity) q = NO_INDEX;   // NO_PAIR of the shaders
         return references;
     }
 
