@@ -17,7 +17,7 @@ namespace knuckle {
 /// Members in the order in which they need each other: each pass finds what it reads in the table when it is made.
 struct Renderer::Impl {
     Impl(Gpu& gpu, const World& world, const RenderSettings& chosen);
-    BufferTable& addInputs();         ///< To the table, which it returns.
+    BufferTable& addInputs();  ///< To the table, which it returns.
     void attach(const ParticleView& view);
     void aimCamera(double time);
     void draw();
@@ -26,9 +26,9 @@ struct Renderer::Impl {
     SceneExtent extent;
     Camera camera;
     gpu::FrameInput input;
-    std::optional<double> lookedAt;    ///< Time of the state that the camera saw last [s].
+    std::optional<double> lookedAt;  ///< Time of the state that the camera saw last [s].
     Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
-    RawBuffer positions, velocities, bodyCentres;    ///< Stand in for the view's.
+    RawBuffer positions, velocities, bodyCentres;  ///< Stand in for the view's.
     RenderTargets targets;
     BufferTable table;
     ViewPasses view;

@@ -10,18 +10,18 @@ enum class CameraKind : uint32_t { Fixed, Orbit, Follow };
 
 struct CameraSettings {
     CameraKind kind = CameraKind::Fixed;
-    bool automatic = true;                      ///< Position and target chosen, in each frame, so that all is seen.
-    Eigen::Vector3f position{4.0f, 2.5f, 6.0f}; ///< [m]; Follow: from the object's middle.
-    Eigen::Vector3f target{0.0f, 1.0f, 0.0f};   ///< [m]; Orbit: the centre. Follow: from the object's middle.
-    float fieldOfView = 40.0f;                  ///< Vertical [degrees], 5 ... 120.
-    float orbitSpeed = 15.0f;                   ///< Orbit only [degrees/s], about +Y.
-    std::string follow;                         ///< Follow only: name of the object whose middle it follows.
+    bool automatic = true;                       ///< Position and target chosen, in each frame, so that all is seen.
+    Eigen::Vector3f position{4.0f, 2.5f, 6.0f};  ///< [m]; Follow: from the object's middle.
+    Eigen::Vector3f target{0.0f, 1.0f, 0.0f};    ///< [m]; Orbit: the centre. Follow: from the object's middle.
+    float fieldOfView = 40.0f;                   ///< Vertical [degrees], 5 ... 120.
+    float orbitSpeed = 15.0f;                    ///< Orbit only [degrees/s], about +Y.
+    std::string follow;                          ///< Follow only: name of the object whose middle it follows.
 };
 
 struct LightSettings {
-    Eigen::Vector3f direction{-0.5f, 0.85f, 0.45f}; ///< Towards the key light; normalized when used.
-    float intensity = 3.0f;                       ///< Key light, 0 ... 20.
-    float softness = 2.0f;                        ///< Angular radius of the key light [degrees], 0 ... 20.
+    Eigen::Vector3f direction{-0.5f, 0.85f, 0.45f};  ///< Towards the key light; normalized when used.
+    float intensity = 3.0f;                          ///< Key light, 0 ... 20.
+    float softness = 2.0f;                           ///< Angular radius of the key light [degrees], 0 ... 20.
     Eigen::Vector3f skyColor{0.55f, 0.68f, 0.9f};
     Eigen::Vector3f groundColor{0.32f, 0.30f, 0.28f};
 };
@@ -29,15 +29,15 @@ struct LightSettings {
 enum class ColorBy : uint32_t { Body, Material, Particle, Speed };
 
 struct RenderSettings {
-    uint32_t width = 1280, height = 720;        ///< [pixels], 16 ... 8192
+    uint32_t width = 1280, height = 720;  ///< [pixels], 16 ... 8192
     CameraSettings camera;
     LightSettings light;
     ColorBy colorBy = ColorBy::Body;
-    bool highlightJoints = false;               ///< Shared particles red, as in the paper's figures.
-    float speedScale = 5.0f;                    ///< ColorBy::Speed: the speed [m/s] at the end of the colour scale.
-    float exposure = 1.0f;                      ///< Linear factor before tone mapping, 0.01 ... 100.
-    uint32_t antialiasing = 1;                  ///< Samples an axis and pixel, 1 ... 4. Edges are always filtered;
-                                                ///< 2 and more cost their square in time.
+    bool highlightJoints = false;  ///< Shared particles red, as in the paper's figures.
+    float speedScale = 5.0f;       ///< ColorBy::Speed: the speed [m/s] at the end of the colour scale.
+    float exposure = 1.0f;         ///< Linear factor before tone mapping, 0.01 ... 100.
+    uint32_t antialiasing = 1;     ///< Samples an axis and pixel, 1 ... 4. Edges are always filtered;
+                                   ///< 2 and more cost their square in time.
 };
 
 /// @throws InputError for a value out of range.

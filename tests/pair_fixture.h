@@ -8,11 +8,11 @@ namespace knuckle::test {
 
 /// Two cubes of 3x3x3 particles along x, and the joint in their middle.
 struct PairSpec {
-    JointSpec joint;                          ///< At the origin unless it says otherwise.
-    float apart = 4.0f;                       ///< Between the cubes' centres [diameters]; 4 leaves a free layer.
+    JointSpec joint;     ///< At the origin unless it says otherwise.
+    float apart = 4.0f;  ///< Between the cubes' centres [diameters]; 4 leaves a free layer.
     uint32_t materialOfA = 0, materialOfB = 0;
     Motion motionOfA = Motion::Dynamic;
-    float selfMargin = 0.0f;                  ///< Of all particles [diameters].
+    float selfMargin = 0.0f;  ///< Of all particles [diameters].
 };
 
 /// Adds the pair as an object of its own: bodies "a" on the side of -x, and "b".

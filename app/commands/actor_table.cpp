@@ -25,8 +25,12 @@ std::string shortList(const std::vector<std::string>& names)
 Row bodyRow(const Actor& actor, uint32_t index)
 {
     const ActorBody& body = actor.bodies[index];
-    Row row{body.name, body.parent < 0 ? "-" : actor.bodies[static_cast<size_t>(body.parent)].name,
-            std::to_string(body.particles.size()), "-", "-", shortList(body.mergedBones)};
+    Row row{body.name,
+            body.parent < 0 ? "-" : actor.bodies[static_cast<size_t>(body.parent)].name,
+            std::to_string(body.particles.size()),
+            "-",
+            "-",
+            shortList(body.mergedBones)};
     for (const ActorJoint& joint : actor.joints) {
         if (joint.child != index) continue;
         row[3] = wordOf(joint.type);

@@ -8,8 +8,8 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/interrupt.h"
-#include "app/scene/scene_file.h"
 #include "app/commands/table2_world.h"
+#include "app/scene/scene_file.h"
 #include "render/renderer.h"
 #include "sim/solver/solver.h"
 #include "sim/solver/workload.h"
@@ -39,7 +39,7 @@ struct BenchRun {
     uint32_t objectCount = 0;
     size_t particleCount = 0;
     double stepsPerSecond = 0.0, settledStepsPerSecond = 0.0, drawnStepsPerSecond = 0.0;
-    float pileTop = 0.0f;              ///< Highest body centre [m].
+    float pileTop = 0.0f;  ///< Highest body centre [m].
     Measures measures;
     float diameter = 0.1f;
 };
@@ -115,15 +115,14 @@ void printRow(const BenchRun& run)
 {
     const auto paper = std::find_if(std::begin(PAPER), std::end(PAPER),
                                     [&](const PaperRow& row) { return row.objects == run.objectCount; });
-    const std::string published =
-        paper == std::end(PAPER) ? fmt::format("{:>7}{:>7}{:>7}", "-", "-", "-")
-                                 : fmt::format("{:7}{:7}{:7}", paper->quadroP6000, paper->gtx1080, paper->unreal);
+    const std::string published = paper == std::end(PAPER)
+                                      ? fmt::format("{:>7}{:>7}{:>7}", "-", "-", "-")
+                                      : fmt::format("{:7}{:7}{:7}", paper->quadroP6000, paper->gtx1080, paper->unreal);
     fmt::print("{:<8}{:7}{:11}{:9.1f}{:9.1f}{:9.1f}{}{:8.2f}{:9.1f}{:7.1f}{:9.1f}{:7.1f}{:7.2f}\n", run.preset,
-               run.objectCount, run.particleCount,
-               run.stepsPerSecond, run.settledStepsPerSecond, run.drawnStepsPerSecond, published, run.pileTop,
-               100 * run.measures.meanPenetration / run.diameter, 100 * run.measures.worstPenetration / run.diameter,
-               100 * run.measures.meanJointGap / run.diameter, 100 * run.measures.worstJointGap / run.diameter,
-               run.measures.maxSpeed);
+               run.objectCount, run.particleCount, run.stepsPerSecond, run.settledStepsPerSecond,
+               run.drawnStepsPerSecond, published, run.pileTop, 100 * run.measures.meanPenetration / run.diameter,
+               100 * run.measures.worstPenetration / run.diameter, 100 * run.measures.meanJointGap / run.diameter,
+               100 * run.measures.worstJointGap / run.diameter, run.measures.maxSpeed);
     std::fflush(stdout);
 }
 
@@ -145,7 +144,8 @@ int bench(const BenchOptions& options, const CommonOptions& common)
                    "beside them the paper's frames/s; penetration and joint gap in % of a diameter; the fastest\n"
                    "particle at the end in m/s.\n\n"
                    "preset  objects  particles      all  settled    drawn  P6000   1080    UE4  top, m mean pen  worst "
-                   "mean gap  worst  speed\n", gpu->device().name, options.steps, SETTLED_STEPS);
+                   "mean gap  worst  speed\n",
+                   gpu->device().name, options.steps, SETTLED_STEPS);
     }
     for (uint32_t objectCount : options.objects) {
         for (const auto& [preset, settings] : presets) {
@@ -167,23 +167,33 @@ void addBenchCommand(CommandLine line)
 {
     auto* command = line.program.add_subcommand("bench", "Time the solver on the paper's table 2");
     command->fallthrough();
-    command->footer("Objects are pairs of 3x3x3 cubes with a joint, the four types in equal shares, dropped in layers\n"
-                    "into a 4 x 4 m box. Penetration and gaps stand beside the speed, since a squashed pile is fast.\n\n"
-                    "Example:\n  knuckle bench table2 --objects 300,1200 --json\n"
-                    "  knuckle bench table2 --preset default,paper --objects 300");
+    command->footer(
+        "Objects are pairs of 3x3x3 cubes with a joint, the four types in equal shares, dropped in layers\n"
+        "into a 4 x 4 m box. Penetration and gaps stand beside the speed, since a squashed pile is fast.\n\n"
+        "Example:\n  knuckle bench table2 --objects 300,1200 --json\n"
+        "  knuckle bench table2 --preset default,paper --objects 300");
     auto options = std::make_shared<BenchOptions>();
-    command->add_option("BENCHMARK", options->name, "What to run")->check(CLI::IsMember({"table2"}))
+    command->add_option("BENCHMARK", options->name, "What to run")
+        ->check(CLI::IsMember({"table2"}))
         ->capture_default_str();
-    command->add_option("--objects", options->objects, "Numbers of objects")->delimiter(',')
-        ->check(CLI::Range(1, 10000))->capture_default_str();
+    command->add_option("--objects", options->objects, "Numbers of objects")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
     command->add_option("--preset", options->presets, "Solver presets, each with every number of objects")
-        ->delimiter(',')->check(CLI::IsMember({"default", "paper"}))->capture_default_str();
+        ->delimiter(',')
+        ->check(CLI::IsMember({"default", "paper"}))
+        ->capture_default_str();
     command->add_option("--set", options->sets, "Change a field of the solver, for instance solver.iterations=8")
-        ->type_name("PATH=VALUE")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command->add_option("--steps", options->steps, "Steps of 1/60 s")->check(CLI::Range(1, 100000))
+        ->type_name("PATH=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_option("--steps", options->steps, "Steps of 1/60 s")
+        ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     command->add_option("--drawn-steps", options->drawnSteps, "Further steps that are drawn as well, 0 for none")
-        ->check(CLI::Range(0, 100000))->capture_default_str();
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON instead of the table");
     command->callback([=] { line.chosen = [=] { return bench(*options, line.common); }; });
 }

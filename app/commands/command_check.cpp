@@ -44,8 +44,10 @@ void addCheckCommand(CommandLine line)
     auto paths = std::make_shared<std::vector<std::string>>();
     auto sets = std::make_shared<std::vector<std::string>>();
     command->add_option("SCENE", *paths, "Scene files")->required();
-    command->add_option("--set", *sets, "Change a field first, as of `knuckle render`")->type_name("PATH=VALUE")
-        ->take_all()->allow_extra_args(false);
+    command->add_option("--set", *sets, "Change a field first, as of `knuckle render`")
+        ->type_name("PATH=VALUE")
+        ->take_all()
+        ->allow_extra_args(false);
     command->callback([=] {
         line.chosen = [=] {
             std::vector<Override> overrides;

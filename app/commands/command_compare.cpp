@@ -42,9 +42,11 @@ void addCompareCommand(CommandLine line)
     command->add_option("A", options->first, "An image")->required();
     command->add_option("B", options->second, "An image of the same size")->required();
     command->add_option("--threshold", options->threshold, "A pixel has changed when a channel differs by more, 0-255")
-        ->check(CLI::Range(0, 255))->capture_default_str();
+        ->check(CLI::Range(0, 255))
+        ->capture_default_str();
     command->add_option("--max-changed", options->maxChanged, "Share of changed pixels that still counts as equal, 0-1")
-        ->check(CLI::Range(0.0, 1.0))->capture_default_str();
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
     command->add_option("--difference", options->difference, "Write a picture of the difference")->type_name("OUT.png");
     command->callback([=] { line.chosen = [=] { return compare(*options, line.common.quiet); }; });
 }

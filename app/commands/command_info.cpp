@@ -26,8 +26,10 @@ void printThreads()
     }
     const uint32_t cores = usableCores();
     if (cores == 1) fmt::print("  threads                     none: there is one core\n");
-    else fmt::print("  threads                     {} or none, what is faster for the scene (see --stats); waking them "
-                    "takes {:.3f} ms a pass\n", cores, wakeTime(cores));
+    else
+        fmt::print("  threads                     {} or none, what is faster for the scene (see --stats); waking them "
+                   "takes {:.3f} ms a pass\n",
+                   cores, wakeTime(cores));
 }
 
 int info(const CommonOptions& common)

@@ -42,8 +42,8 @@ void readExports(const std::vector<std::string>& exports, FilmOptions& film)
         const std::string path = equals == std::string::npos ? "" : text.substr(equals + 1);
         const auto found = kinds.find(kind);
         if (path.empty() || found == kinds.end()) {
-            throw InputError(fmt::format("--export {}: must be ply=FOLDER, bodies=FILE.csv or measures=FILE.csv",
-                                         text));
+            throw InputError(
+                fmt::format("--export {}: must be ply=FOLDER, bodies=FILE.csv or measures=FILE.csv", text));
         }
         *found->second = path;
     }
@@ -104,7 +104,8 @@ void addRenderCommand(CommandLine line)
          "DIR|film.mp4");
     command->add_option("--frames", options->frames, "First and last frame to draw [all]")->type_name("A:B");
     command->add_option("--size", options->size, "Pixels of a frame [the scene's, 1280x720]")->type_name("WxH");
-    command->add_option("--fps", options->framesPerSecond, "Frames per second [the scene's, 60]")->type_name("N")
+    command->add_option("--fps", options->framesPerSecond, "Frames per second [the scene's, 60]")
+        ->type_name("N")
         ->check(CLI::Range(10.0, 480.0));
     list("--set", options->sets, "Change a field of the scene, for instance solver.substeps=8", "PATH=VALUE");
     command->add_option("--stats", options->film.stats, "Write figures of the run")->type_name("FILE");

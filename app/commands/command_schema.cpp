@@ -14,7 +14,8 @@ void addSchemaCommand(CommandLine line)
     auto document = std::make_shared<std::string>("scene");
     auto markdown = std::make_shared<bool>(false);
     command->add_option("DOCUMENT", *document, "Which: scene, actor (actor files), joints (joint overrides)")
-        ->check(CLI::IsMember({"scene", "actor", "joints"}))->capture_default_str();
+        ->check(CLI::IsMember({"scene", "actor", "joints"}))
+        ->capture_default_str();
     command->add_flag("--markdown", *markdown, "As a page of tables, docs/scene.md");
     command->callback([=] {
         line.chosen = [=] {

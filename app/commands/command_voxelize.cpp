@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "app/files/actor_file.h"
 #include "app/commands/actor_table.h"
 #include "app/commands/commands.h"
+#include "app/files/actor_file.h"
 #include "app/files/joints_file.h"
 #include "app/files/output.h"
 #include "render/renderer.h"
@@ -85,13 +85,18 @@ void addVoxelizeCommand(CommandLine line)
     command->add_option("MODEL", options->model, "The rigged model")->required();
     command->add_option("-o,--output", options->output, "Write the actor here")->type_name("actor.json");
     auto* diameter = command->add_option("--diameter", options->diameter, "Diameter of a particle [m]")
-        ->check(CLI::Range(0.001, 10.0))->type_name("M");
+                         ->check(CLI::Range(0.001, 10.0))
+                         ->type_name("M");
     command->add_option("--particles", options->particles, "As many particles as this, or nearly")
-        ->check(CLI::Range(4, 200000))->type_name("N")->excludes(diameter);
+        ->check(CLI::Range(4, 200000))
+        ->type_name("N")
+        ->excludes(diameter);
     command->add_option("--joints", options->joints, "Joint types that override those from the bones' names")
         ->type_name("FILE");
     command->add_option("--scale", options->scale, "Metres per unit of the model; 0: as the file says, else guessed")
-        ->check(CLI::Range(0.0, 1e6))->capture_default_str()->type_name("M");
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str()
+        ->type_name("M");
     command->add_option("--preview", options->preview, "Draw the actor, shared particles red")->type_name("actor.png");
     command->callback([=] { line.chosen = [=] { return voxelizeFile(*options, line.common); }; });
 }

@@ -8,10 +8,10 @@
 
 #include "app/commands/counted.h"
 #include "app/commands/frame_drawing.h"
-#include "app/files/export.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
 #include "app/commands/stopwatch.h"
+#include "app/files/export.h"
 #include "render/output/temporary_file.h"
 #include "sim/solver/workload.h"
 #include "sim/world/errors.h"
@@ -47,7 +47,8 @@ struct Outputs {
         for (const char* other : {".avi", ".webm", ".gif", ".mpg", ".png", ".jpg"}) {
             if (ending != other) continue;
             throw InputError(fmt::format("-o {}: films are written as .mp4, frames into a folder; name one of "
-                                         "them", path));
+                                         "them",
+                                         path));
         }
         return pngSink(path);
     }
@@ -58,8 +59,7 @@ class FilmRun {
 public:
     FilmRun(const Scene& scene, const FilmOptions& options, const CommonOptions& common)
         : scene_(scene), options_(options), range_(clampRange(scene, options.frames)), outputs_(scene, options),
-          gpu_(openGpu(common, work())), solver_(*gpu_, scene.world),
-          progress_("frame", range_.last, common.quiet)
+          gpu_(openGpu(common, work())), solver_(*gpu_, scene.world), progress_("frame", range_.last, common.quiet)
     {
         const bool timed = outputs_.stats.has_value();
         if (timed) solver_.timePasses();
@@ -95,7 +95,8 @@ private:
         if (range.last == 0) range.last = count;
         if (range.first <= range.last && range.last <= count) return range;
         throw InputError(fmt::format("--frames {}:{}: the scene has frames 1 to {}; choose among them or raise "
-                                     "/duration", range.first, range.last, count));
+                                     "/duration",
+                                     range.first, range.last, count));
     }
 
     /// Of a frame, on average.

@@ -12,7 +12,7 @@ namespace knuckle {
 
 /// First and last frame to draw, from 1.
 struct FrameRange {
-    uint64_t first = 1, last = 0;    ///< last 0: the scene's last.
+    uint64_t first = 1, last = 0;  ///< last 0: the scene's last.
 
     /// Reads "A:B", "A:", ":B" or "A". @throws InputError.
     static FrameRange parse(const std::string& text);
@@ -20,12 +20,12 @@ struct FrameRange {
 
 /// What `knuckle render` was asked for beside the scene.
 struct FilmOptions {
-    std::vector<std::string> outputs;     ///< Folders for PNG frames, and .mp4 films.
+    std::vector<std::string> outputs;  ///< Folders for PNG frames, and .mp4 films.
     FrameRange frames;
-    std::string stats;                    ///< Empty: none, as below.
+    std::string stats;  ///< Empty: none, as below.
     std::string plyFolder, bodyTable, measureTable;
     bool hash = false;
-    std::optional<bool> drawAside;        ///< On a thread of its own; none: where that is faster.
+    std::optional<bool> drawAside;  ///< On a thread of its own; none: where that is faster.
 };
 
 /// Simulates the scene and writes its frames, and what else was asked for. Every output is checked first.

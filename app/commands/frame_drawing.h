@@ -7,17 +7,17 @@
 
 #include "app/files/export.h"
 #include "app/scene/scene_file.h"
-#include "render/output/frame_sink.h"
 #include "render/frame_snapshot.h"
-#include "render/renderer.h"
+#include "render/output/frame_sink.h"
 #include "render/output/task_thread.h"
+#include "render/renderer.h"
 
 namespace knuckle {
 
 struct Frame {
-    uint64_t number = 1;       ///< As in frame_0001.png.
-    double time = 0.0;         ///< [s]
-    bool drawn = true;         ///< Otherwise it is only shown to the camera.
+    uint64_t number = 1;  ///< As in frame_0001.png.
+    double time = 0.0;    ///< [s]
+    bool drawn = true;    ///< Otherwise it is only shown to the camera.
 };
 
 using FrameSinks = std::vector<std::unique_ptr<FrameSink>>;
@@ -49,7 +49,7 @@ private:
     Gpu& gpu_;
     const FrameSinks& sinks_;
     Renderer renderer_;
-    std::optional<uint64_t> unread_;     ///< The frame drawn last.
+    std::optional<uint64_t> unread_;  ///< The frame drawn last.
     DrawingFigures figures_;
 };
 

@@ -29,9 +29,11 @@ constexpr const char* EXAMPLES =
 
 void addCommonOptions(CLI::App& program, CommonOptions& common)
 {
-    program.add_option("--device", common.device,
-                       "Where to compute: auto (a GPU, else the CPU), gpu, software, or a number of `knuckle info`")
-        ->capture_default_str()->type_name("NAME");
+    program
+        .add_option("--device", common.device,
+                    "Where to compute: auto (a GPU, else the CPU), gpu, software, or a number of `knuckle info`")
+        ->capture_default_str()
+        ->type_name("NAME");
     program.add_option("--shaders", common.shaderFolder, "Take shaders from this folder before the built-in ones")
         ->type_name("DIR");
     program.add_flag("--quiet,-q", common.quiet, "Print errors only");
@@ -42,7 +44,8 @@ int parseAndRun(int argc, char** argv)
     CommonOptions common;
     std::function<int()> chosen;
     CLI::App program("Knuckle turns rigged meshes into ragdolls made of particles, simulates them in OpenGL compute "
-                     "shaders and films them. No window and no GPU are needed.", "knuckle");
+                     "shaders and films them. No window and no GPU are needed.",
+                     "knuckle");
     program.set_version_flag("--version", "knuckle " KNUCKLE_VERSION);
     program.require_subcommand(1);
     program.footer(EXAMPLES);
@@ -56,7 +59,7 @@ int parseAndRun(int argc, char** argv)
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return program.exit(error);    // --help, --version
+        if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
         throw InputError(fmt::format("{}; see knuckle --help", error.what()));
     }
     return chosen();
@@ -88,7 +91,7 @@ std::unique_ptr<Gpu> openGpu(const CommonOptions& common, std::optional<FrameWor
 
 int runProgram(int argc, char** argv)
 {
-    std::signal(SIGPIPE, SIG_IGN);    // a reader that goes away is a write error, so that all is tidied up first
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is a write error, so that all is tidied up first
     try {
         const int code = parseAndRun(argc, argv);
         if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), STDOUT_FAILURE);

@@ -49,8 +49,8 @@ std::string jointText(const ActorJoint& joint)
 {
     return fmt::format("{{ \"name\": {}, \"type\": \"{}\", \"parent\": {}, \"child\": {}, \"anchor\": {}, "
                        "\"axis\": {}, \"sharedParticles\": [{}] }}",
-                       stringText(joint.name), wordOf(joint.type), joint.parent, joint.child,
-                       vectorText(joint.anchor), vectorText(joint.axis), fmt::join(joint.sharedParticles, ", "));
+                       stringText(joint.name), wordOf(joint.type), joint.parent, joint.child, vectorText(joint.anchor),
+                       vectorText(joint.axis), fmt::join(joint.sharedParticles, ", "));
 }
 
 void checkIndices(const JsonFile& file, const std::string& pointer, const std::vector<uint32_t>& indices, size_t count,
@@ -73,8 +73,8 @@ ActorBody readBody(const JsonFile& file, const Json& json, size_t index, size_t 
     readValue(json["mergedBones"], body.mergedBones);
     checkIndices(file, pointer + "/particles", body.particles, particleCount, "particles");
     if (body.parent >= static_cast<int64_t>(index)) {
-        failAt(file.path, pointer + "/parent", fmt::format("{} must be smaller than the body's own place, {}",
-                                                           body.parent, index));
+        failAt(file.path, pointer + "/parent",
+               fmt::format("{} must be smaller than the body's own place, {}", body.parent, index));
     }
     return body;
 }
@@ -102,12 +102,14 @@ ActorJoint readJoint(const JsonFile& file, const Json& json, size_t index, const
 void checkConsistent(const JsonFile& file, const Actor& actor)
 {
     if (!actor.signedDistances.empty() && actor.signedDistances.size() != actor.particles.size()) {
-        failAt(file.path, "/signedDistances", fmt::format("has {} entries for {} particles; give one each or none",
-                                                          actor.signedDistances.size(), actor.particles.size()));
+        failAt(file.path, "/signedDistances",
+               fmt::format("has {} entries for {} particles; give one each or none", actor.signedDistances.size(),
+                           actor.particles.size()));
     }
     if (!actor.outward.empty() && actor.outward.size() != actor.signedDistances.size()) {
-        failAt(file.path, "/outward", fmt::format("has {} entries for {} signedDistances; give one each or none",
-                                                  actor.outward.size(), actor.signedDistances.size()));
+        failAt(file.path, "/outward",
+               fmt::format("has {} entries for {} signedDistances; give one each or none", actor.outward.size(),
+                           actor.signedDistances.size()));
     }
     for (size_t i = 0; i < actor.outward.size(); ++i) {
         const float length = actor.outward[i].norm();
@@ -129,7 +131,8 @@ void checkConsistent(const JsonFile& file, const Actor& actor)
 std::string actorText(const Actor& actor)
 {
     std::string text = fmt::format("{{\n  \"format\": \"knuckle-actor\",\n  \"version\": {},\n  \"name\": {},\n"
-                                   "  \"diameter\": {}", ACTOR_VERSION, stringText(actor.name), actor.diameter);
+                                   "  \"diameter\": {}",
+                                   ACTOR_VERSION, stringText(actor.name), actor.diameter);
     text += listText("bodies", actor.bodies, bodyText);
     text += listText("joints", actor.joints, jointText);
     text += listText("notes", actor.notes, stringText);

@@ -85,7 +85,7 @@ void writePly(const std::string& folder, uint64_t frame, const World& world, con
         for (const Vector3f& vector : {state.positions[i], state.velocities[i]}) {
             for (int axis = 0; axis < 3; ++axis) append(text, vector[axis]);
         }
-        append(text, static_cast<int32_t>(particle.body));    // NO_INDEX becomes -1
+        append(text, static_cast<int32_t>(particle.body));  // NO_INDEX becomes -1
         append(text, particle.material);
     }
     OutputFile file((std::filesystem::path(folder) / fmt::format("frame_{:04}.ply", frame)).string());
@@ -150,8 +150,7 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
         list.push_back({{"name", name}, {"milliseconds", milliseconds}, {"count", count}});
     };
     for (const PassTime& pass : solver.passTimes()) add(passes, pass.name, pass.milliseconds, pass.count);
-    for (const auto& [name, total] : figures.drawing.passes)
-        add(drawingPasses, name, total.milliseconds, total.count);
+    for (const auto& [name, total] : figures.drawing.passes) add(drawingPasses, name, total.milliseconds, total.count);
     Json stats = {
         {"device", figures.device},
         {"driverThreads", threadsJson(figures.driverThreads)},

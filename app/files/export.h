@@ -46,8 +46,8 @@ private:
 /// What the drawing of a film took.
 struct DrawingFigures {
     uint64_t frames = 0;
-    double seconds = 0.0;      ///< By the clock, on the thread that draws.
-    std::vector<std::pair<std::string, KernelTimer::Total>> passes;   ///< Where they are timed.
+    double seconds = 0.0;                                            ///< By the clock, on the thread that draws.
+    std::vector<std::pair<std::string, KernelTimer::Total>> passes;  ///< Where they are timed.
 };
 
 /// What `--stats` tells beside what the solver knows.

@@ -34,7 +34,8 @@ std::string plainMessage(const std::string& what)
 {
     const size_t place = what.find(": "), tag = what.find("] ");
     std::string text = place != std::string::npos ? what.substr(place + 2)
-                       : tag != std::string::npos ? what.substr(tag + 2) : what;
+                       : tag != std::string::npos ? what.substr(tag + 2)
+                                                  : what;
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
 }

@@ -9,7 +9,7 @@ namespace knuckle {
 
 /// One `--set path=value`: a dotted path into a scene and the JSON value to put there.
 struct Override {
-    std::string path;     ///< "solver.substeps", "objects.0.velocity"
+    std::string path;  ///< "solver.substeps", "objects.0.velocity"
     Json value;
 };
 

@@ -7,7 +7,7 @@
 #include "app/files/joints_file.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_parts.h"
-#include "app/scene/scene_strands.h"
+#include "app/scene/scene_ropes.h"
 #include "sim/actor/bodies/articulate.h"
 
 namespace knuckle {
@@ -29,8 +29,8 @@ Actor loadActor(SceneContext& context, const Json& object, const std::string& fi
     if (std::abs(actor.diameter - diameter) > 1e-4f * diameter) {
         failAt(context.path, pointer + "/file",
                fmt::format("{} is made of particles of {} m, the scene of {} m; set /diameter to {}, or make the actor "
-                           "with knuckle voxelize --diameter {}", file, actor.diameter, diameter, actor.diameter,
-                           diameter));
+                           "with knuckle voxelize --diameter {}",
+                           file, actor.diameter, diameter, actor.diameter, diameter));
     }
     return actor;
 }

@@ -99,8 +99,9 @@ void addColliders(SceneContext& context, const Json& json, size_t index)
         (type == "mesh" ? addMeshGrid : addHeightfield)(context, json, pointer, collider);
         return builder.addCollider(collider);
     }
-    collider.shape = type == "plane" ? ColliderShape::Plane
-                     : type == "sphere" ? ColliderShape::Sphere : ColliderShape::Capsule;
+    collider.shape = type == "plane"    ? ColliderShape::Plane
+                     : type == "sphere" ? ColliderShape::Sphere
+                                        : ColliderShape::Capsule;
     if (json.contains("radius")) readValue(json["radius"], collider.radius);
     if (json.contains("length")) collider.halfHeight = 0.5f * json["length"].get<float>();
     builder.addCollider(collider);

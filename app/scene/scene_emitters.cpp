@@ -73,7 +73,8 @@ void readNozzle(Entry& entry)
     if (nozzle.points.empty())
         entry.fail(disc ? "/radius" : "/size",
                    fmt::format("a particle takes {:g} m, which is too wide for it; make it larger, or lower "
-                               "/fluidSpacing or /diameter", spacing));
+                               "/fluidSpacing or /diameter",
+                               spacing));
     const auto layer = static_cast<double>(nozzle.points.size());
     limitTotal(entry.context, entry.pointer, layer, "make the nozzle smaller");
     entry.emitter.nozzle = placed(std::move(nozzle), position, direction);
@@ -98,7 +99,8 @@ void readTimesAndPool(Entry& entry, double duration)
     const double given = json["pool"];
     if (given > 0.0 && given < layer)
         entry.fail("/pool", fmt::format("{:g} particles are fewer than the {:g} of a layer; raise it, or make the "
-                                        "nozzle smaller", given, layer));
+                                        "nozzle smaller",
+                                        given, layer));
     const double all = layer * static_cast<double>(std::max<uint64_t>(emitter.layersUntil(duration), 1));
     const double pool = given > 0.0 ? given : all;
     limitTotal(entry.context, entry.pointer + "/pool", pool,
@@ -121,7 +123,8 @@ void requireRoom(const Entry& entry, const Surroundings& surroundings)
             if (!solid) continue;
             if (k == 0)
                 entry.fail("/position", fmt::format("the nozzle is inside or against {}; keep it at least half a rest "
-                                                    "distance, {:g} m, away", *solid, 0.5f * spacing));
+                                                    "distance, {:g} m, away",
+                                                    *solid, 0.5f * spacing));
             entry.fail("/direction", fmt::format("leads into {} within {:.3g} m; turn it away, or move the nozzle back",
                                                  *solid, way));
         }
@@ -142,7 +145,8 @@ Collider readDrain(const Json& json)
     if (json.contains("length")) region.halfHeight = 0.5f * json["length"].get<float>();
     region.shape = shape == "box"      ? ColliderShape::Box
                    : shape == "sphere" ? ColliderShape::Sphere
-                   : shape == "plane"  ? ColliderShape::Plane : ColliderShape::Capsule;
+                   : shape == "plane"  ? ColliderShape::Plane
+                                       : ColliderShape::Capsule;
     return region;
 }
 

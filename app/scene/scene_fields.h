@@ -15,21 +15,37 @@ namespace knuckle {
 template <typename T>
 struct EnumWords;
 template <>
-struct EnumWords<SolverKind> { static constexpr std::array WORDS{"impulse", "paper"}; };
+struct EnumWords<SolverKind> {
+    static constexpr std::array WORDS{"impulse", "paper"};
+};
 template <>
-struct EnumWords<RotationMethod> { static constexpr std::array WORDS{"quaternion", "householder", "higham"}; };
+struct EnumWords<RotationMethod> {
+    static constexpr std::array WORDS{"quaternion", "householder", "higham"};
+};
 template <>
-struct EnumWords<GridKind> { static constexpr std::array WORDS{"lattice", "hash"}; };
+struct EnumWords<GridKind> {
+    static constexpr std::array WORDS{"lattice", "hash"};
+};
 template <>
-struct EnumWords<ReductionKind> { static constexpr std::array WORDS{"auto", "thread", "group", "steps"}; };
+struct EnumWords<ReductionKind> {
+    static constexpr std::array WORDS{"auto", "thread", "group", "steps"};
+};
 template <>
-struct EnumWords<VelocityOrder> { static constexpr std::array WORDS{"", "first", "second"}; };
+struct EnumWords<VelocityOrder> {
+    static constexpr std::array WORDS{"", "first", "second"};
+};
 template <>
-struct EnumWords<JointType> { static constexpr std::array WORDS{"ball", "hinge", "stiff", "universal"}; };
+struct EnumWords<JointType> {
+    static constexpr std::array WORDS{"ball", "hinge", "stiff", "universal"};
+};
 template <>
-struct EnumWords<CameraKind> { static constexpr std::array WORDS{"fixed", "orbit", "follow"}; };
+struct EnumWords<CameraKind> {
+    static constexpr std::array WORDS{"fixed", "orbit", "follow"};
+};
 template <>
-struct EnumWords<ColorBy> { static constexpr std::array WORDS{"body", "material", "particle", "speed"}; };
+struct EnumWords<ColorBy> {
+    static constexpr std::array WORDS{"body", "material", "particle", "speed"};
+};
 
 template <typename T>
 std::string wordOf(T value)

@@ -8,7 +8,7 @@
 
 #include "app/scene/scene_fields.h"
 #include "app/scene/scene_parts.h"
-#include "app/scene/scene_strands.h"
+#include "app/scene/scene_ropes.h"
 #include "app/schema/schema.h"
 #include "sim/world/errors.h"
 
@@ -151,7 +151,8 @@ Settings loadSettings(const std::string& preset, const std::vector<std::string>&
         overrides.push_back(parseOverride(change));
         if (overrides.back().path.starts_with("solver.")) continue;
         throw InputError(fmt::format("--set {}: only fields of the solver can be set here, for instance "
-                                     "solver.iterations=8", change));
+                                     "solver.iterations=8",
+                                     change));
     }
     const Json anything = Json::array({{{"type", "rigid"}, {"shape", "box"}}});
     const JsonFile file = completed({"--set", {{"solver", preset}, {"objects", anything}}}, overrides);
@@ -181,11 +182,10 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
         context.colliderEntries.resize(builder.world().colliders.size(), i);
     }
     const Json& objects = root["objects"];
-    if (objects.empty() && root["emitters"].empty())
-        failAt(path, "/objects", "is an array of 0, must be at least 1");
-    for (const bool strands : {false, true})
+    if (objects.empty() && root["emitters"].empty()) failAt(path, "/objects", "is an array of 0, must be at least 1");
+    for (const bool rows : {false, true})
         for (size_t i = 0; i < objects.size(); ++i)
-            if (isStrandObject(objects[i]) == strands) addObjects(context, objects[i], i);
+            if (isRopeObject(objects[i]) == rows) addObjects(context, objects[i], i);
     addEmitters(context, root, scene.duration);
     try {
         scene.world = builder.build();

@@ -69,8 +69,8 @@ void limitTotal(const SceneContext& context, const std::string& pointer, double 
     const double total = count + builder.particleCount() + builder.fluidCount() + builder.world().pooledCount();
     if (total <= static_cast<double>(MAX_PARTICLES)) return;
     const std::string number = total < 1e15 ? fmt::format("{:.0f}", total) : fmt::format("{:.1e}", total);
-    failAt(context.path, pointer, fmt::format("brings the scene to {} particles, the limit is {}; {}", number,
-                                              MAX_PARTICLES, remedy));
+    failAt(context.path, pointer,
+           fmt::format("brings the scene to {} particles, the limit is {}; {}", number, MAX_PARTICLES, remedy));
 }
 
 void limitParticles(const SceneContext& context, const Json& object, const std::string& pointer, double count)

@@ -31,7 +31,8 @@ void addGrains(SceneContext& context, const Json& object, const std::string& poi
     if (spacing < (1.0f - 1e-5f) * builder.diameter())
         failAt(context.path, pointer + "/spacing",
                fmt::format("{} m is below the diameter, {} m, so that grains would overlap; raise it, lower /diameter, "
-                           "or give 0 for one diameter", spacing, builder.diameter()));
+                           "or give 0 for one diameter",
+                           spacing, builder.diameter()));
     std::vector<Vector3f> lattice = fillRegion(context, object, pointer, spacing);
     const float jitter = object["jitter"].get<float>() * builder.diameter();
     if (jitter > 0.0f) shiftLayers(lattice, spacing);

@@ -6,8 +6,8 @@
 #include "app/scene/scene_fields.h"
 #include "app/scene/scene_parts.h"
 #include "render/picture/image.h"
-#include "sim/actor/mesh/distance_grid.h"
 #include "sim/actor/import/model.h"
+#include "sim/actor/mesh/distance_grid.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -16,7 +16,7 @@ namespace {
 
 struct Heights {
     uint64_t columns = 0, rows = 0;
-    std::vector<float> values;   ///< [m], the row of the lowest z first.
+    std::vector<float> values;  ///< [m], the row of the lowest z first.
 };
 
 /// Runs `make`, and adds the scene's file and JSON path to its error.
@@ -83,12 +83,12 @@ void addHeightfield(SceneContext& context, const Json& json, const std::string& 
 {
     Heights heights = readHeights(context, json, pointer);
     if (heights.columns < 2 || heights.rows < 2 || heights.values.size() > MAX_GRID_VALUES)
-        failAt(context.path, pointer, fmt::format("has {} x {} heights; must be at least 2 x 2 and at most {} in all",
-                                                  heights.columns, heights.rows, MAX_GRID_VALUES));
+        failAt(context.path, pointer,
+               fmt::format("has {} x {} heights; must be at least 2 x 2 and at most {} in all", heights.columns,
+                           heights.rows, MAX_GRID_VALUES));
     const Eigen::Vector2f size(json["size"][0].get<float>(), json["size"][1].get<float>());
-    collider.grid = context.builder.addColliderGrid(makeHeightfield(size, static_cast<int>(heights.columns),
-                                                                    static_cast<int>(heights.rows),
-                                                                    std::move(heights.values)));
+    collider.grid = context.builder.addColliderGrid(makeHeightfield(
+        size, static_cast<int>(heights.columns), static_cast<int>(heights.rows), std::move(heights.values)));
     collider.shape = ColliderShape::Heightfield;
 }
 

@@ -3,10 +3,10 @@
 #include <functional>
 
 #include "app/scene/scene_fields.h"
-#include "app/scene/scene_fill.h"
 #include "app/scene/scene_file.h"
+#include "app/scene/scene_fill.h"
 #include "app/scene/scene_parts.h"
-#include "app/scene/scene_strands.h"
+#include "app/scene/scene_ropes.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -20,10 +20,7 @@ struct Entry : SceneEntry {
     Vector3f velocity{0, 0, 0}, spin{0, 0, 0};
     std::vector<Pose> poses = {};
 
-    std::string copyName(size_t copy) const
-    {
-        return poses.size() == 1 ? name : fmt::format("{}_{}", name, copy + 1);
-    }
+    std::string copyName(size_t copy) const { return poses.size() == 1 ? name : fmt::format("{}_{}", name, copy + 1); }
 };
 
 void limitParticles(const Entry& entry, double count)
@@ -111,8 +108,8 @@ void addJoined(const Entry& entry)
         entry.fail("/axis", "must not be zero or along x, the chain's own direction; for instance [0, 0, 1]");
     }
     const std::string last = json["lastMaterial"];
-    const uint32_t lastMaterial =
-        last.empty() ? entry.material : findMaterial(entry.context, last, entry.pointer + "/lastMaterial");
+    const uint32_t lastMaterial = last.empty() ? entry.material
+                                               : findMaterial(entry.context, last, entry.pointer + "/lastMaterial");
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         entry.context.builder.beginObject(entry.copyName(copy));
         addChain(entry, common, lastMaterial, copy);
@@ -120,11 +117,11 @@ void addJoined(const Entry& entry)
     }
 }
 
-void addStrands(const Entry& entry)
+void addDistanceRows(const Entry& entry)
 {
-    StrandEntry strands{entry, {}, entry.poses, entry.material, entry.velocity};
-    for (size_t copy = 0; copy < entry.poses.size(); ++copy) strands.names.push_back(entry.copyName(copy));
-    addStrandObject(strands);
+    RopeEntry rows{entry, {}, entry.poses, entry.material, entry.velocity};
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) rows.names.push_back(entry.copyName(copy));
+    addRopeObject(rows);
 }
 
 void addActors(const Entry& entry)
@@ -173,8 +170,13 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
     entry.poses = repeatedPoses(json);
     const std::string type = json["type"];
     static const std::map<std::string, std::function<void(const Entry&)>> KINDS = {
-        {"rigid", addRigidOrSoft}, {"soft", addRigidOrSoft}, {"joined", addJoined}, {"actor", addActors},
-        {"grains", [](const Entry& grains) { addGrains(grains); }}, {"rope", addStrands}, {"cloth", addStrands},
+        {"rigid", addRigidOrSoft},
+        {"soft", addRigidOrSoft},
+        {"joined", addJoined},
+        {"actor", addActors},
+        {"grains", [](const Entry& grains) { addGrains(grains); }},
+        {"rope", addDistanceRows},
+        {"cloth", addDistanceRows},
         {"fluid", [](const Entry& fluid) { addFluid(fluid); }}};
     try {
         KINDS.at(type)(entry);

@@ -18,11 +18,11 @@ Quaternionf readRotation(const Json& json);
 
 /// What objects need to know about the scene that they stand in.
 struct SceneContext {
-    std::string path;                            ///< Of the scene file; other paths are relative to its folder.
+    std::string path;  ///< Of the scene file; other paths are relative to its folder.
     WorldBuilder& builder;
-    std::map<std::string, uint32_t> materials;   ///< Indices by name.
-    std::map<std::string, Actor> actors = {};    ///< Read or made already, by what was asked for.
-    std::vector<size_t> colliderEntries = {};    ///< Per collider of the world: the entry of `colliders` that it is of.
+    std::map<std::string, uint32_t> materials;  ///< Indices by name.
+    std::map<std::string, Actor> actors = {};   ///< Read or made already, by what was asked for.
+    std::vector<size_t> colliderEntries = {};   ///< Per collider of the world: the entry of `colliders` that it is of.
 };
 
 /// One entry of a list of the scene (objects, colliders, ...) while it is being built.
@@ -73,7 +73,7 @@ const Actor& findActor(SceneContext& context, const Json& object, const std::str
 /// What the particles of a region without bodies have in common.
 struct LooseKind {
     uint32_t material = 0;
-    Vector3f velocity{0, 0, 0};                  ///< [m/s]
+    Vector3f velocity{0, 0, 0};  ///< [m/s]
 };
 
 /// Adds an object of type `fluid`, at each of `poses`. @param pointer JSON path of the object. @throws InputError.

@@ -67,7 +67,7 @@ std::string kindOf(const Json& value)
 void SchemaCheck::complete(const Json& schemaNode, Json& value, const std::string& pointer) const
 {
     const Json& node = choose(schema_.resolve(schemaNode), value, pointer);
-    if (node.contains("const")) return;    // chosen by it
+    if (node.contains("const")) return;  // chosen by it
     checkType(node, value, pointer);
     if (value.is_object()) completeObject(node, value, pointer);
     if (value.is_array()) completeArray(node, value, pointer);

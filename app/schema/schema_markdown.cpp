@@ -31,7 +31,8 @@ public:
     {
         const Json& root = schema_.root();
         text_ = fmt::format("# {} files\n\n<!-- Made by `knuckle schema --markdown` from assets/schema; do not edit. "
-                            "-->\n\n{}\n\n", root["title"].get<std::string>(), root["description"].get<std::string>());
+                            "-->\n\n{}\n\n",
+                            root["title"].get<std::string>(), root["description"].get<std::string>());
         addTable(root);
         for (const auto& [name, node] : root["definitions"].items()) {
             if (!isSection(node)) continue;

@@ -26,8 +26,8 @@ private:
     void drawShapes(KernelTimer& timer, const DrawPass& pass) const;
 
     MeshPass meshes_;
-    Buffer<gpu::vec4> planes_;    ///< Two each: unit normal, w: its component of the points [m]; colour, w: is ground.
-    Buffer<gpu::vec4> shapes_;    ///< A ColliderInstance each.
+    Buffer<gpu::vec4> planes_;  ///< Two each: unit normal, w: its component of the points [m]; colour, w: is ground.
+    Buffer<gpu::vec4> shapes_;  ///< A ColliderInstance each.
     DrawPass planePass_, shapePass_, shapeShadow_;
 };
 

@@ -23,8 +23,8 @@ public:
 private:
     uint32_t cornerCount() const { return static_cast<uint32_t>(corners_.size() / 2); }
 
-    Buffer<gpu::vec4> corners_;   ///< Two a corner: place in the world, w: mesh; normal.
-    Buffer<gpu::vec4> colors_;    ///< Of each mesh.
+    Buffer<gpu::vec4> corners_;  ///< Two a corner: place in the world, w: mesh; normal.
+    Buffer<gpu::vec4> colors_;   ///< Of each mesh.
     DrawPass meshes_, shadow_;
 };
 

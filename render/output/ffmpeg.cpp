@@ -119,7 +119,8 @@ void Ffmpeg::finish()
     closeInput();
     if (child_ <= 0) return;
     int status = 0;
-    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {}
+    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+    }
     child_ = -1;
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
     const std::string how = WIFSIGNALED(status) ? fmt::format("was ended by signal {}", WTERMSIG(status))

@@ -21,10 +21,15 @@ std::vector<std::string> encoderArguments(const std::string& path, const std::st
                                           uint32_t height, double framesPerSecond)
 {
     // Without -xerror ffmpeg calls a film that did not fit on the disk a success.
-    std::vector<std::string> arguments = {
-        "-hide_banner", "-loglevel", "error", "-xerror", "-nostdin", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24",
-        "-video_size", fmt::format("{}x{}", width, height), "-framerate", fmt::format("{}", framesPerSecond),
-        "-i", "pipe:0", "-an"};
+    std::vector<std::string> arguments = {"-hide_banner", "-loglevel",
+                                          "error",        "-xerror",
+                                          "-nostdin",     "-y",
+                                          "-f",           "rawvideo",
+                                          "-pix_fmt",     "rgb24",
+                                          "-video_size",  fmt::format("{}x{}", width, height),
+                                          "-framerate",   fmt::format("{}", framesPerSecond),
+                                          "-i",           "pipe:0",
+                                          "-an"};
     const auto add = [&](std::initializer_list<const char*> more) {
         arguments.insert(arguments.end(), more.begin(), more.end());
     };
@@ -78,7 +83,8 @@ std::unique_ptr<FrameSink> filmSink(const std::string& path, uint32_t width, uin
     const std::string ffmpeg = findProgram("ffmpeg");
     if (ffmpeg.empty())
         throw InputError(fmt::format("film {}: the program ffmpeg is not in PATH; install it (apt install ffmpeg), or "
-                                     "write PNG frames with -o FOLDER", path));
+                                     "write PNG frames with -o FOLDER",
+                                     path));
     requireWritableFolder(folderOf(path));
     return std::make_unique<FilmSink>(ffmpeg, path, width, height, framesPerSecond);
 }

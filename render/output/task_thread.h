@@ -40,7 +40,7 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Task> waiting_;
-    size_t unfinished_ = 0;     ///< Those that wait, and one that runs.
+    size_t unfinished_ = 0;  ///< Those that wait, and one that runs.
     std::exception_ptr failure_;
     bool stopping_ = false;
     std::thread thread_;

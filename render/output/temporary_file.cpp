@@ -77,8 +77,8 @@ void requireWritableFolder(const std::string& folder)
         TemporaryFile probe(folder + "/probe");
         probe.write("", 0);
     } catch (const RunError&) {
-        throw InputError(fmt::format("folder {} cannot be written to: {}; choose another", folder,
-                                     std::strerror(errno)));
+        throw InputError(
+            fmt::format("folder {} cannot be written to: {}; choose another", folder, std::strerror(errno)));
     }
 }
 

@@ -48,8 +48,8 @@ Decoded<Channel> decodeFile(const std::string& path, Load load, int wanted)
     int width = 0, height = 0, channels = 0;
     std::unique_ptr<Channel, Free> pixels(load(file.get(), &width, &height, &channels, wanted));
     if (!pixels)
-        throw InputError(fmt::format("image {} cannot be read: {}; PNG and JPEG are known", path,
-                                     stbi_failure_reason()));
+        throw InputError(
+            fmt::format("image {} cannot be read: {}; PNG and JPEG are known", path, stbi_failure_reason()));
     return {static_cast<uint32_t>(width), static_cast<uint32_t>(height), std::move(pixels)};
 }
 

@@ -9,7 +9,7 @@ namespace knuckle {
 /// 8-bit sRGB pixels, top row first.
 struct Image {
     uint32_t width = 0, height = 0;
-    std::vector<uint8_t> rgb;    ///< width * height * 3
+    std::vector<uint8_t> rgb;  ///< width * height * 3
 };
 
 /// @throws InputError (missing, not an image) or RunError (disk full, not writable: nothing is left half-written).
@@ -19,17 +19,17 @@ void writePng(const std::string& path, const Image& image);
 /// The grey of an image, 0 ... 1, top row first, as its file has it: no gamma is taken off.
 struct GreyImage {
     uint32_t width = 0, height = 0;
-    std::vector<float> values;   ///< width * height
+    std::vector<float> values;  ///< width * height
 };
 
 /// 8 or 16 bits a channel; of a coloured image its luminance. @throws InputError as readImage() does.
 GreyImage readGreyImage(const std::string& path);
 
 struct ImageDifference {
-    double meanAbsolute = 0.0;   ///< Mean over all channels, 0-255.
-    uint32_t worst = 0;          ///< Largest channel difference, 0-255.
-    double changedShare = 0.0;   ///< Share of pixels with a channel that differs by more than the threshold, 0-1.
-    Image picture;               ///< |a - b| per channel, brightened to be seen.
+    double meanAbsolute = 0.0;  ///< Mean over all channels, 0-255.
+    uint32_t worst = 0;         ///< Largest channel difference, 0-255.
+    double changedShare = 0.0;  ///< Share of pixels with a channel that differs by more than the threshold, 0-1.
+    Image picture;              ///< |a - b| per channel, brightened to be seen.
 };
 
 /// @throws InputError when the sizes differ.

@@ -45,12 +45,12 @@ void findGround(const World& world, SceneExtent& extent)
 
 const Object& followedObject(const World& world, const std::string& name)
 {
-    const auto found = std::find_if(world.objects.begin(), world.objects.end(), [&](const Object& object) {
-        return object.name == name && object.bodyCount > 0;
-    });
+    const auto found = std::find_if(world.objects.begin(), world.objects.end(),
+                                    [&](const Object& object) { return object.name == name && object.bodyCount > 0; });
     if (found != world.objects.end()) return *found;
     throw InputError(fmt::format("camera.follow: there is no object \"{}\" with a body; name one of the scene's "
-                                 "objects", name));
+                                 "objects",
+                                 name));
 }
 
 /// Radius of the sphere about the middle of an object that holds its particles: in any pose, nearly [m].

@@ -10,12 +10,12 @@ namespace knuckle {
 
 /// Where things are at the start and where they will fall, for framing and for the light [m].
 struct SceneExtent {
-    Eigen::AlignedBox3f stage;      ///< What a picture should show.
-    Eigen::AlignedBox3f limit;      ///< Beyond it nothing casts a shadow.
-    Eigen::AlignedBox3f solids;     ///< Visible finite colliders; empty without any.
-    float size = 1.0f;              ///< Largest side of the stage, > 0.
-    float ground = 0.0f;            ///< Height of the ground plane, or the stage's floor where there is none.
-    uint32_t groundCollider = NO_INDEX;   ///< The highest level plane.
+    Eigen::AlignedBox3f stage;           ///< What a picture should show.
+    Eigen::AlignedBox3f limit;           ///< Beyond it nothing casts a shadow.
+    Eigen::AlignedBox3f solids;          ///< Visible finite colliders; empty without any.
+    float size = 1.0f;                   ///< Largest side of the stage, > 0.
+    float ground = 0.0f;                 ///< Height of the ground plane, or the stage's floor where there is none.
+    uint32_t groundCollider = NO_INDEX;  ///< The highest level plane.
 };
 
 SceneExtent sceneExtent(const World& world);
@@ -45,7 +45,7 @@ public:
 
 private:
     CameraAim start_;
-    float orbitSpeed_ = 0.0f;        ///< [rad/s]
+    float orbitSpeed_ = 0.0f;  ///< [rad/s]
     float tanHalfFov_;
     uint32_t mode_ = CAMERA_FIXED;
     BodyRange followed_;

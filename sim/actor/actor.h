@@ -13,30 +13,30 @@ namespace knuckle {
 
 /// A particle ragdoll in its rest pose: what `knuckle voxelize` writes and a scene loads. SI units, +Y up.
 struct ActorBody {
-    std::string name;                       ///< The bone's.
-    std::vector<uint32_t> particles;        ///< Into Actor::particles. A shared one stands in several bodies.
-    int32_t parent = -1;                    ///< Into Actor::bodies.
-    std::vector<std::string> mergedBones;   ///< Bones too small for a body of their own.
+    std::string name;                      ///< The bone's.
+    std::vector<uint32_t> particles;       ///< Into Actor::particles. A shared one stands in several bodies.
+    int32_t parent = -1;                   ///< Into Actor::bodies.
+    std::vector<std::string> mergedBones;  ///< Bones too small for a body of their own.
 };
 
 struct ActorJoint {
-    std::string name;                       ///< The child bone's.
+    std::string name;  ///< The child bone's.
     JointType type = JointType::Ball;
-    uint32_t parent = 0, child = 0;         ///< Into Actor::bodies.
-    Vector3f anchor{0, 0, 0};               ///< The bone's head [m].
-    Vector3f axis{0, 0, 1};                 ///< Unit; hinge and universal.
+    uint32_t parent = 0, child = 0;  ///< Into Actor::bodies.
+    Vector3f anchor{0, 0, 0};        ///< The bone's head [m].
+    Vector3f axis{0, 0, 1};          ///< Unit; hinge and universal.
     std::vector<uint32_t> sharedParticles;
 };
 
 struct Actor {
     std::string name;
-    float diameter = 0.05f;                 ///< Particle diameter [m].
-    std::vector<Vector3f> particles;        ///< Rest positions [m].
-    std::vector<float> signedDistances;     ///< Per particle: distance to the surface [m], negative inside; or none.
-    std::vector<Vector3f> outward;          ///< Per particle: SurfaceDistance::outward; or none.
+    float diameter = 0.05f;              ///< Particle diameter [m].
+    std::vector<Vector3f> particles;     ///< Rest positions [m].
+    std::vector<float> signedDistances;  ///< Per particle: distance to the surface [m], negative inside; or none.
+    std::vector<Vector3f> outward;       ///< Per particle: SurfaceDistance::outward; or none.
     std::vector<ActorBody> bodies;
     std::vector<ActorJoint> joints;
-    std::vector<std::string> notes;         ///< What was merged, dropped or assumed, one sentence each.
+    std::vector<std::string> notes;  ///< What was merged, dropped or assumed, one sentence each.
 };
 
 /// What contacts need to know of a particle's place in the skin; empty where the actor does not say.

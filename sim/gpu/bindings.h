@@ -23,7 +23,7 @@ public:
 
 private:
     struct Sampled {
-        const RawBuffer* buffer = nullptr;   ///< Null for a picture.
+        const RawBuffer* buffer = nullptr;  ///< Null for a picture.
         GLenum format = GL_R32F;
         const Texture* picture = nullptr;
     };
@@ -32,7 +32,7 @@ private:
     void findSamplers(const BufferTable& table, const std::string& user);
 
     GLuint program_ = 0;
-    std::vector<const RawBuffer*> storage_, uniforms_;   ///< Position is binding point, as in samplers_.
+    std::vector<const RawBuffer*> storage_, uniforms_;  ///< Position is binding point, as in samplers_.
     std::vector<Sampled> samplers_;
 };
 

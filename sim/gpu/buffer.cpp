@@ -11,13 +11,14 @@ namespace knuckle {
 RawBuffer::RawBuffer(std::string label, size_t bytes, const void* data)
     : handle_(BufferHandle::make()), bytes_(std::max<size_t>(bytes, 16)), label_(std::move(label))
 {
-    while (glGetError() != GL_NO_ERROR) {}
+    while (glGetError() != GL_NO_ERROR) {
+    }
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, id());
     glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes_), bytes >= 16 ? data : nullptr,
                  GL_DYNAMIC_COPY);
     if (glGetError() == GL_OUT_OF_MEMORY)
-        throw DeviceError(fmt::format("the device has no memory for {} MiB of {}; use fewer particles",
-                                      bytes_ >> 20, label_));
+        throw DeviceError(
+            fmt::format("the device has no memory for {} MiB of {}; use fewer particles", bytes_ >> 20, label_));
     if (bytes < 16) clear();
     if (bytes > 0 && bytes < 16 && data != nullptr) write(data, bytes);
     glObjectLabel(GL_BUFFER, id(), -1, label_.c_str());
@@ -47,8 +48,7 @@ void RawBuffer::read(void* out, size_t byteCount, size_t byteOffset) const
 {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glBindBuffer(GL_COPY_READ_BUFFER, id());
-    glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(byteOffset), static_cast<GLsizeiptr>(byteCount),
-                       out);
+    glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(byteOffset), static_cast<GLsizeiptr>(byteCount), out);
 }
 
 void RawBuffer::write(const void* data, size_t byteCount, size_t byteOffset)

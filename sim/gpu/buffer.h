@@ -49,7 +49,9 @@ public:
     Buffer() = default;
     Buffer(std::string label, size_t size) : RawBuffer(std::move(label), size * sizeof(T)), size_(size) { clear(); }
     Buffer(std::string label, std::span<const T> data)
-        : RawBuffer(std::move(label), data.size_bytes(), data.data()), size_(data.size()) {}
+        : RawBuffer(std::move(label), data.size_bytes(), data.data()), size_(data.size())
+    {
+    }
 
     size_t size() const { return size_; }
     /// Stalls until the GPU is done: for exports, hashes and tests only.

@@ -18,10 +18,10 @@ namespace knuckle {
 struct ElementType {
     enum class Scalar { Float, Unsigned, Mixed };
 
-    uint32_t bytes = 4;               ///< Of one element.
-    uint32_t texelBytes = 4;          ///< Of one texel of the buffer's texture: 4, 8 or 16.
-    Scalar scalar = Scalar::Mixed;    ///< Mixed: a struct of both, which kernels read as unsigned texels.
-    GLenum glType = GL_NONE;          ///< GL_FLOAT_VEC4, GL_UNSIGNED_INT, ...; GL_NONE for structs.
+    uint32_t bytes = 4;             ///< Of one element.
+    uint32_t texelBytes = 4;        ///< Of one texel of the buffer's texture: 4, 8 or 16.
+    Scalar scalar = Scalar::Mixed;  ///< Mixed: a struct of both, which kernels read as unsigned texels.
+    GLenum glType = GL_NONE;        ///< GL_FLOAT_VEC4, GL_UNSIGNED_INT, ...; GL_NONE for structs.
 };
 
 /// The ElementType of T: float, uint32_t, the vectors of gpu_types.h, or a struct. Structs count as mixed but those that

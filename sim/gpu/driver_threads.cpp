@@ -77,9 +77,9 @@ DriverThreads chooseDriverThreads(const Workload& work, uint32_t cores, double w
     if (cores < 2) return {0, false, "there is one core"};
     const double speed = 1.0 + CORE_GAIN * (cores - 1);
     const double gain = work.milliseconds * (1.0 - 1.0 / speed), cost = work.dispatches * wakeMilliseconds;
-    const std::string reason =
-        fmt::format("{} would save some {:.1f} ms a frame, and waking them costs {:.1f} ms ({:.0f} times {:.3f} ms)", cores,
-                    gain, cost, work.dispatches, wakeMilliseconds);
+    const std::string reason = fmt::format(
+        "{} would save some {:.1f} ms a frame, and waking them costs {:.1f} ms ({:.0f} times {:.3f} ms)", cores, gain,
+        cost, work.dispatches, wakeMilliseconds);
     return {gain > cost ? cores : 0u, false, reason};
 }
 
@@ -87,7 +87,7 @@ double wakeTime(uint32_t threads)
 {
     using Clock = std::chrono::steady_clock;
     Pool pool(threads);
-    pool.round();   // until all have started
+    pool.round();  // until all have started
     const auto seconds = [](Clock::time_point since) {
         return std::chrono::duration<double>(Clock::now() - since).count();
     };
@@ -122,9 +122,9 @@ DriverThreads applyDriverThreads(const FrameWork& work)
     const uint32_t cores = usableCores();
     const double wake = cores > 1 ? wakeTime(cores) : 0.0;
     const std::string set = driverThreadsSetting();
-    DriverThreads choice = set.empty() ? chooseDriverThreads(work.simulation + work.drawing, cores, wake)
-                                       : DriverThreads{{}, false,
-                                                       fmt::format("{} is set to {}", DRIVER_THREADS_VARIABLE, set)};
+    DriverThreads choice = set.empty()
+                               ? chooseDriverThreads(work.simulation + work.drawing, cores, wake)
+                               : DriverThreads{{}, false, fmt::format("{} is set to {}", DRIVER_THREADS_VARIABLE, set)};
     if (choice.count) setenv(DRIVER_THREADS_VARIABLE, std::to_string(*choice.count).c_str(), 1);
     // At best the shorter of both is saved, and a frame is handed over and waited for.
     const double overlap = std::min(work.simulation.milliseconds, work.drawing.milliseconds);

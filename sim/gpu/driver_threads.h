@@ -11,8 +11,8 @@ inline constexpr const char* DRIVER_THREADS_VARIABLE = "LP_NUM_THREADS";
 
 /// What a run asks of a software driver, say for one frame.
 struct Workload {
-    double dispatches = 0.0;       ///< Passes, each of which wakes the driver's threads and waits for them.
-    double milliseconds = 0.0;     ///< What they compute, on one thread.
+    double dispatches = 0.0;    ///< Passes, each of which wakes the driver's threads and waits for them.
+    double milliseconds = 0.0;  ///< What they compute, on one thread.
 
     Workload operator+(const Workload& other) const
     {
@@ -29,9 +29,9 @@ struct FrameWork {
 /// How many threads llvmpipe computes with besides the caller's, whether a frame is drawn on another thread of the
 /// program while the next is simulated, and why.
 struct DriverThreads {
-    std::optional<uint32_t> count;   ///< None: the program has not chosen.
+    std::optional<uint32_t> count;  ///< None: the program has not chosen.
     bool drawAside = false;
-    std::string reason;              ///< A clause for the user.
+    std::string reason;  ///< A clause for the user.
 };
 
 /// All cores where they gain more than waking them costs, else none: the driver then works in the caller's thread.

@@ -1,8 +1,8 @@
 #pragma once
 
 // epoxy must come before any EGL header: it replaces them.
-#include <epoxy/gl.h>
 #include <epoxy/egl.h>
+#include <epoxy/gl.h>
 
 #include <cstdint>
 #include <string>
@@ -14,7 +14,7 @@ namespace knuckle::egl {
 struct Device {
     EGLDeviceEXT handle = nullptr;
     bool software = false;
-    std::string drmFile;       ///< Empty for Mesa's software device.
+    std::string drmFile;  ///< Empty for Mesa's software device.
 };
 
 /// @throws DeviceError when EGL itself is missing or cannot enumerate devices, in words.

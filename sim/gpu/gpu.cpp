@@ -67,7 +67,8 @@ DeviceChoice DeviceChoice::parse(const std::string& text)
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
     if (error != std::errc{} || end != text.data() + text.size() || text.empty())
         throw InputError(fmt::format("--device: \"{}\" is not a device; use auto, gpu, software or an index from "
-                                     "`knuckle info`", text));
+                                     "`knuckle info`",
+                                     text));
     return {Kind::Index, index};
 }
 
@@ -135,8 +136,8 @@ void Gpu::makeContext(const DeviceChoice& choice)
 {
     const auto devices = egl::devices();
     if (choice.kind == DeviceChoice::Kind::Index && choice.index >= devices.size())
-        throw InputError(fmt::format("--device {}: there are only {} devices; `knuckle info` lists them",
-                                     choice.index, devices.size()));
+        throw InputError(fmt::format("--device {}: there are only {} devices; `knuckle info` lists them", choice.index,
+                                     devices.size()));
     std::string problems;
     for (uint32_t index : preferredOrder(devices, choice)) {
         std::string problem;
@@ -145,8 +146,11 @@ void Gpu::makeContext(const DeviceChoice& choice)
             problems += fmt::format("; device {}: {}", index, problem);
             continue;
         }
-        device_ = {index, devices[index].software || isSoftwareRenderer(glString(GL_RENDERER)),
-                   glString(GL_RENDERER), glString(GL_VERSION), {}};
+        device_ = {index,
+                   devices[index].software || isSoftwareRenderer(glString(GL_RENDERER)),
+                   glString(GL_RENDERER),
+                   glString(GL_VERSION),
+                   {}};
         // A hardware device without a driver of its own may hand out Mesa's software renderer.
         if (choice.kind == DeviceChoice::Kind::Gpu && device_.software) {
             problems += fmt::format("; device {}: only a software renderer ({})", index, device_.name);
@@ -158,8 +162,9 @@ void Gpu::makeContext(const DeviceChoice& choice)
             notice_ = fmt::format("no hardware device can be used: running on {}", device_.name);
         return;
     }
-    const char* remedy = choice.kind == DeviceChoice::Kind::Gpu ? "; try --device software"
-                                                                : "; install libgl1-mesa-dri for Mesa's software device";
+    const char* remedy = choice.kind == DeviceChoice::Kind::Gpu
+                             ? "; try --device software"
+                             : "; install libgl1-mesa-dri for Mesa's software device";
     throw DeviceError(fmt::format("no OpenGL 4.3 context can be made{}{}",
                                   problems.empty() ? ": EGL lists no such device" : problems, remedy));
 }

@@ -26,17 +26,17 @@ struct DeviceChoice {
 struct DeviceInfo {
     uint32_t index = 0;
     bool software = false;
-    std::string name;        ///< GL_RENDERER, or the EGL name where no context could be made.
-    std::string version;     ///< GL_VERSION, empty where no context could be made.
-    std::string problem;     ///< Empty when usable, else why not.
+    std::string name;     ///< GL_RENDERER, or the EGL name where no context could be made.
+    std::string version;  ///< GL_VERSION, empty where no context could be made.
+    std::string problem;  ///< Empty when usable, else why not.
 };
 
 /// GL limits that the solver and the renderer rely on.
 struct DeviceLimits {
-    int64_t storageBlockSize = 0;    ///< [bytes]
+    int64_t storageBlockSize = 0;  ///< [bytes]
     int32_t computeStorageBlocks = 0;
-    int32_t textureBufferSize = 0;   ///< [texels]
-    int32_t textureSize = 0;         ///< [pixels]
+    int32_t textureBufferSize = 0;  ///< [texels]
+    int32_t textureSize = 0;        ///< [pixels]
     int32_t workGroupCountX = 0;
 };
 

@@ -54,8 +54,8 @@ Kernel::Kernel(const Gpu& gpu, const BufferTable& buffers, const std::string& pa
       bindings_(program_, buffers, "kernel " + name_)
 {
     if (bindings_.storageCount() > 8)
-        throw DeviceError(fmt::format("kernel {} uses {} storage buffers; OpenGL 4.3 promises 8", name(),
-                                      bindings_.storageCount()));
+        throw DeviceError(
+            fmt::format("kernel {} uses {} storage buffers; OpenGL 4.3 promises 8", name(), bindings_.storageCount()));
 }
 
 void Kernel::begin(KernelTimer& timer) const

@@ -37,7 +37,7 @@ private:
     /// queue: so the timer waits itself.
     bool waits_ = false;
     std::vector<std::pair<std::string, Total>> totals_;
-    std::vector<Span> spans_;   ///< Reused from frame to frame.
+    std::vector<Span> spans_;  ///< Reused from frame to frame.
     size_t used_ = 0;
 };
 

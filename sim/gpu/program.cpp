@@ -45,8 +45,8 @@ ProgramHandle link(const Gpu& gpu, const std::string& name, const Shaders&... sh
     GLint ok = 0;
     glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
     if (!ok)
-        throw DeviceError(fmt::format("program {} does not link on {}: {}", name, gpu.device().name,
-                                      infoLog(program.id(), true)));
+        throw DeviceError(
+            fmt::format("program {} does not link on {}: {}", name, gpu.device().name, infoLog(program.id(), true)));
     (glDetachShader(program.id(), shaders.id()), ...);
     glObjectLabel(GL_PROGRAM, program.id(), -1, name.c_str());
     return program;

@@ -15,7 +15,7 @@ struct ResolvedShader {
         std::string file;
         int line = 0;
     };
-    std::vector<Origin> origins;   ///< One per line of text, in order.
+    std::vector<Origin> origins;  ///< One per line of text, in order.
 
     /// Rewrites the line numbers of a driver's log ("0:17(3): error") to file:line of the real file.
     std::string translate(const std::string& log) const;

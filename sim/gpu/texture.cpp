@@ -43,8 +43,8 @@ Framebuffer::Framebuffer(std::string label, std::initializer_list<const Texture*
     glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
     glObjectLabel(GL_FRAMEBUFFER, id(), -1, label.c_str());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
-    throw DeviceError(fmt::format("the device cannot draw into {} at {}x{}; try a smaller --size", label, width_,
-                                  height_));
+    throw DeviceError(
+        fmt::format("the device cannot draw into {} at {}x{}; try a smaller --size", label, width_, height_));
 }
 
 void Framebuffer::bind() const

@@ -17,22 +17,22 @@ struct Layout {
 
     explicit Layout(const World& world);
 
-    uint32_t solidCount = 0;                       ///< Particles that are no fluid; they come first.
-    uint32_t bodyCount = 0, looseCount = 0;        ///< Movers: bodies, then loose particles in the order of particles.
-    uint32_t linkCount = 0;                        ///< Of bodies; those of clusters stand behind them.
-    uint32_t assemblyCount = 0;                    ///< With one for each loose particle that belongs to none.
+    uint32_t solidCount = 0;                 ///< Particles that are no fluid; they come first.
+    uint32_t bodyCount = 0, looseCount = 0;  ///< Movers: bodies, then loose particles in the order of particles.
+    uint32_t linkCount = 0;                  ///< Of bodies; those of clusters stand behind them.
+    uint32_t assemblyCount = 0;              ///< With one for each loose particle that belongs to none.
     uint32_t moverCount() const { return bodyCount + looseCount; }
 
-    std::vector<uint32_t> assemblies;              ///< Per particle; NO_INDEX for fluids.
-    std::vector<gpu::ParticleRank> ranks;          ///< Per solid particle.
-    std::vector<uint32_t> rankedParticles;         ///< Per rank: the particle.
-    std::vector<gpu::uvec2> moverRanks;            ///< Per mover: its first rank, and how many.
-    std::vector<uint32_t> linkOrder;               ///< World::links in the GPU's order: a body's shared ones come last.
-    std::vector<float> worstInverseMasses;         ///< Per World::links: see worstInverseMasses() [1/kg].
-    std::vector<uint32_t> ownLinkCounts;           ///< Per body: links before the first shared one.
-    std::vector<std::vector<Owner>> owners;        ///< Per particle: its links, in their order.
-    std::vector<uint32_t> sharedParticles;         ///< Particles of two or more bodies, those of fewer bodies first.
-    uint32_t sharedByTwo = 0;                      ///< How many of them have exactly two.
+    std::vector<uint32_t> assemblies;        ///< Per particle; NO_INDEX for fluids.
+    std::vector<gpu::ParticleRank> ranks;    ///< Per solid particle.
+    std::vector<uint32_t> rankedParticles;   ///< Per rank: the particle.
+    std::vector<gpu::uvec2> moverRanks;      ///< Per mover: its first rank, and how many.
+    std::vector<uint32_t> linkOrder;         ///< World::links in the GPU's order: a body's shared ones come last.
+    std::vector<float> worstInverseMasses;   ///< Per World::links: see worstInverseMasses() [1/kg].
+    std::vector<uint32_t> ownLinkCounts;     ///< Per body: links before the first shared one.
+    std::vector<std::vector<Owner>> owners;  ///< Per particle: its links, in their order.
+    std::vector<uint32_t> sharedParticles;   ///< Particles of two or more bodies, those of fewer bodies first.
+    uint32_t sharedByTwo = 0;                ///< How many of them have exactly two.
 
 private:
     void assignAssemblies(const World& world);

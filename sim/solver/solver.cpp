@@ -52,15 +52,17 @@ void Solver::checkCounters(uint64_t frame)
     if (counters.problems == 0) return;
     if (counters.problems & PROBLEM_NAN) {
         const Particle& particle = impl_->world.particles[counters.badParticle];
-        const std::string owner =
-            particle.body == NO_INDEX ? "no body" : fmt::format("body \"{}\"", impl_->world.bodies[particle.body].name);
+        const std::string owner = particle.body == NO_INDEX
+                                      ? "no body"
+                                      : fmt::format("body \"{}\"", impl_->world.bodies[particle.body].name);
         throw RunError(fmt::format("frame {}: particle {} of {} (material \"{}\") has no finite velocity any more; "
                                    "raise solver.substeps or lower the speeds and forces of the scene",
                                    frame, counters.badParticle, owner, impl_->world.materials[particle.material].name));
     }
     if (counters.problems & PROBLEM_COLLIDERS)
         throw RunError(fmt::format("frame {}: a particle touches {} static colliders at a time and {} are possible; "
-                                   "merge colliders that overlap", frame, counters.wantedColliders, COLLIDER_SLOTS));
+                                   "merge colliders that overlap",
+                                   frame, counters.wantedColliders, COLLIDER_SLOTS));
     // More than there was room for: the lists grow, the next substep fills them anew.
     impl_->stages.grow(counters);
 }

@@ -10,7 +10,7 @@ struct StageSetup {
     const Gpu& gpu;
     const World& world;
     const Layout& layout;
-    gpu::StepParameters& parameters;   ///< Each stage sets those that are its own; uploaded when all are made.
+    gpu::StepParameters& parameters;  ///< Each stage sets those that are its own; uploaded when all are made.
 };
 
 /// Records the passes of a step.

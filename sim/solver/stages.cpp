@@ -50,9 +50,10 @@ std::string variantName(const Defines& variant)
 }  // namespace
 
 Stages::Stages(const Gpu& gpu, const World& world)
-    : gpu_(gpu), world_(world), layout(world), parameters(commonParameters(world, layout)),
-      setup_{gpu, world, layout, parameters}, particles(setup_), colliders(setup_),
-      search(setup_, particles.hasFlatFaces), contacts(setup_), bodies(setup_, actsOnParticles(world)), joints(setup_)
+    : gpu_(gpu), world_(world), layout(world),
+      parameters(commonParameters(world, layout)), setup_{gpu, world, layout, parameters}, particles(setup_),
+      colliders(setup_), search(setup_, particles.hasFlatFaces), contacts(setup_),
+      bodies(setup_, actsOnParticles(world)), joints(setup_)
 {
     if (RestitutionStage::isNeeded(world)) restitution.emplace(setup_);
     if (SleepStage::isNeeded(world.settings)) sleep.emplace(setup_);

@@ -45,10 +45,10 @@ private:
 
 public:
     Layout layout;
-    gpu::StepParameters parameters{};    ///< The host's copy of `step`.
+    gpu::StepParameters parameters{};  ///< The host's copy of `step`.
     Buffer<gpu::StepParameters> step{"step", 1};
     Buffer<gpu::Counters> counters{"counters", 1};
-    Buffer<gpu::uvec4> dispatches{"dispatches", DISPATCH_COUNT};   ///< DISPATCH_*: work groups that kernels decide.
+    Buffer<gpu::uvec4> dispatches{"dispatches", DISPATCH_COUNT};  ///< DISPATCH_*: work groups that kernels decide.
 
 private:
     StageSetup setup_;

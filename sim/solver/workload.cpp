@@ -9,11 +9,11 @@ namespace {
 
 // What a particle costs in a substep [us], on one core of 2.6 GHz: docs/performance.md.
 constexpr double BODY_MICROSECONDS = 0.15;
-constexpr double LOOSE_MICROSECONDS = 2.0;      // grains, cloth, soft bodies
+constexpr double LOOSE_MICROSECONDS = 2.0;  // grains, cloth, soft bodies
 constexpr double FLUID_MICROSECONDS = 0.75;
-constexpr double PAPER_MICROSECONDS = 0.25;     // in one iteration
+constexpr double PAPER_MICROSECONDS = 0.25;  // in one iteration
 
-constexpr double SEARCH_DISPATCHES = 22.0;      // with prediction and finish
+constexpr double SEARCH_DISPATCHES = 22.0;  // with prediction and finish
 constexpr double FLUID_DISPATCHES = 8.0;
 
 /// Of one iteration of the paper's solver; eq. 10 halves a body's links step by step, for centres and for matrices.
@@ -40,7 +40,7 @@ Workload stepWorkload(const World& world)
         substep = substep + Workload{SEARCH_DISPATCHES + iterations * paperIteration(world),
                                      iterations * (inBodies + loose) * PAPER_MICROSECONDS / 1000.0};
     } else {
-        const double others = (world.clusters.empty() ? 0.0 : 4.0) + (world.strands.empty() ? 0.0 : 8.0);
+        const double others = (world.clusters.empty() ? 0.0 : 4.0) + (world.distanceRows.empty() ? 0.0 : 8.0);
         substep = substep + Workload{SEARCH_DISPATCHES + s.iterations * (4.0 + others),
                                      (inBodies * BODY_MICROSECONDS + loose * LOOSE_MICROSECONDS) / 1000.0};
     }

@@ -16,18 +16,19 @@ inline constexpr uint64_t MAX_GRID_VALUES = 4'000'000;
 /// Mesh: signed distances to its surface [m], negative inside, with at least a cell of positive ones all around.
 /// Heightfield: heights over y = 0 [m]; counts.y is 1 and low.y 0.
 struct ColliderGrid {
-    Eigen::Vector3f low{0, 0, 0};             ///< [m]
-    Eigen::Vector3f cell{1, 1, 1};            ///< [m], > 0; of a mesh equal on all axes.
-    Eigen::Vector3i counts{2, 2, 2};          ///< At least 2 on each axis that has values.
+    Eigen::Vector3f low{0, 0, 0};     ///< [m]
+    Eigen::Vector3f cell{1, 1, 1};    ///< [m], > 0; of a mesh equal on all axes.
+    Eigen::Vector3i counts{2, 2, 2};  ///< At least 2 on each axis that has values.
     std::vector<float> values;
-    std::vector<Eigen::Vector3f> vertices;    ///< What is drawn.
-    std::vector<std::array<uint32_t, 3>> triangles;   ///< Counter-clockwise seen from outside.
-    Eigen::Vector3f drawnLow{0, 0, 0}, drawnHigh{0, 0, 0};   ///< Bounds of the vertices [m].
+    std::vector<Eigen::Vector3f> vertices;                  ///< What is drawn.
+    std::vector<std::array<uint32_t, 3>> triangles;         ///< Counter-clockwise seen from outside.
+    Eigen::Vector3f drawnLow{0, 0, 0}, drawnHigh{0, 0, 0};  ///< Bounds of the vertices [m].
 
     size_t index(int x, int y, int z) const
     {
         return (static_cast<size_t>(z) * static_cast<size_t>(counts.y()) + static_cast<size_t>(y)) *
-                   static_cast<size_t>(counts.x()) + static_cast<size_t>(x);
+                   static_cast<size_t>(counts.x()) +
+               static_cast<size_t>(x);
     }
     /// Sets the bounds from the vertices.
     void findBounds();

@@ -9,9 +9,9 @@ namespace knuckle {
 /// Where a layer's particles stand when it leaves a nozzle, and how far apart layers are: such that density, area and
 /// speed make the flow, and each particle has the volume that it has at rest.
 struct Nozzle {
-    std::vector<Eigen::Vector3f> points;      ///< [m]
-    float pitch = 0.0f;                       ///< Distance between neighbours of a layer [m].
-    float layerSpacing = 0.0f;                ///< Between layers [m].
+    std::vector<Eigen::Vector3f> points;  ///< [m]
+    float pitch = 0.0f;                   ///< Distance between neighbours of a layer [m].
+    float layerSpacing = 0.0f;            ///< Between layers [m].
 };
 
 /// A square lattice over a disc, in the plane z = 0 around the origin. Its area is that of the disc. Without points
@@ -26,11 +26,11 @@ Nozzle placed(Nozzle nozzle, const Eigen::Vector3f& position, const Eigen::Vecto
 
 /// Where fluid particles come into a world, layer by layer. They come from a pool of fixed size.
 struct Emitter {
-    uint32_t material = 0;                    ///< A fluid: index into World::materials.
+    uint32_t material = 0;  ///< A fluid: index into World::materials.
     Nozzle nozzle;
-    Eigen::Vector3f velocity{0, 0, 0};        ///< Of what leaves the nozzle, square to its plane [m/s], not zero.
-    double start = 0.0, stop = 3600.0;        ///< The first layer leaves at start, the last at stop at the latest [s].
-    uint32_t pool = 0;                        ///< Most of its particles that are active at a time; at least a layer.
+    Eigen::Vector3f velocity{0, 0, 0};  ///< Of what leaves the nozzle, square to its plane [m/s], not zero.
+    double start = 0.0, stop = 3600.0;  ///< The first layer leaves at start, the last at stop at the latest [s].
+    uint32_t pool = 0;                  ///< Most of its particles that are active at a time; at least a layer.
     /// When the pool has no whole layer left: the oldest particles are taken again. Else layers are left out.
     bool takesOldest = false;
 

@@ -6,23 +6,23 @@
 namespace knuckle {
 
 enum class SolverKind : uint32_t {
-    Impulse,        ///< Default: contacts and joints as warm-started impulses with the effective mass of the bodies.
-    Paper,          ///< Count-averaged Jacobi on single particles, joints as the mean of goals (paper, section 3).
+    Impulse,  ///< Default: contacts and joints as warm-started impulses with the effective mass of the bodies.
+    Paper,    ///< Count-averaged Jacobi on single particles, joints as the mean of goals (paper, section 3).
 };
 enum class RotationMethod : uint32_t {
-    Quaternion,     ///< Warm-started quaternion, Newton steps (after Mueller et al. 2016).
-    Householder,    ///< The paper's: eigendecomposition of A^T A by QR with Householder reflections (eqs. 11-17).
-    Higham,         ///< Higham and Noferini 2016: the dominant eigenvector of a symmetric 4x4 matrix made of A.
+    Quaternion,   ///< Warm-started quaternion, Newton steps (after Mueller et al. 2016).
+    Householder,  ///< The paper's: eigendecomposition of A^T A by QR with Householder reflections (eqs. 11-17).
+    Higham,       ///< Higham and Noferini 2016: the dominant eigenvector of a symmetric 4x4 matrix made of A.
 };
 enum class GridKind : uint32_t {
-    Lattice,        ///< Cells contiguous in x, wrapped: three neighbours are one range.
-    Hash,           ///< The hash of Teschner et al. 2003.
+    Lattice,  ///< Cells contiguous in x, wrapped: three neighbours are one range.
+    Hash,     ///< The hash of Teschner et al. 2003.
 };
 enum class ReductionKind : uint32_t {
-    Auto,           ///< Thread on software devices, Group on hardware.
-    Thread,         ///< One thread walks a body's block of links.
-    Group,          ///< One work group per body, reduced in shared memory.
-    Steps,          ///< The paper's: ceil(log2 p) + 1 dispatches over the whole link array (eq. 10).
+    Auto,    ///< Thread on software devices, Group on hardware.
+    Thread,  ///< One thread walks a body's block of links.
+    Group,   ///< One work group per body, reduced in shared memory.
+    Steps,   ///< The paper's: ceil(log2 p) + 1 dispatches over the whole link array (eq. 10).
 };
 enum class VelocityOrder : uint32_t { First = 1, Second = 2 };
 
@@ -33,22 +33,22 @@ struct Settings {
     GridKind grid = GridKind::Lattice;
     ReductionKind reduction = ReductionKind::Auto;
     VelocityOrder velocityOrder = VelocityOrder::Second;
-    Eigen::Vector3f gravity{0.0f, -9.81f, 0.0f};   ///< [m/s2]
-    float timeStep = 1.0f / 60.0f;                 ///< One step [s], 1e-4 ... 0.1. A frame is one or more steps.
-    uint32_t substeps = 0;                         ///< Per step, 1 ... 64; 0: automaticSubsteps().
-    uint32_t iterations = 2;                       ///< Per substep, 1 ... 64.
-    uint32_t stabilization = 0;                    ///< Stabilization iterations per substep, 0 ... 16 (paper, 3.3).
-    float contactMargin = 0.2f;                    ///< Candidates within (1 + margin) diameters, 0.05 ... 1 (3.1: 0.2).
-    float freeze = 0.0f;                           ///< An assembly whose particles change place by less in a second
-                                                   ///< keeps it until a neighbour moves [radii], 0 ... 0.8; 0 off
-                                                   ///< (3.1: 0.5).
-    float virtualParticles = 0.01f;                ///< c of eq. 18, relative to the mean diagonal of A at rest, 0 ... 1.
-    bool splitSharedMass = true;                   ///< A particle of k bodies weighs m/k in each: conserves momentum.
-    float linearDamping = 0.0f;                    ///< [1/s], 0 ... 100.
-    float maxSpeed = 100.0f;                       ///< [m/s], > 0.
-    float massScaling = 0.0f;                      ///< k [1/m], 0 ... 10: contacts see masses m exp(-k height); 0: off.
-    float vorticity = 0.0f;                        ///< How much of the swirls that fluids lose is given back, 0 ... 1.
-    float sleepSpeed = 0.0f;                       ///< What stays slower sleeps, with all it touches [m/s]; 0: off.
+    Eigen::Vector3f gravity{0.0f, -9.81f, 0.0f};  ///< [m/s2]
+    float timeStep = 1.0f / 60.0f;                ///< One step [s], 1e-4 ... 0.1. A frame is one or more steps.
+    uint32_t substeps = 0;                        ///< Per step, 1 ... 64; 0: automaticSubsteps().
+    uint32_t iterations = 2;                      ///< Per substep, 1 ... 64.
+    uint32_t stabilization = 0;                   ///< Stabilization iterations per substep, 0 ... 16 (paper, 3.3).
+    float contactMargin = 0.2f;                   ///< Candidates within (1 + margin) diameters, 0.05 ... 1 (3.1: 0.2).
+    float freeze = 0.0f;                          ///< An assembly whose particles change place by less in a second
+                                                  ///< keeps it until a neighbour moves [radii], 0 ... 0.8; 0 off
+                                                  ///< (3.1: 0.5).
+    float virtualParticles = 0.01f;               ///< c of eq. 18, relative to the mean diagonal of A at rest, 0 ... 1.
+    bool splitSharedMass = true;                  ///< A particle of k bodies weighs m/k in each: conserves momentum.
+    float linearDamping = 0.0f;                   ///< [1/s], 0 ... 100.
+    float maxSpeed = 100.0f;                      ///< [m/s], > 0.
+    float massScaling = 0.0f;                     ///< k [1/m], 0 ... 10: contacts see masses m exp(-k height); 0: off.
+    float vorticity = 0.0f;                       ///< How much of the swirls that fluids lose is given back, 0 ... 1.
+    float sleepSpeed = 0.0f;                      ///< What stays slower sleeps, with all it touches [m/s]; 0: off.
 };
 
 /// As many that something as fast as a fall of 1 m (4.5 m/s) stays within a fifth of a diameter in one, 4 to 16. Half as

@@ -33,7 +33,7 @@ SurfaceDistance boxSurface(const Vector3f& point, const Vector3f& halfExtents)
         if (beyond[axis] < nearest - tie || std::abs(point[axis]) <= tie) continue;
         surface.outward[axis] = point[axis] > 0.0f ? 1.0f : -1.0f;
     }
-    surface.outward.normalize();   // leaves zero as it is
+    surface.outward.normalize();  // leaves zero as it is
     return surface;
 }
 

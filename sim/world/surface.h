@@ -12,7 +12,7 @@ inline constexpr uint32_t ALL_ENDS = 63;
 
 /// A particle's distance to the surface of its body, and the way out (Macklin et al. 2014, 5.1).
 struct SurfaceDistance {
-    float distance = 0.0f;                    ///< Of the particle's centre [m], negative inside.
+    float distance = 0.0f;  ///< Of the particle's centre [m], negative inside.
     /// Unit vector from the particle to the nearest surface and out, in the rest pose. Zero where there is no single
     /// one: midway between two sides, for particles that bodies share, and for loose ones.
     Eigen::Vector3f outward{0, 0, 0};

@@ -27,7 +27,7 @@ void requireInput(bool holds, fmt::format_string<Args...> format, Args&&... args
 
 bool within(float value, float low, float high)
 {
-    return value >= low && value <= high;   // false for NaN
+    return value >= low && value <= high;  // false for NaN
 }
 
 void validateSettings(const Settings& s)
@@ -38,7 +38,8 @@ void validateSettings(const Settings& s)
     require(s.stabilization <= 16, "solver stabilization {}: must be 0 to 16", s.stabilization);
     require(within(s.contactMargin, 0.05f, 1.0f), "solver contact margin {}: must be 0.05 to 1", s.contactMargin);
     require(within(s.freeze, 0.0f, 0.8f), "solver freeze {}: must be 0 to 0.8 radii", s.freeze);
-    requireInput(s.freeze == 0.0f || s.sleepSpeed == 0.0f, "solver: freeze and sleep do the same; set one of them to 0");
+    requireInput(s.freeze == 0.0f || s.sleepSpeed == 0.0f,
+                 "solver: freeze and sleep do the same; set one of them to 0");
     require(within(s.virtualParticles, 0.0f, 1.0f), "solver virtual particles {}: must be 0 to 1", s.virtualParticles);
     require(within(s.linearDamping, 0.0f, 100.0f), "solver damping {} 1/s: must be 0 to 100", s.linearDamping);
     requireInput(s.maxSpeed > 0.0f, "solver maximum speed {} m/s: must be above 0", s.maxSpeed);
@@ -47,7 +48,8 @@ void validateSettings(const Settings& s)
     require(within(s.sleepSpeed, 0.0f, 10.0f), "solver sleep speed {} m/s: must be 0 to 10", s.sleepSpeed);
     require(s.gravity.allFinite(), "gravity must be finite");
     const bool paper = s.solver == SolverKind::Paper;
-    requireInput(!paper || s.sleepSpeed == 0.0f, "the paper's solver has no sleep; use solver freeze, or method impulse");
+    requireInput(!paper || s.sleepSpeed == 0.0f,
+                 "the paper's solver has no sleep; use solver freeze, or method impulse");
     requireInput(paper || s.reduction == ReductionKind::Auto,
                  "solver reduction is the paper's solver's; use reduction auto, or method paper");
     requireInput(paper || s.stabilization == 0, "solver stabilization is the paper's solver's; use 0, or method paper");
@@ -77,14 +79,16 @@ void validateFluids(const World& world)
     if (world.fluidCount == 0) return;
     require(within(world.fluidSpacing / world.diameter(), 0.299f, 0.601f),
             "fluid spacing {} m: must be 0.3 to 0.6 of the diameter, {} m", world.fluidSpacing, world.diameter());
-    requireInput(world.settings.solver == SolverKind::Impulse, "the paper's solver has no fluids; use solver \"impulse\"");
+    requireInput(world.settings.solver == SolverKind::Impulse,
+                 "the paper's solver has no fluids; use solver \"impulse\"");
     for (const Material& m : world.materials) {
         // A fluid that its tension compresses by more than about 3 % jitters (see automaticFluidSubsteps).
         const float way = world.settings.timeStep / (float(world.settings.substeps) * world.fluidSpacing);
         const float most = 0.06f * m.density / (way * way);
-        requireInput(!m.fluid || cohesionPressure(m.surfaceTension, world.fluidSpacing) < most,
-                     "material \"{}\": a surface tension of {} N/m jitters with {} substeps: at most {:.3g}, or raise them",
-                     m.name, m.surfaceTension, world.settings.substeps, most / cohesionPressure(1.0f, world.fluidSpacing));
+        requireInput(
+            !m.fluid || cohesionPressure(m.surfaceTension, world.fluidSpacing) < most,
+            "material \"{}\": a surface tension of {} N/m jitters with {} substeps: at most {:.3g}, or raise them",
+            m.name, m.surfaceTension, world.settings.substeps, most / cohesionPressure(1.0f, world.fluidSpacing));
     }
     for (size_t i = 0; i < world.particles.size(); ++i)
         require(world.materials[world.particles[i].material].fluid == (i >= world.solidCount()),
@@ -103,7 +107,8 @@ void validateEmitters(const World& world)
                 world.settings.maxSpeed);
         require(e.start >= 0.0 && e.stop >= e.start, "emitter {}: stops at {} s and starts at {} s", i, e.stop,
                 e.start);
-        require(e.pool >= layer, "emitter {}: its pool of {} is smaller than a layer of {} particles", i, e.pool, layer);
+        require(e.pool >= layer, "emitter {}: its pool of {} is smaller than a layer of {} particles", i, e.pool,
+                layer);
     }
     for (const Collider& drain : world.drains)
         require(drain.shape <= ColliderShape::Capsule, "a drain is a plane, a box, a sphere or a capsule");
@@ -140,8 +145,8 @@ void validateLinks(const World& world)
     }
     require(next == world.links.size(), "there are links of no body");
     for (size_t i = 0; i < bodiesOf.size(); ++i)
-        require(bodiesOf[i] == world.particles[i].bodyCount, "particle {}: {} links name it, but it counts {} bodies", i,
-                bodiesOf[i], world.particles[i].bodyCount);
+        require(bodiesOf[i] == world.particles[i].bodyCount, "particle {}: {} links name it, but it counts {} bodies",
+                i, bodiesOf[i], world.particles[i].bodyCount);
 }
 
 void validateColliders(const World& world)
@@ -178,8 +183,8 @@ void validateGrids(const World& world)
 
 void validate(const World& world)
 {
-    require(world.particleRadius > 0.0f && std::isfinite(world.particleRadius),
-            "particle radius {} m: must be above 0", world.particleRadius);
+    require(world.particleRadius > 0.0f && std::isfinite(world.particleRadius), "particle radius {} m: must be above 0",
+            world.particleRadius);
     requireInput(!world.particles.empty(), "the world has no particles: add an object");
     validateSettings(world.settings);
     validateMaterials(world);
@@ -189,7 +194,7 @@ void validate(const World& world)
     validateLinks(world);
     validateColliders(world);
     validateSoftBodies(world);
-    validateStrands(world);
+    validateDistanceRows(world);
     validateGrids(world);
 }
 

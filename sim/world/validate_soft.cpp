@@ -12,8 +12,8 @@ namespace {
 void requireWithin(const Material& material, const char* what, float value, float low, float high, const char* unit)
 {
     if (value >= low && value <= high) return;
-    throw std::logic_error(fmt::format("material \"{}\": {} {}{} must be {} to {}", material.name, what, value, unit, low,
-                                       high));
+    throw std::logic_error(
+        fmt::format("material \"{}\": {} {}{} must be {} to {}", material.name, what, value, unit, low, high));
 }
 
 void validateElasticity(const Material& material)

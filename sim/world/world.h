@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "sim/world/collider_grid.h"
+#include "sim/world/distance_row.h"
 #include "sim/world/emitter.h"
 #include "sim/world/no_index.h"
 #include "sim/world/settings.h"
 #include "sim/world/soft_matter.h"
-#include "sim/world/strand.h"
 #include "sim/world/surface.h"
 
 /// Plain data that describes a world before the GPU sees it.
@@ -26,26 +26,26 @@ using Eigen::Vector3f;
 /// What particles are made of.
 struct Material {
     std::string name;
-    float density = 1000.0f;                  ///< [kg/m3], > 0. A particle of a body weighs density * diameter^3.
-    float staticFriction = 0.5f;              ///< Coulomb's mu while sticking, >= 0. A contact takes both sides' mean.
-    float kineticFriction = 0.5f;             ///< Coulomb's mu while sliding, 0 ... staticFriction.
+    float density = 1000.0f;       ///< [kg/m3], > 0. A particle of a body weighs density * diameter^3.
+    float staticFriction = 0.5f;   ///< Coulomb's mu while sticking, >= 0. A contact takes both sides' mean.
+    float kineticFriction = 0.5f;  ///< Coulomb's mu while sliding, 0 ... staticFriction.
     /// Share of the speed that a collision leaves, 0 ... 1. A contact takes the larger of both sides'.
     float restitution = 0.0f;
-    Vector3f color{0.8f, 0.8f, 0.8f};         ///< Linear RGB, 0-1, used when colouring by material.
-    bool fluid = false;                       ///< Its particles are loose and flow.
-    float viscosity = 0.001f;                 ///< Fluids: dynamic [Pa s], >= 0. Water 0.001, honey 10.
-    float surfaceTension = 0.0f;              ///< Fluids: of their free surface [N/m], >= 0. Water 0.073.
-    Elasticity elasticity = {};               ///< Of soft bodies.
+    Vector3f color{0.8f, 0.8f, 0.8f};  ///< Linear RGB, 0-1, used when colouring by material.
+    bool fluid = false;                ///< Its particles are loose and flow.
+    float viscosity = 0.001f;          ///< Fluids: dynamic [Pa s], >= 0. Water 0.001, honey 10.
+    float surfaceTension = 0.0f;       ///< Fluids: of their free surface [N/m], >= 0. Water 0.073.
+    Elasticity elasticity = {};        ///< Of soft bodies.
 };
 
 struct Particle {
-    Vector3f position{0, 0, 0};               ///< [m]
-    Vector3f velocity{0, 0, 0};               ///< [m/s]
-    float mass = 1.0f;                        ///< [kg], > 0. Ignored in a fixed body.
-    uint32_t material = 0;                    ///< Index into World::materials.
-    uint32_t body = NO_INDEX;                 ///< The first body it belongs to, NO_INDEX for loose particles.
-    uint32_t bodyCount = 0;                   ///< How many bodies share it: 0 loose, 1 ordinary, 2 or more a joint.
-    uint32_t assembly = NO_INDEX;             ///< Index of the set of bodies connected by joints, or of a soft body.
+    Vector3f position{0, 0, 0};    ///< [m]
+    Vector3f velocity{0, 0, 0};    ///< [m/s]
+    float mass = 1.0f;             ///< [kg], > 0. Ignored in a fixed body.
+    uint32_t material = 0;         ///< Index into World::materials.
+    uint32_t body = NO_INDEX;      ///< The first body it belongs to, NO_INDEX for loose particles.
+    uint32_t bodyCount = 0;        ///< How many bodies share it: 0 loose, 1 ordinary, 2 or more a joint.
+    uint32_t assembly = NO_INDEX;  ///< Index of the set of bodies connected by joints, or of a soft body.
     /// Where it stands in the rest pose of its assembly [m]. Two particles of one assembly nearer to each other there
     /// than a diameter never touch (physics: self-collision filtered by rest distance).
     Vector3f restPosition{0, 0, 0};
@@ -54,20 +54,20 @@ struct Particle {
     /// Adds to the distance at rest below which it never touches another particle of its assembly [diameters], >= 0:
     /// the flesh around an actor's joints folds instead of holding the joint open.
     float selfMargin = 0.0f;
-    SurfaceDistance surface;                  ///< In its body; counts only where bodyCount is 1.
+    SurfaceDistance surface;  ///< In its body; counts only where bodyCount is 1.
 };
 
 /// The paper's listing 1, on the host. Links are grouped by body: a body's block is linkStart ... linkStart+linkCount.
 struct Link {
     uint32_t particle = 0;
     uint32_t body = 0;
-    Vector3f restOffset{0, 0, 0};             ///< posInRigidBody, r of eq. 8: from the body's centre at rest [m].
-    float mass = 0.0f;                        ///< The share of the particle's mass that counts in this body [kg].
+    Vector3f restOffset{0, 0, 0};  ///< posInRigidBody, r of eq. 8: from the body's centre at rest [m].
+    float mass = 0.0f;             ///< The share of the particle's mass that counts in this body [kg].
 };
 
 enum class Motion : uint32_t {
-    Dynamic,                                  ///< Simulated.
-    Fixed,                                    ///< Never moves; its particles have infinite mass.
+    Dynamic,  ///< Simulated.
+    Fixed,    ///< Never moves; its particles have infinite mass.
 };
 
 /// A rigid body: a block of links.
@@ -77,12 +77,12 @@ struct Body {
     uint32_t material = 0;
     uint32_t assembly = NO_INDEX;
     uint32_t linkStart = 0, linkCount = 0;
-    uint32_t object = NO_INDEX;               ///< Index into World::objects: what the scene calls one thing.
-    bool isCross = false;                     ///< The flat middle body of a universal joint.
-    float mass = 0.0f;                        ///< Sum of its particles' shares of mass [kg].
-    Vector3f restCentre{0, 0, 0};             ///< Mass centre in the object's rest pose [m].
-    Vector3f position{0, 0, 0};               ///< Where restCentre starts [m].
-    Quaternionf rotation{1, 0, 0, 0};         ///< How the rest pose is turned at the start.
+    uint32_t object = NO_INDEX;        ///< Index into World::objects: what the scene calls one thing.
+    bool isCross = false;              ///< The flat middle body of a universal joint.
+    float mass = 0.0f;                 ///< Sum of its particles' shares of mass [kg].
+    Vector3f restCentre{0, 0, 0};      ///< Mass centre in the object's rest pose [m].
+    Vector3f position{0, 0, 0};        ///< Where restCentre starts [m].
+    Quaternionf rotation{1, 0, 0, 0};  ///< How the rest pose is turned at the start.
 };
 
 enum class JointType : uint32_t { Ball, Hinge, Stiff, Universal };
@@ -92,7 +92,7 @@ struct Joint {
     JointType type = JointType::Ball;
     std::string name;
     uint32_t bodyA = 0, bodyB = 0;
-    uint32_t middleBody = NO_INDEX;           ///< Universal only: the flat body between the two crossed hinges.
+    uint32_t middleBody = NO_INDEX;  ///< Universal only: the flat body between the two crossed hinges.
     std::vector<uint32_t> sharedParticles;
 };
 
@@ -107,20 +107,20 @@ enum class ColliderShape : uint32_t { Plane, Box, Sphere, Capsule, Mesh, Heightf
 /// An immovable obstacle.
 struct Collider {
     ColliderShape shape = ColliderShape::Plane;
-    Vector3f position{0, 0, 0};               ///< A point of the plane, a grid's origin, else the centre [m].
-    Quaternionf orientation{1, 0, 0, 0};      ///< A plane's normal, a capsule's axis are its +Y (Eigen ctor is wxyz).
-    Vector3f halfExtents{0.5f, 0.5f, 0.5f};   ///< Box only [m].
-    float radius = 0.5f;                      ///< Sphere and capsule [m].
-    float halfHeight = 0.5f;                  ///< Capsule: half the distance between its two sphere centres [m].
-    uint32_t grid = NO_INDEX;                 ///< Mesh and heightfield: index into World::colliderGrids.
+    Vector3f position{0, 0, 0};              ///< A point of the plane, a grid's origin, else the centre [m].
+    Quaternionf orientation{1, 0, 0, 0};     ///< A plane's normal, a capsule's axis are its +Y (Eigen ctor is wxyz).
+    Vector3f halfExtents{0.5f, 0.5f, 0.5f};  ///< Box only [m].
+    float radius = 0.5f;                     ///< Sphere and capsule [m].
+    float halfHeight = 0.5f;                 ///< Capsule: half the distance between its two sphere centres [m].
+    uint32_t grid = NO_INDEX;                ///< Mesh and heightfield: index into World::colliderGrids.
     float staticFriction = 0.5f;
     float kineticFriction = 0.5f;
     Vector3f color{0.45f, 0.47f, 0.5f};
-    bool visible = true;                      ///< Walls of a container are often felt but not drawn.
+    bool visible = true;  ///< Walls of a container are often felt but not drawn.
 };
 
 struct World {
-    float particleRadius = 0.05f;             ///< [m], > 0; one for all.
+    float particleRadius = 0.05f;  ///< [m], > 0; one for all.
     Settings settings;
     std::vector<Material> materials;
     std::vector<Particle> particles;
@@ -130,17 +130,17 @@ struct World {
     std::vector<Object> objects;
     std::vector<Collider> colliders;
     std::vector<SoftBody> softBodies;
-    std::vector<Cluster> clusters;            ///< Grouped by soft body.
-    std::vector<Link> clusterLinks;           ///< Grouped by cluster, which is what Link::body says here.
-    std::vector<Strand> strands;              ///< Ropes and cloth.
+    std::vector<Cluster> clusters;          ///< Grouped by soft body.
+    std::vector<Link> clusterLinks;         ///< Grouped by cluster, which is what Link::body says here.
+    std::vector<DistanceRow> distanceRows;  ///< Ropes and cloth.
     std::vector<ColliderGrid> colliderGrids;
     uint32_t assemblyCount = 0;
     /// Rest distance of fluid particles [m], 0.3 ... 0.6 diameters. A fluid particle weighs density * spacing^3.
     float fluidSpacing = 0.05f;
-    uint32_t fluidCount = 0;                  ///< Fluid particles; they stand behind all others in `particles`.
+    uint32_t fluidCount = 0;  ///< Fluid particles; they stand behind all others in `particles`.
     /// Their pools are the last of the fluid particles, in this order; what is in a pool is nowhere yet.
     std::vector<Emitter> emitters;
-    std::vector<Collider> drains;             ///< Fluids vanish in them; only shape, place and size count.
+    std::vector<Collider> drains;  ///< Fluids vanish in them; only shape, place and size count.
 
     /// Particles in the pools at the start.
     uint32_t pooledCount() const;

@@ -67,8 +67,7 @@ inline void expectSound(const Actor& actor)
             EXPECT_TRUE(contains(actor.bodies[joint.child].particles, particle)) << joint.name;
         }
     }
-    EXPECT_EQ(std::count(timesChild.begin(), timesChild.end(), 1),
-              static_cast<std::ptrdiff_t>(actor.joints.size()));
+    EXPECT_EQ(std::count(timesChild.begin(), timesChild.end(), 1), static_cast<std::ptrdiff_t>(actor.joints.size()));
     EXPECT_EQ(*std::min_element(memberships.begin(), memberships.end()), 1);
     for (size_t b = 0; b < actor.bodies.size(); ++b) {
         std::set<int32_t> above;

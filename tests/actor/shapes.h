@@ -15,8 +15,8 @@ inline TriangleMesh boxMesh(const Eigen::Vector3f& centre, const Eigen::Vector3f
         const Eigen::Vector3f sign((i & 1) ? 1.0f : -1.0f, (i & 2) ? 1.0f : -1.0f, (i & 4) ? 1.0f : -1.0f);
         mesh.vertices.push_back(centre + half.cwiseProduct(sign));
     }
-    mesh.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
-                      {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
+    mesh.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5},
+                      {0, 5, 4}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
     if (!open) {
         mesh.triangles.push_back({2, 6, 7});
         mesh.triangles.push_back({2, 7, 3});

@@ -89,8 +89,7 @@ TEST(ActorFile, TellsWhatIsWrong)
 {
     const test::TempFolder folder;
     EXPECT_EQ(messageOf(folder, "knuckle", "knuckle"), "fine");
-    EXPECT_EQ(messageOf(folder, "knuckle-actor", "gltf"),
-              ": /format: \"gltf\" is unknown; known: knuckle-actor");
+    EXPECT_EQ(messageOf(folder, "knuckle-actor", "gltf"), ": /format: \"gltf\" is unknown; known: knuckle-actor");
     EXPECT_EQ(messageOf(folder, "\"version\": 1", "\"version\": 2"), ": /version: 2 is above the maximum 1");
     EXPECT_EQ(messageOf(folder, "[0, 1] }", "[0, 5] }"), ": /bodies/0/particles/1: 5 is not one of the 2 particles");
     EXPECT_EQ(messageOf(folder, "\"child\": 1", "\"child\": 4"), ": /joints/0/child: 4 is not one of the 2 bodies");
@@ -133,9 +132,10 @@ TEST(JointsFile, GivesTypesAndAxes)
     ArticulationOptions options;
     readJoints(folder.write("joints.json", R"({ "Knee": "hinge", "Tail": { "type": "universal", "axis": [0, 0.5, 0] },
         "Neck": { "axis": [1, 0, 0] } // the type as it is
-        })"), options);
-    EXPECT_EQ(options.types, (std::map<std::string, JointType>{{"Knee", JointType::Hinge},
-                                                               {"Tail", JointType::Universal}}));
+        })"),
+               options);
+    EXPECT_EQ(options.types,
+              (std::map<std::string, JointType>{{"Knee", JointType::Hinge}, {"Tail", JointType::Universal}}));
     EXPECT_EQ(options.axes.at("Tail"), Vector3f(0, 1, 0));
     EXPECT_EQ(options.axes.at("Neck"), Vector3f(1, 0, 0));
 }
@@ -160,13 +160,12 @@ TEST(JointsFile, TellsWhatIsWrong)
 
 TEST(ActorTable, TellsBodiesJointsAndWhatWasMerged)
 {
-    EXPECT_EQ(actorTable(makePair()),
-              "body  parent  particles  joint  shared  merged bones\n"
-              "hip   -            1200  -           -  pelvis, belly\n"
-              "leg   hip           801  hinge       1  knee and 2 more\n"
-              "\n"
-              "pa\"ir\\: 2000 particles of 0.033333335 m, 2 bodies, 1 joint, 5 bones merged\n"
-              "note: pelvis has 2 particles and became part of hip\n");
+    EXPECT_EQ(actorTable(makePair()), "body  parent  particles  joint  shared  merged bones\n"
+                                      "hip   -            1200  -           -  pelvis, belly\n"
+                                      "leg   hip           801  hinge       1  knee and 2 more\n"
+                                      "\n"
+                                      "pa\"ir\\: 2000 particles of 0.033333335 m, 2 bodies, 1 joint, 5 bones merged\n"
+                                      "note: pelvis has 2 particles and became part of hip\n");
 }
 
 }  // namespace

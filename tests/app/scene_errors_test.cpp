@@ -10,7 +10,7 @@ namespace {
 struct BadScene {
     const char* name;
     const char* text;
-    const char* message;    ///< What follows the file's name.
+    const char* message;  ///< What follows the file's name.
 };
 
 /// A scene of one box with `fields` added at the top.
@@ -69,8 +69,7 @@ const BadScene BAD_SCENES[] = {
     {"UnknownFollowed", WITH(R"("camera": {"kind": "follow", "follow": "dol"})"),
      ": /camera/follow: there is no object \"dol\"; known: object_1"},
     {"DarkLight", WITH(R"("light": {"direction": [0, 0, 0]})"), ": /light/direction: must not be zero"},
-    {"TwoMillionParticles",
-     OBJECT(R"("type": "rigid", "shape": "box", "size": [20, 20, 5])"),
+    {"TwoMillionParticles", OBJECT(R"("type": "rigid", "shape": "box", "size": [20, 20, 5])"),
      ": /objects/0: brings the scene to 2000000 particles, the limit is 1000000; raise /diameter, or make it smaller "
      "or fewer"},
     {"ParticlesBeyondCounting",
@@ -103,7 +102,8 @@ const BadScene BAD_SCENES[] = {
     {"TooMuchFluid", OBJECT(R"("type": "fluid", "shape": "box", "size": [10, 10, 10])"),
      ": /objects/0: brings the scene to 8000000 particles, the limit is 1000000; raise /diameter, or make it smaller "
      "or fewer"},
-    {"EmptyObjectsAndEmitters", R"({"objects": [], "emitters": []})", ": /objects: is an array of 0, must be at least 1"},
+    {"EmptyObjectsAndEmitters", R"({"objects": [], "emitters": []})",
+     ": /objects: is an array of 0, must be at least 1"},
     {"EmitterWithoutShape", EMITTER(R"("speed": 1)"), ": /emitters/0: \"shape\" is missing; known: disc, rectangle"},
     {"EmitterOfASolid", EMITTER(R"("shape": "disc", "material": "default")"),
      ": /emitters/0/material: \"default\" is not a fluid; give that material \"fluid\": true, or take another"},
@@ -128,7 +128,8 @@ const BadScene BAD_SCENES[] = {
     {"PoolBelowALayer", EMITTER(R"("shape": "rectangle", "size": [0.3, 0.2], "pool": 23)"),
      ": /emitters/0/pool: 23 particles are fewer than the 24 of a layer; raise it, or make the nozzle smaller"},
     {"TooMuchFlow", EMITTER(R"("shape": "rectangle", "size": [4, 4], "speed": 10)"),
-     ": /emitters/0/pool: brings the scene to 6400000 particles, the limit is 1000000; give a smaller pool, with drains "
+     ": /emitters/0/pool: brings the scene to 6400000 particles, the limit is 1000000; give a smaller pool, with "
+     "drains "
      "or with whenEmpty \"oldest\""},
     {"EmitterAgainstAFloor",
      R"({ "colliders": [{"type": "sphere", "position": [5, 0, 0]}, {"type": "container", "width": 2, "depth": 2}],
@@ -163,8 +164,7 @@ const BadScene BAD_SCENES[] = {
      ": /colliders/0/heights/1: has 3 heights, the first row has 2; give all as many"},
     {"HeightfieldOfOneRow", WITH(R"("colliders": [{"type": "heightfield", "size": [1, 1], "heights": [[0, 1]]}])"),
      ": /colliders/0: has 2 x 1 heights; must be at least 2 x 2 and at most 4000000 in all"},
-    {"TwinKeys", WITH(R"("fps": 30, "fps": 60)"),
-     ": the key \"fps\" stands twice in one object; remove one of them"},
+    {"TwinKeys", WITH(R"("fps": 30, "fps": 60)"), ": the key \"fps\" stands twice in one object; remove one of them"},
 };
 
 class SceneErrors : public testing::TestWithParam<BadScene> {};
@@ -221,7 +221,9 @@ TEST(SceneFileErrors, TellWhatIsWrongWithTheFilesOfColliders)
 {
     const test::TempFolder folder;
     const auto message = [&](const std::string& collider) {
-        return messageOf(folder.write("scene.json", R"({ "objects": [{ "type": "rigid", "shape": "box" }], "colliders": [{)" + collider + "}] }"));
+        return messageOf(
+            folder.write("scene.json",
+                         R"({ "objects": [{ "type": "rigid", "shape": "box" }], "colliders": [{)" + collider + "}] }"));
     };
     const std::string place = folder.path("scene.json") + ": /colliders/0";
     EXPECT_EQ(message(R"("type": "mesh", "file": "none.obj")"),
@@ -241,7 +243,7 @@ TEST(SceneFileErrors, ComeBeforeAnythingLargeIsMade)
 {
     const test::TempFolder folder;
     const std::string path = folder.write("scene.json",
-        OBJECT(R"("type": "joined", "bodies": 10000, "size": [1000, 1000, 1000])"));
+                                          OBJECT(R"("type": "joined", "bodies": 10000, "size": [1000, 1000, 1000])"));
     EXPECT_NE(messageOf(path).find("10000000000000 particles"), std::string::npos) << messageOf(path);
 }
 

@@ -18,8 +18,7 @@ World load(const std::string& object)
 
 TEST(SceneGrains, FillABoxAtOneDiameter)
 {
-    const World world =
-        load(R"("shape": "box", "size": [0.5, 0.3, 0.2], "position": [1, 2, 3], "velocity": [0, -1, 0],
+    const World world = load(R"("shape": "box", "size": [0.5, 0.3, 0.2], "position": [1, 2, 3], "velocity": [0, -1, 0],
                 "jitter": 0)");
     ASSERT_EQ(world.particles.size(), 5u * 3u * 2u);
     EXPECT_TRUE(world.bodies.empty());
@@ -27,7 +26,7 @@ TEST(SceneGrains, FillABoxAtOneDiameter)
     for (const Particle& p : world.particles) {
         middle += p.position / static_cast<float>(world.particles.size());
         EXPECT_EQ(p.body, NO_INDEX);
-        EXPECT_FLOAT_EQ(p.mass, 1.0f);   // 1000 kg/m3 times 0.1 m cubed
+        EXPECT_FLOAT_EQ(p.mass, 1.0f);  // 1000 kg/m3 times 0.1 m cubed
         EXPECT_EQ(p.velocity, Vector3f(0, -1, 0));
     }
     EXPECT_LT((middle - Vector3f(1, 2, 3)).norm(), 1e-5f);

@@ -37,7 +37,8 @@ TEST(Scene, OneWordMakesARigidThingSoft)
 {
     for (const char* shape : {R"("box")", R"("sphere")", R"("capsule")", R"("mesh", "file": "FILE")"}) {
         std::string text = R"({ "diameter": 0.08, "objects": [{ "type": "rigid", "spin": [0, 1, 0], "fixed": false,
-                               "shape": )" + std::string(shape) + " }] }";
+                               "shape": )" +
+                           std::string(shape) + " }] }";
         const size_t file = text.find("FILE");
         if (file != std::string::npos) text.replace(file, 4, KNUCKLE_ROOT "/assets/models/humanoid.glb");
         const World rigid = load(text).world, soft = load(text, {{"objects.0.type", "soft"}}).world;
@@ -92,7 +93,8 @@ TEST(Scene, TakesTheStaticFrictionForBothWhereOneIsGiven)
 
 TEST(Scene, PaintsFluidsBlueUnlessTold)
 {
-    const Scene scene = load(R"({ "materials": { "brine": { "fluid": true }, "milk": { "fluid": true, "color": [1, 1, 1] },
+    const Scene scene = load(
+        R"({ "materials": { "brine": { "fluid": true }, "milk": { "fluid": true, "color": [1, 1, 1] },
                                                  "wood": {} },
                                   "objects": [{ "type": "fluid", "material": "brine", "shape": "box" }] })");
     for (const Material& material : scene.world.materials) {
@@ -106,7 +108,7 @@ TEST(FrameSteps, AreAsNearToTheTimeStepAsCanBe)
     const double step = 1.0 / 60.0;
     EXPECT_EQ(stepsForFrame(60, step), 1u);
     EXPECT_EQ(stepsForFrame(30, step), 2u);
-    EXPECT_EQ(stepsForFrame(24, step), 3u);     // 1/72 is 0.0028 away, 1/48 is 0.0042
+    EXPECT_EQ(stepsForFrame(24, step), 3u);  // 1/72 is 0.0028 away, 1/48 is 0.0042
     EXPECT_EQ(stepsForFrame(240, step), 1u);
     const Scene scene = load(ONE_BOX, {parseOverride("fps=24")});
     EXPECT_FLOAT_EQ(scene.world.settings.timeStep, 1.0f / 72.0f);
@@ -137,7 +139,8 @@ TEST(Repetition, GivesEachJointTypeItsShare)
     ASSERT_EQ(scene.world.joints.size(), 40u);
     for (const JointType type : {JointType::Ball, JointType::Hinge, JointType::Stiff, JointType::Universal}) {
         EXPECT_EQ(std::count_if(scene.world.joints.begin(), scene.world.joints.end(),
-                                [&](const Joint& joint) { return joint.type == type; }), 10);
+                                [&](const Joint& joint) { return joint.type == type; }),
+                  10);
     }
 }
 
@@ -145,7 +148,8 @@ TEST(Repetition, IsTheSameForTheSameSeed)
 {
     const auto positions = [](int seed) {
         const Scene scene = load(R"({ "objects": [{ "type": "rigid", "shape": "box", "repeat": { "counts": [2, 2, 2],
-            "jitter": 0.3, "randomRotation": true } }] })", {{"objects.0.repeat.seed", seed}});
+            "jitter": 0.3, "randomRotation": true } }] })",
+                                 {{"objects.0.repeat.seed", seed}});
         std::vector<float> all;
         for (const Particle& particle : scene.world.particles) {
             all.insert(all.end(), particle.position.begin(), particle.position.end());
@@ -197,7 +201,7 @@ TEST(Chain, MayLeaveMoreRoomAtItsJoints)
         if (particle.position.x() < 0.0f) left = std::max(left, particle.position.x());
         if (particle.position.x() > 0.0f) right = std::min(right, particle.position.x());
     }
-    EXPECT_NEAR(right - left, 0.3f, 1e-5f);    // two layers of 0.1 m between the two faces' centres
+    EXPECT_NEAR(right - left, 0.3f, 1e-5f);  // two layers of 0.1 m between the two faces' centres
 }
 
 TEST(Colliders, OfAContainerAreAFloorAndFourWalls)

@@ -28,16 +28,28 @@ TEST_F(Cli, TellsItsVersionAndHelp)
 
 TEST_F(Cli, RefusesWrongOptionsInOneLine)
 {
-    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-             {}, {"rendr"}, {"render"}, {"render", scene, "--nonsense"}, {"render", scene, "--fps", "fast"},
-             {"render", scene, "--fps", "1"}, {"compare", "a.png"}, {"schema", "nothing"},
-             {"voxelize", "a.glb", "--diameter", "-1"}, {"render", scene, "--size", "64"},
-             {"render", scene, "--size", "0x0"}, {"render", scene, "--frames", "0:3"},
-             {"render", scene, "--frames", "3:2"}, {"render", scene, "--frames", "x"},
-             {"render", scene, "--export", "obj=x"}, {"render", scene, "--export", "ply="},
-             {"render", scene, "--set", "fps"}, {"render", scene, "-o", "film.gif"},
-             {"bench", "table2", "--preset", "papr"}, {"bench", "table2", "--set", "duration=3"},
-             {"bench", "table2", "--set", "solver.iterations=0"}}) {
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{},
+                                               {"rendr"},
+                                               {"render"},
+                                               {"render", scene, "--nonsense"},
+                                               {"render", scene, "--fps", "fast"},
+                                               {"render", scene, "--fps", "1"},
+                                               {"compare", "a.png"},
+                                               {"schema", "nothing"},
+                                               {"voxelize", "a.glb", "--diameter", "-1"},
+                                               {"render", scene, "--size", "64"},
+                                               {"render", scene, "--size", "0x0"},
+                                               {"render", scene, "--frames", "0:3"},
+                                               {"render", scene, "--frames", "3:2"},
+                                               {"render", scene, "--frames", "x"},
+                                               {"render", scene, "--export", "obj=x"},
+                                               {"render", scene, "--export", "ply="},
+                                               {"render", scene, "--set", "fps"},
+                                               {"render", scene, "-o", "film.gif"},
+                                               {"bench", "table2", "--preset", "papr"},
+                                               {"bench", "table2", "--set", "duration=3"},
+                                               {"bench", "table2", "--set", "solver.iterations=0"}}) {
         const RunResult result = run(words);
         EXPECT_EQ(result.code, 2) << (words.empty() ? "" : words.back());
         EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
@@ -119,7 +131,7 @@ TEST_F(Cli, ComparesImages)
 {
     Image image{64, 64, std::vector<uint8_t>(64 * 64 * 3, 100)};
     writePng(folder.path("a.png"), image);
-    image.rgb[300] = 200;    // one pixel of 4096: 0.024 %, less than the 0.1 % that are allowed
+    image.rgb[300] = 200;  // one pixel of 4096: 0.024 %, less than the 0.1 % that are allowed
     writePng(folder.path("b.png"), image);
     EXPECT_EQ(run({"compare", "a.png", "a.png"}).code, 0);
     EXPECT_EQ(run({"compare", "a.png", "b.png"}).code, 0);

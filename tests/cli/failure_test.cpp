@@ -69,10 +69,14 @@ TEST_F(Failure, OfAModelIsOneLineAndLeavesNothing)
 TEST_F(Failure, ToFindAPlaceForTheFramesComesBeforeSimulating)
 {
     folder.write("file", "in the way");
-    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-             {"-o", "file"}, {"-o", "file/out"}, {"-o", "/proc/frames"}, {"-o", "/proc/film.mp4"},
-             {"-o", "out", "--stats", "/proc/stats.json"}, {"-o", "out", "--export", "ply=file"},
-             {"-o", "out", "--export", "bodies=/proc/bodies.csv"}}) {
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"-o", "file"},
+                                               {"-o", "file/out"},
+                                               {"-o", "/proc/frames"},
+                                               {"-o", "/proc/film.mp4"},
+                                               {"-o", "out", "--stats", "/proc/stats.json"},
+                                               {"-o", "out", "--export", "ply=file"},
+                                               {"-o", "out", "--export", "bodies=/proc/bodies.csv"}}) {
         std::vector<std::string> arguments{"render", scene, "--set", "duration=3600"};
         arguments.insert(arguments.end(), words.begin(), words.end());
         const RunResult result = run(arguments);
@@ -100,8 +104,8 @@ TEST_F(Failure, OfTheDiskLeavesNothingHalfWritten)
              {"-o", "out"}, {"-o", "film.mp4"}, {"-o", "out2", "--export", "ply=ply"}}) {
         std::vector<std::string> arguments{"render", scene, "--quiet"};
         arguments.insert(arguments.end(), words.begin(), words.end());
-        const RunResult result = run(arguments, {.environment = {"MESA_SHADER_CACHE_DISABLE=1"},
-                                                 .inChild = limitFiles(400)});
+        const RunResult result = run(arguments,
+                                     {.environment = {"MESA_SHADER_CACHE_DISABLE=1"}, .inChild = limitFiles(400)});
         EXPECT_EQ(result.code, 1) << words.back() << ": " << result.err;
         EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
     }

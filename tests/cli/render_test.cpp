@@ -16,9 +16,9 @@ TEST_F(Render, WritesFramesToAFolderOfTheScenesName)
 {
     const RunResult result = run({"render", "tiny.json"});
     ASSERT_EQ(result.code, 0) << result.err;
-    EXPECT_EQ(madeFiles(), (std::vector<std::string>{"out", "out/tiny", "out/tiny/frame_0001.png",
-                                                     "out/tiny/frame_0002.png", "out/tiny/frame_0003.png",
-                                                     "out/tiny/frame_0004.png"}));
+    EXPECT_EQ(madeFiles(),
+              (std::vector<std::string>{"out", "out/tiny", "out/tiny/frame_0001.png", "out/tiny/frame_0002.png",
+                                        "out/tiny/frame_0003.png", "out/tiny/frame_0004.png"}));
     const Image frame = readImage(folder.path("out/tiny/frame_0004.png"));
     EXPECT_EQ(frame.width, 64u);
     EXPECT_EQ(frame.height, 36u);
@@ -120,13 +120,13 @@ TEST_F(Render, ExportsParticles)
     EXPECT_NE(ply.find("\ncomment material 0 default\ncomment material 1 water\nelement vertex 55\n"),
               std::string::npos);
     const size_t start = ply.find("end_header\n") + 11;
-    constexpr size_t ROW = 9 * 4;    // id, position, velocity, body, material
+    constexpr size_t ROW = 9 * 4;  // id, position, velocity, body, material
     ASSERT_EQ(ply.size() - start, 55 * ROW);
     float y = 0.0f;
     int32_t body = -1;
     std::memcpy(&y, ply.data() + start + 2 * 4, 4);
     std::memcpy(&body, ply.data() + start + 7 * 4, 4);
-    EXPECT_NEAR(y, 0.2f, 1e-5f);     // the lowest layer of a cube of three whose middle is at 0.3 m
+    EXPECT_NEAR(y, 0.2f, 1e-5f);  // the lowest layer of a cube of three whose middle is at 0.3 m
     EXPECT_EQ(body, 0);
 }
 

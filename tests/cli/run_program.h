@@ -7,16 +7,16 @@
 namespace knuckle::test {
 
 struct RunOptions {
-    std::string folder = {};               ///< Working folder; empty: this one's.
+    std::string folder = {};                    ///< Working folder; empty: this one's.
     std::vector<std::string> environment = {};  ///< "NAME=value", in place of what is inherited.
-    std::function<void()> inChild = {};    ///< Runs before the program starts: limits, user.
-    std::string standardOutput = {};       ///< Empty: captured; else a file, such as /dev/full.
-    int signalAfterFile = 0;               ///< Sends this signal as soon as `waitFor` exists.
+    std::function<void()> inChild = {};         ///< Runs before the program starts: limits, user.
+    std::string standardOutput = {};            ///< Empty: captured; else a file, such as /dev/full.
+    int signalAfterFile = 0;                    ///< Sends this signal as soon as `waitFor` exists.
     std::string waitFor = {};
 };
 
 struct RunResult {
-    int code = -1;                         ///< Exit code, or 1000 + signal for a crash.
+    int code = -1;  ///< Exit code, or 1000 + signal for a crash.
     std::string out, err;
 };
 

@@ -1,6 +1,6 @@
 // What a film moves between host and device, counted at GL's own functions, whoever calls them.
-#include <epoxy/gl.h>
 #include <epoxy/egl.h>
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,11 +29,11 @@ struct Transfer {
     const char* function;
     Way way;
     size_t bytes;
-    uint64_t frame;    ///< Pictures taken before, so 0 until the first frame has been drawn.
+    uint64_t frame;  ///< Pictures taken before, so 0 until the first frame has been drawn.
     std::thread::id thread;
 };
 
-std::mutex mutex;      ///< A film may be drawn on a thread of its own.
+std::mutex mutex;  ///< A film may be drawn on a thread of its own.
 std::vector<Transfer> transfers;
 std::atomic<uint64_t> picturesTaken = 0;
 

@@ -17,11 +17,11 @@ constexpr float EDGE = 3 * DIAMETER;
 
 /// What happened in a world while its overlaps came apart.
 struct Way {
-    double topSpeed = 0.0;     ///< Of any particle at the end of any step [m/s].
-    double ownSpeed = 0.0;     ///< The same of whole movers, sqrt(2 E/m), without what their own fall gave.
-    double energyGained = 0.0; ///< Kinetic and potential, from the start to the end [J].
-    double kineticEnergy = 0.0;   ///< At the end [J].
-    Measures measures;         ///< At the end.
+    double topSpeed = 0.0;       ///< Of any particle at the end of any step [m/s].
+    double ownSpeed = 0.0;       ///< The same of whole movers, sqrt(2 E/m), without what their own fall gave.
+    double energyGained = 0.0;   ///< Kinetic and potential, from the start to the end [J].
+    double kineticEnergy = 0.0;  ///< At the end [J].
+    Measures measures;           ///< At the end.
 };
 
 /// Kinetic and potential energy of movers: bodies, then loose particles. A shared particle counts with its first body.
@@ -173,7 +173,7 @@ TEST(Apart, RowsAndBlocksOfCubesHalfInsideEachOtherDoNotFly)
         const Way way = Watch(world, name == "one place" ? 6.0 : 4.0).way;
         EXPECT_LT(name == "one place" ? way.ownSpeed : way.topSpeed, TOP_SPEED);
         EXPECT_LT(way.measures.worstPenetration, 0.2f * DIAMETER);
-        EXPECT_LT(way.kineticEnergy, 1.0);   // of 270 kg: at rest
+        EXPECT_LT(way.kineticEnergy, 1.0);  // of 270 kg: at rest
     }
 }
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "tests/physics/physics_fixture.h"
 #include "sim/world/builder/cloth.h"
+#include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {
 
@@ -65,13 +65,13 @@ TEST(Cloth, OfAModelWeighsItsAreaAndHangsWithoutStretching)
 {
     const ClothSpec spec;
     Settings settings;
-    settings.substeps = 8;   // each node is in three distanceRows or more, of two in a grid
+    settings.substeps = 8;  // each node is in three distanceRows or more, of two in a grid
     const ClothSheet sheet = triangleSheet(7, spec);
     const World world = hangingCloth(sheet, spec, settings);
     double area = 0.0, loose = 0.0;
     for (float share : sheet.areas) area += static_cast<double>(share);
     for (const Particle& p : world.particles) loose += p.body == NO_INDEX ? static_cast<double>(p.mass) : 0.0;
-    EXPECT_NEAR(area, SIDE * SIDE, 1e-5);   // a sum of single precision
+    EXPECT_NEAR(area, SIDE * SIDE, 1e-5);  // a sum of single precision
     double held = 0.0;
     for (uint32_t i : upperCorners(sheet)) held += static_cast<double>(sheet.areas[i]);
     EXPECT_NEAR(loose, 1000.0 * DIAMETER * (SIDE * SIDE - held), 1e-3);

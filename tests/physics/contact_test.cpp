@@ -18,7 +18,7 @@ double slideDown(double degrees, float mu, const Settings& settings = {})
     addBox(builder, {5, 3, 5}, {tilt * Vector3f(0, 1.5f * DIAMETER, 0), tilt});
     const World world = builder.build();
     Solver solver(gpu(), world);
-    run(solver, world, 0.25);   // the block settles
+    run(solver, world, 0.25);  // the block settles
     const Vector3f start = solver.readBodies()[0].position;
     run(solver, world, 2.0);
     return (solver.readBodies()[0].position - start).norm();
@@ -73,7 +73,8 @@ World tower(int wide, float shift = 0.0f)
     builder.addCollider(floorPlane());
     const float edge = DIAMETER * static_cast<float>(wide);
     for (int k = 0; k < 10; ++k)
-        addBox(builder, {wide, wide, wide}, {Vector3f(k % 2 == 0 ? 0 : shift, edge * (0.5f + static_cast<float>(k)), 0)});
+        addBox(builder, {wide, wide, wide},
+               {Vector3f(k % 2 == 0 ? 0 : shift, edge * (0.5f + static_cast<float>(k)), 0)});
     return builder.build();
 }
 

@@ -7,7 +7,7 @@ namespace knuckle::test {
 
 namespace {
 
-constexpr float WIDTH = 0.5f;   // of the column [m], which is twice as high
+constexpr float WIDTH = 0.5f;  // of the column [m], which is twice as high
 
 /// A column of ten by twenty by five particles, walls behind it and at its sides.
 World column(uint32_t& water)

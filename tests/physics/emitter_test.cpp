@@ -136,7 +136,7 @@ TEST(Emitter, WaitsWhileItsPoolIsEmptyOrTakesTheOldestAgain)
     for (const bool oldest : {false, true}) {
         Jet jet(weightless());
         jet.aim(rectangleNozzle(2 * jet.spacing, 2 * jet.spacing, jet.spacing), {2, 0, 0});
-        jet.emitter.pool = 43;   // ten layers, and three particles that no layer can use
+        jet.emitter.pool = 43;  // ten layers, and three particles that no layer can use
         jet.emitter.takesOldest = oldest;
         const World world = jet.build();
         Solver solver(gpu(), world);

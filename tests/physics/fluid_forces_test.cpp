@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/physics/tank.h"
 #include "sim/solver/measure.h"
+#include "tests/physics/tank.h"
 
 namespace knuckle::test {
 

@@ -34,8 +34,8 @@ TEST(Fluid, ABodyFloatsAsDeepAsItIsDense)
         tank.builder.beginObject("cube");
         tank.builder.addBody("cube", boxLattice({4, 4, 4}, DIAMETER), material);
         const float edge = 4 * DIAMETER;
-        tank.builder.endObject({Vector3f(0.5f * tank.width, 0.55f + 0.5f * edge - 0.8f * edge * density / 1000.0f,
-                                         0.5f * tank.depth)});
+        tank.builder.endObject(
+            {Vector3f(0.5f * tank.width, 0.55f + 0.5f * edge - 0.8f * edge * density / 1000.0f, 0.5f * tank.depth)});
         const World world = tank.builder.build();
         Solver solver(gpu(), world);
         run(solver, world, 3.0);
@@ -49,11 +49,11 @@ TEST(Fluid, ThinAndSmallBodiesFloatAsDeepAsTheyAreDense)
 {
     struct Case {
         Eigen::Vector3i counts;
-        float density, start;   // start: height of the middle [m]
+        float density, start;  // start: height of the middle [m]
     };
     // A plate as thin as a particle, a small cube let go below the surface, a post that has to lie down.
-    for (const auto& [counts, density, start] : {Case{{3, 1, 3}, 500, 0.4f}, Case{{3, 3, 3}, 700, 0.2f},
-                                                 Case{{2, 4, 2}, 400, 0.45f}}) {
+    for (const auto& [counts, density, start] :
+         {Case{{3, 1, 3}, 500, 0.4f}, Case{{3, 3, 3}, 700, 0.2f}, Case{{2, 4, 2}, 400, 0.45f}}) {
         Tank tank(14, 8, 14);
         Material light;
         light.density = density;
@@ -64,7 +64,7 @@ TEST(Fluid, ThinAndSmallBodiesFloatAsDeepAsTheyAreDense)
         const World world = tank.builder.build();
         Solver solver(gpu(), world);
         run(solver, world, 3.0);
-        double sum = 0.0;   // over a second: small bodies bob
+        double sum = 0.0;  // over a second: small bodies bob
         for (int k = 0; k < 10; ++k) {
             run(solver, world, 0.1);
             sum += submergedIn(world, solver.readBodies()[0], DIAMETER * counts.cast<float>(), tank.width * tank.depth);

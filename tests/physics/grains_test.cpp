@@ -21,8 +21,7 @@ World steepHeap(float mu, float radius, float slope)
         for (int z = -reach; z <= reach; ++z)
             for (int x = -reach; x <= reach; ++x) {
                 const float shift = y % 2 == 0 ? 0.0f : 0.25f;
-                const Vector3f p =
-                    1.04f * Eigen::Vector3i(x, y, z).cast<float>() + Vector3f(shift, 0.5f, shift);
+                const Vector3f p = 1.04f * Eigen::Vector3i(x, y, z).cast<float>() + Vector3f(shift, 0.5f, shift);
                 if (std::hypot(p.x(), p.z()) > radius * (1.0f - p.y() / (height + 0.5f))) continue;
                 Vector3f shaken = p;
                 for (float& side : shaken) side += 0.15f * share();
@@ -106,7 +105,7 @@ TEST(Grains, NothingIsFasterThanTheMaximumSpeed)
 TEST(Grains, MassScalingHasTheUpperOfTwoGiveWay)
 {
     Settings settings;
-    settings.gravity = {0, -1e-4f, 0};   // it only says what is up
+    settings.gravity = {0, -1e-4f, 0};  // it only says what is up
     settings.massScaling = 5.0f;
     WorldBuilder builder = makeBuilder(settings);
     Particle grain;

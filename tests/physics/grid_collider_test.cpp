@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "tests/physics/physics_fixture.h"
 #include "sim/actor/mesh/distance_grid.h"
+#include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {
 
@@ -37,9 +37,10 @@ ColliderGrid cubeGrid()
 
 TEST(GridCollider, ABallRestsOnAMesh)
 {
-    const World world = over(ColliderShape::Mesh, cubeGrid(), sphereLattice(0.25f, DIAMETER), {0.1f, 1.4f, 0.05f}, 0.5f);
+    const World world = over(ColliderShape::Mesh, cubeGrid(), sphereLattice(0.25f, DIAMETER), {0.1f, 1.4f, 0.05f},
+                             0.5f);
     Solver solver(gpu(), world);
-    run(solver, world, 6.0);   // it stands on a facet for a while
+    run(solver, world, 6.0);  // it stands on a facet for a while
     const BodyState ball = solver.readBodies()[0];
     // The hull of its lattice has faces like that of (2, 0, 0), (1, 1, 1) and (1, 1, -1) diameters, the square root of 2
     // from its centre; their particles' centres are half a diameter over the mesh.
@@ -55,11 +56,11 @@ TEST(GridCollider, ABlockSlidesDownAHeightfieldAsOnAPlane)
     std::vector<float> heights;
     for (int z = 0; z < 5; ++z)
         for (int x = 0; x < 9; ++x) heights.push_back(slope * static_cast<float>(x));
-    const float up = 4.0f * slope;   // at the origin
+    const float up = 4.0f * slope;  // at the origin
     const World world = over(ColliderShape::Heightfield, makeHeightfield({8, 4}, 9, 5, heights),
                              boxLattice({5, 3, 5}, DIAMETER), {2.5f, up + 2.5f * slope + 0.28f, 0}, 0.0f);
     Solver solver(gpu(), world);
-    run(solver, world, 0.3);   // lands and tilts
+    run(solver, world, 0.3);  // lands and tilts
     const BodyState before = solver.readBodies()[0];
     run(solver, world, 0.7);
     const BodyState after = solver.readBodies()[0];

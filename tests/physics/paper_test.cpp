@@ -2,8 +2,8 @@
 #include <numbers>
 
 #include "app/commands/table2_world.h"
-#include "tests/physics/physics_fixture.h"
 #include "sim/world/builder/joints.h"
+#include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {
 
@@ -30,7 +30,7 @@ World pendulum(JointType type, double degrees)
     const auto angle = static_cast<float>((degrees - 90.0) * std::numbers::pi / 180.0);
     const Pose pose{Vector3f(0, 3, 0), Quaternionf(Eigen::AngleAxisf(angle, Vector3f::UnitZ()))};
     Settings settings = paperSettings();
-    settings.reduction = ReductionKind::Thread;   // the same sums in a fifth of the dispatches
+    settings.reduction = ReductionKind::Thread;  // the same sums in a fifth of the dispatches
     return jointedPair(type, settings, pose, {0, 0, 0}, {0, 0, 0}, true);
 }
 
@@ -146,7 +146,8 @@ TEST(Paper, AHeavyLoadHangsFromAChain)
     for (int k = 0; k < 10; ++k) {
         std::vector<Vector3f> cube = boxLattice({3, 3, 3}, DIAMETER);
         for (Vector3f& p : cube) p.y() -= 4.0f * DIAMETER * static_cast<float>(k);
-        const uint32_t body = builder.addBody("link", cube, k == 9 ? load : 0, k == 0 ? Motion::Fixed : Motion::Dynamic);
+        const uint32_t body = builder.addBody("link", cube, k == 9 ? load : 0,
+                                              k == 0 ? Motion::Fixed : Motion::Dynamic);
         JointSpec joint;
         joint.anchor = {0, (2.0f - 4.0f * static_cast<float>(k)) * DIAMETER, 0};
         joint.along = {0, -1, 0};

@@ -6,8 +6,8 @@ namespace knuckle::test {
 
 /// Periods of a swing by its downward zero crossings, and its amplitudes.
 struct Swing {
-    double period = 0.0;          ///< [s], over the first ten swings.
-    double amplitudeKept = 0.0;   ///< Of the eleventh maximum, relative to the first.
+    double period = 0.0;         ///< [s], over the first ten swings.
+    double amplitudeKept = 0.0;  ///< Of the eleventh maximum, relative to the first.
 };
 
 /// A body of `counts` particles hung by one edge on a hinge along z through the origin, swung by `angle`.

@@ -24,9 +24,8 @@ Settings weightless();
 uint32_t addBox(WorldBuilder& builder, const Eigen::Vector3i& counts, const Pose& pose = {},
                 const Vector3f& velocity = {0, 0, 0}, const Vector3f& spin = {0, 0, 0});
 /// Two 3x3x3 cubes 4 diameters apart along x with a joint between them. A is fixed where asked for.
-World jointedPair(JointType type, const Settings& settings, const Pose& pose = {},
-                  const Vector3f& velocity = {0, 0, 0}, const Vector3f& spin = {0, 0, 0}, bool fixed = false,
-                  int limitSide = 0);
+World jointedPair(JointType type, const Settings& settings, const Pose& pose = {}, const Vector3f& velocity = {0, 0, 0},
+                  const Vector3f& spin = {0, 0, 0}, bool fixed = false, int limitSide = 0);
 Collider floorPlane(float friction = 0.5f);
 
 /// Runs `seconds`, checking the counters after each step.
@@ -36,7 +35,7 @@ void run(Solver& solver, const World& world, double seconds);
 struct Totals {
     Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
     Eigen::Vector3d angularMomentum = Eigen::Vector3d::Zero();
-    double speedSum = 0.0;   ///< Sum of m |v|.
+    double speedSum = 0.0;  ///< Sum of m |v|.
 };
 Totals totals(const World& world, const ParticleState& state);
 

@@ -49,7 +49,7 @@ float rebound(Thing thing, float restitution, float fall = 1.0f, bool onBlock = 
     }
     const World world = builder.build();
     Solver solver(gpu(), world);
-    run(solver, world, 0.5);   // from 1 m it lands after 0.4515 s
+    run(solver, world, 0.5);  // from 1 m it lands after 0.4515 s
     float top = 0.0f;
     for (int k = 0; k < 32; ++k) {
         solver.step();
@@ -77,7 +77,8 @@ TEST(Restitution, WhatFallsOnABlockOfParticlesRisesAsFromAPlane)
     for (Thing thing : {Thing::Grain, Thing::Cube, Thing::Ball})
         for (float fall = 0.8f; fall < 1.2f; fall += 0.05f) {
             const double way = std::sqrt(2.0 * GRAVITY * double(fall)) / 240.0;
-            EXPECT_NEAR(rebound(thing, 0.8f, fall, true), 0.64 * double(fall), (0.64 + 0.5) * way + 0.03 * double(DIAMETER))
+            EXPECT_NEAR(rebound(thing, 0.8f, fall, true), 0.64 * double(fall),
+                        (0.64 + 0.5) * way + 0.03 * double(DIAMETER))
                 << fall << " m";
         }
 }

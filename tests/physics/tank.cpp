@@ -39,8 +39,11 @@ void addPlane(WorldBuilder& builder, const Vector3f& place, const Vector3f& norm
 void addWalls(WorldBuilder& builder, float width, float depth)
 {
     const Vector3f far(width, 0, depth);
-    for (const auto& [place, normal] : {std::pair<Vector3f, Vector3f>{{0, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {1, 0, 0}},
-                                        {far, {-1, 0, 0}}, {{0, 0, 0}, {0, 0, 1}}, {far, {0, 0, -1}}})
+    for (const auto& [place, normal] : {std::pair<Vector3f, Vector3f>{{0, 0, 0}, {0, 1, 0}},
+                                        {{0, 0, 0}, {1, 0, 0}},
+                                        {far, {-1, 0, 0}},
+                                        {{0, 0, 0}, {0, 0, 1}},
+                                        {far, {0, 0, -1}}})
         addPlane(builder, place, normal);
 }
 

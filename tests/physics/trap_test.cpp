@@ -98,9 +98,7 @@ TEST(Trap, TenCubesHalfInsideEachOtherAndTheFloorComeApartWithoutFlying)
 
 TEST(Trap, TenJointedPairsHalfInsideEachOtherAndTheFloorComeApartWithoutFlying)
 {
-    const auto add = [](WorldBuilder& builder, const Vector3f& place) {
-        addJointedPair(builder, {}, {place});
-    };
+    const auto add = [](WorldBuilder& builder, const Vector3f& place) { addJointedPair(builder, {}, {place}); };
     const World world = overlaps(add, {0.3f * DIAMETER, 0, 1.5f * DIAMETER}, 10);
     Solver solver(gpu(), world);
     EXPECT_LT(topSpeed(solver, world, 4.0), 2.0f);

@@ -72,7 +72,8 @@ TEST(Kernel, NamesABlockOfAnotherTypeThanTheBuffers)
         FAIL() << "positions are vectors in the shader";
     } catch (const DeviceError& error) {
         EXPECT_NE(std::string(error.what()).find("kernel frame_bounds declares the block \"positions\""),
-                  std::string::npos) << error.what();
+                  std::string::npos)
+            << error.what();
     }
 }
 

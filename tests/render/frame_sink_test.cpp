@@ -109,11 +109,13 @@ TEST_F(FrameSinkTest, AFolderThatCannotBeMadeIsAnInputError)
 TEST_F(FrameSinkTest, AFullDiskIsARunErrorAndLeavesNoHalfWrittenFrame)
 {
     EXPECT_EQ(onFullDisk(1000, [&] { writePng(at("a.png"), noise(64, 64)); }), 1);
-    EXPECT_EQ(onFullDisk(1000, [&] {
-        const auto sink = pngSink(folder_.string());
-        sink->write(noise(64, 64), 1);
-        sink->finish();
-    }), 1);
+    EXPECT_EQ(onFullDisk(1000,
+                         [&] {
+                             const auto sink = pngSink(folder_.string());
+                             sink->write(noise(64, 64), 1);
+                             sink->finish();
+                         }),
+              1);
     EXPECT_EQ(fileCount(), 0u);
 }
 
@@ -142,11 +144,14 @@ TEST_F(FrameSinkTest, AnAbandonedFilmLeavesNothing)
 TEST_F(FrameSinkTest, AFullDiskStopsAFilmWithOneLine)
 {
     if (findProgram("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
-    EXPECT_EQ(onFullDisk(20000, [&] {
-        const auto sink = filmSink(at("film.mp4"), 256, 256, 30.0);
-        for (uint64_t i = 1; i <= 40; ++i) sink->write(noise(256, 256, static_cast<uint32_t>(i)), i);
-        sink->finish();
-    }), 1);
+    EXPECT_EQ(onFullDisk(20000,
+                         [&] {
+                             const auto sink = filmSink(at("film.mp4"), 256, 256, 30.0);
+                             for (uint64_t i = 1; i <= 40; ++i)
+                                 sink->write(noise(256, 256, static_cast<uint32_t>(i)), i);
+                             sink->finish();
+                         }),
+              1);
     EXPECT_EQ(fileCount(), 0u);
 }
 

@@ -29,8 +29,8 @@ void expectGolden(const std::string& name, const Image& image)
     writePng(folder + "/" + name + ".png", image);
     writePng(folder + "/" + name + "_difference.png", difference.picture);
     ADD_FAILURE() << name << ": mean difference " << difference.meanAbsolute << " (at most " << MAX_MEAN
-                  << "), changed share " << difference.changedShare << " (at most " << MAX_CHANGED_SHARE
-                  << "); see " << folder << "/" << name << ".png and _difference.png";
+                  << "), changed share " << difference.changedShare << " (at most " << MAX_CHANGED_SHARE << "); see "
+                  << folder << "/" << name << ".png and _difference.png";
 }
 
 }  // namespace knuckle::test

@@ -104,7 +104,7 @@ TEST(Renderer, DoesNotDrawWhatIsParked)
     Emitter emitter;
     emitter.pool = 1;
     world.emitters.push_back(emitter);
-    addFluid(world, {{0.1f, 0.75f, 0.4f}});   // between the cubes, for all to see
+    addFluid(world, {{0.1f, 0.75f, 0.4f}});  // between the cubes, for all to see
     EXPECT_EQ(drawn(world, tiny()).rgb, without.rgb);
     world.emitters.clear();
     EXPECT_NE(drawn(world, tiny()).rgb, without.rgb);

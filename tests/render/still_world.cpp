@@ -99,9 +99,16 @@ StillBuffers::StillBuffers(const World& world)
 
 ParticleView StillBuffers::view() const
 {
-    return {positions_.id(), velocities_.id(), info_.id(), centres_.id(), rotations_.id(),
-            static_cast<uint32_t>(positions_.size()), static_cast<uint32_t>(centres_.size()), radius_,
-            solidCount_, fluidSpacing_};
+    return {positions_.id(),
+            velocities_.id(),
+            info_.id(),
+            centres_.id(),
+            rotations_.id(),
+            static_cast<uint32_t>(positions_.size()),
+            static_cast<uint32_t>(centres_.size()),
+            radius_,
+            solidCount_,
+            fluidSpacing_};
 }
 
 std::vector<Vector3f> cubeLattice(int count, float diameter)

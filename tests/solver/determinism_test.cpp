@@ -22,7 +22,7 @@ constexpr const char* WAY_VARIABLE = "KNUCKLE_TEST_WAY";
 const std::string MARK = "state hash ";
 
 /// Ways of solving that share few kernels.
-enum Way { DEFAULT, HASH, PAPER, GROUPS, SOFT, STRANDS, FLUIDS, EMITTERS, WAYS };
+enum Way { DEFAULT, HASH, PAPER, GROUPS, SOFT, ROWS, FLUIDS, EMITTERS, WAYS };
 
 Settings settingsOf(int way)
 {
@@ -52,7 +52,7 @@ World softWorld()
 }
 
 /// Boxes that fall into a cloth that tears, one on a rope.
-World strandWorld()
+World ropeWorld()
 {
     WorldBuilder builder(DIAMETER / 2);
     builder.addMaterial({});
@@ -95,7 +95,8 @@ World fluidWorld()
     for (int k = 0; k < 3; ++k) {
         builder.beginObject("box");
         builder.addBody("box", boxLattice({3, 2, 3}, DIAMETER), 0);
-        builder.endObject({Vector3f(0.05f * static_cast<float>(k), 0.5f + 0.3f * static_cast<float>(k), 0)}, {0, -3, 0});
+        builder.endObject({Vector3f(0.05f * static_cast<float>(k), 0.5f + 0.3f * static_cast<float>(k), 0)},
+                          {0, -3, 0});
     }
     return builder.build();
 }
@@ -140,7 +141,7 @@ World worldOf(int way)
     if (way == EMITTERS) return emitterWorld();
     if (way == FLUIDS) return fluidWorld();
     if (way == SOFT) return softWorld();
-    if (way == STRANDS) return strandWorld();
+    if (way == ROWS) return ropeWorld();
     World world = table2World(OBJECTS, settingsOf(way));
     // One of them is shot into the others, fast enough to look further for contacts than they do.
     for (Particle& p : world.particles)
@@ -164,9 +165,9 @@ uint64_t hashOfPile(int way)
 std::string runChild(int way, int threads)
 {
     const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-    const std::string command =
-        fmt::format("LP_NUM_THREADS={} {}={} '{}' --gtest_also_run_disabled_tests "
-                    "--gtest_filter=Determinism.DISABLED_InAChildProcess 2>&1", threads, WAY_VARIABLE, way, self);
+    const std::string command = fmt::format("LP_NUM_THREADS={} {}={} '{}' --gtest_also_run_disabled_tests "
+                                            "--gtest_filter=Determinism.DISABLED_InAChildProcess 2>&1",
+                                            threads, WAY_VARIABLE, way, self);
     std::string output;
     FILE* pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return "cannot run " + command;
@@ -185,14 +186,15 @@ TEST_P(DeterminismOf, APileHasTheSameBitsTwiceAndAtAnyNumberOfDriverThreads)
     for (int threads : {0, 1, 2}) {
         const std::string output = runChild(GetParam(), threads);
         EXPECT_NE(output.find(fmt::format("{}{:016x}", MARK, first)), std::string::npos)
-            << "wanted " << fmt::format("{:016x}", first) << " with LP_NUM_THREADS=" << threads << ":\n" << output;
+            << "wanted " << fmt::format("{:016x}", first) << " with LP_NUM_THREADS=" << threads << ":\n"
+            << output;
     }
 }
 
 std::string wayName(const testing::TestParamInfo<int>& way)
 {
-    static constexpr const char* NAMES[WAYS] = {"Default", "Hash", "Paper", "PaperInGroups", "Soft", "Strands",
-                                            "Fluids", "Emitters"};
+    static constexpr const char* NAMES[WAYS] = {"Default", "Hash",         "Paper",  "PaperInGroups",
+                                                "Soft",    "DistanceRows", "Fluids", "Emitters"};
     return NAMES[way.param];
 }
 

@@ -10,7 +10,11 @@ struct Member {
     const char* name;
     size_t offset;
 };
-#define MEMBER(Struct, name) Member{#name, offsetof(gpu::Struct, name)}
+#define MEMBER(Struct, name)               \
+    Member                                 \
+    {                                      \
+#name, offsetof(gpu::Struct, name) \
+    }
 
 GLint property(GLuint program, GLenum interface, GLuint index, GLenum wanted)
 {
@@ -46,25 +50,27 @@ void expectArray(const Kernel& kernel, const std::string& block, const std::stri
     EXPECT_EQ(property(kernel.program(), GL_BUFFER_VARIABLE, index, GL_TOP_LEVEL_ARRAY_STRIDE), GLint(size)) << block;
 }
 
-const std::vector<Member> COUNTERS = {
-    MEMBER(Counters, problems), MEMBER(Counters, wantedContacts), MEMBER(Counters, wantedColliders),
-    MEMBER(Counters, badParticle), MEMBER(Counters, substep), MEMBER(Counters, due), MEMBER(Counters, listParity),
-    MEMBER(Counters, searchCount), MEMBER(Counters, pairCount), MEMBER(Counters, colliderPairCount),
-    MEMBER(Counters, wantedPairs), MEMBER(Counters, wantedColliderPairs), MEMBER(Counters, fastCount),
-    MEMBER(Counters, fastListed), MEMBER(Counters, fastLater), MEMBER(Counters, calm),
-    MEMBER(Counters, wantedNeighbours)};
+const std::vector<Member> COUNTERS = {MEMBER(Counters, problems),        MEMBER(Counters, wantedContacts),
+                                      MEMBER(Counters, wantedColliders), MEMBER(Counters, badParticle),
+                                      MEMBER(Counters, substep),         MEMBER(Counters, due),
+                                      MEMBER(Counters, listParity),      MEMBER(Counters, searchCount),
+                                      MEMBER(Counters, pairCount),       MEMBER(Counters, colliderPairCount),
+                                      MEMBER(Counters, wantedPairs),     MEMBER(Counters, wantedColliderPairs),
+                                      MEMBER(Counters, fastCount),       MEMBER(Counters, fastListed),
+                                      MEMBER(Counters, fastLater),       MEMBER(Counters, calm),
+                                      MEMBER(Counters, wantedNeighbours)};
 const std::vector<Member> COLLIDER = {MEMBER(GpuCollider, position), MEMBER(GpuCollider, orientation),
-                                      MEMBER(GpuCollider, size), MEMBER(GpuCollider, friction),
-                                      MEMBER(GpuCollider, gridLow), MEMBER(GpuCollider, grid)};
-const std::vector<Member> EMITTER = {
-    MEMBER(GpuEmitter, velocity), MEMBER(GpuEmitter, clock), MEMBER(GpuEmitter, startStep),
-    MEMBER(GpuEmitter, layerLimit), MEMBER(GpuEmitter, firstPoint), MEMBER(GpuEmitter, pointCount),
-    MEMBER(GpuEmitter, poolStart), MEMBER(GpuEmitter, poolCount), MEMBER(GpuEmitter, takesOldest),
-    MEMBER(GpuEmitter, interval)};
-const std::vector<Member> EMITTER_STATE = {
-    MEMBER(EmitterState, taken), MEMBER(EmitterState, retired), MEMBER(EmitterState, parked),
-    MEMBER(EmitterState, age), MEMBER(EmitterState, firstCandidate), MEMBER(EmitterState, unused0),
-    MEMBER(EmitterState, unused1), MEMBER(EmitterState, unused2)};
+                                      MEMBER(GpuCollider, size),     MEMBER(GpuCollider, friction),
+                                      MEMBER(GpuCollider, gridLow),  MEMBER(GpuCollider, grid)};
+const std::vector<Member> EMITTER = {MEMBER(GpuEmitter, velocity),    MEMBER(GpuEmitter, clock),
+                                     MEMBER(GpuEmitter, startStep),   MEMBER(GpuEmitter, layerLimit),
+                                     MEMBER(GpuEmitter, firstPoint),  MEMBER(GpuEmitter, pointCount),
+                                     MEMBER(GpuEmitter, poolStart),   MEMBER(GpuEmitter, poolCount),
+                                     MEMBER(GpuEmitter, takesOldest), MEMBER(GpuEmitter, interval)};
+const std::vector<Member> EMITTER_STATE = {MEMBER(EmitterState, taken),          MEMBER(EmitterState, retired),
+                                           MEMBER(EmitterState, parked),         MEMBER(EmitterState, age),
+                                           MEMBER(EmitterState, firstCandidate), MEMBER(EmitterState, unused0),
+                                           MEMBER(EmitterState, unused1),        MEMBER(EmitterState, unused2)};
 const std::vector<Member> BODY_INFO = {MEMBER(BodyInfo, linkStart), MEMBER(BodyInfo, linkCount),
                                        MEMBER(BodyInfo, ownCount), MEMBER(BodyInfo, jointCount)};
 const std::vector<Member> MOVER_INFO = {MEMBER(MoverInfo, firstRank), MEMBER(MoverInfo, rankCount),
@@ -72,46 +78,81 @@ const std::vector<Member> MOVER_INFO = {MEMBER(MoverInfo, firstRank), MEMBER(Mov
 const std::vector<Member> PARTICLE_INFO = {MEMBER(ParticleInfo, body), MEMBER(ParticleInfo, bodyCount),
                                            MEMBER(ParticleInfo, assembly), MEMBER(ParticleInfo, material)};
 const std::vector<Member> LINK = {
-    MEMBER(ParticleRigidBodyLink, particleIndex), MEMBER(ParticleRigidBodyLink, rbIndex),
-    MEMBER(ParticleRigidBodyLink, posInRigidBodyX), MEMBER(ParticleRigidBodyLink, posInRigidBodyY),
-    MEMBER(ParticleRigidBodyLink, posInRigidBodyZ), MEMBER(ParticleRigidBodyLink, particleLinksBlockStart),
+    MEMBER(ParticleRigidBodyLink, particleIndex),           MEMBER(ParticleRigidBodyLink, rbIndex),
+    MEMBER(ParticleRigidBodyLink, posInRigidBodyX),         MEMBER(ParticleRigidBodyLink, posInRigidBodyY),
+    MEMBER(ParticleRigidBodyLink, posInRigidBodyZ),         MEMBER(ParticleRigidBodyLink, particleLinksBlockStart),
     MEMBER(ParticleRigidBodyLink, particleLinksBlockCount), MEMBER(ParticleRigidBodyLink, mass)};
 
 }  // namespace
 
 TEST(Layout, TheUniformBlockOfAStepIsTheHostsStruct)
 {
-    KernelFixture fixture(mixedWorld());
-    expectMembers(fixture.load("paper/predict"), GL_UNIFORM_BLOCK, "Step", "sim.", {
-        MEMBER(StepParameters, gravity), MEMBER(StepParameters, particleCount), MEMBER(StepParameters, bodyCount),
-        MEMBER(StepParameters, linkCount), MEMBER(StepParameters, colliderCount),
-        MEMBER(StepParameters, contactSlots), MEMBER(StepParameters, cellMask), MEMBER(StepParameters, cellStrideY),
-        MEMBER(StepParameters, cellStrideZ), MEMBER(StepParameters, diameter), MEMBER(StepParameters, contactRadius),
-        MEMBER(StepParameters, inverseCellSize), MEMBER(StepParameters, drift), MEMBER(StepParameters, substepTime),
-        MEMBER(StepParameters, correction), MEMBER(StepParameters, warmStart),
-        MEMBER(StepParameters, calming), MEMBER(StepParameters, meanRate),
-        MEMBER(StepParameters, virtualParticles), MEMBER(StepParameters, freeze), MEMBER(StepParameters, damping),
-        MEMBER(StepParameters, maxSpeed), MEMBER(StepParameters, secondOrder),
-        MEMBER(StepParameters, rotationIterations), MEMBER(StepParameters, maxCorrection),
-        MEMBER(StepParameters, jointRelaxation), MEMBER(StepParameters, overRelaxation),
-        MEMBER(StepParameters, stabilization), MEMBER(StepParameters, deepOverlap),
-        MEMBER(StepParameters, deepRecovery), MEMBER(StepParameters, jointCorrection),
-        MEMBER(StepParameters, sharedCount),
-        MEMBER(StepParameters, sharedByTwo), MEMBER(StepParameters, moverCount),
-        MEMBER(StepParameters, pairCapacity), MEMBER(StepParameters, colliderPairCapacity),
-        MEMBER(StepParameters, lookAhead), MEMBER(StepParameters, farReach), MEMBER(StepParameters, fastLimit),
-        MEMBER(StepParameters, horizon), MEMBER(StepParameters, fluidCount), MEMBER(StepParameters, fluidSlots),
-        MEMBER(StepParameters, fluidSpacing), MEMBER(StepParameters, fluidReach),
-        MEMBER(StepParameters, fluidListReach), MEMBER(StepParameters, fluidVolume),
-        MEMBER(StepParameters, fluidSoftness), MEMBER(StepParameters, solidCover), MEMBER(StepParameters, inverseFluidCell),
-        MEMBER(StepParameters, fluidCellMask), MEMBER(StepParameters, fluidStrideY),
-        MEMBER(StepParameters, fluidStrideZ), MEMBER(StepParameters, vorticity),
-        MEMBER(StepParameters, massScaling), MEMBER(StepParameters, restitutionThreshold), MEMBER(StepParameters, sleepSpeed),
-        MEMBER(StepParameters, calmSteps),
-        MEMBER(StepParameters, assemblyCount), MEMBER(StepParameters, clusterCount),
-        MEMBER(StepParameters, softCount), MEMBER(StepParameters, substeps), MEMBER(StepParameters, fluidFilled),
-        MEMBER(StepParameters, poolCapacity), MEMBER(StepParameters, drainCount)
-    });
+    KernelFixture fixture(mixedWorld(byThePaper()));
+    expectMembers(fixture.load("paper/predict"), GL_UNIFORM_BLOCK, "Step", "sim.",
+                  {MEMBER(StepParameters, gravity),
+                   MEMBER(StepParameters, particleCount),
+                   MEMBER(StepParameters, bodyCount),
+                   MEMBER(StepParameters, linkCount),
+                   MEMBER(StepParameters, colliderCount),
+                   MEMBER(StepParameters, contactSlots),
+                   MEMBER(StepParameters, cellMask),
+                   MEMBER(StepParameters, cellStrideY),
+                   MEMBER(StepParameters, cellStrideZ),
+                   MEMBER(StepParameters, diameter),
+                   MEMBER(StepParameters, contactRadius),
+                   MEMBER(StepParameters, inverseCellSize),
+                   MEMBER(StepParameters, drift),
+                   MEMBER(StepParameters, substepTime),
+                   MEMBER(StepParameters, correction),
+                   MEMBER(StepParameters, warmStart),
+                   MEMBER(StepParameters, calming),
+                   MEMBER(StepParameters, meanRate),
+                   MEMBER(StepParameters, virtualParticles),
+                   MEMBER(StepParameters, freeze),
+                   MEMBER(StepParameters, damping),
+                   MEMBER(StepParameters, maxSpeed),
+                   MEMBER(StepParameters, secondOrder),
+                   MEMBER(StepParameters, rotationIterations),
+                   MEMBER(StepParameters, maxCorrection),
+                   MEMBER(StepParameters, jointRelaxation),
+                   MEMBER(StepParameters, overRelaxation),
+                   MEMBER(StepParameters, stabilization),
+                   MEMBER(StepParameters, deepOverlap),
+                   MEMBER(StepParameters, deepRecovery),
+                   MEMBER(StepParameters, jointCorrection),
+                   MEMBER(StepParameters, sharedCount),
+                   MEMBER(StepParameters, sharedByTwo),
+                   MEMBER(StepParameters, moverCount),
+                   MEMBER(StepParameters, pairCapacity),
+                   MEMBER(StepParameters, colliderPairCapacity),
+                   MEMBER(StepParameters, lookAhead),
+                   MEMBER(StepParameters, farReach),
+                   MEMBER(StepParameters, fastLimit),
+                   MEMBER(StepParameters, horizon),
+                   MEMBER(StepParameters, fluidCount),
+                   MEMBER(StepParameters, fluidSlots),
+                   MEMBER(StepParameters, fluidSpacing),
+                   MEMBER(StepParameters, fluidReach),
+                   MEMBER(StepParameters, fluidListReach),
+                   MEMBER(StepParameters, fluidVolume),
+                   MEMBER(StepParameters, fluidSoftness),
+                   MEMBER(StepParameters, solidCover),
+                   MEMBER(StepParameters, inverseFluidCell),
+                   MEMBER(StepParameters, fluidCellMask),
+                   MEMBER(StepParameters, fluidStrideY),
+                   MEMBER(StepParameters, fluidStrideZ),
+                   MEMBER(StepParameters, vorticity),
+                   MEMBER(StepParameters, massScaling),
+                   MEMBER(StepParameters, restitutionThreshold),
+                   MEMBER(StepParameters, sleepSpeed),
+                   MEMBER(StepParameters, calmSteps),
+                   MEMBER(StepParameters, assemblyCount),
+                   MEMBER(StepParameters, clusterCount),
+                   MEMBER(StepParameters, softCount),
+                   MEMBER(StepParameters, substeps),
+                   MEMBER(StepParameters, fluidFilled),
+                   MEMBER(StepParameters, poolCapacity),
+                   MEMBER(StepParameters, drainCount)});
     EXPECT_EQ(sizeof(gpu::StepParameters) % 16, 0u) << "std140 pads to whole vectors";
 }
 
@@ -124,7 +165,13 @@ TEST(Layout, CountersAreTheHostsStruct)
 
 TEST(Layout, EmittersAreTheHostsStructs)
 {
-    KernelFixture fixture(mixedWorld());
+    WorldBuilder builder(DIAMETER / 2);
+    Material water;
+    water.fluid = true;
+    const Vector3f place(0, 0, 0);
+    builder.addFluid(std::span(&place, 1), {0, 0, 0}, builder.addMaterial(water));
+    builder.addDrain(Collider{});
+    KernelFixture fixture(builder.build());
     const Kernel kernel = fixture.load("emitter/emitter_update", {{"POOL", "1"}});
     expectArray(kernel, "Emitters", "emitters", sizeof(gpu::GpuEmitter), EMITTER);
     expectArray(kernel, "EmitterStates", "newStates", sizeof(gpu::EmitterState), EMITTER_STATE);
@@ -149,10 +196,14 @@ void main()
 )");
     KernelFixture fixture(mixedWorld());
     BufferTable table = fixture.stages.table();
-    table.add("particleInfos", fixture.stages.particles.particleInfo, elementType<decltype(fixture.stages.particles.particleInfo)::Element>());
-    table.add("bodyInfos", fixture.stages.bodies.bodyInfo, elementType<decltype(fixture.stages.bodies.bodyInfo)::Element>());
-    table.add("moverInfos", fixture.stages.bodies.moverInfo, elementType<decltype(fixture.stages.bodies.moverInfo)::Element>());
-    table.add("colliderStructs", fixture.stages.colliders.colliders, elementType<decltype(fixture.stages.colliders.colliders)::Element>());
+    table.add("particleInfos", fixture.stages.particles.particleInfo,
+              elementType<decltype(fixture.stages.particles.particleInfo)::Element>());
+    table.add("bodyInfos", fixture.stages.bodies.bodyInfo,
+              elementType<decltype(fixture.stages.bodies.bodyInfo)::Element>());
+    table.add("moverInfos", fixture.stages.bodies.moverInfo,
+              elementType<decltype(fixture.stages.bodies.moverInfo)::Element>());
+    table.add("colliderStructs", fixture.stages.colliders.colliders,
+              elementType<decltype(fixture.stages.colliders.colliders)::Element>());
     const Kernel kernel(gpu(), table, "sim/test_layout.comp");
     expectArray(kernel, "Links", "links", sizeof(gpu::ParticleRigidBodyLink), LINK);
     expectArray(kernel, "ParticleInfos", "infos", sizeof(gpu::ParticleInfo), PARTICLE_INFO);

@@ -49,8 +49,11 @@ TEST(ShaderSource, KnowsTheFileAndLineOfEveryLine)
     const ResolvedShader shader = ShaderSource(folder.path()).resolve("main.comp");
     ASSERT_EQ(shader.origins.size(), lineCount(shader.text));
     // #version, first, the two lines of the part, last
-    const struct { size_t line; const char* file; int number; } rows[] = {
-        {1, "main.comp", 1}, {2, "part.glsl", 1}, {3, "part.glsl", 2}, {4, "main.comp", 3}};
+    const struct {
+        size_t line;
+        const char* file;
+        int number;
+    } rows[] = {{1, "main.comp", 1}, {2, "part.glsl", 1}, {3, "part.glsl", 2}, {4, "main.comp", 3}};
     for (const auto& row : rows) {
         EXPECT_EQ(shader.origins[row.line].file, row.file);
         EXPECT_EQ(shader.origins[row.line].line, row.number);
@@ -65,8 +68,7 @@ TEST(ShaderSource, TranslatesTheLogsOfMesaAndNvidia)
     const ResolvedShader shader = ShaderSource(folder.path()).resolve("main.comp");
     EXPECT_EQ(shader.translate("0:3(5): error: syntax error\n0:4(1): warning: odd\n"),
               "shaders/part.glsl:2: error: syntax error\nshaders/main.comp:2: warning: odd\n");
-    EXPECT_EQ(shader.translate("0(3) : error C0000: syntax error"),
-              "shaders/part.glsl:2 : error C0000: syntax error");
+    EXPECT_EQ(shader.translate("0(3) : error C0000: syntax error"), "shaders/part.glsl:2 : error C0000: syntax error");
     EXPECT_EQ(shader.translate("0:99(1): error: beyond the end"), "0:99(1): error: beyond the end");
     EXPECT_EQ(shader.translate("no place at all"), "no place at all");
 }

@@ -43,8 +43,7 @@ void addOne(WorldBuilder& builder, const Eigen::Vector3i& counts, const Pose& po
     builder.endObject(pose);
 }
 
-void addPair(WorldBuilder& builder, JointType type, float apart, const Pose& pose,
-             Motion motionOfA = Motion::Dynamic)
+void addPair(WorldBuilder& builder, JointType type, float apart, const Pose& pose, Motion motionOfA = Motion::Dynamic)
 {
     PairSpec pair;
     pair.joint.type = type;
@@ -52,7 +51,7 @@ void addPair(WorldBuilder& builder, JointType type, float apart, const Pose& pos
     pair.apart = apart;
     pair.materialOfB = 1;
     pair.motionOfA = motionOfA;
-    pair.selfMargin = apart < 3.0f ? 0.5f : 0.0f;   // for the pair that overlaps
+    pair.selfMargin = apart < 3.0f ? 0.5f : 0.0f;  // for the pair that overlaps
     addJointedPair(builder, pair, pose);
 }
 
@@ -70,7 +69,7 @@ World mixedWorld(const Settings& settings, uint32_t particleCount)
     const auto pose = [&] { return Pose{random.inCube(0.4f), random.rotation()}; };
     for (JointType type : {JointType::Ball, JointType::Hinge, JointType::Stiff, JointType::Universal})
         addPair(builder, type, 4.0f, pose());
-    addPair(builder, JointType::Ball, 1.5f, pose());   // overlaps itself at rest
+    addPair(builder, JointType::Ball, 1.5f, pose());  // overlaps itself at rest
     addPair(builder, JointType::Hinge, 4.0f, pose(), Motion::Fixed);
     for (const Eigen::Vector3i& counts : {Eigen::Vector3i(5, 1, 4), {6, 1, 1}, {9, 3, 3}, {1, 1, 1}})
         addOne(builder, counts, pose());

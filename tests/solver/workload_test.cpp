@@ -33,7 +33,8 @@ TEST(Workload, OfAStepIsNearToWhatTheStepDispatches)
 TEST(Workload, GrowsWithTheWorld)
 {
     EXPECT_NEAR(stepWorkload(table2World(8, {})).milliseconds, 2 * stepWorkload(table2World(4, {})).milliseconds, 1e-6);
-    EXPECT_LT(stepWorkload(table2World(4, {})).milliseconds, stepWorkload(table2World(4, paperSettings())).milliseconds);
+    EXPECT_LT(stepWorkload(table2World(4, {})).milliseconds,
+              stepWorkload(table2World(4, paperSettings())).milliseconds);
 }
 
 TEST(DriverThreads, AreThereWhereTheyGainMoreThanWakingThemCosts)

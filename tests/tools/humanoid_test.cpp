@@ -7,8 +7,8 @@
 #include <iterator>
 #include <map>
 
-#include "tools/humanoid/glb.h"
 #include "sim/actor/mesh/triangle_tree.h"
+#include "tools/humanoid/glb.h"
 
 namespace knuckle {
 namespace {
@@ -65,7 +65,7 @@ TEST(Humanoid, weightsSumToOne)
         for (float weight : skin.weights) {
             sum += weight;
         }
-        EXPECT_NEAR(sum, 1.0f, 2.1e-4f);   // four weights rounded to 1e-4
+        EXPECT_NEAR(sum, 1.0f, 2.1e-4f);  // four weights rounded to 1e-4
     }
 }
 
@@ -95,10 +95,11 @@ TEST(Humanoid, danceKeepsBoneLengthsAndFeetAboveTheFloor)
             };
             const int32_t parent = model.bones[b].parent;
             EXPECT_NEAR(length(key[b], key[parent]), length(model.bones[b].restPose, model.bones[parent].restPose),
-                        1e-5f) << model.bones[b].name;
+                        1e-5f)
+                << model.bones[b].name;
         }
         for (const Vector3f& v : pose(model, key)) {
-            EXPECT_GT(v.y(), -0.004f);   // 4 mm: blended skin between shin and foot may reach below the ground
+            EXPECT_GT(v.y(), -0.004f);  // 4 mm: blended skin between shin and foot may reach below the ground
         }
     }
 }

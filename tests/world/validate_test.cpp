@@ -44,13 +44,13 @@ TEST(Validate, TheWorldNeedsARadiusAndParticles)
 {
     EXPECT_EQ(complaint([](World& w) { w.particleRadius = 0.0f; }), "particle radius 0 m: must be above 0");
     EXPECT_EQ(complaint([](World& w) { w.particleRadius = NAN; }), "particle radius nan m: must be above 0");
-    EXPECT_EQ(complaint<InputError>([](World& w) { w.particles.clear(); }), "the world has no particles: add an object");
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.particles.clear(); }),
+              "the world has no particles: add an object");
 }
 
 TEST(Validate, EverySettingHasItsRange)
 {
-    EXPECT_EQ(settingsComplaint([](Settings& s) { s.timeStep = 0.0f; }),
-              "solver time step 0 s: must be 0.0001 to 0.1");
+    EXPECT_EQ(settingsComplaint([](Settings& s) { s.timeStep = 0.0f; }), "solver time step 0 s: must be 0.0001 to 0.1");
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.timeStep = NAN; }),
               "solver time step nan s: must be 0.0001 to 0.1");
     EXPECT_EQ(settingsComplaint([](Settings& s) { s.substeps = 65; }), "solver substeps 65: must be 1 to 64");
@@ -114,7 +114,8 @@ TEST(Validate, ParticlesAreFiniteHeavyAndPointAtThingsThatExist)
               "particle 5: position or velocity is not finite");
     EXPECT_EQ(complaint([](World& w) { w.particles[5].velocity.z() = INFINITE; }),
               "particle 5: position or velocity is not finite");
-    EXPECT_EQ(complaint<InputError>([](World& w) { w.particles[6].mass = 0.0f; }), "particle 6: mass 0 kg must be above 0");
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.particles[6].mass = 0.0f; }),
+              "particle 6: mass 0 kg must be above 0");
     EXPECT_EQ(complaint([](World& w) { w.particles[7].material = 3; }), "particle 7: there is no material 3");
     EXPECT_EQ(complaint([](World& w) { w.particles[8].body = 2; }), "particle 8: there is no body 2");
 }
@@ -142,9 +143,12 @@ TEST(Validate, CollidersHaveAPlaceASizeAndFriction)
               "collider 0: position or orientation is not finite");
     EXPECT_EQ(complaint([](World& w) { w.colliders[0].orientation.w() = 0.0f; }),
               "collider 0: position or orientation is not finite");
-    EXPECT_EQ(complaint<InputError>([](World& w) { w.colliders[0].radius = 0.0f; }), "collider 0: sizes must be above 0");
-    EXPECT_EQ(complaint<InputError>([](World& w) { w.colliders[0].halfExtents.z() = -1.0f; }), "collider 0: sizes must be above 0");
-    EXPECT_EQ(complaint<InputError>([](World& w) { w.colliders[0].halfHeight = -1.0f; }), "collider 0: sizes must be above 0");
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.colliders[0].radius = 0.0f; }),
+              "collider 0: sizes must be above 0");
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.colliders[0].halfExtents.z() = -1.0f; }),
+              "collider 0: sizes must be above 0");
+    EXPECT_EQ(complaint<InputError>([](World& w) { w.colliders[0].halfHeight = -1.0f; }),
+              "collider 0: sizes must be above 0");
     EXPECT_EQ(complaint([](World& w) { w.colliders[0].kineticFriction = 0.75f; }),
               "collider 0: kinetic friction 0.75 must be 0 to its static friction 0.5");
 }

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "sim/world/builder/builder.h"
+#include "sim/world/builder/joints.h"
 #include "sim/world/errors.h"
 #include "tests/pair_fixture.h"
-#include "sim/world/builder/joints.h"
 
 namespace knuckle::test {
 

@@ -16,7 +16,7 @@ constexpr uint32_t GLB_MAGIC = 0x46546C67, GLB_VERSION = 2, CHUNK_JSON = 0x4E4F5
 constexpr int UNSIGNED_BYTE = 5121, UNSIGNED_INT = 5125, UNSIGNED_SHORT = 5123, FLOAT = 5126;
 constexpr int ARRAY_BUFFER = 34962, ELEMENT_ARRAY_BUFFER = 34963, NO_TARGET = 0;
 constexpr size_t SHORT_INDICES = 65535;
-constexpr size_t WEIGHTS = 4;                // of a glTF attribute
+constexpr size_t WEIGHTS = 4;  // of a glTF attribute
 
 // Collects the binary chunk and the views and accessors into it.
 class GltfBuffer {
@@ -32,8 +32,10 @@ public:
             view["target"] = target;
         }
         views_.push_back(view);
-        accessors_.push_back(OrderedJson::object({{"bufferView", views_.size() - 1}, {"componentType", componentType},
-                                                  {"count", values.size() / componentsPerElement}, {"type", type}}));
+        accessors_.push_back(OrderedJson::object({{"bufferView", views_.size() - 1},
+                                                  {"componentType", componentType},
+                                                  {"count", values.size() / componentsPerElement},
+                                                  {"type", type}}));
         return static_cast<int>(accessors_.size() - 1);
     }
     void bounds(int accessor, const OrderedJson& low, const OrderedJson& high)

@@ -13,17 +13,17 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr double MESH_STEP = 0.021;      // [m]
-constexpr double HALF_WIDTH = 35.5 * MESH_STEP;   // of the meshed box: the grid mirrors like the body does
-constexpr double BLEND = 0.035;          // width over which limbs melt into each other [m]
-constexpr double SKIN_FALLOFF = 6.0;     // weights fall with this power of the distance from the bone, in its radii
+constexpr double MESH_STEP = 0.021;              // [m]
+constexpr double HALF_WIDTH = 35.5 * MESH_STEP;  // of the meshed box: the grid mirrors like the body does
+constexpr double BLEND = 0.035;                  // width over which limbs melt into each other [m]
+constexpr double SKIN_FALLOFF = 6.0;  // weights fall with this power of the distance from the bone, in its radii
 constexpr size_t BONES_PER_VERTEX = 4;
 
 struct BoneSpec {
     const char* name;
     int32_t parent;
-    Vector3d head, tail;                 // [m], left side; the right side mirrors it
-    double radius;                       // of the flesh around it [m]
+    Vector3d head, tail;  // [m], left side; the right side mirrors it
+    double radius;        // of the flesh around it [m]
 };
 
 // Proportions of an adult of 1.75 m: 7.5 heads, hips at 53 % of the height.
@@ -80,30 +80,30 @@ struct Limb {
 
 // The left half of the body and what lies on the middle; the distance mirrors x.
 const Limb LIMBS[] = {
-    {{0, 0.95, -0.005}, {0.065, 0.95, -0.005}, 0.100, 0.092},     // pelvis
-    {{0.062, 0.915, -0.045}, {0.075, 0.90, -0.045}, 0.075, 0.072},   // seat
-    {{0, 1.08, 0.0}, {0.045, 1.08, 0.0}, 0.092, 0.080},           // waist
-    {{0.03, 0.98, -0.005}, {0.045, 1.30, -0.005}, 0.090, 0.094},  // trunk
-    {{0, 1.27, -0.005}, {0.072, 1.29, -0.005}, 0.105, 0.095},     // ribs
-    {{0.06, 1.335, 0.02}, {0.085, 1.33, 0.015}, 0.066, 0.062},     // breast
-    {{0, 1.40, -0.015}, {0.15, 1.405, -0.012}, 0.062, 0.052},     // shoulders
-    {{0.175, 1.40, -0.01}, {0.19, 1.385, -0.01}, 0.060, 0.058},   // deltoid
-    {{0, 1.43, -0.015}, {0, 1.55, 0.0}, 0.060, 0.052},            // neck
-    {{0, 1.585, 0.025}, {0, 1.565, 0.055}, 0.062, 0.038},         // jaw
-    {{0, 1.60, 0.09}, {0, 1.625, 0.10}, 0.018, 0.012},            // nose
+    {{0, 0.95, -0.005}, {0.065, 0.95, -0.005}, 0.100, 0.092},       // pelvis
+    {{0.062, 0.915, -0.045}, {0.075, 0.90, -0.045}, 0.075, 0.072},  // seat
+    {{0, 1.08, 0.0}, {0.045, 1.08, 0.0}, 0.092, 0.080},             // waist
+    {{0.03, 0.98, -0.005}, {0.045, 1.30, -0.005}, 0.090, 0.094},    // trunk
+    {{0, 1.27, -0.005}, {0.072, 1.29, -0.005}, 0.105, 0.095},       // ribs
+    {{0.06, 1.335, 0.02}, {0.085, 1.33, 0.015}, 0.066, 0.062},      // breast
+    {{0, 1.40, -0.015}, {0.15, 1.405, -0.012}, 0.062, 0.052},       // shoulders
+    {{0.175, 1.40, -0.01}, {0.19, 1.385, -0.01}, 0.060, 0.058},     // deltoid
+    {{0, 1.43, -0.015}, {0, 1.55, 0.0}, 0.060, 0.052},              // neck
+    {{0, 1.585, 0.025}, {0, 1.565, 0.055}, 0.062, 0.038},           // jaw
+    {{0, 1.60, 0.09}, {0, 1.625, 0.10}, 0.018, 0.012},              // nose
     {{0.195, 1.39, -0.01}, {0.365, 1.195, -0.012}, 0.055, 0.042},
     {{0.365, 1.195, -0.012}, {0.43, 1.12, -0.002}, 0.043, 0.043},
     {{0.43, 1.12, -0.002}, {0.528, 1.005, 0.014}, 0.043, 0.029},
-    {{0.535, 0.995, 0.016}, {0.58, 0.94, 0.028}, 0.030, 0.033},   // palm, widened across below
+    {{0.535, 0.995, 0.016}, {0.58, 0.94, 0.028}, 0.030, 0.033},  // palm, widened across below
     {{0.562, 0.95, 0.045}, {0.575, 0.935, 0.0}, 0.026, 0.026},
-    {{0.58, 0.94, 0.04}, {0.63, 0.87, 0.042}, 0.024, 0.016},      // fingers
+    {{0.58, 0.94, 0.04}, {0.63, 0.87, 0.042}, 0.024, 0.016},  // fingers
     {{0.585, 0.935, 0.012}, {0.625, 0.875, 0.018}, 0.024, 0.016},
     {{0.54, 0.975, 0.04}, {0.575, 0.93, 0.085}, 0.020, 0.014},    // thumb
     {{0.095, 0.90, 0.0}, {0.119, 0.50, 0.01}, 0.086, 0.056},      // thigh
     {{0.119, 0.50, 0.012}, {0.124, 0.36, -0.012}, 0.055, 0.057},  // calf
     {{0.124, 0.36, -0.012}, {0.133, 0.085, -0.025}, 0.056, 0.038},
-    {{0.133, 0.04, -0.055}, {0.135, 0.05, 0.0}, 0.040, 0.044},    // heel
-    {{0.135, 0.05, 0.0}, {0.158, 0.022, 0.135}, 0.046, 0.030},    // foot
+    {{0.133, 0.04, -0.055}, {0.135, 0.05, 0.0}, 0.040, 0.044},  // heel
+    {{0.135, 0.05, 0.0}, {0.158, 0.022, 0.135}, 0.046, 0.030},  // foot
 };
 
 constexpr double HEAD_TOP = 1.75;
@@ -141,7 +141,7 @@ double bodyDistance(const Vector3d& point)
     for (const Limb& limb : LIMBS) {
         distance = melt(distance, limbDistance(p, limb));
     }
-    return std::max(distance, -p.y());   // flat soles on the ground
+    return std::max(distance, -p.y());  // flat soles on the ground
 }
 
 SkinWeights skinAt(const Vector3d& vertex)

@@ -11,11 +11,25 @@ Model makeHumanoid();
 
 /// Bones of the humanoid, the order of Model::bones.
 enum HumanoidBone : uint32_t {
-    HIPS, SPINE, CHEST, NECK, HEAD,
-    CLAVICLE_L, UPPER_ARM_L, FOREARM_L, HAND_L,
-    CLAVICLE_R, UPPER_ARM_R, FOREARM_R, HAND_R,
-    THIGH_L, SHIN_L, FOOT_L,
-    THIGH_R, SHIN_R, FOOT_R,
+    HIPS,
+    SPINE,
+    CHEST,
+    NECK,
+    HEAD,
+    CLAVICLE_L,
+    UPPER_ARM_L,
+    FOREARM_L,
+    HAND_L,
+    CLAVICLE_R,
+    UPPER_ARM_R,
+    FOREARM_R,
+    HAND_R,
+    THIGH_L,
+    SHIN_L,
+    FOOT_L,
+    THIGH_R,
+    SHIN_R,
+    FOOT_R,
     HUMANOID_BONE_COUNT,
 };
 

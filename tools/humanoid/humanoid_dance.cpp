@@ -14,10 +14,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double DURATION = 4.0;             // [s]
+constexpr double DURATION = 4.0;  // [s]
 constexpr int KEYS_PER_SECOND = 24;
-constexpr double CROUCH = 0.055;             // the hips hang this much lower than at rest, at least [m]
-constexpr double STEP_HEIGHT = 0.11;         // [m]
+constexpr double CROUCH = 0.055;      // the hips hang this much lower than at rest, at least [m]
+constexpr double STEP_HEIGHT = 0.11;  // [m]
 
 using Heads = std::array<Vector3d, HUMANOID_BONE_COUNT>;
 using Rotations = std::array<Matrix3d, HUMANOID_BONE_COUNT>;
@@ -45,7 +45,7 @@ Matrix3d aim(const Vector3d& restDirection, const Vector3d& direction, const Vec
 
 struct Leg {
     HumanoidBone thigh, shin, foot;
-    double side;                             // +1 left
+    double side;  // +1 left
 };
 
 // How high the foot stands at beat phase `beats`: up on every fourth beat, both sides in turn, smooth at both ends.
@@ -73,7 +73,7 @@ void poseLeg(const Leg& leg, const Heads& rest, double beats, Heads& heads, Rota
     heads[leg.foot] = hip + c * f.col(0);
     rotations[leg.thigh] = aim(upper, knee - hip, pole);
     rotations[leg.shin] = aim(lower, heads[leg.foot] - knee, pole);
-    rotations[leg.foot] = turn(14.0 * leg.side * lift, Vector3d::UnitY());   // flat, turned out while it is up
+    rotations[leg.foot] = turn(14.0 * leg.side * lift, Vector3d::UnitY());  // flat, turned out while it is up
 }
 
 void attach(uint32_t bone, uint32_t parent, const Matrix3d& local, const Heads& rest, Heads& heads,
@@ -86,7 +86,7 @@ void attach(uint32_t bone, uint32_t parent, const Matrix3d& local, const Heads& 
 // Left: rotations about +z lift the arm. The two arms trade places every four beats: one waves high, one pumps low.
 void poseArm(uint32_t clavicle, double side, double beats, const Heads& rest, Heads& heads, Rotations& rotations)
 {
-    const double slow = 0.5 * (1.0 + side * std::sin(0.25 * std::numbers::pi * beats));   // 0 low, 1 high
+    const double slow = 0.5 * (1.0 + side * std::sin(0.25 * std::numbers::pi * beats));  // 0 low, 1 high
     const double beat = std::sin(std::numbers::pi * beats);
     const double half = std::sin(0.5 * std::numbers::pi * beats + 0.4);
     const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
@@ -103,7 +103,7 @@ void poseArm(uint32_t clavicle, double side, double beats, const Heads& rest, He
 
 void poseBody(double beats, const Heads& rest, Heads& heads, Rotations& rotations)
 {
-    const double sway = -std::sin(0.5 * std::numbers::pi * beats);           // over the standing foot
+    const double sway = -std::sin(0.5 * std::numbers::pi * beats);  // over the standing foot
     const double bob = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * beats);
     const double slow = std::sin(0.25 * std::numbers::pi * beats);
     const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();

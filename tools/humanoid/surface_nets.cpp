@@ -18,7 +18,7 @@ constexpr double GRAIN = 1e-4;
 struct Grid {
     Vector3d low;
     double step;
-    Vector3i counts;              // of sample points
+    Vector3i counts;  // of sample points
     std::vector<double> values;
 
     size_t index(const Vector3i& p) const

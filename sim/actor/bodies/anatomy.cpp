@@ -13,7 +13,7 @@ namespace {
 // "mixamorig:LeftUpLeg" -> left, up, leg; "Bip01 L Calf" -> bip, l, calf; "b_LeftLeg02_016" -> b, left, leg.
 std::vector<std::string> tokensOf(std::string_view name)
 {
-    name.remove_prefix(std::min(name.size(), name.rfind(':') + 1));   // npos + 1 is 0
+    name.remove_prefix(std::min(name.size(), name.rfind(':') + 1));  // npos + 1 is 0
     std::vector<std::string> tokens(1);
     char previous = ' ';
     for (const char c : name) {

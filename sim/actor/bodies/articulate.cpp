@@ -13,7 +13,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr float BENT = 0.15f;                // sine of the rest bend from which a hinge's axis is taken from it
+constexpr float BENT = 0.15f;  // sine of the rest bend from which a hinge's axis is taken from it
 
 // Which way a figure faces in its rest pose.
 struct Bearings {
@@ -96,8 +96,7 @@ Vector3f bendDirection(const std::string& name, const Vector3f& along, const Bea
     const bool arm = says("arm") || says("elbow");
     const bool leg = !arm && (says("leg") || says("knee") || says("shin") || says("calf"));
     const Vector3f wanted = leg ? Vector3f(-bearings.forward) : bearings.forward;
-    return std::abs(wanted.dot(along)) < 0.8f ? perpendicular(wanted, along)
-                                              : perpendicular(Vector3f::UnitY(), along);
+    return std::abs(wanted.dot(along)) < 0.8f ? perpendicular(wanted, along) : perpendicular(Vector3f::UnitY(), along);
 }
 
 JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, uint32_t body, const Voxels& voxels,
@@ -140,8 +139,8 @@ void checkOverrides(const Model& model, const std::map<std::string, Value>& over
 {
     for (const auto& [name, value] : overrides) {
         if (std::none_of(model.bones.begin(), model.bones.end(), [&](const Bone& b) { return b.name == name; })) {
-            throw InputError(fmt::format("joint for bone '{}': the model '{}' has no bone of that name", name,
-                                         model.name));
+            throw InputError(
+                fmt::format("joint for bone '{}': the model '{}' has no bone of that name", name, model.name));
         }
     }
 }
@@ -180,10 +179,15 @@ void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointP
     }
     actor.bodies.push_back({name + "/cross", {}, static_cast<int32_t>(plan.parent), {}});
     actor.bodies[plan.child].parent = static_cast<int32_t>(crossBody);
-    actor.joints.push_back({name + "/cross", plan.type, plan.parent, crossBody, plan.anchor, plan.axis,
-                            {shared[0], shared[1]}});
-    actor.joints.push_back({name, plan.type, crossBody, plan.child, plan.anchor,
-                            plan.along.cross(plan.axis).normalized(), {shared[2], shared[3]}});
+    actor.joints.push_back(
+        {name + "/cross", plan.type, plan.parent, crossBody, plan.anchor, plan.axis, {shared[0], shared[1]}});
+    actor.joints.push_back({name,
+                            plan.type,
+                            crossBody,
+                            plan.child,
+                            plan.anchor,
+                            plan.along.cross(plan.axis).normalized(),
+                            {shared[2], shared[3]}});
 }
 
 }  // namespace

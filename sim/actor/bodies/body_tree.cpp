@@ -11,10 +11,10 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float TOUCH = 1.8f;                   // lattice neighbours, diagonals included, are nearer than this [d]
-constexpr float LOOSE = 2.6f;                   // bodies farther apart than this are looked at again [d]
-constexpr float NEAR_JOINT = 2.5f;              // a bone's head is its joint up to this distance from its body [d]
-constexpr size_t PAIR_LIMIT = 1500;             // particles a side when two bodies' distance is measured
+constexpr float TOUCH = 1.8f;        // lattice neighbours, diagonals included, are nearer than this [d]
+constexpr float LOOSE = 2.6f;        // bodies farther apart than this are looked at again [d]
+constexpr float NEAR_JOINT = 2.5f;   // a bone's head is its joint up to this distance from its body [d]
+constexpr size_t PAIR_LIMIT = 1500;  // particles a side when two bodies' distance is measured
 
 using Particles = std::vector<uint32_t>;
 
@@ -78,8 +78,8 @@ void joinRoots(std::vector<BodyDraft>& drafts, int32_t root, const Voxels& voxel
             return;
         }
         drafts[child].parent = parent;
-        notes.push_back(fmt::format("{} is joined to {}, the body nearest to it.", drafts[child].name,
-                                    drafts[parent].name));
+        notes.push_back(
+            fmt::format("{} is joined to {}, the body nearest to it.", drafts[child].name, drafts[parent].name));
         if (distanceTo(drafts[child].anchor, drafts[parent].particles, voxels) > NEAR_JOINT * voxels.diameter ||
             distanceTo(drafts[child].anchor, drafts[child].particles, voxels) > NEAR_JOINT * voxels.diameter) {
             drafts[child].anchor = best.middle;
@@ -118,8 +118,9 @@ void tightenJoints(std::vector<BodyDraft>& drafts, int32_t root, const Voxels& v
             body.parent = better;
             body.anchor = best.middle;
         } else if (offBody > NEAR_JOINT * d || (offParent > NEAR_JOINT * d && best.distance < TOUCH * d)) {
-            notes.push_back(fmt::format("The joint of {} sits where it meets {}, since the bone's head is away from it.",
-                                        body.name, drafts[better].name));
+            notes.push_back(
+                fmt::format("The joint of {} sits where it meets {}, since the bone's head is away from it.", body.name,
+                            drafts[better].name));
             body.anchor = best.middle;
         }
     }

@@ -11,8 +11,8 @@ namespace knuckle {
 
 /// Where two bodies come nearest.
 struct Contact {
-    float distance = std::numeric_limits<float>::infinity();   ///< [m]
-    Eigen::Vector3f middle{0, 0, 0};                   ///< Mean of the middles of the nearest pairs
+    float distance = std::numeric_limits<float>::infinity();  ///< [m]
+    Eigen::Vector3f middle{0, 0, 0};                          ///< Mean of the middles of the nearest pairs
 };
 
 /// Of bodies with thousands of particles only every n-th particle is compared.

@@ -18,8 +18,8 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr size_t SPACE_POINTS = 4;              // the fewest particles that can span space
-constexpr double ISLAND_PART = 0.25;            // a cut-off part below this share of its body changes sides
+constexpr size_t SPACE_POINTS = 4;    // the fewest particles that can span space
+constexpr double ISLAND_PART = 0.25;  // a cut-off part below this share of its body changes sides
 
 using Particles = std::vector<uint32_t>;
 
@@ -135,8 +135,7 @@ struct BoneCut {
 
 BoneCut mergeSmall(const Model& model, const Voxels& voxels, const std::vector<uint32_t>& bones)
 {
-    BoneCut cut{std::vector<Particles>(model.bones.size()),
-                std::vector<std::vector<std::string>>(model.bones.size())};
+    BoneCut cut{std::vector<Particles>(model.bones.size()), std::vector<std::vector<std::string>>(model.bones.size())};
     const std::vector<uint8_t> deforms = deformingBones(model);
     for (uint32_t p = 0; p < bones.size(); ++p) {
         cut.particles[bones[p]].push_back(p);
@@ -195,8 +194,8 @@ std::vector<BodyDraft> draftBodies(const Model& model, BoneCut& cut)
             ancestor = model.bones[ancestor].parent;
         }
         std::sort(cut.particles[b].begin(), cut.particles[b].end());
-        drafts.push_back({model.bones[b].name, b, ancestor < 0 ? -1 : draftOf[ancestor],
-                          std::move(cut.particles[b]), std::move(cut.merged[b]), boneHead(model, b)});
+        drafts.push_back({model.bones[b].name, b, ancestor < 0 ? -1 : draftOf[ancestor], std::move(cut.particles[b]),
+                          std::move(cut.merged[b]), boneHead(model, b)});
     }
     return drafts;
 }

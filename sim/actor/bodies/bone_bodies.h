@@ -12,10 +12,10 @@ namespace knuckle {
 struct BodyDraft {
     std::string name;
     uint32_t bone = NO_INDEX;
-    int32_t parent = -1;                        ///< Into the list of drafts; parents come first.
-    std::vector<uint32_t> particles;            ///< Into Voxels, ascending.
+    int32_t parent = -1;              ///< Into the list of drafts; parents come first.
+    std::vector<uint32_t> particles;  ///< Into Voxels, ascending.
     std::vector<std::string> mergedBones;
-    Eigen::Vector3f anchor{0, 0, 0};            ///< Where its joint with the parent sits [m].
+    Eigen::Vector3f anchor{0, 0, 0};  ///< Where its joint with the parent sits [m].
 };
 
 /// Cuts the particles into one body per bone that is large enough, arranged as a tree with one root. `notes` gets a

@@ -10,15 +10,15 @@ namespace knuckle {
 namespace {
 
 // Lengths in diameters.
-constexpr float CROWDED = 0.7f;              // an ordinary particle nearer to a shared one than this gives way
-constexpr float SUPPORT = 0.8f;              // a place on a hinge's axis is used if a particle stands this near
-constexpr float FACING = 1.2f;               // face to face on the lattice
-constexpr float NEIGHBOUR = 1.5f;            // beyond the lattice's edge neighbours, short of its corner ones
-constexpr float FLEXION_START = 0.3f;        // the notch of a hinge begins this far behind the axis
-constexpr float FLEXION_REACH = 5.0f;        // and ends here, so that it stays at the joint
-constexpr size_t LONGEST_HINGE = 5;          // particles
+constexpr float CROWDED = 0.7f;        // an ordinary particle nearer to a shared one than this gives way
+constexpr float SUPPORT = 0.8f;        // a place on a hinge's axis is used if a particle stands this near
+constexpr float FACING = 1.2f;         // face to face on the lattice
+constexpr float NEIGHBOUR = 1.5f;      // beyond the lattice's edge neighbours, short of its corner ones
+constexpr float FLEXION_START = 0.3f;  // the notch of a hinge begins this far behind the axis
+constexpr float FLEXION_REACH = 5.0f;  // and ends here, so that it stays at the joint
+constexpr size_t LONGEST_HINGE = 5;    // particles
 constexpr size_t STIFF_COUNT = 4;
-constexpr double KEPT_PART = 0.6;            // a child that would keep less than this is left alone
+constexpr double KEPT_PART = 0.6;  // a child that would keep less than this is left alone
 
 using Particles = std::vector<ParticleDraft>;
 
@@ -233,19 +233,14 @@ std::vector<uint32_t> makeJointParticles(std::vector<ParticleDraft>& particles, 
 {
     std::vector<uint32_t> shared;
     switch (plan.type) {
-    case JointType::Stiff:
-        return makeStiff(particles, plan, diameter);
-    case JointType::Universal:
-        shared = makeUniversal(particles, plan, diameter, crossBody);
-        break;
-    case JointType::Ball:
-        shared = {place(particles, plan.anchor, {plan.parent, plan.child}, diameter)};
-        break;
-    case JointType::Hinge:
-        for (const Vector3f& position : hingePlaces(particles, plan, diameter)) {
-            shared.push_back(place(particles, position, {plan.parent, plan.child}, diameter));
-        }
-        break;
+        case JointType::Stiff: return makeStiff(particles, plan, diameter);
+        case JointType::Universal: shared = makeUniversal(particles, plan, diameter, crossBody); break;
+        case JointType::Ball: shared = {place(particles, plan.anchor, {plan.parent, plan.child}, diameter)}; break;
+        case JointType::Hinge:
+            for (const Vector3f& position : hingePlaces(particles, plan, diameter)) {
+                shared.push_back(place(particles, position, {plan.parent, plan.child}, diameter));
+            }
+            break;
     }
     if (plan.clear && plan.type == JointType::Hinge && !plan.flexion.isZero()) {
         clearNotch(particles, plan, diameter);

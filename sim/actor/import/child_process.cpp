@@ -47,7 +47,7 @@ void setLimits(const ChildLimits& limits, uint64_t addressSpace)
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, static_cast<uint64_t>(limits.seconds));
 #if !defined(__SANITIZE_ADDRESS__)
-    limit(RLIMIT_AS, addressSpace + limits.extraMemory);   // the sanitizer has already reserved terabytes
+    limit(RLIMIT_AS, addressSpace + limits.extraMemory);  // the sanitizer has already reserved terabytes
 #else
     static_cast<void>(addressSpace);
 #endif

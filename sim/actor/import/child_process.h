@@ -8,15 +8,15 @@
 namespace knuckle {
 
 struct ChildLimits {
-    uint64_t extraMemory = 2ull << 30;      ///< Address space beyond what the process uses now [bytes].
-    int seconds = 60;                       ///< Processor time and wall-clock time each [s].
-    uint64_t maxResult = 1ull << 30;        ///< [bytes]
+    uint64_t extraMemory = 2ull << 30;  ///< Address space beyond what the process uses now [bytes].
+    int seconds = 60;                   ///< Processor time and wall-clock time each [s].
+    uint64_t maxResult = 1ull << 30;    ///< [bytes]
 };
 
 struct ChildResult {
     bool ok = false;
-    std::vector<uint8_t> bytes;             ///< What the work returned.
-    std::string failure;                    ///< Why there is none: "crashed", "took more than 60 s", ...
+    std::vector<uint8_t> bytes;  ///< What the work returned.
+    std::string failure;         ///< Why there is none: "crashed", "took more than 60 s", ...
 };
 
 /// Runs `work` in a forked copy of this process, its output silenced, and hands its result back through a pipe.

@@ -21,10 +21,10 @@ namespace knuckle {
 namespace {
 
 constexpr uint8_t HOLDS_MODEL = 0, HOLDS_MESSAGE = 1;
-constexpr uintmax_t FILE_LIMIT = 512ull << 20;      // [bytes]
-constexpr float LARGEST_FIGURE = 20.0f;             // taller than this cannot be meant in metres [m]
-constexpr float SMALLEST = 0.005f, LARGEST = 200.0f;   // sizes that a guess may lead to [m]
-constexpr float PERSON = 1.7f;                      // what a skeleton without a mesh stands for [m]
+constexpr uintmax_t FILE_LIMIT = 512ull << 20;        // [bytes]
+constexpr float LARGEST_FIGURE = 20.0f;               // taller than this cannot be meant in metres [m]
+constexpr float SMALLEST = 0.005f, LARGEST = 200.0f;  // sizes that a guess may lead to [m]
+constexpr float PERSON = 1.7f;                        // what a skeleton without a mesh stands for [m]
 
 struct Unit {
     const char* name;
@@ -32,8 +32,11 @@ struct Unit {
 };
 constexpr Unit UNITS[] = {{"metres", 1.0f}, {"centimetres", 0.01f}, {"millimetres", 0.001f}};
 // Motion capture comes in these; the last is the unit of the CMU library (an inch over 0.45).
-constexpr Unit CAPTURE_UNITS[] = {{"metres", 1.0f}, {"centimetres", 0.01f}, {"inches", 0.0254f},
-                                  {"millimetres", 0.001f}, {"units of 56.4 mm", 0.0254f / 0.45f}};
+constexpr Unit CAPTURE_UNITS[] = {{"metres", 1.0f},
+                                  {"centimetres", 0.01f},
+                                  {"inches", 0.0254f},
+                                  {"millimetres", 0.001f},
+                                  {"units of 56.4 mm", 0.0254f / 0.45f}};
 
 float sizeOf(const Model& model)
 {
@@ -101,7 +104,8 @@ void fitScale(Model& model, const ImportOptions& options)
     const float metres = size * factor;
     if (!(metres >= SMALLEST && metres <= LARGEST)) {
         throw InputError(fmt::format("it would be {:.3g} m large, {:g} to {:g} m are possible: give a scale in metres "
-                                     "per unit (the file has {:.4g} units)", metres, SMALLEST, LARGEST, size));
+                                     "per unit (the file has {:.4g} units)",
+                                     metres, SMALLEST, LARGEST, size));
     }
     if (factor != 1.0f) {
         scaleBy(model, factor);
@@ -165,8 +169,8 @@ void checkFile(const std::string& path)
     uint32_t promised = 0;
     std::memcpy(&promised, header.data() + 8, sizeof promised);
     if (std::string_view(header.data(), 4) == "glTF" && promised > size) {
-        throw InputError(fmt::format("{}: is cut off: {} of {} bytes are there; export the model again", path, size,
-                                     promised));
+        throw InputError(
+            fmt::format("{}: is cut off: {} of {} bytes are there; export the model again", path, size, promised));
     }
     if (size > FILE_LIMIT) {
         throw InputError(fmt::format("{}: is larger than {} MiB: simplify the model", path, FILE_LIMIT >> 20));
@@ -176,7 +180,8 @@ void checkFile(const std::string& path)
 // Names in broken files may hold anything; the message stays one line that a terminal can show.
 std::string oneLine(std::string text)
 {
-    std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
     text.resize(std::min<size_t>(text.size(), 500));
     return text;
 }
@@ -195,13 +200,14 @@ Model importModel(const std::string& path, const ImportOptions& options)
                                      result.failure));
     }
     if (result.bytes.empty() || result.bytes[0] != HOLDS_MODEL) {
-        throw InputError(oneLine(fmt::format("{}: {}", path, std::string(result.bytes.begin() + !result.bytes.empty(),
-                                                                        result.bytes.end()))));
+        throw InputError(oneLine(fmt::format(
+            "{}: {}", path, std::string(result.bytes.begin() + !result.bytes.empty(), result.bytes.end()))));
     }
     Model model;
     if (!fromBytes(std::span(result.bytes).subspan(1), model)) {
         throw InputError(fmt::format("{}: the importer made nothing usable of it: the file is damaged; export it "
-                                     "again", path));
+                                     "again",
+                                     path));
     }
     return model;
 }

@@ -14,9 +14,9 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double SAMPLES_PER_SECOND = 60.0;
-constexpr double DEFAULT_TICKS = 25.0;       // per second, where the file does not say
-constexpr double LONGEST = 3600.0;           // [s]
-constexpr size_t MATRIX_LIMIT = 1000000;     // bone poses of all clips together, 64 MB
+constexpr double DEFAULT_TICKS = 25.0;    // per second, where the file does not say
+constexpr double LONGEST = 3600.0;        // [s]
+constexpr size_t MATRIX_LIMIT = 1000000;  // bone poses of all clips together, 64 MB
 
 Vector3d valueOf(const aiVectorKey& key)
 {
@@ -144,15 +144,15 @@ void convertClip(const aiAnimation& animation, const NodeTable& table, size_t ke
     const auto [first, last] = spanOf(animation);
     clip.duration = (last - first) / ticksPerSecond;
     if (!(clip.duration >= 0.0) || clip.duration > LONGEST) {
-        model.notes.push_back(fmt::format("Clip '{}' has no keys, or none at sensible times, and was left out.",
-                                          clip.name));
+        model.notes.push_back(
+            fmt::format("Clip '{}' has no keys, or none at sensible times, and was left out.", clip.name));
         return;
     }
     const size_t wanted = static_cast<size_t>(std::ceil(clip.duration * SAMPLES_PER_SECOND)) + 1;
     const size_t count = std::min(wanted, std::max<size_t>(keyLimit, 2));
     if (count < wanted) {
-        model.notes.push_back(fmt::format("Clip '{}' was sampled {} times instead of {} to save memory.", clip.name,
-                                          count, wanted));
+        model.notes.push_back(
+            fmt::format("Clip '{}' was sampled {} times instead of {} to save memory.", clip.name, count, wanted));
     }
     const std::vector<const aiNodeAnim*> channels = channelsByNode(animation, table);
     for (size_t k = 0; k < count; ++k) {
@@ -161,8 +161,8 @@ void convertClip(const aiAnimation& animation, const NodeTable& table, size_t ke
         clip.poses.push_back(poseAt(channels, table, first + part * (last - first), model.bones.size()));
         for (const Eigen::Matrix4f& pose : clip.poses.back()) {
             if (!pose.allFinite()) {
-                model.notes.push_back(fmt::format("Clip '{}' has keys that are not numbers and was left out.",
-                                                  clip.name));
+                model.notes.push_back(
+                    fmt::format("Clip '{}' has keys that are not numbers and was left out.", clip.name));
                 return;
             }
         }

@@ -17,18 +17,18 @@ namespace {
 
 constexpr size_t VERTEX_LIMIT = 4000000;
 constexpr size_t TRIANGLE_LIMIT = 8000000;
-constexpr double SINGULAR = 1e-9;            // smallest over largest singular value of a bind matrix
-constexpr double WEIGHT_SLACK = 0.01;        // sums this near to 1 are not worth a note
+constexpr double SINGULAR = 1e-9;      // smallest over largest singular value of a bind matrix
+constexpr double WEIGHT_SLACK = 0.01;  // sums this near to 1 are not worth a note
 
 struct Influence {
-    uint32_t bone = 0;                       // of the mesh, not of the model
+    uint32_t bone = 0;  // of the mesh, not of the model
     double weight = 0.0;
 };
 
 struct SkinNotes {
-    size_t dropped = 0;                      // weights that were negative or not numbers
-    size_t scaled = 0;                       // vertices whose weights did not sum to 1
-    size_t unweighted = 0;                   // vertices that no bone moves, in a skinned mesh
+    size_t dropped = 0;     // weights that were negative or not numbers
+    size_t scaled = 0;      // vertices whose weights did not sum to 1
+    size_t unweighted = 0;  // vertices that no bone moves, in a skinned mesh
 };
 
 // Per bone of the mesh: from the mesh's space to the model's in the rest pose of the nodes.
@@ -48,7 +48,8 @@ std::vector<Matrix4d> skinMatrices(const aiMesh& mesh, const NodeTable& table, c
         const bool sound = matrix.allFinite() && volume > SINGULAR * std::pow(stretch.maxCoeff(), 3.0) && volume > 0.0;
         if (moves && !sound) {
             throw InputError(fmt::format("bone '{}' has a bind matrix that is singular or not a number: export the "
-                                         "model again", bone.mName.C_Str()));
+                                         "model again",
+                                         bone.mName.C_Str()));
         }
         matrices.push_back(matrix);
     }
@@ -124,7 +125,7 @@ void addTriangles(const aiMesh& mesh, size_t firstVertex, bool mirrored, Model& 
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
         const aiFace& face = mesh.mFaces[f];
         if (face.mNumIndices != 3) {
-            continue;   // points and lines enclose nothing
+            continue;  // points and lines enclose nothing
         }
         std::array<uint32_t, 3> triangle;
         for (unsigned i = 0; i < 3; ++i) {
@@ -209,7 +210,7 @@ void convertMeshes(const aiScene& scene, const NodeTable& table, Model& model)
         for (unsigned m = 0; m < table.nodes[n]->mNumMeshes; ++m) {
             const unsigned index = table.nodes[n]->mMeshes[m];
             if (index >= scene.mNumMeshes || (scene.mMeshes[index]->mNumBones > 0 && skinned[index])) {
-                continue;   // a skinned mesh stands where its bones are, whichever node shows it
+                continue;  // a skinned mesh stands where its bones are, whichever node shows it
             }
             const aiMesh& mesh = *scene.mMeshes[index];
             if (model.vertices.size() + mesh.mNumVertices > VERTEX_LIMIT) {
@@ -230,7 +231,8 @@ void convertMeshes(const aiScene& scene, const NodeTable& table, Model& model)
         model.notes.push_back(fmt::format("{} weights were negative or not numbers and were dropped.", notes.dropped));
     }
     if (notes.unweighted > 0) {
-        model.notes.push_back(fmt::format("{} vertices had no weights and went to the nearest bone.", notes.unweighted));
+        model.notes.push_back(
+            fmt::format("{} vertices had no weights and went to the nearest bone.", notes.unweighted));
     }
 }
 

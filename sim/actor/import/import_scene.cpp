@@ -151,13 +151,13 @@ Model readScene(const std::string& path, bool clips)
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     // Importers of some games' formats look for further files beside the given one. None of them is needed.
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_TEXTURES | aiComponent_MATERIALS |
-                                aiComponent_LIGHTS | aiComponent_CAMERAS);
-    const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_PopulateArmatureData |
-                                                       aiProcess_GlobalScale);
+                                                            aiComponent_LIGHTS | aiComponent_CAMERAS);
+    const aiScene* scene = importer.ReadFile(
+        path, aiProcess_Triangulate | aiProcess_PopulateArmatureData | aiProcess_GlobalScale);
     if (scene == nullptr || scene->mRootNode == nullptr) {
         const std::string reason = importer.GetErrorString();
         if (reason.find("bad_alloc") != std::string::npos) {
-            throw std::bad_alloc();   // assimp caught it and made it a message; out of memory has a message of its own
+            throw std::bad_alloc();  // assimp caught it and made it a message; out of memory has a message of its own
         }
         std::string line = reason.substr(0, reason.find('\n'));
         line.erase(line.find_last_not_of(". ") + 1);

@@ -15,10 +15,10 @@ namespace knuckle {
 struct NodeTable {
     std::vector<const aiNode*> nodes;
     std::vector<int32_t> parents;
-    std::vector<Eigen::Matrix4d> locals, globals;      ///< At rest.
+    std::vector<Eigen::Matrix4d> locals, globals;  ///< At rest.
     std::map<const aiNode*, uint32_t> indices;
-    std::vector<int32_t> boneOf;                       ///< Index of the node's bone in Model::bones, or -1.
-    Eigen::Matrix4d upright = Eigen::Matrix4d::Identity();   ///< Turns the file's up axis to +y; part of globals.
+    std::vector<int32_t> boneOf;                            ///< Index of the node's bone in Model::bones, or -1.
+    Eigen::Matrix4d upright = Eigen::Matrix4d::Identity();  ///< Turns the file's up axis to +y; part of globals.
 
     /// The bone of the node or of the nearest ancestor that has one, or -1.
     int32_t boneAbove(uint32_t node) const;

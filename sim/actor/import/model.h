@@ -13,7 +13,7 @@ namespace knuckle {
 struct Bone {
     std::string name;
     int32_t parent = -1;
-    Eigen::Matrix4f restPose = Eigen::Matrix4f::Identity();   ///< Bone to model at rest, metres.
+    Eigen::Matrix4f restPose = Eigen::Matrix4f::Identity();  ///< Bone to model at rest, metres.
 };
 
 /// One vertex's skin: up to 8 bones, weights normalized to sum 1 (0 for unused slots).
@@ -25,9 +25,9 @@ struct SkinWeights {
 /// A sampled clip: local poses per bone at keyTimes.
 struct Clip {
     std::string name;
-    double duration = 0.0;                                    ///< [s]
-    std::vector<double> keyTimes;                             ///< [s], ascending
-    std::vector<std::vector<Eigen::Matrix4f>> poses;          ///< [key][bone], bone to model.
+    double duration = 0.0;                            ///< [s]
+    std::vector<double> keyTimes;                     ///< [s], ascending
+    std::vector<std::vector<Eigen::Matrix4f>> poses;  ///< [key][bone], bone to model.
 };
 
 /// What import() hands over: triangles in metres, +Y up, in the rest pose, and the skeleton.
@@ -35,16 +35,16 @@ struct Model {
     std::string name;
     std::vector<Eigen::Vector3f> vertices;
     std::vector<std::array<uint32_t, 3>> triangles;
-    std::vector<SkinWeights> skin;                            ///< Empty, or one per vertex.
+    std::vector<SkinWeights> skin;  ///< Empty, or one per vertex.
     std::vector<Bone> bones;
     std::vector<Clip> clips;
-    std::vector<std::string> notes;                           ///< What import repaired or assumed, one sentence each.
+    std::vector<std::string> notes;  ///< What import repaired or assumed, one sentence each.
 };
 
 /// Reads a model with assimp in a child process with limits on memory and time, since libassimp crashes or allocates
 /// without bound on some broken files. @throws InputError naming the file, what is wrong and the remedy.
 struct ImportOptions {
-    double scale = 0.0;             ///< Metres per file unit; 0: what the file says, else guessed and noted.
+    double scale = 0.0;  ///< Metres per file unit; 0: what the file says, else guessed and noted.
     bool clips = true;
 };
 Model importModel(const std::string& path, const ImportOptions& options = {});

@@ -15,27 +15,27 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr int SIDES = 8;                     // of a capsule, around
-constexpr int CAP_RINGS = 2;                 // of each of its ends
-constexpr float SAME_PLACE = 1e-3f;          // of the figure's size
-constexpr float FOLDED = 0.3f;               // second longest over longest side of the bounds
-constexpr float THICK_PART = 0.5f;           // a capsule, but the skull, is no thicker than this share of its length ...
-constexpr float THINNEST = 0.012f;           // ... unless that would be thinner than this share of the figure's size
+constexpr int SIDES = 8;             // of a capsule, around
+constexpr int CAP_RINGS = 2;         // of each of its ends
+constexpr float SAME_PLACE = 1e-3f;  // of the figure's size
+constexpr float FOLDED = 0.3f;       // second longest over longest side of the bounds
+constexpr float THICK_PART = 0.5f;   // a capsule, but the skull, is no thicker than this share of its length ...
+constexpr float THINNEST = 0.012f;   // ... unless that would be thinner than this share of the figure's size
 
 struct Thickness {
     const char* word;
-    float radius;                            // of the figure's size
+    float radius;  // of the figure's size
 };
 
 // The first word found in the lower-case name counts. Radii of an adult.
 constexpr Thickness THICKNESSES[] = {
-    {"thumb", 0.008f}, {"index", 0.008f}, {"middle", 0.008f}, {"ring", 0.008f}, {"pinky", 0.008f},
-    {"finger", 0.012f}, {"hand", 0.022f}, {"wrist", 0.022f}, {"forearm", 0.024f}, {"elbow", 0.024f},
-    {"collar", 0.035f}, {"clavicle", 0.035f}, {"arm", 0.03f}, {"shoulder", 0.03f}, {"toe", 0.018f},
-    {"foot", 0.024f}, {"ankle", 0.024f}, {"upleg", 0.045f}, {"thigh", 0.045f}, {"knee", 0.033f},
-    {"shin", 0.033f}, {"calf", 0.033f}, {"leg", 0.035f}, {"hipjoint", 0.05f}, {"hips", 0.06f}, {"hip", 0.045f},
-    {"neck", 0.032f}, {"head", 0.05f}, {"spine", 0.06f}, {"chest", 0.065f}, {"back", 0.06f}, {"torso", 0.065f},
-    {"abdomen", 0.06f}, {"pelvis", 0.06f}, {"body", 0.06f},
+    {"thumb", 0.008f},  {"index", 0.008f},    {"middle", 0.008f}, {"ring", 0.008f},    {"pinky", 0.008f},
+    {"finger", 0.012f}, {"hand", 0.022f},     {"wrist", 0.022f},  {"forearm", 0.024f}, {"elbow", 0.024f},
+    {"collar", 0.035f}, {"clavicle", 0.035f}, {"arm", 0.03f},     {"shoulder", 0.03f}, {"toe", 0.018f},
+    {"foot", 0.024f},   {"ankle", 0.024f},    {"upleg", 0.045f},  {"thigh", 0.045f},   {"knee", 0.033f},
+    {"shin", 0.033f},   {"calf", 0.033f},     {"leg", 0.035f},    {"hipjoint", 0.05f}, {"hips", 0.06f},
+    {"hip", 0.045f},    {"neck", 0.032f},     {"head", 0.05f},    {"spine", 0.06f},    {"chest", 0.065f},
+    {"back", 0.06f},    {"torso", 0.065f},    {"abdomen", 0.06f}, {"pelvis", 0.06f},   {"body", 0.06f},
 };
 constexpr float USUAL_THICKNESS = 0.03f;
 
@@ -150,7 +150,8 @@ void unfoldRestPose(Model& model)
         model.bones[b].restPose.block<3, 1>(0, 3) -= origin;
     }
     model.notes.push_back(fmt::format("The skeleton's rest pose is folded up: the first pose of clip '{}' was taken, "
-                                      "moved to the origin.", model.clips.front().name));
+                                      "moved to the origin.",
+                                      model.clips.front().name));
 }
 
 }  // namespace knuckle

@@ -13,7 +13,7 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float ROOM = 2.0f;   // cells around the mesh
+constexpr float ROOM = 2.0f;  // cells around the mesh
 
 void placeGrid(ColliderGrid& grid, float cell)
 {
@@ -21,9 +21,10 @@ void placeGrid(ColliderGrid& grid, float cell)
     const Eigen::Vector3d counts = (size / cell).cast<double>().array().ceil() + (2.0 * ROOM + 1.0);
     if (!(counts.prod() <= static_cast<double>(MAX_GRID_VALUES))) {
         const double enough = cell * std::cbrt(counts.prod() / static_cast<double>(MAX_GRID_VALUES));
-        throw InputError(fmt::format("cells of {:g} m need {:.3g} of them for a mesh of {:.3g} x {:.3g} x {:.3g} m, the "
-                                     "limit is {}; raise `cell` to {:.2g} or more", cell, counts.prod(), size.x(),
-                                     size.y(), size.z(), MAX_GRID_VALUES, 1.1 * enough));
+        throw InputError(
+            fmt::format("cells of {:g} m need {:.3g} of them for a mesh of {:.3g} x {:.3g} x {:.3g} m, the "
+                        "limit is {}; raise `cell` to {:.2g} or more",
+                        cell, counts.prod(), size.x(), size.y(), size.z(), MAX_GRID_VALUES, 1.1 * enough));
     }
     grid.counts = counts.cast<int>();
     grid.cell = Vector3f::Constant(cell);
@@ -35,7 +36,7 @@ void placeGrid(ColliderGrid& grid, float cell)
 bool fillGrid(ColliderGrid& grid, const TriangleTree& tree)
 {
     bool anyInside = false, inside = false;
-    float before = 0.0f;   // distance of the value before on the row
+    float before = 0.0f;  // distance of the value before on the row
     grid.values.reserve(grid.counts.cast<size_t>().prod());
     for (int z = 0; z < grid.counts.z(); ++z)
         for (int y = 0; y < grid.counts.y(); ++y)
@@ -63,8 +64,8 @@ ColliderGrid makeDistanceGrid(std::span<const Vector3f> vertices, std::span<cons
     grid.findBounds();
     placeGrid(grid, cell);
     if (!fillGrid(grid, TriangleTree(vertices, triangles)))
-        throw InputError(fmt::format("the mesh encloses no volume that cells of {:g} m see; close it, or lower `cell`",
-                                     cell));
+        throw InputError(
+            fmt::format("the mesh encloses no volume that cells of {:g} m see; close it, or lower `cell`", cell));
     return grid;
 }
 

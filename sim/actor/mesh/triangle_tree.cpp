@@ -44,7 +44,7 @@ double solidAngle(const std::array<Vector3f, 3>& corners, const Vector3f& point)
     const double numerator = a.dot(b.cross(c));
     const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
     if (numerator == 0.0 && denominator <= 0.0) {
-        return 0.0;   // the point lies in the triangle's plane and within it: neither sign is right
+        return 0.0;  // the point lies in the triangle's plane and within it: neither sign is right
     }
     return std::atan2(numerator, denominator) / (2.0 * std::numbers::pi);
 }

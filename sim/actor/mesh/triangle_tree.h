@@ -11,7 +11,7 @@
 
 namespace knuckle {
 
-using Triangle = std::array<uint32_t, 3>;   ///< Vertex indices, counter-clockwise seen from outside.
+using Triangle = std::array<uint32_t, 3>;  ///< Vertex indices, counter-clockwise seen from outside.
 
 struct TriangleMesh {
     std::vector<Eigen::Vector3f> vertices;
@@ -21,9 +21,9 @@ struct TriangleMesh {
 /// The point of a mesh nearest to a query.
 struct SurfacePoint {
     uint32_t triangle = NO_INDEX;
-    Eigen::Vector3f barycentric{0, 0, 0};   ///< Weights of the triangle's three vertices.
+    Eigen::Vector3f barycentric{0, 0, 0};  ///< Weights of the triangle's three vertices.
     Eigen::Vector3f position{0, 0, 0};
-    float distance = 0.0f;                  ///< From the query [the mesh's unit], >= 0.
+    float distance = 0.0f;  ///< From the query [the mesh's unit], >= 0.
 };
 
 /// A bounding volume hierarchy over triangles, for nearest points and generalized winding numbers.
@@ -44,12 +44,12 @@ public:
 
 private:
     struct Node {
-        Eigen::Vector3f low, high;          // bounds
-        Eigen::Vector3f centre;             // area-weighted mean of the triangles' centroids
-        Eigen::Vector3f areaNormal;         // sum of area times normal
-        float reach = 0.0f;                 // greatest distance of a vertex from centre
-        uint32_t first = 0, count = 0;      // triangles of a leaf, in order_
-        uint32_t right = 0;                 // the left child follows its parent
+        Eigen::Vector3f low, high;      // bounds
+        Eigen::Vector3f centre;         // area-weighted mean of the triangles' centroids
+        Eigen::Vector3f areaNormal;     // sum of area times normal
+        float reach = 0.0f;             // greatest distance of a vertex from centre
+        uint32_t first = 0, count = 0;  // triangles of a leaf, in order_
+        uint32_t right = 0;             // the left child follows its parent
     };
 
     uint32_t build(uint32_t first, uint32_t count);

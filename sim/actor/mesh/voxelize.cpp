@@ -17,11 +17,11 @@ using Eigen::Vector3i;
 
 namespace {
 
-constexpr double CELL_LIMIT = 5e7;          // lattice points looked at
-constexpr double SAMPLE_LIMIT = 2e7;        // surface samples looked at
-constexpr float DEFAULT_DIAMETER = 0.03f;   // of the longest side
+constexpr double CELL_LIMIT = 5e7;         // lattice points looked at
+constexpr double SAMPLE_LIMIT = 2e7;       // surface samples looked at
+constexpr float DEFAULT_DIAMETER = 0.03f;  // of the longest side
 constexpr int SEARCH_STEPS = 12;
-constexpr double SEARCH_TOLERANCE = 0.01;   // of the wanted count
+constexpr double SEARCH_TOLERANCE = 0.01;  // of the wanted count
 
 struct Bounds {
     Vector3f low, high;
@@ -169,7 +169,8 @@ void keepThinParts(Lattice& lattice, const TriangleTree& tree, std::span<const V
         samples += 0.5 * n * (n + 1.0);
         if (samples > SAMPLE_LIMIT) {
             throw InputError(fmt::format("particle diameter {:g} m is too small for this model's surface: "
-                                         "use a larger one", lattice.spacing()));
+                                         "use a larger one",
+                                         lattice.spacing()));
         }
         for (int i = 0; i < n; ++i) {
             for (int j = 0; i + j < n; ++j) {
@@ -234,8 +235,8 @@ float searchDiameter(const TriangleTree& tree, std::span<const Vector3f> vertice
     return best;
 }
 
-float chooseDiameter(const TriangleTree& tree, std::span<const Vector3f> vertices,
-                     std::span<const Triangle> triangles, const Bounds& bounds, const VoxelOptions& options)
+float chooseDiameter(const TriangleTree& tree, std::span<const Vector3f> vertices, std::span<const Triangle> triangles,
+                     const Bounds& bounds, const VoxelOptions& options)
 {
     if (options.diameter != 0.0f) {
         if (!(options.diameter > 0.0f) || !std::isfinite(options.diameter)) {
@@ -272,7 +273,8 @@ Voxels voxelize(std::span<const Vector3f> vertices, std::span<const Triangle> tr
     if (lattice.count() > options.particleLimit) {
         const double factor = std::cbrt(static_cast<double>(lattice.count()) / options.particleLimit);
         throw InputError(fmt::format("diameter {:g} m fills the model with {} particles, at most {} are allowed: "
-                                     "use {:.2g} m or more", voxels.diameter, lattice.count(), options.particleLimit,
+                                     "use {:.2g} m or more",
+                                     voxels.diameter, lattice.count(), options.particleLimit,
                                      1.05 * factor * voxels.diameter));
     }
     lattice.forEach([&](const Vector3i& cell) {
@@ -287,8 +289,8 @@ Voxels voxelize(std::span<const Vector3f> vertices, std::span<const Triangle> tr
         }
     });
     if (voxels.positions.empty()) {
-        throw InputError(fmt::format("no particle of {:g} m fits into the model: use a smaller diameter",
-                                     voxels.diameter));
+        throw InputError(
+            fmt::format("no particle of {:g} m fits into the model: use a smaller diameter", voxels.diameter));
     }
     return voxels;
 }

@@ -9,17 +9,17 @@
 namespace knuckle {
 
 struct VoxelOptions {
-    float diameter = 0.0f;          ///< Particle diameter and lattice spacing [m]; 0: from particleCount.
-    uint32_t particleCount = 0;     ///< Wanted count, met as nearly as the lattice allows; 0: from diameter.
+    float diameter = 0.0f;       ///< Particle diameter and lattice spacing [m]; 0: from particleCount.
+    uint32_t particleCount = 0;  ///< Wanted count, met as nearly as the lattice allows; 0: from diameter.
     uint32_t particleLimit = 200000;
 };
 
 /// A mesh filled with particles on a simple cubic lattice whose centre is the centre of the mesh's bounds.
 struct Voxels {
-    float diameter = 0.0f;                     ///< [m]
-    std::vector<Eigen::Vector3f> positions;    ///< [m], x fastest, then y, then z.
-    std::vector<SurfacePoint> nearest;         ///< Per particle, the nearest point of the surface.
-    std::vector<float> signedDistances;        ///< Per particle [m], negative inside.
+    float diameter = 0.0f;                   ///< [m]
+    std::vector<Eigen::Vector3f> positions;  ///< [m], x fastest, then y, then z.
+    std::vector<SurfacePoint> nearest;       ///< Per particle, the nearest point of the surface.
+    std::vector<float> signedDistances;      ///< Per particle [m], negative inside.
     /// Per particle, the unit gradient of its distance; zero midway between two sides, also of a part so thin that half
     /// a diameter inwards does not lead deeper.
     std::vector<Eigen::Vector3f> outward;

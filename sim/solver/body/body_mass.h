@@ -9,10 +9,10 @@ namespace knuckle {
 
 /// How the links of a body are spread, in the body's own frame about its centre of shape matching.
 struct BodyMass {
-    double mass = 0.0;                                                ///< [kg]
-    double radius = 0.0;                                              ///< To the farthest particle's centre [m].
-    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();                ///< Sum of m r r^T [kg m2].
-    Eigen::Matrix3d inverseInertia = Eigen::Matrix3d::Zero();         ///< Zero where it cannot turn [1/(kg m2)].
+    double mass = 0.0;                                         ///< [kg]
+    double radius = 0.0;                                       ///< To the farthest particle's centre [m].
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();         ///< Sum of m r r^T [kg m2].
+    Eigen::Matrix3d inverseInertia = Eigen::Matrix3d::Zero();  ///< Zero where it cannot turn [1/(kg m2)].
 };
 
 BodyMass bodyMass(const World& world, const Body& body);

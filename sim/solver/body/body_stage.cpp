@@ -17,8 +17,8 @@ using Eigen::Vector3d;
 struct Movers {
     std::vector<gpu::MoverInfo> infos;
     std::vector<uint32_t> states;
-    std::vector<gpu::vec4> centres, rotations, velocities;   ///< The last: fields.
-    std::vector<gpu::vec4> moments, inertias;                ///< Of bodies.
+    std::vector<gpu::vec4> centres, rotations, velocities;  ///< The last: fields.
+    std::vector<gpu::vec4> moments, inertias;               ///< Of bodies.
 };
 
 /// The particles of a body move as one: the linear field nearest to their velocities, by least squares.

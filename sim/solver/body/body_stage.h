@@ -22,26 +22,26 @@ public:
     void placeParticles(Recorder& recorder) const;
 
     // What never changes.
-    Buffer<gpu::ParticleRigidBodyLink> links;   ///< The paper's listing 1, of bodies and then of clusters.
-    Buffer<float> linkMasses;                   ///< Per link of a body: worst inverse mass of it at the particle [1/kg].
-    Buffer<gpu::uvec2> particleLinks;           ///< Per particle: first entry and count in linksOfParticle.
-    Buffer<gpu::uvec2> linksOfParticle;         ///< Per link, grouped by particle: link, body.
+    Buffer<gpu::ParticleRigidBodyLink> links;  ///< The paper's listing 1, of bodies and then of clusters.
+    Buffer<float> linkMasses;                  ///< Per link of a body: worst inverse mass of it at the particle [1/kg].
+    Buffer<gpu::uvec2> particleLinks;          ///< Per particle: first entry and count in linksOfParticle.
+    Buffer<gpu::uvec2> linksOfParticle;        ///< Per link, grouped by particle: link, body.
     Buffer<gpu::BodyInfo> bodyInfo;
-    Buffer<gpu::vec4> bodyMoments;     ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
-    Buffer<gpu::vec4> bodyInertias;    ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
+    Buffer<gpu::vec4> bodyMoments;   ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
+    Buffer<gpu::vec4> bodyInertias;  ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
     Buffer<gpu::MoverInfo> moverInfo;
     // State, per mover.
-    Buffer<uint32_t> moverStates;                              ///< MOVER_*.
-    Buffer<gpu::vec4> moverCentres, moverRotations;            ///< c and Q: when a substep begins, or (paper) now.
-    Buffer<gpu::vec4> moverVelocities, oldMoverVelocities;     ///< Fields [m/s]; the second: a substep before.
-    Buffer<gpu::vec4> oldMoverMoves;                           ///< Field: the last substep's move [m].
+    Buffer<uint32_t> moverStates;                           ///< MOVER_*.
+    Buffer<gpu::vec4> moverCentres, moverRotations;         ///< c and Q: when a substep begins, or (paper) now.
+    Buffer<gpu::vec4> moverVelocities, oldMoverVelocities;  ///< Fields [m/s]; the second: a substep before.
+    Buffer<gpu::vec4> oldMoverMoves;                        ///< Field: the last substep's move [m].
     // Within a substep, per mover.
-    Buffer<gpu::vec4> moverMoves;            ///< Of c since it began [m]; w: over how many impulses its mass is split.
-    Buffer<gpu::vec4> moverRotationDeltas;   ///< The rotation since it began: a quaternion.
-    Buffer<gpu::vec4> moverPredictions;      ///< Field: the untouched move, A of eq. 9 after it.
-    Buffer<gpu::vec4> moverImpulses;         ///< Field: what its contacts add to it [kg m].
-    Buffer<gpu::vec4> moverChanges;          ///< Field: how they last changed; w of the first: relaxation.
-    Buffer<gpu::vec4> particleImpulses;      ///< Per particle, by rank: what acts on it alone [kg m].
+    Buffer<gpu::vec4> moverMoves;           ///< Of c since it began [m]; w: over how many impulses its mass is split.
+    Buffer<gpu::vec4> moverRotationDeltas;  ///< The rotation since it began: a quaternion.
+    Buffer<gpu::vec4> moverPredictions;     ///< Field: the untouched move, A of eq. 9 after it.
+    Buffer<gpu::vec4> moverImpulses;        ///< Field: what its contacts add to it [kg m].
+    Buffer<gpu::vec4> moverChanges;         ///< Field: how they last changed; w of the first: relaxation.
+    Buffer<gpu::vec4> particleImpulses;     ///< Per particle, by rank: what acts on it alone [kg m].
 
 private:
     void uploadLinks(const StageSetup& setup);

@@ -29,8 +29,11 @@ gpu::GpuCollider packCollider(const World& world, const Collider& c, const std::
 {
     const Vector3f size = c.shape == ColliderShape::Box ? c.halfExtents : Vector3f(c.radius, c.halfHeight, 0);
     gpu::GpuCollider collider{pack(c.position, static_cast<float>(c.shape)),
-                              pack(c.orientation.vec(), c.orientation.w()), pack(size, 0),
-                              {c.staticFriction, c.kineticFriction, 0, 0}, {}, {}};
+                              pack(c.orientation.vec(), c.orientation.w()),
+                              pack(size, 0),
+                              {c.staticFriction, c.kineticFriction, 0, 0},
+                              {},
+                              {}};
     if (!hasGrid(c)) return collider;
     const ColliderGrid& grid = world.colliderGrids[c.grid];
     const Eigen::Vector3<uint32_t> counts = grid.counts.cast<uint32_t>();
@@ -49,8 +52,8 @@ ColliderStage::ColliderStage(const StageSetup& setup)
     const auto limit = static_cast<uint64_t>(setup.gpu.limits().textureBufferSize);
     if (starts.back() > limit)
         throw DeviceError(fmt::format("{}: the colliders' grids have {} values and the device allows {}; raise the "
-                                      "cells of mesh colliders, or use fewer", setup.gpu.device().name, starts.back(),
-                                      limit));
+                                      "cells of mesh colliders, or use fewer",
+                                      setup.gpu.device().name, starts.back(), limit));
     std::vector<float> values;
     for (const ColliderGrid& grid : world.colliderGrids)
         values.insert(values.end(), grid.values.begin(), grid.values.end());

@@ -12,8 +12,8 @@ public:
     void addBuffers(BufferTable& table) override;
 
     Buffer<gpu::GpuCollider> colliders;
-    Buffer<float> gridValues;            ///< Of all ColliderGrids, one after another.
-    bool hasGrids = false;               ///< Whether a collider is a mesh or a heightfield.
+    Buffer<float> gridValues;  ///< Of all ColliderGrids, one after another.
+    bool hasGrids = false;     ///< Whether a collider is a mesh or a heightfield.
 };
 
 }  // namespace knuckle

@@ -5,8 +5,8 @@
 namespace knuckle {
 
 ContactStage::ContactStage(const StageSetup& setup)
-    : parameters_(setup.parameters), byImpulses_(setup.world.settings.solver == SolverKind::Impulse), hasSolids_(setup.layout.solidCount > 0),
-      hasColliders_(hasSolids_ && !setup.world.colliders.empty())
+    : parameters_(setup.parameters), byImpulses_(setup.world.settings.solver == SolverKind::Impulse),
+      hasSolids_(setup.layout.solidCount > 0), hasColliders_(hasSolids_ && !setup.world.colliders.empty())
 {
     setParameters(setup);
     makeLists();

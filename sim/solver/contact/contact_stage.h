@@ -18,13 +18,13 @@ public:
     /// One iteration of the impulses.
     void solve(Recorder& recorder) const;
 
-    Buffer<gpu::uvec4> pairSides;        ///< Per pair: movers (with a way out), frictions, fractions of inverse masses
-                                         ///< and hidden axes (shaders/sim/common/flat_faces.glsl).
-    Buffer<gpu::vec4> pairArms;          ///< Per pair, two: place in the body, worst inverse mass there.
-    Buffer<gpu::vec4> pairImpulses;      ///< Halves: the whole impulse, its normal part [kg m].
-    Buffer<float> pairMeans;             ///< Halves: the mean of its normal part lately [kg m].
-    Buffer<gpu::uvec4> colliderSides;    ///< Per contact with a collider: mover, collider, frictions, fraction.
-    Buffer<gpu::vec4> colliderArms, colliderImpulses;   ///< As for pairs.
+    Buffer<gpu::uvec4> pairSides;      ///< Per pair: movers (with a way out), frictions, fractions of inverse masses
+                                       ///< and hidden axes (shaders/sim/common/flat_faces.glsl).
+    Buffer<gpu::vec4> pairArms;        ///< Per pair, two: place in the body, worst inverse mass there.
+    Buffer<gpu::vec4> pairImpulses;    ///< Halves: the whole impulse, its normal part [kg m].
+    Buffer<float> pairMeans;           ///< Halves: the mean of its normal part lately [kg m].
+    Buffer<gpu::uvec4> colliderSides;  ///< Per contact with a collider: mover, collider, frictions, fraction.
+    Buffer<gpu::vec4> colliderArms, colliderImpulses;  ///< As for pairs.
     Buffer<float> colliderMeans;
 
 private:
@@ -34,8 +34,8 @@ private:
     bool byImpulses_, hasSolids_, hasColliders_;
     Pass preparePairs_{*this, "contact/contact_prepare", {}, hasSolids_};
     Pass prepareColliders_{*this, "contact/collider_prepare", {}, hasColliders_};
-    Pass solvePairs_{*this, "contact/contact_solve", {}, hasSolids_ && byImpulses_};
-    Pass solveColliders_{*this, "contact/collider_solve", {}, hasColliders_ && byImpulses_};
+    Pass solvePairs_{*this, "contact/contact_solve", {}, hasSolids_&& byImpulses_};
+    Pass solveColliders_{*this, "contact/collider_solve", {}, hasColliders_&& byImpulses_};
 };
 
 }  // namespace knuckle

@@ -78,7 +78,7 @@ void EmitterStage::uploadPools(const StageSetup& setup)
     }
     order.resize(p.poolCapacity, NO_INDEX);
     inactive.resize(p.poolCapacity, 0);
-    order.insert(order.end(), order.begin(), order.end());   // two halves
+    order.insert(order.end(), order.begin(), order.end());  // two halves
     emitters = {"emitters", std::span<const gpu::GpuEmitter>(all)};
     emitterStates = {"emitterStates", all.size()};
     nozzlePoints = {"nozzlePoints", std::span<const gpu::vec4>(points)};

@@ -21,12 +21,12 @@ public:
     void measure(Measures& out) const;
 
     Buffer<gpu::GpuEmitter> emitters;
-    Buffer<gpu::EmitterState> emitterStates;           ///< Per emitter, within a step.
-    Buffer<gpu::vec4> nozzlePoints;                    ///< Where layers leave [m].
-    Buffer<uint32_t> poolOrder;                        ///< Halves: the particles of each pool, whose turn it is first.
-    Buffer<uint32_t> poolInactive;                     ///< Per place in it: 1 if it was inactive after the last step.
-    Buffer<uint32_t> poolSums, poolChunks;             ///< Per chunk of it: inactive before, emitter.
-    Buffer<uint32_t> fluidTotals;                      ///< Particles that came, that left.
+    Buffer<gpu::EmitterState> emitterStates;  ///< Per emitter, within a step.
+    Buffer<gpu::vec4> nozzlePoints;           ///< Where layers leave [m].
+    Buffer<uint32_t> poolOrder;               ///< Halves: the particles of each pool, whose turn it is first.
+    Buffer<uint32_t> poolInactive;            ///< Per place in it: 1 if it was inactive after the last step.
+    Buffer<uint32_t> poolSums, poolChunks;    ///< Per chunk of it: inactive before, emitter.
+    Buffer<uint32_t> fluidTotals;             ///< Particles that came, that left.
 
 private:
     void uploadPools(const StageSetup& setup);

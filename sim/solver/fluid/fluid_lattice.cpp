@@ -32,10 +32,8 @@ void stopAt(AlignedBox3f& limits, const AlignedBox3f& box, const AlignedBox3f& w
     for (int axis = 0; axis < 3; ++axis) {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
         if (common[u] < 0.5f * box.sizes()[u] || common[v] < 0.5f * box.sizes()[v]) continue;
-        if (wall.center()[axis] <= box.min()[axis])
-            limits.min()[axis] = std::max(limits.min()[axis], wall.min()[axis]);
-        if (wall.center()[axis] >= box.max()[axis])
-            limits.max()[axis] = std::min(limits.max()[axis], wall.max()[axis]);
+        if (wall.center()[axis] <= box.min()[axis]) limits.min()[axis] = std::max(limits.min()[axis], wall.min()[axis]);
+        if (wall.center()[axis] >= box.max()[axis]) limits.max()[axis] = std::min(limits.max()[axis], wall.max()[axis]);
     }
 }
 
@@ -46,7 +44,7 @@ AlignedBox3f limitsOf(const World& world, const AlignedBox3f& box, float margin)
     for (const Collider& collider : world.colliders)
         if (collider.shape == ColliderShape::Plane) stopAt(limits, collider);
         else stopAt(limits, box, colliderBounds(world, collider));
-    const AlignedBox3f all = limits.merged(box);   // nothing ends behind the particles themselves
+    const AlignedBox3f all = limits.merged(box);  // nothing ends behind the particles themselves
     return {all.min() - Vector3f::Constant(margin), all.max() + Vector3f::Constant(margin)};
 }
 
@@ -84,7 +82,8 @@ FluidLattice fluidLattice(const World& world, float cell, uint32_t cells)
         return AlignedBox3f(box.center() - 0.5f * share * box.sizes(), box.center() + 0.5f * share * box.sizes());
     });
     if (lattice.home.sizes().isApprox(box.sizes(), 1e-5f)) {
-        const AlignedBox3f within = largest(cell, cells, [&](float way) { return grown(box, way).intersection(limits); });
+        const AlignedBox3f within = largest(cell, cells,
+                                            [&](float way) { return grown(box, way).intersection(limits); });
         lattice.home = largest(cell, cells, [&](float way) { return grown(within, way); });
     }
     const Eigen::Vector3d counts = cellsOf(lattice.home, cell);

@@ -9,7 +9,7 @@ namespace knuckle {
 /// How the cells of the fluids' grid are wrapped onto a line (shaders/sim/common/grid.glsl): as boxes of the scene's own
 /// shape, so that fluid gets far before particles look near to each other that are not.
 struct FluidLattice {
-    Eigen::AlignedBox3f home;       ///< In it none do [m].
+    Eigen::AlignedBox3f home;  ///< In it none do [m].
     uint32_t strideY = 0, strideZ = 0;
 };
 

@@ -12,7 +12,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr int RELAXATIONS = 48;   // the pressure of the walls goes about a particle far in each
+constexpr int RELAXATIONS = 48;  // the pressure of the walls goes about a particle far in each
 
 bool hasTensionIn(const World& world)
 {
@@ -42,9 +42,10 @@ void FluidStage::makeLists(const Gpu& gpu)
     const size_t slots = (count + NEIGHBOUR_BLOCK - 1) / NEIGHBOUR_BLOCK * NEIGHBOUR_BLOCK;
     const uint64_t largest = uint64_t(p.fluidSlots) * slots * sizeof(uint32_t);
     if (largest > static_cast<uint64_t>(gpu.limits().storageBlockSize))
-        throw DeviceError(fmt::format("{}: {} fluid particles with {} neighbours need a buffer of {} MiB and the device "
-                                      "allows {}; use fewer particles or another --device", gpu.device().name,
-                                      p.fluidCount, p.fluidSlots, largest >> 20, gpu.limits().storageBlockSize >> 20));
+        throw DeviceError(fmt::format(
+            "{}: {} fluid particles with {} neighbours need a buffer of {} MiB and the device "
+            "allows {}; use fewer particles or another --device",
+            gpu.device().name, p.fluidCount, p.fluidSlots, largest >> 20, gpu.limits().storageBlockSize >> 20));
     fluidSearchPositions = {"fluidSearchPositions", count};
     fluidParticleCells = {"fluidParticleCells", count};
     fluidCellCounts = {"fluidCellCounts", cells};

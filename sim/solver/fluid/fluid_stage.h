@@ -30,28 +30,28 @@ public:
     /// GPU is done.
     std::vector<float> densities() const;
 
-    Buffer<gpu::vec4> fluidSearchPositions;            ///< Per particle: where it was when neighbours were found.
-    Buffer<gpu::uvec2> fluidParticleCells;             ///< Cell, arrival in it.
-    Buffer<uint32_t> fluidCellCounts, fluidCellSums, fluidCellStarts, fluidCellMembers;   ///< As of SearchStage.
-    Buffer<uint32_t> fluidSorted;                      ///< Per slot: its position, packed (packed_positions.glsl).
-    Buffer<uint32_t> slotParticles, particleSlots;     ///< Each other's inverse.
-    Buffer<gpu::uvec2> slotCounts;                     ///< Fluid and solid neighbours.
-    Buffer<gpu::uvec4> slotNeighbours;                 ///< fluidSlots a slot (fluid_slots.glsl).
-    Buffer<uint32_t> slotColliders;                    ///< Bits: those nearby.
-    Buffer<gpu::vec4> fluidMaterials;                  ///< Per material: smoothing, tension.
+    Buffer<gpu::vec4> fluidSearchPositions;  ///< Per particle: where it was when neighbours were found.
+    Buffer<gpu::uvec2> fluidParticleCells;   ///< Cell, arrival in it.
+    Buffer<uint32_t> fluidCellCounts, fluidCellSums, fluidCellStarts, fluidCellMembers;  ///< As of SearchStage.
+    Buffer<uint32_t> fluidSorted;                   ///< Per slot: its position, packed (packed_positions.glsl).
+    Buffer<uint32_t> slotParticles, particleSlots;  ///< Each other's inverse.
+    Buffer<gpu::uvec2> slotCounts;                  ///< Fluid and solid neighbours.
+    Buffer<gpu::uvec4> slotNeighbours;              ///< fluidSlots a slot (fluid_slots.glsl).
+    Buffer<uint32_t> slotColliders;                 ///< Bits: those nearby.
+    Buffer<gpu::vec4> fluidMaterials;               ///< Per material: smoothing, tension.
     Buffer<uint32_t> slotMaterials;
-    Buffer<gpu::vec4> slotVelocities;                  ///< When neighbours were found [m/s]; w: smoothing.
-    Buffer<gpu::vec4> slotPositions;                   ///< Predicted [m]; w: mass [kg].
-    Buffer<gpu::vec4> slotPressures;                   ///< Position; w: lambda [kg m2].
-    Buffer<gpu::vec4> slotVorticities;                 ///< [1/s]; w: its length.
-    Buffer<gpu::vec4> slotWalls, slotSolids;           ///< Gradients of what walls and solids add to the density.
+    Buffer<gpu::vec4> slotVelocities;         ///< When neighbours were found [m/s]; w: smoothing.
+    Buffer<gpu::vec4> slotPositions;          ///< Predicted [m]; w: mass [kg].
+    Buffer<gpu::vec4> slotPressures;          ///< Position; w: lambda [kg m2].
+    Buffer<gpu::vec4> slotVorticities;        ///< [1/s]; w: its length.
+    Buffer<gpu::vec4> slotWalls, slotSolids;  ///< Gradients of what walls and solids add to the density.
 
 private:
     void list(Recorder& recorder) const;
     void perSlot(Recorder& recorder, const Kernel& kernel) const;
 
     const gpu::StepParameters& parameters_;
-    bool hasPool_;               ///< The GPU decides how many slots there are.
+    bool hasPool_;  ///< The GPU decides how many slots there are.
     bool confines_, hasTension_;
     Pass searchPosition_{*this, "fluid/fluid_search_position"};
     Pass clear_{*this, "search/grid_clear", {{"FLUIDS", "1"}}};

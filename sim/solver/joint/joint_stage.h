@@ -15,9 +15,9 @@ public:
     /// Shared particles to the mean of where their bodies have them, at the end of a step.
     void placeParticles(Recorder& recorder) const;
 
-    Buffer<uint32_t> sharedParticles;    ///< The particles of two or more bodies.
-    Buffer<gpu::uvec4> sharedOwners;     ///< Of those of exactly two, which come first: link and body of each.
-    Buffer<gpu::vec4> linkImpulses;      ///< Per link [kg m].
+    Buffer<uint32_t> sharedParticles;  ///< The particles of two or more bodies.
+    Buffer<gpu::uvec4> sharedOwners;   ///< Of those of exactly two, which come first: link and body of each.
+    Buffer<gpu::vec4> linkImpulses;    ///< Per link [kg m].
 
 private:
     const gpu::StepParameters& parameters_;

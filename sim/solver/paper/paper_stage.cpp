@@ -18,7 +18,8 @@ std::vector<float> linkGainsOf(const World& world, const Layout& layout)
     for (uint32_t l : layout.linkOrder) {
         const Link& link = world.links[l];
         const bool responds = world.bodies[link.body].motion != Motion::Fixed;
-        if (isShared(link) && responds) inverse[link.particle] += layout.worstInverseMasses[l] * sharedOfBody[link.body];
+        if (isShared(link) && responds)
+            inverse[link.particle] += layout.worstInverseMasses[l] * sharedOfBody[link.body];
     }
     std::vector<float> gains;
     for (uint32_t l : layout.linkOrder) {

@@ -8,8 +8,8 @@ namespace knuckle {
 
 namespace {
 
-constexpr float NO_SELF_CONTACT = 1e9f;   // a margin [diameters] that nothing is beyond
-constexpr uint32_t NEVER_TOUCHED = 0x7fffffffu;   // a substep that no other follows
+constexpr float NO_SELF_CONTACT = 1e9f;          // a margin [diameters] that nothing is beyond
+constexpr uint32_t NEVER_TOUCHED = 0x7fffffffu;  // a substep that no other follows
 
 /// Per particle: where its body's lattice ends. Bodies with joints keep their bumps (docs/physics.md), and so do all in
 /// the paper's solver.
@@ -51,10 +51,9 @@ void ParticleStage::uploadConstants(const StageSetup& setup)
         const Material& material = world.materials[p.material];
         surfaces.push_back(p.bodyCount == 1 ? pack(p.surface.outward, p.surface.distance) : gpu::vec4{});
         rest.push_back(pack(p.restPosition, p.touchesAssembly ? p.selfMargin : NO_SELF_CONTACT));
-        infos.push_back({material.fluid ? IN_FLUID : p.body, p.bodyCount, setup.layout.assemblies[infos.size()],
-                         p.material});
-        mass.push_back({1.0f / p.mass, material.restitution, material.staticFriction,
-                        material.kineticFriction});
+        infos.push_back(
+            {material.fluid ? IN_FLUID : p.body, p.bodyCount, setup.layout.assemblies[infos.size()], p.material});
+        mass.push_back({1.0f / p.mass, material.restitution, material.staticFriction, material.kineticFriction});
     }
     std::vector<gpu::uvec2> ranks;
     for (const gpu::ParticleRank& rank : setup.layout.ranks) ranks.push_back({rank.mover, rank.rank});

@@ -15,8 +15,8 @@ public:
 
     void apply(Recorder& recorder) const;
 
-    Buffer<gpu::vec4> pairRestitutions, colliderRestitutions;   ///< As pairImpulses: last change, all of it [kg m/s].
-    Buffer<float> moverRestitutionSplits;                       ///< Per mover: over how many of them its mass is split.
+    Buffer<gpu::vec4> pairRestitutions, colliderRestitutions;  ///< As pairImpulses: last change, all of it [kg m/s].
+    Buffer<float> moverRestitutionSplits;                      ///< Per mover: over how many of them its mass is split.
 
 private:
     void makeLists();

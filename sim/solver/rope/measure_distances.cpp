@@ -10,12 +10,12 @@ void measureDistances(Measures& out, const World& world, const ParticleState& pa
     double sum = 0.0;
     uint32_t count = 0;
     size_t distance = 0;
-    for (const Strand& strand : world.strands)
-        for (size_t k = 0; k < strand.restLengths.size(); ++k) {
-            if (torn[distance++] || strand.kind != StrandKind::Stretch) continue;
-            const Vector3f& a = particles.positions[strand.particles[k]];
-            const Vector3f& b = particles.positions[strand.particles[k + 1]];
-            const float stretch = std::abs((b - a).norm() / strand.restLengths[k] - 1.0f);
+    for (const DistanceRow& row : world.distanceRows)
+        for (size_t k = 0; k < row.restLengths.size(); ++k) {
+            if (torn[distance++] || row.kind != DistanceKind::Stretch) continue;
+            const Vector3f& a = particles.positions[row.particles[k]];
+            const Vector3f& b = particles.positions[row.particles[k + 1]];
+            const float stretch = std::abs((b - a).norm() / row.restLengths[k] - 1.0f);
             out.worstStretch = std::max(out.worstStretch, stretch);
             sum += static_cast<double>(stretch);
             ++count;

@@ -12,7 +12,7 @@ namespace knuckle {
 namespace {
 
 constexpr uint32_t FIRST_CONTACT_SLOTS = 8;
-constexpr uint64_t MOST_PARTICLES = 1u << 23;   // contacts have 23 bits for a mover
+constexpr uint64_t MOST_PARTICLES = 1u << 23;  // contacts have 23 bits for a mover
 // How far particles may be from each other where one touches the other's box [diameters]: in the middle of four of a
 // face root 1.5, less what it may sink in before it is found; root 2 would find all neighbours across two faces.
 constexpr float FLAT_TOUCH = 1.2f;
@@ -20,8 +20,8 @@ constexpr float FLAT_TOUCH = 1.2f;
 }  // namespace
 
 SearchStage::SearchStage(const StageSetup& setup, bool flatFaces)
-    : parameters_(setup.parameters), byParticles_(setup.world.settings.solver == SolverKind::Paper), hasSolids_(setup.layout.solidCount > 0),
-      hasColliders_(hasSolids_ && !setup.world.colliders.empty())
+    : parameters_(setup.parameters), byParticles_(setup.world.settings.solver == SolverKind::Paper),
+      hasSolids_(setup.layout.solidCount > 0), hasColliders_(hasSolids_ && !setup.world.colliders.empty())
 {
     setParameters(setup, flatFaces);
     makeGrid(setup.parameters);
@@ -84,8 +84,8 @@ void SearchStage::makeLists(const Gpu& gpu)
         count > MOST_PARTICLES)
         throw DeviceError(fmt::format("{}: {} particles with {} contacts need a buffer of {} MiB and the device "
                                       "allows {}; use fewer particles or another --device",
-                                      gpu.device().name, count, p.pairCapacity,
-                                      largest * sizeof(gpu::vec4) >> 20, limit >> 20));
+                                      gpu.device().name, count, p.pairCapacity, largest * sizeof(gpu::vec4) >> 20,
+                                      limit >> 20));
     firstLists = {"firstLists", p.contactSlots * count};
     colliderLists = {"colliderLists", COLLIDER_SLOTS * count};
     listCounts = {"listCounts", 3 * count};

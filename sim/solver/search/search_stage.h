@@ -21,21 +21,21 @@ public:
     /// Up to the lists of pairs; ContactStage prepares what they are made of.
     void find(Recorder& recorder) const;
 
-    Buffer<gpu::vec4> searchPositions;                   ///< Per particle: where contacts were found for.
-    Buffer<gpu::vec4> searchCentres, searchRotations;    ///< The same of a mover; w: how far it may drift [m].
-    Buffer<float> moverReaches;                          ///< Per mover: how much further it looks for contacts [m].
-    Buffer<uint32_t> fastParticles;                      ///< Those of movers that do.
-    Buffer<uint32_t> moverColliders;                     ///< Per mover, bits: colliders that it may touch.
-    Buffer<gpu::uvec2> particleCells;                    ///< Cell, arrival in it.
-    Buffer<uint32_t> cellCounts, cellSums, cellStarts, cellMembers;   ///< Per cell, chunk, cell, particle.
-    Buffer<gpu::vec4> sortedPositions;                   ///< In the order of cells; w: bits of the mover's index.
-    Buffer<gpu::uvec4> sortedInfos;                      ///< Particle, assembly, rank, 1 if fast.
-    Buffer<gpu::uvec2> firstLists;       ///< As found, contactSlots a particle: second particle, its arrival there.
-    Buffer<uint32_t> colliderLists;      ///< As found, COLLIDER_SLOTS a particle.
-    Buffer<uint32_t> listCounts, listSums, listStarts;   ///< Three lists of ranks; the last in halves.
-    Buffer<gpu::uvec2> pairs;            ///< Halves of pairCapacity: first and second particle.
-    Buffer<uint32_t> pairArrivals, pairReferences;       ///< Pairs by their second particle; the latter in order.
-    Buffer<gpu::uvec2> colliderPairs;    ///< Halves of colliderPairCapacity: particle, collider.
+    Buffer<gpu::vec4> searchPositions;                 ///< Per particle: where contacts were found for.
+    Buffer<gpu::vec4> searchCentres, searchRotations;  ///< The same of a mover; w: how far it may drift [m].
+    Buffer<float> moverReaches;                        ///< Per mover: how much further it looks for contacts [m].
+    Buffer<uint32_t> fastParticles;                    ///< Those of movers that do.
+    Buffer<uint32_t> moverColliders;                   ///< Per mover, bits: colliders that it may touch.
+    Buffer<gpu::uvec2> particleCells;                  ///< Cell, arrival in it.
+    Buffer<uint32_t> cellCounts, cellSums, cellStarts, cellMembers;  ///< Per cell, chunk, cell, particle.
+    Buffer<gpu::vec4> sortedPositions;  ///< In the order of cells; w: bits of the mover's index.
+    Buffer<gpu::uvec4> sortedInfos;     ///< Particle, assembly, rank, 1 if fast.
+    Buffer<gpu::uvec2> firstLists;      ///< As found, contactSlots a particle: second particle, its arrival there.
+    Buffer<uint32_t> colliderLists;     ///< As found, COLLIDER_SLOTS a particle.
+    Buffer<uint32_t> listCounts, listSums, listStarts;  ///< Three lists of ranks; the last in halves.
+    Buffer<gpu::uvec2> pairs;                           ///< Halves of pairCapacity: first and second particle.
+    Buffer<uint32_t> pairArrivals, pairReferences;      ///< Pairs by their second particle; the latter in order.
+    Buffer<gpu::uvec2> colliderPairs;                   ///< Halves of colliderPairCapacity: particle, collider.
 
 private:
     void setParameters(const StageSetup& setup, bool flatFaces);

@@ -19,9 +19,9 @@ public:
     /// The same of assemblies that freeze: after particles are placed.
     void freeze(Recorder& recorder) const;
 
-    Buffer<gpu::uvec2> assemblyCalm, assemblyNext;     ///< Per assembly: steps that it was calm, name of its island.
-    Buffer<uint32_t> islandsWoken;                     ///< By name: 1 if something woke it in this step.
-    Buffer<gpu::vec4> calmCentres, calmRotations;      ///< Per mover: where its assembly counts its calm steps from.
+    Buffer<gpu::uvec2> assemblyCalm, assemblyNext;  ///< Per assembly: steps that it was calm, name of its island.
+    Buffer<uint32_t> islandsWoken;                  ///< By name: 1 if something woke it in this step.
+    Buffer<gpu::vec4> calmCentres, calmRotations;   ///< Per mover: where its assembly counts its calm steps from.
 
 private:
     const gpu::StepParameters& parameters_;

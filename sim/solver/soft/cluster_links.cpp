@@ -36,8 +36,8 @@ void appendClusterLinks(std::vector<gpu::ParticleRigidBodyLink>& links, const Wo
     for (const Link& link : world.clusterLinks) {
         const Cluster& cluster = world.clusters[link.body];
         const Vector3f& r = link.restOffset;
-        links.push_back({link.particle, link.body, r.x(), r.y(), r.z(), bodies + cluster.linkStart, cluster.linkCount,
-                         link.mass});
+        links.push_back(
+            {link.particle, link.body, r.x(), r.y(), r.z(), bodies + cluster.linkStart, cluster.linkCount, link.mass});
     }
 }
 

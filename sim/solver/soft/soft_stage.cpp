@@ -81,18 +81,18 @@ void SoftStage::uploadClusters(const StageSetup& setup)
     std::vector<gpu::GpuSoftMatter> matter;
     for (const SoftBody& soft : world.softBodies) {
         matter.push_back(matterOf(world, soft));
-        std::vector<double> steep(soft.particleCount);   // of each particle, by the fractions of its mass
+        std::vector<double> steep(soft.particleCount);  // of each particle, by the fractions of its mass
         for (uint32_t c = soft.clusterStart; c < soft.clusterStart + soft.clusterCount; ++c) {
             const Cluster& cluster = world.clusters[c];
-            infos.push_back({cluster.linkStart + setup.layout.linkCount, cluster.linkCount, cluster.softBody,
-                             soft.assembly});
+            infos.push_back(
+                {cluster.linkStart + setup.layout.linkCount, cluster.linkCount, cluster.softBody, soft.assembly});
             const ClusterMoments m = knuckle::clusterMoments(world, cluster);
             addMoments(moments, m);
             for (int column = 0; column < 3; ++column) rests.push_back(pack(Vector3f::Unit(column), 0));
             for (uint32_t l = cluster.linkStart; l < cluster.linkStart + cluster.linkCount; ++l) {
                 const Link& link = world.clusterLinks[l];
-                steep[link.particle - soft.particleStart] +=
-                    steepness(matter.back(), m) * link.mass / world.particles[link.particle].mass;
+                steep[link.particle - soft.particleStart] += steepness(matter.back(), m) * link.mass /
+                                                             world.particles[link.particle].mass;
             }
         }
         if (!steep.empty()) matter.back().steepest = static_cast<float>(*std::max_element(steep.begin(), steep.end()));
@@ -121,8 +121,8 @@ void SoftStage::uploadParticles(const StageSetup& setup)
     for (const SoftBody& soft : world.softBodies)
         for (uint32_t i = soft.particleStart; i < soft.particleStart + soft.particleCount; ++i) {
             const gpu::ParticleRank& rank = setup.layout.ranks[i];
-            particles.push_back({rank.mover, rank.rank, static_cast<uint32_t>(links.size()),
-                                 static_cast<uint32_t>(linksOf[i].size())});
+            particles.push_back(
+                {rank.mover, rank.rank, static_cast<uint32_t>(links.size()), static_cast<uint32_t>(linksOf[i].size())});
             links.insert(links.end(), linksOf[i].begin(), linksOf[i].end());
         }
     softParticles = {"softParticles", std::span<const gpu::uvec4>(particles)};

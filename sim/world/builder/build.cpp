@@ -80,7 +80,7 @@ World WorldBuilder::build()
     assignAssemblies();
     for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
     makeSoftLinks(world_);
-    joinStrandAssemblies(world_);
+    joinRowAssemblies(world_);
     placeFluid();
     validate(world_);
     return std::move(world_);

@@ -12,7 +12,7 @@ namespace knuckle {
 
 WorldBuilder::WorldBuilder(float particleRadius, const Settings& settings)
 {
-    if (!(particleRadius > 0.0f) || !std::isfinite(particleRadius))   // before anything is divided by it
+    if (!(particleRadius > 0.0f) || !std::isfinite(particleRadius))  // before anything is divided by it
         throw std::logic_error(fmt::format("particle radius {} m: must be above 0", particleRadius));
     world_.particleRadius = particleRadius;
     world_.settings = settings;
@@ -85,8 +85,8 @@ std::vector<uint32_t> WorldBuilder::newParticles(const std::string& name, std::s
     return indices;
 }
 
-uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
-                               Motion motion, std::span<const SurfaceDistance> surface)
+uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> positions, uint32_t material, Motion motion,
+                               std::span<const SurfaceDistance> surface)
 {
     requireObject("addBody");
     Body body;
@@ -151,8 +151,7 @@ uint32_t WorldBuilder::addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec&
     joint.bodyA = bodyA;
     joint.bodyB = bodyB;
     shareAt(places.shared, bodyA, bodyB, joint);
-    for (const Vector3f& place : places.limits)
-        shareParticle(newParticle(place, world_.bodies[bodyA].material), bodyA);
+    for (const Vector3f& place : places.limits) shareParticle(newParticle(place, world_.bodies[bodyA].material), bodyA);
     if (spec.type == JointType::Universal) {
         joint.middleBody = addBody(spec.name + ".cross", places.middle, world_.bodies[bodyA].material);
         // Where the axes cross, all three bodies share a particle: it carries the load, the light cross only the twist.
@@ -203,7 +202,7 @@ uint32_t WorldBuilder::endObject(const Pose& pose, const Vector3f& velocity, con
     const Object& object = world_.objects.back();
     for (uint32_t b = object.bodyStart; b < object.bodyStart + object.bodyCount; ++b) {
         world_.bodies[b].rotation = pose.rotation;
-        world_.bodies[b].position = pose.translation;   // moved to the body's centre by build()
+        world_.bodies[b].position = pose.translation;  // moved to the body's centre by build()
     }
     for (SoftBody& soft : world_.softBodies)
         if (soft.object + 1 == world_.objects.size()) soft.rotation = pose.rotation;
@@ -221,9 +220,9 @@ void WorldBuilder::setFluidSpacing(float spacing)
     world_.fluidSpacing = spacing * world_.diameter();
 }
 
-void WorldBuilder::addStrand(Strand strand)
+void WorldBuilder::addDistanceRow(DistanceRow row)
 {
-    world_.strands.push_back(std::move(strand));
+    world_.distanceRows.push_back(std::move(row));
 }
 
 std::vector<uint32_t> WorldBuilder::ownParticles(uint32_t body) const

@@ -12,7 +12,7 @@ namespace knuckle {
 /// A rigid pose: x -> rotation * x + translation.
 struct Pose {
     Vector3f translation{0, 0, 0};
-    Quaternionf rotation{1, 0, 0, 0};         ///< Eigen's constructor order is wxyz.
+    Quaternionf rotation{1, 0, 0, 0};  ///< Eigen's constructor order is wxyz.
     Vector3f apply(const Vector3f& p) const { return rotation * p + translation; }
 };
 
@@ -20,9 +20,9 @@ struct Pose {
 struct JointSpec {
     JointType type = JointType::Ball;
     std::string name;
-    Vector3f anchor{0, 0, 0};                 ///< Where the joint sits [m].
-    Vector3f axis{0, 0, 1};                   ///< Hinge: its axis. Universal: the axis of the hinge at body A.
-    Vector3f along{1, 0, 0};                  ///< From A to B, perpendicular to axis; fixed up if it is not.
+    Vector3f anchor{0, 0, 0};  ///< Where the joint sits [m].
+    Vector3f axis{0, 0, 1};    ///< Hinge: its axis. Universal: the axis of the hinge at body A.
+    Vector3f along{1, 0, 0};   ///< From A to B, perpendicular to axis; fixed up if it is not.
     /// Hinge: which side of the plane of axis and `along` is blocked by limiting particles: +1 (the side of
     /// along x axis), -1 (the other) or 0 (free on both sides).
     int limitSide = 0;
@@ -66,12 +66,11 @@ public:
     /// the mass of those that it shares.
     void markCross(uint32_t body);
     /// Places the open object; `velocity` [m/s] and `spin` [rad/s] about its mass centre. @returns the object's index.
-    uint32_t endObject(const Pose& pose = {}, const Vector3f& velocity = {0, 0, 0},
-                       const Vector3f& spin = {0, 0, 0});
+    uint32_t endObject(const Pose& pose = {}, const Vector3f& velocity = {0, 0, 0}, const Vector3f& spin = {0, 0, 0});
     /// A particle of no body: a grain. @returns its index.
     uint32_t addLooseParticle(const Particle& particle);
     /// Distances between particles that exist: see addRope() and addCloth().
-    void addStrand(Strand strand);
+    void addDistanceRow(DistanceRow row);
 
     /// Fluid particles of a fluid material. They come behind all others, whenever they are added; build() leaves out
     /// those that overlap other particles.
@@ -114,9 +113,9 @@ private:
     float massShare(uint32_t particle, uint32_t body) const;
 
     World world_;
-    std::vector<std::vector<uint32_t>> bodyParticles_;   ///< Per body, the particles in its block, in order.
-    std::vector<std::vector<uint32_t>> owners_;          ///< Per particle, its bodies.
-    bool choosesSubsteps_ = false;                       ///< Settings::substeps was 0.
+    std::vector<std::vector<uint32_t>> bodyParticles_;  ///< Per body, the particles in its block, in order.
+    std::vector<std::vector<uint32_t>> owners_;         ///< Per particle, its bodies.
+    bool choosesSubsteps_ = false;                      ///< Settings::substeps was 0.
     std::vector<Particle> fluid_;
     bool objectOpen_ = false;
     uint32_t objectFirstParticle_ = 0;

@@ -11,48 +11,48 @@ namespace knuckle {
 
 namespace {
 
-/// Rows of a grid's nodes as strands.
-class GridStrands {
+/// Rows of a grid of nodes, as distance rows.
+class GridRows {
 public:
-    GridStrands(GridSheet& sheet, const ClothSpec& spec)
+    GridRows(GridSheet& sheet, const ClothSpec& spec)
         : sheet_(sheet), spec_(spec), columns_(static_cast<int>(sheet.columns)), rows_(static_cast<int>(sheet.rows))
     {
     }
 
     void add()
     {
-        for (int j = 0; j < rows_; ++j) add(StrandKind::Stretch, 0, j, 1, 0);
-        for (int k = 0; k < columns_; ++k) add(StrandKind::Stretch, k, 0, 0, 1);
-        for (int k = 1 - rows_; k < columns_; ++k) add(StrandKind::Shear, std::max(k, 0), std::max(-k, 0), 1, 1);
+        for (int j = 0; j < rows_; ++j) add(DistanceKind::Stretch, 0, j, 1, 0);
+        for (int k = 0; k < columns_; ++k) add(DistanceKind::Stretch, k, 0, 0, 1);
+        for (int k = 1 - rows_; k < columns_; ++k) add(DistanceKind::Shear, std::max(k, 0), std::max(-k, 0), 1, 1);
         for (int k = 0; k < columns_ + rows_ - 1; ++k)
-            add(StrandKind::Shear, std::min(k, columns_ - 1), std::max(0, k - columns_ + 1), -1, 1);
+            add(DistanceKind::Shear, std::min(k, columns_ - 1), std::max(0, k - columns_ + 1), -1, 1);
         if (!std::isfinite(spec_.bendCompliance)) return;
         for (int j = 0; j < rows_; ++j)
-            for (int k = 0; k < 2; ++k) add(StrandKind::Bend, k, j, 2, 0);
+            for (int k = 0; k < 2; ++k) add(DistanceKind::Bend, k, j, 2, 0);
         for (int k = 0; k < columns_; ++k)
-            for (int j = 0; j < 2; ++j) add(StrandKind::Bend, k, j, 0, 2);
+            for (int j = 0; j < 2; ++j) add(DistanceKind::Bend, k, j, 0, 2);
     }
 
 private:
     bool inside(int k, int j) const { return k >= 0 && k < columns_ && j >= 0 && j < rows_; }
 
     /// From node (k, j) on by (stepK, stepJ) until the edge.
-    void add(StrandKind kind, int k, int j, int stepK, int stepJ)
+    void add(DistanceKind kind, int k, int j, int stepK, int stepJ)
     {
-        Strand strand;
-        strand.kind = kind;
-        strand.tearForce = spec_.tearForce;
-        strand.compliance = kind == StrandKind::Stretch ? spec_.stretchCompliance
-                            : kind == StrandKind::Shear ? spec_.shearCompliance
-                                                        : spec_.bendCompliance;
+        DistanceRow row;
+        row.kind = kind;
+        row.tearForce = spec_.tearForce;
+        row.compliance = kind == DistanceKind::Stretch ? spec_.stretchCompliance
+                         : kind == DistanceKind::Shear ? spec_.shearCompliance
+                                                       : spec_.bendCompliance;
         for (; inside(k, j); k += stepK, j += stepJ) {
-            strand.particles.push_back(static_cast<uint32_t>(j * columns_ + k));
-            if (strand.particles.size() < 2) continue;
-            const size_t last = strand.particles.size() - 1;
-            strand.restLengths.push_back(
-                (sheet_.nodes[strand.particles[last]] - sheet_.nodes[strand.particles[last - 1]]).norm());
+            row.particles.push_back(static_cast<uint32_t>(j * columns_ + k));
+            if (row.particles.size() < 2) continue;
+            const size_t last = row.particles.size() - 1;
+            row.restLengths.push_back(
+                (sheet_.nodes[row.particles[last]] - sheet_.nodes[row.particles[last - 1]]).norm());
         }
-        if (strand.particles.size() > 1) sheet_.strands.push_back(std::move(strand));
+        if (row.particles.size() > 1) sheet_.distanceRows.push_back(std::move(row));
     }
 
     GridSheet& sheet_;
@@ -71,12 +71,13 @@ void addTie(WorldBuilder& builder, const ClothSpec& spec, uint32_t node, uint32_
     const float distance = (particles[node].position - particles[particle].position).norm();
     if (distance > 1.001f * builder.diameter())
         throw InputError(fmt::format("the cloth is {} m from the particle that it is attached to, and may be {} m, a "
-                                     "diameter; bring them nearer", distance, builder.diameter()));
-    Strand tie;
+                                     "diameter; bring them nearer",
+                                     distance, builder.diameter()));
+    DistanceRow tie;
     tie.tearForce = spec.tearForce;
     tie.particles = {node, particle};
     tie.restLengths = {std::max(distance, 0.01f * builder.diameter())};
-    builder.addStrand(tie);
+    builder.addDistanceRow(tie);
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ GridSheet gridSheet(float width, float depth, float diameter, const ClothSpec& s
             const float shareX = k == 0 || k == across ? 0.5f : 1.0f, shareZ = j == 0 || j == along ? 0.5f : 1.0f;
             sheet.areas.push_back(stepX * shareX * stepZ * shareZ);
         }
-    GridStrands(sheet, spec).add();
+    GridRows(sheet, spec).add();
     return sheet;
 }
 
@@ -116,15 +117,15 @@ uint32_t addCloth(WorldBuilder& builder, const std::string& name, const ClothShe
         if (particles[node] != NO_INDEX) continue;
         Particle particle;
         particle.position = particle.restPosition = sheet.nodes[node];
-        particle.selfMargin = STRAND_MARGIN;
+        particle.selfMargin = ROPE_MARGIN;
         particle.material = spec.material;
         particle.mass = builder.world().materials.at(spec.material).density * builder.diameter() * sheet.areas[node];
         particles[node] = builder.addLooseParticle(particle);
     }
     const uint32_t object = builder.endObject(pose, velocity);
-    for (Strand strand : sheet.strands) {
-        for (uint32_t& particle : strand.particles) particle = particles[particle];
-        builder.addStrand(std::move(strand));
+    for (DistanceRow row : sheet.distanceRows) {
+        for (uint32_t& particle : row.particles) particle = particles[particle];
+        builder.addDistanceRow(std::move(row));
     }
     for (const ClothTie& tie : ties) addTie(builder, spec, particles.at(tie.node), tie.particle);
     return object;

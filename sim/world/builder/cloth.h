@@ -13,24 +13,24 @@ namespace knuckle {
 /// What cloth is like. Compliances are of each distance [m/N], >= 0; those of Stretch and Shear are the same for a square
 /// piece of any size (1 over Young's modulus times thickness).
 struct ClothSpec {
-    float stretchCompliance = 0.0f;           ///< Along the threads.
-    float shearCompliance = 1e-3f;            ///< Along the diagonals.
-    float bendCompliance = std::numeric_limits<float>::infinity();   ///< Between second neighbours; infinite: limp.
-    float tearForce = std::numeric_limits<float>::infinity();        ///< Of each distance [N], > 0.
-    uint32_t material = 0;                    ///< Cloth weighs density x diameter x area.
+    float stretchCompliance = 0.0f;                                 ///< Along the threads.
+    float shearCompliance = 1e-3f;                                  ///< Along the diagonals.
+    float bendCompliance = std::numeric_limits<float>::infinity();  ///< Between second neighbours; infinite: limp.
+    float tearForce = std::numeric_limits<float>::infinity();       ///< Of each distance [N], > 0.
+    uint32_t material = 0;                                          ///< Cloth weighs density x diameter x area.
 };
 
 /// Cloth before it is placed.
 struct ClothSheet {
-    std::vector<Vector3f> nodes;              ///< [m]
-    std::vector<float> areas;                 ///< Of each node: its share of the sheet [m2].
-    std::vector<Strand> strands;              ///< Of indices into nodes.
+    std::vector<Vector3f> nodes;            ///< [m]
+    std::vector<float> areas;               ///< Of each node: its share of the sheet [m2].
+    std::vector<DistanceRow> distanceRows;  ///< Of indices into nodes.
 };
 
 /// A node of cloth tied to a particle that exists.
 struct ClothTie {
-    uint32_t node = 0;                        ///< Into ClothSheet::nodes.
-    uint32_t particle = 0;                    ///< Of a body, or loose.
+    uint32_t node = 0;      ///< Into ClothSheet::nodes.
+    uint32_t particle = 0;  ///< Of a body, or loose.
 };
 
 /// A rectangle in the x-z plane about the origin: rows along x, columns along z, spaced by a diameter or a little less.

@@ -80,8 +80,7 @@ bool refine(Mesh& mesh, float longest)
             continue;
         }
         // The fan starts at a middle: from a corner, one of its triangles could have three points on a line.
-        if (!own.empty())
-            std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), own.front()), ring.end());
+        if (!own.empty()) std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), own.front()), ring.end());
         for (size_t k = 2; k < ring.size(); ++k) cut.push_back({ring[0], ring[k - 1], ring[k]});
     }
     mesh.triangles = std::move(cut);
@@ -106,7 +105,8 @@ public:
             used_[p] = true;
             std::vector<uint32_t> row = {pairs_[p][0], pairs_[p][1]};
             for (int side = 0; side < 2; ++side) {
-                while (goOn(row)) {}
+                while (goOn(row)) {
+                }
                 std::reverse(row.begin(), row.end());
             }
             rows.push_back(std::move(row));
@@ -141,17 +141,17 @@ private:
     std::vector<std::vector<uint32_t>> pairsOf_;
 };
 
-void addRows(ClothSheet& sheet, const std::vector<Pair>& pairs, StrandKind kind, float compliance, float tearForce)
+void addRows(ClothSheet& sheet, const std::vector<Pair>& pairs, DistanceKind kind, float compliance, float tearForce)
 {
-    for (std::vector<uint32_t>& row : RowFinder(sheet.nodes, pairs).rows()) {
-        Strand strand;
-        strand.kind = kind;
-        strand.compliance = compliance;
-        strand.tearForce = tearForce;
-        for (size_t k = 1; k < row.size(); ++k)
-            strand.restLengths.push_back((sheet.nodes[row[k]] - sheet.nodes[row[k - 1]]).norm());
-        strand.particles = std::move(row);
-        sheet.strands.push_back(std::move(strand));
+    for (std::vector<uint32_t>& nodes : RowFinder(sheet.nodes, pairs).rows()) {
+        DistanceRow row;
+        row.kind = kind;
+        row.compliance = compliance;
+        row.tearForce = tearForce;
+        for (size_t k = 1; k < nodes.size(); ++k)
+            row.restLengths.push_back((sheet.nodes[nodes[k]] - sheet.nodes[nodes[k - 1]]).norm());
+        row.particles = std::move(nodes);
+        sheet.distanceRows.push_back(std::move(row));
     }
 }
 
@@ -163,14 +163,14 @@ ClothSheet meshSheet(std::span<const Vector3f> vertices, std::span<const Triangl
     Mesh mesh = weld(vertices, triangles, WELD * diameter);
     const auto checkSize = [&] {
         if (mesh.nodes.size() <= limit) return;
-        throw InputError(fmt::format("the cloth has more than {} particles; raise the diameter or use a smaller mesh",
-                                     limit));
+        throw InputError(
+            fmt::format("the cloth has more than {} particles; raise the diameter or use a smaller mesh", limit));
     };
     do checkSize();
     while (refine(mesh, diameter));
     ClothSheet sheet;
     sheet.areas.assign(mesh.nodes.size(), 0.0f);
-    std::map<Pair, std::vector<uint32_t>> opposite;   // per edge, the corners across
+    std::map<Pair, std::vector<uint32_t>> opposite;  // per edge, the corners across
     float area = 0.0f;
     for (const Triangle& t : mesh.triangles) {
         const Vector3f a = mesh.nodes[t[1]] - mesh.nodes[t[0]], b = mesh.nodes[t[2]] - mesh.nodes[t[0]];
@@ -195,9 +195,9 @@ ClothSheet meshSheet(std::span<const Vector3f> vertices, std::span<const Triangl
     }
     std::sort(across.begin(), across.end());
     across.erase(std::unique(across.begin(), across.end()), across.end());
-    addRows(sheet, edges, StrandKind::Stretch, spec.stretchCompliance, spec.tearForce);
+    addRows(sheet, edges, DistanceKind::Stretch, spec.stretchCompliance, spec.tearForce);
     if (std::isfinite(spec.bendCompliance))
-        addRows(sheet, across, StrandKind::Bend, spec.bendCompliance, spec.tearForce);
+        addRows(sheet, across, DistanceKind::Bend, spec.bendCompliance, spec.tearForce);
     return sheet;
 }
 

@@ -15,8 +15,8 @@ namespace {
 using Members = std::vector<uint32_t>;
 using Cell = Cells::Cell;
 
-constexpr float NEIGHBOUR_DISTANCE = 1.8f;   // diameters: lattice neighbours by a face, an edge or a corner
-constexpr float LATTICE_SLACK = 0.25f;       // diameters: how far from its layer a particle still counts to it
+constexpr float NEIGHBOUR_DISTANCE = 1.8f;  // diameters: lattice neighbours by a face, an edge or a corner
+constexpr float LATTICE_SLACK = 0.25f;      // diameters: how far from its layer a particle still counts to it
 
 bool areNeighbours(const Vector3f& a, const Vector3f& b, float diameter)
 {

@@ -23,15 +23,14 @@ JointPlaces jointPlaces(const JointSpec& spec, float diameter)
     const Vector3f along = (spec.along - axis * axis.dot(spec.along)).normalized();
     if (!axis.allFinite() || !along.allFinite() || axis.norm() < 0.5f || along.norm() < 0.5f)
         throw std::logic_error(fmt::format("joint \"{}\": axis and direction must be two vectors that are neither zero "
-                                           "nor parallel", spec.name));
+                                           "nor parallel",
+                                           spec.name));
     const Vector3f u = diameter * axis;
     const Vector3f v = diameter * along.cross(axis);
     const Vector3f& p = spec.anchor;
     JointPlaces places;
     switch (spec.type) {
-        case JointType::Ball:
-            places.shared = {p};
-            break;
+        case JointType::Ball: places.shared = {p}; break;
         case JointType::Hinge:
             places.shared = {p - u, p, p + u};
             if (spec.limitSide != 0) {
@@ -39,9 +38,7 @@ JointPlaces jointPlaces(const JointSpec& spec, float diameter)
                 places.limits = {p + side - u, p + side + u};
             }
             break;
-        case JointType::Stiff:
-            places.shared = {p - u - v, p + u - v, p - u + v, p + u + v};
-            break;
+        case JointType::Stiff: places.shared = {p - u - v, p + u - v, p - u + v, p + u + v}; break;
         case JointType::Universal:
             places.sharedWithA = {p - u, p + u};
             places.sharedWithB = {p - v, p + v};

@@ -87,7 +87,8 @@ void checkRope(const RopeSpec& spec, float distance)
     require(spec.length > 0.0f || distance > 0.0f, "the rope has no length; move its ends apart or set length");
     require(spec.length == 0.0f || spec.length >= 0.9999f * distance,
             fmt::format("length {} m of the rope is less than the {} m between its ends; make it longer or bring them "
-                        "nearer", spec.length, distance));
+                        "nearer",
+                        spec.length, distance));
 }
 
 /// Adds a rope: its particles, a fixed body of one particle for each end that is fixed, and its distances.
@@ -105,8 +106,7 @@ public:
 
     void add()
     {
-        const std::vector<Vector3f> places =
-            hangingChain(from_, to_, count_, link_, builder_.world().settings.gravity);
+        const std::vector<Vector3f> places = hangingChain(from_, to_, count_, link_, builder_.world().settings.gravity);
         if ((places.back() - to_).norm() > 0.01f * link_)
             throw InputError("the ends of the rope are too near each other for its length; move them a diameter apart");
         for (uint32_t k = 0; k <= count_; ++k) {
@@ -132,7 +132,7 @@ private:
         const float diameter = builder_.diameter();
         Particle particle;
         particle.position = particle.restPosition = place;
-        particle.selfMargin = STRAND_MARGIN;
+        particle.selfMargin = ROPE_MARGIN;
         particle.material = spec_.material;
         particle.mass = builder_.world().materials.at(spec_.material).density * diameter * diameter * link_ *
                         (isEnd ? 0.5f : 1.0f);
@@ -141,21 +141,21 @@ private:
 
     void addDistances()
     {
-        Strand strand;
-        strand.particles = nodes_;
-        strand.restLengths.assign(count_, link_);
-        strand.compliance = spec_.compliance / static_cast<float>(count_);
-        strand.tearForce = spec_.tearForce;
-        builder_.addStrand(strand);
+        DistanceRow row;
+        row.particles = nodes_;
+        row.restLengths.assign(count_, link_);
+        row.compliance = spec_.compliance / static_cast<float>(count_);
+        row.tearForce = spec_.tearForce;
+        builder_.addDistanceRow(row);
         if (!std::isfinite(spec_.bendCompliance)) return;
         for (uint32_t first = 0; first < 2 && first + 2 <= count_; ++first) {
-            Strand bend;
-            bend.kind = StrandKind::Bend;
+            DistanceRow bend;
+            bend.kind = DistanceKind::Bend;
             bend.compliance = spec_.bendCompliance;
             bend.tearForce = spec_.tearForce;
             for (uint32_t k = first; k <= count_; k += 2) bend.particles.push_back(nodes_[k]);
             bend.restLengths.assign(bend.particles.size() - 1, 2.0f * link_);
-            builder_.addStrand(bend);
+            builder_.addDistanceRow(bend);
         }
     }
 

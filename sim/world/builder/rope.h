@@ -10,23 +10,23 @@ namespace knuckle {
 struct RopeEnd {
     enum class Kind : uint32_t {
         Free,
-        Fixed,                                ///< At its place in the world, for ever.
-        Attached,                             ///< At a particle, of a body or loose, which becomes the rope's last.
+        Fixed,     ///< At its place in the world, for ever.
+        Attached,  ///< At a particle, of a body or loose, which becomes the rope's last.
     };
     Kind kind = Kind::Free;
-    uint32_t particle = NO_INDEX;             ///< Attached only.
+    uint32_t particle = NO_INDEX;  ///< Attached only.
 };
 
 /// A rope: a row of particles, not farther apart than a diameter, that bends freely unless told.
 struct RopeSpec {
-    Vector3f from{0, 0, 0}, to{0, -1, 0};     ///< Its ends in the world [m]; not read where they are attached.
-    float length = 0.0f;                      ///< At rest [m]; 0: the distance between its ends. Longer ones sag.
+    Vector3f from{0, 0, 0}, to{0, -1, 0};  ///< Its ends in the world [m]; not read where they are attached.
+    float length = 0.0f;                   ///< At rest [m]; 0: the distance between its ends. Longer ones sag.
     RopeEnd start, end;
-    float compliance = 0.0f;                  ///< Of the whole rope: longer by so much per newton of load [m/N], >= 0.
-    float bendCompliance = std::numeric_limits<float>::infinity();   ///< Per particle [m/N], >= 0; infinite: limp.
-    float tearForce = std::numeric_limits<float>::infinity();        ///< [N], > 0.
-    uint32_t material = 0;                    ///< It weighs density x diameter^2 x length.
-    Vector3f velocity{0, 0, 0};               ///< [m/s]
+    float compliance = 0.0f;  ///< Of the whole rope: longer by so much per newton of load [m/N], >= 0.
+    float bendCompliance = std::numeric_limits<float>::infinity();  ///< Per particle [m/N], >= 0; infinite: limp.
+    float tearForce = std::numeric_limits<float>::infinity();       ///< [N], > 0.
+    uint32_t material = 0;                                          ///< It weighs density x diameter^2 x length.
+    Vector3f velocity{0, 0, 0};                                     ///< [m/s]
 };
 
 /// Adds a rope as an object. @returns the object's index.

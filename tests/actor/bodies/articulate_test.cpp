@@ -1,6 +1,6 @@
-#include "tools/humanoid/humanoid.h"
 #include "sim/world/errors.h"
 #include "tests/actor/actor_fixture.h"
+#include "tools/humanoid/humanoid.h"
 
 namespace knuckle {
 namespace {

@@ -5,10 +5,10 @@ namespace {
 
 TEST(BodiesOfBones, boneTooSmallForABodyMergesIntoItsParentAndIsNoted)
 {
-    Model model = twoBoneBox("tip", 0.02f);   // a rod: one row of particles, all on one line
+    Model model = twoBoneBox("tip", 0.02f);  // a rod: one row of particles, all on one line
     model.bones.push_back({"root2", -1});
     Model body = twoBoneBox("unused");
-    for (size_t v = 0; v < 8; ++v) {          // a solid root so that there is a body at all
+    for (size_t v = 0; v < 8; ++v) {  // a solid root so that there is a body at all
         model.vertices.push_back(body.vertices[v] + Vector3f(0, 0, -1));
         model.skin.push_back(body.skin[v]);
     }
@@ -45,7 +45,7 @@ TEST(BodiesOfBones, partsThatDoNotTouchAreBridgedAtTheJoint)
 {
     Model model = twoBoneBox("tip");
     for (size_t v = 8; v < 16; ++v) {
-        model.vertices[v].z() += 0.4f;        // four diameters of air
+        model.vertices[v].z() += 0.4f;  // four diameters of air
     }
     model.bones[1].restPose(2, 3) = 1.2f;
     const Actor actor = make(model, 0.1f);

@@ -6,13 +6,13 @@
 #include <fstream>
 #include <functional>
 
-#include "tools/humanoid/glb.h"
 #include "sim/actor/bodies/articulate.h"
 #include "sim/actor/import/child_process.h"
-#include "tools/humanoid/humanoid.h"
 #include "sim/actor/import/model_bytes.h"
 #include "sim/world/errors.h"
 #include "tests/actor/shapes.h"
+#include "tools/humanoid/glb.h"
+#include "tools/humanoid/humanoid.h"
 
 namespace knuckle {
 namespace {
@@ -65,13 +65,12 @@ std::string cubeObj(const std::string& scale = "1")
                   "f 5 6 8\nf 5 8 7\n";
 }
 
-const char* const WALKER_BVH =
-    "HIERARCHY\nROOT Hips\n{\n OFFSET 0 90 0\n"
-    " CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
-    " JOINT Chest\n {\n  OFFSET 0 40 0\n  CHANNELS 3 Zrotation Xrotation Yrotation\n"
-    "  End Site\n  {\n   OFFSET 0 40 0\n  }\n }\n"
-    " JOINT LeftLeg\n {\n  OFFSET 15 -10 0\n  CHANNELS 3 Zrotation Xrotation Yrotation\n"
-    "  End Site\n  {\n   OFFSET 5 -80 0\n  }\n }\n}\n";
+const char* const WALKER_BVH = "HIERARCHY\nROOT Hips\n{\n OFFSET 0 90 0\n"
+                               " CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
+                               " JOINT Chest\n {\n  OFFSET 0 40 0\n  CHANNELS 3 Zrotation Xrotation Yrotation\n"
+                               "  End Site\n  {\n   OFFSET 0 40 0\n  }\n }\n"
+                               " JOINT LeftLeg\n {\n  OFFSET 15 -10 0\n  CHANNELS 3 Zrotation Xrotation Yrotation\n"
+                               "  End Site\n  {\n   OFFSET 5 -80 0\n  }\n }\n}\n";
 
 std::string walker(const std::string& frames, const std::string& row)
 {
@@ -123,7 +122,7 @@ TEST_F(Import, skinOfAGltfFileComesBackNormalized)
 TEST_F(Import, bvhWithoutAMeshBecomesARagdollOfAPersonsSize)
 {
     const Model model = importModel(write("walker.bvh", walker("2", STILL)));
-    EXPECT_EQ(model.bones.size(), 5u);   // the end sites count
+    EXPECT_EQ(model.bones.size(), 5u);  // the end sites count
     ASSERT_EQ(model.clips.size(), 1u);
     float low = 1e9f, high = -1e9f;
     for (const Eigen::Vector3f& v : model.vertices) {
@@ -197,7 +196,7 @@ TEST_F(Import, verticesThatAreNotNumbersAreRefused)
     const uint32_t notANumber = 0x7fc00000;
     uint32_t jsonSize = 0;
     std::memcpy(&jsonSize, glb.data() + 12, 4);
-    std::memcpy(glb.data() + 28 + jsonSize + 1200, &notANumber, 4);   // positions come first in the binary chunk
+    std::memcpy(glb.data() + 28 + jsonSize + 1200, &notANumber, 4);  // positions come first in the binary chunk
     expectRefused(write("nan.glb", glb), "not finite");
 }
 
@@ -213,7 +212,7 @@ TEST_F(Import, singularBindMatrixIsRefused)
     const Eigen::Matrix4f bind = makeHumanoid().bones[HEAD].restPose.inverse();
     const size_t at = glb.find(std::string(reinterpret_cast<const char*>(bind.data()), sizeof bind));
     ASSERT_NE(at, std::string::npos);
-    glb.replace(at, 4 * sizeof(float), 4 * sizeof(float), '\0');   // its first column
+    glb.replace(at, 4 * sizeof(float), 4 * sizeof(float), '\0');  // its first column
     expectRefused(write("flat.glb", glb), "singular");
 }
 
@@ -222,7 +221,8 @@ TEST_F(Import, hugeCountsEndInOneLine)
     expectRefused(write("frames.bvh", walker("2147483647", STILL)), MEMORY);
     expectRefused(write("count.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\n"
                                      "property float y\nproperty float z\nelement face 4000000000\n"
-                                     "property list uchar int vertex_indices\nend_header\n0 0 0\n"), "");
+                                     "property list uchar int vertex_indices\nend_header\n0 0 0\n"),
+                  "");
 }
 
 TEST_F(Import, absurdScaleIsRefusedWithTheRemedy)
@@ -263,7 +263,8 @@ TEST(ChildProcess, crashMemoryTimeAndSizeBecomeSentences)
                   while (forever) {
                   }
                   return {};
-              }).find("more than 1 s"), std::string::npos);
+              }).find("more than 1 s"),
+              std::string::npos);
 #if !defined(__SANITIZE_ADDRESS__)
     EXPECT_NE(failure([] { return std::vector<uint8_t>(1u << 30); }).find("memory"), std::string::npos);
 #endif
@@ -279,7 +280,7 @@ TEST(ModelBytes, damagedBytesAreNoModel)
     longer.push_back(0);
     EXPECT_FALSE(fromBytes(longer, model));
     std::vector<uint8_t> hugeCount = bytes;
-    std::fill_n(hugeCount.begin() + 16, 6, uint8_t{0xff});   // the count of vertices, after the name
+    std::fill_n(hugeCount.begin() + 16, 6, uint8_t{0xff});  // the count of vertices, after the name
     EXPECT_FALSE(fromBytes(hugeCount, model));
 }
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "tests/actor/shapes.h"
 #include "sim/world/errors.h"
+#include "tests/actor/shapes.h"
 
 namespace knuckle {
 namespace {

@@ -104,7 +104,8 @@ void MoverFixture::setMoves(float move, float angle, float w)
 
 void MoverFixture::setAssemblies(uint32_t lastContact, uint32_t order)
 {
-    fill(stages.particles.assemblyState, std::vector<gpu::uvec2>(stages.particles.assemblyState.size(), {lastContact, order}));
+    fill(stages.particles.assemblyState,
+         std::vector<gpu::uvec2>(stages.particles.assemblyState.size(), {lastContact, order}));
 }
 
 Vector3d MoverFixture::moveOf(uint32_t mover, const Vector3d& r) const
@@ -119,12 +120,12 @@ Eigen::Quaterniond nearestRotation(const Matrix3d& a)
     Eigen::Matrix4d k;
     k << a + a.transpose() - a.trace() * Matrix3d::Identity(), v, v.transpose(), a.trace();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(k);
-    return Eigen::Quaterniond(Eigen::Vector4d(eigen.eigenvectors().col(3)));   // xyzw
+    return Eigen::Quaterniond(Eigen::Vector4d(eigen.eigenvectors().col(3)));  // xyzw
 }
 
 double rotationError(const Eigen::Quaterniond& found, const Matrix3d& a, const Matrix3d& moments)
 {
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(moments);   // ascending
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(moments);  // ascending
     const Vector3d values = eigen.eigenvalues();
     if (values[2] < 1e-12) return 0.0;
     if (values[1] > 1e-6 * values[2]) return found.angularDistance(nearestRotation(a));

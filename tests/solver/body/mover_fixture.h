@@ -26,8 +26,8 @@ struct Field {
 /// A particle of a mover, from the World.
 struct Part {
     uint32_t particle = 0;
-    Vector3d r = Vector3d::Zero();   ///< From the mover's centre at rest [m].
-    double mass = 0.0;               ///< In this mover [kg].
+    Vector3d r = Vector3d::Zero();  ///< From the mover's centre at rest [m].
+    double mass = 0.0;              ///< In this mover [kg].
 };
 
 /// A KernelFixture in the middle of a run: every mover at a random place, substep 9, lists of contacts in the second half.
@@ -60,9 +60,9 @@ public:
     /// How far the point r of a mover has moved by setMoves.
     Vector3d moveOf(uint32_t mover, const Vector3d& r) const;
 
-    std::vector<std::vector<Part>> parts;   ///< Per mover.
-    std::vector<double> masses;             ///< Per mover [kg].
-    std::vector<uint32_t> moverOf;          ///< Per particle: its first body, or itself.
+    std::vector<std::vector<Part>> parts;  ///< Per mover.
+    std::vector<double> masses;            ///< Per mover [kg].
+    std::vector<uint32_t> moverOf;         ///< Per particle: its first body, or itself.
     std::vector<gpu::vec4> centres, rotations, moves, turns;
 
 private:

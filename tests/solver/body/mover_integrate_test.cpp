@@ -70,7 +70,7 @@ TEST_F(MoverIntegrate, VelocitiesAreOfTheOrderOfThePrediction)
 
 TEST_F(MoverIntegrate, AnAssemblyTouchedInThisSubstepAnswersByFirstOrder)
 {
-    fixture.setAssemblies(MoverFixture::SUBSTEP - 1, 2);   // search_due has counted this substep already
+    fixture.setAssemblies(MoverFixture::SUBSTEP - 1, 2);  // search_due has counted this substep already
     expectVelocities([&](uint32_t, const Vector3d& move, const Vector3d&) { return Vector3d(move / h()); });
 }
 

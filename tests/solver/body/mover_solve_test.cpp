@@ -106,8 +106,8 @@ protected:
             changes[start].w = relaxations.back();
             oldSums[start] = packed(Vector3f((sums[m].t - ratios[m] * change.t).cast<float>()));
             for (uint32_t c = 0; fixture.isBody(m) && c < 3; ++c)
-                oldSums[start + 1 + c] =
-                    packed(Vector3f((sums[m].f.col(c) - ratios[m] * change.f.col(c)).cast<float>()));
+                oldSums[start + 1 + c] = packed(
+                    Vector3f((sums[m].f.col(c) - ratios[m] * change.f.col(c)).cast<float>()));
         }
         fill(fixture.stages.bodies.moverImpulses, oldSums);
         fill(fixture.stages.bodies.moverChanges, changes);
@@ -146,15 +146,15 @@ protected:
     }
     uint32_t jointCount(uint32_t m) const
     {
-        return static_cast<uint32_t>(std::count_if(fixture.parts[m].begin(), fixture.parts[m].end(), [&](const Part& p) {
-            return fixture.world.particles[p.particle].bodyCount > 1;
-        }));
+        return static_cast<uint32_t>(
+            std::count_if(fixture.parts[m].begin(), fixture.parts[m].end(),
+                          [&](const Part& p) { return fixture.world.particles[p.particle].bodyCount > 1; }));
     }
 
     ContactFixture fixture;
-    std::vector<Field> sums;             ///< Per mover, of its contacts.
+    std::vector<Field> sums;  ///< Per mover, of its contacts.
     std::vector<double> sizes, ratios;
-    std::vector<uint32_t> counts;        ///< Contacts that will act.
+    std::vector<uint32_t> counts;  ///< Contacts that will act.
     std::vector<float> relaxations;
     std::vector<gpu::vec4> predictions, linkImpulses, oldSums, changes;
 };
@@ -233,7 +233,8 @@ TEST_F(MoverSolve, AssembliesThatContactsPushAreStampedAndOthersAreNot)
 TEST_F(MoverSolve, FixedBodiesStay)
 {
     fixture.forMovers("body/mover_solve");
-    const auto moves = fixture.stages.bodies.moverMoves.download(), turns = fixture.stages.bodies.moverRotationDeltas.download();
+    const auto moves = fixture.stages.bodies.moverMoves.download(),
+               turns = fixture.stages.bodies.moverRotationDeltas.download();
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         if (!fixture.isFixed(m)) continue;
         EXPECT_EQ(vec3(moves[m]), vec3(fixture.moves[m]));

@@ -51,7 +51,7 @@ protected:
             const Move one = predictedMove(m, part.r, second);
             move += part.mass / fixture.masses[m] * one.move;
             moveSize += part.mass / fixture.masses[m] * one.size;
-            a += part.mass * (fixture.arm(m, part.r) + one.move) * part.r.transpose();   // eq. 9
+            a += part.mass * (fixture.arm(m, part.r) + one.move) * part.r.transpose();  // eq. 9
             matrixSize += part.mass * (part.r.norm() + one.size) * part.r.norm();
             moments += part.mass * part.r * part.r.transpose();
         }
@@ -76,13 +76,13 @@ protected:
             // Single precision gives a rotation to some 1e-6, times a body's ratio of length to width.
             if (!fixture.isFixed(m)) expectPrediction(m, second, 1e-5);
         }
-        for (const gpu::uvec2& state : fixture.stages.particles.assemblyState.download()) EXPECT_EQ(state.y, second ? 2u : 1u);
+        for (const gpu::uvec2& state : fixture.stages.particles.assemblyState.download())
+            EXPECT_EQ(state.y, second ? 2u : 1u);
     }
 
     MoverFixture fixture;
     std::vector<gpu::vec4> velocities, oldVelocities, oldMoves, impulses;
 };
-
 
 TEST_F(MoverPredict, UntouchedAssembliesMoveAsTheirParticlesWouldBySecondOrder)
 {
@@ -124,7 +124,8 @@ TEST_F(MoverPredict, FixedBodiesStay)
 {
     const auto predictions = fixture.stages.bodies.moverPredictions.download();
     fixture.forMovers("body/mover_predict");
-    const auto found = fixture.stages.bodies.moverPredictions.download(), moves = fixture.stages.bodies.moverMoves.download();
+    const auto found = fixture.stages.bodies.moverPredictions.download(),
+               moves = fixture.stages.bodies.moverMoves.download();
     uint32_t fixed = 0;
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         if (!fixture.isFixed(m)) continue;

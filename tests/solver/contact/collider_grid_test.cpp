@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "tests/solver/contact/collider_world.h"
 #include "sim/solver/measure.h"
+#include "tests/solver/contact/collider_world.h"
 
 namespace knuckle::test {
 
@@ -80,7 +80,7 @@ TEST(ColliderGrid, TheKernelsSeeTheDistanceOfTheReferenceAndItsGradient)
 
 TEST(ColliderGrid, AHeightfieldIsSolidBelowAndEndsInWalls)
 {
-    const ColliderGrid grid = makeHeightfield({2, 2}, 3, 2, {0, 1, 2, 0, 1, 2});   // a slope of 45 degrees
+    const ColliderGrid grid = makeHeightfield({2, 2}, 3, 2, {0, 1, 2, 0, 1, 2});  // a slope of 45 degrees
     EXPECT_NEAR(heightfieldDistance(grid, {0, 2, 0}), std::sqrt(0.5f), 1e-6f);
     EXPECT_NEAR(heightfieldDistance(grid, {0.5f, -3, 0.3f}), -4.5f * std::sqrt(0.5f), 1e-5f);
     EXPECT_NEAR(heightfieldDistance(grid, {1.5f, -7, 0}), 0.5f, 1e-6f) << "beside it";

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <map>
 
+#include "sim/solver/measure.h"
 #include "tests/solver/contact/collider_world.h"
 #include "tests/solver/search/search_test.h"
-#include "sim/solver/measure.h"
 
 namespace knuckle::test {
 
@@ -35,7 +35,8 @@ protected:
     /// The same of what the particles found.
     std::vector<gpu::uvec2> wantedContacts() const
     {
-        const auto counts = fixture.stages.search.listCounts.download(), lists = fixture.stages.search.colliderLists.download();
+        const auto counts = fixture.stages.search.listCounts.download(),
+                   lists = fixture.stages.search.colliderLists.download();
         const auto count = static_cast<uint32_t>(found.size());
         std::vector<gpu::uvec2> wanted;
         for (uint32_t i : fixture.stages.particles.rankedParticles.download())
@@ -45,7 +46,8 @@ protected:
     }
     float gapOf(gpu::uvec2 contact) const
     {
-        return colliderDistance(fixture.world, fixture.world.colliders[contact.y], vec3(found[contact.x])) - DIAMETER / 2;
+        return colliderDistance(fixture.world, fixture.world.colliders[contact.y], vec3(found[contact.x])) -
+               DIAMETER / 2;
     }
     /// Distances of turned colliders (collider_test.cpp).
     static constexpr float ROUNDING = 4e-6f;
@@ -107,8 +109,8 @@ TEST_F(ColliderPrepare, ContactsThatLastKeepTheirImpulsesAndFreshOnesHaveNone)
         const auto last = old.find({after[q].x, after[q].y});
         const float gap = gapOf(after[q]);
         if (last == old.end() && std::abs(gap) < ROUNDING) continue;
-        const gpu::vec4 wanted =
-            last != old.end() ? last->second : gpu::vec4{0, 0, 0, gap < 0 ? float(ABOUT_TO_ACT) : 0.0f};
+        const gpu::vec4 wanted = last != old.end() ? last->second
+                                                   : gpu::vec4{0, 0, 0, gap < 0 ? float(ABOUT_TO_ACT) : 0.0f};
         ASSERT_EQ(vec3(actual), vec3(wanted)) << "particle " << after[q].x << ", collider " << after[q].y;
         ASSERT_EQ(actual.w, wanted.w) << "particle " << after[q].x << ", collider " << after[q].y;
         ASSERT_EQ(means[first + q], last != old.end() ? 5.0f + wanted.x : 0.0f) << "particle " << after[q].x;
@@ -123,7 +125,8 @@ TEST_F(ColliderPrepare, AContactKnowsItsMoverColliderArmAndFriction)
 {
     find();
     const auto sides = fixture.stages.contacts.colliderSides.download();
-    const auto arms = fixture.stages.contacts.colliderArms.download(), offsets = fixture.stages.particles.restOffsets.download();
+    const auto arms = fixture.stages.contacts.colliderArms.download(),
+               offsets = fixture.stages.particles.restOffsets.download();
     const auto all = contacts();
     for (size_t q = 0; q < all.size(); ++q) {
         const auto [i, c] = all[q];

@@ -15,25 +15,28 @@ constexpr float ROUNDING = 1e-6f;
 
 TEST(ColliderDistance, IsThatOfTheShapeInItsOwnFrame)
 {
-    const struct { ColliderShape shape; Vector3f point; float distance; } rows[] = {
-        {ColliderShape::Plane, {5, 0.25f, -3}, 0.25f},
-        {ColliderShape::Plane, {5, -0.25f, -3}, -0.25f},
-        {ColliderShape::Box, {0.4f, 0, 0}, 0.1f},               // off a face
-        {ColliderShape::Box, {0.6f, 0.5f, 0}, 0.5f},            // off an edge: 3-4-5
-        {ColliderShape::Box, {0.5f, 0.2f, 0.4f}, 0.3f},         // off a corner: 2-1-2
-        {ColliderShape::Box, {0.1f, 0.04f, 0}, -0.06f},         // inside, under the nearest face
-        {ColliderShape::Sphere, {0.3f, 0, 0.4f}, 0.35f},
-        {ColliderShape::Sphere, {0, 0, 0}, -0.15f},
-        {ColliderShape::Capsule, {0.2f, 0.1f, 0}, 0.05f},       // beside the shaft
-        {ColliderShape::Capsule, {0, -0.5f, 0}, 0.15f},         // below the lower cap
-        {ColliderShape::Capsule, {0.3f, 0.6f, 0}, 0.35f},       // off the upper cap: 3-4-5
+    const struct {
+        ColliderShape shape;
+        Vector3f point;
+        float distance;
+    } rows[] = {
+        {ColliderShape::Plane, {5, 0.25f, -3}, 0.25f},    {ColliderShape::Plane, {5, -0.25f, -3}, -0.25f},
+        {ColliderShape::Box, {0.4f, 0, 0}, 0.1f},        // off a face
+        {ColliderShape::Box, {0.6f, 0.5f, 0}, 0.5f},     // off an edge: 3-4-5
+        {ColliderShape::Box, {0.5f, 0.2f, 0.4f}, 0.3f},  // off a corner: 2-1-2
+        {ColliderShape::Box, {0.1f, 0.04f, 0}, -0.06f},  // inside, under the nearest face
+        {ColliderShape::Sphere, {0.3f, 0, 0.4f}, 0.35f},  {ColliderShape::Sphere, {0, 0, 0}, -0.15f},
+        {ColliderShape::Capsule, {0.2f, 0.1f, 0}, 0.05f},  // beside the shaft
+        {ColliderShape::Capsule, {0, -0.5f, 0}, 0.15f},    // below the lower cap
+        {ColliderShape::Capsule, {0.3f, 0.6f, 0}, 0.35f},  // off the upper cap: 3-4-5
     };
     const Vector3f place(0.5f, -1, 2);
     const Quaternionf turn(Eigen::AngleAxisf(1.1f, Vector3f(1, 1, 0).normalized()));
     for (const auto& row : rows) {
         EXPECT_NEAR(colliderDistance({}, colliderOf(row.shape), row.point), row.distance, ROUNDING);
         EXPECT_NEAR(colliderDistance({}, colliderOf(row.shape, place, turn), turn * row.point + place), row.distance,
-                    4 * ROUNDING) << "turned";
+                    4 * ROUNDING)
+            << "turned";
     }
 }
 

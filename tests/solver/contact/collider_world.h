@@ -51,7 +51,7 @@ BUFFER(vec4, Velocities, velocities);
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i < sim.particleCount) moved[i] = colliderDistance(index, texelFetch(positions, int(i)).xyz);
+    if (i < sim.particleCount) velocities[i] = colliderDistance(index, texelFetch(positions, int(i)).xyz);
 }
 )");
 }

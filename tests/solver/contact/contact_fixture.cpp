@@ -13,7 +13,7 @@ namespace knuckle::test {
 namespace {
 
 constexpr uint32_t PARITY = 1;
-constexpr uint32_t KIN = 1u << 23;   // shaders/sim/common/one_sided.glsl
+constexpr uint32_t KIN = 1u << 23;  // shaders/sim/common/one_sided.glsl
 
 World worldWithColliders(const Settings& settings)
 {
@@ -119,9 +119,8 @@ void ContactFixture::setLists()
     for (const TestContact& c : colliderContacts) ++starts[2 * count + rankOf[c.first] + 1];
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
     std::iota(references.begin(), references.end(), 0u);
-    std::stable_sort(references.begin(), references.end(), [&](uint32_t a, uint32_t b) {
-        return rankOf[pairs[a].second] < rankOf[pairs[b].second];
-    });
+    std::stable_sort(references.begin(), references.end(),
+                     [&](uint32_t a, uint32_t b) { return rankOf[pairs[a].second] < rankOf[pairs[b].second]; });
     put(stages.search.listStarts, starts, PARITY * starts.size());
     put(stages.search.pairReferences, references);
     gpu::Counters now = counters();

@@ -6,16 +6,16 @@ namespace knuckle::test {
 
 /// A contact of a particle with another or with a collider, as the kernels hold it.
 struct TestContact {
-    uint32_t first = 0, second = 0;      ///< Particles; the second may be a collider.
+    uint32_t first = 0, second = 0;  ///< Particles; the second may be a collider.
     Vector3f firstArm{0, 0, 0}, secondArm{0, 0, 0};
-    float firstMass = 0, secondMass = 0; ///< Worst inverse masses, 0: fixed [1/kg].
-    float firstShare = 1, secondShare = 1;   ///< Of them along the normal; of pairs multiples of 1/8191,
-                                             ///< with colliders of 1/65535.
-    float staticFriction = 0, kineticFriction = 0;   ///< Halves.
-    uint32_t hidden = 0;                 ///< Axes of the bodies along which their lattices go on, three bits each.
-    bool kin = false;                    ///< Both particles of one assembly, as the lists tell it.
-    gpu::vec4 impulse{0, 0, 0, 0};       ///< Before the kernel runs.
-    float mean = 0;                      ///< Of its normal part.
+    float firstMass = 0, secondMass = 0;            ///< Worst inverse masses, 0: fixed [1/kg].
+    float firstShare = 1, secondShare = 1;          ///< Of them along the normal; of pairs multiples of 1/8191,
+                                                    ///< with colliders of 1/65535.
+    float staticFriction = 0, kineticFriction = 0;  ///< Halves.
+    uint32_t hidden = 0;            ///< Axes of the bodies along which their lattices go on, three bits each.
+    bool kin = false;               ///< Both particles of one assembly, as the lists tell it.
+    gpu::vec4 impulse{0, 0, 0, 0};  ///< Before the kernel runs.
+    float mean = 0;                 ///< Of its normal part.
 };
 
 /// Movers with contacts of one's own making in the lists, which need not be near each other.
@@ -33,7 +33,10 @@ public:
     {
         return secondHalf(stages.contacts.colliderImpulses, colliderContacts.size());
     }
-    std::vector<float> colliderMeans() const { return secondHalf(stages.contacts.colliderMeans, colliderContacts.size()); }
+    std::vector<float> colliderMeans() const
+    {
+        return secondHalf(stages.contacts.colliderMeans, colliderContacts.size());
+    }
     Vector3d place(uint32_t particle, const Vector3f& arm) const
     {
         return centre(moverOf[particle]) + this->arm(moverOf[particle], arm.cast<double>());
@@ -45,8 +48,8 @@ public:
     /// The arm at which a particle's mover is at `place` when the substep begins.
     Vector3f armTo(uint32_t particle, const Vector3f& place) const;
 
-    std::vector<TestContact> pairs, colliderContacts;   ///< In the order of the lists.
-    std::vector<uint32_t> rankOf;                       ///< Per particle.
+    std::vector<TestContact> pairs, colliderContacts;  ///< In the order of the lists.
+    std::vector<uint32_t> rankOf;                      ///< Per particle.
 
 private:
     template <typename Value>

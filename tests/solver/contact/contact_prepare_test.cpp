@@ -45,7 +45,7 @@ float meanOfPair(const gpu::vec4& impulse)
 TEST_F(ContactPrepare, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChangePlaces)
 {
     find();
-    std::map<std::pair<uint32_t, uint32_t>, gpu::vec4> old;   // by first and second
+    std::map<std::pair<uint32_t, uint32_t>, gpu::vec4> old;  // by first and second
     auto impulses = fixture.stages.contacts.pairImpulses.download();
     auto means = fixture.stages.contacts.pairMeans.download();
     const auto before = pairs();
@@ -124,7 +124,8 @@ TEST_F(ContactPrepare, APairKnowsItsMoversArmsAndFriction)
 {
     find();
     const auto sides = fixture.stages.contacts.pairSides.download();
-    const auto arms = fixture.stages.contacts.pairArms.download(), offsets = fixture.stages.particles.restOffsets.download();
+    const auto arms = fixture.stages.contacts.pairArms.download(),
+               offsets = fixture.stages.particles.restOffsets.download();
     const auto found = pairs();
     const auto material = [&](uint32_t particle) -> const Material& {
         return fixture.world.materials[fixture.world.particles[particle].material];
@@ -164,9 +165,10 @@ TEST_F(ContactPrepare, APairKnowsTheInverseMassesAlongItsNormalAsSharesOfTheWors
         for (int side : {0, 1}) {
             const uint32_t particle = side == 0 ? found[q].x : found[q].y;
             const gpu::vec4& arm = offsets[particle];
-            // Fixed movers have no worst.
+            // What is fixed has a mass that does not matter.
+            const bool fixed = isFixed(fixture.world, fixture.world.particles[particle]);
             const double mass = fixture.inverseMass(particle, vec3(arm), parting.normal);
-            const double wanted = arm.w == 0.0f ? 1.0 : std::min(mass / static_cast<double>(arm.w), 1.0);
+            const double wanted = fixed ? 1.0 : std::min(mass / static_cast<double>(arm.w), 1.0);
             const float share = static_cast<float>(sides[q].w >> (13 * side) & 0x1fffu) / 8191.0f;
             // 13 bits, and some 20 roundings of single precision.
             ASSERT_NEAR(share, wanted, 1.0 / 8191 + 20 * 0x1p-24) << "pair " << q << ", side " << side;

@@ -13,7 +13,7 @@ struct Situation {
     double gap, startGap, leaving;
     bool kin = false;
     double inverseMass, worstMass;
-    double places;   ///< Size of the positions whose differences gap and slide are [m]: it sets the rounding.
+    double places;  ///< Size of the positions whose differences gap and slide are [m]: it sets the rounding.
 };
 
 /// What an impulse becomes, and how sure that is.
@@ -22,7 +22,7 @@ struct Answer {
     double w, mean;
     double tolerance;
     bool sliding;
-    bool onEdge;     ///< So near the limit of a case that rounding decides.
+    bool onEdge;  ///< So near the limit of a case that rounding decides.
 };
 
 class ContactSolve : public testing::Test {
@@ -32,7 +32,7 @@ protected:
     ContactSolve()
     {
         fixture.setMoves(0.002f, 0.005f, SPLITS);
-        fixture.stages.parameters.maxCorrection = 2e-4f;   // of the depths below, some come under it and some do not
+        fixture.stages.parameters.maxCorrection = 2e-4f;  // of the depths below, some come under it and some do not
         fixture.setParameters();
     }
     const gpu::StepParameters& step() const { return fixture.stages.parameters; }
@@ -40,7 +40,7 @@ protected:
     void addImpulse(TestContact& c, Random& random) const
     {
         const float kind = random.between(0, 4), size = 0.005f / (c.firstMass + c.secondMass + 0.01f);
-        c.mean = std::max(random.between(-size, size), 0.0f);   // what carries nothing now may have lately
+        c.mean = std::max(random.between(-size, size), 0.0f);  // what carries nothing now may have lately
         if (kind < 1) return;
         c.impulse = packed(random.inCube(kind < 1.5f ? 0.1f * size : 0.0f), ABOUT_TO_ACT);
         if (kind < 2) return;
@@ -128,7 +128,8 @@ protected:
     {
         const Vector3d a = fixture.place(c.first, c.firstArm), b = fixture.place(c.second, c.secondArm);
         Situation s;
-        const Vector3d first = fixture.moveOfArm(c.first, c.firstArm), second = fixture.moveOfArm(c.second, c.secondArm);
+        const Vector3d first = fixture.moveOfArm(c.first, c.firstArm),
+                       second = fixture.moveOfArm(c.second, c.secondArm);
         s.slide = first - second;
         const Vector3d apart = a - b + s.slide;
         s.normal = apart.normalized();
@@ -240,7 +241,8 @@ TEST_F(ContactSolve, PairsGetTheImpulseOfTheReference)
 {
     makePairs();
     fixture.run("contact/contact_solve", fixture.pairs.size());
-    expectAnswers(fixture.pairs, fixture.pairImpulses(), fixture.pairMeans(), [&](const TestContact& c) { return ofPair(c); });
+    expectAnswers(fixture.pairs, fixture.pairImpulses(), fixture.pairMeans(),
+                  [&](const TestContact& c) { return ofPair(c); });
 }
 
 TEST_F(ContactSolve, WhatHasSunkIsHeldByNoMoreThanRecoveryPushes)

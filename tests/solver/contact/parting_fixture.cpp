@@ -25,10 +25,10 @@ void PartingFixture::setTurnsAndInertias()
     std::vector<gpu::vec4> packedInertias;
     for (const Body& body : world.bodies) {
         const BodyMass mass = bodyMass(world, body);
-        const double radius = std::max(mass.radius, 0.05);   // of a body of one particle: none
+        const double radius = std::max(mass.radius, 0.05);  // of a body of one particle: none
         const auto size = static_cast<float>(1.0 / (mass.mass * radius * radius));
         const Vector3f diagonal = size * Vector3f(1.5f, 1.5f, 1.5f) + random.inCube(0.5f * size);
-        const Vector3f other = random.inCube(0.5f * size);   // xy, xz, yz
+        const Vector3f other = random.inCube(0.5f * size);  // xy, xz, yz
         packedInertias.push_back(packed(diagonal, static_cast<float>(1.0 / mass.mass)));
         packedInertias.push_back(packed(other));
         Matrix3d inertia = diagonal.cast<double>().asDiagonal();

@@ -16,7 +16,7 @@ struct Parting {
     double far = 0.0;
     uint32_t hidden = 0;
     bool oneSided = false;
-    bool sure = true;    ///< Not so near a limit that rounding decides.
+    bool sure = true;  ///< Not so near a limit that rounding decides.
 };
 
 /// How pairs part, written anew from the rules, among bodies that are turned at random.
@@ -37,8 +37,8 @@ private:
     /// `sure` becomes false where rounding decides.
     Vector3d shown(uint32_t particle, const Vector3d& towards, uint32_t& hidden, bool& sure) const;
 
-    std::vector<Quaternionf> turns_;      ///< Per mover.
-    std::vector<Matrix3d> inertias_;      ///< Per body, inverse.
+    std::vector<Quaternionf> turns_;  ///< Per mover.
+    std::vector<Matrix3d> inertias_;  ///< Per body, inverse.
     std::vector<uint32_t> bodiesOfAssembly_;
 };
 

@@ -57,8 +57,8 @@ protected:
     {
         const double d = parameters().diameter, far = std::max(r, 0.25 * d), reach = parameters().fluidReach;
         const double u = std::clamp((parameters().fluidListReach - r) / (0.2 * d), 0.0, 1.0);
-        const double slope =
-            FluidFixture::derivative([&](double z) { return wallFraction(z, reach); }, std::max(far - 0.5 * d, 2e-6));
+        const double slope = FluidFixture::derivative([&](double z) { return wallFraction(z, reach); },
+                                                      std::max(far - 0.5 * d, 2e-6));
         return -parameters().solidCover * d * d / (2.0 * std::numbers::pi * far) * slope * u * u * (3.0 - 2.0 * u);
     }
     static double weight(double r, double reach) { return std::pow(std::max(1.0 - r / reach, 0.0), 2); }

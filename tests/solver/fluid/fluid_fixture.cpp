@@ -73,7 +73,8 @@ void FluidFixture::findNeighbours()
     run("search/scan_sum", cells / SCAN_CHUNK, defines);
     run("search/scan_chunks", 1, defines);
     run("search/grid_start", cells / SCAN_CHUNK, defines);
-    for (const char* kernel : {"search/grid_scatter", "fluid/fluid_order", "fluid/fluid_find"}) forSlots(kernel, defines);
+    for (const char* kernel : {"search/grid_scatter", "fluid/fluid_order", "fluid/fluid_find"})
+        forSlots(kernel, defines);
     FluidStage& f = *stages.fluids;
     slotParticles = f.slotParticles.download();
     slotCounts = f.slotCounts.download();

@@ -52,7 +52,10 @@ public:
 
     /// W times a particle's volume at the distance r, and its derivative by r [1/m]: sim/fluid/fluid.glsl written anew.
     double share(double r) const;
-    double slope(double r) const { return derivative([&](double x) { return share(x); }, r); }
+    double slope(double r) const
+    {
+        return derivative([&](double x) { return share(x); }, r);
+    }
     /// By a central difference, for the reference not to repeat the shaders' formulas.
     template <typename Function>
     static double derivative(const Function& function, double x)
@@ -64,7 +67,7 @@ public:
     std::vector<gpu::vec4> places, masses;
     std::vector<uint32_t> slotParticles;
     std::vector<gpu::uvec2> slotCounts;
-    std::vector<uint32_t> neighbours;   ///< slotNeighbours, one by one.
+    std::vector<uint32_t> neighbours;  ///< slotNeighbours, one by one.
 };
 
 }  // namespace knuckle::test

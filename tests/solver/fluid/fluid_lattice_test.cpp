@@ -46,7 +46,8 @@ bool isPlain(const FluidLattice& lattice)
         for (int y = low.y(); y <= high.y(); ++y)
             for (int x = low.x(); x <= high.x(); ++x) {
                 const uint32_t index = (static_cast<uint32_t>(x) + lattice.strideY * static_cast<uint32_t>(y) +
-                                        lattice.strideZ * static_cast<uint32_t>(z)) & (CELLS - 1);
+                                        lattice.strideZ * static_cast<uint32_t>(z)) &
+                                       (CELLS - 1);
                 if (taken[index]) return false;
                 taken[index] = true;
             }
@@ -57,9 +58,9 @@ bool isPlain(const FluidLattice& lattice)
 
 TEST(FluidLattice, ReachesToThePlanesAroundAndFarUp)
 {
-    const World world = basin({1, 1, 1}, {planeAt({0, 0, 0}, {0, 1, 0}), planeAt({0, 0, 0}, {1, 0, 0}),
-                                          planeAt({3, 0, 0}, {-1, 0, 0}), planeAt({0, 0, 0}, {0, 0, 1}),
-                                          planeAt({0, 0, 1}, {0, 0, -1})});
+    const World world = basin(
+        {1, 1, 1}, {planeAt({0, 0, 0}, {0, 1, 0}), planeAt({0, 0, 0}, {1, 0, 0}), planeAt({3, 0, 0}, {-1, 0, 0}),
+                    planeAt({0, 0, 0}, {0, 0, 1}), planeAt({0, 0, 1}, {0, 0, -1})});
     const FluidLattice lattice = fluidLattice(world, CELL, CELLS);
     EXPECT_TRUE(lattice.home.contains(Eigen::AlignedBox3f(Vector3f(0, 0, 0), Vector3f(3, 1, 1))));
     // 136 x 16 cells and no walls above: some 30 are left.

@@ -23,7 +23,7 @@ protected:
             pressures.push_back(pressure);
             walls.push_back(fixture.isFluid(i) ? random.vec4(3.0f) : gpu::vec4{});
             solids.push_back(fixture.isFluid(i) ? random.vec4(3.0f) : gpu::vec4{});
-            before.push_back({1000, 0, 0, 0});   // so fast that no limit counts
+            before.push_back({1000, 0, 0, 0});  // so fast that no limit counts
         }
     }
     void push(float harder = 1.0f, const Defines& defines = {})
@@ -80,7 +80,8 @@ TEST_F(FluidPressure, MovesByThePressuresAround)
 TEST_F(FluidPressure, ImpulsesOfPairsAddUpToNothing)
 {
     clearWalls();
-    fill(fixture.stages.fluids->fluidMaterials, std::vector<gpu::vec4>{{0, 0, 0, 0}, {0, 2e-5f, 0, 0}, {0, 1e-5f, 0, 0}});
+    fill(fixture.stages.fluids->fluidMaterials,
+         std::vector<gpu::vec4>{{0, 0, 0, 0}, {0, 2e-5f, 0, 0}, {0, 1e-5f, 0, 0}});
     std::vector<uint32_t> materials;
     for (const Particle& p : fixture.world.particles) materials.push_back(p.material);
     fill(fixture.stages.fluids->slotMaterials, fixture.inSlots(materials));
@@ -181,7 +182,8 @@ TEST_F(FluidPressure, PredictsWhereTheNextSubstepEndsWithoutPressures)
     }
     push(1.0f, {{"RELAX", "1"}});
     const auto still = fixture.byParticle(fixture.stages.fluids->slotPositions.download());
-    for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) ASSERT_EQ(vec3(still[i]), vec3(positions[i])) << i;
+    for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i)
+        ASSERT_EQ(vec3(still[i]), vec3(positions[i])) << i;
 }
 
 }  // namespace

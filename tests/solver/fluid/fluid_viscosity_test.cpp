@@ -50,8 +50,8 @@ TEST_F(FluidViscosity, VelocitiesEvenOutAndKeepTheirMomentum)
         Vector3d change = Vector3d::Zero();
         for (uint32_t j : fixture.fluidNear(i)) {
             const double lighter = fixture.mass(j) / (fixture.mass(i) + fixture.mass(j));
-            change += (strength(i) + strength(j)) * lighter * fixture.share((fixture.place(i) - fixture.place(j)).norm()) *
-                      (velocity(j) - velocity(i));
+            change += (strength(i) + strength(j)) * lighter *
+                      fixture.share((fixture.place(i) - fixture.place(j)).norm()) * (velocity(j) - velocity(i));
         }
         const Vector3d now = vec3(found[i]).cast<double>(), got = now - velocity(i);
         ASSERT_LT((got - change).norm(), ROUNDING * (1.0 + change.norm())) << i;

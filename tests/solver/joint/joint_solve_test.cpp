@@ -38,8 +38,8 @@ protected:
     }
     struct Owner {
         size_t link;
-        Vector3d goal;        ///< Where its body would have the particle [m].
-        double inverseMass;   ///< There, of the body split over all its impulses [1/kg].
+        Vector3d goal;       ///< Where its body would have the particle [m].
+        double inverseMass;  ///< There, of the body split over all its impulses [1/kg].
     };
     /// The links of a particle, as they stand in the link array.
     std::vector<Owner> ownersOf(uint32_t particle) const
@@ -90,7 +90,7 @@ protected:
 
     MoverFixture fixture;
     std::vector<gpu::ParticleRigidBodyLink> links;
-    std::vector<float> masses, relaxations, splits;   ///< Per link, mover, mover.
+    std::vector<float> masses, relaxations, splits;  ///< Per link, mover, mover.
     std::vector<gpu::vec4> old;
 };
 

@@ -41,7 +41,8 @@ protected:
         Stages& b = fixture.stages;
         const auto links = b.bodies.links.download();
         const auto pulls = b.paper->linkPulls.download();
-        const auto moved = b.paper->moved.download(), starts = b.paper->bodyStarts.download(), positions = b.particles.positions.download();
+        const auto moved = b.paper->moved.download(), starts = b.paper->bodyStarts.download(),
+                   positions = b.particles.positions.download();
         const Vector3d centre = vec3(starts[2 * body]).cast<double>();
         const Vector3d last = vec3(b.bodies.moverMoves.download()[body]).cast<double>();
         BodySums sums;
@@ -88,7 +89,8 @@ protected:
     }
     void reduce(const Defines& defines)
     {
-        const Kernel terms = fixture.load("paper/link_terms", defines), step = fixture.load("paper/link_reduce", defines),
+        const Kernel terms = fixture.load("paper/link_terms", defines),
+                     step = fixture.load("paper/link_reduce", defines),
                      collect = fixture.load("paper/body_collect", defines);
         const uint32_t links = groupsFor(fixture.stages.parameters.linkCount);
         fixture.dispatch(terms, links);
@@ -105,7 +107,7 @@ protected:
     }
 
     KernelFixture fixture;
-    std::vector<BodySums> expected;   ///< Of what the stages held at first: the kernels overwrite moverMoves.
+    std::vector<BodySums> expected;  ///< Of what the stages held at first: the kernels overwrite moverMoves.
 };
 
 TEST_F(BodySum, OneThreadABodySumsItsLinks)

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/solver/contact/contact_fixture.h"
 #include "shared/paper_constants.h"
+#include "tests/solver/contact/contact_fixture.h"
 
 namespace knuckle::test {
 
@@ -22,7 +22,7 @@ struct Wanted {
 };
 
 constexpr uint32_t PARITY = 1;
-constexpr double EDGE = 2e-6;   ///< Nearer to the limit of a case, rounding decides [m].
+constexpr double EDGE = 2e-6;  ///< Nearer to the limit of a case, rounding decides [m].
 
 enum class Pass { Stabilize, Solve };
 
@@ -79,7 +79,7 @@ protected:
         std::vector<gpu::uvec2> listed;
         for (const TestContact& c : fixture.pairs) listed.push_back({c.first, c.second});
         fixture.stages.search.pairs.write(listed.data(), listed.size() * sizeof(gpu::uvec2),
-                                  PARITY * fixture.stages.parameters.pairCapacity * sizeof(gpu::uvec2));
+                                          PARITY * fixture.stages.parameters.pairCapacity * sizeof(gpu::uvec2));
     }
     bool stabilize() const { return GetParam() == Pass::Stabilize; }
     /// What part of a particle's move its body follows with there: its mass over the effective mass of the body.
@@ -95,10 +95,7 @@ protected:
     }
     Vector3d start(uint32_t i) const { return vec3(starts[i]).cast<double>(); }
     Vector3d move(uint32_t i) const { return vec3(moves[i]).cast<double>(); }
-    bool isFixed(uint32_t i) const
-    {
-        return knuckle::isFixed(fixture.world, fixture.world.particles[i]);
-    }
+    bool isFixed(uint32_t i) const { return knuckle::isFixed(fixture.world, fixture.world.particles[i]); }
     /// As predict has it for contacts, scaled.
     double inverseMass(uint32_t i) const { return double(moves[i].w); }
     double sideShare(uint32_t own, uint32_t other) const

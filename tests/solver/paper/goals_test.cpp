@@ -103,7 +103,8 @@ TEST_F(Goals, SharedParticlesStandBeyondTheMeanByTheirGain)
             }
             const Vector3d r(links[l].posInRigidBodyX, links[l].posInRigidBodyY, links[l].posInRigidBodyZ);
             const Vector3d goal = vec3(starts[2 * b]).cast<double>() + vec3(moves[b]).cast<double>() +
-                                  quaternion(turns[b]).cast<double>() * (quaternion(starts[2 * b + 1]).cast<double>() * r);
+                                  quaternion(turns[b]).cast<double>() *
+                                      (quaternion(starts[2 * b + 1]).cast<double>() * r);
             Vector3d gap = vec3(positions[i]).cast<double>() + wanted[i] - goal;
             bounded += gap.norm() > bound;
             gap *= std::min(1.0, bound / gap.norm());
@@ -127,7 +128,9 @@ TEST_F(Goals, BodiesThatShareAParticleAreDrawnWithOneMass)
         if (p.bodyCount < 2 || isFixed(fixture.world, p)) continue;
         const float drawn = (1.0f + gains[l]) * links[l].mass;
         EXPECT_GT(drawn, 0.0f);
-        if (mass[i] > 0.0f) { EXPECT_NEAR(drawn / mass[i], 1.0f, 1e-5f) << "particle " << i; }
+        if (mass[i] > 0.0f) {
+            EXPECT_NEAR(drawn / mass[i], 1.0f, 1e-5f) << "particle " << i;
+        }
         mass[i] = drawn;
     }
 }

@@ -32,10 +32,7 @@ protected:
         now.substep = SUBSTEP;
         fixture.setCounters(now);
     }
-    bool isFixed(size_t i) const
-    {
-        return knuckle::isFixed(fixture.world, fixture.world.particles[i]);
-    }
+    bool isFixed(size_t i) const { return knuckle::isFixed(fixture.world, fixture.world.particles[i]); }
     /// All assemblies were last touched in this substep, and go by this order.
     void setAssemblies(uint32_t lastContact, uint32_t order)
     {
@@ -164,7 +161,7 @@ TEST_F(Finish, VelocitiesAreOfTheOrderOfThePrediction)
 
 TEST_F(Finish, AnAssemblyTouchedInThisSubstepAnswersByFirstOrder)
 {
-    setAssemblies(SUBSTEP - 1, 2);   // search_due has counted this substep already
+    setAssemblies(SUBSTEP - 1, 2);  // search_due has counted this substep already
     expectVelocities([&](size_t i) { return Vector3f(vec3(moves[i]) / h()); });
 }
 
@@ -229,7 +226,8 @@ TEST_F(FinishFrozen, WhatIsFrozenKeepsItsPlaceAndHasNoSpeed)
         calm.push_back({a % 2 == 0 ? fixture.stages.parameters.calmSteps : 5u, a});
     fill(fixture.stages.sleep->assemblyCalm, calm);
     fixture.forParticles("paper/finish", {{"SLEEP", "1"}});
-    const auto places = fixture.stages.particles.positions.download(), found = fixture.stages.particles.velocities.download();
+    const auto places = fixture.stages.particles.positions.download(),
+               found = fixture.stages.particles.velocities.download();
     const auto infos = fixture.stages.particles.particleInfo.download();
     uint32_t frozen = 0;
     for (size_t i = 0; i < found.size(); ++i) {

@@ -44,8 +44,13 @@ Settings rowOf(SolverKind solver, int row)
 
 std::vector<int> levelsOf(const Settings& s)
 {
-    return {int(s.rotation), int(s.reduction), int(s.grid), int(s.velocityOrder), int(s.splitSharedMass),
-            int(s.freeze > 0.0f), int(s.virtualParticles > 0.0f)};
+    return {int(s.rotation),
+            int(s.reduction),
+            int(s.grid),
+            int(s.velocityOrder),
+            int(s.splitSharedMass),
+            int(s.freeze > 0.0f),
+            int(s.virtualParticles > 0.0f)};
 }
 
 class Alternatives : public testing::TestWithParam<std::tuple<SolverKind, int>> {};

@@ -35,7 +35,7 @@ Case turned(const Vector3d& values, double degrees, Random& random)
 
 struct Nearest {
     Eigen::Quaterniond rotation;
-    double gap;   ///< Torque over rotation: s2 + s3 over the size of `a`; s3 < 0 where `a` is mirrored.
+    double gap;  ///< Torque over rotation: s2 + s3 over the size of `a`; s3 < 0 where `a` is mirrored.
 };
 
 /// The proper rotation nearest to `a`, by its singular values: not by the 4x4 matrix that one of the methods takes.
@@ -55,7 +55,8 @@ protected:
     std::vector<Eigen::Quaterniond> solve(const Defines& method, const std::vector<Case>& cases)
     {
         Stages& b = fixture.stages;
-        std::vector<gpu::vec4> matrices, starts, rotations(b.bodies.moverRotations.size(), packed(Quaternionf::Identity()));
+        std::vector<gpu::vec4> matrices, starts,
+            rotations(b.bodies.moverRotations.size(), packed(Quaternionf::Identity()));
         const std::vector<gpu::vec4> unturned = rotations;
         for (const Case& c : cases) {
             for (int k = 0; k < 3; ++k) matrices.push_back(packed(Vector3f(c.a.col(k).cast<float>())));
@@ -130,7 +131,7 @@ TEST_F(Rotation, SolidBodiesTurnAsTheOracleSaysByHouseholder)
 
 TEST_F(Rotation, BodiesOfAnyShapeTurnByAnyAngleByHigham)
 {
-    const Vector3d shapes[] = {{0.3, 0.2, 0.1},   {0.2, 0.2, 0.2},     {0.4, 0.1, 0.1},    {0.3, 0.2, 0.0},
+    const Vector3d shapes[] = {{0.3, 0.2, 0.1},   {0.2, 0.2, 0.2},     {0.4, 0.1, 0.1},  {0.3, 0.2, 0.0},
                                {0.3, 0.3, 0.001}, {0.3, 0.001, 0.001}, {0.3, 0.001, 0.0}};
     for (const Vector3d& shape : shapes) {
         SCOPED_TRACE(shape.transpose());
@@ -197,8 +198,8 @@ TEST_F(Rotation, VirtualParticlesTurnStraightBodiesByHouseholder)
     const auto list = cases([](Random& r) { return turned({0.3, 0.0, 0.0}, 20.0, r); });
     const auto found = solve(HOUSEHOLDER, list);
     for (size_t k = 0; k < list.size(); ++k) {
-        const Eigen::Quaterniond wanted =
-            nearestRotation(withVirtualParticles(list[k], fixture.stages.parameters.virtualParticles));
+        const Eigen::Quaterniond wanted = nearestRotation(
+            withVirtualParticles(list[k], fixture.stages.parameters.virtualParticles));
         // The two small singular values are c and c cos 20 deg: their squares' ratio, 0.88, is what one QR iteration
         // gains, and 24 leave 0.88^24 = 5 % of what is between them.
         const Vector3d line = list[k].a.transpose() * (list[k].a * Vector3d(1, 2, 3));

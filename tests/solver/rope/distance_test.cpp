@@ -12,7 +12,7 @@ namespace {
 
 /// A cube on a rope that may tear, one that hangs between two cubes, a free one, and a cloth that is held at a corner
 /// and tied to a cube: distanceRows that cross, and ends of every kind.
-World strandWorld()
+World ropeWorld()
 {
     WorldBuilder builder(DIAMETER / 2);
     Material material;
@@ -56,15 +56,15 @@ World strandWorld()
     return builder.build();
 }
 
-/// One Newton step of a strand by all its equations at once, in double precision.
+/// One Newton step of a row by all its equations at once, in double precision.
 struct Wanted {
-    std::vector<Vector3d> pushes;          ///< Per node, the impulse on it [kg m].
-    std::vector<gpu::vec4> states;         ///< Per link.
+    std::vector<Vector3d> pushes;   ///< Per node, the impulse on it [kg m].
+    std::vector<gpu::vec4> states;  ///< Per link.
 };
 
 class DistanceSolve : public testing::TestWithParam<bool> {
 protected:
-    DistanceSolve() : fixture(strandWorld())
+    DistanceSolve() : fixture(ropeWorld())
     {
         Random random(77);
         Stages& b = fixture.stages;
@@ -73,8 +73,7 @@ protected:
         for (uint32_t m = 0; m < moves.size(); ++m) {
             moves[m] = packed(random.inCube(0.1f * DIAMETER), 1.0f);
             const Vector3f half = random.inCube(0.02f);
-            if (m < fixture.world.bodies.size())
-                turns[m] = packed(half, std::sqrt(1.0f - half.squaredNorm()));
+            if (m < fixture.world.bodies.size()) turns[m] = packed(half, std::sqrt(1.0f - half.squaredNorm()));
         }
         fill(b.bodies.moverMoves, moves);
         fill(b.bodies.moverRotationDeltas, turns);
@@ -131,11 +130,11 @@ protected:
 
     /// M dx = sum of pulls; n (dx_b - dx_a) + (alpha + regular) dλ = rest - length - alpha λ, where the pull of a link
     /// is dλ n - k (1 - n n^T) (dx_b - dx_a).
-    Wanted wanted(const gpu::uvec4& strand) const
+    Wanted wanted(const gpu::uvec4& distances) const
     {
-        const uint32_t first = strand.x, count = strand.y - strand.x + 1;
+        const uint32_t first = distances.x, count = distances.y - distances.x + 1;
         const double h = static_cast<double>(fixture.stages.parameters.substepTime);
-        const double squared = (assemblies[strand.z].y == 2 ? 4.0 / 9.0 : 1.0) * h * h;
+        const double squared = (assemblies[distances.z].y == 2 ? 4.0 / 9.0 : 1.0) * h * h;
         const Eigen::Index size = 4 * count - 1;
         Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
         Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
@@ -157,8 +156,8 @@ protected:
                 state.x = 0.0f;
             }
             const double both = n.dot((responses[k] + responses[k + 1]) * n);
-            const double turning =
-                std::min(std::max(double(state.y), 0.0) * squared / far, 30.0 / std::max(both, 1e-20));
+            const double turning = std::min(std::max(double(state.y), 0.0) * squared / far,
+                                            30.0 / std::max(both, 1e-20));
             const double regular = (share(first + k + 1) == 0.0 ? 1e-3 : 1e-5) * both;
             const bool none = state.z != 0.0f || both == 0.0;
             const Matrix3d across = none ? Matrix3d(Matrix3d::Zero())
@@ -221,7 +220,7 @@ TEST_P(DistanceSolve, ARowIsSolvedAsAllItsEquationsAtOnce)
         const auto impulses = b.bodies.particleImpulses.download(), movesNow = b.bodies.moverMoves.download();
         const auto statesNow = b.distances->distanceStates.download();
         for (uint32_t s = color.begin; s < color.end; ++s) {
-            SCOPED_TRACE("strand " + std::to_string(s));
+            SCOPED_TRACE("row " + std::to_string(s));
             const Wanted w = wanted(distanceRows[s]);
             double size = 0.0;
             for (const Vector3d& p : w.pushes) size = std::max(size, p.norm());

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/solver/contact/collider_world.h"
 #include "sim/solver/measure.h"
+#include "tests/solver/contact/collider_world.h"
 
 namespace knuckle::test {
 
@@ -37,7 +37,8 @@ protected:
     /// What the particles found.
     std::vector<std::vector<uint32_t>> download() const
     {
-        const auto counts = fixture.stages.search.listCounts.download(), lists = fixture.stages.search.colliderLists.download();
+        const auto counts = fixture.stages.search.listCounts.download(),
+                   lists = fixture.stages.search.colliderLists.download();
         const uint32_t count = parameters().particleCount;
         std::vector<std::vector<uint32_t>> colliders(count);
         for (uint32_t i = 0; i < count; ++i)
@@ -103,7 +104,7 @@ TEST_P(ColliderFind, ListsTheCollidersThatAParticleMayTouchOfThoseThatItsMoverMa
 
 TEST_P(ColliderFind, ListsTheSameWhereNobodyHasLookedWhichAreNear)
 {
-    fixture.forParticles("search/collider_find");   // the paper's solver, with what the upload left
+    fixture.forParticles("search/collider_find");  // the paper's solver, with what the upload left
     expectAllInReach(std::vector<float>(centres.size(), 0.0f));
 }
 
@@ -133,7 +134,7 @@ TEST(ColliderLists, MoreCollidersThanSlotsAreReported)
     World world = mixedWorld();
     world.colliders.assign(COLLIDER_SLOTS + 2, colliderOf(ColliderShape::Plane));
     KernelFixture fixture(std::move(world));
-    fixture.forParticles("search/collider_find");   // found positions are zero: all on every plane
+    fixture.forParticles("search/collider_find");  // found positions are zero: all on every plane
     EXPECT_EQ(fixture.counters().problems, PROBLEM_COLLIDERS);
     EXPECT_EQ(fixture.counters().wantedColliders, COLLIDER_SLOTS + 2u);
     const auto counts = fixture.stages.search.listCounts.download();

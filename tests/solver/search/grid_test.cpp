@@ -19,7 +19,8 @@ protected:
         places[count - 1] = packed({0.01f, 0.02f, 0.03f});
         places[2] = packed({0.02f, 0.01f, 0.03f});
         for (uint32_t cell = 1; cell < WRAPPED_CELLS; ++cell)
-            places[40 * cell] = packed({(static_cast<float>(cell) + 0.1f) / fixture.stages.parameters.inverseCellSize, 0.01f, 0.03f});
+            places[40 * cell] = packed(
+                {(static_cast<float>(cell) + 0.1f) / fixture.stages.parameters.inverseCellSize, 0.01f, 0.03f});
         fixture.setFound(places);
         // Every third mover drifts further than the others.
         const float drift = fixture.stages.parameters.drift;

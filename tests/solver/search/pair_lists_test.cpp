@@ -51,7 +51,7 @@ protected:
             return fixture.rankOf(pairs[a].y) < fixture.rankOf(pairs[b].y);
         });
         for (uint32_t& q : references)
-            if (q >= fixture.stages.parameters.pairCapacity) q = NO_INDEX;   // NO_PAIR of the shaders
+            if (q >= fixture.stages.parameters.pairCapacity) q = NO_INDEX;  // NO_PAIR of the shaders
         return references;
     }
 
@@ -94,7 +94,8 @@ TEST_P(PairLists, ListsStartAtThePrefixSumOfTheirCounts)
     EXPECT_EQ(current(starts), wanted);
     const auto other = static_cast<std::ptrdiff_t>((1 - parity()) * wanted.size());
     EXPECT_EQ(std::count(starts.begin() + other, starts.begin() + other + std::ptrdiff_t(wanted.size()), 12345u),
-              std::ptrdiff_t(wanted.size())) << "the last search's";
+              std::ptrdiff_t(wanted.size()))
+        << "the last search's";
 }
 
 TEST_P(PairLists, ThePairsOfEachRankStandTogether)

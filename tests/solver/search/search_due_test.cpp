@@ -41,9 +41,12 @@ protected:
     std::vector<SearchSize> searchSizes() const
     {
         const gpu::StepParameters& p = fixture.stages.parameters;
-        return {{DISPATCH_PARTICLES, p.particleCount}, {DISPATCH_CELLS, p.cellMask + 1},
-                {DISPATCH_CELL_CHUNKS, (p.cellMask + 1) / SCAN_CHUNK}, {DISPATCH_MOVERS, p.moverCount},
-                {DISPATCH_ONE, 1}, {DISPATCH_LIST_CHUNKS, (3 * p.particleCount + SCAN_CHUNK - 1) / SCAN_CHUNK}};
+        return {{DISPATCH_PARTICLES, p.particleCount},
+                {DISPATCH_CELLS, p.cellMask + 1},
+                {DISPATCH_CELL_CHUNKS, (p.cellMask + 1) / SCAN_CHUNK},
+                {DISPATCH_MOVERS, p.moverCount},
+                {DISPATCH_ONE, 1},
+                {DISPATCH_LIST_CHUNKS, (3 * p.particleCount + SCAN_CHUNK - 1) / SCAN_CHUNK}};
     }
     void expectSearch(bool found)
     {

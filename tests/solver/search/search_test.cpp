@@ -99,8 +99,7 @@ std::vector<std::vector<uint32_t>> SearchBench::notedPairs() const
     const auto entries = stages.search.firstLists.download();
     std::vector<std::vector<uint32_t>> lists(count());
     for (uint32_t i = 0; i < count(); ++i)
-        for (uint32_t slot = 0; slot < counts[rankOf(i)]; ++slot)
-            lists[i].push_back(entries.at(slot * count() + i).x);
+        for (uint32_t slot = 0; slot < counts[rankOf(i)]; ++slot) lists[i].push_back(entries.at(slot * count() + i).x);
     return lists;
 }
 

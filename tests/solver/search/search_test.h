@@ -42,8 +42,8 @@ public:
 
     std::vector<gpu::vec4> found;
     std::vector<gpu::uvec2> places;
-    std::vector<float> reaches;               ///< Per mover [m].
-    std::vector<std::set<uint32_t>> bodies;   ///< Per particle.
+    std::vector<float> reaches;              ///< Per mover [m].
+    std::vector<std::set<uint32_t>> bodies;  ///< Per particle.
 };
 
 /// Frictions as contacts have them, static and kinetic, in half floats of 11 bits.

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "tests/solver/body/mover_fixture.h"
 #include "sim/solver/soft/cluster_links.h"
+#include "tests/solver/body/mover_fixture.h"
 
 namespace knuckle::test {
 
@@ -57,7 +57,8 @@ protected:
     ClusterKernels() : fixture(softWorld()), places(fixture.stages.particles.particleRanks.download())
     {
         Random random(11);
-        auto starts = fixture.stages.bodies.moverCentres.download(), moveValues = fixture.stages.bodies.moverMoves.download();
+        auto starts = fixture.stages.bodies.moverCentres.download(),
+             moveValues = fixture.stages.bodies.moverMoves.download();
         auto rests = fixture.stages.soft->clusterRests.download();
         for (const SoftBody& soft : fixture.world.softBodies)
             for (uint32_t i = soft.particleStart; i < soft.particleStart + soft.particleCount; ++i) {
@@ -75,7 +76,7 @@ protected:
         fill(fixture.stages.bodies.moverMoves, moveValues);
         fill(fixture.stages.soft->clusterRests, rests);
         auto states = fixture.stages.particles.assemblyState.download();
-        states[fixture.world.softBodies[0].assembly].y = 2;   // BDF2 in this one
+        states[fixture.world.softBodies[0].assembly].y = 2;  // BDF2 in this one
         fill(fixture.stages.particles.assemblyState, states);
         centres = starts;
         moves = moveValues;
@@ -83,10 +84,7 @@ protected:
     }
 
     Vector3d start(uint32_t particle) const { return vec3(centres[places[particle].x]).cast<double>(); }
-    Vector3d place(uint32_t particle) const
-    {
-        return start(particle) + vec3(moves[places[particle].x]).cast<double>();
-    }
+    Vector3d place(uint32_t particle) const { return start(particle) + vec3(moves[places[particle].x]).cast<double>(); }
     float timeShare(uint32_t softBody) const { return softBody == 0 ? 4.0f / 9.0f : 1.0f; }
 
     Wanted wanted(uint32_t c) const
@@ -144,7 +142,8 @@ protected:
 TEST_F(ClusterKernels, AClusterIsMatchedAndPullsAsTheReferenceSays)
 {
     match();
-    const auto pulls = fixture.stages.soft->clusterPulls.download(), rotations = fixture.stages.soft->clusterRotations.download();
+    const auto pulls = fixture.stages.soft->clusterPulls.download(),
+               rotations = fixture.stages.soft->clusterRotations.download();
     ASSERT_GT(fixture.world.clusters.size(), 40u);
     for (uint32_t c = 0; c < fixture.world.clusters.size(); ++c) {
         SCOPED_TRACE("cluster " + std::to_string(c));
@@ -153,7 +152,7 @@ TEST_F(ClusterKernels, AClusterIsMatchedAndPullsAsTheReferenceSays)
         const Matrix3d rotation = quaternion(rotations[c]).cast<double>().toRotationMatrix();
         EXPECT_LT(((rotation - w.rotation) * w.map.transpose()).norm(), 2e-5 * w.map.norm());
         const Vector3d centre = (vec3(pulls[5 * c]) + vec3(pulls[5 * c + 1])).cast<double>();
-        EXPECT_LT((centre - w.centre).norm(), 1e-6);   // places of a few metres are rounded to 2e-7
+        EXPECT_LT((centre - w.centre).norm(), 1e-6);  // places of a few metres are rounded to 2e-7
         EXPECT_NEAR(pulls[5 * c].w, w.grip, 1e-5 * w.grip);
         EXPECT_LT((columns(pulls, 5 * c + 2) - w.pull).norm(), 1e-4 * w.pull.norm());
     }
@@ -191,8 +190,8 @@ TEST_F(ClusterKernels, ParticlesGetTheImpulsesOfTheirClustersTogether)
     std::vector<double> steepest(sums.size()), sizes(sums.size());
     for (const Link& link : fixture.world.clusterLinks) {
         const Wanted w = wanted(link.body);
-        const Vector3d p = link.mass * (w.pull * link.restOffset.cast<double>() -
-                                        w.grip * (place(link.particle) - w.centre));
+        const Vector3d p = link.mass *
+                           (w.pull * link.restOffset.cast<double>() - w.grip * (place(link.particle) - w.centre));
         sums[link.particle] += p;
         sizes[link.particle] += link.mass * (w.pull.norm() * link.restOffset.norm() + w.grip * DIAMETER);
         steepest[link.particle] = pulls[5 * link.body + 1].w;
@@ -204,7 +203,7 @@ TEST_F(ClusterKernels, ParticlesGetTheImpulsesOfTheirClustersTogether)
         EXPECT_LE((found - sums[i] / divisor).norm(), 2e-4 * sizes[i]);
         if (fixture.world.particles[i].body != NO_INDEX) continue;
         const Vector3d moved = (vec3(movesNow[places[i].x]) - vec3(moves[places[i].x])).cast<double>();
-        EXPECT_LE((moved - found / fixture.world.particles[i].mass).norm(), 1e-8);   // moves of 2 mm round to 1e-10
+        EXPECT_LE((moved - found / fixture.world.particles[i].mass).norm(), 1e-8);  // moves of 2 mm round to 1e-10
         EXPECT_EQ(movesNow[places[i].x].w, moves[places[i].x].w);
     }
 }

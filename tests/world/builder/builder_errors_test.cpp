@@ -41,11 +41,15 @@ TEST(BuilderErrors, ABodyNeedsAMaterialAndFiniteParticles)
 {
     WorldBuilder builder = makeBuilder();
     builder.beginObject("object");
-    EXPECT_EQ(misuseOf([&] { builder.addBody("head", cubeAt({0, 0, 0}), 7); }),
+    EXPECT_EQ(misuseOf([&] {
+                  builder.addBody("head", cubeAt({0, 0, 0}), 7);
+              }),
               "body \"head\": there is no material 7");
     EXPECT_EQ(misuseOf([&] { builder.addBody("head", {}, 0); }), "body \"head\" has no particles");
     for (float bad : {NAN, INFINITE})
-        EXPECT_EQ(misuseOf([&] { builder.addBody("head", std::vector<Vector3f>{{0, bad, 0}}, 0); }),
+        EXPECT_EQ(misuseOf([&] {
+                      builder.addBody("head", std::vector<Vector3f>{{0, bad, 0}}, 0);
+                  }),
                   "body \"head\": a particle's position is not finite");
 }
 

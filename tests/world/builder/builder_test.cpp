@@ -46,9 +46,13 @@ TEST(Builder, SubstepsFollowTheDiameterUnlessTold)
 TEST(Builder, EachJointTypeSharesItsNumberOfParticles)
 {
     // Two cubes of 27 with a free layer between them: every joint particle is a new one.
-    const struct { JointType type; int limits; uint32_t shared, particles, bodies; } rows[] = {
-        {JointType::Ball, 0, 1, 55, 2},    {JointType::Hinge, 0, 3, 57, 2},     {JointType::Hinge, 1, 3, 59, 2},
-        {JointType::Stiff, 0, 4, 58, 2},   {JointType::Universal, 0, 5, 59, 3},
+    const struct {
+        JointType type;
+        int limits;
+        uint32_t shared, particles, bodies;
+    } rows[] = {
+        {JointType::Ball, 0, 1, 55, 2},  {JointType::Hinge, 0, 3, 57, 2},     {JointType::Hinge, 1, 3, 59, 2},
+        {JointType::Stiff, 0, 4, 58, 2}, {JointType::Universal, 0, 5, 59, 3},
     };
     for (const auto& row : rows) {
         const World world = jointedCubes(specOf(row.type, row.limits));
@@ -154,7 +158,7 @@ TEST(Builder, AJointTakesParticlesThatStandWhereItNeedsThem)
     builder.beginObject("pair");
     const uint32_t a = builder.addBody("a", cubeAt({-2, 0, 0}), 0), b = builder.addBody("b", cubeAt({1, 0, 0}), 0);
     JointSpec spec;
-    spec.anchor = {-1.3f * DIAMETER, 0, 0};   // 0.3 diameters from A's particle
+    spec.anchor = {-1.3f * DIAMETER, 0, 0};  // 0.3 diameters from A's particle
     builder.addJoint(a, b, spec);
     builder.endObject();
     const World world = builder.build();

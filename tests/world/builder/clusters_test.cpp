@@ -62,7 +62,8 @@ TEST(Clusters, EveryParticleThatHasANeighbourIsInOne)
         for (size_t a = 0; a < clusters.size(); ++a)
             for (size_t b = 0; b < clusters.size(); ++b)
                 EXPECT_FALSE(a != b && std::includes(clusters[a].begin(), clusters[a].end(), clusters[b].begin(),
-                                                     clusters[b].end())) << counts.transpose();
+                                                     clusters[b].end()))
+                    << counts.transpose();
     }
     EXPECT_TRUE(makeClusters(boxLattice({1, 1, 1}, DIAMETER), DIAMETER).empty());
     EXPECT_TRUE(makeClusters({}, DIAMETER).empty());
@@ -111,7 +112,7 @@ TEST(Clusters, TheSharesOfAParticlesMassSumToIt)
 
 TEST(Clusters, WrongMaterialsGetOneLineEach)
 {
-    const auto message = [](float Elasticity::* field, float value) {
+    const auto message = [](float Elasticity::*field, float value) {
         Elasticity elasticity;
         elasticity.*field = value;
         return misuseOf([&] { softWorld(elasticity); });

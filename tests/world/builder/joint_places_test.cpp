@@ -81,7 +81,7 @@ TEST(JointPlaces, AxesThatAreZeroOrParallelAreRefused)
     JointSpec spec;
     spec.name = "elbow";
     for (const Vector3f& axis : {Vector3f(0, 0, 0), Vector3f(2, 0, 0), Vector3f(NAN, 0, 1)}) {
-        spec.axis = axis;   // `along` is x
+        spec.axis = axis;  // `along` is x
         EXPECT_EQ(misuseOf([&] { jointPlaces(spec, DIAMETER); }), wanted) << axis.transpose();
     }
     spec.axis = Vector3f::UnitZ();

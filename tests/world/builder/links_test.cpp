@@ -28,7 +28,7 @@ World table1World(const Settings& settings)
     builder.addBody("first", first, 0);
     const uint32_t body = builder.addBody("second", second, 0);
     builder.shareParticle(0, body);
-    builder.shareParticle(0, body);   // a second time changes nothing
+    builder.shareParticle(0, body);  // a second time changes nothing
     builder.endObject();
     return builder.build();
 }
@@ -113,6 +113,5 @@ TEST(Links, AParticleSharedWithAFixedBodyWeighsItsShare)
     EXPECT_NEAR(free.mass, 28.5 * PARTICLE_MASS, 1e-4);
     EXPECT_NEAR(free.restCentre.x(), 2 * DIAMETER * 27.0 / 28.5, 1e-6);
 }
-
 
 }  // namespace knuckle::test

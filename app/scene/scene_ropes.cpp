@@ -1,4 +1,4 @@
-#include "app/scene/scene_strands.h"
+#include "app/scene/scene_ropes.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_fill.h"
 #include "sim/world/builder/cloth.h"
-#include "sim/world/errors.h"
 #include "sim/world/builder/rope.h"
+#include "sim/world/errors.h"
 
 namespace knuckle {
 
@@ -21,7 +21,7 @@ constexpr float ATTACH_REACH = 1.5f;
 
 /// The object `name` that copy number `copy` of this entry is attached to: `name_<copy + 1>` where `name` is repeated
 /// as well, else `name` itself.
-uint32_t findObject(const StrandEntry& entry, const std::string& name, size_t copy, const std::string& field)
+uint32_t findObject(const RopeEntry& entry, const std::string& name, size_t copy, const std::string& field)
 {
     const std::vector<Object>& objects = entry.context.builder.world().objects;
     std::vector<std::string> names;
@@ -33,7 +33,7 @@ uint32_t findObject(const StrandEntry& entry, const std::string& name, size_t co
 }
 
 /// The particle of a named object, or of a body of it, that is nearest to a place in the world.
-uint32_t findParticle(const StrandEntry& entry, const Json& json, size_t copy, const Vector3f& place, float reach,
+uint32_t findParticle(const RopeEntry& entry, const Json& json, size_t copy, const Vector3f& place, float reach,
                       const std::string& field)
 {
     const World& world = entry.context.builder.world();
@@ -55,23 +55,22 @@ uint32_t findParticle(const StrandEntry& entry, const Json& json, size_t copy, c
     if (nearest == NO_INDEX && body.empty())
         entry.fail(field + "/object", fmt::format("object \"{}\" has no body to attach to", object.name));
     if (nearest == NO_INDEX)
-        entry.fail(field + "/body",
-                   fmt::format("object \"{}\" has no body \"{}\" with particles of its own; {}", object.name, body,
-                               suggestion(body, names)));
+        entry.fail(field + "/body", fmt::format("object \"{}\" has no body \"{}\" with particles of its own; {}",
+                                                object.name, body, suggestion(body, names)));
     if (best > reach * world.diameter()) {
         const Vector3f p = world.particles[nearest].position;
         entry.fail(field, fmt::format("\"{}\" is {:.3g} m away from here, its nearest particle at [{:.4g}, {:.4g}, "
-                                      "{:.4g}]; begin there", object.name, best, p.x(), p.y(), p.z()));
+                                      "{:.4g}]; begin there",
+                                      object.name, best, p.x(), p.y(), p.z()));
     }
     return nearest;
 }
 
-RopeEnd readEnd(const StrandEntry& entry, const char* key, size_t copy, const Vector3f& place)
+RopeEnd readEnd(const RopeEntry& entry, const char* key, size_t copy, const Vector3f& place)
 {
     const Json& json = entry.json[key];
     if (json.is_string()) return {json == "fixed" ? RopeEnd::Kind::Fixed : RopeEnd::Kind::Free, NO_INDEX};
-    return {RopeEnd::Kind::Attached,
-            findParticle(entry, json, copy, place, ATTACH_REACH, fmt::format("/{}", key))};
+    return {RopeEnd::Kind::Attached, findParticle(entry, json, copy, place, ATTACH_REACH, fmt::format("/{}", key))};
 }
 
 float readTearForce(const Json& json)
@@ -86,7 +85,7 @@ float readBendCompliance(const Json& json)
     return value.is_string() ? std::numeric_limits<float>::infinity() : value.get<float>();
 }
 
-void addRopes(const StrandEntry& entry)
+void addRopes(const RopeEntry& entry)
 {
     RopeSpec common;
     Vector3f from, to;
@@ -135,7 +134,7 @@ void holdNodes(const GridSheet& sheet, const std::string& word, std::vector<uint
         }
 }
 
-void placeCloth(const StrandEntry& entry, const ClothSheet& sheet, const ClothSpec& spec, std::vector<uint32_t> held)
+void placeCloth(const RopeEntry& entry, const ClothSheet& sheet, const ClothSpec& spec, std::vector<uint32_t> held)
 {
     for (const Json& json : entry.json["pins"]) {
         Vector3f place;
@@ -156,7 +155,7 @@ void placeCloth(const StrandEntry& entry, const ClothSheet& sheet, const ClothSp
     }
 }
 
-void addCloths(const StrandEntry& entry)
+void addCloths(const RopeEntry& entry)
 {
     const Json& json = entry.json;
     const float diameter = entry.context.builder.diameter();
@@ -166,8 +165,7 @@ void addCloths(const StrandEntry& entry)
     spec.tearForce = readTearForce(json);
     spec.material = entry.material;
     if (!json["file"].get<std::string>().empty()) {
-        if (!json["hold"].empty())
-            entry.fail("/hold", "a model has no edges by these names; use pins instead");
+        if (!json["hold"].empty()) entry.fail("/hold", "a model has no edges by these names; use pins instead");
         const Model model = readClothModel(entry.context, json, entry.pointer);
         const ClothSheet sheet = meshSheet(model.vertices, model.triangles, diameter, spec, MAX_PARTICLES);
         limitParticles(entry.context, entry.json, entry.pointer, static_cast<double>(sheet.nodes.size()));
@@ -185,12 +183,12 @@ void addCloths(const StrandEntry& entry)
 
 }  // namespace
 
-bool isStrandObject(const Json& json)
+bool isRopeObject(const Json& json)
 {
     return json["type"] == "rope" || json["type"] == "cloth";
 }
 
-void addStrandObject(const StrandEntry& entry)
+void addRopeObject(const RopeEntry& entry)
 {
     if (entry.json["type"] == "rope") addRopes(entry);
     else addCloths(entry);

@@ -17,9 +17,10 @@ std::string messageOf(const std::string& object)
     const test::TempFolder folder;
     folder.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
     folder.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
-    const std::string path = folder.write("scene.json",
+    const std::string path = folder.write(
+        "scene.json",
         R"({ "objects": [{ "type": "rigid", "shape": "box", "size": [0.3, 0.3, 0.3], "name": "cube" }, {)" + object +
-        "}] }");
+            "}] }");
     try {
         loadScene(path, {});
     } catch (const InputError& error) {
@@ -29,7 +30,7 @@ std::string messageOf(const std::string& object)
     return "no error";
 }
 
-TEST(SceneStrands, TellWhatIsWrongWithRopes)
+TEST(SceneRopes, TellWhatIsWrongWithRopes)
 {
     EXPECT_EQ(messageOf(ROPE(R"("start": "free")")), ": /objects/1: \"to\" is missing; add it: Where it ends.");
     EXPECT_EQ(messageOf(ROPE(R"("to": [0, 2, 0], "start": "fixd")")),
@@ -48,7 +49,7 @@ TEST(SceneStrands, TellWhatIsWrongWithRopes)
               "smaller or fewer");
 }
 
-TEST(SceneStrands, TellWhatTheyCannotBeTiedTo)
+TEST(SceneRopes, TellWhatTheyCannotBeTiedTo)
 {
     EXPECT_EQ(messageOf(ROPE(R"("to": [0, 2, 0], "end": {"object": "cub"})")),
               ": /objects/1/end/object: there is no object \"cub\"; did you mean \"cube\"?");
@@ -61,7 +62,7 @@ TEST(SceneStrands, TellWhatTheyCannotBeTiedTo)
               "there");
 }
 
-TEST(SceneStrands, TellWhatIsWrongWithCloth)
+TEST(SceneRopes, TellWhatIsWrongWithCloth)
 {
     EXPECT_EQ(messageOf(CLOTH(R"("size": [0, 1])")), ": /objects/1/size/0: 0 must be above 0");
     EXPECT_EQ(messageOf(CLOTH(R"("size": [500, 500])")),
@@ -78,7 +79,7 @@ TEST(SceneStrands, TellWhatIsWrongWithCloth)
               ": /objects/1/stretchCompliance: -1 is below the minimum 0 [m/N]");
 }
 
-TEST(SceneStrands, AreMadeWhereNothingIsWrong)
+TEST(SceneRopes, AreMadeWhereNothingIsWrong)
 {
     EXPECT_EQ(messageOf(ROPE(R"("to": [0, 0.15, 0], "end": {"object": "cube"})")), "no error");
     EXPECT_EQ(messageOf(CLOTH(R"("file": "sheet.obj", "scale": 1, "position": [0, 1, 0], "pins": [[0, 0, 0]])")),
