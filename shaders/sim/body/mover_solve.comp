@@ -1,10 +1,12 @@
 // One thread a mover: sums the impulses on it, and matches it to where they bring its particles (eqs. 8-9). An impulse
 // p on a particle at r displaces that particle by p / m, which adds p r^T to A and p / M to the centre's move. Also
 // counts the contacts that will act next, over which its mass is split (Tonge et al. 2012, mass splitting). WARM_START:
-// after the contacts were found anew, with their old impulses and without the joints, as mover_predict does.
+// after the contacts were found anew, with their old impulses alone, as mover_predict does.
 #include "sim/common/kernel.glsl"
 #include "sim/rotation/rotation_delta.glsl"
 #include "sim/common/assemblies.glsl"
+#include "sim/common/bodies.glsl"
+#include "sim/common/body_rows.glsl"
 #include "sim/common/fields.glsl"
 #include "sim/common/impulse_sums.glsl"
 #include "sim/common/mass_scaling.glsl"
@@ -65,10 +67,9 @@ void main()
     Field impulse = Field(scale * contacts.impulse.t + others.t, scale * contacts.impulse.f + others.f);
     float splits = contacts.acting;
     if (IS_BODY(m)) {
-        BodyInfo body = fetchBody(m);
-        Field joints = jointSum(body);
-        splits += float(body.jointCount);
-        impulse = Field(impulse.t + joints.t, impulse.f + joints.f);
+        RowSum rows = rowSum(m);
+        splits += rows.acting;
+        impulse = Field(impulse.t + rows.impulse.t, impulse.f + rows.impulse.f);
         moverRotationDeltas[m] = matchedRotationDelta(prediction.f + impulse.f, fetchRotation(m),
                                                       texelFetch(lastMoverRotationDeltas, int(m)));
     }

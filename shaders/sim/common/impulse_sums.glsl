@@ -1,9 +1,8 @@
-// Sums of the impulses on a mover, as linear fields: p and p r^T.
-#include "sim/common/bodies.glsl"
+// Sums of the impulses on a mover that are found anew in each search, or act on its particles, as linear fields: p and
+// p r^T.
 #include "sim/common/contacts.glsl"
 #include "sim/common/fields.glsl"
 #include "sim/common/list_ranges.glsl"
-#include "sim/common/links.glsl"
 #include "sim/common/mover_info.glsl"
 
 #ifndef PAIR_IMPULSES
@@ -15,7 +14,6 @@ uniform samplerBuffer pairArms;
 uniform usamplerBuffer pairReferences;
 uniform samplerBuffer COLLIDER_IMPULSES;
 uniform samplerBuffer colliderArms;
-uniform samplerBuffer linkImpulses;
 #ifdef ON_PARTICLES
 uniform samplerBuffer particleImpulses;  // by rank
 #endif
@@ -53,20 +51,6 @@ Sum contactSum(MoverInfo mover, uint parity)
     range = listRange(parity, LIST_COLLIDERS, mover.firstRank, mover.rankCount);
     for (uint q = range.x; q < range.y; ++q)
         add(sum, fetchImpulse(COLLIDER_IMPULSES, colliderBase + q), 1.0, fetchContactArm(colliderArms, q));
-    return sum;
-}
-
-/// What its joints add to a body (WARM_START: nothing).
-Field jointSum(BodyInfo body)
-{
-    Field sum = Field(vec3(0), mat3(0));
-#ifndef WARM_START
-    for (uint l = body.linkStart + body.ownCount; l < body.linkStart + body.linkCount; ++l) {
-        vec3 p = texelFetch(linkImpulses, int(l)).xyz;
-        sum.t += p;
-        sum.f += outerProduct(p, fetchLink(l).r);
-    }
-#endif
     return sum;
 }
 

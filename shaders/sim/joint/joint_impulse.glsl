@@ -1,4 +1,5 @@
 // The impulses between the bodies that share a particle. FIRST_ITERATION: of a substep; joints have no memory.
+#include "sim/common/body_rows.glsl"
 #include "sim/common/fields.glsl"
 #include "sim/common/movers.glsl"
 #include "sim/common/owners.glsl"
@@ -7,7 +8,8 @@
 
 uniform samplerBuffer moverChanges;      // with the relaxation of contacts
 uniform samplerBuffer linkMasses;        // the worst inverse mass of a link's body at the particle [1/kg]
-BUFFER(vec4, LinkImpulses, linkImpulses);
+uniform usamplerBuffer linkRows;         // of links of shared particles: their row of the channel
+BUFFER(vec4, RowImpulses, rows);
 
 /// Where a body would have the particle, from `origin`.
 vec3 goal(Owner owned, vec3 origin)
@@ -33,9 +35,10 @@ float impulseScale(float inverseMass)
 
 void setImpulse(uint link, vec3 impulse)
 {
+    uint row = texelFetch(linkRows, int(link)).x;
 #ifdef FIRST_ITERATION
-    linkImpulses[link] = vec4(impulse, 0);
+    rows[row] = packRow(impulse);
 #else
-    linkImpulses[link].xyz += impulse;
+    rows[row].xyz += impulse;
 #endif
 }

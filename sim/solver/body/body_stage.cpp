@@ -95,6 +95,7 @@ BodyStage::BodyStage(const StageSetup& setup, bool onParticles)
 {
     uploadLinks(setup);
     uploadMovers(setup);
+    uploadRows(setup.layout.rows);
     particleImpulses = {"particleImpulses", setup.world.particles.size()};
     setup.parameters.rotationIterations = 3;
 }
@@ -152,11 +153,22 @@ void BodyStage::uploadMovers(const StageSetup& setup)
     moverChanges = {"moverChanges", std::span<const gpu::vec4>(changes)};
 }
 
+void BodyStage::uploadRows(const RowPlan& rows)
+{
+    std::vector<gpu::vec4> arms;
+    for (const Vector3f& arm : rows.arms()) arms.push_back(pack(arm, 0));
+    const std::vector<gpu::vec4> acting(arms.size(), gpu::vec4{0, 0, 0, 1});
+    bodyRows = {"bodyRows", std::span<const gpu::uvec2>(rows.bodies())};
+    rowArms = {"rowArms", std::span<const gpu::vec4>(arms)};
+    rowImpulses = {"rowImpulses", std::span<const gpu::vec4>(acting)};
+}
+
 void BodyStage::addBuffers(BufferTable& table)
 {
     table.add(links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
               moverStates, moverCentres, moverRotations, moverVelocities, oldMoverVelocities, oldMoverMoves, moverMoves,
-              moverRotationDeltas, moverPredictions, moverImpulses, moverChanges, particleImpulses);
+              moverRotationDeltas, moverPredictions, moverImpulses, moverChanges, particleImpulses,
+              bodyRows, rowArms, rowImpulses);
 }
 
 void BodyStage::predict(Recorder& recorder) const

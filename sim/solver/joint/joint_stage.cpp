@@ -15,7 +15,7 @@ JointStage::JointStage(const StageSetup& setup)
     }
     sharedParticles = {"sharedParticles", std::span<const uint32_t>(layout.sharedParticles)};
     sharedOwners = {"sharedOwners", std::span<const gpu::uvec4>(owners)};
-    linkImpulses = {"linkImpulses", layout.linkCount};
+    linkRows = {"linkRows", std::span<const uint32_t>(layout.linkRows)};
     setup.parameters.sharedCount = static_cast<uint32_t>(layout.sharedParticles.size());
     setup.parameters.sharedByTwo = layout.sharedByTwo;
     setup.parameters.jointRelaxation = 1.8f;
@@ -23,7 +23,7 @@ JointStage::JointStage(const StageSetup& setup)
 
 void JointStage::addBuffers(BufferTable& table)
 {
-    table.add(sharedParticles, sharedOwners, linkImpulses);
+    table.add(sharedParticles, sharedOwners, linkRows);
 }
 
 void JointStage::solve(Recorder& recorder, bool first) const

@@ -17,7 +17,7 @@ public:
 
     Buffer<uint32_t> sharedParticles;  ///< The particles of two or more bodies.
     Buffer<gpu::uvec4> sharedOwners;   ///< Of those of exactly two, which come first: link and body of each.
-    Buffer<gpu::vec4> linkImpulses;    ///< Per link [kg m].
+    Buffer<uint32_t> linkRows;         ///< Per link: of those of shared particles their row of the channel.
 
 private:
     const gpu::StepParameters& parameters_;

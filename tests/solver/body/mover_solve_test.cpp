@@ -28,8 +28,9 @@ protected:
                 predictions[fixture.fieldStart(m) + 1 + c] = packed(Vector3f(a.col(c).cast<float>()));
         }
         fill(b.bodies.moverPredictions, predictions);
-        linkImpulses = randomVectors(b.joints.linkImpulses.size(), 0.002f, 113);
-        fill(b.joints.linkImpulses, linkImpulses);
+        rowImpulses = randomVectors(b.bodies.rowImpulses.size(), 0.002f, 113);
+        for (gpu::vec4& row : rowImpulses) row.w = 1.0f;
+        fill(b.bodies.rowImpulses, rowImpulses);
     }
     Matrix3d moments(uint32_t m) const
     {
@@ -140,7 +141,7 @@ protected:
         for (size_t l = 0; l < links.size(); ++l) {
             if (links[l].rbIndex != m || fixture.world.particles[links[l].particleIndex].bodyCount < 2) continue;
             const Vector3d r(links[l].posInRigidBodyX, links[l].posInRigidBodyY, links[l].posInRigidBodyZ);
-            sum.add(vec3(linkImpulses[l]).cast<double>(), r);
+            sum.add(vec3(rowImpulses[fixture.stages.layout.linkRows[l]]).cast<double>(), r);
         }
         return sum;
     }
@@ -156,7 +157,7 @@ protected:
     std::vector<double> sizes, ratios;
     std::vector<uint32_t> counts;  ///< Contacts that will act.
     std::vector<float> relaxations;
-    std::vector<gpu::vec4> predictions, linkImpulses, oldSums, changes;
+    std::vector<gpu::vec4> predictions, rowImpulses, oldSums, changes;
 };
 
 TEST_F(MoverSolve, SumsTheImpulsesOfContactsWithTheirSides)

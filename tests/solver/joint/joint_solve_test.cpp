@@ -34,8 +34,12 @@ protected:
         links = b.bodies.links.download();
         masses = b.bodies.linkMasses.download();
         old = randomVectors(links.size(), 0.1f, 122);
-        fill(b.joints.linkImpulses, old);
+        std::vector<gpu::vec4> rows(b.bodies.rowImpulses.size());
+        for (size_t l = 0; l < links.size(); ++l)
+            if (rowOf(l) != NO_INDEX) rows[rowOf(l)] = old[l];
+        fill(b.bodies.rowImpulses, rows);
     }
+    uint32_t rowOf(size_t link) const { return fixture.stages.layout.linkRows[link]; }
     struct Owner {
         size_t link;
         Vector3d goal;       ///< Where its body would have the particle [m].
@@ -59,7 +63,12 @@ protected:
         const gpu::StepParameters& p = fixture.stages.parameters;
         fixture.run("joint/joint_solve", p.sharedByTwo, defines);
         fixture.run("joint/joint_solve_many", p.sharedCount - p.sharedByTwo, defines);
-        return fixture.stages.joints.linkImpulses.download();
+        // Per link; those of other particles have no row.
+        const auto rows = fixture.stages.bodies.rowImpulses.download();
+        auto impulses = old;
+        for (size_t l = 0; l < links.size(); ++l)
+            if (rowOf(l) != NO_INDEX) impulses[l] = rows[rowOf(l)];
+        return impulses;
     }
     /// Each body is drawn to the mean of the goals: by n (mean - goal), over the inverse masses together.
     void expectImpulses(const std::vector<gpu::vec4>& before, const std::vector<gpu::vec4>& after) const

@@ -1,0 +1,45 @@
+// The channel through which constraints act on bodies. Each kind of constraint has reserved rows (sim/solver/body/
+// row_plan.h), one for each of its impulses on a body, and stores them in every iteration; what sums them does not know
+// kinds. ANGULAR: of a world where rows have angular impulses, too.
+#include "sim/common/fields.glsl"
+#include "sim/common/mover_poses.glsl"
+
+uniform usamplerBuffer bodyRows;         // first row, how many
+uniform samplerBuffer rowArms;
+uniform samplerBuffer rowImpulses;
+#ifdef ANGULAR
+uniform samplerBuffer rowAngularImpulses;   // about the body's centre, in the axes of the world [kg m2]
+#endif
+
+struct RowSum {
+    Field impulse;   // p and p r^T, of all
+    float acting;    // how many the body's mass is split over
+};
+
+/// What a row is stored as: an impulse [kg m] that acts.
+vec4 packRow(vec3 impulse)
+{
+    return vec4(impulse, 1);
+}
+
+/// What constraints add to a body. WARM_START: only how many there are, since rows have no memory.
+RowSum rowSum(uint body)
+{
+    RowSum sum = RowSum(Field(vec3(0), mat3(0)), 0.0);
+    uvec2 rows = texelFetch(bodyRows, int(body)).xy;
+    for (uint row = rows.x; row < rows.x + rows.y; ++row) {
+        vec4 t = texelFetch(rowImpulses, int(row));
+        sum.acting += t.w;
+#ifndef WARM_START
+        sum.impulse.t += t.xyz;
+        sum.impulse.f += outerProduct(t.xyz, texelFetch(rowArms, int(row)).xyz);
+#ifdef ANGULAR
+        // The antisymmetric half of p r^T turns a body: of an angular impulse there is nothing else.
+        vec3 angular = 0.5 * texelFetch(rowAngularImpulses, int(row)).xyz;
+        mat3 axes = matrixFromQuaternion(fetchRotation(body));
+        sum.impulse.f += mat3(cross(angular, axes[0]), cross(angular, axes[1]), cross(angular, axes[2]));
+#endif
+#endif
+    }
+    return sum;
+}
