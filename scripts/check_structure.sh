@@ -47,4 +47,5 @@ while read -r source; do
     failed=1
   fi
 done < <(find sim render app tools tests -name '*.cpp' | sort)
+bash scripts/buffer_table.sh --check || failed=1
 exit $failed

@@ -72,15 +72,28 @@ private:
 
 }  // namespace
 
-DriverThreads chooseDriverThreads(const Workload& work, uint32_t cores, double wakeMilliseconds)
+DriverThreads chooseDriverThreads(const FrameWork& work, uint32_t cores, double wakeMilliseconds,
+                                  std::optional<bool> threads)
 {
     if (cores < 2) return {0, false, "there is one core"};
     const double speed = 1.0 + CORE_GAIN * (cores - 1);
-    const double gain = work.milliseconds * (1.0 - 1.0 / speed), cost = work.dispatches * wakeMilliseconds;
+    const auto time = [&](const Workload& part, bool woken) {
+        return woken ? part.milliseconds / speed + part.dispatches * wakeMilliseconds : part.milliseconds;
+    };
+    const auto inTurn = [&](bool woken) { return time(work.simulation, woken) + time(work.drawing, woken); };
+    const auto aside = [&](bool woken) {
+        const double longer = std::max(time(work.simulation, woken), time(work.drawing, woken));
+        const double all = (work.simulation + work.drawing).milliseconds / speed;
+        return std::max(longer, all) + HANDOVERS * wakeMilliseconds;
+    };
+    const auto best = [&](bool woken) { return std::min(inTurn(woken), aside(woken)); };
+    const bool woken = threads.value_or(best(true) < best(false));
+    const bool isAside = aside(woken) < inTurn(woken);
     const std::string reason = fmt::format(
-        "{} would save some {:.1f} ms a frame, and waking them costs {:.1f} ms ({:.0f} times {:.3f} ms)", cores, gain,
-        cost, work.dispatches, wakeMilliseconds);
-    return {gain > cost ? cores : 0u, false, reason};
+        "a frame is estimated to take {:.1f} ms with a driver thread for each of {} cores, {:.1f} ms with none; waking "
+        "them takes {:.3f} ms",
+        best(true), cores, best(false), wakeMilliseconds);
+    return {woken ? cores : 0u, isAside, reason};
 }
 
 double wakeTime(uint32_t threads)
@@ -122,15 +135,14 @@ DriverThreads applyDriverThreads(const FrameWork& work)
     const uint32_t cores = usableCores();
     const double wake = cores > 1 ? wakeTime(cores) : 0.0;
     const std::string set = driverThreadsSetting();
-    DriverThreads choice = set.empty()
-                               ? chooseDriverThreads(work.simulation + work.drawing, cores, wake)
-                               : DriverThreads{{}, false, fmt::format("{} is set to {}", DRIVER_THREADS_VARIABLE, set)};
-    if (choice.count) setenv(DRIVER_THREADS_VARIABLE, std::to_string(*choice.count).c_str(), 1);
-    // At best the shorter of both is saved, and a frame is handed over and waited for.
-    const double overlap = std::min(work.simulation.milliseconds, work.drawing.milliseconds);
-    choice.drawAside = cores > 1 && overlap > HANDOVERS * wake;
-    if (choice.drawAside)
-        choice.reason += fmt::format("; drawing while the next frame is simulated saves up to {:.1f} ms", overlap);
+    if (set.empty()) {
+        const DriverThreads choice = chooseDriverThreads(work, cores, wake);
+        setenv(DRIVER_THREADS_VARIABLE, std::to_string(*choice.count).c_str(), 1);
+        return choice;
+    }
+    DriverThreads choice = chooseDriverThreads(work, cores, wake, set != "0");
+    choice.count.reset();
+    choice.reason = fmt::format("{} is set to {}", DRIVER_THREADS_VARIABLE, set);
     return choice;
 }
 

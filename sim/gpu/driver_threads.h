@@ -34,9 +34,12 @@ struct DriverThreads {
     std::string reason;  ///< A clause for the user.
 };
 
-/// All cores where they gain more than waking them costs, else none: the driver then works in the caller's thread.
+/// The fastest of four ways to make frames: the driver has a thread for each core, or none and works in the caller's
+/// thread; a frame is drawn after it is simulated, or on a second thread while the next one is simulated.
 /// @param cores that the process may use. @param wakeMilliseconds of all of them, for one dispatch (wakeTime).
-DriverThreads chooseDriverThreads(const Workload& work, uint32_t cores, double wakeMilliseconds);
+/// @param threads of the driver, where they are not to be chosen.
+DriverThreads chooseDriverThreads(const FrameWork& work, uint32_t cores, double wakeMilliseconds,
+                                  std::optional<bool> threads = {});
 
 /// How long it takes to wake `threads` threads that wait for work, and to hear from the last of them [ms]: the mean over
 /// ten milliseconds, since on a busy machine a few take as long as all others together.

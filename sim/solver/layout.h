@@ -35,8 +35,8 @@ struct Layout {
     std::vector<uint32_t> sharedParticles;   ///< Particles of two or more bodies, those of fewer bodies first.
     uint32_t sharedByTwo = 0;                ///< How many of them have exactly two.
 
-    RowPlan rows;                           ///< Of the channel through which constraints act on bodies.
-    std::vector<uint32_t> linkRows;         ///< Per link: of those of shared particles, their row; NO_INDEX of others.
+    RowPlan rows;                    ///< Of the channel through which constraints act on bodies.
+    std::vector<uint32_t> linkRows;  ///< Per link: of those of shared particles, their row; NO_INDEX of others.
 
 private:
     void assignAssemblies(const World& world);

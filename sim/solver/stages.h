@@ -45,9 +45,9 @@ private:
 
 public:
     Layout layout;
-    gpu::StepParameters parameters{};  ///< The host's copy of `step`.
-    Buffer<gpu::StepParameters> step{"step", 1};
-    Buffer<gpu::Counters> counters{"counters", 1};
+    gpu::StepParameters parameters{};                             ///< The host's copy of `step`.
+    Buffer<gpu::StepParameters> step{"step", 1};                  ///< Everything a step needs to know.
+    Buffer<gpu::Counters> counters{"counters", 1};                ///< Written by kernels, read once a frame.
     Buffer<gpu::uvec4> dispatches{"dispatches", DISPATCH_COUNT};  ///< DISPATCH_*: work groups that kernels decide.
 
 private:

@@ -39,12 +39,31 @@ TEST(Workload, GrowsWithTheWorld)
 
 TEST(DriverThreads, AreThereWhereTheyGainMoreThanWakingThemCosts)
 {
-    // Two cores are 1.55 times as fast as one, so they save 0.355 of 10 ms; 100 dispatches.
-    EXPECT_EQ(chooseDriverThreads({100, 10}, 2, 0.0354).count, 2u);
-    EXPECT_EQ(chooseDriverThreads({100, 10}, 2, 0.0356).count, 0u);
-    EXPECT_EQ(chooseDriverThreads({100, 10}, 16, 0.0356).count, 16u) << "they save 0.89 of it";
-    EXPECT_EQ(chooseDriverThreads({100, 1000}, 1, 0.0).count, 0u);
-    EXPECT_NE(chooseDriverThreads({100, 10}, 2, 0.05).reason.find("3.5 ms a frame"), std::string::npos);
+    // Two cores are 1.55 times as fast as one, so they save 0.355 of 10 ms; 100 dispatches. Nothing is drawn.
+    const FrameWork work{{100, 10}, {}};
+    EXPECT_EQ(chooseDriverThreads(work, 2, 0.0354).count, 2u);
+    EXPECT_EQ(chooseDriverThreads(work, 2, 0.0356).count, 0u);
+    EXPECT_EQ(chooseDriverThreads(work, 16, 0.0356).count, 16u) << "they save 0.89 of it";
+    EXPECT_EQ(chooseDriverThreads({{100, 1000}, {}}, 1, 0.0).count, 0u);
+    EXPECT_FALSE(chooseDriverThreads(work, 2, 0.0354).drawAside);
+}
+
+TEST(DriverThreads, AFrameIsDrawnAsideWhereThatIsTheFastestOfFourWays)
+{
+    // Many dispatches and as much to draw: in turn 20 ms without driver threads; aside 10 ms and two handovers.
+    const FrameWork work{{1000, 10}, {10, 10}};
+    const DriverThreads both = chooseDriverThreads(work, 2, 0.05);
+    EXPECT_EQ(both.count, 0u);
+    EXPECT_TRUE(both.drawAside);
+    // Waking costs nothing: all is as fast as the cores are, aside too, less what it takes to hand over.
+    EXPECT_EQ(chooseDriverThreads(work, 2, 1e-6).count, 0u) << "two threads of the host do as well, on two cores";
+    EXPECT_EQ(chooseDriverThreads({{10, 10}, {10, 100}}, 2, 1e-3).count, 2u) << "drawing alone takes both cores";
+    // Handing over takes longer than what is drawn.
+    EXPECT_FALSE(chooseDriverThreads({{1000, 10}, {10, 0.05}}, 2, 0.05).drawAside);
+    EXPECT_FALSE(chooseDriverThreads(work, 1, 0.05).drawAside) << "one core";
+    // Threads that somebody else has chosen.
+    EXPECT_EQ(chooseDriverThreads(work, 2, 0.05, true).count, 2u);
+    EXPECT_TRUE(chooseDriverThreads(work, 2, 0.05, false).drawAside);
 }
 
 TEST(DriverThreads, WakingThemTakesTime)

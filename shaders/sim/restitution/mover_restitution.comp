@@ -2,6 +2,7 @@
 #define PAIR_IMPULSES pairRestitutions
 #define COLLIDER_IMPULSES colliderRestitutions
 #include "sim/common/kernel.glsl"
+#include "sim/common/bodies.glsl"
 #include "sim/common/impulse_sums.glsl"
 #include "sim/common/mover_poses.glsl"
 

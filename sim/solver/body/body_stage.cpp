@@ -167,8 +167,8 @@ void BodyStage::addBuffers(BufferTable& table)
 {
     table.add(links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
               moverStates, moverCentres, moverRotations, moverVelocities, oldMoverVelocities, oldMoverMoves, moverMoves,
-              moverRotationDeltas, moverPredictions, moverImpulses, moverChanges, particleImpulses,
-              bodyRows, rowArms, rowImpulses);
+              moverRotationDeltas, moverPredictions, moverImpulses, moverChanges, particleImpulses, bodyRows, rowArms,
+              rowImpulses);
 }
 
 void BodyStage::predict(Recorder& recorder) const

@@ -26,10 +26,10 @@ public:
     Buffer<float> linkMasses;                  ///< Per link of a body: worst inverse mass of it at the particle [1/kg].
     Buffer<gpu::uvec2> particleLinks;          ///< Per particle: first entry and count in linksOfParticle.
     Buffer<gpu::uvec2> linksOfParticle;        ///< Per link, grouped by particle: link, body.
-    Buffer<gpu::BodyInfo> bodyInfo;
-    Buffer<gpu::vec4> bodyMoments;   ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
-    Buffer<gpu::vec4> bodyInertias;  ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
-    Buffer<gpu::MoverInfo> moverInfo;
+    Buffer<gpu::BodyInfo> bodyInfo;            ///< Per body.
+    Buffer<gpu::vec4> bodyMoments;     ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
+    Buffer<gpu::vec4> bodyInertias;    ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
+    Buffer<gpu::MoverInfo> moverInfo;  ///< Per mover.
     // State, per mover.
     Buffer<uint32_t> moverStates;                           ///< MOVER_*.
     Buffer<gpu::vec4> moverCentres, moverRotations;         ///< c and Q: when a substep begins, or (paper) now.
@@ -43,9 +43,9 @@ public:
     Buffer<gpu::vec4> moverChanges;         ///< Field: how they last changed; w of the first: relaxation.
     Buffer<gpu::vec4> particleImpulses;     ///< Per particle, by rank: what acts on it alone [kg m].
     // The channel of constraints (row_plan.h).
-    Buffer<gpu::uvec2> bodyRows;       ///< Per body: its first row, and how many.
-    Buffer<gpu::vec4> rowArms;         ///< Per row: where in the body it acts [m].
-    Buffer<gpu::vec4> rowImpulses;     ///< Per row: of this substep [kg m]; w: 1 if it acts.
+    Buffer<gpu::uvec2> bodyRows;    ///< Per body: its first row, and how many.
+    Buffer<gpu::vec4> rowArms;      ///< Per row: where in the body it acts [m].
+    Buffer<gpu::vec4> rowImpulses;  ///< Per row: of this substep [kg m]; w: 1 if it acts.
 
 private:
     void uploadLinks(const StageSetup& setup);

@@ -17,8 +17,8 @@ public:
     void place(uint32_t bodyCount);
 
     uint32_t rowOf(uint32_t reservation) const { return rows_[reservation]; }
-    const std::vector<gpu::uvec2>& bodies() const { return bodies_; }   ///< Per body: its first row, and how many.
-    const std::vector<Vector3f>& arms() const { return arms_; }         ///< Per row, once they have places [m].
+    const std::vector<gpu::uvec2>& bodies() const { return bodies_; }  ///< Per body: its first row, and how many.
+    const std::vector<Vector3f>& arms() const { return arms_; }        ///< Per row, once they have places [m].
 
 private:
     struct Reservation {

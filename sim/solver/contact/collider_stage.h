@@ -11,9 +11,9 @@ public:
     explicit ColliderStage(const StageSetup& setup);
     void addBuffers(BufferTable& table) override;
 
-    Buffer<gpu::GpuCollider> colliders;
-    Buffer<float> gridValues;  ///< Of all ColliderGrids, one after another.
-    bool hasGrids = false;     ///< Whether a collider is a mesh or a heightfield.
+    Buffer<gpu::GpuCollider> colliders;  ///< Static colliders, then drains.
+    Buffer<float> gridValues;            ///< Of all ColliderGrids, one after another.
+    bool hasGrids = false;               ///< Whether a collider is a mesh or a heightfield.
 };
 
 }  // namespace knuckle

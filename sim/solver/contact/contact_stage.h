@@ -25,7 +25,7 @@ public:
     Buffer<float> pairMeans;           ///< Halves: the mean of its normal part lately [kg m].
     Buffer<gpu::uvec4> colliderSides;  ///< Per contact with a collider: mover, collider, frictions, fraction.
     Buffer<gpu::vec4> colliderArms, colliderImpulses;  ///< As for pairs.
-    Buffer<float> colliderMeans;
+    Buffer<float> colliderMeans;                       ///< As for pairs.
 
 private:
     void setParameters(const StageSetup& setup);

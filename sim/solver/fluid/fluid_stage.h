@@ -39,12 +39,12 @@ public:
     Buffer<gpu::uvec4> slotNeighbours;              ///< fluidSlots a slot (fluid_slots.glsl).
     Buffer<uint32_t> slotColliders;                 ///< Bits: those nearby.
     Buffer<gpu::vec4> fluidMaterials;               ///< Per material: smoothing, tension.
-    Buffer<uint32_t> slotMaterials;
-    Buffer<gpu::vec4> slotVelocities;         ///< When neighbours were found [m/s]; w: smoothing.
-    Buffer<gpu::vec4> slotPositions;          ///< Predicted [m]; w: mass [kg].
-    Buffer<gpu::vec4> slotPressures;          ///< Position; w: lambda [kg m2].
-    Buffer<gpu::vec4> slotVorticities;        ///< [1/s]; w: its length.
-    Buffer<gpu::vec4> slotWalls, slotSolids;  ///< Gradients of what walls and solids add to the density.
+    Buffer<uint32_t> slotMaterials;                 ///< Index into World::materials.
+    Buffer<gpu::vec4> slotVelocities;               ///< When neighbours were found [m/s]; w: smoothing.
+    Buffer<gpu::vec4> slotPositions;                ///< Predicted [m]; w: mass [kg].
+    Buffer<gpu::vec4> slotPressures;                ///< Position; w: lambda [kg m2].
+    Buffer<gpu::vec4> slotVorticities;              ///< [1/s]; w: its length.
+    Buffer<gpu::vec4> slotWalls, slotSolids;        ///< Gradients of what walls and solids add to the density.
 
 private:
     void list(Recorder& recorder) const;

@@ -11,10 +11,10 @@ public:
     void addBuffers(BufferTable& table) override;
 
     Buffer<gpu::vec4> positions, velocities;  ///< At the end of the last step [m], [m/s]; w: 1 if inactive.
-    Buffer<gpu::ParticleInfo> particleInfo;
-    Buffer<gpu::uvec2> particleRanks;    ///< gpu::ParticleRank, of solid particles.
-    Buffer<uint32_t> rankedParticles;    ///< Per rank: the particle.
-    Buffer<gpu::vec4> masses;            ///< Inverse mass [1/kg], restitution, static, kinetic friction.
+    Buffer<gpu::ParticleInfo> particleInfo;   ///< What never changes about each.
+    Buffer<gpu::uvec2> particleRanks;         ///< gpu::ParticleRank, of solid particles.
+    Buffer<uint32_t> rankedParticles;         ///< Per rank: the particle.
+    Buffer<gpu::vec4> masses;                 ///< Inverse mass [1/kg], restitution, static, kinetic friction.
     Buffer<gpu::vec4> restPositions;     ///< In the assembly's rest pose [m]; w: margin of self-contact [diameters].
     Buffer<gpu::vec4> restOffsets;       ///< r in the first body [m]; w: the worst inverse mass in it [1/kg].
     Buffer<gpu::vec4> particleSurfaces;  ///< Way out of the first body, zero where none; w: distance to its surface.

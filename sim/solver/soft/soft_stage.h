@@ -15,7 +15,7 @@ public:
     /// @param iteration of `count` in the substep, from 0 on.
     void solve(Recorder& recorder, uint32_t iteration, uint32_t count) const;
 
-    Buffer<gpu::ClusterInfo> clusterInfo;
+    Buffer<gpu::ClusterInfo> clusterInfo;   ///< Per cluster.
     Buffer<gpu::vec4> clusterMoments;       ///< Per cluster, four: inverse moments; directions without particles.
     Buffer<gpu::GpuSoftMatter> softMatter;  ///< Per soft body.
     Buffer<gpu::uvec4> softParticles;       ///< Per soft particle: mover, rank, first entry and count in softLinks.

@@ -1,0 +1,83 @@
+#include <algorithm>
+
+#include "sim/solver/layout.h"
+#include "tests/solver/solver_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+/// Needs no GPU: a Layout is made from the World alone.
+class WorldLayout : public testing::Test {
+protected:
+    World world = mixedWorld();
+    Layout layout{world};
+};
+
+TEST_F(WorldLayout, ParticlesRankByMoverAndThenByIndex)
+{
+    ASSERT_EQ(layout.rankedParticles.size(), world.particles.size());
+    for (uint32_t rank = 0; rank < layout.solidCount; ++rank) {
+        const uint32_t particle = layout.rankedParticles[rank];
+        ASSERT_EQ(layout.ranks[particle].rank, rank);
+        if (rank == 0) continue;
+        const uint32_t before = layout.rankedParticles[rank - 1];
+        ASSERT_LE(layout.ranks[before].mover, layout.ranks[particle].mover);
+        if (layout.ranks[before].mover == layout.ranks[particle].mover) {
+            ASSERT_LT(before, particle);
+        }
+    }
+    for (uint32_t m = 0; m < layout.moverCount(); ++m)
+        for (uint32_t k = 0; k < layout.moverRanks[m].y; ++k)
+            ASSERT_EQ(layout.ranks[layout.rankedParticles[layout.moverRanks[m].x + k]].mover, m);
+}
+
+TEST_F(WorldLayout, ABodysSharedLinksComeLastAndEachHasItsRow)
+{
+    uint32_t joints = 0;
+    for (uint32_t b = 0; b < world.bodies.size(); ++b) {
+        const Body& body = world.bodies[b];
+        uint32_t row = layout.rows.bodies()[b].x;
+        for (uint32_t k = 0; k < body.linkCount; ++k) {
+            const uint32_t l = body.linkStart + k;
+            const Link& link = world.links[layout.linkOrder[l]];
+            const bool shared = world.particles[link.particle].bodyCount > 1;
+            ASSERT_EQ(link.body, b);
+            ASSERT_EQ(shared, k >= layout.ownLinkCounts[b]) << "link " << l;
+            ASSERT_EQ(layout.linkRows[l], shared ? row : NO_INDEX) << "link " << l;
+            if (!shared) continue;
+            EXPECT_EQ(layout.rows.arms()[row++], link.restOffset);
+            ++joints;
+        }
+        EXPECT_EQ(row, layout.rows.bodies()[b].x + layout.rows.bodies()[b].y);
+    }
+    EXPECT_EQ(layout.rows.arms().size(), joints);
+    EXPECT_GT(joints, 30u);
+}
+
+TEST_F(WorldLayout, SharedParticlesOfFewerBodiesComeFirst)
+{
+    ASSERT_EQ(layout.sharedParticles.size(), 17u);
+    EXPECT_EQ(layout.sharedByTwo, 16u);
+    for (size_t k = 0; k < layout.sharedParticles.size(); ++k)
+        EXPECT_EQ(layout.owners[layout.sharedParticles[k]].size(), k < layout.sharedByTwo ? 2u : 3u);
+}
+
+TEST(RowPlan, RowsOfABodyStandTogetherInTheOrderOfReservation)
+{
+    RowPlan plan;
+    const uint32_t first = plan.reserve(2, {1, 0, 0}), second = plan.reserve(0, {2, 0, 0});
+    const uint32_t third = plan.reserve(2, {3, 0, 0});
+    plan.place(4);
+    EXPECT_EQ(plan.rowOf(second), 0u);
+    EXPECT_EQ(plan.rowOf(first), 1u);
+    EXPECT_EQ(plan.rowOf(third), 2u);
+    EXPECT_EQ(plan.arms()[2].x(), 3.0f);
+    EXPECT_EQ(plan.bodies()[2].x, 1u);
+    EXPECT_EQ(plan.bodies()[2].y, 2u);
+    EXPECT_EQ(plan.bodies()[1].y + plan.bodies()[3].y, 0u);
+}
+
+}  // namespace
+
+}  // namespace knuckle::test
