@@ -24,8 +24,8 @@ struct ElementType {
     GLenum glType = GL_NONE;        ///< GL_FLOAT_VEC4, GL_UNSIGNED_INT, ...; GL_NONE for structs.
 };
 
-/// The ElementType of T: float, uint32_t, the vectors of gpu_types.h, or a struct. Structs count as mixed but those that
-/// are listed here.
+/// The ElementType of T: float, uint32_t, the vectors of gpu_types.h, or a struct. Structs count as mixed but those
+/// that are listed here.
 template <typename T>
 constexpr ElementType elementType()
 {

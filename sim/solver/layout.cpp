@@ -71,7 +71,7 @@ void Layout::listShared()
 {
     for (uint32_t i = 0; i < owners.size(); ++i)
         if (owners[i].size() > 1) sharedParticles.push_back(i);
-    // Those of as many bodies together: the threads of a vector then do as much.
+    // Particles of equally many bodies together, so that the lanes of a vector do the same amount of work.
     std::stable_sort(sharedParticles.begin(), sharedParticles.end(),
                      [&](uint32_t a, uint32_t b) { return owners[a].size() < owners[b].size(); });
     const auto isByTwo = [&](uint32_t particle) { return owners[particle].size() == 2; };

@@ -8,8 +8,8 @@
 
 namespace knuckle {
 
-/// Where everything of a World stands in the solver's arrays. Made from the World alone, before anything is uploaded, so
-/// that uploads need no order and read nothing back.
+/// Where everything of a World stands in the solver's arrays. Made from the World alone, before anything is uploaded,
+/// so that uploads need no order and read nothing back.
 struct Layout {
     /// A link in the order of the GPU's array, and its body.
     struct Owner {

@@ -16,7 +16,8 @@ Measures measureState(const World& world, const ParticleState& particles, const 
 /// The part of it that is about soft bodies, against their shape at the start.
 void measureSoftBodies(Measures& out, const World& world, const ParticleState& particles);
 
-/// The part of it that is about distanceRows. @param torn per distance of all distanceRows, in their order (tornDistances).
+/// The part of it that is about ropes and cloth. @param torn per distance of all rows, in their order
+/// (tornDistances).
 void measureDistances(Measures& out, const World& world, const ParticleState& particles, const std::vector<bool>& torn);
 
 /// The part of it that is about fluids. @param densities of their particles, over those at rest.

@@ -38,10 +38,10 @@ struct Measures {
     float meanDensityError = 0.0f;  ///< Of fluid particles: how much denser than at rest, as a share of that.
     float worstDensityError = 0.0f;
     float fluidVolumeError = 0.0f;  ///< The share of their volume that fluids have lost to that.
-    uint32_t fluidCount = 0;        ///< Fluid particles that are there.
+    uint32_t fluidCount = 0;        ///< Active fluid particles.
     uint32_t fluidEmitted = 0;      ///< Since the start, from all emitters.
     uint32_t fluidDrained = 0;      ///< Since the start, in drains or taken again as the oldest.
-    float meanStretch = 0.0f;       ///< Of ropes and threads of cloth that hold: |length / length at rest - 1|.
+    float meanStretch = 0.0f;       ///< Of untorn ropes and threads of cloth: |length / length at rest - 1|.
     float worstStretch = 0.0f;
     float maxSpeed = 0.0f;       ///< [m/s]
     double kineticEnergy = 0.0;  ///< [J]

@@ -52,8 +52,8 @@ public:
     {
         for (Pass* pass : passes_) pass->load(load);
     }
-    /// After an overflow: gives its lists the room that kernels asked for. Their contents are lost; the next substep finds
-    /// contacts anew, the next step neighbours of fluids.
+    /// After an overflow: gives its lists the room that kernels asked for. Their contents are lost; the next substep
+    /// finds contacts anew, the next step neighbours of fluids.
     virtual void grow(const Gpu&, gpu::StepParameters&, const gpu::Counters&) {}
 
 protected:

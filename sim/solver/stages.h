@@ -18,8 +18,8 @@
 
 namespace knuckle {
 
-/// All rooms of a world's solver and what they share: everything that simulates, on the GPU, filled once from the World.
-/// An optional stage is there where the world has any of its kind.
+/// All rooms of a world's solver and what they share: everything that simulates, on the GPU, filled once from the
+/// World. An optional stage is there where the world has any of its kind.
 class Stages {
 public:
     /// Uploads the world; compiles nothing yet. @param world must outlive it.

@@ -8,28 +8,29 @@
 //   predicts how far each mover would move if nothing touched it, adds what its contacts did last, and asks for a new
 //     search when it has left its margin (mover_predict);
 //   finds contacts, but only when somebody asked: search_due sets the sizes of those dispatches on the GPU, to zero
-//     otherwise. Particles are placed (search_position) and sorted into cells by a counting sort (grid_*); each looks for
-//     those that lie ahead (contact_find, further for fast ones: contact_find_far) and for colliders (collider_*); a
-//     prefix sum gives each list its place (scan_*, list_start, pair_list), and each contact learns what it is made of
-//     (contact_prepare, collider_prepare);
+//     otherwise. Particles get the positions to search for (search_position) and are sorted into cells by a counting
+//     sort (grid_*); each looks for those that lie ahead (contact_find, further for fast ones: contact_find_far) and
+//     for colliders (collider_*); a prefix sum says where each list begins (scan_*, list_start, pair_list), and each
+//     contact learns what it is made of (contact_prepare, collider_prepare);
 //   moves fluids by their pressures (fluid_*), once;
-//   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, distance_solve moves ropes and
-//     cloth, phase by phase; contact_solve, collider_solve and joint_solve work out impulses, each contact and joint by
-//     itself, from where the movers are; mover_solve sums them for each mover and matches it (eqs. 8-9, 11-17) to where
-//     they bring its particles;
-//   finishes with velocities and places (mover_integrate), and where materials have restitution, gives collisions the
+//   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, distance_solve moves ropes
+//     and cloth, colour by colour; contact_solve, collider_solve and joint_solve work out impulses, each contact and
+//     joint by itself, from where the movers are; mover_solve sums them for each mover and matches it (eqs. 8-9, 11-17)
+//     to where they bring its particles;
+//   ends with velocities and positions (mover_integrate), and where materials have restitution, gives collisions the
 //     speeds at which they part (contact_restitution, collider_restitution, mover_restitution).
 //
 // With Settings::sleepSpeed, what has been calm for long sleeps from the end of a step on (sleep_mover, sleep_island,
 // sleep_update), until something that moves comes near it (sleep_wake_island, sleep_wake_assembly, in each substep).
 //
 // A step ends with its particles where their bodies have them (particle_position); those that bodies share stand at the
-// mean of their goals, which is the joint (joint_position). Where there are emitters or drains, fluid particles then leave
-// the pools (emitter_update, pool_order, fluid_emit) or go back to them (fluid_drain).
+// mean of their goals, which is the joint (joint_position). Where there are emitters or drains, fluid particles then
+// leave the pools (emitter_update, pool_order, fluid_emit) or go back to them (fluid_drain).
 //
-// Freezing (Settings::freeze) is the same for each assembly by itself: freeze_mover, freeze_update at the end of a step.
+// Freezing (Settings::freeze) is the same for each assembly by itself: freeze_mover, freeze_update at the end of a
+// step.
 //
-// The paper's solver does all of this particle by particle (PaperStep): predict, then contact_average (each particle
+// The paper's solver does all of this particle by particle (PaperStage): predict, then contact_average (each particle
 // moves by the average of its overlaps), then each body is matched to its particles (body_sum, body_rotation) and they
 // go to their goals (shape_goals, joint_goals), once with STABILIZE and then `iterations` times, and finish.
 #include "sim/solver/step.h"

@@ -7,8 +7,9 @@
 
 namespace knuckle {
 
-/// Which rows of the channel belong to whom. Through it constraints act on bodies: each kind reserves rows, one for each
-/// impulse on a body, and writes them in every iteration; mover_solve sums the rows of a body without knowing kinds.
+/// Which rows of the channel belong to whom. Through it constraints act on bodies: each kind reserves rows, one for
+/// each impulse on a body, and writes them in every iteration; mover_solve sums the rows of a body without knowing
+/// kinds.
 class RowPlan {
 public:
     /// A row for an impulse at `arm` from the body's centre, in its axes [m]. @returns what rowOf() takes.

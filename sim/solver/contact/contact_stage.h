@@ -4,7 +4,8 @@
 
 namespace knuckle {
 
-/// Contacts between particles and with colliders: what they are made of, and their impulses. "Halves" as in SearchStage.
+/// Contacts between particles and with colliders: what they are made of, and their impulses. "Halves" as in
+/// SearchStage.
 class ContactStage : public Stage {
 public:
     explicit ContactStage(const StageSetup& setup);

@@ -29,7 +29,7 @@ struct Fixed {
 gpu::GpuEmitter packEmitter(const Emitter& e, const World& world)
 {
     const double step = world.settings.timeStep, rate = 1.0 / e.interval();
-    // Emitters end a step: nothing leaves before the first.
+    // Emitters work at the end of a step: nothing can leave before the end of the first.
     const double first = std::max(1.0, std::ceil(e.start / step));
     const Fixed past((first * step - e.start) * rate), perStep(step * rate);
     gpu::GpuEmitter out{};
@@ -72,7 +72,7 @@ void EmitterStage::uploadPools(const StageSetup& setup)
         order.resize(wholeChunks(static_cast<uint32_t>(order.size())), NO_INDEX);
         chunks.resize(order.size() / SCAN_CHUNK, static_cast<uint32_t>(all.size()));
         all.push_back(emitter);
-        // One more chunk at the end: the prefix sum of it is that of all.
+        // One more chunk at the end, whose prefix sum is the sum of all.
         p.poolCapacity = static_cast<uint32_t>(order.size() + SCAN_CHUNK);
         inactive.resize(order.size(), 0);
     }

@@ -25,7 +25,7 @@ void stopAt(AlignedBox3f& limits, const Collider& plane)
     }
 }
 
-/// The same for the far side of a wall: what covers at least half of a face of the box.
+/// The same for a box collider that covers at least half of a face of `limits`: a wall, up to its far side.
 void stopAt(AlignedBox3f& limits, const AlignedBox3f& box, const AlignedBox3f& wall)
 {
     const Vector3f common = box.intersection(wall).sizes();
@@ -37,7 +37,7 @@ void stopAt(AlignedBox3f& limits, const AlignedBox3f& box, const AlignedBox3f& w
     }
 }
 
-/// As far as particles get if they pass no wall, and what they may be predicted to.
+/// The box that particles can be in if they pass no wall, and a little more, as predictions may be behind one.
 AlignedBox3f limitsOf(const World& world, const AlignedBox3f& box, float margin)
 {
     AlignedBox3f limits(Vector3f::Constant(-INF), Vector3f::Constant(INF));

@@ -6,10 +6,11 @@
 
 namespace knuckle {
 
-/// How the cells of the fluids' grid are wrapped onto a line (shaders/sim/common/grid.glsl): as boxes of the scene's own
-/// shape, so that fluid gets far before particles look near to each other that are not.
+/// How the cells of the fluids' grid are wrapped onto a line (shaders/sim/common/grid.glsl). Cells that are a box of
+/// this shape apart share an index, so particles in them look near to each other. The box has the shape of the scene,
+/// so that fluid must spread far before that happens.
 struct FluidLattice {
-    Eigen::AlignedBox3f home;  ///< In it none do [m].
+    Eigen::AlignedBox3f home;  ///< Within it, no two cells share an index [m].
     uint32_t strideY = 0, strideZ = 0;
 };
 

@@ -12,10 +12,10 @@ namespace knuckle {
 namespace {
 
 constexpr uint32_t FIRST_NEIGHBOURS = 64;
-/// Of the smoothing kernel [rest distances]. Below 2.2 the sums depend so much on how particles happen to lie that water
-/// under pressure rubs like sand; above 2.5 the multipliers overshoot.
+/// Of the smoothing kernel [rest distances]. Below 2.2 the sums depend so much on how particles happen to lie that
+/// water under pressure rubs like sand; above 2.5 the multipliers overshoot.
 constexpr float FLUID_REACH = 2.2f;
-/// Sums over a lattice over those over fluid at rest, which is less even.
+/// A sum over a lattice divided by the same sum over fluid at rest, whose particles lie less evenly.
 constexpr double DISORDER = 1.01;
 
 /// Sums over a cubic lattice of spacing `spacing` of Wendland's kernel of support `reach` without its constant, and of
@@ -44,9 +44,9 @@ double wallFraction(double z, double reach)
     return std::pow(t, 6) * (3.5 - 4.5 * t + 1.5 * t * t);
 }
 
-/// By how much more the listed particles of a layer have to cover for a fluid particle next to it: the list, and with it
-/// solidFraction() of sim/fluid/fluid.glsl, fades out before the kernel ends. With 0.88 of that bodies float as deep as they
-/// are dense.
+/// By how much more the listed particles of a layer have to cover for a fluid particle next to it: the list, and with
+/// it solidFraction() of sim/fluid/fluid.glsl, fades out before the kernel ends. With 0.88 of that bodies float as deep
+/// as they are dense.
 float solidCover(const gpu::StepParameters& p)
 {
     constexpr double CALIBRATION = 0.88;

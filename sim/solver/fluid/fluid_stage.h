@@ -18,12 +18,13 @@ public:
 
     /// Makes the buffers of slots anew, with the room that the parameters say. @throws DeviceError as the constructor.
     void makeLists(const Gpu& gpu);
-    /// Once, before the first step: a lattice that fills a tank is too dense at its walls and at solids, and makes room
-    /// there; as part of a step that would make it fast.
+    /// Once, before the first step: a lattice that fills a tank is too dense at its walls and at solids. Here it makes
+    /// room without gaining speed; within a step, the same displacement would become speed.
     void relax(Recorder& recorder) const;
     /// Once a step: who is whose neighbour; viscosity and vorticity confinement.
     void beginStep(Recorder& recorder) const;
-    /// One iteration of pressures, after the movers were predicted; fluid particles are where they end then.
+    /// One iteration of pressures, after the movers have been predicted. Afterwards fluid particles are at their
+    /// positions of the substep's end.
     /// @param first of the step
     void substep(Recorder& recorder, bool first) const;
     /// Of the last substep, each fluid particle's density over that at rest, in no order that matters. Stalls until the

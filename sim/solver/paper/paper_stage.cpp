@@ -6,9 +6,10 @@ namespace knuckle {
 
 namespace {
 
-/// A shared particle draws its bodies with one mass for all, so that momentum is kept: as much as brings them to the mean
-/// of their goals in an iteration, split over the shared particles of each. In a body's match it counts with its own,
-/// so it stands beyond the mean by so many times the distance. Per link in the GPU's order.
+/// Per link of a shared particle: how far beyond the mean of its bodies' goals it stands in the body's match, in
+/// distances of goal and mean. At the mean itself, with its own small mass, it would hardly move the body. Instead it
+/// draws all its bodies as one and the same mass would that moves them to the mean in an iteration, split over the
+/// shared particles of each. One mass for all keeps momentum. Per link in the GPU's order.
 std::vector<float> linkGainsOf(const World& world, const Layout& layout)
 {
     std::vector<float> sharedOfBody(world.bodies.size()), inverse(world.particles.size());

@@ -11,7 +11,7 @@ namespace {
 constexpr float NO_SELF_CONTACT = 1e9f;          // a margin [diameters] that nothing is beyond
 constexpr uint32_t NEVER_TOUCHED = 0x7fffffffu;  // a substep that no other follows
 
-/// Per particle: where its body's lattice ends. Bodies with joints keep their bumps (docs/physics.md), and so do all in
+/// Per particle: where its body's lattice ends. Bodies with joints are not flat (docs/trials.md), nor is any in
 /// the paper's solver.
 std::vector<uint32_t> latticeEndsOf(const World& world)
 {

@@ -11,13 +11,13 @@ namespace {
 
 constexpr float NEVER = std::numeric_limits<float>::max();
 
-/// Whether it is uploaded the other way round: the sweep begins at its end, which is better free.
+/// Whether it is uploaded in reverse: elimination begins at a strand's end, which should be free.
 bool isReversed(const World& world, const DistanceRow& row)
 {
     return isFixed(world, world.particles[row.particles.back()]);
 }
 
-/// Per row, its colour: the first whose distanceRows share no particle with it that can move.
+/// Per row, its colour: the first whose rows share no particle with it that can move.
 std::vector<uint32_t> colorsOf(const World& world)
 {
     std::vector<std::vector<uint32_t>> taken(world.particles.size());
@@ -35,7 +35,7 @@ std::vector<uint32_t> colorsOf(const World& world)
     return colors;
 }
 
-/// Per body, how many ends and nodes of distanceRows are its particles: its mass is split over them.
+/// Per body, how many ends and nodes of rows are its particles: its mass is split over them.
 std::vector<uint32_t> nodeCounts(const World& world)
 {
     std::vector<uint32_t> counts(world.bodies.size(), 0);

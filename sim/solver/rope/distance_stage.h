@@ -5,8 +5,8 @@
 
 namespace knuckle {
 
-/// Ropes and cloth: rows of distance constraints (World::distanceRows), each solved at once by one thread. Rows are coloured:
-/// no two of a colour have a particle in common that moves, so that each may move its own in place.
+/// Ropes and cloth: rows of distance constraints (World::distanceRows), each solved at once by one thread. Rows are
+/// coloured: no two of a colour have a particle in common that moves, so that each may move its own in place.
 class DistanceStage : public Stage {
 public:
     /// Rows that are solved together.

@@ -4,8 +4,9 @@
 
 namespace knuckle {
 
-/// Who may touch whom: the neighbour grid, and the lists of contacts (shaders/sim/common/contact_lists.glsl). It searches
-/// only when something has left its margin, which kernels decide. "Halves": of the current search and the one before.
+/// Who may touch whom: the neighbour grid, and the lists of contacts (shaders/sim/common/contact_lists.glsl). It
+/// searches only when something has left its margin, which kernels decide. "Halves": of the current search and the one
+/// before.
 class SearchStage : public Stage {
 public:
     /// @param flatFaces whether boxes are flat to what touches them, which has to be found from further away.

@@ -18,7 +18,7 @@ SleepStage::SleepStage(const StageSetup& setup)
     const Settings& s = setup.world.settings;
     gpu::StepParameters& p = setup.parameters;
     p.sleepSpeed = s.sleepSpeed;
-    // No two places within half as far from a third are further apart.
+    // Positions within half the distance from a centre are within the whole distance of each other.
     p.freeze = 0.5f * s.freeze * setup.world.particleRadius;
     p.calmSteps = CALM_STEPS;
     if (freezes_) p.calmSteps = std::max(CALM_STEPS, static_cast<uint32_t>(std::ceil(FREEZE_SECONDS / s.timeStep)));

@@ -49,8 +49,9 @@ void addMoments(std::vector<gpu::vec4>& out, const ClusterMoments& m)
     out.push_back({empty(0, 1), empty(0, 2), empty(1, 2), 0});
 }
 
-/// The root of an iteration, in 0 ... 1, the largest first: of the Chebyshev polynomial that leaves at most MOST_LEFT
-/// of what any strain asks for, however steep. (In a plain Jacobi iteration all are 1, and what is smooth is slow.)
+/// The divisor of an iteration, in 0 ... 1, the largest first. They are the roots of the Chebyshev polynomial that
+/// leaves at most MOST_LEFT of the error of any strain, however stiff. (In a plain Jacobi iteration all are 1, and
+/// smooth strains converge slowly.)
 float rootOf(uint32_t iteration, uint32_t count)
 {
     constexpr float MOST_LEFT = 0.3f;

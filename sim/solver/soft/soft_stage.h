@@ -4,8 +4,8 @@
 
 namespace knuckle {
 
-/// Soft bodies: overlapping clusters that are matched to their particles and pull them (Mueller et al. 2005). Their links
-/// stand in BodyStage::links behind those of bodies.
+/// Soft bodies: overlapping clusters that are matched to their particles and pull them (Mueller et al. 2005). Their
+/// links stand in BodyStage::links behind those of bodies.
 class SoftStage : public Stage {
 public:
     static bool isNeeded(const World& world);
