@@ -72,14 +72,14 @@ std::vector<std::pair<std::string, Json>> measureFields(const Measures& m)
 
 void writePly(const std::string& folder, uint64_t frame, const World& world, const ParticleState& state)
 {
-    const auto there = std::count(state.parked.begin(), state.parked.end(), false);
+    const auto there = std::count(state.inactive.begin(), state.inactive.end(), false);
     std::string text = fmt::format("ply\nformat binary_little_endian 1.0\ncomment frame {}\nelement vertex {}\n", frame,
                                    there);
     text.insert(text.find("element"), materialComments(world));
     text += "property uint id\nproperty float x\nproperty float y\nproperty float z\nproperty float vx\n"
             "property float vy\nproperty float vz\nproperty int body\nproperty uint material\nend_header\n";
     for (uint32_t i = 0; i < state.positions.size(); ++i) {
-        if (state.parked[i]) continue;
+        if (state.inactive[i]) continue;
         const Particle& particle = world.particles[i];
         append(text, i);
         for (const Vector3f& vector : {state.positions[i], state.velocities[i]}) {

@@ -20,8 +20,6 @@
 #define TEAR_STRETCH 1.5f
 // Slots whose lists of neighbours lie together.
 #define NEIGHBOUR_BLOCK 32u
-// "Belongs to nothing", as in sim/world/world.h.
-#define NO_BODY 0xffffffffu
 
 // ColliderShape of sim/world/world.h.
 #define COLLIDER_PLANE 0u
@@ -31,7 +29,7 @@
 #define COLLIDER_MESH 4u
 #define COLLIDER_HEIGHTFIELD 5u
 
-// moverStates[]: whether a mover answers to impulses (sim/common/mover_info.glsl).
+// moverStates[]: whether a mover answers to impulses (sim/common/bodies/mover_info.glsl).
 #define MOVER_DYNAMIC 0u
 #define MOVER_FIXED 1u
 
@@ -45,21 +43,19 @@
 #define PROBLEM_PAIRS 8u
 #define PROBLEM_FLUID 16u
 
-// Dispatches whose sizes the GPU decides (SolverBuffers::dispatches).
-#define DISPATCH_PARTICLES 0        // this and the next seven: none where contacts were not found anew
-#define DISPATCH_CELLS 1
-#define DISPATCH_CELL_CHUNKS 2
-#define DISPATCH_LIST_CHUNKS 3
-#define DISPATCH_ONE 4
-#define DISPATCH_MOVERS 5
-#define DISPATCH_NEW_PAIRS 6
-#define DISPATCH_NEW_COLLIDER_PAIRS 7
-#define DISPATCH_PAIRS 8
-#define DISPATCH_COLLIDER_PAIRS 9
-#define DISPATCH_FAST 10            // particles that find contacts from afar
-#define DISPATCH_SLOTS 11           // of fluids, where there are emitters or drains
-#define DISPATCH_EMIT 12
-#define DISPATCH_COUNT 13
+// Dispatches whose sizes the GPU decides (Stages::dispatches).
+#define DISPATCH_PARTICLES 0        // this and the next six: none where contacts were not found anew
+#define DISPATCH_CELL_CHUNKS 1
+#define DISPATCH_LIST_CHUNKS 2
+#define DISPATCH_MOVERS 3
+#define DISPATCH_NEW_PAIRS 4
+#define DISPATCH_NEW_COLLIDER_PAIRS 5
+#define DISPATCH_FAST 6             // particles that find contacts from afar
+#define DISPATCH_PAIRS 7
+#define DISPATCH_COLLIDER_PAIRS 8
+#define DISPATCH_SLOTS 9            // of fluids, where there are emitters or drains
+#define DISPATCH_EMIT 10
+#define DISPATCH_COUNT 11
 
 // By how much longer contacts are to stay good where few things are fast.
 #define CALM 3.0f

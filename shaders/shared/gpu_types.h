@@ -28,7 +28,7 @@ struct ParticleRigidBodyLink {
 
 // What never changes about a particle.
 struct ParticleInfo {
-    uint body;                      // first body, NO_BODY for loose particles
+    uint body;                      // first body, NO_INDEX for loose particles
     uint bodyCount;                 // 0 loose, 1 ordinary, 2 or more: a joint
     uint assembly;                  // bodies connected by joints; a loose particle is an assembly of its own
     uint material;
@@ -101,9 +101,9 @@ struct GpuEmitter {
 
 // What an emitter does in a step.
 struct EmitterState {
-    uint taken;                     // parked particles that it takes
-    uint retired;                   // of its oldest particles that are parked
-    uint parked;                    // before that
+    uint taken;                     // inactive particles that it takes
+    uint retired;                   // its oldest particles that it makes inactive
+    uint inactive;                  // particles, before that
     float age;                      // time since the last layer left [s]
     uint firstCandidate;            // its first thread in fluid_emit
     uint unused0;

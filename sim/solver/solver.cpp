@@ -88,7 +88,7 @@ ParticleState Solver::readParticles()
 {
     const std::vector<gpu::vec4> positions = impl_->stages.particles.positions.download();
     ParticleState state{unpack(positions), unpack(impl_->stages.particles.velocities.download()), {}};
-    for (const gpu::vec4& position : positions) state.parked.push_back(position.w != 0.0f);
+    for (const gpu::vec4& position : positions) state.inactive.push_back(position.w != 0.0f);
     return state;
 }
 

@@ -14,7 +14,7 @@ namespace knuckle {
 struct ParticleState {
     std::vector<Vector3f> positions;   ///< [m]
     std::vector<Vector3f> velocities;  ///< [m/s]
-    std::vector<bool> parked;          ///< Fluid particles that no emitter has yet let out, or that a drain took.
+    std::vector<bool> inactive;        ///< Fluid particles that no emitter has yet let out, or that a drain took.
 };
 
 struct BodyState {

@@ -3,7 +3,7 @@
 // A step of Settings::timeStep is cut into substeps; small substeps with few iterations are stiffer than one step with
 // many (Macklin et al. 2019). What moves is a mover: a body, or a loose particle. The particles of a rigid body always
 // move as a linear field over it, so the default solver predicts, matches and finishes bodies through fields
-// (shaders/sim/common/fields.glsl) and visits their particles only where something touches them. A substep
+// (shaders/sim/common/bodies/fields.glsl) and visits their particles only where something touches them. A substep
 //
 //   predicts how far each mover would move if nothing touched it, adds what its contacts did last, and asks for a new
 //     search when it has left its margin (mover_predict);

@@ -39,7 +39,7 @@ struct Jet {
 
 uint32_t living(const ParticleState& state)
 {
-    return static_cast<uint32_t>(std::count(state.parked.begin(), state.parked.end(), false));
+    return static_cast<uint32_t>(std::count(state.inactive.begin(), state.inactive.end(), false));
 }
 
 TEST(Emitter, LayersComeWhenTheyAreDueAndAsFarApartAsAtRestAtAnySpeed)
@@ -76,7 +76,7 @@ TEST(Emitter, TheFlowIsDensityTimesAreaTimesSpeed)
         double mass = 0.0;
         const ParticleState state = solver.readParticles();
         for (size_t i = 0; i < world.particles.size(); ++i)
-            if (!state.parked[i]) mass += world.particles[i].mass;
+            if (!state.inactive[i]) mass += world.particles[i].mass;
         // To within a layer, since the first leaves at time 0.
         const double area = std::numbers::pi * radius * radius;
         EXPECT_NEAR(mass, 1000.0 * area * 3.0, 1.01 * jet.layer() * world.particles[0].mass) << radius;
@@ -148,7 +148,7 @@ TEST(Emitter, WaitsWhileItsPoolIsEmptyOrTakesTheOldestAgain)
         EXPECT_GE(living(state), 36u);
         // Only the last particles are still active, so none is further than the pool's layers reach.
         for (size_t i = 0; i < state.positions.size(); ++i) {
-            if (!oldest || state.parked[i]) continue;
+            if (!oldest || state.inactive[i]) continue;
             EXPECT_LT(state.positions[i].x() - NOZZLE.x(), 0.05f * 11.5f);
         }
     }
@@ -175,7 +175,7 @@ TEST(Emitter, JetsThatMeetKeepTheirMomentum)
     Eigen::Vector3d given = Eigen::Vector3d::Zero();
     double energy = 0.0;
     for (size_t i = 0; i < world.particles.size(); ++i) {
-        if (state.parked[i]) continue;
+        if (state.inactive[i]) continue;
         const Eigen::Vector3d velocity = world.emitters[i / 2000].velocity.cast<double>();
         given += world.particles[i].mass * velocity;
         energy += 0.5 * world.particles[i].mass * velocity.squaredNorm();

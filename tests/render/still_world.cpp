@@ -15,7 +15,7 @@ Buffer<gpu::vec4> vectors(const char* label, const std::vector<T>& items, Make m
     return {label, out};
 }
 
-/// The last ones are parked: those in the pools of emitters.
+/// The last ones are inactive: those in the pools of emitters.
 Buffer<gpu::vec4> positionsOf(const World& world)
 {
     std::vector<gpu::vec4> out;

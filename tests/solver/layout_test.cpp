@@ -68,7 +68,7 @@ const std::vector<Member> EMITTER = {MEMBER(GpuEmitter, velocity),    MEMBER(Gpu
                                      MEMBER(GpuEmitter, poolStart),   MEMBER(GpuEmitter, poolCount),
                                      MEMBER(GpuEmitter, takesOldest), MEMBER(GpuEmitter, interval)};
 const std::vector<Member> EMITTER_STATE = {MEMBER(EmitterState, taken),          MEMBER(EmitterState, retired),
-                                           MEMBER(EmitterState, parked),         MEMBER(EmitterState, age),
+                                           MEMBER(EmitterState, inactive),       MEMBER(EmitterState, age),
                                            MEMBER(EmitterState, firstCandidate), MEMBER(EmitterState, unused0),
                                            MEMBER(EmitterState, unused1),        MEMBER(EmitterState, unused2)};
 const std::vector<Member> BODY_INFO = {MEMBER(BodyInfo, linkStart), MEMBER(BodyInfo, linkCount),

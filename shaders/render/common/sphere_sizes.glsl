@@ -12,7 +12,7 @@ uint sphereSpace(uint particle)
     return particle < frame.solidCount ? SPACE_UNITS : frame.fluidShare;
 }
 
-/// Whether a particle is not parked.
+/// Whether a particle is active.
 bool isThere(vec4 position)
 {
     return position.w == 0.0;

@@ -1,12 +1,12 @@
 // One thread a mover: its velocity, and where it is at the end of the substep. BDF2 where the prediction used it and
 // nothing has touched the assembly since, else move / h: second order would answer a collision one and a half times.
 #include "sim/common/kernel.glsl"
-#include "sim/common/assemblies.glsl"
-#include "sim/common/bodies.glsl"
-#include "sim/common/fields.glsl"
-#include "sim/common/links.glsl"
-#include "sim/common/mover_info.glsl"
-#include "sim/common/movers.glsl"
+#include "sim/common/bodies/assemblies.glsl"
+#include "sim/common/bodies/bodies.glsl"
+#include "sim/common/bodies/fields.glsl"
+#include "sim/common/bodies/links.glsl"
+#include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/bodies/movers.glsl"
 #include "sim/common/nan_report.glsl"
 #include "sim/common/particles.glsl"
 

@@ -3,13 +3,13 @@
 // nothing touched its assembly lately, else symplectic Euler.
 #include "sim/common/kernel.glsl"
 #include "sim/rotation/rotation_delta.glsl"
-#include "sim/common/assemblies.glsl"
-#include "sim/common/bodies.glsl"
-#include "sim/common/fields.glsl"
-#include "sim/common/mass_scaling.glsl"
-#include "sim/common/mover_info.glsl"
-#include "sim/common/mover_poses.glsl"
-#include "sim/common/search_margin.glsl"
+#include "sim/common/bodies/assemblies.glsl"
+#include "sim/common/bodies/bodies.glsl"
+#include "sim/common/bodies/fields.glsl"
+#include "sim/common/bodies/mass_scaling.glsl"
+#include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/bodies/mover_poses.glsl"
+#include "sim/common/contacts/search_margin.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer moverVelocities;

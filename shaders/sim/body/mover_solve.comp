@@ -4,14 +4,14 @@
 // after the contacts were found anew, with their old impulses alone, as mover_predict does.
 #include "sim/common/kernel.glsl"
 #include "sim/rotation/rotation_delta.glsl"
-#include "sim/common/assemblies.glsl"
-#include "sim/common/bodies.glsl"
-#include "sim/common/body_rows.glsl"
-#include "sim/common/fields.glsl"
-#include "sim/common/impulse_sums.glsl"
-#include "sim/common/mass_scaling.glsl"
-#include "sim/common/mover_info.glsl"
-#include "sim/common/mover_poses.glsl"
+#include "sim/common/bodies/assemblies.glsl"
+#include "sim/common/bodies/bodies.glsl"
+#include "sim/common/bodies/body_rows.glsl"
+#include "sim/common/bodies/fields.glsl"
+#include "sim/common/contacts/impulse_sums.glsl"
+#include "sim/common/bodies/mass_scaling.glsl"
+#include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/bodies/mover_poses.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer lastMoverRotationDeltas;

@@ -1,7 +1,7 @@
 // One thread a particle: where its body has it (eq. 8), with which velocity.
 #include "sim/common/kernel.glsl"
-#include "sim/common/mover_info.glsl"
-#include "sim/common/mover_state.glsl"
+#include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/bodies/mover_state.glsl"
 #include "sim/common/particles.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

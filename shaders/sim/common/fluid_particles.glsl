@@ -1,6 +1,6 @@
-// What `positions` and `velocities` hold of a fluid particle (sim/common/fluid_living.glsl). Fluid particles come
+// What `positions` and `velocities` hold of a fluid particle (sim/common/grid/fluid_living.glsl). Fluid particles come
 // behind all others, the solid ones.
-#include "sim/common/fluid_living.glsl"
+#include "sim/common/grid/fluid_living.glsl"
 
 bool isFluid(uint particle)
 {

@@ -1,5 +1,5 @@
 // What every kernel of the simulation starts with. The name of a block or a sampler is the name of the solver's buffer
-// (sim/solver/buffers.h); host code finds the binding by it.
+// (docs/buffers.md); host code finds the binding by it.
 #include "shared/gpu_types.h"
 
 #define BUFFER(type, Block, name) layout(std430) restrict buffer Block { type name[]; }

@@ -1,8 +1,8 @@
 // One thread a contact of a particle with a collider: what it is made of, with the impulse that it had before.
 #include "sim/common/kernel.glsl"
-#include "sim/common/list_ranges.glsl"
-#include "sim/common/colliders.glsl"
-#include "sim/common/touch.glsl"
+#include "sim/common/contacts/list_ranges.glsl"
+#include "sim/common/contacts/colliders.glsl"
+#include "sim/common/contacts/touch.glsl"
 #include "sim/contact/contact_mass.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

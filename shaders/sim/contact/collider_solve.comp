@@ -1,9 +1,9 @@
 // One thread a contact of a particle with a collider: one Jacobi iteration of its impulse.
 #include "sim/common/kernel.glsl"
-#include "sim/common/movers.glsl"
-#include "sim/common/colliders.glsl"
-#include "sim/common/contacts.glsl"
-#include "sim/common/touch.glsl"
+#include "sim/common/bodies/movers.glsl"
+#include "sim/common/contacts/colliders.glsl"
+#include "sim/common/contacts/contacts.glsl"
+#include "sim/common/contacts/touch.glsl"
 #include "sim/contact/contact_impulse.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

@@ -1,5 +1,5 @@
 // One contact as an accumulated impulse, in units of mass times displacement [kg m].
-#include "sim/common/contacts.glsl"
+#include "sim/common/contacts/contacts.glsl"
 
 /// What a contact is made of.
 struct Contact {

@@ -1,8 +1,8 @@
 // The inverse mass that a contact's normal impulse meets. Worked out when contacts are found, from where bodies are
 // then.
-#include "sim/common/bodies.glsl"
-#include "sim/common/contacts.glsl"
-#include "sim/common/mover_info.glsl"
+#include "sim/common/bodies/bodies.glsl"
+#include "sim/common/contacts/contacts.glsl"
+#include "sim/common/bodies/mover_info.glsl"
 
 uniform samplerBuffer searchRotations;
 

@@ -1,8 +1,8 @@
 // One thread a pair of particles: what its contact is made of, with the impulse that it had before.
 #include "sim/common/kernel.glsl"
-#include "sim/common/list_ranges.glsl"
+#include "sim/common/contacts/list_ranges.glsl"
 #include "sim/contact/exit_direction.glsl"
-#include "sim/common/touch.glsl"
+#include "sim/common/contacts/touch.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer latticeEnds;

@@ -1,8 +1,8 @@
 // One thread a contact between particles: one Jacobi iteration of its impulse. mover_solve gives it to both sides.
 #include "sim/common/kernel.glsl"
-#include "sim/common/movers.glsl"
-#include "sim/common/contacts.glsl"
-#include "sim/common/touch.glsl"
+#include "sim/common/bodies/movers.glsl"
+#include "sim/common/contacts/contacts.glsl"
+#include "sim/common/contacts/touch.glsl"
 #include "sim/contact/contact_impulse.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -32,7 +32,7 @@ void main()
     float apart = length(difference);
     Separation start = separationOf(startDifference, sides.exit, fetchRotation(sides.movers.x),
                                     fetchRotation(sides.movers.y), sides.hidden, contact.touch);
-    contact.normal = start.keepsNormal ? start.normal : contactNormal(difference, apart, true);
+    contact.normal = start.keepsNormal ? start.normal : contactNormal(difference, apart);
     contact.sameAssembly = sides.exit.sameAssembly;
     contact.leaving = max(dot(a.move, contact.normal), -dot(b.move, contact.normal));
     contact.startGap = (start.oneSided && sides.exit.deepInside ? 0.0 : start.distance) - contact.touch;

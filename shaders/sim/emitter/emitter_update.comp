@@ -42,7 +42,7 @@ void main()
         state.taken = min(due, inactive / e.pointCount) * e.pointCount;
         uint left = inactive - state.taken, wanted = (layersAt(e, steps + 1u) - layers) * e.pointCount;
         state.retired = e.takesOldest != 0u ? min(max(wanted, left) - left, e.poolCount - inactive) : 0u;
-        state.parked = inactive;
+        state.inactive = inactive;
         state.firstCandidate = candidates;
         state.age = (float(now.x - (layers - 1u)) + float(now.y) * exp2(-32.0)) * e.interval;
         newStates[k] = state;

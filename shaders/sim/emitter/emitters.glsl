@@ -1,9 +1,8 @@
 // Emitters and the pools of their particles. A pool is a list of its particles: first the inactive ones, then those in
 // the scene, the oldest first. poolOrder holds the lists of all pools twice: a step reads one half and writes the
-// other, the next step the other way round. Each pool begins a chunk (SCAN_CHUNK) of the list.
+// other, the next step the other way round. Each pool begins a chunk (SCAN_CHUNK) of the list; NONE fills up
+// its last chunk.
 #include "sim/common/fluid_particles.glsl"
-
-#define NO_PARTICLE 0xffffffffu          // fills up the last chunk of a pool
 
 // A particle that has just left a nozzle keeps its velocity, but for gravity, until so many layers have followed it. At
 // 0 jets that slow down burst, and at 2 those that are pressed into fluid at rest do.

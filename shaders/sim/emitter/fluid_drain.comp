@@ -2,7 +2,7 @@
 // notes for the next step which ones are inactive. Drains are stored behind the colliders.
 #include "sim/common/kernel.glsl"
 #include "sim/emitter/emitters.glsl"
-#include "sim/common/colliders.glsl"
+#include "sim/common/contacts/colliders.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer poolOrder;
@@ -19,11 +19,11 @@ void main()
     bool pooled = thread >= sim.fluidFilled;
     uint index = thread - sim.fluidFilled, i = sim.particleCount + thread;
     if (pooled) i = texelFetch(poolOrder, int(orderAfter(stepsDone(counters[0].substep)) + index)).x;
-    if (i == NO_PARTICLE) return;
+    if (i == NONE) return;
     FluidPosition own = fluidPosition(positions[i]);
     bool drained = false;
     for (uint d = 0u; d < sim.drainCount; ++d)
-        drained = drained || colliderDistance(sim.colliderCount + d, own.position).w < 0.0;
+        drained = drained || colliderSurface(sim.colliderCount + d, own.position).distance < 0.0;
     if (drained && !own.inactive) {
         DEACTIVATE(i);
     }

@@ -1,8 +1,8 @@
 // One thread a particle that is to leave an emitter in this step. Its layer left the nozzle at its own moment of the
 // step, and the particle starts where it has come to since. Where something else stands it stays inactive.
 #include "sim/common/kernel.glsl"
-#include "sim/common/fluid_grid.glsl"
-#include "sim/common/grid.glsl"
+#include "sim/common/grid/fluid_grid.glsl"
+#include "sim/common/grid/grid.glsl"
 #include "sim/emitter/emitters.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

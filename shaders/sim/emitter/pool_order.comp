@@ -25,12 +25,12 @@ void main()
     for (uint j = chunk * SCAN_CHUNK - start; j < min((chunk + 1u) * SCAN_CHUNK - start, count); ++j) {
         bool inactive = texelFetch(poolInactive, int(start + j)).x != 0u;
         // Its index with all inactive ones first. The step takes the first `taken` of them.
-        uint index = inactive ? before : state.parked + (j - before);
+        uint index = inactive ? before : state.inactive + (j - before);
         before += inactive ? 1u : 0u;
         uint particle = poolOrder[from + start + j];
         uint next = index < state.taken ? count - state.taken + index : index - state.taken;
         poolOrder[to + start + next] = particle;
-        if (inactive || index >= state.parked + state.retired) continue;
+        if (inactive || index >= state.inactive + state.retired) continue;
         DEACTIVATE(particle);
     }
 }

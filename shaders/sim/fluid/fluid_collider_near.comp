@@ -2,7 +2,7 @@
 // k + 32, ...
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
-#include "sim/common/colliders.glsl"
+#include "sim/common/contacts/colliders.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer fluidSearchPositions;
@@ -20,6 +20,6 @@ void main()
     float reach = sim.fluidListReach + 1.5 * halfPath;
     uint near = 0u;
     for (uint c = 0u; c < sim.colliderCount; ++c)
-        near |= (colliderDistance(c, x).w < reach ? 1u : 0u) << (c & 31u);
+        near |= (colliderSurface(c, x).distance < reach ? 1u : 0u) << (c & 31u);
     slotColliders[k] = isFluid(i) ? near : 0u;
 }

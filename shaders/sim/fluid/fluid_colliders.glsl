@@ -1,5 +1,5 @@
 // Static colliders near a slot, by the bits that fluid_collider_near has set.
-#include "sim/common/colliders.glsl"
+#include "sim/common/contacts/colliders.glsl"
 
 uniform usamplerBuffer slotColliders;    // bit k for colliders k, k + 32, ...
 

@@ -56,8 +56,8 @@ void main()
     SolidCover solids = solidCover(k, counts.solids, x);
     WallCover walls = WallCover(vec3(0), 0.0);
     for (NearColliders near = nearColliders(k); nextCollider(near);) {
-        vec4 wall = colliderDistance(near.index, x);
-        walls = addWall(walls, wall.xyz, wallFraction(wall.w));
+        ColliderSurface wall = colliderSurface(near.index, x);
+        walls = addWall(walls, wall.normal, wallFraction(wall.distance));
     }
     float density = sums.fraction + walls.fraction + solids.fraction;
     vec3 own = sums.gradient + walls.gradient + solids.slope;

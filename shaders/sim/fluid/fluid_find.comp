@@ -2,8 +2,8 @@
 // packed positions both wrap: where fluid has spread wider than the grid, lists hold some that only look near, which do
 // nothing.
 #include "sim/common/kernel.glsl"
-#include "sim/common/fluid_grid.glsl"
-#include "sim/common/grid.glsl"
+#include "sim/common/grid/fluid_grid.glsl"
+#include "sim/common/grid/grid.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/neighbour_search.glsl"
 

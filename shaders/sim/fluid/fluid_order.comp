@@ -1,7 +1,7 @@
 // One thread a particle: its slot. Slots are in the order of cells, and within a cell of particle ids, so that all sums
 // over neighbours have one order.
 #include "sim/common/kernel.glsl"
-#include "sim/common/cell_rank.glsl"
+#include "sim/common/grid/cell_rank.glsl"
 #include "sim/common/fluid_particles.glsl"
 #include "sim/fluid/packed_positions.glsl"
 

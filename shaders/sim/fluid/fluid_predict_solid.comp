@@ -1,7 +1,7 @@
 // One thread a solid particle: where fluids see it, which is where its mover is predicted to bring it in the substep.
 // RELAX: where it is.
 #include "sim/common/kernel.glsl"
-#include "sim/common/movers.glsl"
+#include "sim/common/bodies/movers.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"

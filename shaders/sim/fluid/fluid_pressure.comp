@@ -20,8 +20,8 @@ BUFFER(Counters, CountersBlock, counters);
 vec3 outside(uint k, vec3 x)
 {
     for (NearColliders near = nearColliders(k); nextCollider(near);) {
-        vec4 wall = colliderDistance(near.index, x);
-        x += max(0.25 * sim.fluidSpacing - wall.w, 0.0) * wall.xyz;
+        ColliderSurface wall = colliderSurface(near.index, x);
+        x += max(0.25 * sim.fluidSpacing - wall.distance, 0.0) * wall.normal;
     }
     return x;
 }

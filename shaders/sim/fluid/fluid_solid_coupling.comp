@@ -1,6 +1,7 @@
 // One thread a solid particle: the impulse with which the fluid around it presses it, opposite to what fluid_pressure
 // gives to the fluid.
 #include "sim/common/kernel.glsl"
+#include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"
@@ -8,7 +9,7 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, ParticleImpulses, particleImpulses);
-BUFFER(uvec2, AssemblyState, assemblyState);   // last substep with a contact, order of this one
+BUFFER(Assembly, AssemblyState, assemblies);
 READ_BUFFER(Counters, CountersBlock, counters);
 
 /// The impulse of the fluid particle in a slot on a solid one at x: the solid's part, by its weight, of what all solids
@@ -32,6 +33,6 @@ void main()
     }
     if (impulse == vec3(0)) return;
     // As contacts do: its assembly ends the substep to first order.
-    assemblyState[fetchParticle(i).assembly].x = counters[0].substep - 1u;
+    assemblies[fetchParticle(i).assembly].lastContact = counters[0].substep - 1u;
     particleImpulses[fetchRank(i).rank].xyz += impulse;
 }

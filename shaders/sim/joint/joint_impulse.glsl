@@ -1,10 +1,10 @@
 // The impulses between the bodies that share a particle. FIRST_ITERATION: of a substep; joints have no memory.
-#include "sim/common/body_rows.glsl"
-#include "sim/common/fields.glsl"
-#include "sim/common/movers.glsl"
-#include "sim/common/owners.glsl"
-#include "sim/common/links.glsl"
-#include "sim/common/mass_scaling.glsl"
+#include "sim/common/bodies/body_rows.glsl"
+#include "sim/common/bodies/fields.glsl"
+#include "sim/common/bodies/movers.glsl"
+#include "sim/common/bodies/owners.glsl"
+#include "sim/common/bodies/links.glsl"
+#include "sim/common/bodies/mass_scaling.glsl"
 
 uniform samplerBuffer moverChanges;      // with the relaxation of contacts
 uniform samplerBuffer linkMasses;        // the worst inverse mass of a link's body at the particle [1/kg]

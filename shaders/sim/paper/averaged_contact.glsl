@@ -1,7 +1,7 @@
 // One contact of the paper's solver: how it moves a particle, before the average over all contacts of that.
 // STABILIZE: for the overlap at the start of the substep, which leaves without adding speed.
-#include "sim/common/one_sided.glsl"
 #include "shared/paper_constants.h"
+#include "sim/common/contacts/contacts.glsl"
 
 /// A particle as a contact sees it.
 struct Side {
@@ -47,22 +47,21 @@ Push contactPush(vec3 normal, float gap, float startGap, vec3 slide, vec2 fricti
 }
 
 /// What the contact of two particles asks of one.
-/// @param sides of the pair, pairSides. @param first whether `own` is the first of the pair.
+/// @param sides of the pair. @param first whether `own` is the first of it.
 /// @param touching nearer than this they overlap [m].
-Push pairPush(Side own, Side other, bool first, uvec4 sides, float touching)
+Push pairPush(Side own, Side other, bool first, ContactSides sides, float touching)
 {
     float sign = first ? 1.0 : -1.0;
     vec3 startApart = sign * (own.start - other.start), slide = sign * (own.move - other.move);
     float startDistance = length(startApart);
-    ExitDirection exit = unpackExit(sides.xy);
-    OneSidedNormal sided = oneSidedNormal(startApart, startDistance, exit, touching);
+    OneSidedNormal sided = oneSidedNormal(startApart, startDistance, sides.exit, touching);
     bool keeps = sided.applies;
-    float startGap = (keeps && exit.deepInside ? 0.0 : startDistance) - touching;
+    float startGap = (keeps && sides.exit.deepInside ? 0.0 : startDistance) - touching;
     vec3 apart = startApart + slide;
     float distanceNow = length(apart);
-    vec3 normal = keeps ? sided.normal : contactNormal(apart, distanceNow, true);
+    vec3 normal = keeps ? sided.normal : contactNormal(apart, distanceNow);
     float gap = keeps ? startGap + dot(slide, sided.normal) : distanceNow - touching;
-    Push push = contactPush(normal, gap, startGap, slide, unpackHalf2x16(sides.z));
+    Push push = contactPush(normal, gap, startGap, slide, sides.friction);
     push.move *= sign * own.inverseMass / max(own.inverseMass + other.inverseMass, 1e-30);
     return push;
 }

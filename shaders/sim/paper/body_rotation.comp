@@ -1,6 +1,6 @@
 // One thread a body: the rotation nearest to A (eqs. 11-17).
 #include "sim/common/kernel.glsl"
-#include "sim/common/mover_info.glsl"
+#include "sim/common/bodies/mover_info.glsl"
 #include "sim/paper/body_acting.glsl"
 #include "sim/paper/body_starts.glsl"
 #include "sim/rotation/rotation_delta.glsl"

@@ -1,5 +1,5 @@
 // Where shape matching sees the particles of a body, for its mass centre and the matrix A of eq. 9.
-#include "sim/common/links.glsl"
+#include "sim/common/bodies/links.glsl"
 #include "sim/paper/body_starts.glsl"
 
 uniform samplerBuffer positions;

@@ -1,5 +1,5 @@
 // What is summed over the links of a body: how far its mass centre has moved, and the matrix A of eq. 9.
-#include "sim/common/bodies.glsl"
+#include "sim/common/bodies/bodies.glsl"
 #include "sim/paper/body_shape.glsl"
 
 struct BodySum {

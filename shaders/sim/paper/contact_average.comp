@@ -3,9 +3,9 @@
 // does not answer by more than is asked. STABILIZE: how far it is to be moved out of the overlaps that it starts in
 // (their 4.4).
 #include "sim/common/kernel.glsl"
-#include "sim/common/assemblies.glsl"
+#include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/particles.glsl"
-#include "sim/common/sleep.glsl"
+#include "sim/common/bodies/sleep.glsl"
 #include "sim/paper/body_acting.glsl"
 #include "sim/paper/contact_pushes.glsl"
 
@@ -40,7 +40,7 @@ void main()
         return;
     }
     Side own = fetchSide(i);
-    Push sum = allPushes(own, counters[0].listParity, fetchRank(i).rank, sim.diameter);
+    Push sum = allPushes(i, own, counters[0].listParity, fetchRank(i).rank);
     if (sum.acting > 0.0) assemblies[info.assembly].lastContact = counters[0].substep - 1u;
     float relaxation = info.bodyCount > 0u && own.inverseMass > 0.0 ? bodyRelaxation(i, info.body, sum) : 1.0;
     vec3 push = relaxation / max(sum.acting, 1.0) * sum.move;

@@ -1,6 +1,7 @@
 // What all contacts of a particle ask of it together.
-#include "sim/common/colliders.glsl"
-#include "sim/common/list_ranges.glsl"
+#include "sim/common/contacts/colliders.glsl"
+#include "sim/common/contacts/list_ranges.glsl"
+#include "sim/common/contacts/touch.glsl"
 #include "sim/paper/averaged_contact.glsl"
 #include "sim/paper/predicted_moves.glsl"
 
@@ -17,12 +18,12 @@ Side fetchSide(uint i)
     return Side(texelFetch(positions, int(i)).xyz, so.move, so.contactInverseMass);
 }
 
-/// @param radius  Nearer to the collider than this the particle overlaps it [m].
-Push colliderPush(Side own, uvec4 sides, float radius)
+/// What a contact with a collider asks of a particle. @param radius of the particle [m].
+Push colliderPush(Side own, ColliderContact contact, float radius)
 {
-    vec4 surface = colliderDistance(sides.y, own.start + own.move);
-    float startGap = colliderDistance(sides.y, own.start).w - radius;
-    Push push = contactPush(surface.xyz, surface.w - radius, startGap, own.move, unpackHalf2x16(sides.z));
+    ColliderSurface surface = colliderSurface(contact.collider, own.start + own.move);
+    float startGap = colliderSurface(contact.collider, own.start).distance - radius;
+    Push push = contactPush(surface.normal, surface.distance - radius, startGap, own.move, contact.friction);
     push.move *= own.inverseMass > 0.0 ? 1.0 : 0.0;
     return push;
 }
@@ -33,25 +34,25 @@ void add(inout Push sum, Push other)
     sum.acting += other.acting;
 }
 
-/// The sums over the three lists of a particle. @param touching  Particles nearer to each other than this overlap [m].
-Push allPushes(Side own, uint parity, uint rank, float touching)
+/// The sums over the three lists of a particle.
+Push allPushes(uint i, Side own, uint parity, uint rank)
 {
     Push sum = Push(vec3(0), 0.0);
     uint base = parity * sim.pairCapacity;
     uvec2 range = listRange(parity, LIST_AS_FIRST, rank, 1u);
     for (uint q = range.x; q < range.y; ++q) {
-        Side other = fetchSide(texelFetch(pairs, int(base + q)).y);
-        add(sum, pairPush(own, other, true, texelFetch(pairSides, int(q)), touching));
+        uint other = fetchPair(pairs, base + q).second;
+        add(sum, pairPush(own, fetchSide(other), true, fetchContactSides(pairSides, q), touchDistance(i, other)));
     }
     range = listRange(parity, LIST_AS_SECOND, rank, 1u);
     for (uint k = range.x; k < range.y; ++k) {
         uint q = texelFetch(pairReferences, int(k)).x;
         if (q == NONE) continue;
-        Side other = fetchSide(texelFetch(pairs, int(base + q)).x);
-        add(sum, pairPush(own, other, false, texelFetch(pairSides, int(q)), touching));
+        uint other = fetchPair(pairs, base + q).first;
+        add(sum, pairPush(own, fetchSide(other), false, fetchContactSides(pairSides, q), touchDistance(i, other)));
     }
     range = listRange(parity, LIST_COLLIDERS, rank, 1u);
     for (uint q = range.x; q < range.y; ++q)
-        add(sum, colliderPush(own, texelFetch(colliderSides, int(q)), 0.5 * touching));
+        add(sum, colliderPush(own, fetchColliderContact(colliderSides, q), particleRadius(i)));
     return sum;
 }

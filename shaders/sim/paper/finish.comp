@@ -2,11 +2,11 @@
 // has touched since (second order would answer a shock one and a half times), else move / h. Bodies put their
 // particles, so that they stay rigid whatever the iterations have left, and no rounding of moves adds up.
 #include "sim/common/kernel.glsl"
-#include "sim/common/assemblies.glsl"
-#include "sim/common/mover_info.glsl"
+#include "sim/common/bodies/assemblies.glsl"
+#include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/nan_report.glsl"
 #include "sim/common/particles.glsl"
-#include "sim/common/shared_goals.glsl"
+#include "sim/common/bodies/shared_goals.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer predicted;

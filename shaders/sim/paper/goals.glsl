@@ -1,5 +1,5 @@
 // Where shape matching wants a particle of a body.
-#include "sim/common/links.glsl"
+#include "sim/common/bodies/links.glsl"
 #include "sim/paper/body_starts.glsl"
 
 uniform samplerBuffer moverMoves;        // of the centre since the substep began

@@ -2,8 +2,8 @@
 // each body it stands beyond the mean, by as much as brings the body's goal to it: with its own mass alone it would
 // draw a body of 27 by a thirtieth of the gap. STABILIZE: it starts from the mean.
 #include "sim/common/kernel.glsl"
-#include "sim/common/mover_info.glsl"
-#include "sim/common/owners.glsl"
+#include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/bodies/owners.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/paper/goals.glsl"
 

@@ -1,7 +1,7 @@
 // One thread a link: the first step of the paper's reduction (eq. 10). CENTRES: a link's part of the centre's move;
 // otherwise its part of A (eq. 9).
 #include "sim/common/kernel.glsl"
-#include "sim/common/bodies.glsl"
+#include "sim/common/bodies/bodies.glsl"
 #include "sim/paper/body_shape.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

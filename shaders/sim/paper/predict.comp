@@ -2,9 +2,9 @@
 // where nothing touched its assembly lately, else symplectic Euler. Asks for a new search when it would leave its
 // margin.
 #include "sim/common/kernel.glsl"
-#include "sim/common/assemblies.glsl"
-#include "sim/common/mass_scaling.glsl"
-#include "sim/common/mover_info.glsl"
+#include "sim/common/bodies/assemblies.glsl"
+#include "sim/common/bodies/mass_scaling.glsl"
+#include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/paper/predicted_moves.glsl"
 

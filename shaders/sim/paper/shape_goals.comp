@@ -1,7 +1,7 @@
 // One thread a particle: its move to its goal Q r + c (eq. 8). Particles that bodies share are joint_goals' business.
 // STABILIZE: it starts from there, and its predicted move with it (Macklin et al. 2014, 4.4: that adds no velocity).
 #include "sim/common/kernel.glsl"
-#include "sim/common/mover_info.glsl"
+#include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/paper/goals.glsl"
 

@@ -1,7 +1,7 @@
 // One thread a contact of a particle with a collider: one Jacobi iteration of the impulse that makes it bounce.
 #include "sim/common/kernel.glsl"
 #include "sim/restitution/restitution.glsl"
-#include "sim/common/colliders.glsl"
+#include "sim/common/contacts/colliders.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer colliderPairs;

@@ -1,7 +1,7 @@
 // One thread a contact between particles: one Jacobi iteration of the impulse that makes it bounce.
 #include "sim/common/kernel.glsl"
 #include "sim/restitution/restitution.glsl"
-#include "sim/common/touch.glsl"
+#include "sim/common/contacts/touch.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairs;

@@ -2,9 +2,9 @@
 #define PAIR_IMPULSES pairRestitutions
 #define COLLIDER_IMPULSES colliderRestitutions
 #include "sim/common/kernel.glsl"
-#include "sim/common/bodies.glsl"
-#include "sim/common/impulse_sums.glsl"
-#include "sim/common/mover_poses.glsl"
+#include "sim/common/bodies/bodies.glsl"
+#include "sim/common/contacts/impulse_sums.glsl"
+#include "sim/common/bodies/mover_poses.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer lastMoverVelocities;

@@ -2,8 +2,8 @@
 // approach before the substep (Mueller et al. 2020, "Detailed Rigid Body Simulation with Extended Position Based
 // Dynamics", 3.6). DETECT: only notes which contacts collide, so that they can be counted. EAGER: every other iteration
 // takes longer steps. They suit collisions of which a body has many; a single one is done after the first iteration.
-#include "sim/common/contacts.glsl"
-#include "sim/common/mover_state.glsl"
+#include "sim/common/contacts/contacts.glsl"
+#include "sim/common/bodies/mover_state.glsl"
 
 uniform samplerBuffer oldMoverVelocities;
 uniform samplerBuffer moverRestitutionSplits;

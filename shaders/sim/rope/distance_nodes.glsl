@@ -1,9 +1,9 @@
 // Distance rows: rows of particles at given distances, each solved as a whole by one thread. A rope is one row, cloth
 // is many that cross. A row's particles are its nodes; link k leads from node k to the next. BODIES: some of the
 // particles are parts of bodies, which turn.
-#include "sim/common/bodies.glsl"
-#include "sim/common/mover_info.glsl"
-#include "sim/common/movers.glsl"
+#include "sim/common/bodies/bodies.glsl"
+#include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/bodies/movers.glsl"
 #include "sim/common/particles.glsl"
 
 uniform usamplerBuffer distanceRows;

@@ -4,7 +4,7 @@
 // leaves the one before it with a mass matrix; then moves and multipliers follow from the start to the end.
 // FIRST_ITERATION: of a substep, where the tension that the last one ended with may tear.
 #include "sim/common/kernel.glsl"
-#include "sim/common/assemblies.glsl"
+#include "sim/common/bodies/assemblies.glsl"
 #include "sim/rope/distance_nodes.glsl"
 #include "sim/rope/distance_states.glsl"
 

@@ -1,10 +1,10 @@
 // One thread a particle: the static colliders that it may touch.
 #include "sim/common/kernel.glsl"
-#include "sim/common/colliders.glsl"
-#include "sim/common/contact_lists.glsl"
+#include "sim/common/contacts/colliders.glsl"
+#include "sim/common/contacts/contact_lists.glsl"
 #include "sim/common/particles.glsl"
-#include "sim/common/search_margin.glsl"
-#include "sim/common/touch.glsl"
+#include "sim/common/contacts/search_margin.glsl"
+#include "sim/common/contacts/touch.glsl"
 #include "sim/search/candidates.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

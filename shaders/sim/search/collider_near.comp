@@ -1,9 +1,9 @@
 // One thread a mover: the colliders that any of its particles may touch, as bits: bit k for colliders k, k + 32, ...
 #include "sim/common/kernel.glsl"
-#include "sim/common/bodies.glsl"
-#include "sim/common/colliders.glsl"
-#include "sim/common/search_margin.glsl"
-#include "sim/common/touch.glsl"
+#include "sim/common/bodies/bodies.glsl"
+#include "sim/common/contacts/colliders.glsl"
+#include "sim/common/contacts/search_margin.glsl"
+#include "sim/common/contacts/touch.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer searchCentres;
@@ -13,7 +13,7 @@ void main()
 {
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
-    float radius = m < sim.bodyCount ? bodyRadius(m) : 0.0;
+    float radius = moverRadius(m);
     SearchCentre found = fetchSearchCentre(searchCentres, m);
     float reach = colliderReach() + radius + max(extraMargin(found), 0.0);
     uint near = 0u;

@@ -1,12 +1,14 @@
 // One thread a particle, in cell order: the particles ahead of it that it may touch (paper, section 3.1: nearer than
 // 1.2 diameters). Never particles of a body of its own, nor of its assembly where they overlap at rest; fast ones are
-// found by contact_find_far.
+// found by contact_find_far, for which the first thread sets how many work groups it takes.
 #include "sim/common/kernel.glsl"
-#include "sim/common/fluid_grid.glsl"
-#include "sim/common/grid.glsl"
+#include "sim/common/grid/fluid_grid.glsl"
+#include "sim/common/grid/grid.glsl"
+#include "sim/common/groups.glsl"
 #include "sim/search/contact_search.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
+BUFFER(uvec4, Dispatches, dispatches);
 
 /// The particles ahead, range after range, as one sequence: long loops over all leave fewer lanes of a software driver
 /// idle than a loop for each range.
@@ -47,6 +49,7 @@ void main()
 {
     uint k = gl_GlobalInvocationID.x;
     if (k >= sim.particleCount) return;
+    if (k == 0u) dispatches[DISPATCH_FAST] = uvec4(groups(counters[0].fastListed), 1, 1, 0);
     SortedInfo info = fetchSortedInfo(k);
     if (info.fast) return;
     SortedPosition own = fetchSortedPosition(k);

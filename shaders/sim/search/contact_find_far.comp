@@ -1,10 +1,10 @@
 // One thread a fast particle: the particles that it may touch, all around and further than contact_find looks. Of two
 // fast ones the one of lower rank finds the other.
 #include "sim/common/kernel.glsl"
-#include "sim/common/fluid_grid.glsl"
-#include "sim/common/grid.glsl"
+#include "sim/common/grid/fluid_grid.glsl"
+#include "sim/common/grid/grid.glsl"
 #include "sim/common/particles.glsl"
-#include "sim/common/search_margin.glsl"
+#include "sim/common/contacts/search_margin.glsl"
 #include "sim/search/contact_search.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

@@ -1,7 +1,7 @@
 // What a search for contacts knows about particles, and where it notes what it finds.
-#include "sim/common/contact_lists.glsl"
-#include "sim/common/owners.glsl"
-#include "sim/common/touch.glsl"
+#include "sim/common/contacts/contact_lists.glsl"
+#include "sim/common/bodies/owners.glsl"
+#include "sim/common/contacts/touch.glsl"
 #include "sim/search/candidates.glsl"
 #include "sim/search/sorted_particles.glsl"
 

@@ -1,7 +1,7 @@
 // One thread a particle: counts it in its cell.
 #include "sim/common/kernel.glsl"
-#include "sim/common/fluid_grid.glsl"
-#include "sim/common/grid.glsl"
+#include "sim/common/grid/fluid_grid.glsl"
+#include "sim/common/grid/grid.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer searchPositions;

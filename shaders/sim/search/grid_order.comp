@@ -1,9 +1,9 @@
 // One thread a particle: copies it into the sorted arrays, cells in order and each cell by particle id, so that
 // everything that is later summed over neighbours is summed in one order.
 #include "sim/common/kernel.glsl"
-#include "sim/common/cell_rank.glsl"
+#include "sim/common/grid/cell_rank.glsl"
 #include "sim/common/particles.glsl"
-#include "sim/common/search_margin.glsl"
+#include "sim/common/contacts/search_margin.glsl"
 #include "sim/search/sorted_particles.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

@@ -1,7 +1,7 @@
 // One thread a chunk of cells: where each cell's particles start in the sorted arrays. The first cells are listed
-// once more behind the last (see sim/common/grid.glsl).
+// once more behind the last (see sim/common/grid/grid.glsl).
 #include "sim/common/kernel.glsl"
-#include "sim/common/fluid_grid.glsl"
+#include "sim/common/grid/fluid_grid.glsl"
 #include "sim/search/scan.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

@@ -1,9 +1,9 @@
 // One thread a mover: by how much further it looks for contacts than others, because it will soon have left its margin
 // (a fast mover; the pace of all would else be set by a few).
 #include "sim/common/kernel.glsl"
-#include "sim/common/bodies.glsl"
-#include "sim/common/mover_info.glsl"
-#include "sim/common/movers.glsl"
+#include "sim/common/bodies/bodies.glsl"
+#include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/bodies/movers.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(float, MoverReaches, moverReaches);
@@ -13,7 +13,7 @@ void main()
 {
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
-    float radius = m < sim.bodyCount ? bodyRadius(m) : 0.0;
+    float radius = moverRadius(m);
     // search_position looks ahead by three quarters of the margin: the margin lasts for 1.75 times its length.
     // Rotations are not looked ahead of.
     float path = length(fetchMove(m).shift) / 1.75 +

@@ -2,7 +2,7 @@
 // them. The first thread sets the sizes of the lists.
 #include "sim/common/kernel.glsl"
 #include "sim/common/groups.glsl"
-#include "sim/common/list_ranges.glsl"
+#include "sim/common/contacts/list_ranges.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/search/candidates.glsl"
 

@@ -1,7 +1,7 @@
 // Which values a prefix sum is over: how many particles each cell of the grid holds, or (LISTS) how many contacts each
-// particle has in the lists of contact_lists.glsl, or (POOLS) which places of the pools' lists are parked.
-
-#include "sim/common/fluid_grid.glsl"
+// particle has in the lists of contact_lists.glsl, or (POOLS) which particles of the pools' lists are
+// inactive.
+#include "sim/common/grid/fluid_grid.glsl"
 
 #ifdef LISTS
 #define SCAN_VALUES listCounts

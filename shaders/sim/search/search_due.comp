@@ -11,12 +11,9 @@ void main()
 {
     bool due = counters[0].due != 0u || counters[0].substep == 0u;
     uint on = due ? 1u : 0u;
-    uint cells = sim.cellMask + 1u;
     dispatches[DISPATCH_PARTICLES] = uvec4(on * groups(sim.particleCount), 1, 1, 0);
-    dispatches[DISPATCH_CELLS] = uvec4(on * groups(cells), 1, 1, 0);
-    dispatches[DISPATCH_CELL_CHUNKS] = uvec4(on * groups(cells / SCAN_CHUNK), 1, 1, 0);
+    dispatches[DISPATCH_CELL_CHUNKS] = uvec4(on * groups((sim.cellMask + 1u) / SCAN_CHUNK), 1, 1, 0);
     dispatches[DISPATCH_LIST_CHUNKS] = uvec4(on * groups(3u * sim.particleCount / SCAN_CHUNK + 1u), 1, 1, 0);
-    dispatches[DISPATCH_ONE] = uvec4(on, 1, 1, 0);
     dispatches[DISPATCH_MOVERS] = uvec4(on * groups(sim.moverCount), 1, 1, 0);
     dispatches[DISPATCH_NEW_PAIRS] = dispatches[DISPATCH_NEW_COLLIDER_PAIRS] = dispatches[DISPATCH_FAST] =
         uvec4(0, 1, 1, 0);

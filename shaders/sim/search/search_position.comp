@@ -2,11 +2,11 @@
 // to it. That position lies ahead, where its mover is going, by most of the mover's margin, so that the particle stays
 // near it for longer. FROM_POSITIONS: of the paper's solver, its predicted position.
 #include "sim/common/kernel.glsl"
-#include "sim/common/contact_lists.glsl"
-#include "sim/common/mover_info.glsl"
-#include "sim/common/movers.glsl"
+#include "sim/common/contacts/contact_lists.glsl"
+#include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/bodies/movers.glsl"
 #include "sim/common/particles.glsl"
-#include "sim/common/search_margin.glsl"
+#include "sim/common/contacts/search_margin.glsl"
 #ifdef FROM_POSITIONS
 uniform samplerBuffer positions;
 uniform samplerBuffer predicted;

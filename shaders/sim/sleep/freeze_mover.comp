@@ -1,9 +1,9 @@
 // One thread a mover: whether its farthest particle has moved too far from where its assembly began to count its calm
 // steps (paper, section 3.1: freezing). If so, the assembly begins to count anew, from where it is now.
 #include "sim/common/kernel.glsl"
-#include "sim/common/bodies.glsl"
-#include "sim/common/mover_info.glsl"
-#include "sim/common/mover_poses.glsl"
+#include "sim/common/bodies/bodies.glsl"
+#include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/bodies/mover_poses.glsl"
 #include "sim/common/particles.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -27,7 +27,6 @@ void main()
         return;
     }
     vec4 delta = quaternionProduct(rotation, conjugate(calmRotations[m]));
-    float radius = body ? bodyRadius(m) : 0.0;
-    float moved = length(centre - calmCentres[m].xyz) + 2.0 * length(delta.xyz) * radius;
+    float moved = length(centre - calmCentres[m].xyz) + 2.0 * length(delta.xyz) * moverRadius(m);
     if (moved > sim.freeze) assemblyNext[mover.assembly].steps = 0u;
 }

@@ -1,6 +1,6 @@
 // One thread an assembly: for how many steps all its particles have stayed where they are. It freezes after calmSteps.
 #include "sim/common/kernel.glsl"
-#include "sim/common/sleep.glsl"
+#include "sim/common/bodies/sleep.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(Calm, AssemblyCalm, calms);

@@ -1,7 +1,7 @@
 // One thread a contact between particles: what touches is an island, as calm as the least calm of it and with one name.
 #include "sim/common/kernel.glsl"
-#include "sim/common/contacts.glsl"
-#include "sim/common/mover_info.glsl"
+#include "sim/common/contacts/contacts.glsl"
+#include "sim/common/bodies/mover_info.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairSides;

@@ -1,7 +1,7 @@
 // One thread an assembly: takes over what sleep_mover and sleep_island found. One that has moved lately is an
 // island of its own.
 #include "sim/common/kernel.glsl"
-#include "sim/common/sleep.glsl"
+#include "sim/common/bodies/sleep.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(Calm, AssemblyCalm, calms);

@@ -5,9 +5,9 @@
 // FIRST_ITERATION: of a substep; before it, a plastic cluster flows.
 #include "sim/common/kernel.glsl"
 #include "sim/rotation/rotation_delta.glsl"
-#include "sim/common/assemblies.glsl"
-#include "sim/common/links.glsl"
-#include "sim/common/movers.glsl"
+#include "sim/common/bodies/assemblies.glsl"
+#include "sim/common/bodies/links.glsl"
+#include "sim/common/bodies/movers.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/soft/clusters.glsl"
 #include "sim/soft/cluster_stress.glsl"

@@ -3,8 +3,8 @@
 // zero keeps doing so. The smoothest strains ask for 1 as the divisor, the steepest for 1 + steepest. FIRST_ITERATION:
 // of a substep, from no impulse.
 #include "sim/common/kernel.glsl"
-#include "sim/common/links.glsl"
-#include "sim/common/mover_info.glsl"
+#include "sim/common/bodies/links.glsl"
+#include "sim/common/bodies/mover_info.glsl"
 #include "sim/soft/clusters.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

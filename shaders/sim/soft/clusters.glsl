@@ -1,5 +1,5 @@
 // Clusters of soft bodies: what never changes about them, and what pulls their particles.
-#include "sim/common/bodies.glsl"
+#include "sim/common/bodies/bodies.glsl"
 
 uniform usamplerBuffer clusterInfo;
 uniform samplerBuffer clusterMoments;

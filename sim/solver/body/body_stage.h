@@ -5,7 +5,7 @@
 namespace knuckle {
 
 /// Movers (bodies and loose particles): how they would move, what acts on them, and how they did move. Fields as in
-/// shaders/sim/common/fields.glsl.
+/// shaders/sim/common/bodies/fields.glsl.
 class BodyStage : public Stage {
 public:
     /// @param onParticles whether anything acts on single particles, beside contacts and joints.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/solver/pack.h"
+#include "sim/solver/scan.h"
 
 namespace knuckle {
 
@@ -84,7 +85,7 @@ void EmitterStage::uploadPools(const StageSetup& setup)
     nozzlePoints = {"nozzlePoints", std::span<const gpu::vec4>(points)};
     poolOrder = {"poolOrder", std::span<const uint32_t>(order)};
     poolInactive = {"poolInactive", std::span<const uint32_t>(inactive)};
-    poolSums = {"poolSums", p.poolCapacity / SCAN_CHUNK};
+    poolSums = scanSums("poolSums", p.poolCapacity);
     poolChunks = {"poolChunks", std::span<const uint32_t>(chunks)};
     fluidTotals = {"fluidTotals", 2};
 }
@@ -100,10 +101,7 @@ void EmitterStage::addBuffers(BufferTable& table)
 void EmitterStage::endStep(Recorder& recorder) const
 {
     const uint32_t chunks = parameters_.poolCapacity / SCAN_CHUNK;
-    if (hasEmitters_) {
-        recorder.perElement(sum_, chunks);
-        recorder.groups(sumChunks_, 1);
-    }
+    if (hasEmitters_) recorder.perElement(sum_, chunks);
     recorder.groups(update_, 1);
     if (hasEmitters_) {
         recorder.perElement(order_, chunks);

@@ -6,7 +6,7 @@
 
 namespace knuckle {
 
-/// How the cells of the fluids' grid are wrapped onto a line (shaders/sim/common/grid.glsl). Cells that are a box of
+/// How the cells of the fluids' grid are wrapped onto a line (shaders/sim/common/grid/grid.glsl). Cells that are a box of
 /// this shape apart share an index, so particles in them look near to each other. The box has the shape of the scene,
 /// so that fluid must spread far before that happens.
 struct FluidLattice {

@@ -6,6 +6,7 @@
 
 #include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_numbers.h"
+#include "sim/solver/scan.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -49,7 +50,8 @@ void FluidStage::makeLists(const Gpu& gpu)
     fluidSearchPositions = {"fluidSearchPositions", count};
     fluidParticleCells = {"fluidParticleCells", count};
     fluidCellCounts = {"fluidCellCounts", cells};
-    fluidCellSums = {"fluidCellSums", cells / SCAN_CHUNK};
+    fluidCellCounts.clear();
+    fluidCellSums = scanSums("fluidCellSums", cells);
     fluidCellStarts = {"fluidCellStarts", cells + WRAPPED_CELLS + 1};
     fluidCellMembers = {"fluidCellMembers", count};
     fluidSorted = {"fluidSorted", (2 * count + 3) / 4 * 4};
@@ -95,10 +97,8 @@ void FluidStage::list(Recorder& recorder) const
     const uint32_t particles = parameters_.particleCount + parameters_.fluidCount;
     const uint32_t cells = parameters_.fluidCellMask + 1;
     recorder.perElement(searchPosition_, particles);
-    recorder.perElement(clear_, cells);
     recorder.perElement(count_, particles);
     recorder.perElement(sum_, cells / SCAN_CHUNK);
-    recorder.groups(sumChunks_, 1);
     recorder.perElement(start_, cells / SCAN_CHUNK);
     recorder.perElement(scatter_, particles);
     recorder.perElement(order_, particles);

@@ -55,10 +55,8 @@ private:
     bool hasPool_;  ///< The GPU decides how many slots there are.
     bool confines_, hasTension_;
     Pass searchPosition_{*this, "fluid/fluid_search_position"};
-    Pass clear_{*this, "search/grid_clear", {{"FLUIDS", "1"}}};
     Pass count_{*this, "search/grid_count", {{"FLUIDS", "1"}}};
     Pass sum_{*this, "search/scan_sum", {{"FLUIDS", "1"}}};
-    Pass sumChunks_{*this, "search/scan_chunks", {{"FLUIDS", "1"}}};
     Pass start_{*this, "search/grid_start", {{"FLUIDS", "1"}}};
     Pass scatter_{*this, "search/grid_scatter", {{"FLUIDS", "1"}}};
     Pass order_{*this, "fluid/fluid_order", {{"FLUIDS", "1"}}};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "sim/solver/scan.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -65,7 +66,8 @@ void SearchStage::makeGrid(gpu::StepParameters& p)
     p.cellStrideY = 1u << (bits / 3);
     p.cellStrideZ = 1u << (2 * bits / 3);
     cellCounts = {"cellCounts", cells};
-    cellSums = {"cellSums", cells / SCAN_CHUNK};
+    cellCounts.clear();
+    cellSums = scanSums("cellSums", cells);
     cellStarts = {"cellStarts", cells + WRAPPED_CELLS + 1};
     cellMembers = {"cellMembers", count};
     fastParticles = {"fastParticles", count};
@@ -89,7 +91,7 @@ void SearchStage::makeLists(const Gpu& gpu)
     firstLists = {"firstLists", p.contactSlots * count};
     colliderLists = {"colliderLists", COLLIDER_SLOTS * count};
     listCounts = {"listCounts", 3 * count};
-    listSums = {"listSums", 3 * count / SCAN_CHUNK + 1};
+    listSums = scanSums("listSums", 3 * count);
     listStarts = {"listStarts", 2 * (3 * count + 1)};
     pairs = {"pairs", 2 * size_t(p.pairCapacity)};
     pairArrivals = {"pairArrivals", p.contactSlots * count};
@@ -124,11 +126,8 @@ void SearchStage::find(Recorder& recorder) const
     count(recorder);
     if (!byParticles_) recorder.decided(reach_, DISPATCH_MOVERS);
     recorder.decided(position_, DISPATCH_PARTICLES);
-    recorder.decided(farDue_, DISPATCH_ONE);
-    recorder.decided(clear_, DISPATCH_CELLS);
     recorder.decided(countCells_, DISPATCH_PARTICLES);
     recorder.decided(cellSum_, DISPATCH_CELL_CHUNKS);
-    recorder.decided(cellChunks_, DISPATCH_ONE);
     recorder.decided(cellStart_, DISPATCH_CELL_CHUNKS);
     recorder.decided(scatter_, DISPATCH_PARTICLES);
     recorder.decided(order_, DISPATCH_PARTICLES);
@@ -139,7 +138,6 @@ void SearchStage::find(Recorder& recorder) const
         recorder.decided(colliderFind_, DISPATCH_PARTICLES);
     }
     recorder.decided(listSum_, DISPATCH_LIST_CHUNKS);
-    recorder.decided(listChunks_, DISPATCH_ONE);
     recorder.decided(listStart_, DISPATCH_LIST_CHUNKS);
     recorder.decided(list_, DISPATCH_PARTICLES);
 }

@@ -4,7 +4,7 @@
 
 namespace knuckle {
 
-/// Who may touch whom: the neighbour grid, and the lists of contacts (shaders/sim/common/contact_lists.glsl). It
+/// Who may touch whom: the neighbour grid, and the lists of contacts (shaders/sim/common/contacts/contact_lists.glsl). It
 /// searches only when something has left its margin, which kernels decide. "Halves": of the current search and the one
 /// before.
 class SearchStage : public Stage {
@@ -49,11 +49,8 @@ private:
     Pass reach_{*this, "search/mover_reach", {}, hasSolids_ && !byParticles_};
     Pass position_{*this, "search/search_position", byParticles_ ? Defines{{"FROM_POSITIONS", "1"}} : Defines{},
                    hasSolids_};
-    Pass farDue_{*this, "search/search_far_due", {}, hasSolids_};
-    Pass clear_{*this, "search/grid_clear", {}, hasSolids_};
     Pass countCells_{*this, "search/grid_count", {}, hasSolids_};
     Pass cellSum_{*this, "search/scan_sum", {}, hasSolids_};
-    Pass cellChunks_{*this, "search/scan_chunks", {}, hasSolids_};
     Pass cellStart_{*this, "search/grid_start", {}, hasSolids_};
     Pass scatter_{*this, "search/grid_scatter", {}, hasSolids_};
     Pass order_{*this, "search/grid_order", {}, hasSolids_};
@@ -62,7 +59,6 @@ private:
     Pass colliderNear_{*this, "search/collider_near", {}, hasColliders_ && !byParticles_};
     Pass colliderFind_{*this, "search/collider_find", {}, hasColliders_};
     Pass listSum_{*this, "search/scan_sum", {{"LISTS", "1"}}, hasSolids_};
-    Pass listChunks_{*this, "search/scan_chunks", {{"LISTS", "1"}}, hasSolids_};
     Pass listStart_{*this, "search/list_start", {{"LISTS", "1"}}, hasSolids_};
     Pass list_{*this, "search/pair_list", {}, hasSolids_};
 };

@@ -5,7 +5,7 @@
 namespace knuckle {
 
 /// Sleep of islands (Settings::sleepSpeed), or freezing of assemblies by themselves (Settings::freeze); see
-/// shaders/sim/common/sleep.glsl.
+/// shaders/sim/common/bodies/sleep.glsl.
 class SleepStage : public Stage {
 public:
     static bool isNeeded(const Settings& settings) { return settings.sleepSpeed > 0.0f || settings.freeze > 0.0f; }

@@ -7,7 +7,7 @@ namespace knuckle::test {
 /// A rounding of single precision, as a share of what is rounded.
 inline constexpr double EPSILON = 0x1p-24;
 
-/// A linear field over a mover (shaders/sim/common/fields.glsl), in double precision: t + f r.
+/// A linear field over a mover (shaders/sim/common/bodies/fields.glsl), in double precision: t + f r.
 struct Field {
     Vector3d t = Vector3d::Zero();
     Matrix3d f = Matrix3d::Zero();

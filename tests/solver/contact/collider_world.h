@@ -38,12 +38,12 @@ inline World colliderWorld(uint32_t count = 4)
     return world;
 }
 
-/// Has `sim/test_collider.comp` write colliderDistance() of each position, for the collider in location 0, to `velocities`.
+/// Has `sim/test_collider.comp` write colliderSurface() of each position, for the collider in location 0, to `velocities`.
 inline void writeColliderKernel()
 {
     std::filesystem::create_directories(shaderFolder().path("sim"));
     shaderFolder().write("sim/test_collider.comp", R"(#include "sim/common/kernel.glsl"
-#include "sim/common/colliders.glsl"
+#include "sim/common/contacts/colliders.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 layout(location = 0) uniform uint index;
 uniform samplerBuffer positions;
@@ -51,7 +51,9 @@ BUFFER(vec4, Velocities, velocities);
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i < sim.particleCount) velocities[i] = colliderDistance(index, texelFetch(positions, int(i)).xyz);
+    if (i >= sim.particleCount) return;
+    ColliderSurface surface = colliderSurface(index, texelFetch(positions, int(i)).xyz);
+    velocities[i] = vec4(surface.normal, surface.distance);
 }
 )");
 }

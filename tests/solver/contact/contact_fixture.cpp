@@ -13,7 +13,7 @@ namespace knuckle::test {
 namespace {
 
 constexpr uint32_t PARITY = 1;
-constexpr uint32_t KIN = 1u << 23;  // shaders/sim/common/one_sided.glsl
+constexpr uint32_t KIN = 1u << 23;  // shaders/sim/common/contacts/one_sided.glsl
 
 World worldWithColliders(const Settings& settings)
 {
@@ -107,7 +107,7 @@ void ContactFixture::setColliderContacts(std::vector<TestContact> contacts)
     setLists();
 }
 
-/// Where the lists of each rank begin (shaders/sim/common/contact_lists.glsl), and the references of second particles.
+/// Where the lists of each rank begin (shaders/sim/common/contacts/contact_lists.glsl), and the references of second particles.
 void ContactFixture::setLists()
 {
     const size_t count = rankOf.size();

@@ -8,7 +8,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// Of a pair's mover; the upper bits tell the way out (shaders/sim/common/one_sided.glsl).
+/// Of a pair's mover; the upper bits tell the way out (shaders/sim/common/contacts/one_sided.glsl).
 constexpr uint32_t MOVERS = 0x7fffffu;
 
 /// What each pair is made of, and what it remembers.

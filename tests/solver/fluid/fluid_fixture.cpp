@@ -68,10 +68,8 @@ void FluidFixture::findNeighbours()
 {
     const Defines defines{{"FLUIDS", "1"}};
     const uint32_t cells = parameters().fluidCellMask + 1;
-    run("search/grid_clear", cells, defines);
     forSlots("search/grid_count", defines);
     run("search/scan_sum", cells / SCAN_CHUNK, defines);
-    run("search/scan_chunks", 1, defines);
     run("search/grid_start", cells / SCAN_CHUNK, defines);
     for (const char* kernel : {"search/grid_scatter", "fluid/fluid_order", "fluid/fluid_find"})
         forSlots(kernel, defines);

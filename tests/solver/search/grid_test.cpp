@@ -27,8 +27,6 @@ protected:
         std::vector<gpu::vec4> centres(fixture.stages.parameters.moverCount, packed({0, 0, 0}, drift));
         for (size_t m = 0; m < centres.size(); m += 3) centres[m].w = std::nextafter(drift, 1.0f);
         fill(fixture.stages.search.searchCentres, centres);
-        // Left behind by an earlier search.
-        fill(fixture.stages.search.cellCounts, std::vector<uint32_t>(fixture.stages.search.cellCounts.size(), 77));
         fixture.fillGrid(gridDefines(GetParam()));
     }
     Vector3f place(uint32_t i) const { return vec3(places[i]); }
@@ -68,7 +66,10 @@ protected:
 
 TEST_P(Grid, CountsTheParticlesOfEachCell)
 {
-    EXPECT_EQ(fixture.stages.search.cellCounts.download(), histogram());
+    const auto& cellCounts = fixture.stages.search.cellCounts;
+    EXPECT_EQ(cellCounts.download(), std::vector<uint32_t>(cellCounts.size(), 0)) << "emptied for the next search";
+    fixture.forParticles("search/grid_count", gridDefines(GetParam()));
+    EXPECT_EQ(cellCounts.download(), histogram());
     const auto cells = fixture.stages.search.particleCells.download();
     for (uint32_t i = 0; i < cells.size(); ++i) ASSERT_EQ(cells[i].x, cellOf(i)) << "particle " << i;
 }
@@ -124,7 +125,7 @@ TEST_P(Grid, SortsTheSameWhenParticlesArriveInAnotherOrder)
     // Scatter once more with the arrivals of each cell reversed, as another thread order could have left them.
     const auto before = ids();
     auto cells = fixture.stages.search.particleCells.download();
-    const auto counts = fixture.stages.search.cellCounts.download();
+    const auto counts = histogram();
     for (gpu::uvec2& c : cells) c.y = counts[c.x] - 1 - c.y;
     fill(fixture.stages.search.particleCells, cells);
     fixture.stages.search.sortedInfos.clear();

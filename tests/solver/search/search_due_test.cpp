@@ -42,10 +42,8 @@ protected:
     {
         const gpu::StepParameters& p = fixture.stages.parameters;
         return {{DISPATCH_PARTICLES, p.particleCount},
-                {DISPATCH_CELLS, p.cellMask + 1},
                 {DISPATCH_CELL_CHUNKS, (p.cellMask + 1) / SCAN_CHUNK},
                 {DISPATCH_MOVERS, p.moverCount},
-                {DISPATCH_ONE, 1},
                 {DISPATCH_LIST_CHUNKS, (3 * p.particleCount + SCAN_CHUNK - 1) / SCAN_CHUNK}};
     }
     void expectSearch(bool found)
@@ -103,7 +101,7 @@ TEST_F(SearchDue, TheFastOnesGetAThreadEach)
     for (uint32_t fast : {0u, 1u, uint32_t(GROUP_SIZE), GROUP_SIZE + 1u}) {
         counters.fastListed = fast;
         fixture.setCounters(counters);
-        fixture.run("search/search_far_due", 1);
+        fixture.forParticles("search/contact_find");
         EXPECT_EQ(fixture.stages.dispatches.download()[DISPATCH_FAST].x, groupsFor(fast));
     }
 }

@@ -1,5 +1,5 @@
 // What a mover is, and whether it answers to impulses.
-#include "sim/common/sleep.glsl"
+#include "sim/common/bodies/sleep.glsl"
 
 uniform usamplerBuffer moverInfo;
 uniform usamplerBuffer moverStates;      // MOVER_*

@@ -1,9 +1,9 @@
-// FLUIDS: the same passes over the neighbour grid of fluids, which holds all particles but those that are parked. It is
-// always a lattice, and finer along x.
+// FLUIDS: the same passes over the neighbour grid of fluids, which holds all active particles. It is always a
+// lattice, and finer along x.
 
 #ifdef FLUIDS
 #undef GRID_HASH
-#include "sim/common/fluid_living.glsl"
+#include "sim/common/grid/fluid_living.glsl"
 #define cellCounts fluidCellCounts
 #define CellCounts FluidCellCounts
 #define cellSums fluidCellSums

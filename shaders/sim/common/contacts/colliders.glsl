@@ -1,7 +1,7 @@
 // Static colliders: signed distance of a point and the direction out of the obstacle.
 #include "math/quaternion.glsl"
 #ifdef GRIDS
-#include "sim/common/collider_grids.glsl"
+#include "sim/common/contacts/collider_grids.glsl"
 #endif
 
 uniform usamplerBuffer colliders;    // a GpuCollider in every six texels
@@ -25,8 +25,13 @@ vec2 fetchColliderFriction(uint index)
     return colliderAt(index).friction.xy;
 }
 
-/// @returns outward unit normal in xyz, signed distance of x to the surface in w (negative inside) [m].
-vec4 colliderDistance(uint index, vec3 x)
+/// The point of a collider's surface that is nearest to a point.
+struct ColliderSurface {
+    vec3 normal;      // outward, unit
+    float distance;   // to it, negative inside [m]
+};
+
+ColliderSurface colliderSurface(uint index, vec3 x)
 {
     GpuCollider c = colliderAt(index);
     uint shape = colliderShape(c);
@@ -57,23 +62,11 @@ vec4 colliderDistance(uint index, vec3 x)
         gap = surface.w;
     }
 #endif
-    return vec4(rotate(c.orientation, normal), gap);
-}
-
-/// The point of a collider's surface that is nearest to a point.
-struct ColliderSurface {
-    vec3 normal;      // outward, unit
-    float distance;   // to it, negative inside [m]
-};
-
-ColliderSurface colliderSurface(uint index, vec3 x)
-{
-    vec4 t = colliderDistance(index, x);
-    return ColliderSurface(t.xyz, t.w);
+    return ColliderSurface(rotate(c.orientation, normal), gap);
 }
 
 /// A lower bound of the distance from a point to a collider [m]. Of a heightfield none is known:
-/// colliderDistance() takes the plane that touches it above or below the point, and the field may rise beside that.
+/// colliderSurface() takes the plane that touches it above or below the point, and the field may rise beside that.
 float colliderBound(uint index, vec3 x)
 {
 #ifdef GRIDS

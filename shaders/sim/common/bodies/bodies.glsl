@@ -24,6 +24,12 @@ float bodyRadius(uint b)
     return texelFetch(bodyMoments, int(3u * b)).w;
 }
 
+/// The same of any mover: a loose particle is its own centre [m].
+float moverRadius(uint m)
+{
+    return m < sim.bodyCount ? bodyRadius(m) : 0.0;
+}
+
 /// The inverse mass and the inverse of the inertia tensor, in the body's axes.
 struct InverseInertia {
     float inverseMass;   // [1/kg]

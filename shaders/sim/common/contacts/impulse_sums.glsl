@@ -1,9 +1,9 @@
 // Sums of the impulses on a mover that are found anew in each search, or act on its particles, as linear fields: p and
 // p r^T.
-#include "sim/common/contacts.glsl"
-#include "sim/common/fields.glsl"
-#include "sim/common/list_ranges.glsl"
-#include "sim/common/mover_info.glsl"
+#include "sim/common/contacts/contacts.glsl"
+#include "sim/common/bodies/fields.glsl"
+#include "sim/common/contacts/list_ranges.glsl"
+#include "sim/common/bodies/mover_info.glsl"
 
 #ifndef PAIR_IMPULSES
 #define PAIR_IMPULSES pairImpulses

@@ -3,7 +3,7 @@
 // bumps. The axes along which the lattice goes on are the hidden axes. They are found with the pair, three bits for
 // each side; a contact's direction has no part along them.
 #include "math/quaternion.glsl"
-#include "sim/common/one_sided.glsl"
+#include "sim/common/contacts/one_sided.glsl"
 
 /// The axes along which a lattice goes on from a particle towards another that is beside it. What is further off is
 /// nearer to another particle of the lattice: several contacts would carry what one should.
@@ -49,5 +49,5 @@ Separation separationOf(vec3 difference, ExitDirection exit, vec4 rotationA, vec
     if (sided.applies) return Separation(sided.normal, apart, true, true);
     if (hidden != 0u) difference = flatDifference(difference, rotationA, rotationB, hidden, touch);
     apart = length(difference);
-    return Separation(contactNormal(difference, apart, true), apart, false, hidden != 0u);
+    return Separation(contactNormal(difference, apart), apart, false, hidden != 0u);
 }

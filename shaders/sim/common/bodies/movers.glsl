@@ -1,5 +1,5 @@
 // Where points of movers are within a substep.
-#include "sim/common/mover_poses.glsl"
+#include "sim/common/bodies/mover_poses.glsl"
 
 uniform samplerBuffer moverMoves;
 uniform samplerBuffer moverRotationDeltas;

@@ -1,6 +1,6 @@
 // What the buffers of contacts hold. What a contact is made of is found with it (contact_prepare, collider_prepare);
 // each iteration only changes its impulse.
-#include "sim/common/flat_faces.glsl"
+#include "sim/common/contacts/flat_faces.glsl"
 #include "sim/common/particles.glsl"
 
 #define FRACTION_LEVELS 8191.0          // 13 bits
@@ -33,7 +33,7 @@ struct ContactSides {
     ExitDirection exit;
     vec2 friction;       // static, kinetic
     vec2 fractions;      // of each side's worst inverse mass, in the direction of the normal: 0 ... 1
-    uint hidden;         // axes (sim/common/flat_faces.glsl), three bits for each side
+    uint hidden;         // axes (sim/common/contacts/flat_faces.glsl), three bits for each side
 };
 
 uvec4 packContactSides(ContactSides sides)

@@ -1,5 +1,5 @@
 // Reading the lists of contacts.
-#include "sim/common/contact_lists.glsl"
+#include "sim/common/contacts/contact_lists.glsl"
 
 uniform usamplerBuffer listStarts;
 

@@ -1,8 +1,8 @@
 // The channel through which constraints act on bodies. Each kind of constraint has reserved rows (sim/solver/body/
 // row_plan.h), one for each of its impulses on a body, and stores them in every iteration; what sums them does not know
 // kinds. ANGULAR: of a world where rows have angular impulses, too.
-#include "sim/common/fields.glsl"
-#include "sim/common/mover_poses.glsl"
+#include "sim/common/bodies/fields.glsl"
+#include "sim/common/bodies/mover_poses.glsl"
 
 uniform usamplerBuffer bodyRows;         // first row, how many
 uniform samplerBuffer rowArms;

@@ -1,6 +1,6 @@
 // Points of movers as they are between steps.
-#include "sim/common/fields.glsl"
-#include "sim/common/mover_poses.glsl"
+#include "sim/common/bodies/fields.glsl"
+#include "sim/common/bodies/mover_poses.glsl"
 
 uniform samplerBuffer moverVelocities;
 

@@ -1,5 +1,5 @@
 // How many particles have a slot: the solid ones and the fluid ones that are there. POOL: a world with emitters or
-// drains, where fluid particles may be parked, which their positions' w says, and are held to their way for as long as
+// drains, where fluid particles may be inactive, which their positions' w says, and keep their velocity for as long as
 // their velocities' w says: what has just left a nozzle has more of its fluid behind it, which no particles stand for.
 
 /// Room for slots.

@@ -56,8 +56,8 @@ OneSidedNormal oneSidedNormal(vec3 difference, float apart, ExitDirection exit, 
     return OneSidedNormal(exits ? exit.direction : mirrored, exits || facing < 0.0);
 }
 
-/// From the second of two points to the first; for two that are at most a rounding error apart: up or down.
-vec3 contactNormal(vec3 difference, float apart, bool first)
+/// From the second of two points to the first; for two that are at most a rounding error apart: up.
+vec3 contactNormal(vec3 difference, float apart)
 {
-    return apart > 1e-7 ? difference / apart : vec3(0, first ? 1.0 : -1.0, 0);
+    return apart > 1e-7 ? difference / apart : vec3(0, 1, 0);
 }

@@ -1,7 +1,7 @@
 // Where the bodies that share a particle want it: each has a goal for it, and it stands at their mean.
-#include "sim/common/links.glsl"
-#include "sim/common/mover_state.glsl"
-#include "sim/common/owners.glsl"
+#include "sim/common/bodies/links.glsl"
+#include "sim/common/bodies/mover_state.glsl"
+#include "sim/common/bodies/owners.glsl"
 
 /// The goal of one owner.
 PointState ownersGoal(uint entry)

@@ -1,0 +1,46 @@
+#include <algorithm>
+#include <numeric>
+
+#include "tests/solver/solver_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+/// The exclusive prefix sum of the sums of chunks.
+std::vector<uint32_t> chunkStarts(const std::vector<uint32_t>& values)
+{
+    std::vector<uint32_t> starts{0};
+    for (size_t k = 0; k < values.size(); k += SCAN_CHUNK) {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(k);
+        const auto length = static_cast<std::ptrdiff_t>(std::min<size_t>(SCAN_CHUNK, values.size() - k));
+        starts.push_back(std::accumulate(first, first + length, starts.back()));
+    }
+    starts.pop_back();
+    return starts;
+}
+
+TEST(Scan, ManyGroupsMakeOnePrefixSumAgainAndAgain)
+{
+    KernelFixture fixture(mixedWorld());
+    // 1407 chunks, the last one of 19 values, in 22 groups, the last one of 63 chunks.
+    fixture.stages.parameters.particleCount = 30001;
+    fixture.setParameters();
+    fixture.stages.search.makeLists(gpu());
+    Random random(5);
+    for (int run = 0; run < 3; ++run) {
+        std::vector<uint32_t> values(3 * 30001);
+        for (uint32_t& value : values) value = static_cast<uint32_t>(random.between(0.0f, 9.0f));
+        fill(fixture.stages.search.listCounts, values);
+        const auto expected = chunkStarts(values);
+        fixture.run("search/scan_sum", expected.size(), {{"LISTS", "1"}});
+        auto sums = fixture.stages.search.listSums.download();
+        EXPECT_EQ(sums.back(), 0u) << "how many groups have finished, for the next time";
+        sums.pop_back();
+        EXPECT_EQ(sums, expected) << "run " << run;
+    }
+}
+
+}  // namespace
+
+}  // namespace knuckle::test
