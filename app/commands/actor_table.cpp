@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/commands/counted.h"
+#include "app/run/counted.h"
 #include "app/scene/scene_fields.h"
 
 namespace knuckle {

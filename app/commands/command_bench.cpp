@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/commands/interrupt.h"
 #include "app/commands/table2_world.h"
+#include "app/run/interrupt.h"
 #include "app/scene/scene_file.h"
 #include "render/renderer.h"
 #include "sim/solver/solver.h"

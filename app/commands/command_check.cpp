@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.h"
-#include "app/commands/counted.h"
+#include "app/run/counted.h"
 #include "app/scene/scene_file.h"
 #include "sim/world/errors.h"
 

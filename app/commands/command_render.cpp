@@ -5,7 +5,7 @@
 #include <map>
 
 #include "app/commands/commands.h"
-#include "app/commands/film_run.h"
+#include "app/run/film_run.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {

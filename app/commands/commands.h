@@ -1,23 +1,14 @@
 #pragma once
 
 #include <functional>
-#include <memory>
-#include <string>
 
-#include "sim/gpu/gpu.h"
+#include "app/run/open_gpu.h"
 
 namespace CLI {
 class App;
 }
 
 namespace knuckle {
-
-/// Options that every command takes.
-struct CommonOptions {
-    std::string device = "auto";
-    std::string shaderFolder;
-    bool quiet = false;
-};
 
 /// What a command needs to register itself. Its callback sets `chosen` to the function that runs it and returns the
 /// exit code.
@@ -46,9 +37,5 @@ void addSchemaCommand(CommandLine line);
 
 /// The whole program: reads the command line, runs the command, tells errors on stderr. @returns the exit code.
 int runProgram(int argc, char** argv);
-
-/// The device that `--device` names; says on stderr what had to be chosen instead. @throws DeviceError, InputError.
-/// @param work of a frame, by which a software renderer gets its threads, else they are left to it.
-std::unique_ptr<Gpu> openGpu(const CommonOptions& common, std::optional<FrameWork> work = {});
 
 }  // namespace knuckle

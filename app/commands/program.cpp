@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "app/commands/commands.h"
-#include "app/commands/interrupt.h"
+#include "app/run/interrupt.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -81,13 +81,6 @@ int endByBrokenPipe()
 }
 
 }  // namespace
-
-std::unique_ptr<Gpu> openGpu(const CommonOptions& common, std::optional<FrameWork> work)
-{
-    auto gpu = std::make_unique<Gpu>(DeviceChoice::parse(common.device), common.shaderFolder, work);
-    if (!gpu->notice().empty() && !common.quiet) fmt::print(stderr, "{}\n", gpu->notice());
-    return gpu;
-}
 
 int runProgram(int argc, char** argv)
 {

@@ -21,7 +21,7 @@ std::string besideScene(const SceneContext& context, const std::string& file)
 
 Actor loadActor(SceneContext& context, const Json& object, const std::string& file, const std::string& pointer)
 {
-    const Actor actor = readActor(file);
+    Actor actor = readActor(file);
     const float diameter = context.builder.diameter();
     if (!object["joints"].get<std::string>().empty()) {
         failAt(context.path, pointer + "/joints", "an actor file has its joints already; give the model as `file`");
@@ -62,7 +62,7 @@ Actor voxelizeModel(SceneContext& context, const Json& object, const std::string
 
 std::string existingFile(const SceneContext& context, const std::string& file, const std::string& pointer)
 {
-    const std::string path = besideScene(context, file);
+    std::string path = besideScene(context, file);
     if (!std::filesystem::is_regular_file(path))
         failAt(context.path, pointer, fmt::format("there is no file {}; paths are relative to the scene", path));
     return path;

@@ -7,7 +7,7 @@
 #include "app/scene/scene_fields.h"
 #include "app/scene/scene_fill.h"
 #include "app/scene/scene_parts.h"
-#include "sim/solver/measure.h"
+#include "sim/solver/measure/measure.h"
 #include "sim/world/cells.h"
 
 namespace knuckle {

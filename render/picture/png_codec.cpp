@@ -27,7 +27,6 @@ unsigned char* compressZlib(unsigned char* data, int byteCount, int* compressedB
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wuseless-cast"
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #define STBIW_ZLIB_COMPRESS compressZlib
 #define STB_IMAGE_WRITE_IMPLEMENTATION

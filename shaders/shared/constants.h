@@ -16,8 +16,6 @@
 #define FINE_CELLS 4
 // Threads in a work group of distanceRows: there are few, and each is long.
 #define DISTANCE_GROUP_SIZE 8
-// A soft distance that may tear does so at this many times its length.
-#define TEAR_STRETCH 1.5f
 // Slots whose lists of neighbours lie together.
 #define NEIGHBOUR_BLOCK 32u
 
@@ -88,10 +86,6 @@
 #define MOST_SQUEEZE 100.0f
 // k of s_corr (Macklin and Mueller 2013, eq. 13), as a share of the multipliers: 0.1 at a fifth of the reach.
 #define FLUID_REPULSION 0.34f
-// Steps for which an assembly has to be calm before it sleeps, at least.
-#define CALM_STEPS 30u
-// Rounds of two iterations of the impulses that make collisions bounce.
-#define RESTITUTION_ROUNDS 2
 
 // pairImpulses[].w of a contact that is going to act but carries nothing yet.
 #define ABOUT_TO_ACT (-1.0)

@@ -136,7 +136,7 @@ DriverThreads applyDriverThreads(const FrameWork& work)
     const double wake = cores > 1 ? wakeTime(cores) : 0.0;
     const std::string set = driverThreadsSetting();
     if (set.empty()) {
-        const DriverThreads choice = chooseDriverThreads(work, cores, wake);
+        DriverThreads choice = chooseDriverThreads(work, cores, wake);
         setenv(DRIVER_THREADS_VARIABLE, std::to_string(*choice.count).c_str(), 1);
         return choice;
     }

@@ -84,7 +84,7 @@ void Kernel::dispatchIndirect(KernelTimer& timer, const RawBuffer& arguments, ui
 {
     begin(timer);
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.id());
-    glDispatchComputeIndirect(static_cast<GLintptr>(index * 16u));
+    glDispatchComputeIndirect(GLintptr{16} * index);
     end(timer);
 }
 

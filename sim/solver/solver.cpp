@@ -4,7 +4,7 @@
 
 #include <bit>
 
-#include "sim/solver/measure.h"
+#include "sim/solver/measure/measure.h"
 #include "sim/solver/step.h"
 #include "sim/world/errors.h"
 

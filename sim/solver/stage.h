@@ -1,7 +1,8 @@
 #pragma once
 
+#include "shared/step_parameters.h"
 #include "sim/gpu/kernel.h"
-#include "sim/solver/layout.h"
+#include "sim/solver/layout/layout.h"
 
 namespace knuckle {
 

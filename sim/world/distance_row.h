@@ -23,7 +23,7 @@ struct DistanceRow {
     std::vector<float> restLengths;   ///< To the next particle, one less than those [m], > 0.
     float compliance = 0.0f;          ///< Of each distance [m/N], >= 0; 0: rigid.
     /// Tension at which a distance breaks for good [N], > 0. Where it is finite, distances of Shear and Bend break also
-    /// at TEAR_STRETCH times their length: they are soft, and would keep torn pieces together.
+    /// at one and a half times their length: they are soft, and would keep torn pieces together.
     float tearForce = std::numeric_limits<float>::infinity();
 };
 

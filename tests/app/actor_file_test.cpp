@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <algorithm>
+#include <bit>
 #include <random>
 
 #include "app/commands/actor_table.h"
@@ -40,7 +41,7 @@ Actor makePair()
 
 bool sameBits(const Vector3f& a, const Vector3f& b)
 {
-    return std::memcmp(a.data(), b.data(), sizeof(float) * 3) == 0;
+    return std::ranges::equal(a, b, {}, std::bit_cast<uint32_t, float>, std::bit_cast<uint32_t, float>);
 }
 
 TEST(ActorFile, ReadsBackExactlyWhatWasWritten)

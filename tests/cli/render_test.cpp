@@ -166,7 +166,7 @@ TEST_F(Render, ExportsMeasuresOfEachFrameAsStatsOfTheLast)
 
 TEST_F(Render, FallsWithAnActorThatWasVoxelizedBefore)
 {
-    const RunResult made = run({"voxelize", KNUCKLE_ROOT "/assets/models/humanoid.glb", "-o", "actor.json",
+    const RunResult made = run({"voxelize", (KNUCKLE_ROOT "/assets/models/humanoid.glb"), "-o", "actor.json",
                                 "--diameter", "0.08", "--preview", "actor.png"});
     ASSERT_EQ(made.code, 0) << made.err;
     EXPECT_NE(made.out.find("shin.L"), std::string::npos) << made.out;

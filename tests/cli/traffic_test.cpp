@@ -10,8 +10,8 @@
 #include <set>
 #include <thread>
 
-#include "app/commands/film_run.h"
-#include "shared/gpu_types.h"
+#include "app/run/film_run.h"
+#include "shared/step_parameters.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {

@@ -160,9 +160,9 @@ TEST(Apart, ACrookedTowerGrowsAndOnlyThenFalls)
 TEST(Apart, RowsAndBlocksOfCubesHalfInsideEachOtherDoNotFly)
 {
     const auto row = [](int k) { return Vector3f(0.5f * EDGE * static_cast<float>(k), 0, 0); };
-    const auto layers = [](int k) { return Vector3f(0.5f * EDGE * Vector3f(float(k % 5), float(k / 5), 0)); };
+    const auto layers = [](int k) { return Vector3f(0.5f * EDGE * Eigen::Vector3i(k % 5, k / 5, 0).cast<float>()); };
     const auto block = [](int k) {
-        return Vector3f(0.5f * EDGE * Vector3f(float(k % 2), float(k / 4), float(k / 2 % 2)));
+        return Vector3f(0.5f * EDGE * Eigen::Vector3i(k % 2, k / 4, k / 2 % 2).cast<float>());
     };
     const auto onePlace = [](int) { return Vector3f(0, 0, 0); };
     const std::vector<std::pair<std::string, std::function<Vector3f(int)>>> places = {
@@ -231,7 +231,7 @@ TEST(Apart, GrainsHalfInsideEachOtherDoNotFly)
     const auto any = [&] { return static_cast<float>(random()) / 2147483648.0f - 1.0f; };
     for (int k = 0; k < 216; ++k) {
         Particle grain;
-        grain.position = 0.5f * DIAMETER * Vector3f(float(k % 6), float(k / 6 % 6), float(k / 36));
+        grain.position = 0.5f * DIAMETER * Eigen::Vector3i(k % 6, k / 6 % 6, k / 36).cast<float>();
         for (float& x : grain.position) x += 0.02f * DIAMETER * any();
         builder.addLooseParticle(grain);
     }

@@ -170,8 +170,8 @@ TEST(Paper, WhatStartsCaughtInEachOtherPartsAndIsNotThrown)
     WorldBuilder builder = makeBuilder(paperSettings());
     builder.addCollider(floorPlane());
     for (int k = 0; k < 24; ++k) {
-        const Vector3f place(0.18f * static_cast<float>(k % 3), 0.4f + 0.2f * static_cast<float>(k / 6),
-                             0.18f * static_cast<float>(k / 3 % 2));
+        const Vector3f cell = Eigen::Vector3i(k % 3, k / 6, k / 3 % 2).cast<float>();
+        const Vector3f place(0.18f * cell.x(), 0.4f + 0.2f * cell.y(), 0.18f * cell.z());
         const Quaternionf turn(Eigen::AngleAxisf(0.7f * static_cast<float>(k), Vector3f(1, 2, 3).normalized()));
         addBox(builder, {3, 3, 3}, {place, turn});
     }

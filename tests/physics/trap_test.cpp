@@ -33,7 +33,8 @@ World overlaps(const std::function<void(WorldBuilder&, const Vector3f&)>& add, c
     WorldBuilder builder = makeBuilder();
     builder.addCollider(floorPlane());
     for (int i = 0; i < 10; ++i) {
-        const float up = 1.5f * DIAMETER * static_cast<float>(i / inRow);
+        const int row = i / inRow;
+        const float up = 1.5f * DIAMETER * static_cast<float>(row);
         // Shifted a little, so that no two lattices coincide.
         add(builder, static_cast<float>(i % inRow) * offset + Vector3f(0.02f * static_cast<float>(i % 3), up, 0));
     }

@@ -68,7 +68,7 @@ TEST(Kernel, NamesABlockOfAnotherTypeThanTheBuffers)
     BufferTable table;
     table.add(inputs.frame, positions, boxes);
     try {
-        Kernel(sharedGpu(), table, "render/view/frame_bounds.comp");
+        const Kernel kernel(sharedGpu(), table, "render/view/frame_bounds.comp");
         FAIL() << "positions are vectors in the shader";
     } catch (const DeviceError& error) {
         EXPECT_NE(std::string(error.what()).find("kernel frame_bounds declares the block \"positions\""),

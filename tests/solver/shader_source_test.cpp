@@ -24,7 +24,7 @@ size_t lineCount(const std::string& text)
 /// found, is taken out of the way.
 std::string compileError(const std::string& path)
 {
-    const std::string message = messageOf<DeviceError>([&] { Program::compute(gpu(), path); });
+    std::string message = messageOf<DeviceError>([&] { Program::compute(gpu(), path); });
     messageOf<DeviceError>([] { gpu().checkErrors(); });
     return message;
 }

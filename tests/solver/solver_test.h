@@ -9,6 +9,7 @@
 
 #include "sim/solver/stages.h"
 #include "sim/world/builder/builder.h"
+#include "tests/message_of.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle::test {
@@ -119,17 +120,5 @@ void fill(Buffer<T>& buffer, const std::vector<T>& values)
 
 /// `count` random vectors within +-half, w = 0.
 std::vector<gpu::vec4> randomVectors(size_t count, float half, uint32_t seed);
-
-/// The message of the `Error` that `act` throws; empty when it throws none.
-template <typename Error, typename Act>
-std::string messageOf(Act act)
-{
-    try {
-        act();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
-}
 
 }  // namespace knuckle::test

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "sim/solver/layout.h"
+#include "sim/solver/layout/layout.h"
 #include "tests/solver/solver_test.h"
 
 namespace knuckle::test {
@@ -76,6 +76,17 @@ TEST(RowPlan, RowsOfABodyStandTogetherInTheOrderOfReservation)
     EXPECT_EQ(plan.bodies()[2].x, 1u);
     EXPECT_EQ(plan.bodies()[2].y, 2u);
     EXPECT_EQ(plan.bodies()[1].y + plan.bodies()[3].y, 0u);
+}
+
+TEST(RowPlan, OneAngularRowTellsThatThereAreAny)
+{
+    RowPlan plan;
+    plan.reserve(0, {1, 0, 0});
+    EXPECT_FALSE(plan.hasAngular());
+    const uint32_t angular = plan.reserveAngular(1, {0, 2, 0});
+    plan.place(2);
+    EXPECT_TRUE(plan.hasAngular());
+    EXPECT_EQ(plan.arms()[plan.rowOf(angular)].y(), 2.0f);
 }
 
 }  // namespace

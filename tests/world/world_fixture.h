@@ -8,6 +8,7 @@
 #include "sim/world/builder/builder.h"
 #include "sim/world/builder/joints.h"
 #include "sim/world/errors.h"
+#include "tests/message_of.h"
 #include "tests/pair_fixture.h"
 
 namespace knuckle::test {
@@ -43,18 +44,6 @@ inline World jointedCubes(const JointSpec& spec, const Settings& settings = {}, 
     pair.motionOfA = motionOfA;
     addJointedPair(builder, pair);
     return builder.build();
-}
-
-/// The message of the Error that `act` throws; empty when it throws none.
-template <typename Error, typename Act>
-std::string messageOf(Act act)
-{
-    try {
-        act();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
 }
 
 /// Of what a user's file can cause.

@@ -137,12 +137,10 @@ JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, ui
 template <typename Value>
 void checkOverrides(const Model& model, const std::map<std::string, Value>& overrides)
 {
-    for (const auto& [name, value] : overrides) {
-        if (std::none_of(model.bones.begin(), model.bones.end(), [&](const Bone& b) { return b.name == name; })) {
+    for (const auto& [name, value] : overrides)
+        if (std::ranges::find(model.bones, name, &Bone::name) == model.bones.end())
             throw InputError(
                 fmt::format("joint for bone '{}': the model '{}' has no bone of that name", name, model.name));
-        }
-    }
 }
 
 // The actor without the particles that gave way to joints; indices are renumbered without gaps.

@@ -114,7 +114,7 @@ std::vector<Vector3f> hingePlaces(const Particles& particles, const JointPlan& p
         });
     };
     for (size_t count = LONGEST_HINGE; count > 2; --count) {
-        const std::vector<Vector3f> places = placesFor(count);
+        std::vector<Vector3f> places = placesFor(count);
         if (std::all_of(places.begin(), places.end(), supported)) {
             return places;
         }

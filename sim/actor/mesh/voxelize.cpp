@@ -159,7 +159,8 @@ void keepThinParts(Lattice& lattice, const TriangleTree& tree, std::span<const V
 {
     double samples = 0.0;
     for (const Triangle& t : triangles) {
-        const Vector3f a = vertices[t[0]], ab = vertices[t[1]] - a, ac = vertices[t[2]] - a;
+        const Vector3f& a = vertices[t[0]];
+        const Vector3f ab = vertices[t[1]] - a, ac = vertices[t[2]] - a;
         const float longest = std::max({ab.norm(), ac.norm(), (ab - ac).norm()});
         const Vector3f normal = ab.cross(ac).normalized();
         if (!normal.allFinite()) {

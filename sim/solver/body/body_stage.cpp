@@ -2,9 +2,9 @@
 
 #include <Eigen/QR>
 
-#include "sim/solver/body/body_mass.h"
+#include "sim/solver/layout/body_mass.h"
+#include "sim/solver/layout/cluster_links.h"
 #include "sim/solver/pack.h"
-#include "sim/solver/soft/cluster_links.h"
 
 namespace knuckle {
 
@@ -81,17 +81,19 @@ Movers makeMovers(const World& world, const Layout& layout)
 
 }  // namespace
 
-Defines BodyStage::solveVariant(const char* movers, bool onParticles)
+Defines BodyStage::solveVariant(const char* movers) const
 {
     Defines variant{{movers, "1"}};
-    if (onParticles) variant.push_back({"ON_PARTICLES", "1"});
+    if (onParticles_) variant.push_back({"ON_PARTICLES", "1"});
+    if (hasAngular_) variant.push_back({"ANGULAR", "1"});
     return variant;
 }
 
 BodyStage::BodyStage(const StageSetup& setup, bool onParticles)
     : parameters_(setup.parameters), onParticles_(onParticles),
       hasBodies_(setup.world.settings.solver == SolverKind::Impulse && setup.layout.bodyCount > 0),
-      hasLoose_(setup.world.settings.solver == SolverKind::Impulse && setup.layout.looseCount > 0)
+      hasLoose_(setup.world.settings.solver == SolverKind::Impulse && setup.layout.looseCount > 0),
+      hasAngular_(setup.layout.rows.hasAngular())
 {
     uploadLinks(setup);
     uploadMovers(setup);
@@ -161,6 +163,8 @@ void BodyStage::uploadRows(const RowPlan& rows)
     bodyRows = {"bodyRows", std::span<const gpu::uvec2>(rows.bodies())};
     rowArms = {"rowArms", std::span<const gpu::vec4>(arms)};
     rowImpulses = {"rowImpulses", std::span<const gpu::vec4>(acting)};
+    rowAngularImpulses = {"rowAngularImpulses", hasAngular_ ? arms.size() : 0};
+    rowAngularImpulses.clear();
 }
 
 void BodyStage::addBuffers(BufferTable& table)
@@ -168,7 +172,7 @@ void BodyStage::addBuffers(BufferTable& table)
     table.add(links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
               moverStates, moverCentres, moverRotations, moverVelocities, oldMoverVelocities, oldMoverMoves, moverMoves,
               moverRotationDeltas, moverPredictions, moverImpulses, moverChanges, particleImpulses, bodyRows, rowArms,
-              rowImpulses);
+              rowImpulses, rowAngularImpulses);
 }
 
 void BodyStage::predict(Recorder& recorder) const

@@ -43,9 +43,10 @@ public:
     Buffer<gpu::vec4> moverChanges;         ///< Field: how they last changed; w of the first: relaxation.
     Buffer<gpu::vec4> particleImpulses;     ///< Per particle, by rank: what acts on it alone [kg m].
     // The channel of constraints (row_plan.h).
-    Buffer<gpu::uvec2> bodyRows;    ///< Per body: its first row, and how many.
-    Buffer<gpu::vec4> rowArms;      ///< Per row: where in the body it acts [m].
-    Buffer<gpu::vec4> rowImpulses;  ///< Per row: of this substep [kg m]; w: 1 if it acts.
+    Buffer<gpu::uvec2> bodyRows;           ///< Per body: its first row, and how many.
+    Buffer<gpu::vec4> rowArms;             ///< Per row: where in the body it acts [m].
+    Buffer<gpu::vec4> rowImpulses;         ///< Per row: of this substep [kg m]; w: 1 if it acts.
+    Buffer<gpu::vec4> rowAngularImpulses;  ///< Per row, where any has one: about the body's centre [kg m2].
 
 private:
     void uploadLinks(const StageSetup& setup);
@@ -53,18 +54,18 @@ private:
     void uploadRows(const RowPlan& rows);
 
     const gpu::StepParameters& parameters_;
-    bool onParticles_, hasBodies_, hasLoose_;
+    bool onParticles_, hasBodies_, hasLoose_, hasAngular_;
     Pass predictBodies_{*this, "body/mover_predict", {{"BODIES", "1"}}, hasBodies_};
     Pass predictLoose_{*this, "body/mover_predict", {{"LOOSE", "1"}}, hasLoose_};
     Pass clear_{*this, "body/impulse_clear", {}, onParticles_};
     Pass warmStart_{*this, "body/mover_solve", {{"WARM_START", "1"}}, hasBodies_ || hasLoose_};
-    Pass solveBodies_{*this, "body/mover_solve", solveVariant("BODIES", onParticles_), hasBodies_};
-    Pass solveLoose_{*this, "body/mover_solve", solveVariant("LOOSE", onParticles_), hasLoose_};
+    Pass solveBodies_{*this, "body/mover_solve", solveVariant("BODIES"), hasBodies_};
+    Pass solveLoose_{*this, "body/mover_solve", solveVariant("LOOSE"), hasLoose_};
     Pass integrateBodies_{*this, "body/mover_integrate", {{"BODIES", "1"}}, hasBodies_};
     Pass integrateLoose_{*this, "body/mover_integrate", {{"LOOSE", "1"}}, hasLoose_};
     Pass place_{*this, "body/particle_position", {}, hasBodies_ || hasLoose_};
 
-    static Defines solveVariant(const char* movers, bool onParticles);
+    Defines solveVariant(const char* movers) const;
 };
 
 }  // namespace knuckle

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shared/gpu_types.h"
+#include "shared/step_parameters.h"
 #include "sim/world/world.h"
 
 namespace knuckle {

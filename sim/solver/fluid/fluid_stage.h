@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/solver/measure.h"
+#include "sim/solver/measure/measure.h"
 #include "sim/solver/stage.h"
 
 namespace knuckle {

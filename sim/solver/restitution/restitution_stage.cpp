@@ -4,6 +4,13 @@
 
 namespace knuckle {
 
+namespace {
+
+// Rounds of two iterations of the impulses that make collisions bounce.
+constexpr uint32_t RESTITUTION_ROUNDS = 2;
+
+}  // namespace
+
 bool RestitutionStage::isNeeded(const World& world)
 {
     return world.settings.solver == SolverKind::Impulse && world.solidCount() > 0 &&

@@ -9,6 +9,9 @@ namespace knuckle {
 
 namespace {
 
+// A soft distance that may tear does so at this many times its length.
+constexpr float TEAR_STRETCH = 1.5f;
+
 constexpr float NEVER = std::numeric_limits<float>::max();
 
 /// Whether it is uploaded in reverse: elimination begins at a strand's end, which should be free.

@@ -7,6 +7,8 @@ namespace knuckle {
 
 namespace {
 
+// Steps for which an assembly has to be calm before it sleeps, at least.
+constexpr uint32_t CALM_STEPS = 30;
 // For how long what freezes has to be calm [s].
 constexpr float FREEZE_SECONDS = 1.0f;
 

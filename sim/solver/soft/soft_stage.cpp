@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/solver/layout/cluster_links.h"
 #include "sim/solver/pack.h"
-#include "sim/solver/soft/cluster_links.h"
 
 namespace knuckle {
 

@@ -234,7 +234,7 @@ TEST_F(Import, absurdScaleIsRefusedWithTheRemedy)
 
 TEST_F(Import, messagesNameNoControlCharacters)
 {
-    const std::string path = write("odd.glb", std::string("glTF\2\0\0\0\377\377\377\377\33[31m", 18));
+    const std::string path = write("odd.glb", std::string("glTF\2\0\0\0\377\377\377\377\33[31m", 17));
     for (const char c : refusal(path)) {
         EXPECT_GE(static_cast<unsigned char>(c), 0x20);
     }

@@ -126,7 +126,7 @@ Eigen::Quaterniond nearestRotation(const Matrix3d& a)
 double rotationError(const Eigen::Quaterniond& found, const Matrix3d& a, const Matrix3d& moments)
 {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(moments);  // ascending
-    const Vector3d values = eigen.eigenvalues();
+    const Vector3d& values = eigen.eigenvalues();
     if (values[2] < 1e-12) return 0.0;
     if (values[1] > 1e-6 * values[2]) return found.angularDistance(nearestRotation(a));
     const Vector3d line = eigen.eigenvectors().col(2);

@@ -115,7 +115,7 @@ TEST_F(MoverIntegrate, DampingAndTheGreatestSpeedBoundTheVelocitiesOfAllParticle
         (most > 1.0 ? slowed : free) += 1;
     }
     expectVelocities([&](uint32_t m, const Vector3d& move, const Vector3d&) {
-        const Vector3d v = shares[m] * 0.5 * move / h();
+        Vector3d v = shares[m] * 0.5 * move / h();
         EXPECT_LE(v.norm(), 1.0 + 1e-6) << "mover " << m;
         return v;
     });

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "sim/solver/measure.h"
+#include "sim/solver/measure/measure.h"
 #include "tests/solver/contact/collider_world.h"
 
 namespace knuckle::test {

@@ -29,7 +29,7 @@ inline World colliderWorld(uint32_t count = 4)
     for (uint32_t c = 0; c < count; ++c) {
         constexpr ColliderShape SHAPES[] = {ColliderShape::Box, ColliderShape::Sphere, ColliderShape::Capsule};
         const ColliderShape shape = c == count - 1 ? ColliderShape::Plane : SHAPES[c % 3];
-        const Vector3f cell(float(c % 5) - 2, float(c / 5 % 5) - 2, float(c / 25) - 1);
+        const Vector3f cell = Eigen::Vector3<uint32_t>(c % 5, c / 5 % 5, c / 25).cast<float>() - Vector3f(2, 2, 1);
         const Vector3f position = many ? 0.22f * cell + random.inCube(0.03f) : random.inCube(0.2f);
         world.colliders.push_back(colliderOf(shape, position, random.rotation(), many ? 0.25f : 1.0f));
         world.colliders.back().staticFriction = random.between(0.5f, 1.0f);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/solver/body/body_mass.h"
+#include "sim/solver/layout/body_mass.h"
 
 namespace knuckle::test {
 

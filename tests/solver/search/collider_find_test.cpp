@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/solver/measure.h"
+#include "sim/solver/measure/measure.h"
 #include "tests/solver/contact/collider_world.h"
 
 namespace knuckle::test {

@@ -83,7 +83,7 @@ TEST_P(ContactFind, FastMoversLookIntoEveryCellUpToTwoAway)
     uint32_t loose = fixture.count() - 1;
     for (int k = 0; k < 125; ++k) {
         const Eigen::Vector3i cells(k % 5 - 2, k / 5 % 5 - 2, k / 25 - 2);
-        Vector3f near = Vector3f::Constant(6.5f) + 6.0f * Vector3f(float(k % 5), float(k / 5 % 5), float(k / 25));
+        Vector3f near = Vector3f::Constant(6.5f) + 6.0f * Eigen::Vector3i(k % 5, k / 5 % 5, k / 25).cast<float>();
         Vector3f far = near;
         for (int axis = 0; axis < 3; ++axis) {
             const int apart = cells[axis];

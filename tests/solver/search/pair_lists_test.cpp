@@ -7,9 +7,6 @@ namespace knuckle::test {
 
 namespace {
 
-/// NONE of shaders/sim/common/kernel.glsl.
-constexpr uint32_t NO_REFERENCE = 0xffffffffu;
-
 class PairLists : public testing::TestWithParam<uint32_t> {
 protected:
     PairLists()

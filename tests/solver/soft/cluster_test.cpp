@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "sim/solver/soft/cluster_links.h"
+#include "sim/solver/layout/cluster_links.h"
 #include "tests/solver/body/mover_fixture.h"
 
 namespace knuckle::test {

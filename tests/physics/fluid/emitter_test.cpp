@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/physics/tank.h"
+#include "tests/physics/fluid/tank.h"
 
 namespace knuckle::test {
 
@@ -59,7 +59,7 @@ TEST(Emitter, LayersComeWhenTheyAreDueAndAsFarApartAsAtRestAtAnySpeed)
         EXPECT_EQ(solver.measure().fluidEmitted, 12 * layers);
         // Particles leave in the order of their ids, so the position follows from the layer of each.
         for (uint32_t i = 0; i < 12 * layers; ++i) {
-            const double age = seconds - 0.107 - i / 12 * jet.emitter.interval();
+            const double age = seconds - 0.107 - std::floor(i / 12.0) * jet.emitter.interval();
             EXPECT_NEAR(state.positions[i].x() - NOZZLE.x(), speed * age, 0.01 * jet.spacing) << i;
         }
     }

@@ -1,4 +1,4 @@
-#include "sim/solver/body/row_plan.h"
+#include "sim/solver/layout/row_plan.h"
 
 namespace knuckle {
 
@@ -6,6 +6,12 @@ uint32_t RowPlan::reserve(uint32_t body, const Vector3f& arm)
 {
     reservations_.push_back({body, arm});
     return static_cast<uint32_t>(reservations_.size() - 1);
+}
+
+uint32_t RowPlan::reserveAngular(uint32_t body, const Vector3f& arm)
+{
+    hasAngular_ = true;
+    return reserve(body, arm);
 }
 
 void RowPlan::place(uint32_t bodyCount)

@@ -1,4 +1,4 @@
-#include "sim/solver/body/body_mass.h"
+#include "sim/solver/layout/body_mass.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

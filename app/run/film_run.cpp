@@ -1,4 +1,4 @@
-#include "app/commands/film_run.h"
+#include "app/run/film_run.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/commands/counted.h"
-#include "app/commands/frame_drawing.h"
-#include "app/commands/interrupt.h"
-#include "app/commands/progress.h"
-#include "app/commands/stopwatch.h"
 #include "app/files/export.h"
+#include "app/run/counted.h"
+#include "app/run/frame_drawing.h"
+#include "app/run/interrupt.h"
+#include "app/run/progress.h"
+#include "app/run/stopwatch.h"
 #include "render/output/temporary_file.h"
 #include "sim/solver/workload.h"
 #include "sim/world/errors.h"

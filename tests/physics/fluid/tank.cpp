@@ -1,10 +1,10 @@
-#include "tests/physics/tank.h"
+#include "tests/physics/fluid/tank.h"
 
 #include <cmath>
 
 namespace knuckle::test {
 
-Tank::Tank(int wide, int layers, int deep, std::vector<float> densities, const Settings& settings)
+Tank::Tank(int wide, int layers, int deep, const std::vector<float>& densities, const Settings& settings)
     : builder(makeBuilder(settings))
 {
     for (float density : densities) {

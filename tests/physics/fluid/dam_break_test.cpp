@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/physics/tank.h"
+#include "tests/physics/fluid/tank.h"
 
 namespace knuckle::test {
 

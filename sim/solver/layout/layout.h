@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "shared/gpu_types.h"
-#include "sim/solver/body/row_plan.h"
+#include "sim/solver/layout/row_plan.h"
 #include "sim/world/world.h"
 
 namespace knuckle {

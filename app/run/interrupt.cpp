@@ -1,4 +1,4 @@
-#include "app/commands/interrupt.h"
+#include "app/run/interrupt.h"
 
 #include <csignal>
 

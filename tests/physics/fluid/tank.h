@@ -7,7 +7,8 @@ namespace knuckle::test {
 /// A tank with its floor at y = 0 and one corner at the origin, filled to `layers` particles; several fluids, of equal
 /// shares, from the first at the bottom up.
 struct Tank {
-    Tank(int wide, int layers, int deep, std::vector<float> densities = {1000.0f}, const Settings& settings = {});
+    Tank(int wide, int layers, int deep, const std::vector<float>& densities = {1000.0f},
+         const Settings& settings = {});
 
     WorldBuilder builder;
     std::vector<uint32_t> fluids;

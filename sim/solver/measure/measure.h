@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/solver/solver.h"
+#include "sim/solver/measure/state.h"
 
 namespace knuckle {
 

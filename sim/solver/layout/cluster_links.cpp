@@ -1,4 +1,4 @@
-#include "sim/solver/soft/cluster_links.h"
+#include "sim/solver/layout/cluster_links.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

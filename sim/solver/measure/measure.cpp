@@ -1,4 +1,4 @@
-#include "sim/solver/measure.h"
+#include "sim/solver/measure/measure.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "sim/solver/measure.h"
+#include "sim/solver/measure/measure.h"
 
 namespace knuckle {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/solver/measure.h"
-#include "tests/physics/tank.h"
+#include "sim/solver/measure/measure.h"
+#include "tests/physics/fluid/tank.h"
 
 namespace knuckle::test {
 

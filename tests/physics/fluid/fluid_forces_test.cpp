@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/solver/measure.h"
-#include "tests/physics/tank.h"
+#include "sim/solver/measure/measure.h"
+#include "tests/physics/fluid/tank.h"
 
 namespace knuckle::test {
 

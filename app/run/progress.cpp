@@ -1,4 +1,4 @@
-#include "app/commands/progress.h"
+#include "app/run/progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

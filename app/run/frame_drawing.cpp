@@ -1,6 +1,6 @@
-#include "app/commands/frame_drawing.h"
+#include "app/run/frame_drawing.h"
 
-#include "app/commands/stopwatch.h"
+#include "app/run/stopwatch.h"
 
 namespace knuckle {
 

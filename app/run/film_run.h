@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/commands.h"
+#include "app/run/open_gpu.h"
 #include "app/scene/scene_file.h"
 
 namespace knuckle {

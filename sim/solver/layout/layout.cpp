@@ -1,9 +1,9 @@
-#include "sim/solver/layout.h"
+#include "sim/solver/layout/layout.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "sim/solver/body/body_mass.h"
+#include "sim/solver/layout/body_mass.h"
 
 namespace knuckle {
 

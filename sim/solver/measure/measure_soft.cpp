@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/solver/measure.h"
-#include "sim/solver/soft/cluster_links.h"
+#include "sim/solver/layout/cluster_links.h"
+#include "sim/solver/measure/measure.h"
 
 namespace knuckle {
 

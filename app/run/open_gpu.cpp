@@ -1,0 +1,16 @@
+#include "app/run/open_gpu.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace knuckle {
+
+std::unique_ptr<Gpu> openGpu(const CommonOptions& common, std::optional<FrameWork> work)
+{
+    auto gpu = std::make_unique<Gpu>(DeviceChoice::parse(common.device), common.shaderFolder, work);
+    if (!gpu->notice().empty() && !common.quiet) fmt::print(stderr, "{}\n", gpu->notice());
+    return gpu;
+}
+
+}  // namespace knuckle

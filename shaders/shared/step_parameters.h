@@ -1,0 +1,117 @@
+// What every kernel of the simulation knows of the world, and what kernels count. As in gpu_types.h, members are scalars
+// of four bytes and vectors of sixteen.
+#ifndef KNUCKLE_STEP_PARAMETERS_H
+#define KNUCKLE_STEP_PARAMETERS_H
+
+#include "shared/gpu_types.h"
+
+#ifdef __cplusplus
+namespace knuckle::gpu {
+#endif
+
+// Uploaded once. Each stage of the solver sets what is its own.
+struct StepParameters {
+    // The world.
+    vec4 gravity;                   // xyz [m/s2]
+    uint particleCount;             // solid particles
+    uint fluidCount;                // fluid particles, which come behind them
+    uint bodyCount;
+    uint moverCount;                // bodies and loose particles
+    uint linkCount;
+    uint assemblyCount;
+    uint colliderCount;
+    float diameter;                 // [m]
+    // Time, and what holds for all movers.
+    uint substeps;                  // a step
+    float substepTime;              // [s]
+    uint secondOrder;               // 1: BDF2 where nothing touches
+    float damping;                  // velocity kept per substep
+    float maxSpeed;                 // [m/s]
+    float virtualParticles;         // c of eq. 18
+    uint rotationIterations;
+    float massScaling;              // k of m exp(-k height) [1/m]
+    // The search for contacts.
+    float contactRadius;            // candidates are nearer than this [m]
+    float inverseCellSize;          // [1/m]
+    uint cellMask;                  // cells - 1, cells a power of two
+    uint cellStrideY;               // lattice grid: cells between neighbours in y ...
+    uint cellStrideZ;               // ... and in z
+    uint contactSlots;              // contacts that one particle can be the first of
+    uint pairCapacity;              // contacts between particles
+    uint colliderPairCapacity;      // contacts with colliders
+    float drift;                    // a particle that has moved further makes the candidates due again [m]
+    float lookAhead;                // of found positions, in moves of a substep
+    float horizon;                  // for how long contacts should stay good, in substeps
+    float farReach;                 // by how much fast movers may look further for contacts [m]
+    uint fastLimit;                 // how many particles may do so
+    // Contacts and their restitution.
+    float correction;               // fraction of a penetration that one substep takes back
+    float maxCorrection;            // of a penetration per substep, with speed [m]
+    float warmStart;                // fraction of a normal impulse that an iteration keeps
+    float calming;                  // fraction of what differs from its mean that an iteration takes from it
+    float meanRate;                 // fraction of the way to the impulse that its mean goes in an iteration
+    float restitutionThreshold;     // what meets more slowly does not bounce [m/s]
+    // Joints.
+    uint sharedCount;               // particles of two or more bodies
+    uint sharedByTwo;               // of exactly two: the first of sharedParticles
+    float jointRelaxation;          // of the joints' impulses
+    // Sleep.
+    float sleepSpeed;               // what is slower for long sleeps [m/s]
+    float freeze;                   // what stays within is calm [m], 0 off
+    uint calmSteps;                 // for how long it has to be calm
+    // Soft bodies.
+    uint clusterCount;
+    uint softCount;                 // particles of soft bodies
+    // Fluids.
+    float fluidSpacing;             // rest distance [m]
+    float fluidReach;               // of the smoothing kernel [m]
+    float fluidListReach;           // neighbours are listed up to here [m]
+    float fluidVolume;              // of a particle, over the volume that the kernel is normalized to [1/m3]
+    float fluidSoftness;            // epsilon of Macklin and Mueller 2013, eq. 11 [1/m2]
+    float solidCover;               // makes up for solid particles too far to be listed
+    float vorticity;                // strength of vorticity confinement times the step [s]
+    uint fluidSlots;                // neighbours that one particle can have in fluids, a multiple of 4
+    float inverseFluidCell;         // [1/m]
+    uint fluidCellMask;             // as of the other grid
+    uint fluidStrideY;
+    uint fluidStrideZ;
+    // Emitters and drains.
+    uint fluidFilled;               // fluid particles that belong to no emitter; they come first
+    uint poolCapacity;              // entries in the lists of all emitters' pools
+    uint drainCount;
+    // The paper's solver.
+    float overRelaxation;           // of contacts of bodies
+    float stabilization;            // of an overlap that stabilization takes back [m]
+    float deepOverlap;              // that carries nothing [m]
+    float deepRecovery;             // of a deep overlap that is taken back [m]
+    float jointCorrection;          // of a joint's gap that draws a body [m]
+};
+
+// Written by kernels, read once a frame. 68 bytes.
+struct Counters {
+    // Problems: PROBLEM_*, one particle that has them, and the room that would have been enough.
+    uint problems;
+    uint badParticle;               // one particle that turned NaN
+    uint wantedContacts;            // largest number of candidates a particle would have had
+    uint wantedColliders;
+    uint wantedPairs;
+    uint wantedColliderPairs;
+    uint wantedNeighbours;          // most that a particle would have had in fluids
+    // Substeps and searches.
+    uint substep;                   // substeps since the start
+    uint due;                       // somebody has used up its margin
+    uint searchCount;               // times the candidates were found
+    uint listParity;                // which half of the candidate lists is current
+    uint pairCount;                 // contacts between particles, touching or about to
+    uint colliderPairCount;         // contacts with colliders
+    uint fastCount;                 // particles of movers that will soon leave their margin
+    uint fastListed;                // those of them that look further for contacts
+    uint fastLater;                 // particles of movers that will leave it in CALM times as long
+    uint calm;                      // 1: so few in the last search that contacts are found for as long as that
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(Counters) == 68);
+}  // namespace knuckle::gpu
+#endif
+#endif

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+struct ParticleState {
+    std::vector<Vector3f> positions;   ///< [m]
+    std::vector<Vector3f> velocities;  ///< [m/s]
+    std::vector<bool> inactive;        ///< Fluid particles that no emitter has yet let out, or that a drain took.
+};
+
+struct BodyState {
+    Vector3f position{0, 0, 0};         ///< Mass centre [m].
+    Quaternionf rotation{1, 0, 0, 0};   ///< From the body's axes at rest to the world.
+    Vector3f velocity{0, 0, 0};         ///< Of the mass centre [m/s].
+    Vector3f angularVelocity{0, 0, 0};  ///< About the mass centre [rad/s].
+};
+
+/// How well the state holds together. Depths and gaps in metres.
+struct Measures {
+    uint32_t contactCount = 0;     ///< Pairs of particles that overlap, each once, and particle-collider overlaps.
+    float meanPenetration = 0.0f;  ///< Over the overlapping contacts.
+    float worstPenetration = 0.0f;
+    float meanJointGap = 0.0f;  ///< Distance between the places two bodies want a shared particle at.
+    float worstJointGap = 0.0f;
+    float worstShapeError = 0.0f;  ///< How far a body's particle is from where a rigid motion of all has it.
+    float meanSoftStrain = 0.0f;   ///< Of clusters of soft bodies by mass: sqrt(sum of (principal stretch - 1)^2).
+    float worstSoftStrain = 0.0f;
+    float softVolumeError = 0.0f;   ///< The largest change of a soft body's volume, as a share of it.
+    float meanDensityError = 0.0f;  ///< Of fluid particles: how much denser than at rest, as a share of that.
+    float worstDensityError = 0.0f;
+    float fluidVolumeError = 0.0f;  ///< The share of their volume that fluids have lost to that.
+    uint32_t fluidCount = 0;        ///< Active fluid particles.
+    uint32_t fluidEmitted = 0;      ///< Since the start, from all emitters.
+    uint32_t fluidDrained = 0;      ///< Since the start, in drains or taken again as the oldest.
+    float meanStretch = 0.0f;       ///< Of untorn ropes and threads of cloth: |length / length at rest - 1|.
+    float worstStretch = 0.0f;
+    float maxSpeed = 0.0f;       ///< [m/s]
+    double kineticEnergy = 0.0;  ///< [J]
+};
+
+}  // namespace knuckle

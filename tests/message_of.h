@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace knuckle::test {
+
+/// The message of the `Error` that `act` throws; empty when it throws none.
+template <typename Error, typename Act>
+std::string messageOf(Act act)
+{
+    try {
+        act();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace knuckle::test
