@@ -68,7 +68,7 @@ void describeParticles(gpu::FrameInput& input, const ParticleView& view)
     input.radius = view.radius;
     input.solidCount = std::min(view.solidCount, view.particleCount);
     input.fluidRadius = FLUID_RADIUS * view.fluidSpacing;
-    input.fluidShare = static_cast<uint32_t>(
+    input.fluidSpace = static_cast<uint32_t>(
         std::round(static_cast<float>(SPACE_UNITS) * std::pow(0.5f * view.fluidSpacing / view.radius, 3.0f)));
 }
 

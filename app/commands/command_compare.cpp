@@ -19,12 +19,12 @@ int compare(const CompareOptions& options, bool quiet)
 {
     const Image first = readImage(options.first), second = readImage(options.second);
     const ImageDifference result = compareImages(first, second, options.threshold);
-    const bool different = result.changedShare > options.maxChanged;
+    const bool different = result.changedFraction > options.maxChanged;
     if (!options.difference.empty()) writePng(options.difference, result.picture);
     if (!quiet) {
         fmt::print("{}: {:.4f} % of the pixels differ by more than {} of 255 (allowed {:.4f} %), mean {:.4f}, "
                    "worst {}\n",
-                   different ? "different" : "equal", 100.0 * result.changedShare, options.threshold,
+                   different ? "different" : "equal", 100.0 * result.changedFraction, options.threshold,
                    100.0 * options.maxChanged, result.meanAbsolute, result.worst);
     }
     return different ? EXIT_DIFFERENT : EXIT_FINE;

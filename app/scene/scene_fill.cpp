@@ -101,7 +101,7 @@ void jitterPositions(std::vector<Vector3f>& positions, float amount, uint32_t se
     if (amount == 0.0f) return;
     std::mt19937 random(seed);
     for (Vector3f& position : positions)
-        for (float& side : position) side += amount * (2.0f * uniformShare(random) - 1.0f);
+        for (float& side : position) side += amount * (2.0f * uniformFraction(random) - 1.0f);
 }
 
 }  // namespace knuckle

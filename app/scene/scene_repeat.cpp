@@ -11,9 +11,9 @@ namespace {
 /// Uniform over all rotations (Shoemake 1992, "Uniform random rotations").
 Quaternionf randomRotation(std::mt19937& random)
 {
-    const float share = uniformShare(random);
-    const float first = 2.0f * std::numbers::pi_v<float> * uniformShare(random);
-    const float second = 2.0f * std::numbers::pi_v<float> * uniformShare(random);
+    const float share = uniformFraction(random);
+    const float first = 2.0f * std::numbers::pi_v<float> * uniformFraction(random);
+    const float second = 2.0f * std::numbers::pi_v<float> * uniformFraction(random);
     const float a = std::sqrt(1.0f - share), b = std::sqrt(share);
     return Quaternionf(b * std::cos(second), a * std::sin(first), a * std::cos(first), b * std::sin(second));
 }
@@ -47,7 +47,7 @@ std::vector<Pose> repeatedPoses(const Json& object)
                 const Vector3f cell(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
                 Pose pose{position + (first + cell).cwiseProduct(spacing), rotation};
                 // A statement for each axis: C++ does not say in which order the arguments of one call are evaluated.
-                for (float& side : pose.translation) side += jitter * (2.0f * uniformShare(random) - 1.0f);
+                for (float& side : pose.translation) side += jitter * (2.0f * uniformFraction(random) - 1.0f);
                 if (turned) pose.rotation = randomRotation(random) * rotation;
                 poses.push_back(pose);
             }

@@ -107,7 +107,7 @@ ImageDifference compareImages(const Image& a, const Image& b, uint32_t threshold
     }
     if (!a.rgb.empty()) {
         result.meanAbsolute = static_cast<double>(sum) / static_cast<double>(a.rgb.size());
-        result.changedShare = static_cast<double>(changed) * CHANNELS / static_cast<double>(a.rgb.size());
+        result.changedFraction = static_cast<double>(changed) * CHANNELS / static_cast<double>(a.rgb.size());
     }
     return result;
 }

@@ -26,10 +26,10 @@ struct GreyImage {
 GreyImage readGreyImage(const std::string& path);
 
 struct ImageDifference {
-    double meanAbsolute = 0.0;  ///< Mean over all channels, 0-255.
-    uint32_t worst = 0;         ///< Largest channel difference, 0-255.
-    double changedShare = 0.0;  ///< Share of pixels with a channel that differs by more than the threshold, 0-1.
-    Image picture;              ///< |a - b| per channel, brightened to be seen.
+    double meanAbsolute = 0.0;     ///< Mean over all channels, 0-255.
+    uint32_t worst = 0;            ///< Largest channel difference, 0-255.
+    double changedFraction = 0.0;  ///< Share of pixels with a channel that differs by more than the threshold, 0-1.
+    Image picture;                 ///< |a - b| per channel, brightened to be seen.
 };
 
 /// @throws InputError when the sizes differ.

@@ -20,11 +20,11 @@ uint32_t groupsOf(size_t threads)
 }  // namespace
 
 SphereLists::SphereLists(const Gpu& gpu, BufferTable& table, size_t particleCount)
-    : particleCount_(static_cast<uint32_t>(particleCount)), ways_("sphereWays", particleCount),
+    : particleCount_(static_cast<uint32_t>(particleCount)), drawKinds_("sphereDrawKinds", particleCount),
       list_("sphereList", 3 * particleCount), cells_("burialCells", CELL_COUNT), buried_("buriedCells", CELL_COUNT),
       counts_("sphereCounts", runLimit(particleCount)), draws_("sphereDraws", SPHERE_DRAWS)
 {
-    table.add(ways_, list_, cells_, buried_, counts_, draws_);
+    table.add(drawKinds_, list_, cells_, buried_, counts_, draws_);
     const auto load = [&](const std::string& name) { return Kernel(gpu, table, "render/spheres/" + name + ".comp"); };
     burialCount_ = load("burial_count");
     burialCells_ = load("burial_cells");
@@ -46,10 +46,10 @@ void SphereLists::update(KernelTimer& timer)
     write_.dispatch(timer, groupsOf(runLimit(particleCount_)));
 }
 
-void SphereLists::draw(KernelTimer& timer, const DrawPass& pass, SphereGroup group, uint32_t way) const
+void SphereLists::draw(KernelTimer& timer, const DrawPass& pass, SphereGroup group, uint32_t kind) const
 {
-    const GLenum primitive = way == QUAD_DRAW ? GL_TRIANGLES : GL_POINTS;
-    pass.drawIndirect(timer, primitive, draws_, DRAWS_PER_GROUP * static_cast<uint32_t>(group) + way);
+    const GLenum primitive = kind == QUAD_DRAW ? GL_TRIANGLES : GL_POINTS;
+    pass.drawIndirect(timer, primitive, draws_, DRAWS_PER_GROUP * static_cast<uint32_t>(group) + kind);
 }
 
 }  // namespace knuckle

@@ -19,11 +19,11 @@ public:
 
     void update(KernelTimer& timer);
     /// Draws points (POINT_DRAW), corners (QUAD_DRAW) or points in the light's view (SHADOW_DRAW) of a group.
-    void draw(KernelTimer& timer, const DrawPass& pass, SphereGroup group, uint32_t way) const;
+    void draw(KernelTimer& timer, const DrawPass& pass, SphereGroup group, uint32_t kind) const;
 
 private:
     uint32_t particleCount_;
-    Buffer<uint32_t> ways_, list_, cells_, buried_;
+    Buffer<uint32_t> drawKinds_, list_, cells_, buried_;
     Buffer<gpu::uvec4> counts_;
     Buffer<gpu::DrawArguments> draws_;
     Kernel burialCount_, burialCells_, burialHidden_, cull_, offsets_, write_;

@@ -28,12 +28,6 @@ namespace knuckle::gpu {
 // Pixels a side of the tiles that the edge filter takes or leaves.
 #define EDGE_TILE 16
 
-// Shapes, as in ColliderShape.
-#define SHAPE_PLANE 0u
-#define SHAPE_BOX 1u
-#define SHAPE_SPHERE 2u
-#define SHAPE_CAPSULE 3u
-
 // The one block that the host writes each frame.
 struct FrameInput {
     vec4 cameraPosition;        // xyz [m]; CAMERA_FOLLOWS: from the object; CAMERA_FRAMES: only its direction counts
@@ -65,7 +59,7 @@ struct FrameInput {
     float trackSeconds;         // since the camera last looked [s]; below 0: it has not looked yet
     uint solidCount;            // those behind the first so many particles are fluid
     float fluidRadius;          // [m]
-    uint fluidShare;            // of the space that a solid particle takes, in 1 / SPACE_UNITS
+    uint fluidSpace;            // of the space that a solid particle takes, in 1 / SPACE_UNITS
     uint resolveFactor;         // samples an axis of a pixel of the frame
 };
 
@@ -106,7 +100,7 @@ struct ColliderInstance {
     vec4 position;              // xyz [m]; w: radius [m]
     vec4 orientation;           // quaternion xyzw
     vec4 halfExtents;           // xyz [m]: of the box, or of the box around the shape in its own frame
-    vec4 color;                 // rgb; w: shape (SHAPE_*)
+    vec4 color;                 // rgb; w: shape (COLLIDER_*)
 };
 
 // Which spheres a list has, and how they are drawn from it; each list has draw arguments of its own.

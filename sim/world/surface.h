@@ -10,7 +10,7 @@ namespace knuckle {
 /// Of a particle that is in no lattice, see SurfaceDistance::ends.
 inline constexpr uint32_t ALL_ENDS = 63;
 
-/// A particle's distance to the surface of its body, and the way out (Macklin et al. 2014, 5.1).
+/// A particle's distance to the surface of its body, and the exit direction (Macklin et al. 2014, 5.1).
 struct SurfaceDistance {
     float distance = 0.0f;  ///< Of the particle's centre [m], negative inside.
     /// Unit vector from the particle to the nearest surface and out, in the rest pose. Zero where there is no single

@@ -127,7 +127,7 @@ TEST(Camera, AFollowingCameraSeesItsBodyTheSameWhereverItIs)
     };
     const Image here = picture({0, 0, 0}), there = picture({7.0f, 3.0f, -2.0f});
     // Only rounding of the larger coordinates and where the shadow map's texels fall differ.
-    EXPECT_LT(compareImages(here, there, 24).changedShare, 0.01);
+    EXPECT_LT(compareImages(here, there, 24).changedFraction, 0.01);
     EXPECT_NE(pixelAt(here, SIZE / 2, SIZE / 2), pixelAt(here, 4, SIZE / 2));
 }
 

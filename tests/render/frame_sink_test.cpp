@@ -208,10 +208,10 @@ TEST(CompareImages, CountsWhatDiffers)
     const ImageDifference difference = compareImages(a, b, 5);
     EXPECT_DOUBLE_EQ(difference.meanAbsolute, 13.0 / 24.0);
     EXPECT_EQ(difference.worst, 10u);
-    EXPECT_DOUBLE_EQ(difference.changedShare, 1.0 / 8.0);
+    EXPECT_DOUBLE_EQ(difference.changedFraction, 1.0 / 8.0);
     EXPECT_EQ(difference.picture.rgb[0], 80u);
     EXPECT_EQ(difference.picture.rgb[4], 24u);
-    EXPECT_DOUBLE_EQ(compareImages(a, a, 0).changedShare, 0.0);
+    EXPECT_DOUBLE_EQ(compareImages(a, a, 0).changedFraction, 0.0);
 }
 
 TEST(CompareImages, RefusesDifferentSizes)

@@ -10,7 +10,7 @@ namespace knuckle::test {
 namespace {
 
 constexpr double MAX_MEAN = 1.0;
-constexpr double MAX_CHANGED_SHARE = 0.01;
+constexpr double MAX_CHANGED_FRACTION = 0.01;
 constexpr uint32_t CHANGED_BEYOND = 24;
 
 }  // namespace
@@ -23,14 +23,14 @@ void expectGolden(const std::string& name, const Image& image)
         return;
     }
     const ImageDifference difference = compareImages(image, readImage(golden), CHANGED_BEYOND);
-    if (difference.meanAbsolute <= MAX_MEAN && difference.changedShare <= MAX_CHANGED_SHARE) return;
+    if (difference.meanAbsolute <= MAX_MEAN && difference.changedFraction <= MAX_CHANGED_FRACTION) return;
     const std::string folder = std::filesystem::path(KNUCKLE_PROGRAM).parent_path().string() + "/golden_failures";
     std::filesystem::create_directories(folder);
     writePng(folder + "/" + name + ".png", image);
     writePng(folder + "/" + name + "_difference.png", difference.picture);
     ADD_FAILURE() << name << ": mean difference " << difference.meanAbsolute << " (at most " << MAX_MEAN
-                  << "), changed share " << difference.changedShare << " (at most " << MAX_CHANGED_SHARE << "); see "
-                  << folder << "/" << name << ".png and _difference.png";
+                  << "), changed share " << difference.changedFraction << " (at most " << MAX_CHANGED_FRACTION
+                  << "); see " << folder << "/" << name << ".png and _difference.png";
 }
 
 }  // namespace knuckle::test

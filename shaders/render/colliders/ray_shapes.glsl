@@ -45,9 +45,9 @@ float rayCapsule(vec3 origin, vec3 direction, float radius, float halfHeight, ou
     return t;
 }
 
-// `shape`: SHAPE_BOX, SHAPE_SPHERE or SHAPE_CAPSULE; a capsule's halfExtents hold its bounding box.
+// `shape`: COLLIDER_BOX, COLLIDER_SPHERE or COLLIDER_CAPSULE; a capsule's halfExtents hold its bounding box.
 float rayShape(uint shape, vec3 origin, vec3 direction, vec3 halfExtents, float radius, out vec3 normal)
 {
-    if (shape == SHAPE_BOX) return rayBox(origin, direction, halfExtents, normal);
+    if (shape == COLLIDER_BOX) return rayBox(origin, direction, halfExtents, normal);
     return rayCapsule(origin, direction, radius, halfExtents.y - radius, normal);
 }

@@ -9,7 +9,7 @@ float sphereRadius(uint particle)
 /// Of the space around, in units of which a solid particle takes SPACE_UNITS.
 uint sphereSpace(uint particle)
 {
-    return particle < frame.solidCount ? SPACE_UNITS : frame.fluidShare;
+    return particle < frame.solidCount ? SPACE_UNITS : frame.fluidSpace;
 }
 
 /// Whether a particle is active.

@@ -8,7 +8,7 @@
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
 uniform samplerBuffer positions;
-layout(std430) writeonly buffer SphereWays { uint ways[]; };
+layout(std430) writeonly buffer SphereDrawKinds { uint drawKinds[]; };
 layout(std430) writeonly buffer SphereCounts { uvec4 counts[]; };
 layout(std430) readonly buffer BurialCells { uint cells[]; };
 
@@ -38,7 +38,7 @@ void main()
     for (uint i = run.begin; i < run.end; ++i) {
         vec4 position = texelFetch(positions, int(i));
         uint how = isThere(position) ? howDrawn(position.xyz, sphereRadius(i)) : 0u;
-        ways[i] = how;
+        drawKinds[i] = how;
         count += listCounts(how);
     }
     counts[gl_GlobalInvocationID.x] = uvec4(count, 0u);

@@ -56,8 +56,8 @@ Box tracked(Box now)
 {
     Box before = Box(view.trackedLow.xyz, view.trackedHigh.xyz);
     if (frame.trackSeconds < 0.0) before = now;
-    Box box = Box(mix(before.low, now.low, shareOfWay(lessThan(now.low, before.low))),
-                  mix(before.high, now.high, shareOfWay(greaterThan(now.high, before.high))));
+    Box box = Box(mix(before.low, now.low, approachFraction(lessThan(now.low, before.low))),
+                  mix(before.high, now.high, approachFraction(greaterThan(now.high, before.high))));
     view.trackedLow = vec4(box.low, 0.0);
     view.trackedHigh = vec4(box.high, 0.0);
     return box;

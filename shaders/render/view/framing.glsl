@@ -13,7 +13,7 @@ struct Box {
 };
 
 // The share of the way to `now` that is gone in this frame. `outward`: where the box grows.
-vec3 shareOfWay(bvec3 outward)
+vec3 approachFraction(bvec3 outward)
 {
     if (frame.trackSeconds < 0.0) return vec3(1.0);
     vec3 time = frame.cameraMode == CAMERA_FOLLOWS ? vec3(FOLLOWING) : mix(vec3(SHRINKING), vec3(GROWING), outward);

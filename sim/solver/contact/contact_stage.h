@@ -19,9 +19,10 @@ public:
     /// One iteration of the impulses.
     void solve(Recorder& recorder) const;
 
-    Buffer<gpu::uvec4> pairSides;      ///< Per pair: movers (with a way out), frictions, fractions of inverse masses
-                                       ///< and hidden axes (shaders/sim/common/contacts/flat_faces.glsl).
-    Buffer<gpu::vec4> pairArms;        ///< Per pair, two: place in the body, worst inverse mass there.
+    Buffer<gpu::uvec4>
+        pairSides;               ///< Per pair: movers (with an exit direction), frictions, fractions of inverse masses
+                                 ///< and hidden axes (shaders/sim/common/contacts/flat_faces.glsl).
+    Buffer<gpu::vec4> pairArms;  ///< Per pair, two: place in the body, worst inverse mass there.
     Buffer<gpu::vec4> pairImpulses;    ///< Halves: the whole impulse, its normal part [kg m].
     Buffer<float> pairMeans;           ///< Halves: the mean of its normal part lately [kg m].
     Buffer<gpu::uvec4> colliderSides;  ///< Per contact with a collider: mover, collider, frictions, fraction.

@@ -65,7 +65,7 @@ Depths penetrations(const World& world, const std::vector<Vector3f>& positions)
     return depths;
 }
 
-Vector3f wantedPlace(const Link& link, const BodyState& state)
+Vector3f goalOf(const Link& link, const BodyState& state)
 {
     return state.position + state.rotation * link.restOffset;
 }
@@ -76,7 +76,7 @@ Depths jointGaps(const World& world, const std::vector<BodyState>& bodies)
     std::map<uint32_t, std::vector<Vector3f>> places;
     for (const Link& link : world.links)
         if (world.particles[link.particle].bodyCount > 1)
-            places[link.particle].push_back(wantedPlace(link, bodies[link.body]));
+            places[link.particle].push_back(goalOf(link, bodies[link.body]));
     for (const auto& [particle, wanted] : places) {
         float gap = 0.0f;
         for (size_t a = 0; a < wanted.size(); ++a)

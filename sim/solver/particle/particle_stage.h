@@ -15,12 +15,13 @@ public:
     Buffer<gpu::uvec2> particleRanks;         ///< gpu::ParticleRank, of solid particles.
     Buffer<uint32_t> rankedParticles;         ///< Per rank: the particle.
     Buffer<gpu::vec4> masses;                 ///< Inverse mass [1/kg], restitution, static, kinetic friction.
-    Buffer<gpu::vec4> restPositions;     ///< In the assembly's rest pose [m]; w: margin of self-contact [diameters].
-    Buffer<gpu::vec4> restOffsets;       ///< r in the first body [m]; w: the worst inverse mass in it [1/kg].
-    Buffer<gpu::vec4> particleSurfaces;  ///< Way out of the first body, zero where none; w: distance to its surface.
-    Buffer<uint32_t> latticeEnds;        ///< SurfaceDistance::ends of a body without joints, ALL_ENDS of others.
-    Buffer<gpu::uvec2> assemblyState;    ///< Per assembly: last substep with a contact, order of this one.
-    bool hasFlatFaces = false;           ///< Whether any particle's lattice ends are known.
+    Buffer<gpu::vec4> restPositions;  ///< In the assembly's rest pose [m]; w: margin of self-contact [diameters].
+    Buffer<gpu::vec4> restOffsets;    ///< r in the first body [m]; w: the worst inverse mass in it [1/kg].
+    Buffer<gpu::vec4>
+        particleSurfaces;          ///< Exit direction of the first body, zero where none; w: distance to its surface.
+    Buffer<uint32_t> latticeEnds;  ///< SurfaceDistance::ends of a body without joints, ALL_ENDS of others.
+    Buffer<gpu::uvec2> assemblyState;  ///< Per assembly: last substep with a contact, order of this one.
+    bool hasFlatFaces = false;         ///< Whether any particle's lattice ends are known.
 
 private:
     void uploadConstants(const StageSetup& setup);

@@ -38,7 +38,7 @@ void WorldBuilder::assignAssemblies()
         if (particle.body != NO_INDEX) particle.assembly = world_.bodies[particle.body].assembly;
 }
 
-float WorldBuilder::massShare(uint32_t particle, uint32_t body) const
+float WorldBuilder::massFraction(uint32_t particle, uint32_t body) const
 {
     float all = 0.0f;
     for (uint32_t owner : owners_[particle]) all += shareWeight(world_.bodies[owner]);
@@ -55,7 +55,7 @@ void WorldBuilder::makeBodyLinks(uint32_t bodyIndex)
     for (uint32_t p : bodyParticles_[bodyIndex]) {
         const Particle& particle = world_.particles[p];
         Link link{p, bodyIndex, particle.restPosition, particle.mass};
-        if (world_.settings.splitSharedMass) link.mass *= massShare(p, bodyIndex);
+        if (world_.settings.splitSharedMass) link.mass *= massFraction(p, bodyIndex);
         mass += link.mass;
         centre += link.mass * particle.restPosition.cast<double>();
         world_.links.push_back(link);

@@ -110,7 +110,7 @@ private:
     Particle fluidParticle(uint32_t material) const;
     void makeBodyLinks(uint32_t bodyIndex);
     /// The part of a particle's mass that counts in one of its bodies, 0 ... 1.
-    float massShare(uint32_t particle, uint32_t body) const;
+    float massFraction(uint32_t particle, uint32_t body) const;
 
     World world_;
     std::vector<std::vector<uint32_t>> bodyParticles_;  ///< Per body, the particles in its block, in order.

@@ -74,7 +74,7 @@ void ContactFixture::setPairs(std::vector<TestContact> contacts)
     for (const TestContact& c : pairs) {
         const uint32_t first = moverOf[c.first] | (c.kin ? KIN : 0u);
         sides.push_back({first, moverOf[c.second], packHalves(c.staticFriction, c.kineticFriction),
-                         level(c.firstShare, 8191) | level(c.secondShare, 8191) << 13 | c.hidden << 26});
+                         level(c.firstFraction, 8191) | level(c.secondFraction, 8191) << 13 | c.hidden << 26});
         arms.push_back(packed(c.firstArm, c.firstMass));
         arms.push_back(packed(c.secondArm, c.secondMass));
         impulses.push_back(c.impulse);
@@ -95,7 +95,7 @@ void ContactFixture::setColliderContacts(std::vector<TestContact> contacts)
     std::vector<float> means;
     for (const TestContact& c : colliderContacts) {
         sides.push_back({moverOf[c.first], c.second, packHalves(c.staticFriction, c.kineticFriction),
-                         level(c.firstShare, 65535) | 0xffffu << 16});
+                         level(c.firstFraction, 65535) | 0xffffu << 16});
         arms.push_back(packed(c.firstArm, c.firstMass));
         impulses.push_back(c.impulse);
         means.push_back(c.mean);

@@ -9,7 +9,7 @@ struct TestContact {
     uint32_t first = 0, second = 0;  ///< Particles; the second may be a collider.
     Vector3f firstArm{0, 0, 0}, secondArm{0, 0, 0};
     float firstMass = 0, secondMass = 0;            ///< Worst inverse masses, 0: fixed [1/kg].
-    float firstShare = 1, secondShare = 1;          ///< Of them along the normal; of pairs multiples of 1/8191,
+    float firstFraction = 1, secondFraction = 1;    ///< Of them along the normal; of pairs multiples of 1/8191,
                                                     ///< with colliders of 1/65535.
     float staticFriction = 0, kineticFriction = 0;  ///< Halves.
     uint32_t hidden = 0;            ///< Axes of the bodies along which their lattices go on, three bits each.

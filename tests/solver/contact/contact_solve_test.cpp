@@ -50,8 +50,8 @@ protected:
     void addMaterial(TestContact& c, Random& random, float levels) const
     {
         c.firstMass = fixture.isFixed(fixture.moverOf[c.first]) ? 0.0f : random.between(0.5f, 4);
-        c.firstShare = std::floor(random.between(0.3f, 1.0f) * levels) / levels;
-        c.secondShare = std::floor(random.between(0.3f, 1.0f) * levels) / levels;
+        c.firstFraction = std::floor(random.between(0.3f, 1.0f) * levels) / levels;
+        c.secondFraction = std::floor(random.between(0.3f, 1.0f) * levels) / levels;
         c.kineticFriction = std::floor(random.between(0, 4)) / 4;
         c.staticFriction = c.kineticFriction + std::floor(random.between(0, 3)) / 4;
     }
@@ -139,7 +139,7 @@ protected:
         s.leaving = std::max(first.dot(s.normal), -second.dot(s.normal));
         s.kin = c.kin;
         s.worstMass = SPLITS * (c.firstMass + c.secondMass);
-        s.inverseMass = SPLITS * (c.firstMass * c.firstShare + c.secondMass * c.secondShare);
+        s.inverseMass = SPLITS * (c.firstMass * c.firstFraction + c.secondMass * c.secondFraction);
         s.places = 2 * (c.firstArm.norm() + c.secondArm.norm()) + a.norm() + b.norm();
         return s;
     }
@@ -159,7 +159,7 @@ protected:
         s.gap = distance(start + s.slide);
         s.startGap = distance(start);
         s.worstMass = SPLITS * c.firstMass;
-        s.inverseMass = s.worstMass * c.firstShare;
+        s.inverseMass = s.worstMass * c.firstFraction;
         s.places = 2 * c.firstArm.norm() + start.norm() + 2 * from.norm() + 0.5;
         return s;
     }
