@@ -3,6 +3,7 @@
 #include "shared/step_parameters.h"
 #include "sim/gpu/kernel.h"
 #include "sim/solver/layout/layout.h"
+#include "sim/solver/layout/row_plan.h"
 
 namespace knuckle {
 
@@ -11,6 +12,7 @@ struct StageSetup {
     const Gpu& gpu;
     const World& world;
     const Layout& layout;
+    const RowPlan& rows;
     gpu::StepParameters& parameters;  ///< Each stage sets those that are its own; uploaded when all are made.
 };
 

@@ -36,6 +36,15 @@ bool actsOnParticles(const World& world)
     return FluidStage::isNeeded(world) || DistanceStage::isNeeded(world) || SoftStage::isNeeded(world);
 }
 
+/// Of all kinds of constraints that act on bodies through the channel.
+RowPlan planRows(const World& world, const Layout& layout)
+{
+    RowPlan rows;
+    JointStage::reserveRows(rows, world, layout);
+    rows.place(layout.bodyCount);
+    return rows;
+}
+
 /// "_lists" for {{"LISTS", "1"}}.
 std::string variantName(const Defines& variant)
 {
@@ -50,8 +59,8 @@ std::string variantName(const Defines& variant)
 }  // namespace
 
 Stages::Stages(const Gpu& gpu, const World& world)
-    : gpu_(gpu), world_(world), layout(world),
-      parameters(commonParameters(world, layout)), setup_{gpu, world, layout, parameters}, particles(setup_),
+    : gpu_(gpu), world_(world), layout(world), rows(planRows(world, layout)),
+      parameters(commonParameters(world, layout)), setup_{gpu, world, layout, rows, parameters}, particles(setup_),
       colliders(setup_), search(setup_, particles.hasFlatFaces), contacts(setup_),
       bodies(setup_, actsOnParticles(world)), joints(setup_)
 {

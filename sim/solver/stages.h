@@ -45,6 +45,7 @@ private:
 
 public:
     Layout layout;
+    RowPlan rows;
     gpu::StepParameters parameters{};                             ///< The host's copy of `step`.
     Buffer<gpu::StepParameters> step{"step", 1};                  ///< Everything a step needs to know.
     Buffer<gpu::Counters> counters{"counters", 1};                ///< Written by kernels, read once a frame.

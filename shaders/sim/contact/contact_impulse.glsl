@@ -21,7 +21,7 @@ struct Contact {
 ///   leaves, so that not all the contacts of a heap add to one speed.
 /// - Two that have sunk into each other part as fast as that and no faster: the contact pulls by what recovery may push
 ///   in a substep, and its friction grips.
-/// - The normal part fades towards its mean of the last second, which calms the waves that recovery feeds.
+/// - The normal part fades towards its mean over some 400 substeps, which calms the waves that recovery feeds.
 /// - Limbs of one assembly do none of the last two, or they would fight their joints.
 /// - Friction is Coulomb's, bounded by the accumulated normal impulse (Macklin et al. 2014, eq. 24).
 /// @param mean of the normal part; updated.

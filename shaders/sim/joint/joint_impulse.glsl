@@ -1,12 +1,10 @@
 // The impulses between the bodies that share a particle. FIRST_ITERATION: of a substep; joints have no memory.
 #include "sim/common/bodies/body_rows.glsl"
-#include "sim/common/bodies/fields.glsl"
+#include "sim/common/bodies/links.glsl"
+#include "sim/common/bodies/mass_splitting.glsl"
 #include "sim/common/bodies/movers.glsl"
 #include "sim/common/bodies/owners.glsl"
-#include "sim/common/bodies/links.glsl"
-#include "sim/common/bodies/mass_scaling.glsl"
 
-uniform samplerBuffer moverChanges;      // with the relaxation of contacts
 uniform samplerBuffer linkMasses;        // the worst inverse mass of a link's body at the particle [1/kg]
 uniform usamplerBuffer linkRows;         // of links of shared particles: their row of the channel
 BUFFER(vec4, RowImpulses, rows);
@@ -18,13 +16,10 @@ vec3 goal(Owner owned, vec3 origin)
     return point.centre - origin + (point.arm + point.move);
 }
 
-/// The inverse mass with which a body answers at the particle, split over its impulses; 0 where it does not respond.
-/// The splits are those of contacts: over their relaxation, and scaled for them.
+/// The inverse mass with which a body answers at the particle, split over its impulses.
 float splitInverseMass(Owner owned)
 {
-    float relaxation = fetchRelaxation(moverChanges, owned.body);
-    float splits = fetchMove(owned.body).splits / contactScale(fetchCentre(owned.body));
-    return texelFetch(linkMasses, int(owned.link)).x * splits * relaxation;
+    return splitOverImpulses(owned.body, texelFetch(linkMasses, int(owned.link)).x);
 }
 
 /// What impulses are over the distance between goals, for bodies of that inverse mass together.

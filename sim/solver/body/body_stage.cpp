@@ -93,11 +93,11 @@ BodyStage::BodyStage(const StageSetup& setup, bool onParticles)
     : parameters_(setup.parameters), onParticles_(onParticles),
       hasBodies_(setup.world.settings.solver == SolverKind::Impulse && setup.layout.bodyCount > 0),
       hasLoose_(setup.world.settings.solver == SolverKind::Impulse && setup.layout.looseCount > 0),
-      hasAngular_(setup.layout.rows.hasAngular())
+      hasAngular_(setup.rows.hasAngular())
 {
     uploadLinks(setup);
     uploadMovers(setup);
-    uploadRows(setup.layout.rows);
+    uploadRows(setup.rows);
     particleImpulses = {"particleImpulses", setup.world.particles.size()};
     setup.parameters.rotationIterations = 3;
 }

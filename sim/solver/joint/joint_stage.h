@@ -9,6 +9,8 @@ class JointStage : public Stage {
 public:
     explicit JointStage(const StageSetup& setup);
     void addBuffers(BufferTable& table) override;
+    /// One for each body of a shared particle.
+    static void reserveRows(RowPlan& rows, const World& world, const Layout& layout);
 
     /// @param first whether it is the first iteration of its substep: joints have no memory.
     void solve(Recorder& recorder, bool first) const;

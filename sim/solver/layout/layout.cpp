@@ -15,10 +15,6 @@ Layout::Layout(const World& world)
     rankParticles(world);
     orderLinks(world);
     listShared();
-    reserveJoints(world);
-    rows.place(bodyCount);
-    for (uint32_t& row : linkRows)
-        if (row != NO_INDEX) row = rows.rowOf(row);
 }
 
 void Layout::assignAssemblies(const World& world)
@@ -76,15 +72,6 @@ void Layout::listShared()
                      [&](uint32_t a, uint32_t b) { return owners[a].size() < owners[b].size(); });
     const auto isByTwo = [&](uint32_t particle) { return owners[particle].size() == 2; };
     sharedByTwo = static_cast<uint32_t>(std::ranges::count_if(sharedParticles, isByTwo));
-}
-
-void Layout::reserveJoints(const World& world)
-{
-    linkRows.assign(linkCount, NO_INDEX);
-    for (uint32_t l = 0; l < linkCount; ++l) {
-        const Link& link = world.links[linkOrder[l]];
-        if (world.particles[link.particle].bodyCount > 1) linkRows[l] = rows.reserve(link.body, link.restOffset);
-    }
 }
 
 }  // namespace knuckle

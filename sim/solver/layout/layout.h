@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "shared/gpu_types.h"
-#include "sim/solver/layout/row_plan.h"
 #include "sim/world/world.h"
 
 namespace knuckle {
@@ -35,15 +34,11 @@ struct Layout {
     std::vector<uint32_t> sharedParticles;   ///< Particles of two or more bodies, those of fewer bodies first.
     uint32_t sharedByTwo = 0;                ///< How many of them have exactly two.
 
-    RowPlan rows;                    ///< Of the channel through which constraints act on bodies.
-    std::vector<uint32_t> linkRows;  ///< Per link: of those of shared particles, their row; NO_INDEX of others.
-
 private:
     void assignAssemblies(const World& world);
     void rankParticles(const World& world);
     void orderLinks(const World& world);
     void listShared();
-    void reserveJoints(const World& world);
 };
 
 }  // namespace knuckle

@@ -2,16 +2,16 @@
 
 namespace knuckle {
 
-uint32_t RowPlan::reserve(uint32_t body, const Vector3f& arm)
+void RowPlan::reserve(const std::string& kind, uint32_t body, const Vector3f& arm)
 {
+    kinds_[kind].push_back(reservations_.size());
     reservations_.push_back({body, arm});
-    return static_cast<uint32_t>(reservations_.size() - 1);
 }
 
-uint32_t RowPlan::reserveAngular(uint32_t body, const Vector3f& arm)
+void RowPlan::reserveAngular(const std::string& kind, uint32_t body, const Vector3f& arm)
 {
     hasAngular_ = true;
-    return reserve(body, arm);
+    reserve(kind, body, arm);
 }
 
 void RowPlan::place(uint32_t bodyCount)
@@ -26,6 +26,14 @@ void RowPlan::place(uint32_t bodyCount)
         rows_.push_back(bodies_[r.body].x + taken[r.body]++);
         arms_[rows_.back()] = r.arm;
     }
+}
+
+std::vector<uint32_t> RowPlan::rowsOf(const std::string& kind) const
+{
+    std::vector<uint32_t> rows;
+    if (const auto found = kinds_.find(kind); found != kinds_.end())
+        for (const size_t reservation : found->second) rows.push_back(rows_[reservation]);
+    return rows;
 }
 
 }  // namespace knuckle

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "shared/gpu_types.h"
@@ -9,17 +11,18 @@ namespace knuckle {
 
 /// Which rows of the channel belong to whom. Through it constraints act on bodies: each kind reserves rows, one for
 /// each impulse on a body, and writes them in every iteration; mover_solve sums the rows of a body without knowing
-/// kinds.
+/// kinds. Made from the World alone.
 class RowPlan {
 public:
-    /// A row for an impulse at `arm` from the body's centre, in its axes [m]. @returns what rowOf() takes.
-    uint32_t reserve(uint32_t body, const Vector3f& arm);
+    /// A row for an impulse at `arm` from the body's centre, in its axes [m]. @param kind of the constraint.
+    void reserve(const std::string& kind, uint32_t body, const Vector3f& arm);
     /// The same for one with an angular impulse, too.
-    uint32_t reserveAngular(uint32_t body, const Vector3f& arm);
+    void reserveAngular(const std::string& kind, uint32_t body, const Vector3f& arm);
     /// Gives all that is reserved its place: the rows of a body together, in the order of their reservation.
     void place(uint32_t bodyCount);
 
-    uint32_t rowOf(uint32_t reservation) const { return rows_[reservation]; }
+    /// The rows of a kind in the order of their reservation, once they have places; none where it reserved none.
+    std::vector<uint32_t> rowsOf(const std::string& kind) const;
     const std::vector<gpu::uvec2>& bodies() const { return bodies_; }  ///< Per body: its first row, and how many.
     const std::vector<Vector3f>& arms() const { return arms_; }        ///< Per row, once they have places [m].
     bool hasAngular() const { return hasAngular_; }
@@ -31,7 +34,8 @@ private:
     };
 
     std::vector<Reservation> reservations_;
-    std::vector<uint32_t> rows_;
+    std::map<std::string, std::vector<size_t>> kinds_;  ///< Indices of reservations.
+    std::vector<uint32_t> rows_;                        ///< Per reservation.
     std::vector<gpu::uvec2> bodies_;
     std::vector<Vector3f> arms_;
     bool hasAngular_ = false;

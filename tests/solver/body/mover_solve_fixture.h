@@ -139,10 +139,11 @@ protected:
     {
         Field sum;
         const auto links = fixture.stages.bodies.links.download();
+        const auto rows = fixture.stages.joints.linkRows.download();
         for (size_t l = 0; l < links.size(); ++l) {
             if (links[l].rbIndex != m || fixture.world.particles[links[l].particleIndex].bodyCount < 2) continue;
             const Vector3d r(links[l].posInRigidBodyX, links[l].posInRigidBodyY, links[l].posInRigidBodyZ);
-            sum.add(vec3(rowImpulses[fixture.stages.layout.linkRows[l]]).cast<double>(), r);
+            sum.add(vec3(rowImpulses[rows[l]]).cast<double>(), r);
         }
         return sum;
     }

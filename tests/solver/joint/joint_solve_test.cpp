@@ -34,12 +34,13 @@ protected:
         links = b.bodies.links.download();
         masses = b.bodies.linkMasses.download();
         old = randomVectors(links.size(), 0.1f, 122);
+        linkRows = b.joints.linkRows.download();
         std::vector<gpu::vec4> rows(b.bodies.rowImpulses.size());
         for (size_t l = 0; l < links.size(); ++l)
             if (rowOf(l) != NO_INDEX) rows[rowOf(l)] = old[l];
         fill(b.bodies.rowImpulses, rows);
     }
-    uint32_t rowOf(size_t link) const { return fixture.stages.layout.linkRows[link]; }
+    uint32_t rowOf(size_t link) const { return linkRows[link]; }
     struct Owner {
         size_t link;
         Vector3d goal;       ///< Where its body would have the particle [m].
@@ -100,6 +101,7 @@ protected:
     MoverFixture fixture;
     std::vector<gpu::ParticleRigidBodyLink> links;
     std::vector<float> masses, relaxations, splits;  ///< Per link, mover, mover.
+    std::vector<uint32_t> linkRows;
     std::vector<gpu::vec4> old;
 };
 
