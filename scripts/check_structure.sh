@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Finds includes against the direction of the data, shaders that include from another room, and sources that no
-# CMakeLists.txt names. docs/architecture.md.
+# Finds includes against the direction of the data, shaders that include from another room, sources that no
+# CMakeLists.txt names, and files that a document names and that are not there. docs/architecture.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 failed=0
@@ -50,4 +50,19 @@ while read -r source; do
   fi
 done < <(find sim render app tools tests -name '*.cpp' | sort)
 bash scripts/buffer_table.sh --check || failed=1
+
+# Every file that a document names is there, but for those of examples.
+while IFS=: read -r document name; do
+  if [[ ! -e $name ]]; then
+    echo "$document names $name, which is not there" >&2
+    failed=1
+  fi
+done < <(grep -oHE '`(app|assets|docs|render|scripts|shaders|sim|tests|tools)/[A-Za-z0-9_/.]+\.[a-z]+`' README.md docs/*.md |
+         tr -d '`' | grep -vE ':(sim/common/|assets/scenes/name|tests/FOLDER/|shaders/sim/room/)')
+while IFS=: read -r document name; do
+  if [[ ! -e $(dirname "$document")/$name ]]; then
+    echo "$document links to $name, which is not there" >&2
+    failed=1
+  fi
+done < <(grep -oHE '\]\([A-Za-z0-9_/.-]+' README.md docs/*.md | sed 's/\](//' | grep -v ':http')
 exit $failed

@@ -1,5 +1,5 @@
 // What every kernel of the simulation knows of the world, and what kernels count. As in gpu_types.h, members are scalars
-// of four bytes and vectors of sixteen.
+// of four bytes and vectors of sixteen; tests/solver/layout_test.cpp lists them once more.
 #ifndef KNUCKLE_STEP_PARAMETERS_H
 #define KNUCKLE_STEP_PARAMETERS_H
 

@@ -5,12 +5,12 @@
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/links.glsl"
 #include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/bodies/mover_poses.glsl"
 #include "sim/soft/clusters.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer softParticles;
 uniform usamplerBuffer softLinks;
-uniform samplerBuffer moverCentres;
 uniform samplerBuffer lastMoverMoves;
 uniform samplerBuffer lastParticleImpulses;
 uniform samplerBuffer lastSoftImpulses;
@@ -31,25 +31,19 @@ SoftParticle fetchSoftParticle(uint i)
     return SoftParticle(t.x, t.y, t.z, t.w);
 }
 
-/// A mover that has moved further, whose mass is split over as many impulses.
-vec4 withMove(vec4 t, vec3 move)
-{
-    return vec4(move, t.w);
-}
-
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.softCount) return;
     SoftParticle own = fetchSoftParticle(i);
-    vec3 centre = texelFetch(moverCentres, int(own.mover)).xyz;
-    vec4 moved = texelFetch(lastMoverMoves, int(own.mover));
+    vec3 centre = fetchCentre(own.mover);
+    MoverMove moved = unpackMove(texelFetch(lastMoverMoves, int(own.mover)));
     vec3 wanted = vec3(0);
     float steepest = 0.0;
     for (uint k = own.firstLink; k < own.firstLink + own.linkCount; ++k) {
         LinkValues link = fetchLink(texelFetch(softLinks, int(k)).x);
         ClusterPull cluster = fetchClusterPull(link.body);
-        vec3 arm = (centre - cluster.origin) + (moved.xyz - cluster.centre);
+        vec3 arm = (centre - cluster.origin) + (moved.shift - cluster.centre);
         wanted += link.mass * (cluster.pull * link.r - cluster.grip * arm);
         steepest = cluster.steepest;
     }
@@ -60,5 +54,6 @@ void main()
     vec3 change = (wanted - last) / max(1.0, root * (1.0 + steepest));
     softImpulses[i] = vec4(last + change, 0);
     particleImpulses[own.rank] = texelFetch(lastParticleImpulses, int(own.rank)) + vec4(change, 0);
-    moverMoves[own.mover] = withMove(moved, moved.xyz + fetchMover(own.mover).inverseMass * change);
+    moved.shift += fetchMover(own.mover).inverseMass * change;
+    moverMoves[own.mover] = packMove(moved);
 }

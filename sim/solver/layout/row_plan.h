@@ -16,8 +16,8 @@ class RowPlan {
 public:
     /// A row for an impulse at `arm` from the body's centre, in its axes [m]. @param kind of the constraint.
     void reserve(const std::string& kind, uint32_t body, const Vector3f& arm);
-    /// The same for one with an angular impulse, too.
-    void reserveAngular(const std::string& kind, uint32_t body, const Vector3f& arm);
+    /// The same for one with an angular impulse, too, or with that alone.
+    void reserveAngular(const std::string& kind, uint32_t body, const Vector3f& arm = {0, 0, 0});
     /// Gives all that is reserved its place: the rows of a body together, in the order of their reservation.
     void place(uint32_t bodyCount);
 

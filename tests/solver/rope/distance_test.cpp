@@ -11,7 +11,7 @@ namespace knuckle::test {
 namespace {
 
 /// A cube on a rope that may tear, one that hangs between two cubes, a free one, and a cloth that is held at a corner
-/// and tied to a cube: distanceRows that cross, and ends of every kind.
+/// and tied to a cube: distance rows that cross, and ends of every kind.
 World ropeWorld()
 {
     WorldBuilder builder(DIAMETER / 2);

@@ -1,6 +1,7 @@
 // The channel through which constraints act on bodies. Each kind of constraint has reserved rows (sim/solver/layout/
 // row_plan.h), one for each of its impulses on a body, and stores them in every iteration; what sums them does not know
-// kinds. ANGULAR: of a world where rows have angular impulses, too.
+// kinds. A row acts from the start, so one that has only an angular impulse need never store a linear one. ANGULAR: of a
+// world where rows have angular impulses, too.
 #include "sim/common/bodies/fields.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
 

@@ -17,7 +17,9 @@ vec4 fetchRotation(uint mover)
 /// How far a mover has come since the start of the substep.
 struct MoverMove {
     vec3 shift;     // of its centre [m]
-    float splits;   // over how many impulses its mass is split; 0: it does not respond
+    // As contacts see it: over how many impulses its mass is split, scaled (mass_scaling.glsl), over the relaxation.
+    // Others ask splitOverImpulses(). 0: it does not respond, or nothing has been summed yet.
+    float splits;
 };
 
 MoverMove unpackMove(vec4 t)

@@ -19,7 +19,7 @@ struct MoverPoint {
     vec3 centre;    // of the mover, at the start [m]
     vec3 arm;       // from there to the point, at the start [m]
     vec3 move;      // of the point since [m]
-    float splits;   // over how many impulses the mover's mass is split
+    float splits;   // as of its MoverMove
 };
 
 /// The point of a mover at r in its axes.
