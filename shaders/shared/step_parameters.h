@@ -31,7 +31,7 @@ struct StepParameters {
     uint rotationIterations;
     float massScaling;              // k of m exp(-k height) [1/m]
     // The search for contacts.
-    float contactRadius;            // candidates are nearer than this [m]
+    float contactReach;            // candidates are nearer than this [m]
     float inverseCellSize;          // [1/m]
     uint cellMask;                  // cells - 1, cells a power of two
     uint cellStrideY;               // lattice grid: cells between neighbours in y ...

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <stdexcept>
 #include <string_view>
 
 #include "sim/world/errors.h"
@@ -28,6 +29,12 @@ std::string withoutLast(const std::string& name)
 }
 
 }  // namespace
+
+void BufferTable::add(const std::string& name, RawBuffer& buffer, ElementType element)
+{
+    if (!entries_.emplace(name, Entry{&buffer, element}).second)
+        throw std::logic_error(fmt::format("two buffers are named \"{}\"", name));
+}
 
 const BufferTable::Entry& BufferTable::find(const std::string& name, const std::string& user) const
 {

@@ -50,7 +50,8 @@ public:
         ElementType element;
     };
 
-    void add(const std::string& name, RawBuffer& buffer, ElementType element) { entries_[name] = {&buffer, element}; }
+    /// @throws std::logic_error where a buffer has that name already.
+    void add(const std::string& name, RawBuffer& buffer, ElementType element);
     /// Each under its label. The buffers must outlive the kernels; assigning to one of them is seen by all kernels.
     template <typename... T>
     void add(Buffer<T>&... buffers)

@@ -59,6 +59,15 @@ TEST(DrawPass, NamesAnInputThatDoesNotExist)
               "pass lighting asks for \"depthPicture\", which is not in the table");
 }
 
+TEST(BufferTable, RefusesASecondBufferOfAName)
+{
+    sharedGpu();
+    Buffer<float> first("masses", 4), second("masses", 4);
+    BufferTable table;
+    table.add(first);
+    EXPECT_THROW(table.add(second), std::logic_error);
+}
+
 TEST(Kernel, NamesABlockOfAnotherTypeThanTheBuffers)
 {
     sharedGpu();

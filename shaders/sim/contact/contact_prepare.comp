@@ -60,6 +60,12 @@ void refer(uint parity, uint q, uint secondRank)
     pairReferences[index] = q;
 }
 
+/// The hidden axes of a particle's lattice for what is at `towards` from it [m]. @param rotation of its body.
+uint hiddenBeside(uint i, vec4 rotation, vec3 towards)
+{
+    return hiddenAxes(texelFetch(latticeEnds, int(i)).x, rotate(conjugate(rotation), towards), 2.0 * particleRadius(i));
+}
+
 void main()
 {
     uint q = gl_GlobalInvocationID.x;
@@ -75,9 +81,8 @@ void main()
     ContactSides sides;
     sides.movers = uvec2(a.mover, b.mover);
     sides.exit = exitDirection(pair, sides.movers, touch);
-    sides.hidden =
-        hiddenAxes(texelFetch(latticeEnds, int(pair.first)).x, rotate(conjugate(rotationA), -difference), touch) |
-        hiddenAxes(texelFetch(latticeEnds, int(pair.second)).x, rotate(conjugate(rotationB), difference), touch) << 3;
+    sides.hidden = hiddenBeside(pair.first, rotationA, -difference) |
+                   hiddenBeside(pair.second, rotationB, difference) << 3;
     Separation separation = separationOf(difference, sides.exit, rotationA, rotationB, sides.hidden, touch);
     sides.friction = 0.5 * (fetchMass(pair.first).friction + fetchMass(pair.second).friction);
     if (min(a.mover, b.mover) >= sim.bodyCount) sides.friction *= LOOSE_FRICTION;

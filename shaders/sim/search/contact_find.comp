@@ -55,7 +55,7 @@ void main()
     SortedPosition own = fetchSortedPosition(k);
     ivec3 cell = cellOf(own.position);
     Sequence ahead = sequenceAhead(cell, k);
-    float reach = sim.contactRadius * sim.contactRadius;
+    float reach = sim.contactReach * sim.contactReach;
     uint count = 0u;
     int range;
     for (uint first = 0u; first < ahead.count; first += 32u) {

@@ -22,7 +22,7 @@ bool isContact(SortedInfo own, SortedInfo other, float apart, float reach)
 {
     if (other.fast && other.rank < own.rank) return false;
     float both = reach + (other.fast ? reachOf(other.particle) : 0.0);
-    if (apart >= sim.contactRadius + both) return false;
+    if (apart >= sim.contactReach + both) return false;
     return other.assembly != own.assembly || mayTouch(own.particle, other.particle);
 }
 
@@ -33,7 +33,7 @@ void main()
     uint i = texelFetch(fastParticles, int(k)).x;
     SortedInfo own = SortedInfo(i, fetchParticle(i).assembly, fetchRank(i).rank, true);
     vec3 x = texelFetch(searchPositions, int(i)).xyz;
-    float reach = reachOf(i), farthest = sim.contactRadius + reach + sim.farReach;
+    float reach = reachOf(i), farthest = sim.contactReach + reach + sim.farReach;
     ivec3 cell = cellOf(x);
     uint count = 0u;
     for (int range = 0; range < FAR_RANGES; ++range) {

@@ -46,12 +46,12 @@ void SearchStage::setParameters(const StageSetup& setup, bool flatFaces)
 {
     const Settings& s = setup.world.settings;
     gpu::StepParameters& p = setup.parameters;
-    p.contactRadius = ((flatFaces ? FLAT_TOUCH : 1.0f) + s.contactMargin) * p.diameter;
-    p.inverseCellSize = 1.0f / p.contactRadius;
+    p.contactReach = ((flatFaces ? FLAT_TOUCH : 1.0f) + s.contactMargin) * p.diameter;
+    p.inverseCellSize = 1.0f / p.contactReach;
     p.drift = (byParticles_ ? 0.25f : 1.0f) * s.contactMargin * p.diameter;
     p.lookAhead = 0.5f * static_cast<float>(s.substeps);
     p.horizon = 2.0f * static_cast<float>(s.substeps);
-    p.farReach = 0.5f * p.contactRadius;
+    p.farReach = 0.5f * p.contactReach;
     p.fastLimit = p.particleCount / 8;
     p.contactSlots = FIRST_CONTACT_SLOTS;
     p.pairCapacity = p.colliderPairCapacity = std::max(2 * p.particleCount, 4096u);

@@ -54,7 +54,7 @@ protected:
         std::vector<uint32_t> wanted(GetParam(), 0);
         for (uint32_t i = 0; i < colliders.size(); ++i) {
             EXPECT_TRUE(std::is_sorted(colliders[i].begin(), colliders[i].end())) << "particle " << i;
-            const float limit = parameters().contactRadius - DIAMETER / 2 + reach[places[i].x];
+            const float limit = parameters().contactReach - DIAMETER / 2 + reach[places[i].x];
             uint32_t all = 0;
             for (uint32_t c = 0; c < GetParam(); ++c) {
                 const float distance = colliderDistance(fixture.world, fixture.world.colliders[c], vec3(found[i]));
@@ -82,7 +82,7 @@ TEST_P(ColliderFind, MoversKnowTheCollidersThatTheirParticlesMayTouch)
     const auto moments = fixture.stages.bodies.bodyMoments.download();
     for (uint32_t m = 0; m < near.size(); ++m) {
         const float radius = m < parameters().bodyCount ? moments[3 * m].w : 0.0f;
-        const float limit = parameters().contactRadius - DIAMETER / 2 + radius;
+        const float limit = parameters().contactReach - DIAMETER / 2 + radius;
         uint32_t wanted = 0, either = 0;
         for (uint32_t c = 0; c < GetParam(); ++c) {
             const float distance = colliderDistance(fixture.world, fixture.world.colliders[c], vec3(centres[m]));

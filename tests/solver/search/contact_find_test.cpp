@@ -66,7 +66,7 @@ TEST_P(ContactFind, FastMoversFindAllInTheirReachOnce)
     find();
     uint32_t withSlow = 0, withFast = 0;
     for (const auto& [i, j] : expectAllPairsOnce()) {
-        if (fixture.distance(i, j) < fixture.stages.parameters.contactRadius) continue;
+        if (fixture.distance(i, j) < fixture.stages.parameters.contactReach) continue;
         (fixture.isFast(i) && fixture.isFast(j) ? withFast : withSlow) += 1;
     }
     EXPECT_GT(withSlow, 300u) << "that only their reach finds";

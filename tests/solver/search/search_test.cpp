@@ -65,7 +65,7 @@ Eigen::Vector2f halves(uint32_t packedFrictions)
 
 float SearchBench::limitOf(uint32_t i, uint32_t j) const
 {
-    return stages.parameters.contactRadius + reaches[moverOf(i)] + reaches[moverOf(j)];
+    return stages.parameters.contactReach + reaches[moverOf(i)] + reaches[moverOf(j)];
 }
 
 void SearchBench::makeSomeFast()

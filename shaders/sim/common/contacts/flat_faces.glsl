@@ -8,11 +8,11 @@
 /// The axes along which a lattice goes on from a particle towards another that is beside it. What is further off is
 /// nearer to another particle of the lattice: several contacts would carry what one should.
 /// @param ends of the lattice at the particle, bits 2 k and 2 k + 1: towards - and + along axis k.
-/// @param towards the other particle, in the body's axes [m]. @param touch the distance at which they touch [m].
-uint hiddenAxes(uint ends, vec3 towards, float touch)
+/// @param towards the other particle, in the body's axes [m]. @param pitch of the lattice [m].
+uint hiddenAxes(uint ends, vec3 towards, float pitch)
 {
     uvec3 end = uvec3(ends) >> (uvec3(0, 2, 4) + uvec3(greaterThan(towards, vec3(0)))) & 1u;
-    uvec3 hidden = (1u - end) * uvec3(lessThan(abs(towards), vec3(BESIDE * touch)));
+    uvec3 hidden = (1u - end) * uvec3(lessThan(abs(towards), vec3(BESIDE * pitch)));
     return hidden.x | hidden.y << 1 | hidden.z << 2;
 }
 
