@@ -1,0 +1,240 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/solver/contact/contact_fixture.h"
+
+namespace knuckle::test {
+
+/// A contact as solveContact sees it (shaders/sim/contact/contact_impulse.glsl), worked out in double precision.
+struct Situation {
+    Vector3d normal, slide;
+    double gap, startGap, leaving;
+    bool kin = false;
+    double inverseMass, worstMass;
+    double places;  ///< Size of the positions whose differences gap and slide are [m]: it sets the rounding.
+};
+
+/// What an impulse becomes, and how sure that is.
+struct Answer {
+    Vector3d impulse;
+    double w, mean;
+    double tolerance;
+    bool sliding;
+    bool onEdge;  ///< So near the limit of a case that rounding decides.
+};
+
+class ContactSolve : public testing::Test {
+protected:
+    static constexpr float SPLITS = 3.0f;
+
+    ContactSolve()
+    {
+        fixture.setMoves(0.002f, 0.005f, SPLITS);
+        fixture.stages.parameters.maxCorrection = 2e-4f;  // of the depths below, some come under it and some do not
+        fixture.setParameters();
+    }
+    const gpu::StepParameters& step() const { return fixture.stages.parameters; }
+    /// Contacts act (w != 0) where they were counted; those with a normal part carry a friction of up to it.
+    void addImpulse(TestContact& c, Random& random) const
+    {
+        const float kind = random.between(0, 4), size = 0.005f / (c.firstMass + c.secondMass + 0.01f);
+        c.mean = std::max(random.between(-size, size), 0.0f);  // what carries nothing now may have lately
+        if (kind < 1) return;
+        c.impulse = packed(random.inCube(kind < 1.5f ? 0.1f * size : 0.0f), ABOUT_TO_ACT);
+        if (kind < 2) return;
+        const float normal = random.between(0, size);
+        c.impulse = packed(Vector3f(normal * random.direction() + random.inCube(0.3f * size)), normal);
+    }
+    void addMaterial(TestContact& c, Random& random, float levels) const
+    {
+        c.firstMass = fixture.isFixed(fixture.moverOf[c.first]) ? 0.0f : random.between(0.5f, 4);
+        c.firstFraction = std::floor(random.between(0.3f, 1.0f) * levels) / levels;
+        c.secondFraction = std::floor(random.between(0.3f, 1.0f) * levels) / levels;
+        c.kineticFriction = std::floor(random.between(0, 4)) / 4;
+        c.staticFriction = c.kineticFriction + std::floor(random.between(0, 3)) / 4;
+    }
+    uint32_t anyParticle(Random& random) const
+    {
+        const auto count = static_cast<float>(fixture.world.particles.size());
+        return static_cast<uint32_t>(random.between(0, 0.999f) * count);
+    }
+    /// 1501 pairs of particles of different movers, from `deepest` [m] to a centimetre apart; every seventh of one
+    /// assembly.
+    void makePairs(float deepest = 0.01f)
+    {
+        Random random(101);
+        std::vector<TestContact> list;
+        while (list.size() < 1501) {
+            TestContact c{.first = anyParticle(random), .second = anyParticle(random)};
+            const uint32_t a = fixture.moverOf[c.first], b = fixture.moverOf[c.second];
+            if (a == b || (fixture.isFixed(a) && fixture.isFixed(b))) continue;
+            addMaterial(c, random, 8191);
+            c.secondMass = fixture.isFixed(b) ? 0.0f : random.between(0.5f, 4);
+            const Vector3f place = random.inCube(0.3f);
+            c.firstArm = fixture.armTo(c.first, place);
+            const float far = DIAMETER + random.between(-deepest, 0.01f);
+            c.kin = list.size() % 7 == 0;
+            c.secondArm = fixture.armTo(c.second, place + far * random.direction());
+            if (list.size() % 3 == 0) c.hidden = static_cast<uint32_t>(random.between(0, 63.999f));
+            if (ofPair(c).startGap < -static_cast<double>(deepest)) c.hidden = 0;
+            addImpulse(c, random);
+            list.push_back(c);
+        }
+        fixture.setPairs(std::move(list));
+    }
+    /// 777 contacts of movers with the plane and the ball.
+    void makeColliderContacts()
+    {
+        Random random(102);
+        std::vector<TestContact> list;
+        while (list.size() < 777) {
+            TestContact c{.first = anyParticle(random), .second = static_cast<uint32_t>(list.size() % 2)};
+            addMaterial(c, random, 65535);
+            const Collider& collider = fixture.world.colliders[c.second];
+            const float off = DIAMETER / 2 + random.between(-0.01f, 0.01f);
+            const Vector3f at = random.inCube(0.3f);
+            const Vector3f onPlane = collider.orientation * Vector3f(at.x(), off, at.z());
+            const Vector3f onBall = collider.position + (collider.radius + off) * random.direction();
+            c.firstArm = fixture.armTo(c.first, c.second == 0 ? onPlane : onBall);
+            addImpulse(c, random);
+            list.push_back(c);
+        }
+        fixture.setColliderContacts(std::move(list));
+    }
+    /// A vector without its parts along the axes of a mover that `hidden` names.
+    Vector3d withoutAxes(const Vector3d& v, uint32_t mover, uint32_t hidden) const
+    {
+        Vector3d out = v;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vector3d along = fixture.rotation(mover) * Vector3d::Unit(axis);
+            if (hidden >> axis & 1) out -= along * along.dot(v);
+        }
+        return out;
+    }
+    /// What is near a face or an edge is as far as from that, by the nearer of both, and stays so.
+    void flatten(Situation& s, const TestContact& c, const Vector3d& apart) const
+    {
+        const Vector3d a = withoutAxes(apart, fixture.moverOf[c.first], c.hidden & 7);
+        const Vector3d b = withoutAxes(apart, fixture.moverOf[c.second], c.hidden >> 3);
+        Vector3d flat = a.norm() < b.norm() ? a : b;
+        if (flat.norm() <= double(LEAST_FLAT * DIAMETER)) flat = apart;
+        s.normal = flat.normalized();
+        s.startGap = flat.norm() - DIAMETER;
+        s.gap = s.startGap + s.slide.dot(s.normal);
+    }
+    Situation ofPair(const TestContact& c) const
+    {
+        const Vector3d a = fixture.place(c.first, c.firstArm), b = fixture.place(c.second, c.secondArm);
+        Situation s;
+        const Vector3d first = fixture.moveOfArm(c.first, c.firstArm),
+                       second = fixture.moveOfArm(c.second, c.secondArm);
+        s.slide = first - second;
+        const Vector3d apart = a - b + s.slide;
+        s.normal = apart.normalized();
+        s.gap = apart.norm() - DIAMETER;
+        s.startGap = (a - b).norm() - DIAMETER;
+        if (c.hidden != 0) flatten(s, c, a - b);
+        s.leaving = std::max(first.dot(s.normal), -second.dot(s.normal));
+        s.kin = c.kin;
+        s.worstMass = SPLITS * (c.firstMass + c.secondMass);
+        s.inverseMass = SPLITS * (c.firstMass * c.firstFraction + c.secondMass * c.secondFraction);
+        s.places = 2 * (c.firstArm.norm() + c.secondArm.norm()) + a.norm() + b.norm();
+        return s;
+    }
+    Situation ofCollider(const TestContact& c) const
+    {
+        const Collider& collider = fixture.world.colliders[c.second];
+        const Vector3d up = collider.orientation.cast<double>() * Vector3d::UnitY();
+        const Vector3d from = collider.position.cast<double>();
+        const auto distance = [&](const Vector3d& x) {
+            return (c.second == 0 ? up.dot(x) : (x - from).norm() - collider.radius) - DIAMETER / 2;
+        };
+        const Vector3d start = fixture.place(c.first, c.firstArm);
+        Situation s;
+        s.slide = fixture.moveOfArm(c.first, c.firstArm);
+        s.normal = c.second == 0 ? up : (start + s.slide - from).normalized();
+        s.leaving = s.slide.dot(s.normal);
+        s.gap = distance(start + s.slide);
+        s.startGap = distance(start);
+        s.worstMass = SPLITS * c.firstMass;
+        s.inverseMass = s.worstMass * c.firstFraction;
+        s.places = 2 * c.firstArm.norm() + start.norm() + 2 * from.norm() + 0.5;
+        return s;
+    }
+    /// How far a penetration may be taken back: a bounded share, less where a side leaves already.
+    double recovery(const Situation& s, double depth) const
+    {
+        const double speed = s.leaving / step().substepTime;
+        const double slowed = s.kin ? 1.0 : std::clamp(1.0 - speed / LEAVING_SPEED, double(LEAST_RECOVERY), 1.0);
+        return std::min(step().correction * depth, step().maxCorrection * slowed);
+    }
+    /// The normal part fades towards its mean, takes the old penetration back by that, and all that came with this
+    /// substep; where both have sunk, it may pull. Coulomb's cone about it. Only counted contacts act; the others are counted when they are
+    /// about to overlap.
+    Answer answer(const TestContact& c, const Situation& s) const
+    {
+        const double depth = std::max(-s.startGap, 0.0);
+        const double allowed = depth - recovery(s, depth);
+        const bool sunk = !s.kin && depth > (1 - SUNK) * DIAMETER;
+        const bool acts = c.impulse.w != 0.0f && s.worstMass > 0.0;
+        const Vector3d old = vec3(c.impulse).cast<double>();
+        const double last = sunk && c.impulse.w < 0 ? std::min(old.dot(s.normal), 0.0) : std::max(c.impulse.w, 0.0f);
+        Answer out;
+        const double rate = last < static_cast<double>(c.mean) ? MEAN_FALL * step().meanRate : step().meanRate;
+        out.mean = c.mean + rate * (std::max(last, 0.0) - c.mean);
+        const double wave = s.kin || last <= 0.0 ? 0.0 : std::min(last - out.mean, SHOCK * out.mean);
+        double normal = step().warmStart * (last - step().calming * wave);
+        Vector3d tangent = old;
+        if (acts) {
+            normal -= (s.gap + allowed) / s.inverseMass;
+            tangent -= s.slide / s.worstMass;
+        }
+        // Differences of places are off by some 16 roundings of those; the normal by as much over the distance, which
+        // turns normal part and tangent into each other; the rest by some 8 roundings of itself.
+        const double error = 16 * EPSILON * s.places, turn = error / (DIAMETER / 2) + 8 * EPSILON;
+        const double whole = old.norm() + tangent.norm() + (acts ? (std::abs(s.gap) + depth) / s.inverseMass : 0.0);
+        out.tolerance = turn * whole + (acts ? 2 * error / s.inverseMass : 0.0);
+        const double most = sunk && acts ? step().maxCorrection / s.inverseMass : 0.0;
+        out.onEdge = std::abs(normal) < out.tolerance && acts;
+        out.onEdge |= std::abs(depth - (1 - SUNK) * DIAMETER) < 3 * error;
+        normal = std::max(normal, -most);
+        const double bound = std::max(normal, SUNK_GRIP * most);
+        tangent -= s.normal * s.normal.dot(tangent);
+        const double size = tangent.norm();
+        out.sliding = size > c.staticFriction * bound;
+        out.onEdge |= std::abs(size - c.staticFriction * bound) < 2 * out.tolerance && size > out.tolerance;
+        if (out.sliding) tangent *= c.kineticFriction * bound / size;
+        out.impulse = tangent + normal * s.normal;
+        const double soon = 2 * s.gap - s.startGap;
+        out.onEdge |= normal <= 0.0 && !sunk && std::abs(soon) < 3 * error;
+        out.w = normal > 0.0 ? normal : soon < 0.0 || sunk ? double(ABOUT_TO_ACT) : 0.0;
+        return out;
+    }
+    template <typename Situate>
+    void expectAnswers(const std::vector<TestContact>& contacts, const std::vector<gpu::vec4>& found,
+                       const std::vector<float>& means, Situate situate)
+    {
+        uint32_t sticking = 0, sliding = 0, released = 0, waiting = 0, soon = 0, edges = 0;
+        for (size_t q = 0; q < contacts.size(); ++q) {
+            const TestContact& c = contacts[q];
+            const Answer a = answer(c, situate(c));
+            if (a.onEdge && ++edges) continue;
+            ASSERT_NEAR(found[q].w, a.w, a.tolerance) << "contact " << q;
+            ASSERT_NEAR(means[q], a.mean, 1e-6 * a.mean) << "contact " << q;
+            ASSERT_LE((vec3(found[q]).cast<double>() - a.impulse).norm(), 3 * a.tolerance) << "contact " << q;
+            if (a.w > 0.0) ++(a.sliding ? sliding : sticking);
+            if (a.w <= 0.0 && c.impulse.w > 0.0f) ++released;
+            if (a.w == 0.0 && c.impulse.w == 0.0f) ++waiting;
+            if (a.w < 0.0) ++soon;
+        }
+        // Every case is met by more than a few.
+        for (uint32_t met : {sticking, sliding, released, waiting, soon}) EXPECT_GT(met, contacts.size() / 40);
+        EXPECT_LT(edges, contacts.size() / 100);
+    }
+
+    ContactFixture fixture;
+};
+
+}  // namespace knuckle::test
