@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "app/json/fields.h"
 #include "app/run/counted.h"
-#include "app/scene/scene_fields.h"
 
 namespace knuckle {
 

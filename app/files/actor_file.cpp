@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "app/files/json.h"
 #include "app/files/output.h"
-#include "app/scene/scene_fields.h"
+#include "app/json/fields.h"
+#include "app/json/json.h"
 #include "app/schema/schema.h"
 
 namespace knuckle {

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "app/files/json.h"
+#include "app/json/json.h"
 
 namespace knuckle {
 

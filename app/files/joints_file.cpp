@@ -1,6 +1,6 @@
 #include "app/files/joints_file.h"
 
-#include "app/scene/scene_fields.h"
+#include "app/json/fields.h"
 #include "app/schema/schema.h"
 
 namespace knuckle {

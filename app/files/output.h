@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "render/output/temporary_file.h"
+#include "render/temporary_file.h"
 
 namespace knuckle {
 

@@ -12,7 +12,7 @@
 #include "app/run/interrupt.h"
 #include "app/run/progress.h"
 #include "app/run/stopwatch.h"
-#include "render/output/temporary_file.h"
+#include "render/temporary_file.h"
 #include "sim/solver/workload.h"
 #include "sim/world/errors.h"
 

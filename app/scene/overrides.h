@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/json.h"
+#include "app/json/json.h"
 
 namespace knuckle {
 

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "app/scene/scene_fields.h"
+#include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
 
 namespace knuckle {

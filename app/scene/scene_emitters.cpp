@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "app/scene/scene_fields.h"
+#include "app/json/fields.h"
 #include "app/scene/scene_fill.h"
 #include "app/scene/scene_parts.h"
 #include "sim/solver/measure/measure.h"

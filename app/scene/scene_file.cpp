@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/scene/scene_fields.h"
+#include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
 #include "app/scene/scene_ropes.h"
 #include "app/schema/schema.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "app/scene/scene_fields.h"
+#include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
 #include "render/picture/image.h"
 #include "sim/actor/import/model.h"

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "app/scene/scene_fields.h"
+#include "app/json/fields.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_fill.h"
 #include "app/scene/scene_parts.h"

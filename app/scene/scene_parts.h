@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/json.h"
+#include "app/json/json.h"
 #include "sim/actor/actor.h"
 #include "sim/world/builder/builder.h"
 

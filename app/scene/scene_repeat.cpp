@@ -1,7 +1,7 @@
 #include <numbers>
 #include <random>
 
-#include "app/scene/scene_fields.h"
+#include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
 
 namespace knuckle {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "app/scene/scene_fields.h"
+#include "app/json/fields.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_fill.h"
 #include "sim/world/builder/cloth.h"

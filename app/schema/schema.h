@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/files/json.h"
+#include "app/json/json.h"
 
 namespace knuckle {
 

@@ -5,7 +5,7 @@
 #include "render/output/ffmpeg.h"
 #include "render/output/frame_sink.h"
 #include "render/output/task_thread.h"
-#include "render/output/temporary_file.h"
+#include "render/temporary_file.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <memory>
 
-#include "render/output/temporary_file.h"
+#include "render/temporary_file.h"
 #include "sim/world/errors.h"
 
 // Not declared in stb's header, but meant to be called: the encoder behind stbi_write_png.

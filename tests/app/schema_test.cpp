@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/scene/scene_fields.h"
+#include "app/json/fields.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {

@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "app/files/json.h"
+#include "app/json/json.h"
 #include "render/picture/image.h"
 #include "tests/cli/cli_fixture.h"
 

@@ -185,6 +185,20 @@ TEST_P(ContactFind, ListsThatAreTooShortAreReportedWithTheSizeTheyWant)
     for (size_t k = ROOM * size_t(fixture.count()); k < entries.size(); ++k) ASSERT_EQ(entries[k].x, untouched.x);
 }
 
+TEST_P(ContactFind, TheFastOnesGetAThreadEach)
+{
+    find();
+    EXPECT_EQ(fixture.stages.dispatches.download()[DISPATCH_FAST].x, 0u);
+    fixture.makeSomeFast();
+    for (uint32_t fast : {1u, uint32_t(GROUP_SIZE), GROUP_SIZE + 1u}) {
+        gpu::Counters counters = fixture.counters();
+        counters.fastListed = fast;
+        fixture.setCounters(counters);
+        find();
+        EXPECT_EQ(fixture.stages.dispatches.download()[DISPATCH_FAST].x, groupsFor(fast));
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, ContactFind, testing::Values(GridKind::Lattice, GridKind::Hash), gridName);
 
 }  // namespace

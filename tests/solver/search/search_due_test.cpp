@@ -96,16 +96,6 @@ TEST_F(SearchDue, TheFirstSubstepSearches)
     EXPECT_EQ(counters.substep, 1u);
 }
 
-TEST_F(SearchDue, TheFastOnesGetAThreadEach)
-{
-    for (uint32_t fast : {0u, 1u, uint32_t(GROUP_SIZE), GROUP_SIZE + 1u}) {
-        counters.fastListed = fast;
-        fixture.setCounters(counters);
-        fixture.forParticles("search/contact_find");
-        EXPECT_EQ(fixture.stages.dispatches.download()[DISPATCH_FAST].x, groupsFor(fast));
-    }
-}
-
 }  // namespace
 
 }  // namespace knuckle::test

@@ -1,4 +1,4 @@
-#include "render/output/temporary_file.h"
+#include "render/temporary_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

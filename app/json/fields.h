@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "app/files/json.h"
+#include "app/json/json.h"
 #include "render/settings.h"
 #include "sim/world/world.h"
 

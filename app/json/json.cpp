@@ -1,4 +1,4 @@
-#include "app/files/json.h"
+#include "app/json/json.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
