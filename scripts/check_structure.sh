@@ -52,6 +52,14 @@ while read -r source; do
 done < <(find sim render app tools tests -name '*.cpp' | sort)
 bash scripts/buffer_table.sh --check || failed=1
 
+# What stands at the top is named here, so that nothing comes there unseen.
+while read -r name; do
+  echo "$name stands at the top of the tree; scripts/check_structure.sh lists what may" >&2
+  failed=1
+done < <(git ls-files 2>/dev/null | cut -d/ -f1 | sort -u |
+         grep -vxE '\.(ci|clang-format|clang-tidy|gitignore)|CMake(Lists\.txt|Presets\.json)|LICENSE|README\.md' |
+         grep -vxE '(demo|test)\.sh|app|assets|cmake|docs|render|scripts|shaders|sim|tests|tools')
+
 # Every file that a document names is there, but for those of examples.
 while IFS=: read -r document name; do
   if [[ ! -e $name ]]; then
