@@ -100,10 +100,10 @@ TEST_F(Failure, OfTheDiskLeavesNothingHalfWritten)
 {
     // A frame of 64 x 36 pixels, its film and 55 particles are all larger than this; what is read has no
     // such limit.
-    const test::RunOptions full{.environment = {"MESA_SHADER_CACHE_DISABLE=1"}, .inChild = limitFiles(400)};
-    test::RunOptions unseen = full;
-    unseen.standardOutput = "/dev/null";
-    if (run({"info"}, unseen).code != 0) GTEST_SKIP() << "this driver keeps its memory in files, as lavapipe does";
+    const test::RunOptions full{
+        .environment = {"MESA_SHADER_CACHE_DISABLE=1"}, .inChild = limitFiles(400), .standardOutput = "/dev/null"};
+    if (run({"info"}, full).code == 1000 + SIGBUS)
+        GTEST_SKIP() << "this driver keeps its memory in files, as lavapipe does";
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
              {"-o", "out"}, {"-o", "film.mp4"}, {"-o", "out2", "--export", "ply=ply"}}) {
         std::vector<std::string> arguments{"render", scene, "--quiet"};
