@@ -34,13 +34,6 @@
 // ParticleInfo::body of a fluid particle.
 #define IN_FLUID 0xfffffffeu
 
-// Bits of Counters::problems.
-#define PROBLEM_CONTACTS 1u
-#define PROBLEM_COLLIDERS 2u
-#define PROBLEM_NAN 4u
-#define PROBLEM_PAIRS 8u
-#define PROBLEM_FLUID 16u
-
 // Dispatches whose sizes the GPU decides (Stages::dispatches).
 #define DISPATCH_PARTICLES 0        // this and the next six: none where contacts were not found anew
 #define DISPATCH_CELL_CHUNKS 1

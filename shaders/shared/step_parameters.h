@@ -1,5 +1,5 @@
-// What every kernel of the simulation knows of the world, and what kernels count. As in gpu_types.h, members are scalars
-// of four bytes and vectors of sixteen; tests/solver/layout_test.cpp lists them once more.
+// What every kernel of the simulation knows of the world. As in gpu_types.h, members are scalars of four bytes and
+// vectors of sixteen; tests/solver/layout_test.cpp lists them once more.
 #ifndef KNUCKLE_STEP_PARAMETERS_H
 #define KNUCKLE_STEP_PARAMETERS_H
 
@@ -87,31 +87,7 @@ struct StepParameters {
     float jointCorrection;          // of a joint's gap that draws a body [m]
 };
 
-// Written by kernels, read once a frame. 68 bytes.
-struct Counters {
-    // Problems: PROBLEM_*, one particle that has them, and the room that would have been enough.
-    uint problems;
-    uint badParticle;               // one particle that turned NaN
-    uint wantedContacts;            // largest number of candidates a particle would have had
-    uint wantedColliders;
-    uint wantedPairs;
-    uint wantedColliderPairs;
-    uint wantedNeighbours;          // most that a particle would have had in fluids
-    // Substeps and searches.
-    uint substep;                   // substeps since the start
-    uint due;                       // somebody has used up its margin
-    uint searchCount;               // times the candidates were found
-    uint listParity;                // which half of the candidate lists is current
-    uint pairCount;                 // contacts between particles, touching or about to
-    uint colliderPairCount;         // contacts with colliders
-    uint fastCount;                 // particles of movers that will soon leave their margin
-    uint fastListed;                // those of them that look further for contacts
-    uint fastLater;                 // particles of movers that will leave it in CALM times as long
-    uint calm;                      // 1: so few in the last search that contacts are found for as long as that
-};
-
 #ifdef __cplusplus
-static_assert(sizeof(Counters) == 68);
 }  // namespace knuckle::gpu
 #endif
 #endif

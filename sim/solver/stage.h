@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shared/counters.h"
 #include "shared/step_parameters.h"
 #include "sim/gpu/kernel.h"
 #include "sim/solver/layout/layout.h"

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "app/run/film_run.h"
-#include "shared/step_parameters.h"
+#include "shared/counters.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {

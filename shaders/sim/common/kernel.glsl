@@ -1,5 +1,6 @@
 // What every kernel of the simulation starts with. The name of a block or a sampler is the name of the solver's buffer
 // (docs/buffers.md); host code finds the binding by it.
+#include "shared/counters.h"
 #include "shared/step_parameters.h"
 
 #define BUFFER(type, Block, name) layout(std430) restrict buffer Block { type name[]; }

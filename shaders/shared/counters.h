@@ -1,0 +1,45 @@
+// What kernels count, and the problems that they report. Members as in step_parameters.h.
+#ifndef KNUCKLE_COUNTERS_H
+#define KNUCKLE_COUNTERS_H
+
+#include "shared/gpu_types.h"
+
+// Bits of Counters::problems.
+#define PROBLEM_CONTACTS 1u
+#define PROBLEM_COLLIDERS 2u
+#define PROBLEM_NAN 4u
+#define PROBLEM_PAIRS 8u
+#define PROBLEM_FLUID 16u
+
+#ifdef __cplusplus
+namespace knuckle::gpu {
+#endif
+
+// Written by kernels, read once a frame. 68 bytes.
+struct Counters {
+    // Problems: PROBLEM_*, one particle that has them, and the room that would have been enough.
+    uint problems;
+    uint badParticle;               // one particle that turned NaN
+    uint wantedContacts;            // largest number of candidates a particle would have had
+    uint wantedColliders;
+    uint wantedPairs;
+    uint wantedColliderPairs;
+    uint wantedNeighbours;          // most that a particle would have had in fluids
+    // Substeps and searches.
+    uint substep;                   // substeps since the start
+    uint due;                       // somebody has used up its margin
+    uint searchCount;               // times the candidates were found
+    uint listParity;                // which half of the candidate lists is current
+    uint pairCount;                 // contacts between particles, touching or about to
+    uint colliderPairCount;         // contacts with colliders
+    uint fastCount;                 // particles of movers that will soon leave their margin
+    uint fastListed;                // those of them that look further for contacts
+    uint fastLater;                 // particles of movers that will leave it in CALM times as long
+    uint calm;                      // 1: so few in the last search that contacts are found for as long as that
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(Counters) == 68);
+}  // namespace knuckle::gpu
+#endif
+#endif
