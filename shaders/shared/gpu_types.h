@@ -53,7 +53,7 @@ struct MoverInfo {
     uint firstRank;                 // its particles in the order of contact lists
     uint rankCount;
     uint assembly;
-    float inverseMass;              // [1/kg], 0: fixed
+    float inverseMass;              // [1/kg], of what is fixed, too: moverStates says so
 };
 
 // What never changes about a cluster of a soft body.

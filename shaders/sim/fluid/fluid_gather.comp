@@ -1,6 +1,7 @@
 // One thread a slot: the velocity and material of its particle, and how strongly viscosity smooths its velocity.
 #include "sim/common/kernel.glsl"
 #include "sim/common/particles.glsl"
+#include "sim/fluid/fluid_materials.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"
 

@@ -1,4 +1,5 @@
 // What fluid neighbours do to a fluid particle.
+#include "sim/fluid/fluid_materials.glsl"
 
 /// What the particle in another slot gives by pressure, in units of the kernel's steepness. s_corr (eq. 13) adds to the
 /// multipliers of particles that are too near to each other a fraction of them, so that it does nothing where nothing

@@ -9,7 +9,6 @@ uniform samplerBuffer slotPressures;
 uniform samplerBuffer slotWalls;
 uniform samplerBuffer slotSolids;
 uniform usamplerBuffer slotMaterials;
-uniform samplerBuffer fluidMaterials;
 
 /// Where it is predicted to be at the end of the substep.
 struct SlotPosition {
@@ -111,18 +110,6 @@ SlotSolidCover fetchSlotSolids(uint slot)
 vec4 pack(SlotSolidCover s)
 {
     return vec4(s.gradient, s.inverseWeight);
-}
-
-/// What a material does as a fluid.
-struct FluidMaterial {
-    float smoothing;   // part of its difference to its neighbours that a step takes from a velocity, 0 ... 1
-    float tension;     // what particles that attract each other get in a substep, over fluidAttraction() [kg m]
-};
-
-FluidMaterial fetchFluidMaterial(uint material)
-{
-    vec2 t = texelFetch(fluidMaterials, int(material)).xy;
-    return FluidMaterial(t.x, t.y);
 }
 
 /// The material of the particle in a slot.
