@@ -63,6 +63,8 @@
 #define SUNK 0.85f
 // Its friction has at least this many times what recovery may push in a substep as normal impulse.
 #define SUNK_GRIP 4.0f
+// What slides more slowly than this sticks, as far as static friction goes [m/s].
+#define STICK_SPEED 0.1f
 // What leaves faster than this is pushed out of another by no more than the least share of the recovery [m/s].
 #define LEAVING_SPEED 1.0f
 #define LEAST_RECOVERY 0.1f

@@ -46,7 +46,9 @@ Impulse solveContact(Contact c, Impulse impulse, inout float mean)
     vec3 tangent = impulse.whole - (acts ? 1.0 / c.worstInverseMass : 0.0) * c.slide;
     tangent -= c.normal * dot(c.normal, tangent);
     float size = length(tangent);
-    if (size > c.friction.x * bound) tangent *= min(c.friction.y * bound / max(size, 1e-20), 1.0);
+    bool slides = length(c.slide - c.normal * dot(c.normal, c.slide)) > STICK_SPEED * sim.substepTime;
+    float friction = slides ? c.friction.y : c.friction.x;
+    if (size > c.friction.x * bound) tangent *= min(friction * bound / max(size, 1e-20), 1.0);
     bool soon = 2.0 * c.gap < c.startGap;   // it will overlap after another move like this one
     return Impulse(tangent + whole * c.normal, normal > 0.0 ? normal : soon || sunk ? ABOUT_TO_ACT : 0.0);
 }

@@ -205,7 +205,10 @@ protected:
         const double size = tangent.norm();
         out.sliding = size > c.staticFriction * bound;
         out.onEdge |= std::abs(size - c.staticFriction * bound) < 2 * out.tolerance && size > out.tolerance;
-        if (out.sliding) tangent *= c.kineticFriction * bound / size;
+        const double speed = (s.slide - s.normal * s.normal.dot(s.slide)).norm() / step().substepTime;
+        out.onEdge |= std::abs(speed - STICK_SPEED) * step().substepTime < 3 * error;
+        const float friction = speed > STICK_SPEED ? c.kineticFriction : c.staticFriction;
+        if (out.sliding) tangent *= friction * bound / size;
         out.impulse = tangent + normal * s.normal;
         const double soon = 2 * s.gap - s.startGap;
         out.onEdge |= normal <= 0.0 && !sunk && std::abs(soon) < 3 * error;
