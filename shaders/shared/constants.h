@@ -27,6 +27,14 @@
 #define COLLIDER_MESH 4u
 #define COLLIDER_HEIGHTFIELD 5u
 
+// Threads in a work group that solves joints: each takes a tree.
+#define TREE_GROUP_SIZE 8
+// How a joint lets its body turn: not at all, about one axis, freely; and what a root has that nothing holds.
+#define JOINT_STIFF 0u
+#define JOINT_HINGE 1u
+#define JOINT_BALL 2u
+#define JOINT_NONE 3u
+
 // moverStates[]: whether a mover answers to impulses (sim/common/bodies/mover_info.glsl).
 #define MOVER_DYNAMIC 0u
 #define MOVER_FIXED 1u

@@ -53,8 +53,7 @@ struct StepParameters {
     float restitutionThreshold;     // what meets more slowly does not bounce [m/s]
     // Joints.
     uint sharedCount;               // particles of two or more bodies
-    uint sharedByTwo;               // of exactly two: the first of sharedParticles
-    float jointRelaxation;          // of the joints' impulses
+    uint jointTreeCount;
     // Sleep.
     float sleepSpeed;               // what is slower for long sleeps [m/s]
     float freeze;                   // what stays within is calm [m], 0 off

@@ -110,6 +110,7 @@ Defines Stages::worldDefines() const
     };
     add(s.rotation == RotationMethod::Householder, "HOUSEHOLDER");
     add(s.rotation == RotationMethod::Higham, "HIGHAM");
+    add(!layout.jointTrees.trees.empty(), "JOINTED");
     add(s.massScaling > 0.0f, "MASS_SCALING");
     add(sleep.has_value(), "SLEEP");
     add(s.freeze > 0.0f, "FREEZE");

@@ -47,12 +47,14 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     if (s.sleep) s.sleep->wake(recorder);
     s.bodies.warmStart(recorder);
     if (s.fluids) s.fluids->substep(recorder, first);
+    s.joints.factor(recorder);
+    s.joints.solve(recorder);
     for (uint32_t i = 0; i < settings.iterations; ++i) {
         if (s.soft) s.soft->solve(recorder, i, settings.iterations);
         if (s.distances) s.distances->solve(recorder, i == 0);
         s.contacts.solve(recorder);
-        s.joints.solve(recorder, i == 0);
         s.bodies.solve(recorder);
+        s.joints.solve(recorder);
     }
     s.bodies.integrate(recorder);
     if (s.restitution) s.restitution->apply(recorder);

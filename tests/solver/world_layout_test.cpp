@@ -52,12 +52,11 @@ TEST_F(WorldLayout, ABodysSharedLinksComeLast)
 TEST_F(WorldLayout, SharedParticlesOfFewerBodiesComeFirst)
 {
     ASSERT_EQ(layout.sharedParticles.size(), 17u);
-    EXPECT_EQ(layout.sharedByTwo, 16u);
     for (size_t k = 0; k < layout.sharedParticles.size(); ++k)
-        EXPECT_EQ(layout.owners[layout.sharedParticles[k]].size(), k < layout.sharedByTwo ? 2u : 3u);
+        EXPECT_EQ(layout.owners[layout.sharedParticles[k]].size(), k < 16 ? 2u : 3u);
 }
 
-TEST_F(WorldLayout, JointsReserveARowForEachBodyOfASharedParticle)
+TEST_F(WorldLayout, JointsReserveARowForEachBodyThatCanMove)
 {
     RowPlan plan;
     JointStage::reserveRows(plan, world, layout);
@@ -65,16 +64,21 @@ TEST_F(WorldLayout, JointsReserveARowForEachBodyOfASharedParticle)
     const std::vector<uint32_t> rows = plan.rowsOf("joint");
     ASSERT_EQ(rows.size(), plan.arms().size());
     size_t next = 0;
-    for (const uint32_t l : layout.linkOrder) {
-        const Link& link = world.links[l];
-        if (world.particles[link.particle].bodyCount < 2) continue;
+    const auto expectRow = [&](uint32_t body, const Vector3f& arm) {
+        if (world.bodies[body].motion == Motion::Fixed) return;
         const uint32_t row = rows.at(next++);
-        EXPECT_EQ(plan.arms()[row], link.restOffset);
-        EXPECT_GE(row, plan.bodies()[link.body].x);
-        EXPECT_LT(row, plan.bodies()[link.body].x + plan.bodies()[link.body].y);
+        EXPECT_EQ(plan.arms()[row], arm);
+        EXPECT_GE(row, plan.bodies()[body].x);
+        EXPECT_LT(row, plan.bodies()[body].x + plan.bodies()[body].y);
+    };
+    for (const JointTrees::Joint& joint : layout.jointTrees.all()) {
+        if (joint.parent == NO_INDEX) continue;
+        expectRow(joint.body, joint.arm);
+        expectRow(joint.parent, joint.parentArm);
     }
     EXPECT_EQ(next, rows.size());
-    EXPECT_GT(next, 30u);
+    // A pair of each kind, the universal joint of two hinges, one that overlaps, and one of which half is fixed.
+    EXPECT_EQ(next, 2u * 6 + 1);
 }
 
 TEST(RowPlan, RowsOfABodyStandTogetherInTheOrderOfReservation)

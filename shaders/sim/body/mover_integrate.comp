@@ -43,6 +43,16 @@ Field velocityOf(Field move, Field last, bool second)
     return Field(a * move.t + b * last.t, a * move.f + b * last.f);
 }
 
+#ifdef JOINTED
+/// Of how the axes of a jointed body turn, the part that one Newton step of its tree can follow.
+float followedPart(mat3 f)
+{
+    const float MOST_TURN = 0.4;   // in a substep [rad]
+    float turn = sim.substepTime * sqrt(0.5 * (dot(f[0], f[0]) + dot(f[1], f[1]) + dot(f[2], f[2])));
+    return min(1.0, MOST_TURN / max(turn, 1e-20));
+}
+#endif
+
 void main()
 {
     uint m = MOVER_OF_THREAD;
@@ -63,6 +73,9 @@ void main()
     float radius = IS_BODY(m) ? bodyRadius(m) : 0.0;
     Field next = velocityOf(move, last, assembly.order == 2u && assembly.lastContact + 1u != counters[0].substep);
 
+#ifdef JOINTED
+    if (IS_BODY(m) && hasJoints(m)) next.f *= followedPart(next.f);
+#endif
     float speed = fastestOf(next, radius);
     float slow = min(1.0, sim.maxSpeed / max(speed, 1e-20));
     next = Field(slow * next.t, slow * next.f);

@@ -5,10 +5,12 @@
 #include "sim/rotation/rotation_delta.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/bodies/bodies.glsl"
+#include "sim/common/bodies/body_rows.glsl"
 #include "sim/common/bodies/fields.glsl"
 #include "sim/common/bodies/mass_scaling.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
+#include "sim/body/body_load.glsl"
 #include "sim/common/contacts/search_margin.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -22,6 +24,9 @@ uniform usamplerBuffer lastAssemblyState;
 BUFFER(vec4, MoverPredictions, moverPredictions);   // field: the centre's move, A
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
+#ifdef JOINTED
+BUFFER(vec4, BodyLoads, newBodyLoads);
+#endif
 BUFFER(Assembly, AssemblyState, assemblies);
 BUFFER(Counters, CountersBlock, counters);
 
@@ -59,12 +64,28 @@ void main()
     Field impulse = fetchField(moverImpulses, m);
     vec3 start = fetchCentre(m);
     float scale = contactScale(start);
+    impulse = Field(scale * impulse.t, scale * impulse.f);
     float radius = 0.0;
     if (IS_BODY(m)) {
         radius = bodyRadius(m);
         move.f = (matrixFromQuaternion(rotation) + move.f) * fetchMoments(m);
-        delta = matchedRotationDelta(move.f + scale * impulse.f, rotation, delta);
+        delta = matchedRotationDelta(move.f + impulse.f, rotation, delta);
     }
+    vec3 shift = move.t + mover.inverseMass * impulse.t;
+#ifdef JOINTED
+    if (IS_BODY(m) && hasJoints(m)) {
+        // As it moved before, which is how its joints let it move; joint_solve goes on from there.
+        Field velocity = fetchField(moverVelocities, m);
+        shift = sim.substepTime * velocity.t;
+        mat3 turned = matrixFromQuaternion(rotation) + sim.substepTime * velocity.f;
+        delta = matchedRotationDelta(turned * fetchMoments(m), rotation, vec4(0, 0, 0, 1));
+        RowSum rows = rowSum(m, quaternionProduct(delta, rotation));
+        impulse = Field(impulse.t + rows.impulse.t, impulse.f + rows.impulse.f);
+        BodyLoad load = loadOf(move, impulse, shift, quaternionProduct(delta, rotation), mover.inverseMass,
+                               fetchMoments(m));
+        STORE_BODY_LOAD(newBodyLoads, m, load)
+    }
+#endif
     STORE_FIELD(moverPredictions, m, move)
     if (asleep) {
         // Contacts and joints take what splits its mass over no impulse for immovable.
@@ -72,7 +93,6 @@ void main()
         moverRotationDeltas[m] = vec4(0, 0, 0, 1);
         return;
     }
-    vec3 shift = move.t + mover.inverseMass * (scale * impulse.t);
     moverMoves[m].xyz = shift;
     moverRotationDeltas[m] = delta;
     vec3 centre = start + shift;

@@ -12,6 +12,7 @@
 #include "sim/common/bodies/mass_scaling.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
+#include "sim/body/body_load.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer lastMoverRotationDeltas;
@@ -22,6 +23,9 @@ BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
 BUFFER(vec4, MoverImpulses, moverImpulses);   // field: the sums of contacts
 BUFFER(vec4, MoverChanges, moverChanges);     // field: how they changed last; with the relaxation
+#ifdef JOINTED
+BUFFER(vec4, BodyLoads, newBodyLoads);
+#endif
 BUFFER(Assembly, AssemblyState, assemblies);
 BUFFER(Counters, CountersBlock, counters);
 
@@ -67,11 +71,21 @@ void main()
     Field impulse = Field(scale * contacts.impulse.t + others.t, scale * contacts.impulse.f + others.f);
     float splits = contacts.acting;
     if (IS_BODY(m)) {
-        RowSum rows = rowSum(m);
+        vec4 rotation = fetchRotation(m), delta = texelFetch(lastMoverRotationDeltas, int(m));
+        RowSum rows = rowSum(m, quaternionProduct(delta, rotation));
         splits += rows.acting;
         impulse = Field(impulse.t + rows.impulse.t, impulse.f + rows.impulse.f);
-        moverRotationDeltas[m] = matchedRotationDelta(prediction.f + impulse.f, fetchRotation(m),
-                                                      texelFetch(lastMoverRotationDeltas, int(m)));
+#ifdef JOINTED
+        if (hasJoints(m)) {
+            MoverMove move = unpackMove(moverMoves[m]);
+            BodyLoad load = loadOf(prediction, impulse, move.shift, quaternionProduct(delta, rotation),
+                                   mover.inverseMass, fetchMoments(m));
+            STORE_BODY_LOAD(newBodyLoads, m, load)
+            moverMoves[m] = packMove(MoverMove(move.shift, scale * splits / relaxed));
+            return;
+        }
+#endif
+        moverRotationDeltas[m] = matchedRotationDelta(prediction.f + impulse.f, rotation, delta);
     }
     moverMoves[m] = packMove(MoverMove(prediction.t + mover.inverseMass * impulse.t, scale * splits / relaxed));
 }

@@ -1,20 +1,97 @@
-// One thread a particle that two bodies share: the impulses that they owe each other so that their goals for it meet.
-// Particles of three or more bodies are joint_solve_many's business.
+// One thread a tree of joints: the impulses with which all its joints hold, at once, and where they bring its bodies: a
+// Newton step of their positions (Deul et al. 2018). LOOPS: of a world where joints close loops.
 #include "sim/common/kernel.glsl"
-#include "sim/joint/joint_impulse.glsl"
+#include "sim/common/bodies/body_loads.glsl"
+#include "sim/joint/joint_pose.glsl"
+#include "sim/joint/joint_sweeps.glsl"
 
-layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer sharedOwners;     // the one link and its body, the other
+layout(local_size_x = TREE_GROUP_SIZE) in;
+BUFFER(vec4, MoverMoves, newMoverMoves);
+BUFFER(vec4, MoverRotationDeltas, newMoverRotationDeltas);
+BUFFER(vec4, RowImpulses, newRowImpulses);
+#ifdef ANGULAR
+BUFFER(vec4, RowAngularImpulses, newRowAngularImpulses);
+#endif
+
+/// A joint's error, but for what this substep leaves of it.
+Motion jointError(uint k, JointBodies joint)
+{
+    Motion left = Motion(texelFetch(jointFactors, int(JOINT_FACTOR * k + 9u)).xyz,
+                         texelFetch(jointFactors, int(JOINT_FACTOR * k + 10u)).xyz);
+    Motion error = errorNow(jointSide(k, 0u, joint.body), jointSide(k, 1u, joint.parent), joint.freedom);
+    return Motion(error.t - left.t, error.r - left.r);
+}
+
+void push(uint row, Force f)
+{
+    if (row == NONE) return;
+    newRowImpulses[row] = vec4(newRowImpulses[row].xyz + f.t, 0);
+#ifdef ANGULAR
+    newRowAngularImpulses[row].xyz += f.r;
+#endif
+}
+
+void pushBoth(uint k, Force held)
+{
+    JointRows rows = fetchJointRows(k);
+    push(rows.row, held);
+    push(rows.parentRow, Force(-held.t, -held.r));
+}
+
+void moveBody(uint body, Motion m)
+{
+    newMoverMoves[body].xyz += m.t;
+    vec4 turned = quaternionProduct(quaternionFromRotation(m.r), newMoverRotationDeltas[body]);
+    newMoverRotationDeltas[body] = normalize(turned);
+}
+
+#ifdef LOOPS
+#include "sim/joint/joint_loops.glsl"
+
+void closeLoop(JointTree tree, uint loop)
+{
+    JointBodies joint = fetchJointBodies(loop);
+    JointFactor factor = fetchJointFactor(loop);
+    Motion error = jointError(loop, joint), moves = loopMotion(loop, factor, SLOT_TOTAL);
+    error = Motion(error.t + moves.t, error.r + moves.r);
+    if (joint.freedom == JOINT_BALL) error.r = vec3(0);
+    if (joint.freedom == JOINT_HINGE) error.r -= factor.axis * dot(factor.axis, error.r);
+    Motion pull = solve(factor.inertia, Force(-error.t, -error.r));
+    pushBoth(loop, Force(pull.t, pull.r));
+    passLoopForce(tree, loop, factor, Force(pull.t, pull.r));
+    for (uint k = tree.first; k < tree.end; ++k) {
+        Answer answer = follow(k, fetchJointBodies(k));
+        pushBoth(k, answer.held);
+        addMotion(k, SLOT_TOTAL, answer.motion);
+    }
+}
+#endif
 
 void main()
 {
-    uint k = gl_GlobalInvocationID.x;
-    if (k >= sim.sharedByTwo) return;
-    uvec4 owners = texelFetch(sharedOwners, int(k));
-    Owner a = Owner(owners.x, owners.y), b = Owner(owners.z, owners.w);
-    // Both from the first body's goal, so that the impulses cancel to the last bit.
-    vec3 difference = goal(b, goal(a, vec3(0)));
-    vec3 impulse = impulseScale(splitInverseMass(a) + splitInverseMass(b)) * difference;
-    setImpulse(a.link, impulse);
-    setImpulse(b.link, -impulse);
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= sim.jointTreeCount) return;
+    JointTree tree = fetchJointTree(index);
+    if (isAsleep(fetchMover(fetchJointBodies(tree.first).body).assembly)) return;
+    for (uint k = tree.end; k-- > tree.first;) {
+        JointBodies joint = fetchJointBodies(k);
+        BodyLoad load = fetchBodyLoad(joint.body);
+        Motion error = Motion(vec3(0), vec3(0));
+        if (joint.freedom != JOINT_NONE) error = jointError(k, joint);
+        passForce(k, Force(load.force, load.torque), error);
+    }
+    for (uint k = tree.first; k < tree.end; ++k) {
+        JointBodies joint = fetchJointBodies(k);
+        Answer answer = follow(k, joint);
+        pushBoth(k, answer.held);
+#ifdef LOOPS
+        storeMotion(k, SLOT_TOTAL, answer.motion);
+#else
+        moveBody(joint.body, answer.motion);
+#endif
+    }
+#ifdef LOOPS
+    for (uint loop = tree.firstLoop; loop < tree.loopEnd; ++loop) closeLoop(tree, loop);
+    for (uint k = tree.first; k < tree.end; ++k) moveBody(fetchJointBodies(k).body, loadMotion(k, SLOT_TOTAL));
+#endif
 }

@@ -2,6 +2,7 @@
 // is many that cross. A row's particles are its nodes; link k leads from node k to the next. BODIES: some of the
 // particles are parts of bodies, which turn.
 #include "sim/common/bodies/bodies.glsl"
+#include "sim/common/bodies/body_responses.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/movers.glsl"
 #include "sim/common/particles.glsl"
@@ -75,6 +76,11 @@ vec3 response(DistanceNode node, vec3 n)
 {
 #ifdef BODIES
     if (node.info.mover < sim.bodyCount) {
+        Response response = fetchBodyResponse(node.info.mover);
+        if (response.a[0][0] > 0.0) {
+            vec3 arm = node.point.arm, turn = response.b * n + response.d * cross(arm, n);
+            return node.info.inverseMass * (response.a * n + cross(arm, n) * response.b + cross(turn, arm));
+        }
         InverseInertia body = fetchInverseInertia(node.info.mover);
         vec4 rotation = texelFetch(moverRotations, int(node.info.mover));
         vec3 angle = symmetricMatrix(body.diagonal, body.offDiagonal) *

@@ -81,10 +81,10 @@ Movers makeMovers(const World& world, const Layout& layout)
 
 }  // namespace
 
-Defines BodyStage::solveVariant(const char* movers) const
+Defines BodyStage::variant(const char* name, bool onParticles) const
 {
-    Defines variant{{movers, "1"}};
-    if (onParticles_) variant.push_back({"ON_PARTICLES", "1"});
+    Defines variant{{name, "1"}};
+    if (onParticles) variant.push_back({"ON_PARTICLES", "1"});
     if (hasAngular_) variant.push_back({"ANGULAR", "1"});
     return variant;
 }
@@ -107,13 +107,11 @@ void BodyStage::uploadLinks(const StageSetup& setup)
     const World& world = setup.world;
     const Layout& layout = setup.layout;
     std::vector<gpu::ParticleRigidBodyLink> all;
-    std::vector<float> inverseMasses;
     for (uint32_t l : layout.linkOrder) {
         const Link& link = world.links[l];
         const Body& body = world.bodies[link.body];
         const Vector3f& r = link.restOffset;
         all.push_back({link.particle, link.body, r.x(), r.y(), r.z(), body.linkStart, body.linkCount, link.mass});
-        inverseMasses.push_back(layout.worstInverseMasses[l]);
     }
     appendClusterLinks(all, world);
     std::vector<gpu::uvec2> ranges, inverse;
@@ -127,7 +125,6 @@ void BodyStage::uploadLinks(const StageSetup& setup)
         infos.push_back({body.linkStart, body.linkCount, own, body.linkCount - own});
     }
     links = {"links", std::span<const gpu::ParticleRigidBodyLink>(all)};
-    linkMasses = {"linkMasses", std::span<const float>(inverseMasses)};
     particleLinks = {"particleLinks", std::span<const gpu::uvec2>(ranges)};
     linksOfParticle = {"linksOfParticle", std::span<const gpu::uvec2>(inverse)};
     bodyInfo = {"bodyInfo", std::span<const gpu::BodyInfo>(infos)};
@@ -149,6 +146,7 @@ void BodyStage::uploadMovers(const StageSetup& setup)
     oldMoverVelocities = {"oldMoverVelocities", std::span<const gpu::vec4>(movers.velocities)};
     oldMoverMoves = {"oldMoverMoves", fields};
     moverMoves = {"moverMoves", count};
+    bodyLoads = {"bodyLoads", setup.layout.jointTrees.trees.empty() ? 0u : 4 * setup.layout.bodyCount};
     moverRotationDeltas = {"moverRotationDeltas", std::span<const gpu::vec4>(unturned)};
     moverPredictions = {"moverPredictions", fields};
     moverImpulses = {"moverImpulses", fields};
@@ -169,10 +167,10 @@ void BodyStage::uploadRows(const RowPlan& rows)
 
 void BodyStage::addBuffers(BufferTable& table)
 {
-    table.add(links, linkMasses, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo,
-              moverStates, moverCentres, moverRotations, moverVelocities, oldMoverVelocities, oldMoverMoves, moverMoves,
-              moverRotationDeltas, moverPredictions, moverImpulses, moverChanges, particleImpulses, bodyRows, rowArms,
-              rowImpulses, rowAngularImpulses);
+    table.add(links, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo, moverStates,
+              moverCentres, moverRotations, moverVelocities, oldMoverVelocities, oldMoverMoves, moverMoves,
+              moverRotationDeltas, bodyLoads, moverPredictions, moverImpulses, moverChanges, particleImpulses, bodyRows,
+              rowArms, rowImpulses, rowAngularImpulses);
 }
 
 void BodyStage::predict(Recorder& recorder) const

@@ -23,7 +23,6 @@ public:
 
     // What never changes.
     Buffer<gpu::ParticleRigidBodyLink> links;  ///< The paper's listing 1, of bodies and then of clusters.
-    Buffer<float> linkMasses;                  ///< Per link of a body: worst inverse mass of it at the particle [1/kg].
     Buffer<gpu::uvec2> particleLinks;          ///< Per particle: first entry and count in linksOfParticle.
     Buffer<gpu::uvec2> linksOfParticle;        ///< Per link, grouped by particle: link, body.
     Buffer<gpu::BodyInfo> bodyInfo;            ///< Per body.
@@ -38,10 +37,11 @@ public:
     // Within a substep, per mover.
     Buffer<gpu::vec4> moverMoves;           ///< Of c since it began [m]; w: over how many impulses its mass is split.
     Buffer<gpu::vec4> moverRotationDeltas;  ///< The rotation since it began: a quaternion.
-    Buffer<gpu::vec4> moverPredictions;     ///< Field: the untouched move, A of eq. 9 after it.
-    Buffer<gpu::vec4> moverImpulses;        ///< Field: what its contacts add to it [kg m].
-    Buffer<gpu::vec4> moverChanges;         ///< Field: how they last changed; w of the first: relaxation.
-    Buffer<gpu::vec4> particleImpulses;     ///< Per particle, by rank: what acts on it alone [kg m].
+    Buffer<gpu::vec4> bodyLoads;         ///< Per body, four, of those with joints: what acts on it, how hard it turns.
+    Buffer<gpu::vec4> moverPredictions;  ///< Field: the untouched move, A of eq. 9 after it.
+    Buffer<gpu::vec4> moverImpulses;     ///< Field: what its contacts add to it [kg m].
+    Buffer<gpu::vec4> moverChanges;      ///< Field: how they last changed; w of the first: relaxation.
+    Buffer<gpu::vec4> particleImpulses;  ///< Per particle, by rank: what acts on it alone [kg m].
     // The channel of constraints (row_plan.h).
     Buffer<gpu::uvec2> bodyRows;           ///< Per body: its first row, and how many.
     Buffer<gpu::vec4> rowArms;             ///< Per row: where in the body it acts [m].
@@ -55,17 +55,17 @@ private:
 
     const gpu::StepParameters& parameters_;
     bool onParticles_, hasBodies_, hasLoose_, hasAngular_;
-    Pass predictBodies_{*this, "body/mover_predict", {{"BODIES", "1"}}, hasBodies_};
+    Pass predictBodies_{*this, "body/mover_predict", variant("BODIES", false), hasBodies_};
     Pass predictLoose_{*this, "body/mover_predict", {{"LOOSE", "1"}}, hasLoose_};
     Pass clear_{*this, "body/impulse_clear", {}, onParticles_};
-    Pass warmStart_{*this, "body/mover_solve", {{"WARM_START", "1"}}, hasBodies_ || hasLoose_};
-    Pass solveBodies_{*this, "body/mover_solve", solveVariant("BODIES"), hasBodies_};
-    Pass solveLoose_{*this, "body/mover_solve", solveVariant("LOOSE"), hasLoose_};
+    Pass warmStart_{*this, "body/mover_solve", variant("WARM_START", false), hasBodies_ || hasLoose_};
+    Pass solveBodies_{*this, "body/mover_solve", variant("BODIES", onParticles_), hasBodies_};
+    Pass solveLoose_{*this, "body/mover_solve", variant("LOOSE", onParticles_), hasLoose_};
     Pass integrateBodies_{*this, "body/mover_integrate", {{"BODIES", "1"}}, hasBodies_};
     Pass integrateLoose_{*this, "body/mover_integrate", {{"LOOSE", "1"}}, hasLoose_};
     Pass place_{*this, "body/particle_position", {}, hasBodies_ || hasLoose_};
 
-    Defines solveVariant(const char* movers) const;
+    Defines variant(const char* name, bool onParticles) const;
 };
 
 }  // namespace knuckle

@@ -1,65 +1,118 @@
 #include "sim/solver/joint/joint_stage.h"
 
+#include "sim/solver/pack.h"
+
 namespace knuckle {
 
 namespace {
 
 constexpr const char* KIND = "joint";
 
-bool isShared(const World& world, const Link& link)
+Defines solveVariant(const StageSetup& setup)
 {
-    return world.particles[link.particle].bodyCount > 1;
+    Defines variant;
+    if (!setup.layout.jointTrees.loops.empty()) variant.push_back({"LOOPS", "1"});
+    if (setup.rows.hasAngular()) variant.push_back({"ANGULAR", "1"});
+    return variant;
 }
 
-/// Per link in the GPU's order: of those of shared particles, their row; NO_INDEX of others.
-std::vector<uint32_t> rowsOfLinks(const StageSetup& setup)
+Defines factorVariant(const StageSetup& setup)
 {
-    const std::vector<uint32_t> rows = setup.rows.rowsOf(KIND);
-    std::vector<uint32_t> all;
-    size_t next = 0;
-    for (const uint32_t l : setup.layout.linkOrder)
-        all.push_back(isShared(setup.world, setup.world.links[l]) ? rows[next++] : NO_INDEX);
-    return all;
+    return setup.world.distanceRows.empty() ? Defines{} : Defines{{"RESPONSES", "1"}};
+}
+
+bool hasRow(const World& world, uint32_t body)
+{
+    return body != NO_INDEX && world.bodies[body].motion != Motion::Fixed;
+}
+
+gpu::vec4 packFrame(const Quaternionf& q)
+{
+    return pack(q.vec(), q.w());
 }
 
 }  // namespace
 
 void JointStage::reserveRows(RowPlan& rows, const World& world, const Layout& layout)
 {
-    for (const uint32_t l : layout.linkOrder) {
-        const Link& link = world.links[l];
-        if (isShared(world, link)) rows.reserve(KIND, link.body, link.restOffset);
+    for (const JointTrees::Joint& joint : layout.jointTrees.all()) {
+        const auto reserve = [&](uint32_t body, const Vector3f& arm) {
+            if (joint.freedom == JOINT_BALL) rows.reserve(KIND, body, arm);
+            else rows.reserveAngular(KIND, body, arm);
+        };
+        if (joint.freedom == JOINT_NONE) continue;
+        reserve(joint.body, joint.arm);
+        if (hasRow(world, joint.parent)) reserve(joint.parent, joint.parentArm);
     }
 }
 
 JointStage::JointStage(const StageSetup& setup)
-    : parameters_(setup.parameters), byImpulses_(setup.world.settings.solver == SolverKind::Impulse),
-      byTwo_(byImpulses_ && setup.layout.sharedByTwo > 0),
-      byMany_(byImpulses_ && setup.layout.sharedParticles.size() > setup.layout.sharedByTwo)
+    : parameters_(setup.parameters),
+      needed_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.jointTrees.trees.empty()),
+      shared_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.sharedParticles.empty()),
+      hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()), variant_(solveVariant(setup)),
+      factorVariant_(factorVariant(setup))
 {
     const Layout& layout = setup.layout;
-    std::vector<gpu::uvec4> owners;
-    for (uint32_t k = 0; k < layout.sharedByTwo; ++k) {
-        const auto& both = layout.owners[layout.sharedParticles[k]];
-        owners.push_back({both[0].link, both[0].body, both[1].link, both[1].body});
-    }
     sharedParticles = {"sharedParticles", std::span<const uint32_t>(layout.sharedParticles)};
-    sharedOwners = {"sharedOwners", std::span<const gpu::uvec4>(owners)};
-    linkRows = {"linkRows", std::span<const uint32_t>(rowsOfLinks(setup))};
     setup.parameters.sharedCount = static_cast<uint32_t>(layout.sharedParticles.size());
-    setup.parameters.sharedByTwo = layout.sharedByTwo;
-    setup.parameters.jointRelaxation = 1.8f;
+    uploadTrees(setup);
+}
+
+void JointStage::uploadTrees(const StageSetup& setup)
+{
+    const JointTrees& trees = setup.layout.jointTrees;
+    const std::vector<uint32_t> reserved = setup.rows.rowsOf(KIND);
+    size_t next = 0;
+    std::vector<gpu::uvec4> ranges, bodies, rows;
+    const auto loops = static_cast<uint32_t>(trees.joints.size());
+    std::vector<gpu::vec4> places;
+    for (const JointTrees::Tree& tree : trees.trees)
+        ranges.push_back({tree.first, tree.end, loops + tree.firstLoop, loops + tree.loopEnd});
+    for (const JointTrees::Joint& joint : trees.all()) {
+        bodies.push_back({joint.body, joint.parent, joint.parentJoint, joint.freedom});
+        const bool held = joint.freedom != JOINT_NONE;
+        const uint32_t row = held ? reserved[next++] : NO_INDEX;
+        const uint32_t parentRow = held && hasRow(setup.world, joint.parent) ? reserved[next++] : NO_INDEX;
+        const bool isLoop = bodies.size() > trees.joints.size();
+        rows.push_back({row, parentRow, isLoop ? joint.bodyJoint : joint.firstChild, joint.childEnd});
+        places.push_back(pack(joint.arm, 0));
+        places.push_back(pack(joint.parentArm, 0));
+        places.push_back(packFrame(joint.frame));
+        places.push_back(packFrame(joint.parentFrame));
+    }
+    jointTrees = {"jointTrees", std::span<const gpu::uvec4>(ranges)};
+    jointBodies = {"jointBodies", std::span<const gpu::uvec4>(bodies)};
+    jointRows = {"jointRows", std::span<const gpu::uvec4>(rows)};
+    jointPlaces = {"jointPlaces", std::span<const gpu::vec4>(places)};
+    jointFactors = {"jointFactors", 11 * bodies.size()};
+    jointPassed = {"jointPassed", 7 * bodies.size()};
+    jointStates = {"jointStates", 8 * bodies.size()};
+    bodyResponses = {"bodyResponses", 9 * size_t{setup.layout.bodyCount}};
+    bodyResponses.clear();
+    setup.parameters.jointTreeCount = static_cast<uint32_t>(ranges.size());
 }
 
 void JointStage::addBuffers(BufferTable& table)
 {
-    table.add(sharedParticles, sharedOwners, linkRows);
+    table.add(sharedParticles, jointTrees, jointBodies, jointRows, jointPlaces, jointFactors, jointPassed, jointStates,
+              bodyResponses);
 }
 
-void JointStage::solve(Recorder& recorder, bool first) const
+void JointStage::factor(Recorder& recorder) const
 {
-    recorder.perElement(first ? solveFirst_ : solve_, parameters_.sharedByTwo);
-    recorder.perElement(first ? solveManyFirst_ : solveMany_, parameters_.sharedCount - parameters_.sharedByTwo);
+    recorder.groups(factor_, treeGroups());
+    if (hasLoops_) recorder.groups(factorLoops_, treeGroups());
+}
+
+void JointStage::solve(Recorder& recorder) const
+{
+    recorder.groups(solve_, treeGroups());
+}
+
+uint32_t JointStage::treeGroups() const
+{
+    return needed_ ? (parameters_.jointTreeCount + TREE_GROUP_SIZE - 1) / TREE_GROUP_SIZE : 0;
 }
 
 void JointStage::placeParticles(Recorder& recorder) const

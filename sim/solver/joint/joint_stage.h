@@ -4,31 +4,43 @@
 
 namespace knuckle {
 
-/// Joints: particles that bodies share (paper, section 4), as impulses between the bodies.
+/// Joints: particles that bodies share (paper, section 4), as trees of bodies that are solved at once.
 class JointStage : public Stage {
 public:
     explicit JointStage(const StageSetup& setup);
     void addBuffers(BufferTable& table) override;
-    /// One for each body of a shared particle.
+    /// One for each body of a joint that can move.
     static void reserveRows(RowPlan& rows, const World& world, const Layout& layout);
 
-    /// @param first whether it is the first iteration of its substep: joints have no memory.
-    void solve(Recorder& recorder, bool first) const;
+    /// How the bodies of each tree answer to each other; once in a substep.
+    void factor(Recorder& recorder) const;
+    /// Moves bodies by what acts on them and to where their joints hold.
+    void solve(Recorder& recorder) const;
     /// Shared particles to the mean of where their bodies have them, at the end of a step.
     void placeParticles(Recorder& recorder) const;
 
     Buffer<uint32_t> sharedParticles;  ///< The particles of two or more bodies.
-    Buffer<gpu::uvec4> sharedOwners;   ///< Of those of exactly two, which come first: link and body of each.
-    Buffer<uint32_t> linkRows;         ///< Per link: of those of shared particles their row of the channel.
+    // Of the trees (layout/joint_trees.h).
+    Buffer<gpu::uvec4> jointTrees;    ///< First joint, end; first loop, end.
+    Buffer<gpu::uvec4> jointBodies;   ///< Per joint: body, its parent, the parent's joint, JOINT_*.
+    Buffer<gpu::uvec4> jointRows;     ///< Per joint: rows of the channel of the body and of its parent; its own joint.
+    Buffer<gpu::vec4> jointPlaces;    ///< Per joint, four: arms in the two bodies [m], axes in the two.
+    Buffer<gpu::vec4> jointFactors;   ///< Per joint, eleven (shaders/sim/joint/joint_factors.glsl).
+    Buffer<gpu::vec4> jointPassed;    ///< Per joint, seven: what its body hands to its parent of how it answers.
+    Buffer<gpu::vec4> jointStates;    ///< Per joint, eight (shaders/sim/joint/joint_states.glsl).
+    Buffer<gpu::vec4> bodyResponses;  ///< Per body, nine: how it answers to forces with what its joints move along.
 
 private:
+    void uploadTrees(const StageSetup& setup);
+    uint32_t treeGroups() const;
+
     const gpu::StepParameters& parameters_;
-    bool byImpulses_, byTwo_, byMany_;
-    Pass solveFirst_{*this, "joint/joint_solve", {{"FIRST_ITERATION", "1"}}, byTwo_};
-    Pass solve_{*this, "joint/joint_solve", {}, byTwo_};
-    Pass solveManyFirst_{*this, "joint/joint_solve_many", {{"FIRST_ITERATION", "1"}}, byMany_};
-    Pass solveMany_{*this, "joint/joint_solve_many", {}, byMany_};
-    Pass place_{*this, "joint/joint_position", {}, byTwo_ || byMany_};
+    bool needed_, shared_, hasLoops_;
+    Defines variant_, factorVariant_;
+    Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
+    Pass factorLoops_{*this, "joint/joint_loop_factor", {}, hasLoops_};
+    Pass solve_{*this, "joint/joint_solve", variant_, needed_};
+    Pass place_{*this, "joint/joint_position", {}, shared_};
 };
 
 }  // namespace knuckle

@@ -9,7 +9,8 @@ namespace knuckle {
 
 Layout::Layout(const World& world)
     : solidCount(world.solidCount()), bodyCount(static_cast<uint32_t>(world.bodies.size())),
-      linkCount(static_cast<uint32_t>(world.links.size())), worstInverseMasses(knuckle::worstInverseMasses(world))
+      linkCount(static_cast<uint32_t>(world.links.size())), worstInverseMasses(knuckle::worstInverseMasses(world)),
+      jointTrees(world)
 {
     assignAssemblies(world);
     rankParticles(world);
@@ -70,8 +71,6 @@ void Layout::listShared()
     // Particles of equally many bodies together, so that the lanes of a vector do the same amount of work.
     std::stable_sort(sharedParticles.begin(), sharedParticles.end(),
                      [&](uint32_t a, uint32_t b) { return owners[a].size() < owners[b].size(); });
-    const auto isByTwo = [&](uint32_t particle) { return owners[particle].size() == 2; };
-    sharedByTwo = static_cast<uint32_t>(std::ranges::count_if(sharedParticles, isByTwo));
 }
 
 }  // namespace knuckle

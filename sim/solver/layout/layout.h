@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "shared/gpu_types.h"
+#include "sim/solver/layout/joint_trees.h"
 #include "sim/world/world.h"
 
 namespace knuckle {
@@ -32,7 +33,7 @@ struct Layout {
     std::vector<uint32_t> ownLinkCounts;     ///< Per body: links before the first shared one.
     std::vector<std::vector<Owner>> owners;  ///< Per particle: its links, in their order.
     std::vector<uint32_t> sharedParticles;   ///< Particles of two or more bodies, those of fewer bodies first.
-    uint32_t sharedByTwo = 0;                ///< How many of them have exactly two.
+    JointTrees jointTrees;
 
 private:
     void assignAssemblies(const World& world);

@@ -14,7 +14,7 @@ TEST_F(MoverSolve, RowsTurnBodiesByTheirAngularImpulses)
     for (uint32_t m = 0; m < fixture.world.bodies.size(); ++m) {
         SCOPED_TRACE("body " + std::to_string(m));
         if (fixture.isFixed(m)) continue;
-        Field rows = jointImpulse(m);
+        Field rows = rowImpulse(m);
         for (uint32_t row = ranges[m].x; row < ranges[m].x + ranges[m].y; ++row) {
             // L is twice the antisymmetric part of p r^T, r in the axes of the world.
             const Vector3d l = vec3(angular[row]).cast<double>();
@@ -23,8 +23,8 @@ TEST_F(MoverSolve, RowsTurnBodiesByTheirAngularImpulses)
             rows.f += 0.5 * cross * fixture.rotation(m).toRotationMatrix();
         }
         const Field whole{sums[m].t + rows.t, sums[m].f + rows.f};
-        const double splits = (counts[m] + jointCount(m)) / double(wantedRelaxation(m));
-        expectMatch(m, whole, sizes[m] + 0.004 * jointCount(m), splits);
+        const double splits = (counts[m] + rowCount(m)) / double(wantedRelaxation(m));
+        expectMatch(m, whole, sizes[m] + 0.004 * rowCount(m), splits);
     }
 }
 

@@ -29,6 +29,7 @@ protected:
                 predictions[fixture.fieldStart(m) + 1 + c] = packed(Vector3f(a.col(c).cast<float>()));
         }
         fill(b.bodies.moverPredictions, predictions);
+        rowRanges = b.bodies.bodyRows.download();
         rowImpulses = randomVectors(b.bodies.rowImpulses.size(), 0.002f, 113);
         for (gpu::vec4& row : rowImpulses) row.w = 1.0f;
         fill(b.bodies.rowImpulses, rowImpulses);
@@ -135,30 +136,23 @@ protected:
         // Single precision gives a rotation to some 1e-6, times a body's ratio of length to width.
         EXPECT_LT(rotationError(turn * fixture.rotation(m), prediction.f + impulse.f, moments(m)), 1e-5);
     }
-    Field jointImpulse(uint32_t m)
+    Field rowImpulse(uint32_t m)
     {
         Field sum;
-        const auto links = fixture.stages.bodies.links.download();
-        const auto rows = fixture.stages.joints.linkRows.download();
-        for (size_t l = 0; l < links.size(); ++l) {
-            if (links[l].rbIndex != m || fixture.world.particles[links[l].particleIndex].bodyCount < 2) continue;
-            const Vector3d r(links[l].posInRigidBodyX, links[l].posInRigidBodyY, links[l].posInRigidBodyZ);
-            sum.add(vec3(rowImpulses[rows[l]]).cast<double>(), r);
-        }
+        const auto arms = fixture.stages.bodies.rowArms.download();
+        for (uint32_t row = rowRange(m).x; row < rowRange(m).x + rowRange(m).y; ++row)
+            sum.add(vec3(rowImpulses[row]).cast<double>(), vec3(arms[row]).cast<double>());
         return sum;
     }
-    uint32_t jointCount(uint32_t m) const
-    {
-        return static_cast<uint32_t>(
-            std::count_if(fixture.parts[m].begin(), fixture.parts[m].end(),
-                          [&](const Part& p) { return fixture.world.particles[p.particle].bodyCount > 1; }));
-    }
+    gpu::uvec2 rowRange(uint32_t m) const { return fixture.isBody(m) ? rowRanges[m] : gpu::uvec2{0, 0}; }
+    uint32_t rowCount(uint32_t m) const { return rowRange(m).y; }
 
     ContactFixture fixture;
     std::vector<Field> sums;  ///< Per mover, of its contacts.
     std::vector<double> sizes, ratios;
     std::vector<uint32_t> counts;  ///< Contacts that will act.
     std::vector<float> relaxations;
+    std::vector<gpu::uvec2> rowRanges;
     std::vector<gpu::vec4> predictions, rowImpulses, oldSums, changes;
 };
 

@@ -1,170 +1,174 @@
 #include <algorithm>
-#include <cmath>
+#include <string>
 
-#include "tests/solver/body/mover_fixture.h"
+#include "tests/solver/joint/joined_world.h"
+#include "tests/solver/joint/joint_fixture.h"
 
 namespace knuckle::test {
 
 namespace {
 
-/// Joints whose bodies were moved and turned apart by up to some centimetres.
-class JointSolve : public testing::Test {
-protected:
-    JointSolve()
-    {
-        Stages& b = fixture.stages;
-        // Bodies of a joint start in place, so the distance between their goals is small beside the positions.
-        for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
-            fixture.centres[m] = fixture.isBody(m) ? packed(fixture.world.bodies[m].position) : fixture.centres[m];
-            fixture.rotations[m] = fixture.isBody(m) ? packed(fixture.world.bodies[m].rotation) : fixture.rotations[m];
-        }
-        fill(b.bodies.moverCentres, fixture.centres);
-        fill(b.bodies.moverRotations, fixture.rotations);
-        fixture.setMoves(0.01f, 0.05f, 0.0f);
-        Random random(121);
-        std::vector<gpu::vec4> changes(b.bodies.moverChanges.size());
-        for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
-            relaxations.push_back(random.between(1, MOST_RELAXATION));
-            splits.push_back(fixture.isFixed(m) ? 0.0f : 1 + std::floor(random.between(0, 9)));
-            fixture.moves[m].w = splits[m] / relaxations[m];
-            changes[fixture.fieldStart(m)].w = relaxations[m];
-        }
-        fill(b.bodies.moverMoves, fixture.moves);
-        fill(b.bodies.moverChanges, changes);
-        links = b.bodies.links.download();
-        masses = b.bodies.linkMasses.download();
-        old = randomVectors(links.size(), 0.1f, 122);
-        linkRows = b.joints.linkRows.download();
-        std::vector<gpu::vec4> rows(b.bodies.rowImpulses.size());
-        for (size_t l = 0; l < links.size(); ++l)
-            if (rowOf(l) != NO_INDEX) rows[rowOf(l)] = old[l];
-        fill(b.bodies.rowImpulses, rows);
-    }
-    uint32_t rowOf(size_t link) const { return linkRows[link]; }
-    struct Owner {
-        size_t link;
-        Vector3d goal;       ///< Where its body would have the particle [m].
-        double inverseMass;  ///< There, of the body split over all its impulses [1/kg].
-    };
-    /// The links of a particle, as they stand in the link array.
-    std::vector<Owner> ownersOf(uint32_t particle) const
-    {
-        std::vector<Owner> owners;
-        for (size_t l = 0; l < links.size(); ++l) {
-            if (links[l].particleIndex != particle) continue;
-            const uint32_t m = links[l].rbIndex;
-            const Vector3d r(links[l].posInRigidBodyX, links[l].posInRigidBodyY, links[l].posInRigidBodyZ);
-            const Vector3d goal = fixture.centre(m) + fixture.arm(m, r) + fixture.moveOf(m, r);
-            owners.push_back({l, goal, double(masses[l]) * splits[m]});
-        }
-        return owners;
-    }
-    std::vector<gpu::vec4> solve(const Defines& defines)
-    {
-        const gpu::StepParameters& p = fixture.stages.parameters;
-        fixture.run("joint/joint_solve", p.sharedByTwo, defines);
-        fixture.run("joint/joint_solve_many", p.sharedCount - p.sharedByTwo, defines);
-        // Per link; those of other particles have no row.
-        const auto rows = fixture.stages.bodies.rowImpulses.download();
-        auto impulses = old;
-        for (size_t l = 0; l < links.size(); ++l)
-            if (rowOf(l) != NO_INDEX) impulses[l] = rows[rowOf(l)];
-        return impulses;
-    }
-    /// Each body is drawn to the mean of the goals: by n (mean - goal), over the inverse masses together.
-    void expectImpulses(const std::vector<gpu::vec4>& before, const std::vector<gpu::vec4>& after) const
-    {
-        std::vector<uint32_t> jointsOf(4);
-        for (uint32_t i = 0; i < fixture.world.particles.size(); ++i) {
-            const auto owners = ownersOf(i);
-            Vector3d sum = Vector3d::Zero();
-            double inverseMass = 0.0;
-            for (const Owner& o : owners) sum += o.goal;
-            for (const Owner& o : owners) inverseMass += o.inverseMass;
-            const auto n = static_cast<double>(owners.size());
-            for (const Owner& o : owners) {
-                const double relaxation = fixture.stages.parameters.jointRelaxation;
-                const Vector3d p = owners.size() > 1 ? Vector3d(relaxation * (sum - n * o.goal) / inverseMass)
-                                                     : Vector3d::Zero();
-                const Vector3f start = vec3(owners.size() > 1 ? before[o.link] : old[o.link]);
-                const Vector3d wanted = start.cast<double>() + p;
-                // Goals are differences of places up to a metre, off by some 16 roundings.
-                const double rounding = 16 * EPSILON * (relaxation * n / std::max(inverseMass, 1e-3) + wanted.norm());
-                ASSERT_LE((vec3(after[o.link]).cast<double>() - wanted).norm(), rounding) << "link " << o.link;
-            }
-            ++jointsOf[owners.size()];
-        }
-        EXPECT_EQ(jointsOf[2] + jointsOf[3], 17u);
-        EXPECT_EQ(jointsOf[3], 1u) << "the middle of the universal joint";
-    }
+using Vector6d = JointFixture::Vector6d;
 
-    MoverFixture fixture;
-    std::vector<gpu::ParticleRigidBodyLink> links;
-    std::vector<float> masses, relaxations, splits;  ///< Per link, mover, mover.
-    std::vector<uint32_t> linkRows;
-    std::vector<gpu::vec4> old;
+/// Single precision, times what the inertias and arms of a tree differ by.
+constexpr double ROUNDING = 1e-5;
+
+struct JointCase {
+    const char* name;
+    World (*world)();
+    bool loops;
+    double tolerance;  ///< Of motions and forces, as a share of the largest.
 };
 
-TEST_F(JointSolve, TheFirstOfASubstepSetsTheImpulsesOfJoints)
+World chainHeldTwice()
 {
-    expectImpulses(std::vector<gpu::vec4>(old.size()), solve({{"FIRST_ITERATION", "1"}}));
+    return joinedWorld(6, {{0, 1}, {1, 2, JointType::Hinge}, {2, 3}, {3, 4}, {4, 5}}, {0, 5}, 5000.0f);
 }
 
-TEST_F(JointSolve, LaterOnesAddToThem)
+World heavyAtTheEnd()
 {
-    expectImpulses(old, solve({}));
+    // 100 : 1 between neighbours, at the end of a chain of twenty.
+    std::vector<Joining> joints;
+    for (uint32_t k = 0; k < 19; ++k) joints.push_back({k, k + 1, JointType::Ball});
+    return joinedWorld(20, joints, {0}, 100'000.0f);
 }
 
-TEST_F(JointSolve, ImpulsesOfASharedParticleSumToZero)
+World branched()
 {
-    // Of two bodies to the last bit, also after more of them.
-    solve({{"FIRST_ITERATION", "1"}});
-    solve({});
-    const auto found = solve({});
-    uint32_t pairs = 0, triples = 0;
-    for (uint32_t i = 0; i < fixture.world.particles.size(); ++i) {
-        const auto owners = ownersOf(i);
-        if (owners.size() < 2) continue;
-        Vector3f sum = Vector3f::Zero();
-        float size = 0;
-        for (const Owner& o : owners) sum += vec3(found[o.link]);
-        for (const Owner& o : owners) size += vec3(found[o.link]).norm();
-        EXPECT_GT(size, 0.0f) << "particle " << i;
-        // Of three: each has been rounded some four times in each of three solves.
-        EXPECT_LE(sum.norm(), owners.size() == 2 ? 0.0 : 12 * EPSILON * size) << "particle " << i;
-        ++(owners.size() == 2 ? pairs : triples);
+    return branchedWorld();
+}
+
+World mixed()
+{
+    return mixedWorld();
+}
+
+class JointSolve : public testing::TestWithParam<JointCase> {
+protected:
+    JointSolve() : fixture(GetParam().world()), wanted(fixture.solution())
+    {
+        fixture.solve(GetParam().loops);
+        rows = fixture.stages.bodies.rowImpulses.download();
+        angularRows = fixture.stages.bodies.rowAngularImpulses.download();
+        rowsOfJoint = fixture.stages.joints.jointRows.download();
     }
-    EXPECT_EQ(pairs, 16u);
-    EXPECT_EQ(triples, 1u);
+
+    /// What the channel's rows of a joint gained: the linear part, the angular one.
+    Vector6d gained(uint32_t row) const
+    {
+        Vector6d g;
+        g << (vec3(rows[row]) - vec3(fixture.rows[row])).cast<double>(), Vector3d::Zero();
+        if (!angularRows.empty())
+            g.tail<3>() = (vec3(angularRows[row]) - vec3(fixture.angularRows[row])).cast<double>();
+        return g;
+    }
+
+    JointFixture fixture;
+    JointFixture::Solution wanted;
+    std::vector<gpu::vec4> rows, angularRows;
+    std::vector<gpu::uvec4> rowsOfJoint;
+};
+
+TEST_P(JointSolve, BodiesMoveAsADenseSolveOfAllTheirJointsSays)
+{
+    const auto moves = fixture.stages.bodies.moverMoves.download();
+    const auto turns = fixture.stages.bodies.moverRotationDeltas.download();
+    double largest = 0.0;
+    for (const JointTrees::Joint& joint : fixture.trees().joints)
+        largest = std::max(largest, wanted.motions[joint.body].norm());
+    for (const JointTrees::Joint& joint : fixture.trees().joints) {
+        const uint32_t b = joint.body;
+        Vector6d motion;
+        motion.head<3>() = (vec3(moves[b]) - vec3(fixture.moves[b])).cast<double>();
+        const Eigen::Quaterniond turn = quaternion(turns[b]).cast<double>() *
+                                        quaternion(fixture.turns[b]).cast<double>().conjugate();
+        const Eigen::AngleAxisd angle(turn);
+        motion.tail<3>() = angle.angle() * angle.axis();
+        // Differences of moves and of quaternions about 1 are rounded themselves.
+        EXPECT_LT((motion - wanted.motions[b]).norm(), GetParam().tolerance * largest + 4 * EPSILON) << "body " << b;
+    }
+    EXPECT_GT(largest, 1e-3);
 }
 
-TEST_F(JointSolve, AnImpulseMovesTheGoalsOfTwoBodiesTogether)
+TEST_P(JointSolve, RowsGainTheForcesThatHoldTheJoints)
 {
-    fixture.stages.parameters.jointRelaxation = 1.0f;
+    const auto joints = fixture.trees().all();
+    Vector6d largest = Vector6d::Zero();
+    for (const Vector6d& held : wanted.held) largest = largest.cwiseMax(held.cwiseAbs());
+    for (size_t j = 0; j < joints.size(); ++j) {
+        if (joints[j].freedom == JOINT_NONE) continue;
+        const Vector6d off = gained(rowsOfJoint[j].x) - wanted.held[j];
+        EXPECT_LT(off.head<3>().norm(), GetParam().tolerance * largest.head<3>().norm()) << "joint " << j;
+        EXPECT_LT(off.tail<3>().norm(), GetParam().tolerance * largest.norm()) << "joint " << j;
+    }
+}
+
+TEST_P(JointSolve, WhatABodyGainsItsParentLoses)
+{
+    const auto joints = fixture.trees().all();
+    for (size_t j = 0; j < joints.size(); ++j) {
+        const gpu::uvec4 own = rowsOfJoint[j];
+        if (joints[j].freedom == JOINT_NONE || own.y == NO_INDEX) continue;
+        // Each was added to what stood there.
+        const double size = vec3(rows[own.x]).norm() + vec3(rows[own.y]).norm() + 0.2;
+        EXPECT_LT((gained(own.x) + gained(own.y)).norm(), 4 * EPSILON * size) << "joint " << j;
+    }
+}
+
+TEST_P(JointSolve, EachBodyAnswersToAForceWithAllThatItsJointsMoveAlong)
+{
+    const auto found = fixture.stages.joints.bodyResponses.download();
+    // Loops do not count: what asks is drawn to a tree.
+    if (GetParam().loops) return;
+    for (const JointTrees::Joint& joint : fixture.trees().joints) {
+        const JointFixture::Matrix6d w = fixture.response(joint.body);
+        JointFixture::Matrix6d answer = JointFixture::Matrix6d::Zero();
+        for (uint32_t c = 0; c < 3; ++c) {
+            answer.col(c) << vec3(found[9 * joint.body + c]).cast<double>(),
+                vec3(found[9 * joint.body + 3 + c]).cast<double>();
+            answer.col(3 + c).tail<3>() = vec3(found[9 * joint.body + 6 + c]).cast<double>();
+        }
+        answer.topRightCorner<3, 3>() = answer.bottomLeftCorner<3, 3>().transpose();
+        EXPECT_LT((answer - w).norm(), 10 * GetParam().tolerance * w.norm()) << "body " << joint.body;
+    }
+}
+
+TEST_P(JointSolve, OthersStay)
+{
+    const auto moves = fixture.stages.bodies.moverMoves.download();
+    for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
+        if (m < fixture.world.bodies.size() && !fixture.isFixed(m) &&
+            std::ranges::find(fixture.trees().joints, m, &JointTrees::Joint::body) != fixture.trees().joints.end())
+            continue;
+        EXPECT_EQ(vec3(moves[m]), vec3(fixture.moves[m])) << "mover " << m;
+    }
+}
+
+// A loop is kept regular by 1e-4 of its own answer.
+INSTANTIATE_TEST_SUITE_P(Worlds, JointSolve,
+                         testing::Values(JointCase{"branched", branched, false, ROUNDING},
+                                         JointCase{"mixed", mixed, false, ROUNDING},
+                                         JointCase{"heavyAtTheEnd", heavyAtTheEnd, false, 100 * ROUNDING},
+                                         JointCase{"ring", ringWorld, true, 1e-3},
+                                         JointCase{"chainHeldTwice", chainHeldTwice, true, 1e-3}),
+                         [](const auto& tested) { return tested.param.name; });
+
+TEST(JointSolveAsleep, WhatSleepsStays)
+{
+    Settings settings;
+    settings.sleepSpeed = 0.1f;
+    JointFixture fixture(branchedWorld(settings));
+    // The hinge that a fixed body holds sleeps, the others do not.
+    const uint32_t sleeper = fixture.world.bodies[7].assembly;
+    std::vector<gpu::uvec2> calm(fixture.world.assemblyCount);
+    calm[sleeper].x = fixture.stages.parameters.calmSteps = 5;
     fixture.setParameters();
-    const auto found = solve({{"FIRST_ITERATION", "1"}});
-    uint32_t held = 0;
-    for (uint32_t i = 0; i < fixture.world.particles.size(); ++i) {
-        const auto owners = ownersOf(i);
-        if (owners.size() != 2) continue;
-        const auto moved = [&](const Owner& o) {
-            return Vector3d(o.goal + o.inverseMass * vec3(found[o.link]).cast<double>());
-        };
-        EXPECT_GT((owners[0].goal - owners[1].goal).norm(), 1e-4) << "particle " << i;
-        // Places up to a metre, rounded some eight times.
-        EXPECT_LT((moved(owners[0]) - moved(owners[1])).norm(), 8 * EPSILON) << "particle " << i;
-        held += owners[0].inverseMass == 0.0;
-    }
-    EXPECT_EQ(held, 3u) << "of the hinge to a fixed body, which stays";
-}
-
-TEST_F(JointSolve, BodiesThatCannotMoveOweEachOtherNothing)
-{
-    fixture.stages.bodies.linkMasses.clear();
-    const auto found = solve({{"FIRST_ITERATION", "1"}});
-    for (size_t l = 0; l < links.size(); ++l) {
-        const bool shared = fixture.world.particles[links[l].particleIndex].bodyCount > 1;
-        EXPECT_EQ(vec3(found[l]), shared ? Vector3f(0, 0, 0) : vec3(old[l])) << "link " << l;
+    fill(fixture.stages.sleep->assemblyCalm, calm);
+    fixture.solve(false, {{"SLEEP", "1"}});
+    const auto moves = fixture.stages.bodies.moverMoves.download();
+    for (const JointTrees::Joint& joint : fixture.trees().joints) {
+        const bool same = vec3(moves[joint.body]) == vec3(fixture.moves[joint.body]);
+        EXPECT_EQ(same, fixture.world.bodies[joint.body].assembly == sleeper) << "body " << joint.body;
     }
 }
 

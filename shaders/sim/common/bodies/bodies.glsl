@@ -1,4 +1,5 @@
 // What never changes about bodies, by their index.
+#include "math/symmetric.glsl"
 
 uniform usamplerBuffer bodyInfo;
 uniform samplerBuffer bodyMoments;       // three a body: columns of the sum of m r r^T; w of the first: radius
@@ -43,8 +44,8 @@ InverseInertia fetchInverseInertia(uint b)
     return InverseInertia(t.w, t.xyz, texelFetch(bodyInertias, int(2u * b + 1u)).xyz);
 }
 
-mat3 symmetricMatrix(vec3 diagonal, vec3 offDiagonal)
+/// Whether a body shares particles with others.
+bool hasJoints(uint body)
 {
-    return mat3(diagonal.x, offDiagonal.x, offDiagonal.y, offDiagonal.x, diagonal.y, offDiagonal.z, offDiagonal.y,
-                offDiagonal.z, diagonal.z);
+    return fetchBody(body).jointCount > 0u;
 }

@@ -23,23 +23,21 @@ vec4 packRow(vec3 impulse)
     return vec4(impulse, 1);
 }
 
-/// What constraints add to a body. WARM_START: only how many there are, since rows have no memory.
-RowSum rowSum(uint body)
+/// What constraints add to a body. @param rotation its own now.
+RowSum rowSum(uint body, vec4 rotation)
 {
     RowSum sum = RowSum(Field(vec3(0), mat3(0)), 0.0);
     uvec2 rows = texelFetch(bodyRows, int(body)).xy;
     for (uint row = rows.x; row < rows.x + rows.y; ++row) {
         vec4 t = texelFetch(rowImpulses, int(row));
         sum.acting += t.w;
-#ifndef WARM_START
         sum.impulse.t += t.xyz;
         sum.impulse.f += outerProduct(t.xyz, texelFetch(rowArms, int(row)).xyz);
 #ifdef ANGULAR
         // The antisymmetric half of p r^T turns a body: of an angular impulse there is nothing else.
         vec3 angular = 0.5 * texelFetch(rowAngularImpulses, int(row)).xyz;
-        mat3 axes = matrixFromQuaternion(fetchRotation(body));
+        mat3 axes = matrixFromQuaternion(rotation);
         sum.impulse.f += mat3(cross(angular, axes[0]), cross(angular, axes[1]), cross(angular, axes[2]));
-#endif
 #endif
     }
     return sum;

@@ -1,0 +1,94 @@
+// Small motions and forces of bodies in six dimensions: a place, and a turn about it (Featherstone 2008, who has the
+// turn first).
+#include "math/symmetric.glsl"
+
+struct Motion {
+    vec3 t;   // of the point [m]
+    vec3 r;   // about it [rad]
+};
+
+/// An impulse in units of mass times displacement, and its moment about the point.
+struct Force {
+    vec3 t;   // [kg m]
+    vec3 r;   // [kg m2]
+};
+
+/// What gives the force that a motion takes: [a, b^T; b, d], a and d symmetric.
+struct Inertia {
+    mat3 a;   // [kg]
+    mat3 b;   // moments of moving [kg m]
+    mat3 d;   // [kg m2]
+};
+
+/// The matrix of the cross product v x ...
+mat3 crossMatrix(vec3 v)
+{
+    return mat3(0, v.z, -v.y, -v.z, 0, v.x, v.y, -v.x, 0);
+}
+
+/// Seen from the point at `arm` from where it was.
+Inertia shifted(Inertia m, vec3 arm)
+{
+    mat3 x = crossMatrix(arm), bx = m.b * x, xax = transpose(x) * m.a * x;
+    return Inertia(m.a, m.b + transpose(x) * m.a, m.d + bx + transpose(bx) + xax);
+}
+
+Force shifted(Force f, vec3 arm)
+{
+    return Force(f.t, f.r - cross(arm, f.t));
+}
+
+Motion shifted(Motion m, vec3 arm)
+{
+    return Motion(m.t + cross(m.r, arm), m.r);
+}
+
+Force product(Inertia m, Motion x)
+{
+    return Force(m.a * x.t + x.r * m.b, m.b * x.t + m.d * x.r);
+}
+
+Force add(Force x, Force y)
+{
+    return Force(x.t + y.t, x.r + y.r);
+}
+
+Inertia add(Inertia x, Inertia y)
+{
+    return Inertia(x.a + y.a, x.b + y.b, x.d + y.d);
+}
+
+/// The motion that a force gives.
+Motion solve(Inertia m, Force f)
+{
+    mat3 inverseD = inverse(m.d), bd = transpose(m.b) * inverseD;
+    vec3 t = inverse(m.a - bd * m.b) * (f.t - bd * f.r);
+    return Motion(t, inverseD * (f.r - m.b * t));
+}
+
+/// The inverse of an inertia, what gives the motion that a force makes: [a, b^T; b, d].
+struct Response {
+    mat3 a;   // [1/kg]
+    mat3 b;   // [1/(kg m)]
+    mat3 d;   // [1/(kg m2)]
+};
+
+Motion product(Response w, Force f)
+{
+    return Motion(w.a * f.t + f.r * w.b, w.b * f.t + w.d * f.r);
+}
+
+/// Seen from the point at `arm` from where it was.
+Response shifted(Response w, vec3 arm)
+{
+    mat3 x = crossMatrix(-arm), xb = x * w.b;
+    return Response(w.a + xb + transpose(xb) + x * w.d * transpose(x), w.b + w.d * transpose(x), w.d);
+}
+
+Response inverseOf(Inertia m)
+{
+    mat3 inverseD = inverse(m.d), bd = transpose(m.b) * inverseD;
+    mat3 a = inverse(m.a - bd * m.b);
+    mat3 b = -inverseD * m.b * a;
+    return Response(a, b, inverseD - b * bd);
+}

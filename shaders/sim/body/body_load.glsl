@@ -1,0 +1,39 @@
+// What acts on a body that joints hold, where it is now: the residual of what it is matched to (eqs. 8-9), for the joints
+// of its tree to answer all at once. A body by itself would go where that is zero.
+#include "math/quaternion.glsl"
+#include "sim/common/bodies/body_loads.glsl"
+#include "sim/rotation/newton_step.glsl"
+
+/// Keeps one that no torque can turn (a single particle's) regular [of a particle's diameter squared times its mass].
+#define LEAST_HESSIAN 1e-5
+
+bool isPositive(mat3 m)
+{
+    float size = m[0][0] + m[1][1] + m[2][2];
+    m /= size + 1e-30;
+    return size > 0.0 && m[0][0] > 0.0 && m[0][0] * m[1][1] > m[0][1] * m[1][0] && determinant(m) > 0.0;
+}
+
+/// What impulses add to a body's A, less of what presses it together the less it could withstand: what is pressed
+/// between impulses that do not turn with it turns over, but what presses it does turn with it.
+mat3 steadied(mat3 impulses, mat3 rotation, mat3 moments)
+{
+    mat3 stretch = stretchOf(impulses, rotation);
+    mat3 own = rotation * moments * transpose(rotation);
+    own = 0.75 * (mat3((1.0 + 1e-5) * (own[0][0] + own[1][1] + own[2][2])) - own);
+    mat3 added = mat3(stretch[0][0] + stretch[1][1] + stretch[2][2]) - stretch;
+    float part = 1.0;
+    for (int k = 0; k < 4 && !isPositive(own + part * added); ++k) part = k < 3 ? 0.5 * part : 0.0;
+    return impulses - (1.0 - part) * stretch * rotation;
+}
+
+/// @param prediction where nothing would have it: its move, and A.
+/// @param impulse on it. @param shift its move now. @param rotation its own now. @param moments the sum of m r r^T.
+BodyLoad loadOf(Field prediction, Field impulse, vec3 shift, vec4 rotation, float inverseMass, mat3 moments)
+{
+    mat3 r = matrixFromQuaternion(rotation);
+    mat3 a = prediction.f + steadied(impulse.f, r, moments);
+    vec3 torque = cross(r[0], a[0]) + cross(r[1], a[1]) + cross(r[2], a[2]);
+    mat3 hessian = rotationHessian(stretchOf(a, r)) + mat3(LEAST_HESSIAN * sim.diameter * sim.diameter / inverseMass);
+    return BodyLoad((prediction.t - shift) / inverseMass + impulse.t, torque, hessian);
+}

@@ -1,0 +1,76 @@
+// One thread a tree of joints: from the leaves to the root each body, with all that hangs on it, is seen from its joint,
+// which passes on what it does not let go (Featherstone 2008, articulated bodies). Once a substep; joint_solve makes use
+// of it. RESPONSES: of a world where something asks how bodies answer to forces.
+#include "sim/common/kernel.glsl"
+#include "sim/common/bodies/body_loads.glsl"
+#include "sim/joint/joint_factors.glsl"
+#include "sim/joint/joint_pose.glsl"
+#include "sim/joint/joint_left.glsl"
+
+layout(local_size_x = TREE_GROUP_SIZE) in;
+BUFFER(vec4, JointFactors, jointFactors);
+BUFFER(vec4, JointPassed, jointPassed);
+
+/// The turn that a torque gives in the directions that the joint leaves free.
+mat3 freeTurning(mat3 d, uint freedom, vec3 axis)
+{
+    if (freedom == JOINT_BALL) return inverse(d);
+    return freedom == JOINT_HINGE ? outerProduct(axis, axis) / dot(axis, d * axis) : mat3(0);
+}
+
+Inertia loadPassed(uint joint)
+{
+    uint first = 7u * joint;
+    return Inertia(symmetricMatrix(jointPassed[first].xyz, jointPassed[first + 1u].xyz),
+                   mat3(jointPassed[first + 2u].xyz, jointPassed[first + 3u].xyz, jointPassed[first + 4u].xyz),
+                   symmetricMatrix(jointPassed[first + 5u].xyz, jointPassed[first + 6u].xyz));
+}
+
+void storePassed(uint joint, Inertia m)
+{
+    uint first = 7u * joint;
+    jointPassed[first].xyz = diagonalOf(m.a);
+    jointPassed[first + 1u].xyz = offDiagonalOf(m.a);
+    for (int line = 0; line < 3; ++line) jointPassed[first + 2u + uint(line)].xyz = m.b[line];
+    jointPassed[first + 5u].xyz = diagonalOf(m.d);
+    jointPassed[first + 6u].xyz = offDiagonalOf(m.d);
+}
+
+void factor(uint k)
+{
+    JointBodies joint = fetchJointBodies(k);
+    JointRows rows = fetchJointRows(k);
+    Inertia m = Inertia(mat3(1.0 / fetchMover(joint.body).inverseMass), mat3(0), fetchBodyLoad(joint.body).hessian);
+    for (uint child = rows.firstChild; child < rows.childEnd; ++child) m = add(m, loadPassed(child));
+    JointFactor f = JointFactor(m, mat3(0), vec3(0), vec3(0), vec3(0), Motion(vec3(0), vec3(0)));
+    if (joint.freedom != JOINT_NONE) {
+        JointSide body = jointSide(k, 0u, joint.body), parent = jointSide(k, 1u, joint.parent);
+        vec3 axis = rotate(body.frame, vec3(1, 0, 0));
+        m = shifted(m, body.arm);
+        mat3 g = freeTurning(m.d, joint.freedom, axis);
+        f = JointFactor(m, g, body.arm, parent.arm, axis, leftOf(startError(body, parent, joint.freedom)));
+        mat3 gb = g * m.b, gd = g * m.d;
+        storePassed(k, shifted(Inertia(m.a - transpose(m.b) * gb, m.b - m.d * gb, m.d - m.d * gd), -parent.arm));
+    }
+    if (joint.freedom == JOINT_NONE) {
+        Response w = inverseOf(m);
+        f.inertia = Inertia(w.a, w.b, w.d);
+    }
+    STORE_JOINT_FACTOR(jointFactors, k, f)
+}
+
+#ifdef RESPONSES
+#include "sim/joint/joint_responses.glsl"
+#endif
+
+void main()
+{
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= sim.jointTreeCount) return;
+    JointTree tree = fetchJointTree(index);
+    if (isAsleep(fetchMover(fetchJointBodies(tree.first).body).assembly)) return;
+    for (uint k = tree.end; k-- > tree.first;) factor(k);
+#ifdef RESPONSES
+    for (uint k = tree.first; k < tree.end; ++k) respond(k);
+#endif
+}

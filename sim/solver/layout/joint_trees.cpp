@@ -1,0 +1,256 @@
+#include "sim/solver/layout/joint_trees.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <map>
+
+#include "shared/constants.h"
+#include "sim/world/disjoint_sets.h"
+
+namespace knuckle {
+
+namespace {
+
+using Eigen::Matrix3f;
+
+/// Two bodies and where what they share stands in each.
+struct Edge {
+    uint32_t a = 0, b = 0;
+    std::vector<uint32_t> particles;
+    std::vector<Vector3f> armsA, armsB;
+};
+
+std::vector<Edge> edgesOf(const World& world)
+{
+    std::vector<std::vector<uint32_t>> linksOf(world.particles.size());
+    for (uint32_t l = 0; l < world.links.size(); ++l)
+        if (world.particles[world.links[l].particle].bodyCount > 1) linksOf[world.links[l].particle].push_back(l);
+    std::map<std::pair<uint32_t, uint32_t>, Edge> edges;
+    for (const auto& links : linksOf) {
+        for (size_t i = 0; i < links.size(); ++i) {
+            for (size_t j = i + 1; j < links.size(); ++j) {
+                const Link &a = world.links[std::min(links[i], links[j])],
+                           &b = world.links[std::max(links[i], links[j])];
+                Edge& edge = edges[{a.body, b.body}];
+                edge.a = a.body;
+                edge.b = b.body;
+                edge.particles.push_back(a.particle);
+                edge.armsA.push_back(a.restOffset);
+                edge.armsB.push_back(b.restOffset);
+            }
+        }
+    }
+    std::vector<Edge> all;
+    for (auto& [bodies, edge] : edges) all.push_back(std::move(edge));
+    return all;
+}
+
+Vector3f meanOf(const std::vector<Vector3f>& places)
+{
+    Vector3f sum = Vector3f::Zero();
+    for (const Vector3f& p : places) sum += p;
+    return sum / static_cast<float>(places.size());
+}
+
+/// The rotation that brings places about their mean nearest to others about theirs.
+Quaternionf fitted(const std::vector<Vector3f>& from, const std::vector<Vector3f>& to)
+{
+    const Vector3f meanFrom = meanOf(from), meanTo = meanOf(to);
+    Matrix3f sum = Matrix3f::Zero();
+    for (size_t i = 0; i < from.size(); ++i) sum += (to[i] - meanTo) * (from[i] - meanFrom).transpose();
+    const Eigen::JacobiSVD<Matrix3f> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Matrix3f turned = svd.matrixU();
+    if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0f) turned.col(2) *= -1.0f;
+    return Quaternionf(turned * svd.matrixV().transpose());
+}
+
+/// @param spread eigenvalues of the shared particles' spread, ascending [m2].
+uint32_t freedomOf(const Vector3f& spread, float diameter)
+{
+    const float least = 1e-4f * diameter * diameter;
+    return spread[2] < least ? JOINT_BALL : spread[1] < least ? JOINT_HINGE : JOINT_STIFF;
+}
+
+/// The joint that an edge is for one of its bodies.
+JointTrees::Joint jointOf(const World& world, const Edge& edge, uint32_t body)
+{
+    const bool isA = edge.a == body;
+    const std::vector<Vector3f>&own = isA ? edge.armsA : edge.armsB, &others = isA ? edge.armsB : edge.armsA;
+    JointTrees::Joint joint;
+    joint.body = body;
+    joint.parent = isA ? edge.b : edge.a;
+    joint.arm = meanOf(own);
+    joint.parentArm = meanOf(others);
+    Matrix3f spread = Matrix3f::Zero();
+    for (const Vector3f& p : own) spread += (p - joint.arm) * (p - joint.arm).transpose();
+    const Eigen::SelfAdjointEigenSolver<Matrix3f> eigen(spread);
+    joint.freedom = freedomOf(eigen.eigenvalues(), world.diameter());
+    const Vector3f axis = joint.freedom == JOINT_BALL ? Vector3f::UnitX() : Vector3f(eigen.eigenvectors().col(2));
+    joint.frame = Quaternionf::FromTwoVectors(Vector3f::UnitX(), axis);
+    joint.parentFrame = joint.frame;
+    if (joint.freedom == JOINT_HINGE) {
+        const Vector3f along = own.back() - own.front(), parentAlong = others.back() - others.front();
+        joint.parentFrame = Quaternionf::FromTwoVectors(along, parentAlong) * joint.frame;
+    }
+    if (joint.freedom == JOINT_STIFF) joint.parentFrame = fitted(own, others) * joint.frame;
+    return joint;
+}
+
+bool isFixed(const World& world, uint32_t body)
+{
+    return world.bodies[body].motion == Motion::Fixed;
+}
+
+/// Kruskal: the edges that connect what nothing before has connected, those with most particles first and those that
+/// lead to fixed bodies, which count as one, last. The others follow them.
+/// @returns how many connect.
+size_t connect(const World& world, std::vector<Edge>& edges)
+{
+    const auto held = [&](const Edge& e) { return isFixed(world, e.a) || isFixed(world, e.b); };
+    std::erase_if(edges, [&](const Edge& e) { return isFixed(world, e.a) && isFixed(world, e.b); });
+    std::ranges::stable_sort(edges, [&](const Edge& x, const Edge& y) {
+        return held(x) != held(y) ? held(y) : x.particles.size() > y.particles.size();
+    });
+    const auto ground = static_cast<uint32_t>(world.bodies.size());
+    DisjointSets sets(ground + 1);
+    const auto joins = [&](const Edge& e) {
+        const uint32_t a = sets.find(isFixed(world, e.a) ? ground : e.a);
+        const uint32_t b = sets.find(isFixed(world, e.b) ? ground : e.b);
+        if (a != b) sets.unite(a, b);
+        return a != b;
+    };
+    return static_cast<size_t>(std::stable_partition(edges.begin(), edges.end(), joins) - edges.begin());
+}
+
+/// Adds the tree of a body that is in none yet, from `edge` or without one, breadth first.
+class TreeGrower {
+public:
+    TreeGrower(const World& world, const std::vector<Edge>& edges, size_t count, JointTrees& out)
+        : world_(world), edges_(edges), out_(out), edgesOfBody_(world.bodies.size()),
+          jointOfBody_(world.bodies.size(), NO_INDEX), treeOfBody_(world.bodies.size(), NO_INDEX)
+    {
+        for (uint32_t e = 0; e < count; ++e) {
+            for (const uint32_t particle : edges[e].particles) cover(particle, edges[e]);
+            edgesOfBody_[edges[e].a].push_back(e);
+            edgesOfBody_[edges[e].b].push_back(e);
+        }
+    }
+
+    void growAll()
+    {
+        for (uint32_t b = 0; b < world_.bodies.size(); ++b)
+            if (isFixed(world_, b))
+                for (const uint32_t e : edgesOfBody_[b]) grow(jointOf(world_, edges_[e], other(edges_[e], b)));
+        for (uint32_t b = 0; b < world_.bodies.size(); ++b) {
+            if (isFixed(world_, b) || edgesOfBody_[b].empty() || jointOfBody_[b] != NO_INDEX) continue;
+            JointTrees::Joint root;
+            root.body = b;
+            root.freedom = JOINT_NONE;
+            grow(root);
+        }
+    }
+
+    /// Behind the trees: what edges beyond the first `count` hold in addition, grouped by tree.
+    void closeLoops(size_t count)
+    {
+        std::vector<std::vector<JointTrees::Joint>> loops(out_.trees.size());
+        for (size_t e = count; e < edges_.size(); ++e) {
+            const Edge edge = uncovered(edges_[e]);
+            if (edge.particles.empty()) continue;
+            const uint32_t body = isFixed(world_, edge.a) ? edge.b : edge.a;
+            JointTrees::Joint loop = jointOf(world_, edge, body);
+            loop.bodyJoint = jointOfBody_[body];
+            loop.parentJoint = jointOfBody_[loop.parent];
+            loops[treeOfBody_[body]].push_back(loop);
+        }
+        for (size_t t = 0; t < loops.size(); ++t) {
+            out_.trees[t].firstLoop = static_cast<uint32_t>(out_.loops.size());
+            out_.loops.insert(out_.loops.end(), loops[t].begin(), loops[t].end());
+            out_.trees[t].loopEnd = static_cast<uint32_t>(out_.loops.size());
+        }
+    }
+
+private:
+    static uint32_t other(const Edge& edge, uint32_t body) { return edge.a == body ? edge.b : edge.a; }
+
+    void grow(const JointTrees::Joint& root)
+    {
+        JointTrees::Tree tree;
+        tree.first = static_cast<uint32_t>(out_.joints.size());
+        add(root);
+        for (uint32_t k = tree.first; k < out_.joints.size(); ++k) {
+            const uint32_t body = out_.joints[k].body, parent = out_.joints[k].parent;
+            out_.joints[k].firstChild = static_cast<uint32_t>(out_.joints.size());
+            for (const uint32_t e : edgesOfBody_[body]) {
+                const uint32_t child = other(edges_[e], body);
+                if (child == parent || isFixed(world_, child)) continue;
+                JointTrees::Joint joint = jointOf(world_, edges_[e], child);
+                joint.parentJoint = k;
+                add(joint);
+            }
+            out_.joints[k].childEnd = static_cast<uint32_t>(out_.joints.size());
+        }
+        tree.end = static_cast<uint32_t>(out_.joints.size());
+        out_.trees.push_back(tree);
+    }
+
+    void add(JointTrees::Joint joint)
+    {
+        joint.bodyJoint = jointOfBody_[joint.body] = static_cast<uint32_t>(out_.joints.size());
+        treeOfBody_[joint.body] = static_cast<uint32_t>(out_.trees.size());
+        out_.joints.push_back(joint);
+    }
+
+    /// Less the particles through which the trees, and loops before it, hold its bodies together already.
+    Edge uncovered(const Edge& edge)
+    {
+        Edge rest{edge.a, edge.b, {}, {}, {}};
+        for (size_t i = 0; i < edge.particles.size(); ++i) {
+            if (!cover(edge.particles[i], edge)) continue;
+            rest.particles.push_back(edge.particles[i]);
+            rest.armsA.push_back(edge.armsA[i]);
+            rest.armsB.push_back(edge.armsB[i]);
+        }
+        return rest;
+    }
+
+    /// @returns whether the particle's bodies were not connected through it before.
+    bool cover(uint32_t particle, const Edge& edge)
+    {
+        auto& bodies = covered_[particle];
+        const auto group = [&](uint32_t body) { return bodies.try_emplace(body, body).first->second; };
+        const uint32_t a = group(edge.a), b = group(edge.b);
+        for (auto& [body, its] : bodies)
+            if (its == b) its = a;
+        return a != b;
+    }
+
+    const World& world_;
+    const std::vector<Edge>& edges_;
+    JointTrees& out_;
+    std::vector<std::vector<uint32_t>> edgesOfBody_;
+    std::vector<uint32_t> jointOfBody_, treeOfBody_;
+    std::map<uint32_t, std::map<uint32_t, uint32_t>> covered_;  ///< Per particle and body: bodies of a group have one.
+};
+
+}  // namespace
+
+std::vector<JointTrees::Joint> JointTrees::all() const
+{
+    std::vector<Joint> both = joints;
+    both.insert(both.end(), loops.begin(), loops.end());
+    return both;
+}
+
+JointTrees::JointTrees(const World& world)
+{
+    std::vector<Edge> edges = edgesOf(world);
+    const size_t count = connect(world, edges);
+    TreeGrower grower(world, edges, count, *this);
+    grower.growAll();
+    grower.closeLoops(count);
+    std::ranges::stable_sort(trees, [](const Tree& x, const Tree& y) { return x.end - x.first > y.end - y.first; });
+}
+
+}  // namespace knuckle

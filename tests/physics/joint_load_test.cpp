@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tests/physics/physics_fixture.h"
+
+namespace knuckle::test {
+
+namespace {
+
+constexpr float PITCH = 4 * DIAMETER;  ///< Between cubes of three particles, with a layer for the joint.
+
+struct ChainSpec {
+    uint32_t bodies = 10;
+    JointType type = JointType::Ball;
+    float load = 1.0f;  ///< How many times as heavy the last one is.
+    Vector3f along{0, -1, 0};
+    bool bothEnds = false;  ///< Whether the last body is fixed, too; the first always is.
+};
+
+/// Cubes in a row from the origin.
+void addChain(WorldBuilder& builder, const ChainSpec& spec)
+{
+    Material heavy;
+    heavy.density = 1000.0f * spec.load;
+    const uint32_t material = builder.addMaterial(heavy);
+    builder.beginObject("chain");
+    for (uint32_t b = 0; b < spec.bodies; ++b) {
+        std::vector<Vector3f> places = boxLattice({3, 3, 3}, DIAMETER);
+        for (Vector3f& p : places) p += PITCH * static_cast<float>(b) * Vector3f::UnitX();
+        const bool last = b + 1 == spec.bodies, fixed = b == 0 || (last && spec.bothEnds);
+        builder.addBody("link" + std::to_string(b), places, last ? material : 0,
+                        fixed ? Motion::Fixed : Motion::Dynamic);
+    }
+    for (uint32_t b = 0; b + 1 < spec.bodies; ++b) {
+        JointSpec joint;
+        joint.type = spec.type;
+        joint.anchor = PITCH * (static_cast<float>(b) + 0.5f) * Vector3f::UnitX();
+        builder.addJoint(b, b + 1, joint);
+    }
+    builder.endObject({{0, 0, 0}, Quaternionf::FromTwoVectors(Vector3f::UnitX(), spec.along)});
+}
+
+World chain(const ChainSpec& spec)
+{
+    WorldBuilder builder = makeBuilder();
+    addChain(builder, spec);
+    return builder.build();
+}
+
+/// Looked at again and again for a while.
+struct Watched {
+    float motion = 0.0f;   ///< How far the last body went from where it was at first [m].
+    float gap = 0.0f;      ///< The worst of all joints [diameters].
+    float stretch = 0.0f;  ///< By how much the last body is further from the first than when straight, as a share.
+    double speed = 0.0;    ///< The fastest body's [m/s].
+};
+
+Watched watch(Solver& solver, const World& world, const ChainSpec& spec, double seconds)
+{
+    Watched seen;
+    const Vector3f first = solver.readBodies()[spec.bodies - 1].position;
+    for (int i = 0; i < 20; ++i) {
+        run(solver, world, seconds / 20);
+        const auto bodies = solver.readBodies();
+        const Vector3f& last = bodies[spec.bodies - 1].position;
+        seen.motion = std::max(seen.motion, (last - first).norm());
+        seen.gap = std::max(seen.gap, solver.measure().worstJointGap / DIAMETER);
+        const float straight = PITCH * static_cast<float>(spec.bodies - 1);
+        seen.stretch = std::max(seen.stretch, (last - bodies[0].position).norm() / straight - 1);
+        for (const BodyState& body : bodies) seen.speed = std::max<double>(seen.speed, body.velocity.norm());
+    }
+    return seen;
+}
+
+struct Load {
+    uint32_t bodies;
+    float load;
+};
+
+class HangingChain : public testing::TestWithParam<Load> {};
+
+/// In a line under its suspension nothing has to move at all.
+TEST_P(HangingChain, IsAtRest)
+{
+    const ChainSpec spec{.bodies = GetParam().bodies, .load = GetParam().load};
+    const World world = chain(spec);
+    Solver solver(gpu(), world);
+    const Watched seen = watch(solver, world, spec, 2.0);
+    EXPECT_LT(seen.motion, 1e-3f);
+    EXPECT_LT(seen.gap, 0.02f);
+    EXPECT_LT(seen.stretch, 1e-3f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Loads, HangingChain,
+                         testing::Values(Load{3, 1}, Load{3, 100}, Load{10, 1}, Load{10, 50}, Load{20, 1},
+                                         Load{20, 100}),
+                         [](const auto& tested) {
+                             return "Of" + std::to_string(tested.param.bodies) + "With" +
+                                    std::to_string(static_cast<int>(tested.param.load)) + "Times";
+                         });
+
+TEST(JointLoad, AChainThatFallsFromTheLevelKeepsItsJointsShut)
+{
+    for (const float load : {1.0f, 50.0f}) {
+        const ChainSpec spec{.load = load, .along = {1, 0, 0}};
+        const World world = chain(spec);
+        Solver solver(gpu(), world);
+        const Watched seen = watch(solver, world, spec, 2.0);
+        EXPECT_LT(seen.gap, 0.05f) << load;
+        EXPECT_LT(seen.stretch, 2e-3f) << load;
+        // The whole fall, into a whip's end with the light chain: a third of the length would do by itself.
+        EXPECT_GT(seen.motion, 2.0f) << load;
+    }
+}
+
+TEST(JointLoad, ABeamOfStiffJointsDoesNotDroop)
+{
+    for (const uint32_t bodies : {3u, 6u, 10u}) {
+        const ChainSpec spec{.bodies = bodies, .type = JointType::Stiff, .along = {1, 0, 0}};
+        const World world = chain(spec);
+        Solver solver(gpu(), world);
+        const Watched seen = watch(solver, world, spec, 2.0);
+        // One degree of its length.
+        EXPECT_LT(seen.motion, 0.0175f * PITCH * static_cast<float>(bodies - 1)) << bodies;
+        EXPECT_LT(seen.gap, 0.02f) << bodies;
+        EXPECT_LT(seen.speed, 0.1) << bodies;
+    }
+}
+
+/// A loop through the ground: both ends are fixed, and the line hangs between them.
+TEST(JointLoad, ABridgeCarriesWhatFallsOnIt)
+{
+    const ChainSpec spec{.bodies = 15, .along = {1, 0, 0}, .bothEnds = true};
+    WorldBuilder builder = makeBuilder();
+    addChain(builder, spec);
+    Material heavy;
+    heavy.density = 10'000.0f;
+    const uint32_t material = builder.addMaterial(heavy);
+    builder.beginObject("block");
+    const std::vector<Vector3f> places = boxLattice({3, 3, 3}, DIAMETER);
+    const uint32_t block = builder.addBody("block", places, material);
+    builder.endObject({{7 * PITCH, 0.8f, 0}, Quaternionf::Identity()});
+    const World world = builder.build();
+    Solver solver(gpu(), world);
+    const Watched seen = watch(solver, world, spec, 1.5);
+    EXPECT_LT(seen.gap, 0.05f);
+    // Nothing is faster than what falls freely for so long.
+    EXPECT_LT(seen.speed, GRAVITY * 1.5);
+    EXPECT_GT(solver.readBodies()[block].position.y(), -2.0f) << "fell through";
+}
+
+/// A joint that something has forced open closes at a bounded speed and is at rest afterwards.
+TEST(JointLoad, AnOpenJointClosesWithoutAKick)
+{
+    const ChainSpec spec{.bodies = 3};
+    World world = chain(spec);
+    const Vector3f away(0.5f, 0, 0);
+    world.bodies[2].position += away;
+    for (const Link& link : world.links)
+        if (link.body == 2) world.particles[link.particle].position += away;
+    world.settings.gravity = {0, 0, 0};
+    Solver solver(gpu(), world);
+    const float before = solver.measure().worstJointGap;
+    EXPECT_GT(before, 0.4f);
+    const Watched seen = watch(solver, world, spec, 2.0);
+    EXPECT_LT(solver.measure().worstJointGap, 0.01f * DIAMETER);
+    // Each side of it comes at no more than the joint's speed, 1 m/s; turning bodies add to it.
+    EXPECT_LT(seen.speed, 2.0);
+    double left = 0.0;
+    for (const BodyState& body : solver.readBodies()) left = std::max<double>(left, body.velocity.norm());
+    EXPECT_LT(left, 0.3);
+}
+
+}  // namespace
+
+}  // namespace knuckle::test
