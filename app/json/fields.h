@@ -123,6 +123,7 @@ void visitFields(Material& m, Visitor&& visit)
     visit("staticFriction", m.staticFriction);
     visit("kineticFriction", m.kineticFriction);
     visit("restitution", m.restitution);
+    visit("rollingFriction", m.rollingFriction);
     visit("fluid", m.fluid);
     visit("viscosity", m.viscosity);
     visit("surfaceTension", m.surfaceTension);

@@ -46,6 +46,15 @@ std::vector<SurfaceDistance> surfaceOf(const Entry& entry, const std::vector<Vec
     return surface;
 }
 
+/// The ball or capsule that a rigid body is; none of other shapes.
+RoundShape roundShapeOf(const Entry& entry)
+{
+    const std::string shape = entry.json["shape"];
+    if (shape == "sphere") return {entry.json["radius"], 0.0f};
+    if (shape == "capsule") return {entry.json["radius"], 0.5f * entry.json["length"].get<float>()};
+    return {};
+}
+
 void addRigidOrSoft(const Entry& entry)
 {
     WorldBuilder& builder = entry.context.builder;
@@ -58,7 +67,7 @@ void addRigidOrSoft(const Entry& entry)
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         builder.beginObject(entry.copyName(copy));
         if (soft) builder.addSoftBody(entry.copyName(copy), positions, entry.material);
-        else builder.addBody("body", positions, entry.material, motion, surface);
+        else builder.addBody("body", positions, entry.material, motion, surface, roundShapeOf(entry));
         builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
     }
 }

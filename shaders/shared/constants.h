@@ -35,6 +35,11 @@
 #define JOINT_BALL 2u
 #define JOINT_NONE 3u
 
+// latticeEnds[], beside SurfaceDistance::ends: the particle is of a ball or a capsule; it stands for it at colliders.
+#define LATTICE_ENDS 63u
+#define IN_ROUND 64u
+#define CARRIES_ROUND 128u
+
 // moverStates[]: whether a mover answers to impulses (sim/common/bodies/mover_info.glsl).
 #define MOVER_DYNAMIC 0u
 #define MOVER_FIXED 1u
@@ -62,9 +67,16 @@
 #define INITIAL_RELAXATION 1.5f
 #define MOST_RELAXATION 3.2f
 
+// A body that turns by more than half a radian in a substep (4 (1 - cos 0.5)) loses some of its spin.
+#define LONGEST_CHORD 0.49f
+
 // Another is beside a particle of a lattice up to half the lattice away along an axis, and a little more, so that there is
 // always one that it is beside [diameters].
 #define BESIDE 0.55f
+// A box's corner touches a collider where it comes this near to touching as deep as its particle's ball [diameters].
+#define CORNER_TIE 0.05f
+// A box of one layer stands upright, on the middle of it, while it leans by less than this (sine).
+#define UPRIGHT 0.05f
 // Nearer than this many diameters to a face or an edge of a box of particles, the direction away from it says nothing.
 #define LEAST_FLAT 0.3f
 // Nearer than this many diameters, particles have sunk into each other: their contact holds them while they part.

@@ -32,6 +32,7 @@ struct StepParameters {
     float massScaling;              // k of m exp(-k height) [1/m]
     // The search for contacts.
     float contactReach;            // candidates are nearer than this [m]
+    float plainReach;              // the same where neither is of a ball or capsule [m]
     float inverseCellSize;          // [1/m]
     uint cellMask;                  // cells - 1, cells a power of two
     uint cellStrideY;               // lattice grid: cells between neighbours in y ...

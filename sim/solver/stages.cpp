@@ -61,7 +61,7 @@ std::string variantName(const Defines& variant)
 Stages::Stages(const Gpu& gpu, const World& world)
     : gpu_(gpu), world_(world), layout(world), rows(planRows(world, layout)),
       parameters(commonParameters(world, layout)), setup_{gpu, world, layout, rows, parameters}, particles(setup_),
-      colliders(setup_), search(setup_, particles.hasFlatFaces), contacts(setup_),
+      colliders(setup_), search(setup_, particles.hasFlatFaces, particles.hasRounds), contacts(setup_),
       bodies(setup_, actsOnParticles(world)), joints(setup_)
 {
     if (RestitutionStage::isNeeded(world)) restitution.emplace(setup_);
@@ -112,6 +112,7 @@ Defines Stages::worldDefines() const
     add(s.rotation == RotationMethod::Higham, "HIGHAM");
     add(!layout.jointTrees.trees.empty(), "JOINTED");
     add(s.massScaling > 0.0f, "MASS_SCALING");
+    add(particles.hasRounds, "ROUNDS");
     add(sleep.has_value(), "SLEEP");
     add(s.freeze > 0.0f, "FREEZE");
     add(emitters.has_value(), "POOL");

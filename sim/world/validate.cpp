@@ -71,6 +71,11 @@ void validateMaterials(const World& world)
                 m.restitution);
         requireInput(m.restitution == 0.0f || world.settings.solver == SolverKind::Impulse,
                      "material \"{}\": the paper's solver has no restitution; use 0, or solver method impulse", m.name);
+        require(within(m.rollingFriction, 0.0f, 1.0f), "material \"{}\": rolling friction {} must be 0 to 1", m.name,
+                m.rollingFriction);
+        requireInput(m.rollingFriction == 0.0f || world.settings.solver == SolverKind::Impulse,
+                     "material \"{}\": the paper's solver has no rolling friction; use 0, or solver method impulse",
+                     m.name);
     }
 }
 

@@ -26,11 +26,14 @@ using Eigen::Vector3f;
 /// What particles are made of.
 struct Material {
     std::string name;
-    float density = 1000.0f;       ///< [kg/m3], > 0. A particle of a body weighs density * diameter^3.
+    float density = 1000.0f;       ///< [kg/m3], > 0. A particle of a body weighs density * diameter^3,
+                                   ///< those of a ball or capsule together density * its volume.
     float staticFriction = 0.5f;   ///< Coulomb's mu while sticking, >= 0. A contact takes both sides' mean.
     float kineticFriction = 0.5f;  ///< Coulomb's mu while sliding, 0 ... staticFriction.
     /// Share of the speed that a collision leaves, 0 ... 1. A contact takes the larger of both sides'.
     float restitution = 0.0f;
+    /// Rolling resistance of balls and capsules, >= 0: on a slope below its arc tangent they do not start to roll.
+    float rollingFriction = 0.0f;
     Vector3f color{0.8f, 0.8f, 0.8f};  ///< Linear RGB, 0-1, used when colouring by material.
     bool fluid = false;                ///< Its particles are loose and flow.
     float viscosity = 0.001f;          ///< Fluids: dynamic [Pa s], >= 0. Water 0.001, honey 10.
@@ -70,6 +73,14 @@ enum class Motion : uint32_t {
     Fixed,    ///< Never moves; its particles have infinite mass.
 };
 
+/// A ball or a capsule along y about the origin of the rest pose: what touches it meets this, not its particles.
+struct RoundShape {
+    float radius = 0.0f;      ///< [m], 0 for none.
+    float halfHeight = 0.0f;  ///< From the centre to a cap's centre [m]; 0 for a ball.
+    bool exists() const { return radius > 0.0f; }
+    float volume() const { return 3.14159265f * radius * radius * (4.0f / 3.0f * radius + 2.0f * halfHeight); }
+};
+
 /// A rigid body: a block of links.
 struct Body {
     std::string name;
@@ -78,6 +89,7 @@ struct Body {
     uint32_t assembly = NO_INDEX;
     uint32_t linkStart = 0, linkCount = 0;
     uint32_t object = NO_INDEX;        ///< Index into World::objects: what the scene calls one thing.
+    RoundShape round;                  ///< Radius 0 for what is neither a ball nor a capsule.
     bool isCross = false;              ///< The flat middle body of a universal joint.
     float mass = 0.0f;                 ///< Sum of its particles' shares of mass [kg].
     Vector3f restCentre{0, 0, 0};      ///< Mass centre in the object's rest pose [m].

@@ -119,7 +119,7 @@ void addCapsule(WorldBuilder& builder, float radius, float halfHeight, const Pos
     std::vector<SurfaceDistance> surface;
     for (const Vector3f& place : places) surface.push_back(capsuleSurface(place, radius, halfHeight));
     builder.beginObject("capsule");
-    builder.addBody("capsule", places, 0, Motion::Dynamic, surface);
+    builder.addBody("capsule", places, 0, Motion::Dynamic, surface, {radius, halfHeight});
     builder.endObject(pose);
 }
 

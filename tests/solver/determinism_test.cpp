@@ -76,11 +76,13 @@ World ropeWorld()
     return builder.build();
 }
 
-/// Boxes that fall into two fluids, one on the other, between walls.
+/// Heavy boxes that fall through two fluids, one on the other, between walls.
 World fluidWorld()
 {
     WorldBuilder builder(DIAMETER / 2);
-    builder.addMaterial({});
+    Material heavy;
+    heavy.density = 4000.0f;
+    builder.addMaterial(heavy);
     for (const Vector3f& normal : {Vector3f(0, 1, 0), Vector3f(1, 0, 0), Vector3f(0, 0, 1), Vector3f(-1, 0, -1)})
         builder.addCollider(planeAt(-0.4f * normal, normal));
     Material fluid;
@@ -92,11 +94,12 @@ World fluidWorld()
         for (Vector3f& place : places) place.y() += 0.3f * static_cast<float>(kind) - 0.2f;
         builder.addFluid(places, {0.5f, -1, 0}, material);
     }
-    for (int k = 0; k < 3; ++k) {
+    // One lies on the ground from the start.
+    for (int k = 0; k < 4; ++k) {
         builder.beginObject("box");
         builder.addBody("box", boxLattice({3, 2, 3}, DIAMETER), 0);
-        builder.endObject({Vector3f(0.05f * static_cast<float>(k), 0.5f + 0.3f * static_cast<float>(k), 0)},
-                          {0, -3, 0});
+        const float height = k == 3 ? -0.301f : 0.5f + 0.3f * static_cast<float>(k);
+        builder.endObject({Vector3f(0.05f * static_cast<float>(k), height, 0)}, {0, k == 3 ? 0.0f : -3.0f, 0});
     }
     return builder.build();
 }

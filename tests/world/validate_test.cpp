@@ -92,6 +92,11 @@ TEST(Validate, WhatOneSolverHasNotIsRefused)
                   w.materials[0].restitution = 0.5f;
               }),
               "material \"clay\": the paper's solver has no restitution; use 0, or solver method impulse");
+    EXPECT_EQ(complaint<InputError>([](World& w) {
+                  w.settings.solver = SolverKind::Paper;
+                  w.materials[0].rollingFriction = 0.5f;
+              }),
+              "material \"clay\": the paper's solver has no rolling friction; use 0, or solver method impulse");
 }
 
 TEST(Validate, MaterialsNeedADensityAndKineticFrictionBelowStatic)
@@ -102,6 +107,8 @@ TEST(Validate, MaterialsNeedADensityAndKineticFrictionBelowStatic)
               "material \"clay\": density inf kg/m3 must be above 0");
     EXPECT_EQ(complaint([](World& w) { w.materials[0].restitution = 1.5f; }),
               "material \"clay\": restitution 1.5 must be 0 to 1");
+    EXPECT_EQ(complaint([](World& w) { w.materials[0].rollingFriction = -0.5f; }),
+              "material \"clay\": rolling friction -0.5 must be 0 to 1");
     EXPECT_EQ(complaint([](World& w) { w.materials[0].kineticFriction = 0.75f; }),
               "material \"clay\": kinetic friction 0.75 must be 0 to its static friction 0.5");
     EXPECT_EQ(complaint([](World& w) { w.materials[0].kineticFriction = -0.5f; }),

@@ -10,6 +10,7 @@
 #include "sim/common/bodies/mass_scaling.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
+#include "sim/common/contacts/round_bodies.glsl"
 #include "sim/body/body_load.glsl"
 #include "sim/common/contacts/search_margin.glsl"
 
@@ -30,11 +31,24 @@ BUFFER(vec4, BodyLoads, newBodyLoads);
 BUFFER(Assembly, AssemblyState, assemblies);
 BUFFER(Counters, CountersBlock, counters);
 
+/// First order goes on along the chord of the last turn, which is a turn by less: 1 - phi^2 of it. This much further
+/// it goes on by as much: a ball that rolls would else stop.
+float chordScale(mat3 chord)
+{
+    float size = dot(chord[0], chord[0]) + dot(chord[1], chord[1]) + dot(chord[2], chord[2]);   // 4 (1 - cos phi)
+    return 1.0 / (1.0 - 0.5 * min(size, LONGEST_CHORD));
+}
+
 Field predictedMove(uint m, bool second)
 {
     float h = sim.substepTime;
     Field v = fetchField(moverVelocities, m);
-    if (!second) return Field(h * (v.t + h * sim.gravity.xyz), h * v.f);
+    if (!second) {
+#ifdef ROUNDS
+        if (IS_BODY(m) && fetchRound(m).radius > 0.0) v.f *= chordScale(h * v.f);
+#endif
+        return Field(h * (v.t + h * sim.gravity.xyz), h * v.f);
+    }
     Field move = fetchField(oldMoverMoves, m), last = fetchField(oldMoverVelocities, m);
     return Field(move.t / 3.0 + h * (8.0 * v.t - 2.0 * last.t + 4.0 * h * sim.gravity.xyz) / 9.0,
                  move.f / 3.0 + h * (8.0 * v.f - 2.0 * last.f) / 9.0);

@@ -1,8 +1,8 @@
 // One thread a contact of a particle with a collider: what it is made of, with the impulse that it had before.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/list_ranges.glsl"
-#include "sim/common/contacts/colliders.glsl"
-#include "sim/common/contacts/touch.glsl"
+#include "math/spatial.glsl"
+#include "sim/common/contacts/collider_point.glsl"
 #include "sim/contact/contact_mass.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -34,15 +34,18 @@ void main()
     ColliderPair pair = fetchColliderPair(colliderPairs, index);
     ParticleRank own = fetchRank(pair.particle);
     Arm arm = fetchArm(pair.particle);
-    ColliderSurface surface =
-        colliderSurface(pair.collider, texelFetch(searchPositions, int(pair.particle)).xyz);
+    vec4 rotation = texelFetch(searchRotations, int(own.mover));
+    vec3 centre = texelFetch(searchPositions, int(pair.particle)).xyz - rotate(rotation, arm.r);
+    Reference ref = colliderReference(pair.particle, own.mover, pair.collider, centre, rotation);
+    ColliderSurface surface = colliderSurface(pair.collider, centre + rotate(rotation, ref.r));
     vec2 friction = 0.5 * (fetchMass(pair.particle).friction + fetchColliderFriction(pair.collider));
-    colliderSides[q] = packColliderContact(
-        ColliderContact(own.mover, pair.collider, friction, normalFraction(own.mover, arm, surface.normal)));
-    colliderArms[q] = packArm(arm);
+    vec3 r = ref.r - ref.radius * rotate(conjugate(rotation), surface.normal);
+    SideMass mass = sideMass(own.mover, arm, r, surface.normal);
+    colliderSides[q] = packColliderContact(ColliderContact(own.mover, pair.collider, friction, mass.fraction));
+    colliderArms[q] = packArm(Arm(r, mass.worst));
     uint old = oldIndex(parity ^ 1u, own.rank, pair.collider);
     Impulse impulse = old == NONE ? Impulse(vec3(0), 0.0) : fetchImpulse(lastColliderImpulses, old);
-    if (surface.distance < particleRadius(pair.particle) && impulse.normal <= 0.0) impulse.normal = ABOUT_TO_ACT;
+    if (surface.distance < ref.radius && impulse.normal <= 0.0) impulse.normal = ABOUT_TO_ACT;
     colliderImpulses[index] = packImpulse(impulse);
     colliderMeans[index] = old == NONE ? 0.0 : texelFetch(lastColliderMeans, int(old)).x;
 }

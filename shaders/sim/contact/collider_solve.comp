@@ -1,17 +1,17 @@
 // One thread a contact of a particle with a collider: one Jacobi iteration of its impulse.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/movers.glsl"
-#include "sim/common/contacts/colliders.glsl"
-#include "sim/common/contacts/contacts.glsl"
-#include "sim/common/contacts/touch.glsl"
+#include "sim/common/contacts/collider_point.glsl"
 #include "sim/contact/contact_impulse.glsl"
+#include "sim/contact/contact_place.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer colliderPairs;
 uniform usamplerBuffer colliderSides;
-uniform samplerBuffer colliderArms;
+uniform samplerBuffer lastColliderArms;
 uniform samplerBuffer lastColliderImpulses;
 uniform samplerBuffer lastColliderMeans;
+BUFFER(vec4, ColliderArms, colliderArms);
 BUFFER(vec4, ColliderImpulses, colliderImpulses);
 BUFFER(float, ColliderMeans, colliderMeans);
 READ_BUFFER(Counters, CountersBlock, counters);
@@ -21,24 +21,35 @@ void main()
     uint q = gl_GlobalInvocationID.x;
     if (q >= counters[0].colliderPairCount) return;
     uint index = counters[0].listParity * sim.colliderPairCapacity + q;
-    float radius = particleRadius(fetchColliderPair(colliderPairs, index).particle);
+    uint particle = fetchColliderPair(colliderPairs, index).particle;
     ColliderContact sides = fetchColliderContact(colliderSides, q);
-    Arm arm = fetchContactArm(colliderArms, q);
-    MoverPoint point = moverPoint(sides.mover, arm.r);
+    Impulse last = fetchImpulse(lastColliderImpulses, index);
+    Arm arm = fetchContactArm(lastColliderArms, q);
+    vec4 rotation = quaternionProduct(fetchRotationDelta(sides.mover), fetchRotation(sides.mover));
+    Reference ref = colliderReference(particle, sides.mover, sides.collider, fetchCentre(sides.mover), rotation);
+    MoverPoint point = moverPoint(sides.mover, ref.r);
     vec3 start = point.centre + point.arm;
     ColliderSurface surface = colliderSurface(sides.collider, start + point.move);
     Contact contact;
-    contact.touch = 2.0 * radius;
-    contact.slide = point.move;
+    contact.touch = 2.0 * particleRadius(particle);
     contact.normal = surface.normal;
     contact.sameAssembly = false;
     contact.leaving = dot(point.move, surface.normal);
-    contact.gap = surface.distance - radius;
-    contact.startGap = colliderSurface(sides.collider, start).distance - radius;
+    contact.gap = surface.distance - ref.radius;
+    contact.startGap = colliderSurface(sides.collider, start).distance - ref.radius;
     contact.worstInverseMass = arm.worstInverseMass * point.splits;
     contact.inverseMass = contact.worstInverseMass * sides.fraction;
     contact.friction = sides.friction;
+    vec3 offset = -ref.radius * surface.normal;
+    if (ref.round) {
+        vec3 before = rotate(rotation, arm.r - ref.r) - offset;
+        offset += rollingOffset(fetchRound(sides.mover).rolling * ref.radius, before, point.move, surface.normal,
+                                last.normal, contact.worstInverseMass);
+    }
+    arm.r = armAt(sides.mover, ref.r, offset);
+    contact.slide = moverPoint(sides.mover, arm.r).move;
     float mean = texelFetch(lastColliderMeans, int(index)).x;
-    colliderImpulses[index] = packImpulse(solveContact(contact, fetchImpulse(lastColliderImpulses, index), mean));
+    colliderImpulses[index] = packImpulse(solveContact(contact, last, mean));
     colliderMeans[index] = mean;
+    colliderArms[q] = packArm(arm);
 }

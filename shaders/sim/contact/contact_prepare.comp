@@ -1,11 +1,11 @@
 // One thread a pair of particles: what its contact is made of, with the impulse that it had before.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/list_ranges.glsl"
+#include "math/spatial.glsl"
+#include "sim/common/contacts/contact_point.glsl"
 #include "sim/contact/exit_direction.glsl"
-#include "sim/common/contacts/touch.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer latticeEnds;
 uniform samplerBuffer searchPositions;
 uniform usamplerBuffer pairs;
 uniform samplerBuffer lastPairImpulses;
@@ -74,23 +74,29 @@ void main()
     Pair pair = fetchPair(pairs, index);
     ParticleRank a = fetchRank(pair.first), b = fetchRank(pair.second);
     Arm armA = fetchArm(pair.first), armB = fetchArm(pair.second);
-    float touch = touchDistance(pair.first, pair.second);
     vec3 difference = texelFetch(searchPositions, int(pair.first)).xyz -
                       texelFetch(searchPositions, int(pair.second)).xyz;
     vec4 rotationA = texelFetch(searchRotations, int(a.mover)), rotationB = texelFetch(searchRotations, int(b.mover));
     ContactSides sides;
     sides.movers = uvec2(a.mover, b.mover);
-    sides.exit = exitDirection(pair, sides.movers, touch);
+    sides.exit = exitDirection(pair, sides.movers, touchDistance(pair.first, pair.second));
+    References refs = referencesOf(pair, sides.movers, sides.exit.sameAssembly, difference, rotationA, rotationB);
+    float touch = refs.a.radius + refs.b.radius;
+    difference += rotate(rotationA, refs.a.r - armA.r) - rotate(rotationB, refs.b.r - armB.r);
     sides.hidden = hiddenBeside(pair.first, rotationA, -difference) |
                    hiddenBeside(pair.second, rotationB, difference) << 3;
-    Separation separation = separationOf(difference, sides.exit, rotationA, rotationB, sides.hidden, touch);
+    Separation separation =
+        separationOf(difference, exitOf(refs, sides.exit), rotationA, rotationB, sides.hidden, touch);
+    Meeting meeting = meetingOf(difference, separation, refs);
     sides.friction = 0.5 * (fetchMass(pair.first).friction + fetchMass(pair.second).friction);
     if (min(a.mover, b.mover) >= sim.bodyCount) sides.friction *= LOOSE_FRICTION;
-    sides.fractions =
-        vec2(normalFraction(a.mover, armA, separation.normal), normalFraction(b.mover, armB, separation.normal));
+    vec3 rA = refs.a.r + rotate(conjugate(rotationA), meeting.fromA);
+    vec3 rB = refs.b.r + rotate(conjugate(rotationB), meeting.fromB);
+    SideMass massA = sideMass(a.mover, armA, rA, separation.normal), massB = sideMass(b.mover, armB, rB, separation.normal);
+    sides.fractions = vec2(massA.fraction, massB.fraction);
     pairSides[q] = packContactSides(sides);
-    pairArms[firstArm(q)] = packArm(armA);
-    pairArms[secondArm(q)] = packArm(armB);
+    pairArms[firstArm(q)] = packArm(Arm(rA, massA.worst));
+    pairArms[secondArm(q)] = packArm(Arm(rB, massB.worst));
     Old old = oldImpulse(parity ^ 1u, pair, a.rank, b.rank);
     if (separation.distance < touch && old.impulse.normal <= 0.0) old.impulse.normal = ABOUT_TO_ACT;
     pairImpulses[index] = packImpulse(old.impulse);

@@ -1,7 +1,7 @@
 // One thread a contact between particles: one Jacobi iteration of the impulse that makes it bounce.
 #include "sim/common/kernel.glsl"
 #include "sim/restitution/restitution.glsl"
-#include "sim/common/contacts/touch.glsl"
+#include "sim/common/contacts/contact_point.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairs;
@@ -22,8 +22,13 @@ void main()
     uint first = sides.movers.x, second = sides.movers.y;
     Arm armA = fetchContactArm(pairArms, firstArm(q)), armB = fetchContactArm(pairArms, secondArm(q));
     PointState a = pointState(first, armA.r), b = pointState(second, armB.r);
-    vec3 normal = separationOf(a.position - b.position, sides.exit, fetchRotation(first), fetchRotation(second),
-                               sides.hidden, touchDistance(pair.first, pair.second)).normal;
+    vec4 rotationA = fetchRotation(first), rotationB = fetchRotation(second);
+    vec3 between = fetchCentre(first) - fetchCentre(second);
+    vec3 particles = between + (rotate(rotationA, fetchArm(pair.first).r) - rotate(rotationB, fetchArm(pair.second).r));
+    References refs = referencesOf(pair, sides.movers, sides.exit.sameAssembly, particles, rotationA, rotationB);
+    vec3 difference = between + (rotate(rotationA, refs.a.r) - rotate(rotationB, refs.b.r));
+    vec3 normal = separationOf(difference, exitOf(refs, sides.exit), rotationA, rotationB, sides.hidden,
+                               refs.a.radius + refs.b.radius).normal;
     vec3 before = velocityBefore(first, armA.r) - velocityBefore(second, armB.r);
     vec2 splits = vec2(restitutionSplits(first), restitutionSplits(second));
     float inverseMass = dot(splits * vec2(armA.worstInverseMass, armB.worstInverseMass), sides.fractions);

@@ -5,11 +5,14 @@
 #include "sim/common/particles.glsl"
 #include "sim/common/contacts/search_margin.glsl"
 #include "sim/common/contacts/touch.glsl"
+#include "sim/common/contacts/round_bodies.glsl"
+#include "math/quaternion.glsl"
 #include "sim/search/candidates.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer searchPositions;
 uniform samplerBuffer searchCentres;
+uniform samplerBuffer searchRotations;
 uniform usamplerBuffer moverColliders;   // bits: those that the mover may touch
 BUFFER(uint, ColliderLists, colliderLists);
 BUFFER(uint, ListCounts, listCounts);
@@ -23,6 +26,13 @@ void main()
     ParticleRank own = fetchRank(i);
     float reach = colliderReach() + max(extraMargin(fetchSearchCentre(searchCentres, own.mover)), 0.0);
     uint near = texelFetch(moverColliders, int(own.mover)).x;
+    if (isRound(i)) {
+        RoundBody body = fetchRound(own.mover);
+        vec3 r = fetchArm(i).r;
+        x += rotate(texelFetch(searchRotations, int(own.mover)), onLine(body, r) - r);
+        reach += body.radius - particleRadius(i);
+        if ((texelFetch(latticeEnds, int(i)).x & CARRIES_ROUND) == 0u) near = 0u;
+    }
     uint count = 0u;
     for (uint block = 0u; near != 0u; block += 32u) {
         for (uint left = near; left != 0u; left &= left - 1u) {

@@ -73,7 +73,9 @@ void main()
             hits &= hits - 1u;
             SortedInfo other = fetchSortedInfo(m);
             if (other.fast || (other.assembly == info.assembly && !mayTouch(info.particle, other.particle))) continue;
-            if (!inForwardRange(cell, range, fetchSortedPosition(m).position)) continue;
+            vec3 place = fetchSortedPosition(m).position;
+            if (!inForwardRange(cell, range, place)) continue;
+            if (!speaks(info.particle, other.particle, own.position - place, 0.0)) continue;
             notePair(info, other, count++);
         }
     }

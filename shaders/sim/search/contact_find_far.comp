@@ -44,7 +44,9 @@ void main()
             float apart = length(x - y);
             if (apart >= farthest || !inFarRange(cell, range, y)) continue;
             SortedInfo other = fetchSortedInfo(m);
-            if (isContact(own, other, apart, reach)) notePair(own, other, count++);
+            float further = reach + (other.fast ? reachOf(other.particle) : 0.0);
+            if (isContact(own, other, apart, reach) && speaks(i, other.particle, x - y, further))
+                notePair(own, other, count++);
         }
     }
     noteCount(own, count);

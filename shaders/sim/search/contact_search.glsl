@@ -1,14 +1,18 @@
 // What a search for contacts knows about particles, and where it notes what it finds.
+#include "math/quaternion.glsl"
 #include "sim/common/contacts/contact_lists.glsl"
 #include "sim/common/bodies/owners.glsl"
 #include "sim/common/contacts/touch.glsl"
+#include "sim/common/contacts/round_bodies.glsl"
 #include "sim/search/candidates.glsl"
 #include "sim/search/sorted_particles.glsl"
+#include "sim/common/particles.glsl"
 
 uniform samplerBuffer sortedPositions;
 uniform usamplerBuffer sortedInfos;
 uniform usamplerBuffer cellStarts;
 uniform samplerBuffer restPositions;
+uniform samplerBuffer searchRotations;
 BUFFER(uvec2, FirstLists, firstLists);   // candidates
 BUFFER(uint, ListCounts, listCounts);
 BUFFER(Counters, CountersBlock, counters);
@@ -51,6 +55,38 @@ bool mayTouch(uint i, uint j)
     RestPosition a = fetchRestPosition(i), b = fetchRestPosition(j);
     float least = (0.99 + max(a.margin, b.margin)) * touchDistance(i, j);
     return length(a.position - b.position) > least && !inSameBody(i, j);
+}
+
+/// Whether a particle of a ball or capsule is nearer to a point than all others of it, or as near. The body is a cubic
+/// lattice; it suffices to ask the neighbours. @param towards from the particle to the point, in the body's axes [m].
+bool nearestOfRound(uint body, vec3 r, vec3 towards)
+{
+    RoundBody round = fetchRound(body);
+    float inner = max(round.radius - 0.5 * sim.diameter, 0.0) + 2e-4 * sim.diameter;
+    float own = dot(towards, towards) - 1e-4 * sim.diameter * sim.diameter;
+    for (int k = 0; k < 27; ++k) {
+        vec3 step = sim.diameter * (vec3(k % 3, k / 3 % 3, k / 9) - 1.0), place = r + step;
+        vec3 left = towards - step, off = place - onLine(round, place);
+        if (dot(left, left) < own && dot(off, off) <= inner * inner) return false;
+    }
+    return true;
+}
+
+/// Of a pair that is less than sim.contactReach apart whether it is near enough, and speaks for its bodies: of a ball
+/// or capsule only the nearest particle does. @param difference from j to i [m].
+bool speaks(uint i, uint j, vec3 difference, float further)
+{
+#ifdef ROUNDS
+    bool roundI = isRound(i), roundJ = isRound(j);
+    if (!roundI && !roundJ) return length(difference) < sim.plainReach + further;
+    if (fetchParticle(i).assembly == fetchParticle(j).assembly) return true;   // as particles
+    uint a = fetchRank(i).mover, b = fetchRank(j).mover;
+    vec3 inA = rotate(conjugate(texelFetch(searchRotations, int(a))), -difference);
+    vec3 inB = rotate(conjugate(texelFetch(searchRotations, int(b))), difference);
+    return (!roundI || nearestOfRound(a, fetchArm(i).r, inA)) && (!roundJ || nearestOfRound(b, fetchArm(j).r, inB));
+#else
+    return true;
+#endif
 }
 
 /// Lists `other` as the second of a pair whose first is `own`, which has `count` before it.

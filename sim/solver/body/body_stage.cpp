@@ -18,22 +18,24 @@ struct Movers {
     std::vector<gpu::MoverInfo> infos;
     std::vector<uint32_t> states;
     std::vector<gpu::vec4> centres, rotations, velocities;  ///< The last: fields.
-    std::vector<gpu::vec4> moments, inertias;               ///< Of bodies.
+    std::vector<gpu::vec4> moments, inertias, rounds;       ///< Of bodies.
 };
 
 /// The particles of a body move as one: the linear field nearest to their velocities, by least squares.
 void addVelocityField(std::vector<gpu::vec4>& out, const World& world, const Body& body, const BodyMass& mass)
 {
     Vector3d momentum = Vector3d::Zero();
-    Matrix3d cross = Matrix3d::Zero();
+    Matrix3d cross = Matrix3d::Zero(), moments = Matrix3d::Zero();  // of the particles, whatever they stand for
     for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
         const Vector3d v = world.links[l].mass * world.particles[world.links[l].particle].velocity.cast<double>();
         momentum += v;
-        cross += v * world.links[l].restOffset.cast<double>().transpose();
+        const Vector3d r = world.links[l].restOffset.cast<double>();
+        cross += v * r.transpose();
+        moments += world.links[l].mass * r * r.transpose();
     }
     const bool fixed = body.motion == Motion::Fixed;
     out.push_back(pack(fixed ? Vector3f::Zero() : Vector3f((momentum / mass.mass).cast<float>()), 0));
-    const Matrix3d f = mass.moments.completeOrthogonalDecomposition().solve(cross.transpose()).transpose();
+    const Matrix3d f = moments.completeOrthogonalDecomposition().solve(cross.transpose()).transpose();
     for (int column = 0; column < 3; ++column)
         out.push_back(pack(fixed ? Vector3f::Zero() : Vector3f(f.col(column).cast<float>()), 0));
 }
@@ -47,6 +49,13 @@ void addMass(Movers& out, const BodyMass& mass)
     out.inertias.push_back({inverse(0, 1), inverse(0, 2), inverse(1, 2), 0});
 }
 
+void addRound(Movers& out, const World& world, const Body& body)
+{
+    const Vector3f end(0, body.round.halfHeight, 0);
+    out.rounds.push_back(pack(-end - body.restCentre, body.round.radius));
+    out.rounds.push_back(pack(end - body.restCentre, world.materials[body.material].rollingFriction));
+}
+
 void addBody(Movers& out, const World& world, const Body& body)
 {
     const BodyMass mass = bodyMass(world, body);
@@ -54,6 +63,7 @@ void addBody(Movers& out, const World& world, const Body& body)
     out.infos.push_back({0, 0, body.assembly, static_cast<float>(1.0 / mass.mass)});
     out.states.push_back(fixed ? MOVER_FIXED : MOVER_DYNAMIC);
     addMass(out, mass);
+    addRound(out, world, body);
     out.centres.push_back(pack(body.position, 0));
     out.rotations.push_back(pack(body.rotation.vec(), body.rotation.w()));
     addVelocityField(out.velocities, world, body, mass);
@@ -140,6 +150,7 @@ void BodyStage::uploadMovers(const StageSetup& setup)
     moverStates = {"moverStates", std::span<const uint32_t>(movers.states)};
     bodyMoments = {"bodyMoments", std::span<const gpu::vec4>(movers.moments)};
     bodyInertias = {"bodyInertias", std::span<const gpu::vec4>(movers.inertias)};
+    bodyRounds = {"bodyRounds", std::span<const gpu::vec4>(movers.rounds)};
     moverCentres = {"moverCentres", std::span<const gpu::vec4>(movers.centres)};
     moverRotations = {"moverRotations", std::span<const gpu::vec4>(movers.rotations)};
     moverVelocities = {"moverVelocities", std::span<const gpu::vec4>(movers.velocities)};
@@ -167,8 +178,8 @@ void BodyStage::uploadRows(const RowPlan& rows)
 
 void BodyStage::addBuffers(BufferTable& table)
 {
-    table.add(links, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, moverInfo, moverStates,
-              moverCentres, moverRotations, moverVelocities, oldMoverVelocities, oldMoverMoves, moverMoves,
+    table.add(links, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, bodyRounds, moverInfo,
+              moverStates, moverCentres, moverRotations, moverVelocities, oldMoverVelocities, oldMoverMoves, moverMoves,
               moverRotationDeltas, bodyLoads, moverPredictions, moverImpulses, moverChanges, particleImpulses, bodyRows,
               rowArms, rowImpulses, rowAngularImpulses);
 }

@@ -28,6 +28,7 @@ public:
     Buffer<gpu::BodyInfo> bodyInfo;            ///< Per body.
     Buffer<gpu::vec4> bodyMoments;     ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
     Buffer<gpu::vec4> bodyInertias;    ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
+    Buffer<gpu::vec4> bodyRounds;      ///< Per body, two: ends of its centre line [m]; w: radius, rolling friction.
     Buffer<gpu::MoverInfo> moverInfo;  ///< Per mover.
     // State, per mover.
     Buffer<uint32_t> moverStates;                           ///< MOVER_*.

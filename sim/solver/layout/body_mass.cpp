@@ -20,6 +20,15 @@ Matrix3d inverseOf(const Matrix3d& inertia)
     return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
+/// Sum of m r r^T of a solid ball or capsule along y [kg m2].
+Matrix3d roundMoments(const RoundShape& round, double mass)
+{
+    const double r = round.radius, h = round.halfHeight, caps = mass * 4.0 / 3.0 * r / (4.0 / 3.0 * r + 2.0 * h);
+    const double middle = mass - caps, across = middle * r * r / 4.0 + caps * r * r / 5.0;
+    const double along = middle * h * h / 3.0 + caps * (r * r / 5.0 + h * h + 0.75 * h * r);
+    return Vector3d(across, along, across).asDiagonal();
+}
+
 }  // namespace
 
 BodyMass bodyMass(const World& world, const Body& body)
@@ -30,6 +39,10 @@ BodyMass bodyMass(const World& world, const Body& body)
         result.mass += world.links[l].mass;
         result.moments += world.links[l].mass * r * r.transpose();
         result.radius = std::max(result.radius, r.norm());
+    }
+    if (body.round.exists()) {
+        result.moments = roundMoments(body.round, result.mass);
+        result.radius = body.round.radius + body.round.halfHeight - world.particleRadius;
     }
     result.inverseInertia = inverseOf(result.moments.trace() * Matrix3d::Identity() - result.moments);
     return result;

@@ -23,6 +23,24 @@ std::vector<uint32_t> latticeEndsOf(const World& world)
     return ends;
 }
 
+/// Marks the particles of balls and capsules. Of those at the same place along the centre line, one stands for all at
+/// colliders.
+void markRounds(const World& world, std::vector<uint32_t>& ends)
+{
+    const float same = 1e-3f * world.diameter();
+    for (const Body& body : world.bodies) {
+        if (!body.round.exists()) continue;
+        std::vector<float> places;
+        for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
+            const float y = world.links[l].restOffset.y() + body.restCentre.y(), half = body.round.halfHeight;
+            const float place = std::clamp(y, -half, half);
+            const bool first = std::ranges::none_of(places, [&](float p) { return std::abs(p - place) < same; });
+            ends[world.links[l].particle] = ALL_ENDS | IN_ROUND | (first ? CARRIES_ROUND : 0u);
+            if (first) places.push_back(place);
+        }
+    }
+}
+
 }  // namespace
 
 ParticleStage::ParticleStage(const StageSetup& setup)
@@ -57,8 +75,10 @@ void ParticleStage::uploadConstants(const StageSetup& setup)
     }
     std::vector<gpu::uvec2> ranks;
     for (const gpu::ParticleRank& rank : setup.layout.ranks) ranks.push_back({rank.mover, rank.rank});
-    const std::vector<uint32_t> ends = latticeEndsOf(world);
+    std::vector<uint32_t> ends = latticeEndsOf(world);
     hasFlatFaces = std::ranges::any_of(ends, [](uint32_t end) { return end != ALL_ENDS; });
+    markRounds(world, ends);
+    hasRounds = std::ranges::any_of(world.bodies, [](const Body& body) { return body.round.exists(); });
     restPositions = {"restPositions", std::span<const gpu::vec4>(rest)};
     masses = {"masses", std::span<const gpu::vec4>(mass)};
     particleSurfaces = {"particleSurfaces", std::span<const gpu::vec4>(surfaces)};

@@ -19,8 +19,9 @@ public:
     Buffer<gpu::vec4> restOffsets;    ///< r in the first body [m]; w: the worst inverse mass in it [1/kg].
     Buffer<gpu::vec4>
         particleSurfaces;          ///< Exit direction of the first body, zero where none; w: distance to its surface.
-    Buffer<uint32_t> latticeEnds;  ///< SurfaceDistance::ends of a body without joints, ALL_ENDS of others.
+    Buffer<uint32_t> latticeEnds;  ///< SurfaceDistance::ends of a body without joints, ALL_ENDS of others; IN_ROUND.
     Buffer<gpu::uvec2> assemblyState;  ///< Per assembly: last substep with a contact, order of this one.
+    bool hasRounds = false;            ///< Whether any body is a ball or a capsule.
     bool hasFlatFaces = false;         ///< Whether any particle's lattice ends are known.
 
 private:

@@ -17,14 +17,16 @@ constexpr uint64_t MOST_PARTICLES = 1u << 23;  // contacts have 23 bits for a mo
 // How far particles may be from each other where one touches the other's box [diameters]: in the middle of four of a
 // face root 1.5, less what it may sink in before it is found; root 2 would find all neighbours across two faces.
 constexpr float FLAT_TOUCH = 1.2f;
+// The same of a ball or capsule: between its particles, its surface is up to a diameter further out than they are.
+constexpr float ROUND_TOUCH = 1.7f;
 
 }  // namespace
 
-SearchStage::SearchStage(const StageSetup& setup, bool flatFaces)
+SearchStage::SearchStage(const StageSetup& setup, bool flatFaces, bool rounds)
     : parameters_(setup.parameters), byParticles_(setup.world.settings.solver == SolverKind::Paper),
       hasSolids_(setup.layout.solidCount > 0), hasColliders_(hasSolids_ && !setup.world.colliders.empty())
 {
-    setParameters(setup, flatFaces);
+    setParameters(setup, flatFaces, rounds);
     makeGrid(setup.parameters);
     makeLists(setup.gpu);
     const uint32_t movers = setup.layout.moverCount();
@@ -42,11 +44,12 @@ SearchStage::SearchStage(const StageSetup& setup, bool flatFaces)
 /// How far contacts are looked for, and for how long they stay good. Neighbours rarely use up their margins both and
 /// against each other, so each may drift by more than half of it. The paper's particles may drift by a quarter: the
 /// iterations move them further by as much.
-void SearchStage::setParameters(const StageSetup& setup, bool flatFaces)
+void SearchStage::setParameters(const StageSetup& setup, bool flatFaces, bool rounds)
 {
     const Settings& s = setup.world.settings;
     gpu::StepParameters& p = setup.parameters;
-    p.contactReach = ((flatFaces ? FLAT_TOUCH : 1.0f) + s.contactMargin) * p.diameter;
+    p.plainReach = ((flatFaces ? FLAT_TOUCH : 1.0f) + s.contactMargin) * p.diameter;
+    p.contactReach = rounds ? (ROUND_TOUCH + s.contactMargin) * p.diameter : p.plainReach;
     p.inverseCellSize = 1.0f / p.contactReach;
     p.drift = (byParticles_ ? 0.25f : 1.0f) * s.contactMargin * p.diameter;
     p.lookAhead = 0.5f * static_cast<float>(s.substeps);

@@ -11,7 +11,7 @@ class SearchStage : public Stage {
 public:
     /// @param flatFaces whether boxes are flat to what touches them, which has to be found from further away.
     /// @throws DeviceError when the device's limits are too small for the lists, with the number.
-    SearchStage(const StageSetup& setup, bool flatFaces);
+    SearchStage(const StageSetup& setup, bool flatFaces, bool rounds);
     void addBuffers(BufferTable& table) override;
     void grow(const Gpu& gpu, gpu::StepParameters& parameters, const gpu::Counters& counters) override;
 
@@ -39,7 +39,7 @@ public:
     Buffer<gpu::uvec2> colliderPairs;                   ///< Halves of colliderPairCapacity: particle, collider.
 
 private:
-    void setParameters(const StageSetup& setup, bool flatFaces);
+    void setParameters(const StageSetup& setup, bool flatFaces, bool rounds);
     void makeGrid(gpu::StepParameters& parameters);
 
     const gpu::StepParameters& parameters_;

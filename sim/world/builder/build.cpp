@@ -15,6 +15,15 @@ float shareWeight(const Body& body)
     return body.isCross ? 6.0f : 1.0f;
 }
 
+/// Bodies with joints keep their particles' shape: limbs overlap around joints.
+void dropJointedRounds(World& world)
+{
+    std::vector<uint32_t> bodies(world.assemblyCount);
+    for (const Body& body : world.bodies) ++bodies[body.assembly];
+    for (Body& body : world.bodies)
+        if (bodies[body.assembly] > 1) body.round = {};
+}
+
 }  // namespace
 
 void WorldBuilder::assignAssemblies()
@@ -70,6 +79,17 @@ void WorldBuilder::makeBodyLinks(uint32_t bodyIndex)
     body.position += body.rotation * body.restCentre;
 }
 
+void WorldBuilder::weighRounds()
+{
+    for (uint32_t b = 0; b < world_.bodies.size(); ++b) {
+        const Body& body = world_.bodies[b];
+        if (!body.round.exists()) continue;
+        const float all = world_.materials[body.material].density * body.round.volume();
+        for (uint32_t p : bodyParticles_[b])
+            world_.particles[p].mass = all / static_cast<float>(bodyParticles_[b].size());
+    }
+}
+
 World WorldBuilder::build()
 {
     if (objectOpen_) throw std::logic_error("build(): the last object is still open");
@@ -78,7 +98,9 @@ World WorldBuilder::build()
         if (world_.bodies[b].motion == Motion::Fixed)
             for (uint32_t p : bodyParticles_[b]) world_.particles[p].body = b;
     assignAssemblies();
+    if (fluid_.empty() && world_.emitters.empty()) weighRounds();
     for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
+    dropJointedRounds(world_);
     makeSoftLinks(world_);
     joinRowAssemblies(world_);
     placeFluid();

@@ -86,7 +86,7 @@ std::vector<uint32_t> WorldBuilder::newParticles(const std::string& name, std::s
 }
 
 uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> positions, uint32_t material, Motion motion,
-                               std::span<const SurfaceDistance> surface)
+                               std::span<const SurfaceDistance> surface, const RoundShape& round)
 {
     requireObject("addBody");
     Body body;
@@ -101,6 +101,7 @@ uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> posit
     if (surface.empty()) surface = lattice;
     for (size_t i = 0; i < std::min(positions.size(), surface.size()); ++i)
         world_.particles[bodyParticles_[index][i]].surface = surface[i];
+    if (world_.settings.solver == SolverKind::Impulse) body.round = round;
     Object& object = world_.objects.back();
     ++object.bodyCount;
     world_.bodies.push_back(std::move(body));

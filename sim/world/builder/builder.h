@@ -46,10 +46,11 @@ public:
     /// All bodies and joints up to endObject() belong to one object named `name`.
     void beginObject(std::string name);
     /// A rigid body of particles at `positions` (rest pose of the object) [m]. `surface`: of each particle; where it is
-    /// empty, a box lattice has a box's, and anything else none. @returns the body's index.
+    /// empty, a box lattice has a box's, and anything else none. `round`: the ball or capsule that they fill, by whose volume it weighs. @returns the body's index.
     /// @throws std::logic_error for an empty span or a position that is not finite.
     uint32_t addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
-                     Motion motion = Motion::Dynamic, std::span<const SurfaceDistance> surface = {});
+                     Motion motion = Motion::Dynamic, std::span<const SurfaceDistance> surface = {},
+                     const RoundShape& round = {});
     /// A soft body of particles at `positions` (rest pose of the object) [m], as elastic as its material.
     /// @returns the soft body's index. @throws std::logic_error for an empty span or a position that is not finite.
     uint32_t addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material);
@@ -108,6 +109,8 @@ private:
     void placeFluid();
     void requireFluid(const char* what, uint32_t material) const;
     Particle fluidParticle(uint32_t material) const;
+    /// Balls and capsules weigh density times volume. Not among fluids, in which they displace their particles' cells.
+    void weighRounds();
     void makeBodyLinks(uint32_t bodyIndex);
     /// The part of a particle's mass that counts in one of its bodies, 0 ... 1.
     float massFraction(uint32_t particle, uint32_t body) const;

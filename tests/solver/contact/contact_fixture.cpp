@@ -93,13 +93,16 @@ void ContactFixture::setColliderContacts(std::vector<TestContact> contacts)
     std::vector<gpu::uvec4> sides;
     std::vector<gpu::vec4> arms, impulses;
     std::vector<float> means;
+    std::vector<gpu::uvec2> found;
     for (const TestContact& c : colliderContacts) {
         sides.push_back({moverOf[c.first], c.second, packHalves(c.staticFriction, c.kineticFriction),
                          level(c.firstFraction, 65535) | 0xffffu << 16});
         arms.push_back(packed(c.firstArm, c.firstMass));
         impulses.push_back(c.impulse);
         means.push_back(c.mean);
+        found.push_back({c.first, c.second});
     }
+    put(stages.search.colliderPairs, found, PARITY * stages.parameters.colliderPairCapacity);
     put(stages.contacts.colliderSides, sides);
     put(stages.contacts.colliderArms, arms);
     put(stages.contacts.colliderImpulses, impulses, PARITY * stages.parameters.colliderPairCapacity);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/solver/contact/contact_fixture.h"
+#include "tests/solver/contact/contact_reference.h"
 
 namespace knuckle::test {
 
@@ -13,6 +14,7 @@ struct Situation {
     double gap, startGap, leaving;
     bool kin = false;
     double inverseMass, worstMass;
+    bool sure = true;
     double places;  ///< Size of the positions whose differences gap and slide are [m]: it sets the rounding.
 };
 
@@ -84,13 +86,16 @@ protected:
         }
         fixture.setPairs(std::move(list));
     }
-    /// 777 contacts of movers with the plane and the ball.
+    /// 777 contacts of movers with the plane and the ball, each of another particle, which is where the contact has it.
     void makeColliderContacts()
     {
         Random random(102);
         std::vector<TestContact> list;
+        auto offsets = fixture.stages.particles.restOffsets.download();
+        ends = fixture.stages.particles.latticeEnds.download();
         while (list.size() < 777) {
-            TestContact c{.first = anyParticle(random), .second = static_cast<uint32_t>(list.size() % 2)};
+            const auto index = static_cast<uint32_t>(list.size());
+            TestContact c{.first = index, .second = index % 2};
             addMaterial(c, random, 65535);
             const Collider& collider = fixture.world.colliders[c.second];
             const float off = DIAMETER / 2 + random.between(-0.01f, 0.01f);
@@ -98,9 +103,11 @@ protected:
             const Vector3f onPlane = collider.orientation * Vector3f(at.x(), off, at.z());
             const Vector3f onBall = collider.position + (collider.radius + off) * random.direction();
             c.firstArm = fixture.armTo(c.first, c.second == 0 ? onPlane : onBall);
+            offsets[c.first] = packed(c.firstArm, 1.0f);
             addImpulse(c, random);
             list.push_back(c);
         }
+        fill(fixture.stages.particles.restOffsets, offsets);
         fixture.setColliderContacts(std::move(list));
     }
     /// A vector without its parts along the axes of a mover that `hidden` names.
@@ -149,15 +156,25 @@ protected:
         const Vector3d up = collider.orientation.cast<double>() * Vector3d::UnitY();
         const Vector3d from = collider.position.cast<double>();
         const auto distance = [&](const Vector3d& x) {
-            return (c.second == 0 ? up.dot(x) : (x - from).norm() - collider.radius) - DIAMETER / 2;
+            return c.second == 0 ? up.dot(x) : (x - from).norm() - collider.radius;
         };
-        const Vector3d start = fixture.place(c.first, c.firstArm);
+        const auto normal = [&](const Vector3d& x) { return c.second == 0 ? up : Vector3d((x - from).normalized()); };
+        const uint32_t mover = fixture.moverOf[c.first];
+        const Eigen::Quaterniond turned = quaternion(fixture.turns[mover]).cast<double>() * fixture.rotation(mover);
+        const auto place = [&](const Vector3d& r) { return Vector3d(fixture.centre(mover) + turned * r); };
+        const Vector3d r = c.firstArm.cast<double>();
+        const ColliderTouch touch = colliderTouch(ends[c.first], r, turned.conjugate() * normal(place(r)), place,
+                                                  distance);
+        const Vector3d start = fixture.centre(mover) + fixture.arm(mover, touch.r);
+        const Vector3d move = fixture.moveOf(mover, touch.r);
         Situation s;
-        s.slide = fixture.moveOfArm(c.first, c.firstArm);
-        s.normal = c.second == 0 ? up : (start + s.slide - from).normalized();
-        s.leaving = s.slide.dot(s.normal);
-        s.gap = distance(start + s.slide);
-        s.startGap = distance(start);
+        s.sure = touch.sure;
+        s.normal = normal(start + move);
+        s.leaving = move.dot(s.normal);
+        s.gap = distance(start + move) - touch.radius;
+        s.startGap = distance(start) - touch.radius;
+        // Friction is where the surfaces are.
+        s.slide = fixture.moveOf(mover, touch.r - touch.radius * (turned.conjugate() * s.normal));
         s.worstMass = SPLITS * c.firstMass;
         s.inverseMass = s.worstMass * c.firstFraction;
         s.places = 2 * c.firstArm.norm() + start.norm() + 2 * from.norm() + 0.5;
@@ -197,7 +214,7 @@ protected:
         const double whole = old.norm() + tangent.norm() + (acts ? (std::abs(s.gap) + depth) / s.inverseMass : 0.0);
         out.tolerance = turn * whole + (acts ? 2 * error / s.inverseMass : 0.0);
         const double most = sunk && acts ? step().maxCorrection / s.inverseMass : 0.0;
-        out.onEdge = std::abs(normal) < out.tolerance && acts;
+        out.onEdge = !s.sure || (std::abs(normal) < out.tolerance && acts);
         out.onEdge |= std::abs(depth - (1 - SUNK) * DIAMETER) < 3 * error;
         normal = std::max(normal, -most);
         const double bound = std::max(normal, SUNK_GRIP * most);
@@ -238,6 +255,7 @@ protected:
     }
 
     ContactFixture fixture;
+    std::vector<uint32_t> ends;  ///< Per particle: latticeEnds.
 };
 
 }  // namespace knuckle::test

@@ -40,12 +40,13 @@ void PartingFixture::setTurnsAndInertias()
     fill(stages.bodies.bodyInertias, packedInertias);
 }
 
-double PartingFixture::inverseMass(uint32_t particle, const Vector3f& r, const Vector3d& normal) const
+SideMass PartingFixture::massOf(uint32_t particle, const Vector3f& r, const Vector3d& normal) const
 {
     const Particle& p = world.particles[particle];
-    if (p.body == NO_INDEX) return 1.0 / static_cast<double>(p.mass);
-    const Vector3d t = r.cast<double>().cross(turns_[p.body].conjugate().cast<double>() * normal);
-    return 1.0 / bodyMass(world, world.bodies[p.body]).mass + t.dot(inertias_[p.body] * t);
+    if (p.body == NO_INDEX) return {1.0 / static_cast<double>(p.mass), 1.0 / static_cast<double>(p.mass)};
+    const double inverseMass = 1.0 / bodyMass(world, world.bodies[p.body]).mass;
+    return sideMass(inverseMass, inertias_[p.body], r.cast<double>(),
+                    turns_[p.body].conjugate().cast<double>() * normal);
 }
 
 WayOut PartingFixture::wayOut(uint32_t i, uint32_t j) const

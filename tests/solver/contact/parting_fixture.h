@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/solver/contact/contact_reference.h"
 #include "tests/solver/search/search_test.h"
 
 namespace knuckle::test {
@@ -27,8 +28,8 @@ public:
     /// By the particle that is nearer to its surface, or between both; none within an assembly.
     WayOut wayOut(uint32_t i, uint32_t j) const;
     Parting partingOf(uint32_t i, uint32_t j) const;
-    /// 1/M plus what turning adds: (r x n) I^-1 (r x n), for a unit impulse along n on a particle at r.
-    double inverseMass(uint32_t particle, const Vector3f& r, const Vector3d& normal) const;
+    /// What impulses on a particle at r of its body meet.
+    SideMass massOf(uint32_t particle, const Vector3f& r, const Vector3d& normal) const;
 
 private:
     /// Turns of the movers, and inverse inertias of the bodies that no box has: nothing in them is zero [1/(kg m2)].

@@ -24,12 +24,19 @@ vec3 withoutAxes(vec3 v, vec4 rotation, uint hidden)
 }
 
 /// The difference of the two sides of a pair, from the face or edge of whichever is nearer.
-vec3 flatDifference(vec3 difference, vec4 rotationA, vec4 rotationB, uint hidden, float touch)
+struct FlatDifference {
+    vec3 difference;      // [m]
+    float firstTouches;   // 1: the first side touches the second one's face, 0: the other way round; below 0: no face
+};
+
+FlatDifference flatDifference(vec3 difference, vec4 rotationA, vec4 rotationB, uint hidden, float touch)
 {
     vec3 a = withoutAxes(difference, rotationA, hidden & 7u), b = withoutAxes(difference, rotationB, hidden >> 3);
     vec3 nearest = dot(a, a) < dot(b, b) ? a : b;
     float least = LEAST_FLAT * touch;
-    return dot(nearest, nearest) > least * least ? nearest : difference;
+    if (dot(nearest, nearest) <= least * least) return FlatDifference(difference, -1.0);
+    // Of two faces the middle between both.
+    return FlatDifference(nearest, clamp(0.5 + 5.0 * (length(a) - length(b)) / touch, 0.0, 1.0));
 }
 
 /// In which direction the sides of a pair are apart.
@@ -37,6 +44,7 @@ struct Separation {
     vec3 normal;       // towards the first
     float distance;    // of the two along it [m]
     bool oneSided;     // the normal follows the exit direction
+    float firstTouches;  // as of FlatDifference
     bool keepsNormal;  // the normal stays while they move (an exit direction, a face); else it turns with the two
 };
 
@@ -46,8 +54,9 @@ Separation separationOf(vec3 difference, ExitDirection exit, vec4 rotationA, vec
 {
     float apart = length(difference);
     OneSidedNormal sided = oneSidedNormal(difference, apart, exit, touch);
-    if (sided.applies) return Separation(sided.normal, apart, true, true);
-    if (hidden != 0u) difference = flatDifference(difference, rotationA, rotationB, hidden, touch);
-    apart = length(difference);
-    return Separation(contactNormal(difference, apart), apart, false, hidden != 0u);
+    if (sided.applies) return Separation(sided.normal, apart, true, -1.0, true);
+    FlatDifference view = FlatDifference(difference, -1.0);
+    if (hidden != 0u) view = flatDifference(difference, rotationA, rotationB, hidden, touch);
+    apart = length(view.difference);
+    return Separation(contactNormal(view.difference, apart), apart, false, view.firstTouches, hidden != 0u);
 }

@@ -16,5 +16,5 @@ float touchDistance(uint i, uint j)
 /// A collider is a candidate of a particle whose centre is nearer than this to it [m].
 float colliderReach()
 {
-    return sim.contactReach - 0.5 * sim.diameter;
+    return sim.plainReach - 0.5 * sim.diameter;
 }

@@ -1,0 +1,11 @@
+// What the impulse of a pair meets.
+#include "sim/contact/contact_impulse.glsl"
+
+/// Friction and masses of a contact. @param splits over how many impulses the masses of its two sides are split.
+void setMasses(inout Contact contact, ContactSides sides, Arm armA, Arm armB, vec2 splits)
+{
+    vec2 worst = vec2(armA.worstInverseMass, armB.worstInverseMass) * splits;
+    contact.worstInverseMass = worst.x + worst.y;
+    contact.inverseMass = dot(worst, sides.fractions);
+    contact.friction = sides.friction;
+}
