@@ -7,6 +7,7 @@
 
 #include "app/files/output.h"
 #include "app/json/fields.h"
+#include "app/json/joint_limits.h"
 #include "app/json/json.h"
 #include "app/schema/schema.h"
 
@@ -47,10 +48,11 @@ std::string bodyText(const ActorBody& body)
 
 std::string jointText(const ActorJoint& joint)
 {
+    const std::string limits = joint.limits.any() ? ", \"limits\": " + writeLimits(joint.limits).dump() : "";
     return fmt::format("{{ \"name\": {}, \"type\": \"{}\", \"parent\": {}, \"child\": {}, \"anchor\": {}, "
-                       "\"axis\": {}, \"sharedParticles\": [{}] }}",
+                       "\"axis\": {}, \"sharedParticles\": [{}]{} }}",
                        stringText(joint.name), wordOf(joint.type), joint.parent, joint.child, vectorText(joint.anchor),
-                       vectorText(joint.axis), fmt::join(joint.sharedParticles, ", "));
+                       vectorText(joint.axis), fmt::join(joint.sharedParticles, ", "), limits);
 }
 
 void checkIndices(const JsonFile& file, const std::string& pointer, const std::vector<uint32_t>& indices, size_t count,
@@ -90,6 +92,10 @@ ActorJoint readJoint(const JsonFile& file, const Json& json, size_t index, const
     readValue(json["anchor"], joint.anchor);
     readValue(json["axis"], joint.axis);
     readValue(json["sharedParticles"], joint.sharedParticles);
+    joint.limits = readLimits(json["limits"]);
+    // A universal joint stands as its two hinges.
+    const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
+    requireLimits(file.path, pointer + "/limits", joint.limits, {type});
     checkIndices(file, pointer + "/sharedParticles", joint.sharedParticles, actor.particles.size(), "particles");
     for (const auto& [key, body] : {std::pair{"parent", joint.parent}, std::pair{"child", joint.child}}) {
         if (body < actor.bodies.size()) continue;

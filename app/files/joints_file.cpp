@@ -1,6 +1,7 @@
 #include "app/files/joints_file.h"
 
 #include "app/json/fields.h"
+#include "app/json/joint_limits.h"
 #include "app/schema/schema.h"
 
 namespace knuckle {
@@ -13,7 +14,9 @@ void readJoints(const std::string& path, ArticulationOptions& options)
     for (const auto& [bone, json] : file.root.items()) {
         const Json type = json.is_string() ? json : json.value("type", Json());
         if (type.is_string()) readValue(type, options.types[bone]);
-        if (!json.is_object() || !json.contains("axis")) continue;
+        if (!json.is_object()) continue;
+        if (const JointLimits limits = readLimits(json["limits"]); limits.any()) options.limits[bone] = limits;
+        if (!json.contains("axis")) continue;
         Vector3f axis;
         readValue(json["axis"], axis);
         if (axis.norm() < 1e-3f) failAt(path, "/" + bone + "/axis", "must not be zero");

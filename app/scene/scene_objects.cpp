@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "app/json/fields.h"
+#include "app/json/joint_limits.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_fill.h"
 #include "app/scene/scene_parts.h"
@@ -113,6 +114,10 @@ void addJoined(const Entry& entry)
     JointSpec common;
     readValue(json["axis"], common.axis);
     common.limitSide = json["limitSide"];
+    common.limits = readLimits(json["limits"]);
+    std::vector<JointType> types;
+    for (const Json& type : json["joints"]) types.push_back(valueOf<JointType>(type.get<std::string>()));
+    requireLimits(entry.context.path, entry.pointer + "/limits", common.limits, types);
     if (common.axis.cross(Vector3f::UnitX()).norm() < 1e-3f) {
         entry.fail("/axis", "must not be zero or along x, the chain's own direction; for instance [0, 0, 1]");
     }

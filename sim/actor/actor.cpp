@@ -70,6 +70,10 @@ uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, 
         Joint noted{joint.type, joint.name, bodies[joint.parent], bodies[joint.child], NO_INDEX, {}};
         for (uint32_t particle : joint.sharedParticles) noted.sharedParticles.push_back(particles[particle]);
         builder.noteJoint(std::move(noted));
+        const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
+        for (const JointBounds& bounds : boundsOf(type, joint.limits, bodies[joint.parent], bodies[joint.child],
+                                                  NO_INDEX, joint.axis.normalized(), joint.axis.normalized()))
+            builder.addJointBounds(bounds);
     }
     builder.setSelfMargin(SELF_MARGIN);
     for (uint32_t b = 0; b < bodies.size(); ++b) {

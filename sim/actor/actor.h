@@ -24,8 +24,9 @@ struct ActorJoint {
     JointType type = JointType::Ball;
     uint32_t parent = 0, child = 0;  ///< Into Actor::bodies.
     Vector3f anchor{0, 0, 0};        ///< The bone's head [m].
-    Vector3f axis{0, 0, 1};          ///< Unit; hinge and universal.
+    Vector3f axis{0, 0, 1};          ///< Unit; of a ball the child's, which its limits are about.
     std::vector<uint32_t> sharedParticles;
+    JointLimits limits = {};  ///< Each half of a universal joint has its `bend`.
 };
 
 struct Actor {

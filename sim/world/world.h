@@ -9,6 +9,7 @@
 #include "sim/world/collider_grid.h"
 #include "sim/world/distance_row.h"
 #include "sim/world/emitter.h"
+#include "sim/world/joint_limits.h"
 #include "sim/world/no_index.h"
 #include "sim/world/settings.h"
 #include "sim/world/soft_matter.h"
@@ -97,9 +98,8 @@ struct Body {
     Quaternionf rotation{1, 0, 0, 0};  ///< How the rest pose is turned at the start.
 };
 
-enum class JointType : uint32_t { Ball, Hinge, Stiff, Universal };
-
-/// What a joint was built as. The solver never reads it: behaviour comes from the shared particles alone (section 4).
+/// What a joint was built as. The solver never reads it: behaviour comes from the shared particles alone (section 4), and
+/// from World::jointBounds.
 struct Joint {
     JointType type = JointType::Ball;
     std::string name;
@@ -139,6 +139,7 @@ struct World {
     std::vector<Body> bodies;
     std::vector<Link> links;
     std::vector<Joint> joints;
+    std::vector<JointBounds> jointBounds;
     std::vector<Object> objects;
     std::vector<Collider> colliders;
     std::vector<SoftBody> softBodies;

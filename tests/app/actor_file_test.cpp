@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numbers>
 #include <random>
 
 #include "app/commands/actor_table.h"
@@ -35,6 +36,8 @@ Actor makePair()
     for (uint32_t i = 0; i < 2000; ++i) actor.bodies[i < 1200 ? 0 : 1].particles.push_back(i);
     actor.bodies[1].particles.push_back(7);
     actor.joints = {{"leg", JointType::Hinge, 0, 1, {0.1f, -0.2f, 1e-7f}, {0, 1, 0}, {7}}};
+    actor.joints[0].limits.bend = {-0.5f, std::numbers::pi_v<float> / 2};
+    actor.joints[0].limits.stiffness = 12.5f;
     actor.notes = {"pelvis has 2 particles and became part of hip"};
     return actor;
 }
@@ -66,6 +69,10 @@ TEST(ActorFile, ReadsBackExactlyWhatWasWritten)
     EXPECT_TRUE(sameBits(back.joints[0].anchor, actor.joints[0].anchor));
     EXPECT_TRUE(sameBits(back.joints[0].axis, actor.joints[0].axis));
     EXPECT_EQ(back.joints[0].sharedParticles, actor.joints[0].sharedParticles);
+    EXPECT_NEAR(back.joints[0].limits.bend.lowest, -0.5f, 1e-6f);
+    EXPECT_NEAR(back.joints[0].limits.bend.highest, std::numbers::pi / 2, 1e-6);
+    EXPECT_EQ(back.joints[0].limits.stiffness, 12.5f);
+    EXPECT_FALSE(back.joints[0].limits.twist.bounded());
     EXPECT_EQ(actorText(back), actorText(actor));
 }
 

@@ -71,7 +71,8 @@ void main()
     Field move = moveField(m, rotation, delta);
     Field last = fetchField(lastOldMoverMoves, m), velocity = fetchField(lastMoverVelocities, m);
     float radius = IS_BODY(m) ? bodyRadius(m) : 0.0;
-    Field next = velocityOf(move, last, assembly.order == 2u && assembly.lastContact + 1u != counters[0].substep);
+    bool touched = assembly.lastContact + 1u == counters[0].substep;
+    Field next = velocityOf(move, last, assembly.order == 2u && !touched);
 
 #ifdef JOINTED
     if (IS_BODY(m) && hasJoints(m)) next.f *= followedPart(next.f);
@@ -83,6 +84,10 @@ void main()
         uint particle = IS_BODY(m) ? fetchLink(fetchBody(m).linkStart).particle : fetchRankedParticle(mover.firstRank);
         REPORT_NAN(particle);
     }
+#ifdef JOINTED
+    // The next substep, of second order, goes on from what a joint's limit stopped, not from what it was before.
+    if (assembly.order == 1u && !touched && assembly.lastContact + 2u != counters[0].substep) velocity = next;
+#endif
     STORE_FIELD(oldMoverMoves, m, move)
     STORE_FIELD(oldMoverVelocities, m, velocity)
     STORE_FIELD(moverVelocities, m, next)

@@ -44,9 +44,14 @@ Field predictedMove(uint m, bool second)
     float h = sim.substepTime;
     Field v = fetchField(moverVelocities, m);
     if (!second) {
+        bool keepsTurning = false;
 #ifdef ROUNDS
-        if (IS_BODY(m) && fetchRound(m).radius > 0.0) v.f *= chordScale(h * v.f);
+        keepsTurning = IS_BODY(m) && fetchRound(m).radius > 0.0;
 #endif
+#ifdef JOINTED
+        keepsTurning = keepsTurning || (IS_BODY(m) && hasJoints(m));
+#endif
+        if (keepsTurning) v.f *= chordScale(h * v.f);
         return Field(h * (v.t + h * sim.gravity.xyz), h * v.f);
     }
     Field move = fetchField(oldMoverMoves, m), last = fetchField(oldMoverVelocities, m);

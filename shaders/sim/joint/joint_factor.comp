@@ -1,6 +1,7 @@
 // One thread a tree of joints: from the leaves to the root each body, with all that hangs on it, is seen from its joint,
 // which passes on what it does not let go (Featherstone 2008, articulated bodies). Once a substep; joint_solve makes use
-// of it. RESPONSES: of a world where something asks how bodies answer to forces.
+// of it. RESPONSES: of a world where something asks how bodies answer to forces. LIMITS: of one where joints are limited;
+// AGAIN: later in a substep, where other limits hold than before.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_factors.glsl"
@@ -8,6 +9,9 @@
 #include "sim/joint/joint_left.glsl"
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
+#ifdef LIMITS
+#include "sim/joint/joint_stop_update.glsl"
+#endif
 BUFFER(vec4, JointFactors, jointFactors);
 BUFFER(vec4, JointPassed, jointPassed);
 
@@ -47,7 +51,11 @@ void factor(uint k)
         JointSide body = jointSide(k, 0u, joint.body), parent = jointSide(k, 1u, joint.parent);
         vec3 axis = rotate(body.frame, vec3(1, 0, 0));
         m = shifted(m, body.arm);
-        mat3 g = freeTurning(m.d, joint.freedom, axis);
+        mat3 d = m.d;
+#ifdef LIMITS
+        d += hardened(k, d);
+#endif
+        mat3 g = freeTurning(d, joint.freedom, axis);
         f = JointFactor(m, g, body.arm, parent.arm, axis, leftOf(startError(body, parent, joint.freedom)));
         mat3 gb = g * m.b, gd = g * m.d;
         storePassed(k, shifted(Inertia(m.a - transpose(m.b) * gb, m.b - m.d * gb, m.d - m.d * gd), -parent.arm));
@@ -69,6 +77,13 @@ void main()
     if (index >= sim.jointTreeCount) return;
     JointTree tree = fetchJointTree(index);
     if (isAsleep(fetchMover(fetchJointBodies(tree.first).body).assembly)) return;
+#ifdef LIMITS
+#ifdef AGAIN
+    if (!updateStops(tree, false)) return;
+#else
+    updateStops(tree, true);
+#endif
+#endif
     for (uint k = tree.end; k-- > tree.first;) factor(k);
 #ifdef RESPONSES
     for (uint k = tree.first; k < tree.end; ++k) respond(k);

@@ -10,7 +10,7 @@ void passLoopForce(JointTree tree, uint loop, JointFactor factor, Force f)
         Force own = Force(vec3(0), vec3(0));
         if (k == bodyJoint) own = shifted(f, -factor.arm);
         if (k == parentJoint) own = add(own, shifted(Force(-f.t, -f.r), -factor.parentArm));
-        passForce(k, own, none);
+        passForce(k, own, none, vec3(0));
     }
 }
 

@@ -1,8 +1,12 @@
 // One thread a tree of joints: the impulses with which all its joints hold, at once, and where they bring its bodies: a
-// Newton step of their positions (Deul et al. 2018). LOOPS: of a world where joints close loops.
+// Newton step of their positions (Deul et al. 2018). LOOPS: of a world where joints close loops. LIMITS: where joints
+// are limited.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_pose.glsl"
+#ifdef LIMITS
+#include "sim/joint/joint_stop_solve.glsl"
+#endif
 #include "sim/joint/joint_sweeps.glsl"
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
@@ -77,8 +81,13 @@ void main()
         JointBodies joint = fetchJointBodies(k);
         BodyLoad load = fetchBodyLoad(joint.body);
         Motion error = Motion(vec3(0), vec3(0));
+        vec3 stop = vec3(0);
         if (joint.freedom != JOINT_NONE) error = jointError(k, joint);
-        passForce(k, Force(load.force, load.torque), error);
+#ifdef LIMITS
+        stop = stopTorque(k);
+        if (stop != vec3(0)) pushBoth(k, Force(vec3(0), stop));
+#endif
+        passForce(k, Force(load.force, load.torque), error, stop);
     }
     for (uint k = tree.first; k < tree.end; ++k) {
         JointBodies joint = fetchJointBodies(k);

@@ -31,7 +31,8 @@ Answer answerTo(JointFactor factor, Motion given, Force f)
 }
 
 /// Hands the force on a body, what hangs on it asks for, and what its joint's error asks for, to its parent.
-void passForce(uint k, Force own, Motion error)
+/// @param stop the torque of the joint's limits.
+void passForce(uint k, Force own, Motion error, vec3 stop)
 {
     JointBodies joint = fetchJointBodies(k);
     JointRows rows = fetchJointRows(k);
@@ -39,8 +40,9 @@ void passForce(uint k, Force own, Motion error)
     if (joint.freedom != JOINT_NONE) {
         JointFactor factor = fetchJointFactor(k);
         own = shifted(own, factor.arm);
+        own.r += stop;
         Force held = answerTo(factor, Motion(-error.t, -error.r), own).held;
-        storeForce(k, SLOT_PASSED, shifted(Force(-held.t, -held.r), -factor.parentArm));
+        storeForce(k, SLOT_PASSED, shifted(Force(-held.t, -held.r - stop), -factor.parentArm));
         storeMotion(k, SLOT_MOTION, error);
     }
     storeForce(k, SLOT_FORCE, own);
@@ -57,9 +59,14 @@ Answer follow(uint k, JointBodies joint)
     } else {
         Motion error = loadMotion(k, SLOT_MOTION), given = Motion(vec3(0), vec3(0));
         if (joint.parentJoint != NONE) given = shifted(loadMotion(joint.parentJoint, SLOT_MOTION), factor.parentArm);
-        answer = answerTo(factor, Motion(given.t - error.t, given.r - error.r), f);
-        if (joint.freedom == JOINT_BALL) answer.held.r = vec3(0);
-        if (joint.freedom == JOINT_HINGE) answer.held.r -= factor.axis * dot(factor.axis, answer.held.r);
+        given = Motion(given.t - error.t, given.r - error.r);
+        answer = answerTo(factor, given, f);
+        vec3 yielded = vec3(0);
+#ifdef LIMITS
+        yielded = stopYield(k, answer.motion.r - given.r);
+#endif
+        if (joint.freedom == JOINT_BALL) answer.held.r = yielded;
+        if (joint.freedom == JOINT_HINGE) answer.held.r += factor.axis * dot(factor.axis, yielded - answer.held.r);
         answer.motion = shifted(answer.motion, -factor.arm);
     }
     storeMotion(k, SLOT_MOTION, answer.motion);

@@ -7,6 +7,7 @@
 
 #include "sim/actor/bodies/bone_bodies.h"
 #include "sim/actor/bodies/joint_particles.h"
+#include "sim/world/builder/joints.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -126,7 +127,16 @@ JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, ui
         }
     }
     plan.axis = plan.along.cross(plan.flexion).normalized();
+    plan.twistAxis = plan.along;
+    if (const auto found = options.limits.find(draft.name); found != options.limits.end()) {
+        plan.limits = found->second;
+        for (const std::string& name : plan.limits.misplacedIn(plan.type))
+            throw InputError(
+                fmt::format("joint for bone '{}': a {} joint has no limit `{}`; give another type or limit", draft.name,
+                            jointTypeName(plan.type), name));
+    }
     if (const auto found = options.axes.find(draft.name); found != options.axes.end()) {
+        plan.twistAxis = found->second.normalized();
         plan.axis = found->second.normalized();
         plan.along = perpendicular(plan.along, plan.axis);
         plan.flexion.setZero();
@@ -172,20 +182,20 @@ void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointP
     const uint32_t crossBody = static_cast<uint32_t>(actor.bodies.size());
     const std::vector<uint32_t> shared = makeJointParticles(particles, plan, actor.diameter, crossBody);
     if (plan.type != JointType::Universal) {
-        actor.joints.push_back({name, plan.type, plan.parent, plan.child, plan.anchor, plan.axis, shared});
+        const Vector3f& axis = plan.type == JointType::Ball ? plan.twistAxis : plan.axis;
+        actor.joints.push_back({name, plan.type, plan.parent, plan.child, plan.anchor, axis, shared, plan.limits});
         return;
     }
     actor.bodies.push_back({name + "/cross", {}, static_cast<int32_t>(plan.parent), {}});
     actor.bodies[plan.child].parent = static_cast<int32_t>(crossBody);
+    JointLimits first = plan.limits, second = plan.limits;
+    second.bend = plan.limits.secondBend;
+    first.secondBend = second.secondBend = {};
+    const Vector3f secondAxis = plan.along.cross(plan.axis).normalized();
     actor.joints.push_back(
-        {name + "/cross", plan.type, plan.parent, crossBody, plan.anchor, plan.axis, {shared[0], shared[1]}});
-    actor.joints.push_back({name,
-                            plan.type,
-                            crossBody,
-                            plan.child,
-                            plan.anchor,
-                            plan.along.cross(plan.axis).normalized(),
-                            {shared[2], shared[3]}});
+        {name + "/cross", plan.type, plan.parent, crossBody, plan.anchor, plan.axis, {shared[0], shared[1]}, first});
+    actor.joints.push_back(
+        {name, plan.type, crossBody, plan.child, plan.anchor, secondAxis, {shared[2], shared[3]}, second});
 }
 
 }  // namespace
@@ -194,6 +204,7 @@ Actor makeActor(const Model& model, const ActorOptions& options)
 {
     checkOverrides(model, options.articulation.types);
     checkOverrides(model, options.articulation.axes);
+    checkOverrides(model, options.articulation.limits);
     const Voxels voxels = voxelize(model.vertices, model.triangles, options.voxels);
     Actor actor;
     actor.name = options.name.empty() ? model.name : options.name;

@@ -19,10 +19,12 @@ struct JointPlan {
     JointType type = JointType::Ball;
     uint32_t parent = 0, child = 0;  ///< Bodies.
     Vector3f anchor{0, 0, 0};
-    Vector3f axis{0, 0, 1};     ///< Unit.
-    Vector3f along{0, -1, 0};   ///< Unit, from the joint down the child.
-    Vector3f flexion{0, 0, 0};  ///< Unit, the way the child's end swings when it bends; 0 if unknown.
-    bool clear = true;          ///< Make room to turn in.
+    Vector3f axis{0, 0, 1};        ///< Unit.
+    Vector3f along{0, -1, 0};      ///< Unit, from the joint down the child.
+    Vector3f flexion{0, 0, 0};     ///< Unit, the way the child's end swings when it bends; 0 if unknown.
+    Vector3f twistAxis{0, -1, 0};  ///< Unit, of a ball's child.
+    JointLimits limits = {};
+    bool clear = true;  ///< Make room to turn in.
 };
 
 /// Makes the particles that the two bodies share and takes away those in their way. A universal joint needs

@@ -1,5 +1,7 @@
 #include "sim/solver/joint/joint_stage.h"
 
+#include <cmath>
+
 #include "sim/solver/pack.h"
 
 namespace knuckle {
@@ -13,12 +15,22 @@ Defines solveVariant(const StageSetup& setup)
     Defines variant;
     if (!setup.layout.jointTrees.loops.empty()) variant.push_back({"LOOPS", "1"});
     if (setup.rows.hasAngular()) variant.push_back({"ANGULAR", "1"});
+    if (!setup.world.jointBounds.empty()) variant.push_back({"LIMITS", "1"});
     return variant;
 }
 
 Defines factorVariant(const StageSetup& setup)
 {
-    return setup.world.distanceRows.empty() ? Defines{} : Defines{{"RESPONSES", "1"}};
+    Defines variant;
+    if (!setup.world.distanceRows.empty()) variant.push_back({"RESPONSES", "1"});
+    if (!setup.world.jointBounds.empty()) variant.push_back({"LIMITS", "1"});
+    return variant;
+}
+
+Defines with(Defines variant, const char* define)
+{
+    variant.push_back({define, "1"});
+    return variant;
 }
 
 bool hasRow(const World& world, uint32_t body)
@@ -37,7 +49,7 @@ void JointStage::reserveRows(RowPlan& rows, const World& world, const Layout& la
 {
     for (const JointTrees::Joint& joint : layout.jointTrees.all()) {
         const auto reserve = [&](uint32_t body, const Vector3f& arm) {
-            if (joint.freedom == JOINT_BALL) rows.reserve(KIND, body, arm);
+            if (joint.freedom == JOINT_BALL && joint.bounds == NO_INDEX) rows.reserve(KIND, body, arm);
             else rows.reserveAngular(KIND, body, arm);
         };
         if (joint.freedom == JOINT_NONE) continue;
@@ -50,13 +62,15 @@ JointStage::JointStage(const StageSetup& setup)
     : parameters_(setup.parameters),
       needed_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.jointTrees.trees.empty()),
       shared_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.sharedParticles.empty()),
-      hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()), variant_(solveVariant(setup)),
-      factorVariant_(factorVariant(setup))
+      hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()),
+      hasLimits_(needed_ && !setup.world.jointBounds.empty()), variant_(solveVariant(setup)),
+      factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN"))
 {
     const Layout& layout = setup.layout;
     sharedParticles = {"sharedParticles", std::span<const uint32_t>(layout.sharedParticles)};
     setup.parameters.sharedCount = static_cast<uint32_t>(layout.sharedParticles.size());
     uploadTrees(setup);
+    uploadLimits(setup);
 }
 
 void JointStage::uploadTrees(const StageSetup& setup)
@@ -93,15 +107,40 @@ void JointStage::uploadTrees(const StageSetup& setup)
     setup.parameters.jointTreeCount = static_cast<uint32_t>(ranges.size());
 }
 
+void JointStage::uploadLimits(const StageSetup& setup)
+{
+    constexpr float NONE = 4.0f;  // more than half a turn
+    std::vector<gpu::vec4> limits;
+    if (hasLimits_) {
+        for (const JointTrees::Joint& joint : setup.layout.jointTrees.all()) {
+            const JointBounds bounds = joint.bounds == NO_INDEX ? JointBounds{} : setup.world.jointBounds[joint.bounds];
+            const bool turns = bounds.turn.bounded(), swings = bounds.swing < JointBounds{}.swing;
+            limits.push_back({swings ? bounds.swing : NONE, turns ? bounds.turn.lowest : -NONE,
+                              turns ? bounds.turn.highest : NONE,
+                              std::isinf(bounds.stiffness) ? 0.0f : bounds.stiffness});
+        }
+    }
+    jointLimits = {"jointLimits", std::span<const gpu::vec4>(limits)};
+    jointStops = {"jointStops", 4 * limits.size()};
+    jointStops.clear();
+}
+
 void JointStage::addBuffers(BufferTable& table)
 {
     table.add(sharedParticles, jointTrees, jointBodies, jointRows, jointPlaces, jointFactors, jointPassed, jointStates,
-              bodyResponses);
+              jointLimits, jointStops, bodyResponses);
 }
 
 void JointStage::factor(Recorder& recorder) const
 {
     recorder.groups(factor_, treeGroups());
+    if (hasLoops_) recorder.groups(factorLoops_, treeGroups());
+}
+
+void JointStage::updateLimits(Recorder& recorder) const
+{
+    if (!hasLimits_) return;
+    recorder.groups(refactor_, treeGroups());
     if (hasLoops_) recorder.groups(factorLoops_, treeGroups());
 }
 

@@ -14,6 +14,8 @@ public:
 
     /// How the bodies of each tree answer to each other; once in a substep.
     void factor(Recorder& recorder) const;
+    /// The same where limits have been reached or left since; in each iteration.
+    void updateLimits(Recorder& recorder) const;
     /// Moves bodies by what acts on them and to where their joints hold.
     void solve(Recorder& recorder) const;
     /// Shared particles to the mean of where their bodies have them, at the end of a step.
@@ -28,16 +30,20 @@ public:
     Buffer<gpu::vec4> jointFactors;   ///< Per joint, eleven (shaders/sim/joint/joint_factors.glsl).
     Buffer<gpu::vec4> jointPassed;    ///< Per joint, seven: what its body hands to its parent of how it answers.
     Buffer<gpu::vec4> jointStates;    ///< Per joint, eight (shaders/sim/joint/joint_states.glsl).
+    Buffer<gpu::vec4> jointLimits;    ///< Per joint: swing, turns about its axis [rad]; stiffness [N m/rad], 0: rigid.
+    Buffer<gpu::vec4> jointStops;     ///< Per joint, four (shaders/sim/joint/joint_stops.glsl).
     Buffer<gpu::vec4> bodyResponses;  ///< Per body, nine: how it answers to forces with what its joints move along.
 
 private:
     void uploadTrees(const StageSetup& setup);
     uint32_t treeGroups() const;
+    void uploadLimits(const StageSetup& setup);
 
     const gpu::StepParameters& parameters_;
-    bool needed_, shared_, hasLoops_;
-    Defines variant_, factorVariant_;
+    bool needed_, shared_, hasLoops_, hasLimits_;
+    Defines variant_, factorVariant_, againVariant_;
     Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
+    Pass refactor_{*this, "joint/joint_factor", againVariant_, needed_&& hasLimits_};
     Pass factorLoops_{*this, "joint/joint_loop_factor", {}, hasLoops_};
     Pass solve_{*this, "joint/joint_solve", variant_, needed_};
     Pass place_{*this, "joint/joint_position", {}, shared_};

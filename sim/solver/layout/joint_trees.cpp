@@ -1,5 +1,7 @@
 #include "sim/solver/layout/joint_trees.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -7,6 +9,7 @@
 
 #include "shared/constants.h"
 #include "sim/world/disjoint_sets.h"
+#include "sim/world/errors.h"
 
 namespace knuckle {
 
@@ -17,6 +20,7 @@ using Eigen::Matrix3f;
 /// Two bodies and where what they share stands in each.
 struct Edge {
     uint32_t a = 0, b = 0;
+    uint32_t bounds = NO_INDEX;  ///< Of World::jointBounds.
     std::vector<uint32_t> particles;
     std::vector<Vector3f> armsA, armsB;
 };
@@ -40,6 +44,10 @@ std::vector<Edge> edgesOf(const World& world)
                 edge.armsB.push_back(b.restOffset);
             }
         }
+    }
+    for (uint32_t k = 0; k < world.jointBounds.size(); ++k) {
+        const auto [a, b] = std::minmax(world.jointBounds[k].bodyA, world.jointBounds[k].bodyB);
+        if (const auto edge = edges.find({a, b}); edge != edges.end()) edge->second.bounds = k;
     }
     std::vector<Edge> all;
     for (auto& [bodies, edge] : edges) all.push_back(std::move(edge));
@@ -72,6 +80,14 @@ uint32_t freedomOf(const Vector3f& spread, float diameter)
     return spread[2] < least ? JOINT_BALL : spread[1] < least ? JOINT_HINGE : JOINT_STIFF;
 }
 
+/// Where a body has the joint's x, and its parent the middle of its cone: x of B, or, so that it turns the same way, the
+/// opposite of A's.
+std::pair<Vector3f, Vector3f> boundedAxes(const JointBounds& bounds, uint32_t body)
+{
+    if (bounds.bodyB == body) return {bounds.axis, bounds.cone};
+    return {-bounds.cone, -bounds.axis};
+}
+
 /// The joint that an edge is for one of its bodies.
 JointTrees::Joint jointOf(const World& world, const Edge& edge, uint32_t body)
 {
@@ -86,9 +102,19 @@ JointTrees::Joint jointOf(const World& world, const Edge& edge, uint32_t body)
     for (const Vector3f& p : own) spread += (p - joint.arm) * (p - joint.arm).transpose();
     const Eigen::SelfAdjointEigenSolver<Matrix3f> eigen(spread);
     joint.freedom = freedomOf(eigen.eigenvalues(), world.diameter());
-    const Vector3f axis = joint.freedom == JOINT_BALL ? Vector3f::UnitX() : Vector3f(eigen.eigenvectors().col(2));
+    Vector3f axis = joint.freedom == JOINT_BALL ? Vector3f::UnitX() : Vector3f(eigen.eigenvectors().col(2));
+    joint.bounds = edge.bounds;
+    Quaternionf leaning = Quaternionf::Identity();
+    if (edge.bounds != NO_INDEX) {
+        const auto [ownAxis, middle] = boundedAxes(world.jointBounds[edge.bounds], body);
+        if (joint.freedom != JOINT_BALL) axis *= axis.dot(ownAxis) < 0 ? -1.0f : 1.0f;
+        else {
+            axis = ownAxis;
+            leaning = Quaternionf::FromTwoVectors(ownAxis, middle);
+        }
+    }
     joint.frame = Quaternionf::FromTwoVectors(Vector3f::UnitX(), axis);
-    joint.parentFrame = joint.frame;
+    joint.parentFrame = leaning * joint.frame;
     if (joint.freedom == JOINT_HINGE) {
         const Vector3f along = own.back() - own.front(), parentAlong = others.back() - others.front();
         joint.parentFrame = Quaternionf::FromTwoVectors(along, parentAlong) * joint.frame;
@@ -102,15 +128,17 @@ bool isFixed(const World& world, uint32_t body)
     return world.bodies[body].motion == Motion::Fixed;
 }
 
-/// Kruskal: the edges that connect what nothing before has connected, those with most particles first and those that
-/// lead to fixed bodies, which count as one, last. The others follow them.
+/// Kruskal: the edges that connect what nothing before has connected, those with limits first, then those with most
+/// particles, and those that lead to fixed bodies, which count as one, last. The others follow them.
 /// @returns how many connect.
 size_t connect(const World& world, std::vector<Edge>& edges)
 {
     const auto held = [&](const Edge& e) { return isFixed(world, e.a) || isFixed(world, e.b); };
     std::erase_if(edges, [&](const Edge& e) { return isFixed(world, e.a) && isFixed(world, e.b); });
     std::ranges::stable_sort(edges, [&](const Edge& x, const Edge& y) {
-        return held(x) != held(y) ? held(y) : x.particles.size() > y.particles.size();
+        if (held(x) != held(y)) return held(y);
+        if ((x.bounds == NO_INDEX) != (y.bounds == NO_INDEX)) return y.bounds == NO_INDEX;
+        return x.particles.size() > y.particles.size();
     });
     const auto ground = static_cast<uint32_t>(world.bodies.size());
     DisjointSets sets(ground + 1);
@@ -160,6 +188,11 @@ public:
             if (edge.particles.empty()) continue;
             const uint32_t body = isFixed(world_, edge.a) ? edge.b : edge.a;
             JointTrees::Joint loop = jointOf(world_, edge, body);
+            if (loop.bounds != NO_INDEX)
+                throw InputError(
+                    fmt::format("the joint of \"{}\" and \"{}\" closes a loop of joints with limits, which "
+                                "cannot be; leave one joint of the loop without",
+                                world_.bodies[edge.a].name, world_.bodies[edge.b].name));
             loop.bodyJoint = jointOfBody_[body];
             loop.parentJoint = jointOfBody_[loop.parent];
             loops[treeOfBody_[body]].push_back(loop);
@@ -205,7 +238,7 @@ private:
     /// Less the particles through which the trees, and loops before it, hold its bodies together already.
     Edge uncovered(const Edge& edge)
     {
-        Edge rest{edge.a, edge.b, {}, {}, {}};
+        Edge rest{edge.a, edge.b, edge.bounds, {}, {}, {}};
         for (size_t i = 0; i < edge.particles.size(); ++i) {
             if (!cover(edge.particles[i], edge)) continue;
             rest.particles.push_back(edge.particles[i]);

@@ -22,6 +22,8 @@ struct JointTrees {
         Quaternionf frame{1, 0, 0, 0};          ///< From the joint's axes to the body's; a hinge turns about x.
         Quaternionf parentFrame{1, 0, 0, 0};  ///< The same to the parent's; equal in space where the joint is at rest.
         uint32_t freedom = 0;                 ///< JOINT_*.
+        /// Of World::jointBounds: x of `frame` turns in a cone about x of `parentFrame`, and about itself.
+        uint32_t bounds = NO_INDEX;
     };
     /// Joints of a tree: parents stand before children.
     struct Tree {
@@ -30,6 +32,7 @@ struct JointTrees {
     };
 
     JointTrees() = default;
+    /// @throws InputError for a loop of joints that all have limits.
     explicit JointTrees(const World& world);
 
     /// `joints`, then `loops`.

@@ -162,6 +162,10 @@ uint32_t WorldBuilder::addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec&
         shareAt(places.sharedWithB, bodyB, joint.middleBody, joint);
         markCross(joint.middleBody);
     }
+    const Vector3f axis = spec.axis.normalized();
+    const Vector3f along = (spec.along - axis * axis.dot(spec.along)).normalized();
+    for (const JointBounds& bounds : boundsOf(spec.type, spec.limits, bodyA, bodyB, joint.middleBody, axis, along))
+        addJointBounds(bounds);
     world_.joints.push_back(std::move(joint));
     return static_cast<uint32_t>(world_.joints.size() - 1);
 }
@@ -170,6 +174,12 @@ void WorldBuilder::noteJoint(Joint joint)
 {
     requireObject("noteJoint");
     world_.joints.push_back(std::move(joint));
+}
+
+void WorldBuilder::addJointBounds(const JointBounds& bounds)
+{
+    requireObject("addJointBounds");
+    world_.jointBounds.push_back(bounds);
 }
 
 void WorldBuilder::setSelfMargin(float margin)

@@ -26,6 +26,7 @@ struct JointSpec {
     /// Hinge: which side of the plane of axis and `along` is blocked by limiting particles: +1 (the side of
     /// along x axis), -1 (the other) or 0 (free on both sides).
     int limitSide = 0;
+    JointLimits limits;
 };
 
 /// Builds a World: bodies from particle positions, joints by sharing particles (paper, section 4), colliders.
@@ -61,6 +62,8 @@ public:
     void shareParticle(uint32_t particle, uint32_t body);
     /// Records in World::joints a joint that was made by shareParticle().
     void noteJoint(Joint joint);
+    /// Limits a joint, however it was made.
+    void addJointBounds(const JointBounds& bounds);
     /// Particle::selfMargin for all particles of the open object [diameters].
     void setSelfMargin(float margin);
     /// The body is the cross of a universal joint: its particles touch no other of their assembly, and it has most of

@@ -1,0 +1,72 @@
+#include "app/json/joint_limits.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/json/fields.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr float HALF_TURN = 180.0f;
+
+float radians(float degrees)
+{
+    return degrees / HALF_TURN * std::numbers::pi_v<float>;
+}
+
+/// To a ten-thousandth, which is as far as they were given.
+double degrees(float radians)
+{
+    return std::round(double{radians} / std::numbers::pi * HALF_TURN * 1e4) / 1e4;
+}
+
+/// Which field is which range.
+constexpr std::array RANGES{std::pair{"twist", &JointLimits::twist}, std::pair{"bend", &JointLimits::bend},
+                            std::pair{"secondBend", &JointLimits::secondBend}};
+
+}  // namespace
+
+JointLimits readLimits(const Json& json)
+{
+    JointLimits limits;
+    limits.swing = radians(json["swing"]);
+    readValue(json["cone"], limits.cone);
+    for (const auto& [key, range] : RANGES) limits.*range = {radians(json[key][0]), radians(json[key][1])};
+    if (const float stiffness = json["stiffness"]; stiffness > 0) limits.stiffness = stiffness;
+    return limits;
+}
+
+void requireLimits(const std::string& path, const std::string& pointer, const JointLimits& limits,
+                   const std::vector<JointType>& types)
+{
+    std::vector<std::string> words;
+    for (const JointType type : types) words.push_back(wordOf(type));
+    for (const std::string& name : limits.misplacedIn(types.front())) {
+        const bool everywhere = std::ranges::all_of(types, [&](JointType type) {
+            const std::vector<std::string> misplaced = limits.misplacedIn(type);
+            return std::ranges::find(misplaced, name) != misplaced.end();
+        });
+        if (!everywhere) continue;
+        failAt(path, pointer + "/" + name,
+               fmt::format("is no limit of a {} joint; a ball has `swing`, `cone` and `twist`, a hinge `bend`, a "
+                           "universal joint `bend` and `secondBend`",
+                           fmt::join(words, " or ")));
+    }
+}
+
+Json writeLimits(const JointLimits& limits)
+{
+    Json json = {{"swing", degrees(limits.swing)}, {"cone", writeValue(limits.cone)}};
+    for (const auto& [key, range] : RANGES)
+        json[key] = {degrees((limits.*range).lowest), degrees((limits.*range).highest)};
+    json["stiffness"] = std::isinf(limits.stiffness) ? 0.0f : limits.stiffness;
+    return json;
+}
+
+}  // namespace knuckle

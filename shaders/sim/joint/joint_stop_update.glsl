@@ -1,0 +1,79 @@
+// Which stops hold: those that their joint leans on or has passed.
+#include "sim/joint/joint_stops.glsl"
+
+BUFFER(Assembly, AssemblyState, assemblies);
+
+/// What a stop may be away from its limit and still lean on it [rad].
+const float TOUCH = 1e-4;
+
+/// Where a substep begins: what was thrown back, or is still on its way, does not lean on it.
+void beginStop(inout JointStop s, int i, float beyond, bool rigid)
+{
+    s.left[i] = rigid ? leftOfTurn(max(beyond, 0.0)) : 0.0;
+    if (beyond < -TOUCH) s.hardness[i] = s.held[i] = 0.0;
+}
+
+/// @param start how far beyond it the substep began. @returns whether it holds now and did not, or the other way round.
+bool updateStop(inout JointStop s, int i, vec3 axis, float beyond, float start, bool rigid)
+{
+    bool held = s.hardness[i] > 0.0;
+    bool holds = held ? s.held[i] + s.hardness[i] * (beyond - s.left[i]) > 0.0 : beyond > s.left[i];
+    if (holds && held && dot(axis, s.axes[i]) < 0.0) s.held[i] = 0.0;   // the other end of its range
+    s.axes[i] = axis;
+    if (!holds) s.hardness[i] = s.held[i] = 0.0;
+    if (holds && !held) {
+        s.hardness[i] = 1.0;
+        // What would pass it is stopped where it is; a way to go in one substep would be its speed after it.
+        if (rigid) s.left[i] = min(s.left[i], start);
+    }
+    return holds != held;
+}
+
+/// @param start whether a substep begins. @returns whether another set of stops holds than before.
+bool updateStops(uint k, bool start)
+{
+    JointLimit limit = fetchJointLimit(k);
+    if (!isLimited(limit)) return false;
+    JointBodies joint = fetchJointBodies(k);
+    JointSide body = jointSide(k, 0u, joint.body), parent = jointSide(k, 1u, joint.parent);
+    JointStop s = loadStop(k);
+    bool rigid = limit.stiffness == 0.0;
+    Beyond first = beyondLimits(limit, parent.startFrame, body.startFrame);
+    if (start) {
+        beginStop(s, 0, first.swing, rigid);
+        beginStop(s, 1, first.turn, rigid);
+    }
+    Beyond now = beyondLimits(limit, parent.frame, body.frame);
+    bool swing = updateStop(s, 0, now.swingAxis, now.swing, first.swing, rigid);
+    bool turn = updateStop(s, 1, now.turnAxis, now.turn, first.turn, rigid);
+    storeStop(k, s);
+    // As with contacts: second order would answer what stops it one and a half times.
+    if ((swing && s.hardness[0] > 0.0) || (turn && s.hardness[1] > 0.0))
+        assemblies[fetchMover(joint.body).assembly].order = 1u;
+    return swing || turn;
+}
+
+bool updateStops(JointTree tree, bool start)
+{
+    bool changed = false;
+    for (uint k = tree.first; k < tree.end; ++k) changed = updateStops(k, start) || changed;
+    return changed;
+}
+
+/// How hard each stop that holds does: a rigid one, much harder than the body is to turn with all that hangs on it.
+/// @param inertia against turns about the joint [kg m2]
+mat3 hardened(uint k, mat3 inertia)
+{
+    const float RIGID = 100.0;
+    JointLimit limit = fetchJointLimit(k);
+    if (!isLimited(limit)) return mat3(0);
+    JointStop s = loadStop(k);
+    float factor = accelerationFactor(assemblies[fetchMover(fetchJointBodies(k).body).assembly]);
+    for (int i = 0; i < 2; ++i) {
+        if (s.hardness[i] == 0.0) continue;
+        s.hardness[i] = limit.stiffness > 0.0 ? limit.stiffness * factor * sim.substepTime * sim.substepTime
+                                              : RIGID * dot(s.axes[i], inertia * s.axes[i]);
+    }
+    storeStop(k, s);
+    return stiffnessOf(s);
+}
