@@ -96,6 +96,33 @@ std::vector<Vector3f> fillRegion(SceneContext& context, const Json& object, cons
     return positions;
 }
 
+uint32_t nearestPoint(std::span<const Vector3f> points, const Vector3f& place)
+{
+    uint32_t nearest = 0;
+    for (uint32_t i = 1; i < points.size(); ++i)
+        if ((points[i] - place).squaredNorm() < (points[nearest] - place).squaredNorm()) nearest = i;
+    return nearest;
+}
+
+std::vector<uint32_t> pinnedPoints(const SceneEntry& entry, std::span<const Vector3f> points)
+{
+    std::vector<uint32_t> pinned;
+    const Json& pins = entry.json["pins"];
+    for (size_t i = 0; i < pins.size(); ++i) {
+        Vector3f place;
+        readValue(pins[i], place);
+        pinned.push_back(nearestPoint(points, place));
+        const Vector3f& p = points[pinned.back()];
+        const float distance = (p - place).norm(), most = entry.context.builder.diameter();
+        if (distance > most)
+            entry.fail(fmt::format("/pins/{}", i),
+                       fmt::format("the nearest particle is {:.3g} m away, at [{:.4g}, {:.4g}, {:.4g}], and may be "
+                                   "{:.3g} m, a diameter; put the pin there",
+                                   distance, p.x(), p.y(), p.z(), most));
+    }
+    return pinned;
+}
+
 void jitterPositions(std::vector<Vector3f>& positions, float amount, uint32_t seed)
 {
     if (amount == 0.0f) return;

@@ -61,13 +61,14 @@ void addRigidOrSoft(const Entry& entry)
     WorldBuilder& builder = entry.context.builder;
     const bool soft = entry.json["type"] == "soft";
     if (soft && entry.json["fixed"].get<bool>())
-        entry.fail("/fixed", "a soft body cannot be fixed; use type \"rigid\"");
+        entry.fail("/fixed", "a soft body cannot be fixed; use type \"rigid\", or pins");
     const std::vector<Vector3f> positions = fillRegion(entry.context, entry.json, entry.pointer, builder.diameter());
     const std::vector<SurfaceDistance> surface = soft ? std::vector<SurfaceDistance>() : surfaceOf(entry, positions);
+    const std::vector<uint32_t> pinned = soft ? pinnedPoints(entry, positions) : std::vector<uint32_t>();
     const Motion motion = entry.json["fixed"].get<bool>() ? Motion::Fixed : Motion::Dynamic;
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         builder.beginObject(entry.copyName(copy));
-        if (soft) builder.addSoftBody(entry.copyName(copy), positions, entry.material);
+        if (soft) builder.addSoftBody(entry.copyName(copy), positions, entry.material, pinned);
         else builder.addBody("body", positions, entry.material, motion, surface, roundShapeOf(entry));
         builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
     }

@@ -109,14 +109,6 @@ void addRopes(const RopeEntry& entry)
     }
 }
 
-uint32_t nearestNode(const ClothSheet& sheet, const Vector3f& place)
-{
-    uint32_t nearest = 0;
-    for (uint32_t i = 1; i < sheet.nodes.size(); ++i)
-        if ((sheet.nodes[i] - place).squaredNorm() < (sheet.nodes[nearest] - place).squaredNorm()) nearest = i;
-    return nearest;
-}
-
 /// The nodes that one of the words of `hold` means: an edge, a corner as two edges ("nearLeft"), or all of either.
 void holdNodes(const GridSheet& sheet, const std::string& word, std::vector<uint32_t>& held)
 {
@@ -136,18 +128,15 @@ void holdNodes(const GridSheet& sheet, const std::string& word, std::vector<uint
 
 void placeCloth(const RopeEntry& entry, const ClothSheet& sheet, const ClothSpec& spec, std::vector<uint32_t> held)
 {
-    for (const Json& json : entry.json["pins"]) {
-        Vector3f place;
-        readValue(json, place);
-        held.push_back(nearestNode(sheet, place));
-    }
+    const std::vector<uint32_t> pinned = pinnedPoints(entry, sheet.nodes);
+    held.insert(held.end(), pinned.begin(), pinned.end());
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         std::vector<ClothTie> ties;
         for (size_t i = 0; i < entry.json["attach"].size(); ++i) {
             const Json& json = entry.json["attach"][i];
             Vector3f place;
             readValue(json["point"], place);
-            const uint32_t node = nearestNode(sheet, place);
+            const uint32_t node = nearestPoint(sheet.nodes, place);
             const Vector3f inWorld = entry.poses[copy].apply(sheet.nodes[node]);
             ties.push_back({node, findParticle(entry, json, copy, inWorld, 1.0f, fmt::format("/attach/{}", i))});
         }

@@ -27,6 +27,13 @@ void validateElasticity(const Material& material)
     requireWithin(material, "largest deformation", e.maxDeformation, 0.0f, 2.0f, "");
 }
 
+void validatePins(const World& world)
+{
+    for (const Particle& particle : world.particles)
+        if (particle.pinned && (particle.body != NO_INDEX || particle.bodyCount > 0))
+            throw std::logic_error("a particle of a body is pinned; make the body fixed");
+}
+
 void validateBlock(const World& world, const SoftBody& soft, uint32_t index)
 {
     const auto fail = [&](const char* what) {
@@ -51,6 +58,7 @@ void validateBlock(const World& world, const SoftBody& soft, uint32_t index)
 void validateSoftBodies(const World& world)
 {
     for (const Material& material : world.materials) validateElasticity(material);
+    validatePins(world);
     if (world.softBodies.empty()) return;
     if (world.settings.solver == SolverKind::Paper)
         throw InputError(fmt::format("soft body \"{}\": the paper's solver has none; use solver method impulse",

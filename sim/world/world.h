@@ -58,6 +58,7 @@ struct Particle {
     /// Adds to the distance at rest below which it never touches another particle of its assembly [diameters], >= 0:
     /// the flesh around an actor's joints folds instead of holding the joint open.
     float selfMargin = 0.0f;
+    bool pinned = false;      ///< A loose particle that stays where it is put: of a soft body that is held there.
     SurfaceDistance surface;  ///< In its body; counts only where bodyCount is 1.
 };
 
@@ -162,10 +163,10 @@ struct World {
     float diameter() const { return 2.0f * particleRadius; }
 };
 
-/// Whether a particle never moves: a fixed body has it.
+/// Whether a particle never moves: it is pinned, or a fixed body has it.
 inline bool isFixed(const World& world, const Particle& particle)
 {
-    return particle.body != NO_INDEX && world.bodies[particle.body].motion == Motion::Fixed;
+    return particle.pinned || (particle.body != NO_INDEX && world.bodies[particle.body].motion == Motion::Fixed);
 }
 
 /// Nearer to a solid particle no fluid begins [m].

@@ -50,22 +50,25 @@ const BadScene BAD_SCENES[] = {
     {"UnknownShape", OBJECT(R"("type": "rigid", "shape": "cone")"),
      ": /objects/0/shape: \"cone\" is unknown; known: box, sphere, capsule, mesh"},
     {"FixedSoftBody", OBJECT(R"("type": "soft", "shape": "box", "fixed": true)"),
-     ": /objects/0/fixed: a soft body cannot be fixed; use type \"rigid\""},
+     ": /objects/0/fixed: a soft body cannot be fixed; use type \"rigid\", or pins"},
     {"LimitOfAnotherJoint", OBJECT(R"("type": "joined", "joints": ["hinge", "stiff"], "limits": {"swing": 30})"),
      ": /objects/0/limits/swing: is no limit of a hinge or stiff joint; a ball has `swing`, `cone` and `twist`, a "
-     "hinge "
-     "`bend`, a universal joint `bend` and `secondBend`"},
+     "hinge `bend`, a universal joint `bend` and `secondBend`"},
     {"RestBeyondALimit", OBJECT(R"("type": "joined", "joints": ["hinge"], "limits": {"bend": [10, 30]})"),
      ": the joint of \"body_1\" and \"body_2\": the turn from 10 to 30 degrees must be within -180 to 180 and contain "
      "0, the rest pose"},
     {"ConeThatRestLeaves", OBJECT(R"("type": "joined", "limits": {"swing": 30, "cone": [1, 1, 0]})"),
      ": the joint of \"body_1\" and \"body_2\": at rest the axis leaves the middle of its cone by 45 degrees, more "
-     "than "
-     "the swing of 30; turn the cone or widen it"},
+     "than the swing of 30; turn the cone or widen it"},
     {"NarrowCone", OBJECT(R"("type": "joined", "limits": {"swing": 0})"),
      ": /objects/0/limits/swing: 0 is below the minimum 1 [degrees]"},
     {"LimitsOfThePaper", R"({ "solver": "paper", "objects": [{ "type": "joined", "limits": { "swing": 30 } }] })",
      ": the paper's solver has no joint limits; take them away, or use solver method impulse"},
+    {"PinBesideSoftBody",
+     OBJECT(R"("type": "soft", "shape": "box", "size": [1, 1, 1], "pins": [[0, 0.5, 0], [0, 1, 0]])"),
+     ": /objects/0/pins/1: the nearest particle is 0.555 m away, at [-0.05, 0.45, -0.05], and may be 0.1 m, a "
+     "diameter; "
+     "put the pin there"},
     {"ZeroStiffness", WITH(R"("materials": {"a": {"stiffness": 0}})"),
      ": /materials/a/stiffness: 0 is below the minimum 1 [Pa]"},
     {"PaperWithSoftBody", R"({ "solver": "paper", "objects": [{ "type": "soft", "shape": "box" }] })",

@@ -75,6 +75,10 @@ TEST(SceneRopes, TellWhatIsWrongWithCloth)
               ": /objects/1: the cloth's mesh has no area; give one with triangles");
     EXPECT_EQ(messageOf(CLOTH(R"("file": "sheet.obj", "scale": 1, "hold": ["left"])")),
               ": /objects/1/hold: a model has no edges by these names; use pins instead");
+    EXPECT_EQ(
+        messageOf(CLOTH(R"("file": "sheet.obj", "scale": 1, "pins": [[0, 0, 0], [0, 2, 0]])")),
+        ": /objects/1/pins/1: the nearest particle is 2 m away, at [0, 0, 0], and may be 0.1 m, a diameter; put the "
+        "pin there");
     EXPECT_EQ(messageOf(CLOTH(R"("stretchCompliance": -1)")),
               ": /objects/1/stretchCompliance: -1 is below the minimum 0 [m/N]");
 }

@@ -87,6 +87,44 @@ TEST(SoftBody, AColumnSagsAsItsStiffnessSays)
     EXPECT_NEAR(sag(jelly(5e4f), stepped(4, 2)), wantedSag(5e4f), 0.05 * wantedSag(5e4f));
 }
 
+/// How far the free end of a column of nine layers moves under its weight where a layer is pinned, at default settings
+/// [m]. @param pinned the layer, from below.
+double pinnedSag(float stiffness, int pinned, double seconds = 2.5)
+{
+    WorldBuilder builder(DIAMETER / 2);
+    Material material;
+    material.elasticity = jelly(stiffness);
+    builder.addMaterial(material);
+    const std::vector<Vector3f> lattice = boxLattice({5, LAYERS, 5}, DIAMETER);
+    std::vector<uint32_t> pins;
+    for (uint32_t i = 0; i < lattice.size(); ++i)
+        if (std::lround((lattice[i].y() + 0.5f * REST_HEIGHT) / DIAMETER) == pinned) pins.push_back(i);
+    builder.beginObject("column");
+    builder.addSoftBody("column", lattice, 0, pins);
+    builder.endObject();
+    const World world = builder.build();
+    Solver solver(gpu(), world);
+    run(solver, world, seconds);
+    const ParticleState state = solver.readParticles();
+    for (uint32_t i : pins) EXPECT_EQ((state.positions[i] - world.particles[i].position).norm(), 0.0f);
+    return std::abs(REST_HEIGHT - heightOf(world, state));
+}
+
+TEST(SoftBody, APinnedColumnSagsStandingAndHanging)
+{
+    // As above, of weights that hang from the pinned layer as of such that stand on it. Asked: 10 %.
+    for (int pinned : {0, LAYERS - 1}) {
+        SCOPED_TRACE(pinned);
+        EXPECT_NEAR(pinnedSag(8e4f, pinned), wantedSag(8e4f), 0.1 * wantedSag(8e4f));
+    }
+}
+
+TEST(SoftBody, AStiffColumnIsAsStiffAsAsked)
+{
+    // The sag is 3 % of a diameter; four substeps would make it 2.5 times as much.
+    EXPECT_NEAR(pinnedSag(1e6f, LAYERS - 1, 0.7), wantedSag(1e6f), 0.1 * wantedSag(1e6f));
+}
+
 TEST(SoftBody, TheSagDependsLittleOnIterationsAndSubsteps)
 {
     double least = INFINITY, most = 0.0;

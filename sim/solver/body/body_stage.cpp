@@ -77,10 +77,10 @@ Movers makeMovers(const World& world, const Layout& layout)
         const Particle& p = world.particles[i];
         if (p.body != NO_INDEX) continue;
         movers.infos.push_back({0, 0, layout.assemblies[i], 1.0f / p.mass});
-        movers.states.push_back(MOVER_DYNAMIC);
+        movers.states.push_back(p.pinned ? MOVER_FIXED : MOVER_DYNAMIC);
         movers.centres.push_back(pack(p.position, 0));
         movers.rotations.push_back({0, 0, 0, 1});
-        movers.velocities.push_back(pack(p.velocity, 0));
+        movers.velocities.push_back(pack(p.pinned ? Vector3f(0, 0, 0) : p.velocity, 0));
     }
     for (size_t m = 0; m < movers.infos.size(); ++m) {
         movers.infos[m].firstRank = layout.moverRanks[m].x;

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <stdexcept>
 
 #include "sim/world/builder/builder.h"
 #include "sim/world/builder/clusters.h"
+#include "sim/world/builder/substeps.h"
 #include "sim/world/disjoint_sets.h"
 
 namespace knuckle {
@@ -104,6 +106,8 @@ World WorldBuilder::build()
     makeSoftLinks(world_);
     joinRowAssemblies(world_);
     placeFluid();
+    if (choosesSubsteps_)
+        world_.settings.substeps = std::max({world_.settings.substeps, clothSubsteps(world_), softSubsteps(world_)});
     validate(world_);
     return std::move(world_);
 }

@@ -53,8 +53,10 @@ public:
                      Motion motion = Motion::Dynamic, std::span<const SurfaceDistance> surface = {},
                      const RoundShape& round = {});
     /// A soft body of particles at `positions` (rest pose of the object) [m], as elastic as its material.
+    /// @param pinned indices into `positions`: these particles stay where they are put.
     /// @returns the soft body's index. @throws std::logic_error for an empty span or a position that is not finite.
-    uint32_t addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material);
+    uint32_t addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
+                         std::span<const uint32_t> pinned = {});
     /// Joins two bodies by particles shared between them. Particles of A or B within half a diameter of a place the
     /// joint needs become the shared ones; elsewhere new particles are made. @returns the joint's index.
     uint32_t addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec& spec);

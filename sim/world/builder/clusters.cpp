@@ -148,7 +148,8 @@ void makeSoftLinks(World& world)
     }
 }
 
-uint32_t WorldBuilder::addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material)
+uint32_t WorldBuilder::addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
+                                   std::span<const uint32_t> pinned)
 {
     requireObject("addSoftBody");
     SoftBody body;
@@ -159,6 +160,7 @@ uint32_t WorldBuilder::addSoftBody(std::string name, std::span<const Vector3f> p
     for (uint32_t particle : newParticles(body.name, positions, material))
         world_.particles[particle].selfMargin = SOFT_SELF_MARGIN;
     body.particleCount = particleCount() - body.particleStart;
+    for (uint32_t index : pinned) world_.particles.at(body.particleStart + index).pinned = true;
     world_.softBodies.push_back(std::move(body));
     return static_cast<uint32_t>(world_.softBodies.size() - 1);
 }
