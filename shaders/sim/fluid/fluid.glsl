@@ -47,25 +47,6 @@ vec2 wallFraction(float z)
     return vec2(t4 * t2 * (3.5 - 4.5 * t + 1.5 * t2), -(t4 * t) / sim.fluidReach * (21.0 - 31.5 * t + 12.0 * t2));
 }
 
-/// What walls cover of the kernel.
-struct WallCover {
-    vec3 gradient;   // of the fraction [1/m]
-    float fraction;
-};
-
-/// Adds what a wall covers (fraction, slope) to what others do, less what both cover: the product of their fractions
-/// where they stand at right angles, the smaller where they are parallel, nothing where they face each other.
-WallCover addWall(WallCover others, vec3 normal, vec2 wall)
-{
-    float along = -dot(normal, others.gradient) / max(length(others.gradient), 1e-20), alike = max(along, 0.0);
-    float crossing = 1.0 - abs(along);
-    vec2 both = crossing * vec2(wall.x, others.fraction) +
-                alike * (others.fraction < wall.x ? vec2(1, 0) : vec2(0, 1));
-    float twice = crossing * others.fraction * wall.x + alike * min(others.fraction, wall.x);
-    return WallCover((1.0 - both.x) * others.gradient + (1.0 - both.y) * wall.y * normal,
-                     others.fraction + wall.x - twice);
-}
-
 /// The fraction of the kernel that a solid particle of diameter d at the distance r covers, and its slope over r
 /// [1/m2]. A layer of such particles, a diameter apart, covers on the mean what a half space does that ends a radius
 /// from their centres: 2 pi / d^2 times the integral of this times r from z + d / 2 on is wallFraction(z). So every

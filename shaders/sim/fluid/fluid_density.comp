@@ -8,6 +8,7 @@
 #include "sim/fluid/fluid.glsl"
 #include "sim/fluid/fluid_colliders.glsl"
 #include "sim/fluid/solid_cover.glsl"
+#include "sim/fluid/wall_cover.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, SlotPressures, newSlotPressures);
@@ -54,11 +55,7 @@ void main()
     vec3 x = fetchSlotPosition(k).position;
     Sums sums = sumsOver(k, counts.fluids, x);
     SolidCover solids = solidCover(k, counts.solids, x);
-    WallCover walls = WallCover(vec3(0), 0.0);
-    for (NearColliders near = nearColliders(k); nextCollider(near);) {
-        ColliderSurface wall = colliderSurface(near.index, x);
-        walls = addWall(walls, wall.normal, wallFraction(wall.distance));
-    }
+    WallCover walls = wallCover(k, x);
     float density = sums.fraction + walls.fraction + solids.fraction;
     vec3 own = sums.gradient + walls.gradient + solids.slope;
     // The constraints around are all met at once, each as if alone: beyond this they overshoot.

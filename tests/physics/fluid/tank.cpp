@@ -52,6 +52,13 @@ Vector3f lattice(int x, int y, int z)
     return Eigen::Vector3i(x, y, z).cast<float>();
 }
 
+double rootMeanSquareSpeed(const ParticleState& state)
+{
+    double sum = 0.0;
+    for (const Vector3f& v : state.velocities) sum += v.squaredNorm();
+    return std::sqrt(sum / static_cast<double>(state.velocities.size()));
+}
+
 double meanHeight(const World& world, const ParticleState& state, uint32_t material)
 {
     double sum = 0.0;

@@ -20,6 +20,8 @@ void addPlane(WorldBuilder& builder, const Vector3f& place, const Vector3f& norm
 /// Adds the floor y = 0 and, facing the middle, walls at x = 0, `width` and z = 0, `depth` [m].
 void addWalls(WorldBuilder& builder, float width, float depth);
 Vector3f lattice(int x, int y, int z);
+/// Of all particles, those of bodies too [m/s].
+double rootMeanSquareSpeed(const ParticleState& state);
 double meanHeight(const World& world, const ParticleState& state, uint32_t material);
 /// The share of a box's volume that lies below `level`, from 8000 points of it. @param size edges of the box [m].
 double submerged(const BodyState& body, const Vector3f& size, double level);
