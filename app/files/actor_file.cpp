@@ -49,10 +49,14 @@ std::string bodyText(const ActorBody& body)
 std::string jointText(const ActorJoint& joint)
 {
     const std::string limits = joint.limits.any() ? ", \"limits\": " + writeLimits(joint.limits).dump() : "";
+    const auto tearing = [](const char* field, float most) {
+        return std::isinf(most) ? "" : fmt::format(", \"{}\": {}", field, most);
+    };
     return fmt::format("{{ \"name\": {}, \"type\": \"{}\", \"parent\": {}, \"child\": {}, \"anchor\": {}, "
-                       "\"axis\": {}, \"sharedParticles\": [{}]{} }}",
+                       "\"axis\": {}, \"sharedParticles\": [{}]{}{}{} }}",
                        stringText(joint.name), wordOf(joint.type), joint.parent, joint.child, vectorText(joint.anchor),
-                       vectorText(joint.axis), fmt::join(joint.sharedParticles, ", "), limits);
+                       vectorText(joint.axis), fmt::join(joint.sharedParticles, ", "), limits,
+                       tearing("tearForce", joint.strength.force), tearing("tearTorque", joint.strength.torque));
 }
 
 void checkIndices(const JsonFile& file, const std::string& pointer, const std::vector<uint32_t>& indices, size_t count,
@@ -93,6 +97,7 @@ ActorJoint readJoint(const JsonFile& file, const Json& json, size_t index, const
     readValue(json["axis"], joint.axis);
     readValue(json["sharedParticles"], joint.sharedParticles);
     joint.limits = readLimits(json["limits"]);
+    joint.strength = readStrength(json);
     // A universal joint stands as its two hinges.
     const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
     requireLimits(file.path, pointer + "/limits", joint.limits, {type});

@@ -16,6 +16,7 @@ void readJoints(const std::string& path, ArticulationOptions& options)
         if (type.is_string()) readValue(type, options.types[bone]);
         if (!json.is_object()) continue;
         if (const JointLimits limits = readLimits(json["limits"]); limits.any()) options.limits[bone] = limits;
+        if (const JointStrength strength = readStrength(json); strength.tears()) options.strengths[bone] = strength;
         if (!json.contains("axis")) continue;
         Vector3f axis;
         readValue(json["axis"], axis);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string>
 
 #include "app/json/json.h"
@@ -51,6 +52,13 @@ template <typename T>
 std::string wordOf(T value)
 {
     return EnumWords<T>::WORDS.at(static_cast<size_t>(value));
+}
+
+/// A number of which 0 says that there is none: infinity.
+inline float readUnlessZero(const Json& json)
+{
+    const float value = json;
+    return value != 0.0f ? value : std::numeric_limits<float>::infinity();
 }
 
 /// The enum's value for a word that the schema has already accepted.

@@ -38,8 +38,13 @@ JointLimits readLimits(const Json& json)
     limits.swing = radians(json["swing"]);
     readValue(json["cone"], limits.cone);
     for (const auto& [key, range] : RANGES) limits.*range = {radians(json[key][0]), radians(json[key][1])};
-    if (const float stiffness = json["stiffness"]; stiffness > 0) limits.stiffness = stiffness;
+    limits.stiffness = readUnlessZero(json["stiffness"]);
     return limits;
+}
+
+JointStrength readStrength(const Json& json)
+{
+    return {readUnlessZero(json["tearForce"]), readUnlessZero(json["tearTorque"])};
 }
 
 void requireLimits(const std::string& path, const std::string& pointer, const JointLimits& limits,

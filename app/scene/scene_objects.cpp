@@ -116,6 +116,7 @@ void addJoined(const Entry& entry)
     readValue(json["axis"], common.axis);
     common.limitSide = json["limitSide"];
     common.limits = readLimits(json["limits"]);
+    common.strength = readStrength(json);
     std::vector<JointType> types;
     for (const Json& type : json["joints"]) types.push_back(valueOf<JointType>(type.get<std::string>()));
     requireLimits(entry.context.path, entry.pointer + "/limits", common.limits, types);
@@ -143,6 +144,9 @@ void addActors(const Entry& entry)
 {
     Actor actor = findActor(entry.context, entry.json, entry.pointer);
     limitParticles(entry, static_cast<double>(actor.particles.size()));
+    const JointStrength strength = readStrength(entry.json);
+    for (ActorJoint& joint : actor.joints)
+        if (!joint.strength.tears()) joint.strength = strength;
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         actor.name = entry.copyName(copy);
         addActor(entry.context.builder, actor, entry.material, entry.poses[copy], entry.velocity);

@@ -73,12 +73,6 @@ RopeEnd readEnd(const RopeEntry& entry, const char* key, size_t copy, const Vect
     return {RopeEnd::Kind::Attached, findParticle(entry, json, copy, place, ATTACH_REACH, fmt::format("/{}", key))};
 }
 
-float readTearForce(const Json& json)
-{
-    const float force = json["tearForce"];
-    return force > 0.0f ? force : std::numeric_limits<float>::infinity();
-}
-
 float readBendCompliance(const Json& json)
 {
     const Json& value = json["bendCompliance"];
@@ -94,7 +88,7 @@ void addRopes(const RopeEntry& entry)
     common.length = entry.json["length"];
     common.compliance = entry.json["compliance"];
     common.bendCompliance = readBendCompliance(entry.json);
-    common.tearForce = readTearForce(entry.json);
+    common.tearForce = readUnlessZero(entry.json["tearForce"]);
     common.material = entry.material;
     common.velocity = entry.velocity;
     limitParticles(entry.context, entry.json, entry.pointer,
@@ -151,7 +145,7 @@ void addCloths(const RopeEntry& entry)
     ClothSpec spec;
     spec.stretchCompliance = json["stretchCompliance"];
     spec.bendCompliance = readBendCompliance(json);
-    spec.tearForce = readTearForce(json);
+    spec.tearForce = readUnlessZero(json["tearForce"]);
     spec.material = entry.material;
     if (!json["file"].get<std::string>().empty()) {
         if (!json["hold"].empty()) entry.fail("/hold", "a model has no edges by these names; use pins instead");

@@ -17,3 +17,8 @@ vec3 offDiagonalOf(mat3 m)
 {
     return 0.5 * vec3(m[0][1] + m[1][0], m[0][2] + m[2][0], m[1][2] + m[2][1]);
 }
+
+float traceOf(mat3 m)
+{
+    return m[0][0] + m[1][1] + m[2][2];
+}

@@ -67,7 +67,7 @@ uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, 
         }
     }
     for (const ActorJoint& joint : actor.joints) {
-        Joint noted{joint.type, joint.name, bodies[joint.parent], bodies[joint.child], NO_INDEX, {}};
+        Joint noted{joint.type, joint.name, bodies[joint.parent], bodies[joint.child], NO_INDEX, {}, joint.strength};
         for (uint32_t particle : joint.sharedParticles) noted.sharedParticles.push_back(particles[particle]);
         builder.noteJoint(std::move(noted));
         const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;

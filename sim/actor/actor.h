@@ -27,6 +27,7 @@ struct ActorJoint {
     Vector3f axis{0, 0, 1};          ///< Unit; of a ball the child's, which its limits are about.
     std::vector<uint32_t> sharedParticles;
     JointLimits limits = {};  ///< Each half of a universal joint has its `bend`.
+    JointStrength strength = {};
 };
 
 struct Actor {

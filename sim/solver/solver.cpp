@@ -87,7 +87,10 @@ ParticleView Solver::view() const
 ParticleState Solver::readParticles()
 {
     const std::vector<gpu::vec4> positions = impl_->stages.particles.positions.download();
-    ParticleState state{unpack(positions), unpack(impl_->stages.particles.velocities.download()), {}};
+    ParticleState state{unpack(positions),
+                        unpack(impl_->stages.particles.velocities.download()),
+                        {},
+                        impl_->stages.joints.tornParticles(impl_->world)};
     for (const gpu::vec4& position : positions) state.inactive.push_back(position.w != 0.0f);
     return state;
 }

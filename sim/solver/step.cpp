@@ -17,6 +17,7 @@
 //     and cloth, colour by colour; contact_solve, collider_solve and joint_solve work out impulses, each contact and
 //     joint by itself, from where the movers are; mover_solve sums them for each mover and matches it (eqs. 8-9, 11-17)
 //     to where they bring its particles;
+//   lets joints tear (joint_tear);
 //   ends with velocities and positions (mover_integrate), and where materials have restitution, gives collisions the
 //     speeds at which they part (contact_restitution, collider_restitution, mover_restitution).
 //
@@ -57,6 +58,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
         s.joints.updateLimits(recorder);
         s.joints.solve(recorder);
     }
+    s.joints.tear(recorder);
     s.bodies.integrate(recorder);
     if (s.restitution) s.restitution->apply(recorder);
 }

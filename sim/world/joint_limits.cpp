@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -51,6 +52,11 @@ bool JointLimits::any() const
     return swing < FREE || twist.bounded() || bend.bounded() || secondBend.bounded();
 }
 
+bool JointStrength::tears() const
+{
+    return std::min(force, torque) < std::numeric_limits<float>::infinity();
+}
+
 std::vector<std::string> JointLimits::misplacedIn(JointType type) const
 {
     const bool isBall = type == JointType::Ball, isUniversal = type == JointType::Universal;
@@ -93,8 +99,17 @@ std::vector<JointBounds> boundsOf(JointType type, const JointLimits& limits, uin
     return bounds;
 }
 
-void validateJointBounds(const World& world)
+void validateJoints(const World& world)
 {
+    for (const Joint& joint : world.joints) {
+        const JointStrength& strength = joint.strength;
+        if (!(strength.force > 0 && strength.torque > 0))
+            throw InputError(fmt::format("the joint \"{}\": a strength of {} N and {} N m must be above 0", joint.name,
+                                         strength.force, strength.torque));
+        if (strength.tears() && world.settings.solver == SolverKind::Paper)
+            throw InputError("the paper's solver has no joints that tear; take `tearForce` and `tearTorque` away, or "
+                             "use solver method impulse");
+    }
     if (!world.jointBounds.empty() && world.settings.solver == SolverKind::Paper)
         throw InputError("the paper's solver has no joint limits; take them away, or use solver method impulse");
     for (const JointBounds& bounds : world.jointBounds) {

@@ -39,6 +39,13 @@ struct JointLimits {
     std::vector<std::string> misplacedIn(JointType type) const;
 };
 
+/// What a joint bears: pulled or turned harder, it tears for good.
+struct JointStrength {
+    float force = std::numeric_limits<float>::infinity();   ///< [N], > 0.
+    float torque = std::numeric_limits<float>::infinity();  ///< Where it holds turns, at its limits too [N m], > 0.
+    bool tears() const;
+};
+
 /// The limits of a joint between two bodies, as the solver takes them: of a hinge the turn about its axis, of a ball
 /// swing and twist (a swing to the axis and a twist about it make every turn).
 struct JointBounds {
@@ -56,7 +63,7 @@ struct JointBounds {
 std::vector<JointBounds> boundsOf(JointType type, const JointLimits& limits, uint32_t bodyA, uint32_t bodyB,
                                   uint32_t crossBody, const Vector3f& axis, const Vector3f& along);
 
-/// The part of validate() that is about World::jointBounds. @throws InputError, std::logic_error.
-void validateJointBounds(const World& world);
+/// The part of validate() that is about how far joints turn and what they bear. @throws InputError, std::logic_error.
+void validateJoints(const World& world);
 
 }  // namespace knuckle

@@ -197,7 +197,7 @@ void validate(const World& world)
     validateFluids(world);
     validateEmitters(world);
     validateLinks(world);
-    validateJointBounds(world);
+    validateJoints(world);
     validateColliders(world);
     validateSoftBodies(world);
     validateDistanceRows(world);

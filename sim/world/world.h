@@ -99,14 +99,15 @@ struct Body {
     Quaternionf rotation{1, 0, 0, 0};  ///< How the rest pose is turned at the start.
 };
 
-/// What a joint was built as. The solver never reads it: behaviour comes from the shared particles alone (section 4), and
-/// from World::jointBounds.
+/// What a joint was built as. Of it the solver takes only the strength: how it moves comes from the shared particles alone
+/// (section 4), and from World::jointBounds.
 struct Joint {
     JointType type = JointType::Ball;
     std::string name;
     uint32_t bodyA = 0, bodyB = 0;
     uint32_t middleBody = NO_INDEX;  ///< Universal only: the flat body between the two crossed hinges.
     std::vector<uint32_t> sharedParticles;
+    JointStrength strength = {};
 };
 
 /// One thing of the scene: a ragdoll, a jointed pair, a single rigid body. For names in exports and for cameras.

@@ -38,6 +38,7 @@ Actor makePair()
     actor.joints = {{"leg", JointType::Hinge, 0, 1, {0.1f, -0.2f, 1e-7f}, {0, 1, 0}, {7}}};
     actor.joints[0].limits.bend = {-0.5f, std::numbers::pi_v<float> / 2};
     actor.joints[0].limits.stiffness = 12.5f;
+    actor.joints[0].strength.force = 2500.0f;
     actor.notes = {"pelvis has 2 particles and became part of hip"};
     return actor;
 }
@@ -73,6 +74,8 @@ TEST(ActorFile, ReadsBackExactlyWhatWasWritten)
     EXPECT_NEAR(back.joints[0].limits.bend.highest, std::numbers::pi / 2, 1e-6);
     EXPECT_EQ(back.joints[0].limits.stiffness, 12.5f);
     EXPECT_FALSE(back.joints[0].limits.twist.bounded());
+    EXPECT_EQ(back.joints[0].strength.force, 2500.0f);
+    EXPECT_TRUE(std::isinf(back.joints[0].strength.torque));
     EXPECT_EQ(actorText(back), actorText(actor));
 }
 

@@ -24,7 +24,7 @@ mat3 freeTurning(mat3 d, uint freedom, vec3 axis)
 
 Inertia loadPassed(uint joint)
 {
-    uint first = 7u * joint;
+    uint first = JOINT_PASSED * joint;
     return Inertia(symmetricMatrix(jointPassed[first].xyz, jointPassed[first + 1u].xyz),
                    mat3(jointPassed[first + 2u].xyz, jointPassed[first + 3u].xyz, jointPassed[first + 4u].xyz),
                    symmetricMatrix(jointPassed[first + 5u].xyz, jointPassed[first + 6u].xyz));
@@ -32,7 +32,7 @@ Inertia loadPassed(uint joint)
 
 void storePassed(uint joint, Inertia m)
 {
-    uint first = 7u * joint;
+    uint first = JOINT_PASSED * joint;
     jointPassed[first].xyz = diagonalOf(m.a);
     jointPassed[first + 1u].xyz = offDiagonalOf(m.a);
     for (int line = 0; line < 3; ++line) jointPassed[first + 2u + uint(line)].xyz = m.b[line];
@@ -42,7 +42,7 @@ void storePassed(uint joint, Inertia m)
 
 void factor(uint k)
 {
-    JointBodies joint = fetchJointBodies(k);
+    TreeJoint joint = fetchTreeJoint(k);
     JointRows rows = fetchJointRows(k);
     Inertia m = Inertia(mat3(1.0 / fetchMover(joint.body).inverseMass), mat3(0), fetchBodyLoad(joint.body).hessian);
     for (uint child = rows.firstChild; child < rows.childEnd; ++child) m = add(m, loadPassed(child));
@@ -76,7 +76,7 @@ void main()
     uint index = gl_GlobalInvocationID.x;
     if (index >= sim.jointTreeCount) return;
     JointTree tree = fetchJointTree(index);
-    if (isAsleep(fetchMover(fetchJointBodies(tree.first).body).assembly)) return;
+    if (isAsleep(fetchMover(fetchTreeJoint(tree.first).body).assembly)) return;
 #ifdef LIMITS
 #ifdef AGAIN
     if (!updateStops(tree, false)) return;

@@ -5,6 +5,9 @@ uniform usamplerBuffer jointBodies;      // body, its parent, the parent's joint
 uniform usamplerBuffer jointRows;        // of the channel: the body's, its parent's; first child, end, or the own joint
 uniform samplerBuffer jointPlaces;       // four a joint: arm, the parent's; axes, the parent's
 
+/// What joint_factor hands from a joint's body to its parent: so many texels of jointPassed.
+#define JOINT_PASSED 7u
+
 struct JointTree {
     uint first, end;           // joints, parents before children, those of one body together
     uint firstLoop, loopEnd;   // joints that close loops
@@ -16,16 +19,16 @@ JointTree fetchJointTree(uint tree)
     return JointTree(t.x, t.y, t.z, t.w);
 }
 
-struct JointBodies {
+struct TreeJoint {
     uint body, parent;   // parent is NONE of a root that nothing holds
     uint parentJoint;    // NONE where the parent is fixed
     uint freedom;        // JOINT_*
 };
 
-JointBodies fetchJointBodies(uint joint)
+TreeJoint fetchTreeJoint(uint joint)
 {
     uvec4 t = texelFetch(jointBodies, int(joint));
-    return JointBodies(t.x, t.y, t.z, t.w);
+    return TreeJoint(t.x, t.y, t.z, t.w);
 }
 
 struct JointRows {

@@ -23,7 +23,7 @@ Response loadResponse(uint body)
 
 void respond(uint k)
 {
-    JointBodies joint = fetchJointBodies(k);
+    TreeJoint joint = fetchTreeJoint(k);
 #define WRITTEN(t) jointFactors[JOINT_FACTOR * k + uint(t)]
     JointFactor f = JOINT_FACTOR_FROM(WRITTEN);
 #undef WRITTEN

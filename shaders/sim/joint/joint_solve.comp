@@ -18,7 +18,7 @@ BUFFER(vec4, RowAngularImpulses, newRowAngularImpulses);
 #endif
 
 /// A joint's error, but for what this substep leaves of it.
-Motion jointError(uint k, JointBodies joint)
+Motion jointError(uint k, TreeJoint joint)
 {
     Motion left = Motion(texelFetch(jointFactors, int(JOINT_FACTOR * k + 9u)).xyz,
                          texelFetch(jointFactors, int(JOINT_FACTOR * k + 10u)).xyz);
@@ -54,17 +54,23 @@ void moveBody(uint body, Motion m)
 
 void closeLoop(JointTree tree, uint loop)
 {
-    JointBodies joint = fetchJointBodies(loop);
+    TreeJoint joint = fetchTreeJoint(loop);
+    if (joint.freedom == JOINT_NONE) return;
     JointFactor factor = fetchJointFactor(loop);
     Motion error = jointError(loop, joint), moves = loopMotion(loop, factor, SLOT_TOTAL);
-    error = Motion(error.t + moves.t, error.r + moves.r);
+    LoopGive give = loadGive(factor);
+    uint row = fetchJointRows(loop).row;
+    error = Motion(error.t + moves.t + give.move * newRowImpulses[row].xyz, error.r + moves.r);
+#ifdef ANGULAR
+    error.r += give.turn * newRowAngularImpulses[row].xyz;
+#endif
     if (joint.freedom == JOINT_BALL) error.r = vec3(0);
     if (joint.freedom == JOINT_HINGE) error.r -= factor.axis * dot(factor.axis, error.r);
     Motion pull = solve(factor.inertia, Force(-error.t, -error.r));
     pushBoth(loop, Force(pull.t, pull.r));
     passLoopForce(tree, loop, factor, Force(pull.t, pull.r));
     for (uint k = tree.first; k < tree.end; ++k) {
-        Answer answer = follow(k, fetchJointBodies(k));
+        Answer answer = follow(k, fetchTreeJoint(k));
         pushBoth(k, answer.held);
         addMotion(k, SLOT_TOTAL, answer.motion);
     }
@@ -76,21 +82,23 @@ void main()
     uint index = gl_GlobalInvocationID.x;
     if (index >= sim.jointTreeCount) return;
     JointTree tree = fetchJointTree(index);
-    if (isAsleep(fetchMover(fetchJointBodies(tree.first).body).assembly)) return;
+    if (isAsleep(fetchMover(fetchTreeJoint(tree.first).body).assembly)) return;
     for (uint k = tree.end; k-- > tree.first;) {
-        JointBodies joint = fetchJointBodies(k);
+        TreeJoint joint = fetchTreeJoint(k);
         BodyLoad load = fetchBodyLoad(joint.body);
         Motion error = Motion(vec3(0), vec3(0));
         vec3 stop = vec3(0);
-        if (joint.freedom != JOINT_NONE) error = jointError(k, joint);
+        if (joint.freedom != JOINT_NONE) {
+            error = jointError(k, joint);
 #ifdef LIMITS
-        stop = stopTorque(k);
-        if (stop != vec3(0)) pushBoth(k, Force(vec3(0), stop));
+            stop = stopTorque(k);
+            if (stop != vec3(0)) pushBoth(k, Force(vec3(0), stop));
 #endif
+        }
         passForce(k, Force(load.force, load.torque), error, stop);
     }
     for (uint k = tree.first; k < tree.end; ++k) {
-        JointBodies joint = fetchJointBodies(k);
+        TreeJoint joint = fetchTreeJoint(k);
         Answer answer = follow(k, joint);
         pushBoth(k, answer.held);
 #ifdef LOOPS
@@ -101,6 +109,6 @@ void main()
     }
 #ifdef LOOPS
     for (uint loop = tree.firstLoop; loop < tree.loopEnd; ++loop) closeLoop(tree, loop);
-    for (uint k = tree.first; k < tree.end; ++k) moveBody(fetchJointBodies(k).body, loadMotion(k, SLOT_TOTAL));
+    for (uint k = tree.first; k < tree.end; ++k) moveBody(fetchTreeJoint(k).body, loadMotion(k, SLOT_TOTAL));
 #endif
 }

@@ -7,7 +7,7 @@ vec3 stopTorque(uint k)
 {
     JointLimit limit = fetchJointLimit(k);
     if (!isLimited(limit)) return vec3(0);
-    JointBodies joint = fetchJointBodies(k);
+    TreeJoint joint = fetchTreeJoint(k);
     Beyond b = beyondLimits(limit, jointSide(k, 1u, joint.parent).frame, jointSide(k, 0u, joint.body).frame);
     float beyond[2] = float[2](b.swing, b.turn);
     JointStop s = loadStop(k);

@@ -33,8 +33,8 @@ bool updateStop(inout JointStop s, int i, vec3 axis, float beyond, float start, 
 bool updateStops(uint k, bool start)
 {
     JointLimit limit = fetchJointLimit(k);
-    if (!isLimited(limit)) return false;
-    JointBodies joint = fetchJointBodies(k);
+    TreeJoint joint = fetchTreeJoint(k);
+    if (!isLimited(limit) || joint.freedom == JOINT_NONE) return false;
     JointSide body = jointSide(k, 0u, joint.body), parent = jointSide(k, 1u, joint.parent);
     JointStop s = loadStop(k);
     bool rigid = limit.stiffness == 0.0;
@@ -68,7 +68,7 @@ mat3 hardened(uint k, mat3 inertia)
     JointLimit limit = fetchJointLimit(k);
     if (!isLimited(limit)) return mat3(0);
     JointStop s = loadStop(k);
-    float factor = accelerationFactor(assemblies[fetchMover(fetchJointBodies(k).body).assembly]);
+    float factor = accelerationFactor(assemblies[fetchMover(fetchTreeJoint(k).body).assembly]);
     for (int i = 0; i < 2; ++i) {
         if (s.hardness[i] == 0.0) continue;
         s.hardness[i] = limit.stiffness > 0.0 ? limit.stiffness * factor * sim.substepTime * sim.substepTime

@@ -34,7 +34,7 @@ Answer answerTo(JointFactor factor, Motion given, Force f)
 /// @param stop the torque of the joint's limits.
 void passForce(uint k, Force own, Motion error, vec3 stop)
 {
-    JointBodies joint = fetchJointBodies(k);
+    TreeJoint joint = fetchTreeJoint(k);
     JointRows rows = fetchJointRows(k);
     for (uint child = rows.firstChild; child < rows.childEnd; ++child) own = add(own, loadForce(child, SLOT_PASSED));
     if (joint.freedom != JOINT_NONE) {
@@ -49,7 +49,7 @@ void passForce(uint k, Force own, Motion error, vec3 stop)
 }
 
 /// The force at a joint and the motion of its body, whose parent has moved already.
-Answer follow(uint k, JointBodies joint)
+Answer follow(uint k, TreeJoint joint)
 {
     JointFactor factor = fetchJointFactor(k);
     Force f = loadForce(k, SLOT_FORCE);

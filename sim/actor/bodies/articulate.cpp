@@ -135,6 +135,8 @@ JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, ui
                 fmt::format("joint for bone '{}': a {} joint has no limit `{}`; give another type or limit", draft.name,
                             jointTypeName(plan.type), name));
     }
+    if (const auto found = options.strengths.find(draft.name); found != options.strengths.end())
+        plan.strength = found->second;
     if (const auto found = options.axes.find(draft.name); found != options.axes.end()) {
         plan.twistAxis = found->second.normalized();
         plan.axis = found->second.normalized();
@@ -183,7 +185,8 @@ void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointP
     const std::vector<uint32_t> shared = makeJointParticles(particles, plan, actor.diameter, crossBody);
     if (plan.type != JointType::Universal) {
         const Vector3f& axis = plan.type == JointType::Ball ? plan.twistAxis : plan.axis;
-        actor.joints.push_back({name, plan.type, plan.parent, plan.child, plan.anchor, axis, shared, plan.limits});
+        actor.joints.push_back(
+            {name, plan.type, plan.parent, plan.child, plan.anchor, axis, shared, plan.limits, plan.strength});
         return;
     }
     actor.bodies.push_back({name + "/cross", {}, static_cast<int32_t>(plan.parent), {}});
@@ -192,10 +195,24 @@ void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointP
     second.bend = plan.limits.secondBend;
     first.secondBend = second.secondBend = {};
     const Vector3f secondAxis = plan.along.cross(plan.axis).normalized();
-    actor.joints.push_back(
-        {name + "/cross", plan.type, plan.parent, crossBody, plan.anchor, plan.axis, {shared[0], shared[1]}, first});
-    actor.joints.push_back(
-        {name, plan.type, crossBody, plan.child, plan.anchor, secondAxis, {shared[2], shared[3]}, second});
+    actor.joints.push_back({name + "/cross",
+                            plan.type,
+                            plan.parent,
+                            crossBody,
+                            plan.anchor,
+                            plan.axis,
+                            {shared[0], shared[1]},
+                            first,
+                            plan.strength});
+    actor.joints.push_back({name,
+                            plan.type,
+                            crossBody,
+                            plan.child,
+                            plan.anchor,
+                            secondAxis,
+                            {shared[2], shared[3]},
+                            second,
+                            plan.strength});
 }
 
 }  // namespace
@@ -205,6 +222,7 @@ Actor makeActor(const Model& model, const ActorOptions& options)
     checkOverrides(model, options.articulation.types);
     checkOverrides(model, options.articulation.axes);
     checkOverrides(model, options.articulation.limits);
+    checkOverrides(model, options.articulation.strengths);
     const Voxels voxels = voxelize(model.vertices, model.triangles, options.voxels);
     Actor actor;
     actor.name = options.name.empty() ? model.name : options.name;

@@ -14,6 +14,7 @@ struct ArticulationOptions {
     std::map<std::string, JointType> types;     ///< By the name of the child bone; wins over anatomy.
     std::map<std::string, Vector3f> axes;       ///< Hinge or universal axis, not zero, by the name of the child bone.
     std::map<std::string, JointLimits> limits;  ///< By the name of the child bone.
+    std::map<std::string, JointStrength> strengths;  ///< The same.
     /// Leave one layer of a ball or hinge joint's child out where it would touch the parent, so that the joint can
     /// turn before the two sides meet.
     bool clearJoints = true;

@@ -24,6 +24,7 @@ struct JointPlan {
     Vector3f flexion{0, 0, 0};     ///< Unit, the way the child's end swings when it bends; 0 if unknown.
     Vector3f twistAxis{0, -1, 0};  ///< Unit, of a ball's child.
     JointLimits limits = {};
+    JointStrength strength = {};
     bool clear = true;  ///< Make room to turn in.
 };
 

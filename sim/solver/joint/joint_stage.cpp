@@ -1,5 +1,7 @@
 #include "sim/solver/joint/joint_stage.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "sim/solver/pack.h"
@@ -25,6 +27,16 @@ Defines factorVariant(const StageSetup& setup)
     if (!setup.world.distanceRows.empty()) variant.push_back({"RESPONSES", "1"});
     if (!setup.world.jointBounds.empty()) variant.push_back({"LIMITS", "1"});
     return variant;
+}
+
+Defines tearVariant(const StageSetup& setup)
+{
+    return setup.rows.hasAngular() ? Defines{{"ANGULAR", "1"}} : Defines{};
+}
+
+bool tears(const World& world)
+{
+    return std::ranges::any_of(world.joints, [](const Joint& joint) { return joint.strength.tears(); });
 }
 
 Defines with(Defines variant, const char* define)
@@ -63,14 +75,16 @@ JointStage::JointStage(const StageSetup& setup)
       needed_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.jointTrees.trees.empty()),
       shared_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.sharedParticles.empty()),
       hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()),
-      hasLimits_(needed_ && !setup.world.jointBounds.empty()), variant_(solveVariant(setup)),
-      factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN"))
+      hasLimits_(needed_ && !setup.world.jointBounds.empty()), tears_(needed_ && tears(setup.world)),
+      variant_(solveVariant(setup)), factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")),
+      tearVariant_(tearVariant(setup))
 {
     const Layout& layout = setup.layout;
     sharedParticles = {"sharedParticles", std::span<const uint32_t>(layout.sharedParticles)};
     setup.parameters.sharedCount = static_cast<uint32_t>(layout.sharedParticles.size());
     uploadTrees(setup);
     uploadLimits(setup);
+    uploadStrengths(setup);
 }
 
 void JointStage::uploadTrees(const StageSetup& setup)
@@ -125,10 +139,29 @@ void JointStage::uploadLimits(const StageSetup& setup)
     jointStops.clear();
 }
 
+void JointStage::uploadStrengths(const StageSetup& setup)
+{
+    std::vector<gpu::uvec4> strengths;
+    std::vector<uint32_t> particles;
+    if (tears_) {
+        for (const JointTrees::Joint& joint : setup.layout.jointTrees.all()) {
+            const auto first = static_cast<uint32_t>(particles.size());
+            particles.insert(particles.end(), joint.particles.begin(), joint.particles.end());
+            strengths.push_back({std::bit_cast<uint32_t>(joint.strength.force),
+                                 std::bit_cast<uint32_t>(joint.strength.torque), first,
+                                 static_cast<uint32_t>(particles.size())});
+        }
+    }
+    jointStrengths = {"jointStrengths", std::span<const gpu::uvec4>(strengths)};
+    jointParticles = {"jointParticles", std::span<const uint32_t>(particles)};
+    jointLoads = {"jointLoads", 2 * strengths.size()};
+    jointLoads.clear();
+}
+
 void JointStage::addBuffers(BufferTable& table)
 {
     table.add(sharedParticles, jointTrees, jointBodies, jointRows, jointPlaces, jointFactors, jointPassed, jointStates,
-              jointLimits, jointStops, bodyResponses);
+              jointLimits, jointStops, jointStrengths, jointParticles, jointLoads, bodyResponses);
 }
 
 void JointStage::factor(Recorder& recorder) const
@@ -147,6 +180,23 @@ void JointStage::updateLimits(Recorder& recorder) const
 void JointStage::solve(Recorder& recorder) const
 {
     recorder.groups(solve_, treeGroups());
+}
+
+void JointStage::tear(Recorder& recorder) const
+{
+    if (tears_) recorder.groups(tear_, treeGroups());
+}
+
+std::vector<bool> JointStage::tornParticles(const World& world) const
+{
+    if (!tears_) return {};
+    std::vector<bool> torn(world.particles.size(), false);
+    const std::vector<gpu::uvec4> bodies = jointBodies.download(), strengths = jointStrengths.download();
+    const std::vector<uint32_t> particles = jointParticles.download();
+    for (size_t k = 0; k < bodies.size(); ++k)
+        if (bodies[k].w == JOINT_NONE)
+            for (uint32_t i = strengths[k].z; i < strengths[k].w; ++i) torn[particles[i]] = true;
+    return torn;
 }
 
 uint32_t JointStage::treeGroups() const

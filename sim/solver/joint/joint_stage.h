@@ -18,34 +18,44 @@ public:
     void updateLimits(Recorder& recorder) const;
     /// Moves bodies by what acts on them and to where their joints hold.
     void solve(Recorder& recorder) const;
+    /// Joints that bore too much let go; at the end of a substep.
+    void tear(Recorder& recorder) const;
+    /// Per particle of a world whether a joint that shared it is torn; empty where none can tear. Stalls until the GPU is
+    /// done.
+    std::vector<bool> tornParticles(const World& world) const;
     /// Shared particles to the mean of where their bodies have them, at the end of a step.
     void placeParticles(Recorder& recorder) const;
 
     Buffer<uint32_t> sharedParticles;  ///< The particles of two or more bodies.
     // Of the trees (layout/joint_trees.h).
-    Buffer<gpu::uvec4> jointTrees;    ///< First joint, end; first loop, end.
-    Buffer<gpu::uvec4> jointBodies;   ///< Per joint: body, its parent, the parent's joint, JOINT_*.
-    Buffer<gpu::uvec4> jointRows;     ///< Per joint: rows of the channel of the body and of its parent; its own joint.
-    Buffer<gpu::vec4> jointPlaces;    ///< Per joint, four: arms in the two bodies [m], axes in the two.
-    Buffer<gpu::vec4> jointFactors;   ///< Per joint, eleven (shaders/sim/joint/joint_factors.glsl).
-    Buffer<gpu::vec4> jointPassed;    ///< Per joint, seven: what its body hands to its parent of how it answers.
-    Buffer<gpu::vec4> jointStates;    ///< Per joint, eight (shaders/sim/joint/joint_states.glsl).
-    Buffer<gpu::vec4> jointLimits;    ///< Per joint: swing, turns about its axis [rad]; stiffness [N m/rad], 0: rigid.
-    Buffer<gpu::vec4> jointStops;     ///< Per joint, four (shaders/sim/joint/joint_stops.glsl).
-    Buffer<gpu::vec4> bodyResponses;  ///< Per body, nine: how it answers to forces with what its joints move along.
+    Buffer<gpu::uvec4> jointTrees;   ///< First joint, end; first loop, end.
+    Buffer<gpu::uvec4> jointBodies;  ///< Per joint: body, its parent, the parent's joint, JOINT_*.
+    Buffer<gpu::uvec4> jointRows;    ///< Per joint: rows of the channel of the body and of its parent; its own joint.
+    Buffer<gpu::vec4> jointPlaces;   ///< Per joint, four: arms in the two bodies [m], axes in the two.
+    Buffer<gpu::vec4> jointFactors;  ///< Per joint, eleven (shaders/sim/joint/joint_factors.glsl).
+    Buffer<gpu::vec4> jointPassed;   ///< Per joint, seven: what its body hands to its parent of how it answers.
+    Buffer<gpu::vec4> jointStates;   ///< Per joint, eight (shaders/sim/joint/joint_states.glsl).
+    Buffer<gpu::vec4> jointLimits;   ///< Per joint: swing, turns about its axis [rad]; stiffness [N m/rad], 0: rigid.
+    Buffer<gpu::vec4> jointStops;    ///< Per joint, four (shaders/sim/joint/joint_stops.glsl).
+    Buffer<gpu::uvec4> jointStrengths;  ///< Per joint: bits of force [N], torque [N m]; first of jointParticles, end.
+    Buffer<uint32_t> jointParticles;    ///< Those that its bodies share; of a world where joints tear.
+    Buffer<gpu::vec4> jointLoads;       ///< Per joint, two: what it bore in the substep before [N], [N m].
+    Buffer<gpu::vec4> bodyResponses;    ///< Per body, nine: how it answers to forces with what its joints move along.
 
 private:
     void uploadTrees(const StageSetup& setup);
     uint32_t treeGroups() const;
     void uploadLimits(const StageSetup& setup);
+    void uploadStrengths(const StageSetup& setup);
 
     const gpu::StepParameters& parameters_;
-    bool needed_, shared_, hasLoops_, hasLimits_;
-    Defines variant_, factorVariant_, againVariant_;
+    bool needed_, shared_, hasLoops_, hasLimits_, tears_;
+    Defines variant_, factorVariant_, againVariant_, tearVariant_;
     Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
     Pass refactor_{*this, "joint/joint_factor", againVariant_, needed_&& hasLimits_};
     Pass factorLoops_{*this, "joint/joint_loop_factor", {}, hasLoops_};
     Pass solve_{*this, "joint/joint_solve", variant_, needed_};
+    Pass tear_{*this, "joint/joint_tear", tearVariant_, tears_};
     Pass place_{*this, "joint/joint_position", {}, shared_};
 };
 

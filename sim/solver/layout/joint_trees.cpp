@@ -2,126 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <map>
 
 #include "shared/constants.h"
+#include "sim/solver/layout/joint_edges.h"
 #include "sim/world/disjoint_sets.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
 
 namespace {
-
-using Eigen::Matrix3f;
-
-/// Two bodies and where what they share stands in each.
-struct Edge {
-    uint32_t a = 0, b = 0;
-    uint32_t bounds = NO_INDEX;  ///< Of World::jointBounds.
-    std::vector<uint32_t> particles;
-    std::vector<Vector3f> armsA, armsB;
-};
-
-std::vector<Edge> edgesOf(const World& world)
-{
-    std::vector<std::vector<uint32_t>> linksOf(world.particles.size());
-    for (uint32_t l = 0; l < world.links.size(); ++l)
-        if (world.particles[world.links[l].particle].bodyCount > 1) linksOf[world.links[l].particle].push_back(l);
-    std::map<std::pair<uint32_t, uint32_t>, Edge> edges;
-    for (const auto& links : linksOf) {
-        for (size_t i = 0; i < links.size(); ++i) {
-            for (size_t j = i + 1; j < links.size(); ++j) {
-                const Link &a = world.links[std::min(links[i], links[j])],
-                           &b = world.links[std::max(links[i], links[j])];
-                Edge& edge = edges[{a.body, b.body}];
-                edge.a = a.body;
-                edge.b = b.body;
-                edge.particles.push_back(a.particle);
-                edge.armsA.push_back(a.restOffset);
-                edge.armsB.push_back(b.restOffset);
-            }
-        }
-    }
-    for (uint32_t k = 0; k < world.jointBounds.size(); ++k) {
-        const auto [a, b] = std::minmax(world.jointBounds[k].bodyA, world.jointBounds[k].bodyB);
-        if (const auto edge = edges.find({a, b}); edge != edges.end()) edge->second.bounds = k;
-    }
-    std::vector<Edge> all;
-    for (auto& [bodies, edge] : edges) all.push_back(std::move(edge));
-    return all;
-}
-
-Vector3f meanOf(const std::vector<Vector3f>& places)
-{
-    Vector3f sum = Vector3f::Zero();
-    for (const Vector3f& p : places) sum += p;
-    return sum / static_cast<float>(places.size());
-}
-
-/// The rotation that brings places about their mean nearest to others about theirs.
-Quaternionf fitted(const std::vector<Vector3f>& from, const std::vector<Vector3f>& to)
-{
-    const Vector3f meanFrom = meanOf(from), meanTo = meanOf(to);
-    Matrix3f sum = Matrix3f::Zero();
-    for (size_t i = 0; i < from.size(); ++i) sum += (to[i] - meanTo) * (from[i] - meanFrom).transpose();
-    const Eigen::JacobiSVD<Matrix3f> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Matrix3f turned = svd.matrixU();
-    if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0f) turned.col(2) *= -1.0f;
-    return Quaternionf(turned * svd.matrixV().transpose());
-}
-
-/// @param spread eigenvalues of the shared particles' spread, ascending [m2].
-uint32_t freedomOf(const Vector3f& spread, float diameter)
-{
-    const float least = 1e-4f * diameter * diameter;
-    return spread[2] < least ? JOINT_BALL : spread[1] < least ? JOINT_HINGE : JOINT_STIFF;
-}
-
-/// Where a body has the joint's x, and its parent the middle of its cone: x of B, or, so that it turns the same way, the
-/// opposite of A's.
-std::pair<Vector3f, Vector3f> boundedAxes(const JointBounds& bounds, uint32_t body)
-{
-    if (bounds.bodyB == body) return {bounds.axis, bounds.cone};
-    return {-bounds.cone, -bounds.axis};
-}
-
-/// The joint that an edge is for one of its bodies.
-JointTrees::Joint jointOf(const World& world, const Edge& edge, uint32_t body)
-{
-    const bool isA = edge.a == body;
-    const std::vector<Vector3f>&own = isA ? edge.armsA : edge.armsB, &others = isA ? edge.armsB : edge.armsA;
-    JointTrees::Joint joint;
-    joint.body = body;
-    joint.parent = isA ? edge.b : edge.a;
-    joint.arm = meanOf(own);
-    joint.parentArm = meanOf(others);
-    Matrix3f spread = Matrix3f::Zero();
-    for (const Vector3f& p : own) spread += (p - joint.arm) * (p - joint.arm).transpose();
-    const Eigen::SelfAdjointEigenSolver<Matrix3f> eigen(spread);
-    joint.freedom = freedomOf(eigen.eigenvalues(), world.diameter());
-    Vector3f axis = joint.freedom == JOINT_BALL ? Vector3f::UnitX() : Vector3f(eigen.eigenvectors().col(2));
-    joint.bounds = edge.bounds;
-    Quaternionf leaning = Quaternionf::Identity();
-    if (edge.bounds != NO_INDEX) {
-        const auto [ownAxis, middle] = boundedAxes(world.jointBounds[edge.bounds], body);
-        if (joint.freedom != JOINT_BALL) axis *= axis.dot(ownAxis) < 0 ? -1.0f : 1.0f;
-        else {
-            axis = ownAxis;
-            leaning = Quaternionf::FromTwoVectors(ownAxis, middle);
-        }
-    }
-    joint.frame = Quaternionf::FromTwoVectors(Vector3f::UnitX(), axis);
-    joint.parentFrame = leaning * joint.frame;
-    if (joint.freedom == JOINT_HINGE) {
-        const Vector3f along = own.back() - own.front(), parentAlong = others.back() - others.front();
-        joint.parentFrame = Quaternionf::FromTwoVectors(along, parentAlong) * joint.frame;
-    }
-    if (joint.freedom == JOINT_STIFF) joint.parentFrame = fitted(own, others) * joint.frame;
-    return joint;
-}
 
 bool isFixed(const World& world, uint32_t body)
 {
@@ -131,18 +22,18 @@ bool isFixed(const World& world, uint32_t body)
 /// Kruskal: the edges that connect what nothing before has connected, those with limits first, then those with most
 /// particles, and those that lead to fixed bodies, which count as one, last. The others follow them.
 /// @returns how many connect.
-size_t connect(const World& world, std::vector<Edge>& edges)
+size_t connect(const World& world, std::vector<JointEdge>& edges)
 {
-    const auto held = [&](const Edge& e) { return isFixed(world, e.a) || isFixed(world, e.b); };
-    std::erase_if(edges, [&](const Edge& e) { return isFixed(world, e.a) && isFixed(world, e.b); });
-    std::ranges::stable_sort(edges, [&](const Edge& x, const Edge& y) {
+    const auto held = [&](const JointEdge& e) { return isFixed(world, e.a) || isFixed(world, e.b); };
+    std::erase_if(edges, [&](const JointEdge& e) { return isFixed(world, e.a) && isFixed(world, e.b); });
+    std::ranges::stable_sort(edges, [&](const JointEdge& x, const JointEdge& y) {
         if (held(x) != held(y)) return held(y);
         if ((x.bounds == NO_INDEX) != (y.bounds == NO_INDEX)) return y.bounds == NO_INDEX;
         return x.particles.size() > y.particles.size();
     });
     const auto ground = static_cast<uint32_t>(world.bodies.size());
     DisjointSets sets(ground + 1);
-    const auto joins = [&](const Edge& e) {
+    const auto joins = [&](const JointEdge& e) {
         const uint32_t a = sets.find(isFixed(world, e.a) ? ground : e.a);
         const uint32_t b = sets.find(isFixed(world, e.b) ? ground : e.b);
         if (a != b) sets.unite(a, b);
@@ -154,7 +45,7 @@ size_t connect(const World& world, std::vector<Edge>& edges)
 /// Adds the tree of a body that is in none yet, from `edge` or without one, breadth first.
 class TreeGrower {
 public:
-    TreeGrower(const World& world, const std::vector<Edge>& edges, size_t count, JointTrees& out)
+    TreeGrower(const World& world, const std::vector<JointEdge>& edges, size_t count, JointTrees& out)
         : world_(world), edges_(edges), out_(out), edgesOfBody_(world.bodies.size()),
           jointOfBody_(world.bodies.size(), NO_INDEX), treeOfBody_(world.bodies.size(), NO_INDEX)
     {
@@ -184,7 +75,7 @@ public:
     {
         std::vector<std::vector<JointTrees::Joint>> loops(out_.trees.size());
         for (size_t e = count; e < edges_.size(); ++e) {
-            const Edge edge = uncovered(edges_[e]);
+            const JointEdge edge = uncovered(edges_[e]);
             if (edge.particles.empty()) continue;
             const uint32_t body = isFixed(world_, edge.a) ? edge.b : edge.a;
             JointTrees::Joint loop = jointOf(world_, edge, body);
@@ -205,7 +96,7 @@ public:
     }
 
 private:
-    static uint32_t other(const Edge& edge, uint32_t body) { return edge.a == body ? edge.b : edge.a; }
+    static uint32_t other(const JointEdge& edge, uint32_t body) { return edge.a == body ? edge.b : edge.a; }
 
     void grow(const JointTrees::Joint& root)
     {
@@ -236,9 +127,12 @@ private:
     }
 
     /// Less the particles through which the trees, and loops before it, hold its bodies together already.
-    Edge uncovered(const Edge& edge)
+    JointEdge uncovered(const JointEdge& edge)
     {
-        Edge rest{edge.a, edge.b, edge.bounds, {}, {}, {}};
+        JointEdge rest = edge;
+        rest.particles.clear();
+        rest.armsA.clear();
+        rest.armsB.clear();
         for (size_t i = 0; i < edge.particles.size(); ++i) {
             if (!cover(edge.particles[i], edge)) continue;
             rest.particles.push_back(edge.particles[i]);
@@ -249,7 +143,7 @@ private:
     }
 
     /// @returns whether the particle's bodies were not connected through it before.
-    bool cover(uint32_t particle, const Edge& edge)
+    bool cover(uint32_t particle, const JointEdge& edge)
     {
         auto& bodies = covered_[particle];
         const auto group = [&](uint32_t body) { return bodies.try_emplace(body, body).first->second; };
@@ -260,7 +154,7 @@ private:
     }
 
     const World& world_;
-    const std::vector<Edge>& edges_;
+    const std::vector<JointEdge>& edges_;
     JointTrees& out_;
     std::vector<std::vector<uint32_t>> edgesOfBody_;
     std::vector<uint32_t> jointOfBody_, treeOfBody_;
@@ -278,7 +172,7 @@ std::vector<JointTrees::Joint> JointTrees::all() const
 
 JointTrees::JointTrees(const World& world)
 {
-    std::vector<Edge> edges = edgesOf(world);
+    std::vector<JointEdge> edges = jointEdges(world);
     const size_t count = connect(world, edges);
     TreeGrower grower(world, edges, count, *this);
     grower.growAll();

@@ -24,6 +24,8 @@ struct JointTrees {
         uint32_t freedom = 0;                 ///< JOINT_*.
         /// Of World::jointBounds: x of `frame` turns in a cone about x of `parentFrame`, and about itself.
         uint32_t bounds = NO_INDEX;
+        JointStrength strength;
+        std::vector<uint32_t> particles;  ///< That both bodies share.
     };
     /// Joints of a tree: parents stand before children.
     struct Tree {

@@ -70,12 +70,12 @@ Vector3f goalOf(const Link& link, const BodyState& state)
     return state.position + state.rotation * link.restOffset;
 }
 
-Depths jointGaps(const World& world, const std::vector<BodyState>& bodies)
+Depths jointGaps(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies)
 {
     Depths gaps;
     std::map<uint32_t, std::vector<Vector3f>> places;
     for (const Link& link : world.links)
-        if (world.particles[link.particle].bodyCount > 1)
+        if (world.particles[link.particle].bodyCount > 1 && !particles.lost(world, link))
             places[link.particle].push_back(goalOf(link, bodies[link.body]));
     for (const auto& [particle, wanted] : places) {
         float gap = 0.0f;
@@ -151,27 +151,31 @@ BodyState bodyState(const World& world, const Body& body, const ParticleState& p
     state.rotation = rotation;
     state.position = centre;
     if (body.motion == Motion::Fixed) return state;
-    Vector3d momentum = Vector3d::Zero();
+    Vector3d momentum = Vector3d::Zero(), offset = Vector3d::Zero();
     double mass = 0.0;
-    for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
-        const Link& link = world.links[l];
+    const auto eachLink = [&](const auto& visit) {
+        for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l)
+            if (!particles.lost(world, world.links[l])) visit(world.links[l]);
+    };
+    eachLink([&](const Link& link) {
         momentum += link.mass * particles.velocities[link.particle].cast<double>();
+        offset += link.mass * (rotation * link.restOffset).cast<double>();
         mass += link.mass;
-    }
-    const Vector3d mean = momentum / mass;
-    // The velocity field of a rigid body through its own particles, about the centre of its shape match.
+    });
+    if (mass == 0.0) return state;  // torn joints have left it nothing
+    const Vector3d mean = momentum / mass, middle = offset / mass;
+    // The velocity field of a rigid body through the particles that it has.
     Vector3d angular = Vector3d::Zero();
     Matrix3d inertia = Matrix3d::Zero();
-    for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
-        const Link& link = world.links[l];
-        const Vector3d r = (rotation * link.restOffset).cast<double>();
+    eachLink([&](const Link& link) {
+        const Vector3d r = (rotation * link.restOffset).cast<double>() - middle;
         angular += link.mass * r.cross(particles.velocities[link.particle].cast<double>() - mean);
         inertia += link.mass * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
-    }
+    });
     inertia += 1e-9 * (inertia.trace() + 1e-30) * Matrix3d::Identity();
     const Vector3d spin = inertia.ldlt().solve(angular);
     state.angularVelocity = spin.cast<float>();
-    state.velocity = mean.cast<float>();
+    state.velocity = (mean - spin.cross(middle)).cast<float>();
     return state;
 }
 
@@ -179,7 +183,7 @@ Measures measureState(const World& world, const ParticleState& particles, const 
 {
     Measures m;
     const Depths depths = penetrations(world, particles.positions);
-    const Depths gaps = jointGaps(world, bodies);
+    const Depths gaps = jointGaps(world, particles, bodies);
     m.contactCount = depths.count;
     m.meanPenetration = depths.mean();
     m.worstPenetration = depths.worst;

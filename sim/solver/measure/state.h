@@ -8,9 +8,17 @@
 namespace knuckle {
 
 struct ParticleState {
+    /// Whether a body that has a particle at rest no longer has it.
+    bool lost(const World& world, const Link& link) const
+    {
+        return !torn.empty() && torn[link.particle] && world.particles[link.particle].body != link.body;
+    }
+
     std::vector<Vector3f> positions;   ///< [m]
     std::vector<Vector3f> velocities;  ///< [m/s]
     std::vector<bool> inactive;        ///< Fluid particles that no emitter has yet let out, or that a drain took.
+    std::vector<bool>
+        torn;  ///< Those of torn joints, which the first of their bodies has kept. Empty: no joint can tear.
 };
 
 struct BodyState {

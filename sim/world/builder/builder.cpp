@@ -151,6 +151,7 @@ uint32_t WorldBuilder::addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec&
     joint.name = spec.name;
     joint.bodyA = bodyA;
     joint.bodyB = bodyB;
+    joint.strength = spec.strength;
     shareAt(places.shared, bodyA, bodyB, joint);
     for (const Vector3f& place : places.limits) shareParticle(newParticle(place, world_.bodies[bodyA].material), bodyA);
     if (spec.type == JointType::Universal) {

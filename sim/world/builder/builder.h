@@ -27,6 +27,7 @@ struct JointSpec {
     /// along x axis), -1 (the other) or 0 (free on both sides).
     int limitSide = 0;
     JointLimits limits;
+    JointStrength strength;
 };
 
 /// Builds a World: bodies from particle positions, joints by sharing particles (paper, section 4), colliders.

@@ -1,0 +1,97 @@
+// One thread a tree of joints: of those that bore more in the substep than they can, the one that did most holds nothing
+// any more, which relieves the others. Its body is then the root of what hangs on it, in the same tree; its particles
+// stay with the first of their bodies.
+#include "sim/common/kernel.glsl"
+#include "sim/common/bodies/assemblies.glsl"
+#include "sim/common/bodies/mover_info.glsl"
+#include "sim/joint/joint_info.glsl"
+#include "sim/joint/joint_states.glsl"
+
+layout(local_size_x = TREE_GROUP_SIZE) in;
+uniform usamplerBuffer jointStrengths;
+uniform usamplerBuffer jointParticles;
+BUFFER(uvec4, JointBodies, newJointBodies);
+BUFFER(vec4, JointPassed, jointPassed);
+BUFFER(vec4, JointLoads, jointLoads);
+BUFFER(uvec2, ParticleLinks, newParticleLinks);
+BUFFER(vec4, RowImpulses, newRowImpulses);
+#ifdef ANGULAR
+BUFFER(vec4, RowAngularImpulses, newRowAngularImpulses);
+#endif
+
+struct JointStrength {
+    float force, torque;   // [N, N m]
+    uint first, end;       // of jointParticles
+};
+
+JointStrength fetchJointStrength(uint joint)
+{
+    uvec4 t = texelFetch(jointStrengths, int(joint));
+    return JointStrength(uintBitsToFloat(t.x), uintBitsToFloat(t.y), t.z, t.w);
+}
+
+void letGo(uint row)
+{
+    if (row == NONE) return;
+    newRowImpulses[row] = vec4(0);
+#ifdef ANGULAR
+    newRowAngularImpulses[row] = vec4(0);
+#endif
+}
+
+/// The mean of what a joint bears now and bore a substep ago: where second order begins, it bears too little and then
+/// too much.
+vec3 meanLoad(uint entry, vec3 load)
+{
+    vec3 mean = 0.5 * (jointLoads[entry].xyz + load);
+    jointLoads[entry].xyz = load;
+    return mean;
+}
+
+/// How much of what a joint can bear it bears, 0 for one that is torn.
+float loadOf(uint k, float squaredTime)
+{
+    if (fetchTreeJoint(k).freedom == JOINT_NONE) return 0.0;
+    uint row = fetchJointRows(k).row;
+    JointStrength strength = fetchJointStrength(k);
+    float load = length(meanLoad(2u * k, newRowImpulses[row].xyz / squaredTime)) / strength.force;
+#ifdef ANGULAR
+    vec3 torque = meanLoad(2u * k + 1u, newRowAngularImpulses[row].xyz / squaredTime);
+    load = max(load, length(torque) / strength.torque);
+#endif
+    return load;
+}
+
+void tear(uint k)
+{
+    JointRows rows = fetchJointRows(k);
+    JointStrength strength = fetchJointStrength(k);
+    newJointBodies[k].w = JOINT_NONE;
+    letGo(rows.row);
+    letGo(rows.parentRow);
+    storeForce(k, SLOT_PASSED, Force(vec3(0), vec3(0)));
+    for (uint i = 0u; i < JOINT_PASSED; ++i) jointPassed[JOINT_PASSED * k + i] = vec4(0);
+    for (uint i = strength.first; i < strength.end; ++i) newParticleLinks[texelFetch(jointParticles, int(i)).x].y = 1u;
+}
+
+void main()
+{
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= sim.jointTreeCount) return;
+    JointTree tree = fetchJointTree(index);
+    uint assembly = fetchMover(fetchTreeJoint(tree.first).body).assembly;
+    if (isAsleep(assembly)) return;
+    float squaredTime = accelerationFactor(fetchAssembly(assembly)) * sim.substepTime * sim.substepTime;
+    uint worst = NONE;
+    float most = 1.0;
+    uint joints = tree.end - tree.first, all = joints + tree.loopEnd - tree.firstLoop;
+    for (uint i = 0u; i < all; ++i) {
+        uint k = i < joints ? tree.first + i : tree.firstLoop + (i - joints);
+        float load = loadOf(k, squaredTime);
+        if (load > most) {
+            most = load;
+            worst = k;
+        }
+    }
+    if (worst != NONE) tear(worst);
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "sim/world/builder/builder.h"
+
+namespace knuckle::test {
+
+/// From the middle of a cube of 3 x 3 x 3 to the next one's, with a layer between them for the joint [m].
+inline constexpr float PITCH = 0.4f;
+
+struct ChainSpec {
+    uint32_t bodies = 10;
+    JointType type = JointType::Ball;
+    float load = 1.0f;  ///< How many times as heavy the last one is.
+    Vector3f along{0, -1, 0};
+    JointStrength strength = {};
+    bool bothEnds = false;  ///< Whether the last body is fixed, too; the first always is.
+};
+
+/// Adds such cubes in a row from the origin, as one object.
+void addChain(WorldBuilder& builder, const ChainSpec& spec);
+/// Nothing but a chain.
+World chain(const ChainSpec& spec);
+
+}  // namespace knuckle::test
