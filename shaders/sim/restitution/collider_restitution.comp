@@ -9,7 +9,11 @@ uniform usamplerBuffer colliderSides;
 uniform samplerBuffer colliderArms;
 uniform samplerBuffer colliderImpulses;
 uniform samplerBuffer lastColliderRestitutions;
+#ifdef LEDGER
+BUFFER(vec4, ColliderLedgers, colliderLedgers);
+#else
 BUFFER(vec4, ColliderRestitutions, colliderRestitutions);
+#endif
 READ_BUFFER(Counters, CountersBlock, counters);
 
 void main()
@@ -19,11 +23,23 @@ void main()
     uint index = counters[0].listParity * sim.colliderPairCapacity + q;
     ColliderContact sides = fetchColliderContact(colliderSides, q);
     Arm arm = fetchContactArm(colliderArms, q);
-    PointState point = pointState(sides.mover, arm.r);
-    vec3 normal = colliderSurface(sides.collider, point.position).normal;
+    vec3 place = fetchCentre(sides.mover) + rotate(fetchRotation(sides.mover), arm.r);
+    vec3 normal = colliderSurface(sides.collider, place).normal;
+    Impulse last = fetchImpulse(lastColliderRestitutions, index);
+    vec3 now = velocityNow(sides.mover, arm.r);
+#if defined(LEDGER)
+    float solved = dot(normal, velocitySolved(sides.mover, arm.r));
+    colliderLedgers[q] = vec4(gainOf(max(last.normal, 0.0), solved, dot(normal, now), 1.0), 0, 0);
+#elif defined(SHARE)
+    vec3 solver = fetchImpulse(colliderImpulses, index).whole / sim.substepTime;
+    colliderRestitutions[index] =
+        packImpulse(sharedRestitution(last, normal, solver, restitutionShares(sides.mover)));
+#else
+    float approach = approachOf(arrivalOf(sides.mover, arm.r), Arrival(vec3(0), vec3(0), vec3(0)), normal);
     float inverseMass = restitutionSplits(sides.mover) * arm.worstInverseMass * sides.fraction;
     float restitution = fetchMass(fetchColliderPair(colliderPairs, index).particle).restitution;
-    colliderRestitutions[index] = packImpulse(
-        solveRestitution(fetchImpulse(lastColliderRestitutions, index), fetchImpulse(colliderImpulses, index).normal,
-                         normal, velocityBefore(sides.mover, arm.r), point.velocity, inverseMass, restitution));
+    colliderRestitutions[index] =
+        packImpulse(solveRestitution(last, fetchImpulse(colliderImpulses, index).normal, normal, approach, now,
+                                     inverseMass, restitution));
+#endif
 }

@@ -9,8 +9,26 @@ uniform usamplerBuffer pairSides;
 uniform samplerBuffer pairArms;
 uniform samplerBuffer pairImpulses;
 uniform samplerBuffer lastPairRestitutions;
+#ifdef LEDGER
+BUFFER(vec4, PairLedgers, pairLedgers);
+#else
 BUFFER(vec4, PairRestitutions, pairRestitutions);
+#endif
 READ_BUFFER(Counters, CountersBlock, counters);
+
+#ifdef LEDGER
+/// Gains, and how much more of what the solver took from both the first side may give back than it lost itself [J].
+/// @param solver its impulse on the first side [kg m/s].
+vec4 ledgerOf(uvec2 movers, vec3 rA, vec3 rB, vec3 normal, Impulse last, float now, vec3 solver)
+{
+    vec3 solvedA = velocitySolved(movers.x, rA), solvedB = velocitySolved(movers.y, rB);
+    float solved = dot(normal, solvedA - solvedB), sum = max(last.normal, 0.0);
+    if (isFixed(movers.x) || isFixed(movers.y)) return vec4(gainOf(sum, solved, now, 1.0), 0, 0);
+    Arrival a = arrivalOf(movers.x, rA), b = arrivalOf(movers.y, rB);
+    vec3 before = a.velocity + b.velocity + sim.substepTime * (a.pull + b.pull);
+    return vec4(gainOf(sum, solved, now, 0.5), 0.25 * dot(solver, before + solvedA + solvedB), 0);
+}
+#endif
 
 void main()
 {
@@ -21,7 +39,6 @@ void main()
     ContactSides sides = fetchContactSides(pairSides, q);
     uint first = sides.movers.x, second = sides.movers.y;
     Arm armA = fetchContactArm(pairArms, firstArm(q)), armB = fetchContactArm(pairArms, secondArm(q));
-    PointState a = pointState(first, armA.r), b = pointState(second, armB.r);
     vec4 rotationA = fetchRotation(first), rotationB = fetchRotation(second);
     vec3 between = fetchCentre(first) - fetchCentre(second);
     vec3 particles = between + (rotate(rotationA, fetchArm(pair.first).r) - rotate(rotationB, fetchArm(pair.second).r));
@@ -29,11 +46,21 @@ void main()
     vec3 difference = between + (rotate(rotationA, refs.a.r) - rotate(rotationB, refs.b.r));
     vec3 normal = separationOf(difference, exitOf(refs, sides.exit), rotationA, rotationB, sides.hidden,
                                refs.a.radius + refs.b.radius).normal;
-    vec3 before = velocityBefore(first, armA.r) - velocityBefore(second, armB.r);
+    Impulse last = fetchImpulse(lastPairRestitutions, index);
+    vec3 now = velocityNow(first, armA.r) - velocityNow(second, armB.r);
+#if defined(LEDGER)
+    pairLedgers[q] = ledgerOf(sides.movers, armA.r, armB.r, normal, last, dot(normal, now),
+                              fetchImpulse(pairImpulses, index).whole / sim.substepTime);
+#elif defined(SHARE)
+    vec3 solver = fetchImpulse(pairImpulses, index).whole / sim.substepTime;
+    vec2 shares = min(restitutionShares(first), restitutionShares(second));
+    pairRestitutions[index] = packImpulse(sharedRestitution(last, normal, solver, shares));
+#else
+    float approach = approachOf(arrivalOf(first, armA.r), arrivalOf(second, armB.r), normal);
     vec2 splits = vec2(restitutionSplits(first), restitutionSplits(second));
     float inverseMass = dot(splits * vec2(armA.worstInverseMass, armB.worstInverseMass), sides.fractions);
     float restitution = max(fetchMass(pair.first).restitution, fetchMass(pair.second).restitution);
-    pairRestitutions[index] = packImpulse(
-        solveRestitution(fetchImpulse(lastPairRestitutions, index), fetchImpulse(pairImpulses, index).normal, normal,
-                         before, a.velocity - b.velocity, inverseMass, restitution));
+    pairRestitutions[index] = packImpulse(solveRestitution(last, fetchImpulse(pairImpulses, index).normal, normal,
+                                                           approach, now, inverseMass, restitution));
+#endif
 }

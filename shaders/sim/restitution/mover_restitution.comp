@@ -1,4 +1,5 @@
-// One thread a mover: adds what its collisions' impulses change to its velocity, and counts them.
+// One thread a mover: adds what its collisions' impulses change to its velocity. DETECT: counts them, and notes the
+// velocity without them.
 #define PAIR_IMPULSES pairRestitutions
 #define COLLIDER_IMPULSES colliderRestitutions
 #include "sim/common/kernel.glsl"
@@ -9,7 +10,10 @@
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer lastMoverVelocities;
 BUFFER(vec4, MoverVelocities, moverVelocities);
+#ifdef DETECT
+BUFFER(vec4, MoverSolvedVelocities, moverSolvedVelocities);
 BUFFER(float, MoverRestitutionSplits, moverRestitutionSplits);
+#endif
 READ_BUFFER(Counters, CountersBlock, counters);
 
 /// Of the velocity field of a body, for impulses that sum to p and p r^T in its own axes.
@@ -31,10 +35,14 @@ void main()
     if (isFixed(m)) return;   // its splits stay 0
     MoverInfo mover = fetchMover(m);
     Sum sum = contactSum(mover, counters[0].listParity);
-    moverRestitutionSplits[m] = sum.acting;
     Field v = fetchField(lastMoverVelocities, m);
+#ifdef DETECT
+    moverRestitutionSplits[m] = sum.acting;
+    STORE_FIELD(moverSolvedVelocities, m, v)
+#else
     Field change = Field(mover.inverseMass * sum.impulse.t, mat3(0));
     if (m < sim.bodyCount) change = velocityChange(m, sum.impulse);
     Field next = Field(v.t + change.t, v.f + change.f);
     STORE_FIELD(moverVelocities, m, next)
+#endif
 }

@@ -24,6 +24,8 @@ RestitutionStage::RestitutionStage(const StageSetup& setup)
     gpu::StepParameters& p = setup.parameters;
     p.restitutionThreshold = std::max(2.0f * setup.world.settings.gravity.norm() * p.substepTime, 0.02f);
     moverRestitutionSplits = {"moverRestitutionSplits", setup.layout.moverCount()};
+    moverRestitutionShares = {"moverRestitutionShares", setup.layout.moverCount()};
+    moverSolvedVelocities = {"moverSolvedVelocities", setup.world.bodies.size() * 3 + setup.layout.moverCount()};
     makeLists();
 }
 
@@ -31,6 +33,8 @@ void RestitutionStage::makeLists()
 {
     pairRestitutions = {"pairRestitutions", 2 * size_t(parameters_.pairCapacity)};
     colliderRestitutions = {"colliderRestitutions", 2 * size_t(parameters_.colliderPairCapacity)};
+    pairLedgers = {"pairLedgers", parameters_.pairCapacity};
+    colliderLedgers = {"colliderLedgers", parameters_.colliderPairCapacity};
 }
 
 void RestitutionStage::grow(const Gpu&, gpu::StepParameters&, const gpu::Counters&)
@@ -40,23 +44,27 @@ void RestitutionStage::grow(const Gpu&, gpu::StepParameters&, const gpu::Counter
 
 void RestitutionStage::addBuffers(BufferTable& table)
 {
-    table.add(pairRestitutions, colliderRestitutions, moverRestitutionSplits);
+    table.add(pairRestitutions, colliderRestitutions, pairLedgers, colliderLedgers, moverSolvedVelocities,
+              moverRestitutionSplits, moverRestitutionShares);
 }
 
-void RestitutionStage::iterate(Recorder& recorder, const Kernel& pairs, const Kernel& colliders) const
+void RestitutionStage::iterate(Recorder& recorder, const Kernel& pairs, const Kernel& colliders,
+                               const Kernel& movers) const
 {
     recorder.decided(pairs, DISPATCH_PAIRS);
     if (hasColliders_) recorder.decided(colliders, DISPATCH_COLLIDER_PAIRS);
-    recorder.perElement(movers_, parameters_.moverCount);
+    recorder.perElement(movers, parameters_.moverCount);
 }
 
 void RestitutionStage::apply(Recorder& recorder) const
 {
-    iterate(recorder, detectPairs_, detectColliders_);
+    iterate(recorder, detectPairs_, detectColliders_, countMovers_);
     for (uint32_t i = 0; i < RESTITUTION_ROUNDS; ++i) {
-        iterate(recorder, solvePairs_, solveColliders_);
-        iterate(recorder, solvePairsEagerly_, solveCollidersEagerly_);
+        iterate(recorder, solvePairs_, solveColliders_, moveMovers_);
+        iterate(recorder, solvePairsEagerly_, solveCollidersEagerly_, moveMovers_);
     }
+    iterate(recorder, pairLedgers_, colliderLedgers_, moverShares_);
+    iterate(recorder, sharePairs_, shareColliders_, moveMovers_);
 }
 
 }  // namespace knuckle

@@ -16,11 +16,16 @@ public:
     void apply(Recorder& recorder) const;
 
     Buffer<gpu::vec4> pairRestitutions, colliderRestitutions;  ///< As pairImpulses: last change, all of it [kg m/s].
+    Buffer<gpu::vec4> pairLedgers, colliderLedgers;            ///< Energy: linear and square gain, what the first side
+                                                               ///< may give back beyond its loss [J].
+    Buffer<gpu::vec4> moverSolvedVelocities;                   ///< Fields without them [m/s].
     Buffer<float> moverRestitutionSplits;                      ///< Per mover: over how many of them its mass is split.
+    Buffer<gpu::vec4> moverRestitutionShares;                  ///< Which shares its energy affords of them and of the
+                                                               ///< solver's impulses.
 
 private:
     void makeLists();
-    void iterate(Recorder& recorder, const Kernel& pairs, const Kernel& colliders) const;
+    void iterate(Recorder& recorder, const Kernel& pairs, const Kernel& colliders, const Kernel& movers) const;
 
     const gpu::StepParameters& parameters_;
     bool hasColliders_;
@@ -30,7 +35,13 @@ private:
     Pass solveColliders_{*this, "restitution/collider_restitution", {}, hasColliders_};
     Pass solvePairsEagerly_{*this, "restitution/contact_restitution", {{"EAGER", "1"}}};
     Pass solveCollidersEagerly_{*this, "restitution/collider_restitution", {{"EAGER", "1"}}, hasColliders_};
-    Pass movers_{*this, "restitution/mover_restitution"};
+    Pass pairLedgers_{*this, "restitution/contact_restitution", {{"LEDGER", "1"}}};
+    Pass colliderLedgers_{*this, "restitution/collider_restitution", {{"LEDGER", "1"}}, hasColliders_};
+    Pass sharePairs_{*this, "restitution/contact_restitution", {{"SHARE", "1"}}};
+    Pass shareColliders_{*this, "restitution/collider_restitution", {{"SHARE", "1"}}, hasColliders_};
+    Pass countMovers_{*this, "restitution/mover_restitution", {{"DETECT", "1"}}};
+    Pass moveMovers_{*this, "restitution/mover_restitution"};
+    Pass moverShares_{*this, "restitution/mover_share"};
 };
 
 }  // namespace knuckle
