@@ -24,6 +24,13 @@ vec4 quaternionFromRotation(vec3 w)
     return vec4(s * w, cos(0.5 * angle));
 }
 
+/// The same for turns of up to a radian, not quite of length 1: its error is below 2e-6 of the turn's.
+vec4 quaternionFromSmallRotation(vec3 w)
+{
+    float square = dot(w, w);
+    return vec4((0.5 - square * (1.0 / 48.0 - square / 3840.0)) * w, 1.0 - square * (0.125 - square / 384.0));
+}
+
 mat3 matrixFromQuaternion(vec4 q)
 {
     return mat3(rotate(q, vec3(1, 0, 0)), rotate(q, vec3(0, 1, 0)), rotate(q, vec3(0, 0, 1)));

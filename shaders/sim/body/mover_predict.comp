@@ -88,16 +88,17 @@ void main()
     if (IS_BODY(m)) {
         radius = bodyRadius(m);
         move.f = (matrixFromQuaternion(rotation) + move.f) * fetchMoments(m);
-        delta = matchedRotationDelta(move.f + impulse.f, rotation, delta);
     }
     vec3 shift = move.t + mover.inverseMass * impulse.t;
+    bool jointed = false;
 #ifdef JOINTED
-    if (IS_BODY(m) && hasJoints(m)) {
+    jointed = IS_BODY(m) && hasJoints(m);
+    if (jointed) {
         // As it moved before, which is how its joints let it move; joint_solve goes on from there.
         Field velocity = fetchField(moverVelocities, m);
         shift = sim.substepTime * velocity.t;
         mat3 turned = matrixFromQuaternion(rotation) + sim.substepTime * velocity.f;
-        delta = matchedRotationDelta(turned * fetchMoments(m), rotation, vec4(0, 0, 0, 1));
+        delta = matchedRotationDelta(turned * fetchMoments(m), rotation, delta);
         RowSum rows = rowSum(m, quaternionProduct(delta, rotation));
         impulse = Field(impulse.t + rows.impulse.t, impulse.f + rows.impulse.f);
         BodyLoad load = loadOf(move, impulse, shift, quaternionProduct(delta, rotation), mover.inverseMass,
@@ -105,6 +106,7 @@ void main()
         STORE_BODY_LOAD(newBodyLoads, m, load)
     }
 #endif
+    if (IS_BODY(m) && !jointed) delta = matchedRotationDelta(move.f + impulse.f, rotation, delta);
     STORE_FIELD(moverPredictions, m, move)
     if (asleep) {
         // Contacts and joints take what splits its mass over no impulse for immovable.

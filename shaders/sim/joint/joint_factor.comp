@@ -25,19 +25,21 @@ mat3 freeTurning(mat3 d, uint freedom, vec3 axis)
 Inertia loadPassed(uint joint)
 {
     uint first = JOINT_PASSED * joint;
-    return Inertia(symmetricMatrix(jointPassed[first].xyz, jointPassed[first + 1u].xyz),
-                   mat3(jointPassed[first + 2u].xyz, jointPassed[first + 3u].xyz, jointPassed[first + 4u].xyz),
-                   symmetricMatrix(jointPassed[first + 5u].xyz, jointPassed[first + 6u].xyz));
+    vec4 t[JOINT_PASSED];
+    for (int k = 0; k < int(JOINT_PASSED); ++k) t[k] = jointPassed[first + uint(k)];
+    return Inertia(symmetricMatrix(t[0].xyz, t[1].xyz), mat3(t[4].xyz, t[5].xyz, vec3(t[0].w, t[1].w, t[2].w)),
+                   symmetricMatrix(t[2].xyz, t[3].xyz));
 }
 
 void storePassed(uint joint, Inertia m)
 {
     uint first = JOINT_PASSED * joint;
-    jointPassed[first].xyz = diagonalOf(m.a);
-    jointPassed[first + 1u].xyz = offDiagonalOf(m.a);
-    for (int line = 0; line < 3; ++line) jointPassed[first + 2u + uint(line)].xyz = m.b[line];
-    jointPassed[first + 5u].xyz = diagonalOf(m.d);
-    jointPassed[first + 6u].xyz = offDiagonalOf(m.d);
+    jointPassed[first] = vec4(diagonalOf(m.a), m.b[2].x);
+    jointPassed[first + 1u] = vec4(offDiagonalOf(m.a), m.b[2].y);
+    jointPassed[first + 2u] = vec4(diagonalOf(m.d), m.b[2].z);
+    jointPassed[first + 3u].xyz = offDiagonalOf(m.d);
+    jointPassed[first + 4u].xyz = m.b[0];
+    jointPassed[first + 5u].xyz = m.b[1];
 }
 
 void factor(uint k)

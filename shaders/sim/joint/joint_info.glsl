@@ -6,7 +6,7 @@ uniform usamplerBuffer jointRows;        // of the channel: the body's, its pare
 uniform samplerBuffer jointPlaces;       // four a joint: arm, the parent's; axes, the parent's
 
 /// What joint_factor hands from a joint's body to its parent: so many texels of jointPassed.
-#define JOINT_PASSED 7u
+#define JOINT_PASSED 6u
 
 struct JointTree {
     uint first, end;           // joints, parents before children, those of one body together

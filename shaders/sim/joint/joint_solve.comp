@@ -12,8 +12,10 @@
 layout(local_size_x = TREE_GROUP_SIZE) in;
 BUFFER(vec4, MoverMoves, newMoverMoves);
 BUFFER(vec4, MoverRotationDeltas, newMoverRotationDeltas);
+uniform samplerBuffer lastRowImpulses;
 BUFFER(vec4, RowImpulses, newRowImpulses);
 #ifdef ANGULAR
+uniform samplerBuffer lastRowAngularImpulses;
 BUFFER(vec4, RowAngularImpulses, newRowAngularImpulses);
 #endif
 
@@ -26,12 +28,19 @@ Motion jointError(uint k, TreeJoint joint)
     return Motion(error.t - left.t, error.r - left.r);
 }
 
+// Where each row is pushed once, what was there comes by a texture, which llvmpipe reads three times as fast.
+#if defined(LOOPS) || defined(LIMITS)
+#define ROW(name, row) new##name[row].xyz
+#else
+#define ROW(name, row) texelFetch(last##name, int(row)).xyz
+#endif
+
 void push(uint row, Force f)
 {
     if (row == NONE) return;
-    newRowImpulses[row] = vec4(newRowImpulses[row].xyz + f.t, 0);
+    newRowImpulses[row] = vec4(ROW(RowImpulses, row) + f.t, 0);
 #ifdef ANGULAR
-    newRowAngularImpulses[row].xyz += f.r;
+    newRowAngularImpulses[row].xyz = ROW(RowAngularImpulses, row) + f.r;
 #endif
 }
 
@@ -44,8 +53,8 @@ void pushBoth(uint k, Force held)
 
 void moveBody(uint body, Motion m)
 {
-    newMoverMoves[body].xyz += m.t;
-    vec4 turned = quaternionProduct(quaternionFromRotation(m.r), newMoverRotationDeltas[body]);
+    newMoverMoves[body].xyz = fetchMove(body).shift + m.t;
+    vec4 turned = quaternionProduct(quaternionFromSmallRotation(m.r), fetchRotationDelta(body));
     newMoverRotationDeltas[body] = normalize(turned);
 }
 

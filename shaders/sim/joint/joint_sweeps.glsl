@@ -43,24 +43,23 @@ void passForce(uint k, Force own, Motion error, vec3 stop)
         own.r += stop;
         Force held = answerTo(factor, Motion(-error.t, -error.r), own).held;
         storeForce(k, SLOT_PASSED, shifted(Force(-held.t, -held.r - stop), -factor.parentArm));
-        storeMotion(k, SLOT_MOTION, error);
     }
-    storeForce(k, SLOT_FORCE, own);
+    storeAsked(k, Asked(own, error));
 }
 
 /// The force at a joint and the motion of its body, whose parent has moved already.
 Answer follow(uint k, TreeJoint joint)
 {
     JointFactor factor = fetchJointFactor(k);
-    Force f = loadForce(k, SLOT_FORCE);
+    Asked asked = loadAsked(k);
     Answer answer = Answer(Motion(vec3(0), vec3(0)), Force(vec3(0), vec3(0)));
     if (joint.freedom == JOINT_NONE) {
-        answer.motion = product(Response(factor.inertia.a, factor.inertia.b, factor.inertia.d), f);
+        answer.motion = product(Response(factor.inertia.a, factor.inertia.b, factor.inertia.d), asked.force);
     } else {
-        Motion error = loadMotion(k, SLOT_MOTION), given = Motion(vec3(0), vec3(0));
+        Motion given = Motion(vec3(0), vec3(0));
         if (joint.parentJoint != NONE) given = shifted(loadMotion(joint.parentJoint, SLOT_MOTION), factor.parentArm);
-        given = Motion(given.t - error.t, given.r - error.r);
-        answer = answerTo(factor, given, f);
+        given = Motion(given.t - asked.error.t, given.r - asked.error.r);
+        answer = answerTo(factor, given, asked.force);
         vec3 yielded = vec3(0);
 #ifdef LIMITS
         yielded = stopYield(k, answer.motion.r - given.r);

@@ -114,8 +114,8 @@ void JointStage::uploadTrees(const StageSetup& setup)
     jointRows = {"jointRows", std::span<const gpu::uvec4>(rows)};
     jointPlaces = {"jointPlaces", std::span<const gpu::vec4>(places)};
     jointFactors = {"jointFactors", 11 * bodies.size()};
-    jointPassed = {"jointPassed", 7 * bodies.size()};
-    jointStates = {"jointStates", 8 * bodies.size()};
+    jointPassed = {"jointPassed", 6 * bodies.size()};
+    jointStates = {"jointStates", 9 * bodies.size()};
     bodyResponses = {"bodyResponses", 9 * size_t{setup.layout.bodyCount}};
     bodyResponses.clear();
     setup.parameters.jointTreeCount = static_cast<uint32_t>(ranges.size());

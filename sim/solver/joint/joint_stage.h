@@ -33,8 +33,8 @@ public:
     Buffer<gpu::uvec4> jointRows;    ///< Per joint: rows of the channel of the body and of its parent; its own joint.
     Buffer<gpu::vec4> jointPlaces;   ///< Per joint, four: arms in the two bodies [m], axes in the two.
     Buffer<gpu::vec4> jointFactors;  ///< Per joint, eleven (shaders/sim/joint/joint_factors.glsl).
-    Buffer<gpu::vec4> jointPassed;   ///< Per joint, seven: what its body hands to its parent of how it answers.
-    Buffer<gpu::vec4> jointStates;   ///< Per joint, eight (shaders/sim/joint/joint_states.glsl).
+    Buffer<gpu::vec4> jointPassed;   ///< Per joint, six: what its body hands to its parent of how it answers.
+    Buffer<gpu::vec4> jointStates;   ///< Per joint, nine (shaders/sim/joint/joint_states.glsl).
     Buffer<gpu::vec4> jointLimits;   ///< Per joint: swing, turns about its axis [rad]; stiffness [N m/rad], 0: rigid.
     Buffer<gpu::vec4> jointStops;    ///< Per joint, four (shaders/sim/joint/joint_stops.glsl).
     Buffer<gpu::uvec4> jointStrengths;  ///< Per joint: bits of force [N], torque [N m]; first of jointParticles, end.

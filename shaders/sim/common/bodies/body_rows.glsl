@@ -27,6 +27,9 @@ vec4 packRow(vec3 impulse)
 RowSum rowSum(uint body, vec4 rotation)
 {
     RowSum sum = RowSum(Field(vec3(0), mat3(0)), 0.0);
+#ifdef ANGULAR
+    vec3 angular = vec3(0);
+#endif
     uvec2 rows = texelFetch(bodyRows, int(body)).xy;
     for (uint row = rows.x; row < rows.x + rows.y; ++row) {
         vec4 t = texelFetch(rowImpulses, int(row));
@@ -34,11 +37,14 @@ RowSum rowSum(uint body, vec4 rotation)
         sum.impulse.t += t.xyz;
         sum.impulse.f += outerProduct(t.xyz, texelFetch(rowArms, int(row)).xyz);
 #ifdef ANGULAR
-        // The antisymmetric half of p r^T turns a body: of an angular impulse there is nothing else.
-        vec3 angular = 0.5 * texelFetch(rowAngularImpulses, int(row)).xyz;
-        mat3 axes = matrixFromQuaternion(rotation);
-        sum.impulse.f += mat3(cross(angular, axes[0]), cross(angular, axes[1]), cross(angular, axes[2]));
+        angular += texelFetch(rowAngularImpulses, int(row)).xyz;
 #endif
     }
+#ifdef ANGULAR
+    // The antisymmetric half of p r^T turns a body: of an angular impulse there is nothing else.
+    mat3 axes = matrixFromQuaternion(rotation);
+    angular *= 0.5;
+    sum.impulse.f += mat3(cross(angular, axes[0]), cross(angular, axes[1]), cross(angular, axes[2]));
+#endif
     return sum;
 }
