@@ -64,6 +64,11 @@ const BadScene BAD_SCENES[] = {
      ": /objects/0/limits/swing: 0 is below the minimum 1 [degrees]"},
     {"LimitsOfThePaper", R"({ "solver": "paper", "objects": [{ "type": "joined", "limits": { "swing": 30 } }] })",
      ": the paper's solver has no joint limits; take them away, or use solver method impulse"},
+    {"LimitsAllAroundALoop",
+     OBJECT(R"("type": "joined", "bodies": 4, "hold": "both", "joints": ["ball"], "limits": {"swing": 30})"),
+     ": the joint of \"body_3\" and \"body_4\" closes a loop of joints with limits, which cannot be; leave one joint "
+     "of "
+     "the loop without"},
     {"NegativeTearForce", OBJECT(R"("type": "joined", "tearForce": -1)"),
      ": /objects/0/tearForce: -1 is below the minimum 0 [N]"},
     {"TearingOfThePaper", R"({ "solver": "paper", "objects": [{ "type": "joined", "tearTorque": 30 }] })",
