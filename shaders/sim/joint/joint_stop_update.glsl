@@ -5,6 +5,8 @@ BUFFER(Assembly, AssemblyState, assemblies);
 
 /// What a stop may be away from its limit and still lean on it [rad].
 const float TOUCH = 1e-4;
+/// What turns onto a stop no faster than this leans on it [rad/s].
+const float MOST_LEANING = 1.0;
 
 /// Where a substep begins: what was thrown back, or is still on its way, does not lean on it.
 void beginStop(inout JointStop s, int i, float beyond, bool rigid)
@@ -47,8 +49,11 @@ bool updateStops(uint k, bool start)
     bool swing = updateStop(s, 0, now.swingAxis, now.swing, first.swing, rigid);
     bool turn = updateStop(s, 1, now.turnAxis, now.turn, first.turn, rigid);
     storeStop(k, s);
-    // As with contacts: second order would answer what stops it one and a half times.
-    if ((swing && s.hardness[0] > 0.0) || (turn && s.hardness[1] > 0.0))
+    // As with contacts: second order would answer what stops it one and a half times. What only leans on it may be thrown
+    // back as far as that is.
+    float slow = MOST_LEANING * sim.substepTime;
+    if ((swing && s.hardness[0] > 0.0 && now.swing - first.swing > slow) ||
+        (turn && s.hardness[1] > 0.0 && now.turn - first.turn > slow))
         assemblies[fetchMover(joint.body).assembly].order = 1u;
     return swing || turn;
 }
