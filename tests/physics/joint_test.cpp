@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "tests/physics/physics_fixture.h"
@@ -119,6 +120,41 @@ TEST(Joint, GapsAreSmallAtRest)
         Solver solver(gpu(), world);
         run(solver, world, 6.0);
         EXPECT_LT(solver.measure().worstJointGap, 0.02f * DIAMETER) << "joint type " << static_cast<int>(type);
+    }
+}
+
+/// Arms one particle thick: nothing but their particles' size gives them a moment about themselves.
+TEST(Joint, ThinLimbsGetNoEnergy)
+{
+    for (int k = 0; k < 4; ++k) {
+        WorldBuilder builder = makeBuilder();
+        builder.addCollider(floorPlane());
+        builder.beginObject("figure");
+        const uint32_t torso = builder.addBody("torso", boxLattice({3, 5, 3}, DIAMETER), 0);
+        for (float side : {-1.0f, 1.0f}) {
+            std::vector<Vector3f> arm = boxLattice({3, 1, 1}, DIAMETER);
+            for (Vector3f& p : arm) p += DIAMETER * Vector3f(4 * side, 2, 0);
+            JointSpec joint;
+            joint.anchor = DIAMETER * Vector3f(2 * side, 2, 0);
+            joint.along = {side, 0, 0};
+            builder.addJoint(torso, builder.addBody("arm", arm, 0), joint);
+        }
+        const auto turn = static_cast<float>(k);
+        const Vector3f axis = Vector3f(1, std::sin(turn), std::cos(2 * turn)).normalized();
+        builder.endObject({Vector3f(0, 1.6f, 0), Quaternionf(Eigen::AngleAxisf(turn, axis))}, {0, 0, 0}, 2.0f * axis);
+        const World world = builder.build();
+        Solver solver(gpu(), world);
+        double least = INFINITY, rise = 0.0;
+        for (int i = 0; i < 30; ++i) {
+            const double now = energyOf(world, solver.readParticles());
+            least = std::min(least, now);
+            rise = std::max(rise, now - least);
+            run(solver, world, 0.1);
+        }
+        double mass = 0.0;
+        for (const Particle& p : world.particles) mass += p.mass;
+        // What a blow makes sink in, a tenth of a diameter, is pushed out again.
+        EXPECT_LT(rise, mass * GRAVITY * 0.1 * DIAMETER) << k;
     }
 }
 

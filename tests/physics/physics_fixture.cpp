@@ -77,6 +77,16 @@ Totals totals(const World& world, const ParticleState& state)
     return sum;
 }
 
+double energyOf(const World& world, const ParticleState& state)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < state.positions.size(); ++i) {
+        const double height = state.positions[i].y(), speed = state.velocities[i].norm();
+        sum += world.particles[i].mass * (0.5 * speed * speed + GRAVITY * height);
+    }
+    return sum;
+}
+
 float lowestBody(const std::vector<BodyState>& bodies)
 {
     float lowest = INFINITY;

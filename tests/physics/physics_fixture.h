@@ -39,6 +39,9 @@ struct Totals {
 };
 Totals totals(const World& world, const ParticleState& state);
 
+/// Kinetic and in gravity, of all particles [J].
+double energyOf(const World& world, const ParticleState& state);
+
 /// Height of the lowest body's mass centre [m].
 float lowestBody(const std::vector<BodyState>& bodies);
 

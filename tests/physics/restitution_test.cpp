@@ -26,17 +26,6 @@ float lowest(std::span<const Vector3f> positions)
     return low - 0.5f * DIAMETER;
 }
 
-/// Kinetic and in gravity [J].
-double energyOf(const World& world, const ParticleState& state)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < state.positions.size(); ++i) {
-        const double height = state.positions[i].y(), speed = state.velocities[i].norm();
-        sum += world.particles[i].mass * (0.5 * speed * speed + GRAVITY * height);
-    }
-    return sum;
-}
-
 /// How high something rises again after a fall of about 1 m [m], onto a plane or onto the middle of four particles of a
 /// fixed block.
 float rebound(Thing thing, float restitution, float fall = 1.0f, bool onBlock = false)

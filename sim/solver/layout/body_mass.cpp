@@ -29,6 +29,18 @@ Matrix3d roundMoments(const RoundShape& round, double mass)
     return Vector3d(across, along, across).asDiagonal();
 }
 
+/// Gives particles in a line the moment about it that balls have, and leaves that across as it is: what touches or holds
+/// them beside the line turns them about it. @param moments their sum of m r r^T [kg m2].
+Matrix3d thickened(const Matrix3d& moments, double mass, double diameter)
+{
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(moments);
+    const Vector3d& spread = eigen.eigenvalues();
+    const Vector3d along = eigen.eigenvectors().col(2);
+    const double ball = mass * diameter * diameter / 20.0;
+    if (spread[1] > 1e-6 * spread[2] || spread[2] <= ball) return moments;
+    return moments + ball * (Matrix3d::Identity() - 2.0 * along * along.transpose());
+}
+
 }  // namespace
 
 BodyMass bodyMass(const World& world, const Body& body)
@@ -40,6 +52,7 @@ BodyMass bodyMass(const World& world, const Body& body)
         result.moments += world.links[l].mass * r * r.transpose();
         result.radius = std::max(result.radius, r.norm());
     }
+    result.moments = thickened(result.moments, result.mass, world.diameter());
     if (body.round.exists()) {
         result.moments = roundMoments(body.round, result.mass);
         result.radius = body.round.radius + body.round.halfHeight - world.particleRadius;

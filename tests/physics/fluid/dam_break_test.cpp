@@ -35,14 +35,6 @@ double frontOf(const World& world, const ParticleState& state)
     return ahead.at(2) + 0.5f * world.fluidSpacing;
 }
 
-double energyOf(const World& world, const ParticleState& state)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < world.particles.size(); ++i)
-        sum += world.particles[i].mass * (GRAVITY * state.positions[i].y() + 0.5 * state.velocities[i].squaredNorm());
-    return sum;
-}
-
 }  // namespace
 
 TEST(DamBreak, TheFrontAdvancesAsMartinAndMoyceMeasuredAndEnergyFalls)
