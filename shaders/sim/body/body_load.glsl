@@ -28,12 +28,13 @@ mat3 steadied(mat3 impulses, mat3 rotation, mat3 moments)
 }
 
 /// @param prediction where nothing would have it: its move, and A.
-/// @param impulse on it. @param shift its move now. @param rotation its own now. @param moments the sum of m r r^T.
-BodyLoad loadOf(Field prediction, Field impulse, vec3 shift, vec4 rotation, float inverseMass, mat3 moments)
+/// @param impulse on it. @param held what of its A is by joints and ropes, which turn with what they hold: contacts count
+/// as if they did not make it harder or easier to turn, since they come and go. @param shift its move now. @param rotation its own now. @param moments the sum of m r r^T.
+BodyLoad loadOf(Field prediction, Field impulse, mat3 held, vec3 shift, vec4 rotation, float inverseMass, mat3 moments)
 {
     mat3 r = matrixFromQuaternion(rotation);
-    mat3 a = prediction.f + steadied(impulse.f, r, moments);
+    mat3 a = prediction.f + impulse.f, steady = prediction.f + steadied(held, r, moments);
     vec3 torque = cross(r[0], a[0]) + cross(r[1], a[1]) + cross(r[2], a[2]);
-    mat3 hessian = rotationHessian(stretchOf(a, r)) + mat3(LEAST_HESSIAN * sim.diameter * sim.diameter / inverseMass);
+    mat3 hessian = rotationHessian(stretchOf(steady, r)) + mat3(LEAST_HESSIAN * sim.diameter * sim.diameter / inverseMass);
     return BodyLoad((prediction.t - shift) / inverseMass + impulse.t, torque, hessian);
 }

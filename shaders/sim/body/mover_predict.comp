@@ -101,7 +101,7 @@ void main()
         delta = matchedRotationDelta(turned * fetchMoments(m), rotation, delta);
         RowSum rows = rowSum(m, quaternionProduct(delta, rotation));
         impulse = Field(impulse.t + rows.impulse.t, impulse.f + rows.impulse.f);
-        BodyLoad load = loadOf(move, impulse, shift, quaternionProduct(delta, rotation), mover.inverseMass,
+        BodyLoad load = loadOf(move, impulse, rows.impulse.f, shift, quaternionProduct(delta, rotation), mover.inverseMass,
                                fetchMoments(m));
         STORE_BODY_LOAD(newBodyLoads, m, load)
     }

@@ -78,7 +78,7 @@ void main()
 #ifdef JOINTED
         if (hasJoints(m)) {
             MoverMove move = unpackMove(moverMoves[m]);
-            BodyLoad load = loadOf(prediction, impulse, move.shift, quaternionProduct(delta, rotation),
+            BodyLoad load = loadOf(prediction, impulse, others.f + rows.impulse.f, move.shift, quaternionProduct(delta, rotation),
                                    mover.inverseMass, fetchMoments(m));
             STORE_BODY_LOAD(newBodyLoads, m, load)
             moverMoves[m] = packMove(MoverMove(move.shift, scale * splits / relaxed));
