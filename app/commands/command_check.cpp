@@ -20,7 +20,7 @@ int check(const std::vector<std::string>& paths, const std::vector<Override>& ov
             if (quiet) continue;
             const World& world = scene.world;
             fmt::print("{}: {}, {}, {}, {}, {:g} s ({})\n", path, counted(world.particles.size(), "particle"),
-                       counted(world.bodies.size(), "body", "bodies"), counted(world.joints.size(), "joint"),
+                       counted(world.bodies.size(), "body", "bodies"), counted(jointCount(world), "joint"),
                        counted(world.colliders.size(), "collider"), scene.duration,
                        counted(scene.frameCount(), "frame"));
         } catch (const InputError& error) {

@@ -42,8 +42,9 @@ std::string bodyText(const ActorBody& body)
 {
     std::vector<std::string> merged;
     for (const std::string& bone : body.mergedBones) merged.push_back(stringText(bone));
-    return fmt::format("{{ \"name\": {}, \"parent\": {}, \"mergedBones\": [{}], \"particles\": [{}] }}",
-                       stringText(body.name), body.parent, fmt::join(merged, ", "), fmt::join(body.particles, ", "));
+    return fmt::format("{{ \"name\": {}, \"parent\": {}, {}\"mergedBones\": [{}], \"particles\": [{}] }}",
+                       stringText(body.name), body.parent, body.isCross ? "\"cross\": true, " : "",
+                       fmt::join(merged, ", "), fmt::join(body.particles, ", "));
 }
 
 std::string jointText(const ActorJoint& joint)
@@ -77,6 +78,7 @@ ActorBody readBody(const JsonFile& file, const Json& json, size_t index, size_t 
     readValue(json["parent"], body.parent);
     readValue(json["particles"], body.particles);
     readValue(json["mergedBones"], body.mergedBones);
+    readValue(json["cross"], body.isCross);
     checkIndices(file, pointer + "/particles", body.particles, particleCount, "particles");
     if (body.parent >= static_cast<int64_t>(index)) {
         failAt(file.path, pointer + "/parent",
@@ -107,6 +109,9 @@ ActorJoint readJoint(const JsonFile& file, const Json& json, size_t index, const
         failAt(file.path, fmt::format("{}/{}", pointer, key),
                fmt::format("{} is not one of the {} bodies", body, actor.bodies.size()));
     }
+    if (joint.type == JointType::Universal && actor.bodies[joint.parent].isCross == actor.bodies[joint.child].isCross)
+        failAt(file.path, pointer, "a universal joint is two, to and from a body with `cross`: true; make the actor anew "
+                                   "with knuckle voxelize");
     return joint;
 }
 

@@ -156,7 +156,7 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
         {"driverThreads", threadsJson(figures.driverThreads)},
         {"particles", world.solidCount() + measures.fluidCount},
         {"bodies", world.bodies.size()},
-        {"joints", world.joints.size()},
+        {"joints", jointCount(world)},
         {"softBodies", world.softBodies.size()},
         {"clusters", world.clusters.size()},
         {"frames", figures.frames},

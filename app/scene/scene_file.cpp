@@ -10,7 +10,6 @@
 #include "app/scene/scene_parts.h"
 #include "app/scene/scene_ropes.h"
 #include "app/schema/schema.h"
-#include "sim/solver/layout/joint_trees.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -190,7 +189,6 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     addEmitters(context, root, scene.duration);
     try {
         scene.world = builder.build();
-        JointTrees{scene.world};  // throws where the solver would
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", path, error.what()));
     }

@@ -67,18 +67,16 @@ uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, 
         }
     }
     for (const ActorJoint& joint : actor.joints) {
-        Joint noted{joint.type, joint.name, bodies[joint.parent], bodies[joint.child], NO_INDEX, {}, joint.strength};
-        for (uint32_t particle : joint.sharedParticles) noted.sharedParticles.push_back(particles[particle]);
-        builder.noteJoint(std::move(noted));
+        // A universal joint stands as its two hinges.
         const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
-        for (const JointBounds& bounds : boundsOf(type, joint.limits, bodies[joint.parent], bodies[joint.child],
-                                                  NO_INDEX, joint.axis.normalized(), joint.axis.normalized()))
-            builder.addJointBounds(bounds);
+        JointDraft draft{{joint.name, type, bodies[joint.parent], bodies[joint.child]}};
+        draft.joint.strength = joint.strength;
+        setLimits(draft, joint.limits, joint.axis.normalized());
+        builder.describeJoint(std::move(draft));
     }
     builder.setSelfMargin(SELF_MARGIN);
-    for (uint32_t b = 0; b < bodies.size(); ++b) {
-        if (actor.bodies[b].name.ends_with("/cross")) builder.markCross(bodies[b]);
-    }
+    for (uint32_t b = 0; b < bodies.size(); ++b)
+        if (actor.bodies[b].isCross) builder.markCross(bodies[b]);
     return builder.endObject(pose, velocity);
 }
 

@@ -17,11 +17,12 @@ struct ActorBody {
     std::vector<uint32_t> particles;       ///< Into Actor::particles. A shared one stands in several bodies.
     int32_t parent = -1;                   ///< Into Actor::bodies.
     std::vector<std::string> mergedBones;  ///< Bones too small for a body of their own.
+    bool isCross = false;                  ///< The flat middle body of a universal joint.
 };
 
 struct ActorJoint {
-    std::string name;  ///< The child bone's.
-    JointType type = JointType::Ball;
+    std::string name;                  ///< The child bone's.
+    JointType type = JointType::Ball;  ///< Of a universal joint each of its two hinges says so.
     uint32_t parent = 0, child = 0;  ///< Into Actor::bodies.
     Vector3f anchor{0, 0, 0};        ///< The bone's head [m].
     Vector3f axis{0, 0, 1};          ///< Unit; of a ball the child's, which its limits are about.

@@ -3,13 +3,14 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "sim/world/collider_grid.h"
 #include "sim/world/distance_row.h"
 #include "sim/world/emitter.h"
-#include "sim/world/joint_limits.h"
+#include "sim/world/joint.h"
 #include "sim/world/no_index.h"
 #include "sim/world/settings.h"
 #include "sim/world/soft_matter.h"
@@ -72,7 +73,7 @@ struct Link {
 
 enum class Motion : uint32_t {
     Dynamic,  ///< Simulated.
-    Fixed,    ///< Never moves; its particles have infinite mass.
+    Fixed,    ///< Stays where it is, for ever or until Body::releaseTime; its particles have infinite mass.
 };
 
 /// A ball or a capsule along y about the origin of the rest pose: what touches it meets this, not its particles.
@@ -87,6 +88,7 @@ struct RoundShape {
 struct Body {
     std::string name;
     Motion motion = Motion::Dynamic;
+    float releaseTime = std::numeric_limits<float>::infinity();  ///< A fixed one is let go then [s], >= 0.
     uint32_t material = 0;
     uint32_t assembly = NO_INDEX;
     uint32_t linkStart = 0, linkCount = 0;
@@ -97,17 +99,6 @@ struct Body {
     Vector3f restCentre{0, 0, 0};      ///< Mass centre in the object's rest pose [m].
     Vector3f position{0, 0, 0};        ///< Where restCentre starts [m].
     Quaternionf rotation{1, 0, 0, 0};  ///< How the rest pose is turned at the start.
-};
-
-/// What a joint was built as. Of it the solver takes only the strength: how it moves comes from the shared particles alone
-/// (section 4), and from World::jointBounds.
-struct Joint {
-    JointType type = JointType::Ball;
-    std::string name;
-    uint32_t bodyA = 0, bodyB = 0;
-    uint32_t middleBody = NO_INDEX;  ///< Universal only: the flat body between the two crossed hinges.
-    std::vector<uint32_t> sharedParticles;
-    JointStrength strength = {};
 };
 
 /// One thing of the scene: a ragdoll, a jointed pair, a single rigid body. For names in exports and for cameras.
@@ -140,8 +131,7 @@ struct World {
     std::vector<Particle> particles;
     std::vector<Body> bodies;
     std::vector<Link> links;
-    std::vector<Joint> joints;
-    std::vector<JointBounds> jointBounds;
+    std::vector<Joint> joints;  ///< Those of one pair of bodies are one.
     std::vector<Object> objects;
     std::vector<Collider> colliders;
     std::vector<SoftBody> softBodies;
@@ -164,10 +154,16 @@ struct World {
     float diameter() const { return 2.0f * particleRadius; }
 };
 
-/// Whether a particle never moves: it is pinned, or a fixed body has it.
+/// Whether a particle stays where it is at first: it is pinned, or a fixed body has it.
 inline bool isFixed(const World& world, const Particle& particle)
 {
     return particle.pinned || (particle.body != NO_INDEX && world.bodies[particle.body].motion == Motion::Fixed);
+}
+
+/// Whether a body never answers to anything: what joints and ropes connect is planned as if all others always did.
+inline bool neverResponds(const Body& body)
+{
+    return body.motion == Motion::Fixed && body.releaseTime == std::numeric_limits<float>::infinity();
 }
 
 /// Nearer to a solid particle no fluid begins [m].

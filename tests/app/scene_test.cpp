@@ -136,12 +136,11 @@ TEST(Repetition, GivesEachJointTypeItsShare)
 {
     const Scene scene = load(R"({ "objects": [{ "type": "joined", "joints": ["ball", "hinge", "stiff", "universal"],
         "repeat": { "counts": [5, 1, 8], "spacing": [2, 2, 2] } }] })");
-    ASSERT_EQ(scene.world.joints.size(), 40u);
-    for (const JointType type : {JointType::Ball, JointType::Hinge, JointType::Stiff, JointType::Universal}) {
-        EXPECT_EQ(std::count_if(scene.world.joints.begin(), scene.world.joints.end(),
-                                [&](const Joint& joint) { return joint.type == type; }),
-                  10);
-    }
+    EXPECT_EQ(jointCount(scene.world), 40u);
+    // A universal joint is two hinges.
+    for (const auto& [type, count] :
+         {std::pair{JointType::Ball, 10}, std::pair{JointType::Hinge, 30}, std::pair{JointType::Stiff, 10}})
+        EXPECT_EQ(std::ranges::count(scene.world.joints, type, &Joint::type), count);
 }
 
 TEST(Repetition, IsTheSameForTheSameSeed)

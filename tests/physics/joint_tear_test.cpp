@@ -122,7 +122,7 @@ TEST(JointTear, ABridgeTearsAndSwingsDown)
     }
     const ParticleState state = solver.readParticles();
     EXPECT_EQ(
-        std::ranges::count_if(world.joints, [&](const Joint& joint) { return state.torn[joint.sharedParticles[0]]; }),
+        std::ranges::count_if(world.joints, [&](const Joint& joint) { return state.torn[joint.particles[0]]; }),
         1);
     EXPECT_LT(solver.readBodies()[block].position.y(), -5.0f) << "it was caught";
     // Nothing is faster than what falls freely all the time.

@@ -73,8 +73,8 @@ TEST_F(WorldLayout, JointsReserveARowForEachBodyThatCanMove)
     };
     for (const JointTrees::Joint& joint : layout.jointTrees.all()) {
         if (joint.parent == NO_INDEX) continue;
-        expectRow(joint.body, joint.arm);
-        expectRow(joint.parent, joint.parentArm);
+        expectRow(joint.body, joint.side.arm);
+        expectRow(joint.parent, joint.parentSide.arm);
     }
     EXPECT_EQ(next, rows.size());
     // A pair of each kind, the universal joint of two hinges, one that overlaps, and one of which half is fixed.

@@ -189,7 +189,7 @@ void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointP
             {name, plan.type, plan.parent, plan.child, plan.anchor, axis, shared, plan.limits, plan.strength});
         return;
     }
-    actor.bodies.push_back({name + "/cross", {}, static_cast<int32_t>(plan.parent), {}});
+    actor.bodies.push_back({name + "/cross", {}, static_cast<int32_t>(plan.parent), {}, true});
     actor.bodies[plan.child].parent = static_cast<int32_t>(crossBody);
     JointLimits first = plan.limits, second = plan.limits;
     second.bend = plan.limits.secondBend;

@@ -12,12 +12,32 @@ namespace {
 
 constexpr const char* KIND = "joint";
 
+bool tears(const World& world)
+{
+    return std::ranges::any_of(world.joints, [](const Joint& joint) { return joint.strength.tears(); });
+}
+
+bool limits(const World& world)
+{
+    return std::ranges::any_of(world.joints, [](const Joint& joint) { return joint.limits.any(); });
+}
+
+bool isLimited(const World& world, const JointTrees::Joint& joint)
+{
+    return joint.joint != NO_INDEX && world.joints[joint.joint].limits.any();
+}
+
+bool hasRow(const World& world, uint32_t body)
+{
+    return body != NO_INDEX && !neverResponds(world.bodies[body]);
+}
+
 Defines solveVariant(const StageSetup& setup)
 {
     Defines variant;
     if (!setup.layout.jointTrees.loops.empty()) variant.push_back({"LOOPS", "1"});
     if (setup.rows.hasAngular()) variant.push_back({"ANGULAR", "1"});
-    if (!setup.world.jointBounds.empty()) variant.push_back({"LIMITS", "1"});
+    if (limits(setup.world)) variant.push_back({"LIMITS", "1"});
     return variant;
 }
 
@@ -25,7 +45,7 @@ Defines factorVariant(const StageSetup& setup)
 {
     Defines variant;
     if (!setup.world.distanceRows.empty()) variant.push_back({"RESPONSES", "1"});
-    if (!setup.world.jointBounds.empty()) variant.push_back({"LIMITS", "1"});
+    if (limits(setup.world)) variant.push_back({"LIMITS", "1"});
     return variant;
 }
 
@@ -34,20 +54,10 @@ Defines tearVariant(const StageSetup& setup)
     return setup.rows.hasAngular() ? Defines{{"ANGULAR", "1"}} : Defines{};
 }
 
-bool tears(const World& world)
-{
-    return std::ranges::any_of(world.joints, [](const Joint& joint) { return joint.strength.tears(); });
-}
-
 Defines with(Defines variant, const char* define)
 {
     variant.push_back({define, "1"});
     return variant;
-}
-
-bool hasRow(const World& world, uint32_t body)
-{
-    return body != NO_INDEX && world.bodies[body].motion != Motion::Fixed;
 }
 
 gpu::vec4 packFrame(const Quaternionf& q)
@@ -61,12 +71,12 @@ void JointStage::reserveRows(RowPlan& rows, const World& world, const Layout& la
 {
     for (const JointTrees::Joint& joint : layout.jointTrees.all()) {
         const auto reserve = [&](uint32_t body, const Vector3f& arm) {
-            if (joint.freedom == JOINT_BALL && joint.bounds == NO_INDEX) rows.reserve(KIND, body, arm);
+            if (joint.freedom == JOINT_BALL && !isLimited(world, joint)) rows.reserve(KIND, body, arm);
             else rows.reserveAngular(KIND, body, arm);
         };
         if (joint.freedom == JOINT_NONE) continue;
-        reserve(joint.body, joint.arm);
-        if (hasRow(world, joint.parent)) reserve(joint.parent, joint.parentArm);
+        reserve(joint.body, joint.side.arm);
+        if (hasRow(world, joint.parent)) reserve(joint.parent, joint.parentSide.arm);
     }
 }
 
@@ -75,7 +85,7 @@ JointStage::JointStage(const StageSetup& setup)
       needed_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.jointTrees.trees.empty()),
       shared_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.sharedParticles.empty()),
       hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()),
-      hasLimits_(needed_ && !setup.world.jointBounds.empty()), tears_(needed_ && tears(setup.world)),
+      hasLimits_(needed_ && limits(setup.world)), tears_(needed_ && tears(setup.world)),
       variant_(solveVariant(setup)), factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")),
       tearVariant_(tearVariant(setup))
 {
@@ -104,10 +114,10 @@ void JointStage::uploadTrees(const StageSetup& setup)
         const uint32_t parentRow = held && hasRow(setup.world, joint.parent) ? reserved[next++] : NO_INDEX;
         const bool isLoop = bodies.size() > trees.joints.size();
         rows.push_back({row, parentRow, isLoop ? joint.bodyJoint : joint.firstChild, joint.childEnd});
-        places.push_back(pack(joint.arm, 0));
-        places.push_back(pack(joint.parentArm, 0));
-        places.push_back(packFrame(joint.frame));
-        places.push_back(packFrame(joint.parentFrame));
+        places.push_back(pack(joint.side.arm, 0));
+        places.push_back(pack(joint.parentSide.arm, 0));
+        places.push_back(packFrame(joint.side.frame));
+        places.push_back(packFrame(joint.parentSide.frame));
     }
     jointTrees = {"jointTrees", std::span<const gpu::uvec4>(ranges)};
     jointBodies = {"jointBodies", std::span<const gpu::uvec4>(bodies)};
@@ -127,11 +137,10 @@ void JointStage::uploadLimits(const StageSetup& setup)
     std::vector<gpu::vec4> limits;
     if (hasLimits_) {
         for (const JointTrees::Joint& joint : setup.layout.jointTrees.all()) {
-            const JointBounds bounds = joint.bounds == NO_INDEX ? JointBounds{} : setup.world.jointBounds[joint.bounds];
-            const bool turns = bounds.turn.bounded(), swings = bounds.swing < JointBounds{}.swing;
-            limits.push_back({swings ? bounds.swing : NONE, turns ? bounds.turn.lowest : -NONE,
-                              turns ? bounds.turn.highest : NONE,
-                              std::isinf(bounds.stiffness) ? 0.0f : bounds.stiffness});
+            const TurnLimits l = joint.joint == NO_INDEX ? TurnLimits{} : setup.world.joints[joint.joint].limits;
+            const bool turns = l.twist.bounded(), swings = l.swing < TurnLimits{}.swing;
+            limits.push_back({swings ? l.swing : NONE, turns ? l.twist.lowest : -NONE, turns ? l.twist.highest : NONE,
+                              std::isinf(l.stiffness) ? 0.0f : l.stiffness});
         }
     }
     jointLimits = {"jointLimits", std::span<const gpu::vec4>(limits)};
@@ -147,8 +156,9 @@ void JointStage::uploadStrengths(const StageSetup& setup)
         for (const JointTrees::Joint& joint : setup.layout.jointTrees.all()) {
             const auto first = static_cast<uint32_t>(particles.size());
             particles.insert(particles.end(), joint.particles.begin(), joint.particles.end());
-            strengths.push_back({std::bit_cast<uint32_t>(joint.strength.force),
-                                 std::bit_cast<uint32_t>(joint.strength.torque), first,
+            const JointStrength strength = joint.joint == NO_INDEX ? JointStrength{}
+                                                                   : setup.world.joints[joint.joint].strength;
+            strengths.push_back({std::bit_cast<uint32_t>(strength.force), std::bit_cast<uint32_t>(strength.torque), first,
                                  static_cast<uint32_t>(particles.size())});
         }
     }

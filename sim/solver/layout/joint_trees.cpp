@@ -1,68 +1,56 @@
 #include "sim/solver/layout/joint_trees.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <map>
 
 #include "shared/constants.h"
-#include "sim/solver/layout/joint_edges.h"
-#include "sim/world/disjoint_sets.h"
-#include "sim/world/errors.h"
+#include "sim/world/joint_fit.h"
+#include "sim/world/joint_order.h"
 
 namespace knuckle {
 
 namespace {
 
-bool isFixed(const World& world, uint32_t body)
+uint32_t freedomOf(JointType type)
 {
-    return world.bodies[body].motion == Motion::Fixed;
+    return type == JointType::Ball ? JOINT_BALL : type == JointType::Hinge ? JOINT_HINGE : JOINT_STIFF;
 }
 
-/// Kruskal: the edges that connect what nothing before has connected, those with limits first, then those with most
-/// particles, and those that lead to fixed bodies, which count as one, last. The others follow them.
-/// @returns how many connect.
-size_t connect(const World& world, std::vector<JointEdge>& edges)
+/// A joint of the world, or the particles of it that close a loop, seen from one of its bodies.
+JointTrees::Joint jointOf(const World& world, uint32_t index, const std::vector<uint32_t>& particles, uint32_t body)
 {
-    const auto held = [&](const JointEdge& e) { return isFixed(world, e.a) || isFixed(world, e.b); };
-    std::erase_if(edges, [&](const JointEdge& e) { return isFixed(world, e.a) && isFixed(world, e.b); });
-    std::ranges::stable_sort(edges, [&](const JointEdge& x, const JointEdge& y) {
-        if (held(x) != held(y)) return held(y);
-        if ((x.bounds == NO_INDEX) != (y.bounds == NO_INDEX)) return y.bounds == NO_INDEX;
-        return x.particles.size() > y.particles.size();
-    });
-    const auto ground = static_cast<uint32_t>(world.bodies.size());
-    DisjointSets sets(ground + 1);
-    const auto joins = [&](const JointEdge& e) {
-        const uint32_t a = sets.find(isFixed(world, e.a) ? ground : e.a);
-        const uint32_t b = sets.find(isFixed(world, e.b) ? ground : e.b);
-        if (a != b) sets.unite(a, b);
-        return a != b;
-    };
-    return static_cast<size_t>(std::stable_partition(edges.begin(), edges.end(), joins) - edges.begin());
+    const Joint& record = world.joints[index];
+    const JointFit fit = fitJoint(world, record, body, particles);
+    JointTrees::Joint joint;
+    joint.joint = index;
+    joint.body = body;
+    joint.parent = body == record.child ? record.parent : record.child;
+    joint.freedom = freedomOf(fit.type);
+    joint.side = fit.body;
+    joint.parentSide = fit.parent;
+    joint.particles = particles;
+    return joint;
 }
 
-/// Adds the tree of a body that is in none yet, from `edge` or without one, breadth first.
+/// Adds the tree of a body that is in none yet, from a joint or without one, breadth first.
 class TreeGrower {
 public:
-    TreeGrower(const World& world, const std::vector<JointEdge>& edges, size_t count, JointTrees& out)
-        : world_(world), edges_(edges), out_(out), edgesOfBody_(world.bodies.size()),
-          jointOfBody_(world.bodies.size(), NO_INDEX), treeOfBody_(world.bodies.size(), NO_INDEX)
+    TreeGrower(const World& world, const std::vector<uint32_t>& connecting, JointTrees& out)
+        : world_(world), out_(out), jointsOfBody_(world.bodies.size()), treeJointOfBody_(world.bodies.size(), NO_INDEX),
+          treeOfBody_(world.bodies.size(), NO_INDEX)
     {
-        for (uint32_t e = 0; e < count; ++e) {
-            for (const uint32_t particle : edges[e].particles) cover(particle, edges[e]);
-            edgesOfBody_[edges[e].a].push_back(e);
-            edgesOfBody_[edges[e].b].push_back(e);
+        for (const uint32_t j : connecting) {
+            jointsOfBody_[world.joints[j].parent].push_back(j);
+            jointsOfBody_[world.joints[j].child].push_back(j);
         }
     }
 
     void growAll()
     {
         for (uint32_t b = 0; b < world_.bodies.size(); ++b)
-            if (isFixed(world_, b))
-                for (const uint32_t e : edgesOfBody_[b]) grow(jointOf(world_, edges_[e], other(edges_[e], b)));
+            if (neverResponds(world_.bodies[b]))
+                for (const uint32_t j : jointsOfBody_[b]) grow(treeJoint(j, other(j, b)));
         for (uint32_t b = 0; b < world_.bodies.size(); ++b) {
-            if (isFixed(world_, b) || edgesOfBody_[b].empty() || jointOfBody_[b] != NO_INDEX) continue;
+            if (neverResponds(world_.bodies[b]) || jointsOfBody_[b].empty() || treeJointOfBody_[b] != NO_INDEX) continue;
             JointTrees::Joint root;
             root.body = b;
             root.freedom = JOINT_NONE;
@@ -70,23 +58,17 @@ public:
         }
     }
 
-    /// Behind the trees: what edges beyond the first `count` hold in addition, grouped by tree.
-    void closeLoops(size_t count)
+    /// Behind the trees: what other joints hold in addition, grouped by tree.
+    void closeLoops(const std::vector<LoopJoint>& closing)
     {
         std::vector<std::vector<JointTrees::Joint>> loops(out_.trees.size());
-        for (size_t e = count; e < edges_.size(); ++e) {
-            const JointEdge edge = uncovered(edges_[e]);
-            if (edge.particles.empty()) continue;
-            const uint32_t body = isFixed(world_, edge.a) ? edge.b : edge.a;
-            JointTrees::Joint loop = jointOf(world_, edge, body);
-            if (loop.bounds != NO_INDEX)
-                throw InputError(
-                    fmt::format("the joint of \"{}\" and \"{}\" closes a loop of joints with limits, which "
-                                "cannot be; leave one joint of the loop without",
-                                world_.bodies[edge.a].name, world_.bodies[edge.b].name));
-            loop.bodyJoint = jointOfBody_[body];
-            loop.parentJoint = jointOfBody_[loop.parent];
-            loops[treeOfBody_[body]].push_back(loop);
+        for (const LoopJoint& closed : closing) {
+            const auto [a, b] = std::minmax({world_.joints[closed.joint].parent, world_.joints[closed.joint].child});
+            const uint32_t body = neverResponds(world_.bodies[a]) ? b : a;
+            JointTrees::Joint loop = jointOf(world_, closed.joint, closed.particles, body);
+            loop.bodyJoint = treeJointOfBody_[body];
+            loop.parentJoint = treeJointOfBody_[loop.parent];
+            loops[treeOfBody_[body]].push_back(std::move(loop));
         }
         for (size_t t = 0; t < loops.size(); ++t) {
             out_.trees[t].firstLoop = static_cast<uint32_t>(out_.loops.size());
@@ -96,7 +78,16 @@ public:
     }
 
 private:
-    static uint32_t other(const JointEdge& edge, uint32_t body) { return edge.a == body ? edge.b : edge.a; }
+    uint32_t other(uint32_t joint, uint32_t body) const
+    {
+        const Joint& record = world_.joints[joint];
+        return record.parent == body ? record.child : record.parent;
+    }
+
+    JointTrees::Joint treeJoint(uint32_t joint, uint32_t body) const
+    {
+        return jointOf(world_, joint, world_.joints[joint].particles, body);
+    }
 
     void grow(const JointTrees::Joint& root)
     {
@@ -106,10 +97,10 @@ private:
         for (uint32_t k = tree.first; k < out_.joints.size(); ++k) {
             const uint32_t body = out_.joints[k].body, parent = out_.joints[k].parent;
             out_.joints[k].firstChild = static_cast<uint32_t>(out_.joints.size());
-            for (const uint32_t e : edgesOfBody_[body]) {
-                const uint32_t child = other(edges_[e], body);
-                if (child == parent || isFixed(world_, child)) continue;
-                JointTrees::Joint joint = jointOf(world_, edges_[e], child);
+            for (const uint32_t j : jointsOfBody_[body]) {
+                const uint32_t child = other(j, body);
+                if (child == parent || neverResponds(world_.bodies[child])) continue;
+                JointTrees::Joint joint = treeJoint(j, child);
                 joint.parentJoint = k;
                 add(joint);
             }
@@ -121,44 +112,15 @@ private:
 
     void add(JointTrees::Joint joint)
     {
-        joint.bodyJoint = jointOfBody_[joint.body] = static_cast<uint32_t>(out_.joints.size());
+        joint.bodyJoint = treeJointOfBody_[joint.body] = static_cast<uint32_t>(out_.joints.size());
         treeOfBody_[joint.body] = static_cast<uint32_t>(out_.trees.size());
-        out_.joints.push_back(joint);
-    }
-
-    /// Less the particles through which the trees, and loops before it, hold its bodies together already.
-    JointEdge uncovered(const JointEdge& edge)
-    {
-        JointEdge rest = edge;
-        rest.particles.clear();
-        rest.armsA.clear();
-        rest.armsB.clear();
-        for (size_t i = 0; i < edge.particles.size(); ++i) {
-            if (!cover(edge.particles[i], edge)) continue;
-            rest.particles.push_back(edge.particles[i]);
-            rest.armsA.push_back(edge.armsA[i]);
-            rest.armsB.push_back(edge.armsB[i]);
-        }
-        return rest;
-    }
-
-    /// @returns whether the particle's bodies were not connected through it before.
-    bool cover(uint32_t particle, const JointEdge& edge)
-    {
-        auto& bodies = covered_[particle];
-        const auto group = [&](uint32_t body) { return bodies.try_emplace(body, body).first->second; };
-        const uint32_t a = group(edge.a), b = group(edge.b);
-        for (auto& [body, its] : bodies)
-            if (its == b) its = a;
-        return a != b;
+        out_.joints.push_back(std::move(joint));
     }
 
     const World& world_;
-    const std::vector<JointEdge>& edges_;
     JointTrees& out_;
-    std::vector<std::vector<uint32_t>> edgesOfBody_;
-    std::vector<uint32_t> jointOfBody_, treeOfBody_;
-    std::map<uint32_t, std::map<uint32_t, uint32_t>> covered_;  ///< Per particle and body: bodies of a group have one.
+    std::vector<std::vector<uint32_t>> jointsOfBody_;  ///< Those that connect, of World::joints.
+    std::vector<uint32_t> treeJointOfBody_, treeOfBody_;
 };
 
 }  // namespace
@@ -172,11 +134,10 @@ std::vector<JointTrees::Joint> JointTrees::all() const
 
 JointTrees::JointTrees(const World& world)
 {
-    std::vector<JointEdge> edges = jointEdges(world);
-    const size_t count = connect(world, edges);
-    TreeGrower grower(world, edges, count, *this);
+    const JointOrder order = orderJoints(world);
+    TreeGrower grower(world, order.connecting, *this);
     grower.growAll();
-    grower.closeLoops(count);
+    grower.closeLoops(order.loops);
     std::ranges::stable_sort(trees, [](const Tree& x, const Tree& y) { return x.end - x.first > y.end - y.first; });
 }
 

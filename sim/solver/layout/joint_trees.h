@@ -7,25 +7,19 @@
 
 namespace knuckle {
 
-/// How joints connect the bodies that move: as trees, which can be solved directly, and what closes loops in them.
-/// Fixed bodies do not belong to trees, they hold them. Everything follows from the particles that bodies share: one
-/// place holds it together, a line lets it turn about itself, a face not at all. Made from the World alone.
+/// How joints connect the bodies that may respond: as trees, which can be solved directly, and what closes loops in them.
+/// Bodies that never respond do not belong to trees, they hold them. Made from the World alone.
 struct JointTrees {
-    /// Between a body and its parent.
+    /// Between a body and its parent in the tree, which may be the joint's child.
     struct Joint {
-        uint32_t body = 0, parent = NO_INDEX;   ///< Bodies; a root that nothing holds has no parent.
+        uint32_t joint = NO_INDEX;              ///< Of World::joints; none of a root that nothing holds.
+        uint32_t body = 0, parent = NO_INDEX;   ///< Bodies; such a root has no parent.
         uint32_t firstChild = 0, childEnd = 0;  ///< `joints` of what hangs on the body.
         uint32_t bodyJoint = NO_INDEX;          ///< Index into `joints` of the body's own ...
-        uint32_t parentJoint = NO_INDEX;        ///< ... and of its parent's; NO_INDEX of a fixed parent.
-        Vector3f arm{0, 0, 0};                  ///< The middle of the shared particles, in the body's axes [m].
-        Vector3f parentArm{0, 0, 0};            ///< The same in the parent's.
-        Quaternionf frame{1, 0, 0, 0};          ///< From the joint's axes to the body's; a hinge turns about x.
-        Quaternionf parentFrame{1, 0, 0, 0};  ///< The same to the parent's; equal in space where the joint is at rest.
-        uint32_t freedom = 0;                 ///< JOINT_*.
-        /// Of World::jointBounds: x of `frame` turns in a cone about x of `parentFrame`, and about itself.
-        uint32_t bounds = NO_INDEX;
-        JointStrength strength;
-        std::vector<uint32_t> particles;  ///< That both bodies share.
+        uint32_t parentJoint = NO_INDEX;        ///< ... and of its parent's; none of a parent that never responds.
+        uint32_t freedom = 0;                   ///< JOINT_*.
+        JointSide side, parentSide;             ///< Seen from the body.
+        std::vector<uint32_t> particles;        ///< Through which it holds the two.
     };
     /// Joints of a tree: parents stand before children.
     struct Tree {
@@ -34,7 +28,6 @@ struct JointTrees {
     };
 
     JointTrees() = default;
-    /// @throws InputError for a loop of joints that all have limits.
     explicit JointTrees(const World& world);
 
     /// `joints`, then `loops`.

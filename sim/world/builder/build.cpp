@@ -102,6 +102,7 @@ World WorldBuilder::build()
     assignAssemblies();
     if (fluid_.empty() && world_.emitters.empty()) weighRounds();
     for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
+    recordJoints();
     dropJointedRounds(world_);
     makeSoftLinks(world_);
     joinRowAssemblies(world_);

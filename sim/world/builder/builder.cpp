@@ -130,57 +130,57 @@ uint32_t WorldBuilder::findOrCreate(const Vector3f& position, uint32_t bodyA, ui
     return found != NO_INDEX ? found : newParticle(position, world_.bodies[bodyA].material);
 }
 
-void WorldBuilder::shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB, Joint& joint)
+void WorldBuilder::shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB)
 {
     for (const Vector3f& place : places) {
         const uint32_t particle = findOrCreate(place, bodyA, bodyB);
         shareParticle(particle, bodyA);
         shareParticle(particle, bodyB);
-        joint.sharedParticles.push_back(particle);
     }
 }
 
-uint32_t WorldBuilder::addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec& spec)
+void WorldBuilder::addJoint(uint32_t parent, uint32_t child, const JointSpec& spec)
 {
     requireObject("addJoint");
-    if (bodyA == bodyB || std::max(bodyA, bodyB) >= world_.bodies.size())
+    if (parent == child || std::max(parent, child) >= world_.bodies.size())
         throw std::logic_error(fmt::format("joint \"{}\": needs two different bodies that exist", spec.name));
+    if (spec.type == JointType::Universal) return addUniversal(parent, child, spec);
     const JointPlaces places = jointPlaces(spec, world_.diameter());
-    Joint joint;
-    joint.type = spec.type;
-    joint.name = spec.name;
-    joint.bodyA = bodyA;
-    joint.bodyB = bodyB;
-    joint.strength = spec.strength;
-    shareAt(places.shared, bodyA, bodyB, joint);
-    for (const Vector3f& place : places.limits) shareParticle(newParticle(place, world_.bodies[bodyA].material), bodyA);
-    if (spec.type == JointType::Universal) {
-        joint.middleBody = addBody(spec.name + ".cross", places.middle, world_.bodies[bodyA].material);
-        // Where the axes cross, all three bodies share a particle: it carries the load, the light cross only the twist.
-        shareAt(places.middle, bodyA, joint.middleBody, joint);
-        shareParticle(joint.sharedParticles.back(), bodyB);
-        shareAt(places.sharedWithA, bodyA, joint.middleBody, joint);
-        shareAt(places.sharedWithB, bodyB, joint.middleBody, joint);
-        markCross(joint.middleBody);
-    }
+    shareAt(places.shared, parent, child);
+    for (const Vector3f& place : places.limits)
+        shareParticle(newParticle(place, world_.bodies[parent].material), parent);
+    JointDraft draft{{spec.name, spec.type, parent, child}};
+    draft.joint.strength = spec.strength;
+    setLimits(draft, spec.limits, spec.type == JointType::Ball ? alongOf(spec) : spec.axis.normalized());
+    describeJoint(std::move(draft));
+}
+
+void WorldBuilder::addUniversal(uint32_t parent, uint32_t child, const JointSpec& spec)
+{
+    const JointPlaces places = jointPlaces(spec, world_.diameter());
+    const uint32_t cross = addBody(spec.name + ".cross", places.middle, world_.bodies[parent].material);
+    // Where the axes cross, all three bodies share a particle: it carries the load, the light cross only the twist.
+    shareAt(places.middle, parent, cross);
+    shareParticle(bodyParticles_[cross].front(), child);
+    shareAt(places.sharedWithParent, parent, cross);
+    shareAt(places.sharedWithChild, child, cross);
+    markCross(cross);
+    JointDraft first{{spec.name + ".cross", JointType::Hinge, parent, cross}};
+    JointDraft second{{spec.name, JointType::Hinge, cross, child}};
+    first.joint.strength = second.joint.strength = spec.strength;
     const Vector3f axis = spec.axis.normalized();
-    const Vector3f along = (spec.along - axis * axis.dot(spec.along)).normalized();
-    for (const JointBounds& bounds : boundsOf(spec.type, spec.limits, bodyA, bodyB, joint.middleBody, axis, along))
-        addJointBounds(bounds);
-    world_.joints.push_back(std::move(joint));
-    return static_cast<uint32_t>(world_.joints.size() - 1);
+    JointLimits secondLimits = spec.limits;
+    secondLimits.bend = spec.limits.secondBend;
+    setLimits(first, spec.limits, axis);
+    setLimits(second, secondLimits, alongOf(spec).cross(axis));
+    describeJoint(std::move(first));
+    describeJoint(std::move(second));
 }
 
-void WorldBuilder::noteJoint(Joint joint)
+void WorldBuilder::describeJoint(JointDraft draft)
 {
-    requireObject("noteJoint");
-    world_.joints.push_back(std::move(joint));
-}
-
-void WorldBuilder::addJointBounds(const JointBounds& bounds)
-{
-    requireObject("addJointBounds");
-    world_.jointBounds.push_back(bounds);
+    requireObject("describeJoint");
+    joints_.push_back(std::move(draft));
 }
 
 void WorldBuilder::setSelfMargin(float margin)

@@ -21,8 +21,8 @@ struct JointSpec {
     JointType type = JointType::Ball;
     std::string name;
     Vector3f anchor{0, 0, 0};  ///< Where the joint sits [m].
-    Vector3f axis{0, 0, 1};    ///< Hinge: its axis. Universal: the axis of the hinge at body A.
-    Vector3f along{1, 0, 0};   ///< From A to B, perpendicular to axis; fixed up if it is not.
+    Vector3f axis{0, 0, 1};    ///< Hinge: its axis. Universal: the axis of the hinge at the parent.
+    Vector3f along{1, 0, 0};   ///< From parent to child, perpendicular to axis; fixed up if it is not.
     /// Hinge: which side of the plane of axis and `along` is blocked by limiting particles: +1 (the side of
     /// along x axis), -1 (the other) or 0 (free on both sides).
     int limitSide = 0;
@@ -58,15 +58,13 @@ public:
     /// @returns the soft body's index. @throws std::logic_error for an empty span or a position that is not finite.
     uint32_t addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
                          std::span<const uint32_t> pinned = {});
-    /// Joins two bodies by particles shared between them. Particles of A or B within half a diameter of a place the
-    /// joint needs become the shared ones; elsewhere new particles are made. @returns the joint's index.
-    uint32_t addJoint(uint32_t bodyA, uint32_t bodyB, const JointSpec& spec);
+    /// Joins two bodies by particles shared between them. Particles of either within half a diameter of a place the joint
+    /// needs become the shared ones; elsewhere new particles are made.
+    void addJoint(uint32_t parent, uint32_t child, const JointSpec& spec);
     /// Makes an existing particle part of one more body: the paper's joint itself.
     void shareParticle(uint32_t particle, uint32_t body);
-    /// Records in World::joints a joint that was made by shareParticle().
-    void noteJoint(Joint joint);
-    /// Limits a joint, however it was made.
-    void addJointBounds(const JointBounds& bounds);
+    /// Says what is known of a joint that is made by shareParticle(); build() finds its particles and frames.
+    void describeJoint(JointDraft draft);
     /// Particle::selfMargin for all particles of the open object [diameters].
     void setSelfMargin(float margin);
     /// The body is the cross of a universal joint: its particles touch no other of their assembly, and it has most of
@@ -109,7 +107,10 @@ private:
     /// As newParticle for each. @throws std::logic_error for what addBody() and addSoftBody() refuse.
     std::vector<uint32_t> newParticles(const std::string& name, std::span<const Vector3f> positions, uint32_t material);
     uint32_t findOrCreate(const Vector3f& position, uint32_t bodyA, uint32_t bodyB);
-    void shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB, Joint& joint);
+    void shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB);
+    void addUniversal(uint32_t parent, uint32_t child, const JointSpec& spec);
+    /// World::joints, once links are made: what is shared by whom, and what was said of it.
+    void recordJoints();
     void requireObject(const char* what) const;
     void assignAssemblies();
     void placeFluid();
@@ -124,6 +125,7 @@ private:
     World world_;
     std::vector<std::vector<uint32_t>> bodyParticles_;  ///< Per body, the particles in its block, in order.
     std::vector<std::vector<uint32_t>> owners_;         ///< Per particle, its bodies.
+    std::vector<JointDraft> joints_;
     bool choosesSubsteps_ = false;                      ///< Settings::substeps was 0.
     std::vector<Particle> fluid_;
     bool objectOpen_ = false;

@@ -17,10 +17,16 @@ const char* jointTypeName(JointType type)
     return "unknown";
 }
 
+Vector3f alongOf(const JointSpec& spec)
+{
+    const Vector3f axis = spec.axis.normalized();
+    return (spec.along - axis * axis.dot(spec.along)).normalized();
+}
+
 JointPlaces jointPlaces(const JointSpec& spec, float diameter)
 {
     const Vector3f axis = spec.axis.normalized();
-    const Vector3f along = (spec.along - axis * axis.dot(spec.along)).normalized();
+    const Vector3f along = alongOf(spec);
     if (!axis.allFinite() || !along.allFinite() || axis.norm() < 0.5f || along.norm() < 0.5f)
         throw std::logic_error(fmt::format("joint \"{}\": axis and direction must be two vectors that are neither zero "
                                            "nor parallel",
@@ -40,8 +46,8 @@ JointPlaces jointPlaces(const JointSpec& spec, float diameter)
             break;
         case JointType::Stiff: places.shared = {p - u - v, p + u - v, p - u + v, p + u + v}; break;
         case JointType::Universal:
-            places.sharedWithA = {p - u, p + u};
-            places.sharedWithB = {p - v, p + v};
+            places.sharedWithParent = {p - u, p + u};
+            places.sharedWithChild = {p - v, p + v};
             places.middle = {p};
             break;
     }

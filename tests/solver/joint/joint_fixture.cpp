@@ -90,8 +90,8 @@ JointFixture::Vector6d JointFixture::error(const JointTrees::Joint& joint, bool 
         const Vector3d move = atStart ? Vector3d(0, 0, 0) : Vector3d(vec3(moves[body]).cast<double>());
         return Side{centre(body) + move + q * arm.cast<double>(), q * frame.cast<double>()};
     };
-    const Side own = side(joint.body, joint.arm, joint.frame);
-    const Side parent = side(joint.parent, joint.parentArm, joint.parentFrame);
+    const Side own = side(joint.body, joint.side.arm, joint.side.frame);
+    const Side parent = side(joint.parent, joint.parentSide.arm, joint.parentSide.frame);
     Vector6d e = Vector6d::Zero();
     e.head<3>() = own.place - parent.place;
     if (joint.freedom == JOINT_HINGE)
@@ -132,12 +132,12 @@ Eigen::MatrixXd JointFixture::system(std::vector<uint32_t>& firstRow) const
         if (count == 0) continue;
         Eigen::MatrixXd own = Eigen::MatrixXd::Zero(count, 6), parent = own;
         own.block<3, 3>(0, 0) = Matrix3d::Identity();
-        own.block<3, 3>(0, 3) = -crossMatrix(armNow(joints[j].body, joints[j].arm));
+        own.block<3, 3>(0, 3) = -crossMatrix(armNow(joints[j].body, joints[j].side.arm));
         parent.block<3, 3>(0, 0) = -Matrix3d::Identity();
-        parent.block<3, 3>(0, 3) = crossMatrix(armNow(joints[j].parent, joints[j].parentArm));
+        parent.block<3, 3>(0, 3) = crossMatrix(armNow(joints[j].parent, joints[j].parentSide.arm));
         if (count > 3) {
             // Of a hinge the two axes across its own, x.
-            const Matrix3d axes = (rotationNow(joints[j].body) * joints[j].frame.cast<double>()).toRotationMatrix();
+            const Matrix3d axes = (rotationNow(joints[j].body) * joints[j].side.frame.cast<double>()).toRotationMatrix();
             own.block(3, 3, count - 3, 3) = axes.rightCols(count - 3).transpose();
             parent.block(3, 3, count - 3, 3) = -axes.rightCols(count - 3).transpose();
         }
@@ -155,7 +155,7 @@ JointFixture::Solution JointFixture::solution() const
     const Eigen::MatrixXd k = system(firstRow);
     const auto joints = trees().all();
     const auto axesOf = [&](const JointTrees::Joint& joint) {
-        return (rotationNow(joint.body) * joint.frame.cast<double>()).toRotationMatrix();
+        return (rotationNow(joint.body) * joint.side.frame.cast<double>()).toRotationMatrix();
     };
     Eigen::VectorXd given = Eigen::VectorXd::Zero(k.rows());
     for (uint32_t b = 0; b < world.bodies.size(); ++b) given.segment<6>(6 * b) = forces[b];

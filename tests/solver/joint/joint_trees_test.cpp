@@ -50,10 +50,10 @@ Vector3f place(const World& world, uint32_t body, const Vector3f& arm)
 /// In the rest pose a joint's two sides agree, in place and in axes.
 void expectAtRest(const World& world, const JointTrees::Joint& joint)
 {
-    const Vector3f own = place(world, joint.body, joint.arm), other = place(world, joint.parent, joint.parentArm);
+    const Vector3f own = place(world, joint.body, joint.side.arm), other = place(world, joint.parent, joint.parentSide.arm);
     EXPECT_LT((own - other).norm(), 1e-6f) << "body " << joint.body;
-    const Quaternionf frame = world.bodies[joint.body].rotation * joint.frame;
-    const Quaternionf parentFrame = world.bodies[joint.parent].rotation * joint.parentFrame;
+    const Quaternionf frame = world.bodies[joint.body].rotation * joint.side.frame;
+    const Quaternionf parentFrame = world.bodies[joint.parent].rotation * joint.parentSide.frame;
     // The acos in angularDistance turns a rounding into its root.
     EXPECT_LT(frame.angularDistance(parentFrame), 2e-3f) << "body " << joint.body;
 }
@@ -94,7 +94,7 @@ TEST(JointTrees, AHingeTurnsAboutItsLine)
     const World world = branchedWorld();
     const JointTrees trees(world);
     const JointTrees::Joint& hinge = jointOf(trees, 7);
-    const Vector3f axis = world.bodies[7].rotation * (hinge.frame * Vector3f::UnitX());
+    const Vector3f axis = world.bodies[7].rotation * (hinge.side.frame * Vector3f::UnitX());
     EXPECT_NEAR(std::abs(axis.z()), 1.0f, 1e-5f);
 }
 

@@ -24,7 +24,7 @@ TEST(BuilderErrors, CallsOutsideAnObjectAreRefused)
     EXPECT_EQ(misuseOf([&] { builder.addBody("a", cubeAt({0, 0, 0}), 0); }), "addBody: call beginObject() first");
     EXPECT_EQ(misuseOf([&] { builder.addJoint(0, 1, {}); }), "addJoint: call beginObject() first");
     EXPECT_EQ(misuseOf([&] { builder.setSelfMargin(0.5f); }), "setSelfMargin: call beginObject() first");
-    EXPECT_EQ(misuseOf([&] { builder.noteJoint({}); }), "noteJoint: call beginObject() first");
+    EXPECT_EQ(misuseOf([&] { builder.describeJoint({}); }), "describeJoint: call beginObject() first");
     EXPECT_EQ(misuseOf([&] { builder.endObject(); }), "endObject: call beginObject() first");
 }
 

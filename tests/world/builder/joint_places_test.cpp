@@ -68,8 +68,8 @@ TEST(JointPlaces, AStiffJointHasTheFourCornersOfASquareAcrossIt)
 TEST(JointPlaces, AUniversalJointIsACrossOfTwoHingesAndAMiddle)
 {
     const JointPlaces places = placesOf(JointType::Universal);
-    expectPoints(places.sharedWithA, {ANCHOR - DIAMETER * U, ANCHOR + DIAMETER * U});
-    expectPoints(places.sharedWithB, {ANCHOR - DIAMETER * V, ANCHOR + DIAMETER * V});
+    expectPoints(places.sharedWithParent, {ANCHOR - DIAMETER * U, ANCHOR + DIAMETER * U});
+    expectPoints(places.sharedWithChild, {ANCHOR - DIAMETER * V, ANCHOR + DIAMETER * V});
     expectPoints(places.middle, {ANCHOR});
     EXPECT_TRUE(places.shared.empty() && places.limits.empty());
 }
