@@ -40,9 +40,13 @@
 #define IN_ROUND 64u
 #define CARRIES_ROUND 128u
 
-// moverStates[]: whether a mover answers to impulses (sim/common/bodies/mover_info.glsl).
+// moverStates[]: what a mover does now (sim/common/bodies/mover_info.glsl). Kernels write it, too.
 #define MOVER_DYNAMIC 0u
-#define MOVER_FIXED 1u
+#define MOVER_ANIMATED 1u           // it moves as it is told and answers to nothing
+#define MOVER_FIXED 2u
+#define MOVER_ASLEEP 3u
+// A substep that no other follows.
+#define NO_SUBSTEP 0x7fffffffu
 
 // ParticleInfo::body of a fluid particle.
 #define IN_FLUID 0xfffffffeu

@@ -53,7 +53,27 @@ struct MoverInfo {
     uint firstRank;                 // its particles in the order of contact lists
     uint rankCount;
     uint assembly;
-    float inverseMass;              // [1/kg], of what is fixed, too: moverStates says so
+    float inverseMass;              // [1/kg], of what does not respond, too: moverStates says so
+};
+
+// What never changes about a joint of a tree, or one that closes a loop; the body is the one that is further from the root.
+struct JointInfo {
+    uint body;
+    uint parent;                    // NO_INDEX of a root that nothing holds
+    uint bodyJoint;                 // the body's own joint in its tree, of a loop too
+    uint parentJoint;               // the parent's; NO_INDEX of one that never responds
+    uint row;                       // of the channel; NO_INDEX where there is none
+    uint parentRow;
+    uint firstChild;                // joints that hang on the body, of a tree's joint
+    uint childEnd;
+};
+
+// How far a joint turns.
+struct JointLimits {
+    float swing;                    // of its x axes against each other [rad]; more than half a turn: no limit
+    float lowest;                   // turns about x [rad]
+    float highest;
+    float stiffness;                // [N m/rad], 0: rigid
 };
 
 // What never changes about a cluster of a soft body.

@@ -17,6 +17,9 @@ struct StepParameters {
     uint fluidCount;                // fluid particles, which come behind them
     uint bodyCount;
     uint moverCount;                // bodies and loose particles
+    uint freeBodyCount;             // bodies that may respond and have no joints
+    uint jointedBodyCount;          // and those that have
+    uint releaseCount;              // bodies that are held until a time
     uint linkCount;
     uint assemblyCount;
     uint colliderCount;
@@ -55,6 +58,7 @@ struct StepParameters {
     // Joints.
     uint sharedCount;               // particles of two or more bodies
     uint jointTreeCount;
+    uint treeJointCount;            // joints of trees; those that close loops come behind them
     // Sleep.
     float sleepSpeed;               // what is slower for long sleeps [m/s]
     float freeze;                   // what stays within is calm [m], 0 off

@@ -18,6 +18,7 @@ public:
     Bindings(const Program& program, const BufferTable& table, const std::string& user);
 
     size_t storageCount() const { return storage_.size(); }
+    size_t textureCount() const { return samplers_.size(); }
     /// For what is dispatched or drawn next.
     void bind() const;
 

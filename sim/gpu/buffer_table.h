@@ -36,6 +36,7 @@ constexpr ElementType elementType()
     if (std::is_same_v<T, uint32_t>) return {bytes, texel, Scalar::Unsigned, GL_UNSIGNED_INT};
     if (std::is_same_v<T, gpu::uvec2>) return {bytes, texel, Scalar::Unsigned, GL_UNSIGNED_INT_VEC2};
     if (std::is_same_v<T, gpu::uvec4>) return {bytes, texel, Scalar::Unsigned, GL_UNSIGNED_INT_VEC4};
+    if (std::is_same_v<T, gpu::JointLimits>) return {bytes, texel, Scalar::Float, GL_NONE};
     if (std::is_same_v<T, gpu::GpuSoftMatter>) return {bytes, texel, Scalar::Float, GL_NONE};
     return {bytes, texel, Scalar::Mixed, GL_NONE};
 }

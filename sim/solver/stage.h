@@ -17,6 +17,13 @@ struct StageSetup {
     gpu::StepParameters& parameters;  ///< Each stage sets those that are its own; uploaded when all are made.
 };
 
+/// A variant with one more define.
+inline Defines with(Defines variant, const char* define)
+{
+    variant.push_back({define, "1"});
+    return variant;
+}
+
 /// Records the passes of a step.
 class Recorder {
 public:

@@ -110,7 +110,6 @@ Defines Stages::worldDefines() const
     };
     add(s.rotation == RotationMethod::Householder, "HOUSEHOLDER");
     add(s.rotation == RotationMethod::Higham, "HIGHAM");
-    add(!layout.jointTrees.trees.empty(), "JOINTED");
     add(s.massScaling > 0.0f, "MASS_SCALING");
     add(particles.hasRounds, "ROUNDS");
     add(sleep.has_value(), "SLEEP");

@@ -76,10 +76,9 @@ void impulseStep(const Stages& s, const Settings& settings, Recorder& recorder)
     if (s.fluids) s.fluids->beginStep(recorder);
     for (uint32_t i = 0; i < settings.substeps; ++i)
         fluidsOnly ? fluidSubstep(s, recorder, i == 0) : impulseSubstep(s, settings, recorder, i == 0);
-    if (s.sleep) s.sleep->fallAsleep(recorder);
     s.bodies.placeParticles(recorder);
     s.joints.placeParticles(recorder);
-    if (s.sleep) s.sleep->freeze(recorder);
+    if (s.sleep) s.sleep->endStep(recorder);
     if (s.emitters) s.emitters->endStep(recorder);
 }
 
@@ -92,9 +91,7 @@ void paperStep(const Stages& s, const Settings& settings, Recorder& recorder)
         if (s.sleep) s.sleep->wake(recorder);
         s.paper->solve(recorder);
     }
-    if (!s.sleep) return;
-    s.sleep->fallAsleep(recorder);
-    s.sleep->freeze(recorder);
+    if (s.sleep) s.sleep->endStep(recorder);
 }
 
 }  // namespace

@@ -13,7 +13,10 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.particleCount) return;
     uint mover = fetchRank(i).mover;
-    if (isFixed(mover)) return;
+    if (!moves(mover)) {
+        velocities[i] = vec4(0);
+        return;
+    }
     PointState state = pointState(mover, fetchArm(i).r);
     positions[i].xyz = state.position;
     velocities[i] = vec4(state.velocity, 0);

@@ -11,12 +11,11 @@ struct SideMass {
     float fraction;   // of it along the normal, 0 ... 1
 };
 
-/// Of a mover for an impulse at its surface. Loose particles have the same mass in all directions; fixed bodies never
-/// respond.
+/// Of a mover for an impulse at its surface. Loose particles have the same mass in all directions.
 /// @param particle where the contact's particle has its place. @param r where it acts, in the body's axes [m].
 SideMass sideMass(uint mover, Arm particle, vec3 r, vec3 normal)
 {
-    if (mover >= sim.bodyCount || isFixed(mover)) return SideMass(particle.worstInverseMass, 1.0);
+    if (mover >= sim.bodyCount) return SideMass(particle.worstInverseMass, 1.0);
     InverseInertia inertia = fetchInverseInertia(mover);
     mat3 inverseInertia = symmetricMatrix(inertia.diagonal, inertia.offDiagonal);
     vec3 n = rotate(conjugate(texelFetch(searchRotations, int(mover))), normal);

@@ -6,14 +6,16 @@
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_factors.glsl"
 #include "sim/joint/joint_pose.glsl"
-#include "sim/joint/joint_left.glsl"
+#include "sim/joint/joint_recovery.glsl"
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
 #ifdef LIMITS
 #include "sim/joint/joint_stop_update.glsl"
 #endif
 BUFFER(vec4, JointFactors, jointFactors);
+BUFFER(vec4, RootResponses, rootResponses);
 BUFFER(vec4, JointPassed, jointPassed);
+#include "sim/joint/joint_passed.glsl"
 
 /// The turn that a torque gives in the directions that the joint leaves free.
 mat3 freeTurning(mat3 d, uint freedom, vec3 axis)
@@ -22,51 +24,34 @@ mat3 freeTurning(mat3 d, uint freedom, vec3 axis)
     return freedom == JOINT_HINGE ? outerProduct(axis, axis) / dot(axis, d * axis) : mat3(0);
 }
 
-Inertia loadPassed(uint joint)
-{
-    uint first = JOINT_PASSED * joint;
-    vec4 t[JOINT_PASSED];
-    for (int k = 0; k < int(JOINT_PASSED); ++k) t[k] = jointPassed[first + uint(k)];
-    return Inertia(symmetricMatrix(t[0].xyz, t[1].xyz), mat3(t[4].xyz, t[5].xyz, vec3(t[0].w, t[1].w, t[2].w)),
-                   symmetricMatrix(t[2].xyz, t[3].xyz));
-}
-
-void storePassed(uint joint, Inertia m)
-{
-    uint first = JOINT_PASSED * joint;
-    jointPassed[first] = vec4(diagonalOf(m.a), m.b[2].x);
-    jointPassed[first + 1u] = vec4(offDiagonalOf(m.a), m.b[2].y);
-    jointPassed[first + 2u] = vec4(diagonalOf(m.d), m.b[2].z);
-    jointPassed[first + 3u].xyz = offDiagonalOf(m.d);
-    jointPassed[first + 4u].xyz = m.b[0];
-    jointPassed[first + 5u].xyz = m.b[1];
-}
-
+/// What hangs on a body that does not respond is held by it.
 void factor(uint k)
 {
-    TreeJoint joint = fetchTreeJoint(k);
-    JointRows rows = fetchJointRows(k);
+    JointInfo joint = fetchJoint(k);
+    uint freedom = fetchFreedom(k);
+    bool free = responds(joint.body);
     Inertia m = Inertia(mat3(1.0 / fetchMover(joint.body).inverseMass), mat3(0), fetchBodyLoad(joint.body).hessian);
-    for (uint child = rows.firstChild; child < rows.childEnd; ++child) m = add(m, loadPassed(child));
-    JointFactor f = JointFactor(m, mat3(0), vec3(0), vec3(0), vec3(0), Motion(vec3(0), vec3(0)));
-    if (joint.freedom != JOINT_NONE) {
+    for (uint child = joint.firstChild; child < joint.childEnd; ++child) m = add(m, loadPassed(child));
+    Inertia passed = Inertia(mat3(0), mat3(0), mat3(0));
+    if (free && freedom == JOINT_NONE) {
+        Response w = inverseOf(m);
+        STORE_ROOT_RESPONSE(rootResponses, k, w)
+    }
+    if (free && freedom != JOINT_NONE) {
         JointSide body = jointSide(k, 0u, joint.body), parent = jointSide(k, 1u, joint.parent);
         vec3 axis = rotate(body.frame, vec3(1, 0, 0));
         m = shifted(m, body.arm);
         mat3 d = m.d;
 #ifdef LIMITS
-        d += hardened(k, d);
+        d += stopStiffness(k, d);
 #endif
-        mat3 g = freeTurning(d, joint.freedom, axis);
-        f = JointFactor(m, g, body.arm, parent.arm, axis, leftOf(startError(body, parent, joint.freedom)));
+        mat3 g = freeTurning(d, freedom, axis);
+        JointFactor f = JointFactor(m, g, body.arm, parent.arm, axis, keptOf(startError(body, parent, freedom)));
+        STORE_JOINT_FACTOR(jointFactors, k, f)
         mat3 gb = g * m.b, gd = g * m.d;
-        storePassed(k, shifted(Inertia(m.a - transpose(m.b) * gb, m.b - m.d * gb, m.d - m.d * gd), -parent.arm));
+        passed = shifted(Inertia(m.a - transpose(m.b) * gb, m.b - m.d * gb, m.d - m.d * gd), -parent.arm);
     }
-    if (joint.freedom == JOINT_NONE) {
-        Response w = inverseOf(m);
-        f.inertia = Inertia(w.a, w.b, w.d);
-    }
-    STORE_JOINT_FACTOR(jointFactors, k, f)
+    storePassed(k, passed);
 }
 
 #ifdef RESPONSES
@@ -78,7 +63,7 @@ void main()
     uint index = gl_GlobalInvocationID.x;
     if (index >= sim.jointTreeCount) return;
     JointTree tree = fetchJointTree(index);
-    if (isAsleep(fetchMover(fetchTreeJoint(tree.first).body).assembly)) return;
+    if (treeRests(tree)) return;
 #ifdef LIMITS
 #ifdef AGAIN
     if (!updateStops(tree, false)) return;

@@ -1,12 +1,12 @@
-// What never changes about joints (sim/solver/layout/joint_trees.h). Joints that close loops stand behind all others.
+// What joints are (sim/solver/layout/joint_trees.h), and what of it may change. Joints that close loops stand behind all
+// others.
+#include "shared/joint_records.h"
+#include "sim/common/bodies/mover_info.glsl"
 
 uniform usamplerBuffer jointTrees;       // first joint, end; first loop, end
-uniform usamplerBuffer jointBodies;      // body, its parent, the parent's joint, JOINT_*
-uniform usamplerBuffer jointRows;        // of the channel: the body's, its parent's; first child, end, or the own joint
-uniform samplerBuffer jointPlaces;       // four a joint: arm, the parent's; axes, the parent's
-
-/// What joint_factor hands from a joint's body to its parent: so many texels of jointPassed.
-#define JOINT_PASSED 6u
+uniform usamplerBuffer jointInfo;        // two texels each
+uniform usamplerBuffer jointFreedoms;    // JOINT_*; a torn joint holds nothing any more: JOINT_NONE
+uniform samplerBuffer jointPlaces;       // arm, the parent's; axes, the parent's
 
 struct JointTree {
     uint first, end;           // joints, parents before children, those of one body together
@@ -19,28 +19,23 @@ JointTree fetchJointTree(uint tree)
     return JointTree(t.x, t.y, t.z, t.w);
 }
 
-struct TreeJoint {
-    uint body, parent;   // parent is NONE of a root that nothing holds
-    uint parentJoint;    // NONE where the parent is fixed
-    uint freedom;        // JOINT_*
-};
-
-TreeJoint fetchTreeJoint(uint joint)
+JointInfo fetchJoint(uint joint)
 {
-    uvec4 t = texelFetch(jointBodies, int(joint));
-    return TreeJoint(t.x, t.y, t.z, t.w);
+    uvec4 a = texelFetch(jointInfo, int(2u * joint)), b = texelFetch(jointInfo, int(2u * joint + 1u));
+    return JointInfo(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
 }
 
-struct JointRows {
-    uint row, parentRow;         // NONE where there is none
-    uint firstChild, childEnd;   // joints that hang on its body
-    uint bodyJoint;              // of one that closes a loop: its body's own
-};
-
-JointRows fetchJointRows(uint joint)
+uint fetchFreedom(uint joint)
 {
-    uvec4 t = texelFetch(jointRows, int(joint));
-    return JointRows(t.x, t.y, t.z, t.w, t.z);
+    return texelFetch(jointFreedoms, int(joint)).x;
+}
+
+/// Whether no body of a tree answers to anything. What does not is closed upwards: all that it hangs on does not either.
+bool treeRests(JointTree tree)
+{
+    for (uint k = tree.first; k < tree.end; ++k)
+        if (responds(fetchJoint(k).body)) return false;
+    return true;
 }
 
 /// Where a joint is in a body, in the body's axes.
@@ -52,6 +47,6 @@ struct JointPlace {
 /// @param side 0 for the body, 1 for its parent.
 JointPlace fetchJointPlace(uint joint, uint side)
 {
-    int first = int(4u * joint + side);
+    int first = int(JOINT_PLACE_TEXELS * joint + side);
     return JointPlace(texelFetch(jointPlaces, first).xyz, texelFetch(jointPlaces, first + 2));
 }

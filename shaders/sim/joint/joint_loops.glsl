@@ -1,42 +1,70 @@
 // Joints that close loops in a tree: each is a force between two of its bodies. How far that moves them apart is found by
-// trying it (joint_loop_factor); then each loop of a tree in turn corrects its error (joint_solve).
+// trying it (joint_loop_factor); then each loop of a tree in turn corrects its error (joint_loop_solve).
+#include "shared/joint_records.h"
+#include "sim/joint/joint_sweeps.glsl"
 
-/// How far the ends of a loop come apart for what it holds: too little to be seen, but where the tree holds them already,
-/// what the loop holds would else grow without end.
-struct LoopGive {
-    float move;   // [1/kg]
-    float turn;   // [1/(kg m2)]
+/// How a loop's ends answer.
+struct LoopFactor {
+    Inertia apart;     // what its ends move for a force that it holds with, as an inverse
+    vec3 arm;          // from the body's centre to the joint [m]
+    vec3 parentArm;    // from its parent's
+    vec3 axis;         // of a hinge
+    Motion kept;       // the part of its error that this substep does not take back
+    // How far it gives: too little to be seen, but where the tree holds its ends already, what the loop holds would else
+    // grow without end.
+    float givenMove;   // [1/kg]
+    float givenTurn;   // [1/(kg m2)]
 };
 
-/// A loop has no use for what its joint lets turn.
-void storeGive(inout JointFactor factor, LoopGive give)
+/// Of World's joints those that close loops stand behind the trees'.
+uint loopEntry(uint loop)
 {
-    factor.free = mat3(give.move, 0, 0, 0, give.turn, 0, 0, 0, 0);
+    return LOOP_FACTOR_TEXELS * (loop - sim.treeJointCount);
 }
 
-LoopGive loadGive(JointFactor factor)
+#define STORE_LOOP_FACTOR(factors, loop, f) \
+    factors[loopEntry(loop)] = vec4(diagonalOf((f).apart.a), (f).arm.x); \
+    factors[loopEntry(loop) + 1u] = vec4(offDiagonalOf((f).apart.a), (f).arm.y); \
+    factors[loopEntry(loop) + 2u] = vec4(diagonalOf((f).apart.d), (f).arm.z); \
+    factors[loopEntry(loop) + 3u] = vec4(offDiagonalOf((f).apart.d), (f).parentArm.x); \
+    factors[loopEntry(loop) + 4u] = vec4((f).apart.b[0], (f).parentArm.y); \
+    factors[loopEntry(loop) + 5u] = vec4((f).apart.b[1], (f).parentArm.z); \
+    factors[loopEntry(loop) + 6u] = vec4((f).apart.b[2], (f).axis.x); \
+    factors[loopEntry(loop) + 7u] = vec4((f).kept.t, (f).axis.y); \
+    factors[loopEntry(loop) + 8u] = vec4((f).kept.r, (f).axis.z); \
+    factors[loopEntry(loop) + 9u].xy = vec2((f).givenMove, (f).givenTurn);
+
+#define LOOP_FACTOR_FROM(GET) \
+    LoopFactor(Inertia(symmetricMatrix(GET(0).xyz, GET(1).xyz), mat3(GET(4).xyz, GET(5).xyz, GET(6).xyz), \
+                       symmetricMatrix(GET(2).xyz, GET(3).xyz)), \
+               vec3(GET(0).w, GET(1).w, GET(2).w), vec3(GET(3).w, GET(4).w, GET(5).w), \
+               vec3(GET(6).w, GET(7).w, GET(8).w), Motion(GET(7).xyz, GET(8).xyz), GET(9).x, GET(9).y)
+
+/// Whether a loop holds anything now: not where both its ends are held.
+bool loopActs(uint loop)
 {
-    return LoopGive(factor.free[0][0], factor.free[1][1]);
+    JointInfo joint = fetchJoint(loop);
+    return fetchFreedom(loop) != JOINT_NONE && (responds(joint.body) || responds(joint.parent));
 }
 
 /// From the leaves to the root, with no other force than that between the ends of a loop.
-void passLoopForce(JointTree tree, uint loop, JointFactor factor, Force f)
+void passLoopForce(JointTree tree, uint loop, vec3 arm, vec3 parentArm, Force f)
 {
     Motion none = Motion(vec3(0), vec3(0));
-    uint bodyJoint = fetchJointRows(loop).bodyJoint, parentJoint = fetchTreeJoint(loop).parentJoint;
+    JointInfo joint = fetchJoint(loop);
     for (uint k = tree.end; k-- > tree.first;) {
         Force own = Force(vec3(0), vec3(0));
-        if (k == bodyJoint) own = shifted(f, -factor.arm);
-        if (k == parentJoint) own = add(own, shifted(Force(-f.t, -f.r), -factor.parentArm));
+        if (k == joint.bodyJoint) own = shifted(f, -arm);
+        if (k == joint.parentJoint) own = add(own, shifted(Force(-f.t, -f.r), -parentArm));
         passForce(k, own, none, vec3(0));
     }
 }
 
-/// How far the ends of a loop have moved apart. @param slot of the tree's motions.
-Motion loopMotion(uint loop, JointFactor factor, uint slot)
+/// How far the ends of a loop have moved apart. @param part of the tree's motions, SWEEP_MOTION or SWEEP_TOTAL.
+Motion loopMotion(uint loop, vec3 arm, vec3 parentArm, uint part)
 {
-    Motion a = shifted(loadMotion(fetchJointRows(loop).bodyJoint, slot), factor.arm), b = Motion(vec3(0), vec3(0));
-    uint parentJoint = fetchTreeJoint(loop).parentJoint;
-    if (parentJoint != NONE) b = shifted(loadMotion(parentJoint, slot), factor.parentArm);
+    JointInfo joint = fetchJoint(loop);
+    Motion a = shifted(loadMotion(joint.bodyJoint, part), arm), b = Motion(vec3(0), vec3(0));
+    if (joint.parentJoint != NONE) b = shifted(loadMotion(joint.parentJoint, part), parentArm);
     return Motion(a.t - b.t, a.r - b.r);
 }

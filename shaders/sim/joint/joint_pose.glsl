@@ -1,5 +1,4 @@
 // Where a joint's two bodies have it, and how far they are apart.
-#include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/movers.glsl"
 #include "sim/joint/joint_info.glsl"
 #include "math/spatial.glsl"

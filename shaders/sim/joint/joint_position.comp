@@ -1,5 +1,5 @@
-// One thread a particle that bodies share: it stands at the mean of their goals (section 4), or where a fixed body
-// holds it.
+// One thread a particle that bodies share: it stands at the mean of their goals (section 4), or where a body
+// that stays has it.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/shared_goals.glsl"
@@ -15,7 +15,7 @@ void main()
     uint k = gl_GlobalInvocationID.x;
     if (k >= sim.sharedCount) return;
     uint i = texelFetch(sharedParticles, int(k)).x;
-    if (isFixed(fetchRank(i).mover)) return;   // where a fixed body has it, that is the first of its bodies
+    if (!moves(fetchRank(i).mover)) return;   // a body that is held is the first of its bodies
     PointState goal = meanGoal(i);
     positions[i].xyz = goal.position;
     velocities[i] = vec4(goal.velocity, 0);

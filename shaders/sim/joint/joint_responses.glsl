@@ -4,10 +4,11 @@ BUFFER(vec4, BodyResponses, bodyResponses);
 
 void storeResponse(uint body, Response w)
 {
+    uint first = BODY_RESPONSE_TEXELS * body;
     for (int line = 0; line < 3; ++line) {
-        bodyResponses[9u * body + uint(line)].xyz = w.a[line];
-        bodyResponses[9u * body + 3u + uint(line)].xyz = w.b[line];
-        bodyResponses[9u * body + 6u + uint(line)].xyz = w.d[line];
+        bodyResponses[first + uint(line)].xyz = w.a[line];
+        bodyResponses[first + 3u + uint(line)].xyz = w.b[line];
+        bodyResponses[first + 6u + uint(line)].xyz = w.d[line];
     }
 }
 
@@ -18,20 +19,30 @@ mat3 loadResponseBlock(uint first)
 
 Response loadResponse(uint body)
 {
-    return Response(loadResponseBlock(9u * body), loadResponseBlock(9u * body + 3u), loadResponseBlock(9u * body + 6u));
+    uint first = BODY_RESPONSE_TEXELS * body;
+    return Response(loadResponseBlock(first), loadResponseBlock(first + 3u), loadResponseBlock(first + 6u));
+}
+
+Response rootResponse(uint k)
+{
+#define WRITTEN(t) rootResponses[ROOT_RESPONSE_TEXELS * k + uint(t)]
+    return ROOT_RESPONSE_FROM(WRITTEN);
+#undef WRITTEN
 }
 
 void respond(uint k)
 {
-    TreeJoint joint = fetchTreeJoint(k);
-#define WRITTEN(t) jointFactors[JOINT_FACTOR * k + uint(t)]
-    JointFactor f = JOINT_FACTOR_FROM(WRITTEN);
-#undef WRITTEN
-    if (joint.freedom == JOINT_NONE) {
-        storeResponse(joint.body, Response(f.inertia.a, f.inertia.b, f.inertia.d));
+    JointInfo joint = fetchJoint(k);
+    Response w = Response(mat3(0), mat3(0), mat3(0));
+    bool free = responds(joint.body), isRoot = fetchFreedom(k) == JOINT_NONE;
+    if (free && isRoot) w = rootResponse(k);
+    if (!free || isRoot) {
+        storeResponse(joint.body, w);
         return;
     }
-    Response w = Response(mat3(0), mat3(0), mat3(0));
+#define WRITTEN(t) jointFactors[JOINT_FACTOR_TEXELS * k + uint(t)]
+    JointFactor f = JOINT_FACTOR_FROM(WRITTEN);
+#undef WRITTEN
     if (joint.parentJoint != NONE) w = shifted(loadResponse(joint.parent), f.parentArm);
     Inertia m = f.inertia;
     mat3 byMove = -f.free * m.b, byTurn = mat3(1) - f.free * m.d;

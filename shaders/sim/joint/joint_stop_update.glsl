@@ -9,55 +9,60 @@ const float TOUCH = 1e-4;
 const float MOST_LEANING = 1.0;
 
 /// Where a substep begins: what was thrown back, or is still on its way, does not lean on it.
-void beginStop(inout JointStop s, int i, float beyond, bool rigid)
+void beginStop(inout JointStop s, int i, float excess, bool rigid)
 {
-    s.left[i] = rigid ? leftOfTurn(max(beyond, 0.0)) : 0.0;
-    if (beyond < -TOUCH) s.hardness[i] = s.held[i] = 0.0;
+    s.kept[i] = rigid ? keptOfTurn(max(excess, 0.0)) : 0.0;
+    if (excess < -TOUCH) s.hardness[i] = s.held[i] = 0.0;
 }
 
-/// @param start how far beyond it the substep began. @returns whether it holds now and did not, or the other way round.
-bool updateStop(inout JointStop s, int i, vec3 axis, float beyond, float start, bool rigid)
+/// @param start its excess when the substep began. @returns whether it holds now and did not, or the other way round.
+bool updateStop(inout JointStop s, int i, vec3 axis, float excess, float start, bool rigid)
 {
     bool held = s.hardness[i] > 0.0;
-    bool holds = held ? s.held[i] + s.hardness[i] * (beyond - s.left[i]) > 0.0 : beyond > s.left[i];
+    bool holds = held ? s.held[i] + s.hardness[i] * (excess - s.kept[i]) > 0.0 : excess > s.kept[i];
     if (holds && held && dot(axis, s.axes[i]) < 0.0) s.held[i] = 0.0;   // the other end of its range
     s.axes[i] = axis;
     if (!holds) s.hardness[i] = s.held[i] = 0.0;
     if (holds && !held) {
         s.hardness[i] = 1.0;
         // What would pass it is stopped where it is; a way to go in one substep would be its speed after it.
-        if (rigid) s.left[i] = min(s.left[i], start);
+        if (rigid) s.kept[i] = min(s.kept[i], start);
     }
     return holds != held;
+}
+
+/// Whether a stop that has come to hold has stopped a turn, and not just been leaned on.
+bool hasStopped(JointStop s, int i, float excess, float start)
+{
+    return s.hardness[i] > 0.0 && excess - start > MOST_LEANING * sim.substepTime;
 }
 
 /// @param start whether a substep begins. @returns whether another set of stops holds than before.
 bool updateStops(uint k, bool start)
 {
-    JointLimit limit = fetchJointLimit(k);
-    TreeJoint joint = fetchTreeJoint(k);
-    if (!isLimited(limit) || joint.freedom == JOINT_NONE) return false;
+    JointLimits limits = fetchJointLimits(k);
+    JointInfo joint = fetchJoint(k);
+    if (!isLimited(limits) || fetchFreedom(k) == JOINT_NONE || !responds(joint.body)) return false;
     JointSide body = jointSide(k, 0u, joint.body), parent = jointSide(k, 1u, joint.parent);
     JointStop s = loadStop(k);
-    bool rigid = limit.stiffness == 0.0;
-    Beyond first = beyondLimits(limit, parent.startFrame, body.startFrame);
+    bool rigid = limits.stiffness == 0.0;
+    Excess first = excessOver(limits, parent.startFrame, body.startFrame);
     if (start) {
         beginStop(s, 0, first.swing, rigid);
         beginStop(s, 1, first.turn, rigid);
     }
-    Beyond now = beyondLimits(limit, parent.frame, body.frame);
+    Excess now = excessOver(limits, parent.frame, body.frame);
     bool swing = updateStop(s, 0, now.swingAxis, now.swing, first.swing, rigid);
     bool turn = updateStop(s, 1, now.turnAxis, now.turn, first.turn, rigid);
     storeStop(k, s);
     // As with contacts: second order would answer what stops it one and a half times. What only leans on it may be thrown
     // back as far as that is.
-    float slow = MOST_LEANING * sim.substepTime;
-    if ((swing && s.hardness[0] > 0.0 && now.swing - first.swing > slow) ||
-        (turn && s.hardness[1] > 0.0 && now.turn - first.turn > slow))
+    if ((swing && hasStopped(s, 0, now.swing, first.swing)) || (turn && hasStopped(s, 1, now.turn, first.turn)))
         assemblies[fetchMover(joint.body).assembly].order = 1u;
     return swing || turn;
 }
 
+/// @returns whether another set of stops of a tree holds than before.
 bool updateStops(JointTree tree, bool start)
 {
     bool changed = false;
@@ -65,20 +70,20 @@ bool updateStops(JointTree tree, bool start)
     return changed;
 }
 
-/// How hard each stop that holds does: a rigid one, much harder than the body is to turn with all that hangs on it.
-/// @param inertia against turns about the joint [kg m2]
-mat3 hardened(uint k, mat3 inertia)
+/// What a joint's stops add to its resistance to turns: a rigid one, much more than the body with all that hangs on it
+/// has by itself. @param inertia against turns about the joint [kg m2]
+mat3 stopStiffness(uint k, mat3 inertia)
 {
     const float RIGID = 100.0;
-    JointLimit limit = fetchJointLimit(k);
-    if (!isLimited(limit)) return mat3(0);
+    JointLimits limits = fetchJointLimits(k);
+    if (!isLimited(limits)) return mat3(0);
     JointStop s = loadStop(k);
-    float factor = accelerationFactor(assemblies[fetchMover(fetchTreeJoint(k).body).assembly]);
+    float factor = accelerationFactor(assemblies[fetchMover(fetchJoint(k).body).assembly]);
     for (int i = 0; i < 2; ++i) {
         if (s.hardness[i] == 0.0) continue;
-        s.hardness[i] = limit.stiffness > 0.0 ? limit.stiffness * factor * sim.substepTime * sim.substepTime
-                                              : RIGID * dot(s.axes[i], inertia * s.axes[i]);
+        s.hardness[i] = limits.stiffness > 0.0 ? limits.stiffness * factor * sim.substepTime * sim.substepTime
+                                               : RIGID * dot(s.axes[i], inertia * s.axes[i]);
     }
     storeStop(k, s);
-    return stiffnessOf(s);
+    return resistanceOf(s);
 }

@@ -3,14 +3,13 @@
 // how far it gave.
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/joint/joint_pose.glsl"
-#include "sim/joint/joint_left.glsl"
+#include "sim/joint/joint_recovery.glsl"
 
 uniform samplerBuffer jointLimits;     // swing, lowest and highest turn [rad]; stiffness [N m/rad], 0: rigid
 BUFFER(vec4, JointStops, jointStops);
 
-#define JOINT_STOP 4u
 /// The axes of the swing's and of the turn's stop, about which the body turns on beyond it; and how hard each holds, 0
-/// where it does not [kg m2]. What each holds [kg m2], how far beyond it is left [rad]. What both add to the joint
+/// where it does not [kg m2]. What each holds [kg m2], how much of its excess is kept [rad]. What both add to the joint
 /// now.
 #define STOP_AXES 0u
 #define STOP_HELD 2u
@@ -18,24 +17,19 @@ BUFFER(vec4, JointStops, jointStops);
 
 const float PI = 3.14159265;
 
-struct JointLimit {
-    float swing, lowest, highest;   // [rad]
-    float stiffness;                // [N m/rad], 0: rigid
-};
-
-JointLimit fetchJointLimit(uint joint)
+JointLimits fetchJointLimits(uint joint)
 {
     vec4 t = texelFetch(jointLimits, int(joint));
-    return JointLimit(t.x, t.y, t.z, t.w);
+    return JointLimits(t.x, t.y, t.z, t.w);
 }
 
-bool isLimited(JointLimit limit)
+bool isLimited(JointLimits limits)
 {
-    return limit.swing < PI || limit.highest < PI || limit.lowest > -PI;
+    return limits.swing < PI || limits.highest < PI || limits.lowest > -PI;
 }
 
-/// How far a joint is beyond its limits, negative within them, and the turn of its body that leads further.
-struct Beyond {
+/// How far a joint exceeds its limits, negative within them, and the turn of its body that leads further.
+struct Excess {
     vec3 swingAxis, turnAxis;
     float swing, turn;   // [rad]
 };
@@ -47,22 +41,22 @@ float wrapped(float angle)
 
 /// A turn is a swing of the axis and then a turn about it: about what is midway between both places of the axis.
 /// @param from, to the joint's axes in the parent and in the body.
-Beyond beyondLimits(JointLimit limit, vec4 from, vec4 to)
+Excess excessOver(JointLimits limits, vec4 from, vec4 to)
 {
     vec3 middle = rotate(from, vec3(1, 0, 0)), axis = rotate(to, vec3(1, 0, 0)), across = cross(middle, axis);
     vec4 turn = quaternionProduct(conjugate(from), to);
     float along = dot(middle, axis), sine = length(across);
-    Beyond b = Beyond(vec3(0), vec3(0), -4.0, -4.0);
-    if (limit.swing < PI && sine > 1e-6) {
-        b.swing = atan(sine, along) - limit.swing;
+    Excess b = Excess(vec3(0), vec3(0), -4.0, -4.0);
+    if (limits.swing < PI && sine > 1e-6) {
+        b.swing = atan(sine, along) - limits.swing;
         b.swingAxis = across / sine;
     }
     // Of a swing by half a turn, any turn about the axis is made.
-    if ((limit.highest < PI || limit.lowest > -PI) && along > -0.98) {
-        float centre = 0.5 * (limit.lowest + limit.highest);
+    if ((limits.highest < PI || limits.lowest > -PI) && along > -0.98) {
+        float centre = 0.5 * (limits.lowest + limits.highest);
         float angle = centre + wrapped(2.0 * atan(turn.x, turn.w) - centre);
         bool above = angle > centre;
-        b.turn = above ? angle - limit.highest : limit.lowest - angle;
+        b.turn = above ? angle - limits.highest : limits.lowest - angle;
         b.turnAxis = (above ? 1.0 : -1.0) / (1.0 + along) * (middle + axis);
     }
     return b;
@@ -72,12 +66,12 @@ struct JointStop {
     vec3 axes[2];
     float hardness[2];   // [kg m2]
     float held[2];       // [kg m2]
-    float left[2];       // [rad]
+    float kept[2];       // [rad]
 };
 
 JointStop loadStop(uint joint)
 {
-    uint first = JOINT_STOP * joint;
+    uint first = JOINT_STOP_TEXELS * joint;
     vec4 swing = jointStops[first + STOP_AXES], turn = jointStops[first + STOP_AXES + 1u];
     vec4 held = jointStops[first + STOP_HELD];
     return JointStop(vec3[2](swing.xyz, turn.xyz), float[2](swing.w, turn.w), float[2](held.x, held.y),
@@ -86,13 +80,13 @@ JointStop loadStop(uint joint)
 
 void storeStop(uint joint, JointStop s)
 {
-    uint first = JOINT_STOP * joint;
+    uint first = JOINT_STOP_TEXELS * joint;
     for (int i = 0; i < 2; ++i) jointStops[first + STOP_AXES + uint(i)] = vec4(s.axes[i], s.hardness[i]);
-    jointStops[first + STOP_HELD] = vec4(s.held[0], s.held[1], s.left[0], s.left[1]);
+    jointStops[first + STOP_HELD] = vec4(s.held[0], s.held[1], s.kept[0], s.kept[1]);
 }
 
 /// What stops add to a joint's resistance to turns.
-mat3 stiffnessOf(JointStop s)
+mat3 resistanceOf(JointStop s)
 {
     return outerProduct(s.hardness[0] * s.axes[0], s.axes[0]) + outerProduct(s.hardness[1] * s.axes[1], s.axes[1]);
 }

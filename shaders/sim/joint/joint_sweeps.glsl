@@ -1,16 +1,26 @@
 // A tree of joints solved for given forces and errors: from the leaves to the root what each body asks of its parent,
-// then motions from the root to the leaves (Featherstone 2008, articulated bodies).
+// then motions from the root to the leaves (Featherstone 2008, articulated bodies). A body that does not respond asks for
+// nothing, and what it does in the substep it has done before: its motion here is zero.
 #include "sim/joint/joint_factors.glsl"
 #include "sim/joint/joint_info.glsl"
-#include "sim/joint/joint_states.glsl"
+#include "sim/joint/joint_sweep_records.glsl"
 
 uniform samplerBuffer jointFactors;
+uniform samplerBuffer rootResponses;
 
 JointFactor fetchJointFactor(uint joint)
 {
-    int first = int(JOINT_FACTOR * joint);
+    int first = int(JOINT_FACTOR_TEXELS * joint);
 #define TEXEL(k) texelFetch(jointFactors, first + k)
     return JOINT_FACTOR_FROM(TEXEL);
+#undef TEXEL
+}
+
+Response fetchRootResponse(uint joint)
+{
+    int first = int(ROOT_RESPONSE_TEXELS * joint);
+#define TEXEL(k) texelFetch(rootResponses, first + k)
+    return ROOT_RESPONSE_FROM(TEXEL);
 #undef TEXEL
 }
 
@@ -34,40 +44,43 @@ Answer answerTo(JointFactor factor, Motion given, Force f)
 /// @param stop the torque of the joint's limits.
 void passForce(uint k, Force own, Motion error, vec3 stop)
 {
-    TreeJoint joint = fetchTreeJoint(k);
-    JointRows rows = fetchJointRows(k);
-    for (uint child = rows.firstChild; child < rows.childEnd; ++child) own = add(own, loadForce(child, SLOT_PASSED));
-    if (joint.freedom != JOINT_NONE) {
+    JointInfo joint = fetchJoint(k);
+    for (uint child = joint.firstChild; child < joint.childEnd; ++child) own = add(own, loadPassedForce(child));
+    Force passed = Force(vec3(0), vec3(0));
+    if (responds(joint.body) && fetchFreedom(k) != JOINT_NONE) {
         JointFactor factor = fetchJointFactor(k);
         own = shifted(own, factor.arm);
         own.r += stop;
         Force held = answerTo(factor, Motion(-error.t, -error.r), own).held;
-        storeForce(k, SLOT_PASSED, shifted(Force(-held.t, -held.r - stop), -factor.parentArm));
+        passed = shifted(Force(-held.t, -held.r - stop), -factor.parentArm);
     }
+    storePassedForce(k, passed);
     storeAsked(k, Asked(own, error));
 }
 
 /// The force at a joint and the motion of its body, whose parent has moved already.
-Answer follow(uint k, TreeJoint joint)
+Answer follow(uint k)
 {
-    JointFactor factor = fetchJointFactor(k);
-    Asked asked = loadAsked(k);
+    JointInfo joint = fetchJoint(k);
+    uint freedom = fetchFreedom(k);
     Answer answer = Answer(Motion(vec3(0), vec3(0)), Force(vec3(0), vec3(0)));
-    if (joint.freedom == JOINT_NONE) {
-        answer.motion = product(Response(factor.inertia.a, factor.inertia.b, factor.inertia.d), asked.force);
-    } else {
+    bool free = responds(joint.body);
+    if (free && freedom == JOINT_NONE) answer.motion = product(fetchRootResponse(k), loadAsked(k).force);
+    if (free && freedom != JOINT_NONE) {
+        JointFactor factor = fetchJointFactor(k);
+        Asked asked = loadAsked(k);
         Motion given = Motion(vec3(0), vec3(0));
-        if (joint.parentJoint != NONE) given = shifted(loadMotion(joint.parentJoint, SLOT_MOTION), factor.parentArm);
+        if (joint.parentJoint != NONE) given = shifted(loadMotion(joint.parentJoint, SWEEP_MOTION), factor.parentArm);
         given = Motion(given.t - asked.error.t, given.r - asked.error.r);
         answer = answerTo(factor, given, asked.force);
-        vec3 yielded = vec3(0);
+        vec3 stopped = vec3(0);
 #ifdef LIMITS
-        yielded = stopYield(k, answer.motion.r - given.r);
+        stopped = stopTorqueOf(k, answer.motion.r - given.r);
 #endif
-        if (joint.freedom == JOINT_BALL) answer.held.r = yielded;
-        if (joint.freedom == JOINT_HINGE) answer.held.r += factor.axis * dot(factor.axis, yielded - answer.held.r);
+        if (freedom == JOINT_BALL) answer.held.r = stopped;
+        if (freedom == JOINT_HINGE) answer.held.r += factor.axis * dot(factor.axis, stopped - answer.held.r);
         answer.motion = shifted(answer.motion, -factor.arm);
     }
-    storeMotion(k, SLOT_MOTION, answer.motion);
+    storeMotion(k, SWEEP_MOTION, answer.motion);
     return answer;
 }

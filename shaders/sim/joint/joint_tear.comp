@@ -3,15 +3,12 @@
 // stay with the first of their bodies.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
-#include "sim/common/bodies/mover_info.glsl"
 #include "sim/joint/joint_info.glsl"
-#include "sim/joint/joint_states.glsl"
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
 uniform usamplerBuffer jointStrengths;
 uniform usamplerBuffer jointParticles;
-BUFFER(uvec4, JointBodies, newJointBodies);
-BUFFER(vec4, JointPassed, jointPassed);
+BUFFER(uint, JointFreedoms, newJointFreedoms);
 BUFFER(vec4, JointLoads, jointLoads);
 BUFFER(uvec2, ParticleLinks, newParticleLinks);
 BUFFER(vec4, RowImpulses, newRowImpulses);
@@ -51,12 +48,13 @@ vec3 meanLoad(uint entry, vec3 load)
 /// How much of what a joint can bear it bears, 0 for one that is torn.
 float loadOf(uint k, float squaredTime)
 {
-    if (fetchTreeJoint(k).freedom == JOINT_NONE) return 0.0;
-    uint row = fetchJointRows(k).row;
+    JointInfo joint = fetchJoint(k);
+    if (fetchFreedom(k) == JOINT_NONE || !responds(joint.body)) return 0.0;
+    uint row = joint.row;
     JointStrength strength = fetchJointStrength(k);
-    float load = length(meanLoad(2u * k, newRowImpulses[row].xyz / squaredTime)) / strength.force;
+    float load = length(meanLoad(JOINT_LOAD_TEXELS * k, newRowImpulses[row].xyz / squaredTime)) / strength.force;
 #ifdef ANGULAR
-    vec3 torque = meanLoad(2u * k + 1u, newRowAngularImpulses[row].xyz / squaredTime);
+    vec3 torque = meanLoad(JOINT_LOAD_TEXELS * k + 1u, newRowAngularImpulses[row].xyz / squaredTime);
     load = max(load, length(torque) / strength.torque);
 #endif
     return load;
@@ -64,13 +62,11 @@ float loadOf(uint k, float squaredTime)
 
 void tear(uint k)
 {
-    JointRows rows = fetchJointRows(k);
+    JointInfo joint = fetchJoint(k);
     JointStrength strength = fetchJointStrength(k);
-    newJointBodies[k].w = JOINT_NONE;
-    letGo(rows.row);
-    letGo(rows.parentRow);
-    storeForce(k, SLOT_PASSED, Force(vec3(0), vec3(0)));
-    for (uint i = 0u; i < JOINT_PASSED; ++i) jointPassed[JOINT_PASSED * k + i] = vec4(0);
+    newJointFreedoms[k] = JOINT_NONE;
+    letGo(joint.row);
+    letGo(joint.parentRow);
     for (uint i = strength.first; i < strength.end; ++i) newParticleLinks[texelFetch(jointParticles, int(i)).x].y = 1u;
 }
 
@@ -79,8 +75,8 @@ void main()
     uint index = gl_GlobalInvocationID.x;
     if (index >= sim.jointTreeCount) return;
     JointTree tree = fetchJointTree(index);
-    uint assembly = fetchMover(fetchTreeJoint(tree.first).body).assembly;
-    if (isAsleep(assembly)) return;
+    if (treeRests(tree)) return;
+    uint assembly = fetchMover(fetchJoint(tree.first).body).assembly;
     float squaredTime = accelerationFactor(fetchAssembly(assembly)) * sim.substepTime * sim.substepTime;
     uint worst = NONE;
     float most = 1.0;

@@ -18,7 +18,7 @@ void main()
     uint b = gl_GlobalInvocationID.x;
     if (b >= sim.bodyCount) return;
     bodyActing[b] = BodyActingSums(0u, bodyActing[b].now);
-    if (isAsleep(fetchMover(b).assembly)) {
+    if (!responds(b)) {
         moverMoves[b] = vec4(0);   // the sums hold nothing but rounding
         return;
     }

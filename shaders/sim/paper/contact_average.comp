@@ -5,7 +5,7 @@
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/particles.glsl"
-#include "sim/common/bodies/sleep.glsl"
+#include "sim/common/bodies/mover_info.glsl"
 #include "sim/paper/body_acting.glsl"
 #include "sim/paper/contact_pushes.glsl"
 
@@ -35,7 +35,7 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.particleCount) return;
     ParticleInfo info = fetchParticle(i);
-    if (isAsleep(info.assembly)) {
+    if (!responds(fetchRank(i).mover)) {
         moved[i] = vec4(0);
         return;
     }

@@ -26,9 +26,9 @@ void setVelocity(uint i, vec3 move, vec3 next)
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= sim.particleCount || isFixed(fetchRank(i).mover)) return;
+    if (i >= sim.particleCount) return;
     ParticleInfo info = fetchParticle(i);
-    if (isAsleep(info.assembly)) {
+    if (!moves(fetchRank(i).mover)) {
         setVelocity(i, vec3(0), vec3(0));
         return;
     }

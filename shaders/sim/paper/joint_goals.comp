@@ -30,7 +30,7 @@ void main()
         Owner owner = fetchOwner(l);
         sum += goalMove(owner.body, fetchLink(owner.link).r);
     }
-    bool matched = !isFixed(fetchRank(i).mover);
+    bool matched = responds(fetchRank(i).mover);
     vec3 mean = matched ? sum / float(owners.count) : texelFetch(moved, int(i)).xyz;
 #ifdef STABILIZE
     vec3 position = positions[i].xyz + mean;

@@ -22,23 +22,22 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.particleCount) return;
-    bool fixedHere = isFixed(fetchRank(i).mover);
-    float inverseMass = fixedHere ? 0.0 : fetchMass(i).inverseMass;
+    bool free = responds(fetchRank(i).mover);
+    float inverseMass = free ? fetchMass(i).inverseMass : 0.0;
     uint assembly = fetchParticle(i).assembly, now = counters[0].substep;
-    bool asleep = isAsleep(assembly);
-    bool second = !asleep && sim.secondOrder == 1u && now > 0u && assemblies[assembly].lastContact + 1u != now;
-    assemblies[assembly].order = second ? 2u : 1u;
+    bool second = free && sim.secondOrder == 1u && now > 0u && assemblies[assembly].lastContact + 1u != now;
+    if (free) assemblies[assembly].order = second ? 2u : 1u;
 
     float h = sim.substepTime;
     vec3 v = texelFetch(velocities, int(i)).xyz;
     vec3 move = vec3(0);
-    if (!fixedHere && second) {
+    if (second) {
         vec3 lastMove = texelFetch(oldMoves, int(i)).xyz;
         vec3 lastV = texelFetch(oldVelocities, int(i)).xyz;
         move = lastMove / 3.0 + h * (8.0 * v - 2.0 * lastV + 4.0 * h * sim.gravity.xyz) / 9.0;
-    } else if (!fixedHere && !asleep)
+    } else if (free)
         move = h * (v + h * sim.gravity.xyz);
     vec3 start = texelFetch(positions, int(i)).xyz;
-    newPredicted[i] = pack(PredictedMove(move, asleep ? 0.0 : contactScale(start) * inverseMass));
+    newPredicted[i] = pack(PredictedMove(move, contactScale(start) * inverseMass));
     if (distance(start + move, texelFetch(searchPositions, int(i)).xyz) > sim.drift) counters[0].due = 1u;
 }

@@ -19,7 +19,7 @@ void main()
     if (i >= sim.particleCount) return;
     ParticleInfo info = fetchParticle(i);
     if (info.bodyCount > 1u) return;
-    bool matched = info.bodyCount == 1u && !isFixed(info.body);
+    bool matched = info.bodyCount == 1u && responds(info.body);
     vec3 goal = matched ? goalMove(info.body, fetchArm(i).r) : texelFetch(moved, int(i)).xyz;
 #ifdef STABILIZE
     positions[i].xyz += goal;

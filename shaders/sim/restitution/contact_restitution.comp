@@ -23,7 +23,7 @@ vec4 ledgerOf(uvec2 movers, vec3 rA, vec3 rB, vec3 normal, Impulse last, float n
 {
     vec3 solvedA = velocitySolved(movers.x, rA), solvedB = velocitySolved(movers.y, rB);
     float solved = dot(normal, solvedA - solvedB), sum = max(last.normal, 0.0);
-    if (isFixed(movers.x) || isFixed(movers.y)) return vec4(gainOf(sum, solved, now, 1.0), 0, 0);
+    if (!responds(movers.x) || !responds(movers.y)) return vec4(gainOf(sum, solved, now, 1.0), 0, 0);
     Arrival a = arrivalOf(movers.x, rA), b = arrivalOf(movers.y, rB);
     vec3 before = a.velocity + b.velocity + sim.substepTime * (a.pull + b.pull);
     return vec4(gainOf(sum, solved, now, 0.5), 0.25 * dot(solver, before + solvedA + solvedB), 0);

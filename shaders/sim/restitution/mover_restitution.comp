@@ -32,7 +32,12 @@ void main()
 {
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
-    if (isFixed(m)) return;   // its splits stay 0
+    if (!responds(m)) {
+#ifdef DETECT
+        moverRestitutionSplits[m] = 0.0;
+#endif
+        return;
+    }
     MoverInfo mover = fetchMover(m);
     Sum sum = contactSum(mover, counters[0].listParity);
     Field v = fetchField(lastMoverVelocities, m);

@@ -56,7 +56,7 @@ float affordable(vec2 gains, float budget)
 void main()
 {
     uint m = gl_GlobalInvocationID.x;
-    if (m >= sim.moverCount || isFixed(m)) return;
+    if (m >= sim.moverCount || !responds(m)) return;
     MoverInfo mover = fetchMover(m);
     moverRestitutionShares[m] = vec4(1);
     if (texelFetch(moverRestitutionSplits, int(m)).x == 0.0) return;

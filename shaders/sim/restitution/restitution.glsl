@@ -22,7 +22,7 @@ float restitutionSplits(uint mover)
 /// The shares that a mover can afford of its impulses here and of the solver's, 0 ... 1.
 vec2 restitutionShares(uint mover)
 {
-    return isFixed(mover) ? vec2(1) : texelFetch(moverRestitutionShares, int(mover)).xy;
+    return !responds(mover) ? vec2(1) : texelFetch(moverRestitutionShares, int(mover)).xy;
 }
 
 /// The angular velocity of a velocity field, of axes turned about as far as these. The field is a chord, which points
@@ -62,10 +62,10 @@ struct Arrival {
 
 Arrival arrivalOf(uint mover, vec3 r)
 {
-    if (isFixed(mover)) return Arrival(vec3(0), vec3(0), vec3(0));
+    if (!moves(mover)) return Arrival(vec3(0), vec3(0), vec3(0));
     Field move = fetchField(oldMoverMoves, mover);
     return Arrival(pointVelocity(fetchField(oldMoverVelocities, mover), mover, r), move.t + move.f * r,
-                   sim.gravity.xyz);
+                   responds(mover) ? sim.gravity.xyz : vec3(0));
 }
 
 /// The speed at which two meet [m/s]: gravity speeds them up on their way there, v^2 = v0^2 + 2 g s.

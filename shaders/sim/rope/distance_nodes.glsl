@@ -25,13 +25,21 @@ DistanceRow fetchRow(uint row)
 /// What never changes about a node.
 struct NodeInfo {
     uint mover, rank, particle;
-    float inverseMass;   // [1/kg]; of a particle of a body: over how many nodes its mass is split. 0: nothing moves it
+    float inverseMass;   // [1/kg]; of a particle of a body: over how many nodes its mass is split. 0: it does not respond
 };
 
 NodeInfo fetchNodeInfo(uint node)
 {
     uvec4 t = texelFetch(distanceNodes, int(node));
-    return NodeInfo(t.x, t.y, t.z, isFixed(t.x) ? 0.0 : uintBitsToFloat(t.w));
+    return NodeInfo(t.x, t.y, t.z, responds(t.x) ? uintBitsToFloat(t.w) : 0.0);
+}
+
+/// Whether nothing of a row responds.
+bool rests(DistanceRow row)
+{
+    for (uint node = row.first; node <= row.last; ++node)
+        if (fetchNodeInfo(node).inverseMass > 0.0) return false;
+    return true;
 }
 
 /// What never changes about a link.

@@ -72,6 +72,7 @@ void main()
     uint index = range.x + gl_GlobalInvocationID.x;
     if (index >= range.y) return;
     DistanceRow row = fetchRow(index);
+    if (rests(row)) return;
     float squaredTime = accelerationFactor(fetchAssembly(row.assembly)) * sim.substepTime * sim.substepTime;
     vec3 move = eliminate(row, squaredTime), before = vec3(0);
     for (uint k = row.first; k < row.last; ++k) {

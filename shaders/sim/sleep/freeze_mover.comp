@@ -2,9 +2,9 @@
 // steps (paper, section 3.1: freezing). If so, the assembly begins to count anew, from where it is now.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
-#include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
 #include "sim/common/particles.glsl"
+#include "sim/sleep/calm.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
@@ -16,7 +16,7 @@ void main()
 {
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
-    if (isFixed(m)) return;
+    if (!mayRest(m)) return;
     MoverInfo mover = fetchMover(m);
     bool body = m < sim.bodyCount;
     vec3 centre = body ? fetchCentre(m) : texelFetch(positions, int(fetchRankedParticle(mover.firstRank))).xyz;

@@ -1,11 +1,13 @@
 // One thread an assembly: for how many steps all its particles have stayed where they are. It freezes after calmSteps.
 #include "sim/common/kernel.glsl"
-#include "sim/common/bodies/sleep.glsl"
+#include "sim/common/bodies/assemblies.glsl"
+#include "sim/sleep/calm.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(Calm, AssemblyCalm, calms);
 BUFFER(Calm, AssemblyNext, assemblyNext);
 BUFFER(uint, IslandsWoken, islandsWoken);
+BUFFER(Assembly, AssemblyState, assemblies);
 
 void main()
 {
@@ -14,4 +16,5 @@ void main()
     calms[a].steps = assemblyNext[a].steps == 0u ? 0u : min(calms[a].steps + 1u, sim.calmSteps);
     assemblyNext[a].steps = sim.calmSteps;
     islandsWoken[a] = 0u;
+    if (sleeps(calms[a])) assemblies[a].order = 1u;   // with which it will wake
 }

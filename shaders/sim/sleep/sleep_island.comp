@@ -1,7 +1,7 @@
 // One thread a contact between particles: what touches is an island, as calm as the least calm of it and with one name.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/contacts.glsl"
-#include "sim/common/bodies/mover_info.glsl"
+#include "sim/sleep/calm.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairSides;
@@ -15,8 +15,8 @@ void main()
     if (q >= counters[0].pairCount) return;
     uvec2 movers = fetchContactSides(pairSides, q).movers;
     bool touching = fetchImpulse(pairImpulses, counters[0].listParity * sim.pairCapacity + q).normal > 0.0;
-    // Nothing passes through what is fixed.
-    if (!touching || isFixed(movers.x) || isFixed(movers.y)) return;
+    // Nothing passes through what is held.
+    if (!touching || !mayRest(movers.x) || !mayRest(movers.y)) return;
     uint a = fetchMover(movers.x).assembly, b = fetchMover(movers.y).assembly;
     Calm calmA = fetchCalm(a), calmB = fetchCalm(b);
     atomicMin(assemblyNext[a].steps, calmB.steps + 1u);

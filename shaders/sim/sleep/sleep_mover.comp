@@ -2,7 +2,7 @@
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/fields.glsl"
 #include "sim/common/bodies/bodies.glsl"
-#include "sim/common/bodies/mover_info.glsl"
+#include "sim/sleep/calm.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer moverVelocities;
@@ -12,7 +12,7 @@ void main()
 {
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
-    if (isFixed(m)) return;
+    if (!moves(m)) return;
     uint assembly = fetchMover(m).assembly;
     float radius = moverRadius(m);
     float speed = fastestOf(fetchField(moverVelocities, m), radius);

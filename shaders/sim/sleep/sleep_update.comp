@@ -1,12 +1,14 @@
 // One thread an assembly: takes over what sleep_mover and sleep_island found. One that has moved lately is an
 // island of its own.
 #include "sim/common/kernel.glsl"
-#include "sim/common/bodies/sleep.glsl"
+#include "sim/common/bodies/assemblies.glsl"
+#include "sim/sleep/calm.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(Calm, AssemblyCalm, calms);
 BUFFER(Calm, AssemblyNext, assemblyNext);
 BUFFER(uint, IslandsWoken, islandsWoken);
+BUFFER(Assembly, AssemblyState, assemblies);
 
 void main()
 {
@@ -17,4 +19,5 @@ void main()
     calms[a] = Calm(steps, steps < sim.calmSteps / 2u ? a : min(next.island, a));
     assemblyNext[a] = Calm(sim.calmSteps, a);
     islandsWoken[a] = 0u;
+    if (sleeps(calms[a])) assemblies[a].order = 1u;   // with which it will wake
 }

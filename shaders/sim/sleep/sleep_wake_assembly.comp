@@ -2,7 +2,7 @@
 // a search.
 #include "sim/common/kernel.glsl"
 #include "sim/common/groups.glsl"
-#include "sim/common/bodies/sleep.glsl"
+#include "sim/sleep/calm.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer islandsWoken;

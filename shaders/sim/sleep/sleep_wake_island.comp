@@ -1,7 +1,7 @@
 // One thread a contact between particles, touching or about to: what moves wakes the island of what sleeps.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/contacts.glsl"
-#include "sim/common/bodies/mover_info.glsl"
+#include "sim/sleep/calm.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairSides;

@@ -54,7 +54,7 @@ void main()
     vec3 change = (wanted - last) / max(1.0, root * (1.0 + steepest));
     softImpulses[i] = vec4(last + change, 0);
     particleImpulses[own.rank] = texelFetch(lastParticleImpulses, int(own.rank)) + vec4(change, 0);
-    if (isFixed(own.mover)) return;   // its clusters pull on what holds it
+    if (!responds(own.mover)) return;   // its clusters pull on what holds it
     moved.shift += fetchMover(own.mover).inverseMass * change;
     moverMoves[own.mover] = packMove(moved);
 }

@@ -1,7 +1,11 @@
 #include "sim/solver/body/body_stage.h"
 
 #include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
 
+#include "shared/joint_records.h"
 #include "sim/solver/layout/body_mass.h"
 #include "sim/solver/layout/cluster_links.h"
 #include "sim/solver/pack.h"
@@ -89,21 +93,34 @@ Movers makeMovers(const World& world, const Layout& layout)
     return movers;
 }
 
-}  // namespace
-
-Defines BodyStage::variant(const char* name, bool onParticles) const
+/// The substep that a body responds in first, NO_SUBSTEP where it is not held until a time.
+uint32_t releaseOf(const World& world, const Body& body)
 {
-    Defines variant{{name, "1"}};
-    if (onParticles) variant.push_back({"ON_PARTICLES", "1"});
-    if (hasAngular_) variant.push_back({"ANGULAR", "1"});
+    if (body.motion != Motion::Fixed || std::isinf(body.releaseTime)) return NO_SUBSTEP;
+    const double substep = double{world.settings.timeStep} / world.settings.substeps;
+    return static_cast<uint32_t>(std::min(std::ceil(body.releaseTime / substep - 1e-3), double{NO_SUBSTEP} - 1));
+}
+
+Defines with(std::initializer_list<std::pair<const char*, bool>> names)
+{
+    Defines variant;
+    for (const auto& [name, needed] : names)
+        if (needed) variant.push_back({name, "1"});
     return variant;
 }
 
+}  // namespace
+
 BodyStage::BodyStage(const StageSetup& setup, bool onParticles)
     : parameters_(setup.parameters), onParticles_(onParticles),
-      hasBodies_(setup.world.settings.solver == SolverKind::Impulse && setup.layout.bodyCount > 0),
-      hasLoose_(setup.world.settings.solver == SolverKind::Impulse && setup.layout.looseCount > 0),
-      hasAngular_(setup.rows.hasAngular())
+      solves_(setup.world.settings.solver == SolverKind::Impulse), hasFree_(solves_ && !setup.layout.freeBodies.empty()),
+      hasJointed_(solves_ && !setup.layout.jointedBodies.empty()), hasLoose_(solves_ && setup.layout.looseCount > 0),
+      releases_(solves_ && std::ranges::any_of(setup.world.bodies, [&](const Body& body) {
+          return releaseOf(setup.world, body) != NO_SUBSTEP;
+      })),
+      onParticle_(with({{"ON_PARTICLES", onParticles}})), warm_(with({{"WARM_START", true}})),
+      angular_(with({{"ANGULAR", setup.rows.hasAngular()}})),
+      jointed_(with({{"ON_PARTICLES", onParticles}, {"ANGULAR", setup.rows.hasAngular()}}))
 {
     uploadLinks(setup);
     uploadMovers(setup);
@@ -134,6 +151,11 @@ void BodyStage::uploadLinks(const StageSetup& setup)
         const uint32_t own = layout.ownLinkCounts[infos.size()];
         infos.push_back({body.linkStart, body.linkCount, own, body.linkCount - own});
     }
+    std::vector<uint32_t> order = layout.freeBodies;
+    order.insert(order.end(), layout.jointedBodies.begin(), layout.jointedBodies.end());
+    setup.parameters.freeBodyCount = static_cast<uint32_t>(layout.freeBodies.size());
+    setup.parameters.jointedBodyCount = static_cast<uint32_t>(layout.jointedBodies.size());
+    bodyOrder = {"bodyOrder", std::span<const uint32_t>(order)};
     links = {"links", std::span<const gpu::ParticleRigidBodyLink>(all)};
     particleLinks = {"particleLinks", std::span<const gpu::uvec2>(ranges)};
     linksOfParticle = {"linksOfParticle", std::span<const gpu::uvec2>(inverse)};
@@ -147,6 +169,12 @@ void BodyStage::uploadMovers(const StageSetup& setup)
     const std::vector<gpu::vec4> unturned(count, gpu::vec4{0, 0, 0, 1});
     const std::vector<gpu::vec4> changes(fields, gpu::vec4{0, 0, 0, INITIAL_RELAXATION});
     moverInfo = {"moverInfo", std::span<const gpu::MoverInfo>(movers.infos)};
+    std::vector<gpu::uvec2> releases;
+    for (uint32_t b = 0; b < setup.world.bodies.size(); ++b)
+        if (const uint32_t substep = releaseOf(setup.world, setup.world.bodies[b]); substep != NO_SUBSTEP)
+            releases.push_back({b, substep});
+    setup.parameters.releaseCount = static_cast<uint32_t>(releases.size());
+    bodyReleases = {"bodyReleases", std::span<const gpu::uvec2>(releases)};
     moverStates = {"moverStates", std::span<const uint32_t>(movers.states)};
     bodyMoments = {"bodyMoments", std::span<const gpu::vec4>(movers.moments)};
     bodyInertias = {"bodyInertias", std::span<const gpu::vec4>(movers.inertias)};
@@ -157,7 +185,9 @@ void BodyStage::uploadMovers(const StageSetup& setup)
     oldMoverVelocities = {"oldMoverVelocities", std::span<const gpu::vec4>(movers.velocities)};
     oldMoverMoves = {"oldMoverMoves", fields};
     moverMoves = {"moverMoves", count};
-    bodyLoads = {"bodyLoads", setup.layout.jointTrees.trees.empty() ? 0u : 4 * setup.layout.bodyCount};
+    bodyLoads = {"bodyLoads", setup.layout.jointedBodies.empty() ? 0u : BODY_LOAD_TEXELS * setup.layout.bodyCount};
+    bodyPushes = {"bodyPushes", 4 * size_t{setup.layout.bodyCount}};
+    bodyParticlePushes = {"bodyParticlePushes", onParticles_ ? 4 * size_t{setup.layout.bodyCount} : 0};
     moverRotationDeltas = {"moverRotationDeltas", std::span<const gpu::vec4>(unturned)};
     moverPredictions = {"moverPredictions", fields};
     moverImpulses = {"moverImpulses", fields};
@@ -168,44 +198,58 @@ void BodyStage::uploadRows(const RowPlan& rows)
 {
     std::vector<gpu::vec4> arms;
     for (const Vector3f& arm : rows.arms()) arms.push_back(pack(arm, 0));
-    const std::vector<gpu::vec4> acting(arms.size(), gpu::vec4{0, 0, 0, 1});
     bodyRows = {"bodyRows", std::span<const gpu::uvec2>(rows.bodies())};
     rowArms = {"rowArms", std::span<const gpu::vec4>(arms)};
-    rowImpulses = {"rowImpulses", std::span<const gpu::vec4>(acting)};
-    rowAngularImpulses = {"rowAngularImpulses", hasAngular_ ? arms.size() : 0};
+    rowImpulses = {"rowImpulses", arms.size()};
+    rowImpulses.clear();
+    rowAngularImpulses = {"rowAngularImpulses", rows.hasAngular() ? arms.size() : 0};
     rowAngularImpulses.clear();
 }
 
 void BodyStage::addBuffers(BufferTable& table)
 {
-    table.add(links, particleLinks, linksOfParticle, bodyInfo, bodyMoments, bodyInertias, bodyRounds, moverInfo,
-              moverStates, moverCentres, moverRotations, moverVelocities, oldMoverVelocities, oldMoverMoves, moverMoves,
-              moverRotationDeltas, bodyLoads, moverPredictions, moverImpulses, moverChanges, particleImpulses, bodyRows,
-              rowArms, rowImpulses, rowAngularImpulses);
+    table.add(links, particleLinks, linksOfParticle, bodyInfo, bodyOrder, bodyReleases, bodyMoments, bodyInertias,
+              bodyRounds, moverInfo, moverStates, moverCentres, moverRotations, moverVelocities, oldMoverVelocities,
+              oldMoverMoves, moverMoves, moverRotationDeltas, bodyLoads, bodyPushes, bodyParticlePushes,
+              moverPredictions, moverImpulses, moverChanges, particleImpulses, bodyRows, rowArms, rowImpulses,
+              rowAngularImpulses);
 }
 
 void BodyStage::predict(Recorder& recorder) const
 {
-    recorder.perElement(predictBodies_, parameters_.bodyCount);
-    recorder.perElement(predictLoose_, parameters_.moverCount - parameters_.bodyCount);
+    if (releases_) recorder.perElement(release_, parameters_.releaseCount);
+    recorder.perElement(predictFree_, parameters_.freeBodyCount);
+    recorder.perElement(predictJointed_, parameters_.jointedBodyCount);
+    recorder.perElement(predictLoose_, looseCount());
     if (onParticles_) recorder.perElement(clear_, parameters_.particleCount);
 }
 
 void BodyStage::warmStart(Recorder& recorder) const
 {
-    recorder.decided(warmStart_, DISPATCH_MOVERS);
+    if (hasFree_ || hasJointed_) recorder.decided(sumWarm_, DISPATCH_MOVERS);
+    if (hasFree_) recorder.decided(solveFreeWarm_, DISPATCH_MOVERS);
+    if (hasJointed_) recorder.decided(solveJointedWarm_, DISPATCH_MOVERS);
+    if (hasLoose_) recorder.decided(solveLooseWarm_, DISPATCH_MOVERS);
 }
 
 void BodyStage::solve(Recorder& recorder) const
 {
-    recorder.perElement(solveBodies_, parameters_.bodyCount);
-    recorder.perElement(solveLoose_, parameters_.moverCount - parameters_.bodyCount);
+    if (hasFree_ || hasJointed_) recorder.perElement(sum_, parameters_.bodyCount);
+    recorder.perElement(solveFree_, parameters_.freeBodyCount);
+    recorder.perElement(solveJointed_, parameters_.jointedBodyCount);
+    recorder.perElement(solveLoose_, looseCount());
 }
 
 void BodyStage::integrate(Recorder& recorder) const
 {
-    recorder.perElement(integrateBodies_, parameters_.bodyCount);
-    recorder.perElement(integrateLoose_, parameters_.moverCount - parameters_.bodyCount);
+    recorder.perElement(integrateFree_, parameters_.freeBodyCount);
+    recorder.perElement(integrateJointed_, parameters_.jointedBodyCount);
+    recorder.perElement(integrateLoose_, looseCount());
+}
+
+uint32_t BodyStage::looseCount() const
+{
+    return parameters_.moverCount - parameters_.bodyCount;
 }
 
 void BodyStage::placeParticles(Recorder& recorder) const

@@ -26,6 +26,8 @@ public:
     Buffer<gpu::uvec2> particleLinks;          ///< Per particle: first entry and count in linksOfParticle.
     Buffer<gpu::uvec2> linksOfParticle;        ///< Per link, grouped by particle: link, body.
     Buffer<gpu::BodyInfo> bodyInfo;            ///< Per body.
+    Buffer<uint32_t> bodyOrder;                ///< Bodies that may respond: those without joints, then those with.
+    Buffer<gpu::uvec2> bodyReleases;           ///< Bodies that are held until a time: body, substep that it responds in.
     Buffer<gpu::vec4> bodyMoments;     ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
     Buffer<gpu::vec4> bodyInertias;    ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
     Buffer<gpu::vec4> bodyRounds;      ///< Per body, two: ends of its centre line [m]; w: radius, rolling friction.
@@ -38,6 +40,8 @@ public:
     // Within a substep, per mover.
     Buffer<gpu::vec4> moverMoves;           ///< Of c since it began [m]; w: over how many impulses its mass is split.
     Buffer<gpu::vec4> moverRotationDeltas;  ///< The rotation since it began: a quaternion.
+    Buffer<gpu::vec4> bodyPushes;          ///< Per body, a field: what contacts and its particles add to it [kg m].
+    Buffer<gpu::vec4> bodyParticlePushes;  ///< Of it what acts on its particles, where anything does.
     Buffer<gpu::vec4> bodyLoads;         ///< Per body, four, of those with joints: what acts on it, how hard it turns.
     Buffer<gpu::vec4> moverPredictions;  ///< Field: the untouched move, A of eq. 9 after it.
     Buffer<gpu::vec4> moverImpulses;     ///< Field: what its contacts add to it [kg m].
@@ -46,7 +50,7 @@ public:
     // The channel of constraints (row_plan.h).
     Buffer<gpu::uvec2> bodyRows;           ///< Per body: its first row, and how many.
     Buffer<gpu::vec4> rowArms;             ///< Per row: where in the body it acts [m].
-    Buffer<gpu::vec4> rowImpulses;         ///< Per row: of this substep [kg m]; w: 1 if it acts.
+    Buffer<gpu::vec4> rowImpulses;         ///< Per row: of this substep [kg m].
     Buffer<gpu::vec4> rowAngularImpulses;  ///< Per row, where any has one: about the body's centre [kg m2].
 
 private:
@@ -54,19 +58,28 @@ private:
     void uploadMovers(const StageSetup& setup);
     void uploadRows(const RowPlan& rows);
 
+    uint32_t looseCount() const;
+
     const gpu::StepParameters& parameters_;
-    bool onParticles_, hasBodies_, hasLoose_, hasAngular_;
-    Pass predictBodies_{*this, "body/mover_predict", variant("BODIES", false), hasBodies_};
+    bool onParticles_, solves_, hasFree_, hasJointed_, hasLoose_, releases_;
+    Defines onParticle_, warm_, angular_, jointed_;
+    Pass release_{*this, "body/mover_release", {}, releases_};
+    Pass predictFree_{*this, "body/mover_predict", {}, hasFree_};
+    Pass predictJointed_{*this, "body/jointed_predict", angular_, hasJointed_};
     Pass predictLoose_{*this, "body/mover_predict", {{"LOOSE", "1"}}, hasLoose_};
     Pass clear_{*this, "body/impulse_clear", {}, onParticles_};
-    Pass warmStart_{*this, "body/mover_solve", variant("WARM_START", false), hasBodies_ || hasLoose_};
-    Pass solveBodies_{*this, "body/mover_solve", variant("BODIES", onParticles_), hasBodies_};
-    Pass solveLoose_{*this, "body/mover_solve", variant("LOOSE", onParticles_), hasLoose_};
-    Pass integrateBodies_{*this, "body/mover_integrate", {{"BODIES", "1"}}, hasBodies_};
+    Pass sumWarm_{*this, "body/impulse_sum", warm_, hasFree_ || hasJointed_};
+    Pass solveFreeWarm_{*this, "body/body_solve", warm_, hasFree_};
+    Pass solveJointedWarm_{*this, "body/jointed_solve", with(angular_, "WARM_START"), hasJointed_};
+    Pass solveLooseWarm_{*this, "body/loose_solve", warm_, hasLoose_};
+    Pass sum_{*this, "body/impulse_sum", onParticle_, hasFree_ || hasJointed_};
+    Pass solveFree_{*this, "body/body_solve", {}, hasFree_};
+    Pass solveJointed_{*this, "body/jointed_solve", jointed_, hasJointed_};
+    Pass solveLoose_{*this, "body/loose_solve", onParticle_, hasLoose_};
+    Pass integrateFree_{*this, "body/mover_integrate", {}, hasFree_};
+    Pass integrateJointed_{*this, "body/jointed_integrate", {}, hasJointed_};
     Pass integrateLoose_{*this, "body/mover_integrate", {{"LOOSE", "1"}}, hasLoose_};
-    Pass place_{*this, "body/particle_position", {}, hasBodies_ || hasLoose_};
-
-    Defines variant(const char* name, bool onParticles) const;
+    Pass place_{*this, "body/particle_position", {}, solves_};
 };
 
 }  // namespace knuckle

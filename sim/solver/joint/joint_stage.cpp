@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "shared/joint_records.h"
 #include "sim/solver/pack.h"
 
 namespace knuckle {
@@ -32,10 +33,9 @@ bool hasRow(const World& world, uint32_t body)
     return body != NO_INDEX && !neverResponds(world.bodies[body]);
 }
 
-Defines solveVariant(const StageSetup& setup)
+Defines loopVariant(const StageSetup& setup)
 {
     Defines variant;
-    if (!setup.layout.jointTrees.loops.empty()) variant.push_back({"LOOPS", "1"});
     if (setup.rows.hasAngular()) variant.push_back({"ANGULAR", "1"});
     if (limits(setup.world)) variant.push_back({"LIMITS", "1"});
     return variant;
@@ -52,12 +52,6 @@ Defines factorVariant(const StageSetup& setup)
 Defines tearVariant(const StageSetup& setup)
 {
     return setup.rows.hasAngular() ? Defines{{"ANGULAR", "1"}} : Defines{};
-}
-
-Defines with(Defines variant, const char* define)
-{
-    variant.push_back({define, "1"});
-    return variant;
 }
 
 gpu::vec4 packFrame(const Quaternionf& q)
@@ -86,7 +80,7 @@ JointStage::JointStage(const StageSetup& setup)
       shared_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.sharedParticles.empty()),
       hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()),
       hasLimits_(needed_ && limits(setup.world)), tears_(needed_ && tears(setup.world)),
-      variant_(solveVariant(setup)), factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")),
+      variant_(hasLoops_ ? with(loopVariant(setup), "LOOPS") : loopVariant(setup)), loopVariant_(loopVariant(setup)), factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")),
       tearVariant_(tearVariant(setup))
 {
     const Layout& layout = setup.layout;
@@ -102,39 +96,44 @@ void JointStage::uploadTrees(const StageSetup& setup)
     const JointTrees& trees = setup.layout.jointTrees;
     const std::vector<uint32_t> reserved = setup.rows.rowsOf(KIND);
     size_t next = 0;
-    std::vector<gpu::uvec4> ranges, bodies, rows;
+    std::vector<gpu::uvec4> ranges;
+    std::vector<gpu::JointInfo> infos;
+    std::vector<uint32_t> freedoms;
     const auto loops = static_cast<uint32_t>(trees.joints.size());
     std::vector<gpu::vec4> places;
     for (const JointTrees::Tree& tree : trees.trees)
         ranges.push_back({tree.first, tree.end, loops + tree.firstLoop, loops + tree.loopEnd});
     for (const JointTrees::Joint& joint : trees.all()) {
-        bodies.push_back({joint.body, joint.parent, joint.parentJoint, joint.freedom});
+        freedoms.push_back(joint.freedom);
         const bool held = joint.freedom != JOINT_NONE;
         const uint32_t row = held ? reserved[next++] : NO_INDEX;
         const uint32_t parentRow = held && hasRow(setup.world, joint.parent) ? reserved[next++] : NO_INDEX;
-        const bool isLoop = bodies.size() > trees.joints.size();
-        rows.push_back({row, parentRow, isLoop ? joint.bodyJoint : joint.firstChild, joint.childEnd});
+        infos.push_back({joint.body, joint.parent, joint.bodyJoint, joint.parentJoint, row, parentRow, joint.firstChild,
+                         joint.childEnd});
         places.push_back(pack(joint.side.arm, 0));
         places.push_back(pack(joint.parentSide.arm, 0));
         places.push_back(packFrame(joint.side.frame));
         places.push_back(packFrame(joint.parentSide.frame));
     }
     jointTrees = {"jointTrees", std::span<const gpu::uvec4>(ranges)};
-    jointBodies = {"jointBodies", std::span<const gpu::uvec4>(bodies)};
-    jointRows = {"jointRows", std::span<const gpu::uvec4>(rows)};
+    jointInfo = {"jointInfo", std::span<const gpu::JointInfo>(infos)};
+    jointFreedoms = {"jointFreedoms", std::span<const uint32_t>(freedoms)};
     jointPlaces = {"jointPlaces", std::span<const gpu::vec4>(places)};
-    jointFactors = {"jointFactors", 11 * bodies.size()};
-    jointPassed = {"jointPassed", 6 * bodies.size()};
-    jointStates = {"jointStates", 9 * bodies.size()};
-    bodyResponses = {"bodyResponses", 9 * size_t{setup.layout.bodyCount}};
+    jointFactors = {"jointFactors", JOINT_FACTOR_TEXELS * trees.joints.size()};
+    rootResponses = {"rootResponses", ROOT_RESPONSE_TEXELS * trees.joints.size()};
+    jointPassed = {"jointPassed", JOINT_PASSED_TEXELS * trees.joints.size()};
+    jointSweeps = {"jointSweeps", JOINT_SWEEP_TEXELS * trees.joints.size()};
+    loopFactors = {"loopFactors", LOOP_FACTOR_TEXELS * trees.loops.size()};
+    bodyResponses = {"bodyResponses", BODY_RESPONSE_TEXELS * size_t{setup.layout.bodyCount}};
     bodyResponses.clear();
+    setup.parameters.treeJointCount = static_cast<uint32_t>(trees.joints.size());
     setup.parameters.jointTreeCount = static_cast<uint32_t>(ranges.size());
 }
 
 void JointStage::uploadLimits(const StageSetup& setup)
 {
     constexpr float NONE = 4.0f;  // more than half a turn
-    std::vector<gpu::vec4> limits;
+    std::vector<gpu::JointLimits> limits;
     if (hasLimits_) {
         for (const JointTrees::Joint& joint : setup.layout.jointTrees.all()) {
             const TurnLimits l = joint.joint == NO_INDEX ? TurnLimits{} : setup.world.joints[joint.joint].limits;
@@ -143,8 +142,8 @@ void JointStage::uploadLimits(const StageSetup& setup)
                               std::isinf(l.stiffness) ? 0.0f : l.stiffness});
         }
     }
-    jointLimits = {"jointLimits", std::span<const gpu::vec4>(limits)};
-    jointStops = {"jointStops", 4 * limits.size()};
+    jointLimits = {"jointLimits", std::span<const gpu::JointLimits>(limits)};
+    jointStops = {"jointStops", JOINT_STOP_TEXELS * limits.size()};
     jointStops.clear();
 }
 
@@ -164,14 +163,15 @@ void JointStage::uploadStrengths(const StageSetup& setup)
     }
     jointStrengths = {"jointStrengths", std::span<const gpu::uvec4>(strengths)};
     jointParticles = {"jointParticles", std::span<const uint32_t>(particles)};
-    jointLoads = {"jointLoads", 2 * strengths.size()};
+    jointLoads = {"jointLoads", JOINT_LOAD_TEXELS * strengths.size()};
     jointLoads.clear();
 }
 
 void JointStage::addBuffers(BufferTable& table)
 {
-    table.add(sharedParticles, jointTrees, jointBodies, jointRows, jointPlaces, jointFactors, jointPassed, jointStates,
-              jointLimits, jointStops, jointStrengths, jointParticles, jointLoads, bodyResponses);
+    table.add(sharedParticles, jointTrees, jointInfo, jointFreedoms, jointPlaces, jointFactors, rootResponses,
+              jointPassed, jointSweeps, loopFactors, jointLimits, jointStops, jointStrengths, jointParticles, jointLoads,
+              bodyResponses);
 }
 
 void JointStage::factor(Recorder& recorder) const
@@ -190,6 +190,7 @@ void JointStage::updateLimits(Recorder& recorder) const
 void JointStage::solve(Recorder& recorder) const
 {
     recorder.groups(solve_, treeGroups());
+    if (hasLoops_) recorder.groups(solveLoops_, treeGroups());
 }
 
 void JointStage::tear(Recorder& recorder) const
@@ -201,10 +202,11 @@ std::vector<bool> JointStage::tornParticles(const World& world) const
 {
     if (!tears_) return {};
     std::vector<bool> torn(world.particles.size(), false);
-    const std::vector<gpu::uvec4> bodies = jointBodies.download(), strengths = jointStrengths.download();
+    const std::vector<gpu::uvec4> strengths = jointStrengths.download();
+    const std::vector<uint32_t> freedoms = jointFreedoms.download();
     const std::vector<uint32_t> particles = jointParticles.download();
-    for (size_t k = 0; k < bodies.size(); ++k)
-        if (bodies[k].w == JOINT_NONE)
+    for (size_t k = 0; k < freedoms.size(); ++k)
+        if (freedoms[k] == JOINT_NONE)
             for (uint32_t i = strengths[k].z; i < strengths[k].w; ++i) torn[particles[i]] = true;
     return torn;
 }

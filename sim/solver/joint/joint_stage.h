@@ -29,18 +29,20 @@ public:
     Buffer<uint32_t> sharedParticles;  ///< The particles of two or more bodies.
     // Of the trees (layout/joint_trees.h).
     Buffer<gpu::uvec4> jointTrees;   ///< First joint, end; first loop, end.
-    Buffer<gpu::uvec4> jointBodies;  ///< Per joint: body, its parent, the parent's joint, JOINT_*.
-    Buffer<gpu::uvec4> jointRows;    ///< Per joint: rows of the channel of the body and of its parent; its own joint.
-    Buffer<gpu::vec4> jointPlaces;   ///< Per joint, four: arms in the two bodies [m], axes in the two.
-    Buffer<gpu::vec4> jointFactors;  ///< Per joint, eleven (shaders/sim/joint/joint_factors.glsl).
-    Buffer<gpu::vec4> jointPassed;   ///< Per joint, six: what its body hands to its parent of how it answers.
-    Buffer<gpu::vec4> jointStates;   ///< Per joint, nine (shaders/sim/joint/joint_states.glsl).
-    Buffer<gpu::vec4> jointLimits;   ///< Per joint: swing, turns about its axis [rad]; stiffness [N m/rad], 0: rigid.
-    Buffer<gpu::vec4> jointStops;    ///< Per joint, four (shaders/sim/joint/joint_stops.glsl).
+    Buffer<gpu::JointInfo> jointInfo;   ///< Per joint, those that close loops last.
+    Buffer<uint32_t> jointFreedoms;     ///< Per joint: JOINT_*; of a torn one JOINT_NONE.
+    Buffer<gpu::vec4> jointPlaces;      ///< Per joint: arms in the two bodies [m], axes in the two.
+    Buffer<gpu::vec4> jointFactors;     ///< Per joint of a tree: what its body and all that hangs on it add up to.
+    Buffer<gpu::vec4> rootResponses;    ///< Per joint of a tree: how its body answers where nothing holds it.
+    Buffer<gpu::vec4> jointPassed;      ///< Per joint of a tree: what of its body its parent sees.
+    Buffer<gpu::vec4> jointSweeps;      ///< Per joint of a tree: what the sweeps leave for each other.
+    Buffer<gpu::vec4> loopFactors;      ///< Per joint that closes a loop: how its ends move apart.
+    Buffer<gpu::JointLimits> jointLimits;  ///< Per joint, where any has limits.
+    Buffer<gpu::vec4> jointStops;    ///< Per joint: where its limits stop it, and how hard.
     Buffer<gpu::uvec4> jointStrengths;  ///< Per joint: bits of force [N], torque [N m]; first of jointParticles, end.
     Buffer<uint32_t> jointParticles;    ///< Those that its bodies share; of a world where joints tear.
-    Buffer<gpu::vec4> jointLoads;       ///< Per joint, two: what it bore in the substep before [N], [N m].
-    Buffer<gpu::vec4> bodyResponses;    ///< Per body, nine: how it answers to forces with what its joints move along.
+    Buffer<gpu::vec4> jointLoads;       ///< Per joint: what it bore in the substep before [N], [N m].
+    Buffer<gpu::vec4> bodyResponses;    ///< Per body: how it answers to forces with what its joints move along.
 
 private:
     void uploadTrees(const StageSetup& setup);
@@ -50,11 +52,12 @@ private:
 
     const gpu::StepParameters& parameters_;
     bool needed_, shared_, hasLoops_, hasLimits_, tears_;
-    Defines variant_, factorVariant_, againVariant_, tearVariant_;
+    Defines variant_, loopVariant_, factorVariant_, againVariant_, tearVariant_;
     Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
     Pass refactor_{*this, "joint/joint_factor", againVariant_, needed_&& hasLimits_};
     Pass factorLoops_{*this, "joint/joint_loop_factor", {}, hasLoops_};
     Pass solve_{*this, "joint/joint_solve", variant_, needed_};
+    Pass solveLoops_{*this, "joint/joint_loop_solve", loopVariant_, hasLoops_};
     Pass tear_{*this, "joint/joint_tear", tearVariant_, tears_};
     Pass place_{*this, "joint/joint_position", {}, shared_};
 };

@@ -56,6 +56,8 @@ void Layout::orderLinks(const World& world)
         const auto begin = linkOrder.begin() + body.linkStart;
         const auto shared = std::stable_partition(begin, begin + body.linkCount, isOwn);
         ownLinkCounts.push_back(static_cast<uint32_t>(shared - begin));
+        const auto index = static_cast<uint32_t>(ownLinkCounts.size() - 1);
+        if (!neverResponds(body)) (ownLinkCounts.back() < body.linkCount ? jointedBodies : freeBodies).push_back(index);
     }
     owners.resize(world.particles.size());
     for (uint32_t l = 0; l < linkCount; ++l) {

@@ -9,7 +9,7 @@ namespace knuckle {
 namespace {
 
 constexpr float NO_SELF_CONTACT = 1e9f;          // a margin [diameters] that nothing is beyond
-constexpr uint32_t NEVER_TOUCHED = 0x7fffffffu;  // a substep that no other follows
+
 
 /// Per particle: where its body's lattice ends. Bodies with joints are not flat (docs/trials.md), nor is any in
 /// the paper's solver.
@@ -56,7 +56,7 @@ ParticleStage::ParticleStage(const StageSetup& setup)
     velocities = {"velocities", std::span<const gpu::vec4>(speeds)};
     uploadConstants(setup);
     uploadRestOffsets(setup);
-    const std::vector<gpu::uvec2> untouched(setup.layout.assemblyCount, gpu::uvec2{NEVER_TOUCHED, 1u});
+    const std::vector<gpu::uvec2> untouched(setup.layout.assemblyCount, gpu::uvec2{NO_SUBSTEP, 1u});
     assemblyState = {"assemblyState", std::span<const gpu::uvec2>(untouched)};
 }
 

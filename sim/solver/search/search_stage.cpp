@@ -126,6 +126,7 @@ void SearchStage::count(Recorder& recorder) const
 
 void SearchStage::find(Recorder& recorder) const
 {
+    if (!byParticles_) recorder.perElement(drift_, parameters_.moverCount);
     count(recorder);
     if (!byParticles_) recorder.decided(reach_, DISPATCH_MOVERS);
     recorder.decided(position_, DISPATCH_PARTICLES);

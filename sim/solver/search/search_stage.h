@@ -45,6 +45,7 @@ private:
     const gpu::StepParameters& parameters_;
     /// Bodies of the paper's solver are particles until the end of a step.
     bool byParticles_, hasSolids_, hasColliders_;
+    Pass drift_{*this, "search/mover_drift", {}, hasSolids_ && !byParticles_};
     Pass due_{*this, "search/search_due"};
     Pass reach_{*this, "search/mover_reach", {}, hasSolids_ && !byParticles_};
     Pass position_{*this, "search/search_position", byParticles_ ? Defines{{"FROM_POSITIONS", "1"}} : Defines{},

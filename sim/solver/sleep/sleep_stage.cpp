@@ -47,21 +47,20 @@ void SleepStage::wake(Recorder& recorder) const
 {
     recorder.decided(wakeIsland_, DISPATCH_PAIRS);
     recorder.perElement(wakeAssembly_, parameters_.assemblyCount);
+    recorder.decided(wakeMovers_, DISPATCH_MOVERS);
 }
 
-void SleepStage::fallAsleep(Recorder& recorder) const
+void SleepStage::endStep(Recorder& recorder) const
 {
-    if (freezes_) return;
-    recorder.perElement(sleepMover_, parameters_.moverCount);
-    recorder.decided(sleepIsland_, DISPATCH_PAIRS);
-    recorder.perElement(sleepUpdate_, parameters_.assemblyCount);
-}
-
-void SleepStage::freeze(Recorder& recorder) const
-{
-    if (!freezes_) return;
-    recorder.perElement(freezeMover_, parameters_.moverCount);
-    recorder.perElement(freezeUpdate_, parameters_.assemblyCount);
+    if (freezes_) {
+        recorder.perElement(freezeMover_, parameters_.moverCount);
+        recorder.perElement(freezeUpdate_, parameters_.assemblyCount);
+    } else {
+        recorder.perElement(sleepMover_, parameters_.moverCount);
+        recorder.decided(sleepIsland_, DISPATCH_PAIRS);
+        recorder.perElement(sleepUpdate_, parameters_.assemblyCount);
+    }
+    recorder.perElement(rest_, parameters_.moverCount);
 }
 
 }  // namespace knuckle

@@ -5,7 +5,7 @@
 namespace knuckle {
 
 /// Sleep of islands (Settings::sleepSpeed), or freezing of assemblies by themselves (Settings::freeze); see
-/// shaders/sim/common/bodies/sleep.glsl.
+/// shaders/sim/sleep/calm.glsl.
 class SleepStage : public Stage {
 public:
     static bool isNeeded(const Settings& settings) { return settings.sleepSpeed > 0.0f || settings.freeze > 0.0f; }
@@ -14,10 +14,8 @@ public:
 
     /// What moves wakes what it comes near, in each substep after the search.
     void wake(Recorder& recorder) const;
-    /// Islands that have been calm for long fall asleep: at a step's end, before particles are placed.
-    void fallAsleep(Recorder& recorder) const;
-    /// The same of assemblies that freeze: after particles are placed.
-    void freeze(Recorder& recorder) const;
+    /// What has been calm for long falls asleep, or freezes: at a step's end, when particles are placed.
+    void endStep(Recorder& recorder) const;
 
     Buffer<gpu::uvec2> assemblyCalm, assemblyNext;  ///< Per assembly: steps that it was calm, name of its island.
     Buffer<uint32_t> islandsWoken;                  ///< By name: 1 if something woke it in this step.
@@ -28,6 +26,8 @@ private:
     bool freezes_;
     Pass wakeIsland_{*this, "sleep/sleep_wake_island"};
     Pass wakeAssembly_{*this, "sleep/sleep_wake_assembly"};
+    Pass wakeMovers_{*this, "sleep/sleep_state"};
+    Pass rest_{*this, "sleep/sleep_state"};
     Pass sleepMover_{*this, "sleep/sleep_mover", {}, !freezes_};
     Pass sleepIsland_{*this, "sleep/sleep_island", {}, !freezes_};
     Pass sleepUpdate_{*this, "sleep/sleep_update", {}, !freezes_};

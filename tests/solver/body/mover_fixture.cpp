@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <numeric>
 
 namespace knuckle::test {
 
@@ -19,6 +20,22 @@ MoverFixture::MoverFixture(World worldIn) : KernelFixture(std::move(worldIn))
     now.substep = SUBSTEP;
     now.listParity = 1;
     setCounters(now);
+}
+
+void MoverFixture::treatAllAsFree()
+{
+    std::vector<uint32_t> all(world.bodies.size());
+    std::iota(all.begin(), all.end(), 0u);
+    stages.bodies.bodyOrder = {"bodyOrder", std::span<const uint32_t>(all)};
+    stages.parameters.freeBodyCount = static_cast<uint32_t>(all.size());
+    stages.parameters.jointedBodyCount = 0;
+    setParameters();
+}
+
+void MoverFixture::forFreeAndLoose(const std::string& kernel, const Defines& defines)
+{
+    run(kernel, stages.parameters.freeBodyCount, defines);
+    run(kernel, moverCount() - stages.parameters.bodyCount, with(defines, "LOOSE"));
 }
 
 void MoverFixture::findParts()

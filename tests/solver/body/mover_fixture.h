@@ -41,6 +41,10 @@ public:
     bool isBody(uint32_t mover) const { return mover < world.bodies.size(); }
     bool isFixed(uint32_t mover) const { return isBody(mover) && world.bodies[mover].motion == Motion::Fixed; }
     double radius(uint32_t mover) const;
+    /// All bodies count as if they had no joints, those that are fixed for ever too.
+    void treatAllAsFree();
+    /// A kernel that is compiled for each kind: for bodies without joints, then for loose particles.
+    void forFreeAndLoose(const std::string& kernel, const Defines& defines = {});
     /// Where the shaders have a mover's field in an array of fields.
     uint32_t fieldStart(uint32_t mover) const;
     Field field(const std::vector<gpu::vec4>& fields, uint32_t mover) const;

@@ -8,7 +8,7 @@
 
 namespace knuckle::test {
 
-/// mover_solve in the middle of a substep: contacts with impulses in all three lists, joints' impulses, and sums of an
+/// The sums of impulses and the match in the middle of a substep: contacts with impulses in all three lists, joints' impulses, and sums of an
 /// iteration before.
 class MoverSolve : public testing::Test {
 protected:
@@ -31,8 +31,21 @@ protected:
         fill(b.bodies.moverPredictions, predictions);
         rowRanges = b.bodies.bodyRows.download();
         rowImpulses = randomVectors(b.bodies.rowImpulses.size(), 0.002f, 113);
-        for (gpu::vec4& row : rowImpulses) row.w = 1.0f;
         fill(b.bodies.rowImpulses, rowImpulses);
+    }
+    /// For all bodies as if they had no joints, and loose particles.
+    void solveAll(const Defines& defines = {})
+    {
+        fixture.treatAllAsFree();
+        fixture.run("body/impulse_sum", fixture.stages.parameters.bodyCount, defines);
+        fixture.run("body/body_solve", fixture.stages.parameters.freeBodyCount, with(defines, "ROWS"));
+        fixture.run("body/loose_solve", fixture.moverCount() - fixture.stages.parameters.bodyCount, defines);
+    }
+    /// For bodies with joints.
+    void loadJointed()
+    {
+        fixture.run("body/impulse_sum", fixture.stages.parameters.bodyCount);
+        fixture.run("body/jointed_solve", fixture.stages.parameters.jointedBodyCount);
     }
     Matrix3d moments(uint32_t m) const
     {

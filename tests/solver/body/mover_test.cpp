@@ -23,7 +23,7 @@ protected:
         fill(b.bodies.oldMoverMoves, oldMoves);
         fill(b.bodies.moverImpulses, impulses);
         fixture.setMoves(0.01f, 0.05f, 3.0f);
-        fill(b.search.searchCentres, std::vector<gpu::vec4>(fixture.moverCount(), gpu::vec4{0, 0, 0, 10}));
+        fixture.treatAllAsFree();
     }
     double h() const { return fixture.stages.parameters.substepTime; }
     Vector3d g() const { return vec3(fixture.stages.parameters.gravity).cast<double>(); }
@@ -84,14 +84,16 @@ protected:
     }
     void expectPredictions(bool second)
     {
-        fixture.forMovers("body/mover_predict");
+        fixture.forFreeAndLoose("body/mover_predict");
         for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
             SCOPED_TRACE("mover " + std::to_string(m));
             // Single precision gives a rotation to some 1e-6, times a body's ratio of length to width.
             if (!fixture.isFixed(m)) expectPrediction(m, second, 1e-5);
         }
-        for (const gpu::uvec2& state : fixture.stages.particles.assemblyState.download())
-            EXPECT_EQ(state.y, second ? 2u : 1u);
+        const auto states = fixture.stages.particles.assemblyState.download();
+        const auto infos = fixture.stages.bodies.moverInfo.download();
+        for (uint32_t m = 0; m < fixture.moverCount(); ++m)
+            if (!fixture.isFixed(m)) EXPECT_EQ(states[infos[m].assembly].y, second ? 2u : 1u) << "mover " << m;
     }
 
     MoverFixture fixture;
@@ -120,46 +122,50 @@ TEST_F(MoverPredict, TheFirstSubstepIsOfFirstOrder)
 TEST_F(MoverPredict, SolidBodiesTurnTheSameByHouseholder)
 {
     fixture.setAssemblies(MoverFixture::SUBSTEP - 1, 2);
-    fixture.forMovers("body/mover_predict", {{"HOUSEHOLDER", "1"}});
+    fixture.forFreeAndLoose("body/mover_predict", {{"HOUSEHOLDER", "1"}});
     for (uint32_t m : {0u, 1u, 2u, 3u}) expectPrediction(m, false, 1e-5);
 }
 
 TEST_F(MoverPredict, AllBodiesTurnTheSameByHigham)
 {
     fixture.setAssemblies(MoverFixture::SUBSTEP - 1, 2);
-    fixture.forMovers("body/mover_predict", {{"HIGHAM", "1"}});
+    fixture.forFreeAndLoose("body/mover_predict", {{"HIGHAM", "1"}});
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         SCOPED_TRACE("mover " + std::to_string(m));
         if (!fixture.isFixed(m)) expectPrediction(m, false, 1e-5);
     }
 }
 
-TEST_F(MoverPredict, FixedBodiesStay)
+TEST_F(MoverPredict, WhatIsFixedOrAsleepStaysAndWhatIsAnimatedIsLeftToItsAnimation)
 {
-    const auto predictions = fixture.stages.bodies.moverPredictions.download();
-    fixture.forMovers("body/mover_predict");
-    const auto found = fixture.stages.bodies.moverPredictions.download(),
-               moves = fixture.stages.bodies.moverMoves.download();
-    uint32_t fixed = 0;
+    fixture.setAssemblies(MoverFixture::SUBSTEP - 3, 1);
+    auto states = fixture.stages.bodies.moverStates.download();
+    for (uint32_t m = 0; m < fixture.moverCount(); ++m) states[m] = m % 4;
+    fill(fixture.stages.bodies.moverStates, states);
+    fixture.forFreeAndLoose("body/mover_predict");
+    const auto moves = fixture.stages.bodies.moverMoves.download(),
+               turns = fixture.stages.bodies.moverRotationDeltas.download();
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
-        if (!fixture.isFixed(m)) continue;
-        EXPECT_EQ(fixture.field(found, m).f, fixture.field(predictions, m).f);
-        EXPECT_EQ(vec3(moves[m]), vec3(fixture.moves[m]));
-        ++fixed;
+        SCOPED_TRACE("mover " + std::to_string(m));
+        if (states[m] == MOVER_DYNAMIC) EXPECT_EQ(moves[m].w, 3.0f);
+        if (states[m] == MOVER_ANIMATED) {
+            EXPECT_EQ(vec3(moves[m]), vec3(fixture.moves[m]));
+            EXPECT_EQ(quaternion(turns[m]).coeffs(), quaternion(fixture.turns[m]).coeffs());
+        }
+        if (states[m] < MOVER_FIXED) continue;
+        EXPECT_EQ(vec3(moves[m]), Vector3f::Zero());
+        EXPECT_EQ(moves[m].w, 0.0f);
+        EXPECT_EQ(quaternion(turns[m]).coeffs(), Quaternionf::Identity().coeffs());
     }
-    EXPECT_EQ(fixed, 2u);
 }
 
-/// Contacts as found a turn and a shift ago, with nothing moving since.
-class MoverDrift : public MoverPredict {
+/// Contacts as found a turn and a shift ago.
+class MoverDrift : public testing::Test {
 protected:
     bool isDue(uint32_t mover, const Vector3f& shift, float angle)
     {
         Stages& b = fixture.stages;
-        for (Buffer<gpu::vec4>* still : {&b.bodies.moverVelocities, &b.bodies.moverImpulses}) still->clear();
-        b.parameters.gravity = {0, 0, 0, 0};
-        fixture.setParameters();
-        fixture.setAssemblies(MoverFixture::SUBSTEP - 1, 1);
+        fixture.setMoves(0.0f, 0.0f, 1.0f);
         auto centres = fixture.centres, rotations = fixture.rotations;
         for (gpu::vec4& c : centres) c.w = 0.01f;
         centres[mover] = packed(Vector3f(vec3(centres[mover]) + shift), 0.01f);
@@ -170,9 +176,11 @@ protected:
         gpu::Counters now = fixture.counters();
         now.due = 0;
         fixture.setCounters(now);
-        fixture.forMovers("body/mover_predict");
+        fixture.forMovers("search/mover_drift");
         return fixture.counters().due == 1u;
     }
+
+    MoverFixture fixture;
 };
 
 TEST_F(MoverDrift, ContactsAreDueWhenTheFarthestParticleMayHaveLeftItsMargin)

@@ -195,13 +195,13 @@ void JointFixture::solve(bool loops, const Defines& more)
 {
     const auto groups = (stages.parameters.jointTreeCount + TREE_GROUP_SIZE - 1) / TREE_GROUP_SIZE;
     Defines variant;
-    if (loops) variant.push_back({"LOOPS", "1"});
     if (!angularRows.empty()) variant.push_back({"ANGULAR", "1"});
     variant.insert(variant.end(), more.begin(), more.end());
     variant.push_back({"RESPONSES", "1"});
     dispatch(load("joint/joint_factor", variant), groups);
     if (loops) dispatch(load("joint/joint_loop_factor", variant), groups);
-    dispatch(load("joint/joint_solve", variant), groups);
+    dispatch(load("joint/joint_solve", loops ? with(variant, "LOOPS") : variant), groups);
+    if (loops) dispatch(load("joint/joint_loop_solve", variant), groups);
     gpu().checkErrors();
 }
 

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <memory>
 #include <string>
 
+#include "shared/joint_records.h"
 #include "tests/solver/joint/joined_world.h"
 #include "tests/solver/joint/joint_fixture.h"
 
@@ -50,7 +52,7 @@ protected:
         fixture.solve(GetParam().loops);
         rows = fixture.stages.bodies.rowImpulses.download();
         angularRows = fixture.stages.bodies.rowAngularImpulses.download();
-        rowsOfJoint = fixture.stages.joints.jointRows.download();
+        jointInfo = fixture.stages.joints.jointInfo.download();
     }
 
     /// What the channel's rows of a joint gained: the linear part, the angular one.
@@ -66,7 +68,7 @@ protected:
     JointFixture fixture;
     JointFixture::Solution wanted;
     std::vector<gpu::vec4> rows, angularRows;
-    std::vector<gpu::uvec4> rowsOfJoint;
+    std::vector<gpu::JointInfo> jointInfo;
 };
 
 TEST_P(JointSolve, BodiesMoveAsADenseSolveOfAllTheirJointsSays)
@@ -97,7 +99,7 @@ TEST_P(JointSolve, RowsGainTheForcesThatHoldTheJoints)
     for (const Vector6d& held : wanted.held) largest = largest.cwiseMax(held.cwiseAbs());
     for (size_t j = 0; j < joints.size(); ++j) {
         if (joints[j].freedom == JOINT_NONE) continue;
-        const Vector6d off = gained(rowsOfJoint[j].x) - wanted.held[j];
+        const Vector6d off = gained(jointInfo[j].row) - wanted.held[j];
         EXPECT_LT(off.head<3>().norm(), GetParam().tolerance * largest.head<3>().norm()) << "joint " << j;
         EXPECT_LT(off.tail<3>().norm(), GetParam().tolerance * largest.norm()) << "joint " << j;
     }
@@ -107,11 +109,11 @@ TEST_P(JointSolve, WhatABodyGainsItsParentLoses)
 {
     const auto joints = fixture.trees().all();
     for (size_t j = 0; j < joints.size(); ++j) {
-        const gpu::uvec4 own = rowsOfJoint[j];
-        if (joints[j].freedom == JOINT_NONE || own.y == NO_INDEX) continue;
+        const gpu::JointInfo own = jointInfo[j];
+        if (joints[j].freedom == JOINT_NONE || own.parentRow == NO_INDEX) continue;
         // Each was added to what stood there.
-        const double size = vec3(rows[own.x]).norm() + vec3(rows[own.y]).norm() + 0.2;
-        EXPECT_LT((gained(own.x) + gained(own.y)).norm(), 4 * EPSILON * size) << "joint " << j;
+        const double size = vec3(rows[own.row]).norm() + vec3(rows[own.parentRow]).norm() + 0.2;
+        EXPECT_LT((gained(own.row) + gained(own.parentRow)).norm(), 4 * EPSILON * size) << "joint " << j;
     }
 }
 
@@ -124,9 +126,9 @@ TEST_P(JointSolve, EachBodyAnswersToAForceWithAllThatItsJointsMoveAlong)
         const JointFixture::Matrix6d w = fixture.response(joint.body);
         JointFixture::Matrix6d answer = JointFixture::Matrix6d::Zero();
         for (uint32_t c = 0; c < 3; ++c) {
-            answer.col(c) << vec3(found[9 * joint.body + c]).cast<double>(),
-                vec3(found[9 * joint.body + 3 + c]).cast<double>();
-            answer.col(3 + c).tail<3>() = vec3(found[9 * joint.body + 6 + c]).cast<double>();
+            answer.col(c) << vec3(found[BODY_RESPONSE_TEXELS * joint.body + c]).cast<double>(),
+                vec3(found[BODY_RESPONSE_TEXELS * joint.body + 3 + c]).cast<double>();
+            answer.col(3 + c).tail<3>() = vec3(found[BODY_RESPONSE_TEXELS * joint.body + 6 + c]).cast<double>();
         }
         answer.topRightCorner<3, 3>() = answer.bottomLeftCorner<3, 3>().transpose();
         EXPECT_LT((answer - w).norm(), 10 * GetParam().tolerance * w.norm()) << "body " << joint.body;
@@ -153,22 +155,54 @@ INSTANTIATE_TEST_SUITE_P(Worlds, JointSolve,
                                          JointCase{"chainHeldTwice", chainHeldTwice, true, 1e-3}),
                          [](const auto& tested) { return tested.param.name; });
 
-TEST(JointSolveAsleep, WhatSleepsStays)
+/// The world with some bodies that do not respond, found and solved.
+class JointSolveHeld : public testing::Test {
+protected:
+    /// @param held by body.
+    void solveWith(const std::vector<bool>& held, uint32_t state, bool loops = false)
+    {
+        auto states = fixture->stages.bodies.moverStates.download();
+        for (uint32_t b = 0; b < held.size(); ++b)
+            if (held[b]) states[b] = state;
+        fill(fixture->stages.bodies.moverStates, states);
+        fixture->solve(loops);
+    }
+    bool stayed(uint32_t body) const
+    {
+        return vec3(fixture->stages.bodies.moverMoves.download()[body]) == vec3(fixture->moves[body]);
+    }
+    std::unique_ptr<JointFixture> fixture;
+};
+
+TEST_F(JointSolveHeld, ATreeThatSleepsStays)
 {
-    Settings settings;
-    settings.sleepSpeed = 0.1f;
-    JointFixture fixture(branchedWorld(settings));
+    fixture = std::make_unique<JointFixture>(branchedWorld());
     // The hinge that a fixed body holds sleeps, the others do not.
-    const uint32_t sleeper = fixture.world.bodies[7].assembly;
-    std::vector<gpu::uvec2> calm(fixture.world.assemblyCount);
-    calm[sleeper].x = fixture.stages.parameters.calmSteps = 5;
-    fixture.setParameters();
-    fill(fixture.stages.sleep->assemblyCalm, calm);
-    fixture.solve(false, {{"SLEEP", "1"}});
-    const auto moves = fixture.stages.bodies.moverMoves.download();
-    for (const JointTrees::Joint& joint : fixture.trees().joints) {
-        const bool same = vec3(moves[joint.body]) == vec3(fixture.moves[joint.body]);
-        EXPECT_EQ(same, fixture.world.bodies[joint.body].assembly == sleeper) << "body " << joint.body;
+    const uint32_t sleeper = fixture->world.bodies[7].assembly;
+    std::vector<bool> asleep;
+    for (const Body& body : fixture->world.bodies) asleep.push_back(body.assembly == sleeper);
+    solveWith(asleep, MOVER_ASLEEP);
+    for (const JointTrees::Joint& joint : fixture->trees().joints)
+        EXPECT_EQ(stayed(joint.body), asleep[joint.body]) << "body " << joint.body;
+}
+
+TEST_F(JointSolveHeld, ABodyThatDoesNotRespondHoldsWhatHangsOnIt)
+{
+    // The same chain, once held by a body that is fixed for ever, once by one that only is for now.
+    const std::vector<Joining> chain = {{0, 1}, {1, 2, JointType::Hinge}, {2, 3, JointType::Stiff}, {3, 4}};
+    JointFixture forEver(joinedWorld(5, chain, {0}, 3000.0f));
+    forEver.solve(false);
+    World world = joinedWorld(5, chain, {0}, 3000.0f);
+    world.bodies[0].releaseTime = 1.0f;
+    fixture = std::make_unique<JointFixture>(world);
+    ASSERT_EQ(fixture->trees().joints.size(), 5u) << "it belongs to the tree";
+    fixture->solve(false);
+    EXPECT_TRUE(stayed(0));
+    const auto wanted = forEver.stages.bodies.moverMoves.download(), found = fixture->stages.bodies.moverMoves.download();
+    for (uint32_t b = 1; b < 5; ++b) {
+        // The same sums in the same order.
+        EXPECT_EQ(vec3(found[b]), vec3(wanted[b])) << "body " << b;
+        EXPECT_FALSE(stayed(b));
     }
 }
 

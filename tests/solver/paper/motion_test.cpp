@@ -221,11 +221,12 @@ TEST_F(FinishFrozen, WhatIsFrozenKeepsItsPlaceAndHasNoSpeed)
 {
     setAssemblies(0, 1);
     // Every second assembly.
-    std::vector<gpu::uvec2> calm;
-    for (uint32_t a = 0; a < fixture.stages.sleep->assemblyCalm.size(); ++a)
-        calm.push_back({a % 2 == 0 ? fixture.stages.parameters.calmSteps : 5u, a});
-    fill(fixture.stages.sleep->assemblyCalm, calm);
-    fixture.forParticles("paper/finish", {{"SLEEP", "1"}});
+    auto states = fixture.stages.bodies.moverStates.download();
+    const auto movers = fixture.stages.bodies.moverInfo.download();
+    for (size_t m = 0; m < states.size(); ++m)
+        if (movers[m].assembly % 2 == 0 && states[m] == MOVER_DYNAMIC) states[m] = MOVER_ASLEEP;
+    fill(fixture.stages.bodies.moverStates, states);
+    fixture.forParticles("paper/finish");
     const auto places = fixture.stages.particles.positions.download(),
                found = fixture.stages.particles.velocities.download();
     const auto infos = fixture.stages.particles.particleInfo.download();

@@ -1,5 +1,6 @@
-// What acts on bodies that joints hold, beyond what their moves answer to already, in the axes of the world: four texels
-// a body. The last two: xx, yy, zz, xy; xz, yz.
+// What acts on bodies that joints hold, beyond what their moves answer to already, in the axes of the world. Its last two
+// texels are the hessian: xx, yy, zz, xy; xz, yz.
+#include "shared/joint_records.h"
 #include "sim/common/bodies/bodies.glsl"
 
 uniform samplerBuffer bodyLoads;
@@ -12,15 +13,15 @@ struct BodyLoad {
 
 BodyLoad fetchBodyLoad(uint body)
 {
-    int first = int(4u * body);
+    int first = int(BODY_LOAD_TEXELS * body);
     vec4 t = texelFetch(bodyLoads, first + 2);
     return BodyLoad(texelFetch(bodyLoads, first).xyz, texelFetch(bodyLoads, first + 1).xyz,
                     symmetricMatrix(t.xyz, vec3(t.w, texelFetch(bodyLoads, first + 3).xy)));
 }
 
 #define STORE_BODY_LOAD(loads, body, load) \
-    loads[4u * (body)].xyz = (load).force; \
-    loads[4u * (body) + 1u].xyz = (load).torque; \
-    loads[4u * (body) + 2u] = vec4((load).hessian[0][0], (load).hessian[1][1], (load).hessian[2][2], \
+    loads[BODY_LOAD_TEXELS * (body)].xyz = (load).force; \
+    loads[BODY_LOAD_TEXELS * (body) + 1u].xyz = (load).torque; \
+    loads[BODY_LOAD_TEXELS * (body) + 2u] = vec4((load).hessian[0][0], (load).hessian[1][1], (load).hessian[2][2], \
                                    (load).hessian[0][1]); \
-    loads[4u * (body) + 3u].xy = vec2((load).hessian[0][2], (load).hessian[1][2]);
+    loads[BODY_LOAD_TEXELS * (body) + 3u].xy = vec2((load).hessian[0][2], (load).hessian[1][2]);

@@ -1,7 +1,6 @@
 // The channel through which constraints act on bodies. Each kind of constraint has reserved rows (sim/solver/layout/
 // row_plan.h), one for each of its impulses on a body, and stores them in every iteration; what sums them does not know
-// kinds. A row acts from the start, so one that has only an angular impulse need never store a linear one. ANGULAR: of a
-// world where rows have angular impulses, too.
+// kinds. ANGULAR: of a world where rows have angular impulses, too.
 #include "sim/common/bodies/fields.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
 
@@ -12,30 +11,18 @@ uniform samplerBuffer rowImpulses;
 uniform samplerBuffer rowAngularImpulses;   // about the body's centre, in the axes of the world [kg m2]
 #endif
 
-struct RowSum {
-    Field impulse;   // p and p r^T, of all
-    float acting;    // how many the body's mass is split over
-};
-
-/// What a row is stored as: an impulse [kg m] that acts.
-vec4 packRow(vec3 impulse)
-{
-    return vec4(impulse, 1);
-}
-
 /// What constraints add to a body. @param rotation its own now.
-RowSum rowSum(uint body, vec4 rotation)
+Field rowSum(uint body, vec4 rotation)
 {
-    RowSum sum = RowSum(Field(vec3(0), mat3(0)), 0.0);
+    Field sum = Field(vec3(0), mat3(0));
 #ifdef ANGULAR
     vec3 angular = vec3(0);
 #endif
     uvec2 rows = texelFetch(bodyRows, int(body)).xy;
     for (uint row = rows.x; row < rows.x + rows.y; ++row) {
-        vec4 t = texelFetch(rowImpulses, int(row));
-        sum.acting += t.w;
-        sum.impulse.t += t.xyz;
-        sum.impulse.f += outerProduct(t.xyz, texelFetch(rowArms, int(row)).xyz);
+        vec3 p = texelFetch(rowImpulses, int(row)).xyz;
+        sum.t += p;
+        sum.f += outerProduct(p, texelFetch(rowArms, int(row)).xyz);
 #ifdef ANGULAR
         angular += texelFetch(rowAngularImpulses, int(row)).xyz;
 #endif
@@ -44,7 +31,7 @@ RowSum rowSum(uint body, vec4 rotation)
     // The antisymmetric half of p r^T turns a body: of an angular impulse there is nothing else.
     mat3 axes = matrixFromQuaternion(rotation);
     angular *= 0.5;
-    sum.impulse.f += mat3(cross(angular, axes[0]), cross(angular, axes[1]), cross(angular, axes[2]));
+    sum.f += mat3(cross(angular, axes[0]), cross(angular, axes[1]), cross(angular, axes[2]));
 #endif
     return sum;
 }

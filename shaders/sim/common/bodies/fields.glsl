@@ -2,19 +2,13 @@
 // what shape matching sums are of this kind, so a rigid body is predicted, matched and finished without a visit to its
 // particles. Loose particles have t only.
 
-// A kernel over movers may be compiled for BODIES or LOOSE particles alone, so that no thread does the work of both.
+// A kernel may be for bodies or for loose particles alone.
 #if defined(BODIES)
 #define IS_BODY(mover) true
-#define MOVER_OF_THREAD gl_GlobalInvocationID.x
-#define MOVER_END sim.bodyCount
 #elif defined(LOOSE)
 #define IS_BODY(mover) false
-#define MOVER_OF_THREAD (sim.bodyCount + gl_GlobalInvocationID.x)
-#define MOVER_END sim.moverCount
 #else
 #define IS_BODY(mover) ((mover) < sim.bodyCount)
-#define MOVER_OF_THREAD gl_GlobalInvocationID.x
-#define MOVER_END sim.moverCount
 #endif
 
 struct Field {

@@ -1,5 +1,5 @@
-// What a mover is, and whether it answers to impulses.
-#include "sim/common/bodies/sleep.glsl"
+// What a mover is, and what it does now: whether it answers to impulses, and whether it moves. All kernels ask no more
+// than that; only the room `sleep` knows why something rests.
 
 uniform usamplerBuffer moverInfo;
 uniform usamplerBuffer moverStates;      // MOVER_*
@@ -10,14 +10,14 @@ MoverInfo fetchMover(uint m)
     return MoverInfo(t.x, t.y, t.z, uintBitsToFloat(t.w));
 }
 
-/// Whether nothing ever moves it. Its mass is uploaded all the same: only this says so.
-bool isFixed(uint m)
+/// Whether a mover answers to what acts on it. Its mass is there all the same: only this says so.
+bool responds(uint m)
 {
-    return texelFetch(moverStates, int(m)).x == MOVER_FIXED;
+    return texelFetch(moverStates, int(m)).x == MOVER_DYNAMIC;
 }
 
-/// Whether a mover answers to what acts on it: not while it is fixed or its assembly sleeps.
-bool responds(uint m, uint assembly)
+/// Whether a mover moves: what responds does, and what is animated, as it is told.
+bool moves(uint m)
 {
-    return !isFixed(m) && !isAsleep(assembly);
+    return texelFetch(moverStates, int(m)).x <= MOVER_ANIMATED;
 }

@@ -18,7 +18,7 @@ vec4 fetchRotation(uint mover)
 struct MoverMove {
     vec3 shift;     // of its centre [m]
     // As contacts see it: over how many impulses its mass is split, scaled (mass_scaling.glsl), over the relaxation.
-    // Others ask splitOverImpulses(). 0: it does not respond, or nothing has been summed yet.
+    // 0: it does not respond, or nothing has been summed yet.
     float splits;
 };
 

@@ -1,0 +1,20 @@
+// What a solve takes back: how far a joint is open now, but for what the substep keeps of it. And the moves of bodies.
+#include "sim/joint/joint_pose.glsl"
+
+BUFFER(vec4, MoverMoves, newMoverMoves);
+BUFFER(vec4, MoverRotationDeltas, newMoverRotationDeltas);
+
+Motion errorBeyond(uint k, Motion kept)
+{
+    JointInfo joint = fetchJoint(k);
+    Motion error = errorNow(jointSide(k, 0u, joint.body), jointSide(k, 1u, joint.parent), fetchFreedom(k));
+    return Motion(error.t - kept.t, error.r - kept.r);
+}
+
+void moveBody(uint body, Motion m)
+{
+    if (!responds(body)) return;
+    newMoverMoves[body].xyz = fetchMove(body).shift + m.t;
+    vec4 turned = quaternionProduct(quaternionFromSmallRotation(m.r), fetchRotationDelta(body));
+    newMoverRotationDeltas[body] = normalize(turned);
+}

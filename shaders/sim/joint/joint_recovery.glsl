@@ -1,0 +1,23 @@
+// What a substep takes back of an error that a joint has when it begins: a part, and no faster than at a walk.
+#include "math/spatial.glsl"
+
+/// The part of an error that is kept. @param error its size. @param most how much may be taken back in a second.
+float keptPart(float error, float most)
+{
+    const float CORRECTION = 0.5;
+    return 1.0 - min(CORRECTION, most * sim.substepTime / max(error, 1e-20));
+}
+
+const float MOST_JOINT_TURNING = 20.0;   // [rad/s]
+
+float keptOfTurn(float turned)
+{
+    return turned * keptPart(turned, MOST_JOINT_TURNING);
+}
+
+Motion keptOf(Motion error)
+{
+    const float MOST_SPEED = 1.0;   // [m/s]
+    return Motion(error.t * keptPart(length(error.t), MOST_SPEED),
+                  error.r * keptPart(length(error.r), MOST_JOINT_TURNING));
+}

@@ -1,0 +1,35 @@
+// The rows of the channel in which joints keep the impulses with which they hold. LIMITS, LOOPS: a row may be pushed more
+// than once by one thread.
+#include "sim/joint/joint_info.glsl"
+#include "math/spatial.glsl"
+
+uniform samplerBuffer lastRowImpulses;
+BUFFER(vec4, RowImpulses, newRowImpulses);
+#ifdef ANGULAR
+uniform samplerBuffer lastRowAngularImpulses;
+BUFFER(vec4, RowAngularImpulses, newRowAngularImpulses);
+#endif
+
+// Where each row is pushed once, what was there comes by a texture, which llvmpipe reads three times as fast.
+#if defined(LOOPS) || defined(LIMITS)
+#define ROW(name, row) new##name[row].xyz
+#else
+#define ROW(name, row) texelFetch(last##name, int(row)).xyz
+#endif
+
+void push(uint row, Force f)
+{
+    if (row == NONE) return;
+    newRowImpulses[row].xyz = ROW(RowImpulses, row) + f.t;
+#ifdef ANGULAR
+    newRowAngularImpulses[row].xyz = ROW(RowAngularImpulses, row) + f.r;
+#endif
+}
+
+/// @param held on the body; its parent gets the opposite.
+void pushBoth(uint k, Force held)
+{
+    JointInfo joint = fetchJoint(k);
+    push(joint.row, held);
+    push(joint.parentRow, Force(-held.t, -held.r));
+}
