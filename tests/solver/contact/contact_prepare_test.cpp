@@ -165,11 +165,9 @@ TEST_F(ContactPrepare, APairKnowsTheInverseMassesAlongItsNormalAsSharesOfTheWors
         for (int side : {0, 1}) {
             const uint32_t particle = side == 0 ? found[q].x : found[q].y;
             const gpu::vec4& arm = offsets[particle];
-            // What is fixed has a mass that does not matter.
-            const bool fixed = isFixed(fixture.world, fixture.world.particles[particle]);
             const SideMass mass = fixture.massOf(particle, vec3(arm), parting.normal);
-            const double wanted = fixed ? 1.0 : mass.normal / mass.worst;
-            const double worst = fixed ? static_cast<double>(arm.w) : mass.worst;
+            const double wanted = mass.normal / mass.worst;
+            const double worst = mass.worst;
             // Of the eigenvalue of a matrix: some 64 roundings.
             ASSERT_NEAR(arms[2 * q + static_cast<size_t>(side)].w, worst, 64 * 0x1p-24 * worst) << "pair " << q;
             const float share = static_cast<float>(sides[q].w >> (13 * side) & 0x1fffu) / 8191.0f;

@@ -49,7 +49,12 @@ Nearest nearest(const Matrix3d& a)
 
 class Rotation : public testing::Test {
 protected:
-    Rotation() : fixture(mixedWorld(byThePaper())), count(fixture.world.bodies.size()) {}
+    Rotation() : fixture(mixedWorld(byThePaper())), count(fixture.world.bodies.size())
+    {
+        // All bodies are cases, those too that the world has fixed.
+        fill(fixture.stages.bodies.moverStates,
+             std::vector<uint32_t>(fixture.stages.bodies.moverStates.size(), MOVER_DYNAMIC));
+    }
 
     /// Runs the kernel by this method on one case a body. @returns where each body ends.
     std::vector<Eigen::Quaterniond> solve(const Defines& method, const std::vector<Case>& cases)
