@@ -65,7 +65,7 @@ TEST_F(ContactRestitution, AnEagerIterationGivesMore)
     });
 }
 
-/// An impulse J that changes a relative velocity from u to w has done J (u + w) / 2; s J has done s J (u + s (w - u) / 2).
+/// An impulse J that changes a relative velocity from u to w has done J (u + w) / 2; s of it, s J (u + s (w - u) / 2).
 TEST_F(ContactRestitution, TheLedgerHasWhatTheImpulsesGiveAndWhatOneSideTookFromTheOther)
 {
     run({{"LEDGER", "1"}});
