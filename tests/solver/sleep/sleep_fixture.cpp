@@ -30,7 +30,8 @@ std::vector<gpu::uvec2> SleepFixture::randomCalms(uint32_t seed) const
     std::vector<gpu::uvec2> values;
     for (uint32_t a = 0; a < assemblyCount(); ++a) {
         const float kind = random.between(0, 3);
-        const auto between = static_cast<uint32_t>(random.between(1, static_cast<float>(calmSteps())));
+        const auto between = static_cast<uint32_t>(
+            random.between(1, kind < 1.5f ? 1.9f : static_cast<float>(calmSteps())));
         const auto island = static_cast<uint32_t>(random.between(0, static_cast<float>(a)));
         values.push_back({kind < 1 ? 0 : kind < 2 ? between : calmSteps(), island});
     }
