@@ -44,12 +44,13 @@ World emitterWorld()
         Emitter e;
         e.material = fluid;
         e.pool = k == 0 ? 301 : k == 1 ? 65 : 131;
-        // 0.8, 2 and 4.5 layers a step.
-        e.velocity = (k == 0 ? 2.4f : k == 1 ? 6.0f : 13.5f) * random.direction();
+        // 0.8, 1.5 and 4.5 layers a step.
+        e.velocity = (k == 0 ? 2.4f : k == 1 ? 4.6f : 13.5f) * random.direction();
         e.start = k == 1 ? 0.0 : 0.107;
         if (k == 2) e.stop = 2.3;
         e.takesOldest = k == 1;
-        const Nozzle nozzle = k == 0 ? rectangleNozzle(5 * d, 4 * d, d) : rectangleNozzle(2 * d, 2 * d, d);
+        const float side = k == 2 ? 2 * d : 6 * d;
+        const Nozzle nozzle = rectangleNozzle(side, k == 0 ? 3 * d : side, d);
         e.nozzle = placed(nozzle, random.inCube(0.3f), e.velocity.normalized());
         builder.addEmitter(e);
     }
@@ -90,13 +91,13 @@ void EmitterFixture::setSteps(uint32_t steps)
 void EmitterFixture::shuffle(uint32_t seed)
 {
     Random random(seed);
-    for (uint32_t k = 0; k < emitterCount(); ++k) {
-        for (uint32_t j = emitter(k).pool - 1; j > 0; --j) {
+    for (uint32_t k = 0; k < 2 * emitterCount(); ++k) {
+        const uint32_t pool = emitter(k / 2).pool, start = poolStart(k / 2) + k % 2 * poolCapacity();
+        for (uint32_t j = pool - 1; j > 0; --j) {
             const auto other = static_cast<uint32_t>(random.between(0, static_cast<float>(j) + 0.99f));
-            std::swap(order[poolStart(k) + j], order[poolStart(k) + other]);
+            std::swap(order[start + j], order[start + other]);
         }
     }
-    std::copy(order.begin(), order.begin() + poolCapacity(), order.begin() + poolCapacity());
     fill(stage().poolOrder, order);
 }
 

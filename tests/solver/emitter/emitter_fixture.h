@@ -26,7 +26,7 @@ public:
     void setSteps(uint32_t steps);
     uint32_t before() const { return (steps_ & 1) * poolCapacity(); }
     uint32_t after() const { return poolCapacity() - before(); }
-    /// Shuffles each pool's list, in both halves alike.
+    /// Shuffles each pool's list, each half by itself.
     void shuffle(uint32_t seed);
     /// Makes some particles of the pools inactive, `share` of them at random, and sums them up as a step does.
     void deactivate(float share, uint32_t seed);

@@ -28,7 +28,6 @@ TEST_F(FluidDrain, WhatIsInADrainLeavesAndTheNextStepKnowsWhoIsInactive)
     fixture.shuffle(441);
     fixture.deactivate(0.3f, 442);
     fixture.setTotals(100, 50);
-    const auto wasInactive = fixture.inactive;
     fill(fixture.stage().poolInactive, std::vector<uint32_t>(fixture.poolCapacity(), 0));
     fixture.runPools("emitter/fluid_drain", fixture.stages.parameters.fluidFilled + fixture.poolCapacity());
     const auto positions = fixture.stages.particles.positions.download();
@@ -49,7 +48,7 @@ TEST_F(FluidDrain, WhatIsInADrainLeavesAndTheNextStepKnowsWhoIsInactive)
     const auto inactive = fixture.stage().poolInactive.download();
     for (uint32_t place = 0; place < fixture.poolCapacity(); ++place) {
         const uint32_t i = fixture.order[fixture.after() + place];
-        const bool wanted = i != NO_INDEX && (wasInactive[place] != 0 || depth(fixture.positions[i]) > 0.0);
+        const bool wanted = i != NO_INDEX && (fixture.positions[i].w != 0.0f || depth(fixture.positions[i]) > 0.0);
         ASSERT_EQ(inactive[place], wanted ? 1u : 0u) << "place " << place;
     }
 }

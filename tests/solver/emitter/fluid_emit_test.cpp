@@ -8,13 +8,15 @@ namespace {
 
 class FluidEmit : public testing::Test {
 protected:
+    static constexpr uint32_t IN_FRONT = 18;
+
     FluidEmit()
     {
         fixture.shuffle(451);
         fixture.deactivate(0.8f, 452);
-        // Layers enough that some meet what is there: three, five and two of them.
+        // Of several layers, so that some meet what is there.
         states.resize(3);
-        const uint32_t layers[] = {3, 5, 2};
+        const uint32_t layers[] = {3, 1, 5};
         uint32_t candidates = 0;
         for (uint32_t k = 0; k < 3; ++k) {
             states[k].taken = layers[k] * fixture.pointCount(k);
@@ -24,7 +26,7 @@ protected:
         }
         candidates_ = candidates;
         // Fluid just in front of some of the nozzles' points.
-        for (uint32_t j = 0; j < 12; ++j) {
+        for (uint32_t j = 0; j < IN_FRONT; ++j) {
             const Emitter& e = fixture.emitter(j % 3);
             const Vector3f nozzle = e.nozzle.points[j % e.nozzle.points.size()];
             fixture.positions[fixture.solidCount() + j] = packed(Vector3f(nozzle + states[j % 3].age * e.velocity));
@@ -46,10 +48,12 @@ protected:
         auto old = fixture.positions;
         Random random(453);
         for (gpu::vec4& p : old) p = packed(Vector3f(vec3(p) + random.inCube(0.01f)), p.w);
+        // Half of those in front of the nozzles have been taken back since.
+        for (uint32_t j = 0; j < IN_FRONT; j += 2) fixture.positions[fixture.solidCount() + j].w = 1;
         fill(fixture.stages.fluids->fluidSearchPositions, old);
         fill(fixture.stages.particles.positions, fixture.positions);
         const auto count = static_cast<uint32_t>(old.size());
-        uint32_t active = 0;
+        uint32_t active = 0;  // of those that have a slot
         for (const gpu::vec4& p : old) active += p.w == 0.0f;
         fixture.setTotals(active - fixture.solidCount() - fixture.stages.parameters.fluidFilled, 0);
         const Defines fluids{{"FLUIDS", "1"}};
