@@ -114,7 +114,7 @@ TEST(Scenes, PotpourriStaysInItsBasin)
                     .strain = 2,
                     .densityError = 0.02f};
     expectWithin(watch(solver, scene, 2, 0), falling);
-    // Measured: 4e-6, 0.04, 0.0014, 4.5 m/s (a drop), 0.01, 6e-5, 0.15, 0.0012, and 0.4 m/s on the mean: it sloshes.
+    // Measured: 4e-6, 0.04, 0.0014, 4.5 m/s (a drop), 0.01, 6e-5, 0.15, 0.0012; 0.4 m/s on the mean.
     Watched sloshing{.gap = 3e-5f,
                      .penetration = 0.2f,
                      .meanPenetration = 0.01f,
