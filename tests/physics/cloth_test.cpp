@@ -71,10 +71,10 @@ TEST(Cloth, OfAModelWeighsItsAreaAndHangsWithoutStretching)
     double area = 0.0, loose = 0.0;
     for (float share : sheet.areas) area += static_cast<double>(share);
     for (const Particle& p : world.particles) loose += p.body == NO_INDEX ? static_cast<double>(p.mass) : 0.0;
-    EXPECT_NEAR(area, SIDE * SIDE, 1e-5);  // a sum of single precision
+    EXPECT_NEAR(area, SIDE * SIDE, 1e-7);  // a sum of single precision; measured 9e-9
     double held = 0.0;
     for (uint32_t i : upperCorners(sheet)) held += static_cast<double>(sheet.areas[i]);
-    EXPECT_NEAR(loose, 1000.0 * DIAMETER * (SIDE * SIDE - held), 1e-3);
+    EXPECT_NEAR(loose, 1000.0 * DIAMETER * (SIDE * SIDE - held), 2e-5);  // measured 2.4e-6
     Solver solver(gpu(), world);
     run(solver, world, 3);
     EXPECT_LT(solver.measure().worstStretch, 0.01f);
@@ -98,7 +98,7 @@ TEST(Cloth, CarriesACubeAndLetsNothingThrough)
     run(solver, world, 3);
     // It sags, but its threads from corner to corner are no longer than it.
     EXPECT_GT(solver.readBodies()[cube].position.y(), 1.2f);
-    EXPECT_LT(solver.measure().worstPenetration, 0.5f * DIAMETER);
+    EXPECT_LT(solver.measure().worstPenetration, 0.15f * DIAMETER);  // measured 0.017
     EXPECT_LT(solver.measure().meanStretch, 0.01f);
 }
 
@@ -132,7 +132,7 @@ TEST(Cloth, StopsWhatComesFast)
     run(solver, world, 0.15);
     // The sheet does not stretch: held at its edges it stops the cube at once. Uncaught it were 3 m lower.
     EXPECT_GT(solver.readBodies().back().position.y(), 1.5f - DIAMETER);
-    EXPECT_LT(solver.measure().worstPenetration, 0.5f * DIAMETER);
+    EXPECT_LT(solver.measure().worstPenetration, 0.01f * DIAMETER);  // measured 0
 }
 
 }  // namespace knuckle::test

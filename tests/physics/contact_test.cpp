@@ -28,9 +28,9 @@ TEST(Contact, ABlockSlidesOnARampIfAndOnlyIfItIsSteeperThanFriction)
 {
     for (float mu : {0.1f, 0.3f, 0.5f, 0.7f, 1.0f}) {
         const double angle = std::atan(mu) * 180.0 / M_PI;
-        // Two degrees below it stays: less than a particle radius in 2 s. Two degrees above, it accelerates by
+        // Two degrees below it stays: less than 1 % of a diameter in 2 s. Two degrees above, it accelerates by
         // g (sin a - mu cos a) = g sin(2 deg)/cos(atan mu) >= 0.342 m/s2: 0.68 m in 2 s; a third of it is asked.
-        EXPECT_LT(slideDown(angle - 2.0, mu), 0.5 * DIAMETER) << "friction " << mu;
+        EXPECT_LT(slideDown(angle - 2.0, mu), 0.007 * DIAMETER) << "friction " << mu;  // measured 7e-4
         EXPECT_GT(slideDown(angle + 2.0, mu), 0.2) << "friction " << mu;
     }
 }
@@ -46,7 +46,8 @@ TEST(Contact, FrictionDoesNotDependOnTheIterations)
         // Until it presses with its weight, in some ten substeps of 1/240 s, friction lags: at most 0.04 s of free
         // sliding, g sin(a) 0.04 s = 0.2 m/s beside an end speed of 2.1.
         EXPECT_NEAR(slideDown(slope * 180.0 / M_PI, mu, settings), truth, 0.1 * truth) << iterations << " iterations";
-        EXPECT_LT(slideDown(repose * 180.0 / M_PI - 5.0, mu, settings), 0.1 * DIAMETER) << iterations << " iterations";
+        // Measured 0.0012.
+        EXPECT_LT(slideDown(repose * 180.0 / M_PI - 5.0, mu, settings), 0.01 * DIAMETER) << iterations << " iterations";
     }
 }
 
@@ -95,7 +96,8 @@ TEST(Contact, ATowerOfTenCubesStandsForTenSecondsAndDoesNotBreathe)
         const auto bodies = solver.readBodies();
         for (size_t k = 0; k < bodies.size(); ++k) {
             const Vector3f drift = bodies[k].position - world.bodies[k].position;
-            EXPECT_LT(drift.norm(), 0.5f * DIAMETER) << "cube " << k << " drifted by " << drift.transpose();
+            // Measured 0.041.
+            EXPECT_LT(drift.norm(), 0.35f * DIAMETER) << "cube " << k << " drifted by " << drift.transpose();
         }
     }
 }
@@ -142,7 +144,7 @@ TEST(Contact, ABlockSlidesOnABlockOfParticlesAsOnAPlane)
             // Steps of 1/240 s sum to v h / 2 less, 0.8 %; asked: 5 %, of which bumps would leave less than half.
             const Vector3f moved = solver.readBodies()[1].position - world.bodies[1].position;
             EXPECT_NEAR(moved.norm(), braking, 0.05 * braking);
-            EXPECT_LT(std::abs(moved.y()), 0.02f * DIAMETER);
+            EXPECT_LT(std::abs(moved.y()), 0.01f * DIAMETER);  // measured 0.0013
         }
         for (double degrees : {10.0, 25.0}) {
             const World world = blockOnABlock(degrees, yaw, mu, {0, 0, 0});
@@ -168,7 +170,7 @@ TEST(Contact, ABlockAtRestNeitherSinksNorMoves)
     const Vector3f first = solver.readBodies()[0].position;
     run(solver, world, 2.0);
     EXPECT_LT((solver.readBodies()[0].position - first).norm(), 1e-3 * DIAMETER);
-    EXPECT_LT(solver.measure().worstPenetration, 0.01f * DIAMETER);
+    EXPECT_LT(solver.measure().worstPenetration, 0.006f * DIAMETER);  // measured 7e-4
 }
 
 TEST(Contact, TwoCubesThatCollideKeepTheirMomentum)
@@ -182,7 +184,7 @@ TEST(Contact, TwoCubesThatCollideKeepTheirMomentum)
     run(solver, world, 2.0);
     const Totals after = totals(world, solver.readParticles());
     // Both sides of a contact compute one impulse, so that only rounding is left.
-    EXPECT_LT((after.momentum - before.momentum).norm(), 1e-4 * before.speedSum);
+    EXPECT_LT((after.momentum - before.momentum).norm(), 3e-7 * before.speedSum);  // measured 4e-8
 }
 
 TEST(Contact, AFastCubeDoesNotPassThroughTheFloor)

@@ -149,9 +149,9 @@ TEST(SoftBody, ATumblingCubeKeepsMomentumAndAngularMomentum)
         const Totals before = totals(world, solver.readParticles());
         run(solver, world, 5.0);
         const Totals after = totals(world, solver.readParticles());
-        // Asked: 1e-4 of the sum of m v, and 2 %. Measured: 7e-5, from rounding; 0.02 %.
+        // Measured 7e-5, from rounding, and 6e-5.
         EXPECT_LT((after.momentum - before.momentum).norm(), 1e-4 * before.speedSum);
-        EXPECT_LT((after.angularMomentum - before.angularMomentum).norm(), 0.005 * before.angularMomentum.norm());
+        EXPECT_LT((after.angularMomentum - before.angularMomentum).norm(), 4e-4 * before.angularMomentum.norm());
     }
 }
 

@@ -74,7 +74,7 @@ TEST(Trap, TwoBoxesThatStartInterleavedPart)
         const World world = builder.build();
         Solver solver(gpu(), world);
         const float top = topSpeed(solver, world, 2.0);
-        EXPECT_LT(solver.measure().worstPenetration, 0.05f * DIAMETER) << offset.transpose();
+        EXPECT_LT(solver.measure().worstPenetration, 0.01f * DIAMETER) << offset.transpose();  // measured 0
         // A particle's distance to the other cube: none is inside any more.
         const auto bodies = solver.readBodies();
         const ParticleState state = solver.readParticles();
@@ -93,7 +93,7 @@ TEST(Trap, TenCubesHalfInsideEachOtherAndTheFloorComeApartWithoutFlying)
         const World world = overlaps(addCube, {1.5f * DIAMETER, 0, 0.3f * DIAMETER}, inRow);
         Solver solver(gpu(), world);
         EXPECT_LT(topSpeed(solver, world, 4.0), 2.0f);
-        EXPECT_LT(solver.measure().worstPenetration, 0.2f * DIAMETER);
+        EXPECT_LT(solver.measure().worstPenetration, 0.03f * DIAMETER);  // measured 0.0036
     }
 }
 
@@ -103,8 +103,8 @@ TEST(Trap, TenJointedPairsHalfInsideEachOtherAndTheFloorComeApartWithoutFlying)
     const World world = overlaps(add, {0.3f * DIAMETER, 0, 1.5f * DIAMETER}, 10);
     Solver solver(gpu(), world);
     EXPECT_LT(topSpeed(solver, world, 4.0), 2.0f);
-    EXPECT_LT(solver.measure().worstPenetration, 0.2f * DIAMETER);
-    EXPECT_LT(solver.measure().worstJointGap, 0.25f * DIAMETER);
+    EXPECT_LT(solver.measure().worstPenetration, 0.07f * DIAMETER);  // measured 0.0083
+    EXPECT_LT(solver.measure().worstJointGap, 5e-6f * DIAMETER);     // measured 6e-7
 }
 
 }  // namespace knuckle::test

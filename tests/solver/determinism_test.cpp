@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include "sim/solver/solver.h"
 #include "sim/world/builder/cloth.h"
 #include "sim/world/builder/rope.h"
+#include "tests/solver/determinism_worlds.h"
 #include "tests/solver/solver_test.h"
 
 namespace knuckle::test {
@@ -22,7 +24,24 @@ constexpr const char* WAY_VARIABLE = "KNUCKLE_TEST_WAY";
 const std::string MARK = "state hash ";
 
 /// Ways of solving that share few kernels.
-enum Way { DEFAULT, HASH, PAPER, GROUPS, SOFT, ROWS, FLUIDS, EMITTERS, WAYS };
+enum Way {
+    DEFAULT,
+    HASH,
+    PAPER,
+    GROUPS,
+    SOFT,
+    ROWS,
+    FLUIDS,
+    EMITTERS,
+    LIMITS,
+    BOUNCES,
+    SLEEP,
+    FREEZE,
+    ROUNDS,
+    GRIDS,
+    ALL_BY_HASH,
+    WAYS
+};
 
 Settings settingsOf(int way)
 {
@@ -145,6 +164,12 @@ World worldOf(int way)
     if (way == FLUIDS) return fluidWorld();
     if (way == SOFT) return softWorld();
     if (way == ROWS) return ropeWorld();
+    if (way == LIMITS) return limitedWorld();
+    if (way == BOUNCES) return bouncyWorld();
+    if (way == SLEEP || way == FREEZE) return sleepyWorld(way == FREEZE ? 0.5f : 0.0f);
+    if (way == ROUNDS) return roundWorld();
+    if (way == GRIDS) return gridWorld();
+    if (way == ALL_BY_HASH) return everyWorld(GridKind::Hash);
     World world = table2World(OBJECTS, settingsOf(way));
     // One of them is shot into the others, fast enough to look further for contacts than they do.
     for (Particle& p : world.particles)
@@ -196,8 +221,9 @@ TEST_P(DeterminismOf, APileHasTheSameBitsTwiceAndAtAnyNumberOfDriverThreads)
 
 std::string wayName(const testing::TestParamInfo<int>& way)
 {
-    static constexpr const char* NAMES[WAYS] = {"Default", "Hash",         "Paper",  "PaperInGroups",
-                                                "Soft",    "DistanceRows", "Fluids", "Emitters"};
+    static constexpr const char* NAMES[WAYS] = {"Default",      "Hash",   "Paper",    "PaperInGroups", "Soft",
+                                                "DistanceRows", "Fluids", "Emitters", "Limits",        "Bounces",
+                                                "Sleep",        "Freeze", "Rounds",   "Grids",         "AllByHash"};
     return NAMES[way.param];
 }
 
@@ -208,6 +234,29 @@ TEST(Determinism, DISABLED_InAChildProcess)
     const char* way = getenv(WAY_VARIABLE);
     ASSERT_NE(way, nullptr);
     fmt::print("{}{:016x}\n", MARK, hashOfPile(std::stoi(way)));
+}
+
+/// Else their hashes would prove little.
+TEST(Determinism, ChainsTearAndTowersSleepAndWakeInItsWorlds)
+{
+    const World limited = limitedWorld();
+    Solver tearing(gpu(), limited);
+    for (int k = 0; k < STEPS; ++k) tearing.step();
+    const std::vector<bool> torn = tearing.readParticles().torn;
+    const auto gone = std::count(torn.begin(), torn.end(), true);
+    EXPECT_GT(gone, 0);
+    EXPECT_LE(gone, 6) << "of the three joints of one chain; the one that hangs holds";
+
+    const World sleepy = sleepyWorld(0.0f);
+    Solver sleeping(gpu(), sleepy);
+    const auto sleepers = [&] {
+        const auto bodies = sleeping.readBodies();
+        return std::count_if(bodies.begin(), bodies.end(), [](const BodyState& b) { return b.velocity.norm() == 0; });
+    };
+    for (int k = 0; k < 45; ++k) sleeping.step();
+    EXPECT_EQ(sleepers(), 9);
+    for (int k = 45; k < STEPS; ++k) sleeping.step();
+    EXPECT_EQ(sleepers(), 6) << "one tower is awake";
 }
 
 TEST(Determinism, OneBitOfOnePositionChangesTheHash)

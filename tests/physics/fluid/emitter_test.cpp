@@ -60,7 +60,7 @@ TEST(Emitter, LayersComeWhenTheyAreDueAndAsFarApartAsAtRestAtAnySpeed)
         // Particles leave in the order of their ids, so the position follows from the layer of each.
         for (uint32_t i = 0; i < 12 * layers; ++i) {
             const double age = seconds - 0.107 - std::floor(i / 12.0) * jet.emitter.interval();
-            EXPECT_NEAR(state.positions[i].x() - NOZZLE.x(), speed * age, 0.01 * jet.spacing) << i;
+            EXPECT_NEAR(state.positions[i].x() - NOZZLE.x(), speed * age, 0.004 * jet.spacing) << i;  // measured 5e-4
         }
     }
 }
@@ -181,7 +181,7 @@ TEST(Emitter, JetsThatMeetKeepTheirMomentum)
         energy += 0.5 * world.particles[i].mass * velocity.squaredNorm();
     }
     // As for fluids without emitters: only the rounding of the pairs' impulses.
-    EXPECT_LT((sum.momentum - given).norm(), 1e-4 * sum.speedSum);
+    EXPECT_LT((sum.momentum - given).norm(), 5e-5 * sum.speedSum);  // measured 6e-6
     EXPECT_LT(solver.measure().kineticEnergy, energy) << "the collision takes energy, it has none to give";
 }
 
@@ -211,7 +211,7 @@ TEST(Emitter, AFullTankWithAnInletAtItsFloorAndAnOverflowStaysAsFull)
     // The fountain in the middle flows off while the edges stand a layer or two lower.
     EXPECT_NEAR(last.fluidCount, wide * wide * layers, 0.15 * wide * wide * layers);
     EXPECT_NEAR(last.fluidCount, first.fluidCount, 0.08 * first.fluidCount) << "the level has not settled";
-    EXPECT_LT(last.meanDensityError, 0.03f);
+    EXPECT_LT(last.meanDensityError, 0.02f);  // measured 0.0026
     // The root mean square speed: the inlet stirs the tank with 1 m/s, single drops splash at 4 to 9 m/s.
     const double mass = last.fluidCount * double(world.particles[0].mass);
     EXPECT_LT(std::sqrt(2.0 * last.kineticEnergy / mass), 1.3) << "it bursts";

@@ -42,7 +42,7 @@ TEST(FluidForces, ADropWithoutWeightBecomesABall)
     // A ball of the same volume, 0.125 m3, has a radius of 0.310 m; the cube's corners were at 0.39 m. The outermost
     // particles stand half a rest distance inside, and the surface is uneven by a particle.
     EXPECT_LT(farthest, 0.310f + 0.5f * builder.fluidSpacing());
-    EXPECT_NEAR(centre.x(), 0.25f, 1e-4f);
+    EXPECT_NEAR(centre.x(), 0.25f, 8e-5f);  // measured 1e-5
     const Totals after = totals(world, state);
     EXPECT_LT(after.momentum.norm(), 1e-4 * world.particles[0].mass * 1000.0);
 }

@@ -100,7 +100,8 @@ TEST(Fluid, FloorsThatCoincideAreOne)
     }
     // Counted twice, the floor keeps water off by a third of a rest distance more, 8 % of 0.2 m; counted twice at the
     // edges only, by some 2 %.
-    for (int more : {1, 2}) EXPECT_NEAR(heights[more], heights[0], 0.005 * heights[0]) << more << " more";
+    // Measured 0.
+    for (int more : {1, 2}) EXPECT_NEAR(heights[more], heights[0], 0.001 * heights[0]) << more << " more";
 }
 
 TEST(Fluid, KeepsItsMomentumWithABodyInIt)

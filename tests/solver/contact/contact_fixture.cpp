@@ -15,15 +15,6 @@ namespace {
 constexpr uint32_t PARITY = 1;
 constexpr uint32_t KIN = 1u << 23;  // shaders/sim/common/contacts/one_sided.glsl
 
-World worldWithColliders(const Settings& settings)
-{
-    World world = mixedWorld(settings);
-    const Quaternionf tilt(Eigen::AngleAxisf(0.4f, Vector3f(1, 0, 0)));
-    world.colliders = {colliderOf(ColliderShape::Plane, {0, 0, 0}, tilt),
-                       colliderOf(ColliderShape::Sphere, {0.1f, -0.2f, 0.3f})};
-    return world;
-}
-
 uint32_t packHalves(float a, float b)
 {
     const auto bits = [](float v) { return uint32_t(std::bit_cast<uint16_t>(Eigen::half(v))); };
@@ -43,7 +34,18 @@ void put(Buffer<T>& buffer, const std::vector<T>& values, size_t start = 0)
 
 }  // namespace
 
-ContactFixture::ContactFixture(const Settings& settings) : MoverFixture(worldWithColliders(settings))
+World worldWithColliders(const Settings& settings)
+{
+    World world = mixedWorld(settings);
+    const Quaternionf tilt(Eigen::AngleAxisf(0.4f, Vector3f(1, 0, 0)));
+    world.colliders = {colliderOf(ColliderShape::Plane, {0, 0, 0}, tilt),
+                       colliderOf(ColliderShape::Sphere, {0.1f, -0.2f, 0.3f})};
+    return world;
+}
+
+ContactFixture::ContactFixture(const Settings& settings) : ContactFixture(worldWithColliders(settings)) {}
+
+ContactFixture::ContactFixture(World worldIn) : MoverFixture(std::move(worldIn))
 {
     std::vector<uint32_t> order(moverOf.size());
     std::iota(order.begin(), order.end(), 0u);

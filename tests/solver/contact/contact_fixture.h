@@ -18,11 +18,15 @@ struct TestContact {
     float mean = 0;                 ///< Of its normal part.
 };
 
+/// mixedWorld with a plane and a sphere.
+World worldWithColliders(const Settings& settings = {});
+
 /// Movers with contacts of one's own making in the lists, which need not be near each other.
 class ContactFixture : public MoverFixture {
 public:
     /// With a plane and a sphere.
     explicit ContactFixture(const Settings& settings = {});
+    explicit ContactFixture(World worldIn);
 
     /// Puts the contacts into the lists of the second half, each in its place by rank.
     void setPairs(std::vector<TestContact> contacts);

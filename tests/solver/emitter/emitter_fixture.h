@@ -1,0 +1,48 @@
+#pragma once
+
+#include "tests/solver/solver_test.h"
+
+namespace knuckle::test {
+
+/// Two bodies, loose particles, 137 fluid particles that belong to nobody, and three emitters: one of wide layers, one
+/// that takes its oldest again, and one that stops. No pool is a multiple of a chunk of the lists (SCAN_CHUNK). Two
+/// drains and, before them in the same list, two colliders.
+class EmitterFixture : public KernelFixture {
+public:
+    EmitterFixture();
+
+    EmitterStage& stage() { return *stages.emitters; }
+    uint32_t emitterCount() const { return static_cast<uint32_t>(world.emitters.size()); }
+    const Emitter& emitter(uint32_t k) const { return world.emitters[k]; }
+    uint32_t pointCount(uint32_t k) const { return static_cast<uint32_t>(emitter(k).nozzle.points.size()); }
+    uint32_t poolStart(uint32_t k) const { return emitters_[k].poolStart; }
+    uint32_t poolCapacity() const { return stages.parameters.poolCapacity; }
+    uint32_t solidCount() const { return stages.parameters.particleCount; }
+    double step() const { return world.settings.timeStep; }
+    /// Runs sim/emitter/<name> as in a world with pools.
+    void runPools(const std::string& name, uint64_t threads, const Defines& more = {});
+
+    /// So many steps are done when the one at hand ends; which half of the list it reads follows from that.
+    void setSteps(uint32_t steps);
+    uint32_t before() const { return (steps_ & 1) * poolCapacity(); }
+    uint32_t after() const { return poolCapacity() - before(); }
+    /// Shuffles each pool's list, each half by itself.
+    void shuffle(uint32_t seed);
+    /// Makes some particles of the pools inactive, `share` of them at random, and sums them up as a step does.
+    void deactivate(float share, uint32_t seed);
+    uint32_t inactiveOf(uint32_t k) const;
+    /// What came and what left until now.
+    void setTotals(uint32_t came, uint32_t left);
+    std::vector<uint32_t> totals() { return stage().fluidTotals.download(); }
+    void setStates(const std::vector<gpu::EmitterState>& states) { fill(stage().emitterStates, states); }
+
+    std::vector<uint32_t> order;     ///< poolOrder, both halves.
+    std::vector<uint32_t> inactive;  ///< poolInactive, by place in the list.
+    std::vector<gpu::vec4> positions, velocities;
+
+private:
+    std::vector<gpu::GpuEmitter> emitters_;
+    uint32_t steps_ = 0;
+};
+
+}  // namespace knuckle::test

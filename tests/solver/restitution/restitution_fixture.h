@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+
+#include "tests/solver/contact/contact_fixture.h"
+
+namespace knuckle::test {
+
+/// How a mover moves, in double precision.
+struct Velocity {
+    Vector3d t = Vector3d::Zero();     ///< Of its centre [m/s].
+    Vector3d spin = Vector3d::Zero();  ///< [rad/s]
+
+    Vector3d at(const Vector3d& arm) const { return t + spin.cross(arm); }
+    double size(const Vector3d& arm) const { return t.norm() + spin.norm() * arm.norm(); }
+};
+
+/// One velocity per mover, as the host knows them and as the shaders do.
+struct Velocities {
+    std::vector<Velocity> known;
+    std::vector<gpu::vec4> fields;
+};
+
+/// How a contact's two sides meet and move along its normal, with bounds of what single precision makes of it.
+struct Collision {
+    Vector3d normal;
+    double approach = 0.0, now = 0.0, solved = 0.0;  ///< [m/s]
+    double approachError = 0.0, speedError = 0.0;    ///< [m/s]
+    double turnError = 0.0;                          ///< Of the normal.
+    bool sure = true;                                ///< Not so near to a limit that rounding decides.
+};
+
+/// Movers in the middle of collisions: 1501 contacts between particles and 777 with colliders, which have what the
+/// kernels of restitution read, all at random. What is fixed has no velocity.
+class RestitutionFixture : public ContactFixture {
+public:
+    RestitutionFixture();
+
+    double h() const { return stages.parameters.substepTime; }
+    Vector3d gravity() const { return vec3(stages.parameters.gravity).cast<double>(); }
+    bool responds(uint32_t mover) const { return !isFixed(mover); }
+    /// Of the point of a mover at an arm of a contact.
+    Vector3d armOf(uint32_t mover, const Vector3f& r) const { return arm(mover, r.cast<double>()); }
+    Collision ofPair(const TestContact& c) const;
+    Collision ofCollider(const TestContact& c) const;
+    /// The impulses so far: a third none, a third yet to come, a third some.
+    void setRestitutions(uint32_t seed);
+
+    std::vector<gpu::vec4> pairRestitutions() const;
+    std::vector<gpu::vec4> colliderRestitutions() const;
+    double restitution(uint32_t particle) const { return masses_[particle].y; }
+
+    Velocities before, solved, now;                   ///< The substep, after its solve, and with what bounced since.
+    std::vector<gpu::vec4> ways;                      ///< oldMoverMoves.
+    std::vector<float> splits;                        ///< moverRestitutionSplits.
+    std::vector<gpu::vec4> shares;                    ///< moverRestitutionShares.
+    std::vector<gpu::vec4> lastPairs, lastColliders;  ///< Restitutions before the kernel, in the order of the lists.
+
+private:
+    Velocities randomVelocities(float ofT, float ofSpin, uint32_t seed) const;
+    void makePairs();
+    void makeColliderContacts();
+    void addState(TestContact& c, Random& random, float levels) const;
+    Vector3d particleArm(uint32_t particle) const;
+    /// Of a side in the direction of the normal; adds to the errors.
+    void addSide(Collision& out, uint32_t mover, const Vector3f& r, double sign, Vector3d& arrival, Vector3d& way,
+                 Vector3d& pull) const;
+    void finish(Collision& out, const Vector3d& arrival, const Vector3d& way, const Vector3d& pull) const;
+
+    std::vector<gpu::vec4> masses_, offsets_;
+};
+
+/// What an impulse should be after a kernel, and how much rounding may change.
+struct Bounce {
+    Vector3d whole = Vector3d::Zero();
+    double w = 0.0;
+    double tolerance = 0.0;
+    bool sure = true;
+};
+
+/// The reference of solveRestitution. @param inverseMass of both sides, split.
+Bounce bounceOf(const Collision& c, const gpu::vec4& last, double restitution, double inverseMass, bool eager);
+
+/// Compares impulses one by one; `wanted` gets the index of each.
+template <typename Wanted>
+void expectBounces(const std::vector<gpu::vec4>& found, const Wanted& wanted)
+{
+    uint32_t edges = 0, nothing = 0, waiting = 0, acting = 0;
+    for (size_t q = 0; q < found.size(); ++q) {
+        const Bounce b = wanted(q);
+        if (!b.sure && ++edges) continue;
+        ASSERT_NEAR(found[q].w, b.w, b.tolerance) << "contact " << q;
+        ASSERT_LE((vec3(found[q]).cast<double>() - b.whole).norm(), 3 * b.tolerance) << "contact " << q;
+        ++(b.w == 0.0 ? nothing : b.w < 0.0 ? waiting : acting);
+    }
+    // Every case is met by more than a few.
+    for (uint32_t met : {nothing, waiting, acting}) EXPECT_GT(met, found.size() / 20);
+    EXPECT_LT(edges, found.size() / 50);
+}
+
+class Restitution : public testing::Test {
+protected:
+    RestitutionFixture fixture;
+};
+
+}  // namespace knuckle::test
