@@ -52,6 +52,7 @@ while read -r source; do
   fi
 done < <(find sim render app tools tests -name '*.cpp' | sort)
 bash scripts/buffer_table.sh --check || failed=1
+bash scripts/performance.sh --check || failed=1
 
 # What may stand at the top of what is committed.
 while read -r name; do
