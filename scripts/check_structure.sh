@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Finds includes against the direction of the data, shaders that include from another room, sources that no
-# CMakeLists.txt names, what stands at the top and should not, and files that a document names and that are not there.
-# docs/architecture.md.
+# CMakeLists.txt names, lines and files that are too long, what stands at the top and should not, and files, kernels,
+# tests, types and words that a document names and that are not there. docs/architecture.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 failed=0
@@ -52,6 +52,7 @@ while read -r source; do
   fi
 done < <(find sim render app tools tests -name '*.cpp' | sort)
 bash scripts/buffer_table.sh --check || failed=1
+bash scripts/performance.sh --check || failed=1
 
 # What may stand at the top of what is committed.
 while read -r name; do
@@ -75,4 +76,79 @@ while IFS=: read -r document name; do
     failed=1
   fi
 done < <(grep -oHE '\]\([A-Za-z0-9_/.-]+' README.md docs/*.md | sed 's/\](//' | grep -v ':http')
+
+# Below, names that documents cite. What stands in their examples, indented by four, is not looked at.
+folders=(app assets cmake render scripts shaders sim tests tools)
+prose() { sed -E '/^    /d; s/\]\([^)]*\)/]/g; s#https?://[^ ]*##g' "$1"; }
+absent() {
+  echo "$1 names $2, which is not there" >&2
+  failed=1
+}
+# The lines of the first file that are not in the second; both are sorted.
+missing_from() { LC_ALL=C comm -23 "$1" "$2"; }
+lists=$(mktemp -d)
+trap 'rm -rf "$lists"' EXIT
+export LC_ALL=C
+find "${folders[@]}" -type f | sed 's#.*/##' | sort -u >"$lists/files"
+# Stems of all files and targets of the build; and words of others that look like kernels: of GLSL, C++, stb, and of
+# Macklin and Müller 2013.
+{ sed 's/\..*//' "$lists/files"; grep -rhoE '\b(knuckle|make)_[a-z_]+' --include=CMakeLists.txt "${folders[@]}"
+  printf '%s\n' local_size_x uint32_t stb_image_write s_corr; } | sort -u >"$lists/stems"
+grep -rhoE '^TEST(_F|_P)?\([A-Za-z0-9]+, *[A-Za-z0-9]+' --include='*.cpp' tests |
+    sed -E 's/^TEST(_F|_P)?\(//; s/, */./' | sort -u >"$lists/tests"
+find app render shaders sim tests tools -name '*.cpp' -o -name '*.h' -o -name '*.glsl' -o -name '*.comp' \
+    -o -name '*.vert' -o -name '*.frag' | sort >"$lists/sources"
+xargs cat <"$lists/sources" | grep -oE '[A-Za-z0-9_]+' | sort -u >"$lists/identifiers"
+# Words of all but the tests, camelCase and snake_case taken apart; of the tests those of their files' names.
+{ grep -v '^tests/' "$lists/sources" | xargs cat; cat "$lists/files"; } | sed -E 's/([a-z0-9])([A-Z])/\1 \2/g' |
+    tr -cs 'A-Za-z0-9' '\n' | tr 'A-Z' 'a-z' | sort -u >"$lists/words"
+
+for document in README.md docs/*.md; do
+  # Kernels, by how their names look: in backticks or not.
+  prose "$document" | grep -oE '(^|[^A-Za-z0-9_./:"-])[a-z][a-z0-9]*(_[a-z0-9]+)*_([a-z0-9]+|\*)' | sed -E 's/^[^a-z]//' |
+      sort -u >"$lists/cited" || true
+  while read -r kernel; do
+    [[ $kernel == *\* ]] && grep -q "^${kernel%\*}" "$lists/stems" || absent "$document" "$kernel"
+  done < <(missing_from "$lists/cited" "$lists/stems")
+  # Files without their folder, but for those of examples.
+  prose "$document" | grep -oE '`[A-Za-z0-9_]+\.(comp|glsl|vert|frag|cpp|h|sh)`' | tr -d '`' | grep -v '^name\.' |
+      sort -u >"$lists/cited" || true
+  while read -r file; do
+    [[ -e $file ]] || absent "$document" "$file"
+  done < <(missing_from "$lists/cited" "$lists/files")
+  # Tests: Suite.Name, perhaps behind an instance, with * or … for what is left out.
+  while read -r test; do
+    pattern=$(sed -E 's#^[A-Za-z]+/##; s#…#*#; s#\.#\\.#; s#\*#.*#g' <<<"$test")
+    grep -qE "^$pattern\$" "$lists/tests" || absent "$document" "the test $test"
+  done < <(prose "$document" | grep -oE '`([A-Z][A-Za-z]*/)?[A-Z][A-Za-z0-9]+\.([A-Za-z0-9*]|…)+`' | tr -d '`' |
+           grep -v '\.txt$' | sort -u)
+  # Types, functions and suites that begin with a capital letter.
+  prose "$document" | grep -oE '`[A-Z][A-Za-z0-9]*[a-z][A-Za-z0-9]*(::[A-Za-z]+)?(\(\))?`' | tr -d '`()' |
+      sed 's/.*:://' | sort -u >"$lists/cited" || true
+  while read -r name; do
+    grep -rqw --include='*.json' -- "$name" assets || absent "$document" "$name"
+  done < <(missing_from "$lists/cited" "$lists/identifiers")
+done
+
+# The glossary's words occur in the code.
+awk -F'|' '/^\|/ && $2 !~ /^ *(word|---) *$/ { print tolower($2) }' docs/glossary.md | grep -oE '[a-z]{3,}' |
+    grep -vxE 'and|for|the' | sort -u >"$lists/cited"
+while read -r word; do absent docs/glossary.md "the word $word"; done < <(missing_from "$lists/cited" "$lists/words")
+
+# Lines of 120 columns at most; shaders of 100 lines, sources and headers of the host of 300. Some rooms still have longer
+# ones.
+LC_ALL=C.UTF-8
+grep -vE '^(shaders/sim|sim/solver|sim/world)/' "$lists/sources" >"$lists/held"
+while IFS=: read -r file line _; do
+  echo "$file:$line is wider than 120 columns" >&2
+  failed=1
+done < <(xargs grep -nE '^.{121,}' /dev/null <"$lists/held")
+while read -r count file; do
+  most=300
+  [[ $file =~ \.(comp|glsl|vert|frag)$ ]] && most=100
+  if (( count > most )); then
+    echo "$file has $count lines, more than $most" >&2
+    failed=1
+  fi
+done < <(xargs wc -l <"$lists/held" | grep -v ' total$')
 exit $failed

@@ -1,10 +1,70 @@
 #!/usr/bin/env bash
-# Runs clang-tidy as .clang-tidy says over the sources of some folders, else of all but the tests', some ten seconds of
-# a core for each file: scripts/tidy.sh [FOLDER...]
+# Runs clang-tidy as .clang-tidy says over what has changed since the commit that scripts/tidy_passed names: sources,
+# and those that include a changed header, through others too. --all: over all of it, and names the commit anew when it
+# passes. FOLDER...: over the sources of these. --list: only tells which sources these are. The tests' are left out.
+# Some seven seconds of a core for each source.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+parts=(sim render app tools)
+record=scripts/tidy_passed
 
-[[ $# -gt 0 ]] || set -- sim render app tools
-cmake --preset release >/dev/null   # writes compile_commands.json
-find "$@" -name '*.cpp' -print0 | sort -z |
-    xargs -0 -n 4 -P "$(nproc)" clang-tidy -p build/release --quiet
+all='' list='' folders=()
+for word in "$@"; do
+    case $word in
+        --all) all=1 ;;
+        --list) list=1 ;;
+        -*) echo "usage: scripts/tidy.sh [--list] [--all | FOLDER...]" >&2; exit 2 ;;
+        *) folders+=("$word") ;;
+    esac
+done
+
+every_source() { find "$@" -name '*.cpp' | LC_ALL=C sort; }
+
+# What differs from a commit, in the working tree too.
+changed_since() {
+    { git diff --no-renames --name-only "$1"; git ls-files --others --exclude-standard; } | LC_ALL=C sort -u
+}
+
+# Of the files on stdin, the sources, and all that include one of the headers.
+with_includers() {
+    local known next
+    known=$(grep -E '\.(cpp|h)$' || true)
+    while [[ -n $known ]]; do
+        # Shaders' headers are included by their path below shaders.
+        next=$(grep -E '\.h$' <<<"$known" | sed 's#^shaders/##; s#.*#\#include "&"#' |
+               grep -rlFf - --include='*.cpp' --include='*.h' "${parts[@]}" shaders || true)
+        next=$(printf '%s\n%s\n' "$known" "$next" | LC_ALL=C sort -u | grep .)
+        [[ $next == "$known" ]] && break
+        known=$next
+    done
+    local part
+    for part in "${parts[@]}"; do grep "^$part/.*\.cpp$" <<<"$known" || true; done |
+        while read -r source; do [[ ! -f $source ]] || echo "$source"; done
+}
+
+# A clone may lack the commit, and what clang-tidy looks for may have changed: then all.
+since=$(cat "$record" 2>/dev/null || true)
+if [[ ${#folders[@]} -gt 0 ]]; then
+    sources=$(every_source "${folders[@]}")
+elif [[ -n $all || -z $since ]] || ! git cat-file -e "$since^{commit}" 2>/dev/null ||
+        ! git diff --quiet "$since" -- .clang-tidy; then
+    sources=$(every_source "${parts[@]}")
+else
+    sources=$(changed_since "$since" | with_includers)
+fi
+if [[ -n $list ]]; then
+    [[ -z $sources ]] || echo "$sources"
+    exit
+fi
+[[ -n $sources ]] || exit 0
+
+cmake --preset tidy >/dev/null   # writes compile_commands.json, in which each source stands alone
+xargs -n 4 -P "$(nproc)" clang-tidy -p build/tidy --quiet <<<"$sources"
+
+if [[ -n $all ]]; then
+    if git diff --quiet HEAD -- "${parts[@]}" shaders .clang-tidy; then
+        git rev-parse HEAD >"$record"
+    else
+        echo "$record stays as it is: not all is committed" >&2
+    fi
+fi

@@ -1,12 +1,42 @@
 #!/usr/bin/env bash
 # Builds and tests what is committed on a fresh Debian, in a folder of its own that is removed afterwards; on trixie the
-# tests also with zink, OpenGL on Vulkan (lavapipe). As root: scripts/try_on.sh bookworm|trixie
+# tests also with zink, OpenGL on Vulkan (lavapipe). Packages come from the mirror that is given, else from the one that
+# this system has them from. As root: scripts/try_on.sh bookworm|trixie [MIRROR]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+# The first mirror that apt's sources in a folder name, but for those of updates: of lines `deb [options] URI suite ...`
+# and of paragraphs with Types, URIs and Suites.
+mirror_of() {
+    local file
+    for file in "$1"/sources.list "$1"/sources.list.d/*.list "$1"/sources.list.d/*.sources; do
+        [[ ! -f $file ]] || { cat "$file"; echo; }
+    done | awk '
+        function offer(uri, suite) {
+            if (uri == "" || suite ~ /-(security|updates|backports|proposed)/ || found) return
+            print uri
+            found = 1
+        }
+        /^deb[ \t]/ { sub(/\[[^]]*\]/, ""); offer($2, $3) }
+        /^Types:/ { deb = / deb( |$)/ }
+        /^Enabled: *no/ { deb = 0 }
+        /^URIs:/ { uri = $2 }
+        /^Suites:/ { suite = $2 }
+        /^[ \t]*$/ { if (deb) offer(uri, suite); deb = 0; uri = suite = "" }'
+}
+
+if [[ ${1:-} == --mirror-of ]]; then   # for its test
+    mirror_of "$2"
+    exit
+fi
 suite=${1:-}
+mirror=${2:-$(mirror_of /etc/apt)}
 if [[ $suite != bookworm && $suite != trixie ]]; then
-    echo "usage: scripts/try_on.sh bookworm|trixie" >&2
+    echo "usage: scripts/try_on.sh bookworm|trixie [MIRROR]" >&2
+    exit 2
+fi
+if [[ -z $mirror ]]; then
+    echo "apt has no source here that names a mirror of Debian; give one: scripts/try_on.sh $suite MIRROR" >&2
     exit 2
 fi
 if [[ $EUID -ne 0 ]] || ! command -v debootstrap >/dev/null; then
@@ -18,12 +48,11 @@ if [[ -z ${KNUCKLE_TRY_ROOT:-} ]]; then
     root=$(mktemp -d)
     chmod 755 "$root"   # apt downloads as a user of its own
     trap 'rm -rf "$root"' EXIT
-    KNUCKLE_TRY_ROOT=$root unshare --mount "$BASH" scripts/try_on.sh "$suite"
+    KNUCKLE_TRY_ROOT=$root unshare --mount "$BASH" scripts/try_on.sh "$suite" "$mirror"
     exit
 fi
 
 root=$KNUCKLE_TRY_ROOT
-mirror=http://deb.debian.org/debian
 debootstrap --variant=minbase --include=ca-certificates,git "$suite" "$root" "$mirror" >/dev/null
 mount -t proc proc "$root/proc"
 mount -t tmpfs tmpfs "$root/tmp"

@@ -34,6 +34,14 @@ struct PaperRow {
 constexpr PaperRow PAPER[] = {{300, 273, 233, 195}, {600, 133, 95, 95}, {1200, 40, 36, 39}};
 constexpr uint32_t SETTLED_STEPS = 200;
 
+/// @returns null where the paper has no such row.
+const PaperRow* paperRow(uint32_t objects)
+{
+    const auto* row = std::find_if(std::begin(PAPER), std::end(PAPER),
+                                   [&](const PaperRow& candidate) { return candidate.objects == objects; });
+    return row == std::end(PAPER) ? nullptr : row;
+}
+
 struct BenchRun {
     std::string preset;
     uint32_t objectCount = 0;
@@ -94,6 +102,12 @@ BenchRun runOnce(Gpu& gpu, uint32_t objectCount, const std::string& preset, cons
     return run;
 }
 
+nlohmann::ordered_json published(const PaperRow* row)
+{
+    if (row == nullptr) return nullptr;
+    return {{"quadroP6000", row->quadroP6000}, {"gtx1080", row->gtx1080}, {"unreal", row->unreal}};
+}
+
 nlohmann::ordered_json toJson(const BenchRun& run)
 {
     return {{"preset", run.preset},
@@ -108,14 +122,29 @@ nlohmann::ordered_json toJson(const BenchRun& run)
             {"meanJointGap", run.measures.meanJointGap / run.diameter},
             {"worstJointGap", run.measures.worstJointGap / run.diameter},
             {"worstShapeError", run.measures.worstShapeError / run.diameter},
-            {"maxSpeed", run.measures.maxSpeed}};
+            {"maxSpeed", run.measures.maxSpeed},
+            {"published", published(paperRow(run.objectCount))}};
+}
+
+/// All runs, with what they have in common; docs/output.md describes each key.
+nlohmann::ordered_json toJson(const BenchOptions& options, const Gpu& gpu, const std::vector<BenchRun>& runs)
+{
+    nlohmann::ordered_json result = {{"benchmark", options.name},
+                                     {"device", gpu.device().name},
+                                     {"driverThreads", nullptr},
+                                     {"steps", options.steps},
+                                     {"settledSteps", std::min(SETTLED_STEPS, options.steps)},
+                                     {"drawnSteps", options.drawnSteps},
+                                     {"runs", nlohmann::ordered_json::array()}};
+    if (gpu.threads().count) result["driverThreads"] = *gpu.threads().count;
+    for (const BenchRun& run : runs) result["runs"].push_back(toJson(run));
+    return result;
 }
 
 void printRow(const BenchRun& run)
 {
-    const auto paper = std::find_if(std::begin(PAPER), std::end(PAPER),
-                                    [&](const PaperRow& row) { return row.objects == run.objectCount; });
-    const std::string published = paper == std::end(PAPER)
+    const PaperRow* paper = paperRow(run.objectCount);
+    const std::string published = paper == nullptr
                                       ? fmt::format("{:>7}{:>7}{:>7}", "-", "-", "-")
                                       : fmt::format("{:7}{:7}{:7}", paper->quadroP6000, paper->gtx1080, paper->unreal);
     fmt::print("{:<8}{:7}{:11}{:9.1f}{:9.1f}{:9.1f}{}{:8.2f}{:9.1f}{:7.1f}{:9.1f}{:7.1f}{:7.2f}\n", run.preset,
@@ -138,7 +167,7 @@ int bench(const BenchOptions& options, const CommonOptions& common)
     std::vector<std::pair<std::string, Settings>> presets;
     for (const std::string& preset : options.presets) presets.emplace_back(preset, loadSettings(preset, options.sets));
     const auto gpu = openGpu(common, FrameWork{benchWorkload(options, presets), {}});
-    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+    std::vector<BenchRun> runs;
     if (!options.json) {
         fmt::print("Table 2 on {}: {} steps of 1/60 s; steps/s of all, of the last {}, and drawn at 1280x720;\n"
                    "beside them the paper's frames/s; penetration and joint gap in % of a diameter; the fastest\n"
@@ -149,15 +178,11 @@ int bench(const BenchOptions& options, const CommonOptions& common)
     }
     for (uint32_t objectCount : options.objects) {
         for (const auto& [preset, settings] : presets) {
-            const BenchRun run = runOnce(*gpu, objectCount, preset, options, settings);
-            if (options.json) runs.push_back(toJson(run));
-            else printRow(run);
+            runs.push_back(runOnce(*gpu, objectCount, preset, options, settings));
+            if (!options.json) printRow(runs.back());
         }
     }
-    if (options.json) {
-        const nlohmann::ordered_json result = {{"device", gpu->device().name}, {"runs", runs}};
-        fmt::print("{}\n", result.dump(2));
-    }
+    if (options.json) fmt::print("{}\n", toJson(options, *gpu, runs).dump(2));
     return EXIT_FINE;
 }
 
@@ -194,7 +219,7 @@ void addBenchCommand(CommandLine line)
     command->add_option("--drawn-steps", options->drawnSteps, "Further steps that are drawn as well, 0 for none")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
-    command->add_flag("--json", options->json, "Print JSON instead of the table");
+    command->add_flag("--json", options->json, "Print JSON instead of the table, docs/output.md");
     command->callback([=] { line.chosen = [=] { return bench(*options, line.common); }; });
 }
 

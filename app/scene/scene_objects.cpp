@@ -29,8 +29,8 @@ void limitParticles(const Entry& entry, double count)
     limitParticles(entry.context, entry.json, entry.pointer, count);
 }
 
-/// The distance of each particle of a rigid body to its surface, and the exit direction; empty for a box, whose lattice gives
-/// the builder both.
+/// The distance of each particle of a rigid body to its surface, and the exit direction; empty for a box, whose lattice
+/// gives the builder both.
 std::vector<SurfaceDistance> surfaceOf(const Entry& entry, const std::vector<Vector3f>& positions)
 {
     const std::string shape = entry.json["shape"];

@@ -74,8 +74,8 @@
 // A body that turns by more than half a radian in a substep (4 (1 - cos 0.5)) loses some of its spin.
 #define LONGEST_CHORD 0.49f
 
-// Another is beside a particle of a lattice up to half the lattice away along an axis, and a little more, so that there is
-// always one that it is beside [diameters].
+// Another is beside a particle of a lattice up to half the lattice away along an axis, and a little more, so that there
+// is always one that it is beside [diameters].
 #define BESIDE 0.55f
 // A box's corner touches a collider where it comes this near to touching as deep as its particle's ball [diameters].
 #define CORNER_TIE 0.05f

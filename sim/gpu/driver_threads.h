@@ -41,8 +41,8 @@ struct DriverThreads {
 DriverThreads chooseDriverThreads(const FrameWork& work, uint32_t cores, double wakeMilliseconds,
                                   std::optional<bool> threads = {});
 
-/// How long it takes to wake `threads` threads that wait for work, and to hear from the last of them [ms]: the mean over
-/// ten milliseconds, since on a busy machine a few take as long as all others together.
+/// How long it takes to wake `threads` threads that wait for work, and to hear from the last of them [ms]: the mean
+/// over ten milliseconds, since on a busy machine a few take as long as all others together.
 double wakeTime(uint32_t threads);
 
 /// Cores that this process may run on, at least 1.

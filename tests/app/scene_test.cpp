@@ -5,6 +5,7 @@
 
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_parts.h"
+#include "tests/places.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {
@@ -40,7 +41,7 @@ TEST(Scene, OneWordMakesARigidThingSoft)
                                "shape": )" +
                            std::string(shape) + " }] }";
         const size_t file = text.find("FILE");
-        if (file != std::string::npos) text.replace(file, 4, KNUCKLE_ROOT "/assets/models/humanoid.glb");
+        if (file != std::string::npos) text.replace(file, 4, test::inSource("assets/models/humanoid.glb"));
         const World rigid = load(text).world, soft = load(text, {{"objects.0.type", "soft"}}).world;
         ASSERT_EQ(soft.particles.size(), rigid.particles.size()) << shape;
         EXPECT_EQ(rigid.softBodies.size(), 0u);
@@ -243,7 +244,7 @@ TEST(Colliders, TurnAboutXThenYThenZ)
 
 TEST(SceneFolder, HoldsOnlyScenesThatCanBeRead)
 {
-    for (const auto& entry : std::filesystem::directory_iterator(KNUCKLE_ROOT "/assets/scenes")) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::inSource("assets/scenes"))) {
         EXPECT_NO_THROW(loadScene(entry.path().string())) << entry.path();
         const std::string text = test::readText(entry.path().string());
         EXPECT_TRUE(text.starts_with("// ")) << entry.path() << ": the first line describes the scene";

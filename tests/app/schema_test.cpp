@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/json/fields.h"
+#include "tests/places.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {
@@ -116,7 +117,7 @@ TEST(Schema, DefaultsKeepTheirOwnRules)
 TEST(Schema, SceneReferenceIsCurrent)
 {
     // EXPECT_EQ would print the whole page where it fails.
-    EXPECT_TRUE(test::readText(KNUCKLE_ROOT "/docs/scene.md") == schemaMarkdown(Schema("scene.schema.json")))
+    EXPECT_TRUE(test::readText(test::inSource("docs/scene.md")) == schemaMarkdown(Schema("scene.schema.json")))
         << "renew it: knuckle schema --markdown > docs/scene.md";
 }
 

@@ -5,6 +5,7 @@
 #include "app/json/json.h"
 #include "render/picture/image.h"
 #include "tests/cli/cli_fixture.h"
+#include "tests/places.h"
 
 namespace knuckle {
 namespace {
@@ -104,7 +105,7 @@ TEST_F(Render, WritesFigures)
 TEST_F(Render, WritesNoFigureThatIsNotDescribed)
 {
     ASSERT_EQ(run({"render", scene, "-o", "out", "--stats", "stats.json"}).code, 0);
-    const std::string described = test::readText(KNUCKLE_ROOT "/docs/output.md");
+    const std::string described = test::readText(test::inSource("docs/output.md"));
     const Json stats = parseJson(test::readText(folder.path("stats.json")), "stats");
     for (const auto& [key, value] : stats.items()) {
         EXPECT_NE(described.find('`' + key + '`'), std::string::npos) << key;
@@ -166,7 +167,7 @@ TEST_F(Render, ExportsMeasuresOfEachFrameAsStatsOfTheLast)
 
 TEST_F(Render, FallsWithAnActorThatWasVoxelizedBefore)
 {
-    const RunResult made = run({"voxelize", (KNUCKLE_ROOT "/assets/models/humanoid.glb"), "-o", "actor.json",
+    const RunResult made = run({"voxelize", test::inSource("assets/models/humanoid.glb"), "-o", "actor.json",
                                 "--diameter", "0.08", "--preview", "actor.png"});
     ASSERT_EQ(made.code, 0) << made.err;
     EXPECT_NE(made.out.find("shin.L"), std::string::npos) << made.out;

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <filesystem>
 
+#include "tests/places.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle::test {
@@ -18,7 +19,7 @@ namespace {
 [[noreturn]] void startProgram(const std::vector<std::string>& arguments, const RunOptions& options,
                                const std::string& out, const std::string& err)
 {
-    std::vector<char*> words{const_cast<char*>(KNUCKLE_PROGRAM)};
+    std::vector<char*> words{const_cast<char*>(programPath().c_str())};
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
     words.push_back(nullptr);
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
@@ -26,7 +27,7 @@ namespace {
     if (!options.folder.empty() && chdir(options.folder.c_str()) != 0) _exit(125);
     for (const std::string& variable : options.environment) putenv(const_cast<char*>(variable.c_str()));
     if (options.inChild) options.inChild();
-    execv(KNUCKLE_PROGRAM, words.data());
+    execv(words[0], words.data());
     _exit(126);
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "tests/cli/cli_fixture.h"
+#include "tests/places.h"
 
 namespace knuckle {
 namespace {
@@ -37,8 +38,9 @@ TEST_F(Tracing, WorksUnderApitrace)
 {
     if (std::system("command -v apitrace >/dev/null") != 0) GTEST_SKIP() << "apitrace is not installed";
     const std::string trace = folder.path("render.trace");
-    const std::string command = "apitrace trace --api=egl -o '" + trace + "' '" KNUCKLE_PROGRAM "' --device software " +
-                                "render '" + scene + "' --quiet -o '" + folder.path("out") + "' >/dev/null 2>&1";
+    const std::string command = "apitrace trace --api=egl -o '" + trace + "' '" + test::programPath() +
+                                "' --device software " + "render '" + scene + "' --quiet -o '" + folder.path("out") +
+                                "' >/dev/null 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0);
     EXPECT_GT(std::filesystem::file_size(trace), 0u);
 }

@@ -12,6 +12,7 @@
 
 #include "app/run/film_run.h"
 #include "shared/counters.h"
+#include "tests/places.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {
@@ -116,7 +117,7 @@ std::string film(const std::string& name, bool drawAside)
     transfers.clear();
     picturesTaken = 0;
     const test::TempFolder folder;
-    const Scene scene = loadScene(KNUCKLE_ROOT "/assets/scenes/" + name,
+    const Scene scene = loadScene(test::inSource("assets/scenes/" + name),
                                   {{"render.width", WIDTH}, {"render.height", HEIGHT}});
     FilmOptions options;
     options.outputs = {folder.path("out")};

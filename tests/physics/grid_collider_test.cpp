@@ -42,8 +42,8 @@ TEST(GridCollider, ABallRestsOnAMesh)
     Solver solver(gpu(), world);
     run(solver, world, 6.0);  // it stands on a facet for a while
     const BodyState ball = solver.readBodies()[0];
-    // The hull of its lattice has faces like that of (2, 0, 0), (1, 1, 1) and (1, 1, -1) diameters, the square root of 2
-    // from its centre; their particles' centres are half a diameter over the mesh.
+    // The hull of its lattice has faces like that of (2, 0, 0), (1, 1, 1) and (1, 1, -1) diameters, the square root of
+    // 2 from its centre; their particles' centres are half a diameter over the mesh.
     EXPECT_NEAR(ball.position.y(), 1.0f + (std::sqrt(2.0f) + 0.5f) * DIAMETER, 0.006f * DIAMETER);  // measured 7e-4
     EXPECT_LT(ball.velocity.norm(), 6e-4f);                                                         // measured 8e-5
     EXPECT_LT(solver.measure().worstPenetration, 0.006f * DIAMETER);                                // measured 8e-4

@@ -32,8 +32,8 @@ TEST(JointTear, AChainTearsWhereItBearsMoreThanItCan)
     Solver tears(gpu(), weak);
     run(tears, weak, 0.5);
     const auto bodies = tears.readBodies();
-    // It tears at the end of the second substep, when it bore the load for two, and then all of it falls freely; velocities
-    // of second order take half a substep more to begin.
+    // It tears at the end of the second substep, when it bore the load for two, and then all of it falls freely;
+    // velocities of second order take half a substep more to begin.
     const double h = double{weak.settings.timeStep} / weak.settings.substeps;
     for (uint32_t b = 1; b < 5; ++b) {
         const float fallen = weak.bodies[b].position.y() - bodies[b].position.y();
@@ -103,8 +103,8 @@ TEST(JointTear, WhatFliesApartKeepsItsMomentum)
     }
 }
 
-/// Held at both ends it closes a loop through the ground. Of its joints, which bear about as much, one tears and relieves
-/// the others.
+/// Held at both ends it closes a loop through the ground. Of its joints, which bear about as much, one tears and
+/// relieves the others.
 TEST(JointTear, ABridgeTearsAndSwingsDown)
 {
     ChainSpec spec{.bodies = 9, .along = {1, 0, 0}, .bothEnds = true};

@@ -165,8 +165,8 @@ TEST(Paper, AHeavyLoadHangsFromAChain)
 TEST(Paper, WhatStartsCaughtInEachOtherPartsAndIsNotThrown)
 {
     // Two dozen cubes in half the room that they need, each turned in its own way. Nothing but gravity and a bounded
-    // recovery gives speed: from 1.3 m 5 m/s, and their corners turn by some more. Were the ways out of bodies not turned
-    // with them, they would stay in each other by 20 % of a diameter and drive themselves to 9-40 m/s.
+    // recovery gives speed: from 1.3 m 5 m/s, and their corners turn by some more. Were the ways out of bodies not
+    // turned with them, they would stay in each other by 20 % of a diameter and drive themselves to 9-40 m/s.
     WorldBuilder builder = makeBuilder(paperSettings());
     builder.addCollider(floorPlane());
     for (int k = 0; k < 24; ++k) {

@@ -133,9 +133,9 @@ TEST(SoftBody, TheSagDependsLittleOnIterationsAndSubsteps)
         least = std::min(least, found);
         most = std::max(most, found);
     }
-    // The steepest pull, 1.5 E / (density d^2) h (h + damping), is 0.1 to 0.6: less than the iterations can follow, even
-    // one. What is left of the swing after 4 s, exp(-w^2 damping / 2 t) with w = pi / 2 sqrt(E / density) / H, is 1 %.
-    // Measured: 1.8 %.
+    // The steepest pull, 1.5 E / (density d^2) h (h + damping), is 0.1 to 0.6: less than the iterations can follow,
+    // even one. What is left of the swing after 4 s, exp(-w^2 damping / 2 t) with w = pi / 2 sqrt(E / density) / H, is
+    // 1 %. Measured: 1.8 %.
     EXPECT_LT(most - least, 0.03 * least) << least << " to " << most << " m";
 }
 

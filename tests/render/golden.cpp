@@ -1,4 +1,5 @@
 #include "tests/render/golden.h"
+#include "tests/places.h"
 
 #include <gtest/gtest.h>
 
@@ -17,14 +18,14 @@ constexpr uint32_t CHANGED_BEYOND = 24;
 
 void expectGolden(const std::string& name, const Image& image)
 {
-    const std::string golden = std::string(KNUCKLE_ROOT) + "/tests/render/golden/" + name + ".png";
+    const std::string golden = inSource("tests/render/golden/" + name + ".png");
     if (std::getenv("KNUCKLE_RENEW_GOLDEN") != nullptr) {
         writePng(golden, image);
         return;
     }
     const ImageDifference difference = compareImages(image, readImage(golden), CHANGED_BEYOND);
     if (difference.meanAbsolute <= MAX_MEAN && difference.changedFraction <= MAX_CHANGED_FRACTION) return;
-    const std::string folder = std::filesystem::path(KNUCKLE_PROGRAM).parent_path().string() + "/golden_failures";
+    const std::string folder = std::filesystem::path(programPath()).parent_path().string() + "/golden_failures";
     std::filesystem::create_directories(folder);
     writePng(folder + "/" + name + ".png", image);
     writePng(folder + "/" + name + "_difference.png", difference.picture);

@@ -2,6 +2,7 @@
 
 #include "app/scene/scene_file.h"
 #include "sim/solver/solver.h"
+#include "tests/places.h"
 #include "tests/render/golden.h"
 #include "tests/render/render_fixture.h"
 
@@ -11,7 +12,7 @@ namespace {
 /// The scene's film after some steps: what it is made of, its colours, light and camera.
 Image picture(const std::string& name, int steps, const std::vector<Override>& overrides = {})
 {
-    Scene scene = loadScene(std::string(KNUCKLE_ROOT) + "/assets/scenes/" + name + ".json", overrides);
+    Scene scene = loadScene(test::inSource("assets/scenes/" + name + ".json"), overrides);
     scene.render.width = 160;
     scene.render.height = 90;
     Gpu& gpu = sharedGpu();

@@ -1,4 +1,5 @@
 #include "tools/humanoid/humanoid.h"
+#include "tests/places.h"
 
 #include <gtest/gtest.h>
 
@@ -106,7 +107,7 @@ TEST(Humanoid, danceKeepsBoneLengthsAndFeetAboveTheFloor)
 
 TEST(Humanoid, committedFileIsWhatTheCodeMakes)
 {
-    std::ifstream file(KNUCKLE_ROOT "/assets/models/humanoid.glb", std::ios::binary);
+    std::ifstream file(test::inSource("assets/models/humanoid.glb"), std::ios::binary);
     const std::string committed{std::istreambuf_iterator<char>(file), {}};
     EXPECT_TRUE(committed == toGlb(makeHumanoid()))
         << "make it again: build/release/bin/make_humanoid assets/models/humanoid.glb";
@@ -115,7 +116,7 @@ TEST(Humanoid, committedFileIsWhatTheCodeMakes)
 
 TEST(Humanoid, fileComesBackAsItWas)
 {
-    const Model made = makeHumanoid(), read = importModel(KNUCKLE_ROOT "/assets/models/humanoid.glb");
+    const Model made = makeHumanoid(), read = importModel(test::inSource("assets/models/humanoid.glb"));
     // By place: assimp's versions differ in the order of vertices.
     ASSERT_EQ(read.vertices.size(), made.vertices.size());
     const TriangleTree surface(made.vertices, made.triangles);

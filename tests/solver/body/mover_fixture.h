@@ -30,7 +30,8 @@ struct Part {
     double mass = 0.0;              ///< In this mover [kg].
 };
 
-/// A KernelFixture in the middle of a run: every mover at a random place, substep 9, lists of contacts in the second half.
+/// A KernelFixture in the middle of a run: every mover at a random place, substep 9, lists of contacts in the second
+/// half.
 class MoverFixture : public KernelFixture {
 public:
     static constexpr uint32_t SUBSTEP = 9;

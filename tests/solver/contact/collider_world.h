@@ -38,7 +38,8 @@ inline World colliderWorld(uint32_t count = 4)
     return world;
 }
 
-/// Has `sim/test_collider.comp` write colliderSurface() of each position, for the collider in location 0, to `velocities`.
+/// Has `sim/test_collider.comp` write colliderSurface() of each position, for the collider in location 0, to
+/// `velocities`.
 inline void writeColliderKernel()
 {
     std::filesystem::create_directories(shaderFolder().path("sim"));

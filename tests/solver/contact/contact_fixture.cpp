@@ -112,7 +112,8 @@ void ContactFixture::setColliderContacts(std::vector<TestContact> contacts)
     setLists();
 }
 
-/// Where the lists of each rank begin (shaders/sim/common/contacts/contact_lists.glsl), and the references of second particles.
+/// Where the lists of each rank begin (shaders/sim/common/contacts/contact_lists.glsl), and the references of second
+/// particles.
 void ContactFixture::setLists()
 {
     const size_t count = rankOf.size();

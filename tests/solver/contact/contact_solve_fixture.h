@@ -188,8 +188,8 @@ protected:
         return std::min(step().correction * depth, step().maxCorrection * slowed);
     }
     /// The normal part fades towards its mean, takes the old penetration back by that, and all that came with this
-    /// substep; where both have sunk, it may pull. Coulomb's cone about it. Only counted contacts act; the others are counted when they are
-    /// about to overlap.
+    /// substep; where both have sunk, it may pull. Coulomb's cone about it. Only counted contacts act; the others are
+    /// counted when they are about to overlap.
     Answer answer(const TestContact& c, const Situation& s) const
     {
         const double depth = std::max(-s.startGap, 0.0);

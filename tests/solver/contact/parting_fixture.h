@@ -34,8 +34,8 @@ public:
 private:
     /// Turns of the movers, and inverse inertias of the bodies that no box has: nothing in them is zero [1/(kg m2)].
     void setTurnsAndInertias();
-    /// Where a box without joints goes on from the particle towards another beside it, the other's place does not count.
-    /// `sure` becomes false where rounding decides.
+    /// Where a box without joints goes on from the particle towards another beside it, the other's place does not
+    /// count. `sure` becomes false where rounding decides.
     Vector3d shown(uint32_t particle, const Vector3d& towards, uint32_t& hidden, bool& sure) const;
 
     std::vector<Quaternionf> turns_;  ///< Per mover.

@@ -140,7 +140,8 @@ TEST_P(FluidDensity, SolidParticlesHaveNoPressure)
 
 TEST_P(FluidDensity, SolidsAreGivenWhatTheyGive)
 {
-    // fluid_pressure moves a fluid particle by lambda times solids' slope; fluid_solid_coupling gives that back by weights.
+    // fluid_pressure moves a fluid particle by lambda times solids' slope; fluid_solid_coupling gives that back by
+    // weights.
     fill(fixture.stages.bodies.particleImpulses, std::vector<gpu::vec4>(fixture.count()));
     fixture.forParticles("fluid/fluid_solid_coupling");
     const auto impulses = fixture.stages.bodies.particleImpulses.download();

@@ -34,8 +34,8 @@ protected:
         for (uint32_t k = 0; k < fixture.world.bodies.size(); ++k) expected.push_back(reference(k));
     }
 
-    /// Eq. 9 about the centre before the substep, and the mean of the particles' moves. Shared ones are pulled, and move
-    /// from where the body had them.
+    /// Eq. 9 about the centre before the substep, and the mean of the particles' moves. Shared ones are pulled, and
+    /// move from where the body had them.
     BodySums reference(uint32_t body)
     {
         Stages& b = fixture.stages;

@@ -1,0 +1,108 @@
+#!/usr/bin/env bash
+# Writes the tables of table 2 in README.md, docs/performance.md and docs/paper.md, from docs/bench.json. --run [NOTE]:
+# measures first, some ten minutes on two quiet cores; the note is on what else the machine did. --check: fails where a
+# document has other figures.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+figures=docs/bench.json
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+if [[ ${1:-} == --run ]]; then
+    bash scripts/build.sh release knuckle
+    build/release/bin/knuckle bench table2 --preset default,paper --json >"$work/figures"
+    { echo '{'
+      echo "  \"measured\": \"$(date +%F)\","
+      echo "  \"note\": \"$(tr -d '"\\' <<<"${2:-on a quiet machine}")\","
+      tail -n +2 "$work/figures"; } >"$figures"
+fi
+
+# The JSON has a key a line, as the program writes it. Of each run a line of its values in the order of the keys.
+run_keys='preset objectCount particleCount stepsPerSecond settledStepsPerSecond drawnStepsPerSecond pileTop
+    meanPenetration worstPenetration meanJointGap worstJointGap maxSpeed quadroP6000 gtx1080 unreal'
+value() { sed -nE "s/^  \"$1\": \"?([^\"]*[^\",])\"?,?\$/\\1/p" "$figures"; }
+runs() {
+    awk -v keys="$(tr -s ' \n' ' ' <<<"$run_keys")" '
+        BEGIN { count = split(keys, order, " ") }
+        function flush(  k) {
+            if (!("preset" in run)) return
+            for (k = 1; k <= count; ++k) printf "%s%s", order[k] in run ? run[order[k]] : "-", k < count ? " " : "\n"
+            delete run
+        }
+        /^ +"[A-Za-z0-9]+": / {
+            key = $1; gsub(/[":]/, "", key)
+            content = $2; gsub(/[",]/, "", content)
+            if (key == "preset") flush()
+            run[key] = content
+        }
+        END { flush() }' "$figures"
+}
+
+# Of whom the figures are, in one line.
+source_line() {
+    local threads
+    threads=$(value driverThreads)
+    case $threads in
+        null) threads= ;;
+        0) threads=', no driver threads' ;;
+        *) threads=", $threads driver threads" ;;
+    esac
+    echo "$(value device)$threads, $(value steps) steps, measured $(value measured) $(value note)." |
+        fold -s -w 120 | sed "s, *$,,"
+}
+
+# docs/performance.md: all there is.
+full_table() {
+    source_line
+    echo
+    echo '| objects | preset | particles | steps/s, all | settled | drawn | paper, P6000 | GTX 1080 | UE4 | top | penetration, mean / worst | gap, mean / worst | fastest at the end |'
+    echo '| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |'
+    runs | awk '{
+        printf "| %d | %s | %d | %.1f | %.1f | %.1f | %s | %s | %s | %.2f m | %.1f / %.1f %% | %.1f / %.1f %% | %.2f m/s |\n",
+            $2, $1, $3, $4, $5, $6, $13, $14, $15, $7, 100 * $8, 100 * $9, 100 * $10, 100 * $11, $12 }'
+}
+
+# README.md: as the program prints 300 objects.
+printed() {
+    echo '    $ knuckle bench table2 --preset default,paper --objects 300'
+    echo '    preset  objects  particles      all  settled    drawn  P6000   1080    UE4  top, m mean pen  worst mean gap  worst  speed'
+    runs | awk '$2 == 300 {
+        printf "    %-8s%7d%11d%9.1f%9.1f%9.1f%7s%7s%7s%8.2f%9.1f%7.1f%9.1f%7.1f%7.2f\n",
+            $1, $2, $3, $4, $5, $6, $13, $14, $15, $7, 100 * $8, 100 * $9, 100 * $10, 100 * $11, $12 }'
+}
+
+# docs/paper.md: the paper's rows beside both presets.
+beside_the_paper() {
+    echo '| pairs | UE4 | paper, P6000 / GTX 1080 | default | penetration, mean / worst; gap | preset | penetration, mean / worst; gap |'
+    echo '| --- | --- | --- | --- | --- | --- | --- |'
+    runs | awk '
+        { text = sprintf(" %.1f | %.1f / %.1f %%; %.1f %% |", $4, 100 * $8, 100 * $9, 100 * $11) }
+        $1 == "default" { start[$2] = sprintf("| %d | %s | %s / %s |", $2, $15, $13, $14) text; order[++count] = $2 }
+        $1 == "paper" { preset[$2] = text }
+        END { for (k = 1; k <= count; ++k) print start[order[k]] preset[order[k]] }'
+}
+
+# What stands between the marks of a document.
+failed=0
+fill() {
+    local document=$1 table=$2
+    "$table" >"$work/table"
+    awk -v table="$work/table" '
+        /<!-- bench -->/ { print; print ""; while ((getline line < table) > 0) print line; print ""; inside = 1; next }
+        /<!-- \/bench -->/ { inside = 0 }
+        !inside { print }' "$document" >"$work/document"
+    cmp -s "$work/document" "$document" && return
+    if [[ $mode == --check ]]; then
+        echo "$document: its table of speeds is not that of $figures; run scripts/performance.sh" >&2
+        failed=1
+    else
+        cat "$work/document" >"$document"
+    fi
+}
+
+mode=${1:-}
+fill README.md printed
+fill docs/performance.md full_table
+fill docs/paper.md beside_the_paper
+exit $failed

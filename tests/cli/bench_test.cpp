@@ -1,0 +1,60 @@
+#include "app/json/json.h"
+#include "tests/cli/cli_fixture.h"
+#include "tests/places.h"
+
+namespace knuckle {
+namespace {
+
+using test::RunResult;
+using Bench = test::CliTest;
+
+/// Two steps of one pair, one of them drawn.
+const std::vector<std::string> SHORT = {"bench", "table2", "--objects", "1", "--steps", "2", "--drawn-steps", "1"};
+
+std::vector<std::string> withJson()
+{
+    std::vector<std::string> words = SHORT;
+    words.push_back("--json");
+    return words;
+}
+
+TEST_F(Bench, PrintsARowForEachRun)
+{
+    const RunResult result = run(SHORT);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("\ndefault       1"), std::string::npos) << result.out;
+}
+
+TEST_F(Bench, WritesFiguresAsJson)
+{
+    const RunResult result = run(withJson());
+    ASSERT_EQ(result.code, 0) << result.err;
+    const Json figures = parseJson(result.out, "figures");
+    EXPECT_EQ(figures["benchmark"], "table2");
+    EXPECT_EQ(figures["steps"], 2);
+    EXPECT_EQ(figures["settledSteps"], 2);
+    EXPECT_EQ(figures["drawnSteps"], 1);
+    ASSERT_EQ(figures["runs"].size(), 1u);
+    const Json& first = figures["runs"][0];
+    EXPECT_EQ(first["preset"], "default");
+    EXPECT_EQ(first["objectCount"], 1);
+    EXPECT_TRUE(first["published"].is_null());
+    for (const char* key : {"stepsPerSecond", "settledStepsPerSecond", "drawnStepsPerSecond", "pileTop"}) {
+        EXPECT_GT(first[key].get<double>(), 0.0) << key;
+    }
+}
+
+TEST_F(Bench, WritesNoFigureThatIsNotDescribed)
+{
+    const Json figures = parseJson(run(withJson()).out, "figures");
+    const std::string page = test::readText(test::inSource("docs/output.md"));
+    const std::string described = page.substr(page.find("## Speed"));
+    for (const Json& object : {figures, figures["runs"][0]}) {
+        for (const auto& [key, value] : object.items()) {
+            EXPECT_NE(described.find('`' + key + '`'), std::string::npos) << key;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace knuckle
