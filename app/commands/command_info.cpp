@@ -42,6 +42,7 @@ int info(const CommonOptions& common)
                gpu->device().version);
     fmt::print("  largest storage buffer      {} MiB\n", limits.storageBlockSize >> 20);
     fmt::print("  storage buffers a kernel    {}\n", limits.computeStorageBlocks);
+    fmt::print("  buffer textures a kernel    {}\n", limits.computeTextures);
     fmt::print("  largest buffer texture      {} texels\n", limits.textureBufferSize);
     fmt::print("  largest texture             {} pixels\n", limits.textureSize);
     fmt::print("  work groups a dispatch      {}\n", limits.workGroupCountX);

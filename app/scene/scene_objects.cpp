@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "app/json/fields.h"
@@ -56,6 +58,15 @@ RoundShape roundShapeOf(const Entry& entry)
     return {};
 }
 
+/// When something that is held is let go [s]; infinity: never.
+float releaseTime(const Entry& entry, bool held)
+{
+    const float time = readUnlessZero(entry.json["release"]["time"]);
+    if (!held && std::isfinite(time))
+        entry.fail("/release", "is for what is held; set `fixed` or `hold` as well, or take it away");
+    return time;
+}
+
 void addRigidOrSoft(const Entry& entry)
 {
     WorldBuilder& builder = entry.context.builder;
@@ -65,11 +76,16 @@ void addRigidOrSoft(const Entry& entry)
     const std::vector<Vector3f> positions = fillRegion(entry.context, entry.json, entry.pointer, builder.diameter());
     const std::vector<SurfaceDistance> surface = soft ? std::vector<SurfaceDistance>() : surfaceOf(entry, positions);
     const std::vector<uint32_t> pinned = soft ? pinnedPoints(entry, positions) : std::vector<uint32_t>();
-    const Motion motion = entry.json["fixed"].get<bool>() ? Motion::Fixed : Motion::Dynamic;
+    const bool held = entry.json["fixed"];
+    const float time = soft ? 0.0f : releaseTime(entry, held);
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         builder.beginObject(entry.copyName(copy));
         if (soft) builder.addSoftBody(entry.copyName(copy), positions, entry.material, pinned);
-        else builder.addBody("body", positions, entry.material, motion, surface, roundShapeOf(entry));
+        else {
+            const uint32_t body = builder.addBody("body", positions, entry.material, Motion::Dynamic, surface,
+                                                  roundShapeOf(entry));
+            if (held) builder.holdBody(body, time);
+        }
         builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
     }
 }
@@ -93,8 +109,8 @@ void addChain(const Entry& entry, const JointSpec& common, uint32_t lastMaterial
         const bool last = b + 1 == bodies;
         const bool held = (b == 0 && hold != "last" && hold != "none") || (last && hold != "first" && hold != "none");
         indices.push_back(builder.addBody(fmt::format("body_{}", b + 1), positions,
-                                          last ? lastMaterial : entry.material,
-                                          held ? Motion::Fixed : Motion::Dynamic));
+                                          last ? lastMaterial : entry.material));
+        if (held) builder.holdBody(indices.back(), releaseTime(entry, true));
     }
     const Json& types = json["joints"];
     for (uint32_t j = 0; j + 1 < bodies; ++j) {
@@ -120,6 +136,9 @@ void addJoined(const Entry& entry)
     std::vector<JointType> types;
     for (const Json& type : json["joints"]) types.push_back(valueOf<JointType>(type.get<std::string>()));
     requireLimits(entry.context.path, entry.pointer + "/limits", common.limits, types);
+    if (std::isfinite(releaseTime(entry, json["hold"] != "none")) && json["hold"] == "both" && common.limits.any())
+        entry.fail("/release", "a chain that is held at both ends and has limits is a loop, and cannot be let go; hold "
+                               "one end, or take the limits away");
     if (common.axis.cross(Vector3f::UnitX()).norm() < 1e-3f) {
         entry.fail("/axis", "must not be zero or along x, the chain's own direction; for instance [0, 0, 1]");
     }
@@ -140,6 +159,25 @@ void addDistanceRows(const Entry& entry)
     addRopeObject(rows);
 }
 
+/// Indices of the bodies of an actor that the scene holds.
+std::vector<uint32_t> heldBodies(const Entry& entry, const Actor& actor)
+{
+    std::vector<uint32_t> held;
+    if (entry.json["fixed"].get<bool>())
+        for (uint32_t b = 0; b < actor.bodies.size(); ++b) held.push_back(b);
+    std::vector<std::string> names;
+    for (const ActorBody& body : actor.bodies) names.push_back(body.name);
+    const Json& wanted = entry.json["hold"];
+    for (size_t i = 0; i < wanted.size(); ++i) {
+        const auto found = std::ranges::find(names, wanted[i].get<std::string>());
+        if (found == names.end())
+            entry.fail(fmt::format("/hold/{}", i), fmt::format("there is no body \"{}\"; {}", wanted[i].get<std::string>(),
+                                                               suggestion(wanted[i], names)));
+        held.push_back(static_cast<uint32_t>(found - names.begin()));
+    }
+    return held;
+}
+
 void addActors(const Entry& entry)
 {
     Actor actor = findActor(entry.context, entry.json, entry.pointer);
@@ -147,9 +185,13 @@ void addActors(const Entry& entry)
     const JointStrength strength = readStrength(entry.json);
     for (ActorJoint& joint : actor.joints)
         if (!joint.strength.tears()) joint.strength = strength;
+    const std::vector<uint32_t> held = heldBodies(entry, actor);
+    const float time = releaseTime(entry, !held.empty());
+    WorldBuilder& builder = entry.context.builder;
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         actor.name = entry.copyName(copy);
-        addActor(entry.context.builder, actor, entry.material, entry.poses[copy], entry.velocity);
+        const uint32_t object = addActor(builder, actor, entry.material, entry.poses[copy], entry.velocity);
+        for (const uint32_t body : held) builder.holdBody(builder.world().objects[object].bodyStart + body, time);
     }
 }
 

@@ -173,6 +173,7 @@ void Gpu::readLimits()
 {
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limits_.storageBlockSize);
     glGetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &limits_.computeStorageBlocks);
+    glGetIntegerv(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, &limits_.computeTextures);
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limits_.textureBufferSize);
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limits_.textureSize);
     glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &limits_.workGroupCountX);

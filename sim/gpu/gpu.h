@@ -35,6 +35,7 @@ struct DeviceInfo {
 struct DeviceLimits {
     int64_t storageBlockSize = 0;  ///< [bytes]
     int32_t computeStorageBlocks = 0;
+    int32_t computeTextures = 0;
     int32_t textureBufferSize = 0;  ///< [texels]
     int32_t textureSize = 0;        ///< [pixels]
     int32_t workGroupCountX = 0;

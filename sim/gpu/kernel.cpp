@@ -54,7 +54,9 @@ Kernel::Kernel(const Gpu& gpu, const BufferTable& buffers, const std::string& pa
       bindings_(program_, buffers, "kernel " + name_)
 {
     const auto check = [&](size_t used, size_t promised, const char* what) {
-        if (used > promised) fprintf(stderr, "%s\n", fmt::format("kernel {} uses {} {}; OpenGL 4.3 promises {}", name(), used, what, promised).c_str());
+        if (used > promised)
+            throw DeviceError(
+                fmt::format("kernel {} uses {} {}; OpenGL 4.3 promises {}", name(), used, what, promised));
     };
     check(bindings_.storageCount(), 8, "storage buffers");
     check(bindings_.textureCount(), 16, "textures");

@@ -154,6 +154,16 @@ void validateLinks(const World& world)
                 i, bodiesOf[i], world.particles[i].bodyCount);
 }
 
+void validateReleases(const World& world)
+{
+    for (const Body& body : world.bodies) {
+        require(body.releaseTime >= 0.0f, "body \"{}\": it is let go at {} s; must be 0 or later", body.name,
+                body.releaseTime);
+        requireInput(std::isinf(body.releaseTime) || world.settings.solver == SolverKind::Impulse,
+                     "the paper's solver lets nothing go; take `release` away, or use solver method impulse");
+    }
+}
+
 void validateColliders(const World& world)
 {
     for (size_t i = 0; i < world.colliders.size(); ++i) {
@@ -198,6 +208,7 @@ void validate(const World& world)
     validateEmitters(world);
     validateLinks(world);
     validateJoints(world);
+    validateReleases(world);
     validateColliders(world);
     validateSoftBodies(world);
     validateDistanceRows(world);

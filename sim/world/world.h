@@ -166,6 +166,12 @@ inline bool neverResponds(const Body& body)
     return body.motion == Motion::Fixed && body.releaseTime == std::numeric_limits<float>::infinity();
 }
 
+/// Whether a particle never moves: it is pinned, or a body has it that never responds.
+inline bool isFixedForEver(const World& world, const Particle& particle)
+{
+    return particle.pinned || (particle.body != NO_INDEX && neverResponds(world.bodies[particle.body]));
+}
+
 /// Nearer to a solid particle no fluid begins [m].
 float fluidClearance(const World& world);
 

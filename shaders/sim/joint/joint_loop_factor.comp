@@ -3,6 +3,7 @@
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/joint/joint_pose.glsl"
+#include "sim/joint/joint_rows.glsl"
 #include "sim/joint/joint_loops.glsl"
 #include "sim/joint/joint_recovery.glsl"
 
@@ -57,8 +58,11 @@ void main()
     JointTree tree = fetchJointTree(index);
     if (treeRests(tree)) return;
     for (uint loop = tree.firstLoop; loop < tree.loopEnd; ++loop) {
-        if (!loopActs(loop)) continue;
         JointInfo joint = fetchJoint(loop);
+        if (!loopActs(loop)) {
+            if (standsIn(joint)) clearRows(joint);
+            continue;
+        }
         uint freedom = fetchFreedom(loop);
         JointSide body = jointSide(loop, 0u, joint.body), parent = jointSide(loop, 1u, joint.parent);
         vec3 axis = rotate(body.frame, vec3(1, 0, 0));

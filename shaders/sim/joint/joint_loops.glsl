@@ -40,11 +40,19 @@ uint loopEntry(uint loop)
                vec3(GET(0).w, GET(1).w, GET(2).w), vec3(GET(3).w, GET(4).w, GET(5).w), \
                vec3(GET(6).w, GET(7).w, GET(8).w), Motion(GET(7).xyz, GET(8).xyz), GET(9).x, GET(9).y)
 
-/// Whether a loop holds anything now: not where both its ends are held.
+/// Whether a loop is between a body and its child in the tree: it stands in for the joint between the two while the child
+/// does not respond, since what hangs on the child is then all that the tree's joint holds.
+bool standsIn(JointInfo joint)
+{
+    return joint.parentJoint != NONE && fetchJoint(joint.parentJoint).parent == joint.body;
+}
+
+/// Whether a loop holds anything now.
 bool loopActs(uint loop)
 {
     JointInfo joint = fetchJoint(loop);
-    return fetchFreedom(loop) != JOINT_NONE && (responds(joint.body) || responds(joint.parent));
+    bool body = responds(joint.body), parent = responds(joint.parent);
+    return fetchFreedom(loop) != JOINT_NONE && (standsIn(joint) ? body && !parent : body || parent);
 }
 
 /// From the leaves to the root, with no other force than that between the ends of a loop.

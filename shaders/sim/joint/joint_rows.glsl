@@ -26,6 +26,22 @@ void push(uint row, Force f)
 #endif
 }
 
+void clearRow(uint row)
+{
+    if (row == NONE) return;
+    newRowImpulses[row] = vec4(0);
+#ifdef ANGULAR
+    newRowAngularImpulses[row] = vec4(0);
+#endif
+}
+
+/// It holds nothing any more.
+void clearRows(JointInfo joint)
+{
+    clearRow(joint.row);
+    clearRow(joint.parentRow);
+}
+
 /// @param held on the body; its parent gets the opposite.
 void pushBoth(uint k, Force held)
 {

@@ -3,7 +3,7 @@
 // stay with the first of their bodies.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
-#include "sim/joint/joint_info.glsl"
+#include "sim/joint/joint_rows.glsl"
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
 uniform usamplerBuffer jointStrengths;
@@ -11,10 +11,6 @@ uniform usamplerBuffer jointParticles;
 BUFFER(uint, JointFreedoms, newJointFreedoms);
 BUFFER(vec4, JointLoads, jointLoads);
 BUFFER(uvec2, ParticleLinks, newParticleLinks);
-BUFFER(vec4, RowImpulses, newRowImpulses);
-#ifdef ANGULAR
-BUFFER(vec4, RowAngularImpulses, newRowAngularImpulses);
-#endif
 
 struct JointStrength {
     float force, torque;   // [N, N m]
@@ -25,15 +21,6 @@ JointStrength fetchJointStrength(uint joint)
 {
     uvec4 t = texelFetch(jointStrengths, int(joint));
     return JointStrength(uintBitsToFloat(t.x), uintBitsToFloat(t.y), t.z, t.w);
-}
-
-void letGo(uint row)
-{
-    if (row == NONE) return;
-    newRowImpulses[row] = vec4(0);
-#ifdef ANGULAR
-    newRowAngularImpulses[row] = vec4(0);
-#endif
 }
 
 /// The mean of what a joint bears now and bore a substep ago: where second order begins, it bears too little and then
@@ -65,8 +52,7 @@ void tear(uint k)
     JointInfo joint = fetchJoint(k);
     JointStrength strength = fetchJointStrength(k);
     newJointFreedoms[k] = JOINT_NONE;
-    letGo(joint.row);
-    letGo(joint.parentRow);
+    clearRows(joint);
     for (uint i = strength.first; i < strength.end; ++i) newParticleLinks[texelFetch(jointParticles, int(i)).x].y = 1u;
 }
 

@@ -49,7 +49,7 @@ Defines factorVariant(const StageSetup& setup)
     return variant;
 }
 
-Defines tearVariant(const StageSetup& setup)
+Defines rowVariant(const StageSetup& setup)
 {
     return setup.rows.hasAngular() ? Defines{{"ANGULAR", "1"}} : Defines{};
 }
@@ -81,7 +81,7 @@ JointStage::JointStage(const StageSetup& setup)
       hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()),
       hasLimits_(needed_ && limits(setup.world)), tears_(needed_ && tears(setup.world)),
       variant_(hasLoops_ ? with(loopVariant(setup), "LOOPS") : loopVariant(setup)), loopVariant_(loopVariant(setup)), factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")),
-      tearVariant_(tearVariant(setup))
+      rowVariant_(rowVariant(setup))
 {
     const Layout& layout = setup.layout;
     sharedParticles = {"sharedParticles", std::span<const uint32_t>(layout.sharedParticles)};

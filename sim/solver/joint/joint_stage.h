@@ -52,13 +52,13 @@ private:
 
     const gpu::StepParameters& parameters_;
     bool needed_, shared_, hasLoops_, hasLimits_, tears_;
-    Defines variant_, loopVariant_, factorVariant_, againVariant_, tearVariant_;
+    Defines variant_, loopVariant_, factorVariant_, againVariant_, rowVariant_;
     Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
     Pass refactor_{*this, "joint/joint_factor", againVariant_, needed_&& hasLimits_};
-    Pass factorLoops_{*this, "joint/joint_loop_factor", {}, hasLoops_};
+    Pass factorLoops_{*this, "joint/joint_loop_factor", rowVariant_, hasLoops_};
     Pass solve_{*this, "joint/joint_solve", variant_, needed_};
     Pass solveLoops_{*this, "joint/joint_loop_solve", loopVariant_, hasLoops_};
-    Pass tear_{*this, "joint/joint_tear", tearVariant_, tears_};
+    Pass tear_{*this, "joint/joint_tear", rowVariant_, tears_};
     Pass place_{*this, "joint/joint_position", {}, shared_};
 };
 

@@ -49,13 +49,9 @@ public:
         for (uint32_t b = 0; b < world_.bodies.size(); ++b)
             if (neverResponds(world_.bodies[b]))
                 for (const uint32_t j : jointsOfBody_[b]) grow(treeJoint(j, other(j, b)));
-        for (uint32_t b = 0; b < world_.bodies.size(); ++b) {
-            if (neverResponds(world_.bodies[b]) || jointsOfBody_[b].empty() || treeJointOfBody_[b] != NO_INDEX) continue;
-            JointTrees::Joint root;
-            root.body = b;
-            root.freedom = JOINT_NONE;
-            grow(root);
-        }
+        for (const Motion motion : {Motion::Fixed, Motion::Dynamic})
+            for (uint32_t b = 0; b < world_.bodies.size(); ++b)
+                if (world_.bodies[b].motion == motion) growFrom(b);
     }
 
     /// Behind the trees: what other joints hold in addition, grouped by tree.
@@ -70,6 +66,8 @@ public:
             loop.parentJoint = treeJointOfBody_[loop.parent];
             loops[treeOfBody_[body]].push_back(std::move(loop));
         }
+        for (const JointTrees::Joint& joint : out_.joints)
+            if (isHeldLonger(joint)) loops[treeOfBody_[joint.body]].push_back(standIn(joint));
         for (size_t t = 0; t < loops.size(); ++t) {
             out_.trees[t].firstLoop = static_cast<uint32_t>(out_.loops.size());
             out_.loops.insert(out_.loops.end(), loops[t].begin(), loops[t].end());
@@ -87,6 +85,35 @@ private:
     JointTrees::Joint treeJoint(uint32_t joint, uint32_t body) const
     {
         return jointOf(world_, joint, world_.joints[joint].particles, body);
+    }
+
+    /// Whether a body may be held while its parent responds: it then holds what hangs on it, but also its parent.
+    bool isHeldLonger(const JointTrees::Joint& joint) const
+    {
+        if (joint.parentJoint == NO_INDEX) return false;
+        const Body &body = world_.bodies[joint.body], &parent = world_.bodies[joint.parent];
+        return body.motion == Motion::Fixed &&
+               (parent.motion != Motion::Fixed || parent.releaseTime < body.releaseTime);
+    }
+
+    /// The joint seen from its parent.
+    JointTrees::Joint standIn(const JointTrees::Joint& joint) const
+    {
+        JointTrees::Joint loop = jointOf(world_, joint.joint, joint.particles, joint.parent);
+        loop.bodyJoint = joint.parentJoint;
+        loop.parentJoint = joint.bodyJoint;
+        return loop;
+    }
+
+    /// The tree of a body that nothing holds for ever: one that is held at first is its root.
+    void growFrom(uint32_t body)
+    {
+        if (neverResponds(world_.bodies[body]) || jointsOfBody_[body].empty() || treeJointOfBody_[body] != NO_INDEX)
+            return;
+        JointTrees::Joint root;
+        root.body = body;
+        root.freedom = JOINT_NONE;
+        grow(root);
     }
 
     void grow(const JointTrees::Joint& root)

@@ -34,7 +34,9 @@ struct JointTrees {
     std::vector<Joint> all() const;
 
     std::vector<Joint> joints;  ///< One for each body of a tree.
-    std::vector<Joint> loops;   ///< Between bodies that a tree connects already; `body` belongs to the tree.
+    /// Between bodies that a tree connects already; `body` belongs to the tree. Where a body may be held while its
+    /// parent in the tree responds, one of them stands in for the joint between the two for as long.
+    std::vector<Joint> loops;
     std::vector<Tree> trees;    ///< The largest first.
 };
 

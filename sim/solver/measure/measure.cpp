@@ -56,7 +56,7 @@ Depths penetrations(const World& world, const std::vector<Vector3f>& positions)
                 }
         }
     for (uint32_t i = 0; i < world.solidCount(); ++i) {
-        if (isFixed(world, world.particles[i])) continue;
+        if (isFixedForEver(world, world.particles[i])) continue;
         for (const Collider& collider : world.colliders) {
             const float depth = world.particleRadius - colliderDistance(world, collider, positions[i]);
             if (depth > 0.0f) depths.add(depth);
@@ -150,7 +150,7 @@ BodyState bodyState(const World& world, const Body& body, const ParticleState& p
     BodyState state;
     state.rotation = rotation;
     state.position = centre;
-    if (body.motion == Motion::Fixed) return state;
+    if (neverResponds(body)) return state;
     Vector3d momentum = Vector3d::Zero(), offset = Vector3d::Zero();
     double mass = 0.0;
     const auto eachLink = [&](const auto& visit) {

@@ -32,7 +32,7 @@ std::vector<uint32_t> colorsOf(const World& world)
         uint32_t color = 0;
         while (std::find(others.begin(), others.end(), color) != others.end()) ++color;
         for (uint32_t particle : row.particles)
-            if (!isFixed(world, world.particles[particle])) taken[particle].push_back(color);
+            if (!isFixedForEver(world, world.particles[particle])) taken[particle].push_back(color);
         colors.push_back(color);
     }
     return colors;

@@ -108,6 +108,12 @@ uint32_t WorldBuilder::addBody(std::string name, std::span<const Vector3f> posit
     return index;
 }
 
+void WorldBuilder::holdBody(uint32_t body, float releaseTime)
+{
+    world_.bodies.at(body).motion = Motion::Fixed;
+    world_.bodies[body].releaseTime = releaseTime;
+}
+
 void WorldBuilder::shareParticle(uint32_t particle, uint32_t body)
 {
     auto& members = bodyParticles_.at(body);

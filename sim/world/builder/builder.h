@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -53,6 +54,8 @@ public:
     uint32_t addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
                      Motion motion = Motion::Dynamic, std::span<const SurfaceDistance> surface = {},
                      const RoundShape& round = {});
+    /// Holds a body where it is put, for ever or until a time [s], when it is let go from rest.
+    void holdBody(uint32_t body, float releaseTime = std::numeric_limits<float>::infinity());
     /// A soft body of particles at `positions` (rest pose of the object) [m], as elastic as its material.
     /// @param pinned indices into `positions`: these particles stay where they are put.
     /// @returns the soft body's index. @throws std::logic_error for an empty span or a position that is not finite.

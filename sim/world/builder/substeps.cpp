@@ -18,7 +18,7 @@ std::vector<bool> crossings(const World& world)
     for (const DistanceRow& row : world.distanceRows)
         for (uint32_t p : row.particles) threads[p] += row.kind == DistanceKind::Stretch ? 1 : 0;
     std::vector<bool> out;
-    for (size_t p = 0; p < threads.size(); ++p) out.push_back(threads[p] > 1 && !isFixed(world, world.particles[p]));
+    for (size_t p = 0; p < threads.size(); ++p) out.push_back(threads[p] > 1 && !isFixedForEver(world, world.particles[p]));
     return out;
 }
 
@@ -34,7 +34,7 @@ float clothImpactSpeed(const World& world)
     if (std::isinf(lowest)) return 0.0f;
     for (uint32_t p = 0; p < world.solidCount(); ++p) {
         const Particle& particle = world.particles[p];
-        if (isFixed(world, particle)) continue;
+        if (isFixedForEver(world, particle)) continue;
         const float fall = cloth[p] ? 0.0f : std::max(lowest - gravity.dot(particle.position), 0.0f);
         fastest = std::max(fastest, particle.velocity.squaredNorm() + 2.0f * fall);
     }
