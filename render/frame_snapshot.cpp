@@ -37,15 +37,20 @@ void FrameSnapshot::Fence::wait()
     if (sync_ != nullptr) glWaitSync(sync_, 0, GL_TIMEOUT_IGNORED);
 }
 
+FrameSnapshot::FrameSnapshot(const RenderSettings& settings)
+    : showsSpeeds_(settings.colorBy == ColorBy::Speed), follows_(settings.camera.kind == CameraKind::Follow)
+{
+}
+
 void FrameSnapshot::take(const ParticleView& view)
 {
     drawn_.wait();
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     view_ = view;
     view_.positions = copyVectors(view.positions, view.particleCount, positions_, "drawn positions");
-    view_.velocities = copyVectors(view.velocities, view.particleCount, velocities_, "drawn velocities");
-    view_.bodyCentres = copyVectors(view.bodyCentres, view.bodyCount, centres_, "drawn centres");
-    view_.bodyRotations = copyVectors(view.bodyRotations, view.bodyCount, rotations_, "drawn rotations");
+    const uint32_t speeds = showsSpeeds_ ? view.particleCount : 0, centres = follows_ ? view.bodyCount : 0;
+    view_.velocities = copyVectors(view.velocities, speeds, velocities_, "drawn velocities");
+    view_.bodyCentres = copyVectors(view.bodyCentres, centres, centres_, "drawn centres");
     taken_.set();
 }
 

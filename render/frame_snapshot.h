@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/settings.h"
 #include "sim/gpu/buffer.h"
 #include "sim/solver/particle_view.h"
 
@@ -9,6 +10,8 @@ namespace knuckle {
 /// goes on. Lives in the solver's context; its two sides may be called on different threads, one at a time.
 class FrameSnapshot {
 public:
+    /// @param settings of what is drawn from it: they say what of a state is read.
+    explicit FrameSnapshot(const RenderSettings& settings);
     /// On the solver's side: copies, after whatever was drawn from the copy before.
     void take(const ParticleView& view);
     /// On the drawing side: the copy, which what is drawn from now on finds complete.
@@ -31,7 +34,8 @@ private:
         GLsync sync_ = nullptr;
     };
 
-    RawBuffer positions_, velocities_, centres_, rotations_;
+    bool showsSpeeds_, follows_;
+    RawBuffer positions_, velocities_, centres_;
     ParticleView view_;
     Fence taken_, drawn_;
 };

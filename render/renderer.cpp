@@ -54,10 +54,10 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
 
 BufferTable& Renderer::Impl::addInputs()
 {
-    table.add(inputBuffer);
-    table.add("positions", positions, elementType<gpu::vec4>());
-    table.add("velocities", velocities, elementType<gpu::vec4>());
-    table.add("bodyCentres", bodyCentres, elementType<gpu::vec4>());
+    table.add(Lifetime::Scratch, inputBuffer);
+    table.add("positions", positions, elementType<gpu::vec4>(), Lifetime::Scratch);
+    table.add("velocities", velocities, elementType<gpu::vec4>(), Lifetime::Scratch);
+    table.add("bodyCentres", bodyCentres, elementType<gpu::vec4>(), Lifetime::Scratch);
     return table;
 }
 

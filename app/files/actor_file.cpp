@@ -110,8 +110,9 @@ ActorJoint readJoint(const JsonFile& file, const Json& json, size_t index, const
                fmt::format("{} is not one of the {} bodies", body, actor.bodies.size()));
     }
     if (joint.type == JointType::Universal && actor.bodies[joint.parent].isCross == actor.bodies[joint.child].isCross)
-        failAt(file.path, pointer, "a universal joint is two, to and from a body with `cross`: true; make the actor anew "
-                                   "with knuckle voxelize");
+        failAt(file.path, pointer,
+               "a universal joint is two, to and from a body with `cross`: true; make the actor anew "
+               "with knuckle voxelize");
     return joint;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -69,7 +70,7 @@ private:
     /// One is drawn while the next waits.
     static constexpr size_t SNAPSHOTS = 2;
 
-    FrameSnapshot snapshots_[SNAPSHOTS];
+    std::array<FrameSnapshot, SNAPSHOTS> snapshots_;
     size_t next_ = 0;
     // Made, used and destroyed on the thread; whoever waits for it may read figures.
     std::unique_ptr<Gpu> gpu_;

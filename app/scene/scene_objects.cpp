@@ -108,8 +108,8 @@ void addChain(const Entry& entry, const JointSpec& common, uint32_t lastMaterial
         for (Vector3f& position : positions) position += centre(static_cast<float>(b));
         const bool last = b + 1 == bodies;
         const bool held = (b == 0 && hold != "last" && hold != "none") || (last && hold != "first" && hold != "none");
-        indices.push_back(builder.addBody(fmt::format("body_{}", b + 1), positions,
-                                          last ? lastMaterial : entry.material));
+        indices.push_back(
+            builder.addBody(fmt::format("body_{}", b + 1), positions, last ? lastMaterial : entry.material));
         if (held) builder.holdBody(indices.back(), releaseTime(entry, true));
     }
     const Json& types = json["joints"];
@@ -171,8 +171,9 @@ std::vector<uint32_t> heldBodies(const Entry& entry, const Actor& actor)
     for (size_t i = 0; i < wanted.size(); ++i) {
         const auto found = std::ranges::find(names, wanted[i].get<std::string>());
         if (found == names.end())
-            entry.fail(fmt::format("/hold/{}", i), fmt::format("there is no body \"{}\"; {}", wanted[i].get<std::string>(),
-                                                               suggestion(wanted[i], names)));
+            entry.fail(
+                fmt::format("/hold/{}", i),
+                fmt::format("there is no body \"{}\"; {}", wanted[i].get<std::string>(), suggestion(wanted[i], names)));
         held.push_back(static_cast<uint32_t>(found - names.begin()));
     }
     return held;

@@ -34,7 +34,7 @@ ColliderPass::ColliderPass(const Gpu& gpu, BufferTable& table, const World& worl
     : meshes_(gpu, table, world, targets)
 {
     upload(world, extent);
-    table.add(planes_, shapes_);
+    table.add(Lifetime::Constant, planes_, shapes_);
     planePass_ = DrawPass(gpu, table, {"colliders/plane", "colliders/plane"}, {"frame", "view", "colliderPlanes"},
                           targets.geometry);
     // The far sides of the boxes: they are there even when the eye is inside.

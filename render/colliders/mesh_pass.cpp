@@ -54,7 +54,7 @@ MeshPass::MeshPass(const Gpu& gpu, BufferTable& table, const World& world, const
     }
     corners_ = {"meshCorners", std::span<const gpu::vec4>(corners)};
     colors_ = {"meshColors", std::span<const gpu::vec4>(colors)};
-    table.add(corners_, colors_);
+    table.add(Lifetime::Constant, corners_, colors_);
     meshes_ = DrawPass(gpu, table, {"colliders/collider_mesh", "colliders/collider_mesh"},
                        {"frame", "view", "meshCorners", "meshColors"}, targets.geometry);
     shadow_ = DrawPass(gpu, table, {"colliders/collider_mesh", "colliders/collider_mesh_shadow", {{"LIGHT_VIEW", "1"}}},

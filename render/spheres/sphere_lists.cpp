@@ -24,7 +24,7 @@ SphereLists::SphereLists(const Gpu& gpu, BufferTable& table, size_t particleCoun
       list_("sphereList", 3 * particleCount), cells_("burialCells", CELL_COUNT), buried_("buriedCells", CELL_COUNT),
       counts_("sphereCounts", runLimit(particleCount)), draws_("sphereDraws", SPHERE_DRAWS)
 {
-    table.add(drawKinds_, list_, cells_, buried_, counts_, draws_);
+    table.add(Lifetime::Scratch, drawKinds_, list_, cells_, buried_, counts_, draws_);
     const auto load = [&](const std::string& name) { return Kernel(gpu, table, "render/spheres/" + name + ".comp"); };
     burialCount_ = load("burial_count");
     burialCells_ = load("burial_cells");

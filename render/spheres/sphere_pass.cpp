@@ -18,7 +18,7 @@ SpherePass::SpherePass(const Gpu& gpu, BufferTable& table, const World& world, c
                        const RenderTargets& targets)
     : colors_("sphereColors", particleColors(world, settings))
 {
-    table.add(colors_);
+    table.add(Lifetime::Constant, colors_);
     points_ = DrawPass(gpu, table, {"spheres/sphere", "spheres/sphere", colorDefines(settings)},
                        {"frame", "view", "sphereList", "positions", "velocities", "sphereColors"}, targets.geometry);
     quads_ = DrawPass(gpu, table, {"spheres/sphere_quad", "spheres/sphere", colorDefines(settings)},

@@ -4,7 +4,8 @@ namespace knuckle {
 
 ViewPasses::ViewPasses(const Gpu& gpu, BufferTable& table)
 {
-    table.add(view_, boxes_);
+    table.add(Lifetime::State, view_);  // of an automatic camera, which follows from where it was
+    table.add(Lifetime::Scratch, boxes_);
     bounds_ = Kernel(gpu, table, "render/view/frame_bounds.comp");
     camera_ = Kernel(gpu, table, "render/view/frame_camera.comp");
     fit_ = Kernel(gpu, table, "render/view/frame_view.comp");

@@ -23,9 +23,9 @@ struct ActorBody {
 struct ActorJoint {
     std::string name;                  ///< The child bone's.
     JointType type = JointType::Ball;  ///< Of a universal joint each of its two hinges says so.
-    uint32_t parent = 0, child = 0;  ///< Into Actor::bodies.
-    Vector3f anchor{0, 0, 0};        ///< The bone's head [m].
-    Vector3f axis{0, 0, 1};          ///< Unit; of a ball the child's, which its limits are about.
+    uint32_t parent = 0, child = 0;    ///< Into Actor::bodies.
+    Vector3f anchor{0, 0, 0};          ///< The bone's head [m].
+    Vector3f axis{0, 0, 1};            ///< Unit; of a ball the child's, which its limits are about.
     std::vector<uint32_t> sharedParticles;
     JointLimits limits = {};  ///< Each half of a universal joint has its `bend`.
     JointStrength strength = {};

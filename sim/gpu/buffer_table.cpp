@@ -30,9 +30,9 @@ std::string withoutLast(const std::string& name)
 
 }  // namespace
 
-void BufferTable::add(const std::string& name, RawBuffer& buffer, ElementType element)
+void BufferTable::add(const std::string& name, RawBuffer& buffer, ElementType element, Lifetime lifetime)
 {
-    if (!entries_.emplace(name, Entry{&buffer, element}).second)
+    if (!entries_.emplace(name, Entry{&buffer, element, lifetime}).second)
         throw std::logic_error(fmt::format("two buffers are named \"{}\"", name));
 }
 

@@ -41,6 +41,13 @@ constexpr ElementType elementType()
     return {bytes, texel, Scalar::Mixed, GL_NONE};
 }
 
+/// For how long what is in a buffer matters. A step that begins with the same state in all of them ends with the same.
+enum class Lifetime {
+    Constant,  ///< Filled once, and only read by kernels.
+    State,     ///< Carried on from step to step.
+    Scratch,   ///< Written before it is read, in every step (by the renderer: in every frame).
+};
+
 /// Buffers and textures by the names that kernels and draw passes know them by. A storage block `Positions` and a
 /// sampler `positions` both mean the buffer "positions"; so does a sampler `lastPositions`, for kernels that write what
 /// they read. Those read only elements that the same thread writes, or that nobody does.
@@ -49,15 +56,16 @@ public:
     struct Entry {
         RawBuffer* buffer = nullptr;
         ElementType element;
+        Lifetime lifetime = Lifetime::Scratch;
     };
 
     /// @throws std::logic_error where a buffer has that name already.
-    void add(const std::string& name, RawBuffer& buffer, ElementType element);
+    void add(const std::string& name, RawBuffer& buffer, ElementType element, Lifetime lifetime);
     /// Each under its label. The buffers must outlive the kernels; assigning to one of them is seen by all kernels.
     template <typename... T>
-    void add(Buffer<T>&... buffers)
+    void add(Lifetime lifetime, Buffer<T>&... buffers)
     {
-        (add(buffers.label(), buffers, elementType<T>()), ...);
+        (add(buffers.label(), buffers, elementType<T>(), lifetime), ...);
     }
     /// Each under its label, for samplers of pictures.
     template <typename... T>
@@ -71,7 +79,8 @@ public:
     const Texture& findTexture(const std::string& name, const std::string& user) const;
     /// What is named, buffers and textures, for a pass that uses nothing else.
     BufferTable only(std::initializer_list<std::string> names, const std::string& user) const;
-    const std::map<std::string, Entry>& entries() const { return entries_; }
+    const std::map<std::string, Entry>& entries() const& { return entries_; }
+    const std::map<std::string, Entry>& entries() && = delete;  // would outlive the table
 
 private:
     std::map<std::string, Entry> entries_;

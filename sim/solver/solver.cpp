@@ -73,9 +73,7 @@ ParticleView Solver::view() const
     ParticleView view;
     view.positions = s.particles.positions.id();
     view.velocities = s.particles.velocities.id();
-    view.info = s.particles.particleInfo.id();
     view.bodyCentres = s.bodies.moverCentres.id();
-    view.bodyRotations = s.bodies.moverRotations.id();
     view.particleCount = s.parameters.particleCount + s.parameters.fluidCount;
     view.bodyCount = s.parameters.bodyCount;
     view.solidCount = s.parameters.particleCount;
@@ -130,6 +128,17 @@ uint64_t Solver::stateHash()
                 for (uint32_t bits = std::bit_cast<uint32_t>(value), k = 0; k < 4; ++k)
                     hash = (hash ^ (bits >> (8 * k) & 0xffu)) * 0x100000001b3ull;
     return hash;
+}
+
+SolverState Solver::saveState() const
+{
+    return {impl_->started, impl_->stages.save()};
+}
+
+void Solver::loadState(const SolverState& state)
+{
+    impl_->stages.load(state.stages);
+    impl_->started = state.started;
 }
 
 uint32_t Solver::searchCount()

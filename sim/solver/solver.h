@@ -8,6 +8,7 @@
 #include "sim/gpu/gpu.h"
 #include "sim/solver/measure/state.h"
 #include "sim/solver/particle_view.h"
+#include "sim/solver/stages_state.h"
 #include "sim/world/world.h"
 
 namespace knuckle {
@@ -16,6 +17,12 @@ struct PassTime {
     std::string name;           ///< The kernel's: `contact_find`, ...
     double milliseconds = 0.0;  ///< Total since the solver was made.
     uint64_t count = 0;         ///< Dispatches.
+};
+
+/// All that a run carries from one step to the next. Of the same World, program and driver, it goes on with the same bits.
+struct SolverState {
+    bool started = false;
+    StagesState stages;
 };
 
 /// A World on the GPU, and its step.
@@ -40,6 +47,9 @@ public:
     Measures measure();
     /// FNV-1a over the bits of all positions and velocities.
     uint64_t stateHash();
+    SolverState saveState() const;
+    /// @throws std::logic_error where it is not of a solver of the same World.
+    void loadState(const SolverState& state);
     /// How often contacts have been looked for, at most once a substep.
     uint32_t searchCount();
     std::vector<PassTime> passTimes();

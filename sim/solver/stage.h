@@ -47,7 +47,7 @@ private:
     const RawBuffer& sizes_;
 };
 
-/// A room of the solver: the buffers that it owns, filled from the World when it is made, its kernels, and the passes
+/// A room of the solver: the buffers that it owns, filled from the World and its Layout alone, its kernels, and the passes
 /// that it records. It stays where it is, since kernels refer to its buffers.
 class Stage {
 public:
@@ -56,6 +56,13 @@ public:
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
+    /// Fills its buffers and sets its parameters; stages do so in any order, once. Lists come later.
+    virtual void upload(const StageSetup& setup) = 0;
+    /// Makes the lists whose room the parameters say, empty. @throws DeviceError when the device's limits are too small
+    /// for them, with the number.
+    virtual void makeLists(const Gpu&) {}
+    /// After an overflow: raises the parameters to the room that kernels asked for.
+    virtual void reserve(gpu::StepParameters&, const gpu::Counters&) const {}
     /// Adds its buffers under the names by which kernels know them.
     virtual void addBuffers(BufferTable& table) = 0;
     /// Compiles its kernels, when all stages have added their buffers.
@@ -63,9 +70,6 @@ public:
     {
         for (Pass* pass : passes_) pass->load(load);
     }
-    /// After an overflow: gives its lists the room that kernels asked for. Their contents are lost; the next substep
-    /// finds contacts anew, the next step neighbours of fluids.
-    virtual void grow(const Gpu&, gpu::StepParameters&, const gpu::Counters&) {}
 
 protected:
     /// A kernel of a stage, named once.

@@ -1,7 +1,10 @@
 #include "sim/solver/stages.h"
 
+#include <fmt/format.h>
+
 #include <cctype>
 #include <cmath>
+#include <stdexcept>
 
 #include "sim/solver/pack.h"
 
@@ -19,7 +22,11 @@ gpu::StepParameters commonParameters(const World& world, const Layout& layout)
     p.fluidCount = world.fluidCount;
     p.bodyCount = layout.bodyCount;
     p.moverCount = layout.moverCount();
+    p.freeBodyCount = static_cast<uint32_t>(layout.freeBodies.size());
+    p.jointedBodyCount = static_cast<uint32_t>(layout.jointedBodies.size());
     p.linkCount = layout.linkCount;
+    p.colliderCount = layout.colliderCount;
+    p.fluidFilled = world.fluidCount - world.pooledCount();
     p.assemblyCount = layout.assemblyCount;
     p.diameter = world.diameter();
     p.substeps = s.substeps;
@@ -58,11 +65,10 @@ std::string variantName(const Defines& variant)
 
 }  // namespace
 
-Stages::Stages(const Gpu& gpu, const World& world)
+Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle)
     : gpu_(gpu), world_(world), layout(world), rows(planRows(world, layout)),
       parameters(commonParameters(world, layout)), setup_{gpu, world, layout, rows, parameters}, particles(setup_),
-      colliders(setup_), search(setup_, particles.hasFlatFaces, particles.hasRounds), contacts(setup_),
-      bodies(setup_, actsOnParticles(world)), joints(setup_)
+      colliders(setup_), search(setup_), contacts(setup_), bodies(setup_, actsOnParticles(world)), joints(setup_)
 {
     if (RestitutionStage::isNeeded(world)) restitution.emplace(setup_);
     if (SleepStage::isNeeded(world.settings)) sleep.emplace(setup_);
@@ -71,6 +77,10 @@ Stages::Stages(const Gpu& gpu, const World& world)
     if (FluidStage::isNeeded(world)) fluids.emplace(setup_);
     if (EmitterStage::isNeeded(world)) emitters.emplace(setup_);
     if (world.settings.solver == SolverKind::Paper) paper.emplace(setup_);
+    std::vector<Stage*> stages = all();
+    if (shuffle) shuffle(stages);
+    for (Stage* stage : stages) stage->upload(setup_);
+    for (Stage* stage : stages) stage->makeLists(gpu);
     uploadParameters();
     const gpu::uvec4 slots{groupsFor(parameters.particleCount + parameters.fluidFilled), 1, 1, 0};
     dispatches.write(&slots, sizeof slots, DISPATCH_SLOTS * sizeof slots);
@@ -96,8 +106,8 @@ BufferTable Stages::table()
 {
     BufferTable table;
     for (Stage* stage : all()) stage->addBuffers(table);
-    table.add(step, dispatches);
-    table.add("countersBlock", counters, elementType<gpu::Counters>());
+    table.add(Lifetime::State, step, dispatches);
+    table.add("countersBlock", counters, elementType<gpu::Counters>(), Lifetime::State);
     return table;
 }
 
@@ -111,11 +121,11 @@ Defines Stages::worldDefines() const
     add(s.rotation == RotationMethod::Householder, "HOUSEHOLDER");
     add(s.rotation == RotationMethod::Higham, "HIGHAM");
     add(s.massScaling > 0.0f, "MASS_SCALING");
-    add(particles.hasRounds, "ROUNDS");
+    add(layout.hasRounds, "ROUNDS");
     add(sleep.has_value(), "SLEEP");
     add(s.freeze > 0.0f, "FREEZE");
     add(emitters.has_value(), "POOL");
-    add(colliders.hasGrids, "GRIDS");
+    add(layout.hasGrids, "GRIDS");
     add(s.grid == GridKind::Hash, "GRID_HASH");
     return defines;
 }
@@ -132,9 +142,37 @@ void Stages::load()
     for (Stage* stage : all()) stage->load(load);
 }
 
+StagesState Stages::save()
+{
+    StagesState state{parameters, {}};
+    const BufferTable buffers = table();
+    for (const auto& [name, entry] : buffers.entries()) {
+        if (entry.lifetime != Lifetime::State) continue;
+        std::vector<std::byte>& bytes = state.buffers[name];
+        bytes.resize(entry.buffer->bytes());
+        if (!bytes.empty()) entry.buffer->read(bytes.data(), bytes.size());
+    }
+    return state;
+}
+
+void Stages::load(const StagesState& state)
+{
+    parameters = state.parameters;
+    for (Stage* stage : all()) stage->makeLists(gpu_);
+    const BufferTable buffers = table();
+    for (const auto& [name, bytes] : state.buffers) {
+        RawBuffer& buffer = *buffers.find(name, "the state").buffer;
+        if (buffer.bytes() != bytes.size())
+            throw std::logic_error(
+                fmt::format("the state has {} bytes of \"{}\", and this world {}", bytes.size(), name, buffer.bytes()));
+        if (!bytes.empty()) buffer.write(bytes.data(), bytes.size());
+    }
+}
+
 void Stages::grow(gpu::Counters c)
 {
-    for (Stage* stage : all()) stage->grow(gpu_, parameters, c);
+    for (Stage* stage : all()) stage->reserve(parameters, c);
+    for (Stage* stage : all()) stage->makeLists(gpu_);
     uploadParameters();
     c.problems = c.wantedNeighbours = c.wantedContacts = c.wantedPairs = c.wantedColliderPairs = 0;
     c.pairCount = c.colliderPairCount = 0;

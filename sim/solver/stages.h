@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "sim/solver/body/body_stage.h"
@@ -15,6 +16,7 @@
 #include "sim/solver/search/search_stage.h"
 #include "sim/solver/sleep/sleep_stage.h"
 #include "sim/solver/soft/soft_stage.h"
+#include "sim/solver/stages_state.h"
 
 namespace knuckle {
 
@@ -22,14 +24,21 @@ namespace knuckle {
 /// World. An optional stage is there where the world has any of its kind.
 class Stages {
 public:
+    /// Another order of uploading, for tests: none may matter.
+    using Shuffle = std::function<void(std::vector<Stage*>&)>;
+
     /// Uploads the world; compiles nothing yet. @param world must outlive it.
     /// @throws DeviceError when the device's limits are too small for it, with the number.
-    Stages(const Gpu& gpu, const World& world);
+    Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle = {});
 
     /// Compiles the kernels of all stages. @throws DeviceError.
     void load();
     /// After an overflow: gives every list the room that kernels asked for. The next substep finds contacts anew.
     void grow(gpu::Counters counters);
+    /// What a run carries from step to step. Stalls until the GPU is done.
+    StagesState save();
+    /// @throws std::logic_error where the state is not of these stages' World.
+    void load(const StagesState& state);
     /// The buffers of all stages by the names that kernels know them by.
     BufferTable table();
     /// To be uploaded again after a change: for tests.

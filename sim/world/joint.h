@@ -29,7 +29,8 @@ struct TurnRange {
 
 /// How far a joint lets its child turn against its parent, in the words of its type. None by default.
 struct JointLimits {
-    float swing = std::numbers::pi_v<float>;  ///< Ball: how far the child's axis may leave the cone's middle [rad], > 0.
+    float swing =
+        std::numbers::pi_v<float>;  ///< Ball: how far the child's axis may leave the cone's middle [rad], > 0.
     Vector3f cone{0, 0, 0};  ///< Ball: the cone's middle, the parent's, in the rest pose; 0: where the axis is at rest.
     TurnRange twist;         ///< Ball: about the child's axis.
     TurnRange bend;          ///< Hinge: about its axis. Universal: about that of the hinge at the parent.
@@ -60,9 +61,10 @@ struct JointStrength {
 
 /// Where a joint is in one of its bodies, in the body's axes.
 struct JointSide {
-    Vector3f arm{0, 0, 0};           ///< From the body's centre to the middle of the shared particles [m].
-    Quaternionf frame{1, 0, 0, 0};  ///< From the joint's axes; a hinge turns about x. Those of both sides agree at rest,
-                                    ///< but for a cone that leans.
+    Vector3f arm{0, 0, 0};  ///< From the body's centre to the middle of the shared particles [m].
+    Quaternionf frame{1, 0, 0,
+                      0};  ///< From the joint's axes; a hinge turns about x. Those of both sides agree at rest,
+                           ///< but for a cone that leans.
 };
 
 /// Two bodies that share particles, which is what holds them together (paper, section 4): the record of it. A universal

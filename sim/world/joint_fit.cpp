@@ -16,9 +16,9 @@ std::vector<Vector3f> armsIn(const World& world, uint32_t body, const std::vecto
     const auto first = world.links.begin() + world.bodies[body].linkStart;
     std::vector<Vector3f> arms;
     for (const uint32_t particle : particles)
-        arms.push_back(
-            std::find_if(first, first + world.bodies[body].linkCount, [&](const Link& l) { return l.particle == particle; })
-                ->restOffset);
+        arms.push_back(std::find_if(first, first + world.bodies[body].linkCount, [&](const Link& l) {
+                           return l.particle == particle;
+                       })->restOffset);
     return arms;
 }
 

@@ -16,7 +16,8 @@ std::vector<uint32_t> sortedJoints(const World& world)
     const auto isGround = [&](uint32_t body) { return neverResponds(world.bodies[body]); };
     std::vector<uint32_t> order(world.joints.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::erase_if(order, [&](uint32_t j) { return isGround(world.joints[j].parent) && isGround(world.joints[j].child); });
+    std::erase_if(order,
+                  [&](uint32_t j) { return isGround(world.joints[j].parent) && isGround(world.joints[j].child); });
     const auto key = [&](uint32_t j) {
         const Joint& joint = world.joints[j];
         return std::tuple(isGround(joint.parent) || isGround(joint.child), !joint.limits.any(),

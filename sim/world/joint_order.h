@@ -20,7 +20,7 @@ private:
 
 /// A joint between bodies that other joints connect already.
 struct LoopJoint {
-    uint32_t joint = 0;                ///< Of World::joints.
+    uint32_t joint = 0;               ///< Of World::joints.
     std::vector<uint32_t> particles;  ///< Those through which nothing before it holds its bodies together.
 };
 

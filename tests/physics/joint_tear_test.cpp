@@ -121,9 +121,8 @@ TEST(JointTear, ABridgeTearsAndSwingsDown)
         EXPECT_LT(solver.measure().worstJointGap, 0.05f * DIAMETER) << i;
     }
     const ParticleState state = solver.readParticles();
-    EXPECT_EQ(
-        std::ranges::count_if(world.joints, [&](const Joint& joint) { return state.torn[joint.particles[0]]; }),
-        1);
+    EXPECT_EQ(std::ranges::count_if(world.joints, [&](const Joint& joint) { return state.torn[joint.particles[0]]; }),
+              1);
     EXPECT_LT(solver.readBodies()[block].position.y(), -5.0f) << "it was caught";
     // Nothing is faster than what falls freely all the time.
     EXPECT_LT(fastest, 3 + GRAVITY * 1.5);

@@ -145,11 +145,11 @@ TEST_P(ReleasedChain, HangsFromWhatHoldsItAndFallsFreelyAfterwards)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, ReleasedChain,
-                         testing::Values(JointType::Ball, JointType::Hinge, JointType::Stiff, JointType::Universal),
-                         [](const auto& tested) {
-                             return std::string(std::array{"Ball", "Hinge", "Stiff", "Universal"}[size_t(tested.param)]);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Types, ReleasedChain, testing::Values(JointType::Ball, JointType::Hinge, JointType::Stiff, JointType::Universal),
+    [](const auto& tested) {
+        return std::string(std::array{"Ball", "Hinge", "Stiff", "Universal"}[size_t(tested.param)]);
+    });
 
 TEST(Release, WhatSleepsOnAShelfFallsWithIt)
 {

@@ -31,7 +31,7 @@ TEST(DrawPass, ReadsWhatItIsGivenByName)
     sharedGpu();
     LightingInputs inputs;
     BufferTable table;
-    table.add(inputs.frame, inputs.view);
+    table.add(Lifetime::Scratch, inputs.frame, inputs.view);
     table.add(inputs.depth, inputs.surface, inputs.shade);
     EXPECT_EQ(inputs.problemOf(table, {"frame", "view", "depthPicture", "surfacePicture", "shadePicture"}), "");
 }
@@ -41,7 +41,7 @@ TEST(DrawPass, NamesWhatItDeclaresBesideItsInputs)
     sharedGpu();
     LightingInputs inputs;
     BufferTable table;
-    table.add(inputs.frame, inputs.view);
+    table.add(Lifetime::Scratch, inputs.frame, inputs.view);
     table.add(inputs.depth, inputs.surface, inputs.shade);
     EXPECT_EQ(inputs.problemOf(table, {"frame", "view", "depthPicture", "surfacePicture"}),
               "pass lighting declares \"shadePicture\", which is not among what it is given");
@@ -54,7 +54,7 @@ TEST(DrawPass, NamesAnInputThatDoesNotExist)
     sharedGpu();
     LightingInputs inputs;
     BufferTable table;
-    table.add(inputs.frame, inputs.view);
+    table.add(Lifetime::Scratch, inputs.frame, inputs.view);
     EXPECT_EQ(inputs.problemOf(table, {"frame", "view", "depthPicture"}),
               "pass lighting asks for \"depthPicture\", which is not in the table");
 }
@@ -64,8 +64,8 @@ TEST(BufferTable, RefusesASecondBufferOfAName)
     sharedGpu();
     Buffer<float> first("masses", 4), second("masses", 4);
     BufferTable table;
-    table.add(first);
-    EXPECT_THROW(table.add(second), std::logic_error);
+    table.add(Lifetime::Scratch, first);
+    EXPECT_THROW(table.add(Lifetime::Scratch, second), std::logic_error);
 }
 
 TEST(Kernel, NamesABlockOfAnotherTypeThanTheBuffers)
@@ -75,7 +75,7 @@ TEST(Kernel, NamesABlockOfAnotherTypeThanTheBuffers)
     Buffer<float> positions("positions", 4);
     Buffer<gpu::ParticleBounds> boxes("particleBoxes", BOUNDS_THREADS);
     BufferTable table;
-    table.add(inputs.frame, positions, boxes);
+    table.add(Lifetime::Scratch, inputs.frame, positions, boxes);
     try {
         const Kernel kernel(sharedGpu(), table, "render/view/frame_bounds.comp");
         FAIL() << "positions are vectors in the shader";

@@ -25,20 +25,6 @@ Buffer<gpu::vec4> positionsOf(const World& world)
     return {"positions", out};
 }
 
-Buffer<gpu::ParticleInfo> infoOf(const World& world)
-{
-    std::vector<gpu::ParticleInfo> out;
-    for (const Particle& p : world.particles) {
-        gpu::ParticleInfo info{};
-        info.body = p.body;
-        info.bodyCount = p.bodyCount;
-        info.assembly = p.assembly;
-        info.material = p.material;
-        out.push_back(info);
-    }
-    return {"info", out};
-}
-
 }  // namespace
 
 StillWorld::StillWorld(float radius)
@@ -91,9 +77,7 @@ StillBuffers::StillBuffers(const World& world)
     : radius_(world.particleRadius), fluidSpacing_(world.fluidSpacing), solidCount_(world.solidCount()),
       positions_(positionsOf(world)),
       velocities_(vectors("velocities", world.particles, [](const Particle& p) { return p.velocity; })),
-      centres_(vectors("centres", world.bodies, [](const Body& b) { return b.restCentre; })),
-      rotations_(vectors("rotations", world.bodies, [](const Body&) { return Vector3f(0, 0, 0); })),
-      info_(infoOf(world))
+      centres_(vectors("centres", world.bodies, [](const Body& b) { return b.restCentre; }))
 {
 }
 
@@ -101,9 +85,7 @@ ParticleView StillBuffers::view() const
 {
     return {positions_.id(),
             velocities_.id(),
-            info_.id(),
             centres_.id(),
-            rotations_.id(),
             static_cast<uint32_t>(positions_.size()),
             static_cast<uint32_t>(centres_.size()),
             radius_,

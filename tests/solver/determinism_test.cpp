@@ -7,8 +7,6 @@
 
 #include "app/commands/table2_world.h"
 #include "sim/solver/solver.h"
-#include "sim/world/builder/cloth.h"
-#include "sim/world/builder/rope.h"
 #include "tests/solver/determinism_worlds.h"
 #include "tests/solver/solver_test.h"
 
@@ -39,6 +37,7 @@ enum Way {
     FREEZE,
     ROUNDS,
     GRIDS,
+    HELD,
     ALL_BY_HASH,
     WAYS
 };
@@ -52,112 +51,6 @@ Settings settingsOf(int way)
     return settings;
 }
 
-/// Plastic jelly and a rigid box that fall on each other.
-World softWorld()
-{
-    WorldBuilder builder(DIAMETER / 2);
-    Material jelly;
-    jelly.elasticity.creep = 20.0f;
-    builder.addMaterial(jelly);
-    builder.addCollider({});
-    for (int k = 0; k < 7; ++k) {
-        const Vector3f place(0.04f * static_cast<float>(k), 0.2f + 0.45f * static_cast<float>(k), 0);
-        builder.beginObject("box");
-        if (k % 3 == 2) builder.addBody("rigid", boxLattice({4, 3, 4}, DIAMETER), 0);
-        else builder.addSoftBody("soft", boxLattice({4, 4, 5}, DIAMETER), 0);
-        builder.endObject({place}, {0, -3, 0}, {1, 0, 2});
-    }
-    return builder.build();
-}
-
-/// Boxes that fall into a cloth that tears, one on a rope.
-World ropeWorld()
-{
-    WorldBuilder builder(DIAMETER / 2);
-    builder.addMaterial({});
-    ClothSpec spec;
-    spec.tearForce = 2000.0f;
-    spec.bendCompliance = 0.01f;
-    const GridSheet sheet = gridSheet(1.2f, 1.0f, DIAMETER, spec);
-    const std::vector<uint32_t> held = {0, sheet.columns - 1, sheet.columns * (sheet.rows - 1)};
-    builder.addCollider({});
-    addCloth(builder, "cloth", sheet, spec, held, {}, {Vector3f(0, 1, 0)});
-    RopeSpec rope;
-    for (int k = 0; k < 4; ++k) {
-        builder.beginObject("box");
-        const uint32_t body = builder.addBody("box", boxLattice({3, 4, 3}, DIAMETER), 0);
-        builder.endObject({Vector3f(0.1f * static_cast<float>(k), 1.4f + 0.5f * static_cast<float>(k), 0)}, {0, -3, 0});
-        rope.end = {RopeEnd::Kind::Attached, builder.ownParticles(body)[0]};
-    }
-    rope.from = {-0.5f, 4.0f, 0};
-    rope.start.kind = RopeEnd::Kind::Fixed;
-    addRope(builder, "rope", rope);
-    return builder.build();
-}
-
-/// Heavy boxes that fall through two fluids, one on the other, between walls.
-World fluidWorld()
-{
-    WorldBuilder builder(DIAMETER / 2);
-    Material heavy;
-    heavy.density = 4000.0f;
-    builder.addMaterial(heavy);
-    for (const Vector3f& normal : {Vector3f(0, 1, 0), Vector3f(1, 0, 0), Vector3f(0, 0, 1), Vector3f(-1, 0, -1)})
-        builder.addCollider(planeAt(-0.4f * normal, normal));
-    Material fluid;
-    fluid.fluid = true;
-    for (int kind = 0; kind < 2; ++kind) {
-        fluid.density = kind == 0 ? 1000.0f : 700.0f;
-        const uint32_t material = builder.addMaterial(fluid);
-        std::vector<Vector3f> places = boxLattice({11, 5, 13}, builder.fluidSpacing());
-        for (Vector3f& place : places) place.y() += 0.3f * static_cast<float>(kind) - 0.2f;
-        builder.addFluid(places, {0.5f, -1, 0}, material);
-    }
-    // One lies on the ground from the start.
-    for (int k = 0; k < 4; ++k) {
-        builder.beginObject("box");
-        builder.addBody("box", boxLattice({3, 2, 3}, DIAMETER), 0);
-        const float height = k == 3 ? -0.301f : 0.5f + 0.3f * static_cast<float>(k);
-        builder.endObject({Vector3f(0.05f * static_cast<float>(k), height, 0)}, {0, k == 3 ? 0.0f : -3.0f, 0});
-    }
-    return builder.build();
-}
-
-/// Two jets into each other over boxes, of which one waits and one takes its oldest again, and fluid that drains.
-World emitterWorld()
-{
-    WorldBuilder builder(DIAMETER / 2);
-    builder.addMaterial({});
-    Material fluid;
-    fluid.fluid = true;
-    const uint32_t water = builder.addMaterial(fluid);
-    builder.addCollider({});
-    for (int k = 0; k < 2; ++k) {
-        builder.beginObject("box");
-        builder.addBody("box", boxLattice({3, 2, 3}, DIAMETER), 0);
-        builder.endObject({Vector3f(0.05f * static_cast<float>(k), 0.2f + 0.25f * static_cast<float>(k), 0)});
-    }
-    std::vector<Vector3f> places = boxLattice({8, 6, 9}, builder.fluidSpacing());
-    for (Vector3f& place : places) place += Vector3f(0.6f, 0.2f, 0);
-    builder.addFluid(places, {0, 0, 0}, water);
-    Emitter emitter;
-    emitter.material = water;
-    emitter.pool = 700;
-    for (const float side : {-1.0f, 1.0f}) {
-        emitter.velocity = {-3.0f * side, 0.5f, 0.1f};
-        emitter.nozzle = placed(discNozzle(0.11f, builder.fluidSpacing()), {0.8f * side, 0.9f, 0},
-                                emitter.velocity.normalized());
-        emitter.takesOldest = side > 0.0f;
-        builder.addEmitter(emitter);
-    }
-    Collider drain;
-    drain.shape = ColliderShape::Sphere;
-    drain.position = {0.6f, 0, 0};
-    drain.radius = 0.35f;
-    builder.addDrain(drain);
-    return builder.build();
-}
-
 World worldOf(int way)
 {
     if (way == EMITTERS) return emitterWorld();
@@ -169,6 +62,7 @@ World worldOf(int way)
     if (way == SLEEP || way == FREEZE) return sleepyWorld(way == FREEZE ? 0.5f : 0.0f);
     if (way == ROUNDS) return roundWorld();
     if (way == GRIDS) return gridWorld();
+    if (way == HELD) return heldWorld();
     if (way == ALL_BY_HASH) return everyWorld(GridKind::Hash);
     World world = table2World(OBJECTS, settingsOf(way));
     // One of them is shot into the others, fast enough to look further for contacts than they do.
@@ -221,9 +115,9 @@ TEST_P(DeterminismOf, APileHasTheSameBitsTwiceAndAtAnyNumberOfDriverThreads)
 
 std::string wayName(const testing::TestParamInfo<int>& way)
 {
-    static constexpr const char* NAMES[WAYS] = {"Default",      "Hash",   "Paper",    "PaperInGroups", "Soft",
-                                                "DistanceRows", "Fluids", "Emitters", "Limits",        "Bounces",
-                                                "Sleep",        "Freeze", "Rounds",   "Grids",         "AllByHash"};
+    static constexpr const char* NAMES[WAYS] = {
+        "Default", "Hash",    "Paper", "PaperInGroups", "Soft",   "DistanceRows", "Fluids", "Emitters",
+        "Limits",  "Bounces", "Sleep", "Freeze",        "Rounds", "Grids",        "Held",   "AllByHash"};
     return NAMES[way.param];
 }
 

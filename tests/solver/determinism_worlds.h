@@ -5,6 +5,12 @@
 namespace knuckle::test {
 
 /// Small worlds in which something of one kind happens within a second.
+World softWorld();   ///< Plastic jelly and a rigid box that fall on each other.
+World ropeWorld();   ///< Boxes that fall into a cloth that tears, one on a rope.
+World fluidWorld();  ///< Heavy boxes that fall through two fluids, one on the other, between walls.
+/// Two jets into each other over boxes, of which one waits and one takes its oldest again, and fluid that drains.
+World emitterWorld();
+World heldWorld();                ///< Chains that are held and let go one after the other, on ground where they sleep.
 World limitedWorld();             ///< Joints at their limits, rigid and soft, and chains of which some tear.
 World bouncyWorld();              ///< Collisions that bounce.
 World sleepyWorld(float freeze);  ///< Towers that sleep, or freeze, until something falls on them.

@@ -200,13 +200,13 @@ void main()
     KernelFixture fixture(mixedWorld());
     BufferTable table = fixture.stages.table();
     table.add("particleInfos", fixture.stages.particles.particleInfo,
-              elementType<decltype(fixture.stages.particles.particleInfo)::Element>());
+              elementType<decltype(fixture.stages.particles.particleInfo)::Element>(), Lifetime::Constant);
     table.add("bodyInfos", fixture.stages.bodies.bodyInfo,
-              elementType<decltype(fixture.stages.bodies.bodyInfo)::Element>());
+              elementType<decltype(fixture.stages.bodies.bodyInfo)::Element>(), Lifetime::Constant);
     table.add("moverInfos", fixture.stages.bodies.moverInfo,
-              elementType<decltype(fixture.stages.bodies.moverInfo)::Element>());
+              elementType<decltype(fixture.stages.bodies.moverInfo)::Element>(), Lifetime::Constant);
     table.add("colliderStructs", fixture.stages.colliders.colliders,
-              elementType<decltype(fixture.stages.colliders.colliders)::Element>());
+              elementType<decltype(fixture.stages.colliders.colliders)::Element>(), Lifetime::Constant);
     const Kernel kernel(gpu(), table, "sim/test_layout.comp");
     expectArray(kernel, "Links", "links", sizeof(gpu::ParticleRigidBodyLink), LINK);
     expectArray(kernel, "ParticleInfos", "infos", sizeof(gpu::ParticleInfo), PARTICLE_INFO);

@@ -32,19 +32,14 @@ void main()
 {
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
-    if (!responds(m)) {
-#ifdef DETECT
-        moverRestitutionSplits[m] = 0.0;
-#endif
-        return;
-    }
     MoverInfo mover = fetchMover(m);
-    Sum sum = contactSum(mover, counters[0].listParity);
     Field v = fetchField(lastMoverVelocities, m);
 #ifdef DETECT
-    moverRestitutionSplits[m] = sum.acting;
+    moverRestitutionSplits[m] = responds(m) ? contactSum(mover, counters[0].listParity).acting : 0.0;
     STORE_FIELD(moverSolvedVelocities, m, v)
 #else
+    if (!responds(m)) return;
+    Sum sum = contactSum(mover, counters[0].listParity);
     Field change = Field(mover.inverseMass * sum.impulse.t, mat3(0));
     if (m < sim.bodyCount) change = velocityChange(m, sum.impulse);
     Field next = Field(v.t + change.t, v.f + change.f);

@@ -113,14 +113,19 @@ Defines with(std::initializer_list<std::pair<const char*, bool>> names)
 
 BodyStage::BodyStage(const StageSetup& setup, bool onParticles)
     : parameters_(setup.parameters), onParticles_(onParticles),
-      solves_(setup.world.settings.solver == SolverKind::Impulse), hasFree_(solves_ && !setup.layout.freeBodies.empty()),
+      solves_(setup.world.settings.solver == SolverKind::Impulse),
+      hasFree_(solves_ && !setup.layout.freeBodies.empty()),
       hasJointed_(solves_ && !setup.layout.jointedBodies.empty()), hasLoose_(solves_ && setup.layout.looseCount > 0),
-      releases_(solves_ && std::ranges::any_of(setup.world.bodies, [&](const Body& body) {
-          return releaseOf(setup.world, body) != NO_SUBSTEP;
-      })),
+      releases_(solves_ &&
+                std::ranges::any_of(setup.world.bodies,
+                                    [&](const Body& body) { return releaseOf(setup.world, body) != NO_SUBSTEP; })),
       onParticle_(with({{"ON_PARTICLES", onParticles}})), warm_(with({{"WARM_START", true}})),
       angular_(with({{"ANGULAR", setup.rows.hasAngular()}})),
       jointed_(with({{"ON_PARTICLES", onParticles}, {"ANGULAR", setup.rows.hasAngular()}}))
+{
+}
+
+void BodyStage::upload(const StageSetup& setup)
 {
     uploadLinks(setup);
     uploadMovers(setup);
@@ -153,8 +158,6 @@ void BodyStage::uploadLinks(const StageSetup& setup)
     }
     std::vector<uint32_t> order = layout.freeBodies;
     order.insert(order.end(), layout.jointedBodies.begin(), layout.jointedBodies.end());
-    setup.parameters.freeBodyCount = static_cast<uint32_t>(layout.freeBodies.size());
-    setup.parameters.jointedBodyCount = static_cast<uint32_t>(layout.jointedBodies.size());
     bodyOrder = {"bodyOrder", std::span<const uint32_t>(order)};
     links = {"links", std::span<const gpu::ParticleRigidBodyLink>(all)};
     particleLinks = {"particleLinks", std::span<const gpu::uvec2>(ranges)};
@@ -208,11 +211,12 @@ void BodyStage::uploadRows(const RowPlan& rows)
 
 void BodyStage::addBuffers(BufferTable& table)
 {
-    table.add(links, particleLinks, linksOfParticle, bodyInfo, bodyOrder, bodyReleases, bodyMoments, bodyInertias,
-              bodyRounds, moverInfo, moverStates, moverCentres, moverRotations, moverVelocities, oldMoverVelocities,
-              oldMoverMoves, moverMoves, moverRotationDeltas, bodyLoads, bodyPushes, bodyParticlePushes,
-              moverPredictions, moverImpulses, moverChanges, particleImpulses, bodyRows, rowArms, rowImpulses,
-              rowAngularImpulses);
+    table.add(Lifetime::Constant, links, linksOfParticle, bodyInfo, bodyOrder, bodyReleases, bodyMoments, bodyInertias,
+              bodyRounds, moverInfo, bodyRows, rowArms);
+    table.add(Lifetime::State, particleLinks, moverStates, moverCentres, moverRotations, moverVelocities,
+              oldMoverVelocities, oldMoverMoves, moverMoves, moverRotationDeltas, moverImpulses, moverChanges,
+              rowImpulses, rowAngularImpulses);
+    table.add(Lifetime::Scratch, moverPredictions, particleImpulses, bodyPushes, bodyParticlePushes, bodyLoads);
 }
 
 void BodyStage::predict(Recorder& recorder) const

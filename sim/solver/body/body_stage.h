@@ -10,6 +10,7 @@ class BodyStage : public Stage {
 public:
     /// @param onParticles whether anything acts on single particles, beside contacts and joints.
     BodyStage(const StageSetup& setup, bool onParticles);
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
     void predict(Recorder& recorder) const;
@@ -27,7 +28,7 @@ public:
     Buffer<gpu::uvec2> linksOfParticle;        ///< Per link, grouped by particle: link, body.
     Buffer<gpu::BodyInfo> bodyInfo;            ///< Per body.
     Buffer<uint32_t> bodyOrder;                ///< Bodies that may respond: those without joints, then those with.
-    Buffer<gpu::uvec2> bodyReleases;           ///< Bodies that are held until a time: body, substep that it responds in.
+    Buffer<gpu::uvec2> bodyReleases;   ///< Bodies that are held until a time: body, substep that it responds in.
     Buffer<gpu::vec4> bodyMoments;     ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
     Buffer<gpu::vec4> bodyInertias;    ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
     Buffer<gpu::vec4> bodyRounds;      ///< Per body, two: ends of its centre line [m]; w: radius, rolling friction.
@@ -40,8 +41,8 @@ public:
     // Within a substep, per mover.
     Buffer<gpu::vec4> moverMoves;           ///< Of c since it began [m]; w: over how many impulses its mass is split.
     Buffer<gpu::vec4> moverRotationDeltas;  ///< The rotation since it began: a quaternion.
-    Buffer<gpu::vec4> bodyPushes;          ///< Per body, a field: what contacts and its particles add to it [kg m].
-    Buffer<gpu::vec4> bodyParticlePushes;  ///< Of it what acts on its particles, where anything does.
+    Buffer<gpu::vec4> bodyPushes;           ///< Per body, a field: what contacts and its particles add to it [kg m].
+    Buffer<gpu::vec4> bodyParticlePushes;   ///< Of it what acts on its particles, where anything does.
     Buffer<gpu::vec4> bodyLoads;         ///< Per body, four, of those with joints: what acts on it, how hard it turns.
     Buffer<gpu::vec4> moverPredictions;  ///< Field: the untouched move, A of eq. 9 after it.
     Buffer<gpu::vec4> moverImpulses;     ///< Field: what its contacts add to it [kg m].

@@ -45,7 +45,7 @@ gpu::GpuCollider packCollider(const World& world, const Collider& c, const std::
 
 }  // namespace
 
-ColliderStage::ColliderStage(const StageSetup& setup)
+void ColliderStage::upload(const StageSetup& setup)
 {
     const World& world = setup.world;
     const std::vector<uint32_t> starts = gridStarts(world);
@@ -60,15 +60,13 @@ ColliderStage::ColliderStage(const StageSetup& setup)
     std::vector<gpu::GpuCollider> all;
     for (const Collider& c : world.colliders) all.push_back(packCollider(world, c, starts));
     for (const Collider& c : world.drains) all.push_back(packCollider(world, c, starts));
-    hasGrids = std::ranges::any_of(world.colliders, hasGrid) || std::ranges::any_of(world.drains, hasGrid);
     colliders = {"colliders", std::span<const gpu::GpuCollider>(all)};
     gridValues = {"gridValues", std::span<const float>(values)};
-    setup.parameters.colliderCount = static_cast<uint32_t>(world.colliders.size());
 }
 
 void ColliderStage::addBuffers(BufferTable& table)
 {
-    table.add(colliders, gridValues);
+    table.add(Lifetime::Constant, colliders, gridValues);
 }
 
 }  // namespace knuckle

@@ -8,12 +8,12 @@ namespace knuckle {
 class ColliderStage : public Stage {
 public:
     /// @throws DeviceError when the device's limits are too small for the grids of meshes and heightfields.
-    explicit ColliderStage(const StageSetup& setup);
+    explicit ColliderStage(const StageSetup&) {}
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
     Buffer<gpu::GpuCollider> colliders;  ///< Static colliders, then drains.
     Buffer<float> gridValues;            ///< Of all ColliderGrids, one after another.
-    bool hasGrids = false;               ///< Whether a collider is a mesh or a heightfield.
 };
 
 }  // namespace knuckle

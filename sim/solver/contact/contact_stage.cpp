@@ -8,8 +8,11 @@ ContactStage::ContactStage(const StageSetup& setup)
     : parameters_(setup.parameters), byImpulses_(setup.world.settings.solver == SolverKind::Impulse),
       hasSolids_(setup.layout.solidCount > 0), hasColliders_(hasSolids_ && !setup.world.colliders.empty())
 {
+}
+
+void ContactStage::upload(const StageSetup& setup)
+{
     setParameters(setup);
-    makeLists();
 }
 
 /// docs/physics.md has the figures that decided these numbers.
@@ -18,7 +21,7 @@ void ContactStage::setParameters(const StageSetup& setup)
     const Settings& s = setup.world.settings;
     gpu::StepParameters& p = setup.parameters;
     p.correction = 0.06f;
-    p.maxCorrection = 0.25f * p.substepTime;
+    if (byImpulses_) p.maxCorrection = 0.25f * p.substepTime;
     // What a substep keeps of an impulse, of what it differs by from its mean, and of the mean.
     const float iterations = static_cast<float>(s.iterations);
     p.warmStart = std::pow(0.985f, 1.0f / iterations);
@@ -27,7 +30,7 @@ void ContactStage::setParameters(const StageSetup& setup)
     p.massScaling = s.massScaling;
 }
 
-void ContactStage::makeLists()
+void ContactStage::makeLists(const Gpu&)
 {
     const size_t pairCount = parameters_.pairCapacity, colliderCount = parameters_.colliderPairCapacity;
     pairSides = {"pairSides", pairCount};
@@ -40,15 +43,10 @@ void ContactStage::makeLists()
     colliderMeans = {"colliderMeans", 2 * colliderCount};
 }
 
-void ContactStage::grow(const Gpu&, gpu::StepParameters&, const gpu::Counters&)
-{
-    makeLists();
-}
-
 void ContactStage::addBuffers(BufferTable& table)
 {
-    table.add(pairSides, pairArms, pairImpulses, pairMeans, colliderSides, colliderArms, colliderImpulses,
-              colliderMeans);
+    table.add(Lifetime::State, pairSides, pairArms, pairImpulses, pairMeans, colliderSides, colliderArms,
+              colliderImpulses, colliderMeans);
 }
 
 void ContactStage::prepare(Recorder& recorder) const

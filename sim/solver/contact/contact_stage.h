@@ -9,11 +9,10 @@ namespace knuckle {
 class ContactStage : public Stage {
 public:
     explicit ContactStage(const StageSetup& setup);
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
-    void grow(const Gpu& gpu, gpu::StepParameters& parameters, const gpu::Counters& counters) override;
+    void makeLists(const Gpu& gpu) override;
 
-    /// Makes the lists anew, with the room that the parameters say.
-    void makeLists();
     /// What contacts of a new search are made of, with the impulses that they had.
     void prepare(Recorder& recorder) const;
     /// One iteration of the impulses.

@@ -50,8 +50,11 @@ gpu::GpuEmitter packEmitter(const Emitter& e, const World& world)
 EmitterStage::EmitterStage(const StageSetup& setup)
     : parameters_(setup.parameters), hasEmitters_(!setup.world.emitters.empty())
 {
+}
+
+void EmitterStage::upload(const StageSetup& setup)
+{
     gpu::StepParameters& p = setup.parameters;
-    p.fluidFilled = setup.world.fluidCount - setup.world.pooledCount();
     p.drainCount = static_cast<uint32_t>(setup.world.drains.size());
     uploadPools(setup);
 }
@@ -92,10 +95,11 @@ void EmitterStage::uploadPools(const StageSetup& setup)
 
 void EmitterStage::addBuffers(BufferTable& table)
 {
-    table.add(emitters, emitterStates, nozzlePoints, poolOrder, poolInactive, poolSums, poolChunks);
+    table.add(Lifetime::Constant, emitters, nozzlePoints, poolChunks);
+    table.add(Lifetime::State, emitterStates, poolOrder, poolInactive, poolSums);
     ElementType bothAtOnce = elementType<uint32_t>();
     bothAtOnce.texelBytes = 8;
-    table.add("fluidTotals", fluidTotals, bothAtOnce);
+    table.add("fluidTotals", fluidTotals, bothAtOnce, Lifetime::State);
 }
 
 void EmitterStage::endStep(Recorder& recorder) const

@@ -14,6 +14,7 @@ public:
         return world.fluidCount > 0 && !(world.emitters.empty() && world.drains.empty());
     }
     explicit EmitterStage(const StageSetup& setup);
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
     void endStep(Recorder& recorder) const;

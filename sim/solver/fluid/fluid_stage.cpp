@@ -26,6 +26,10 @@ FluidStage::FluidStage(const StageSetup& setup)
     : parameters_(setup.parameters), hasPool_(EmitterStage::isNeeded(setup.world)),
       confines_(setup.world.settings.vorticity > 0.0f), hasTension_(hasTensionIn(setup.world))
 {
+}
+
+void FluidStage::upload(const StageSetup& setup)
+{
     const Settings& settings = setup.world.settings;
     setup.parameters.vorticity = settings.vorticity * settings.timeStep;
     setFluidParameters(setup.parameters, setup.world);
@@ -33,7 +37,6 @@ FluidStage::FluidStage(const StageSetup& setup)
     for (const Material& m : setup.world.materials)
         materials.push_back({smoothing(parameters_, m, settings.timeStep), tension(parameters_, m), 0, 0});
     fluidMaterials = {"fluidMaterials", std::span<const gpu::vec4>(materials)};
-    makeLists(setup.gpu);
 }
 
 void FluidStage::makeLists(const Gpu& gpu)
@@ -69,21 +72,22 @@ void FluidStage::makeLists(const Gpu& gpu)
     slotSolids = {"slotSolids", count};
 }
 
-void FluidStage::grow(const Gpu& gpu, gpu::StepParameters& parameters, const gpu::Counters& counters)
+void FluidStage::reserve(gpu::StepParameters& parameters, const gpu::Counters& counters) const
 {
     if (counters.wantedNeighbours <= parameters.fluidSlots) return;
     parameters.fluidSlots = (counters.wantedNeighbours + 11) / 4 * 4;
-    makeLists(gpu);
 }
 
 void FluidStage::addBuffers(BufferTable& table)
 {
-    table.add(fluidSearchPositions, fluidParticleCells, fluidCellCounts, fluidCellSums, fluidCellStarts,
-              fluidCellMembers, slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, fluidMaterials,
-              slotMaterials, slotVelocities, slotPositions, slotPressures, slotVorticities, slotWalls, slotSolids);
+    table.add(Lifetime::Constant, fluidMaterials);
+    table.add(Lifetime::State, fluidCellCounts, fluidCellSums);  // they begin a search with zeros
+    table.add(Lifetime::Scratch, fluidSearchPositions, fluidParticleCells, fluidCellStarts, fluidCellMembers,
+              slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, slotMaterials, slotVelocities,
+              slotPositions, slotPressures, slotVorticities, slotWalls, slotSolids);
     ElementType fourAtATime = elementType<uint32_t>();
     fourAtATime.texelBytes = 16;
-    table.add("fluidSorted", fluidSorted, fourAtATime);
+    table.add("fluidSorted", fluidSorted, fourAtATime, Lifetime::Scratch);
 }
 
 void FluidStage::perSlot(Recorder& recorder, const Kernel& kernel) const

@@ -13,11 +13,12 @@ public:
     static bool isNeeded(const World& world) { return world.fluidCount > 0; }
     /// @throws DeviceError when the device's limits are too small for the lists of neighbours.
     explicit FluidStage(const StageSetup& setup);
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
-    void grow(const Gpu& gpu, gpu::StepParameters& parameters, const gpu::Counters& counters) override;
+    void reserve(gpu::StepParameters& parameters, const gpu::Counters& counters) const override;
 
     /// Makes the buffers of slots anew, with the room that the parameters say. @throws DeviceError as the constructor.
-    void makeLists(const Gpu& gpu);
+    void makeLists(const Gpu& gpu) override;
     /// Once, before the first step: a lattice that fills a tank is too dense at its walls and at solids. Here it makes
     /// room without gaining speed; within a step, the same displacement would become speed.
     void relax(Recorder& recorder) const;

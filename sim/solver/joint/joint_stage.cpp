@@ -78,10 +78,14 @@ JointStage::JointStage(const StageSetup& setup)
     : parameters_(setup.parameters),
       needed_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.jointTrees.trees.empty()),
       shared_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.sharedParticles.empty()),
-      hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()),
-      hasLimits_(needed_ && limits(setup.world)), tears_(needed_ && tears(setup.world)),
-      variant_(hasLoops_ ? with(loopVariant(setup), "LOOPS") : loopVariant(setup)), loopVariant_(loopVariant(setup)), factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")),
-      rowVariant_(rowVariant(setup))
+      hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()), hasLimits_(needed_ && limits(setup.world)),
+      tears_(needed_ && tears(setup.world)),
+      variant_(hasLoops_ ? with(loopVariant(setup), "LOOPS") : loopVariant(setup)), loopVariant_(loopVariant(setup)),
+      factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")), rowVariant_(rowVariant(setup))
+{
+}
+
+void JointStage::upload(const StageSetup& setup)
 {
     const Layout& layout = setup.layout;
     sharedParticles = {"sharedParticles", std::span<const uint32_t>(layout.sharedParticles)};
@@ -157,8 +161,8 @@ void JointStage::uploadStrengths(const StageSetup& setup)
             particles.insert(particles.end(), joint.particles.begin(), joint.particles.end());
             const JointStrength strength = joint.joint == NO_INDEX ? JointStrength{}
                                                                    : setup.world.joints[joint.joint].strength;
-            strengths.push_back({std::bit_cast<uint32_t>(strength.force), std::bit_cast<uint32_t>(strength.torque), first,
-                                 static_cast<uint32_t>(particles.size())});
+            strengths.push_back({std::bit_cast<uint32_t>(strength.force), std::bit_cast<uint32_t>(strength.torque),
+                                 first, static_cast<uint32_t>(particles.size())});
         }
     }
     jointStrengths = {"jointStrengths", std::span<const gpu::uvec4>(strengths)};
@@ -169,9 +173,10 @@ void JointStage::uploadStrengths(const StageSetup& setup)
 
 void JointStage::addBuffers(BufferTable& table)
 {
-    table.add(sharedParticles, jointTrees, jointInfo, jointFreedoms, jointPlaces, jointFactors, rootResponses,
-              jointPassed, jointSweeps, loopFactors, jointLimits, jointStops, jointStrengths, jointParticles, jointLoads,
-              bodyResponses);
+    table.add(Lifetime::Constant, sharedParticles, jointTrees, jointInfo, jointPlaces, jointLimits, jointStrengths,
+              jointParticles);
+    table.add(Lifetime::State, jointFreedoms, jointStops, jointLoads, bodyResponses);
+    table.add(Lifetime::Scratch, jointFactors, rootResponses, jointPassed, jointSweeps, loopFactors);
 }
 
 void JointStage::factor(Recorder& recorder) const

@@ -8,6 +8,7 @@ namespace knuckle {
 class JointStage : public Stage {
 public:
     explicit JointStage(const StageSetup& setup);
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
     /// One for each body of a joint that can move.
     static void reserveRows(RowPlan& rows, const World& world, const Layout& layout);
@@ -28,17 +29,17 @@ public:
 
     Buffer<uint32_t> sharedParticles;  ///< The particles of two or more bodies.
     // Of the trees (layout/joint_trees.h).
-    Buffer<gpu::uvec4> jointTrees;   ///< First joint, end; first loop, end.
-    Buffer<gpu::JointInfo> jointInfo;   ///< Per joint, those that close loops last.
-    Buffer<uint32_t> jointFreedoms;     ///< Per joint: JOINT_*; of a torn one JOINT_NONE.
-    Buffer<gpu::vec4> jointPlaces;      ///< Per joint: arms in the two bodies [m], axes in the two.
-    Buffer<gpu::vec4> jointFactors;     ///< Per joint of a tree: what its body and all that hangs on it add up to.
-    Buffer<gpu::vec4> rootResponses;    ///< Per joint of a tree: how its body answers where nothing holds it.
-    Buffer<gpu::vec4> jointPassed;      ///< Per joint of a tree: what of its body its parent sees.
-    Buffer<gpu::vec4> jointSweeps;      ///< Per joint of a tree: what the sweeps leave for each other.
-    Buffer<gpu::vec4> loopFactors;      ///< Per joint that closes a loop: how its ends move apart.
+    Buffer<gpu::uvec4> jointTrees;         ///< First joint, end; first loop, end.
+    Buffer<gpu::JointInfo> jointInfo;      ///< Per joint, those that close loops last.
+    Buffer<uint32_t> jointFreedoms;        ///< Per joint: JOINT_*; of a torn one JOINT_NONE.
+    Buffer<gpu::vec4> jointPlaces;         ///< Per joint: arms in the two bodies [m], axes in the two.
+    Buffer<gpu::vec4> jointFactors;        ///< Per joint of a tree: what its body and all that hangs on it add up to.
+    Buffer<gpu::vec4> rootResponses;       ///< Per joint of a tree: how its body answers where nothing holds it.
+    Buffer<gpu::vec4> jointPassed;         ///< Per joint of a tree: what of its body its parent sees.
+    Buffer<gpu::vec4> jointSweeps;         ///< Per joint of a tree: what the sweeps leave for each other.
+    Buffer<gpu::vec4> loopFactors;         ///< Per joint that closes a loop: how its ends move apart.
     Buffer<gpu::JointLimits> jointLimits;  ///< Per joint, where any has limits.
-    Buffer<gpu::vec4> jointStops;    ///< Per joint: where its limits stop it, and how hard.
+    Buffer<gpu::vec4> jointStops;          ///< Per joint: where its limits stop it, and how hard.
     Buffer<gpu::uvec4> jointStrengths;  ///< Per joint: bits of force [N], torque [N m]; first of jointParticles, end.
     Buffer<uint32_t> jointParticles;    ///< Those that its bodies share; of a world where joints tear.
     Buffer<gpu::vec4> jointLoads;       ///< Per joint: what it bore in the substep before [N], [N m].

@@ -37,7 +37,7 @@ struct JointTrees {
     /// Between bodies that a tree connects already; `body` belongs to the tree. Where a body may be held while its
     /// parent in the tree responds, one of them stands in for the joint between the two for as long.
     std::vector<Joint> loops;
-    std::vector<Tree> trees;    ///< The largest first.
+    std::vector<Tree> trees;  ///< The largest first.
 };
 
 }  // namespace knuckle

@@ -7,6 +7,45 @@
 
 namespace knuckle {
 
+namespace {
+
+/// Per particle: where its body's lattice ends. Bodies with joints are not flat (docs/trials.md), nor is any in
+/// the paper's solver.
+std::vector<uint32_t> latticeEndsOf(const World& world)
+{
+    const bool flat = world.settings.solver == SolverKind::Impulse;
+    std::vector<uint32_t> bodies(world.assemblyCount), ends;
+    for (const Body& body : world.bodies) ++bodies[body.assembly];
+    for (const Particle& p : world.particles)
+        ends.push_back(flat && p.bodyCount == 1 && bodies[p.assembly] == 1 ? p.surface.ends : ALL_ENDS);
+    return ends;
+}
+
+/// Marks the particles of balls and capsules. Of those at the same place along the centre line, one stands for all at
+/// colliders.
+void markRounds(const World& world, std::vector<uint32_t>& ends)
+{
+    const float same = 1e-3f * world.diameter();
+    for (const Body& body : world.bodies) {
+        if (!body.round.exists()) continue;
+        std::vector<float> places;
+        for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
+            const float y = world.links[l].restOffset.y() + body.restCentre.y(), half = body.round.halfHeight;
+            const float place = std::clamp(y, -half, half);
+            const bool first = std::ranges::none_of(places, [&](float p) { return std::abs(p - place) < same; });
+            ends[world.links[l].particle] = ALL_ENDS | IN_ROUND | (first ? CARRIES_ROUND : 0u);
+            if (first) places.push_back(place);
+        }
+    }
+}
+
+bool isGrid(const Collider& collider)
+{
+    return collider.shape == ColliderShape::Mesh || collider.shape == ColliderShape::Heightfield;
+}
+
+}  // namespace
+
 Layout::Layout(const World& world)
     : solidCount(world.solidCount()), bodyCount(static_cast<uint32_t>(world.bodies.size())),
       linkCount(static_cast<uint32_t>(world.links.size())), worstInverseMasses(knuckle::worstInverseMasses(world)),
@@ -16,6 +55,17 @@ Layout::Layout(const World& world)
     rankParticles(world);
     orderLinks(world);
     listShared();
+    findShapes(world);
+}
+
+void Layout::findShapes(const World& world)
+{
+    colliderCount = static_cast<uint32_t>(world.colliders.size());
+    hasGrids = std::ranges::any_of(world.colliders, isGrid) || std::ranges::any_of(world.drains, isGrid);
+    latticeEnds = latticeEndsOf(world);
+    hasFlatFaces = std::ranges::any_of(latticeEnds, [](uint32_t end) { return end != ALL_ENDS; });
+    markRounds(world, latticeEnds);
+    hasRounds = std::ranges::any_of(world.bodies, [](const Body& body) { return body.round.exists(); });
 }
 
 void Layout::assignAssemblies(const World& world)

@@ -23,17 +23,22 @@ struct Layout {
     uint32_t linkCount = 0;                  ///< Of bodies; those of clusters stand behind them.
     uint32_t assemblyCount = 0;              ///< With one for each loose particle that belongs to none.
     uint32_t moverCount() const { return bodyCount + looseCount; }
+    uint32_t colliderCount = 0;  ///< Drains stand behind them.
+    bool hasGrids = false;       ///< Whether any collider or drain is a grid.
+    bool hasRounds = false;      ///< Whether any body is a ball or a capsule.
+    bool hasFlatFaces = false;   ///< Whether any particle's lattice ends are known.
 
-    std::vector<uint32_t> assemblies;        ///< Per particle; NO_INDEX for fluids.
-    std::vector<gpu::ParticleRank> ranks;    ///< Per solid particle.
-    std::vector<uint32_t> rankedParticles;   ///< Per rank: the particle.
-    std::vector<gpu::uvec2> moverRanks;      ///< Per mover: its first rank, and how many.
-    std::vector<uint32_t> linkOrder;         ///< World::links in the GPU's order: a body's shared ones come last.
-    std::vector<float> worstInverseMasses;   ///< Per World::links: see worstInverseMasses() [1/kg].
-    std::vector<uint32_t> ownLinkCounts;     ///< Per body: links before the first shared one.
+    std::vector<uint32_t> latticeEnds;      ///< Per particle: SurfaceDistance::ends of a body without joints; IN_ROUND.
+    std::vector<uint32_t> assemblies;       ///< Per particle; NO_INDEX for fluids.
+    std::vector<gpu::ParticleRank> ranks;   ///< Per solid particle.
+    std::vector<uint32_t> rankedParticles;  ///< Per rank: the particle.
+    std::vector<gpu::uvec2> moverRanks;     ///< Per mover: its first rank, and how many.
+    std::vector<uint32_t> linkOrder;        ///< World::links in the GPU's order: a body's shared ones come last.
+    std::vector<float> worstInverseMasses;  ///< Per World::links: see worstInverseMasses() [1/kg].
+    std::vector<uint32_t> ownLinkCounts;    ///< Per body: links before the first shared one.
     std::vector<uint32_t> freeBodies, jointedBodies;  ///< Those that may respond, without joints and with.
-    std::vector<std::vector<Owner>> owners;  ///< Per particle: its links, in their order.
-    std::vector<uint32_t> sharedParticles;   ///< Particles of two or more bodies, those of fewer bodies first.
+    std::vector<std::vector<Owner>> owners;           ///< Per particle: its links, in their order.
+    std::vector<uint32_t> sharedParticles;            ///< Particles of two or more bodies, those of fewer bodies first.
     JointTrees jointTrees;
 
 private:
@@ -41,6 +46,7 @@ private:
     void rankParticles(const World& world);
     void orderLinks(const World& world);
     void listShared();
+    void findShapes(const World& world);
 };
 
 }  // namespace knuckle

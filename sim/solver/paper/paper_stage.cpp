@@ -76,6 +76,10 @@ PaperStage::PaperStage(const StageSetup& setup)
       iterations_(setup.world.settings.iterations), reduction_(chosenReduction(setup)),
       hasShared_(!setup.layout.sharedParticles.empty()), inSteps_(reduction_ == ReductionKind::Steps)
 {
+}
+
+void PaperStage::upload(const StageSetup& setup)
+{
     const World& world = setup.world;
     setPaperParameters(setup.parameters);
     std::vector<gpu::vec4> speeds;
@@ -99,8 +103,9 @@ PaperStage::PaperStage(const StageSetup& setup)
 
 void PaperStage::addBuffers(BufferTable& table)
 {
-    table.add(oldMoves, oldVelocities, predicted, moved, bodyStarts, bodyMatrices, bodyActing, linkGains, linkPulls,
-              linkTerms, reductionLinks);
+    table.add(Lifetime::Constant, linkGains, reductionLinks);
+    table.add(Lifetime::State, oldMoves, oldVelocities, bodyActing, linkPulls);
+    table.add(Lifetime::Scratch, predicted, moved, bodyStarts, bodyMatrices, linkTerms);
 }
 
 void PaperStage::predict(Recorder& recorder) const

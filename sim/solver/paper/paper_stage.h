@@ -9,6 +9,7 @@ namespace knuckle {
 class PaperStage : public Stage {
 public:
     explicit PaperStage(const StageSetup& setup);
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
     void predict(Recorder& recorder) const;

@@ -7,7 +7,8 @@ namespace knuckle {
 /// Particles: where they are, and what never changes about them. It has no kernels; bodies and fluids move them.
 class ParticleStage : public Stage {
 public:
-    explicit ParticleStage(const StageSetup& setup);
+    explicit ParticleStage(const StageSetup&) {}
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
     Buffer<gpu::vec4> positions, velocities;  ///< At the end of the last step [m], [m/s]; w: 1 if inactive.
@@ -21,8 +22,6 @@ public:
         particleSurfaces;          ///< Exit direction of the first body, zero where none; w: distance to its surface.
     Buffer<uint32_t> latticeEnds;  ///< SurfaceDistance::ends of a body without joints, ALL_ENDS of others; IN_ROUND.
     Buffer<gpu::uvec2> assemblyState;  ///< Per assembly: last substep with a contact, order of this one.
-    bool hasRounds = false;            ///< Whether any body is a ball or a capsule.
-    bool hasFlatFaces = false;         ///< Whether any particle's lattice ends are known.
 
 private:
     void uploadConstants(const StageSetup& setup);

@@ -20,16 +20,19 @@ bool RestitutionStage::isNeeded(const World& world)
 RestitutionStage::RestitutionStage(const StageSetup& setup)
     : parameters_(setup.parameters), hasColliders_(!setup.world.colliders.empty())
 {
+}
+
+void RestitutionStage::upload(const StageSetup& setup)
+{
     // Twice what gravity gives in a substep: what rests does not bounce.
     gpu::StepParameters& p = setup.parameters;
     p.restitutionThreshold = std::max(2.0f * setup.world.settings.gravity.norm() * p.substepTime, 0.02f);
     moverRestitutionSplits = {"moverRestitutionSplits", setup.layout.moverCount()};
     moverRestitutionShares = {"moverRestitutionShares", setup.layout.moverCount()};
     moverSolvedVelocities = {"moverSolvedVelocities", setup.world.bodies.size() * 3 + setup.layout.moverCount()};
-    makeLists();
 }
 
-void RestitutionStage::makeLists()
+void RestitutionStage::makeLists(const Gpu&)
 {
     pairRestitutions = {"pairRestitutions", 2 * size_t(parameters_.pairCapacity)};
     colliderRestitutions = {"colliderRestitutions", 2 * size_t(parameters_.colliderPairCapacity)};
@@ -37,15 +40,10 @@ void RestitutionStage::makeLists()
     colliderLedgers = {"colliderLedgers", parameters_.colliderPairCapacity};
 }
 
-void RestitutionStage::grow(const Gpu&, gpu::StepParameters&, const gpu::Counters&)
-{
-    makeLists();
-}
-
 void RestitutionStage::addBuffers(BufferTable& table)
 {
-    table.add(pairRestitutions, colliderRestitutions, pairLedgers, colliderLedgers, moverSolvedVelocities,
-              moverRestitutionSplits, moverRestitutionShares);
+    table.add(Lifetime::Scratch, pairRestitutions, colliderRestitutions, pairLedgers, colliderLedgers,
+              moverSolvedVelocities, moverRestitutionSplits, moverRestitutionShares);
 }
 
 void RestitutionStage::iterate(Recorder& recorder, const Kernel& pairs, const Kernel& colliders,

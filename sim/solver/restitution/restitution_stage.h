@@ -10,8 +10,9 @@ public:
     /// Whether any material of the world has restitution.
     static bool isNeeded(const World& world);
     explicit RestitutionStage(const StageSetup& setup);
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
-    void grow(const Gpu& gpu, gpu::StepParameters& parameters, const gpu::Counters& counters) override;
+    void makeLists(const Gpu& gpu) override;
 
     void apply(Recorder& recorder) const;
 
@@ -24,7 +25,6 @@ public:
                                                                ///< solver's impulses.
 
 private:
-    void makeLists();
     void iterate(Recorder& recorder, const Kernel& pairs, const Kernel& colliders, const Kernel& movers) const;
 
     const gpu::StepParameters& parameters_;

@@ -81,7 +81,7 @@ bool DistanceStage::isNeeded(const World& world)
     return world.settings.solver == SolverKind::Impulse && !world.distanceRows.empty();
 }
 
-DistanceStage::DistanceStage(const StageSetup& setup)
+void DistanceStage::upload(const StageSetup& setup)
 {
     const World& world = setup.world;
     const std::vector<uint32_t> colors = colorsOf(world), counts = nodeCounts(world);
@@ -117,7 +117,9 @@ DistanceStage::DistanceStage(const StageSetup& setup)
 
 void DistanceStage::addBuffers(BufferTable& table)
 {
-    table.add(distanceRows, distanceNodes, distanceLinks, distanceStates, distanceFactors);
+    table.add(Lifetime::Constant, distanceRows, distanceNodes, distanceLinks);
+    table.add(Lifetime::State, distanceStates);
+    table.add(Lifetime::Scratch, distanceFactors);
 }
 
 void DistanceStage::solve(Recorder& recorder, bool first) const

@@ -16,7 +16,8 @@ public:
     };
 
     static bool isNeeded(const World& world);
-    explicit DistanceStage(const StageSetup& setup);
+    explicit DistanceStage(const StageSetup&) {}
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
     const std::vector<Color>& colors() const { return colors_; }

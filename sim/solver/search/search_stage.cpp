@@ -22,17 +22,20 @@ constexpr float ROUND_TOUCH = 1.7f;
 
 }  // namespace
 
-SearchStage::SearchStage(const StageSetup& setup, bool flatFaces, bool rounds)
+SearchStage::SearchStage(const StageSetup& setup)
     : parameters_(setup.parameters), byParticles_(setup.world.settings.solver == SolverKind::Paper),
       hasSolids_(setup.layout.solidCount > 0), hasColliders_(hasSolids_ && !setup.world.colliders.empty())
 {
-    setParameters(setup, flatFaces, rounds);
+}
+
+void SearchStage::upload(const StageSetup& setup)
+{
+    setParameters(setup);
     makeGrid(setup.parameters);
-    makeLists(setup.gpu);
     const uint32_t movers = setup.layout.moverCount();
     const std::vector<gpu::vec4> unturned(movers, gpu::vec4{0, 0, 0, 1});
     // All of them, for a solver that does not look which are near.
-    const uint32_t colliders = setup.parameters.colliderCount;
+    const uint32_t colliders = setup.layout.colliderCount;
     const std::vector<uint32_t> all(movers, colliders < 32 ? (1u << colliders) - 1u : ~0u);
     searchPositions = {"searchPositions", setup.world.particles.size()};
     searchCentres = {"searchCentres", movers};
@@ -44,12 +47,12 @@ SearchStage::SearchStage(const StageSetup& setup, bool flatFaces, bool rounds)
 /// How far contacts are looked for, and for how long they stay good. Neighbours rarely use up their margins both and
 /// against each other, so each may drift by more than half of it. The paper's particles may drift by a quarter: the
 /// iterations move them further by as much.
-void SearchStage::setParameters(const StageSetup& setup, bool flatFaces, bool rounds)
+void SearchStage::setParameters(const StageSetup& setup)
 {
     const Settings& s = setup.world.settings;
     gpu::StepParameters& p = setup.parameters;
-    p.plainReach = ((flatFaces ? FLAT_TOUCH : 1.0f) + s.contactMargin) * p.diameter;
-    p.contactReach = rounds ? (ROUND_TOUCH + s.contactMargin) * p.diameter : p.plainReach;
+    p.plainReach = ((setup.layout.hasFlatFaces ? FLAT_TOUCH : 1.0f) + s.contactMargin) * p.diameter;
+    p.contactReach = setup.layout.hasRounds ? (ROUND_TOUCH + s.contactMargin) * p.diameter : p.plainReach;
     p.inverseCellSize = 1.0f / p.contactReach;
     p.drift = (byParticles_ ? 0.25f : 1.0f) * s.contactMargin * p.diameter;
     p.lookAhead = 0.5f * static_cast<float>(s.substeps);
@@ -102,21 +105,21 @@ void SearchStage::makeLists(const Gpu& gpu)
     colliderPairs = {"colliderPairs", 2 * size_t(p.colliderPairCapacity)};
 }
 
-void SearchStage::grow(const Gpu& gpu, gpu::StepParameters& p, const gpu::Counters& counters)
+void SearchStage::reserve(gpu::StepParameters& p, const gpu::Counters& counters) const
 {
     if (counters.wantedContacts > p.contactSlots) p.contactSlots = counters.wantedContacts + 4;
     if (counters.wantedPairs > p.pairCapacity) p.pairCapacity = counters.wantedPairs * 3 / 2;
     if (counters.wantedColliderPairs > p.colliderPairCapacity)
         p.colliderPairCapacity = counters.wantedColliderPairs * 3 / 2;
-    makeLists(gpu);
 }
 
 void SearchStage::addBuffers(BufferTable& table)
 {
-    table.add(searchPositions, searchCentres, searchRotations, moverReaches, fastParticles, moverColliders,
-              particleCells, cellCounts, cellSums, cellStarts, cellMembers, sortedPositions, sortedInfos);
-    table.add(firstLists, colliderLists, listCounts, listSums, listStarts, pairs, pairArrivals, pairReferences,
+    table.add(Lifetime::State, searchPositions, searchCentres, searchRotations, listStarts, pairs, pairReferences,
               colliderPairs);
+    table.add(Lifetime::State, cellCounts, cellSums, listCounts, listSums);  // they begin a search with zeros
+    table.add(Lifetime::Scratch, moverReaches, fastParticles, moverColliders, particleCells, cellStarts, cellMembers,
+              sortedPositions, sortedInfos, firstLists, colliderLists, pairArrivals);
 }
 
 void SearchStage::count(Recorder& recorder) const

@@ -9,14 +9,13 @@ namespace knuckle {
 /// before.
 class SearchStage : public Stage {
 public:
-    /// @param flatFaces whether boxes are flat to what touches them, which has to be found from further away.
-    /// @throws DeviceError when the device's limits are too small for the lists, with the number.
-    SearchStage(const StageSetup& setup, bool flatFaces, bool rounds);
+    explicit SearchStage(const StageSetup& setup);
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
-    void grow(const Gpu& gpu, gpu::StepParameters& parameters, const gpu::Counters& counters) override;
+    void reserve(gpu::StepParameters& parameters, const gpu::Counters& counters) const override;
 
     /// Makes the lists anew, with the room that the parameters say. @throws DeviceError when the device allows less.
-    void makeLists(const Gpu& gpu);
+    void makeLists(const Gpu& gpu) override;
     /// Counts the substep. All of a substep's search where there are no solid particles.
     void count(Recorder& recorder) const;
     /// Up to the lists of pairs; ContactStage prepares what they are made of.
@@ -39,7 +38,7 @@ public:
     Buffer<gpu::uvec2> colliderPairs;                   ///< Halves of colliderPairCapacity: particle, collider.
 
 private:
-    void setParameters(const StageSetup& setup, bool flatFaces, bool rounds);
+    void setParameters(const StageSetup& setup);
     void makeGrid(gpu::StepParameters& parameters);
 
     const gpu::StepParameters& parameters_;

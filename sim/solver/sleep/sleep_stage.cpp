@@ -17,6 +17,10 @@ constexpr float FREEZE_SECONDS = 1.0f;
 SleepStage::SleepStage(const StageSetup& setup)
     : parameters_(setup.parameters), freezes_(setup.world.settings.freeze > 0.0f)
 {
+}
+
+void SleepStage::upload(const StageSetup& setup)
+{
     const Settings& s = setup.world.settings;
     gpu::StepParameters& p = setup.parameters;
     p.sleepSpeed = s.sleepSpeed;
@@ -40,7 +44,7 @@ SleepStage::SleepStage(const StageSetup& setup)
 
 void SleepStage::addBuffers(BufferTable& table)
 {
-    table.add(assemblyCalm, assemblyNext, islandsWoken, calmCentres, calmRotations);
+    table.add(Lifetime::State, assemblyCalm, assemblyNext, islandsWoken, calmCentres, calmRotations);
 }
 
 void SleepStage::wake(Recorder& recorder) const

@@ -10,6 +10,7 @@ class SleepStage : public Stage {
 public:
     static bool isNeeded(const Settings& settings) { return settings.sleepSpeed > 0.0f || settings.freeze > 0.0f; }
     explicit SleepStage(const StageSetup& setup);
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
     /// What moves wakes what it comes near, in each substep after the search.

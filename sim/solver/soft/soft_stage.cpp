@@ -68,7 +68,9 @@ bool SoftStage::isNeeded(const World& world)
     return world.settings.solver == SolverKind::Impulse && !world.clusters.empty();
 }
 
-SoftStage::SoftStage(const StageSetup& setup) : parameters_(setup.parameters)
+SoftStage::SoftStage(const StageSetup& setup) : parameters_(setup.parameters) {}
+
+void SoftStage::upload(const StageSetup& setup)
 {
     uploadClusters(setup);
     uploadParticles(setup);
@@ -134,8 +136,9 @@ void SoftStage::uploadParticles(const StageSetup& setup)
 
 void SoftStage::addBuffers(BufferTable& table)
 {
-    table.add(clusterInfo, clusterMoments, softMatter, softParticles, softLinks, clusterRotations, clusterRests,
-              clusterPulls, softImpulses);
+    table.add(Lifetime::Constant, clusterInfo, clusterMoments, softMatter, softParticles, softLinks);
+    table.add(Lifetime::State, clusterRotations, clusterRests);
+    table.add(Lifetime::Scratch, clusterPulls, softImpulses);
 }
 
 void SoftStage::solve(Recorder& recorder, uint32_t iteration, uint32_t count) const

@@ -10,6 +10,7 @@ class SoftStage : public Stage {
 public:
     static bool isNeeded(const World& world);
     explicit SoftStage(const StageSetup& setup);
+    void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
     /// @param iteration of `count` in the substep, from 0 on.

@@ -8,11 +8,11 @@ namespace knuckle {
 
 /// Where a joint puts its particles (paper, section 4 and figure 3), in the frame of its JointSpec [m].
 struct JointPlaces {
-    std::vector<Vector3f> shared;       ///< Shared by both bodies; universal: empty.
-    std::vector<Vector3f> limits;       ///< Hinge: the parent's own particles beside the axis, which block one side.
+    std::vector<Vector3f> shared;  ///< Shared by both bodies; universal: empty.
+    std::vector<Vector3f> limits;  ///< Hinge: the parent's own particles beside the axis, which block one side.
     std::vector<Vector3f> sharedWithParent;  ///< Universal: the middle body's ends of the hinge at the parent ...
-    std::vector<Vector3f> sharedWithChild;  ///< ... and of the crossed hinge at the child ...
-    std::vector<Vector3f> middle;       ///< ... and its particle where they cross.
+    std::vector<Vector3f> sharedWithChild;   ///< ... and of the crossed hinge at the child ...
+    std::vector<Vector3f> middle;            ///< ... and its particle where they cross.
 };
 
 /// @param diameter particle diameter [m]: the spacing of the joint's particles.

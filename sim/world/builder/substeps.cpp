@@ -18,7 +18,8 @@ std::vector<bool> crossings(const World& world)
     for (const DistanceRow& row : world.distanceRows)
         for (uint32_t p : row.particles) threads[p] += row.kind == DistanceKind::Stretch ? 1 : 0;
     std::vector<bool> out;
-    for (size_t p = 0; p < threads.size(); ++p) out.push_back(threads[p] > 1 && !isFixedForEver(world, world.particles[p]));
+    for (size_t p = 0; p < threads.size(); ++p)
+        out.push_back(threads[p] > 1 && !isFixedForEver(world, world.particles[p]));
     return out;
 }
 

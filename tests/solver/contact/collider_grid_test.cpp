@@ -42,7 +42,7 @@ TEST(ColliderGrid, TheKernelsSeeTheDistanceOfTheReferenceAndItsGradient)
 {
     writeColliderKernel();
     KernelFixture fixture(gridWorld());
-    EXPECT_TRUE(fixture.stages.colliders.hasGrids);
+    EXPECT_TRUE(fixture.stages.layout.hasGrids);
     const auto positions = randomVectors(fixture.world.particles.size(), 0.5f, 62);
     fill(fixture.stages.particles.positions, positions);
     const Kernel kernel = fixture.load("test_collider", {{"GRIDS", "1"}});

@@ -137,7 +137,8 @@ Eigen::MatrixXd JointFixture::system(std::vector<uint32_t>& firstRow) const
         parent.block<3, 3>(0, 3) = crossMatrix(armNow(joints[j].parent, joints[j].parentSide.arm));
         if (count > 3) {
             // Of a hinge the two axes across its own, x.
-            const Matrix3d axes = (rotationNow(joints[j].body) * joints[j].side.frame.cast<double>()).toRotationMatrix();
+            const Matrix3d axes =
+                (rotationNow(joints[j].body) * joints[j].side.frame.cast<double>()).toRotationMatrix();
             own.block(3, 3, count - 3, 3) = axes.rightCols(count - 3).transpose();
             parent.block(3, 3, count - 3, 3) = -axes.rightCols(count - 3).transpose();
         }

@@ -198,7 +198,8 @@ TEST_F(JointSolveHeld, ABodyThatDoesNotRespondHoldsWhatHangsOnIt)
     ASSERT_EQ(fixture->trees().joints.size(), 5u) << "it belongs to the tree";
     fixture->solve(false);
     EXPECT_TRUE(stayed(0));
-    const auto wanted = forEver.stages.bodies.moverMoves.download(), found = fixture->stages.bodies.moverMoves.download();
+    const auto wanted = forEver.stages.bodies.moverMoves.download(),
+               found = fixture->stages.bodies.moverMoves.download();
     for (uint32_t b = 1; b < 5; ++b) {
         // The same sums in the same order.
         EXPECT_EQ(vec3(found[b]), vec3(wanted[b])) << "body " << b;

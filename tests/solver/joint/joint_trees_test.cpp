@@ -50,7 +50,8 @@ Vector3f place(const World& world, uint32_t body, const Vector3f& arm)
 /// In the rest pose a joint's two sides agree, in place and in axes.
 void expectAtRest(const World& world, const JointTrees::Joint& joint)
 {
-    const Vector3f own = place(world, joint.body, joint.side.arm), other = place(world, joint.parent, joint.parentSide.arm);
+    const Vector3f own = place(world, joint.body, joint.side.arm),
+                   other = place(world, joint.parent, joint.parentSide.arm);
     EXPECT_LT((own - other).norm(), 1e-6f) << "body " << joint.body;
     const Quaternionf frame = world.bodies[joint.body].rotation * joint.side.frame;
     const Quaternionf parentFrame = world.bodies[joint.parent].rotation * joint.parentSide.frame;

@@ -17,7 +17,7 @@ SearchBench::SearchBench() : KernelFixture(mixedWorld())
     stages.parameters.contactSlots = SLOTS;
     stages.parameters.pairCapacity = stages.parameters.colliderPairCapacity = CAPACITY;
     stages.search.makeLists(gpu());
-    stages.contacts.makeLists();
+    stages.contacts.makeLists(gpu());
     stages.uploadParameters();
     places = stages.particles.particleRanks.download();
     reaches.assign(stages.parameters.moverCount, 0.0f);

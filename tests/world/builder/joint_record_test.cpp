@@ -54,7 +54,8 @@ TEST(JointRecord, SaysWhatTheLinksSay)
         SCOPED_TRACE(jointTypeName(type));
         ASSERT_EQ(world.joints.size(), type == JointType::Universal ? 2u : 1u);
         for (const Joint& joint : world.joints) {
-            const std::set<uint32_t> ofParent = particlesOf(world, joint.parent), ofChild = particlesOf(world, joint.child);
+            const std::set<uint32_t> ofParent = particlesOf(world, joint.parent),
+                                     ofChild = particlesOf(world, joint.child);
             std::vector<uint32_t> shared;
             std::ranges::set_intersection(ofParent, ofChild, std::back_inserter(shared));
             EXPECT_EQ(joint.particles, shared);

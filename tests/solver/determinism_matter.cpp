@@ -1,0 +1,141 @@
+#include "sim/world/builder/cloth.h"
+#include "sim/world/builder/rope.h"
+#include "tests/solver/determinism_worlds.h"
+#include "tests/solver/solver_test.h"
+
+namespace knuckle::test {
+
+World softWorld()
+{
+    WorldBuilder builder(DIAMETER / 2);
+    Material jelly;
+    jelly.elasticity.creep = 20.0f;
+    builder.addMaterial(jelly);
+    builder.addCollider({});
+    for (int k = 0; k < 7; ++k) {
+        const Vector3f place(0.04f * static_cast<float>(k), 0.2f + 0.45f * static_cast<float>(k), 0);
+        builder.beginObject("box");
+        if (k % 3 == 2) builder.addBody("rigid", boxLattice({4, 3, 4}, DIAMETER), 0);
+        else builder.addSoftBody("soft", boxLattice({4, 4, 5}, DIAMETER), 0);
+        builder.endObject({place}, {0, -3, 0}, {1, 0, 2});
+    }
+    return builder.build();
+}
+
+World ropeWorld()
+{
+    WorldBuilder builder(DIAMETER / 2);
+    builder.addMaterial({});
+    ClothSpec spec;
+    spec.tearForce = 2000.0f;
+    spec.bendCompliance = 0.01f;
+    const GridSheet sheet = gridSheet(1.2f, 1.0f, DIAMETER, spec);
+    const std::vector<uint32_t> held = {0, sheet.columns - 1, sheet.columns * (sheet.rows - 1)};
+    builder.addCollider({});
+    addCloth(builder, "cloth", sheet, spec, held, {}, {Vector3f(0, 1, 0)});
+    RopeSpec rope;
+    for (int k = 0; k < 4; ++k) {
+        builder.beginObject("box");
+        const uint32_t body = builder.addBody("box", boxLattice({3, 4, 3}, DIAMETER), 0);
+        builder.endObject({Vector3f(0.1f * static_cast<float>(k), 1.4f + 0.5f * static_cast<float>(k), 0)}, {0, -3, 0});
+        rope.end = {RopeEnd::Kind::Attached, builder.ownParticles(body)[0]};
+    }
+    rope.from = {-0.5f, 4.0f, 0};
+    rope.start.kind = RopeEnd::Kind::Fixed;
+    addRope(builder, "rope", rope);
+    return builder.build();
+}
+
+World fluidWorld()
+{
+    WorldBuilder builder(DIAMETER / 2);
+    Material heavy;
+    heavy.density = 4000.0f;
+    builder.addMaterial(heavy);
+    for (const Vector3f& normal : {Vector3f(0, 1, 0), Vector3f(1, 0, 0), Vector3f(0, 0, 1), Vector3f(-1, 0, -1)})
+        builder.addCollider(planeAt(-0.4f * normal, normal));
+    Material fluid;
+    fluid.fluid = true;
+    for (int kind = 0; kind < 2; ++kind) {
+        fluid.density = kind == 0 ? 1000.0f : 700.0f;
+        const uint32_t material = builder.addMaterial(fluid);
+        std::vector<Vector3f> places = boxLattice({11, 5, 13}, builder.fluidSpacing());
+        for (Vector3f& place : places) place.y() += 0.3f * static_cast<float>(kind) - 0.2f;
+        builder.addFluid(places, {0.5f, -1, 0}, material);
+    }
+    // One lies on the ground from the start.
+    for (int k = 0; k < 4; ++k) {
+        builder.beginObject("box");
+        builder.addBody("box", boxLattice({3, 2, 3}, DIAMETER), 0);
+        const float height = k == 3 ? -0.301f : 0.5f + 0.3f * static_cast<float>(k);
+        builder.endObject({Vector3f(0.05f * static_cast<float>(k), height, 0)}, {0, k == 3 ? 0.0f : -3.0f, 0});
+    }
+    return builder.build();
+}
+
+World emitterWorld()
+{
+    WorldBuilder builder(DIAMETER / 2);
+    builder.addMaterial({});
+    Material fluid;
+    fluid.fluid = true;
+    const uint32_t water = builder.addMaterial(fluid);
+    builder.addCollider({});
+    for (int k = 0; k < 2; ++k) {
+        builder.beginObject("box");
+        builder.addBody("box", boxLattice({3, 2, 3}, DIAMETER), 0);
+        builder.endObject({Vector3f(0.05f * static_cast<float>(k), 0.2f + 0.25f * static_cast<float>(k), 0)});
+    }
+    std::vector<Vector3f> places = boxLattice({8, 6, 9}, builder.fluidSpacing());
+    for (Vector3f& place : places) place += Vector3f(0.6f, 0.2f, 0);
+    builder.addFluid(places, {0, 0, 0}, water);
+    Emitter emitter;
+    emitter.material = water;
+    emitter.pool = 700;
+    for (const float side : {-1.0f, 1.0f}) {
+        emitter.velocity = {-3.0f * side, 0.5f, 0.1f};
+        emitter.nozzle = placed(discNozzle(0.11f, builder.fluidSpacing()), {0.8f * side, 0.9f, 0},
+                                emitter.velocity.normalized());
+        emitter.takesOldest = side > 0.0f;
+        builder.addEmitter(emitter);
+    }
+    Collider drain;
+    drain.shape = ColliderShape::Sphere;
+    drain.position = {0.6f, 0, 0};
+    drain.radius = 0.35f;
+    builder.addDrain(drain);
+    return builder.build();
+}
+
+World heldWorld()
+{
+    Settings settings;
+    settings.sleepSpeed = 0.02f;
+    WorldBuilder builder(DIAMETER / 2, settings);
+    builder.addMaterial({});
+    builder.addCollider({});
+    for (int k = 0; k < 4; ++k) {
+        builder.beginObject("chain");
+        std::vector<uint32_t> bodies;
+        for (int b = 0; b < 4; ++b) {
+            std::vector<Vector3f> places = boxLattice({3, 3, 3}, DIAMETER);
+            for (Vector3f& p : places) p.x() += 4 * DIAMETER * static_cast<float>(b);
+            bodies.push_back(builder.addBody("body", places, 0));
+        }
+        for (int b = 0; b < 3; ++b) {
+            JointSpec spec;
+            spec.type = static_cast<JointType>((k + b) % 4);
+            spec.anchor.x() = 4 * DIAMETER * (static_cast<float>(b) + 0.5f);
+            builder.addJoint(bodies[b], bodies[b + 1], spec);
+        }
+        // One end, the other, both, all of it.
+        if (k != 1) builder.holdBody(bodies[0], 0.2f);
+        if (k != 0) builder.holdBody(bodies[3], 0.2f + 0.1f * static_cast<float>(k % 2));
+        for (const uint32_t body : bodies)
+            if (k == 3) builder.holdBody(body, 0.3f);
+        builder.endObject({Vector3f(0, 0.6f, 0.5f * static_cast<float>(k))});
+    }
+    return builder.build();
+}
+
+}  // namespace knuckle::test

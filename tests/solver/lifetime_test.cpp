@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <random>
+
+#include "app/commands/table2_world.h"
+#include "sim/solver/step.h"
+#include "tests/solver/determinism_worlds.h"
+#include "tests/solver/solver_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+constexpr int STEPS = 45, MORE = 15;  // towers sleep at the end of the first, and are woken in the second
+
+World frozenTowers()
+{
+    return sleepyWorld(0.5f);
+}
+
+World everything()
+{
+    return everyWorld(GridKind::Lattice);
+}
+
+World pairs()
+{
+    return table2World(20, {});
+}
+
+World pairsByThePaper()
+{
+    return table2World(20, paperSettings());
+}
+
+struct Matter {
+    const char* name;
+    World (*world)();
+};
+
+constexpr Matter MATTERS[] = {{"Pairs", pairs},         {"Paper", pairsByThePaper}, {"Soft", softWorld},
+                              {"Ropes", ropeWorld},     {"Fluids", fluidWorld},     {"Emitters", emitterWorld},
+                              {"Freeze", frozenTowers}, {"Held", heldWorld},        {"Everything", everything}};
+
+/// A world's solver, stage by stage.
+class Running {
+public:
+    explicit Running(const World& worldIn) : world(worldIn), stages(gpu(), world) { stages.load(); }
+
+    void start()
+    {
+        Recorder recorder(timer_, stages.dispatches);
+        recordStart(stages, recorder);
+    }
+    /// @param poison whether scratch holds nothing but NaN before each step.
+    void steps(int count, bool poison = false)
+    {
+        for (int k = 0; k < count; ++k) {
+            if (poison) poisonScratch();
+            Recorder recorder(timer_, stages.dispatches);
+            recordStep(stages, world.settings, recorder);
+            const gpu::Counters counters = stages.counters.download()[0];
+            ASSERT_EQ(counters.problems & PROBLEM_NAN, 0u) << "step " << k;
+            if (counters.problems != 0) stages.grow(counters);
+        }
+    }
+
+    const World world;
+    Stages stages;
+
+private:
+    void poisonScratch()
+    {
+        uint32_t poisoned = 0;
+        const BufferTable buffers = stages.table();
+        for (const auto& [name, entry] : buffers.entries()) {
+            if (entry.lifetime != Lifetime::Scratch || entry.buffer->bytes() == 0) continue;
+            const std::vector<uint32_t> nan(entry.buffer->bytes() / 4, 0xffffffffu);
+            entry.buffer->write(nan.data(), entry.buffer->bytes());
+            ++poisoned;
+        }
+        ASSERT_GT(poisoned, 10u);
+    }
+
+    KernelTimer timer_;
+};
+
+/// Bit by bit.
+void expectSame(const StagesState& found, const StagesState& wanted)
+{
+    EXPECT_GT(wanted.buffers.size(), 20u);
+    for (const auto& [name, bytes] : wanted.buffers) EXPECT_TRUE(found.buffers.at(name) == bytes) << name;
+}
+
+/// Of all buffers.
+std::map<std::string, std::vector<std::byte>> contentsOf(Stages& stages)
+{
+    std::map<std::string, std::vector<std::byte>> contents;
+    const BufferTable buffers = stages.table();
+    for (const auto& [name, entry] : buffers.entries()) {
+        contents[name].resize(entry.buffer->bytes());
+        if (entry.buffer->bytes() > 0) entry.buffer->read(contents[name].data(), entry.buffer->bytes());
+    }
+    return contents;
+}
+
+class LifetimeOf : public testing::TestWithParam<Matter> {};
+
+}  // namespace
+
+/// Another solver that gets the state alone, and whose scratch holds nothing but NaN before each step.
+TEST_P(LifetimeOf, StateAloneGoesOnWithTheSameBits)
+{
+    const World world = GetParam().world();
+    Running whole(world), second(world);
+    whole.start();
+    whole.steps(STEPS);
+    second.stages.load(whole.stages.save());
+    whole.steps(MORE);
+    second.steps(MORE, true);
+    expectSame(second.stages.save(), whole.stages.save());
+}
+
+TEST_P(LifetimeOf, StagesUploadInAnyOrder)
+{
+    const World world = GetParam().world();
+    Stages natural(gpu(), world);
+    for (const uint32_t seed : {1u, 2u, 3u}) {
+        Stages shuffled(gpu(), world, [&](std::vector<Stage*>& stages) {
+            std::mt19937 random(seed);
+            for (size_t k = stages.size(); k > 1; --k) std::swap(stages[k - 1], stages[random() % k]);
+        });
+        EXPECT_EQ(std::memcmp(&shuffled.parameters, &natural.parameters, sizeof natural.parameters), 0);
+        const auto found = contentsOf(shuffled);
+        for (const auto& [name, bytes] : contentsOf(natural)) EXPECT_TRUE(found.at(name) == bytes) << name;
+    }
+}
+
+TEST(Lifetime, AStateOfAnotherWorldIsRefused)
+{
+    const World one = pairs(), two = table2World(21, {});
+    Stages stages(gpu(), one), others(gpu(), two);
+    EXPECT_THROW(others.load(stages.save()), std::logic_error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Matters, LifetimeOf, testing::ValuesIn(MATTERS),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+}  // namespace knuckle::test
