@@ -39,6 +39,11 @@ runs() {
         END { flush() }' "$figures"
 }
 
+if [[ -z $(runs) ]]; then
+    echo "$figures has no runs; scripts/performance.sh --run measures anew" >&2
+    exit 1
+fi
+
 # Of whom the figures are, in one line.
 source_line() {
     local threads
