@@ -152,7 +152,7 @@ void addJoined(const Entry& entry)
     }
 }
 
-void addDistanceRows(const Entry& entry)
+void addStrands(const Entry& entry)
 {
     RopeEntry rows{entry, {}, entry.poses, entry.material, entry.velocity};
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) rows.names.push_back(entry.copyName(copy));
@@ -237,8 +237,8 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
         {"joined", addJoined},
         {"actor", addActors},
         {"grains", [](const Entry& grains) { addGrains(grains); }},
-        {"rope", addDistanceRows},
-        {"cloth", addDistanceRows},
+        {"rope", addStrands},
+        {"cloth", addStrands},
         {"fluid", [](const Entry& fluid) { addFluid(fluid); }}};
     try {
         KINDS.at(type)(entry);

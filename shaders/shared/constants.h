@@ -14,7 +14,7 @@
 #define WRAPPED_CELLS 9
 // Cells of the fluids' grid along x that are as long together as one is wide: rows of candidates end closer.
 #define FINE_CELLS 4
-// Threads in a work group that solves distance rows: there are few, and each is long.
+// Threads in a work group that solves strands: there are few, and each is long.
 #define DISTANCE_GROUP_SIZE 8
 // Slots whose lists of neighbours lie together.
 #define NEIGHBOUR_BLOCK 32u

@@ -56,7 +56,7 @@ struct MoverInfo {
     float inverseMass;              // [1/kg], of what does not respond, too: moverStates says so
 };
 
-// What never changes about a joint of a tree, or one that closes a loop; the body is the one that is further from the root.
+// What never changes about a joint of a tree, or one that closes a loop; its body is the one further from the root.
 struct JointInfo {
     uint body;
     uint parent;                    // NO_INDEX of a root that nothing holds

@@ -1,5 +1,5 @@
-// How many texels of 16 bytes the records of joints have, for C++ and GLSL. sim/solver/joint/joint_stage.h draws them; the
-// kernels of shaders/sim/joint name their fields.
+// How many texels of 16 bytes the records of joints have, for C++ and GLSL. sim/solver/joint/joint_stage.h draws them;
+// the kernels of shaders/sim/joint name their fields.
 #ifndef KNUCKLE_JOINT_RECORDS_H
 #define KNUCKLE_JOINT_RECORDS_H
 

@@ -19,7 +19,8 @@ struct PassTime {
     uint64_t count = 0;         ///< Dispatches.
 };
 
-/// All that a run carries from one step to the next. Of the same World, program and driver, it goes on with the same bits.
+/// All that a run carries from one step to the next. Of the same World, program and driver, it goes on with the same
+/// bits.
 struct SolverState {
     bool started = false;
     StagesState stages;

@@ -47,8 +47,8 @@ private:
     const RawBuffer& sizes_;
 };
 
-/// A room of the solver: the buffers that it owns, filled from the World and its Layout alone, its kernels, and the passes
-/// that it records. It stays where it is, since kernels refer to its buffers.
+/// A room of the solver: the buffers that it owns, filled from the World and its Layout alone, its kernels, and the
+/// passes that it records. It stays where it is, since kernels refer to its buffers.
 class Stage {
 public:
     Stage() = default;

@@ -5,8 +5,9 @@
 // move as a linear field over it, so the default solver predicts, matches and finishes bodies through fields
 // (shaders/sim/common/bodies/fields.glsl) and visits their particles only where something touches them. A substep
 //
-//   predicts how far each mover would move if nothing touched it, adds what its contacts did last, and asks for a new
-//     search when it has left its margin (mover_predict);
+//   lets go of what is held until now (mover_release);
+//   predicts how far each mover would move if nothing touched it, and adds what its contacts did last (mover_predict,
+//     jointed_predict), and asks for a new search where one has left its margin (mover_drift);
 //   finds contacts, but only when somebody asked: search_due sets the sizes of those dispatches on the GPU, to zero
 //     otherwise. Particles get the positions to search for (search_position) and are sorted into cells by a counting
 //     sort (grid_*); each looks for those that lie ahead (contact_find, further for fast ones: contact_find_far) and
@@ -14,15 +15,18 @@
 //     contact learns what it is made of (contact_prepare, collider_prepare);
 //   moves fluids by their pressures (fluid_*), once;
 //   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, distance_solve moves ropes
-//     and cloth, colour by colour; contact_solve, collider_solve and joint_solve work out impulses, each contact and
-//     joint by itself, from where the movers are; mover_solve sums them for each mover and matches it (eqs. 8-9, 11-17)
-//     to where they bring its particles;
+//     and cloth, colour by colour; contact_solve and collider_solve work out impulses, each contact by itself, from
+//     where the movers are; impulse_sum adds them up for each body, and body_solve matches it (eqs. 8-9, 11-17) to
+//     where they bring its particles, as loose_solve does for loose particles. For bodies with joints jointed_solve
+//     notes what is left to do, and joint_solve answers it for all bodies of a tree at once, joint_loop_solve for its
+//     loops;
 //   lets joints tear (joint_tear);
-//   ends with velocities and positions (mover_integrate), and where materials have restitution, gives collisions the
-//     speeds at which they part (contact_restitution, collider_restitution, mover_restitution).
+//   ends with velocities and positions (mover_integrate, jointed_integrate), and where materials have restitution,
+//     gives collisions the speeds at which they part (contact_restitution, collider_restitution, mover_restitution).
 //
 // With Settings::sleepSpeed, what has been calm for long sleeps from the end of a step on (sleep_mover, sleep_island,
-// sleep_update), until something that moves comes near it (sleep_wake_island, sleep_wake_assembly, in each substep).
+// sleep_update, sleep_state), until something that moves comes near it (sleep_wake_island, sleep_wake_assembly, in each
+// substep).
 //
 // A step ends with its particles where their bodies have them (particle_position); those that bodies share stand at the
 // mean of their goals, which is the joint (joint_position). Where there are emitters or drains, fluid particles then

@@ -40,7 +40,7 @@ Workload stepWorkload(const World& world)
         substep = substep + Workload{SEARCH_DISPATCHES + iterations * paperIteration(world),
                                      iterations * (inBodies + loose) * PAPER_MICROSECONDS / 1000.0};
     } else {
-        const double others = (world.clusters.empty() ? 0.0 : 4.0) + (world.distanceRows.empty() ? 0.0 : 8.0);
+        const double others = (world.clusters.empty() ? 0.0 : 4.0) + (world.strands.empty() ? 0.0 : 8.0);
         substep = substep + Workload{SEARCH_DISPATCHES + s.iterations * (4.0 + others),
                                      (inBodies * BODY_MICROSECONDS + loose * LOOSE_MICROSECONDS) / 1000.0};
     }

@@ -43,8 +43,9 @@ struct JointLimits {
     std::vector<std::string> misplacedIn(JointType type) const;
 };
 
-/// The same of any joint, as the solver takes it: how far x of the child's frame may leave x of the parent's, and how far
-/// the child may turn about it (a swing to the axis and a twist about it make every turn). Of a hinge the twist alone.
+/// The same of any joint, as the solver takes it: how far x of the child's frame may leave x of the parent's, and how
+/// far the child may turn about it (a swing to the axis and a twist about it make every turn). Of a hinge the twist
+/// alone.
 struct TurnLimits {
     float swing = std::numbers::pi_v<float>;  ///< [rad]
     TurnRange twist;

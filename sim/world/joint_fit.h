@@ -12,9 +12,10 @@ struct JointFit {
     JointSide body, parent;
 };
 
-/// What particles let a body turn against another follows from how they lie: one place holds it together, a line lets it
-/// turn about itself, a face not at all.
-/// @param axis where limits are, the body's axis in the rest pose, and `cone` the middle of the other's cone: unit; else 0.
+/// What particles let a body turn against another follows from how they lie: one place holds it together, a line lets
+/// it turn about itself, a face not at all.
+/// @param axis where limits are, the body's axis in the rest pose, and `cone` the middle of the other's cone: unit;
+/// else 0.
 JointFit fitJoint(const World& world, uint32_t body, uint32_t parent, const std::vector<uint32_t>& particles,
                   const Vector3f& axis, const Vector3f& cone);
 

@@ -51,23 +51,24 @@ struct Settings {
     float sleepSpeed = 0.0f;                      ///< What stays slower sleeps, with all it touches [m/s]; 0: off.
 };
 
-/// As many that something as fast as a fall of 1 m (4.5 m/s) stays within a fifth of a diameter in one, 4 to 16. Half as
-/// many again for the paper's solver: its particles part by themselves, and bodies that hit each other faster than that
-/// may get caught in each other's lattices.
+/// As many that something as fast as a fall of 1 m (4.5 m/s) stays within a fifth of a diameter in one, 4 to 16. Half
+/// as many again for the paper's solver: its particles part by themselves, and bodies that hit each other faster than
+/// that may get caught in each other's lattices.
 /// @param diameter of particles [m]. @param timeStep [s].
 uint32_t automaticSubsteps(float diameter, float timeStep, SolverKind solver);
 
 /// The same for fluids: pressure goes about a particle far in a substep, so fluid at rest is denser than asked by about
 /// half of pressure / density (timeStep / (substeps spacing))^2; that stays below 1 %. 4 to 32.
-/// @param spacing of fluid particles [m]. @param pressure over density [m2/s2]; at least that of twenty layers is assumed.
+/// @param spacing of fluid particles [m]. @param pressure over density [m2/s2]; at least that of twenty layers is
+/// assumed.
 /// @param timeStep [s].
 uint32_t automaticFluidSubsteps(float spacing, float pressure, float timeStep);
 
 /// What the surface tension of a fluid presses it together with [Pa]: what pulls particles acts two rest distances far.
 float cohesionPressure(float surfaceTension, float spacing);
 
-/// The paper's own choices: averaged Jacobi with stabilization, Householder-QR, eq. 10's reduction, the hash, freezing at
-/// half a radius, first-order velocities; and what makes them sound: half as many substeps again as the default's, 4
+/// The paper's own choices: averaged Jacobi with stabilization, Householder-QR, eq. 10's reduction, the hash, freezing
+/// at half a radius, first-order velocities; and what makes them sound: half as many substeps again as the default's, 4
 /// iterations of each, mass scaling, split masses at shared particles.
 Settings paperSettings();
 

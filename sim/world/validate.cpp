@@ -10,8 +10,8 @@ namespace knuckle {
 
 namespace {
 
-/// For what only code can get wrong: ranges of single values among them. Of a scene file the schema has checked those and
-/// knows their place; here they are checked for who fills a World in code.
+/// For what only code can get wrong: ranges of single values among them. Of a scene file the schema has checked those
+/// and knows their place; here they are checked for who fills a World in code.
 template <typename... Args>
 void require(bool holds, fmt::format_string<Args...> format, Args&&... args)
 {
@@ -211,7 +211,7 @@ void validate(const World& world)
     validateReleases(world);
     validateColliders(world);
     validateSoftBodies(world);
-    validateDistanceRows(world);
+    validateStrands(world);
     validateGrids(world);
 }
 

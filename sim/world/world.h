@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "sim/world/collider_grid.h"
-#include "sim/world/distance_row.h"
 #include "sim/world/emitter.h"
 #include "sim/world/joint.h"
 #include "sim/world/no_index.h"
 #include "sim/world/settings.h"
 #include "sim/world/soft_matter.h"
+#include "sim/world/strand.h"
 #include "sim/world/surface.h"
 
 /// Plain data that describes a world before the GPU sees it.
@@ -135,9 +135,9 @@ struct World {
     std::vector<Object> objects;
     std::vector<Collider> colliders;
     std::vector<SoftBody> softBodies;
-    std::vector<Cluster> clusters;          ///< Grouped by soft body.
-    std::vector<Link> clusterLinks;         ///< Grouped by cluster, which is what Link::body says here.
-    std::vector<DistanceRow> distanceRows;  ///< Ropes and cloth.
+    std::vector<Cluster> clusters;   ///< Grouped by soft body.
+    std::vector<Link> clusterLinks;  ///< Grouped by cluster, which is what Link::body says here.
+    std::vector<Strand> strands;     ///< Ropes and cloth.
     std::vector<ColliderGrid> colliderGrids;
     uint32_t assemblyCount = 0;
     /// Rest distance of fluid particles [m], 0.3 ... 0.6 diameters. A fluid particle weighs density * spacing^3.
@@ -176,7 +176,8 @@ inline bool isFixedForEver(const World& world, const Particle& particle)
 float fluidClearance(const World& world);
 
 /// Checks every invariant that the solver relies on: indices in range, links grouped by body, finite positions,
-/// positive masses, shared particles consistent with the links. It is the one place that does, for Worlds of any origin.
+/// positive masses, shared particles consistent with the links. It is the one place that does, for Worlds of any
+/// origin.
 /// @throws InputError naming the first that fails where a scene file can be the cause, else std::logic_error.
 void validate(const World& world);
 

@@ -65,7 +65,7 @@ TEST(Cloth, OfAModelWeighsItsAreaAndHangsWithoutStretching)
 {
     const ClothSpec spec;
     Settings settings;
-    settings.substeps = 8;  // each node is in three distance rows or more, of two in a grid
+    settings.substeps = 8;  // each node is in three strands or more, of two in a grid
     const ClothSheet sheet = triangleSheet(7, spec);
     const World world = hangingCloth(sheet, spec, settings);
     double area = 0.0, loose = 0.0;

@@ -76,7 +76,7 @@ TEST(Release, ABoxFallsFromTheMomentAtWhichItIsLetGo)
     }
     run(solver, world, 1.0);
     const BodyState box = solver.readBodies()[0];
-    // From rest: BDF2 after one substep of first order, which falls h^2 g/2 further, and keeps h g/2 more; h is 1/480 s.
+    // From rest: BDF2 after one substep of first order, which falls h^2 g/2 further and keeps h g/2 more, h = 1/480 s.
     EXPECT_NEAR(box.position.y(), 5.0 - 0.5 * GRAVITY, 0.012);
     EXPECT_NEAR(box.velocity.y(), -GRAVITY, 0.012);
     EXPECT_EQ(box.position.x(), 0.0f) << "without the velocity that it was given";

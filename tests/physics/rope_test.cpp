@@ -40,7 +40,7 @@ uint32_t hangCube(WorldBuilder& builder, const RopeSpec& common, uint32_t materi
 double lengthOf(const World& world, const ParticleState& state)
 {
     double length = 0.0;
-    const auto& nodes = world.distanceRows[0].particles;
+    const auto& nodes = world.strands[0].particles;
     for (size_t k = 1; k < nodes.size(); ++k)
         length += (state.positions[nodes[k]] - state.positions[nodes[k - 1]]).cast<double>().norm();
     return length;
@@ -143,10 +143,10 @@ void expectSwing(float mass)
     const uint32_t bob = addPendulum(builder, {LENGTH * std::sin(angle), -LENGTH * std::cos(angle), 0}, mass);
     const World world = builder.build();
     std::vector<double> masses;
-    const auto& nodes = world.distanceRows[0].particles;
+    const auto& nodes = world.strands[0].particles;
     for (size_t k = 1; k < nodes.size(); ++k) masses.push_back(world.particles[nodes[k]].mass);
     // The finite-amplitude correction 1 + a^2/16 is 0.06 % at 0.1 rad.
-    const double truth = slowestPeriod(masses, world.distanceRows[0].restLengths[0]);
+    const double truth = slowestPeriod(masses, world.strands[0].restLengths[0]);
     Solver solver(gpu(), world);
     std::vector<double> crossings;
     double last = 0.0, furthest = 0.0;

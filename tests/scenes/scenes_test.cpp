@@ -85,8 +85,8 @@ TEST(Scenes, TerrainIsPassedAndNothingFallsThroughIt)
 {
     const Scene scene = sceneOf("terrain", {});
     Solver solver(gpu(), scene.world);
-    // Measured: 0.002, 0.29, 0.044, 2e-5 (far away places are rounded more), 14.7 m/s, 28 m. The energy rises by 0.06, as
-    // it should not: balls that jam between the figure and the hill begin to spin and are thrown out.
+    // Measured: 0.002, 0.29, 0.044, 2e-5 (far away places are rounded more), 14.7 m/s, 28 m. The energy rises by 0.06,
+    // as it should not: balls that jam between the figure and the hill begin to spin and are thrown out.
     Watched bounds{.gap = 0.01f,
                    .penetration = 0.9f,
                    .meanPenetration = 0.2f,

@@ -115,9 +115,9 @@ TEST_P(DeterminismOf, APileHasTheSameBitsTwiceAndAtAnyNumberOfDriverThreads)
 
 std::string wayName(const testing::TestParamInfo<int>& way)
 {
-    static constexpr const char* NAMES[WAYS] = {
-        "Default", "Hash",    "Paper", "PaperInGroups", "Soft",   "DistanceRows", "Fluids", "Emitters",
-        "Limits",  "Bounces", "Sleep", "Freeze",        "Rounds", "Grids",        "Held",   "AllByHash"};
+    static constexpr const char* NAMES[WAYS] = {"Default", "Hash",     "Paper",  "PaperInGroups", "Soft",  "Strands",
+                                                "Fluids",  "Emitters", "Limits", "Bounces",       "Sleep", "Freeze",
+                                                "Rounds",  "Grids",    "Held",   "AllByHash"};
     return NAMES[way.param];
 }
 

@@ -78,8 +78,8 @@ TEST(ShaderSource, TheFolderOverridesTheProgramsOwnFilesOneByOne)
     TempFolder folder;
     std::filesystem::create_directories(folder.path("sim/common"));
     folder.write("sim/common/kernel.glsl", "// ours\n");
-    const std::string overridden = ShaderSource(folder.path()).resolve("sim/search/grid_count.comp").text;
-    const std::string own = ShaderSource().resolve("sim/search/grid_count.comp").text;
+    const std::string overridden = ShaderSource(folder.path()).resolve("sim/common/grid/grid_count.comp").text;
+    const std::string own = ShaderSource().resolve("sim/common/grid/grid_count.comp").text;
     EXPECT_EQ(occurrences(overridden, "// ours"), 1u);
     EXPECT_EQ(occurrences(overridden, "StepParameters"), 0u);
     EXPECT_EQ(occurrences(overridden, "void main()"), 1u) << "the kernel itself is the program's";

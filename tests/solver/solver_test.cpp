@@ -129,10 +129,10 @@ void KernelFixture::setFound(const std::vector<gpu::vec4>& places)
 void KernelFixture::fillGrid(const Defines& defines)
 {
     const uint32_t cells = stages.parameters.cellMask + 1;
-    forParticles("search/grid_count", defines);
-    run("search/scan_sum", cells / SCAN_CHUNK);
-    run("search/grid_start", cells / SCAN_CHUNK);
-    forParticles("search/grid_scatter");
+    forParticles("common/grid/grid_count", defines);
+    run("common/grid/scan_sum", cells / SCAN_CHUNK);
+    run("common/grid/grid_start", cells / SCAN_CHUNK);
+    forParticles("common/grid/grid_scatter");
     forParticles("search/grid_order");
 }
 
@@ -148,7 +148,7 @@ void KernelFixture::fillLists()
 {
     const Defines lists = {{"LISTS", "1"}};
     const uint32_t chunks = 3 * stages.parameters.particleCount / SCAN_CHUNK + 1;
-    run("search/scan_sum", chunks, lists);
+    run("common/grid/scan_sum", chunks, lists);
     run("search/list_start", chunks, lists);
     forParticles("search/pair_list");
     run("contact/contact_prepare", counters().pairCount);

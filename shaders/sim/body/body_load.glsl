@@ -1,5 +1,5 @@
-// What acts on a body that joints hold, where it is now: the residual of what it is matched to (eqs. 8-9), for the joints
-// of its tree to answer all at once. A body by itself would go where that is zero.
+// What acts on a body that joints hold, where it is now: the residual of what it is matched to (eqs. 8-9), for the
+// joints of its tree to answer all at once. A body by itself would go where that is zero.
 #include "math/quaternion.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/rotation/newton_step.glsl"
@@ -16,7 +16,7 @@ bool isPositive(mat3 m)
 
 /// What impulses add to a body's A, less of what presses it together the less it could withstand: what is pressed
 /// between impulses that do not turn with it turns over, but what presses it does turn with it.
-mat3 steadied(mat3 impulses, mat3 rotation, mat3 moments)
+mat3 boundedCompression(mat3 impulses, mat3 rotation, mat3 moments)
 {
     mat3 stretch = stretchOf(impulses, rotation);
     mat3 own = rotation * moments * transpose(rotation);
@@ -28,13 +28,15 @@ mat3 steadied(mat3 impulses, mat3 rotation, mat3 moments)
 }
 
 /// @param prediction where nothing would have it: its move, and A.
-/// @param impulse on it. @param held what of its A is by joints and ropes, which turn with what they hold: contacts count
-/// as if they did not make it harder or easier to turn, since they come and go. @param shift its move now. @param rotation its own now. @param moments the sum of m r r^T.
+/// @param impulse on it. @param held what of its A is by joints and ropes, which turn with what they hold: contacts
+/// count as if they did not make it harder or easier to turn, since they come and go. @param shift its move now. @param
+/// rotation its own now. @param moments the sum of m r r^T.
 BodyLoad loadOf(Field prediction, Field impulse, mat3 held, vec3 shift, vec4 rotation, float inverseMass, mat3 moments)
 {
     mat3 r = matrixFromQuaternion(rotation);
-    mat3 a = prediction.f + impulse.f, steady = prediction.f + steadied(held, r, moments);
+    mat3 a = prediction.f + impulse.f, bounded = prediction.f + boundedCompression(held, r, moments);
     vec3 torque = cross(r[0], a[0]) + cross(r[1], a[1]) + cross(r[2], a[2]);
-    mat3 hessian = rotationHessian(stretchOf(steady, r)) + mat3(LEAST_HESSIAN * sim.diameter * sim.diameter / inverseMass);
+    float least = LEAST_HESSIAN * sim.diameter * sim.diameter / inverseMass;
+    mat3 hessian = rotationHessian(stretchOf(bounded, r)) + mat3(least);
     return BodyLoad((prediction.t - shift) / inverseMass + impulse.t, torque, hessian);
 }

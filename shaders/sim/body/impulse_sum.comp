@@ -1,5 +1,5 @@
-// One thread a body: sums the impulses of its contacts, and of what acts on its particles. Also counts the contacts that
-// will act next, over which its mass is split. WARM_START: the old impulses of new contacts.
+// One thread a body: sums the impulses of its contacts, and of what acts on its particles. Also counts the contacts
+// that will act next, over which its mass is split. WARM_START: the old impulses of new contacts.
 #define BODIES
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/fields.glsl"

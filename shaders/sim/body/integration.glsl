@@ -1,5 +1,5 @@
-// A mover's velocity and where it is at the end of the substep. BDF2 where the prediction used it and nothing has touched
-// the assembly since, else move / h: second order would answer a collision one and a half times.
+// A mover's velocity and where it is at the end of the substep. BDF2 where the prediction used it and nothing has
+// touched the assembly since, else move / h: second order would answer a collision one and a half times.
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/fields.glsl"

@@ -1,4 +1,5 @@
-// One thread a body that is held until a time: lets go of it then, from rest. It wakes, and everything looks for contacts.
+// One thread a body that is held until a time: lets go of it then, from rest. It wakes, and everything looks for
+// contacts.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/bodies/mover_info.glsl"

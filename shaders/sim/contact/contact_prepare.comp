@@ -4,12 +4,10 @@
 #include "math/spatial.glsl"
 #include "sim/common/contacts/contact_point.glsl"
 #include "sim/contact/exit_direction.glsl"
+#include "sim/contact/old_impulse.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer searchPositions;
-uniform usamplerBuffer pairs;
-uniform samplerBuffer lastPairImpulses;
-uniform samplerBuffer lastPairMeans;
 uniform usamplerBuffer pairArrivals;     // by second particle, in the order of arrival, which differs from run to run
 BUFFER(uvec4, PairSides, pairSides);
 BUFFER(vec4, PairArms, pairArms);
@@ -21,35 +19,6 @@ BUFFER(Counters, CountersBlock, counters);
 /// A mass of balls that slide on each other and cannot turn has pi / 2 times their friction (Caquot 1934). As the
 /// material's friction is to be that of the mass, loose particles get less.
 #define LOOSE_FRICTION 0.63662
-
-/// What a pair had before.
-struct Old {
-    Impulse impulse;
-    float mean;
-};
-
-/// Of a pair with those ranks, whichever of the two was the first.
-Old oldImpulse(uint parity, Pair pair, uint firstRank, uint secondRank)
-{
-    uvec2 ofFirst = listRange(parity, LIST_AS_FIRST, firstRank, 1u);
-    uvec2 ofSecond = listRange(parity, LIST_AS_FIRST, secondRank, 1u);
-    uint firstCount = ofFirst.y - ofFirst.x;
-    uint count = firstCount + ofSecond.y - ofSecond.x;
-    uint index = 0u;
-    float side = 0.0;
-    for (uint k = 0u; k < count; ++k) {
-        bool isFirst = k < firstCount;
-        uint q = isFirst ? ofFirst.x + k : ofSecond.x + k - firstCount;
-        uint other = fetchPair(pairs, parity * sim.pairCapacity + q).second;
-        bool same = other == (isFirst ? pair.second : pair.first);
-        index = same ? q : index;
-        side = same ? (isFirst ? 1.0 : -1.0) : side;
-    }
-    uint old = parity * sim.pairCapacity + index;
-    Impulse impulse = fetchImpulse(lastPairImpulses, old);
-    return Old(Impulse(side * impulse.whole, abs(side) * impulse.normal),
-               abs(side) * texelFetch(lastPairMeans, int(old)).x);
-}
 
 /// The second particle refers to its pairs in their order, so that what is summed over them is summed in one order.
 void refer(uint parity, uint q, uint secondRank)
@@ -92,7 +61,8 @@ void main()
     if (min(a.mover, b.mover) >= sim.bodyCount) sides.friction *= LOOSE_FRICTION;
     vec3 rA = refs.a.r + rotate(conjugate(rotationA), meeting.fromA);
     vec3 rB = refs.b.r + rotate(conjugate(rotationB), meeting.fromB);
-    SideMass massA = sideMass(a.mover, armA, rA, separation.normal), massB = sideMass(b.mover, armB, rB, separation.normal);
+    SideMass massA = sideMass(a.mover, armA, rA, separation.normal);
+    SideMass massB = sideMass(b.mover, armB, rB, separation.normal);
     sides.fractions = vec2(massA.fraction, massB.fraction);
     pairSides[q] = packContactSides(sides);
     pairArms[firstArm(q)] = packArm(Arm(rA, massA.worst));

@@ -31,8 +31,9 @@ Contact pairNow(Pair pair, ContactSides sides, inout Arm armA, inout Arm armB, f
     setMasses(contact, sides, armA, armB, vec2(a.splits, b.splits));
     Meeting meeting = meetingOf(difference, start, refs);
     if (refs.a.round || refs.b.round) {
-        vec3 before = refs.a.round ? placeOf(sides.movers.x, armA.r) - placeOf(sides.movers.x, refs.a.r) - meeting.fromA
-                                   : placeOf(sides.movers.y, armB.r) - placeOf(sides.movers.y, refs.b.r) - meeting.fromB;
+        uint first = sides.movers.x, second = sides.movers.y;
+        vec3 before = refs.a.round ? placeOf(first, armA.r) - placeOf(first, refs.a.r) - meeting.fromA
+                                   : placeOf(second, armB.r) - placeOf(second, refs.b.r) - meeting.fromB;
         vec3 roll = refs.a.round ? a.move - b.move : b.move - a.move;
         vec3 ahead = aheadOf(sides, refs, before, roll, contact, pressed);
         armA.r = armAt(sides.movers.x, refs.a.r, meeting.fromA + ahead);

@@ -1,13 +1,12 @@
 // What the kernels of fluids know of the particle in each slot (sim/fluid/fluid_slots.glsl): fetch...() reads a struct,
 // pack() makes of it what to store. Here the samplers have the buffers' names, so a kernel that stores into one of them
 // calls its block new...
+#include "sim/fluid/slot_covers.glsl"
 
 uniform samplerBuffer slotPositions;
 uniform samplerBuffer slotVelocities;
 uniform samplerBuffer slotVorticities;
 uniform samplerBuffer slotPressures;
-uniform samplerBuffer slotWalls;
-uniform samplerBuffer slotSolids;
 uniform usamplerBuffer slotMaterials;
 
 /// Where it is predicted to be at the end of the substep.
@@ -76,40 +75,6 @@ SlotPressure fetchSlotPressure(uint slot)
 vec4 pack(SlotPressure s)
 {
     return vec4(s.position, s.lambda);
-}
-
-/// What walls and everything else add to its density.
-struct SlotWallCover {
-    vec3 gradient;    // of the density constraint, by what walls cover of the kernel [1/m]
-    float density;    // over the density at rest, of all together
-};
-
-SlotWallCover fetchSlotWalls(uint slot)
-{
-    vec4 t = texelFetch(slotWalls, int(slot));
-    return SlotWallCover(t.xyz, t.w);
-}
-
-vec4 pack(SlotWallCover s)
-{
-    return vec4(s.gradient, s.density);
-}
-
-/// What solid particles add to its density.
-struct SlotSolidCover {
-    vec3 gradient;    // of the density constraint, by what they cover of the kernel [1/m]
-    float inverseWeight;   // one over the sum of solidWeight() over them; 0: there are none
-};
-
-SlotSolidCover fetchSlotSolids(uint slot)
-{
-    vec4 t = texelFetch(slotSolids, int(slot));
-    return SlotSolidCover(t.xyz, t.w);
-}
-
-vec4 pack(SlotSolidCover s)
-{
-    return vec4(s.gradient, s.inverseWeight);
 }
 
 /// The material of the particle in a slot.

@@ -1,7 +1,7 @@
-// One thread a tree of joints: from the leaves to the root each body, with all that hangs on it, is seen from its joint,
-// which passes on what it does not let go (Featherstone 2008, articulated bodies). Once a substep; joint_solve makes use
-// of it. RESPONSES: of a world where something asks how bodies answer to forces. LIMITS: of one where joints are limited;
-// AGAIN: later in a substep, where other limits hold than before.
+// One thread a tree of joints: from the leaves to the root each body, with all that hangs on it, is seen from its
+// joint, which passes on what it does not let go (Featherstone 2008, articulated bodies). Once a substep; joint_solve
+// makes use of it. RESPONSES: of a world where something asks how bodies answer to forces. LIMITS: of one where joints
+// are limited; AGAIN: later in a substep, where other limits hold than before.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_factors.glsl"

@@ -42,5 +42,6 @@ struct JointFactor {
     responses[ROOT_RESPONSE_TEXELS * (joint) + 5u].xyz = (w).b[1];
 
 #define ROOT_RESPONSE_FROM(GET) \
-    Response(symmetricMatrix(GET(0).xyz, GET(1).xyz), mat3(GET(4).xyz, GET(5).xyz, vec3(GET(0).w, GET(1).w, GET(2).w)), \
+    Response(symmetricMatrix(GET(0).xyz, GET(1).xyz), \
+             mat3(GET(4).xyz, GET(5).xyz, vec3(GET(0).w, GET(1).w, GET(2).w)), \
              symmetricMatrix(GET(2).xyz, GET(3).xyz))

@@ -1,5 +1,5 @@
-// What joints are (sim/solver/layout/joint_trees.h), and what of it may change. Joints that close loops stand behind all
-// others.
+// What joints are (sim/solver/layout/joint_trees.h), and what of it may change. Joints that close loops stand behind
+// all others.
 #include "shared/joint_records.h"
 #include "sim/common/bodies/mover_info.glsl"
 
@@ -30,7 +30,8 @@ uint fetchFreedom(uint joint)
     return texelFetch(jointFreedoms, int(joint)).x;
 }
 
-/// Whether no body of a tree answers to anything. What does not is closed upwards: all that it hangs on does not either.
+/// Whether no body of a tree answers to anything. What does not is closed upwards: all that it hangs on does not
+/// either.
 bool treeRests(JointTree tree)
 {
     for (uint k = tree.first; k < tree.end; ++k)

@@ -1,5 +1,5 @@
-// One thread a tree of joints: of its joints that close loops, how far their ends move apart for each force between them
-// that they can have. After joint_factor, once a substep.
+// One thread a tree of joints: of its joints that close loops, how far their ends move apart for each force between
+// them that they can have. After joint_factor, once a substep.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/joint/joint_pose.glsl"

@@ -1,5 +1,5 @@
-// Joints that close loops in a tree: each is a force between two of its bodies. How far that moves them apart is found by
-// trying it (joint_loop_factor); then each loop of a tree in turn corrects its error (joint_loop_solve).
+// Joints that close loops in a tree: each is a force between two of its bodies. How far that moves them apart is found
+// by trying it (joint_loop_factor); then each loop of a tree in turn corrects its error (joint_loop_solve).
 #include "shared/joint_records.h"
 #include "sim/joint/joint_sweeps.glsl"
 
@@ -10,8 +10,8 @@ struct LoopFactor {
     vec3 parentArm;    // from its parent's
     vec3 axis;         // of a hinge
     Motion kept;       // the part of its error that this substep does not take back
-    // How far it gives: too little to be seen, but where the tree holds its ends already, what the loop holds would else
-    // grow without end.
+    // How far it gives: too little to be seen, but where the tree holds its ends already, what the loop holds would
+    // else grow without end.
     float givenMove;   // [1/kg]
     float givenTurn;   // [1/(kg m2)]
 };
@@ -40,8 +40,8 @@ uint loopEntry(uint loop)
                vec3(GET(0).w, GET(1).w, GET(2).w), vec3(GET(3).w, GET(4).w, GET(5).w), \
                vec3(GET(6).w, GET(7).w, GET(8).w), Motion(GET(7).xyz, GET(8).xyz), GET(9).x, GET(9).y)
 
-/// Whether a loop is between a body and its child in the tree: it stands in for the joint between the two while the child
-/// does not respond, since what hangs on the child is then all that the tree's joint holds.
+/// Whether a loop is between a body and its child in the tree: it stands in for the joint between the two while the
+/// child does not respond, since what hangs on the child is then all that the tree's joint holds.
 bool standsIn(JointInfo joint)
 {
     return joint.parentJoint != NONE && fetchJoint(joint.parentJoint).parent == joint.body;

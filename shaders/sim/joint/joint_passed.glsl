@@ -1,5 +1,5 @@
-// What joint_factor hands from a joint's body to its parent: the inertia that the parent sees of it. A kernel that stores
-// it declares BUFFER(vec4, JointPassed, jointPassed).
+// What joint_factor hands from a joint's body to its parent: the inertia that the parent sees of it. A kernel that
+// stores it declares BUFFER(vec4, JointPassed, jointPassed).
 #include "math/spatial.glsl"
 #include "shared/joint_records.h"
 

@@ -1,5 +1,5 @@
-// The rows of the channel in which joints keep the impulses with which they hold. LIMITS, LOOPS: a row may be pushed more
-// than once by one thread.
+// The rows of the channel in which joints keep the impulses with which they hold. LIMITS, LOOPS: a row may be pushed
+// more than once by one thread.
 #include "sim/joint/joint_info.glsl"
 #include "math/spatial.glsl"
 

@@ -55,8 +55,8 @@ bool updateStops(uint k, bool start)
     bool swing = updateStop(s, 0, now.swingAxis, now.swing, first.swing, rigid);
     bool turn = updateStop(s, 1, now.turnAxis, now.turn, first.turn, rigid);
     storeStop(k, s);
-    // As with contacts: second order would answer what stops it one and a half times. What only leans on it may be thrown
-    // back as far as that is.
+    // As with contacts: second order would answer what stops it one and a half times. What only leans on it may be
+    // thrown back as far as that is.
     if ((swing && hasStopped(s, 0, now.swing, first.swing)) || (turn && hasStopped(s, 1, now.turn, first.turn)))
         assemblies[fetchMover(joint.body).assembly].order = 1u;
     return swing || turn;

@@ -1,6 +1,6 @@
-// Where limits stop a joint: at most two turns at once, out of its cone and about its axis. A stop is a spring that only
-// pushes back and is solved with the joints of its tree; a rigid one remembers what it held, so that nothing is left of
-// how far it gave.
+// Where limits stop a joint: at most two turns at once, out of its cone and about its axis. A stop is a spring that
+// only pushes back and is solved with the joints of its tree; a rigid one remembers what it held, so that nothing is
+// left of how far it gave.
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/joint/joint_pose.glsl"
 #include "sim/joint/joint_recovery.glsl"

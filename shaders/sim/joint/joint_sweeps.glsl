@@ -1,6 +1,6 @@
 // A tree of joints solved for given forces and errors: from the leaves to the root what each body asks of its parent,
-// then motions from the root to the leaves (Featherstone 2008, articulated bodies). A body that does not respond asks for
-// nothing, and what it does in the substep it has done before: its motion here is zero.
+// then motions from the root to the leaves (Featherstone 2008, articulated bodies). A body that does not respond asks
+// for nothing, and what it does in the substep it has done before: its motion here is zero.
 #include "sim/joint/joint_factors.glsl"
 #include "sim/joint/joint_info.glsl"
 #include "sim/joint/joint_sweep_records.glsl"

@@ -1,6 +1,6 @@
-// One thread a tree of joints: of those that bore more in the substep than they can, the one that did most holds nothing
-// any more, which relieves the others. Its body is then the root of what hangs on it, in the same tree; its particles
-// stay with the first of their bodies.
+// One thread a tree of joints: of those that bore more in the substep than they can, the one that did most holds
+// nothing any more, which relieves the others. Its body is then the root of what hangs on it, in the same tree; its
+// particles stay with the first of their bodies.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/joint/joint_rows.glsl"

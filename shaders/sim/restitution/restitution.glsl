@@ -4,14 +4,10 @@
 // takes longer steps. They suit collisions of which a body has many; a single one is done after the first iteration.
 // LEDGER: what the impulses give and cost of energy. SHARE: scales them to what the movers can afford.
 #include "sim/common/contacts/contacts.glsl"
-#include "sim/common/bodies/mover_info.glsl"
-#include "sim/common/bodies/mover_state.glsl"
+#include "sim/restitution/arrival.glsl"
 
-uniform samplerBuffer oldMoverMoves;
-uniform samplerBuffer oldMoverVelocities;
 uniform samplerBuffer moverRestitutionSplits;
 uniform samplerBuffer moverRestitutionShares;
-uniform samplerBuffer moverSolvedVelocities;
 
 /// Over how many impulses a mover's mass is split; 0: it does not respond.
 float restitutionSplits(uint mover)
@@ -23,57 +19,6 @@ float restitutionSplits(uint mover)
 vec2 restitutionShares(uint mover)
 {
     return !responds(mover) ? vec2(1) : texelFetch(moverRestitutionShares, int(mover)).xy;
-}
-
-/// The angular velocity of a velocity field, of axes turned about as far as these. The field is a chord, which points
-/// inwards by half a substep's turn: its size is that of the turn, its axis that of its antisymmetric part.
-vec3 spinOf(mat3 f, mat3 axes)
-{
-    vec3 turn = cross(axes[0], f[0]) + cross(axes[1], f[1]) + cross(axes[2], f[2]);
-    float size = sqrt(0.5 * (dot(f[0], f[0]) + dot(f[1], f[1]) + dot(f[2], f[2])));
-    return turn * (size / max(length(turn), 1e-20));
-}
-
-/// Of a mover's point, turned as it is now [m/s].
-vec3 pointVelocity(Field velocity, uint mover, vec3 r)
-{
-    if (!IS_BODY(mover)) return velocity.t;
-    mat3 axes = matrixFromQuaternion(fetchRotation(mover));
-    return velocity.t + cross(spinOf(velocity.f, axes), axes * r);
-}
-
-vec3 velocityNow(uint mover, vec3 r)
-{
-    return pointVelocity(fetchField(moverVelocities, mover), mover, r);
-}
-
-/// After the substep's solve, before anything bounced [m/s].
-vec3 velocitySolved(uint mover, vec3 r)
-{
-    return pointVelocity(fetchField(moverSolvedVelocities, mover), mover, r);
-}
-
-/// How a mover's point would have met a contact, and how it came there.
-struct Arrival {
-    vec3 velocity;   // before the substep, of the body turned as it is now [m/s]
-    vec3 way;        // in the substep [m]
-    vec3 pull;       // acceleration of what nothing holds [m/s2]
-};
-
-Arrival arrivalOf(uint mover, vec3 r)
-{
-    if (!moves(mover)) return Arrival(vec3(0), vec3(0), vec3(0));
-    Field move = fetchField(oldMoverMoves, mover);
-    return Arrival(pointVelocity(fetchField(oldMoverVelocities, mover), mover, r), move.t + move.f * r,
-                   responds(mover) ? sim.gravity.xyz : vec3(0));
-}
-
-/// The speed at which two meet [m/s]: gravity speeds them up on their way there, v^2 = v0^2 + 2 g s.
-float approachOf(Arrival a, Arrival b, vec3 normal)
-{
-    float speed = -dot(normal, a.velocity - b.velocity);
-    float gained = 2.0 * dot(normal, a.pull - b.pull) * dot(normal, a.way - b.way);
-    return speed > 0.0 ? sqrt(max(speed * speed + gained, 0.0)) : 0.0;
 }
 
 /// What a contact's impulse does to the energy of its sides, s of it: s linear + s^2 square [J]. With a side that does

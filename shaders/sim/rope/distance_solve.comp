@@ -1,21 +1,21 @@
-// One thread a distance row: one Newton step of its XPBD distances, all at once (Macklin et al. 2016, eq. 17), with the
+// One thread a strand: one Newton step of its XPBD distances, all at once (Macklin et al. 2016, eq. 17), with the
 // turning of the links that are under tension (the second derivatives, Tournier et al. 2015), without which a light
 // rope under a heavy load shakes itself apart. From the end to the start each node and its link are eliminated, which
 // leaves the one before it with a mass matrix; then moves and multipliers follow from the start to the end.
 // FIRST_ITERATION: of a substep, where the tension that the last one ended with may tear.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
-#include "sim/rope/distance_nodes.glsl"
+#include "sim/rope/distance_response.glsl"
 #include "sim/rope/distance_states.glsl"
 
 layout(local_size_x = DISTANCE_GROUP_SIZE) in;
-layout(location = 0) uniform uvec2 range;          // the first row and the end
+layout(location = 0) uniform uvec2 range;          // the first strand and the end
 BUFFER(vec4, MoverMoves, newMoverMoves);
 BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(vec4, DistanceStates, distanceStates);
 BUFFER(vec4, DistanceFactors, distanceFactors);
 
-/// Keep the matrix regular, the larger at a fixed end: where a taut row is held at both.
+/// Keep the matrix regular, the larger at a fixed end: where a taut strand is held at both.
 const float REGULAR = 1e-5, REGULAR_END = 1e-3;
 /// What turning may hold back, over the mass of its nodes: more would be lost to rounding.
 const float MOST_TURNING = 30.0;
@@ -30,12 +30,12 @@ void push(uint node, vec3 impulse)
 
 /// Eliminates from the end on. Of the node b of a link: A dx = r + f; with its link B = (A + k P)^-1, P = 1 - n n^T.
 /// @returns the move of the first node.
-vec3 eliminate(DistanceRow row, float squaredTime)
+vec3 eliminate(Strand strand, float squaredTime)
 {
-    DistanceNode b = fetchNode(row.last);
+    DistanceNode b = fetchNode(strand.last);
     mat3 mass = massOf(b);
     vec3 r = vec3(0);
-    for (uint k = row.last; k-- > row.first;) {
+    for (uint k = strand.last; k-- > strand.first;) {
         DistanceNode a = fetchNode(k);
         DistanceLink link = fetchDistanceLink(k);
         DistanceState state = distanceState(distanceStates[k]);
@@ -71,11 +71,11 @@ void main()
 {
     uint index = range.x + gl_GlobalInvocationID.x;
     if (index >= range.y) return;
-    DistanceRow row = fetchRow(index);
-    if (rests(row)) return;
-    float squaredTime = accelerationFactor(fetchAssembly(row.assembly)) * sim.substepTime * sim.substepTime;
-    vec3 move = eliminate(row, squaredTime), before = vec3(0);
-    for (uint k = row.first; k < row.last; ++k) {
+    Strand strand = fetchStrand(index);
+    if (rests(strand)) return;
+    float squaredTime = accelerationFactor(fetchAssembly(strand.assembly)) * sim.substepTime * sim.substepTime;
+    vec3 move = eliminate(strand, squaredTime), before = vec3(0);
+    for (uint k = strand.first; k < strand.last; ++k) {
         DistanceFactor f;
         LOAD_DISTANCE_FACTOR(distanceFactors, k, f)
         EliminatedLink link = eliminatedLink(distanceStates[k]);
@@ -90,5 +90,5 @@ void main()
         before = pull;
         move = next;
     }
-    push(row.last, before);
+    push(strand.last, before);
 }

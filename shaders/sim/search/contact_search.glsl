@@ -1,17 +1,16 @@
 // What a search for contacts knows about particles, and where it notes what it finds.
 #include "math/quaternion.glsl"
 #include "sim/common/contacts/contact_lists.glsl"
-#include "sim/common/bodies/owners.glsl"
 #include "sim/common/contacts/touch.glsl"
 #include "sim/common/contacts/round_bodies.glsl"
 #include "sim/search/candidates.glsl"
+#include "sim/search/self_contact.glsl"
 #include "sim/search/sorted_particles.glsl"
 #include "sim/common/particles.glsl"
 
 uniform samplerBuffer sortedPositions;
 uniform usamplerBuffer sortedInfos;
 uniform usamplerBuffer cellStarts;
-uniform samplerBuffer restPositions;
 uniform samplerBuffer searchRotations;
 BUFFER(uvec2, FirstLists, firstLists);   // candidates
 BUFFER(uint, ListCounts, listCounts);
@@ -25,36 +24,6 @@ SortedPosition fetchSortedPosition(uint k)
 SortedInfo fetchSortedInfo(uint k)
 {
     return unpackSortedInfo(texelFetch(sortedInfos, int(k)));
-}
-
-/// Where a particle is in its assembly.
-struct RestPosition {
-    vec3 position;   // in the rest pose [m]
-    float margin;    // nearer than 1 + this there, in distances of touch, particles never touch
-};
-
-RestPosition fetchRestPosition(uint i)
-{
-    vec4 t = texelFetch(restPositions, int(i));
-    return RestPosition(t.xyz, t.w);
-}
-
-bool inSameBody(uint i, uint j)
-{
-    OwnerRange a = fetchOwners(i), b = fetchOwners(j);
-    bool same = false;
-    for (uint k = 0u; k < a.count; ++k)
-        for (uint l = 0u; l < b.count; ++l)
-            same = same || fetchOwner(a.first + k).body == fetchOwner(b.first + l).body;
-    return same;
-}
-
-/// For two particles of one assembly: only where they do not touch or overlap at rest.
-bool mayTouch(uint i, uint j)
-{
-    RestPosition a = fetchRestPosition(i), b = fetchRestPosition(j);
-    float least = (0.99 + max(a.margin, b.margin)) * touchDistance(i, j);
-    return length(a.position - b.position) > least && !inSameBody(i, j);
 }
 
 /// Whether a particle of a ball or capsule is nearer to a point than all others of it, or as near. The body is a cubic

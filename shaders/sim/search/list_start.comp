@@ -1,6 +1,6 @@
 // One thread a chunk of counts: where each particle's contacts start in the lists.
 #include "sim/common/kernel.glsl"
-#include "sim/search/scan.glsl"
+#include "sim/common/grid/scan.glsl"
 #include "sim/common/contacts/contact_lists.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

@@ -1,8 +1,8 @@
 // What sleeps. An assembly (what joints connect; a loose particle is one) counts the steps for which it was calm. Its
-// count is at most one more than the least count of what it touches, so it also tells over how many contacts the nearest
-// thing that moves is away. At calmSteps the assembly sleeps: sleep_state tells its movers, which then stay where they
-// are, keep their impulses, and answer to nothing. An island is what touches; its name is the lowest index of its
-// assemblies. It wakes as a whole.
+// count is at most one more than the least count of what it touches, so it also tells over how many contacts the
+// nearest thing that moves is away. At calmSteps the assembly sleeps: sleep_state tells its movers, which then stay
+// where they are, keep their impulses, and answer to nothing. An island is what touches; its name is the lowest index
+// of its assemblies. It wakes as a whole.
 // Freezing (paper, section 3.1) is the same for each assembly by itself: it counts the steps for which all its
 // particles have stayed near where they were, and wakes alone when a neighbour has moved away.
 #include "sim/common/bodies/mover_info.glsl"

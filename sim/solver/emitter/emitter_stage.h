@@ -34,7 +34,7 @@ private:
 
     const gpu::StepParameters& parameters_;
     bool hasEmitters_;
-    Pass sum_{*this, "search/scan_sum", {{"POOLS", "1"}}, hasEmitters_};
+    Pass sum_{*this, "common/grid/scan_sum", {{"POOLS", "1"}}, hasEmitters_};
     Pass update_{*this, "emitter/emitter_update"};
     Pass order_{*this, "emitter/pool_order", {}, hasEmitters_};
     Pass emit_{*this, "emitter/fluid_emit", {{"FLUIDS", "1"}}, hasEmitters_};

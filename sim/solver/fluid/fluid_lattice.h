@@ -6,9 +6,9 @@
 
 namespace knuckle {
 
-/// How the cells of the fluids' grid are wrapped onto a line (shaders/sim/common/grid/grid.glsl). Cells that are a box of
-/// this shape apart share an index, so particles in them look near to each other. The box has the shape of the scene,
-/// so that fluid must spread far before that happens.
+/// How the cells of the fluids' grid are wrapped onto a line (shaders/sim/common/grid/grid.glsl). Cells that are a box
+/// of this shape apart share an index, so particles in them look near to each other. The box has the shape of the
+/// scene, so that fluid must spread far before that happens.
 struct FluidLattice {
     Eigen::AlignedBox3f home;  ///< Within it, no two cells share an index [m].
     uint32_t strideY = 0, strideZ = 0;

@@ -56,10 +56,10 @@ private:
     bool hasPool_;  ///< The GPU decides how many slots there are.
     bool confines_, hasTension_;
     Pass searchPosition_{*this, "fluid/fluid_search_position"};
-    Pass count_{*this, "search/grid_count", {{"FLUIDS", "1"}}};
-    Pass sum_{*this, "search/scan_sum", {{"FLUIDS", "1"}}};
-    Pass start_{*this, "search/grid_start", {{"FLUIDS", "1"}}};
-    Pass scatter_{*this, "search/grid_scatter", {{"FLUIDS", "1"}}};
+    Pass count_{*this, "common/grid/grid_count", {{"FLUIDS", "1"}}};
+    Pass sum_{*this, "common/grid/scan_sum", {{"FLUIDS", "1"}}};
+    Pass start_{*this, "common/grid/grid_start", {{"FLUIDS", "1"}}};
+    Pass scatter_{*this, "common/grid/grid_scatter", {{"FLUIDS", "1"}}};
     Pass order_{*this, "fluid/fluid_order", {{"FLUIDS", "1"}}};
     Pass find_{*this, "fluid/fluid_find", {{"FLUIDS", "1"}}};
     Pass colliderNear_{*this, "fluid/fluid_collider_near"};

@@ -44,7 +44,7 @@ Defines loopVariant(const StageSetup& setup)
 Defines factorVariant(const StageSetup& setup)
 {
     Defines variant;
-    if (!setup.world.distanceRows.empty()) variant.push_back({"RESPONSES", "1"});
+    if (!setup.world.strands.empty()) variant.push_back({"RESPONSES", "1"});
     if (limits(setup.world)) variant.push_back({"LIMITS", "1"});
     return variant;
 }

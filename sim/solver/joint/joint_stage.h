@@ -5,6 +5,30 @@
 namespace knuckle {
 
 /// Joints: particles that bodies share (paper, section 4), as trees of bodies that are solved at once.
+///
+///     World::joints --> JointTrees --> jointTrees[tree]    joints from .. to, loops from .. to
+///                                      jointInfo[joint]    body, parent, rows, children; loops stand behind all others
+///                                      jointFreedoms, jointPlaces, jointLimits, jointStrengths [joint]
+///
+/// Records, in texels of 16 bytes (shaders/shared/joint_records.h), and who hands them to whom in a substep, for a tree
+/// of a root and two bodies:
+///
+///     joint_factor, from the leaves up:             joint_solve, up:            and down:
+///
+///       root    <- bodyLoads (4)                      root    <- bodyLoads        root    -> its motion, by
+///         |        rootResponses (6) ->                 |                           |        rootResponses
+///         |  ^ jointPassed (6): inertia that            |  ^ passed force           |  v motion of the parent
+///         |    the parent sees                          |    (jointSweeps, 9)       |
+///       body    <- bodyLoads                          body    <- bodyLoads,       body    -> its motion, by
+///         |        jointFactors (11) ->                 |        joint's error      |        jointFactors; to rows,
+///         |  ^ jointPassed                              |  ^ passed force           |  v     the force that holds
+///       body    <- bodyLoads                          body                        body
+///
+/// A joint that closes a loop is a force between two bodies of the tree: joint_loop_factor tries how far each unit of
+/// it moves them apart (loopFactors, 10), joint_loop_solve takes back what is left of its error. With limits,
+/// jointStops (4) are springs that only push, in the same blocks; joint_factor runs again where others hold than
+/// before. Where something asks how bodies answer to forces with all that hangs on them, joint_factor leaves
+/// bodyResponses (9). joint_tear compares jointLoads (2) with what joints bear.
 class JointStage : public Stage {
 public:
     explicit JointStage(const StageSetup& setup);
@@ -21,8 +45,8 @@ public:
     void solve(Recorder& recorder) const;
     /// Joints that bore too much let go; at the end of a substep.
     void tear(Recorder& recorder) const;
-    /// Per particle of a world whether a joint that shared it is torn; empty where none can tear. Stalls until the GPU is
-    /// done.
+    /// Per particle of a world whether a joint that shared it is torn; empty where none can tear. Stalls until the GPU
+    /// is done.
     std::vector<bool> tornParticles(const World& world) const;
     /// Shared particles to the mean of where their bodies have them, at the end of a step.
     void placeParticles(Recorder& recorder) const;

@@ -7,8 +7,8 @@
 
 namespace knuckle {
 
-/// How joints connect the bodies that may respond: as trees, which can be solved directly, and what closes loops in them.
-/// Bodies that never respond do not belong to trees, they hold them. Made from the World alone.
+/// How joints connect the bodies that may respond: as trees, which can be solved directly, and what closes loops in
+/// them. Bodies that never respond do not belong to trees, they hold them. Made from the World alone.
 struct JointTrees {
     /// Between a body and its parent in the tree, which may be the joint's child.
     struct Joint {

@@ -9,8 +9,8 @@ namespace knuckle {
 BodyState bodyState(const World& world, const Body& body, const ParticleState& particles, const Vector3f& centre,
                     const Quaternionf& rotation);
 
-/// Contacts, gaps and energies of a state (all but ropes and cloth), on the host: every pair of particles that may touch,
-/// independently of the solver's own lists.
+/// Contacts, gaps and energies of a state (all but ropes and cloth), on the host: every pair of particles that may
+/// touch, independently of the solver's own lists.
 Measures measureState(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies);
 
 /// The part of it that is about soft bodies, against their shape at the start.

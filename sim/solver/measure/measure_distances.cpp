@@ -10,7 +10,7 @@ void measureDistances(Measures& out, const World& world, const ParticleState& pa
     double sum = 0.0;
     uint32_t count = 0;
     size_t distance = 0;
-    for (const DistanceRow& row : world.distanceRows)
+    for (const Strand& row : world.strands)
         for (size_t k = 0; k < row.restLengths.size(); ++k) {
             if (torn[distance++] || row.kind != DistanceKind::Stretch) continue;
             const Vector3f& a = particles.positions[row.particles[k]];

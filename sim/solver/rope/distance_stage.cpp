@@ -15,62 +15,62 @@ constexpr float TEAR_STRETCH = 1.5f;
 constexpr float NEVER = std::numeric_limits<float>::max();
 
 /// Whether it is uploaded in reverse: elimination begins at a strand's end, which should be free.
-bool isReversed(const World& world, const DistanceRow& row)
+bool isReversed(const World& world, const Strand& strand)
 {
-    return isFixed(world, world.particles[row.particles.back()]);
+    return isFixed(world, world.particles[strand.particles.back()]);
 }
 
-/// Per row, its colour: the first whose rows share no particle with it that can move.
+/// Per strand, its colour: the first whose strands share no particle with it that can move.
 std::vector<uint32_t> colorsOf(const World& world)
 {
     std::vector<std::vector<uint32_t>> taken(world.particles.size());
     std::vector<uint32_t> colors;
-    for (const DistanceRow& row : world.distanceRows) {
+    for (const Strand& strand : world.strands) {
         std::vector<uint32_t> others;
-        for (uint32_t particle : row.particles)
+        for (uint32_t particle : strand.particles)
             others.insert(others.end(), taken[particle].begin(), taken[particle].end());
         uint32_t color = 0;
         while (std::find(others.begin(), others.end(), color) != others.end()) ++color;
-        for (uint32_t particle : row.particles)
+        for (uint32_t particle : strand.particles)
             if (!isFixedForEver(world, world.particles[particle])) taken[particle].push_back(color);
         colors.push_back(color);
     }
     return colors;
 }
 
-/// Per body, how many ends and nodes of rows are its particles: its mass is split over them.
+/// Per body, how many ends and nodes of strands are its particles: its mass is split over them.
 std::vector<uint32_t> nodeCounts(const World& world)
 {
     std::vector<uint32_t> counts(world.bodies.size(), 0);
-    for (const DistanceRow& row : world.distanceRows)
-        for (uint32_t particle : row.particles)
+    for (const Strand& strand : world.strands)
+        for (uint32_t particle : strand.particles)
             if (world.particles[particle].body != NO_INDEX) ++counts[world.particles[particle].body];
     return counts;
 }
 
-struct Rows {
-    std::vector<gpu::uvec4> rows, nodes;
+struct Uploads {
+    std::vector<gpu::uvec4> strands, nodes;
     std::vector<gpu::vec4> links;
 
-    void add(const World& world, const DistanceRow& row, const std::vector<uint32_t>& counts,
+    void add(const World& world, const Strand& strand, const std::vector<uint32_t>& counts,
              const std::vector<gpu::ParticleRank>& ranks)
     {
         const auto first = static_cast<uint32_t>(nodes.size());
-        for (uint32_t index : row.particles) {
+        for (uint32_t index : strand.particles) {
             const Particle& particle = world.particles[index];
             const float inverseMass = particle.body == NO_INDEX ? 1.0f / particle.mass
                                                                 : static_cast<float>(counts[particle.body]);
             nodes.push_back({ranks[index].mover, ranks[index].rank, index, std::bit_cast<uint32_t>(inverseMass)});
         }
-        for (float length : row.restLengths) {
-            const bool tears = row.tearForce < NEVER;
-            const bool soft = row.kind != DistanceKind::Stretch;
-            links.push_back({length, row.compliance, std::min(row.tearForce, NEVER),
+        for (float length : strand.restLengths) {
+            const bool tears = strand.tearForce < NEVER;
+            const bool soft = strand.kind != DistanceKind::Stretch;
+            links.push_back({length, strand.compliance, std::min(strand.tearForce, NEVER),
                              tears && soft ? TEAR_STRETCH * length : NEVER});
         }
         links.push_back({});
-        const uint32_t assembly = world.particles[row.particles.front()].assembly;
-        rows.push_back({first, static_cast<uint32_t>(nodes.size()) - 1, assembly, 0});
+        const uint32_t assembly = world.particles[strand.particles.front()].assembly;
+        strands.push_back({first, static_cast<uint32_t>(nodes.size()) - 1, assembly, 0});
     }
 };
 
@@ -78,46 +78,47 @@ struct Rows {
 
 bool DistanceStage::isNeeded(const World& world)
 {
-    return world.settings.solver == SolverKind::Impulse && !world.distanceRows.empty();
+    return world.settings.solver == SolverKind::Impulse && !world.strands.empty();
 }
 
 void DistanceStage::upload(const StageSetup& setup)
 {
     const World& world = setup.world;
     const std::vector<uint32_t> colors = colorsOf(world), counts = nodeCounts(world);
-    std::vector<uint32_t> order(world.distanceRows.size());
+    std::vector<uint32_t> order(world.strands.size());
     std::iota(order.begin(), order.end(), 0u);
     // Of a colour the long ones first: the threads of a vector then do as much.
     std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
         if (colors[a] != colors[b]) return colors[a] < colors[b];
-        return world.distanceRows[a].particles.size() > world.distanceRows[b].particles.size();
+        return world.strands[a].particles.size() > world.strands[b].particles.size();
     });
-    Rows rows;
-    starts_.resize(world.distanceRows.size());
+    Uploads uploads;
+    starts_.resize(world.strands.size());
     for (uint32_t index : order) {
-        if (colors_.size() <= colors[index]) colors_.push_back({static_cast<uint32_t>(rows.rows.size()), 0, false});
+        if (colors_.size() <= colors[index])
+            colors_.push_back({static_cast<uint32_t>(uploads.strands.size()), 0, false});
         Color& color = colors_.back();
-        starts_[index] = static_cast<uint32_t>(rows.nodes.size());
-        DistanceRow row = world.distanceRows[index];
-        if (isReversed(world, row)) {
-            std::reverse(row.particles.begin(), row.particles.end());
-            std::reverse(row.restLengths.begin(), row.restLengths.end());
+        starts_[index] = static_cast<uint32_t>(uploads.nodes.size());
+        Strand strand = world.strands[index];
+        if (isReversed(world, strand)) {
+            std::reverse(strand.particles.begin(), strand.particles.end());
+            std::reverse(strand.restLengths.begin(), strand.restLengths.end());
         }
-        rows.add(world, row, counts, setup.layout.ranks);
-        color.end = static_cast<uint32_t>(rows.rows.size());
-        for (uint32_t particle : world.distanceRows[index].particles)
+        uploads.add(world, strand, counts, setup.layout.ranks);
+        color.end = static_cast<uint32_t>(uploads.strands.size());
+        for (uint32_t particle : world.strands[index].particles)
             if (world.particles[particle].body != NO_INDEX) color.hasBodies = true;
     }
-    distanceRows = {"distanceRows", std::span<const gpu::uvec4>(rows.rows)};
-    distanceNodes = {"distanceNodes", std::span<const gpu::uvec4>(rows.nodes)};
-    distanceLinks = {"distanceLinks", std::span<const gpu::vec4>(rows.links)};
-    distanceStates = {"distanceStates", rows.nodes.size()};
-    distanceFactors = {"distanceFactors", 4 * rows.nodes.size()};
+    strands = {"strands", std::span<const gpu::uvec4>(uploads.strands)};
+    distanceNodes = {"distanceNodes", std::span<const gpu::uvec4>(uploads.nodes)};
+    distanceLinks = {"distanceLinks", std::span<const gpu::vec4>(uploads.links)};
+    distanceStates = {"distanceStates", uploads.nodes.size()};
+    distanceFactors = {"distanceFactors", 4 * uploads.nodes.size()};
 }
 
 void DistanceStage::addBuffers(BufferTable& table)
 {
-    table.add(Lifetime::Constant, distanceRows, distanceNodes, distanceLinks);
+    table.add(Lifetime::Constant, strands, distanceNodes, distanceLinks);
     table.add(Lifetime::State, distanceStates);
     table.add(Lifetime::Scratch, distanceFactors);
 }
@@ -141,9 +142,9 @@ std::vector<bool> DistanceStage::tornDistances(const World& world) const
 {
     std::vector<bool> torn;
     const std::vector<gpu::vec4> states = distanceStates.download();
-    for (size_t s = 0; s < world.distanceRows.size(); ++s) {
-        const size_t count = world.distanceRows[s].restLengths.size();
-        const bool reversed = isReversed(world, world.distanceRows[s]);
+    for (size_t s = 0; s < world.strands.size(); ++s) {
+        const size_t count = world.strands[s].restLengths.size();
+        const bool reversed = isReversed(world, world.strands[s]);
         for (size_t k = 0; k < count; ++k)
             torn.push_back(states[starts_[s] + (reversed ? count - 1 - k : k)].z != 0.0f);
     }

@@ -5,11 +5,11 @@
 
 namespace knuckle {
 
-/// Ropes and cloth: rows of distance constraints (World::distanceRows), each solved at once by one thread. Rows are
+/// Ropes and cloth: strands of distance constraints (World::strands), each solved at once by one thread. Strands are
 /// coloured: no two of a colour have a particle in common that moves, so that each may move its own in place.
 class DistanceStage : public Stage {
 public:
-    /// Rows that are solved together.
+    /// Strands that are solved together.
     struct Color {
         uint32_t begin = 0, end = 0;
         bool hasBodies = false;  ///< Whether particles of bodies are among them.
@@ -25,10 +25,10 @@ public:
     void solve(Recorder& recorder, bool first) const;
     /// The part of the measures that is about ropes and cloth. Stalls until the GPU is done.
     void measure(Measures& out, const World& world, const ParticleState& particles) const;
-    /// Per distance of all rows of the World, in its order, whether it is torn. Stalls until the GPU is done.
+    /// Per distance of all strands of the World, in its order, whether it is torn. Stalls until the GPU is done.
     std::vector<bool> tornDistances(const World& world) const;
 
-    Buffer<gpu::uvec4> distanceRows;    ///< First and last node, assembly.
+    Buffer<gpu::uvec4> strands;         ///< First and last node, assembly.
     Buffer<gpu::uvec4> distanceNodes;   ///< Mover, rank, particle, inverse mass or split (distance_nodes.glsl).
     Buffer<gpu::vec4> distanceLinks;    ///< Per node, to the next: rest length, compliance; force, length that tear.
     Buffer<gpu::vec4> distanceStates;   ///< Per node, to the next: multiplier [kg m], tension [N], 1 if torn.
@@ -36,7 +36,7 @@ public:
 
 private:
     std::vector<Color> colors_;
-    std::vector<uint32_t> starts_;  ///< Per row of the World, its first node; its last if that is fixed.
+    std::vector<uint32_t> starts_;  ///< Per strand of the World, its first node; its last if that is fixed.
     Pass first_{*this, "rope/distance_solve", {{"FIRST_ITERATION", "1"}}};
     Pass later_{*this, "rope/distance_solve"};
     Pass firstWithBodies_{*this, "rope/distance_solve", {{"FIRST_ITERATION", "1"}, {"BODIES", "1"}}};

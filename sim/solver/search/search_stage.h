@@ -4,9 +4,9 @@
 
 namespace knuckle {
 
-/// Who may touch whom: the neighbour grid, and the lists of contacts (shaders/sim/common/contacts/contact_lists.glsl). It
-/// searches only when something has left its margin, which kernels decide. "Halves": of the current search and the one
-/// before.
+/// Who may touch whom: the neighbour grid, and the lists of contacts (shaders/sim/common/contacts/contact_lists.glsl).
+/// It searches only when something has left its margin, which kernels decide. "Halves": of the current search and the
+/// one before.
 class SearchStage : public Stage {
 public:
     explicit SearchStage(const StageSetup& setup);
@@ -49,16 +49,16 @@ private:
     Pass reach_{*this, "search/mover_reach", {}, hasSolids_ && !byParticles_};
     Pass position_{*this, "search/search_position", byParticles_ ? Defines{{"FROM_POSITIONS", "1"}} : Defines{},
                    hasSolids_};
-    Pass countCells_{*this, "search/grid_count", {}, hasSolids_};
-    Pass cellSum_{*this, "search/scan_sum", {}, hasSolids_};
-    Pass cellStart_{*this, "search/grid_start", {}, hasSolids_};
-    Pass scatter_{*this, "search/grid_scatter", {}, hasSolids_};
+    Pass countCells_{*this, "common/grid/grid_count", {}, hasSolids_};
+    Pass cellSum_{*this, "common/grid/scan_sum", {}, hasSolids_};
+    Pass cellStart_{*this, "common/grid/grid_start", {}, hasSolids_};
+    Pass scatter_{*this, "common/grid/grid_scatter", {}, hasSolids_};
     Pass order_{*this, "search/grid_order", {}, hasSolids_};
     Pass find_{*this, "search/contact_find", {}, hasSolids_};
     Pass findFar_{*this, "search/contact_find_far", {}, hasSolids_};
     Pass colliderNear_{*this, "search/collider_near", {}, hasColliders_ && !byParticles_};
     Pass colliderFind_{*this, "search/collider_find", {}, hasColliders_};
-    Pass listSum_{*this, "search/scan_sum", {{"LISTS", "1"}}, hasSolids_};
+    Pass listSum_{*this, "common/grid/scan_sum", {{"LISTS", "1"}}, hasSolids_};
     Pass listStart_{*this, "search/list_start", {{"LISTS", "1"}}, hasSolids_};
     Pass list_{*this, "search/pair_list", {}, hasSolids_};
 };

@@ -105,7 +105,7 @@ World WorldBuilder::build()
     recordJoints();
     dropJointedRounds(world_);
     makeSoftLinks(world_);
-    joinRowAssemblies(world_);
+    joinStrandAssemblies(world_);
     placeFluid();
     if (choosesSubsteps_)
         world_.settings.substeps = std::max({world_.settings.substeps, clothSubsteps(world_), softSubsteps(world_)});

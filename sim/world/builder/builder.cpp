@@ -238,9 +238,9 @@ void WorldBuilder::setFluidSpacing(float spacing)
     world_.fluidSpacing = spacing * world_.diameter();
 }
 
-void WorldBuilder::addDistanceRow(DistanceRow row)
+void WorldBuilder::addStrand(Strand row)
 {
-    world_.distanceRows.push_back(std::move(row));
+    world_.strands.push_back(std::move(row));
 }
 
 std::vector<uint32_t> WorldBuilder::ownParticles(uint32_t body) const

@@ -49,7 +49,8 @@ public:
     /// All bodies and joints up to endObject() belong to one object named `name`.
     void beginObject(std::string name);
     /// A rigid body of particles at `positions` (rest pose of the object) [m]. `surface`: of each particle; where it is
-    /// empty, a box lattice has a box's, and anything else none. `round`: the ball or capsule that they fill, by whose volume it weighs. @returns the body's index.
+    /// empty, a box lattice has a box's, and anything else none. `round`: the ball or capsule that they fill, by whose
+    /// volume it weighs. @returns the body's index.
     /// @throws std::logic_error for an empty span or a position that is not finite.
     uint32_t addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
                      Motion motion = Motion::Dynamic, std::span<const SurfaceDistance> surface = {},
@@ -61,8 +62,8 @@ public:
     /// @returns the soft body's index. @throws std::logic_error for an empty span or a position that is not finite.
     uint32_t addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
                          std::span<const uint32_t> pinned = {});
-    /// Joins two bodies by particles shared between them. Particles of either within half a diameter of a place the joint
-    /// needs become the shared ones; elsewhere new particles are made.
+    /// Joins two bodies by particles shared between them. Particles of either within half a diameter of a place the
+    /// joint needs become the shared ones; elsewhere new particles are made.
     void addJoint(uint32_t parent, uint32_t child, const JointSpec& spec);
     /// Makes an existing particle part of one more body: the paper's joint itself.
     void shareParticle(uint32_t particle, uint32_t body);
@@ -78,7 +79,7 @@ public:
     /// A particle of no body: a grain. @returns its index.
     uint32_t addLooseParticle(const Particle& particle);
     /// Distances between particles that exist: see addRope() and addCloth().
-    void addDistanceRow(DistanceRow row);
+    void addStrand(Strand row);
 
     /// Fluid particles of a fluid material. They come behind all others, whenever they are added; build() leaves out
     /// those that overlap other particles.

@@ -11,7 +11,7 @@ namespace knuckle {
 
 namespace {
 
-/// Rows of a grid of nodes, as distance rows.
+/// Rows of a grid of nodes, as strands.
 class GridRows {
 public:
     GridRows(GridSheet& sheet, const ClothSpec& spec)
@@ -39,7 +39,7 @@ private:
     /// From node (k, j) on by (stepK, stepJ) until the edge.
     void add(DistanceKind kind, int k, int j, int stepK, int stepJ)
     {
-        DistanceRow row;
+        Strand row;
         row.kind = kind;
         row.tearForce = spec_.tearForce;
         row.compliance = kind == DistanceKind::Stretch ? spec_.stretchCompliance
@@ -52,7 +52,7 @@ private:
             row.restLengths.push_back(
                 (sheet_.nodes[row.particles[last]] - sheet_.nodes[row.particles[last - 1]]).norm());
         }
-        if (row.particles.size() > 1) sheet_.distanceRows.push_back(std::move(row));
+        if (row.particles.size() > 1) sheet_.strands.push_back(std::move(row));
     }
 
     GridSheet& sheet_;
@@ -73,11 +73,11 @@ void addTie(WorldBuilder& builder, const ClothSpec& spec, uint32_t node, uint32_
         throw InputError(fmt::format("the cloth is {} m from the particle that it is attached to, and may be {} m, a "
                                      "diameter; bring them nearer",
                                      distance, builder.diameter()));
-    DistanceRow tie;
+    Strand tie;
     tie.tearForce = spec.tearForce;
     tie.particles = {node, particle};
     tie.restLengths = {std::max(distance, 0.01f * builder.diameter())};
-    builder.addDistanceRow(tie);
+    builder.addStrand(tie);
 }
 
 }  // namespace
@@ -123,9 +123,9 @@ uint32_t addCloth(WorldBuilder& builder, const std::string& name, const ClothShe
         particles[node] = builder.addLooseParticle(particle);
     }
     const uint32_t object = builder.endObject(pose, velocity);
-    for (DistanceRow row : sheet.distanceRows) {
+    for (Strand row : sheet.strands) {
         for (uint32_t& particle : row.particles) particle = particles[particle];
-        builder.addDistanceRow(std::move(row));
+        builder.addStrand(std::move(row));
     }
     for (const ClothTie& tie : ties) addTie(builder, spec, particles.at(tie.node), tie.particle);
     return object;

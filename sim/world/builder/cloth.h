@@ -10,8 +10,8 @@
 
 namespace knuckle {
 
-/// What cloth is like. Compliances are of each distance [m/N], >= 0; those of Stretch and Shear are the same for a square
-/// piece of any size (1 over Young's modulus times thickness).
+/// What cloth is like. Compliances are of each distance [m/N], >= 0; those of Stretch and Shear are the same for a
+/// square piece of any size (1 over Young's modulus times thickness).
 struct ClothSpec {
     float stretchCompliance = 0.0f;                                 ///< Along the threads.
     float shearCompliance = 1e-3f;                                  ///< Along the diagonals.
@@ -22,9 +22,9 @@ struct ClothSpec {
 
 /// Cloth before it is placed.
 struct ClothSheet {
-    std::vector<Vector3f> nodes;            ///< [m]
-    std::vector<float> areas;               ///< Of each node: its share of the sheet [m2].
-    std::vector<DistanceRow> distanceRows;  ///< Of indices into nodes.
+    std::vector<Vector3f> nodes;  ///< [m]
+    std::vector<float> areas;     ///< Of each node: its share of the sheet [m2].
+    std::vector<Strand> strands;  ///< Of indices into nodes.
 };
 
 /// A node of cloth tied to a particle that exists.
@@ -40,8 +40,8 @@ struct GridSheet : ClothSheet {
 };
 GridSheet gridSheet(float width, float depth, float diameter, const ClothSpec& spec);
 
-/// A sheet of triangles: vertices that coincide become one, edges longer than a diameter are halved. Edges are joined to
-/// rows that run as straight as they can; shear is left to the triangles, bending to the corners opposite each edge.
+/// A sheet of triangles: vertices that coincide become one, edges longer than a diameter are halved. Edges are joined
+/// to rows that run as straight as they can; shear is left to the triangles, bending to the corners opposite each edge.
 /// @throws InputError when it would have more than `limit` nodes, or no triangle with an area.
 ClothSheet meshSheet(std::span<const Vector3f> vertices, std::span<const std::array<uint32_t, 3>> triangles,
                      float diameter, const ClothSpec& spec, size_t limit);

@@ -144,14 +144,14 @@ private:
 void addRows(ClothSheet& sheet, const std::vector<Pair>& pairs, DistanceKind kind, float compliance, float tearForce)
 {
     for (std::vector<uint32_t>& nodes : RowFinder(sheet.nodes, pairs).rows()) {
-        DistanceRow row;
+        Strand row;
         row.kind = kind;
         row.compliance = compliance;
         row.tearForce = tearForce;
         for (size_t k = 1; k < nodes.size(); ++k)
             row.restLengths.push_back((sheet.nodes[nodes[k]] - sheet.nodes[nodes[k - 1]]).norm());
         row.particles = std::move(nodes);
-        sheet.distanceRows.push_back(std::move(row));
+        sheet.strands.push_back(std::move(row));
     }
 }
 

@@ -141,21 +141,21 @@ private:
 
     void addDistances()
     {
-        DistanceRow row;
+        Strand row;
         row.particles = nodes_;
         row.restLengths.assign(count_, link_);
         row.compliance = spec_.compliance / static_cast<float>(count_);
         row.tearForce = spec_.tearForce;
-        builder_.addDistanceRow(row);
+        builder_.addStrand(row);
         if (!std::isfinite(spec_.bendCompliance)) return;
         for (uint32_t first = 0; first < 2 && first + 2 <= count_; ++first) {
-            DistanceRow bend;
+            Strand bend;
             bend.kind = DistanceKind::Bend;
             bend.compliance = spec_.bendCompliance;
             bend.tearForce = spec_.tearForce;
             for (uint32_t k = first; k <= count_; k += 2) bend.particles.push_back(nodes_[k]);
             bend.restLengths.assign(bend.particles.size() - 1, 2.0f * link_);
-            builder_.addDistanceRow(bend);
+            builder_.addStrand(bend);
         }
     }
 

@@ -34,7 +34,8 @@ struct RopeSpec {
 uint32_t addRope(WorldBuilder& builder, const std::string& name, const RopeSpec& spec);
 
 /// The nodes of a chain of `count` links of `length` each [m] that hangs at rest between two points, the same mass at
-/// each inner node: it sags along gravity, straight where the points are as far apart as it is long. @returns count + 1.
+/// each inner node: it sags along gravity, straight where the points are as far apart as it is long. @returns count +
+/// 1.
 std::vector<Vector3f> hangingChain(const Vector3f& from, const Vector3f& to, uint32_t count, float length,
                                    const Vector3f& gravity);
 

@@ -15,7 +15,7 @@ constexpr float MOST_SUBSTEPS = 64.0f;
 std::vector<bool> crossings(const World& world)
 {
     std::vector<uint32_t> threads(world.particles.size());
-    for (const DistanceRow& row : world.distanceRows)
+    for (const Strand& row : world.strands)
         for (uint32_t p : row.particles) threads[p] += row.kind == DistanceKind::Stretch ? 1 : 0;
     std::vector<bool> out;
     for (size_t p = 0; p < threads.size(); ++p)
@@ -42,8 +42,8 @@ float clothImpactSpeed(const World& world)
     return std::sqrt(fastest);
 }
 
-/// The longest substep in which n iterations follow the pull of a material [s]: h (h + damping) k = 3/4 n^2, k being the
-/// steepest pull of a cluster of 3 x 3 x 3 particles per mass and displacement.
+/// The longest substep in which n iterations follow the pull of a material [s]: h (h + damping) k = 3/4 n^2, k being
+/// the steepest pull of a cluster of 3 x 3 x 3 particles per mass and displacement.
 float longestSubstep(const World& world, const Material& material)
 {
     const Elasticity& e = material.elasticity;

@@ -8,8 +8,8 @@
 
 namespace knuckle::test {
 
-/// The sums of impulses and the match in the middle of a substep: contacts with impulses in all three lists, joints' impulses, and sums of an
-/// iteration before.
+/// The sums of impulses and the match in the middle of a substep: contacts with impulses in all three lists, joints'
+/// impulses, and sums of an iteration before.
 class MoverSolve : public testing::Test {
 protected:
     MoverSolve()

@@ -113,7 +113,7 @@ void EmitterFixture::deactivate(float share, uint32_t seed)
     }
     fill(stage().poolInactive, inactive);
     fill(stages.particles.positions, positions);
-    run("search/scan_sum", poolCapacity() / SCAN_CHUNK, {{"POOLS", "1"}});
+    run("common/grid/scan_sum", poolCapacity() / SCAN_CHUNK, {{"POOLS", "1"}});
 }
 
 uint32_t EmitterFixture::inactiveOf(uint32_t k) const

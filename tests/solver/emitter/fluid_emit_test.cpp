@@ -58,10 +58,10 @@ protected:
         fixture.setTotals(active - fixture.solidCount() - fixture.stages.parameters.fluidFilled, 0);
         const Defines fluids{{"FLUIDS", "1"}};
         const uint32_t cells = fixture.stages.parameters.fluidCellMask + 1;
-        fixture.runPools("search/grid_count", count, fluids);
-        fixture.run("search/scan_sum", cells / SCAN_CHUNK, fluids);
-        fixture.run("search/grid_start", cells / SCAN_CHUNK, fluids);
-        fixture.runPools("search/grid_scatter", count, fluids);
+        fixture.runPools("common/grid/grid_count", count, fluids);
+        fixture.run("common/grid/scan_sum", cells / SCAN_CHUNK, fluids);
+        fixture.run("common/grid/grid_start", cells / SCAN_CHUNK, fluids);
+        fixture.runPools("common/grid/grid_scatter", count, fluids);
         fixture.runPools("fluid/fluid_order", count, fluids);
     }
     /// How much more room there is at x than a particle needs [m], by all that is there.

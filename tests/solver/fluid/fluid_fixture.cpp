@@ -68,10 +68,10 @@ void FluidFixture::findNeighbours()
 {
     const Defines defines{{"FLUIDS", "1"}};
     const uint32_t cells = parameters().fluidCellMask + 1;
-    forSlots("search/grid_count", defines);
-    run("search/scan_sum", cells / SCAN_CHUNK, defines);
-    run("search/grid_start", cells / SCAN_CHUNK, defines);
-    for (const char* kernel : {"search/grid_scatter", "fluid/fluid_order", "fluid/fluid_find"})
+    forSlots("common/grid/grid_count", defines);
+    run("common/grid/scan_sum", cells / SCAN_CHUNK, defines);
+    run("common/grid/grid_start", cells / SCAN_CHUNK, defines);
+    for (const char* kernel : {"common/grid/grid_scatter", "fluid/fluid_order", "fluid/fluid_find"})
         forSlots(kernel, defines);
     FluidStage& f = *stages.fluids;
     slotParticles = f.slotParticles.download();

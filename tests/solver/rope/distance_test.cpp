@@ -11,7 +11,7 @@ namespace knuckle::test {
 namespace {
 
 /// A cube on a rope that may tear, one that hangs between two cubes, a free one, and a cloth that is held at a corner
-/// and tied to a cube: distance rows that cross, and ends of every kind.
+/// and tied to a cube: strands that cross, and ends of every kind.
 World ropeWorld()
 {
     WorldBuilder builder(DIAMETER / 2);
@@ -205,7 +205,7 @@ protected:
 TEST_P(DistanceSolve, ARowIsSolvedAsAllItsEquationsAtOnce)
 {
     Stages& b = fixture.stages;
-    const auto distanceRows = b.distances->distanceRows.download();
+    const auto strands = b.distances->strands.download();
     uint32_t torn = 0, bodies = 0;
     ASSERT_GT(b.distances->colors().size(), 2u);
     for (const DistanceStage::Color& color : b.distances->colors()) {
@@ -221,22 +221,22 @@ TEST_P(DistanceSolve, ARowIsSolvedAsAllItsEquationsAtOnce)
         const auto statesNow = b.distances->distanceStates.download();
         for (uint32_t s = color.begin; s < color.end; ++s) {
             SCOPED_TRACE("row " + std::to_string(s));
-            const Wanted w = wanted(distanceRows[s]);
+            const Wanted w = wanted(strands[s]);
             double size = 0.0;
             for (const Vector3d& p : w.pushes) size = std::max(size, p.norm());
             // Single precision: elimination of links that are 1e5 times as stiff along as what keeps them regular loses
             // a few digits of seven.
             const double tolerance = 1e-3 * size + 1e-9;
-            for (uint32_t k = distanceRows[s].x; k <= distanceRows[s].y; ++k) {
-                const Vector3d& p = w.pushes[k - distanceRows[s].x];
+            for (uint32_t k = strands[s].x; k <= strands[s].y; ++k) {
+                const Vector3d& p = w.pushes[k - strands[s].x];
                 const uint32_t m = nodes[k].x, rank = nodes[k].y;
                 const Vector3d found = (vec3(impulses[rank]) - vec3(impulsesBefore[rank])).cast<double>();
                 const Vector3d moved = (vec3(movesNow[m]) - vec3(moves[m])).cast<double>();
                 EXPECT_LE((found - (share(k) == 0.0 ? 0.0 : 1.0) * p).norm(), tolerance) << "node " << k;
                 EXPECT_LE((moved - (isBody(k) ? 0.0 : share(k)) * found).norm(), 1e-7) << "node " << k;
                 bodies += isBody(k) && share(k) != 0.0;
-                if (k == distanceRows[s].y) continue;
-                const gpu::vec4& state = w.states[k - distanceRows[s].x];
+                if (k == strands[s].y) continue;
+                const gpu::vec4& state = w.states[k - strands[s].x];
                 EXPECT_NEAR(statesNow[k].x, state.x, tolerance);
                 EXPECT_EQ(statesNow[k].z, state.z);
                 torn += state.z != 0.0f;

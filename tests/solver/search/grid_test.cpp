@@ -68,7 +68,7 @@ TEST_P(Grid, CountsTheParticlesOfEachCell)
 {
     const auto& cellCounts = fixture.stages.search.cellCounts;
     EXPECT_EQ(cellCounts.download(), std::vector<uint32_t>(cellCounts.size(), 0)) << "emptied for the next search";
-    fixture.forParticles("search/grid_count", gridDefines(GetParam()));
+    fixture.forParticles("common/grid/grid_count", gridDefines(GetParam()));
     EXPECT_EQ(cellCounts.download(), histogram());
     const auto cells = fixture.stages.search.particleCells.download();
     for (uint32_t i = 0; i < cells.size(); ++i) ASSERT_EQ(cells[i].x, cellOf(i)) << "particle " << i;
@@ -129,7 +129,7 @@ TEST_P(Grid, SortsTheSameWhenParticlesArriveInAnotherOrder)
     for (gpu::uvec2& c : cells) c.y = counts[c.x] - 1 - c.y;
     fill(fixture.stages.search.particleCells, cells);
     fixture.stages.search.sortedInfos.clear();
-    fixture.forParticles("search/grid_scatter");
+    fixture.forParticles("common/grid/grid_scatter");
     fixture.forParticles("search/grid_order");
     EXPECT_EQ(ids(), before);
 }

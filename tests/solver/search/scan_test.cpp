@@ -33,7 +33,7 @@ TEST(Scan, ManyGroupsMakeOnePrefixSumAgainAndAgain)
         for (uint32_t& value : values) value = static_cast<uint32_t>(random.between(0.0f, 9.0f));
         fill(fixture.stages.search.listCounts, values);
         const auto expected = chunkStarts(values);
-        fixture.run("search/scan_sum", expected.size(), {{"LISTS", "1"}});
+        fixture.run("common/grid/scan_sum", expected.size(), {{"LISTS", "1"}});
         auto sums = fixture.stages.search.listSums.download();
         EXPECT_EQ(sums.back(), 0u) << "how many groups have finished, for the next time";
         sums.pop_back();

@@ -1,5 +1,5 @@
-// What acts on bodies that joints hold, beyond what their moves answer to already, in the axes of the world. Its last two
-// texels are the hessian: xx, yy, zz, xy; xz, yz.
+// What acts on bodies that joints hold, beyond what their moves answer to already, in the axes of the world. Its last
+// two texels are the hessian: xx, yy, zz, xy; xz, yz.
 #include "shared/joint_records.h"
 #include "sim/common/bodies/bodies.glsl"
 

@@ -1,5 +1,5 @@
-// What of a particle touches a collider: its ball, the corner of its box, or of a ball or capsule the ball about a point
-// of its centre line.
+// What of a particle touches a collider: its ball, the corner of its box, or of a ball or capsule the ball about a
+// point of its centre line.
 #include "sim/common/contacts/colliders.glsl"
 #include "sim/common/contacts/contact_point.glsl"
 

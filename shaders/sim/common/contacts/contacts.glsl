@@ -1,6 +1,7 @@
 // What the buffers of contacts hold. What a contact is made of is found with it (contact_prepare, collider_prepare);
 // each iteration only changes its impulse.
 #include "sim/common/contacts/flat_faces.glsl"
+#include "sim/common/contacts/impulses.glsl"
 #include "sim/common/particles.glsl"
 
 #define FRACTION_LEVELS 8191.0          // 13 bits
@@ -81,25 +82,4 @@ Arm fetchContactArm(samplerBuffer arms, uint index)
 vec4 packArm(Arm arm)
 {
     return vec4(arm.r, arm.worstInverseMass);
-}
-
-/// An accumulated impulse on the first side of a contact. Of restitution: what the last iteration added.
-struct Impulse {
-    vec3 whole;    // [kg m]; restitution: [kg m/s]
-    float normal;  // its normal part, ABOUT_TO_ACT where there is none yet but will be, 0 where none acts
-};
-
-Impulse unpackImpulse(vec4 t)
-{
-    return Impulse(t.xyz, t.w);
-}
-
-Impulse fetchImpulse(samplerBuffer impulses, uint index)
-{
-    return unpackImpulse(texelFetch(impulses, int(index)));
-}
-
-vec4 packImpulse(Impulse impulse)
-{
-    return vec4(impulse.whole, impulse.normal);
 }

@@ -2,7 +2,7 @@
 // once more behind the last (see sim/common/grid/grid.glsl).
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/fluid_grid.glsl"
-#include "sim/search/scan.glsl"
+#include "sim/common/grid/scan.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer cellCounts;

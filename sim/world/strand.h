@@ -8,7 +8,7 @@ namespace knuckle {
 
 struct World;
 
-/// What the distances of a row are for.
+/// What the distances of a strand are for.
 enum class DistanceKind : uint32_t {
     Stretch,  ///< Between neighbours: what a rope or a piece of cloth is made of. At most a diameter each.
     Shear,    ///< Across the cells of a cloth.
@@ -16,8 +16,8 @@ enum class DistanceKind : uint32_t {
 };
 
 /// Particles in a row, each held at a distance from the next (XPBD, Macklin et al. 2016) and solved together. A rope is
-/// one row, cloth is many that cross. Particles are loose or of one body.
-struct DistanceRow {
+/// one strand, cloth is many that cross. Particles are loose or of one body.
+struct Strand {
     DistanceKind kind = DistanceKind::Stretch;
     std::vector<uint32_t> particles;  ///< At least two, none twice.
     std::vector<float> restLengths;   ///< To the next particle, one less than those [m], > 0.
@@ -27,14 +27,14 @@ struct DistanceRow {
     float tearForce = std::numeric_limits<float>::infinity();
 };
 
-/// Particle::selfMargin of what rows are made of: neighbours stand at a diameter and must not touch each other.
+/// Particle::selfMargin of what strands are made of: neighbours stand at a diameter and must not touch each other.
 inline constexpr float ROPE_MARGIN = 0.1f;
 
-/// Makes one assembly of everything that rows connect, so that particles nearer than a diameter at the start do not
+/// Makes one assembly of everything that strands connect, so that particles nearer than a diameter at the start do not
 /// touch each other, and velocities are of the same order in all of it. The world's start becomes the rest pose.
-void joinRowAssemblies(World& world);
+void joinStrandAssemblies(World& world);
 
-/// The part of validate() that is about rows.
-void validateDistanceRows(const World& world);
+/// The part of validate() that is about strands.
+void validateStrands(const World& world);
 
 }  // namespace knuckle

@@ -1,7 +1,7 @@
 // One thread a chunk of values: their sum. The group that finishes last turns the sums into an exclusive prefix sum, so
 // that no dispatch of one thread has to follow.
 #include "sim/common/kernel.glsl"
-#include "sim/search/scan.glsl"
+#include "sim/common/grid/scan.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer SCAN_VALUES;

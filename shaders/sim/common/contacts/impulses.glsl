@@ -1,0 +1,22 @@
+// Impulses of contacts, as their buffers hold them.
+
+/// An accumulated impulse on the first side of a contact. Of restitution: what the last iteration added.
+struct Impulse {
+    vec3 whole;    // [kg m]; restitution: [kg m/s]
+    float normal;  // its normal part, ABOUT_TO_ACT where there is none yet but will be, 0 where none acts
+};
+
+Impulse unpackImpulse(vec4 t)
+{
+    return Impulse(t.xyz, t.w);
+}
+
+Impulse fetchImpulse(samplerBuffer impulses, uint index)
+{
+    return unpackImpulse(texelFetch(impulses, int(index)));
+}
+
+vec4 packImpulse(Impulse impulse)
+{
+    return vec4(impulse.whole, impulse.normal);
+}

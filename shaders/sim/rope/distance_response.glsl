@@ -1,0 +1,36 @@
+// How nodes answer to impulses.
+#include "sim/common/bodies/bodies.glsl"
+#include "sim/common/bodies/body_responses.glsl"
+#include "sim/rope/distance_nodes.glsl"
+
+/// How an impulse of 1 along n moves the node [1/kg]: of a body, 1/M n + (I^-1 (r x n)) x r.
+vec3 response(DistanceNode node, vec3 n)
+{
+#ifdef BODIES
+    if (node.info.mover < sim.bodyCount) {
+        Response response = fetchBodyResponse(node.info.mover);
+        if (response.a[0][0] > 0.0) {
+            vec3 arm = node.point.arm, turn = response.b * n + response.d * cross(arm, n);
+            return node.info.inverseMass * (response.a * n + cross(arm, n) * response.b + cross(turn, arm));
+        }
+        InverseInertia body = fetchInverseInertia(node.info.mover);
+        vec4 rotation = texelFetch(moverRotations, int(node.info.mover));
+        vec3 angle = symmetricMatrix(body.diagonal, body.offDiagonal) *
+                      rotate(conjugate(rotation), cross(node.point.arm, n));
+        return node.info.inverseMass * (body.inverseMass * n + cross(rotate(rotation, angle), node.point.arm));
+    }
+#endif
+    return node.info.inverseMass * n;
+}
+
+/// The matrix that gives the impulse for a move of the node [kg]; zero of one that nothing moves.
+mat3 massOf(DistanceNode node)
+{
+    bool held = node.info.inverseMass == 0.0;
+#ifdef BODIES
+    if (node.info.mover < sim.bodyCount)
+        return held ? mat3(0) : inverse(mat3(response(node, vec3(1, 0, 0)), response(node, vec3(0, 1, 0)),
+                                             response(node, vec3(0, 0, 1))));
+#endif
+    return mat3(held ? 0.0 : 1.0 / node.info.inverseMass);
+}

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/scene/scene_file.h"
+#include "sim/world/errors.h"
+#include "tests/message_of.h"
+#include "tests/places.h"
+#include "tests/temp_folder.h"
+
+namespace knuckle::test {
+
+namespace {
+
+/// The world of a scene of one object; FILE stands for the project's figure.
+World worldOf(std::string object, const std::string& more = "")
+{
+    const TempFolder folder;
+    const size_t file = object.find("FILE");
+    if (file != std::string::npos) object.replace(file, 4, inSource("assets/models/humanoid.glb"));
+    return loadScene(folder.write("scene.json", "{" + more + R"("diameter": 0.05, "objects": [)" + object + "]}"), {})
+        .world;
+}
+
+/// What is wrong with it, without the path of its file.
+std::string complaintOf(const std::string& object, const std::string& more = "")
+{
+    const std::string message = messageOf<InputError>([&] { worldOf(object, more); });
+    const size_t end = message.find("scene.json: ");
+    return end == std::string::npos ? message : message.substr(end + 12);
+}
+
+std::vector<uint32_t> heldIn(const World& world)
+{
+    std::vector<uint32_t> held;
+    for (uint32_t b = 0; b < world.bodies.size(); ++b)
+        if (world.bodies[b].motion == Motion::Fixed) held.push_back(b);
+    return held;
+}
+
+}  // namespace
+
+TEST(SceneRelease, SaysUntilWhenWhatIsHeldStays)
+{
+    const World box = worldOf(R"({"type": "rigid", "shape": "box", "fixed": true, "release": {"time": 2}})");
+    EXPECT_EQ(heldIn(box), std::vector<uint32_t>{0});
+    EXPECT_EQ(box.bodies[0].releaseTime, 2.0f);
+    const World chain = worldOf(R"({"type": "joined", "bodies": 5, "hold": "both", "release": {"time": 0.5}})");
+    EXPECT_EQ(heldIn(chain), (std::vector<uint32_t>{0, 4}));
+    for (const uint32_t b : {0u, 4u}) EXPECT_EQ(chain.bodies[b].releaseTime, 0.5f);
+}
+
+TEST(SceneRelease, WithoutOneWhatIsHeldStaysForEver)
+{
+    for (const char* object : {R"({"type": "rigid", "shape": "sphere", "radius": 0.2, "fixed": true})",
+                               R"({"type": "joined", "hold": "first", "release": {}})"}) {
+        const World world = worldOf(object);
+        EXPECT_TRUE(std::isinf(world.bodies[0].releaseTime)) << object;
+        EXPECT_TRUE(neverResponds(world.bodies[0])) << object;
+    }
+}
+
+TEST(SceneRelease, AnActorIsHeldAsAWholeOrByBodiesOfItAndEachCopyIs)
+{
+    const World whole = worldOf(R"({"type": "actor", "file": "FILE", "fixed": true, "release": {"time": 1},
+                                    "repeat": {"counts": [2, 1, 1]}})");
+    EXPECT_EQ(heldIn(whole).size(), whole.bodies.size());
+    const World hung = worldOf(R"({"type": "actor", "file": "FILE", "hold": ["hand.L", "foot.R"],
+                                   "repeat": {"counts": [2, 1, 1]}})");
+    std::vector<std::string> names;
+    for (const uint32_t b : heldIn(hung)) names.push_back(hung.bodies[b].name);
+    std::ranges::sort(names);
+    EXPECT_EQ(names, (std::vector<std::string>{"foot.R", "foot.R", "hand.L", "hand.L"}));
+}
+
+TEST(SceneRelease, MistakesAreToldInOneLine)
+{
+    EXPECT_EQ(complaintOf(R"({"type": "rigid", "shape": "box", "release": {"time": 1}})"),
+              "/objects/0/release: is for what is held; set `fixed` or `hold` as well, or take it away");
+    EXPECT_EQ(complaintOf(R"({"type": "joined", "release": {"time": 1}})"),
+              "/objects/0/release: is for what is held; set `fixed` or `hold` as well, or take it away");
+    EXPECT_EQ(complaintOf(R"({"type": "rigid", "shape": "box", "fixed": true, "release": {"time": -1}})"),
+              "/objects/0/release/time: -1 is below the minimum 0 [s]");
+    EXPECT_EQ(complaintOf(R"({"type": "rigid", "shape": "box", "fixed": true, "release": 2})"),
+              "/objects/0/release: is 2 (a number), must be an object");
+    EXPECT_EQ(complaintOf(R"({"type": "joined", "bodies": 4, "joints": ["hinge"], "hold": "both",
+                              "release": {"time": 1}, "limits": {"bend": [-10, 10]}})"),
+              "/objects/0/release: a chain that is held at both ends and has limits is a loop, and cannot be let go; "
+              "hold one end, or take the limits away");
+    EXPECT_EQ(complaintOf(R"({"type": "rigid", "shape": "box", "fixed": true, "release": {"time": 1}})",
+                          R"("solver": "paper", )"),
+              "the paper's solver lets nothing go; take `release` away, or use solver method impulse");
+    EXPECT_EQ(complaintOf(R"({"type": "actor", "file": "FILE", "hold": ["hand.l"]})"),
+              "/objects/0/hold/0: there is no body \"hand.l\"; did you mean \"hand.L\"?");
+}
+
+}  // namespace knuckle::test
