@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/places.h"
+
 namespace knuckle::test {
 
 namespace {
@@ -51,7 +53,7 @@ Scene sceneOf(const std::string& name, const std::vector<std::string>& changes)
 {
     std::vector<Override> overrides;
     for (const std::string& change : changes) overrides.push_back(parseOverride(change));
-    return loadScene(std::string(KNUCKLE_ROOT) + "/assets/scenes/" + name + ".json", overrides);
+    return loadScene(inSource("assets/scenes/") + name + ".json", overrides);
 }
 
 Watched watch(Solver& solver, const Scene& scene, double seconds, float floor)
