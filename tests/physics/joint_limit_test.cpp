@@ -113,7 +113,7 @@ TEST(JointLimit, ABallTwistsNoFurtherThanItsRange)
         // It is stopped in the substep that would pass the limit, of 6 rad/s / 240 Hz.
         EXPECT_NEAR(turnOf(solver).twist, spin > 0 ? -20 : 50, 1.5) << spin;
         // What it had is in the fixed body.
-        EXPECT_LT(solver.readBodies()[1].angularVelocity.norm(), 0.01f) << spin;
+        EXPECT_LT(solver.readBodies()[1].angularVelocity.norm(), 0.004f) << spin;  // measured 0.0004
     }
 }
 
@@ -128,7 +128,7 @@ TEST(JointLimit, AUniversalJointBendsAboutEachHingeAsFarAsItMay)
         const World world = limitedPair(spec);
         Solver solver(gpu(), world);
         run(solver, world, 2.0);
-        EXPECT_NEAR(turnOf(solver).swing, 25, 0.05) << second;
+        EXPECT_NEAR(turnOf(solver).swing, 25, 0.02) << second;  // measured 0.003
     }
 }
 
@@ -159,7 +159,7 @@ TEST(JointLimit, ASoftLimitGivesAsItsStiffnessSays)
         Solver solver(gpu(), world);
         run(solver, world, 4.0);
         // Of what swings exp(-8 / s * 4 s) and less is left; the rest is what a damped hinge creeps.
-        EXPECT_NEAR(-turnOf(solver).bend, restAngle(world, stiffness, 20), 0.2) << stiffness;
+        EXPECT_NEAR(-turnOf(solver).bend, restAngle(world, stiffness, 20), 0.005) << stiffness;  // measured 0.0005
     }
 }
 
@@ -206,7 +206,7 @@ TEST(JointLimit, AFreeFigureAtItsLimitsKeepsItsAngularMomentum)
         const auto bodies = solver.readBodies();
         for (const uint32_t end : {0u, 2u}) {
             const Quaternionf turn = bodies[1].rotation.conjugate() * bodies[end].rotation;
-            EXPECT_NEAR(std::abs(2 * std::atan2(turn.z(), turn.w())) / DEGREE, 20, 1) << end;
+            EXPECT_NEAR(std::abs(2 * std::atan2(turn.z(), turn.w())) / DEGREE, 20, 0.1) << end;  // measured 0.013
         }
         const Totals last = totals(world, solver.readParticles());
         EXPECT_LT((last.angularMomentum - first.angularMomentum).norm(), 0.02 * first.angularMomentum.norm()) << spin;
@@ -252,7 +252,7 @@ TEST(JointLimit, AWhippingChainGainsNoEnergyFromItsLimits)
     // Each blow ends a substep of the whole figure to first order, which costs some 1e-4 of its turn.
     const Totals last = totals(world, solver.readParticles());
     EXPECT_LT((last.angularMomentum - first.angularMomentum).norm(), 0.05 * first.angularMomentum.norm());
-    EXPECT_LT((last.momentum - first.momentum).norm(), 1e-3 * first.speedSum);
+    EXPECT_LT((last.momentum - first.momentum).norm(), 2e-4 * first.speedSum);  // measured 3e-5
 }
 
 }  // namespace
