@@ -92,8 +92,10 @@ protected:
         }
         const auto states = fixture.stages.particles.assemblyState.download();
         const auto infos = fixture.stages.bodies.moverInfo.download();
-        for (uint32_t m = 0; m < fixture.moverCount(); ++m)
-            if (!fixture.isFixed(m)) EXPECT_EQ(states[infos[m].assembly].y, second ? 2u : 1u) << "mover " << m;
+        for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
+            if (fixture.isFixed(m)) continue;
+            EXPECT_EQ(states[infos[m].assembly].y, second ? 2u : 1u) << "mover " << m;
+        }
     }
 
     MoverFixture fixture;
@@ -147,7 +149,9 @@ TEST_F(MoverPredict, WhatIsFixedOrAsleepStaysAndWhatIsAnimatedIsLeftToItsAnimati
                turns = fixture.stages.bodies.moverRotationDeltas.download();
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         SCOPED_TRACE("mover " + std::to_string(m));
-        if (states[m] == MOVER_DYNAMIC) EXPECT_EQ(moves[m].w, 3.0f);
+        if (states[m] == MOVER_DYNAMIC) {
+            EXPECT_EQ(moves[m].w, 3.0f);
+        }
         if (states[m] == MOVER_ANIMATED) {
             EXPECT_EQ(vec3(moves[m]), vec3(fixture.moves[m]));
             EXPECT_EQ(quaternion(turns[m]).coeffs(), quaternion(fixture.turns[m]).coeffs());
