@@ -169,15 +169,15 @@ TEST_F(JointStops, WhatTurnedOntoAStopInTheSubstepIsOfFirstOrder)
     fill(fixture.stages.bodies.moverRotationDeltas, turns);
     factor();
     const auto orders = fixture.stages.particles.assemblyState.download();
-    uint32_t stopped = 0;
+    uint32_t count = 0;
     for (const JointTrees::Joint& joint : joints) {
         const Excess excess = excessOf(joint);
         if (std::abs(excess.swing) < 1e-3 || std::abs(excess.turn) < 1e-3) continue;
-        const bool stops = excess.swing > 0 || excess.turn > 0;
-        stopped += stops;
-        EXPECT_EQ(orders[fixture.world.bodies[joint.body].assembly].y, stops ? 1u : 2u) << "body " << joint.body;
+        const bool isStopped = excess.swing > 0 || excess.turn > 0;
+        count += isStopped;
+        EXPECT_EQ(orders[fixture.world.bodies[joint.body].assembly].y, isStopped ? 1u : 2u) << "body " << joint.body;
     }
-    EXPECT_GT(stopped, 15u);
+    EXPECT_GT(count, 15u);
 }
 
 }  // namespace
