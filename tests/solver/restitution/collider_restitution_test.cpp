@@ -25,26 +25,10 @@ protected:
 TEST_F(ColliderRestitution, WhatMeetsFastWhileItCarriesWillActAndNothingElse)
 {
     run({{"DETECT", "1"}});
-    const auto found = fixture.colliderRestitutions();
-    const double least = fixture.stages.parameters.restitutionThreshold;
-    uint32_t acting = 0, slow = 0, edges = 0;
-    for (size_t q = 0; q < found.size(); ++q) {
-        const TestContact& c = fixture.colliderContacts[q];
-        const Collision s = fixture.ofCollider(c);
-        if (std::abs(s.approach - least) < s.approachError || (!s.sure && s.approach < 0.1)) {
-            ++edges;
-            continue;
-        }
-        const bool carries = fixture.restitution(c.first) > 0.0 && c.impulse.w > 0.0f;
-        const bool acts = carries && s.approach > least;
-        ASSERT_EQ(found[q].w, acts ? ABOUT_TO_ACT : 0.0f) << "contact " << q;
-        ASSERT_EQ(vec3(found[q]), Vector3f(0, 0, 0)) << "contact " << q;
-        acting += acts;
-        slow += carries && !acts;
-    }
-    EXPECT_GT(acting, 50u);
-    EXPECT_GT(slow, 50u);
-    EXPECT_LT(edges, found.size() / 50);
+    expectDetection(
+        fixture.colliderRestitutions(), fixture.colliderContacts,
+        [&](const TestContact& c) { return fixture.ofCollider(c); },
+        [&](const TestContact& c) { return fixture.restitution(c.first); }, 50);
 }
 
 TEST_F(ColliderRestitution, AnIterationGivesWhatIsMissingToTheSpeedOfParting)

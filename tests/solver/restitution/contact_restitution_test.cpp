@@ -26,25 +26,9 @@ protected:
 TEST_F(ContactRestitution, WhatMeetsFastWhileItCarriesWillActAndNothingElse)
 {
     run({{"DETECT", "1"}});
-    const auto found = fixture.pairRestitutions();
-    const double least = fixture.stages.parameters.restitutionThreshold;
-    uint32_t acting = 0, slow = 0, edges = 0;
-    for (size_t q = 0; q < found.size(); ++q) {
-        const TestContact& c = fixture.pairs[q];
-        const Collision s = fixture.ofPair(c);
-        if (std::abs(s.approach - least) < s.approachError || (!s.sure && s.approach < 0.1)) {
-            ++edges;
-            continue;
-        }
-        const bool carries = restitutionOf(c) > 0.0 && c.impulse.w > 0.0f, acts = carries && s.approach > least;
-        ASSERT_EQ(found[q].w, acts ? ABOUT_TO_ACT : 0.0f) << "pair " << q;
-        ASSERT_EQ(vec3(found[q]), Vector3f(0, 0, 0)) << "pair " << q;
-        acting += acts;
-        slow += carries && !acts;
-    }
-    EXPECT_GT(acting, 100u);
-    EXPECT_GT(slow, 100u);
-    EXPECT_LT(edges, found.size() / 50);
+    expectDetection(
+        fixture.pairRestitutions(), fixture.pairs, [&](const TestContact& c) { return fixture.ofPair(c); },
+        [&](const TestContact& c) { return restitutionOf(c); }, 100);
 }
 
 TEST_F(ContactRestitution, AnIterationGivesWhatIsMissingToTheSpeedOfParting)

@@ -100,6 +100,32 @@ void expectBounces(const std::vector<gpu::vec4>& found, const Wanted& wanted)
 
 class Restitution : public testing::Test {
 protected:
+    /// After DETECT: what meets fast while it carries is about to act, and nothing else. @param collisionOf,
+    /// restitutionOf a contact. @param enough at least so many act, and carry but are too slow.
+    template <typename CollisionOf, typename RestitutionOf>
+    void expectDetection(const std::vector<gpu::vec4>& found, const std::vector<TestContact>& contacts,
+                         const CollisionOf& collisionOf, const RestitutionOf& restitutionOf, uint32_t enough)
+    {
+        const double least = fixture.stages.parameters.restitutionThreshold;
+        uint32_t acting = 0, slow = 0, edges = 0;
+        for (size_t q = 0; q < found.size(); ++q) {
+            const TestContact& c = contacts[q];
+            const Collision s = collisionOf(c);
+            if (std::abs(s.approach - least) < s.approachError || (!s.sure && s.approach < 0.1)) {
+                ++edges;
+                continue;
+            }
+            const bool carries = restitutionOf(c) > 0.0 && c.impulse.w > 0.0f, acts = carries && s.approach > least;
+            ASSERT_EQ(found[q].w, acts ? ABOUT_TO_ACT : 0.0f) << "contact " << q;
+            ASSERT_EQ(vec3(found[q]), Vector3f(0, 0, 0)) << "contact " << q;
+            acting += acts;
+            slow += carries && !acts;
+        }
+        EXPECT_GT(acting, enough);
+        EXPECT_GT(slow, enough);
+        EXPECT_LT(edges, found.size() / 50);
+    }
+
     RestitutionFixture fixture;
 };
 
