@@ -17,6 +17,15 @@ struct StageSetup {
     gpu::StepParameters& parameters;  ///< Each stage sets those that are its own; uploaded when all are made.
 };
 
+/// The names of those that are needed, each defined as 1.
+inline Defines definesOf(std::initializer_list<std::pair<const char*, bool>> names)
+{
+    Defines defines;
+    for (const auto& [name, needed] : names)
+        if (needed) defines.push_back({name, "1"});
+    return defines;
+}
+
 /// A variant with one more define.
 inline Defines with(Defines variant, const char* define)
 {

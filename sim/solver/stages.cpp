@@ -114,20 +114,15 @@ BufferTable Stages::table()
 Defines Stages::worldDefines() const
 {
     const Settings& s = world_.settings;
-    Defines defines;
-    const auto add = [&](bool needed, const char* name) {
-        if (needed) defines.push_back({name, "1"});
-    };
-    add(s.rotation == RotationMethod::Householder, "HOUSEHOLDER");
-    add(s.rotation == RotationMethod::Higham, "HIGHAM");
-    add(s.massScaling > 0.0f, "MASS_SCALING");
-    add(layout.hasRounds, "ROUNDS");
-    add(sleep.has_value(), "SLEEP");
-    add(s.freeze > 0.0f, "FREEZE");
-    add(emitters.has_value(), "POOL");
-    add(layout.hasGrids, "GRIDS");
-    add(s.grid == GridKind::Hash, "GRID_HASH");
-    return defines;
+    return definesOf({{"HOUSEHOLDER", s.rotation == RotationMethod::Householder},
+                      {"HIGHAM", s.rotation == RotationMethod::Higham},
+                      {"MASS_SCALING", s.massScaling > 0.0f},
+                      {"ROUNDS", layout.hasRounds},
+                      {"SLEEP", sleep.has_value()},
+                      {"FREEZE", s.freeze > 0.0f},
+                      {"POOL", emitters.has_value()},
+                      {"GRIDS", layout.hasGrids},
+                      {"GRID_HASH", s.grid == GridKind::Hash}});
 }
 
 void Stages::load()

@@ -5,39 +5,25 @@
 #include "sim/common/kernel.glsl"
 #include "sim/body/mover_threads.glsl"
 #include "sim/rotation/rotation_delta.glsl"
-#include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/bodies/body_rows.glsl"
-#include "sim/common/bodies/mass_scaling.glsl"
-#include "sim/common/bodies/mover_info.glsl"
 #include "sim/body/body_load.glsl"
 #include "sim/body/prediction.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform samplerBuffer moverImpulses;
-uniform usamplerBuffer lastAssemblyState;
-BUFFER(vec4, MoverPredictions, moverPredictions);   // field: the centre's move, A
-BUFFER(vec4, MoverMoves, moverMoves);
-BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
 BUFFER(vec4, BodyLoads, newBodyLoads);
-BUFFER(Assembly, AssemblyState, assemblies);
-READ_BUFFER(Counters, CountersBlock, counters);
 
 void main()
 {
     if (gl_GlobalInvocationID.x >= THREAD_COUNT) return;
     uint m = moverOfThread(gl_GlobalInvocationID.x);
-    bool free = responds(m);
-    if (moves(m) && !free) return;   // somebody else says how it moves
+    if (moves(m) && !responds(m)) return;   // somebody else says how it moves
     MoverInfo mover = fetchMover(m);
-    bool second = isSecondOrder(m, fetchAssembly(lastAssemblyState, mover.assembly).lastContact, counters[0].substep);
-    if (free) assemblies[mover.assembly].order = second ? 2u : 1u;
+    bool second = beginOrder(m, mover.assembly);
 
     mat3 moments = fetchMoments(m);
     vec4 rotation = fetchRotation(m);
     Field move = predictedMove(m, second, true);
-    Field impulse = fetchField(moverImpulses, m);
-    float scale = contactScale(fetchCentre(m));
-    impulse = Field(scale * impulse.t, scale * impulse.f);
+    Field impulse = lastContactImpulse(m);
     move.f = (matrixFromQuaternion(rotation) + move.f) * moments;
     Field velocity = fetchField(moverVelocities, m);
     vec3 shift = sim.substepTime * velocity.t;
@@ -49,12 +35,5 @@ void main()
                            moments);
     STORE_BODY_LOAD(newBodyLoads, m, load)
     STORE_FIELD(moverPredictions, m, move)
-    if (!free) {
-        // Contacts and joints take what splits its mass over no impulse for immovable.
-        moverMoves[m] = packMove(MoverMove(vec3(0), 0.0));
-        moverRotationDeltas[m] = vec4(0, 0, 0, 1);
-        return;
-    }
-    moverMoves[m].xyz = shift;
-    moverRotationDeltas[m] = delta;
+    storeStart(m, shift, delta);
 }

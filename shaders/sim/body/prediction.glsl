@@ -1,14 +1,51 @@
 // How far a mover would move in the substep if nothing touched it.
+#include "sim/common/bodies/assemblies.glsl"
+#include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/fields.glsl"
+#include "sim/common/bodies/mass_scaling.glsl"
+#include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/bodies/mover_poses.glsl"
 
 uniform samplerBuffer moverVelocities;
 uniform samplerBuffer oldMoverVelocities;
 uniform samplerBuffer oldMoverMoves;
+uniform samplerBuffer moverImpulses;
+uniform usamplerBuffer lastAssemblyState;
+BUFFER(vec4, MoverPredictions, moverPredictions);   // field: the centre's move, A
+BUFFER(vec4, MoverMoves, moverMoves);
+BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
+BUFFER(Assembly, AssemblyState, assemblies);
+READ_BUFFER(Counters, CountersBlock, counters);
 
-/// Whether a substep is of second order: where nothing touched the assembly lately.
-bool isSecondOrder(uint m, uint lastContact, uint now)
+/// Whether a mover's substep is of second order, where nothing touched its assembly lately; what responds says so.
+bool beginOrder(uint m, uint assembly)
 {
-    return responds(m) && sim.secondOrder == 1u && now > 0u && lastContact + 1u != now;
+    if (!responds(m)) return false;
+    uint lastContact = fetchAssembly(lastAssemblyState, assembly).lastContact, now = counters[0].substep;
+    bool second = sim.secondOrder == 1u && now > 0u && lastContact + 1u != now;
+    assemblies[assembly].order = second ? 2u : 1u;
+    return second;
+}
+
+/// The last impulses of its contacts, scaled for mass scaling.
+Field lastContactImpulse(uint m)
+{
+    Field impulse = fetchField(moverImpulses, m);
+    float scale = contactScale(fetchCentre(m));
+    return Field(scale * impulse.t, scale * impulse.f);
+}
+
+/// Stores where a substep begins for a mover; what does not respond stays. @param move of its centre.
+void storeStart(uint m, vec3 move, vec4 delta)
+{
+    if (!responds(m)) {
+        // Contacts and joints take what splits its mass over no impulse for immovable.
+        moverMoves[m] = packMove(MoverMove(vec3(0), 0.0));
+        moverRotationDeltas[m] = vec4(0, 0, 0, 1);
+        return;
+    }
+    moverMoves[m].xyz = move;
+    moverRotationDeltas[m] = delta;
 }
 
 /// First order goes on along the chord of the last turn, which is a turn by less: 1 - phi^2 of it. This much further

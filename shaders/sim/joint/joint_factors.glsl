@@ -25,12 +25,13 @@ struct JointFactor {
     factors[JOINT_FACTOR_TEXELS * (joint) + 10u].xyz = (f).kept.r;
 
 /// From texels that GET(0), GET(1) ... give.
+#define JOINT_KEPT_FROM(GET) Motion(GET(9).xyz, GET(10).xyz)
 #define JOINT_FACTOR_FROM(GET) \
     JointFactor(Inertia(symmetricMatrix(GET(0).xyz, GET(1).xyz), mat3(GET(4).xyz, GET(5).xyz, GET(6).xyz), \
                         symmetricMatrix(GET(2).xyz, GET(3).xyz)), \
                 symmetricMatrix(GET(7).xyz, GET(8).xyz), vec3(GET(0).w, GET(1).w, GET(2).w), \
                 vec3(GET(3).w, GET(4).w, GET(5).w), vec3(GET(6).w, GET(7).w, GET(8).w), \
-                Motion(GET(9).xyz, GET(10).xyz))
+                JOINT_KEPT_FROM(GET))
 
 /// Of a body that nothing holds, how it answers with all that hangs on it.
 #define STORE_ROOT_RESPONSE(responses, joint, w) \

@@ -20,8 +20,7 @@ void ask(uint k)
     Motion error = Motion(vec3(0), vec3(0));
     vec3 stop = vec3(0);
     if (fetchFreedom(k) != JOINT_NONE && responds(joint.body)) {
-        int kept = int(JOINT_FACTOR_TEXELS * k);
-        error = errorBeyond(k, Motion(texelFetch(jointFactors, kept + 9).xyz, texelFetch(jointFactors, kept + 10).xyz));
+        error = errorBeyond(k, fetchJointKept(k));
 #ifdef LIMITS
         stop = stopTorque(k);
         if (stop != vec3(0)) pushBoth(k, Force(vec3(0), stop));

@@ -16,6 +16,15 @@ JointFactor fetchJointFactor(uint joint)
 #undef TEXEL
 }
 
+/// Of the record its `kept` alone.
+Motion fetchJointKept(uint joint)
+{
+    int first = int(JOINT_FACTOR_TEXELS * joint);
+#define TEXEL(k) texelFetch(jointFactors, first + k)
+    return JOINT_KEPT_FROM(TEXEL);
+#undef TEXEL
+}
+
 Response fetchRootResponse(uint joint)
 {
     int first = int(ROOT_RESPONSE_TEXELS * joint);

@@ -101,14 +101,6 @@ uint32_t releaseOf(const World& world, const Body& body)
     return static_cast<uint32_t>(std::min(std::ceil(body.releaseTime / substep - 1e-3), double{NO_SUBSTEP} - 1));
 }
 
-Defines with(std::initializer_list<std::pair<const char*, bool>> names)
-{
-    Defines variant;
-    for (const auto& [name, needed] : names)
-        if (needed) variant.push_back({name, "1"});
-    return variant;
-}
-
 }  // namespace
 
 BodyStage::BodyStage(const StageSetup& setup, bool onParticles)
@@ -119,9 +111,9 @@ BodyStage::BodyStage(const StageSetup& setup, bool onParticles)
       releases_(solves_ &&
                 std::ranges::any_of(setup.world.bodies,
                                     [&](const Body& body) { return releaseOf(setup.world, body) != NO_SUBSTEP; })),
-      onParticle_(with({{"ON_PARTICLES", onParticles}})), warm_(with({{"WARM_START", true}})),
-      angular_(with({{"ANGULAR", setup.rows.hasAngular()}})),
-      jointed_(with({{"ON_PARTICLES", onParticles}, {"ANGULAR", setup.rows.hasAngular()}}))
+      onParticle_(definesOf({{"ON_PARTICLES", onParticles}})), warm_(definesOf({{"WARM_START", true}})),
+      angular_(definesOf({{"ANGULAR", setup.rows.hasAngular()}})),
+      jointed_(definesOf({{"ON_PARTICLES", onParticles}, {"ANGULAR", setup.rows.hasAngular()}}))
 {
 }
 
@@ -221,7 +213,7 @@ void BodyStage::addBuffers(BufferTable& table)
 
 void BodyStage::predict(Recorder& recorder) const
 {
-    if (releases_) recorder.perElement(release_, parameters_.releaseCount);
+    recorder.perElement(release_, parameters_.releaseCount);
     recorder.perElement(predictFree_, parameters_.freeBodyCount);
     recorder.perElement(predictJointed_, parameters_.jointedBodyCount);
     recorder.perElement(predictLoose_, looseCount());

@@ -35,23 +35,12 @@ bool hasRow(const World& world, uint32_t body)
 
 Defines loopVariant(const StageSetup& setup)
 {
-    Defines variant;
-    if (setup.rows.hasAngular()) variant.push_back({"ANGULAR", "1"});
-    if (limits(setup.world)) variant.push_back({"LIMITS", "1"});
-    return variant;
+    return definesOf({{"ANGULAR", setup.rows.hasAngular()}, {"LIMITS", limits(setup.world)}});
 }
 
 Defines factorVariant(const StageSetup& setup)
 {
-    Defines variant;
-    if (!setup.world.strands.empty()) variant.push_back({"RESPONSES", "1"});
-    if (limits(setup.world)) variant.push_back({"LIMITS", "1"});
-    return variant;
-}
-
-Defines rowVariant(const StageSetup& setup)
-{
-    return setup.rows.hasAngular() ? Defines{{"ANGULAR", "1"}} : Defines{};
+    return definesOf({{"RESPONSES", !setup.world.strands.empty()}, {"LIMITS", limits(setup.world)}});
 }
 
 gpu::vec4 packFrame(const Quaternionf& q)
@@ -81,7 +70,8 @@ JointStage::JointStage(const StageSetup& setup)
       hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()), hasLimits_(needed_ && limits(setup.world)),
       tears_(needed_ && tears(setup.world)),
       variant_(hasLoops_ ? with(loopVariant(setup), "LOOPS") : loopVariant(setup)), loopVariant_(loopVariant(setup)),
-      factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")), rowVariant_(rowVariant(setup))
+      factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")),
+      rowVariant_(definesOf({{"ANGULAR", setup.rows.hasAngular()}}))
 {
 }
 

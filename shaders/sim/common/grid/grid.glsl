@@ -6,8 +6,11 @@ ivec3 cellOf(vec3 x)
     return ivec3(floor(x * inverseGridCell()));
 }
 
+#ifdef GRID_HASH
 #include "sim/common/grid/grid_hash.glsl"
+#else
 #include "sim/common/grid/grid_lattice.glsl"
+#endif
 
 // Ranges of cells: each has a first cell and the one behind its last, in the order of the sorted particles.
 

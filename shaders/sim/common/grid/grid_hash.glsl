@@ -1,7 +1,5 @@
 // Cells of the grid where they are hashed (GridKind::Hash).
 
-#ifdef GRID_HASH
-
 // Teschner et al. 2003: h = (73856093 x xor 19349663 y xor 83492791 z) mod n, on unsigned values.
 #define RANGES_AROUND(width) (width * width * width)
 #define FORWARD_OFFSET 13
@@ -34,5 +32,3 @@ uvec2 forwardCells(ivec3 c, int range)
 {
     return cellsAround(c, range + FORWARD_OFFSET, 3);
 }
-
-#endif

@@ -1,7 +1,5 @@
 // Cells of the grid where they are a lattice (GridKind::Lattice).
 
-#ifndef GRID_HASH
-
 // A lattice wrapped onto a line. Neighbours in x are neighbours on the line, so three cells are one range, or three
 // times CELLS_ALONG; the first WRAPPED_CELLS cells stand again behind the last, so that a range never wraps.
 #define RANGES_AROUND(width) (width * width)
@@ -32,5 +30,3 @@ uvec2 forwardCells(ivec3 c, int range)
     uint own = cellIndex(c);
     return range == 0 ? uvec2(own, own + 2u) : cellsAround(c, range + FORWARD_OFFSET, 3);
 }
-
-#endif
