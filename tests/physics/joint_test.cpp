@@ -159,4 +159,51 @@ TEST(Joint, ThinLimbsGetNoEnergy)
     }
 }
 
+/// A torso with two arms: balls at the shoulders, hinges at the elbows.
+World figureWithElbows(const Vector3f& spin)
+{
+    WorldBuilder builder = makeBuilder(weightless());
+    builder.beginObject("figure");
+    const uint32_t torso = builder.addBody("torso", boxLattice({3, 5, 3}, DIAMETER), 0);
+    for (const float side : {-1.0f, 1.0f}) {
+        const auto part = [&](const char* name, float first, const Eigen::Vector3i& counts) {
+            std::vector<Vector3f> places = boxLattice(counts, DIAMETER);
+            for (Vector3f& p : places) p += DIAMETER * Vector3f(side * first, 2, 0);
+            return builder.addBody(name, places, 0);
+        };
+        JointSpec joint;
+        joint.anchor = DIAMETER * Vector3f(2 * side, 2, 0);
+        joint.along = {side, 0, 0};
+        const uint32_t upper = part("upper arm", 4, {3, 1, 1});
+        builder.addJoint(torso, upper, joint);
+        joint.type = JointType::Hinge;
+        joint.anchor = DIAMETER * Vector3f(6 * side, 2, 0);
+        builder.addJoint(upper, part("forearm", 8, {3, 3, 3}), joint);
+    }
+    builder.endObject({}, {0, 0, 0}, spin);
+    return builder.build();
+}
+
+TEST(Joint, AHingeDrivesNothing)
+{
+    // Nothing acts on it: its energy never rises, its angular momentum stays. What a hinge held a substep ago is not
+    // across it any more when it has turned, and what then lies along it would drive it.
+    for (const Vector3f& spin : {Vector3f(3, 12, 5), Vector3f(9, 2, 9)}) {
+        const World world = figureWithElbows(spin);
+        Solver solver(gpu(), world);
+        run(solver, world, 0.1);
+        double least = INFINITY, rise = 0.0;
+        const Eigen::Vector3d start = totals(world, solver.readParticles()).angularMomentum;
+        for (int i = 0; i < 40; ++i) {
+            const double now = energyOf(world, solver.readParticles());
+            least = std::min(least, now);
+            rise = std::max(rise, now - least);
+            run(solver, world, 0.1);
+        }
+        const Eigen::Vector3d end = totals(world, solver.readParticles()).angularMomentum;
+        EXPECT_LT(rise, 0.002 * least) << spin.transpose();                        // measured 1e-3
+        EXPECT_LT((end - start).norm(), 0.02 * start.norm()) << spin.transpose();  // measured 5e-3
+    }
+}
+
 }  // namespace knuckle::test

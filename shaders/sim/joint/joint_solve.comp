@@ -12,6 +12,23 @@
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
 
+/// The torque that a hinge remembers has turned about the hinge itself since its body turned: it would drive the joint.
+/// @returns what takes that back.
+vec3 strayTorque(uint k)
+{
+    vec3 stray = vec3(0);
+#ifdef ANGULAR
+    if (fetchFreedom(k) == JOINT_HINGE) {
+        vec3 held = ROW(RowAngularImpulses, fetchJoint(k).row), axis = fetchJointFactor(k).axis;
+#ifdef LIMITS
+        held -= jointStops[JOINT_STOP_TEXELS * k + STOP_TORQUE].xyz;
+#endif
+        stray = -axis * dot(axis, held);
+    }
+#endif
+    return stray;
+}
+
 /// What a body and its joint ask for.
 void ask(uint k)
 {
@@ -25,6 +42,7 @@ void ask(uint k)
         stop = stopTorque(k);
         if (stop != vec3(0)) pushBoth(k, Force(vec3(0), stop));
 #endif
+        stop += strayTorque(k);
     }
     passForce(k, Force(load.force, load.torque), error, stop);
 }
@@ -37,8 +55,9 @@ void main()
     if (treeRests(tree)) return;
     for (uint k = tree.end; k-- > tree.first;) ask(k);
     for (uint k = tree.first; k < tree.end; ++k) {
+        vec3 stray = strayTorque(k);
         Answer answer = follow(k);
-        pushBoth(k, answer.held);
+        pushBoth(k, Force(answer.held.t, answer.held.r + stray));
 #ifdef LOOPS
         storeMotion(k, SWEEP_TOTAL, answer.motion);
 #else

@@ -159,10 +159,13 @@ JointFixture::Solution JointFixture::solution() const
         return (rotationNow(joint.body) * joint.side.frame.cast<double>()).toRotationMatrix();
     };
     Eigen::VectorXd given = Eigen::VectorXd::Zero(k.rows());
+    const std::vector<Vector3d> strays = strayTorques();
     for (uint32_t b = 0; b < world.bodies.size(); ++b) given.segment<6>(6 * b) = forces[b];
     for (size_t j = 0; j < joints.size(); ++j) {
         const uint32_t count = rowsOf(joints[j].freedom);
         if (count == 0) continue;
+        given.segment<3>(6 * joints[j].body + 3) += strays[j];
+        if (!isFixed(joints[j].parent)) given.segment<3>(6 * joints[j].parent + 3) -= strays[j];
         const Vector6d change = left(joints[j]) - error(joints[j], false);
         given.segment<3>(firstRow[j]) = change.head<3>();
         if (count > 3)
@@ -179,8 +182,22 @@ JointFixture::Solution JointFixture::solution() const
         if (count > 3)
             found.held.back().tail<3>() = -axesOf(joints[j]).rightCols(count - 3) *
                                           x.segment(firstRow[j] + 3, count - 3);
+        found.held.back().tail<3>() += strays[j];
     }
     return found;
+}
+
+std::vector<Vector3d> JointFixture::strayTorques() const
+{
+    const auto joints = trees().all();
+    const std::vector<gpu::JointInfo> infos = stages.joints.jointInfo.download();
+    std::vector<Vector3d> strays(joints.size(), Vector3d::Zero());
+    for (size_t j = 0; j < joints.size(); ++j) {
+        if (joints[j].freedom != JOINT_HINGE) continue;
+        const Vector3d axis = rotationNow(joints[j].body) * joints[j].side.frame.cast<double>() * Vector3d::UnitX();
+        strays[j] = -axis * axis.dot(vec3(angularRows[infos[j].row]).cast<double>());
+    }
+    return strays;
 }
 
 JointFixture::Matrix6d JointFixture::response(uint32_t body) const

@@ -42,6 +42,8 @@ public:
 
 private:
     void uploadLoads();
+    /// Per joint: what takes back the torque that a hinge remembers about its own axis.
+    std::vector<Vector3d> strayTorques() const;
     /// K of K [x; -held] = [f; J x]. @param firstRow of each joint.
     Eigen::MatrixXd system(std::vector<uint32_t>& firstRow) const;
     Eigen::Quaterniond rotationNow(uint32_t body) const
