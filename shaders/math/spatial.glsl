@@ -58,14 +58,6 @@ Inertia add(Inertia x, Inertia y)
     return Inertia(x.a + y.a, x.b + y.b, x.d + y.d);
 }
 
-/// The motion that a force gives.
-Motion solve(Inertia m, Force f)
-{
-    mat3 inverseD = inverse(m.d), bd = transpose(m.b) * inverseD;
-    vec3 t = inverse(m.a - bd * m.b) * (f.t - bd * f.r);
-    return Motion(t, inverseD * (f.r - m.b * t));
-}
-
 /// The inverse of an inertia, what gives the motion that a force makes: [a, b^T; b, d].
 struct Response {
     mat3 a;   // [1/kg]
@@ -73,22 +65,9 @@ struct Response {
     mat3 d;   // [1/(kg m2)]
 };
 
-Motion product(Response w, Force f)
-{
-    return Motion(w.a * f.t + f.r * w.b, w.b * f.t + w.d * f.r);
-}
-
 /// Seen from the point at `arm` from where it was.
 Response shifted(Response w, vec3 arm)
 {
     mat3 x = crossMatrix(-arm), xb = x * w.b;
     return Response(w.a + xb + transpose(xb) + x * w.d * transpose(x), w.b + w.d * transpose(x), w.d);
-}
-
-Response inverseOf(Inertia m)
-{
-    mat3 inverseD = inverse(m.d), bd = transpose(m.b) * inverseD;
-    mat3 a = inverse(m.a - bd * m.b);
-    mat3 b = -inverseD * m.b * a;
-    return Response(a, b, inverseD - b * bd);
 }

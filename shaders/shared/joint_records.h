@@ -11,7 +11,7 @@
 #define JOINT_FACTOR_TEXELS 11     // what its body and all that hangs on it have been eliminated to
 #define JOINT_PASSED_TEXELS 6      // what of that its parent sees
 #define JOINT_SWEEP_TEXELS 9       // what the sweeps over its tree leave for each other
-#define ROOT_RESPONSE_TEXELS 6     // where nothing holds its body: how that answers
+#define ROOT_FACTOR_TEXELS 6       // where nothing holds its body: the same
 // Of each joint that closes a loop.
 #define LOOP_FACTOR_TEXELS 10      // how its ends move apart
 // Of each body.

@@ -59,7 +59,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
         if (s.distances) s.distances->solve(recorder, i == 0);
         s.contacts.solve(recorder);
         s.bodies.solve(recorder);
-        s.joints.updateLimits(recorder);
+        s.joints.factorAgain(recorder);
         s.joints.solve(recorder);
     }
     s.joints.tear(recorder);

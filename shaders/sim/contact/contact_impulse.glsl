@@ -39,6 +39,8 @@ Impulse solveContact(Contact c, Impulse impulse, inout float mean)
     float push = acts ? error / c.inverseMass : 0.0;
     float most = sunk && acts ? sim.maxCorrection / c.inverseMass : 0.0;
     float last = sunk && impulse.normal < 0.0 ? min(dot(impulse.whole, c.normal), 0.0) : max(impulse.normal, 0.0);
+    // Limbs that have passed through each other are let through: what they remember is not turned about.
+    if (c.sameAssembly) last = min(last, max(dot(impulse.whole, c.normal), 0.0));
     mean += (last < mean ? MEAN_FALL : 1.0) * sim.meanRate * (max(last, 0.0) - mean);
     float wave = c.sameAssembly || last <= 0.0 ? 0.0 : min(last - mean, SHOCK * mean);
     float whole = max(sim.warmStart * (last - sim.calming * wave) - push, -most);

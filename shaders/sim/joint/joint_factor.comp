@@ -1,10 +1,11 @@
 // One thread a tree of joints: from the leaves to the root each body, with all that hangs on it, is seen from its
 // joint, which passes on what it does not let go (Featherstone 2008, articulated bodies). Once a substep; joint_solve
 // makes use of it. RESPONSES: of a world where something asks how bodies answer to forces. LIMITS: of one where joints
-// are limited; AGAIN: later in a substep, where other limits hold than before.
+// are limited. AGAIN: later in a substep, where bodies have turned away from how they were eliminated, or other limits
+// hold than before.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_loads.glsl"
-#include "sim/joint/joint_factors.glsl"
+#include "sim/joint/joint_elimination.glsl"
 #include "sim/joint/joint_pose.glsl"
 #include "sim/joint/joint_recovery.glsl"
 
@@ -13,16 +14,9 @@ layout(local_size_x = TREE_GROUP_SIZE) in;
 #include "sim/joint/joint_stop_update.glsl"
 #endif
 BUFFER(vec4, JointFactors, jointFactors);
-BUFFER(vec4, RootResponses, rootResponses);
+BUFFER(vec4, RootFactors, rootFactors);
 BUFFER(vec4, JointPassed, jointPassed);
 #include "sim/joint/joint_passed.glsl"
-
-/// The turn that a torque gives in the directions that the joint leaves free.
-mat3 freeTurning(mat3 d, uint freedom, vec3 axis)
-{
-    if (freedom == JOINT_BALL) return inverse(d);
-    return freedom == JOINT_HINGE ? outerProduct(axis, axis) / dot(axis, d * axis) : mat3(0);
-}
 
 /// What hangs on a body that does not respond is held by it.
 void factor(uint k)
@@ -34,22 +28,20 @@ void factor(uint k)
     for (uint child = joint.firstChild; child < joint.childEnd; ++child) m = add(m, loadPassed(child));
     Inertia passed = Inertia(mat3(0), mat3(0), mat3(0));
     if (free && freedom == JOINT_NONE) {
-        Response w = inverseOf(m);
-        STORE_ROOT_RESPONSE(rootResponses, k, w)
+        FactoredInertia root = factored(m);
+        STORE_ROOT_FACTOR(rootFactors, k, root)
     }
     if (free && freedom != JOINT_NONE) {
         JointSide body = jointSide(k, 0u, joint.body), parent = jointSide(k, 1u, joint.parent);
-        vec3 axis = rotate(body.frame, vec3(1, 0, 0));
-        m = shifted(m, body.arm);
-        mat3 d = m.d;
+        Motion kept = keptOf(startError(body, parent, freedom));
+        JointFactor f = JointFactor(shifted(m, body.arm), Cholesky(vec3(0), vec3(0)), body.arm, parent.arm,
+                                    rotate(body.frame, vec3(1, 0, 0)), kept);
+        mat3 stops = mat3(0);
 #ifdef LIMITS
-        d += stopStiffness(k, d);
+        stops = stopStiffness(k, f.inertia.d);
 #endif
-        mat3 g = freeTurning(d, freedom, axis);
-        JointFactor f = JointFactor(m, g, body.arm, parent.arm, axis, keptOf(startError(body, parent, freedom)));
+        passed = shifted(passedBy(f, freedom, stops), -parent.arm);
         STORE_JOINT_FACTOR(jointFactors, k, f)
-        mat3 gb = g * m.b, gd = g * m.d;
-        passed = shifted(Inertia(m.a - transpose(m.b) * gb, m.b - m.d * gb, m.d - m.d * gd), -parent.arm);
     }
     storePassed(k, passed);
 }
@@ -58,19 +50,34 @@ void factor(uint k)
 #include "sim/joint/joint_responses.glsl"
 #endif
 
+#ifdef AGAIN
+uniform samplerBuffer treeTurns;
+
+/// Whether the last solve turned a body of a tree by so much that the next would not converge (with a load of
+/// 10,000 : 1 it diverges): Newton's method has to be linearized anew.
+bool hasTurned(uint tree)
+{
+    const float MOST_TURN = 0.01;   // [rad]
+    return texelFetch(treeTurns, int(tree)).x > MOST_TURN * MOST_TURN;
+}
+#endif
+
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
     if (index >= sim.jointTreeCount) return;
     JointTree tree = fetchJointTree(index);
     if (treeRests(tree)) return;
-#ifdef LIMITS
+    bool due = true;
 #ifdef AGAIN
-    if (!updateStops(tree, false)) return;
-#else
+    due = hasTurned(index);
+#ifdef LIMITS
+    due = updateStops(tree, false) || due;
+#endif
+#elif defined(LIMITS)
     updateStops(tree, true);
 #endif
-#endif
+    if (!due) return;
     for (uint k = tree.end; k-- > tree.first;) factor(k);
 #ifdef RESPONSES
     for (uint k = tree.first; k < tree.end; ++k) respond(k);

@@ -33,7 +33,7 @@ void closeLoop(JointTree tree, uint loop)
 #endif
     if (freedom == JOINT_BALL) error.r = vec3(0);
     if (freedom == JOINT_HINGE) error.r -= factor.axis * dot(factor.axis, error.r);
-    Motion pull = solve(factor.apart, Force(-error.t, -error.r));
+    Motion pull = solve(factored(factor.apart), Force(-error.t, -error.r));
 #ifdef ANGULAR
     // What its remembered torque has about the hinge since that has turned would drive it.
     if (freedom == JOINT_HINGE) pull.r -= factor.axis * dot(factor.axis, newRowAngularImpulses[row].xyz);

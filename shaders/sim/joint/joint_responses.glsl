@@ -25,16 +25,22 @@ Response loadResponse(uint body)
 
 Response rootResponse(uint k)
 {
-#define WRITTEN(t) rootResponses[ROOT_RESPONSE_TEXELS * k + uint(t)]
-    return ROOT_RESPONSE_FROM(WRITTEN);
+#define WRITTEN(t) rootFactors[ROOT_FACTOR_TEXELS * k + uint(t)]
+    return inverseOf(ROOT_FACTOR_FROM(WRITTEN));
 #undef WRITTEN
+}
+
+mat3 freeTurns(JointFactor f, uint freedom, mat3 torques)
+{
+    return mat3(freeTurn(f, freedom, torques[0]), freeTurn(f, freedom, torques[1]), freeTurn(f, freedom, torques[2]));
 }
 
 void respond(uint k)
 {
     JointInfo joint = fetchJoint(k);
     Response w = Response(mat3(0), mat3(0), mat3(0));
-    bool free = responds(joint.body), isRoot = fetchFreedom(k) == JOINT_NONE;
+    uint freedom = fetchFreedom(k);
+    bool free = responds(joint.body), isRoot = freedom == JOINT_NONE;
     if (free && isRoot) w = rootResponse(k);
     if (!free || isRoot) {
         storeResponse(joint.body, w);
@@ -45,9 +51,9 @@ void respond(uint k)
 #undef WRITTEN
     if (joint.parentJoint != NONE) w = shifted(loadResponse(joint.parent), f.parentArm);
     Inertia m = f.inertia;
-    mat3 byMove = -f.free * m.b, byTurn = mat3(1) - f.free * m.d;
+    mat3 byMove = -freeTurns(f, freedom, m.b), byTurn = mat3(1) - freeTurns(f, freedom, m.d);
     mat3 mixed = byTurn * w.b * transpose(byMove);
     mat3 turning = byMove * w.a * transpose(byMove) + mixed + transpose(mixed) + byTurn * w.d * transpose(byTurn) +
-                   f.free;
+                   freeTurns(f, freedom, mat3(1));
     storeResponse(joint.body, shifted(Response(w.a, byMove * w.a + byTurn * w.b, turning), -f.arm));
 }

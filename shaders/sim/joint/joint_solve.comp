@@ -11,6 +11,7 @@
 #include "sim/joint/joint_sweeps.glsl"
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
+BUFFER(float, TreeTurns, treeTurns);
 
 /// The torque that a hinge remembers has turned about the hinge itself since its body turned: it would drive the joint.
 /// @returns what takes that back.
@@ -54,14 +55,17 @@ void main()
     JointTree tree = fetchJointTree(index);
     if (treeRests(tree)) return;
     for (uint k = tree.end; k-- > tree.first;) ask(k);
+    float turn = 0.0;
     for (uint k = tree.first; k < tree.end; ++k) {
         vec3 stray = strayTorque(k);
         Answer answer = follow(k);
         pushBoth(k, Force(answer.held.t, answer.held.r + stray));
+        turn = max(turn, dot(answer.motion.r, answer.motion.r));
 #ifdef LOOPS
         storeMotion(k, SWEEP_TOTAL, answer.motion);
 #else
         moveBody(fetchJoint(k).body, answer.motion);
 #endif
     }
+    treeTurns[index] = turn;
 }

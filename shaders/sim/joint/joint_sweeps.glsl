@@ -6,7 +6,7 @@
 #include "sim/joint/joint_sweep_records.glsl"
 
 uniform samplerBuffer jointFactors;
-uniform samplerBuffer rootResponses;
+uniform samplerBuffer rootFactors;
 
 JointFactor fetchJointFactor(uint joint)
 {
@@ -25,11 +25,11 @@ Motion fetchJointKept(uint joint)
 #undef TEXEL
 }
 
-Response fetchRootResponse(uint joint)
+FactoredInertia fetchRootFactor(uint joint)
 {
-    int first = int(ROOT_RESPONSE_TEXELS * joint);
-#define TEXEL(k) texelFetch(rootResponses, first + k)
-    return ROOT_RESPONSE_FROM(TEXEL);
+    int first = int(ROOT_FACTOR_TEXELS * joint);
+#define TEXEL(k) texelFetch(rootFactors, first + k)
+    return ROOT_FACTOR_FROM(TEXEL);
 #undef TEXEL
 }
 
@@ -40,11 +40,11 @@ struct Answer {
 };
 
 /// @param given what the joint gives: the parent's motion there, less the joint's error. @param f on the body.
-Answer answerTo(JointFactor factor, Motion given, Force f)
+Answer answerTo(JointFactor factor, uint freedom, Motion given, Force f)
 {
     Inertia m = factor.inertia;
     Motion motion = given;
-    motion.r += factor.free * (f.r - m.b * given.t - m.d * given.r);
+    motion.r += freeTurn(factor, freedom, f.r - m.b * given.t - m.d * given.r);
     Force needed = product(m, motion);
     return Answer(motion, Force(needed.t - f.t, needed.r - f.r));
 }
@@ -56,11 +56,12 @@ void passForce(uint k, Force own, Motion error, vec3 stop)
     JointInfo joint = fetchJoint(k);
     for (uint child = joint.firstChild; child < joint.childEnd; ++child) own = add(own, loadPassedForce(child));
     Force passed = Force(vec3(0), vec3(0));
-    if (responds(joint.body) && fetchFreedom(k) != JOINT_NONE) {
+    uint freedom = fetchFreedom(k);
+    if (responds(joint.body) && freedom != JOINT_NONE) {
         JointFactor factor = fetchJointFactor(k);
         own = shifted(own, factor.arm);
         own.r += stop;
-        Force held = answerTo(factor, Motion(-error.t, -error.r), own).held;
+        Force held = answerTo(factor, freedom, Motion(-error.t, -error.r), own).held;
         passed = shifted(Force(-held.t, -held.r - stop), -factor.parentArm);
     }
     storePassedForce(k, passed);
@@ -74,14 +75,14 @@ Answer follow(uint k)
     uint freedom = fetchFreedom(k);
     Answer answer = Answer(Motion(vec3(0), vec3(0)), Force(vec3(0), vec3(0)));
     bool free = responds(joint.body);
-    if (free && freedom == JOINT_NONE) answer.motion = product(fetchRootResponse(k), loadAsked(k).force);
+    if (free && freedom == JOINT_NONE) answer.motion = solve(fetchRootFactor(k), loadAsked(k).force);
     if (free && freedom != JOINT_NONE) {
         JointFactor factor = fetchJointFactor(k);
         Asked asked = loadAsked(k);
         Motion given = Motion(vec3(0), vec3(0));
         if (joint.parentJoint != NONE) given = shifted(loadMotion(joint.parentJoint, SWEEP_MOTION), factor.parentArm);
         given = Motion(given.t - asked.error.t, given.r - asked.error.r);
-        answer = answerTo(factor, given, asked.force);
+        answer = answerTo(factor, freedom, given, asked.force);
         vec3 stopped = vec3(0);
 #ifdef LIMITS
         stopped = stopTorqueOf(k, answer.motion.r - given.r);

@@ -114,7 +114,8 @@ void JointStage::uploadTrees(const StageSetup& setup)
     jointFreedoms = {"jointFreedoms", std::span<const uint32_t>(freedoms)};
     jointPlaces = {"jointPlaces", std::span<const gpu::vec4>(places)};
     jointFactors = {"jointFactors", JOINT_FACTOR_TEXELS * trees.joints.size()};
-    rootResponses = {"rootResponses", ROOT_RESPONSE_TEXELS * trees.joints.size()};
+    rootFactors = {"rootFactors", ROOT_FACTOR_TEXELS * trees.joints.size()};
+    treeTurns = {"treeTurns", trees.trees.size()};
     jointPassed = {"jointPassed", JOINT_PASSED_TEXELS * trees.joints.size()};
     jointSweeps = {"jointSweeps", JOINT_SWEEP_TEXELS * trees.joints.size()};
     loopFactors = {"loopFactors", LOOP_FACTOR_TEXELS * trees.loops.size()};
@@ -166,7 +167,7 @@ void JointStage::addBuffers(BufferTable& table)
     table.add(Lifetime::Constant, sharedParticles, jointTrees, jointInfo, jointPlaces, jointLimits, jointStrengths,
               jointParticles);
     table.add(Lifetime::State, jointFreedoms, jointStops, jointLoads, bodyResponses);
-    table.add(Lifetime::Scratch, jointFactors, rootResponses, jointPassed, jointSweeps, loopFactors);
+    table.add(Lifetime::Scratch, jointFactors, rootFactors, treeTurns, jointPassed, jointSweeps, loopFactors);
 }
 
 void JointStage::factor(Recorder& recorder) const
@@ -175,11 +176,10 @@ void JointStage::factor(Recorder& recorder) const
     if (hasLoops_) recorder.groups(factorLoops_, treeGroups());
 }
 
-void JointStage::updateLimits(Recorder& recorder) const
+void JointStage::factorAgain(Recorder& recorder) const
 {
-    if (!hasLimits_) return;
     recorder.groups(refactor_, treeGroups());
-    if (hasLoops_) recorder.groups(factorLoops_, treeGroups());
+    if (hasLoops_ && hasLimits_) recorder.groups(factorLoops_, treeGroups());
 }
 
 void JointStage::solve(Recorder& recorder) const

@@ -16,7 +16,7 @@ namespace knuckle {
 ///     joint_factor, from the leaves up:             joint_solve, up:            and down:
 ///
 ///       root    <- bodyLoads (4)                      root    <- bodyLoads        root    -> its motion, by
-///         |        rootResponses (6) ->                 |                           |        rootResponses
+///         |        rootFactors (6) ->                 |                           |        rootFactors
 ///         |  ^ jointPassed (6): inertia that            |  ^ passed force           |  v motion of the parent
 ///         |    the parent sees                          |    (jointSweeps, 9)       |
 ///       body    <- bodyLoads                          body    <- bodyLoads,       body    -> its motion, by
@@ -26,9 +26,9 @@ namespace knuckle {
 ///
 /// A joint that closes a loop is a force between two bodies of the tree: joint_loop_factor tries how far each unit of
 /// it moves them apart (loopFactors, 10), joint_loop_solve takes back what is left of its error. With limits,
-/// jointStops (4) are springs that only push, in the same blocks; joint_factor runs again where others hold than
-/// before. Where something asks how bodies answer to forces with all that hangs on them, joint_factor leaves
-/// bodyResponses (9). joint_tear compares jointLoads (2) with what joints bear.
+/// jointStops (4) are springs that only push, in the same blocks. joint_factor runs again where others hold than
+/// before, or bodies have turned (treeTurns). Where something asks how bodies answer to forces with all that hangs on
+/// them, joint_factor leaves bodyResponses (9). joint_tear compares jointLoads (2) with what joints bear.
 class JointStage : public Stage {
 public:
     explicit JointStage(const StageSetup& setup);
@@ -39,8 +39,8 @@ public:
 
     /// How the bodies of each tree answer to each other; once in a substep.
     void factor(Recorder& recorder) const;
-    /// The same where limits have been reached or left since; in each iteration.
-    void updateLimits(Recorder& recorder) const;
+    /// The same where bodies have turned too far since, or limits have been reached or left; in each iteration.
+    void factorAgain(Recorder& recorder) const;
     /// Moves bodies by what acts on them and to where their joints hold.
     void solve(Recorder& recorder) const;
     /// Joints that bore too much let go; at the end of a substep.
@@ -58,7 +58,8 @@ public:
     Buffer<uint32_t> jointFreedoms;        ///< Per joint: JOINT_*; of a torn one JOINT_NONE.
     Buffer<gpu::vec4> jointPlaces;         ///< Per joint: arms in the two bodies [m], axes in the two.
     Buffer<gpu::vec4> jointFactors;        ///< Per joint of a tree: what its body and all that hangs on it add up to.
-    Buffer<gpu::vec4> rootResponses;       ///< Per joint of a tree: how its body answers where nothing holds it.
+    Buffer<gpu::vec4> rootFactors;         ///< Per joint of a tree: how its body answers where nothing holds it.
+    Buffer<float> treeTurns;               ///< Per tree: the largest turn of a body in the last solve [rad], squared.
     Buffer<gpu::vec4> jointPassed;         ///< Per joint of a tree: what of its body its parent sees.
     Buffer<gpu::vec4> jointSweeps;         ///< Per joint of a tree: what the sweeps leave for each other.
     Buffer<gpu::vec4> loopFactors;         ///< Per joint that closes a loop: how its ends move apart.
@@ -79,7 +80,7 @@ private:
     bool needed_, shared_, hasLoops_, hasLimits_, tears_;
     Defines variant_, loopVariant_, factorVariant_, againVariant_, rowVariant_;
     Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
-    Pass refactor_{*this, "joint/joint_factor", againVariant_, needed_&& hasLimits_};
+    Pass refactor_{*this, "joint/joint_factor", againVariant_, needed_};
     Pass factorLoops_{*this, "joint/joint_loop_factor", rowVariant_, hasLoops_};
     Pass solve_{*this, "joint/joint_solve", variant_, needed_};
     Pass solveLoops_{*this, "joint/joint_loop_solve", loopVariant_, hasLoops_};
