@@ -92,6 +92,8 @@
 // What leaves faster than this is pushed out of another by no more than the least share of the recovery [m/s].
 #define LEAVING_SPEED 1.0f
 #define LEAST_RECOVERY 0.1f
+// What contacts between limbs of one assembly keep of their impulse in a substep: limbs that are jammed store none.
+#define LIMB_MEMORY 0.95f
 // An impulse of more than so many times its mean is a shock, which may go as it came.
 #define SHOCK 10.0
 // The mean falls so many times faster than it rises: what parts and meets again is not to be pushed by it.
