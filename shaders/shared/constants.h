@@ -92,6 +92,8 @@
 // What leaves faster than this is pushed out of another by no more than the least share of the recovery [m/s].
 #define LEAVING_SPEED 1.0f
 #define LEAST_RECOVERY 0.1f
+// The same share between limbs of one assembly: what parts slowly beside a joint is fast at the end of a limb.
+#define LIMB_RECOVERY 0.5f
 // What contacts between limbs of one assembly keep of their impulse in a substep: limbs that are jammed store none.
 #define LIMB_MEMORY 0.95f
 // An impulse of more than so many times its mean is a shock, which may go as it came.

@@ -59,6 +59,16 @@ void RawBuffer::write(const void* data, size_t byteCount, size_t byteOffset)
     glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(byteOffset), static_cast<GLsizeiptr>(byteCount), data);
 }
 
+void RawBuffer::copy(const RawBuffer& from, size_t byteCount, size_t fromOffset, size_t toOffset)
+{
+    if (byteCount == 0) return;
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glBindBuffer(GL_COPY_READ_BUFFER, from.id());
+    glBindBuffer(GL_COPY_WRITE_BUFFER, id());
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(fromOffset),
+                        static_cast<GLintptr>(toOffset), static_cast<GLsizeiptr>(byteCount));
+}
+
 void RawBuffer::clear()
 {
     const uint32_t zero = 0;

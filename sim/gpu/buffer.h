@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -29,6 +30,8 @@ public:
     GLuint texture(GLenum format) const;
     void read(void* out, size_t byteCount, size_t byteOffset = 0) const;
     void write(const void* data, size_t byteCount, size_t byteOffset = 0);
+    /// Copies on the device, bytes from a place in `from` to one in this.
+    void copy(const RawBuffer& from, size_t byteCount, size_t fromOffset = 0, size_t toOffset = 0);
     void clear();
 
 private:
@@ -62,6 +65,16 @@ public:
         return out;
     }
     void upload(std::span<const T> data) { write(data.data(), data.size_bytes()); }
+    /// Makes room for `size` elements. What was there stays, each of `parts` equal parts at the beginning of its own;
+    /// new room holds zeros.
+    void resize(std::string label, size_t size, size_t parts = 1)
+    {
+        if (id() != 0 && size == size_) return;
+        Buffer resized(std::move(label), size);
+        const size_t from = size_ / parts * sizeof(T), to = size / parts * sizeof(T);
+        for (size_t part = 0; part < parts; ++part) resized.copy(*this, std::min(from, to), part * from, part * to);
+        *this = std::move(resized);
+    }
 
 private:
     size_t size_ = 0;

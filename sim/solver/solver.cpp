@@ -5,12 +5,18 @@
 #include <bit>
 
 #include "sim/solver/measure/measure.h"
+#include "sim/solver/state_copy.h"
 #include "sim/solver/step.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
 
 namespace {
+
+/// After how many steps the state is copied anew: a copy costs a fifth of a step, and what overflows all those since.
+constexpr uint32_t STEPS_KEPT = 16;
+/// What there was no room for.
+constexpr uint32_t OVERFLOWS = PROBLEM_CONTACTS | PROBLEM_PAIRS | PROBLEM_FLUID;
 
 std::vector<Vector3f> unpack(const std::vector<gpu::vec4>& values)
 {
@@ -23,25 +29,67 @@ std::vector<Vector3f> unpack(const std::vector<gpu::vec4>& values)
 }  // namespace
 
 struct Solver::Impl {
-    Impl(Gpu& gpuIn, const World& worldIn) : gpu(gpuIn), world(worldIn), stages(gpuIn, world) { stages.load(); }
+    Impl(Gpu& gpuIn, const World& worldIn, const std::optional<ListRoom>& room)
+        : gpu(gpuIn), world(worldIn), stages(gpuIn, world, {}, room)
+    {
+        stages.load();
+    }
 
     Gpu& gpu;
     World world;
     Stages stages;
     bool started = false;
     KernelTimer timer;
+
+    void record()
+    {
+        Recorder recorder(timer, stages.dispatches);
+        if (!started) recordStart(stages, recorder);
+        started = true;
+        recordStep(stages, world.settings, recorder);
+    }
+
+    /// Steps that overflowed are taken again from here.
+    struct Kept {
+        StateCopy state;
+        bool started = false;
+        uint32_t steps = 0;   ///< Since it was taken.
+        bool checked = true;  ///< Whether nothing has overflowed up to now.
+    } kept;
+
+    void keep()
+    {
+        kept.state.take(stages.table());
+        kept.started = started;
+        kept.steps = 0;
+    }
+
+    /// With the room that lists lacked, every step since the copy. Its lists keep what they remember.
+    void takeAgain(const gpu::Counters& counters)
+    {
+        const uint32_t steps = kept.steps;
+        kept.state.restore(stages.table());
+        started = kept.started;
+        stages.grow(counters);
+        keep();
+        for (; kept.steps < steps; ++kept.steps) record();
+    }
 };
 
-Solver::Solver(Gpu& gpu, const World& world) : impl_(std::make_unique<Impl>(gpu, world)) {}
+Solver::Solver(Gpu& gpu, const World& world, const std::optional<ListRoom>& room)
+    : impl_(std::make_unique<Impl>(gpu, world, room))
+{
+}
 
 Solver::~Solver() = default;
 
 void Solver::step()
 {
-    Recorder recorder(impl_->timer, impl_->stages.dispatches);
-    if (!impl_->started) recordStart(impl_->stages, recorder);
-    impl_->started = true;
-    recordStep(impl_->stages, impl_->world.settings, recorder);
+    Impl::Kept& kept = impl_->kept;
+    if (kept.state.empty() || (kept.checked && kept.steps >= STEPS_KEPT)) impl_->keep();
+    impl_->record();
+    ++kept.steps;
+    kept.checked = false;
 }
 
 void Solver::checkCounters(uint64_t frame)
@@ -49,7 +97,11 @@ void Solver::checkCounters(uint64_t frame)
     impl_->gpu.checkErrors();
     impl_->timer.collect();
     gpu::Counters counters = impl_->stages.counters.download()[0];
-    if (counters.problems == 0) return;
+    while (counters.problems & OVERFLOWS) {
+        impl_->takeAgain(counters);
+        counters = impl_->stages.counters.download()[0];
+    }
+    impl_->kept.checked = true;
     if (counters.problems & PROBLEM_NAN) {
         const Particle& particle = impl_->world.particles[counters.badParticle];
         const std::string owner = particle.body == NO_INDEX
@@ -63,8 +115,6 @@ void Solver::checkCounters(uint64_t frame)
         throw RunError(fmt::format("frame {}: a particle touches {} static colliders at a time and {} are possible; "
                                    "merge colliders that overlap",
                                    frame, counters.wantedColliders, COLLIDER_SLOTS));
-    // More than there was room for: the lists grow, the next substep fills them anew.
-    impl_->stages.grow(counters);
 }
 
 ParticleView Solver::view() const
@@ -139,6 +189,7 @@ void Solver::loadState(const SolverState& state)
 {
     impl_->stages.load(state.stages);
     impl_->started = state.started;
+    impl_->kept = {};
 }
 
 uint32_t Solver::searchCount()

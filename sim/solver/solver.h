@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/gpu/gpu.h"
+#include "sim/solver/list_room.h"
 #include "sim/solver/measure/state.h"
 #include "sim/solver/particle_view.h"
 #include "sim/solver/stages_state.h"
@@ -30,14 +32,16 @@ struct SolverState {
 class Solver {
 public:
     /// Uploads the world once. @throws DeviceError when the device's limits are too small for it, with the number.
-    Solver(Gpu& gpu, const World& world);
+    /// @param room that lists begin with, for tests: bits do not depend on it.
+    Solver(Gpu& gpu, const World& world, const std::optional<ListRoom>& room = {});
     ~Solver();
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
 
     /// Advances by Settings::timeStep. Only records GL work: nothing is uploaded, nothing read back.
     void step();
-    /// Once a frame: reads the 68-byte counters buffer, grows what overflowed, and
+    /// Once a frame: reads the 68-byte counters buffer. Steps in which lists overflowed are taken again, with more
+    /// room.
     /// @throws RunError for NaN or an overflow that cannot be mended, naming frame, particle and the number to raise.
     void checkCounters(uint64_t frame);
 

@@ -67,8 +67,8 @@ public:
 
     /// Fills its buffers and sets its parameters; stages do so in any order, once. Lists come later.
     virtual void upload(const StageSetup& setup) = 0;
-    /// Makes the lists whose room the parameters say, empty. @throws DeviceError when the device's limits are too small
-    /// for them, with the number.
+    /// Gives its lists the room that the parameters say; those that are state keep what they have. @throws DeviceError
+    /// when the device's limits are too small for them, with the number.
     virtual void makeLists(const Gpu&) {}
     /// After an overflow: raises the parameters to the room that kernels asked for.
     virtual void reserve(gpu::StepParameters&, const gpu::Counters&) const {}
@@ -81,6 +81,9 @@ public:
     }
 
 protected:
+    /// Lists of the current search and of the one before stand in one buffer.
+    static constexpr size_t HALVES = 2;
+
     /// A kernel of a stage, named once.
     class Pass : public Kernel {
     public:

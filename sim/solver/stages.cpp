@@ -65,7 +65,7 @@ std::string variantName(const Defines& variant)
 
 }  // namespace
 
-Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle)
+Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const std::optional<ListRoom>& room)
     : gpu_(gpu), world_(world), layout(world), rows(planRows(world, layout)),
       parameters(commonParameters(world, layout)), setup_{gpu, world, layout, rows, parameters}, particles(setup_),
       colliders(setup_), search(setup_), contacts(setup_), bodies(setup_, actsOnParticles(world)), joints(setup_)
@@ -80,6 +80,11 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle)
     std::vector<Stage*> stages = all();
     if (shuffle) shuffle(stages);
     for (Stage* stage : stages) stage->upload(setup_);
+    if (room) {
+        parameters.contactSlots = room->contacts;
+        parameters.pairCapacity = parameters.colliderPairCapacity = room->pairs;
+        parameters.fluidSlots = room->neighbours;
+    }
     for (Stage* stage : stages) stage->makeLists(gpu);
     uploadParameters();
     const gpu::uvec4 slots{groupsFor(parameters.particleCount + parameters.fluidFilled), 1, 1, 0};
@@ -164,15 +169,11 @@ void Stages::load(const StagesState& state)
     }
 }
 
-void Stages::grow(gpu::Counters c)
+void Stages::grow(const gpu::Counters& c)
 {
     for (Stage* stage : all()) stage->reserve(parameters, c);
     for (Stage* stage : all()) stage->makeLists(gpu_);
     uploadParameters();
-    c.problems = c.wantedNeighbours = c.wantedContacts = c.wantedPairs = c.wantedColliderPairs = 0;
-    c.pairCount = c.colliderPairCount = 0;
-    c.due = 1;
-    counters.upload(std::span<const gpu::Counters>(&c, 1));
 }
 
 }  // namespace knuckle

@@ -9,6 +9,7 @@
 #include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_stage.h"
 #include "sim/solver/joint/joint_stage.h"
+#include "sim/solver/list_room.h"
 #include "sim/solver/paper/paper_stage.h"
 #include "sim/solver/particle/particle_stage.h"
 #include "sim/solver/restitution/restitution_stage.h"
@@ -29,12 +30,13 @@ public:
 
     /// Uploads the world; compiles nothing yet. @param world must outlive it.
     /// @throws DeviceError when the device's limits are too small for it, with the number.
-    Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle = {});
+    /// @param room that lists begin with, for tests: bits do not depend on it.
+    Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle = {}, const std::optional<ListRoom>& room = {});
 
     /// Compiles the kernels of all stages. @throws DeviceError.
     void load();
-    /// After an overflow: gives every list the room that kernels asked for. The next substep finds contacts anew.
-    void grow(gpu::Counters counters);
+    /// Gives every list the room that kernels asked for. What stands in lists stays.
+    void grow(const gpu::Counters& counters);
     /// What a run carries from step to step. Stalls until the GPU is done.
     StagesState save();
     /// @throws std::logic_error where the state is not of these stages' World.

@@ -53,7 +53,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     s.bodies.warmStart(recorder);
     if (s.fluids) s.fluids->substep(recorder, first);
     s.joints.factor(recorder);
-    s.joints.solve(recorder);
+    s.joints.solve(recorder, true);
     for (uint32_t i = 0; i < settings.iterations; ++i) {
         if (s.soft) s.soft->solve(recorder, i, settings.iterations);
         if (s.distances) s.distances->solve(recorder, i == 0);

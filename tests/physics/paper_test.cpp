@@ -177,7 +177,7 @@ TEST(Paper, WhatStartsCaughtInEachOtherPartsAndIsNotThrown)
     }
     const World world = builder.build();
     Solver solver(gpu(), world);
-    for (int k = 0; k < 16; ++k) {
+    for (int k = 0; k < 32; ++k) {
         run(solver, world, 0.25);
         EXPECT_LT(fastest(solver), 7.0f) << "at " << 0.25 * (k + 1) << " s";
     }

@@ -60,9 +60,12 @@ public:
             if (poison) poisonScratch();
             Recorder recorder(timer_, stages.dispatches);
             recordStep(stages, world.settings, recorder);
-            const gpu::Counters counters = stages.counters.download()[0];
+            gpu::Counters counters = stages.counters.download()[0];
             ASSERT_EQ(counters.problems & PROBLEM_NAN, 0u) << "step " << k;
-            if (counters.problems != 0) stages.grow(counters);
+            if (counters.problems == 0) continue;
+            stages.grow(counters);
+            counters.problems = 0;
+            stages.counters.upload(std::span<const gpu::Counters>(&counters, 1));
         }
     }
 

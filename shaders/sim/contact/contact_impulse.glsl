@@ -32,7 +32,7 @@ Impulse solveContact(Contact c, Impulse impulse, inout float mean)
 #endif
     float depth = max(-c.startGap, 0.0);
     bool sunk = !c.sameAssembly && depth > (1.0 - SUNK) * c.touch;
-    float slowed = c.sameAssembly ? 1.0
+    float slowed = c.sameAssembly ? LIMB_RECOVERY
                                   : clamp(1.0 - c.leaving / (LEAVING_SPEED * sim.substepTime), LEAST_RECOVERY, 1.0);
     float error = c.gap + depth - min(sim.correction * depth, sim.maxCorrection * slowed);
     bool acts = impulse.normal != 0.0 && c.worstInverseMass > 0.0;

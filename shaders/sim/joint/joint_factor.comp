@@ -57,7 +57,7 @@ uniform samplerBuffer treeTurns;
 /// 10,000 : 1 it diverges): Newton's method has to be linearized anew.
 bool hasTurned(uint tree)
 {
-    const float MOST_TURN = 0.01;   // [rad]
+    const float MOST_TURN = 0.02;   // [rad]
     return texelFetch(treeTurns, int(tree)).x > MOST_TURN * MOST_TURN;
 }
 #endif

@@ -1,6 +1,6 @@
 // One thread a tree of joints: the impulses with which all its joints hold, at once, and where they bring its bodies: a
 // Newton step of their positions (Deul et al. 2018). LOOPS: of a world where joints close loops; joint_loop_solve then
-// moves the bodies. LIMITS: where joints are limited.
+// moves the bodies. LIMITS: where joints are limited. FIRST: of a substep.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_error.glsl"
@@ -18,7 +18,7 @@ BUFFER(float, TreeTurns, treeTurns);
 vec3 strayTorque(uint k)
 {
     vec3 stray = vec3(0);
-#ifdef ANGULAR
+#if defined(ANGULAR) && defined(FIRST)
     if (fetchFreedom(k) == JOINT_HINGE) {
         vec3 held = ROW(RowAngularImpulses, fetchJoint(k).row), axis = fetchJointFactor(k).axis;
 #ifdef LIMITS

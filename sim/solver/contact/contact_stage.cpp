@@ -33,14 +33,14 @@ void ContactStage::setParameters(const StageSetup& setup)
 void ContactStage::makeLists(const Gpu&)
 {
     const size_t pairCount = parameters_.pairCapacity, colliderCount = parameters_.colliderPairCapacity;
-    pairSides = {"pairSides", pairCount};
-    pairArms = {"pairArms", 2 * pairCount};
-    pairImpulses = {"pairImpulses", 2 * pairCount};
-    pairMeans = {"pairMeans", 2 * pairCount};
-    colliderSides = {"colliderSides", colliderCount};
-    colliderArms = {"colliderArms", colliderCount};
-    colliderImpulses = {"colliderImpulses", 2 * colliderCount};
-    colliderMeans = {"colliderMeans", 2 * colliderCount};
+    pairSides.resize("pairSides", pairCount);
+    pairArms.resize("pairArms", 2 * pairCount);
+    pairImpulses.resize("pairImpulses", 2 * pairCount, HALVES);
+    pairMeans.resize("pairMeans", 2 * pairCount, HALVES);
+    colliderSides.resize("colliderSides", colliderCount);
+    colliderArms.resize("colliderArms", colliderCount);
+    colliderImpulses.resize("colliderImpulses", 2 * colliderCount, HALVES);
+    colliderMeans.resize("colliderMeans", 2 * colliderCount, HALVES);
 }
 
 void ContactStage::addBuffers(BufferTable& table)

@@ -52,9 +52,10 @@ void FluidStage::makeLists(const Gpu& gpu)
             gpu.device().name, p.fluidCount, p.fluidSlots, largest >> 20, gpu.limits().storageBlockSize >> 20));
     fluidSearchPositions = {"fluidSearchPositions", count};
     fluidParticleCells = {"fluidParticleCells", count};
-    fluidCellCounts = {"fluidCellCounts", cells};
-    fluidCellCounts.clear();
-    fluidCellSums = scanSums("fluidCellSums", cells);
+    if (fluidCellCounts.size() == 0) {
+        fluidCellCounts = {"fluidCellCounts", cells};
+        fluidCellSums = scanSums("fluidCellSums", cells);
+    }
     fluidCellStarts = {"fluidCellStarts", cells + WRAPPED_CELLS + 1};
     fluidCellMembers = {"fluidCellMembers", count};
     fluidSorted = {"fluidSorted", (2 * count + 3) / 4 * 4};

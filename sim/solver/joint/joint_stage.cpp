@@ -182,9 +182,9 @@ void JointStage::factorAgain(Recorder& recorder) const
     if (hasLoops_ && hasLimits_) recorder.groups(factorLoops_, treeGroups());
 }
 
-void JointStage::solve(Recorder& recorder) const
+void JointStage::solve(Recorder& recorder, bool first) const
 {
-    recorder.groups(solve_, treeGroups());
+    recorder.groups(first ? solveFirst_ : solve_, treeGroups());
     if (hasLoops_) recorder.groups(solveLoops_, treeGroups());
 }
 

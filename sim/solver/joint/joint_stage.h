@@ -41,8 +41,8 @@ public:
     void factor(Recorder& recorder) const;
     /// The same where bodies have turned too far since, or limits have been reached or left; in each iteration.
     void factorAgain(Recorder& recorder) const;
-    /// Moves bodies by what acts on them and to where their joints hold.
-    void solve(Recorder& recorder) const;
+    /// Moves bodies by what acts on them and to where their joints hold. @param first in the substep.
+    void solve(Recorder& recorder, bool first = false) const;
     /// Joints that bore too much let go; at the end of a substep.
     void tear(Recorder& recorder) const;
     /// Per particle of a world whether a joint that shared it is torn; empty where none can tear. Stalls until the GPU
@@ -82,6 +82,7 @@ private:
     Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
     Pass refactor_{*this, "joint/joint_factor", againVariant_, needed_};
     Pass factorLoops_{*this, "joint/joint_loop_factor", rowVariant_, hasLoops_};
+    Pass solveFirst_{*this, "joint/joint_solve", with(variant_, "FIRST"), needed_};
     Pass solve_{*this, "joint/joint_solve", variant_, needed_};
     Pass solveLoops_{*this, "joint/joint_loop_solve", loopVariant_, hasLoops_};
     Pass tear_{*this, "joint/joint_tear", rowVariant_, tears_};

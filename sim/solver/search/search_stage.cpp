@@ -96,18 +96,18 @@ void SearchStage::makeLists(const Gpu& gpu)
                                       limit >> 20));
     firstLists = {"firstLists", p.contactSlots * count};
     colliderLists = {"colliderLists", COLLIDER_SLOTS * count};
-    listCounts = {"listCounts", 3 * count};
-    listSums = scanSums("listSums", 3 * count);
-    listStarts = {"listStarts", 2 * (3 * count + 1)};
-    pairs = {"pairs", 2 * size_t(p.pairCapacity)};
+    if (listSums.id() == 0 || listCounts.size() != 3 * count) listSums = scanSums("listSums", 3 * count);
+    listCounts.resize("listCounts", 3 * count);
+    listStarts.resize("listStarts", 2 * (3 * count + 1), HALVES);
+    pairs.resize("pairs", 2 * size_t(p.pairCapacity), HALVES);
     pairArrivals = {"pairArrivals", p.contactSlots * count};
-    pairReferences = {"pairReferences", p.contactSlots * count};
-    colliderPairs = {"colliderPairs", 2 * size_t(p.colliderPairCapacity)};
+    pairReferences.resize("pairReferences", p.contactSlots * count);
+    colliderPairs.resize("colliderPairs", 2 * size_t(p.colliderPairCapacity), HALVES);
 }
 
 void SearchStage::reserve(gpu::StepParameters& p, const gpu::Counters& counters) const
 {
-    if (counters.wantedContacts > p.contactSlots) p.contactSlots = counters.wantedContacts + 4;
+    if (counters.wantedContacts > p.contactSlots) p.contactSlots = counters.wantedContacts * 3 / 2 + 4;
     if (counters.wantedPairs > p.pairCapacity) p.pairCapacity = counters.wantedPairs * 3 / 2;
     if (counters.wantedColliderPairs > p.colliderPairCapacity)
         p.colliderPairCapacity = counters.wantedColliderPairs * 3 / 2;

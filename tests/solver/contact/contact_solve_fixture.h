@@ -184,7 +184,8 @@ protected:
     double recovery(const Situation& s, double depth) const
     {
         const double speed = s.leaving / step().substepTime;
-        const double slowed = s.kin ? 1.0 : std::clamp(1.0 - speed / LEAVING_SPEED, double(LEAST_RECOVERY), 1.0);
+        const double slowed = s.kin ? double(LIMB_RECOVERY)
+                                    : std::clamp(1.0 - speed / LEAVING_SPEED, double(LEAST_RECOVERY), 1.0);
         return std::min(step().correction * depth, step().maxCorrection * slowed);
     }
     /// The normal part fades towards its mean, takes the old penetration back by that, and all that came with this

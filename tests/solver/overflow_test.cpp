@@ -1,0 +1,66 @@
+#include "app/commands/table2_world.h"
+#include "sim/solver/solver.h"
+#include "tests/solver/determinism_worlds.h"
+#include "tests/solver/solver_test.h"
+
+namespace knuckle::test {
+
+namespace {
+
+constexpr ListRoom LEAST{1, 1, 4}, PLENTY{160, 60'000, 400};
+
+World pairs()
+{
+    return table2World(40, {});
+}
+
+World pairsByThePaper()
+{
+    return table2World(20, paperSettings());
+}
+
+World everything()
+{
+    return everyWorld(GridKind::Lattice);
+}
+
+struct Matter {
+    const char* name;
+    World (*world)();
+};
+
+class Overflow : public testing::TestWithParam<Matter> {
+protected:
+    /// @param steps between two looks at the counters.
+    static uint64_t hashOf(const World& world, const std::optional<ListRoom>& room, uint64_t steps)
+    {
+        Solver solver(gpu(), world, room);
+        for (uint64_t k = 1; k <= 36; ++k) {
+            solver.step();
+            if (k % steps == 0) solver.checkCounters(k);
+        }
+        return solver.stateHash();
+    }
+};
+
+/// Steps that have no room for all their contacts are taken again: nothing is lost, nor does it matter when somebody
+/// looks.
+TEST_P(Overflow, LosesNothing)
+{
+    const World world = GetParam().world();
+    const uint64_t wanted = hashOf(world, PLENTY, 1);
+    EXPECT_EQ(hashOf(world, LEAST, 1), wanted) << "looked at after each step";
+    EXPECT_EQ(hashOf(world, LEAST, 18), wanted) << "looked at after 18";
+    EXPECT_EQ(hashOf(world, {}, 3), wanted) << "with the room by default";
+}
+
+INSTANTIATE_TEST_SUITE_P(Worlds, Overflow,
+                         testing::Values(Matter{"Pairs", pairs}, Matter{"Paper", pairsByThePaper},
+                                         Matter{"Soft", softWorld}, Matter{"Cloth", ropeWorld},
+                                         Matter{"Fluids", fluidWorld}, Matter{"Bounces", bouncyWorld},
+                                         Matter{"Everything", everything}),
+                         [](const auto& tested) { return tested.param.name; });
+
+}  // namespace
+
+}  // namespace knuckle::test
