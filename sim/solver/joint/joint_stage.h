@@ -77,10 +77,10 @@ private:
     void uploadStrengths(const StageSetup& setup);
 
     const gpu::StepParameters& parameters_;
-    bool needed_, shared_, hasLoops_, hasLimits_, tears_;
+    bool needed_, shared_, hasLoops_, hasLimits_, tears_, again_;
     Defines variant_, loopVariant_, factorVariant_, againVariant_, rowVariant_;
     Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
-    Pass refactor_{*this, "joint/joint_factor", againVariant_, needed_};
+    Pass refactor_{*this, "joint/joint_factor", againVariant_, again_};
     Pass factorLoops_{*this, "joint/joint_loop_factor", rowVariant_, hasLoops_};
     Pass solveFirst_{*this, "joint/joint_solve", with(variant_, "FIRST"), needed_};
     Pass solve_{*this, "joint/joint_solve", variant_, needed_};
