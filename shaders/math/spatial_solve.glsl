@@ -5,12 +5,10 @@
 /// What resists moves where turns are let go, one after another: a - b^T d^-1 b.
 mat3 withoutTurns(Inertia m, Cholesky d)
 {
-    vec3 x = vec3(m.b[0].x, m.b[1].x, m.b[2].x), y = vec3(m.b[0].y, m.b[1].y, m.b[2].y);
-    vec3 z = vec3(m.b[0].z, m.b[1].z, m.b[2].z);
-    y -= d.lower.x * x;
-    z -= d.lower.y * x + d.lower.z * y;
-    return m.a - outerProduct(d.inversePivots.x * x, x) - outerProduct(d.inversePivots.y * y, y) -
-           outerProduct(d.inversePivots.z * z, z);
+    mat3 turns = transpose(mat3(forward(d, m.b[0]), forward(d, m.b[1]), forward(d, m.b[2])));
+    mat3 left = m.a;
+    for (int k = 0; k < 3; ++k) left -= outerProduct(d.inversePivots[k] * turns[k], turns[k]);
+    return left;
 }
 
 /// An inertia made ready to be solved.

@@ -67,39 +67,9 @@
 
 // By how much longer contacts are to stay good where few things are fast.
 #define CALM 3.0f
-// Relaxation of a mover's contacts: where it starts, and how it grows until their impulses turn about.
-#define INITIAL_RELAXATION 1.5f
-#define MOST_RELAXATION 3.2f
 
 // A body that turns by more than half a radian in a substep (4 (1 - cos 0.5)) loses some of its spin.
 #define LONGEST_CHORD 0.49f
-
-// Another is beside a particle of a lattice up to half the lattice away along an axis, and a little more, so that there
-// is always one that it is beside [diameters].
-#define BESIDE 0.55f
-// A box's corner touches a collider where it comes this near to touching as deep as its particle's ball [diameters].
-#define CORNER_TIE 0.05f
-// A box of one layer stands upright, on the middle of it, while it leans by less than this (sine).
-#define UPRIGHT 0.05f
-// Nearer than this many diameters to a face or an edge of a box of particles, the direction away from it says nothing.
-#define LEAST_FLAT 0.3f
-// Nearer than this many diameters, particles have sunk into each other: their contact holds them while they part.
-#define SUNK 0.85f
-// Its friction has at least this many times what recovery may push in a substep as normal impulse.
-#define SUNK_GRIP 4.0f
-// What slides more slowly than this sticks, as far as static friction goes [m/s].
-#define STICK_SPEED 0.1f
-// What leaves faster than this is pushed out of another by no more than the least share of the recovery [m/s].
-#define LEAVING_SPEED 1.0f
-#define LEAST_RECOVERY 0.1f
-// The same share between limbs of one assembly: what parts slowly beside a joint is fast at the end of a limb.
-#define LIMB_RECOVERY 0.5f
-// What contacts between limbs of one assembly keep of their impulse in a substep: limbs that are jammed store none.
-#define LIMB_MEMORY 0.95f
-// An impulse of more than so many times its mean is a shock, which may go as it came.
-#define SHOCK 10.0
-// The mean falls so many times faster than it rises: what parts and meets again is not to be pushed by it.
-#define MEAN_FALL 4.0
 
 // Of the multipliers of fluids: at 1 resting water boils.
 #define FLUID_RELAXATION 0.45f
@@ -109,8 +79,5 @@
 #define MOST_SQUEEZE 100.0f
 // k of s_corr (Macklin and Mueller 2013, eq. 13), as a share of the multipliers: 0.1 at a fifth of the reach.
 #define FLUID_REPULSION 0.34f
-
-// pairImpulses[].w of a contact that is going to act but carries nothing yet.
-#define ABOUT_TO_ACT (-1.0)
 
 #endif

@@ -13,7 +13,7 @@ namespace knuckle {
 
 namespace {
 
-/// After how many steps the state is copied anew: a copy costs a fifth of a step, and what overflows all those since.
+/// After how many steps the state is copied anew: a copy takes time, and an overflow all steps since once more.
 constexpr uint32_t STEPS_KEPT = 16;
 /// What there was no room for.
 constexpr uint32_t OVERFLOWS = PROBLEM_CONTACTS | PROBLEM_PAIRS | PROBLEM_FLUID;

@@ -206,8 +206,8 @@ TEST(JointLimit, AFreeFigureAtItsLimitsKeepsItsAngularMomentum)
         const auto bodies = solver.readBodies();
         for (const uint32_t end : {0u, 2u}) {
             const Quaternionf turn = bodies[1].rotation.conjugate() * bodies[end].rotation;
-            // At 4 rad/s it is thrown back a little: measured 0.2.
-            EXPECT_NEAR(std::abs(2 * std::atan2(turn.z(), turn.w())) / DEGREE, 20, 1.0) << end;
+            // At 4 rad/s it is thrown back a little: measured 0.2, else 0.013.
+            EXPECT_NEAR(std::abs(2 * std::atan2(turn.z(), turn.w())) / DEGREE, 20, spin < 5.0f ? 1.0 : 0.1) << end;
         }
         const Totals last = totals(world, solver.readParticles());
         EXPECT_LT((last.angularMomentum - first.angularMomentum).norm(), 0.02 * first.angularMomentum.norm()) << spin;

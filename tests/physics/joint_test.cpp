@@ -17,6 +17,23 @@ Eigen::Vector3d turnBetween(const std::vector<BodyState>& bodies)
     return vector.cast<double>() / DEGREE;
 }
 
+struct Energy {
+    double least = INFINITY, rise = 0.0;  ///< The rise over the least so far [J].
+};
+
+/// Looked at every tenth of a second, so many times.
+Energy watchEnergy(Solver& solver, const World& world, int times)
+{
+    Energy seen;
+    for (int i = 0; i < times; ++i) {
+        const double now = energyOf(world, solver.readParticles());
+        seen.least = std::min(seen.least, now);
+        seen.rise = std::max(seen.rise, now - seen.least);
+        run(solver, world, 0.1);
+    }
+    return seen;
+}
+
 TEST(Joint, AStiffCantileverStaysStraightUnderItsWeight)
 {
     const World world = jointedPair(JointType::Stiff, {}, {}, {0, 0, 0}, {0, 0, 0}, true);
@@ -145,13 +162,7 @@ TEST(Joint, ThinLimbsGetNoEnergy)
         builder.endObject({Vector3f(0, 1.6f, 0), Quaternionf(Eigen::AngleAxisf(turn, axis))}, {0, 0, 0}, 2.0f * axis);
         const World world = builder.build();
         Solver solver(gpu(), world);
-        double least = INFINITY, rise = 0.0;
-        for (int i = 0; i < 30; ++i) {
-            const double now = energyOf(world, solver.readParticles());
-            least = std::min(least, now);
-            rise = std::max(rise, now - least);
-            run(solver, world, 0.1);
-        }
+        const double rise = watchEnergy(solver, world, 30).rise;
         double mass = 0.0;
         for (const Particle& p : world.particles) mass += p.mass;
         // What a blow makes sink in is pushed out again.
@@ -192,16 +203,10 @@ TEST(Joint, AHingeDrivesNothing)
         const World world = figureWithElbows(spin);
         Solver solver(gpu(), world);
         run(solver, world, 0.1);
-        double least = INFINITY, rise = 0.0;
         const Eigen::Vector3d start = totals(world, solver.readParticles()).angularMomentum;
-        for (int i = 0; i < 40; ++i) {
-            const double now = energyOf(world, solver.readParticles());
-            least = std::min(least, now);
-            rise = std::max(rise, now - least);
-            run(solver, world, 0.1);
-        }
+        const Energy energy = watchEnergy(solver, world, 40);
         const Eigen::Vector3d end = totals(world, solver.readParticles()).angularMomentum;
-        EXPECT_LT(rise, 0.002 * least) << spin.transpose();                        // measured 1e-3
+        EXPECT_LT(energy.rise, 0.002 * energy.least) << spin.transpose();          // measured 1e-3
         EXPECT_LT((end - start).norm(), 0.02 * start.norm()) << spin.transpose();  // measured 5e-3
     }
 }

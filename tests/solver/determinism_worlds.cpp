@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/commands/table2_world.h"
 #include "sim/actor/mesh/distance_grid.h"
 #include "tests/pair_fixture.h"
 #include "tests/solver/solver_test.h"
@@ -207,6 +208,20 @@ World everyWorld(GridKind grid)
     addTowers(builder, {-3.5f, -0.4f, 0});
     addGrids(builder, {0, 0, 0});
     return builder.build();
+}
+
+std::vector<Matter> matters()
+{
+    return {{"Pairs", [] { return table2World(40, {}); }},
+            {"Paper", [] { return table2World(20, paperSettings()); }},
+            {"Soft", softWorld},
+            {"Ropes", ropeWorld},
+            {"Fluids", fluidWorld},
+            {"Emitters", emitterWorld},
+            {"Bounces", bouncyWorld},
+            {"Freeze", [] { return sleepyWorld(0.5f); }},
+            {"Held", heldWorld},
+            {"Everything", [] { return everyWorld(GridKind::Lattice); }}};
 }
 
 }  // namespace knuckle::test

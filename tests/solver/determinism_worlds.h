@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "sim/world/world.h"
 
 namespace knuckle::test {
@@ -17,5 +20,13 @@ World sleepyWorld(float freeze);  ///< Towers that sleep, or freeze, until somet
 World roundWorld();               ///< Balls and capsules.
 World gridWorld();                ///< A mesh and a heightfield, and what falls on them.
 World everyWorld(GridKind grid);  ///< All of that together.
+
+/// One kind of matter by its name.
+struct Matter {
+    std::string name;
+    World (*world)();
+};
+/// All kinds, and pairs of the bench by both solvers.
+std::vector<Matter> matters();
 
 }  // namespace knuckle::test

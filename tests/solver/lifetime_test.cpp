@@ -14,35 +14,6 @@ namespace {
 
 constexpr int STEPS = 45, MORE = 15;  // towers sleep at the end of the first, and are woken in the second
 
-World frozenTowers()
-{
-    return sleepyWorld(0.5f);
-}
-
-World everything()
-{
-    return everyWorld(GridKind::Lattice);
-}
-
-World pairs()
-{
-    return table2World(20, {});
-}
-
-World pairsByThePaper()
-{
-    return table2World(20, paperSettings());
-}
-
-struct Matter {
-    const char* name;
-    World (*world)();
-};
-
-constexpr Matter MATTERS[] = {{"Pairs", pairs},         {"Paper", pairsByThePaper}, {"Soft", softWorld},
-                              {"Ropes", ropeWorld},     {"Fluids", fluidWorld},     {"Emitters", emitterWorld},
-                              {"Freeze", frozenTowers}, {"Held", heldWorld},        {"Everything", everything}};
-
 /// A world's solver, stage by stage.
 class Running {
 public:
@@ -142,12 +113,12 @@ TEST_P(LifetimeOf, StagesUploadInAnyOrder)
 
 TEST(Lifetime, AStateOfAnotherWorldIsRefused)
 {
-    const World one = pairs(), two = table2World(21, {});
+    const World one = table2World(20, {}), two = table2World(21, {});
     Stages stages(gpu(), one), others(gpu(), two);
     EXPECT_THROW(others.load(stages.save()), std::logic_error);
 }
 
-INSTANTIATE_TEST_SUITE_P(Matters, LifetimeOf, testing::ValuesIn(MATTERS),
+INSTANTIATE_TEST_SUITE_P(Matters, LifetimeOf, testing::ValuesIn(matters()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace knuckle::test

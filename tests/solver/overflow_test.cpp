@@ -1,4 +1,3 @@
-#include "app/commands/table2_world.h"
 #include "sim/solver/solver.h"
 #include "tests/solver/determinism_worlds.h"
 #include "tests/solver/solver_test.h"
@@ -8,26 +7,6 @@ namespace knuckle::test {
 namespace {
 
 constexpr ListRoom LEAST{1, 1, 4}, PLENTY{160, 60'000, 400};
-
-World pairs()
-{
-    return table2World(40, {});
-}
-
-World pairsByThePaper()
-{
-    return table2World(20, paperSettings());
-}
-
-World everything()
-{
-    return everyWorld(GridKind::Lattice);
-}
-
-struct Matter {
-    const char* name;
-    World (*world)();
-};
 
 class Overflow : public testing::TestWithParam<Matter> {
 protected:
@@ -54,11 +33,7 @@ TEST_P(Overflow, LosesNothing)
     EXPECT_EQ(hashOf(world, {}, 3), wanted) << "with the room by default";
 }
 
-INSTANTIATE_TEST_SUITE_P(Worlds, Overflow,
-                         testing::Values(Matter{"Pairs", pairs}, Matter{"Paper", pairsByThePaper},
-                                         Matter{"Soft", softWorld}, Matter{"Cloth", ropeWorld},
-                                         Matter{"Fluids", fluidWorld}, Matter{"Bounces", bouncyWorld},
-                                         Matter{"Everything", everything}),
+INSTANTIATE_TEST_SUITE_P(Matters, Overflow, testing::ValuesIn(matters()),
                          [](const auto& tested) { return tested.param.name; });
 
 }  // namespace

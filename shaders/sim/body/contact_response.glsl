@@ -1,6 +1,7 @@
 // What contacts add to a mover, and over how many impulses its mass is split for them (Tonge et al. 2012, mass
 // splitting). WARM_START: after the contacts were found anew, with their old impulses alone, as at the start of a
 // substep.
+#include "shared/contact_constants.h"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/mass_scaling.glsl"

@@ -1,4 +1,5 @@
 // One contact as an accumulated impulse, in units of mass times displacement [kg m].
+#include "shared/contact_constants.h"
 #include "sim/common/contacts/contacts.glsl"
 
 /// What a contact is made of.

@@ -1,6 +1,6 @@
 // One thread a tree of joints: the impulses with which all its joints hold, at once, and where they bring its bodies: a
 // Newton step of their positions (Deul et al. 2018). LOOPS: of a world where joints close loops; joint_loop_solve then
-// moves the bodies. LIMITS: where joints are limited. FIRST: of a substep.
+// moves the bodies. LIMITS: where joints are limited. FIRST: of a substep. TURNS: where trees may be eliminated again.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_error.glsl"
@@ -11,7 +11,9 @@
 #include "sim/joint/joint_sweeps.glsl"
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
+#ifdef TURNS
 BUFFER(float, TreeTurns, treeTurns);
+#endif
 
 /// The torque that a hinge remembers has turned about the hinge itself since its body turned: it would drive the joint.
 /// @returns what takes that back.
@@ -67,5 +69,7 @@ void main()
         moveBody(fetchJoint(k).body, answer.motion);
 #endif
     }
+#ifdef TURNS
     treeTurns[index] = turn;
+#endif
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "shared/contact_constants.h"
 #include "shared/joint_records.h"
 #include "sim/solver/layout/body_mass.h"
 #include "sim/solver/layout/cluster_links.h"

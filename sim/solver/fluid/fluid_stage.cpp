@@ -33,6 +33,9 @@ void FluidStage::upload(const StageSetup& setup)
     const Settings& settings = setup.world.settings;
     setup.parameters.vorticity = settings.vorticity * settings.timeStep;
     setFluidParameters(setup.parameters, setup.world);
+    const size_t cells = parameters_.fluidCellMask + 1;
+    fluidCellCounts = {"fluidCellCounts", cells};
+    fluidCellSums = scanSums("fluidCellSums", cells);
     std::vector<gpu::vec4> materials;
     for (const Material& m : setup.world.materials)
         materials.push_back({smoothing(parameters_, m, settings.timeStep), tension(parameters_, m), 0, 0});
@@ -52,10 +55,6 @@ void FluidStage::makeLists(const Gpu& gpu)
             gpu.device().name, p.fluidCount, p.fluidSlots, largest >> 20, gpu.limits().storageBlockSize >> 20));
     fluidSearchPositions = {"fluidSearchPositions", count};
     fluidParticleCells = {"fluidParticleCells", count};
-    if (fluidCellCounts.size() == 0) {
-        fluidCellCounts = {"fluidCellCounts", cells};
-        fluidCellSums = scanSums("fluidCellSums", cells);
-    }
     fluidCellStarts = {"fluidCellStarts", cells + WRAPPED_CELLS + 1};
     fluidCellMembers = {"fluidCellMembers", count};
     fluidSorted = {"fluidSorted", (2 * count + 3) / 4 * 4};

@@ -47,6 +47,14 @@ Defines loopVariant(const StageSetup& setup)
     return definesOf({{"ANGULAR", setup.rows.hasAngular()}, {"LIMITS", limits(setup.world)}});
 }
 
+Defines solveVariant(const StageSetup& setup, bool loops, bool again)
+{
+    Defines variant = definesOf({{"LOOPS", loops}, {"TURNS", again}});
+    const Defines common = loopVariant(setup);
+    variant.insert(variant.end(), common.begin(), common.end());
+    return variant;
+}
+
 Defines factorVariant(const StageSetup& setup)
 {
     return definesOf({{"RESPONSES", !setup.world.strands.empty()}, {"LIMITS", limits(setup.world)}});
@@ -78,7 +86,7 @@ JointStage::JointStage(const StageSetup& setup)
       shared_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.sharedParticles.empty()),
       hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()), hasLimits_(needed_ && limits(setup.world)),
       tears_(needed_ && tears(setup.world)), again_(needed_ && (hasLimits_ || hasLongTree(setup.layout.jointTrees))),
-      variant_(hasLoops_ ? with(loopVariant(setup), "LOOPS") : loopVariant(setup)), loopVariant_(loopVariant(setup)),
+      variant_(solveVariant(setup, hasLoops_, again_)), loopVariant_(loopVariant(setup)),
       factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")),
       rowVariant_(definesOf({{"ANGULAR", setup.rows.hasAngular()}}))
 {

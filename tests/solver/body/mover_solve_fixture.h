@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "shared/contact_constants.h"
 #include "tests/solver/contact/contact_fixture.h"
 
 namespace knuckle::test {

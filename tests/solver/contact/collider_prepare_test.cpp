@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "shared/contact_constants.h"
 #include "sim/solver/measure/measure.h"
 #include "tests/solver/contact/collider_world.h"
 #include "tests/solver/search/search_test.h"

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "shared/contact_constants.h"
 #include "tests/solver/contact/parting_fixture.h"
 
 namespace knuckle::test {

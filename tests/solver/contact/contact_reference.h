@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "shared/contact_constants.h"
 #include "tests/solver/solver_test.h"
 
 namespace knuckle::test {

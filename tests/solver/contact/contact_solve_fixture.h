@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/contact_constants.h"
 #include "tests/solver/contact/contact_fixture.h"
 #include "tests/solver/contact/contact_reference.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/contact_constants.h"
 #include "sim/solver/layout/body_mass.h"
 
 namespace knuckle::test {

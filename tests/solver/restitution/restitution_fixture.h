@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "shared/contact_constants.h"
 #include "tests/solver/contact/contact_fixture.h"
 
 namespace knuckle::test {

@@ -1,4 +1,5 @@
 #include "tests/solver/sleep/sleep_fixture.h"
+#include "shared/contact_constants.h"
 
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // What of a particle touches a collider: its ball, the corner of its box, or of a ball or capsule the ball about a
 // point of its centre line.
+#include "shared/contact_constants.h"
 #include "sim/common/contacts/colliders.glsl"
 #include "sim/common/contacts/contact_point.glsl"
 

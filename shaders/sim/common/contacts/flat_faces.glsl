@@ -2,6 +2,7 @@
 // distance of another particle counts from the line or the plane through the lattice, so that nothing is caught by its
 // bumps. The axes along which the lattice goes on are the hidden axes. They are found with the pair, three bits for
 // each side; a contact's direction has no part along them.
+#include "shared/contact_constants.h"
 #include "math/quaternion.glsl"
 #include "sim/common/contacts/one_sided.glsl"
 

@@ -1,4 +1,5 @@
 // Impulses of contacts, as their buffers hold them.
+#include "shared/contact_constants.h"
 
 /// An accumulated impulse on the first side of a contact. Of restitution: what the last iteration added.
 struct Impulse {

@@ -3,6 +3,7 @@
 // between the particles of its lattice. Which particle of a pair decides is settled when the pair is found
 // (sim/contact/exit_direction.glsl); the direction, turned as the body was then, is packed into the upper bits of the
 // pair's movers.
+#include "shared/contact_constants.h"
 #include "math/octahedron.glsl"
 
 #define MOVER_MASK 0x7fffffu
