@@ -1,5 +1,7 @@
 #include "tests/physics/chain_fixture.h"
 
+#include <algorithm>
+
 #include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {
@@ -14,7 +16,8 @@ void addChain(WorldBuilder& builder, const ChainSpec& spec)
         std::vector<Vector3f> places = boxLattice({3, 3, 3}, DIAMETER);
         for (Vector3f& p : places) p += PITCH * static_cast<float>(b) * Vector3f::UnitX();
         const bool last = b + 1 == spec.bodies, fixed = b == 0 || (last && spec.bothEnds);
-        builder.addBody("link" + std::to_string(b), places, last ? material : 0,
+        const bool isHeavy = last || std::ranges::find(spec.alsoHeavy, b) != spec.alsoHeavy.end();
+        builder.addBody("link" + std::to_string(b), places, isHeavy ? material : 0,
                         fixed ? Motion::Fixed : Motion::Dynamic);
     }
     for (uint32_t b = 0; b + 1 < spec.bodies; ++b) {

@@ -83,9 +83,8 @@ class SwungChain : public testing::TestWithParam<Swing> {};
 
 /// Down, up on the other side, where it goes slack, and back: joints stay shut in every frame, no energy comes from
 /// nowhere.
-TEST_P(SwungChain, StaysShutWithAnyLoad)
+void expectShutSwing(const ChainSpec& spec)
 {
-    const ChainSpec spec{.bodies = 6, .type = GetParam().type, .load = GetParam().load, .along = {1, 0, 0}};
     const World world = chain(spec);
     Solver solver(gpu(), world);
     const double start = energyOf(world, solver.readParticles());
@@ -102,6 +101,20 @@ TEST_P(SwungChain, StaysShutWithAnyLoad)
     EXPECT_LT(highest, 1e-5 * scale);
 }
 
+TEST_P(SwungChain, StaysShutWithAnyLoad)
+{
+    expectShutSwing({.bodies = 6, .type = GetParam().type, .load = GetParam().load, .along = {1, 0, 0}});
+}
+
+/// Another one in the middle, and light bodies between both.
+class TwiceLoadedChain : public SwungChain {};
+
+TEST_P(TwiceLoadedChain, StaysShut)
+{
+    expectShutSwing(
+        {.bodies = 7, .type = GetParam().type, .load = GetParam().load, .along = {1, 0, 0}, .alsoHeavy = {3}});
+}
+
 std::string nameOf(const Swing& swing)
 {
     constexpr const char* NAMES[] = {"Ball", "Hinge", "Stiff", "Universal"};
@@ -116,6 +129,13 @@ INSTANTIATE_TEST_SUITE_P(Loads, SwungChain,
                                          Swing{JointType::Universal, 100}, Swing{JointType::Universal, 1000},
                                          Swing{JointType::Universal, 50'000}, Swing{JointType::Stiff, 1000},
                                          Swing{JointType::Stiff, 50'000}),
+                         [](const auto& tested) { return nameOf(tested.param); });
+
+INSTANTIATE_TEST_SUITE_P(Loads, TwiceLoadedChain,
+                         testing::Values(Swing{JointType::Ball, 100}, Swing{JointType::Ball, 1000},
+                                         Swing{JointType::Hinge, 100}, Swing{JointType::Hinge, 1000},
+                                         Swing{JointType::Universal, 100}, Swing{JointType::Universal, 1000},
+                                         Swing{JointType::Stiff, 1000}),
                          [](const auto& tested) { return nameOf(tested.param); });
 
 TEST(JointLoad, ABeamOfStiffJointsDoesNotDroop)
