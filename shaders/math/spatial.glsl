@@ -13,6 +13,16 @@ struct Force {
     vec3 r;   // [kg m2]
 };
 
+Motion scaled(Motion m, float s)
+{
+    return Motion(s * m.t, s * m.r);
+}
+
+Force scaled(Force f, float s)
+{
+    return Force(s * f.t, s * f.r);
+}
+
 /// What gives the force that a motion takes: [a, b^T; b, d], a and d symmetric.
 struct Inertia {
     mat3 a;   // [kg]

@@ -133,9 +133,10 @@ INSTANTIATE_TEST_SUITE_P(Loads, SwungChain,
 
 INSTANTIATE_TEST_SUITE_P(Loads, TwiceLoadedChain,
                          testing::Values(Swing{JointType::Ball, 100}, Swing{JointType::Ball, 1000},
-                                         Swing{JointType::Hinge, 100}, Swing{JointType::Hinge, 1000},
+                                         Swing{JointType::Ball, 50'000}, Swing{JointType::Hinge, 100},
+                                         Swing{JointType::Hinge, 1000}, Swing{JointType::Hinge, 50'000},
                                          Swing{JointType::Universal, 100}, Swing{JointType::Universal, 1000},
-                                         Swing{JointType::Stiff, 1000}),
+                                         Swing{JointType::Universal, 50'000}, Swing{JointType::Stiff, 1000}),
                          [](const auto& tested) { return nameOf(tested.param); });
 
 TEST(JointLoad, ABeamOfStiffJointsDoesNotDroop)

@@ -17,6 +17,10 @@ BUFFER(vec4, JointFactors, jointFactors);
 BUFFER(vec4, RootFactors, rootFactors);
 BUFFER(vec4, JointPassed, jointPassed);
 #include "sim/joint/joint_passed.glsl"
+#ifdef AGAIN
+#include "sim/joint/joint_damping.glsl"
+#include "sim/joint/joint_sweep_records.glsl"
+#endif
 
 /// What hangs on a body that does not respond is held by it.
 void factor(uint k)
@@ -26,6 +30,9 @@ void factor(uint k)
     bool free = responds(joint.body);
     Inertia m = Inertia(mat3(1.0 / fetchMover(joint.body).inverseMass), mat3(0), fetchBodyLoad(joint.body).hessian);
     for (uint child = joint.firstChild; child < joint.childEnd; ++child) m = add(m, loadPassed(child));
+#ifdef AGAIN
+    if (free) m.d += mat3(turnDamping(k, m.a, length(loadMotion(k, SWEEP_MOTION).r)));
+#endif
     Inertia passed = Inertia(mat3(0), mat3(0), mat3(0));
     if (free && freedom == JOINT_NONE) {
         FactoredInertia root = factored(m);
@@ -57,7 +64,7 @@ uniform samplerBuffer treeTurns;
 /// 10,000 : 1 it diverges): Newton's method has to be linearized anew.
 bool hasTurned(uint tree)
 {
-    const float MOST_TURN = 0.02;   // [rad]
+    const float MOST_TURN = 0.005;   // [rad]
     return texelFetch(treeTurns, int(tree)).x > MOST_TURN * MOST_TURN;
 }
 #endif

@@ -4,6 +4,7 @@
 #include "sim/common/kernel.glsl"
 #include "sim/joint/joint_error.glsl"
 #include "sim/joint/joint_rows.glsl"
+#include "sim/joint/joint_sweeps.glsl"
 #ifdef LIMITS
 #include "sim/joint/joint_stop_solve.glsl"
 #endif
@@ -42,6 +43,9 @@ void closeLoop(JointTree tree, uint loop)
     passLoopForce(tree, loop, factor.arm, factor.parentArm, Force(pull.t, pull.r));
     for (uint k = tree.first; k < tree.end; ++k) {
         Answer answer = follow(k);
+#ifdef LIMITS
+        answer.held.r += stopTorqueOf(k, 1.0);
+#endif
         pushBoth(k, answer.held);
         addMotion(k, SWEEP_TOTAL, answer.motion);
     }

@@ -5,14 +5,14 @@
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_error.glsl"
 #include "sim/joint/joint_rows.glsl"
+#include "sim/joint/joint_sweeps.glsl"
 #ifdef LIMITS
 #include "sim/joint/joint_stop_solve.glsl"
 #endif
-#include "sim/joint/joint_sweeps.glsl"
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
 #ifdef TURNS
-BUFFER(float, TreeTurns, treeTurns);
+#include "sim/joint/joint_step.glsl"
 #endif
 
 /// The torque that a hinge remembers has turned about the hinge itself since its body turned: it would drive the joint.
@@ -50,6 +50,23 @@ void ask(uint k)
     passForce(k, Force(load.force, load.torque), error, stop);
 }
 
+/// Takes a part of a body's answer. @param answered the whole force.
+void take(uint k, Force answered, float part)
+{
+    Force held = scaled(answered, part);
+    held.r += strayTorque(k);
+    Motion motion = scaled(loadMotion(k, SWEEP_MOTION), part);
+#ifdef LIMITS
+    held.r += stopTorqueOf(k, part);
+#endif
+    pushBoth(k, held);
+#ifdef LOOPS
+    storeMotion(k, SWEEP_TOTAL, motion);
+#else
+    moveBody(fetchJoint(k).body, motion);
+#endif
+}
+
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
@@ -57,19 +74,10 @@ void main()
     JointTree tree = fetchJointTree(index);
     if (treeRests(tree)) return;
     for (uint k = tree.end; k-- > tree.first;) ask(k);
-    float turn = 0.0;
-    for (uint k = tree.first; k < tree.end; ++k) {
-        vec3 stray = strayTorque(k);
-        Answer answer = follow(k);
-        pushBoth(k, Force(answer.held.t, answer.held.r + stray));
-        turn = max(turn, dot(answer.motion.r, answer.motion.r));
-#ifdef LOOPS
-        storeMotion(k, SWEEP_TOTAL, answer.motion);
-#else
-        moveBody(fetchJoint(k).body, answer.motion);
-#endif
-    }
 #ifdef TURNS
-    treeTurns[index] = turn;
+    float part = answered(index, tree);
+    for (uint k = tree.first; k < tree.end; ++k) take(k, loadPassedForce(k), part);
+#else
+    for (uint k = tree.first; k < tree.end; ++k) take(k, follow(k).held, 1.0);
 #endif
 }

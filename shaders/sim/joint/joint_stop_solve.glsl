@@ -1,5 +1,6 @@
 // What stops do while the joints of a tree are solved.
 #include "sim/joint/joint_stops.glsl"
+#include "sim/joint/joint_sweeps.glsl"
 
 /// Stores what a joint's stops hold. @returns how their torque changes by it.
 vec3 torqueChange(uint k, JointStop s)
@@ -28,11 +29,17 @@ vec3 stopTorque(uint k)
     return torqueChange(k, s);
 }
 
-/// The torque that they add as the joint turns by as much.
-vec3 stopTorqueOf(uint k, vec3 turn)
+/// The torque that they add as the joint turns by a part of what this sweep has given to its bodies.
+vec3 stopTorqueOf(uint k, float part)
 {
     if (!isLimited(fetchJointLimits(k))) return vec3(0);
+    uint parent = fetchJoint(k).parentJoint, freedom = fetchFreedom(k);
+    vec3 turn = loadMotion(k, SWEEP_MOTION).r;
+    if (parent != NONE) turn -= loadMotion(parent, SWEEP_MOTION).r;
     JointStop s = loadStop(k);
-    for (int i = 0; i < 2; ++i) s.held[i] += s.hardness[i] * dot(s.axes[i], turn);
-    return torqueChange(k, s);
+    for (int i = 0; i < 2; ++i) s.held[i] += s.hardness[i] * part * dot(s.axes[i], turn);
+    vec3 change = torqueChange(k, s);
+    if (freedom == JOINT_BALL) return change;
+    vec3 axis = fetchJointFactor(k).axis;
+    return freedom == JOINT_HINGE ? axis * dot(axis, change) : vec3(0);
 }

@@ -68,7 +68,7 @@ void passForce(uint k, Force own, Motion error, vec3 stop)
     storeAsked(k, Asked(own, error));
 }
 
-/// The force at a joint and the motion of its body, whose parent has moved already.
+/// The force at a joint, but for that of its limits, and the motion of its body, whose parent has moved already.
 Answer follow(uint k)
 {
     JointInfo joint = fetchJoint(k);
@@ -83,12 +83,8 @@ Answer follow(uint k)
         if (joint.parentJoint != NONE) given = shifted(loadMotion(joint.parentJoint, SWEEP_MOTION), factor.parentArm);
         given = Motion(given.t - asked.error.t, given.r - asked.error.r);
         answer = answerTo(factor, freedom, given, asked.force);
-        vec3 stopped = vec3(0);
-#ifdef LIMITS
-        stopped = stopTorqueOf(k, answer.motion.r - given.r);
-#endif
-        if (freedom == JOINT_BALL) answer.held.r = stopped;
-        if (freedom == JOINT_HINGE) answer.held.r += factor.axis * dot(factor.axis, stopped - answer.held.r);
+        if (freedom == JOINT_BALL) answer.held.r = vec3(0);
+        if (freedom == JOINT_HINGE) answer.held.r -= factor.axis * dot(factor.axis, answer.held.r);
         answer.motion = shifted(answer.motion, -factor.arm);
     }
     storeMotion(k, SWEEP_MOTION, answer.motion);

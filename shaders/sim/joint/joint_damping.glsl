@@ -1,0 +1,23 @@
+// What keeps Newton's method for trees of joints on its way where light bodies carry heavy ones: these turn far for a
+// small error, past where it is linear, and further answers only turn them to and fro.
+#include "sim/common/bodies/movers.glsl"
+#include "sim/joint/joint_info.glsl"
+
+/// What a body carries as if it moved alone. @param carried the mass of it and of all that hangs on it. @returns what
+/// is beyond a hundred times its own [kg].
+float loadOn(uint k, mat3 carried)
+{
+    const float LIGHT = 100.0;
+    float mass = (carried[0][0] + carried[1][1] + carried[2][2]) / 3.0;
+    return max(0.0, mass - LIGHT / fetchMover(fetchJoint(k).body).inverseMass);
+}
+
+/// Levenberg and Marquardt's damping (Nocedal and Wright 2006, 10.3): such a body resists its next turn by a part of
+/// its load, which so takes more of the error. Where answers converge turns vanish, and with them this: it changes how
+/// a solution is found, not what it is. @param turn the last one [rad]. @returns what to add to its inertia [kg m2].
+float turnDamping(uint k, mat3 carried, float turn)
+{
+    const float STRENGTH = 5.0, MOST = 0.1;   // per radian
+    vec3 arm = fetchJointPlace(k, 0u).arm;
+    return min(MOST, STRENGTH * turn) * loadOn(k, carried) * dot(arm, arm);
+}
