@@ -17,7 +17,7 @@ float loadOn(uint k, mat3 carried)
 /// a solution is found, not what it is. @param turn the last one [rad]. @returns what to add to its inertia [kg m2].
 float turnDamping(uint k, mat3 carried, float turn)
 {
-    const float STRENGTH = 5.0, MOST = 0.1;   // per radian
+    const float PER_RADIAN = 5.0, MOST = 0.1;   // parts of the load
     vec3 arm = fetchJointPlace(k, 0u).arm;
-    return min(MOST, STRENGTH * turn) * loadOn(k, carried) * dot(arm, arm);
+    return min(MOST, PER_RADIAN * turn) * loadOn(k, carried) * dot(arm, arm);
 }

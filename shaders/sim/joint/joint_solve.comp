@@ -1,6 +1,7 @@
 // One thread a tree of joints: the impulses with which all its joints hold, at once, and where they bring its bodies: a
 // Newton step of their positions (Deul et al. 2018). LOOPS: of a world where joints close loops; joint_loop_solve then
-// moves the bodies. LIMITS: where joints are limited. FIRST: of a substep. TURNS: where trees may be eliminated again.
+// moves the bodies. LIMITS: where joints are limited. FIRST: of a substep. TURNS: where trees may be eliminated again,
+// and may take only a part of their answer.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_error.glsl"
@@ -50,12 +51,12 @@ void ask(uint k)
     passForce(k, Force(load.force, load.torque), error, stop);
 }
 
-/// Takes a part of a body's answer. @param answered the whole force.
-void take(uint k, Force answered, float part)
+/// @param part of the answer that the tree takes.
+void take(uint k, Answer answer, float part)
 {
-    Force held = scaled(answered, part);
+    Force held = scaled(answer.held, part);
+    Motion motion = scaled(answer.motion, part);
     held.r += strayTorque(k);
-    Motion motion = scaled(loadMotion(k, SWEEP_MOTION), part);
 #ifdef LIMITS
     held.r += stopTorqueOf(k, part);
 #endif
@@ -75,9 +76,9 @@ void main()
     if (treeRests(tree)) return;
     for (uint k = tree.end; k-- > tree.first;) ask(k);
 #ifdef TURNS
-    float part = answered(index, tree);
-    for (uint k = tree.first; k < tree.end; ++k) take(k, loadPassedForce(k), part);
+    float part = partToTake(index, tree);
+    for (uint k = tree.first; k < tree.end; ++k) take(k, loadAnswer(k), part);
 #else
-    for (uint k = tree.first; k < tree.end; ++k) take(k, follow(k).held, 1.0);
+    for (uint k = tree.first; k < tree.end; ++k) take(k, follow(k), 1.0);
 #endif
 }

@@ -4,21 +4,31 @@
 
 BUFFER(float, TreeTurns, treeTurns);
 
-/// A tree takes of its answer no more than what turns bodies that carry far more than themselves by this [rad].
-const float MOST_TURN = 0.08;
-
-/// @returns the part of its answer that a tree takes.
-float answered(uint index, JointTree tree)
+/// What was passed to the parent has been made use of when the parent answers: the force at the joint takes its place.
+void storeAnswer(uint k, Answer answer)
 {
+    storePassedForce(k, answer.held);
+}
+
+Answer loadAnswer(uint k)
+{
+    return Answer(loadMotion(k, SWEEP_MOTION), loadPassedForce(k));
+}
+
+/// Stores the answers of all bodies of a tree, and how far it turns. @returns the part of them that it takes, so that
+/// no body that carries far more than itself turns further than it may.
+float partToTake(uint index, JointTree tree)
+{
+    const float MOST_LOADED_TURN = 0.08;   // [rad]
     float turn = 0.0, loaded = 1e-12;
     for (uint k = tree.first; k < tree.end; ++k) {
         Answer answer = follow(k);
-        storePassedForce(k, answer.held);
+        storeAnswer(k, answer);
         float squared = dot(answer.motion.r, answer.motion.r);
         turn = max(turn, squared);
         bool carries = fetchFreedom(k) != JOINT_NONE && loadOn(k, fetchJointFactor(k).inertia.a) > 0.0;
-        if (carries && responds(fetchJoint(k).body)) loaded = max(loaded, squared);
+        if (carries) loaded = max(loaded, squared);
     }
     treeTurns[index] = turn;
-    return min(1.0, MOST_TURN * inversesqrt(loaded));
+    return min(1.0, MOST_LOADED_TURN * inversesqrt(loaded));
 }
