@@ -68,4 +68,11 @@ std::string actorTable(const Actor& actor)
     return text;
 }
 
+std::string clipTable(const Model& model)
+{
+    std::string text;
+    for (const Clip& clip : model.clips) text += fmt::format("clip: {}, {:.2f} s\n", clip.name, clip.duration);
+    return text;
+}
+
 }  // namespace knuckle

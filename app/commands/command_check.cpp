@@ -18,6 +18,7 @@ int check(const std::vector<std::string>& paths, const std::vector<Override>& ov
         try {
             const Scene scene = loadScene(path, overrides);
             if (quiet) continue;
+            for (const std::string& note : scene.notes) fmt::print("{}: note: {}\n", path, note);
             const World& world = scene.world;
             fmt::print("{}: {}, {}, {}, {}, {:g} s ({})\n", path, counted(world.particles.size(), "particle"),
                        counted(world.bodies.size(), "body", "bodies"), counted(jointCount(world), "joint"),

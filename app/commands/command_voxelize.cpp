@@ -56,13 +56,13 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     }
     ImportOptions import;
     import.scale = options.scale;
-    import.clips = false;
     ActorOptions actorOptions;
     actorOptions.voxels.diameter = static_cast<float>(options.diameter);
     actorOptions.voxels.particleCount = options.particles;
     if (!options.joints.empty()) readJoints(options.joints, actorOptions.articulation);
-    const Actor actor = makeActor(importModel(options.model, import), actorOptions);
-    if (!common.quiet) fmt::print("{}", actorTable(actor));
+    const Model model = importModel(options.model, import);
+    const Actor actor = makeActor(model, actorOptions);
+    if (!common.quiet) fmt::print("{}{}", actorTable(actor), clipTable(model));
     if (!options.output.empty()) writeActor(options.output, actor);
     if (!options.preview.empty()) writePreview(options.preview, actor, common);
     return EXIT_FINE;
@@ -76,7 +76,8 @@ void addVoxelizeCommand(CommandLine line)
     command->fallthrough();
     command->footer(
         "Reads glTF, FBX, Collada, BVH and what else assimp knows. Prints a table of the bodies, their particles and\n"
-        "joints, and what was merged and why. Without --diameter or --particles, 3 % of the longest side.\n\n"
+        "joints, what was merged and why, and the clips that a scene can play. Without --diameter or --particles, 3 % "
+        "of the longest side.\n\n"
         "Examples:\n"
         "  knuckle voxelize model.glb                               print the table only\n"
         "  knuckle voxelize model.glb -o actor.json --particles 3000 --preview actor.png\n"

@@ -3,9 +3,14 @@
 #include <cmath>
 #include <filesystem>
 
+#include <algorithm>
+
 #include "app/files/actor_file.h"
 #include "app/files/joints_file.h"
+#include "app/json/fields.h"
+#include "app/json/joint_limits.h"
 #include "app/scene/scene_file.h"
+#include "app/scene/scene_fill.h"
 #include "app/scene/scene_parts.h"
 #include "app/scene/scene_ropes.h"
 #include "sim/actor/bodies/articulate.h"
@@ -58,6 +63,26 @@ Actor voxelizeModel(SceneContext& context, const Json& object, const std::string
     return makeActor(model, options);
 }
 
+/// Indices of the bodies of an actor that the scene holds.
+std::vector<uint32_t> heldBodies(const ObjectEntry& entry, const Actor& actor)
+{
+    std::vector<uint32_t> held;
+    if (entry.json["fixed"].get<bool>())
+        for (uint32_t b = 0; b < actor.bodies.size(); ++b) held.push_back(b);
+    std::vector<std::string> names;
+    for (const ActorBody& body : actor.bodies) names.push_back(body.name);
+    const Json& wanted = entry.json["hold"];
+    for (size_t i = 0; i < wanted.size(); ++i) {
+        const auto found = std::ranges::find(names, wanted[i].get<std::string>());
+        if (found == names.end())
+            entry.fail(
+                fmt::format("/hold/{}", i),
+                fmt::format("there is no body \"{}\"; {}", wanted[i].get<std::string>(), suggestion(wanted[i], names)));
+        held.push_back(static_cast<uint32_t>(found - names.begin()));
+    }
+    return held;
+}
+
 }  // namespace
 
 std::string existingFile(const SceneContext& context, const std::string& file, const std::string& pointer)
@@ -85,6 +110,29 @@ const Actor& findActor(SceneContext& context, const Json& object, const std::str
     Actor actor = actorFile ? loadActor(context, object, file, pointer)
                             : voxelizeModel(context, object, file, diameter);
     return context.actors.emplace(key, std::move(actor)).first->second;
+}
+
+void addActors(const ObjectEntry& entry)
+{
+    Actor actor = findActor(entry.context, entry.json, entry.pointer);
+    limitParticles(entry.context, entry.json, entry.pointer, static_cast<double>(actor.particles.size()));
+    const JointStrength strength = readStrength(entry.json);
+    for (ActorJoint& joint : actor.joints)
+        if (!joint.strength.tears()) joint.strength = strength;
+    const std::vector<uint32_t> held = heldBodies(entry, actor);
+    const std::string name = actor.name;
+    std::vector<uint32_t> objects;
+    WorldBuilder& builder = entry.context.builder;
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
+        actor.name = entry.copyName(copy);
+        objects.push_back(addActor(builder, actor, entry.material, entry.poses[copy], entry.velocity));
+        for (const uint32_t body : held) builder.holdBody(builder.world().objects[objects.back()].bodyStart + body);
+    }
+    if (isAnimated(entry.json)) {
+        if (!held.empty()) entry.fail("/animation", "is for what is not held; take `fixed` and `hold` away");
+        animateActors(entry, actor, objects);
+    }
+    releaseActors(entry, actor, objects);
 }
 
 }  // namespace knuckle

@@ -192,6 +192,7 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", path, error.what()));
     }
+    scene.notes = context.notes;
     scene.render = readRender(file, scene.world);
     return scene;
 }

@@ -20,8 +20,9 @@ struct Scene {
     World world;
     RenderSettings render;
     double framesPerSecond = 60.0;
-    double duration = 0.0;       ///< [s]
-    uint32_t stepsPerFrame = 1;  ///< World::settings.timeStep is 1 / (framesPerSecond * stepsPerFrame).
+    double duration = 0.0;           ///< [s]
+    std::vector<std::string> notes;  ///< What of it is not as the file says, one sentence each.
+    uint32_t stepsPerFrame = 1;      ///< World::settings.timeStep is 1 / (framesPerSecond * stepsPerFrame).
 
     /// Frame 1 shows time 0.
     uint64_t frameCount() const;

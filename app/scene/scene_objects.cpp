@@ -16,15 +16,7 @@ namespace knuckle {
 
 namespace {
 
-/// One entry of `objects` while its copies are made.
-struct Entry : SceneEntry {
-    std::string name;
-    uint32_t material = 0;
-    Vector3f velocity{0, 0, 0}, spin{0, 0, 0};
-    std::vector<Pose> poses = {};
-
-    std::string copyName(size_t copy) const { return poses.size() == 1 ? name : fmt::format("{}_{}", name, copy + 1); }
-};
+using Entry = ObjectEntry;
 
 void limitParticles(const Entry& entry, double count)
 {
@@ -56,15 +48,6 @@ RoundShape roundShapeOf(const Entry& entry)
     if (shape == "sphere") return {entry.json["radius"], 0.0f};
     if (shape == "capsule") return {entry.json["radius"], 0.5f * entry.json["length"].get<float>()};
     return {};
-}
-
-/// When something that is held is let go [s]; infinity: never.
-float releaseTime(const Entry& entry, bool held)
-{
-    const float time = readUnlessZero(entry.json["release"]["time"]);
-    if (!held && std::isfinite(time))
-        entry.fail("/release", "is for what is held; set `fixed` or `hold` as well, or take it away");
-    return time;
 }
 
 void addRigidOrSoft(const Entry& entry)
@@ -159,43 +142,6 @@ void addStrands(const Entry& entry)
     addRopeObject(rows);
 }
 
-/// Indices of the bodies of an actor that the scene holds.
-std::vector<uint32_t> heldBodies(const Entry& entry, const Actor& actor)
-{
-    std::vector<uint32_t> held;
-    if (entry.json["fixed"].get<bool>())
-        for (uint32_t b = 0; b < actor.bodies.size(); ++b) held.push_back(b);
-    std::vector<std::string> names;
-    for (const ActorBody& body : actor.bodies) names.push_back(body.name);
-    const Json& wanted = entry.json["hold"];
-    for (size_t i = 0; i < wanted.size(); ++i) {
-        const auto found = std::ranges::find(names, wanted[i].get<std::string>());
-        if (found == names.end())
-            entry.fail(
-                fmt::format("/hold/{}", i),
-                fmt::format("there is no body \"{}\"; {}", wanted[i].get<std::string>(), suggestion(wanted[i], names)));
-        held.push_back(static_cast<uint32_t>(found - names.begin()));
-    }
-    return held;
-}
-
-void addActors(const Entry& entry)
-{
-    Actor actor = findActor(entry.context, entry.json, entry.pointer);
-    limitParticles(entry, static_cast<double>(actor.particles.size()));
-    const JointStrength strength = readStrength(entry.json);
-    for (ActorJoint& joint : actor.joints)
-        if (!joint.strength.tears()) joint.strength = strength;
-    const std::vector<uint32_t> held = heldBodies(entry, actor);
-    const float time = releaseTime(entry, !held.empty());
-    WorldBuilder& builder = entry.context.builder;
-    for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
-        actor.name = entry.copyName(copy);
-        const uint32_t object = addActor(builder, actor, entry.material, entry.poses[copy], entry.velocity);
-        for (const uint32_t body : held) builder.holdBody(builder.world().objects[object].bodyStart + body, time);
-    }
-}
-
 void addFluid(const Entry& entry)
 {
     addFluid(entry.context, entry.json, entry.pointer, {entry.material, entry.velocity}, entry.poses);
@@ -207,6 +153,19 @@ void addGrains(const Entry& entry)
 }
 
 }  // namespace
+
+std::string ObjectEntry::copyName(size_t copy) const
+{
+    return poses.size() == 1 ? name : fmt::format("{}_{}", name, copy + 1);
+}
+
+float releaseTime(const ObjectEntry& entry, bool held)
+{
+    const float time = readUnlessZero(entry.json["release"]["time"]);
+    if (!held && std::isfinite(time))
+        entry.fail("/release", "is for what is held; set `fixed` or `hold` as well, or take it away");
+    return time;
+}
 
 uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer)
 {

@@ -8,6 +8,7 @@
 
 #include "app/json/json.h"
 #include "sim/actor/actor.h"
+#include "sim/actor/import/model.h"
 #include "sim/world/builder/builder.h"
 
 /// The parts of a scene file, from documents that the schema has completed.
@@ -22,6 +23,8 @@ struct SceneContext {
     WorldBuilder& builder;
     std::map<std::string, uint32_t> materials;  ///< Indices by name.
     std::map<std::string, Actor> actors = {};   ///< Read or made already, by what was asked for.
+    std::map<std::string, Model> models = {};   ///< With clips, the same.
+    std::vector<std::string> notes = {};        ///< For the user: what of the scene is not as it says.
     std::vector<size_t> colliderEntries = {};   ///< Per collider of the world: the entry of `colliders` that it is of.
 };
 
@@ -37,6 +40,32 @@ struct SceneEntry {
         failAt(context.path, pointer + field, message);
     }
 };
+
+/// One entry of `objects` while its copies are made.
+struct ObjectEntry : SceneEntry {
+    std::string name;
+    uint32_t material = 0;
+    Vector3f velocity{0, 0, 0}, spin{0, 0, 0};
+    std::vector<Pose> poses = {};
+
+    std::string copyName(size_t copy) const;
+};
+
+/// When something that is held is let go [s]; infinity: never.
+float releaseTime(const ObjectEntry& entry, bool held);
+
+/// Adds an object of type `actor` with its copies. @throws InputError.
+void addActors(const ObjectEntry& entry);
+
+/// Has the copies of an actor move as their clips say. @param objects of the world, a copy each.
+/// @throws InputError for clips that are not there or do not fit.
+void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);
+
+/// Lets the copies of an actor go as `release` says. @throws InputError.
+void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);
+
+/// Whether an actor has an `animation` or a `pose`.
+bool isAnimated(const Json& actor);
 
 /// Index of the material `name`. @throws InputError with `pointer` where there is none.
 uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer);

@@ -19,7 +19,8 @@ struct StepParameters {
     uint moverCount;                // bodies and loose particles
     uint freeBodyCount;             // bodies that may respond and have no joints
     uint jointedBodyCount;          // and those that have
-    uint releaseCount;              // bodies that are held until a time
+    uint releaseCount;              // bodies that are held or animated until a time
+    uint animatedCount;             // bodies that clips move
     uint linkCount;
     uint assemblyCount;
     uint colliderCount;

@@ -70,6 +70,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
       parameters(commonParameters(world, layout)), setup_{gpu, world, layout, rows, parameters}, particles(setup_),
       colliders(setup_), search(setup_), contacts(setup_), bodies(setup_, actsOnParticles(world)), joints(setup_)
 {
+    if (AnimationStage::isNeeded(world)) animations.emplace(setup_);
     if (RestitutionStage::isNeeded(world)) restitution.emplace(setup_);
     if (SleepStage::isNeeded(world.settings)) sleep.emplace(setup_);
     if (SoftStage::isNeeded(world)) soft.emplace(setup_);
@@ -97,6 +98,7 @@ std::vector<Stage*> Stages::all()
     const auto add = [&](auto& stage) {
         if (stage) stages.push_back(&*stage);
     };
+    add(animations);
     add(restitution);
     add(sleep);
     add(soft);

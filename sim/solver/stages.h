@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 
+#include "sim/solver/animation/animation_stage.h"
 #include "sim/solver/body/body_stage.h"
 #include "sim/solver/contact/collider_stage.h"
 #include "sim/solver/contact/contact_stage.h"
@@ -72,6 +73,7 @@ public:
     ContactStage contacts;
     BodyStage bodies;
     JointStage joints;
+    std::optional<AnimationStage> animations;
     std::optional<RestitutionStage> restitution;
     std::optional<SleepStage> sleep;
     std::optional<SoftStage> soft;

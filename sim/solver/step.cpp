@@ -6,6 +6,7 @@
 // (shaders/sim/common/bodies/fields.glsl) and visits their particles only where something touches them. A substep
 //
 //   lets go of what is held until now (mover_release);
+//   moves what clips move (animate);
 //   predicts how far each mover would move if nothing touched it, and adds what its contacts did last (mover_predict,
 //     jointed_predict), and asks for a new search where one has left its margin (mover_drift);
 //   finds contacts, but only when somebody asked: search_due sets the sizes of those dispatches on the GPU, to zero
@@ -47,6 +48,7 @@ namespace {
 void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorder, bool first)
 {
     s.bodies.predict(recorder);
+    if (s.animations) s.animations->animate(recorder);
     s.search.find(recorder);
     s.contacts.prepare(recorder);
     if (s.sleep) s.sleep->wake(recorder);

@@ -209,6 +209,7 @@ void validate(const World& world)
     validateLinks(world);
     validateJoints(world);
     validateReleases(world);
+    validateAnimations(world);
     validateColliders(world);
     validateSoftBodies(world);
     validateStrands(world);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/world/animation/animation.h"
 #include "sim/world/collider_grid.h"
 #include "sim/world/emitter.h"
 #include "sim/world/joint.h"
@@ -72,8 +73,9 @@ struct Link {
 };
 
 enum class Motion : uint32_t {
-    Dynamic,  ///< Simulated.
-    Fixed,    ///< Stays where it is, for ever or until Body::releaseTime; its particles have infinite mass.
+    Dynamic,   ///< Simulated.
+    Fixed,     ///< Stays where it is, for ever or until Body::releaseTime; its particles have infinite mass.
+    Animated,  ///< Moves as a clip says until Body::releaseTime, and answers to nothing.
 };
 
 /// A ball or a capsule along y about the origin of the rest pose: what touches it meets this, not its particles.
@@ -88,7 +90,8 @@ struct RoundShape {
 struct Body {
     std::string name;
     Motion motion = Motion::Dynamic;
-    float releaseTime = std::numeric_limits<float>::infinity();  ///< A fixed one is let go then [s], >= 0.
+    float releaseTime =
+        std::numeric_limits<float>::infinity();  ///< Of one that is not dynamic: it is let go then [s], >= 0.
     uint32_t material = 0;
     uint32_t assembly = NO_INDEX;
     uint32_t linkStart = 0, linkCount = 0;
@@ -133,6 +136,8 @@ struct World {
     std::vector<Link> links;
     std::vector<Joint> joints;  ///< Those of one pair of bodies are one.
     std::vector<Object> objects;
+    std::vector<BodyClip> clips;
+    std::vector<Animation> animations;
     std::vector<Collider> colliders;
     std::vector<SoftBody> softBodies;
     std::vector<Cluster> clusters;   ///< Grouped by soft body.

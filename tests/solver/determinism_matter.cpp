@@ -138,4 +138,49 @@ World heldWorld()
     return builder.build();
 }
 
+World animatedWorld()
+{
+    Settings settings;
+    settings.sleepSpeed = 0.02f;
+    WorldBuilder builder(DIAMETER / 2, settings);
+    builder.addMaterial({});
+    builder.addCollider({});
+    std::vector<uint32_t> clips;
+    for (const float pace : {7.0f, 4.0f}) {
+        BodyClip clip{"swing", 30, 3};
+        for (float t = 0; t < 0.71f; t += 1 / clip.rate) {
+            clip.roots.emplace_back(0.2f * std::sin(pace * t), 0, 0.1f * t);
+            for (const float body : {0.0f, 1.0f, 2.0f})
+                clip.turns.emplace_back(
+                    Eigen::AngleAxisf(0.5f * std::sin(pace * t + body) + 0.3f * t, Vector3f(body, 1, 0).normalized()));
+        }
+        clips.push_back(builder.addClip(std::move(clip)));
+    }
+    for (uint32_t k = 0; k < 4; ++k) {
+        builder.beginObject("dancer");
+        for (int b = 0; b < 3; ++b) {
+            std::vector<Vector3f> places = boxLattice({3, 3, 3}, DIAMETER);
+            for (Vector3f& p : places) p.x() += 4 * DIAMETER * static_cast<float>(b);
+            builder.addBody("body", places, 0);
+        }
+        for (uint32_t b = 0; b < 2; ++b) {
+            JointSpec spec;
+            spec.anchor.x() = 4 * DIAMETER * (static_cast<float>(b) + 0.5f);
+            builder.addJoint(3 * k + b, 3 * k + b + 1, spec);
+        }
+        const Pose pose{Vector3f(0, 0.2f, 0.6f * static_cast<float>(k))};
+        builder.endObject(pose);
+        builder.animate(
+            {k, pose, {0, 0, 0}, {{.clip = clips[k % 2]}, {.clip = clips[1 - k % 2], .at = 0.2f, .fade = 0.2f}}});
+        // One never, one from its middle on, two at once.
+        for (uint32_t b = k == 1 ? 1 : 0; b < 3 && k > 0; ++b) builder.releaseBody(3 * k + b, 0.3f);
+    }
+    for (const float z : {0.3f, 0.9f, 1.5f}) {
+        builder.beginObject("box");
+        builder.addBody("box", boxLattice({3, 3, 3}, DIAMETER), 0);
+        builder.endObject({Vector3f(0.4f, 0.15f, z)});
+    }
+    return builder.build();
+}
+
 }  // namespace knuckle::test

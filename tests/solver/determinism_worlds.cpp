@@ -221,6 +221,7 @@ std::vector<Matter> matters()
             {"Bounces", bouncyWorld},
             {"Freeze", [] { return sleepyWorld(0.5f); }},
             {"Held", heldWorld},
+            {"Animated", animatedWorld},
             {"Everything", [] { return everyWorld(GridKind::Lattice); }}};
 }
 

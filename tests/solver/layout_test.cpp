@@ -1,5 +1,6 @@
 #include <cstddef>
 
+#include "tests/solver/determinism_worlds.h"
 #include "tests/solver/solver_test.h"
 
 namespace knuckle::test {
@@ -56,6 +57,7 @@ const std::vector<Member> STEP_PARAMETERS = {MEMBER(StepParameters, gravity),
                                              MEMBER(StepParameters, freeBodyCount),
                                              MEMBER(StepParameters, jointedBodyCount),
                                              MEMBER(StepParameters, releaseCount),
+                                             MEMBER(StepParameters, animatedCount),
                                              MEMBER(StepParameters, linkCount),
                                              MEMBER(StepParameters, colliderCount),
                                              MEMBER(StepParameters, contactSlots),
@@ -139,6 +141,18 @@ const std::vector<Member> EMITTER_STATE = {MEMBER(EmitterState, taken),         
                                            MEMBER(EmitterState, inactive),       MEMBER(EmitterState, age),
                                            MEMBER(EmitterState, firstCandidate), MEMBER(EmitterState, unused0),
                                            MEMBER(EmitterState, unused1),        MEMBER(EmitterState, unused2)};
+const std::vector<Member> ANIMATED_BODY = {MEMBER(AnimatedBody, mover),     MEMBER(AnimatedBody, parent),
+                                           MEMBER(AnimatedBody, animation), MEMBER(AnimatedBody, turn),
+                                           MEMBER(AnimatedBody, arm),       MEMBER(AnimatedBody, parentArm)};
+const std::vector<Member> ANIMATION = {MEMBER(GpuAnimation, position),  MEMBER(GpuAnimation, rotation),
+                                       MEMBER(GpuAnimation, firstPlay), MEMBER(GpuAnimation, playCount),
+                                       MEMBER(GpuAnimation, unused1),   MEMBER(GpuAnimation, unused2)};
+const std::vector<Member> CLIP_PLAY = {
+    MEMBER(GpuClipPlay, firstTurn), MEMBER(GpuClipPlay, firstRoot), MEMBER(GpuClipPlay, keyCount),
+    MEMBER(GpuClipPlay, bodyCount), MEMBER(GpuClipPlay, at),        MEMBER(GpuClipPlay, firstKey),
+    MEMBER(GpuClipPlay, keyRate),   MEMBER(GpuClipPlay, fade),      MEMBER(GpuClipPlay, loop),
+    MEMBER(GpuClipPlay, inPlace),   MEMBER(GpuClipPlay, yaw),       MEMBER(GpuClipPlay, roundYaw),
+    MEMBER(GpuClipPlay, shift),     MEMBER(GpuClipPlay, roundShift)};
 const std::vector<Member> BODY_INFO = {MEMBER(BodyInfo, linkStart), MEMBER(BodyInfo, linkCount),
                                        MEMBER(BodyInfo, ownCount), MEMBER(BodyInfo, jointCount)};
 const std::vector<Member> MOVER_INFO = {MEMBER(MoverInfo, firstRank), MEMBER(MoverInfo, rankCount),
@@ -178,6 +192,15 @@ TEST(Layout, EmittersAreTheHostsStructs)
     const Kernel kernel = fixture.load("emitter/emitter_update", {{"POOL", "1"}});
     expectArray(kernel, "Emitters", "emitters", sizeof(gpu::GpuEmitter), EMITTER);
     expectArray(kernel, "EmitterStates", "newStates", sizeof(gpu::EmitterState), EMITTER_STATE);
+}
+
+TEST(Layout, AnimationsAreTheHostsStructs)
+{
+    KernelFixture fixture(animatedWorld());
+    const Kernel kernel = fixture.load("animation/animate");
+    expectArray(kernel, "AnimatedBodies", "animatedBodies", sizeof(gpu::AnimatedBody), ANIMATED_BODY);
+    expectArray(kernel, "Animations", "animations", sizeof(gpu::GpuAnimation), ANIMATION);
+    expectArray(kernel, "ClipPlays", "clipPlays", sizeof(gpu::GpuClipPlay), CLIP_PLAY);
 }
 
 TEST(Layout, StructsThatKernelsReadAsTexelsAreTheHostsStructs)

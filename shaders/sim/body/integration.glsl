@@ -55,7 +55,8 @@ Motions motionsOf(uint m, Assembly assembly)
     vec4 rotation = texelFetch(lastMoverRotations, int(m)), delta = fetchRotationDelta(m);
     Field move = moveField(m, rotation, delta);
     bool touched = assembly.lastContact + 1u == counters[0].substep;
-    Field next = velocityOf(move, fetchField(lastOldMoverMoves, m), assembly.order == 2u && !touched);
+    bool second = !responds(m) || (assembly.order == 2u && !touched);   // what is animated answers to no touch
+    Field next = velocityOf(move, fetchField(lastOldMoverMoves, m), second);
     return Motions(rotation, delta, move, fetchField(lastMoverVelocities, m), next, assembly, touched);
 }
 

@@ -1,5 +1,5 @@
-// One thread a body that is held until a time: lets go of it then, from rest. It wakes, and everything looks for
-// contacts.
+// One thread a body that is held or animated until a time: lets go of it then, from rest or as it moves. It wakes, and
+// everything looks for contacts.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/bodies/mover_info.glsl"
@@ -20,8 +20,9 @@ void main()
     uvec2 release = texelFetch(bodyReleases, int(k)).xy;
     if (release.y != counters[0].substep) return;
     uint assembly = fetchMover(release.x).assembly;
+    // Of first order, where nothing led up to it.
+    if (newMoverStates[release.x] == MOVER_FIXED) assemblies[assembly].lastContact = counters[0].substep - 1u;
     newMoverStates[release.x] = MOVER_DYNAMIC;
-    assemblies[assembly].lastContact = counters[0].substep - 1u;   // of first order: nothing led up to it
 #ifdef SLEEP
     assemblyCalm[assembly] = uvec2(0u, assembly);
 #endif

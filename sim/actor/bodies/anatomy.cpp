@@ -76,34 +76,65 @@ int sideFromName(std::string_view name)
     return 0;
 }
 
-JointType jointTypeFromName(std::string_view name, std::string_view parentName, std::string_view childName)
+Vector3f leftOf(std::span<const std::string> names, std::span<const Vector3f> places)
+{
+    Vector3f left = Vector3f::Zero(), right = Vector3f::Zero();
+    int lefts = 0, rights = 0;
+    for (size_t i = 0; i < names.size(); ++i) {
+        const int side = sideFromName(names[i]);
+        if (side > 0) left += places[i];
+        if (side < 0) right += places[i];
+        lefts += side > 0;
+        rights += side < 0;
+    }
+    if (lefts == 0 || rights == 0) return Vector3f::UnitX();
+    Vector3f across = left / static_cast<float>(lefts) - right / static_cast<float>(rights);
+    across.y() = 0.0f;
+    return across.norm() > 1e-4f ? Vector3f(across.normalized()) : Vector3f::UnitX();
+}
+
+BodyPart partFromName(std::string_view name, std::string_view parentName, std::string_view childName)
 {
     const std::string words = wordsOf(name), parent = wordsOf(parentName), child = wordsOf(childName);
-    if (hasAny(words, {"twist", "roll"})) {
-        return JointType::Stiff;
-    }
-    if (hasAny(words, {"forearm", "lowerarm", "elbow", "knee", "calf", "shin", "lowerleg", "lowleg", "toe"}) ||
-        isFinger(words)) {
-        return JointType::Hinge;
-    }
+    const bool hasSide = sideFromName(name) != 0;
+    if (hasAny(words, {"twist", "roll", "armature", "hipjoint"})) return BodyPart::Other;
+    if (hasAny(words, {"toe"})) return BodyPart::Toe;
+    if (isFinger(words)) return BodyPart::Finger;
+    if (hasAny(words, {"forearm", "lowerarm", "elbow"})) return BodyPart::Forearm;
+    if (hasAny(words, {"knee", "calf", "shin", "lowerleg", "lowleg"})) return BodyPart::Shin;
     // Mixamo's thigh is UpLeg and its shin Leg; others number two legs.
-    if (hasAny(words, {"leg"}) && !hasAny(words, {"up"}) && hasAny(parent, {"leg", "thigh"})) {
-        return JointType::Hinge;
-    }
-    if (hasAny(words, {"clavicle", "collar"})) {
-        return JointType::Stiff;
-    }
+    if (hasAny(words, {"leg"}) && !hasAny(words, {"up"}) && hasAny(parent, {"leg", "thigh"})) return BodyPart::Shin;
+    if (hasAny(words, {"clavicle", "collar"})) return BodyPart::Clavicle;
     // A shoulder that carries an arm is a collar bone; one that carries an elbow is the arm itself.
-    if (hasAny(words, {"shoulder"}) && hasAny(child, {"arm"}) && !hasAny(child, {"forearm", "lowerarm"})) {
-        return JointType::Stiff;
+    if (hasAny(words, {"shoulder"}))
+        return hasAny(child, {"arm"}) && !hasAny(child, {"forearm", "lowerarm"}) ? BodyPart::Clavicle
+                                                                                 : BodyPart::UpperArm;
+    if (hasAny(words, {"thigh", "leg"}) || (hasSide && words == "hip")) return BodyPart::Thigh;
+    if (hasAny(words, {"arm"})) return BodyPart::UpperArm;
+    if (hasAny(words, {"hand", "wrist"})) return BodyPart::Hand;
+    if (hasAny(words, {"foot", "ankle"})) return BodyPart::Foot;
+    if (hasAny(words, {"neck"})) return BodyPart::Neck;
+    if (hasAny(words, {"head"})) return BodyPart::Head;
+    if (hasAny(words, {"pelvis"}) || words == "hips" || words == "hip") return BodyPart::Hips;
+    const bool spine = hasAny(words, {"spine", "chest", "torso", "abdomen", "waist", "ribs"}) || words == "back" ||
+                       words == "lowerback" || words == "upperback" || words == "body";
+    return spine ? BodyPart::Spine : BodyPart::Other;
+}
+
+JointType jointTypeFromName(std::string_view name, std::string_view parentName, std::string_view childName)
+{
+    if (hasAny(wordsOf(name), {"twist", "roll"})) return JointType::Stiff;
+    switch (partFromName(name, parentName, childName)) {
+        case BodyPart::Forearm:
+        case BodyPart::Shin:
+        case BodyPart::Toe:
+        case BodyPart::Finger: return JointType::Hinge;
+        case BodyPart::Clavicle:
+        case BodyPart::Spine:
+        case BodyPart::Neck:
+        case BodyPart::Hips: return JointType::Stiff;
+        default: return JointType::Ball;
     }
-    if (hasAny(words, {"hipjoint", "thigh", "upleg", "upperleg"})) {
-        return JointType::Ball;
-    }
-    const bool trunk = hasAny(words, {"spine", "chest", "torso", "abdomen", "neck", "waist", "pelvis", "ribs"}) ||
-                       words == "back" || words == "lowerback" || words == "upperback" || words == "hips" ||
-                       words == "body";
-    return trunk ? JointType::Stiff : JointType::Ball;
 }
 
 }  // namespace knuckle

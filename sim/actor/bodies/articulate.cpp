@@ -24,24 +24,15 @@ struct Bearings {
 
 Bearings bearingsOf(const Model& model)
 {
-    Vector3f left = Vector3f::Zero(), right = Vector3f::Zero();
-    int lefts = 0, rights = 0;
+    std::vector<std::string> names;
+    std::vector<Vector3f> places;
     for (uint32_t b = 0; b < model.bones.size(); ++b) {
-        const int side = sideFromName(model.bones[b].name);
-        left += side > 0 ? boneHead(model, b) : Vector3f::Zero();
-        right += side < 0 ? boneHead(model, b) : Vector3f::Zero();
-        lefts += side > 0;
-        rights += side < 0;
+        names.push_back(model.bones[b].name);
+        places.push_back(boneHead(model, b));
     }
     Bearings bearings;
-    if (lefts > 0 && rights > 0) {
-        Vector3f across = left / static_cast<float>(lefts) - right / static_cast<float>(rights);
-        across.y() = 0.0f;
-        if (across.norm() > 1e-4f) {
-            bearings.left = across.normalized();
-            bearings.forward = bearings.left.cross(Vector3f::UnitY());
-        }
-    }
+    bearings.left = leftOf(names, places);
+    bearings.forward = bearings.left.cross(Vector3f::UnitY());
     return bearings;
 }
 

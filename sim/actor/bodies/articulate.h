@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -36,10 +37,35 @@ struct ActorOptions {
 /// @throws InputError as voxelize() does, and for an override that names no bone of the model.
 Actor makeActor(const Model& model, const ActorOptions& options);
 
+/// What of a body a bone is, in the words of many programs.
+enum class BodyPart {
+    Other,
+    Hips,
+    Spine,
+    Neck,
+    Head,
+    Clavicle,
+    UpperArm,
+    Forearm,
+    Hand,
+    Finger,
+    Thigh,
+    Shin,
+    Foot,
+    Toe,
+};
+
+/// Of a bone, from its name and its parent's and first child's (empty where there is none).
+BodyPart partFromName(std::string_view name, std::string_view parentName, std::string_view childName);
+
 /// The joint at the head of a bone, from its name and its parent's and first child's (empty where there is none), in
 /// the words of Mixamo, Blender, 3ds Max Biped, Unreal and BVH files: knees, elbows, fingers and toes are hinges,
 /// spine, neck and collar bones are stiff, everything else is a ball.
 JointType jointTypeFromName(std::string_view name, std::string_view parentName, std::string_view childName);
+
+/// A figure's left, level and unit, from what of it is named left and right; x where nothing is.
+/// @param places of the named, in the same order [m].
+Vector3f leftOf(std::span<const std::string> names, std::span<const Vector3f> places);
 
 /// -1 for a name that says right, +1 for left, 0 for neither.
 int sideFromName(std::string_view name);

@@ -26,12 +26,13 @@ using Clock = std::chrono::steady_clock;
 constexpr int EXIT_NO_MEMORY = 101;
 constexpr int EXIT_EXCEPTION = 102;
 
-void limit(int resource, uint64_t value)
+/// @param beyond how much the hard limit is above the soft one, which only signals.
+void limit(int resource, uint64_t value, uint64_t beyond = 0)
 {
     rlimit current{};
     getrlimit(static_cast<__rlimit_resource_t>(resource), &current);
     const rlim_t wanted = std::min<rlim_t>(value, current.rlim_max);
-    const rlimit lowered{wanted, wanted};
+    const rlimit lowered{wanted, std::min<rlim_t>(wanted + beyond, current.rlim_max)};
     setrlimit(static_cast<__rlimit_resource_t>(resource), &lowered);
 }
 
@@ -45,7 +46,7 @@ uint64_t addressSpaceInUse()
 void setLimits(const ChildLimits& limits, uint64_t addressSpace)
 {
     limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, static_cast<uint64_t>(limits.seconds));
+    limit(RLIMIT_CPU, static_cast<uint64_t>(limits.seconds), 1);  // at once it would be SIGKILL instead of SIGXCPU
 #if !defined(__SANITIZE_ADDRESS__)
     limit(RLIMIT_AS, addressSpace + limits.extraMemory);  // the sanitizer has already reserved terabytes
 #else

@@ -61,12 +61,17 @@ void addRound(Movers& out, const World& world, const Body& body)
     out.rounds.push_back(pack(end - body.restCentre, world.materials[body.material].rollingFriction));
 }
 
+uint32_t stateOf(Motion motion)
+{
+    if (motion == Motion::Animated) return MOVER_ANIMATED;
+    return motion == Motion::Fixed ? MOVER_FIXED : MOVER_DYNAMIC;
+}
+
 void addBody(Movers& out, const World& world, const Body& body)
 {
     const BodyMass mass = bodyMass(world, body);
-    const bool fixed = body.motion == Motion::Fixed;
     out.infos.push_back({0, 0, body.assembly, static_cast<float>(1.0 / mass.mass)});
-    out.states.push_back(fixed ? MOVER_FIXED : MOVER_DYNAMIC);
+    out.states.push_back(stateOf(body.motion));
     addMass(out, mass);
     addRound(out, world, body);
     out.centres.push_back(pack(body.position, 0));
@@ -94,10 +99,10 @@ Movers makeMovers(const World& world, const Layout& layout)
     return movers;
 }
 
-/// The substep that a body responds in first, NO_SUBSTEP where it is not held until a time.
+/// The substep that a body responds in first, NO_SUBSTEP where it is not held or animated until a time.
 uint32_t releaseOf(const World& world, const Body& body)
 {
-    if (body.motion != Motion::Fixed || std::isinf(body.releaseTime)) return NO_SUBSTEP;
+    if (body.motion == Motion::Dynamic || std::isinf(body.releaseTime)) return NO_SUBSTEP;
     const double substep = double{world.settings.timeStep} / world.settings.substeps;
     return static_cast<uint32_t>(std::min(std::ceil(body.releaseTime / substep - 1e-3), double{NO_SUBSTEP} - 1));
 }
@@ -179,7 +184,12 @@ void BodyStage::uploadMovers(const StageSetup& setup)
     moverRotations = {"moverRotations", std::span<const gpu::vec4>(movers.rotations)};
     moverVelocities = {"moverVelocities", std::span<const gpu::vec4>(movers.velocities)};
     oldMoverVelocities = {"oldMoverVelocities", std::span<const gpu::vec4>(movers.velocities)};
-    oldMoverMoves = {"oldMoverMoves", fields};
+    std::vector<gpu::vec4> moves;  // before the first substep, for what is animated
+    for (const gpu::vec4& v : movers.velocities) {
+        const float h = setup.parameters.substepTime;
+        moves.push_back({h * v.x, h * v.y, h * v.z, 0});
+    }
+    oldMoverMoves = {"oldMoverMoves", std::span<const gpu::vec4>(moves)};
     moverMoves = {"moverMoves", count};
     bodyLoads = {"bodyLoads", setup.layout.jointedBodies.empty() ? 0u : BODY_LOAD_TEXELS * setup.layout.bodyCount};
     bodyPushes = {"bodyPushes", 4 * size_t{setup.layout.bodyCount}};

@@ -49,7 +49,7 @@ public:
         for (uint32_t b = 0; b < world_.bodies.size(); ++b)
             if (neverResponds(world_.bodies[b]))
                 for (const uint32_t j : jointsOfBody_[b]) grow(treeJoint(j, other(j, b)));
-        for (const Motion motion : {Motion::Fixed, Motion::Dynamic})
+        for (const Motion motion : {Motion::Fixed, Motion::Animated, Motion::Dynamic})
             for (uint32_t b = 0; b < world_.bodies.size(); ++b)
                 if (world_.bodies[b].motion == motion) growFrom(b);
     }
@@ -92,8 +92,8 @@ private:
     {
         if (joint.parentJoint == NO_INDEX) return false;
         const Body &body = world_.bodies[joint.body], &parent = world_.bodies[joint.parent];
-        return body.motion == Motion::Fixed &&
-               (parent.motion != Motion::Fixed || parent.releaseTime < body.releaseTime);
+        return body.motion != Motion::Dynamic &&
+               (parent.motion == Motion::Dynamic || parent.releaseTime < body.releaseTime);
     }
 
     /// The joint seen from its parent.

@@ -10,13 +10,6 @@
 
 namespace knuckle {
 
-/// A rigid pose: x -> rotation * x + translation.
-struct Pose {
-    Vector3f translation{0, 0, 0};
-    Quaternionf rotation{1, 0, 0, 0};  ///< Eigen's constructor order is wxyz.
-    Vector3f apply(const Vector3f& p) const { return rotation * p + translation; }
-};
-
 /// How the two bodies of a joint meet. All positions in the frame in which the bodies were added (the rest pose).
 struct JointSpec {
     JointType type = JointType::Ball;
@@ -57,6 +50,12 @@ public:
                      const RoundShape& round = {});
     /// Holds a body where it is put, for ever or until a time [s], when it is let go from rest.
     void holdBody(uint32_t body, float releaseTime = std::numeric_limits<float>::infinity());
+    /// @returns its index, for ClipPlay::clip.
+    uint32_t addClip(BodyClip clip);
+    /// From the start the bodies of an object that is there move as its clips say. Their joints form a tree.
+    void animate(Animation animation);
+    /// Lets go of a body that is held or animated at a time [s].
+    void releaseBody(uint32_t body, float time);
     /// A soft body of particles at `positions` (rest pose of the object) [m], as elastic as its material.
     /// @param pinned indices into `positions`: these particles stay where they are put.
     /// @returns the soft body's index. @throws std::logic_error for an empty span or a position that is not finite.
@@ -115,6 +114,8 @@ private:
     void addUniversal(uint32_t parent, uint32_t child, const JointSpec& spec);
     /// World::joints, once links are made: what is shared by whom, and what was said of it.
     void recordJoints();
+    /// Puts what is animated where its clips begin, with the velocity that they have there.
+    void poseAnimated();
     void requireObject(const char* what) const;
     void assignAssemblies();
     void placeFluid();

@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/json/fields.h"
+#include "app/scene/scene_parts.h"
+#include "sim/actor/clips/body_clip.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+bool names(const Json& clip)
+{
+    return !clip["clip"].get<std::string>().empty() || !clip["file"].get<std::string>().empty();
+}
+
+/// Makes the clips of one actor entry, each once.
+class ClipReader {
+public:
+    ClipReader(const ObjectEntry& entry, const Actor& actor) : entry_(entry), actor_(actor) {}
+
+    /// @param json with `clip` and `file`. @returns the index of the world's clip.
+    uint32_t read(const Json& json, const std::string& where)
+    {
+        const std::string file = json["file"], name = json["clip"];
+        const std::string key = Json{file, name}.dump();
+        if (const auto found = made_.find(key); found != made_.end()) return found->second;
+        const Model& model = modelOf(file, where);
+        const Clip& clip = find(model, name, where);
+        try {
+            ActorClip made = file.empty() ? ownClip(actor_, model, clip) : foreignClip(actor_, model, clip);
+            for (std::string& note : made.notes)
+                entry_.context.notes.push_back(fmt::format("{}{}: {}", entry_.pointer, where, note));
+            return made_[key] = entry_.context.builder.addClip(std::move(made.clip));
+        } catch (const InputError& error) {
+            entry_.fail(where + "/file", error.what());
+        }
+    }
+
+private:
+    const Model& modelOf(const std::string& file, const std::string& where)
+    {
+        const bool own = file.empty();
+        const std::string path = own ? existingFile(entry_.context, entry_.json["file"], entry_.pointer + "/file")
+                                     : existingFile(entry_.context, file, entry_.pointer + where + "/file");
+        if (path.ends_with(".json"))
+            entry_.fail(where + (own ? "/clip" : "/file"),
+                        "an actor file has no clips; give the model that has them as its `file`");
+        ImportOptions options;
+        if (own) options.scale = entry_.json["scale"];
+        const std::string key = fmt::format("{} {}", path, options.scale);
+        auto found = entry_.context.models.find(key);
+        if (found == entry_.context.models.end())
+            found = entry_.context.models.emplace(key, importModel(path, options)).first;
+        return found->second;
+    }
+
+    const Clip& find(const Model& model, const std::string& name, const std::string& where) const
+    {
+        if (model.clips.empty())
+            entry_.fail(where, fmt::format("\"{}\" has no clips; give another `file`", model.name));
+        if (name.empty()) return model.clips.front();
+        const auto found = std::ranges::find(model.clips, name, &Clip::name);
+        if (found != model.clips.end()) return *found;
+        std::vector<std::string> known;
+        for (const Clip& clip : model.clips) known.push_back(clip.name);
+        entry_.fail(where + "/clip", fmt::format("there is no clip \"{}\"; {}", name, suggestion(name, known)));
+    }
+
+    const ObjectEntry& entry_;
+    const Actor& actor_;
+    std::map<std::string, uint32_t> made_;
+};
+
+ClipPlay readPlay(const Json& json, uint32_t clip)
+{
+    ClipPlay play;
+    play.clip = clip;
+    play.start = json["start"];
+    play.speed = json["speed"];
+    play.loop = json["loop"];
+    play.inPlace = json["root"] == "inPlace";
+    play.at = json.value("at", 0.0f);
+    play.fade = json.value("fade", 0.0f);
+    return play;
+}
+
+std::vector<ClipPlay> readPlays(const ObjectEntry& entry, ClipReader& clips)
+{
+    const Json& json = entry.json["animation"];
+    std::vector<ClipPlay> plays{readPlay(json, clips.read(json, "/animation"))};
+    const Json& then = json["then"];
+    for (size_t i = 0; i < then.size(); ++i) {
+        const std::string where = fmt::format("/animation/then/{}", i);
+        plays.push_back(readPlay(then[i], clips.read(then[i], where)));
+        if (plays.back().at < plays[i].at) entry.fail(where + "/at", "must not be before that of the entry before");
+    }
+    return plays;
+}
+
+/// A limp actor begins as a clip has it at a time.
+ClipPlay readPose(const ObjectEntry& entry, ClipReader& clips)
+{
+    const Json& json = entry.json["pose"];
+    ClipPlay play;
+    play.clip = clips.read(json, "/pose");
+    play.start = json["time"];
+    play.loop = false;
+    return play;
+}
+
+/// When the first clip gets to a time of its own [s]; infinity where it never does.
+float timeOf(const World& world, const ClipPlay& play, float clipTime)
+{
+    const float length = world.clips[play.clip].duration();
+    float way = clipTime - play.start;
+    if (play.loop && way < 0.0f) way += length;
+    if (way < 0.0f || clipTime > length || play.speed == 0.0f) return std::numeric_limits<float>::infinity();
+    return way / play.speed;
+}
+
+/// The body of a name and what hangs on it; all for none.
+std::vector<uint32_t> bodiesBelow(const ObjectEntry& entry, const Actor& actor, const std::string& name,
+                                  const std::string& where)
+{
+    std::vector<std::string> known;
+    for (const ActorBody& body : actor.bodies) known.push_back(body.name);
+    const auto found = std::ranges::find(known, name);
+    if (!name.empty() && found == known.end())
+        entry.fail(where, fmt::format("there is no body \"{}\"; {}", name, suggestion(name, known)));
+    const auto top = static_cast<int32_t>(found - known.begin());
+    std::vector<uint32_t> below;
+    for (uint32_t b = 0; b < known.size(); ++b) {
+        auto above = static_cast<int32_t>(b);
+        while (above >= 0 && above != top) above = actor.bodies[above].parent;
+        if (name.empty() || above == top) below.push_back(b);
+    }
+    return below;
+}
+
+/// When one entry of `release` lets go [s]; infinity: never.
+float releaseTime(const ObjectEntry& entry, const Json& json, const std::string& where)
+{
+    const float time = readUnlessZero(json["time"]), clipTime = readUnlessZero(json["clipTime"]);
+    if (std::isinf(clipTime)) return time;
+    if (std::isfinite(time)) entry.fail(where, "has `time` and `clipTime`; give one of them");
+    const World& world = entry.context.builder.world();
+    if (!isAnimated(entry.json) || !names(entry.json["animation"]))
+        entry.fail(where + "/clipTime", "is for what has an `animation`; give `time`");
+    const float reached = timeOf(world, world.animations.back().plays.front(), clipTime);
+    if (std::isinf(reached)) entry.fail(where + "/clipTime", "is a time that the first clip never gets to");
+    return reached;
+}
+
+}  // namespace
+
+bool isAnimated(const Json& actor)
+{
+    return names(actor["animation"]) || names(actor["pose"]);
+}
+
+void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects)
+{
+    const bool limp = names(entry.json["pose"]);
+    if (limp && names(entry.json["animation"]))
+        entry.fail("/pose", "is where a limp actor begins; take it or `animation` away");
+    if (!entry.velocity.isZero()) entry.fail("/velocity", "is what the clip says; take it away");
+    ClipReader clips(entry, actor);
+    const std::vector<ClipPlay> plays = limp ? std::vector{readPose(entry, clips)} : readPlays(entry, clips);
+    WorldBuilder& builder = entry.context.builder;
+    for (size_t copy = 0; copy < objects.size(); ++copy) {
+        builder.animate({objects[copy], entry.poses[copy], pivotOf(actor), plays});
+        const Object& object = builder.world().objects[objects[copy]];
+        for (uint32_t b = 0; limp && b < object.bodyCount; ++b) builder.releaseBody(object.bodyStart + b, 0.0f);
+    }
+}
+
+void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects)
+{
+    const Json& json = entry.json["release"];
+    const size_t count = json.is_array() ? json.size() : 1;
+    WorldBuilder& builder = entry.context.builder;
+    for (size_t i = 0; i < count; ++i) {
+        const Json& release = json.is_array() ? json[i] : json;
+        const std::string where = json.is_array() ? fmt::format("/release/{}", i) : "/release";
+        const float time = releaseTime(entry, release, where);
+        const std::vector<uint32_t> below = bodiesBelow(entry, actor, release["below"], where + "/below");
+        if (std::isinf(time)) continue;
+        bool any = false;
+        for (const uint32_t object : objects)
+            for (const uint32_t b : below) {
+                const uint32_t body = builder.world().objects[object].bodyStart + b;
+                if (builder.world().bodies[body].motion == Motion::Dynamic) continue;
+                any = true;
+                builder.releaseBody(body, std::min(time, builder.world().bodies[body].releaseTime));
+            }
+        if (!any)
+            entry.fail(where, "is for what is held or animated; set `fixed`, `hold` or `animation`, or take it away");
+    }
+}
+
+}  // namespace knuckle

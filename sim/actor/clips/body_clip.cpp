@@ -1,0 +1,224 @@
+#include "sim/actor/clips/body_clip.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/clips/bone_match.h"
+#include "sim/actor/clips/joint_turns.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+using Eigen::Matrix3f;
+using Eigen::Matrix4f;
+
+Quaternionf turnOf(const Matrix4f& pose)
+{
+    const Matrix3f m = pose.topLeftCorner<3, 3>().colwise().normalized();
+    return Quaternionf(m).normalized();
+}
+
+Vector3f headOf(const Matrix4f& pose)
+{
+    return pose.block<3, 1>(0, 3);
+}
+
+/// How a skeleton's motion becomes an actor's.
+struct Mapping {
+    std::vector<uint32_t> bones;       ///< Per body the one that moves it, or NO_INDEX.
+    std::vector<Quaternionf> aligned;  ///< Per body: from the actor's rest pose to how the skeleton's would have it.
+    Quaternionf facing{1, 0, 0, 0};    ///< From the skeleton's directions to the actor's.
+    float scale = 1.0f;                ///< Of ways.
+    Vector3f pivot{0, 0, 0};           ///< In the skeleton's rest pose [m].
+    bool own = true;
+};
+
+/// How a body is turned by its bone, in the actor's directions.
+Quaternionf turnBy(const Mapping& map, uint32_t body, const Model& source, const std::vector<Matrix4f>& poses)
+{
+    const uint32_t bone = map.bones[body];
+    const Quaternionf turn = turnOf(poses[bone]) * turnOf(source.bones[bone].restPose).conjugate();
+    return map.facing * turn * map.facing.conjugate() * map.aligned[body];
+}
+
+Vector3f pivotAt(const Mapping& map, const Model& source, const std::vector<Matrix4f>& poses)
+{
+    const uint32_t bone = map.bones[0] == NO_INDEX ? 0 : map.bones[0];
+    const Matrix4f motion = poses[bone] * source.bones[bone].restPose.inverse();
+    return (motion * map.pivot.homogeneous()).head<3>();
+}
+
+/// Of all keys; turns of joints are as their types let them be.
+ActorClip convert(const Actor& actor, const Model& source, const Clip& clip, const Mapping& map)
+{
+    ActorClip out;
+    const auto keys = static_cast<uint32_t>(clip.poses.size());
+    out.clip.name = clip.name;
+    out.clip.bodyCount = static_cast<uint32_t>(actor.bodies.size());
+    if (keys > 1 && clip.duration > 0.0) out.clip.rate = static_cast<float>((keys - 1) / clip.duration);
+    JointTurns turns(actor);
+    const Vector3f rest = pivotOf(actor);
+    Vector3f start = Vector3f::Zero();
+    for (uint32_t k = 0; k < keys; ++k) {
+        const std::vector<Matrix4f>& poses = clip.poses[k];
+        const Vector3f pivot = pivotAt(map, source, poses);
+        if (k == 0) start = Vector3f(pivot.x(), map.pivot.y(), pivot.z());
+        out.clip.roots.push_back(map.own ? pivot : Vector3f(rest + map.scale * (map.facing * (pivot - start))));
+        turns.addKey([&](uint32_t body) { return turnBy(map, body, source, poses); },
+                     [&](uint32_t body) { return map.bones[body] != NO_INDEX; }, out.clip.turns);
+    }
+    out.notes = turns.notes(clip.name);
+    return out;
+}
+
+/// Joints that hang on each body; of a universal joint's cross those behind it.
+std::vector<std::vector<uint32_t>> childrenOf(const Actor& actor)
+{
+    std::vector<std::vector<uint32_t>> children(actor.bodies.size());
+    for (uint32_t j = 0; j < actor.joints.size(); ++j) {
+        const ActorJoint& joint = actor.joints[j];
+        if (actor.bodies[joint.child].isCross) continue;
+        const bool crossed = actor.bodies[joint.parent].isCross;
+        children[crossed ? static_cast<uint32_t>(actor.bodies[joint.parent].parent) : joint.parent].push_back(j);
+    }
+    return children;
+}
+
+/// The directions in which a body's limbs leave it, for both skeletons.
+struct Limb {
+    Vector3f ours{0, 0, 0}, theirs{0, 0, 0};
+    uint32_t count = 0;
+};
+
+Limb limbOf(const Actor& actor, const Model& source, const Mapping& map, const std::vector<uint32_t>& joints)
+{
+    Limb limb;
+    for (const uint32_t j : joints) {
+        const uint32_t bone = map.bones[actor.joints[j].child];
+        if (bone == NO_INDEX) continue;
+        limb.ours += actor.joints[j].anchor;
+        limb.theirs += headOf(source.bones[bone].restPose);
+        ++limb.count;
+    }
+    if (limb.count > 0) {
+        limb.ours /= static_cast<float>(limb.count);
+        limb.theirs /= static_cast<float>(limb.count);
+    }
+    return limb;
+}
+
+/// Turns limbs that point elsewhere at rest. Ends go with what they hang on.
+void alignLimbs(const Actor& actor, const Model& source, Mapping& map)
+{
+    const auto children = childrenOf(actor);
+    map.aligned.assign(actor.bodies.size(), Quaternionf::Identity());
+    const JointTurns turns(actor);
+    for (const uint32_t body : turns.order()) {
+        const ActorJoint* joint = nullptr;
+        for (const ActorJoint& j : actor.joints)
+            if (j.child == body) joint = &j;
+        if (joint == nullptr) continue;
+        map.aligned[body] = map.aligned[joint->parent];
+        if (map.bones[body] == NO_INDEX) continue;
+        Limb limb = limbOf(actor, source, map, children[body]);
+        if (limb.count == 0) continue;
+        limb.ours -= joint->anchor;
+        limb.theirs = map.facing * (limb.theirs - headOf(source.bones[map.bones[body]].restPose));
+        if (limb.ours.norm() > 0.0f && limb.theirs.norm() > 0.0f)
+            map.aligned[body] = Quaternionf::FromTwoVectors(limb.ours, limb.theirs);
+    }
+}
+
+Quaternionf facingFrom(const Vector3f& theirLeft, const Vector3f& ourLeft)
+{
+    const float yaw = std::atan2(theirLeft.z(), theirLeft.x()) - std::atan2(ourLeft.z(), ourLeft.x());
+    return Quaternionf(Eigen::AngleAxisf(yaw, Vector3f::UnitY()));
+}
+
+float lowestOf(const Model& model)
+{
+    float low = headOf(model.bones[0].restPose).y();
+    for (const Bone& bone : model.bones) low = std::min(low, headOf(bone.restPose).y());
+    return low;
+}
+
+Mapping mapForeign(const Actor& actor, const Model& source)
+{
+    Mapping map;
+    map.own = false;
+    map.bones = matchBones(actor, source);
+    std::vector<std::string> ourNames, theirNames;
+    std::vector<Vector3f> ourPlaces, theirPlaces;
+    for (const ActorJoint& joint : actor.joints) {
+        ourNames.push_back(joint.name);
+        ourPlaces.push_back(joint.anchor);
+    }
+    for (const Bone& bone : source.bones) {
+        theirNames.push_back(bone.name);
+        theirPlaces.push_back(headOf(bone.restPose));
+    }
+    if (std::ranges::all_of(map.bones, [](uint32_t bone) { return bone == NO_INDEX; }))
+        throw InputError(fmt::format(
+            "none of its bones ({}) is one of the actor's ({})",
+            fmt::join(theirNames.begin(), theirNames.begin() + std::min<size_t>(8, theirNames.size()), ", "),
+            fmt::join(ourNames.begin(), ourNames.begin() + std::min<size_t>(8, ourNames.size()), ", ")));
+    map.facing = facingFrom(leftOf(theirNames, theirPlaces), leftOf(ourNames, ourPlaces));
+    const Limb root = limbOf(actor, source, map, childrenOf(actor)[0]);
+    map.pivot = root.count > 0 ? root.theirs
+                               : headOf(source.bones[map.bones[0] == NO_INDEX ? 0 : map.bones[0]].restPose);
+    float low = pivotOf(actor).y();
+    for (const Vector3f& p : actor.particles) low = std::min(low, p.y());
+    const float theirs = map.pivot.y() - lowestOf(source);
+    if (theirs > 1e-3f) map.scale = (pivotOf(actor).y() - low) / theirs;
+    alignLimbs(actor, source, map);
+    return map;
+}
+
+}  // namespace
+
+Vector3f pivotOf(const Actor& actor)
+{
+    Vector3f sum = Vector3f::Zero();
+    float count = 0.0f;
+    for (const ActorJoint& joint : actor.joints)
+        if (joint.parent == 0) {
+            sum += joint.anchor;
+            count += 1.0f;
+        }
+    if (count > 0.0f) return sum / count;
+    for (const Vector3f& p : actor.particles) sum += p;
+    return sum / static_cast<float>(actor.particles.size());
+}
+
+ActorClip ownClip(const Actor& actor, const Model& model, const Clip& clip)
+{
+    Mapping map;
+    for (const ActorBody& body : actor.bodies) {
+        const auto bone = std::ranges::find(model.bones, body.name, &Bone::name);
+        map.bones.push_back(bone == model.bones.end() ? NO_INDEX : static_cast<uint32_t>(bone - model.bones.begin()));
+    }
+    map.aligned.assign(actor.bodies.size(), Quaternionf::Identity());
+    map.pivot = pivotOf(actor);
+    return convert(actor, model, clip, map);
+}
+
+ActorClip foreignClip(const Actor& actor, const Model& source, const Clip& clip)
+{
+    const Mapping map = mapForeign(actor, source);
+    ActorClip out = convert(actor, source, clip, map);
+    std::vector<std::string> still;
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b)
+        if (map.bones[b] == NO_INDEX && !actor.bodies[b].isCross) still.push_back(actor.bodies[b].name);
+    if (!still.empty())
+        out.notes.push_back(
+            fmt::format("Clip '{}' does not move {}: no bone of its file is that.", clip.name, fmt::join(still, ", ")));
+    return out;
+}
+
+}  // namespace knuckle

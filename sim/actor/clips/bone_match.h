@@ -1,0 +1,11 @@
+#pragma once
+
+#include "sim/actor/actor.h"
+#include "sim/actor/import/model.h"
+
+namespace knuckle {
+
+/// Per body of the actor the bone of another skeleton that moves it, NO_INDEX for none.
+std::vector<uint32_t> matchBones(const Actor& actor, const Model& source);
+
+}  // namespace knuckle

@@ -1,0 +1,99 @@
+#include "sim/solver/animation/animation_stage.h"
+
+#include <cmath>
+
+#include "sim/solver/pack.h"
+
+namespace knuckle {
+
+namespace {
+
+/// The point that a motion over the ground turns about.
+Vector3f centreOf(const GroundMotion& motion)
+{
+    // c = R c + s, that is (1 - R) c = s, in the plane of x and z.
+    const float c = std::cos(motion.yaw), s = std::sin(motion.yaw);
+    Eigen::Matrix2f left;
+    left << 1 - c, -s, s, 1 - c;
+    const Eigen::Vector2f centre = left.inverse() * Eigen::Vector2f(motion.shift.x(), motion.shift.z());
+    return {centre.x(), 0, centre.y()};
+}
+
+/// Where each clip's keys begin.
+struct Starts {
+    std::vector<uint32_t> turns, roots;
+};
+
+void addPlays(std::vector<gpu::GpuClipPlay>& out, const World& world, const Animation& animation, const Starts& starts)
+{
+    const PlayPlaces places = placePlays(world, animation);
+    for (size_t i = 0; i < animation.plays.size(); ++i) {
+        const ClipPlay& play = animation.plays[i];
+        const BodyClip& clip = world.clips[play.clip];
+        const GroundMotion &start = places.starts[i], &round = places.loops[i];
+        gpu::GpuClipPlay p{};
+        p.firstTurn = starts.turns[play.clip];
+        p.firstRoot = starts.roots[play.clip];
+        p.keyCount = clip.keyCount();
+        p.bodyCount = clip.bodyCount;
+        p.at = play.at;
+        p.firstKey = play.start * clip.rate;
+        p.keyRate = play.speed * clip.rate;
+        p.fade = play.fade;
+        p.loop = play.loop ? 1 : 0;
+        p.inPlace = play.inPlace ? 1 : 0;
+        p.yaw = start.yaw;
+        p.roundYaw = round.yaw;
+        p.shift = pack(start.shift, 0);
+        p.roundShift = pack(round.yaw == 0.0f ? round.shift : centreOf(round), 0);
+        out.push_back(p);
+    }
+}
+
+}  // namespace
+
+void AnimationStage::upload(const StageSetup& setup)
+{
+    const World& world = setup.world;
+    Starts starts;
+    std::vector<gpu::vec4> turns, roots;
+    for (const BodyClip& clip : world.clips) {
+        starts.turns.push_back(static_cast<uint32_t>(turns.size()));
+        starts.roots.push_back(static_cast<uint32_t>(roots.size()));
+        for (const Quaternionf& turn : clip.turns) turns.push_back(pack(turn.vec(), turn.w()));
+        for (const Vector3f& root : clip.roots) roots.push_back(pack(root, 0));
+    }
+    std::vector<gpu::AnimatedBody> bodies;
+    std::vector<gpu::GpuAnimation> placed;
+    std::vector<gpu::GpuClipPlay> plays;
+    for (const Animation& animation : world.animations) {
+        const auto first = static_cast<uint32_t>(bodies.size()), index = static_cast<uint32_t>(placed.size());
+        const std::vector<AnimatedLink> links = linksOf(world, animation);
+        for (uint32_t b = 0; b < links.size(); ++b)
+            bodies.push_back({world.objects[animation.object].bodyStart + b,
+                              links[b].parent == NO_INDEX ? NO_INDEX : first + links[b].parent, index, b,
+                              pack(links[b].arm, 0), pack(links[b].parentArm, 0)});
+        placed.push_back({pack(animation.pose.translation, 0),
+                          pack(animation.pose.rotation.vec(), animation.pose.rotation.w()),
+                          static_cast<uint32_t>(plays.size()), static_cast<uint32_t>(animation.plays.size()), 0, 0});
+        addPlays(plays, world, animation, starts);
+    }
+    setup.parameters.animatedCount = static_cast<uint32_t>(bodies.size());
+    clipTurns = {"clipTurns", std::span<const gpu::vec4>(turns)};
+    clipRoots = {"clipRoots", std::span<const gpu::vec4>(roots)};
+    animatedBodies = {"animatedBodies", std::span<const gpu::AnimatedBody>(bodies)};
+    animations = {"animations", std::span<const gpu::GpuAnimation>(placed)};
+    clipPlays = {"clipPlays", std::span<const gpu::GpuClipPlay>(plays)};
+}
+
+void AnimationStage::addBuffers(BufferTable& table)
+{
+    table.add(Lifetime::Constant, clipTurns, clipRoots, animatedBodies, animations, clipPlays);
+}
+
+void AnimationStage::animate(Recorder& recorder) const
+{
+    recorder.perElement(animate_, parameters_.animatedCount);
+}
+
+}  // namespace knuckle
