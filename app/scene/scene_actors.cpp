@@ -24,9 +24,16 @@ std::string besideScene(const SceneContext& context, const std::string& file)
     return (std::filesystem::path(context.path).parent_path() / file).lexically_normal().string();
 }
 
+bool isLimited(const SceneContext& context, const Json& actor)
+{
+    return actor.value("limits", false) && context.builder.world().settings.solver == SolverKind::Impulse;
+}
+
 Actor loadActor(SceneContext& context, const Json& object, const std::string& file, const std::string& pointer)
 {
     Actor actor = readActor(file);
+    if (!isLimited(context, object))
+        for (ActorJoint& joint : actor.joints) joint.limits = {};
     const float diameter = context.builder.diameter();
     if (!object["joints"].get<std::string>().empty()) {
         failAt(context.path, pointer + "/joints", "an actor file has its joints already; give the model as `file`");
@@ -54,6 +61,7 @@ Actor voxelizeModel(SceneContext& context, const Json& object, const std::string
     ActorOptions options;
     options.voxels.diameter = diameter;
     options.voxels.particleLimit = MAX_PARTICLES;
+    options.articulation.limited = isLimited(context, object);
     if (object["type"] != "actor") {
         model.bones.clear();
         model.skin.clear();
@@ -83,6 +91,14 @@ std::vector<uint32_t> heldBodies(const ObjectEntry& entry, const Actor& actor)
     return held;
 }
 
+/// What is held at two places is a loop, which needs joints without limits: those of all held bodies but the first.
+void freeHeldJoints(Actor& actor, const std::vector<uint32_t>& held)
+{
+    for (ActorJoint& joint : actor.joints)
+        for (size_t i = 1; i < held.size(); ++i)
+            if (joint.child == held[i] || joint.parent == held[i]) joint.limits = {};
+}
+
 }  // namespace
 
 std::string existingFile(const SceneContext& context, const std::string& file, const std::string& pointer)
@@ -102,8 +118,13 @@ const Actor& findActor(SceneContext& context, const Json& object, const std::str
 {
     if (diameter == 0.0f) diameter = context.builder.diameter();
     const std::string file = existingFile(context, object["file"], pointer + "/file");
-    const std::string key =
-        Json{file, object["type"], object.value("joints", ""), object.value("scale", 0.0), diameter}.dump();
+    const std::string key = Json{file,
+                                 object["type"],
+                                 object.value("joints", ""),
+                                 object.value("scale", 0.0),
+                                 diameter,
+                                 isLimited(context, object)}
+                                .dump();
     const auto found = context.actors.find(key);
     if (found != context.actors.end()) return found->second;
     const bool actorFile = object["type"] == "actor" && std::filesystem::path(file).extension() == ".json";
@@ -120,7 +141,10 @@ void addActors(const ObjectEntry& entry)
     for (ActorJoint& joint : actor.joints)
         if (!joint.strength.tears()) joint.strength = strength;
     const std::vector<uint32_t> held = heldBodies(entry, actor);
-    const std::string name = actor.name;
+    freeHeldJoints(actor, held);
+    const bool animated = isAnimated(entry.json);
+    if (animated && !held.empty()) entry.fail("/animation", "is for what is not held; take `fixed` and `hold` away");
+    const std::vector<ClipPlay> plays = animated ? readClips(entry, actor) : std::vector<ClipPlay>();
     std::vector<uint32_t> objects;
     WorldBuilder& builder = entry.context.builder;
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
@@ -128,10 +152,7 @@ void addActors(const ObjectEntry& entry)
         objects.push_back(addActor(builder, actor, entry.material, entry.poses[copy], entry.velocity));
         for (const uint32_t body : held) builder.holdBody(builder.world().objects[objects.back()].bodyStart + body);
     }
-    if (isAnimated(entry.json)) {
-        if (!held.empty()) entry.fail("/animation", "is for what is not held; take `fixed` and `hold` away");
-        animateActors(entry, actor, objects);
-    }
+    if (animated) animateActors(entry, actor, objects, plays);
     releaseActors(entry, actor, objects);
 }
 

@@ -162,7 +162,7 @@ bool isAnimated(const Json& actor)
     return names(actor["animation"]) || names(actor["pose"]);
 }
 
-void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects)
+std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor)
 {
     const bool limp = names(entry.json["pose"]);
     if (limp && names(entry.json["animation"]))
@@ -170,6 +170,14 @@ void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vect
     if (!entry.velocity.isZero()) entry.fail("/velocity", "is what the clip says; take it away");
     ClipReader clips(entry, actor);
     const std::vector<ClipPlay> plays = limp ? std::vector{readPose(entry, clips)} : readPlays(entry, clips);
+    for (const ClipPlay& play : plays) takeIn(actor, entry.context.builder.world().clips[play.clip]);
+    return plays;
+}
+
+void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects,
+                   const std::vector<ClipPlay>& plays)
+{
+    const bool limp = names(entry.json["pose"]);
     WorldBuilder& builder = entry.context.builder;
     for (size_t copy = 0; copy < objects.size(); ++copy) {
         builder.animate({objects[copy], entry.poses[copy], pivotOf(actor), plays});

@@ -57,9 +57,13 @@ float releaseTime(const ObjectEntry& entry, bool held);
 /// Adds an object of type `actor` with its copies. @throws InputError.
 void addActors(const ObjectEntry& entry);
 
-/// Has the copies of an actor move as their clips say. @param objects of the world, a copy each.
+/// Adds the clips of an actor's `animation` or `pose`, and has its limits take them in. @returns how they are played.
 /// @throws InputError for clips that are not there or do not fit.
-void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);
+std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor);
+
+/// Has the copies of an actor move as their clips say. @param objects of the world, a copy each.
+void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects,
+                   const std::vector<ClipPlay>& plays);
 
 /// Lets the copies of an actor go as `release` says. @throws InputError.
 void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);

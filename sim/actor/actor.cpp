@@ -73,6 +73,11 @@ uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, 
         draft.joint.strength = joint.strength;
         setLimits(draft, joint.limits, joint.axis.normalized());
         builder.describeJoint(std::move(draft));
+        const ActorBody& parent = actor.bodies[joint.parent];
+        const bool crossed = parent.isCross && parent.parent >= 0;
+        if (joint.limits.any())
+            builder.passThrough(bodies[joint.child],
+                                bodies[crossed ? static_cast<uint32_t>(parent.parent) : joint.parent]);
     }
     builder.setSelfMargin(SELF_MARGIN);
     for (uint32_t b = 0; b < bodies.size(); ++b)

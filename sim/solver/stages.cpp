@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <stdexcept>
@@ -41,6 +42,11 @@ gpu::StepParameters commonParameters(const World& world, const Layout& layout)
 bool actsOnParticles(const World& world)
 {
     return FluidStage::isNeeded(world) || DistanceStage::isNeeded(world) || SoftStage::isNeeded(world);
+}
+
+bool hasNeighbour(const Body& body)
+{
+    return body.neighbour != NO_INDEX;
 }
 
 /// Of all kinds of constraints that act on bodies through the channel.
@@ -129,6 +135,7 @@ Defines Stages::worldDefines() const
                       {"FREEZE", s.freeze > 0.0f},
                       {"POOL", emitters.has_value()},
                       {"GRIDS", layout.hasGrids},
+                      {"NEIGHBOURS", std::ranges::any_of(world_.bodies, hasNeighbour)},
                       {"GRID_HASH", s.grid == GridKind::Hash}});
 }
 

@@ -98,6 +98,7 @@ struct Body {
     uint32_t object = NO_INDEX;        ///< Index into World::objects: what the scene calls one thing.
     RoundShape round;                  ///< Radius 0 for what is neither a ball nor a capsule.
     bool isCross = false;              ///< The flat middle body of a universal joint.
+    uint32_t neighbour = NO_INDEX;     ///< A body that it never touches: the one it hangs on, where limits hold it.
     float mass = 0.0f;                 ///< Sum of its particles' shares of mass [kg].
     Vector3f restCentre{0, 0, 0};      ///< Mass centre in the object's rest pose [m].
     Vector3f position{0, 0, 0};        ///< Where restCentre starts [m].

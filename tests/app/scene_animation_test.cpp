@@ -58,6 +58,46 @@ TEST(SceneAnimation, JointsAreShutThroughoutAClip)
     }
 }
 
+/// How far a joint is from the nearer end of its limits, of turns with places of both bodies; negative beyond them.
+float roomOf(const Joint& joint, const Quaternionf& parent, const Quaternionf& child)
+{
+    const Quaternionf a = parent * joint.parentSide.frame, b = child * joint.childSide.frame;
+    const Quaternionf turn = a.conjugate() * b;
+    const float twist = std::remainder(2 * std::atan2(turn.x(), turn.w()), 2 * static_cast<float>(M_PI));
+    const float swing = std::acos(std::clamp((turn * Vector3f::UnitX()).x(), -1.0f, 1.0f));
+    float room = std::min(twist - joint.limits.twist.lowest, joint.limits.twist.highest - twist);
+    if (joint.limits.swing < static_cast<float>(M_PI)) room = std::min(room, joint.limits.swing - swing);
+    return room;
+}
+
+TEST(SceneAnimation, LimitsTakeInTheRestPoseAndEveryPoseOfAClip)
+{
+    const World world = worldOf(figure(DANCE));
+    uint32_t limited = 0;
+    for (int k = -1; k < 80; ++k) {
+        const double time = 0.05 * k;
+        std::vector<Pose> poses(world.bodies.size());
+        if (k >= 0) poses = sampleAnimation(world, world.animations[0], time);
+        for (const Joint& joint : world.joints) {
+            if (!joint.limits.any()) continue;
+            ++limited;
+            // 5 degrees at the keys; between them splines go a little further.
+            EXPECT_GT(roomOf(joint, poses[joint.parent].rotation, poses[joint.child].rotation), 0.07f)
+                << joint.name << " at " << time << " s";
+        }
+    }
+    EXPECT_EQ(limited, 81 * world.joints.size());
+}
+
+TEST(SceneAnimation, LimitsCanBeLeftOutAndAreWhereAFigureIsHeldTwice)
+{
+    for (const Joint& joint : worldOf(figure(R"(, "limits": false)")).joints) EXPECT_FALSE(joint.limits.any());
+    for (const Body& body : worldOf(figure(R"(, "limits": false)")).bodies) EXPECT_EQ(body.neighbour, NO_INDEX);
+    for (const Joint& joint : worldOf(figure(R"(, "hold": ["hand.L", "hand.R"])")).joints)
+        EXPECT_EQ(joint.limits.any(), joint.name != "hand.R") << joint.name;
+    for (const Joint& joint : worldOf(figure(""), R"("solver": "paper", )").joints) EXPECT_FALSE(joint.limits.any());
+}
+
 TEST(SceneAnimation, ReleasesAreOfAllOrOfWhatHangsOnABody)
 {
     const World whole = worldOf(figure(DANCE + R"(, "release": {"clipTime": 1.5})"));

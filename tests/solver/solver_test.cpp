@@ -138,8 +138,10 @@ void KernelFixture::fillGrid(const Defines& defines)
 
 void KernelFixture::findPairs(GridKind grid)
 {
-    const Defines defines = gridDefines(grid);
+    Defines defines = gridDefines(grid);
     fillGrid(defines);
+    if (std::ranges::any_of(world.bodies, [](const Body& body) { return body.neighbour != NO_INDEX; }))
+        defines.push_back({"NEIGHBOURS", "1"});
     forParticles("search/contact_find", defines);
     run("search/contact_find_far", counters().fastListed, defines);
 }

@@ -16,13 +16,31 @@ RestPosition fetchRestPosition(uint i)
     return RestPosition(t.xyz, t.w);
 }
 
-bool inSameBody(uint i, uint j)
+#ifdef NEIGHBOURS
+uniform usamplerBuffer bodyNeighbours;
+
+/// Whether limits keep two bodies apart: they never touch.
+bool areNeighbours(uint a, uint b)
+{
+    return texelFetch(bodyNeighbours, int(a)).x == b || texelFetch(bodyNeighbours, int(b)).x == a;
+}
+#else
+bool areNeighbours(uint a, uint b)
+{
+    return false;
+}
+#endif
+
+/// Whether a body has both, or each is of one of two that never touch.
+bool areTogether(uint i, uint j)
 {
     OwnerRange a = fetchOwners(i), b = fetchOwners(j);
     bool same = false;
     for (uint k = 0u; k < a.count; ++k)
-        for (uint l = 0u; l < b.count; ++l)
-            same = same || fetchOwner(a.first + k).body == fetchOwner(b.first + l).body;
+        for (uint l = 0u; l < b.count; ++l) {
+            uint first = fetchOwner(a.first + k).body, second = fetchOwner(b.first + l).body;
+            same = same || first == second || areNeighbours(first, second);
+        }
     return same;
 }
 
@@ -31,5 +49,5 @@ bool mayTouch(uint i, uint j)
 {
     RestPosition a = fetchRestPosition(i), b = fetchRestPosition(j);
     float least = (0.99 + max(a.margin, b.margin)) * touchDistance(i, j);
-    return length(a.position - b.position) > least && !inSameBody(i, j);
+    return length(a.position - b.position) > least && !areTogether(i, j);
 }

@@ -7,6 +7,7 @@
 
 #include "sim/actor/bodies/bone_bodies.h"
 #include "sim/actor/bodies/joint_particles.h"
+#include "sim/actor/bodies/joint_ranges.h"
 #include "sim/world/builder/joints.h"
 #include "sim/world/errors.h"
 
@@ -91,6 +92,40 @@ Vector3f bendDirection(const std::string& name, const Vector3f& along, const Bea
     return std::abs(wanted.dot(along)) < 0.8f ? perpendicular(wanted, along) : perpendicular(Vector3f::UnitY(), along);
 }
 
+BodyPart partOf(const Model& model, const BodyDraft& draft)
+{
+    return partFromName(draft.name, nameOf(model, model.bones[draft.bone].parent),
+                        nameOf(model, firstChild(model, draft.bone)));
+}
+
+/// Neck and head share a range, as the segments of a spine do.
+uint32_t segmentsOf(const Model& model, const std::vector<BodyDraft>& drafts, BodyPart part)
+{
+    const auto kind = [](BodyPart p) { return p == BodyPart::Head ? BodyPart::Neck : p; };
+    uint32_t count = 0;
+    for (size_t b = 1; b < drafts.size(); ++b) count += kind(partOf(model, drafts[b])) == kind(part);
+    return std::max(count, 1u);
+}
+
+/// The limits of a joint of a human body, where its type is the one that it has there.
+JointLimits rangeOf(const Model& model, const std::vector<BodyDraft>& drafts, const JointPlan& plan,
+                    const Bearings& bearings)
+{
+    const BodyDraft &draft = drafts[plan.child], &parent = drafts[plan.parent];
+    LimbStance stance;
+    stance.part = partOf(model, draft);
+    if (!hasRange(stance.part) || rangedType(stance.part) != plan.type) return {};
+    stance.along = plan.type == JointType::Ball ? plan.twistAxis : plan.along;
+    stance.forward = bearings.forward;
+    stance.outward = static_cast<float>(sideFromName(draft.name)) * bearings.left;
+    stance.segments = segmentsOf(model, drafts, stance.part);
+    const Vector3f above = draft.anchor - parent.anchor;
+    if (plan.type == JointType::Hinge && parent.parent >= 0 && above.norm() > 0.0f)
+        stance.bend = std::atan2(plan.along.dot(plan.axis.cross(above.normalized())),
+                                 plan.along.dot(above.normalized()));
+    return ordinaryRange(stance);
+}
+
 JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, uint32_t body, const Voxels& voxels,
                     const ArticulationOptions& options, const Bearings& bearings)
 {
@@ -99,13 +134,17 @@ JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, ui
     JointPlan plan;
     plan.type = jointTypeFromName(draft.name, nameOf(model, model.bones[draft.bone].parent),
                                   nameOf(model, firstChild(model, draft.bone)));
+    if (options.limited && hasRange(partOf(model, draft))) plan.type = rangedType(partOf(model, draft));
     if (const auto found = options.types.find(draft.name); found != options.types.end()) {
         plan.type = found->second;
     }
     plan.parent = parent;
     plan.child = body;
     plan.anchor = draft.anchor;
-    plan.clear = options.clearJoints;
+    // What bends by little does not need the room.
+    const BodyPart part = partOf(model, draft);
+    const bool bendsLittle = part == BodyPart::Spine || part == BodyPart::Neck || part == BodyPart::Clavicle;
+    plan.clear = options.clearJoints && !(options.limited && bendsLittle);
     plan.along = directionOf(drafts, body, voxels);
     plan.flexion = bendDirection(draft.name, plan.along, bearings);
     const Vector3f above = draft.anchor - drafts[parent].anchor;
@@ -119,6 +158,7 @@ JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, ui
     }
     plan.axis = plan.along.cross(plan.flexion).normalized();
     plan.twistAxis = plan.along;
+    if (options.limited) plan.limits = rangeOf(model, drafts, plan, bearings);
     if (const auto found = options.limits.find(draft.name); found != options.limits.end()) {
         plan.limits = found->second;
         for (const std::string& name : plan.limits.misplacedIn(plan.type))
@@ -129,6 +169,7 @@ JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, ui
     if (const auto found = options.strengths.find(draft.name); found != options.strengths.end())
         plan.strength = found->second;
     if (const auto found = options.axes.find(draft.name); found != options.axes.end()) {
+        if (!options.limits.contains(draft.name)) plan.limits = {};
         plan.twistAxis = found->second.normalized();
         plan.axis = found->second.normalized();
         plan.along = perpendicular(plan.along, plan.axis);

@@ -16,6 +16,9 @@ struct ArticulationOptions {
     std::map<std::string, Vector3f> axes;       ///< Hinge or universal axis, not zero, by the name of the child bone.
     std::map<std::string, JointLimits> limits;  ///< By the name of the child bone.
     std::map<std::string, JointStrength> strengths;  ///< The same.
+    /// Joints that nobody says anything about have the limits of a human body's. Spine, neck and collar bones then give
+    /// a little; without, they are stiff.
+    bool limited = true;
     /// Leave one layer of a ball or hinge joint's child out where it would touch the parent, so that the joint can
     /// turn before the two sides meet.
     bool clearJoints = true;

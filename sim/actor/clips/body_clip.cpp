@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sim/actor/bodies/articulate.h"
+#include "sim/actor/bodies/joint_ranges.h"
 #include "sim/actor/clips/bone_match.h"
 #include "sim/actor/clips/joint_turns.h"
 #include "sim/world/errors.h"
@@ -47,6 +48,22 @@ Quaternionf turnBy(const Mapping& map, uint32_t body, const Model& source, const
     return map.facing * turn * map.facing.conjugate() * map.aligned[body];
 }
 
+float lowestOf(const Model& model)
+{
+    float low = headOf(model.bones[0].restPose).y();
+    for (const Bone& bone : model.bones) low = std::min(low, headOf(bone.restPose).y());
+    return low;
+}
+
+/// The lowest that any bone gets in a clip: where its ground is [m].
+float groundOf(const Clip& clip)
+{
+    float low = std::numeric_limits<float>::max();
+    for (const std::vector<Matrix4f>& poses : clip.poses)
+        for (const Matrix4f& pose : poses) low = std::min(low, headOf(pose).y());
+    return low;
+}
+
 Vector3f pivotAt(const Mapping& map, const Model& source, const std::vector<Matrix4f>& poses)
 {
     const uint32_t bone = map.bones[0] == NO_INDEX ? 0 : map.bones[0];
@@ -68,7 +85,7 @@ ActorClip convert(const Actor& actor, const Model& source, const Clip& clip, con
     for (uint32_t k = 0; k < keys; ++k) {
         const std::vector<Matrix4f>& poses = clip.poses[k];
         const Vector3f pivot = pivotAt(map, source, poses);
-        if (k == 0) start = Vector3f(pivot.x(), map.pivot.y(), pivot.z());
+        if (k == 0) start = Vector3f(pivot.x(), groundOf(clip) + map.pivot.y() - lowestOf(source), pivot.z());
         out.clip.roots.push_back(map.own ? pivot : Vector3f(rest + map.scale * (map.facing * (pivot - start))));
         turns.addKey([&](uint32_t body) { return turnBy(map, body, source, poses); },
                      [&](uint32_t body) { return map.bones[body] != NO_INDEX; }, out.clip.turns);
@@ -139,13 +156,6 @@ Quaternionf facingFrom(const Vector3f& theirLeft, const Vector3f& ourLeft)
 {
     const float yaw = std::atan2(theirLeft.z(), theirLeft.x()) - std::atan2(ourLeft.z(), ourLeft.x());
     return Quaternionf(Eigen::AngleAxisf(yaw, Vector3f::UnitY()));
-}
-
-float lowestOf(const Model& model)
-{
-    float low = headOf(model.bones[0].restPose).y();
-    for (const Bone& bone : model.bones) low = std::min(low, headOf(bone.restPose).y());
-    return low;
 }
 
 Mapping mapForeign(const Actor& actor, const Model& source)
@@ -219,6 +229,15 @@ ActorClip foreignClip(const Actor& actor, const Model& source, const Clip& clip)
         out.notes.push_back(
             fmt::format("Clip '{}' does not move {}: no bone of its file is that.", clip.name, fmt::join(still, ", ")));
     return out;
+}
+
+void takeIn(Actor& actor, const BodyClip& clip)
+{
+    for (ActorJoint& joint : actor.joints) {
+        const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
+        for (uint32_t k = 0; k < clip.keyCount(); ++k)
+            takeIn(joint.limits, type, joint.axis, clip.turns[size_t{k} * clip.bodyCount + joint.child]);
+    }
 }
 
 }  // namespace knuckle

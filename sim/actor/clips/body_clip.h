@@ -27,4 +27,7 @@ ActorClip ownClip(const Actor& actor, const Model& model, const Clip& clip);
 /// the hips, and the way begins where the actor stands. @throws InputError where no bone fits, with names of both.
 ActorClip foreignClip(const Actor& actor, const Model& source, const Clip& clip);
 
+/// Widens the limits of an actor's joints so that they take in every turn of a clip, with 5 degrees to spare.
+void takeIn(Actor& actor, const BodyClip& clip);
+
 }  // namespace knuckle

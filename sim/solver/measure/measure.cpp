@@ -119,10 +119,17 @@ bool mayTouch(const World& world, uint32_t a, uint32_t b)
     if (!first.touchesAssembly || !second.touchesAssembly) return false;
     const float near = 0.99f + std::max(first.selfMargin, second.selfMargin);
     if ((first.restPosition - second.restPosition).norm() <= near * world.diameter()) return false;
-    if (first.bodyCount < 2 && second.bodyCount < 2) return true;
-    for (uint32_t body = 0; body < world.bodies.size(); ++body)
-        if (world.bodies[body].assembly == first.assembly && inBody(world, a, body) && inBody(world, b, body))
-            return false;
+    if (first.body == NO_INDEX || second.body == NO_INDEX) return true;
+    if (first.bodyCount < 2 && second.bodyCount < 2)
+        return world.bodies[first.body].neighbour != second.body && world.bodies[second.body].neighbour != first.body;
+    for (uint32_t body = 0; body < world.bodies.size(); ++body) {
+        if (world.bodies[body].assembly != first.assembly) continue;
+        const uint32_t neighbour = world.bodies[body].neighbour;
+        const bool hasFirst = inBody(world, a, body), hasSecond = inBody(world, b, body);
+        if (hasFirst && hasSecond) return false;
+        if (neighbour == NO_INDEX) continue;
+        if ((hasFirst && inBody(world, b, neighbour)) || (hasSecond && inBody(world, a, neighbour))) return false;
+    }
     return true;
 }
 

@@ -201,6 +201,12 @@ void WorldBuilder::markCross(uint32_t body)
     world_.bodies[body].isCross = true;
 }
 
+void WorldBuilder::passThrough(uint32_t body, uint32_t neighbour)
+{
+    requireObject("passThrough");
+    world_.bodies.at(body).neighbour = neighbour;
+}
+
 uint32_t WorldBuilder::endObject(const Pose& pose, const Vector3f& velocity, const Vector3f& spin)
 {
     requireObject("endObject");

@@ -90,7 +90,9 @@ TEST(Articulate, ballSharesOneParticleAtTheAnchor)
 
 TEST(Articulate, stiffSharesFourParticlesThatSpanAPlane)
 {
-    const Actor actor = make(twoBoneBox("spine"), 0.1f);
+    ArticulationOptions options;
+    options.limited = false;
+    const Actor actor = make(twoBoneBox("spine"), 0.1f, options);
     expectSound(actor);
     const auto& shared = actor.joints.at(0).sharedParticles;
     ASSERT_EQ(std::set<uint32_t>(shared.begin(), shared.end()).size(), 4u);

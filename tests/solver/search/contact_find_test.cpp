@@ -139,7 +139,7 @@ TEST_P(ContactFind, TheRulesOfWhatTouchesAllMatterHere)
 {
     // Near each other and not of one first body, but excluded, by each rule alone: else the tests above would prove
     // less than they say.
-    uint32_t crosses = 0, overlaps = 0, margins = 0, shared = 0;
+    uint32_t crosses = 0, overlaps = 0, margins = 0, shared = 0, neighbours = 0;
     const auto& particles = fixture.world.particles;
     for (uint32_t i = 0; i < fixture.count(); ++i)
         for (uint32_t j = 0; j < i; ++j) {
@@ -152,10 +152,13 @@ TEST_P(ContactFind, TheRulesOfWhatTouchesAllMatterHere)
             crosses += cross && !overlap;
             overlaps += overlap && !cross && restDistance(a, b) <= 0.99f * DIAMETER;
             margins += overlap && !cross && restDistance(a, b) > DIAMETER;
-            shared += !overlap && !cross && !fixture.mayTouch(i, j);
+            const bool neighbour = fixture.world.bodies[a.body].neighbour == b.body;
+            neighbours += neighbour && !overlap && !cross;
+            shared += !neighbour && !overlap && !cross && !fixture.mayTouch(i, j);
         }
     EXPECT_GT(crosses, 0u);
     EXPECT_GT(overlaps, 0u);
+    EXPECT_GT(neighbours, 0u);
     EXPECT_GT(margins, 0u);
     EXPECT_GT(shared, 0u) << "a shared particle and one of its second body";
 }

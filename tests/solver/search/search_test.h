@@ -22,8 +22,8 @@ public:
     uint32_t moverOf(uint32_t particle) const { return places[particle].x; }
     uint32_t rankOf(uint32_t particle) const { return places[particle].y; }
     bool isFast(uint32_t particle) const { return reaches[moverOf(particle)] > 0.0f; }
-    /// Written anew from the rules: never of one body; of one assembly, neither a universal joint's cross nor nearer
-    /// than a diameter and a margin at rest.
+    /// Written anew from the rules: never of one body, or of two that limits hold; of one assembly, neither a universal
+    /// joint's cross nor nearer than a diameter and a margin at rest.
     bool mayTouch(uint32_t i, uint32_t j) const;
     /// How near two particles have to be to be a pair [m]: further for fast movers.
     float limitOf(uint32_t i, uint32_t j) const;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "sim/actor/bodies/articulate.h"
+
+namespace knuckle {
+
+/// How a limb stands at its joint in the rest pose.
+struct LimbStance {
+    BodyPart part = BodyPart::Other;
+    Vector3f along{0, -1, 0};   ///< Unit, from the joint down the limb.
+    Vector3f forward{0, 0, 1};  ///< Unit, where the figure looks.
+    Vector3f outward{1, 0, 0};  ///< Unit, to the limb's own side.
+    float bend = 0.0f;          ///< Of a hinge: how far it is bent the way that it bends [rad].
+    uint32_t segments = 1;      ///< Of a spine or a neck: how many joints share its range.
+};
+
+/// Whether a joint has a range of its own, as a ball with limits or a hinge.
+bool hasRange(BodyPart part);
+
+/// The joint's type where it has limits: a spine then is a row of balls that give a little.
+JointType rangedType(BodyPart part);
+
+/// The ordinary range of motion of a human joint (American Academy of Orthopaedic Surgeons, 1965), which takes in
+/// the rest pose with 5 degrees to spare. None for other parts.
+JointLimits ordinaryRange(const LimbStance& stance);
+
+/// Widens limits so that they take in every turn of a clip with 5 degrees to spare. @param turn of the child against
+/// its parent. @param axis the joint's, in the rest pose.
+void takeIn(JointLimits& limits, JointType type, const Vector3f& axis, const Quaternionf& turn);
+
+}  // namespace knuckle

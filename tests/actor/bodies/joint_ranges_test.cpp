@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/actor/bodies/joint_ranges.h"
+
+namespace knuckle::test {
+
+namespace {
+
+constexpr float DEGREE = static_cast<float>(M_PI) / 180;
+
+Quaternionf turn(float degrees, const Vector3f& axis)
+{
+    return Quaternionf(Eigen::AngleAxisf(degrees * DEGREE, axis));
+}
+
+}  // namespace
+
+TEST(JointRanges, AKneeBendsOneWayFromStraight)
+{
+    // Bent by 10 degrees at rest: 10 to straight, 130 to the end of its range.
+    const JointLimits knee = ordinaryRange({.part = BodyPart::Shin, .bend = 10 * DEGREE});
+    EXPECT_NEAR(knee.bend.lowest, -10 * DEGREE, 1e-5f);
+    EXPECT_NEAR(knee.bend.highest, 130 * DEGREE, 1e-5f);
+    // Straight at rest: 5 degrees to spare.
+    EXPECT_NEAR(ordinaryRange({.part = BodyPart::Shin}).bend.lowest, -5 * DEGREE, 1e-5f);
+}
+
+TEST(JointRanges, ASpineSharesItsRangeAmongItsSegments)
+{
+    const LimbStance up{.part = BodyPart::Spine, .along = {0, 1, 0}};
+    LimbStance third = up;
+    third.segments = 3;
+    EXPECT_NEAR(ordinaryRange(up).twist.highest, 45 * DEGREE, 1e-5f);
+    EXPECT_NEAR(ordinaryRange(third).twist.highest, 15 * DEGREE, 1e-5f);
+    EXPECT_LT(ordinaryRange(third).swing, ordinaryRange(up).swing);
+}
+
+TEST(JointRanges, AHipLetsItsThighForwardFurtherThanBack)
+{
+    const JointLimits hip = ordinaryRange({.part = BodyPart::Thigh});
+    const auto lets = [&](const Vector3f& along) {
+        return hip.cone.normalized().dot(along.normalized()) > std::cos(hip.swing);
+    };
+    EXPECT_TRUE(lets({0, 0, 1}));
+    EXPECT_TRUE(lets({1, -1, 0}));
+    EXPECT_TRUE(lets({0, -0.87f, -0.5f}));
+    EXPECT_FALSE(lets({0, -0.5f, -0.87f}));
+    EXPECT_FALSE(lets({0, 1, 0}));
+}
+
+TEST(JointRanges, WhatAClipDoesIsTakenInWithFiveDegreesToSpare)
+{
+    JointLimits hinge;
+    hinge.bend = {-0.1f, 1.0f};
+    takeIn(hinge, JointType::Hinge, {0, 0, 1}, turn(40, {0, 0, 1}));
+    EXPECT_EQ(hinge.bend.highest, 1.0f);
+    takeIn(hinge, JointType::Hinge, {0, 0, 1}, turn(-60, {0, 0, 1}));
+    EXPECT_NEAR(hinge.bend.lowest, -65 * DEGREE, 1e-5f);
+
+    JointLimits ball;
+    ball.swing = 20 * DEGREE;
+    ball.twist = {-10 * DEGREE, 10 * DEGREE};
+    takeIn(ball, JointType::Ball, {0, 1, 0}, turn(50, {1, 0, 0}) * turn(30, {0, 1, 0}));
+    EXPECT_NEAR(ball.swing, 55 * DEGREE, 1e-5f);
+    EXPECT_NEAR(ball.twist.highest, 35 * DEGREE, 1e-5f);
+    EXPECT_NEAR(ball.twist.lowest, -10 * DEGREE, 1e-5f);
+    takeIn(ball, JointType::Ball, {0, 1, 0}, turn(178, {1, 0, 0}));
+    EXPECT_EQ(ball.swing, static_cast<float>(M_PI)) << "all the way round is no limit";
+}
+
+TEST(JointRanges, WhatIsNoPartOfABodyHasNone)
+{
+    for (const BodyPart part : {BodyPart::Other, BodyPart::Hips, BodyPart::Finger}) {
+        EXPECT_FALSE(hasRange(part));
+        EXPECT_FALSE(ordinaryRange({.part = part}).any());
+    }
+}
+
+}  // namespace knuckle::test

@@ -1,0 +1,150 @@
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/clips/body_clip.h"
+#include "sim/world/errors.h"
+#include "tests/message_of.h"
+#include "tools/humanoid/humanoid.h"
+
+namespace knuckle::test {
+
+namespace {
+
+const Model& figure()
+{
+    static const Model model = makeHumanoid();
+    return model;
+}
+
+const Actor& actor()
+{
+    static const Actor made = [] {
+        ActorOptions options;
+        options.voxels.diameter = 0.05f;
+        return makeActor(figure(), options);
+    }();
+    return made;
+}
+
+/// Its bones under other names, larger, and looking elsewhere.
+Model disguised(const std::map<std::string, std::string>& names, float scale, float yaw)
+{
+    Model model = figure();
+    Eigen::Matrix4f turned = Eigen::Matrix4f::Identity();
+    turned.topLeftCorner<3, 3>() = Eigen::AngleAxisf(yaw, Vector3f::UnitY()).toRotationMatrix();
+    const auto change = [&](Eigen::Matrix4f& pose) {
+        pose.block<3, 1>(0, 3) *= scale;
+        pose = turned * pose;
+    };
+    for (Bone& bone : model.bones) {
+        bone.name = names.at(bone.name);
+        change(bone.restPose);
+    }
+    for (Clip& clip : model.clips)
+        for (auto& poses : clip.poses)
+            for (Eigen::Matrix4f& pose : poses) change(pose);
+    return model;
+}
+
+const std::map<std::string, std::string> MIXAMO = {
+    {"hips", "mixamorig:Hips"},
+    {"spine", "mixamorig:Spine"},
+    {"chest", "mixamorig:Spine1"},
+    {"neck", "mixamorig:Neck"},
+    {"head", "mixamorig:Head"},
+    {"clavicle.L", "mixamorig:LeftShoulder"},
+    {"upper_arm.L", "mixamorig:LeftArm"},
+    {"forearm.L", "mixamorig:LeftForeArm"},
+    {"hand.L", "mixamorig:LeftHand"},
+    {"clavicle.R", "mixamorig:RightShoulder"},
+    {"upper_arm.R", "mixamorig:RightArm"},
+    {"forearm.R", "mixamorig:RightForeArm"},
+    {"hand.R", "mixamorig:RightHand"},
+    {"thigh.L", "mixamorig:LeftUpLeg"},
+    {"shin.L", "mixamorig:LeftLeg"},
+    {"foot.L", "mixamorig:LeftFoot"},
+    {"thigh.R", "mixamorig:RightUpLeg"},
+    {"shin.R", "mixamorig:RightLeg"},
+    {"foot.R", "mixamorig:RightFoot"},
+};
+
+}  // namespace
+
+TEST(BodyClip, BodiesTurnAsTheirBonesWhereJointsLetThem)
+{
+    const Clip& dance = figure().clips.front();
+    const BodyClip clip = ownClip(actor(), figure(), dance).clip;
+    ASSERT_EQ(clip.keyCount(), dance.poses.size());
+    EXPECT_NEAR(clip.duration(), dance.duration, 1e-4);
+    for (uint32_t k = 0; k < clip.keyCount(); ++k) {
+        std::vector<Quaternionf> whole(actor().bodies.size());
+        for (uint32_t b = 0; b < actor().bodies.size(); ++b) {
+            const ActorBody& body = actor().bodies[b];
+            const Quaternionf& turn = clip.turns[k * clip.bodyCount + b];
+            whole[b] = body.parent < 0 ? turn : whole[body.parent] * turn;
+            // Balls and the first body are where their bones are; behind a hinge only that, too.
+            const auto bone = std::ranges::find(figure().bones, body.name, &Bone::name) - figure().bones.begin();
+            const Eigen::Matrix3f wanted = dance.poses[k][bone].topLeftCorner<3, 3>() *
+                                           figure().bones[bone].restPose.topLeftCorner<3, 3>().transpose();
+            const bool hinge = body.name.starts_with("shin") || body.name.starts_with("forearm");
+            if (!hinge) {
+                EXPECT_LT(whole[b].angularDistance(Quaternionf(wanted)), 2e-3f) << body.name << " key " << k;
+            }
+            if (hinge) {
+                const auto joint = std::ranges::find(actor().joints, b, &ActorJoint::child);
+                EXPECT_LT(turn.vec().cross(joint->axis).norm(), 1e-5f) << body.name << " key " << k;
+            }
+        }
+    }
+}
+
+TEST(BodyClip, TheSameDanceComesFromASkeletonOfOtherNamesSizeAndDirection)
+{
+    const BodyClip own = ownClip(actor(), figure(), figure().clips.front()).clip;
+    const Model other = disguised(MIXAMO, 2.5f, 1.2f);
+    const ActorClip foreign = foreignClip(actor(), other, other.clips.front());
+    ASSERT_EQ(foreign.clip.turns.size(), own.turns.size());
+    for (size_t i = 0; i < own.turns.size(); ++i) {
+        const uint32_t body = static_cast<uint32_t>(i % own.bodyCount);
+        EXPECT_LT(foreign.clip.turns[i].angularDistance(own.turns[i]), 5e-3f)
+            << actor().bodies[body].name << " key " << i / own.bodyCount;
+    }
+    // The way begins where the figure stands; up and down is as far, but for what feet are above the ground at rest.
+    for (size_t k = 0; k < own.roots.size(); ++k) {
+        const Vector3f moved = own.roots[k] - own.roots[0];
+        EXPECT_LT((foreign.clip.roots[k] - foreign.clip.roots[0] - moved).norm(), 0.12f * moved.norm() + 1e-3f) << k;
+    }
+    EXPECT_NEAR(foreign.clip.roots[0].x(), pivotOf(actor()).x(), 1e-4f);
+    EXPECT_NEAR(foreign.clip.roots[0].z(), pivotOf(actor()).z(), 1e-4f);
+}
+
+TEST(BodyClip, WhatNoBoneMovesGoesWithItsParentAndIsTold)
+{
+    std::map<std::string, std::string> names = MIXAMO;
+    names["hand.L"] = "thing";
+    const Model other = disguised(names, 1.0f, 0.0f);
+    const ActorClip made = foreignClip(actor(), other, other.clips.front());
+    const auto hand = std::ranges::find(actor().bodies, "hand.L", &ActorBody::name) - actor().bodies.begin();
+    for (uint32_t k = 0; k < made.clip.keyCount(); ++k)
+        EXPECT_LT(made.clip.turns[k * made.clip.bodyCount + hand].angularDistance(Quaternionf::Identity()), 1e-6f);
+    ASSERT_FALSE(made.notes.empty());
+    EXPECT_EQ(made.notes.back(), "Clip 'dance' does not move hand.L: no bone of its file is that.");
+}
+
+TEST(BodyClip, ASkeletonOfNothingKnownIsRefusedWithNamesOfBoth)
+{
+    std::map<std::string, std::string> names;
+    for (const auto& [ours, theirs] : MIXAMO) names[ours] = fmt::format("thing{}", names.size());
+    const Model other = disguised(names, 1.0f, 0.0f);
+    const std::string message = messageOf<InputError>([&] { foreignClip(actor(), other, other.clips.front()); });
+    EXPECT_TRUE(message.starts_with("none of its bones (thing")) << message;
+    EXPECT_NE(message.find("is one of the actor's (spine"), std::string::npos) << message;
+}
+
+}  // namespace knuckle::test
