@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds Knuckle and films a ragdoll that falls down the stairs: out/ragdoll.mp4, its frames in out/ragdoll.
+# Builds Knuckle and films a figure that dances and is let go: out/dance.mp4, its frames in out/dance.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 bash scripts/build.sh release knuckle
-build/release/bin/knuckle render assets/scenes/ragdoll.json -o out/ragdoll -o out/ragdoll.mp4
+build/release/bin/knuckle render assets/scenes/dance.json -o out/dance -o out/dance.mp4

@@ -183,7 +183,7 @@ TEST_P(TrafficOf, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
 }
 
 // What flows out of emitters is there from the start.
-INSTANTIATE_TEST_SUITE_P(Scenes, TrafficOf, testing::Values("ragdoll.json", "fountain.json"),
+INSTANTIATE_TEST_SUITE_P(Scenes, TrafficOf, testing::Values("ragdoll.json", "fountain.json", "dance.json"),
                          [](const auto& scene) { return std::string(scene.param, strchr(scene.param, '.')); });
 
 }  // namespace

@@ -1,11 +1,14 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "tools/humanoid/humanoid.h"
 
-// The dance: eight beats of half a second. The feet are placed first (they step on the spot, two beats a side), the
-// hips sway over them, and the knees follow by two-bone inverse kinematics, so that no foot can pass the floor.
+// The dance: sixteen beats of half a second. Steps to both sides, a turn all the way round in six steps, a leap, and
+// back. The feet are placed first, the hips go over them, and the knees follow by two-bone inverse kinematics, so that
+// no foot can pass the floor. In the air the hips fly as a body does.
 namespace knuckle {
 
 using Eigen::AngleAxisd;
@@ -14,17 +17,129 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double DURATION = 4.0;  // [s]
-constexpr int KEYS_PER_SECOND = 24;
-constexpr double CROUCH = 0.055;      // the hips hang this much lower than at rest, at least [m]
-constexpr double STEP_HEIGHT = 0.11;  // [m]
+constexpr double BEATS = 16.0;
+constexpr double BEAT = 0.5;  // [s]
+constexpr int KEYS_PER_SECOND = 30;
+constexpr double CROUCH = 0.05;       // the hips hang this much lower than at rest [m]
+constexpr double STEP_HEIGHT = 0.09;  // [m]
+constexpr double GRAVITY = 9.81;      // [m/s2]
+
+// The leap, in beats: down, off the ground, on it again, up.
+constexpr double DOWN = 9.2, OFF = 10.0, ON = 11.2, UP = 13.0;
+constexpr double DEPTH = 0.2;  // of the hips before and after [m]
 
 using Heads = std::array<Vector3d, HUMANOID_BONE_COUNT>;
 using Rotations = std::array<Matrix3d, HUMANOID_BONE_COUNT>;
 
 Matrix3d turn(double degrees, const Vector3d& axis)
 {
-    return AngleAxisd(degrees * std::numbers::pi / 180.0, axis).toRotationMatrix();
+    return AngleAxisd(degrees * std::numbers::pi / 180.0, axis.normalized()).toRotationMatrix();
+}
+
+double smooth(double way)
+{
+    const double t = std::clamp(way, 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+// Where a foot goes, from one place to the next.
+struct Step {
+    double from, to;  // [beats]
+    double x, z;      // of the figure that stands there [m]
+    double yaw;       // [degrees]
+};
+const std::vector<Step> LEFT_STEPS = {{0.0, 0.9, 0.12, 0, 0},  {2.0, 2.9, 0.0, 0, 0},  {4.0, 4.7, 0, 0, 120},
+                                      {5.4, 6.1, 0, 0, 240},   {6.8, 7.5, 0, 0, 360},  {OFF, ON, 0, 0.3, 360},
+                                      {13.0, 13.8, 0, 0, 360}, {14.6, 15.4, 0, 0, 360}};
+const std::vector<Step> RIGHT_STEPS = {{1.0, 1.9, 0.12, 0, 0}, {3.0, 3.9, 0.0, 0, 0}, {4.7, 5.4, 0, 0, 120},
+                                       {6.1, 6.8, 0, 0, 240},  {7.5, 8.2, 0, 0, 360}, {OFF, ON, 0, 0.3, 360},
+                                       {13.8, 14.6, 0, 0, 360}};
+
+// A foot at a moment, but for its leg in the air.
+struct Footing {
+    Vector3d place{0, 0, 0};  // of the figure above it [m]
+    double yaw = 0.0;         // [degrees]
+    double lift = 0.0;        // 0 ... 1
+};
+
+Footing footingAt(const std::vector<Step>& steps, double beat)
+{
+    Footing now;
+    for (const Step& step : steps) {
+        const double way = smooth((beat - step.from) / (step.to - step.from));
+        now.place += way * (Vector3d(step.x, 0, step.z) - now.place);
+        now.yaw += way * (step.yaw - now.yaw);
+        now.lift = std::max(now.lift, 4.0 * way * (1.0 - way));
+    }
+    return now;
+}
+
+bool flies(double beat)
+{
+    return beat > OFF && beat < ON;
+}
+
+// How high the hips are above their height at rest [m].
+double hipsHeight(double beat)
+{
+    const double flight = (ON - OFF) * BEAT, speed = 0.5 * GRAVITY * flight;
+    const double bob = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * beat);
+    const double calm = -CROUCH - 0.025 * bob * (1.0 - smooth(beat - 8.0) + smooth(beat - UP));
+    // Cubic from one height and speed to another.
+    const auto between = [&](double from, double to, double h0, double v0, double h1, double v1) {
+        const double d = (to - from) * BEAT, t = (beat - from) / (to - from);
+        return h0 * (1 + 2 * t) * (1 - t) * (1 - t) + d * v0 * t * (1 - t) * (1 - t) + h1 * t * t * (3 - 2 * t) +
+               d * v1 * t * t * (t - 1);
+    };
+    if (beat < DOWN) return calm + (-DEPTH - calm) * smooth((beat - 8.2) / (DOWN - 8.2));
+    if (beat < OFF) return between(DOWN, OFF, -DEPTH, 0, 0, speed);
+    if (beat < ON) return speed * (beat - OFF) * BEAT - 0.5 * GRAVITY * std::pow((beat - OFF) * BEAT, 2);
+    if (beat < 12.0) return between(ON, 12.0, 0, -speed, -DEPTH, 0);
+    return -DEPTH + (calm + DEPTH) * smooth((beat - 12.0) / (UP - 12.0));
+}
+
+// Where the hips are over the feet, and where they look, without haste.
+Footing hipsAt(double beat)
+{
+    Footing mean;
+    constexpr int SAMPLES = 9;
+    for (int i = 0; i < SAMPLES; ++i) {
+        const double moment = beat + 0.9 * (i - SAMPLES / 2) / SAMPLES;
+        const double wrapped = moment < 0 ? moment + BEATS : std::fmod(moment, BEATS);
+        const Footing left = footingAt(LEFT_STEPS, wrapped), right = footingAt(RIGHT_STEPS, wrapped);
+        // Over the foot that stands.
+        const Vector3d across = turn(0.5 * (left.yaw + right.yaw), Vector3d::UnitY()) * Vector3d::UnitX();
+        const double lean = flies(wrapped) ? 0.0 : 0.075 * (right.lift - left.lift);
+        mean.place += (0.5 * (left.place + right.place) + lean * across) / SAMPLES;
+        // What has gone round is where it began.
+        mean.yaw += (0.5 * (left.yaw + right.yaw) + (moment < 0 ? -360.0 : moment >= BEATS ? 360.0 : 0.0)) / SAMPLES;
+    }
+    return mean;
+}
+
+// An arm in the chest's directions: how high it points, how far forward of sideways, how far its elbow bends.
+struct ArmKey {
+    double beat, high, forward, elbow;  // [degrees]
+};
+const std::vector<ArmKey> LEFT_ARM = {{0, -40, 20, 30},    {1, 20, 30, 60},    {2, -50, 40, 70},   {3, 35, 10, 40},
+                                      {4, 10, 60, 50},     {5.5, 5, 0, 10},    {7.5, -20, 40, 80}, {8.5, -55, 10, 30},
+                                      {9.3, -60, -40, 15}, {10.2, 65, 45, 20}, {10.8, 40, 0, 10},  {11.4, 0, 10, 30},
+                                      {12, -45, 30, 60},   {13, 55, 20, 45},   {14, -45, 30, 60},  {15, 60, 10, 30},
+                                      {16, -40, 20, 30}};
+const std::vector<ArmKey> RIGHT_ARM = {{0, -40, 20, 30},    {1, -50, 40, 70},   {2, 20, 30, 60},    {3, -50, 50, 80},
+                                       {4, 10, -10, 20},    {5.5, 5, 0, 10},    {7.5, -20, 40, 80}, {8.5, -55, 10, 30},
+                                       {9.3, -60, -40, 15}, {10.2, 65, 45, 20}, {10.8, 40, 0, 10},  {11.4, 0, 10, 30},
+                                       {12, -45, 30, 60},   {13, -45, 30, 60},  {14, 55, 20, 45},   {15, 60, 10, 30},
+                                       {16, -40, 20, 30}};
+
+ArmKey armAt(const std::vector<ArmKey>& keys, double beat)
+{
+    size_t k = 0;
+    while (k + 2 < keys.size() && keys[k + 1].beat <= beat) ++k;
+    const ArmKey &a = keys[k], &b = keys[k + 1];
+    const double way = smooth((beat - a.beat) / (b.beat - a.beat));
+    return {beat, a.high + way * (b.high - a.high), a.forward + way * (b.forward - a.forward),
+            a.elbow + way * (b.elbow - a.elbow)};
 }
 
 // Columns: along, the part of `pole` across it, their cross product.
@@ -37,10 +152,15 @@ Matrix3d frame(const Vector3d& along, const Vector3d& pole)
     return m;
 }
 
-// The rotation that takes one direction to another while keeping the knee's front towards the pole.
-Matrix3d aim(const Vector3d& restDirection, const Vector3d& direction, const Vector3d& pole)
+// The rotation that takes one direction to another and the limb's own plane, which at rest faces forward, to that of a
+// normal.
+Matrix3d aim(const Vector3d& restDirection, const Vector3d& direction, const Vector3d& normal)
 {
-    return frame(direction, pole) * frame(restDirection, Vector3d::UnitZ()).transpose();
+    Matrix3d m;
+    m.col(0) = direction.normalized();
+    m.col(1) = normal.cross(m.col(0)).normalized();
+    m.col(2) = m.col(0).cross(m.col(1));
+    return m * frame(restDirection, Vector3d::UnitZ()).transpose();
 }
 
 struct Leg {
@@ -48,32 +168,45 @@ struct Leg {
     double side;  // +1 left
 };
 
-// How high the foot stands at beat phase `beats`: up on every fourth beat, both sides in turn, smooth at both ends.
-double footLift(double beats, double side)
+// Where an ankle has to be, how its foot is turned, and where its knee looks.
+struct Ankle {
+    Vector3d place;
+    Matrix3d rotation;
+    Vector3d front;
+};
+
+Ankle ankleAt(const Leg& leg, const Heads& rest, double beat, const Heads& heads, const Rotations& rotations)
 {
-    const double wave = std::sin(0.5 * std::numbers::pi * beats) * side;
-    return wave > 0.0 ? wave * wave : 0.0;
+    const Footing footing = footingAt(leg.side > 0 ? LEFT_STEPS : RIGHT_STEPS, beat);
+    const Matrix3d yaw = turn(footing.yaw, Vector3d::UnitY());
+    const Vector3d ground = footing.place + yaw * rest[leg.foot];
+    if (!flies(beat)) return {ground + Vector3d(0, STEP_HEIGHT * footing.lift, 0), yaw, yaw * Vector3d::UnitZ()};
+    // In the air one leg goes forward, one back, toes down.
+    const double open = std::pow(std::sin(std::numbers::pi * (beat - OFF) / (ON - OFF)), 2);
+    const Vector3d hanging = heads[HIPS] + rotations[HIPS] * (rest[leg.foot] - rest[HIPS]) + Vector3d(0, CROUCH, 0);
+    const Vector3d spread = rotations[HIPS] * Vector3d(0, leg.side > 0 ? 0.22 : 0.12, leg.side * 0.42);
+    return {hanging + open * spread, rotations[HIPS] * turn(35.0 * open, Vector3d::UnitX()),
+            rotations[HIPS] * Vector3d(0, open, 1)};
 }
 
-void poseLeg(const Leg& leg, const Heads& rest, double beats, Heads& heads, Rotations& rotations)
+void poseLeg(const Leg& leg, const Heads& rest, double beat, Heads& heads, Rotations& rotations)
 {
-    const double lift = footLift(beats, leg.side);
+    const Ankle ankle = ankleAt(leg, rest, beat, heads, rotations);
     const Vector3d hip = heads[HIPS] + rotations[HIPS] * (rest[leg.thigh] - rest[HIPS]);
-    const Vector3d ankle = rest[leg.foot] + Vector3d(0.03 * leg.side * lift, STEP_HEIGHT * lift, 0.06 * lift);
     const Vector3d upper = rest[leg.shin] - rest[leg.thigh], lower = rest[leg.foot] - rest[leg.shin];
     const double a = upper.norm(), b = lower.norm();
-    const Vector3d reach = ankle - hip;
+    const Vector3d reach = ankle.place - hip;
     const double c = std::min(reach.norm(), 0.9995 * (a + b));
     const double along = (a * a - b * b + c * c) / (2.0 * c);
-    const Vector3d pole = rotations[HIPS] * Vector3d(0.12 * leg.side, 0, 1);
+    const Vector3d pole = ankle.front + 0.12 * leg.side * (rotations[HIPS] * Vector3d::UnitX());
     const Matrix3d f = frame(reach, pole);
     const Vector3d knee = hip + along * f.col(0) + std::sqrt(std::max(a * a - along * along, 0.0)) * f.col(1);
     heads[leg.thigh] = hip;
     heads[leg.shin] = knee;
     heads[leg.foot] = hip + c * f.col(0);
-    rotations[leg.thigh] = aim(upper, knee - hip, pole);
-    rotations[leg.shin] = aim(lower, heads[leg.foot] - knee, pole);
-    rotations[leg.foot] = turn(14.0 * leg.side * lift, Vector3d::UnitY());  // flat, turned out while it is up
+    rotations[leg.thigh] = aim(upper, knee - hip, f.col(2));
+    rotations[leg.shin] = aim(lower, heads[leg.foot] - knee, f.col(2));
+    rotations[leg.foot] = ankle.rotation;
 }
 
 void attach(uint32_t bone, uint32_t parent, const Matrix3d& local, const Heads& rest, Heads& heads,
@@ -83,48 +216,55 @@ void attach(uint32_t bone, uint32_t parent, const Matrix3d& local, const Heads& 
     rotations[bone] = rotations[parent] * local;
 }
 
-// Left: rotations about +z lift the arm. The two arms trade places every four beats: one waves high, one pumps low.
-void poseArm(uint32_t clavicle, double side, double beats, const Heads& rest, Heads& heads, Rotations& rotations)
+void poseArm(uint32_t clavicle, double side, double beat, const Heads& rest, Heads& heads, Rotations& rotations)
 {
-    const double slow = 0.5 * (1.0 + side * std::sin(0.25 * std::numbers::pi * beats));  // 0 low, 1 high
-    const double beat = std::sin(std::numbers::pi * beats);
-    const double half = std::sin(0.5 * std::numbers::pi * beats + 0.4);
-    const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
-    attach(clavicle, CHEST, turn(side * (3.0 + 9.0 * slow), z), rest, heads, rotations);
-    const Matrix3d shoulder = turn(-14.0 * (1.0 - slow) + 8.0 * half, x) *
-                              turn(side * (22.0 + 58.0 * slow + 9.0 * beat), z);
-    attach(clavicle + 1, clavicle, shoulder, rest, heads, rotations);
-    // Low: the forearm comes forward. High: it stands up and waves.
-    const Matrix3d elbow = turn(-side * (1.0 - slow) * (62.0 + 18.0 * beat), y) *
-                           turn(side * slow * (48.0 + 24.0 * half), z);
-    attach(clavicle + 2, clavicle + 1, elbow, rest, heads, rotations);
-    attach(clavicle + 3, clavicle + 2, turn(side * 18.0 * half, z), rest, heads, rotations);
-}
-
-void poseBody(double beats, const Heads& rest, Heads& heads, Rotations& rotations)
-{
-    const double sway = -std::sin(0.5 * std::numbers::pi * beats);  // over the standing foot
-    const double bob = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * beats);
-    const double slow = std::sin(0.25 * std::numbers::pi * beats);
-    const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
-    heads[HIPS] = rest[HIPS] + Vector3d(0.055 * sway, -CROUCH - 0.03 * bob, 0.012 * slow);
-    rotations[HIPS] = turn(9.0 * slow, y) * turn(-5.0 * sway, z) * turn(4.0, x);
-    attach(SPINE, HIPS, turn(4.0 * sway, z) * turn(3.0 * slow, y), rest, heads, rotations);
-    attach(CHEST, SPINE, turn(7.0 * sway, z) * turn(-14.0 * slow, y) * turn(-3.0 + 5.0 * bob, x), rest, heads,
+    const ArmKey arm = armAt(side > 0 ? LEFT_ARM : RIGHT_ARM, beat);
+    const double rad = std::numbers::pi / 180.0, high = arm.high * rad, forward = arm.forward * rad;
+    const Vector3d wanted(side * std::cos(high) * std::cos(forward), std::sin(high),
+                          std::cos(high) * std::sin(forward));
+    const Vector3d upper = rest[clavicle + 2] - rest[clavicle + 1], lower = rest[clavicle + 3] - rest[clavicle + 2];
+    attach(clavicle, CHEST, turn(side * 0.12 * (arm.high + 40.0), Vector3d::UnitZ()), rest, heads, rotations);
+    const Matrix3d shoulder = Eigen::Quaterniond::FromTwoVectors(upper, wanted).toRotationMatrix();
+    attach(clavicle + 1, clavicle, rotations[clavicle].transpose() * rotations[CHEST] * shoulder, rest, heads,
            rotations);
-    attach(NECK, CHEST, turn(-4.0 * sway, z) * turn(3.0 * bob, x), rest, heads, rotations);
-    attach(HEAD, NECK, turn(-5.0 * sway, z) * turn(8.0 * slow, y) * turn(7.0 * bob - 3.0, x), rest, heads, rotations);
+    // The elbow is a hinge: its forearm comes forward.
+    attach(clavicle + 2, clavicle + 1, turn(arm.elbow, lower.cross(Vector3d::UnitZ())), rest, heads, rotations);
+    const double wave = std::sin(std::numbers::pi * beat + side);
+    attach(clavicle + 3, clavicle + 2, turn(side * 15.0 * wave, Vector3d::UnitZ()), rest, heads, rotations);
 }
 
-std::vector<Eigen::Matrix4f> danceAt(double beats, const Heads& rest)
+void poseBody(double beat, const Heads& rest, Heads& heads, Rotations& rotations)
+{
+    const double pi = std::numbers::pi, sway = std::sin(0.5 * pi * beat), bob = 0.5 - 0.5 * std::cos(2.0 * pi * beat);
+    const double fold = std::max(-hipsHeight(beat) - CROUCH, 0.0) / DEPTH;  // 1 in a crouch
+    const double open = flies(beat) ? std::sin(pi * (beat - OFF) / (ON - OFF)) : 0.0;
+    const Footing hips = hipsAt(beat);
+    const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+    heads[HIPS] = rest[HIPS] + hips.place + Vector3d(0, hipsHeight(beat), 0);
+    rotations[HIPS] = turn(hips.yaw, y) * turn(4.0 * sway, z) * turn(4.0 + 14.0 * fold, x);
+    attach(SPINE, HIPS, turn(-4.0 * sway, z) * turn(8.0 * fold - 6.0 * open, x), rest, heads, rotations);
+    attach(CHEST, SPINE,
+           turn(-5.0 * sway, z) * turn(10.0 * std::sin(0.5 * pi * beat + 0.6), y) *
+               turn(4.0 * bob + 6.0 * fold - 8.0 * open, x),
+           rest, heads, rotations);
+    attach(NECK, CHEST, turn(3.0 * bob - 4.0 * fold, x), rest, heads, rotations);
+    // Eyes stay in front for as long as they can while the body turns.
+    const double ahead = 35.0 * std::sin(pi * std::clamp((beat - 3.5) / 5.0, 0.0, 1.0) * 2.0);
+    attach(HEAD, NECK,
+           turn(4.0 * sway, z) * turn(-ahead + 10.0 * std::sin(0.25 * pi * beat), y) *
+               turn(6.0 * bob - 10.0 * fold - 8.0 * open, x),
+           rest, heads, rotations);
+}
+
+std::vector<Eigen::Matrix4f> danceAt(double beat, const Heads& rest)
 {
     Heads heads;
     Rotations rotations;
-    poseBody(beats, rest, heads, rotations);
-    poseArm(CLAVICLE_L, 1.0, beats, rest, heads, rotations);
-    poseArm(CLAVICLE_R, -1.0, beats, rest, heads, rotations);
-    poseLeg({THIGH_L, SHIN_L, FOOT_L, 1.0}, rest, beats, heads, rotations);
-    poseLeg({THIGH_R, SHIN_R, FOOT_R, -1.0}, rest, beats, heads, rotations);
+    poseBody(beat, rest, heads, rotations);
+    poseArm(CLAVICLE_L, 1.0, beat, rest, heads, rotations);
+    poseArm(CLAVICLE_R, -1.0, beat, rest, heads, rotations);
+    poseLeg({THIGH_L, SHIN_L, FOOT_L, 1.0}, rest, beat, heads, rotations);
+    poseLeg({THIGH_R, SHIN_R, FOOT_R, -1.0}, rest, beat, heads, rotations);
     std::vector<Eigen::Matrix4f> poses(HUMANOID_BONE_COUNT, Eigen::Matrix4f::Identity());
     for (uint32_t b = 0; b < HUMANOID_BONE_COUNT; ++b) {
         poses[b].topLeftCorner<3, 3>() = rotations[b].cast<float>();
@@ -143,12 +283,12 @@ Clip humanoidDance(const std::vector<Bone>& bones)
     }
     Clip clip;
     clip.name = "dance";
-    clip.duration = DURATION;
-    const int keys = static_cast<int>(DURATION * KEYS_PER_SECOND);
+    clip.duration = BEATS * BEAT;
+    const int keys = static_cast<int>(clip.duration * KEYS_PER_SECOND);
     for (int k = 0; k <= keys; ++k) {
         clip.keyTimes.push_back(static_cast<double>(k) / KEYS_PER_SECOND);
         // The last key is the first again, to the bit.
-        clip.poses.push_back(danceAt(2.0 * (k % keys) / KEYS_PER_SECOND, rest));
+        clip.poses.push_back(danceAt((k % keys) / (BEAT * KEYS_PER_SECOND), rest));
     }
     return clip;
 }
