@@ -70,15 +70,20 @@ void addStairs(WorldBuilder& builder, const Collider& base, const Json& json)
 
 }  // namespace
 
+Quaternionf rotationOf(const Vector3f& degrees)
+{
+    const Vector3f angles = degrees * (std::numbers::pi_v<float> / 180.0f);
+    return Quaternionf(Eigen::AngleAxisf(angles.z(), Vector3f::UnitZ()) *
+                       Eigen::AngleAxisf(angles.y(), Vector3f::UnitY()) *
+                       Eigen::AngleAxisf(angles.x(), Vector3f::UnitX()));
+}
+
 Quaternionf readRotation(const Json& json)
 {
     if (!json.contains("rotation")) return Quaternionf::Identity();
     Vector3f degrees;
     readValue(json["rotation"], degrees);
-    const Vector3f angles = degrees * (std::numbers::pi_v<float> / 180.0f);
-    return Quaternionf(Eigen::AngleAxisf(angles.z(), Vector3f::UnitZ()) *
-                       Eigen::AngleAxisf(angles.y(), Vector3f::UnitY()) *
-                       Eigen::AngleAxisf(angles.x(), Vector3f::UnitX()));
+    return rotationOf(degrees);
 }
 
 void addColliders(SceneContext& context, const Json& json, size_t index)

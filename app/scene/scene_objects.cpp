@@ -60,7 +60,9 @@ void addRigidOrSoft(const Entry& entry)
     const std::vector<SurfaceDistance> surface = soft ? std::vector<SurfaceDistance>() : surfaceOf(entry, positions);
     const std::vector<uint32_t> pinned = soft ? pinnedPoints(entry, positions) : std::vector<uint32_t>();
     const bool held = entry.json["fixed"];
-    const float time = soft ? 0.0f : releaseTime(entry, held);
+    const bool moved = hasMotion(entry.json);
+    const float time = soft ? 0.0f : releaseTime(entry, held || moved);
+    const ClipPlay motion = moved ? readMotion(entry) : ClipPlay();
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         builder.beginObject(entry.copyName(copy));
         if (soft) builder.addSoftBody(entry.copyName(copy), positions, entry.material, pinned);
@@ -69,7 +71,10 @@ void addRigidOrSoft(const Entry& entry)
                                                   roundShapeOf(entry));
             if (held) builder.holdBody(body, time);
         }
-        builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
+        const uint32_t object = builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
+        if (!moved) continue;
+        builder.animate({object, entry.poses[copy], {0, 0, 0}, {motion}});
+        builder.releaseBody(builder.world().objects[object].bodyStart, time);
     }
 }
 
@@ -163,7 +168,8 @@ float releaseTime(const ObjectEntry& entry, bool held)
 {
     const float time = readUnlessZero(entry.json["release"]["time"]);
     if (!held && std::isfinite(time))
-        entry.fail("/release", "is for what is held; set `fixed` or `hold` as well, or take it away");
+        entry.fail("/release",
+                   "is for what is held or moved; set `fixed`, `hold` or `motion` as well, or take it away");
     return time;
 }
 

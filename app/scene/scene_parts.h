@@ -14,7 +14,9 @@
 /// The parts of a scene file, from documents that the schema has completed.
 namespace knuckle {
 
-/// Rotation about the fixed axes x, y, z in this order, from `rotation` [degrees]; identity where there is none.
+/// Rotation about the fixed axes x, y, z in this order. @param degrees of each.
+Quaternionf rotationOf(const Vector3f& degrees);
+/// The same from `rotation`; identity where there is none.
 Quaternionf readRotation(const Json& json);
 
 /// What objects need to know about the scene that they stand in.
@@ -67,6 +69,11 @@ void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vect
 
 /// Lets the copies of an actor go as `release` says. @throws InputError.
 void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);
+
+/// Whether a rigid object moves by itself.
+bool hasMotion(const Json& object);
+/// Adds the clip of its `motion`. @throws InputError.
+ClipPlay readMotion(const ObjectEntry& entry);
 
 /// Whether an actor has an `animation` or a `pose`.
 bool isAnimated(const Json& actor);

@@ -52,10 +52,12 @@ TEST(SceneRelease, AnActorIsHeldAsAWholeOrByBodiesOfItAndEachCopyIs)
 
 TEST(SceneRelease, MistakesAreToldInOneLine)
 {
-    EXPECT_EQ(complaintOf(R"({"type": "rigid", "shape": "box", "release": {"time": 1}})"),
-              "/objects/0/release: is for what is held; set `fixed` or `hold` as well, or take it away");
-    EXPECT_EQ(complaintOf(R"({"type": "joined", "release": {"time": 1}})"),
-              "/objects/0/release: is for what is held; set `fixed` or `hold` as well, or take it away");
+    EXPECT_EQ(
+        complaintOf(R"({"type": "rigid", "shape": "box", "release": {"time": 1}})"),
+        "/objects/0/release: is for what is held or moved; set `fixed`, `hold` or `motion` as well, or take it away");
+    EXPECT_EQ(
+        complaintOf(R"({"type": "joined", "release": {"time": 1}})"),
+        "/objects/0/release: is for what is held or moved; set `fixed`, `hold` or `motion` as well, or take it away");
     EXPECT_EQ(complaintOf(R"({"type": "rigid", "shape": "box", "fixed": true, "release": {"time": -1}})"),
               "/objects/0/release/time: -1 is below the minimum 0 [s]");
     EXPECT_EQ(complaintOf(R"({"type": "rigid", "shape": "box", "fixed": true, "release": 2})"),

@@ -1,0 +1,76 @@
+#include <cmath>
+
+#include "tests/app/one_object_scene.h"
+
+namespace knuckle::test {
+
+namespace {
+
+std::string box(const std::string& keys, const std::string& more = "")
+{
+    return R"({"type": "rigid", "shape": "box", "position": [1, 2, 3], "rotation": [0, 90, 0], "motion": {"keys": [)" +
+           keys + "]" + more + "}}";
+}
+
+Pose placeAt(const World& world, double time)
+{
+    return sampleAnimation(world, world.animations[0], time)[0];
+}
+
+}  // namespace
+
+/// Keys are offsets in the object's own directions: x is -z of the world here.
+TEST(SceneMotion, GoesFromKeyToKeyInTheObjectsOwnDirections)
+{
+    const World world = worldOf(
+        box(R"({"time": 0}, {"time": 2, "position": [4, 0, 0]}, {"time": 3, "position": [4, 1, 0]})",
+            R"(, "path": "linear", "loop": false)"));
+    EXPECT_EQ(world.bodies[0].motion, Motion::Animated);
+    // The spline of a 60th of a second rounds corners.
+    EXPECT_LT((placeAt(world, 1).translation - Vector3f(1, 2, 1)).norm(), 1e-4f);
+    EXPECT_LT((placeAt(world, 2.5).translation - Vector3f(1, 2.5f, -1)).norm(), 1e-4f);
+    EXPECT_LT((placeAt(world, 9).translation - Vector3f(1, 3, -1)).norm(), 1e-4f);
+}
+
+TEST(SceneMotion, ASmoothPathRestsAtItsEndsAndGoesThroughItsKeys)
+{
+    const World world = worldOf(
+        box(R"({"time": 0}, {"time": 1, "position": [0, 1, 0]}, {"time": 2, "position": [0, 0, 0]})"));
+    const auto height = [&](double time) { return placeAt(world, time).translation.y() - 2; };
+    EXPECT_NEAR(height(1), 1, 1e-4f);
+    EXPECT_NEAR(height(0.5), 0.5, 1e-3f);
+    EXPECT_NEAR((height(0.02) - height(0)) / 0.02, 0, 0.1);
+    EXPECT_NEAR(height(2.5), height(0.5), 1e-3f) << "it begins anew";
+}
+
+TEST(SceneMotion, ADrumTurnsRoundAndRoundAtOneSpeed)
+{
+    const World world = worldOf(box(R"({"time": 0}, {"time": 2, "rotation": [0, 0, 360]})", R"(, "path": "linear")"));
+    for (const double time : {0.3, 1.1, 1.9, 2.3, 7.7}) {
+        const Quaternionf a = placeAt(world, time).rotation, b = placeAt(world, time + 0.05).rotation;
+        EXPECT_NEAR(a.angularDistance(b), 0.05 * M_PI, 2e-3) << "at " << time;
+    }
+}
+
+TEST(SceneMotion, IsLetGoAtATime)
+{
+    std::string moved = box(R"({"time": 0}, {"time": 2, "position": [4, 0, 0]})");
+    moved.insert(moved.size() - 1, R"(, "release": {"time": 1.5})");
+    EXPECT_EQ(worldOf(moved).bodies[0].releaseTime, 1.5f);
+}
+
+TEST(SceneMotion, MistakesAreToldInOneLine)
+{
+    EXPECT_EQ(complaintOf(box(R"({"time": 1})")), "/objects/0/motion/keys/0/time: must be 0: a motion begins when the "
+                                                  "film does");
+    EXPECT_EQ(complaintOf(box(R"({"time": 0}, {"time": 0})")),
+              "/objects/0/motion/keys/1/time: must be after that of the key before");
+    std::string both = box(R"({"time": 0})");
+    both.insert(both.size() - 1, R"(, "fixed": true)");
+    EXPECT_EQ(complaintOf(both), "/objects/0/motion: is for what is not fixed; take one of them away");
+    std::string fast = box(R"({"time": 0})");
+    fast.insert(fast.size() - 1, R"(, "spin": [0, 1, 0])");
+    EXPECT_EQ(complaintOf(fast), "/objects/0/motion: says how fast it is; take `velocity` and `spin` away");
+}
+
+}  // namespace knuckle::test
