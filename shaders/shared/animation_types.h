@@ -14,8 +14,8 @@ struct AnimatedBody {
     uint parent;                    // among these; NO_INDEX of the first of its object
     uint animation;
     uint turn;                      // its place in a key
-    vec4 arm;                       // xyz: from its mass centre to its joint, or the pivot, at rest [m]
-    vec4 parentArm;                 // xyz: from the parent's mass centre to the joint
+    vec4 centre;                    // xyz: its mass centre at rest [m]
+    vec4 anchor;                    // xyz: its joint, or the pivot, at rest
 };
 
 struct GpuAnimation {

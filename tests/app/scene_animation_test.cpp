@@ -46,7 +46,7 @@ TEST(SceneAnimation, JointsAreShutThroughoutAClip)
 {
     const World world = worldOf(figure(DANCE));
     for (float time = 0; time < 12; time += 0.0371f) {
-        const std::vector<Pose> poses = sampleAnimation(world, world.animations[0], time);
+        const std::vector<Pose> poses = bodyPlaces(world, world.animations[0], time);
         std::vector<Vector3f> places(world.particles.size(), Vector3f::Constant(NAN));
         for (const Link& link : world.links) {
             const Vector3f place = poses[link.body].apply(link.restOffset);
@@ -77,7 +77,7 @@ TEST(SceneAnimation, LimitsTakeInTheRestPoseAndEveryPoseOfAClip)
     for (int k = -1; k < 160; ++k) {
         const double time = 0.05 * k;
         std::vector<Pose> poses(world.bodies.size());
-        if (k >= 0) poses = sampleAnimation(world, world.animations[0], time);
+        if (k >= 0) poses = bodyPlaces(world, world.animations[0], time);
         for (const Joint& joint : world.joints) {
             if (!joint.limits.any()) continue;
             ++limited;
@@ -122,11 +122,11 @@ TEST(SceneAnimation, ReleasesAreOfAllOrOfWhatHangsOnABody)
 TEST(SceneAnimation, APoseIsWhereALimpActorBegins)
 {
     const World world = worldOf(figure(R"(, "pose": {"clip": "dance", "time": 1.3})"));
-    const std::vector<Pose> wanted = sampleAnimation(world, world.animations[0], 0.0);
+    const std::vector<Pose> wanted = bodyPlaces(world, world.animations[0], 0.0);
     float fastest = 0;
     for (uint32_t b = 0; b < world.bodies.size(); ++b) {
         EXPECT_EQ(world.bodies[b].releaseTime, 0.0f);
-        EXPECT_EQ(world.bodies[b].position, wanted[b].translation);
+        EXPECT_LT((world.bodies[b].position - wanted[b].translation).norm(), 1e-6f);
     }
     for (const Particle& particle : world.particles) fastest = std::max(fastest, particle.velocity.norm());
     EXPECT_GT(fastest, 0.2f);

@@ -14,7 +14,7 @@ std::string box(const std::string& keys, const std::string& more = "")
 
 Pose placeAt(const World& world, double time)
 {
-    return sampleAnimation(world, world.animations[0], time)[0];
+    return bodyPlaces(world, world.animations[0], time)[0];
 }
 
 }  // namespace

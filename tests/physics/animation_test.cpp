@@ -101,8 +101,7 @@ TEST(Animation, BodiesAreWhereTheirClipsHaveThem)
     const World world = builder.build();
     Solver solver(gpu(), world);
     for (int i = 0; i <= 180; ++i) {
-        const std::vector<Pose> wanted = sampleAnimation(world, world.animations[0],
-                                                         i * double{world.settings.timeStep});
+        const std::vector<Pose> wanted = bodyPlaces(world, world.animations[0], i * double{world.settings.timeStep});
         const std::vector<BodyState> bodies = solver.readBodies();
         for (uint32_t k = 0; k < BODIES; ++k) {
             // Single precision over some 40 operations on places of 10 m.

@@ -98,8 +98,7 @@ TEST(Dance, TheDancerKnocksOverCratesAndCollapses)
     const auto steps = static_cast<int>(5.25 / world.settings.timeStep);
     for (int i = 0; i < steps; ++i) solver.step();
     solver.checkCounters(0);
-    const std::vector<Pose> wanted = sampleAnimation(world, world.animations[0],
-                                                     steps * double{world.settings.timeStep});
+    const std::vector<Pose> wanted = bodyPlaces(world, world.animations[0], steps * double{world.settings.timeStep});
     std::vector<BodyState> bodies = solver.readBodies();
     for (uint32_t b = 0; b < end; ++b)
         EXPECT_LT((bodies[b].position - wanted[b].translation).norm(), 1e-4f) << world.bodies[b].name;
@@ -110,7 +109,9 @@ TEST(Dance, TheDancerKnocksOverCratesAndCollapses)
     EXPECT_LT(fall.gap, 0.05f);
     EXPECT_LT(fall.low, 0.5f);
     bodies = solver.readBodies();
-    for (uint32_t b = 0; b < end; ++b) EXPECT_LT(bodies[b].position.y(), 0.6f) << world.bodies[b].name;
+    // A hand may lie on a crate.
+    for (uint32_t b = 0; b < end; ++b) EXPECT_LT(bodies[b].position.y(), 1.0f) << world.bodies[b].name;
+    EXPECT_LT(bodies[0].position.y(), 0.5f) << "hips";
 }
 
 }  // namespace knuckle::test

@@ -143,7 +143,7 @@ const std::vector<Member> EMITTER_STATE = {MEMBER(EmitterState, taken),         
                                            MEMBER(EmitterState, unused1),        MEMBER(EmitterState, unused2)};
 const std::vector<Member> ANIMATED_BODY = {MEMBER(AnimatedBody, mover),     MEMBER(AnimatedBody, parent),
                                            MEMBER(AnimatedBody, animation), MEMBER(AnimatedBody, turn),
-                                           MEMBER(AnimatedBody, arm),       MEMBER(AnimatedBody, parentArm)};
+                                           MEMBER(AnimatedBody, centre),    MEMBER(AnimatedBody, anchor)};
 const std::vector<Member> ANIMATION = {MEMBER(GpuAnimation, position),  MEMBER(GpuAnimation, rotation),
                                        MEMBER(GpuAnimation, firstPlay), MEMBER(GpuAnimation, playCount),
                                        MEMBER(GpuAnimation, unused1),   MEMBER(GpuAnimation, unused2)};

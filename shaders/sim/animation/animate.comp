@@ -53,14 +53,15 @@ void main()
     if (!moves(m) || responds(m)) return;
     GpuAnimation animation = animations[body.animation];
     Mix mixed = mixAt(animation, double(counters[0].substep + 1u) * double(sim.substepTime));
-    // From the body up to the first: places in the axes of each.
-    vec3 place = vec3(0);
+    // From the body up to the first: places in the rest pose of each.
+    vec3 place = body.centre.xyz;
     vec4 turned = vec4(0, 0, 0, 1);
     for (uint depth = 0u; depth < sim.animatedCount; ++depth) {
         vec4 turn = turnOf(mixed, body);
-        place = rotate(turn, place - body.arm.xyz) + body.parentArm.xyz;
+        place = rotate(turn, place - body.anchor.xyz);
         turned = quaternionProduct(turn, turned);
         if (body.parent == NONE) break;
+        place += body.anchor.xyz;
         body = animatedBodies[body.parent];
     }
     place += mix(pivotOf(mixed.before, mixed.beforeAt), pivotOf(mixed.now, mixed.nowAt), mixed.part);

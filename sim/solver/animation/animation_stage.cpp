@@ -72,7 +72,8 @@ void AnimationStage::upload(const StageSetup& setup)
         for (uint32_t b = 0; b < links.size(); ++b)
             bodies.push_back({world.objects[animation.object].bodyStart + b,
                               links[b].parent == NO_INDEX ? NO_INDEX : first + links[b].parent, index, b,
-                              pack(links[b].arm, 0), pack(links[b].parentArm, 0)});
+                              pack(world.bodies[world.objects[animation.object].bodyStart + b].restCentre, 0),
+                              pack(links[b].anchor, 0)});
         placed.push_back({pack(animation.pose.translation, 0),
                           pack(animation.pose.rotation.vec(), animation.pose.rotation.w()),
                           static_cast<uint32_t>(plays.size()), static_cast<uint32_t>(animation.plays.size()), 0, 0});

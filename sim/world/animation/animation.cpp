@@ -92,20 +92,22 @@ std::vector<AnimatedLink> linksOf(const World& world, const Animation& animation
     const Object& object = world.objects.at(animation.object);
     const uint32_t first = object.bodyStart, end = first + object.bodyCount;
     std::vector<AnimatedLink> links(object.bodyCount);
-    links[0].arm = animation.pivot - world.bodies[first].restCentre;
+    links[0].anchor = animation.pivot;
     for (const Joint& joint : world.joints) {
         if (joint.child < first || joint.child >= end || joint.parent < first || joint.parent >= end) continue;
-        AnimatedLink& link = links[joint.child - first];
-        if (joint.child == first || link.parent != NO_INDEX)
-            throw std::logic_error("animation: the joints of its object are not a tree of the first body");
-        link = {joint.parent - first, joint.childSide.arm, joint.parentSide.arm};
+        links[joint.child - first] = {joint.parent - first, world.bodies[joint.child].restCentre + joint.childSide.arm};
     }
+    requireTree(links);
+    return links;
+}
+
+void requireTree(const std::vector<AnimatedLink>& links)
+{
     for (uint32_t b = 0; b < links.size(); ++b) {
         uint32_t above = b, steps = 0;
-        while (above != 0 && links[above].parent != NO_INDEX && steps++ < links.size()) above = links[above].parent;
-        if (above != 0) throw std::logic_error("animation: its object is not one tree of the first body");
+        while (links[above].parent != NO_INDEX && steps++ < links.size()) above = links[above].parent;
+        if (above != 0) throw std::logic_error("animation: the bodies of its object are not one tree of the first");
     }
-    return links;
 }
 
 PlayPlaces placePlays(const World& world, const Animation& animation)
@@ -125,9 +127,9 @@ PlayPlaces placePlays(const World& world, const Animation& animation)
     return places;
 }
 
-std::vector<Pose> sampleAnimation(const World& world, const Animation& animation, double time)
+std::vector<Pose> sampleAnimation(const World& world, const Animation& animation,
+                                  const std::vector<AnimatedLink>& links, double time)
 {
-    const std::vector<AnimatedLink> links = linksOf(world, animation);
     const PlayPlaces places = placePlays(world, animation);
     const Mix mix = mixAt(animation.plays, time);
     const auto turnOf = [&](size_t p, uint32_t body) {
@@ -147,13 +149,22 @@ std::vector<Pose> sampleAnimation(const World& world, const Animation& animation
         Pose pose;
         for (uint32_t k = b; k != NO_INDEX; k = links[k].parent) {
             const Quaternionf turn = mixed(turnOf(mix.before, k), turnOf(mix.now, k), mix.part);
-            pose.translation = turn * (pose.translation - links[k].arm) + links[k].parentArm;
+            pose.translation = turn * (pose.translation - links[k].anchor);
+            if (links[k].parent != NO_INDEX) pose.translation += links[k].anchor;
             pose.rotation = turn * pose.rotation;
         }
         poses.push_back(
             {animation.pose.apply(pose.translation + pivot), (animation.pose.rotation * pose.rotation).normalized()});
     }
     return poses;
+}
+
+std::vector<Pose> bodyPlaces(const World& world, const Animation& animation, double time)
+{
+    std::vector<Pose> places = sampleAnimation(world, animation, linksOf(world, animation), time);
+    for (uint32_t b = 0; b < places.size(); ++b)
+        places[b].translation = places[b].apply(world.bodies[world.objects[animation.object].bodyStart + b].restCentre);
+    return places;
 }
 
 }  // namespace knuckle

@@ -45,13 +45,14 @@ struct Animation {
 
 /// What a body of an animation hangs on.
 struct AnimatedLink {
-    uint32_t parent = NO_INDEX;   ///< Index within the object; NO_INDEX of the first, which is moved by its pivot.
-    Vector3f arm{0, 0, 0};        ///< From the body's mass centre to the joint, or the pivot, in the rest pose [m].
-    Vector3f parentArm{0, 0, 0};  ///< From the parent's mass centre to the joint [m].
+    uint32_t parent = NO_INDEX;  ///< Index within the object; NO_INDEX of the first, which is moved by its pivot.
+    Vector3f anchor{0, 0, 0};    ///< The joint, or the pivot, in the rest pose [m].
 };
 
 /// Of each body of an animation's object. @throws std::logic_error where they are not one tree of the first.
 std::vector<AnimatedLink> linksOf(const World& world, const Animation& animation);
+/// @throws std::logic_error unless links are one tree of the first.
+void requireTree(const std::vector<AnimatedLink>& links);
 
 /// A motion over the ground: a turn about y, then a shift.
 struct GroundMotion {
@@ -67,9 +68,13 @@ struct PlayPlaces {
 };
 PlayPlaces placePlays(const World& world, const Animation& animation);
 
-/// Where the bodies of an animation's object are at a time [s]: of each its mass centre and its turn from the rest
-/// pose. What shaders/sim/animation does on the GPU, which a test holds it to.
-std::vector<Pose> sampleAnimation(const World& world, const Animation& animation, double time);
+/// Where the bodies of an animation's object are at a time [s]: of each its motion from the rest pose to the world.
+/// What shaders/sim/animation does on the GPU, which a test holds it to.
+std::vector<Pose> sampleAnimation(const World& world, const Animation& animation,
+                                  const std::vector<AnimatedLink>& links, double time);
+
+/// Of a world that is built: of each body its mass centre and its turn from the rest pose.
+std::vector<Pose> bodyPlaces(const World& world, const Animation& animation, double time);
 
 /// The part of validate() that is about animations. @throws InputError, std::logic_error.
 void validateAnimations(const World& world);

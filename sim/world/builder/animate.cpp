@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <stdexcept>
 
 #include "sim/world/builder/builder.h"
@@ -16,6 +17,7 @@ void WorldBuilder::animate(Animation animation)
     const Object& object = world_.objects.at(animation.object);
     for (uint32_t b = object.bodyStart; b < object.bodyStart + object.bodyCount; ++b)
         world_.bodies[b].motion = Motion::Animated;
+    poseAnimated(animation);
     world_.animations.push_back(std::move(animation));
 }
 
@@ -24,22 +26,43 @@ void WorldBuilder::releaseBody(uint32_t body, float time)
     world_.bodies.at(body).releaseTime = time;
 }
 
-void WorldBuilder::poseAnimated()
+std::vector<AnimatedLink> WorldBuilder::draftedLinks(const Animation& animation) const
+{
+    const Object& object = world_.objects[animation.object];
+    std::vector<AnimatedLink> links(object.bodyCount);
+    links[0].anchor = animation.pivot;
+    for (const JointDraft& draft : joints_) {
+        const uint32_t child = draft.joint.child, parent = draft.joint.parent;
+        if (child < object.bodyStart || child >= object.bodyStart + object.bodyCount) continue;
+        AnimatedLink& link = links[child - object.bodyStart];
+        link = {parent - object.bodyStart, {0, 0, 0}};
+        float count = 0.0f;
+        for (const uint32_t p : bodyParticles_[child]) {
+            if (std::ranges::find(bodyParticles_[parent], p) == bodyParticles_[parent].end()) continue;
+            link.anchor += world_.particles[p].restPosition;
+            count += 1.0f;
+        }
+        if (count > 0.0f) link.anchor /= count;
+    }
+    requireTree(links);
+    return links;
+}
+
+void WorldBuilder::poseAnimated(const Animation& animation)
 {
     const float substep = world_.settings.timeStep / static_cast<float>(world_.settings.substeps);
-    for (const Animation& animation : world_.animations) {
-        const Object& object = world_.objects[animation.object];
-        const std::vector<Pose> now = sampleAnimation(world_, animation, 0.0);
-        const std::vector<Pose> next = sampleAnimation(world_, animation, substep);
-        for (uint32_t k = object.bodyCount; k-- > 0;) {
-            Body& body = world_.bodies[object.bodyStart + k];
-            body.position = now[k].translation;
-            body.rotation = now[k].rotation;
-            for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
-                Particle& particle = world_.particles[world_.links[l].particle];
-                particle.position = now[k].apply(world_.links[l].restOffset);
-                particle.velocity = (next[k].apply(world_.links[l].restOffset) - particle.position) / substep;
-            }
+    const Object& object = world_.objects[animation.object];
+    const std::vector<AnimatedLink> links = draftedLinks(animation);
+    const std::vector<Pose> now = sampleAnimation(world_, animation, links, 0.0);
+    const std::vector<Pose> next = sampleAnimation(world_, animation, links, substep);
+    for (uint32_t k = object.bodyCount; k-- > 0;) {
+        const uint32_t b = object.bodyStart + k;
+        world_.bodies[b].position = now[k].translation;  // moved to the body's centre by build()
+        world_.bodies[b].rotation = now[k].rotation;
+        for (const uint32_t p : bodyParticles_[b]) {
+            Particle& particle = world_.particles[p];
+            particle.position = now[k].apply(particle.restPosition);
+            particle.velocity = (next[k].apply(particle.restPosition) - particle.position) / substep;
         }
     }
 }

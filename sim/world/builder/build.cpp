@@ -103,7 +103,6 @@ World WorldBuilder::build()
     if (fluid_.empty() && world_.emitters.empty()) weighRounds();
     for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
     recordJoints();
-    poseAnimated();
     dropJointedRounds(world_);
     makeSoftLinks(world_);
     joinStrandAssemblies(world_);

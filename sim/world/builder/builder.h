@@ -117,7 +117,9 @@ private:
     /// World::joints, once links are made: what is shared by whom, and what was said of it.
     void recordJoints();
     /// Puts what is animated where its clips begin, with the velocity that they have there.
-    void poseAnimated();
+    void poseAnimated(const Animation& animation);
+    /// As linksOf(), before build() records the joints.
+    std::vector<AnimatedLink> draftedLinks(const Animation& animation) const;
     void requireObject(const char* what) const;
     void assignAssemblies();
     void placeFluid();
