@@ -169,7 +169,7 @@ std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor)
         entry.fail("/pose", "is where a limp actor begins; take it or `animation` away");
     if (!entry.velocity.isZero()) entry.fail("/velocity", "is what the clip says; take it away");
     ClipReader clips(entry, actor);
-    const std::vector<ClipPlay> plays = limp ? std::vector{readPose(entry, clips)} : readPlays(entry, clips);
+    std::vector<ClipPlay> plays = limp ? std::vector{readPose(entry, clips)} : readPlays(entry, clips);
     for (const ClipPlay& play : plays) takeIn(actor, entry.context.builder.world().clips[play.clip]);
     return plays;
 }

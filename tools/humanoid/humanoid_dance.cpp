@@ -102,9 +102,9 @@ double hipsHeight(double beat)
 Footing hipsAt(double beat)
 {
     Footing mean;
-    constexpr int SAMPLES = 9;
-    for (int i = 0; i < SAMPLES; ++i) {
-        const double moment = beat + 0.9 * (i - SAMPLES / 2) / SAMPLES;
+    constexpr int HALF = 4, SAMPLES = 2 * HALF + 1;
+    for (int i = -HALF; i <= HALF; ++i) {
+        const double moment = beat + 0.9 * i / SAMPLES;
         const double wrapped = moment < 0 ? moment + BEATS : std::fmod(moment, BEATS);
         const Footing left = footingAt(LEFT_STEPS, wrapped), right = footingAt(RIGHT_STEPS, wrapped);
         // Over the foot that stands.
