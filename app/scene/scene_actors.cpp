@@ -57,7 +57,7 @@ Model readModel(const Json& object, const std::string& file)
 
 Actor voxelizeModel(SceneContext& context, const Json& object, const std::string& file, float diameter)
 {
-    Model model = readModel(object, file);
+    Model model = playsOwnClips(object) ? modelWithClips(context, file, object["scale"]) : readModel(object, file);
     ActorOptions options;
     options.voxels.diameter = diameter;
     options.voxels.particleLimit = MAX_PARTICLES;
@@ -77,17 +77,9 @@ std::vector<uint32_t> heldBodies(const ObjectEntry& entry, const Actor& actor)
     std::vector<uint32_t> held;
     if (entry.json["fixed"].get<bool>())
         for (uint32_t b = 0; b < actor.bodies.size(); ++b) held.push_back(b);
-    std::vector<std::string> names;
-    for (const ActorBody& body : actor.bodies) names.push_back(body.name);
     const Json& wanted = entry.json["hold"];
-    for (size_t i = 0; i < wanted.size(); ++i) {
-        const auto found = std::ranges::find(names, wanted[i].get<std::string>());
-        if (found == names.end())
-            entry.fail(
-                fmt::format("/hold/{}", i),
-                fmt::format("there is no body \"{}\"; {}", wanted[i].get<std::string>(), suggestion(wanted[i], names)));
-        held.push_back(static_cast<uint32_t>(found - names.begin()));
-    }
+    for (size_t i = 0; i < wanted.size(); ++i)
+        held.push_back(bodyNamed(entry, actor, wanted[i], fmt::format("/hold/{}", i)));
     return held;
 }
 
@@ -114,23 +106,48 @@ Model readClothModel(SceneContext& context, const Json& object, const std::strin
     return readModel(object, existingFile(context, object["file"], pointer + "/file"));
 }
 
+std::string actorKey(const SceneContext& context, const Json& object, const std::string& file, float diameter)
+{
+    return Json{file,
+                object["type"],
+                object.value("joints", ""),
+                object.value("scale", 0.0),
+                diameter,
+                isLimited(context, object)}
+        .dump();
+}
+
+const Model& modelWithClips(SceneContext& context, const std::string& file, double scale)
+{
+    const std::string key = Json{file, scale}.dump();
+    const auto found = context.models.find(key);
+    if (found != context.models.end()) return found->second;
+    ImportOptions options;
+    options.scale = scale;
+    return context.models.emplace(key, importModel(file, options)).first->second;
+}
+
 const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer, float diameter)
 {
     if (diameter == 0.0f) diameter = context.builder.diameter();
     const std::string file = existingFile(context, object["file"], pointer + "/file");
-    const std::string key = Json{file,
-                                 object["type"],
-                                 object.value("joints", ""),
-                                 object.value("scale", 0.0),
-                                 diameter,
-                                 isLimited(context, object)}
-                                .dump();
+    const std::string key = actorKey(context, object, file, diameter);
     const auto found = context.actors.find(key);
     if (found != context.actors.end()) return found->second;
     const bool actorFile = object["type"] == "actor" && std::filesystem::path(file).extension() == ".json";
     Actor actor = actorFile ? loadActor(context, object, file, pointer)
                             : voxelizeModel(context, object, file, diameter);
     return context.actors.emplace(key, std::move(actor)).first->second;
+}
+
+uint32_t bodyNamed(const ObjectEntry& entry, const Actor& actor, const std::string& name, const std::string& where)
+{
+    std::vector<std::string> known;
+    for (const ActorBody& body : actor.bodies) known.push_back(body.name);
+    const auto found = std::ranges::find(known, name);
+    if (found == known.end())
+        entry.fail(where, fmt::format("there is no body \"{}\"; {}", name, suggestion(name, known)));
+    return static_cast<uint32_t>(found - known.begin());
 }
 
 void addActors(const ObjectEntry& entry)

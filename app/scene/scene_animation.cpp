@@ -12,29 +12,35 @@ namespace knuckle {
 
 namespace {
 
-bool names(const Json& clip)
+/// Whether an `animation`, a `pose` or a change names a clip.
+bool isNamed(const Json& clip)
 {
     return !clip["clip"].get<std::string>().empty() || !clip["file"].get<std::string>().empty();
 }
 
-/// Makes the clips of one actor entry, each once.
+/// Makes the clips of an actor entry, each once for all entries of the same actor.
 class ClipReader {
 public:
-    ClipReader(const ObjectEntry& entry, const Actor& actor) : entry_(entry), actor_(actor) {}
+    ClipReader(const ObjectEntry& entry, const Actor& actor)
+        : entry_(entry), actor_(actor),
+          actorKey_(actorKey(entry.context, entry.json, entry.json["file"], entry.context.builder.diameter()))
+    {
+    }
 
     /// @param json with `clip` and `file`. @returns the index of the world's clip.
     uint32_t read(const Json& json, const std::string& where)
     {
         const std::string file = json["file"], name = json["clip"];
-        const std::string key = Json{file, name}.dump();
-        if (const auto found = made_.find(key); found != made_.end()) return found->second;
+        const std::string key = Json{actorKey_, file, name}.dump();
+        std::map<std::string, uint32_t>& made = entry_.context.clips;
+        if (const auto found = made.find(key); found != made.end()) return found->second;
         const Model& model = modelOf(file, where);
         const Clip& clip = find(model, name, where);
         try {
-            ActorClip made = file.empty() ? ownClip(actor_, model, clip) : foreignClip(actor_, model, clip);
-            for (std::string& note : made.notes)
+            ActorClip fitted = file.empty() ? ownClip(actor_, model, clip) : foreignClip(actor_, model, clip);
+            for (std::string& note : fitted.notes)
                 entry_.context.notes.push_back(fmt::format("{}{}: {}", entry_.pointer, where, note));
-            return made_[key] = entry_.context.builder.addClip(std::move(made.clip));
+            return made[key] = entry_.context.builder.addClip(std::move(fitted.clip));
         } catch (const InputError& error) {
             entry_.fail(where + "/file", error.what());
         }
@@ -49,13 +55,7 @@ private:
         if (path.ends_with(".json"))
             entry_.fail(where + (own ? "/clip" : "/file"),
                         "an actor file has no clips; give the model that has them as its `file`");
-        ImportOptions options;
-        if (own) options.scale = entry_.json["scale"];
-        const std::string key = fmt::format("{} {}", path, options.scale);
-        auto found = entry_.context.models.find(key);
-        if (found == entry_.context.models.end())
-            found = entry_.context.models.emplace(key, importModel(path, options)).first;
-        return found->second;
+        return modelWithClips(entry_.context, path, own ? entry_.json["scale"].get<double>() : 0.0);
     }
 
     const Clip& find(const Model& model, const std::string& name, const std::string& where) const
@@ -72,7 +72,7 @@ private:
 
     const ObjectEntry& entry_;
     const Actor& actor_;
-    std::map<std::string, uint32_t> made_;
+    std::string actorKey_;
 };
 
 ClipPlay readPlay(const Json& json, uint32_t clip)
@@ -126,14 +126,9 @@ float timeOf(const World& world, const ClipPlay& play, float clipTime)
 std::vector<uint32_t> bodiesBelow(const ObjectEntry& entry, const Actor& actor, const std::string& name,
                                   const std::string& where)
 {
-    std::vector<std::string> known;
-    for (const ActorBody& body : actor.bodies) known.push_back(body.name);
-    const auto found = std::ranges::find(known, name);
-    if (!name.empty() && found == known.end())
-        entry.fail(where, fmt::format("there is no body \"{}\"; {}", name, suggestion(name, known)));
-    const auto top = static_cast<int32_t>(found - known.begin());
+    const int32_t top = name.empty() ? -1 : static_cast<int32_t>(bodyNamed(entry, actor, name, where));
     std::vector<uint32_t> below;
-    for (uint32_t b = 0; b < known.size(); ++b) {
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
         auto above = static_cast<int32_t>(b);
         while (above >= 0 && above != top) above = actor.bodies[above].parent;
         if (name.empty() || above == top) below.push_back(b);
@@ -142,13 +137,13 @@ std::vector<uint32_t> bodiesBelow(const ObjectEntry& entry, const Actor& actor, 
 }
 
 /// When one entry of `release` lets go [s]; infinity: never.
-float releaseTime(const ObjectEntry& entry, const Json& json, const std::string& where)
+float timeOfRelease(const ObjectEntry& entry, const Json& json, const std::string& where)
 {
     const float time = readUnlessZero(json["time"]), clipTime = readUnlessZero(json["clipTime"]);
     if (std::isinf(clipTime)) return time;
     if (std::isfinite(time)) entry.fail(where, "has `time` and `clipTime`; give one of them");
     const World& world = entry.context.builder.world();
-    if (!isAnimated(entry.json) || !names(entry.json["animation"]))
+    if (!isAnimated(entry.json) || !isNamed(entry.json["animation"]))
         entry.fail(where + "/clipTime", "is for what has an `animation`; give `time`");
     const float reached = timeOf(world, world.animations.back().plays.front(), clipTime);
     if (std::isinf(reached)) entry.fail(where + "/clipTime", "is a time that the first clip never gets to");
@@ -157,15 +152,22 @@ float releaseTime(const ObjectEntry& entry, const Json& json, const std::string&
 
 }  // namespace
 
+bool playsOwnClips(const Json& object)
+{
+    const auto own = [](const Json& clip) { return isNamed(clip) && clip["file"].get<std::string>().empty(); };
+    if (object["type"] != "actor") return false;
+    return own(object["animation"]) || own(object["pose"]);
+}
+
 bool isAnimated(const Json& actor)
 {
-    return names(actor["animation"]) || names(actor["pose"]);
+    return isNamed(actor["animation"]) || isNamed(actor["pose"]);
 }
 
 std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor)
 {
-    const bool limp = names(entry.json["pose"]);
-    if (limp && names(entry.json["animation"]))
+    const bool limp = isNamed(entry.json["pose"]);
+    if (limp && isNamed(entry.json["animation"]))
         entry.fail("/pose", "is where a limp actor begins; take it or `animation` away");
     if (!entry.velocity.isZero()) entry.fail("/velocity", "is what the clip says; take it away");
     ClipReader clips(entry, actor);
@@ -177,7 +179,7 @@ std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor)
 void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects,
                    const std::vector<ClipPlay>& plays)
 {
-    const bool limp = names(entry.json["pose"]);
+    const bool limp = isNamed(entry.json["pose"]);
     WorldBuilder& builder = entry.context.builder;
     for (size_t copy = 0; copy < objects.size(); ++copy) {
         builder.animate({objects[copy], entry.poses[copy], pivotOf(actor), plays});
@@ -194,7 +196,7 @@ void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vect
     for (size_t i = 0; i < count; ++i) {
         const Json& release = json.is_array() ? json[i] : json;
         const std::string where = json.is_array() ? fmt::format("/release/{}", i) : "/release";
-        const float time = releaseTime(entry, release, where);
+        const float time = timeOfRelease(entry, release, where);
         const std::vector<uint32_t> below = bodiesBelow(entry, actor, release["below"], where + "/below");
         if (std::isinf(time)) continue;
         bool any = false;

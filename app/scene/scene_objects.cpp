@@ -50,6 +50,16 @@ RoundShape roundShapeOf(const Entry& entry)
     return {};
 }
 
+/// When something that is held or moved is let go [s]; infinity: never.
+float releaseTime(const Entry& entry, bool held)
+{
+    const float time = readUnlessZero(entry.json["release"]["time"]);
+    if (!held && std::isfinite(time))
+        entry.fail("/release",
+                   "is for what is held or moved; set `fixed`, `hold` or `motion` as well, or take it away");
+    return time;
+}
+
 void addRigidOrSoft(const Entry& entry)
 {
     WorldBuilder& builder = entry.context.builder;
@@ -162,15 +172,6 @@ void addGrains(const Entry& entry)
 std::string ObjectEntry::copyName(size_t copy) const
 {
     return poses.size() == 1 ? name : fmt::format("{}_{}", name, copy + 1);
-}
-
-float releaseTime(const ObjectEntry& entry, bool held)
-{
-    const float time = readUnlessZero(entry.json["release"]["time"]);
-    if (!held && std::isfinite(time))
-        entry.fail("/release",
-                   "is for what is held or moved; set `fixed`, `hold` or `motion` as well, or take it away");
-    return time;
 }
 
 uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer)

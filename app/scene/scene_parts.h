@@ -23,11 +23,12 @@ Quaternionf readRotation(const Json& json);
 struct SceneContext {
     std::string path;  ///< Of the scene file; other paths are relative to its folder.
     WorldBuilder& builder;
-    std::map<std::string, uint32_t> materials;  ///< Indices by name.
-    std::map<std::string, Actor> actors = {};   ///< Read or made already, by what was asked for.
-    std::map<std::string, Model> models = {};   ///< With clips, the same.
-    std::vector<std::string> notes = {};        ///< For the user: what of the scene is not as it says.
-    std::vector<size_t> colliderEntries = {};   ///< Per collider of the world: the entry of `colliders` that it is of.
+    std::map<std::string, uint32_t> materials;   ///< Indices by name.
+    std::map<std::string, Actor> actors = {};    ///< Read or made already, by what was asked for.
+    std::map<std::string, Model> models = {};    ///< With clips, the same.
+    std::map<std::string, uint32_t> clips = {};  ///< Indices by actor, file and name.
+    std::vector<std::string> notes = {};         ///< For the user: what of the scene is not as it says.
+    std::vector<size_t> colliderEntries = {};    ///< Per collider of the world: the entry of `colliders` that it is of.
 };
 
 /// One entry of a list of the scene (objects, colliders, ...) while it is being built.
@@ -53,11 +54,11 @@ struct ObjectEntry : SceneEntry {
     std::string copyName(size_t copy) const;
 };
 
-/// When something that is held is let go [s]; infinity: never.
-float releaseTime(const ObjectEntry& entry, bool held);
-
 /// Adds an object of type `actor` with its copies. @throws InputError.
 void addActors(const ObjectEntry& entry);
+
+/// Index of an actor's body. @param where in the entry its name stands. @throws InputError where there is none.
+uint32_t bodyNamed(const ObjectEntry& entry, const Actor& actor, const std::string& name, const std::string& where);
 
 /// Adds the clips of an actor's `animation` or `pose`, and has its limits take them in. @returns how they are played.
 /// @throws InputError for clips that are not there or do not fit.
@@ -74,6 +75,15 @@ void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vect
 bool hasMotion(const Json& object);
 /// Adds the clip of its `motion`. @throws InputError.
 ClipPlay readMotion(const ObjectEntry& entry);
+
+/// By what an actor or a mesh differs from others. @param diameter of its particles [m].
+std::string actorKey(const SceneContext& context, const Json& object, const std::string& file, float diameter);
+
+/// A model with its clips, read at most once. @param scale [m per unit]; 0: what the file says, else a guess.
+const Model& modelWithClips(SceneContext& context, const std::string& file, double scale);
+
+/// Whether an object is an actor whose first clip is of its own model.
+bool playsOwnClips(const Json& object);
 
 /// Whether an actor has an `animation` or a `pose`.
 bool isAnimated(const Json& actor);

@@ -29,6 +29,12 @@ std::vector<uint32_t> ownersOf(const Actor& actor)
 
 }  // namespace
 
+int32_t parentBody(const Actor& actor, uint32_t body)
+{
+    const int32_t parent = actor.bodies[body].parent;
+    return parent >= 0 && actor.bodies[parent].isCross ? actor.bodies[parent].parent : parent;
+}
+
 SurfaceDistance surfaceOf(const Actor& actor, uint32_t particle)
 {
     if (actor.signedDistances.empty() || actor.outward.empty()) {
@@ -73,11 +79,7 @@ uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, 
         draft.joint.strength = joint.strength;
         setLimits(draft, joint.limits, joint.axis.normalized());
         builder.describeJoint(std::move(draft));
-        const ActorBody& parent = actor.bodies[joint.parent];
-        const bool crossed = parent.isCross && parent.parent >= 0;
-        if (joint.limits.any())
-            builder.passThrough(bodies[joint.child],
-                                bodies[crossed ? static_cast<uint32_t>(parent.parent) : joint.parent]);
+        if (joint.limits.any()) builder.passThrough(bodies[joint.child], bodies[parentBody(actor, joint.child)]);
     }
     builder.setSelfMargin(SELF_MARGIN);
     for (uint32_t b = 0; b < bodies.size(); ++b)

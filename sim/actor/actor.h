@@ -42,6 +42,9 @@ struct Actor {
     std::vector<std::string> notes;  ///< What was merged, dropped or assumed, one sentence each.
 };
 
+/// The body that one hangs on, past the cross of a universal joint; -1 of the first.
+int32_t parentBody(const Actor& actor, uint32_t body);
+
 /// What contacts need to know of a particle's place in the skin; empty where the actor does not say.
 SurfaceDistance surfaceOf(const Actor& actor, uint32_t particle);
 

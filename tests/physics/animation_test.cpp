@@ -8,21 +8,9 @@ namespace {
 
 constexpr uint32_t BODIES = 4;
 
-/// A row of cubes along x, joined at balls.
 void addRow(WorldBuilder& builder)
 {
-    builder.beginObject("row");
-    for (uint32_t b = 0; b < BODIES; ++b) {
-        std::vector<Vector3f> places = boxLattice({3, 3, 3}, DIAMETER);
-        for (Vector3f& p : places) p.x() += 4 * DIAMETER * static_cast<float>(b);
-        builder.addBody("body", places, 0);
-    }
-    for (uint32_t b = 0; b + 1 < BODIES; ++b) {
-        JointSpec spec;
-        spec.anchor.x() = 4 * DIAMETER * (static_cast<float>(b) + 0.5f);
-        builder.addJoint(b, b + 1, spec);
-    }
-    builder.setSelfMargin(50.0f);
+    beginRow(builder, BODIES, JointType::Ball);
     builder.endObject();
 }
 

@@ -48,6 +48,23 @@ World jointedPair(JointType type, const Settings& settings, const Pose& pose, co
     return builder.build();
 }
 
+void beginRow(WorldBuilder& builder, uint32_t bodies, JointType type)
+{
+    builder.beginObject("row");
+    for (uint32_t b = 0; b < bodies; ++b) {
+        std::vector<Vector3f> places = boxLattice({3, 3, 3}, DIAMETER);
+        for (Vector3f& p : places) p.x() += 4 * DIAMETER * static_cast<float>(b);
+        builder.addBody("body", places, 0);
+    }
+    for (uint32_t b = 0; b + 1 < bodies; ++b) {
+        JointSpec spec;
+        spec.type = type;
+        spec.anchor.x() = 4 * DIAMETER * (static_cast<float>(b) + 0.5f);
+        builder.addJoint(b, b + 1, spec);
+    }
+    builder.setSelfMargin(50.0f);
+}
+
 Collider floorPlane(float friction)
 {
     Collider plane;

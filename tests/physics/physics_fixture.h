@@ -26,6 +26,9 @@ uint32_t addBox(WorldBuilder& builder, const Eigen::Vector3i& counts, const Pose
 /// Two 3x3x3 cubes 4 diameters apart along x with a joint between them. A is fixed where asked for.
 World jointedPair(JointType type, const Settings& settings, const Pose& pose = {}, const Vector3f& velocity = {0, 0, 0},
                   const Vector3f& spin = {0, 0, 0}, bool fixed = false, int limitSide = 0);
+/// Opens an object of cubes in a row along x, joined, that touch none of each other: a contact ends second order.
+/// The caller may change them, and ends the object.
+void beginRow(WorldBuilder& builder, uint32_t bodies, JointType type);
 Collider floorPlane(float friction = 0.5f);
 
 /// Runs `seconds`, checking the counters after each step.

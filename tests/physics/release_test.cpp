@@ -20,19 +20,7 @@ World heldChain(uint32_t bodies, JointType type, const std::vector<uint32_t>& he
                 const Settings& settings = second())
 {
     WorldBuilder builder = makeBuilder(settings);
-    builder.beginObject("chain");
-    for (uint32_t b = 0; b < bodies; ++b) {
-        std::vector<Vector3f> places = boxLattice({3, 3, 3}, DIAMETER);
-        for (Vector3f& p : places) p.x() += 4 * DIAMETER * static_cast<float>(b);
-        builder.addBody("body", places, 0);
-    }
-    for (uint32_t b = 0; b + 1 < bodies; ++b) {
-        JointSpec spec;
-        spec.type = type;
-        spec.anchor.x() = 4 * DIAMETER * (static_cast<float>(b) + 0.5f);
-        builder.addJoint(b, b + 1, spec);
-    }
-    builder.setSelfMargin(50.0f);  // a contact within the chain would end second order
+    beginRow(builder, bodies, type);
     for (const uint32_t b : held) builder.holdBody(b, static_cast<float>(TIME));
     for (const uint32_t b : fixed) builder.holdBody(b);
     builder.endObject();

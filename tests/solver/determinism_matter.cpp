@@ -1,3 +1,5 @@
+#include <functional>
+
 #include "sim/world/builder/cloth.h"
 #include "sim/world/builder/rope.h"
 #include "tests/solver/determinism_worlds.h"
@@ -107,27 +109,46 @@ World emitterWorld()
     return builder.build();
 }
 
-World heldWorld()
+namespace {
+
+/// On ground where things sleep.
+WorldBuilder sleepyBuilder()
 {
     Settings settings;
     settings.sleepSpeed = 0.02f;
     WorldBuilder builder(DIAMETER / 2, settings);
     builder.addMaterial({});
     builder.addCollider({});
+    return builder;
+}
+
+/// Opens an object of joined cubes in a row along x. @param typeOf the joint behind a cube. @returns the bodies.
+std::vector<uint32_t> beginRow(WorldBuilder& builder, int count, const std::function<JointType(int)>& typeOf)
+{
+    builder.beginObject("row");
+    std::vector<uint32_t> bodies;
+    for (int b = 0; b < count; ++b) {
+        std::vector<Vector3f> places = boxLattice({3, 3, 3}, DIAMETER);
+        for (Vector3f& p : places) p.x() += 4 * DIAMETER * static_cast<float>(b);
+        bodies.push_back(builder.addBody("body", places, 0));
+    }
+    for (int b = 0; b + 1 < count; ++b) {
+        JointSpec spec;
+        spec.type = typeOf(b);
+        spec.anchor.x() = 4 * DIAMETER * (static_cast<float>(b) + 0.5f);
+        builder.addJoint(bodies[b], bodies[b + 1], spec);
+    }
+    return bodies;
+}
+
+}  // namespace
+
+World heldWorld()
+{
+    WorldBuilder builder = sleepyBuilder();
     for (int k = 0; k < 4; ++k) {
-        builder.beginObject("chain");
-        std::vector<uint32_t> bodies;
-        for (int b = 0; b < 4; ++b) {
-            std::vector<Vector3f> places = boxLattice({3, 3, 3}, DIAMETER);
-            for (Vector3f& p : places) p.x() += 4 * DIAMETER * static_cast<float>(b);
-            bodies.push_back(builder.addBody("body", places, 0));
-        }
-        for (int b = 0; b < 3; ++b) {
-            JointSpec spec;
-            spec.type = static_cast<JointType>((k + b) % 4);
-            spec.anchor.x() = 4 * DIAMETER * (static_cast<float>(b) + 0.5f);
-            builder.addJoint(bodies[b], bodies[b + 1], spec);
-        }
+        const std::vector<uint32_t> bodies = beginRow(builder, 4,
+                                                      [&](int b) { return static_cast<JointType>((k + b) % 4); });
         // One end, the other, both, all of it.
         if (k != 1) builder.holdBody(bodies[0], 0.2f);
         if (k != 0) builder.holdBody(bodies[3], 0.2f + 0.1f * static_cast<float>(k % 2));
@@ -140,11 +161,7 @@ World heldWorld()
 
 World animatedWorld()
 {
-    Settings settings;
-    settings.sleepSpeed = 0.02f;
-    WorldBuilder builder(DIAMETER / 2, settings);
-    builder.addMaterial({});
-    builder.addCollider({});
+    WorldBuilder builder = sleepyBuilder();
     std::vector<uint32_t> clips;
     for (const float pace : {7.0f, 4.0f}) {
         BodyClip clip{"swing", 30, 3};
@@ -157,23 +174,13 @@ World animatedWorld()
         clips.push_back(builder.addClip(std::move(clip)));
     }
     for (uint32_t k = 0; k < 4; ++k) {
-        builder.beginObject("dancer");
-        for (int b = 0; b < 3; ++b) {
-            std::vector<Vector3f> places = boxLattice({3, 3, 3}, DIAMETER);
-            for (Vector3f& p : places) p.x() += 4 * DIAMETER * static_cast<float>(b);
-            builder.addBody("body", places, 0);
-        }
-        for (uint32_t b = 0; b < 2; ++b) {
-            JointSpec spec;
-            spec.anchor.x() = 4 * DIAMETER * (static_cast<float>(b) + 0.5f);
-            builder.addJoint(3 * k + b, 3 * k + b + 1, spec);
-        }
+        const std::vector<uint32_t> bodies = beginRow(builder, 3, [](int) { return JointType::Ball; });
         const Pose pose{Vector3f(0, 0.2f, 0.6f * static_cast<float>(k))};
         builder.endObject(pose);
         builder.animate(
             {k, pose, {0, 0, 0}, {{.clip = clips[k % 2]}, {.clip = clips[1 - k % 2], .at = 0.2f, .fade = 0.2f}}});
         // One never, one from its middle on, two at once.
-        for (uint32_t b = k == 1 ? 1 : 0; b < 3 && k > 0; ++b) builder.releaseBody(3 * k + b, 0.3f);
+        for (uint32_t b = k == 1 ? 1 : 0; b < 3 && k > 0; ++b) builder.releaseBody(bodies[b], 0.3f);
     }
     for (const float z : {0.3f, 0.9f, 1.5f}) {
         builder.beginObject("box");

@@ -134,7 +134,8 @@ JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, ui
     JointPlan plan;
     plan.type = jointTypeFromName(draft.name, nameOf(model, model.bones[draft.bone].parent),
                                   nameOf(model, firstChild(model, draft.bone)));
-    if (options.limited && hasRange(partOf(model, draft))) plan.type = rangedType(partOf(model, draft));
+    const BodyPart part = partOf(model, draft);
+    if (options.limited && hasRange(part)) plan.type = rangedType(part);
     if (const auto found = options.types.find(draft.name); found != options.types.end()) {
         plan.type = found->second;
     }
@@ -142,7 +143,6 @@ JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, ui
     plan.child = body;
     plan.anchor = draft.anchor;
     // What bends by little does not need the room.
-    const BodyPart part = partOf(model, draft);
     const bool bendsLittle = part == BodyPart::Spine || part == BodyPart::Neck || part == BodyPart::Clavicle;
     plan.clear = options.clearJoints && !(options.limited && bendsLittle);
     plan.along = directionOf(drafts, body, voxels);

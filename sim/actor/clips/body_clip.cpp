@@ -87,8 +87,11 @@ ActorClip convert(const Actor& actor, const Model& source, const Clip& clip, con
         const Vector3f pivot = pivotAt(map, source, poses);
         if (k == 0) start = Vector3f(pivot.x(), groundOf(clip) + map.pivot.y() - lowestOf(source), pivot.z());
         out.clip.roots.push_back(map.own ? pivot : Vector3f(rest + map.scale * (map.facing * (pivot - start))));
-        turns.addKey([&](uint32_t body) { return turnBy(map, body, source, poses); },
-                     [&](uint32_t body) { return map.bones[body] != NO_INDEX; }, out.clip.turns);
+        const auto wanted = [&](uint32_t body) -> std::optional<Quaternionf> {
+            if (map.bones[body] == NO_INDEX) return {};
+            return turnBy(map, body, source, poses);
+        };
+        turns.addKey(wanted, out.clip.turns);
     }
     out.notes = turns.notes(clip.name);
     return out;
@@ -99,10 +102,8 @@ std::vector<std::vector<uint32_t>> childrenOf(const Actor& actor)
 {
     std::vector<std::vector<uint32_t>> children(actor.bodies.size());
     for (uint32_t j = 0; j < actor.joints.size(); ++j) {
-        const ActorJoint& joint = actor.joints[j];
-        if (actor.bodies[joint.child].isCross) continue;
-        const bool crossed = actor.bodies[joint.parent].isCross;
-        children[crossed ? static_cast<uint32_t>(actor.bodies[joint.parent].parent) : joint.parent].push_back(j);
+        const uint32_t child = actor.joints[j].child;
+        if (!actor.bodies[child].isCross) children[parentBody(actor, child)].push_back(j);
     }
     return children;
 }

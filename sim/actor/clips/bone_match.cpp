@@ -43,11 +43,8 @@ std::map<PartKey, std::vector<uint32_t>> partsOf(const std::vector<Named>& all)
 std::vector<Named> namesOf(const Actor& actor)
 {
     std::vector<Named> names;
-    for (const ActorBody& body : actor.bodies) {
-        int32_t parent = body.parent;
-        if (parent >= 0 && actor.bodies[parent].isCross) parent = actor.bodies[parent].parent;
-        names.push_back({body.isCross ? std::string() : body.name, parent});
-    }
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b)
+        names.push_back({actor.bodies[b].isCross ? std::string() : actor.bodies[b].name, parentBody(actor, b)});
     return names;
 }
 

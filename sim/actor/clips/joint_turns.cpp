@@ -50,35 +50,32 @@ Quaternionf JointTurns::held(uint32_t body, const Quaternionf& relative)
     Quaternionf turn = relative;
     if (joint.type == JointType::Stiff) turn.setIdentity();
     if (joint.type == JointType::Hinge || joint.type == JointType::Universal) turn = twistAbout(joint.axis, relative);
-    if (!actor_.bodies[body].isCross) leftOut_[body] = std::max(leftOut_[body], turn.angularDistance(relative));
+    leftOut_[body] = std::max(leftOut_[body], turn.angularDistance(relative));
     return turn;
 }
 
-void JointTurns::addKey(const std::function<Quaternionf(uint32_t)>& wanted, const std::function<bool(uint32_t)>& known,
-                        std::vector<Quaternionf>& turns)
+Quaternionf JointTurns::crossTurn(uint32_t cross, const Quaternionf& parent, const Wanted& wanted) const
+{
+    const auto next = std::ranges::find(actor_.joints, cross, &ActorJoint::parent);
+    if (next == actor_.joints.end()) return Quaternionf::Identity();
+    const std::optional<Quaternionf> behind = wanted(next->child);
+    if (!behind) return Quaternionf::Identity();
+    return turnAbout(actor_.joints[jointOf_[cross]].axis, next->axis, parent.conjugate() * *behind * next->axis);
+}
+
+void JointTurns::addKey(const Wanted& wanted, std::vector<Quaternionf>& turns)
 {
     const size_t first = turns.size();
     std::vector<Quaternionf> whole(actor_.bodies.size(), Quaternionf::Identity());
     turns.resize(first + actor_.bodies.size(), Quaternionf::Identity());
     for (const uint32_t b : order_) {
+        const bool isFirst = jointOf_[b] == NO_INDEX;
+        const Quaternionf parent = isFirst ? Quaternionf::Identity() : whole[actor_.joints[jointOf_[b]].parent];
         Quaternionf turn = Quaternionf::Identity();
-        if (jointOf_[b] == NO_INDEX) {
-            if (known(b)) turn = wanted(b);
-            whole[b] = turn;
-        } else {
-            const ActorJoint& joint = actor_.joints[jointOf_[b]];
-            const Quaternionf& parent = whole[joint.parent];
-            if (actor_.bodies[b].isCross) {
-                // Its second axis goes where the body behind it has it.
-                const auto next = std::ranges::find(actor_.joints, b, &ActorJoint::parent);
-                const bool moved = next != actor_.joints.end() && known(next->child);
-                if (moved)
-                    turn = turnAbout(joint.axis, next->axis, parent.conjugate() * wanted(next->child) * next->axis);
-            } else if (known(b)) {
-                turn = held(b, parent.conjugate() * wanted(b));
-            }
-            whole[b] = parent * turn;
-        }
+        if (actor_.bodies[b].isCross) turn = crossTurn(b, parent, wanted);
+        else if (const std::optional<Quaternionf> own = wanted(b))
+            turn = isFirst ? *own : held(b, parent.conjugate() * *own);
+        whole[b] = parent * turn;
         if (!last_.empty() && turn.dot(last_[b]) < 0.0f) turn.coeffs() = -turn.coeffs();
         turns[first + b] = turn;
     }
