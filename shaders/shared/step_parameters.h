@@ -21,6 +21,9 @@ struct StepParameters {
     uint jointedBodyCount;          // and those that have
     uint releaseCount;              // bodies that are held or animated until a time
     uint animatedCount;             // bodies that clips move
+    uint puppetCount;               // animated objects that are driven
+    uint jointDriveCount;           // their joints
+    uint pinCount;                  // and what pins them
     uint linkCount;
     uint assemblyCount;
     uint colliderCount;

@@ -54,6 +54,7 @@ RowPlan planRows(const World& world, const Layout& layout)
 {
     RowPlan rows;
     JointStage::reserveRows(rows, world, layout);
+    DriveStage::reserveRows(rows, world, layout);
     rows.place(layout.bodyCount);
     return rows;
 }
@@ -77,6 +78,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
       colliders(setup_), search(setup_), contacts(setup_), bodies(setup_, actsOnParticles(world)), joints(setup_)
 {
     if (AnimationStage::isNeeded(world)) animations.emplace(setup_);
+    if (DriveStage::isNeeded(world)) drives.emplace(setup_);
     if (RestitutionStage::isNeeded(world)) restitution.emplace(setup_);
     if (SleepStage::isNeeded(world.settings)) sleep.emplace(setup_);
     if (SoftStage::isNeeded(world)) soft.emplace(setup_);
@@ -105,6 +107,7 @@ std::vector<Stage*> Stages::all()
         if (stage) stages.push_back(&*stage);
     };
     add(animations);
+    add(drives);
     add(restitution);
     add(sleep);
     add(soft);

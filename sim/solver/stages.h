@@ -7,6 +7,7 @@
 #include "sim/solver/body/body_stage.h"
 #include "sim/solver/contact/collider_stage.h"
 #include "sim/solver/contact/contact_stage.h"
+#include "sim/solver/drive/drive_stage.h"
 #include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_stage.h"
 #include "sim/solver/joint/joint_stage.h"
@@ -74,6 +75,7 @@ public:
     BodyStage bodies;
     JointStage joints;
     std::optional<AnimationStage> animations;
+    std::optional<DriveStage> drives;
     std::optional<RestitutionStage> restitution;
     std::optional<SleepStage> sleep;
     std::optional<SoftStage> soft;

@@ -6,7 +6,7 @@
 // (shaders/sim/common/bodies/fields.glsl) and visits their particles only where something touches them. A substep
 //
 //   lets go of what is held until now (mover_release);
-//   moves what clips move (animate);
+//   moves what clips move (animate), and notes how far what is driven is from its clip (drive_*, again below);
 //   predicts how far each mover would move if nothing touched it, and adds what its contacts did last (mover_predict,
 //     jointed_predict), and asks for a new search where one has left its margin (mover_drift);
 //   finds contacts, but only when somebody asked: search_due sets the sizes of those dispatches on the GPU, to zero
@@ -17,7 +17,7 @@
 //   moves fluids by their pressures (fluid_*), once;
 //   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, distance_solve moves ropes
 //     and cloth, colour by colour; contact_solve and collider_solve work out impulses, each contact by itself, from
-//     where the movers are; impulse_sum adds them up for each body, and body_solve matches it (eqs. 8-9, 11-17) to
+//     where the movers are, and drive_* the pull of springs towards clips; impulse_sum adds them up for each body, and body_solve matches it (eqs. 8-9, 11-17) to
 //     where they bring its particles, as loose_solve does for loose particles. For bodies with joints jointed_solve
 //     notes what is left to do, and joint_solve answers it for all bodies of a tree at once, joint_loop_solve for its
 //     loops;
@@ -49,6 +49,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
 {
     s.bodies.predict(recorder);
     if (s.animations) s.animations->animate(recorder);
+    if (s.drives) s.drives->begin(recorder);
     s.search.find(recorder);
     s.contacts.prepare(recorder);
     if (s.sleep) s.sleep->wake(recorder);
@@ -60,6 +61,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
         if (s.soft) s.soft->solve(recorder, i, settings.iterations);
         if (s.distances) s.distances->solve(recorder, i == 0);
         s.contacts.solve(recorder);
+        if (s.drives) s.drives->pull(recorder);
         s.bodies.solve(recorder);
         s.joints.factorAgain(recorder);
         s.joints.solve(recorder);

@@ -3,7 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/constants.h"
+
 namespace knuckle {
+
+uint32_t Settings::substepAt(float time) const
+{
+    if (std::isinf(time)) return NO_SUBSTEP;
+    const double substep = double{timeStep} / substeps;
+    return static_cast<uint32_t>(std::min(std::ceil(time / substep - 1e-3), double{NO_SUBSTEP} - 1));
+}
 
 uint32_t automaticSubsteps(float diameter, float timeStep, SolverKind solver)
 {

@@ -49,6 +49,9 @@ struct Settings {
     float massScaling = 0.0f;                     ///< k [1/m], 0 ... 10: contacts see masses m exp(-k height); 0: off.
     float vorticity = 0.0f;                       ///< How much of the swirls that fluids lose is given back, 0 ... 1.
     float sleepSpeed = 0.0f;                      ///< What stays slower sleeps, with all it touches [m/s]; 0: off.
+
+    /// The first substep that begins at a time or after it [s]; NO_SUBSTEP for infinity.
+    uint32_t substepAt(float time) const;
 };
 
 /// As many that something as fast as a fall of 1 m (4.5 m/s) stays within a fifth of a diameter in one, 4 to 16. Half

@@ -210,6 +210,7 @@ void validate(const World& world)
     validateJoints(world);
     validateReleases(world);
     validateAnimations(world);
+    validatePuppets(world);
     validateColliders(world);
     validateSoftBodies(world);
     validateStrands(world);

@@ -9,6 +9,7 @@
 
 #include "sim/world/animation/animation.h"
 #include "sim/world/collider_grid.h"
+#include "sim/world/drive/puppet.h"
 #include "sim/world/emitter.h"
 #include "sim/world/joint.h"
 #include "sim/world/no_index.h"
@@ -139,6 +140,7 @@ struct World {
     std::vector<Object> objects;
     std::vector<BodyClip> clips;
     std::vector<Animation> animations;
+    std::vector<Puppet> puppets;
     std::vector<Collider> colliders;
     std::vector<SoftBody> softBodies;
     std::vector<Cluster> clusters;   ///< Grouped by soft body.

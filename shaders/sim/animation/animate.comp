@@ -1,5 +1,6 @@
 // One thread a body that clips move: how far it comes in the substep, from where it is to where they have it at the
-// substep's end. What it meets so sees its speed, at any frame rate.
+// substep's end. What it meets so sees its speed, at any frame rate. PUPPETS: where clips have bodies that may be
+// driven, whatever those do now.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
@@ -12,6 +13,10 @@ READ_BUFFER(GpuClipPlay, ClipPlays, clipPlays);
 READ_BUFFER(Counters, CountersBlock, counters);
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
+#ifdef PUPPETS
+BUFFER(vec4, ClipBodyTurns, clipBodyTurns);
+BUFFER(vec4, ClipBodyPlaces, clipBodyPlaces);
+#endif
 
 /// Two plays at a moment, and how much the later one counts.
 struct Mix {
@@ -50,7 +55,10 @@ void main()
     if (k >= sim.animatedCount) return;
     AnimatedBody body = animatedBodies[k];
     uint m = body.mover;
-    if (!moves(m) || responds(m)) return;
+    bool animated = moves(m) && !responds(m);
+#ifndef PUPPETS
+    if (!animated) return;
+#endif
     GpuAnimation animation = animations[body.animation];
     Mix mixed = mixAt(animation, double(counters[0].substep + 1u) * double(sim.substepTime));
     // From the body up to the first: places in the rest pose of each.
@@ -58,6 +66,9 @@ void main()
     vec4 turned = vec4(0, 0, 0, 1);
     for (uint depth = 0u; depth < sim.animatedCount; ++depth) {
         vec4 turn = turnOf(mixed, body);
+#ifdef PUPPETS
+        if (depth == 0u) clipBodyTurns[k] = turn;
+#endif
         place = rotate(turn, place - body.anchor.xyz);
         turned = quaternionProduct(turn, turned);
         if (body.parent == NONE) break;
@@ -67,6 +78,11 @@ void main()
     place += mix(pivotOf(mixed.before, mixed.beforeAt), pivotOf(mixed.now, mixed.nowAt), mixed.part);
     place = rotate(animation.rotation, place) + animation.position.xyz;
     turned = quaternionProduct(animation.rotation, turned);
+#ifdef PUPPETS
+    clipBodyPlaces[2u * k] = vec4(place, 0);
+    clipBodyPlaces[2u * k + 1u] = turned;
+    if (!animated) return;
+#endif
     vec4 delta = normalize(quaternionProduct(turned, conjugate(fetchRotation(m))));
     moverMoves[m] = packMove(MoverMove(place - fetchCentre(m), 0.0));
     moverRotationDeltas[m] = delta.w < 0.0 ? -delta : delta;

@@ -1,8 +1,8 @@
 // One thread a tree of joints: from the leaves to the root each body, with all that hangs on it, is seen from its
 // joint, which passes on what it does not let go (Featherstone 2008, articulated bodies). Once a substep; joint_solve
 // makes use of it. RESPONSES: of a world where something asks how bodies answer to forces. LIMITS: of one where joints
-// are limited. AGAIN: later in a substep, where bodies have turned away from how they were eliminated, or other limits
-// hold than before.
+// are limited. DRIVES: where they are driven. AGAIN: later in a substep, where bodies have turned away from how they
+// were eliminated, or other springs hold than before.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_elimination.glsl"
@@ -12,6 +12,9 @@
 layout(local_size_x = TREE_GROUP_SIZE) in;
 #ifdef LIMITS
 #include "sim/joint/joint_stop_update.glsl"
+#endif
+#ifdef DRIVES
+#include "sim/joint/joint_drives.glsl"
 #endif
 BUFFER(vec4, JointFactors, jointFactors);
 BUFFER(vec4, RootFactors, rootFactors);
@@ -30,6 +33,9 @@ void factor(uint k)
     bool free = responds(joint.body);
     Inertia m = Inertia(mat3(1.0 / fetchMover(joint.body).inverseMass), mat3(0), fetchBodyLoad(joint.body).hessian);
     for (uint child = joint.firstChild; child < joint.childEnd; ++child) m = add(m, loadPassed(child));
+#ifdef DRIVES
+    m = add(m, pinStiffness(k));
+#endif
 #ifdef AGAIN
     if (free) m.d += mat3(turnDamping(k, m.a, length(loadMotion(k, SWEEP_MOTION).r)));
 #endif
@@ -46,6 +52,9 @@ void factor(uint k)
         mat3 stops = mat3(0);
 #ifdef LIMITS
         stops = stopStiffness(k, f.inertia.d);
+#endif
+#ifdef DRIVES
+        stops += drivenStiffness(k);
 #endif
         passed = shifted(passedBy(f, freedom, stops), -parent.arm);
         STORE_JOINT_FACTOR(jointFactors, k, f)
@@ -78,6 +87,9 @@ void main()
     bool due = true;
 #ifdef AGAIN
     due = hasTurned(index);
+#ifdef DRIVES
+    due = drivesChanged(tree) || due;
+#endif
 #ifdef LIMITS
     due = updateStops(tree, false) || due;
 #endif

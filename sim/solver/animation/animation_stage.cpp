@@ -85,11 +85,15 @@ void AnimationStage::upload(const StageSetup& setup)
     animatedBodies = {"animatedBodies", std::span<const gpu::AnimatedBody>(bodies)};
     animations = {"animations", std::span<const gpu::GpuAnimation>(placed)};
     clipPlays = {"clipPlays", std::span<const gpu::GpuClipPlay>(plays)};
+    const size_t driven = world.puppets.empty() ? 0 : bodies.size();
+    clipBodyTurns = {"clipBodyTurns", driven};
+    clipBodyPlaces = {"clipBodyPlaces", 2 * driven};
 }
 
 void AnimationStage::addBuffers(BufferTable& table)
 {
     table.add(Lifetime::Constant, clipTurns, clipRoots, animatedBodies, animations, clipPlays);
+    table.add(Lifetime::Scratch, clipBodyTurns, clipBodyPlaces);
 }
 
 void AnimationStage::animate(Recorder& recorder) const

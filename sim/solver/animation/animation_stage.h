@@ -10,7 +10,10 @@ namespace knuckle {
 class AnimationStage : public Stage {
 public:
     static bool isNeeded(const World& world) { return !world.animations.empty(); }
-    explicit AnimationStage(const StageSetup& setup) : parameters_(setup.parameters) {}
+    explicit AnimationStage(const StageSetup& setup)
+        : parameters_(setup.parameters), variant_(definesOf({{"PUPPETS", !setup.world.puppets.empty()}}))
+    {
+    }
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
@@ -22,10 +25,13 @@ public:
     Buffer<gpu::AnimatedBody> animatedBodies;  ///< Grouped by animation, in the order of its object's bodies.
     Buffer<gpu::GpuAnimation> animations;      ///< Where its object stands, and its plays.
     Buffer<gpu::GpuClipPlay> clipPlays;        ///< Per animation in order of time.
+    Buffer<gpu::vec4> clipBodyTurns;           ///< Per animated body, where any is driven: its turn at the substep's end.
+    Buffer<gpu::vec4> clipBodyPlaces;          ///< The same: where its centre is then [m], and its rotation.
 
 private:
     const gpu::StepParameters& parameters_;
-    Pass animate_{*this, "animation/animate"};
+    Defines variant_;
+    Pass animate_{*this, "animation/animate", variant_};
 };
 
 }  // namespace knuckle

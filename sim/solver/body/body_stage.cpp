@@ -102,9 +102,8 @@ Movers makeMovers(const World& world, const Layout& layout)
 /// The substep that a body responds in first, NO_SUBSTEP where it is not held or animated until a time.
 uint32_t releaseOf(const World& world, const Body& body)
 {
-    if (body.motion == Motion::Dynamic || std::isinf(body.releaseTime)) return NO_SUBSTEP;
-    const double substep = double{world.settings.timeStep} / world.settings.substeps;
-    return static_cast<uint32_t>(std::min(std::ceil(body.releaseTime / substep - 1e-3), double{NO_SUBSTEP} - 1));
+    if (body.motion == Motion::Dynamic) return NO_SUBSTEP;
+    return world.settings.substepAt(body.releaseTime);
 }
 
 }  // namespace

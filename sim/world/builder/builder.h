@@ -54,6 +54,8 @@ public:
     uint32_t addClip(BodyClip clip);
     /// From the start the bodies of an object that is there move as its clips say. Their joints form a tree.
     void animate(Animation animation);
+    /// Drives an animated object to its clips while it responds.
+    void drive(Puppet puppet) { world_.puppets.push_back(std::move(puppet)); }
     /// Lets go of a body that is held or animated at a time [s].
     void releaseBody(uint32_t body, float time);
     /// A soft body of particles at `positions` (rest pose of the object) [m], as elastic as its material.

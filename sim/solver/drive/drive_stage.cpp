@@ -1,0 +1,248 @@
+#include "sim/solver/drive/drive_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/solver/layout/drive_inertia.h"
+#include "sim/solver/pack.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr const char* JOINTS = "drive";
+constexpr const char* PINS = "pin";
+
+const Object& objectOf(const World& world, const Puppet& puppet)
+{
+    return world.objects[world.animations[puppet.animation].object];
+}
+
+const Joint* jointBetween(const World& world, uint32_t a, uint32_t b)
+{
+    const auto found = std::ranges::find_if(world.joints, [&](const Joint& joint) { return joint.connects(a, b); });
+    return found == world.joints.end() ? nullptr : &*found;
+}
+
+/// A joint of a puppet that is driven.
+struct Driven {
+    uint32_t body = 0, parent = 0;  ///< Within the object.
+    const Joint* joint = nullptr;
+};
+
+std::vector<Driven> drivenJoints(const World& world, const Puppet& puppet)
+{
+    std::vector<Driven> driven;
+    const Object& object = objectOf(world, puppet);
+    const std::vector<AnimatedLink> links = linksOf(world, world.animations[puppet.animation]);
+    for (uint32_t b = 0; b < links.size(); ++b) {
+        if (links[b].parent == NO_INDEX || !puppet.joints[b].acts()) continue;
+        const Joint* joint = jointBetween(world, object.bodyStart + b, object.bodyStart + links[b].parent);
+        if (joint != nullptr && joint->type != JointType::Stiff) driven.push_back({b, links[b].parent, joint});
+    }
+    return driven;
+}
+
+/// Index into the trees' joints of the one between two bodies, or, without a second one, of a body's own.
+uint32_t treeJointOf(const JointTrees& trees, uint32_t a, uint32_t b = NO_INDEX)
+{
+    const auto found = std::ranges::find_if(trees.joints, [&](const JointTrees::Joint& joint) {
+        return b == NO_INDEX ? joint.body == a : std::minmax(joint.body, joint.parent) == std::minmax(a, b);
+    });
+    return static_cast<uint32_t>(found - trees.joints.begin());
+}
+
+struct Spring {
+    float stiffness = 0.0f, damping = 0.0f;  ///< Times an inertia [1/s2], [1/s].
+};
+
+Spring springOf(const DriveSpring& s)
+{
+    const float rate = 2.0f * std::numbers::pi_v<float> * s.frequency;
+    return {rate * rate, 2.0f * s.dampingRatio * rate};
+}
+
+float bounded(float greatest)
+{
+    return std::min(greatest, std::numeric_limits<float>::max());
+}
+
+gpu::vec4 beside(const Eigen::Matrix3f& m, float w)
+{
+    return {m(0, 1), m(0, 2), m(1, 2), w};
+}
+
+gpu::GpuJointDrive packDrive(const DriveSpring& spring, const Eigen::Matrix3f& inertia, const Joint& joint)
+{
+    gpu::GpuJointDrive drive{};
+    const Eigen::Matrix3f turned = spring.isGiven() ? Eigen::Matrix3f(Eigen::Matrix3f::Identity()) : inertia;
+    const Spring s = spring.isGiven() ? Spring{spring.stiffness, spring.damping} : springOf(spring);
+    drive.inertia = pack(turned.diagonal(), bounded(spring.greatestTorque));
+    drive.inertiaBeside = beside(turned, joint.type == JointType::Hinge ? 1.0f : 0.0f);
+    drive.axis = pack(joint.childSide.frame * Vector3f::UnitX(), 0);
+    drive.stiffness = s.stiffness;
+    drive.damping = s.damping;
+    return drive;
+}
+
+gpu::GpuPin packPin(const DriveSpring& spring, const PinnedMass& held)
+{
+    gpu::GpuPin pin{};
+    const Spring s = springOf(spring);
+    const Eigen::Matrix3f inertia = held.inertia.cast<float>();
+    pin.inertia = pack(inertia.diagonal(), bounded(spring.greatestTorque));
+    pin.inertiaBeside = beside(inertia, static_cast<float>(held.mass));
+    pin.stiffness = s.stiffness;
+    pin.damping = s.damping;
+    pin.greatestForce = bounded(spring.greatestForce);
+    return pin;
+}
+
+gpu::vec4 packTurn(const Quaternionf& q)
+{
+    return pack(q.vec(), q.w());
+}
+
+std::vector<uint32_t> pinnedBodies(const Puppet& puppet)
+{
+    std::vector<uint32_t> bodies;
+    for (const Pin& pin : puppet.pins) bodies.push_back(pin.body);
+    return bodies;
+}
+
+/// What is uploaded, as it grows puppet by puppet.
+struct Uploads {
+    std::vector<gpu::GpuPuppet> puppets;
+    std::vector<gpu::GpuJointDrive> drives;
+    std::vector<gpu::GpuPin> pins;
+    std::vector<gpu::vec4> keys, driveStates, pinStates;
+};
+
+void addJoints(Uploads& out, const StageSetup& setup, const Puppet& puppet, uint32_t firstBody,
+               const std::vector<uint32_t>& rows)
+{
+    const World& world = setup.world;
+    const Object& object = objectOf(world, puppet);
+    const std::vector<AnimatedLink> links = linksOf(world, world.animations[puppet.animation]);
+    for (const Driven& driven : drivenJoints(world, puppet)) {
+        const uint32_t body = object.bodyStart + driven.body, parent = object.bodyStart + driven.parent;
+        gpu::GpuJointDrive drive = packDrive(puppet.joints[driven.body],
+                                             turnedInertia(world, object, links, driven.body).cast<float>(),
+                                             *driven.joint);
+        // The joint's axis, where its child is the puppet's parent: as its parent has it.
+        if (driven.joint->child != body) drive.axis = pack(driven.joint->parentSide.frame * Vector3f::UnitX(), 0);
+        drive.body = firstBody + driven.body;
+        drive.joint = treeJointOf(setup.layout.jointTrees, body, parent);
+        drive.row = rows[2 * out.drives.size()];
+        drive.parentRow = rows[2 * out.drives.size() + 1];
+        out.drives.push_back(drive);
+        const Quaternionf turn = world.bodies[parent].rotation.conjugate() * world.bodies[body].rotation;
+        for (const gpu::vec4& texel : {gpu::vec4{0, 0, 0, 1}, packTurn(turn), gpu::vec4{0, 0, 0, 1}})
+            out.driveStates.push_back(texel);
+    }
+}
+
+void addPins(Uploads& out, const StageSetup& setup, const Puppet& puppet, uint32_t firstBody,
+             const std::vector<uint32_t>& rows)
+{
+    const World& world = setup.world;
+    const Object& object = objectOf(world, puppet);
+    const std::vector<PinnedMass> masses = pinnedMasses(
+        world, object, linksOf(world, world.animations[puppet.animation]), pinnedBodies(puppet));
+    for (size_t i = 0; i < puppet.pins.size(); ++i) {
+        const Body& body = world.bodies[object.bodyStart + puppet.pins[i].body];
+        gpu::GpuPin pin = packPin(puppet.pins[i].spring, masses[i]);
+        pin.body = firstBody + puppet.pins[i].body;
+        pin.joint = treeJointOf(setup.layout.jointTrees, object.bodyStart + puppet.pins[i].body);
+        pin.row = rows[out.pins.size()];
+        out.pins.push_back(pin);
+        const gpu::vec4 none{0, 0, 0, 0};
+        for (const gpu::vec4& texel : {gpu::vec4{0, 0, 0, 1}, packTurn(body.rotation), none, none,
+                                       pack(body.position, 0), none})
+            out.pinStates.push_back(texel);
+    }
+}
+
+/// Of each animation, its first body among all that are animated.
+std::vector<uint32_t> firstBodies(const World& world)
+{
+    std::vector<uint32_t> first;
+    uint32_t next = 0;
+    for (const Animation& animation : world.animations) {
+        first.push_back(next);
+        next += world.objects[animation.object].bodyCount;
+    }
+    first.push_back(next);
+    return first;
+}
+
+}  // namespace
+
+void DriveStage::reserveRows(RowPlan& rows, const World& world, const Layout&)
+{
+    for (const Puppet& puppet : world.puppets) {
+        const uint32_t first = objectOf(world, puppet).bodyStart;
+        for (const Driven& driven : drivenJoints(world, puppet)) {
+            rows.reserveAngular(JOINTS, first + driven.body);
+            rows.reserveAngular(JOINTS, first + driven.parent);
+        }
+        for (const Pin& pin : puppet.pins) rows.reserveAngular(PINS, first + pin.body);
+    }
+}
+
+void DriveStage::upload(const StageSetup& setup)
+{
+    const World& world = setup.world;
+    const std::vector<uint32_t> jointRows = setup.rows.rowsOf(JOINTS), pinRows = setup.rows.rowsOf(PINS);
+    const std::vector<uint32_t> first = firstBodies(world);
+    std::vector<uint32_t> limp(first.back(), NO_SUBSTEP);
+    Uploads out;
+    for (const Puppet& puppet : world.puppets) {
+        const uint32_t firstBody = first[puppet.animation], bodies = objectOf(world, puppet).bodyCount;
+        out.puppets.push_back({firstBody, bodies, static_cast<uint32_t>(out.keys.size()),
+                               static_cast<uint32_t>(puppet.strength.size())});
+        for (const StrengthKey& key : puppet.strength)
+            out.keys.push_back({key.time, key.value, key.smooth ? 1.0f : 0.0f, 0});
+        for (uint32_t b = 0; b < bodies; ++b) limp[firstBody + b] = world.settings.substepAt(puppet.limpTimes[b]);
+        addJoints(out, setup, puppet, firstBody, jointRows);
+        addPins(out, setup, puppet, firstBody, pinRows);
+    }
+    setup.parameters.puppetCount = static_cast<uint32_t>(out.puppets.size());
+    setup.parameters.jointDriveCount = static_cast<uint32_t>(out.drives.size());
+    setup.parameters.pinCount = static_cast<uint32_t>(out.pins.size());
+    puppets = {"puppets", std::span<const gpu::GpuPuppet>(out.puppets)};
+    jointDrives = {"jointDrives", std::span<const gpu::GpuJointDrive>(out.drives)};
+    pins = {"pins", std::span<const gpu::GpuPin>(out.pins)};
+    strengthKeys = {"strengthKeys", std::span<const gpu::vec4>(out.keys)};
+    limpSubsteps = {"limpSubsteps", std::span<const uint32_t>(limp)};
+    driveLevels = {"driveLevels", limp.size()};
+    driveStates = {"driveStates", std::span<const gpu::vec4>(out.driveStates)};
+    pinStates = {"pinStates", std::span<const gpu::vec4>(out.pinStates)};
+    pinsGiven = {"pinsGiven", PIN_GIVEN_TEXELS * out.pins.size()};
+    driveStiffness = {"driveStiffness", DRIVE_STIFFNESS_TEXELS * setup.layout.jointTrees.joints.size()};
+    driveLevels.clear();
+    pinsGiven.clear();
+    driveStiffness.clear();
+}
+
+void DriveStage::addBuffers(BufferTable& table)
+{
+    table.add(Lifetime::Constant, puppets, jointDrives, pins, strengthKeys, limpSubsteps);
+    table.add(Lifetime::State, driveStates, pinStates, pinsGiven, driveStiffness, driveLevels);
+}
+
+void DriveStage::begin(Recorder& recorder) const
+{
+    recorder.perElement(strength_, parameters_.puppetCount);
+    recorder.perElement(beginJoints_, parameters_.jointDriveCount);
+    recorder.perElement(beginPins_, parameters_.pinCount);
+}
+
+void DriveStage::pull(Recorder& recorder) const
+{
+    recorder.perElement(pullJoints_, parameters_.jointDriveCount);
+    recorder.perElement(pullPins_, parameters_.pinCount);
+}
+
+}  // namespace knuckle

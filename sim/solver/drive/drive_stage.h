@@ -1,0 +1,47 @@
+#pragma once
+
+#include "shared/drive_types.h"
+#include "sim/solver/stage.h"
+
+namespace knuckle {
+
+/// Puppets (World::puppets): springs between where bodies are and where their clips have them, at joints and as pins.
+/// They are implicit: each is a torque or a force on bodies through rows of the channel, worked out in each iteration
+/// from where the bodies are, and a stiffness in the block of its joint (driveStiffness), which joint_factor takes in.
+///
+///     animate --> clipBodyTurns, clipBodyPlaces --> drive_joint, drive_pin --> rows --> jointed_solve --> bodyLoads
+///     drive_strength --> driveLevels ----------------^          +--> driveStiffness --> joint_factor
+class DriveStage : public Stage {
+public:
+    static bool isNeeded(const World& world) { return !world.puppets.empty(); }
+    explicit DriveStage(const StageSetup& setup) : parameters_(setup.parameters) {}
+    void upload(const StageSetup& setup) override;
+    void addBuffers(BufferTable& table) override;
+    static void reserveRows(RowPlan& rows, const World& world, const Layout& layout);
+
+    /// After animate(): where a substep begins.
+    void begin(Recorder& recorder) const;
+    /// What springs give where the bodies are now; in each iteration.
+    void pull(Recorder& recorder) const;
+
+    Buffer<gpu::GpuPuppet> puppets;        ///< Its bodies, the keys of its strength.
+    Buffer<gpu::GpuJointDrive> jointDrives;
+    Buffer<gpu::GpuPin> pins;
+    Buffer<gpu::vec4> strengthKeys;        ///< Per puppet: time [s], strength; 1: smooth.
+    Buffer<uint32_t> limpSubsteps;         ///< Per animated body: the first substep in which it is limp.
+    Buffer<float> driveLevels;             ///< Per animated body: the strength of its joint's drive and its pin.
+    Buffer<gpu::vec4> driveStates;         ///< Per driven joint: how far it was from its clip, its clip, the change.
+    Buffer<gpu::vec4> pinStates;           ///< Per pin the same, in place and direction.
+    Buffer<gpu::vec4> pinsGiven;           ///< Per pin: force [N]; torque [N m]; impulse since the start [N s], work [J].
+    Buffer<gpu::vec4> driveStiffness;      ///< Per joint of a tree: what drives and pins add to its block.
+
+private:
+    const gpu::StepParameters& parameters_;
+    Pass strength_{*this, "drive/drive_strength"};
+    Pass beginJoints_{*this, "drive/drive_joint", {{"BEGIN", "1"}}};
+    Pass beginPins_{*this, "drive/drive_pin", {{"BEGIN", "1"}}};
+    Pass pullJoints_{*this, "drive/drive_joint"};
+    Pass pullPins_{*this, "drive/drive_pin"};
+};
+
+}  // namespace knuckle
