@@ -170,6 +170,7 @@ void addActors(const ObjectEntry& entry)
         for (const uint32_t body : held) builder.holdBody(builder.world().objects[objects.back()].bodyStart + body);
     }
     if (animated) animateActors(entry, actor, objects, plays);
+    driveActors(entry, actor, objects);
     releaseActors(entry, actor, objects);
 }
 

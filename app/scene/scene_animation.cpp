@@ -12,12 +12,6 @@ namespace knuckle {
 
 namespace {
 
-/// Whether an `animation`, a `pose` or a change names a clip.
-bool isNamed(const Json& clip)
-{
-    return !clip["clip"].get<std::string>().empty() || !clip["file"].get<std::string>().empty();
-}
-
 /// Makes the clips of an actor entry, each once for all entries of the same actor.
 class ClipReader {
 public:
@@ -143,7 +137,7 @@ float timeOfRelease(const ObjectEntry& entry, const Json& json, const std::strin
     if (std::isinf(clipTime)) return time;
     if (std::isfinite(time)) entry.fail(where, "has `time` and `clipTime`; give one of them");
     const World& world = entry.context.builder.world();
-    if (!isAnimated(entry.json) || !isNamed(entry.json["animation"]))
+    if (!isAnimated(entry.json) || !namesClip(entry.json["animation"]))
         entry.fail(where + "/clipTime", "is for what has an `animation`; give `time`");
     const float reached = timeOf(world, world.animations.back().plays.front(), clipTime);
     if (std::isinf(reached)) entry.fail(where + "/clipTime", "is a time that the first clip never gets to");
@@ -152,22 +146,27 @@ float timeOfRelease(const ObjectEntry& entry, const Json& json, const std::strin
 
 }  // namespace
 
+bool namesClip(const Json& clip)
+{
+    return !clip["clip"].get<std::string>().empty() || !clip["file"].get<std::string>().empty();
+}
+
 bool playsOwnClips(const Json& object)
 {
-    const auto own = [](const Json& clip) { return isNamed(clip) && clip["file"].get<std::string>().empty(); };
+    const auto own = [](const Json& clip) { return namesClip(clip) && clip["file"].get<std::string>().empty(); };
     if (object["type"] != "actor") return false;
     return own(object["animation"]) || own(object["pose"]);
 }
 
 bool isAnimated(const Json& actor)
 {
-    return isNamed(actor["animation"]) || isNamed(actor["pose"]);
+    return namesClip(actor["animation"]) || namesClip(actor["pose"]);
 }
 
 std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor)
 {
-    const bool limp = isNamed(entry.json["pose"]);
-    if (limp && isNamed(entry.json["animation"]))
+    const bool limp = namesClip(entry.json["pose"]);
+    if (limp && namesClip(entry.json["animation"]))
         entry.fail("/pose", "is where a limp actor begins; take it or `animation` away");
     if (!entry.velocity.isZero()) entry.fail("/velocity", "is what the clip says; take it away");
     ClipReader clips(entry, actor);
@@ -179,7 +178,7 @@ std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor)
 void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects,
                    const std::vector<ClipPlay>& plays)
 {
-    const bool limp = isNamed(entry.json["pose"]);
+    const bool limp = namesClip(entry.json["pose"]);
     WorldBuilder& builder = entry.context.builder;
     for (size_t copy = 0; copy < objects.size(); ++copy) {
         builder.animate({objects[copy], entry.poses[copy], pivotOf(actor), plays});
@@ -197,6 +196,8 @@ void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vect
         const Json& release = json.is_array() ? json[i] : json;
         const std::string where = json.is_array() ? fmt::format("/release/{}", i) : "/release";
         const float time = timeOfRelease(entry, release, where);
+        const bool driven = release["becomes"] == "driven";
+        if (driven && builder.world().puppets.empty()) entry.fail(where + "/becomes", "is for what has a `drive`");
         const std::vector<uint32_t> below = bodiesBelow(entry, actor, release["below"], where + "/below");
         if (std::isinf(time)) continue;
         bool any = false;
@@ -206,6 +207,7 @@ void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vect
                 if (builder.world().bodies[body].motion == Motion::Dynamic) continue;
                 any = true;
                 builder.releaseBody(body, std::min(time, builder.world().bodies[body].releaseTime));
+                if (!driven) builder.limpBody(body, time);
             }
         if (!any)
             entry.fail(where, "is for what is held or animated; set `fixed`, `hold` or `animation`, or take it away");

@@ -68,6 +68,9 @@ std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor);
 void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects,
                    const std::vector<ClipPlay>& plays);
 
+/// Drives the copies of an actor as `drive` says. @throws InputError.
+void driveActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);
+
 /// Lets the copies of an actor go as `release` says. @throws InputError.
 void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);
 
@@ -84,6 +87,9 @@ const Model& modelWithClips(SceneContext& context, const std::string& file, doub
 
 /// Whether an object is an actor whose first clip is of its own model.
 bool playsOwnClips(const Json& object);
+
+/// Whether an `animation`, a `pose` or a change names a clip.
+bool namesClip(const Json& clip);
 
 /// Whether an actor has an `animation` or a `pose`.
 bool isAnimated(const Json& actor);

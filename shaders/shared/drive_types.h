@@ -16,31 +16,27 @@ namespace knuckle::gpu {
 
 // A joint that is driven to a clip.
 struct GpuJointDrive {
-    vec4 inertia;                   // of what turns about it, in its body's axes: diagonal [kg m2]; w: greatest torque
-    vec4 inertiaBeside;             // xy, xz, yz; w: 1 of a hinge, which turns about `axis` alone
-    vec4 axis;                      // xyz, in its body's axes
-    float stiffness;                // times inertia [1/s2]
-    float damping;                  // times inertia [1/s]
+    vec4 axis;                      // xyz: of a hinge, in its body's axes; w: 1 of a hinge, else 0
+    float stiffness;                // times the inertia that it turns [1/s2], or by itself [N m/rad]
+    float damping;                  // the same [1/s], [N m s/rad]
+    uint isGiven;                   // 1: by itself
+    float greatestTorque;           // [N m]
     uint body;                      // among animated bodies
     uint joint;                     // of the trees
     uint row;                       // of the channel
     uint parentRow;
-    uint unused1;
-    uint unused2;
 };
 
 // What holds a body where its clip has it in the world.
 struct GpuPin {
-    vec4 inertia;                   // that it holds, in the body's axes: diagonal [kg m2]; w: greatest torque [N m]
-    vec4 inertiaBeside;             // xy, xz, yz; w: mass that it holds [kg]
-    float stiffness;                // times mass or inertia [1/s2]
-    float damping;                  // times mass or inertia [1/s]
+    float stiffness;                // times the mass or inertia that it holds [1/s2]
+    float damping;                  // the same [1/s]
     float greatestForce;            // [N]
+    float greatestTorque;           // [N m]
     uint body;                      // among animated bodies
     uint joint;                     // of the trees, that of the body
     uint row;                       // of the channel
     uint unused1;
-    uint unused2;
 };
 
 // An animated object that is driven.
@@ -49,6 +45,10 @@ struct GpuPuppet {
     uint bodyCount;
     uint firstKey;                  // of its strength
     uint keyCount;
+    uint isHeld;                    // 1: by something that is fixed for ever
+    uint unused1;
+    uint unused2;
+    uint unused3;
 };
 
 #ifdef __cplusplus

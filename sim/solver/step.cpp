@@ -17,10 +17,10 @@
 //   moves fluids by their pressures (fluid_*), once;
 //   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, distance_solve moves ropes
 //     and cloth, colour by colour; contact_solve and collider_solve work out impulses, each contact by itself, from
-//     where the movers are, and drive_* the pull of springs towards clips; impulse_sum adds them up for each body, and body_solve matches it (eqs. 8-9, 11-17) to
-//     where they bring its particles, as loose_solve does for loose particles. For bodies with joints jointed_solve
-//     notes what is left to do, and joint_solve answers it for all bodies of a tree at once, joint_loop_solve for its
-//     loops;
+//     where the movers are, and drive_* the pull of springs towards clips; impulse_sum adds them up for each
+//     body, and body_solve matches it (eqs. 8-9, 11-17) to where they bring its particles, as loose_solve does for
+//     loose particles. For bodies with joints jointed_solve notes what is left to do, and joint_solve answers it for
+//     all bodies of a tree at once, joint_loop_solve for its loops;
 //   lets joints tear (joint_tear);
 //   ends with velocities and positions (mover_integrate, jointed_integrate), and where materials have restitution,
 //     gives collisions the speeds at which they part (contact_restitution, collider_restitution, mover_restitution).
@@ -50,6 +50,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     s.bodies.predict(recorder);
     if (s.animations) s.animations->animate(recorder);
     if (s.drives) s.drives->begin(recorder);
+    if (s.drives) s.drives->pull(recorder);
     s.search.find(recorder);
     s.contacts.prepare(recorder);
     if (s.sleep) s.sleep->wake(recorder);

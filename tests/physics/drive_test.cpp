@@ -15,11 +15,12 @@ struct Limb {
     Settings settings;
     DriveSpring spring;
     float density = 1000.0f;
-    float target = 0.0f;             ///< Of the hinge [rad] ...
-    float later = 0.0f;              ///< ... and from `at` on.
-    float at = 1e6f;                 ///< [s]
+    float target = 0.0f;  ///< Of the hinge [rad] ...
+    float later = 0.0f;   ///< ... and from `at` on.
+    float at = 1e6f;      ///< [s]
     bool parentFree = false;
     JointType type = JointType::Hinge;
+    float pin = 0.0f;  ///< Frequency of that of the parent [Hz].
 
     World world() const;
 };
@@ -56,6 +57,7 @@ World Limb::world() const
     Puppet puppet;
     puppet.joints = {spring, spring};
     puppet.limpTimes.assign(2, DriveSpring::INFINITE);
+    if (pin > 0.0f) puppet.pins = {{0, {.frequency = pin}}};
     builder.drive(puppet);
     return builder.build();
 }
@@ -114,6 +116,14 @@ Ringing ring(const Limb& limb, int periods)
     return ringing;
 }
 
+DriveSpring given(float stiffness, float damping)
+{
+    DriveSpring spring;
+    spring.stiffness = stiffness;
+    spring.damping = damping;
+    return spring;
+}
+
 }  // namespace
 
 /// Gravity turns a level limb until its spring holds it: k angle = m g arm cos(angle).
@@ -158,6 +168,59 @@ TEST(Drive, RingsAtItsFrequencyAndDamping)
             EXPECT_NEAR(natural, double{frequency}, 0.02 * double{frequency}) << parentFree;
             EXPECT_NEAR(damped, ratio, 0.05 * ratio) << frequency << " " << parentFree;
         }
+}
+
+/// A limb that is to turn half round, and is turned by its greatest torque T all the way: T t^2 / (2 inertia).
+TEST(Drive, TurnsNoHarderThanItMay)
+{
+    Limb limb{.settings = weightless(), .spring = {.frequency = 10.0f, .greatestTorque = 2.0f}};
+    limb.later = 3.0f;
+    limb.at = 0.1f;
+    const World world = limb.world();
+    Solver solver(gpu(), world);
+    run(solver, world, 0.1);
+    const double inertia = leverOf(world).inertia, seconds = std::sqrt(2 * 0.5 * inertia / 2.0);
+    const double steps = std::floor(seconds / world.settings.timeStep), t = steps * world.settings.timeStep;
+    run(solver, world, t);
+    // The target jumps within the first substep, which may be over or not: t is known to one, 2 / (8 steps).
+    EXPECT_NEAR(angleOf(solver), t * t / inertia, 0.02 * t * t / inertia);
+}
+
+/// No strength, load or substep makes it swing: a limb of a ton on a joint of 1e8 N m/rad stays where it is told.
+TEST(Drive, IsStableHoweverStiff)
+{
+    for (const float stiffness : {1e3f, 1e5f, 1e8f})
+        for (const float density : {37.0f, 37000.0f})
+            for (const uint32_t substeps : {1u, 4u, 16u}) {
+                Limb limb{.settings = {}, .spring = given(stiffness, 0.1f * stiffness), .density = density};
+                limb.settings.substeps = substeps;
+                limb.target = 0.3f;
+                limb.later = -0.4f;
+                limb.at = 1.0f;
+                const World world = limb.world();
+                Solver solver(gpu(), world);
+                run(solver, world, 0.9);
+                const Lever lever = leverOf(world);
+                const double most = lever.moment * GRAVITY / double{stiffness};
+                if (most > 0.2) continue;  // it hangs
+                // Of 0.3 rad what single precision has of a turn, 1e-6 times the stiffness, over the weight.
+                EXPECT_NEAR(angleOf(solver), 0.3, most + 1e-4) << stiffness << " " << density << " " << substeps;
+                run(solver, world, 2.1);
+                EXPECT_NEAR(angleOf(solver), -0.4, most + 1e-3) << stiffness << " " << density << " " << substeps;
+            }
+}
+
+/// A pinned body hangs as far below its place as all that it holds weighs: g / (2 pi f)^2.
+TEST(Drive, APinHoldsWhatHangsOnIt)
+{
+    Limb limb{.settings = {}, .spring = {.frequency = 5.0f}};
+    limb.parentFree = true;
+    limb.pin = 2.0f;
+    const World world = limb.world();
+    Solver solver(gpu(), world);
+    run(solver, world, 4.0);
+    const double wanted = GRAVITY / std::pow(2 * PI * 2.0, 2);
+    EXPECT_NEAR(-double{solver.readBodies()[0].position.y()}, wanted, 0.01 * wanted);
 }
 
 }  // namespace knuckle::test

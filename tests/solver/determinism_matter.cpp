@@ -159,7 +159,21 @@ World heldWorld()
     return builder.build();
 }
 
-World animatedWorld()
+namespace {
+
+/// Driven, weaker than its clips need, by pins at both ends, and let go in its middle.
+Puppet puppetOf(uint32_t animation)
+{
+    Puppet puppet;
+    puppet.animation = animation;
+    puppet.joints.assign(3, {.frequency = 6.0f, .dampingRatio = 0.7f, .greatestTorque = 3.0f});
+    puppet.limpTimes = {DriveSpring::INFINITE, 0.5f, DriveSpring::INFINITE};
+    puppet.pins = {{0, {.frequency = 3.0f}}, {2, {.frequency = 2.0f, .greatestForce = 50.0f}}};
+    puppet.strength = {{0.0f, 1.0f, true}, {0.3f, 0.4f, false}, {0.6f, 2.0f, false}};
+    return puppet;
+}
+
+World dancers(bool driven)
 {
     WorldBuilder builder = sleepyBuilder();
     std::vector<uint32_t> clips;
@@ -181,6 +195,7 @@ World animatedWorld()
             {k, pose, {0, 0, 0}, {{.clip = clips[k % 2]}, {.clip = clips[1 - k % 2], .at = 0.2f, .fade = 0.2f}}});
         // One never, one from its middle on, two at once.
         for (uint32_t b = k == 1 ? 1 : 0; b < 3 && k > 0; ++b) builder.releaseBody(bodies[b], 0.3f);
+        if (driven) builder.drive(puppetOf(k));
     }
     for (const float z : {0.3f, 0.9f, 1.5f}) {
         builder.beginObject("box");
@@ -188,6 +203,18 @@ World animatedWorld()
         builder.endObject({Vector3f(0.4f, 0.15f, z)});
     }
     return builder.build();
+}
+
+}  // namespace
+
+World animatedWorld()
+{
+    return dancers(false);
+}
+
+World drivenWorld()
+{
+    return dancers(true);
 }
 
 }  // namespace knuckle::test

@@ -222,6 +222,7 @@ std::vector<Matter> matters()
             {"Freeze", [] { return sleepyWorld(0.5f); }},
             {"Held", heldWorld},
             {"Animated", animatedWorld},
+            {"Driven", drivenWorld},
             {"Everything", [] { return everyWorld(GridKind::Lattice); }}};
 }
 

@@ -58,6 +58,9 @@ const std::vector<Member> STEP_PARAMETERS = {MEMBER(StepParameters, gravity),
                                              MEMBER(StepParameters, jointedBodyCount),
                                              MEMBER(StepParameters, releaseCount),
                                              MEMBER(StepParameters, animatedCount),
+                                             MEMBER(StepParameters, puppetCount),
+                                             MEMBER(StepParameters, jointDriveCount),
+                                             MEMBER(StepParameters, pinCount),
                                              MEMBER(StepParameters, linkCount),
                                              MEMBER(StepParameters, colliderCount),
                                              MEMBER(StepParameters, contactSlots),
@@ -153,6 +156,18 @@ const std::vector<Member> CLIP_PLAY = {
     MEMBER(GpuClipPlay, keyRate),   MEMBER(GpuClipPlay, fade),      MEMBER(GpuClipPlay, loop),
     MEMBER(GpuClipPlay, inPlace),   MEMBER(GpuClipPlay, yaw),       MEMBER(GpuClipPlay, roundYaw),
     MEMBER(GpuClipPlay, shift),     MEMBER(GpuClipPlay, roundShift)};
+const std::vector<Member> PUPPET = {MEMBER(GpuPuppet, firstBody), MEMBER(GpuPuppet, bodyCount),
+                                    MEMBER(GpuPuppet, firstKey),  MEMBER(GpuPuppet, keyCount),
+                                    MEMBER(GpuPuppet, isHeld),    MEMBER(GpuPuppet, unused1),
+                                    MEMBER(GpuPuppet, unused2),   MEMBER(GpuPuppet, unused3)};
+const std::vector<Member> JOINT_DRIVE = {MEMBER(GpuJointDrive, axis),           MEMBER(GpuJointDrive, stiffness),
+                                         MEMBER(GpuJointDrive, damping),        MEMBER(GpuJointDrive, isGiven),
+                                         MEMBER(GpuJointDrive, greatestTorque), MEMBER(GpuJointDrive, body),
+                                         MEMBER(GpuJointDrive, joint),          MEMBER(GpuJointDrive, row),
+                                         MEMBER(GpuJointDrive, parentRow)};
+const std::vector<Member> PIN = {
+    MEMBER(GpuPin, stiffness), MEMBER(GpuPin, damping), MEMBER(GpuPin, greatestForce), MEMBER(GpuPin, greatestTorque),
+    MEMBER(GpuPin, body),      MEMBER(GpuPin, joint),   MEMBER(GpuPin, row),           MEMBER(GpuPin, unused1)};
 const std::vector<Member> BODY_INFO = {MEMBER(BodyInfo, linkStart), MEMBER(BodyInfo, linkCount),
                                        MEMBER(BodyInfo, ownCount), MEMBER(BodyInfo, jointCount)};
 const std::vector<Member> MOVER_INFO = {MEMBER(MoverInfo, firstRank), MEMBER(MoverInfo, rankCount),
@@ -201,6 +216,15 @@ TEST(Layout, AnimationsAreTheHostsStructs)
     expectArray(kernel, "AnimatedBodies", "animatedBodies", sizeof(gpu::AnimatedBody), ANIMATED_BODY);
     expectArray(kernel, "Animations", "animations", sizeof(gpu::GpuAnimation), ANIMATION);
     expectArray(kernel, "ClipPlays", "clipPlays", sizeof(gpu::GpuClipPlay), CLIP_PLAY);
+}
+
+TEST(Layout, DrivesAreTheHostsStructs)
+{
+    KernelFixture fixture(drivenWorld());
+    expectArray(fixture.load("drive/drive_strength"), "Puppets", "puppets", sizeof(gpu::GpuPuppet), PUPPET);
+    expectArray(fixture.load("drive/drive_joint"), "JointDrives", "jointDrives", sizeof(gpu::GpuJointDrive),
+                JOINT_DRIVE);
+    expectArray(fixture.load("drive/drive_pin"), "Pins", "pins", sizeof(gpu::GpuPin), PIN);
 }
 
 TEST(Layout, StructsThatKernelsReadAsTexelsAreTheHostsStructs)

@@ -21,8 +21,7 @@ BUFFER(vec4, RootFactors, rootFactors);
 BUFFER(vec4, JointPassed, jointPassed);
 #include "sim/joint/joint_passed.glsl"
 #ifdef AGAIN
-#include "sim/joint/joint_damping.glsl"
-#include "sim/joint/joint_sweep_records.glsl"
+#include "sim/joint/joint_again.glsl"
 #endif
 
 /// What hangs on a body that does not respond is held by it.
@@ -64,18 +63,6 @@ void factor(uint k)
 
 #ifdef RESPONSES
 #include "sim/joint/joint_responses.glsl"
-#endif
-
-#ifdef AGAIN
-uniform samplerBuffer treeTurns;
-
-/// Whether the last solve turned a body of a tree by so much that the next would not converge (with a load of
-/// 10,000 : 1 it diverges): Newton's method has to be linearized anew.
-bool hasTurned(uint tree)
-{
-    const float MOST_TURN = 0.005;   // [rad]
-    return texelFetch(treeTurns, int(tree)).x > MOST_TURN * MOST_TURN;
-}
 #endif
 
 void main()

@@ -25,8 +25,8 @@ public:
     Buffer<gpu::AnimatedBody> animatedBodies;  ///< Grouped by animation, in the order of its object's bodies.
     Buffer<gpu::GpuAnimation> animations;      ///< Where its object stands, and its plays.
     Buffer<gpu::GpuClipPlay> clipPlays;        ///< Per animation in order of time.
-    Buffer<gpu::vec4> clipBodyTurns;           ///< Per animated body, where any is driven: its turn at the substep's end.
-    Buffer<gpu::vec4> clipBodyPlaces;          ///< The same: where its centre is then [m], and its rotation.
+    Buffer<gpu::vec4> clipBodyTurns;   ///< Per animated body, where any is driven: its turn at the substep's end.
+    Buffer<gpu::vec4> clipBodyPlaces;  ///< The same: where its centre is then [m], and its rotation.
 
 private:
     const gpu::StepParameters& parameters_;

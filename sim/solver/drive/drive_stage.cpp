@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
-#include "sim/solver/layout/drive_inertia.h"
 #include "sim/solver/pack.h"
 
 namespace knuckle {
@@ -68,34 +68,26 @@ float bounded(float greatest)
     return std::min(greatest, std::numeric_limits<float>::max());
 }
 
-gpu::vec4 beside(const Eigen::Matrix3f& m, float w)
-{
-    return {m(0, 1), m(0, 2), m(1, 2), w};
-}
-
-gpu::GpuJointDrive packDrive(const DriveSpring& spring, const Eigen::Matrix3f& inertia, const Joint& joint)
+gpu::GpuJointDrive packDrive(const DriveSpring& spring, const JointSide& side, bool hinge)
 {
     gpu::GpuJointDrive drive{};
-    const Eigen::Matrix3f turned = spring.isGiven() ? Eigen::Matrix3f(Eigen::Matrix3f::Identity()) : inertia;
     const Spring s = spring.isGiven() ? Spring{spring.stiffness, spring.damping} : springOf(spring);
-    drive.inertia = pack(turned.diagonal(), bounded(spring.greatestTorque));
-    drive.inertiaBeside = beside(turned, joint.type == JointType::Hinge ? 1.0f : 0.0f);
-    drive.axis = pack(joint.childSide.frame * Vector3f::UnitX(), 0);
+    drive.axis = pack(side.frame * Vector3f::UnitX(), hinge ? 1.0f : 0.0f);
     drive.stiffness = s.stiffness;
     drive.damping = s.damping;
+    drive.isGiven = spring.isGiven() ? 1 : 0;
+    drive.greatestTorque = bounded(spring.greatestTorque);
     return drive;
 }
 
-gpu::GpuPin packPin(const DriveSpring& spring, const PinnedMass& held)
+gpu::GpuPin packPin(const DriveSpring& spring)
 {
     gpu::GpuPin pin{};
     const Spring s = springOf(spring);
-    const Eigen::Matrix3f inertia = held.inertia.cast<float>();
-    pin.inertia = pack(inertia.diagonal(), bounded(spring.greatestTorque));
-    pin.inertiaBeside = beside(inertia, static_cast<float>(held.mass));
     pin.stiffness = s.stiffness;
     pin.damping = s.damping;
     pin.greatestForce = bounded(spring.greatestForce);
+    pin.greatestTorque = bounded(spring.greatestTorque);
     return pin;
 }
 
@@ -104,11 +96,16 @@ gpu::vec4 packTurn(const Quaternionf& q)
     return pack(q.vec(), q.w());
 }
 
-std::vector<uint32_t> pinnedBodies(const Puppet& puppet)
+/// Whether something fixed for ever holds a body of an object.
+bool isHeld(const World& world, const Object& object)
 {
-    std::vector<uint32_t> bodies;
-    for (const Pin& pin : puppet.pins) bodies.push_back(pin.body);
-    return bodies;
+    const auto isOf = [&](uint32_t body) {
+        return body >= object.bodyStart && body < object.bodyStart + object.bodyCount;
+    };
+    return std::ranges::any_of(world.joints, [&](const Joint& joint) {
+        return (isOf(joint.parent) && neverResponds(world.bodies[joint.child])) ||
+               (isOf(joint.child) && neverResponds(world.bodies[joint.parent]));
+    });
 }
 
 /// What is uploaded, as it grows puppet by puppet.
@@ -117,21 +114,37 @@ struct Uploads {
     std::vector<gpu::GpuJointDrive> drives;
     std::vector<gpu::GpuPin> pins;
     std::vector<gpu::vec4> keys, driveStates, pinStates;
+    std::vector<gpu::uvec2> order;
 };
+
+void addOrder(Uploads& out, const World& world, const Puppet& puppet, uint32_t firstBody)
+{
+    const std::vector<AnimatedLink> links = linksOf(world, world.animations[puppet.animation]);
+    const auto depth = [&](uint32_t body) {
+        uint32_t above = 0;
+        for (; links[body].parent != NO_INDEX; body = links[body].parent) ++above;
+        return above;
+    };
+    std::vector<uint32_t> order(links.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, {}, depth);
+    for (size_t i = 0; i < order.size(); ++i) {
+        const bool pinned = std::ranges::find(puppet.pins, order[i], &Pin::body) != puppet.pins.end();
+        out.order[firstBody + i] = {firstBody + order[i], pinned ? 1u : 0u};
+    }
+}
 
 void addJoints(Uploads& out, const StageSetup& setup, const Puppet& puppet, uint32_t firstBody,
                const std::vector<uint32_t>& rows)
 {
     const World& world = setup.world;
     const Object& object = objectOf(world, puppet);
-    const std::vector<AnimatedLink> links = linksOf(world, world.animations[puppet.animation]);
     for (const Driven& driven : drivenJoints(world, puppet)) {
         const uint32_t body = object.bodyStart + driven.body, parent = object.bodyStart + driven.parent;
+        const Joint& joint = *driven.joint;
         gpu::GpuJointDrive drive = packDrive(puppet.joints[driven.body],
-                                             turnedInertia(world, object, links, driven.body).cast<float>(),
-                                             *driven.joint);
-        // The joint's axis, where its child is the puppet's parent: as its parent has it.
-        if (driven.joint->child != body) drive.axis = pack(driven.joint->parentSide.frame * Vector3f::UnitX(), 0);
+                                             joint.child == body ? joint.childSide : joint.parentSide,
+                                             joint.type == JointType::Hinge);
         drive.body = firstBody + driven.body;
         drive.joint = treeJointOf(setup.layout.jointTrees, body, parent);
         drive.row = rows[2 * out.drives.size()];
@@ -148,18 +161,16 @@ void addPins(Uploads& out, const StageSetup& setup, const Puppet& puppet, uint32
 {
     const World& world = setup.world;
     const Object& object = objectOf(world, puppet);
-    const std::vector<PinnedMass> masses = pinnedMasses(
-        world, object, linksOf(world, world.animations[puppet.animation]), pinnedBodies(puppet));
-    for (size_t i = 0; i < puppet.pins.size(); ++i) {
-        const Body& body = world.bodies[object.bodyStart + puppet.pins[i].body];
-        gpu::GpuPin pin = packPin(puppet.pins[i].spring, masses[i]);
-        pin.body = firstBody + puppet.pins[i].body;
-        pin.joint = treeJointOf(setup.layout.jointTrees, object.bodyStart + puppet.pins[i].body);
+    for (const Pin& wanted : puppet.pins) {
+        const Body& body = world.bodies[object.bodyStart + wanted.body];
+        gpu::GpuPin pin = packPin(wanted.spring);
+        pin.body = firstBody + wanted.body;
+        pin.joint = treeJointOf(setup.layout.jointTrees, object.bodyStart + wanted.body);
         pin.row = rows[out.pins.size()];
         out.pins.push_back(pin);
         const gpu::vec4 none{0, 0, 0, 0};
-        for (const gpu::vec4& texel : {gpu::vec4{0, 0, 0, 1}, packTurn(body.rotation), none, none,
-                                       pack(body.position, 0), none})
+        for (const gpu::vec4& texel :
+             {gpu::vec4{0, 0, 0, 1}, packTurn(body.rotation), none, none, pack(body.position, 0), none})
             out.pinStates.push_back(texel);
     }
 }
@@ -198,10 +209,13 @@ void DriveStage::upload(const StageSetup& setup)
     const std::vector<uint32_t> first = firstBodies(world);
     std::vector<uint32_t> limp(first.back(), NO_SUBSTEP);
     Uploads out;
+    out.order.resize(first.back());
     for (const Puppet& puppet : world.puppets) {
         const uint32_t firstBody = first[puppet.animation], bodies = objectOf(world, puppet).bodyCount;
         out.puppets.push_back({firstBody, bodies, static_cast<uint32_t>(out.keys.size()),
-                               static_cast<uint32_t>(puppet.strength.size())});
+                               static_cast<uint32_t>(puppet.strength.size()),
+                               isHeld(world, objectOf(world, puppet)) ? 1u : 0u, 0, 0, 0});
+        addOrder(out, world, puppet, firstBody);
         for (const StrengthKey& key : puppet.strength)
             out.keys.push_back({key.time, key.value, key.smooth ? 1.0f : 0.0f, 0});
         for (uint32_t b = 0; b < bodies; ++b) limp[firstBody + b] = world.settings.substepAt(puppet.limpTimes[b]);
@@ -215,8 +229,12 @@ void DriveStage::upload(const StageSetup& setup)
     jointDrives = {"jointDrives", std::span<const gpu::GpuJointDrive>(out.drives)};
     pins = {"pins", std::span<const gpu::GpuPin>(out.pins)};
     strengthKeys = {"strengthKeys", std::span<const gpu::vec4>(out.keys)};
+    puppetOrder = {"puppetOrder", std::span<const gpu::uvec2>(out.order)};
     limpSubsteps = {"limpSubsteps", std::span<const uint32_t>(limp)};
     driveLevels = {"driveLevels", limp.size()};
+    composites = {"composites", 3 * limp.size()};
+    carried = {"carried", 3 * limp.size()};
+    driveInertias = {"driveInertias", 4 * limp.size()};
     driveStates = {"driveStates", std::span<const gpu::vec4>(out.driveStates)};
     pinStates = {"pinStates", std::span<const gpu::vec4>(out.pinStates)};
     pinsGiven = {"pinsGiven", PIN_GIVEN_TEXELS * out.pins.size()};
@@ -228,13 +246,15 @@ void DriveStage::upload(const StageSetup& setup)
 
 void DriveStage::addBuffers(BufferTable& table)
 {
-    table.add(Lifetime::Constant, puppets, jointDrives, pins, strengthKeys, limpSubsteps);
+    table.add(Lifetime::Constant, puppets, jointDrives, pins, strengthKeys, puppetOrder, limpSubsteps);
+    table.add(Lifetime::Scratch, composites, carried, driveInertias);
     table.add(Lifetime::State, driveStates, pinStates, pinsGiven, driveStiffness, driveLevels);
 }
 
 void DriveStage::begin(Recorder& recorder) const
 {
     recorder.perElement(strength_, parameters_.puppetCount);
+    recorder.perElement(inertia_, parameters_.puppetCount);
     recorder.perElement(beginJoints_, parameters_.jointDriveCount);
     recorder.perElement(beginPins_, parameters_.pinCount);
 }

@@ -21,25 +21,30 @@ public:
 
     /// After animate(): where a substep begins.
     void begin(Recorder& recorder) const;
-    /// What springs give where the bodies are now; in each iteration.
+    /// What springs give where the bodies are now; before joints are factored, and in each iteration.
     void pull(Recorder& recorder) const;
 
-    Buffer<gpu::GpuPuppet> puppets;        ///< Its bodies, the keys of its strength.
+    Buffer<gpu::GpuPuppet> puppets;  ///< Its bodies, the keys of its strength.
     Buffer<gpu::GpuJointDrive> jointDrives;
     Buffer<gpu::GpuPin> pins;
-    Buffer<gpu::vec4> strengthKeys;        ///< Per puppet: time [s], strength; 1: smooth.
-    Buffer<uint32_t> limpSubsteps;         ///< Per animated body: the first substep in which it is limp.
-    Buffer<float> driveLevels;             ///< Per animated body: the strength of its joint's drive and its pin.
-    Buffer<gpu::vec4> driveStates;         ///< Per driven joint: how far it was from its clip, its clip, the change.
-    Buffer<gpu::vec4> pinStates;           ///< Per pin the same, in place and direction.
-    Buffer<gpu::vec4> pinsGiven;           ///< Per pin: force [N]; torque [N m]; impulse since the start [N s], work [J].
-    Buffer<gpu::vec4> driveStiffness;      ///< Per joint of a tree: what drives and pins add to its block.
+    Buffer<gpu::vec4> strengthKeys;    ///< Per puppet: time [s], strength; 1: smooth.
+    Buffer<gpu::uvec2> puppetOrder;    ///< Animated bodies, parents before what hangs on them; 1: pinned.
+    Buffer<uint32_t> limpSubsteps;     ///< Per animated body: the first substep in which it is limp.
+    Buffer<float> driveLevels;         ///< Per animated body: the strength of its joint's drive and its pin.
+    Buffer<gpu::vec4> composites;      ///< Per animated body: with all that hangs on it; centre, mass; inertia.
+    Buffer<gpu::vec4> carried;         ///< The same, but for what is pinned itself.
+    Buffer<gpu::vec4> driveInertias;   ///< Per animated body: what its drive turns, and its pin [kg m2]; its mass.
+    Buffer<gpu::vec4> driveStates;     ///< Per driven joint: how far it was from its clip, its clip, the change.
+    Buffer<gpu::vec4> pinStates;       ///< Per pin the same, in place and direction.
+    Buffer<gpu::vec4> pinsGiven;       ///< Per pin: force [N]; torque [N m]; impulse since the start [N s], work [J].
+    Buffer<gpu::vec4> driveStiffness;  ///< Per joint of a tree: what drives and pins add to its block.
 
 private:
     const gpu::StepParameters& parameters_;
     Pass strength_{*this, "drive/drive_strength"};
-    Pass beginJoints_{*this, "drive/drive_joint", {{"BEGIN", "1"}}};
-    Pass beginPins_{*this, "drive/drive_pin", {{"BEGIN", "1"}}};
+    Pass inertia_{*this, "drive/drive_inertia"};
+    Pass beginJoints_{*this, "drive/drive_joint_begin"};
+    Pass beginPins_{*this, "drive/drive_pin_begin"};
     Pass pullJoints_{*this, "drive/drive_joint"};
     Pass pullPins_{*this, "drive/drive_pin"};
 };

@@ -87,8 +87,8 @@ JointStage::JointStage(const StageSetup& setup)
       needed_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.jointTrees.trees.empty()),
       shared_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.sharedParticles.empty()),
       hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()), hasLimits_(needed_ && limits(setup.world)),
-      tears_(needed_ && tears(setup.world)), again_(needed_ &&
-             (hasLimits_ || !setup.world.puppets.empty() || hasLongTree(setup.layout.jointTrees))),
+      tears_(needed_ && tears(setup.world)),
+      again_(needed_ && (hasLimits_ || !setup.world.puppets.empty() || hasLongTree(setup.layout.jointTrees))),
       variant_(solveVariant(setup, hasLoops_, again_)), loopVariant_(loopVariant(setup)),
       factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")),
       rowVariant_(definesOf({{"ANGULAR", setup.rows.hasAngular()}}))

@@ -26,6 +26,16 @@ void WorldBuilder::releaseBody(uint32_t body, float time)
     world_.bodies.at(body).releaseTime = time;
 }
 
+void WorldBuilder::limpBody(uint32_t body, float time)
+{
+    for (Puppet& puppet : world_.puppets) {
+        const Object& object = world_.objects[world_.animations[puppet.animation].object];
+        if (body < object.bodyStart || body >= object.bodyStart + object.bodyCount) continue;
+        float& limp = puppet.limpTimes[body - object.bodyStart];
+        limp = std::min(limp, time);
+    }
+}
+
 std::vector<AnimatedLink> WorldBuilder::draftedLinks(const Animation& animation) const
 {
     const Object& object = world_.objects[animation.object];

@@ -1,5 +1,5 @@
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 #include <stdexcept>
 
 #include "sim/world/errors.h"
@@ -28,8 +28,8 @@ void validatePuppet(const World& world, const Puppet& puppet)
     require(puppet.animation < world.animations.size(), "there is no such animation");
     const Object& object = world.objects[world.animations[puppet.animation].object];
     if (object.bodyCount < 2)
-        throw InputError(fmt::format("\"{}\" is one body, without a joint to drive; take its `drive` away",
-                                     object.name));
+        throw InputError(
+            fmt::format("\"{}\" is one body, without a joint to drive; take its `drive` away", object.name));
     require(puppet.joints.size() == object.bodyCount && puppet.limpTimes.size() == object.bodyCount,
             "it has not one drive for each body");
     for (const DriveSpring& spring : puppet.joints) requireSpring(spring);
