@@ -106,6 +106,18 @@ ClipPlay readPose(const ObjectEntry& entry, ClipReader& clips)
     return play;
 }
 
+/// What an actor is caught in; where no clip is named, what it was let go in goes on.
+void addCaughtPlay(const ObjectEntry& entry, ClipReader& clips, std::vector<ClipPlay>& plays)
+{
+    const Json& json = entry.json["catch"];
+    const float time = json["time"];
+    if (time == 0.0f) return;
+    if (plays.back().at >= time) entry.fail("/catch/time", "must be behind all changes of clip");
+    if (!namesClip(json)) return;
+    plays.push_back(readPlay(json, clips.read(json, "/catch")));
+    plays.back().at = time;
+}
+
 /// When the first clip gets to a time of its own [s]; infinity where it never does.
 float timeOf(const World& world, const ClipPlay& play, float clipTime)
 {
@@ -171,6 +183,7 @@ std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor)
     if (!entry.velocity.isZero()) entry.fail("/velocity", "is what the clip says; take it away");
     ClipReader clips(entry, actor);
     std::vector<ClipPlay> plays = limp ? std::vector{readPose(entry, clips)} : readPlays(entry, clips);
+    addCaughtPlay(entry, clips, plays);
     for (const ClipPlay& play : plays) takeIn(actor, entry.context.builder.world().clips[play.clip]);
     return plays;
 }
@@ -197,7 +210,7 @@ void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vect
         const std::string where = json.is_array() ? fmt::format("/release/{}", i) : "/release";
         const float time = timeOfRelease(entry, release, where);
         const bool driven = release["becomes"] == "driven";
-        if (driven && builder.world().puppets.empty()) entry.fail(where + "/becomes", "is for what has a `drive`");
+        if (driven && !isDriven(entry.json)) entry.fail(where + "/becomes", "is for what has a `drive`");
         const std::vector<uint32_t> below = bodiesBelow(entry, actor, release["below"], where + "/below");
         if (std::isinf(time)) continue;
         bool any = false;
@@ -206,8 +219,7 @@ void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vect
                 const uint32_t body = builder.world().objects[object].bodyStart + b;
                 if (builder.world().bodies[body].motion == Motion::Dynamic) continue;
                 any = true;
-                builder.releaseBody(body, std::min(time, builder.world().bodies[body].releaseTime));
-                if (!driven) builder.limpBody(body, time);
+                builder.letGo(body, time, driven);
             }
         if (!any)
             entry.fail(where, "is for what is held or animated; set `fixed`, `hold` or `animation`, or take it away");

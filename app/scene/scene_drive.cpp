@@ -76,6 +76,30 @@ std::vector<StrengthKey> readStrengthKeys(const ObjectEntry& entry)
     return keys;
 }
 
+void readHits(const Json& drive, Puppet& puppet)
+{
+    const Json &hit = drive["hitReaction"], &knockOut = drive["knockOut"];
+    puppet.hit = {readUnlessZero(hit["impulse"]), hit["falloff"], hit["hold"], hit["recover"]};
+    puppet.knockOut = {readUnlessZero(knockOut["distance"]), readUnlessZero(knockOut["torqueTime"])};
+}
+
+/// None where it is never caught.
+std::optional<Catch> readCatch(const Json& json, size_t bodies)
+{
+    if (json["time"] == 0.0) return std::nullopt;
+    Catch caught;
+    caught.time = json["time"];
+    caught.blend = json["blend"];
+    caught.near = json["near"];
+    caught.within = json["within"];
+    caught.here = json["where"] == "here";
+    if (json["otherwise"] == "driven") caught.otherwise = Catch::Otherwise::Driven;
+    if (json["otherwise"] == "animated") caught.otherwise = Catch::Otherwise::Animated;
+    caught.releaseTimes.assign(bodies, DriveSpring::INFINITE);
+    caught.limpTimes = caught.releaseTimes;
+    return caught;
+}
+
 bool becomesDriven(const Json& release)
 {
     const auto driven = [](const Json& one) { return one.value("becomes", "limp") == "driven"; };
@@ -84,18 +108,31 @@ bool becomesDriven(const Json& release)
 
 }  // namespace
 
+bool isDriven(const Json& actor)
+{
+    const auto acts = [](const Json& json) { return readSpring(json).acts(); };
+    return acts(actor["drive"]) || std::ranges::any_of(actor["drive"]["bones"], acts);
+}
+
 void driveActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects)
 {
+    constexpr float CATCHING = 6.0f;   // [Hz], of what has no drive
     Puppet puppet;
     puppet.joints = readJoints(entry, actor);
-    if (std::ranges::none_of(puppet.joints, &DriveSpring::acts)) return;
-    if (!namesClip(entry.json["animation"]))
+    puppet.caught = readCatch(entry.json["catch"], actor.bodies.size());
+    const bool driven = std::ranges::any_of(puppet.joints, &DriveSpring::acts);
+    if (!driven && !puppet.caught) return;
+    if (driven && !namesClip(entry.json["animation"]))
         entry.fail("/drive", "is towards an `animation`; give one, or take it away");
+    if (!isAnimated(entry.json)) entry.fail("/catch", "is for what has an `animation` or a `pose`; give one");
+    for (DriveSpring& spring : puppet.joints)
+        if (!driven) spring.frequency = CATCHING;
+    readHits(entry.json["drive"], puppet);
     puppet.pins = readPins(entry, actor);
     puppet.strength = readStrengthKeys(entry);
-    puppet.limpTimes.assign(actor.bodies.size(), DriveSpring::INFINITE);
+    puppet.limpTimes.assign(actor.bodies.size(), driven ? DriveSpring::INFINITE : 0.0f);
     WorldBuilder& builder = entry.context.builder;
-    const bool fromStart = !becomesDriven(entry.json["release"]);
+    const bool fromStart = driven && !becomesDriven(entry.json["release"]);
     for (size_t copy = 0; copy < objects.size(); ++copy) {
         puppet.animation = static_cast<uint32_t>(builder.world().animations.size() - objects.size() + copy);
         builder.drive(puppet);

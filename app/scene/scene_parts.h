@@ -68,6 +68,8 @@ std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor);
 void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects,
                    const std::vector<ClipPlay>& plays);
 
+/// Whether an actor has a `drive`.
+bool isDriven(const Json& actor);
 /// Drives the copies of an actor as `drive` says. @throws InputError.
 void driveActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);
 

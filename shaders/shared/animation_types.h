@@ -23,8 +23,8 @@ struct GpuAnimation {
     vec4 rotation;
     uint firstPlay;
     uint playCount;
+    uint puppet;                    // NO_INDEX where it is never driven
     uint unused1;
-    uint unused2;
 };
 
 // A clip as it is played.

@@ -9,10 +9,24 @@ namespace knuckle::gpu {
 #endif
 
 // Texels of 16 bytes of what changes about a driven joint and a pin, and of what both add to a joint's block.
-#define DRIVE_STATE_TEXELS 3
+#define DRIVE_STATE_TEXELS 4
 #define PIN_STATE_TEXELS 6
 #define PIN_GIVEN_TEXELS 3
 #define DRIVE_STIFFNESS_TEXELS 4
+
+// What happens to a puppet.
+#define PUPPET_FIRST 0u       // as it began, until it is caught
+#define PUPPET_FOUND 1u       // for a substep, in which the clip to catch it begins
+#define PUPPET_CATCHING 2u    // driven to where it shall be animated again
+#define PUPPET_CAUGHT 3u      // animated again
+#define PUPPET_MISSED 4u      // it could not be reached
+
+// What it is where it could not.
+#define OTHERWISE_LIMP 0u
+#define OTHERWISE_DRIVEN 1u
+#define OTHERWISE_ANIMATED 2u
+
+#define CATCH_SETTLE 0.3      // for how long it goes on to where its clip has it, once it is near [s]
 
 // A joint that is driven to a clip.
 struct GpuJointDrive {
@@ -25,6 +39,10 @@ struct GpuJointDrive {
     uint joint;                     // of the trees
     uint row;                       // of the channel
     uint parentRow;
+    uint puppet;
+    uint unused1;
+    uint unused2;
+    uint unused3;
 };
 
 // What holds a body where its clip has it in the world.
@@ -46,9 +64,21 @@ struct GpuPuppet {
     uint firstKey;                  // of its strength
     uint keyCount;
     uint isHeld;                    // 1: by something that is fixed for ever
+    float mass;                     // [kg]
+    float hitImpulse;               // of a blow that takes all strength [N s]
+    float hitFalloff;               // of that, from joint to joint
+    float hitHold;                  // for how long it stays away [s]
+    float hitRecover;               // and comes back [s]
+    float knockDistance;            // from the clip, at which it is let go [m]
+    float knockTime;                // at a greatest torque, after which it is [s]
+    uint catchSubstep;              // in which it begins to be caught; NO_SUBSTEP: never
+    uint catchHere;                 // 1: where it is then, 0: where its clip is
+    uint catchOtherwise;            // OTHERWISE_*
+    float catchBlend;               // for how long strength grows [s]
+    float catchNear;                // how near is enough [m]
+    float catchWithin;              // for how long it is tried [s]
     uint unused1;
     uint unused2;
-    uint unused3;
 };
 
 #ifdef __cplusplus

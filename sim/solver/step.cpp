@@ -47,6 +47,7 @@ namespace {
 
 void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorder, bool first)
 {
+    if (s.drives) s.drives->catchAgain(recorder);
     s.bodies.predict(recorder);
     if (s.animations) s.animations->animate(recorder);
     if (s.drives) s.drives->begin(recorder);
@@ -68,6 +69,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
         s.joints.solve(recorder);
     }
     s.joints.tear(recorder);
+    if (s.drives) s.drives->end(recorder);
     s.bodies.integrate(recorder);
     if (s.restitution) s.restitution->apply(recorder);
 }

@@ -36,11 +36,12 @@ void main()
     GpuJointDrive drive = jointDrives[j];
     AnimatedBody at = animatedBodies[drive.body];
     float level = texelFetch(driveLevels, int(drive.body)).x;
+    uint state = DRIVE_STATE_TEXELS * j;
     if (level == 0.0 || !responds(at.mover) || texelFetch(jointFreedoms, int(drive.joint)).x == JOINT_NONE) {
+        driveStates[state + DRIVE_CHANGE].w = 1.0;
         storeTorque(drive, vec3(0), mat3(0));
         return;
     }
-    uint state = DRIVE_STATE_TEXELS * j;
     SpringTime time = springTime(at.mover);
     float stiffness = level * drive.stiffness, damping = sqrt(level) * drive.damping;
     vec4 parent = turnedNow(animatedBodies[at.parent].mover), rotation = turnedNow(at.mover);

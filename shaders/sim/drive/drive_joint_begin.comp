@@ -1,5 +1,5 @@
 // One thread a driven joint, where a substep begins: how far it is from its clip, and how much that has changed in the
-// substep before.
+// substep before; and whether its greatest torque has held it for too long.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
 #include "sim/drive/drive_states.glsl"
@@ -11,6 +11,8 @@ READ_BUFFER(GpuJointDrive, JointDrives, jointDrives);
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
 uniform samplerBuffer clipBodyTurns;
 BUFFER(vec4, DriveStates, driveStates);
+READ_BUFFER(GpuPuppet, Puppets, puppets);
+BUFFER(uvec4, PuppetStates, newPuppetStates);
 
 void main()
 {
@@ -23,5 +25,10 @@ void main()
     vec4 began = turnFrom(driveStates[state + DRIVE_TARGET], parent, fetchRotation(at.mover));
     driveStates[state + DRIVE_CHANGE].xyz = turnBetween(driveStates[state + DRIVE_TURN], began);
     driveStates[state + DRIVE_TURN] = began;
+    bool bounded = driveStates[state + DRIVE_CHANGE].w < 1.0;
+    float held = bounded ? driveStates[state + DRIVE_HELD].x + sim.substepTime : 0.0;
+    driveStates[state + DRIVE_HELD].x = held;
+    // Whoever else writes here writes the same.
+    if (held > puppets[drive.puppet].knockTime) newPuppetStates[2u * drive.puppet].z = 1u;
     driveStates[state + DRIVE_TARGET] = texelFetch(clipBodyTurns, int(drive.body));
 }

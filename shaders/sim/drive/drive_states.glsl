@@ -4,6 +4,7 @@
 #define DRIVE_TURN 0u      // the difference, when the substep began
 #define DRIVE_TARGET 1u    // the clip at its end
 #define DRIVE_CHANGE 2u    // of the difference in the substep before [rad]; w: the part of its torque that is given
+#define DRIVE_HELD 3u      // x: for how long it has been less than all [s]
 
 #define PIN_TURN 0u        // the same of a pin's turn ...
 #define PIN_TARGET_TURN 1u

@@ -1,16 +1,21 @@
 // One thread a puppet: how strong the drives and pins of each of its bodies are in the substep.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/bodies/mover_poses.glsl"
+#include "sim/common/bodies/puppet_states.glsl"
 #include "shared/animation_types.h"
-#include "shared/drive_types.h"
 
 layout(local_size_x = GROUP_SIZE) in;
 READ_BUFFER(GpuPuppet, Puppets, puppets);
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
 READ_BUFFER(Counters, CountersBlock, counters);
 uniform samplerBuffer strengthKeys;      // time [s], strength; 1: smooth
-uniform usamplerBuffer limpSubsteps;
+uniform usamplerBuffer limpSubsteps;     // of bodies; the same once they were caught
+uniform usamplerBuffer puppetOrder;
+uniform samplerBuffer driveHits;         // what a blow has taken of a body's strength
+uniform samplerBuffer clipBodyPlaces;
 BUFFER(float, DriveLevels, driveLevels);
+BUFFER(uvec4, PuppetStates, puppetStates);
 #ifdef SLEEP
 BUFFER(uvec2, AssemblyCalm, assemblyCalm);   // steps, island
 #endif
@@ -27,22 +32,54 @@ float strengthAt(GpuPuppet puppet, float time)
     return mix(before.y, next.y, part);
 }
 
+/// Stores what blows have taken of each body, and of its neighbours by a falloff.
+void spreadHits(GpuPuppet puppet)
+{
+    uint first = puppet.firstBody, end = first + puppet.bodyCount;
+    for (uint k = first; k < end; ++k) driveLevels[k] = texelFetch(driveHits, int(k)).x;
+    for (uint i = end; i-- > first;) {
+        uint k = texelFetch(puppetOrder, int(i)).x, parent = animatedBodies[k].parent;
+        if (parent != NONE) driveLevels[parent] = max(driveLevels[parent], puppet.hitFalloff * driveLevels[k]);
+    }
+    for (uint i = first; i < end; ++i) {
+        uint k = texelFetch(puppetOrder, int(i)).x, parent = animatedBodies[k].parent;
+        if (parent != NONE) driveLevels[k] = max(driveLevels[k], puppet.hitFalloff * driveLevels[parent]);
+    }
+}
+
+/// Whether its first body is too far from its clip while it is driven.
+bool isTornAway(GpuPuppet puppet, PuppetState s, uint root, bool limp)
+{
+    uint m = animatedBodies[root].mover;
+    if (limp || s.phase == PUPPET_FOUND || s.phase == PUPPET_CATCHING || !responds(m)) return false;
+    return distance(fetchCentre(m), texelFetch(clipBodyPlaces, int(2u * root)).xyz) > puppet.knockDistance;
+}
+
 void main()
 {
     uint p = gl_GlobalInvocationID.x;
     if (p >= sim.puppetCount) return;
     GpuPuppet puppet = puppets[p];
-    uint substep = counters[0].substep;
+    PuppetState s = PUPPET_STATE_FROM(puppetStates[2u * p], puppetStates[2u * p + 1u]);
+    uint substep = counters[0].substep, root = texelFetch(puppetOrder, int(puppet.firstBody)).x;
+    bool caught = s.phase != PUPPET_FIRST;
+    uvec2 rootLimp = texelFetch(limpSubsteps, int(root)).xy;
+    if (isTornAway(puppet, s, root, substep >= (caught ? rootLimp.y : rootLimp.x))) s.knocked = 1u;
+    STORE_PUPPET_STATE(puppetStates, p, s)
     float strength = strengthAt(puppet, float(substep + 1u) * sim.substepTime);
+    if (s.phase == PUPPET_FOUND) strength = 0.0;
+    if (s.phase == PUPPET_CATCHING) strength *= easedPart(s, substep, puppet.catchBlend);
+    spreadHits(puppet);
     bool acts = false;
-    for (uint b = puppet.firstBody; b < puppet.firstBody + puppet.bodyCount; ++b) {
-        float level = substep >= texelFetch(limpSubsteps, int(b)).x ? 0.0 : strength;
-        driveLevels[b] = level;
-        acts = acts || level > 0.0;
+    for (uint k = puppet.firstBody; k < puppet.firstBody + puppet.bodyCount; ++k) {
+        uvec2 limp = texelFetch(limpSubsteps, int(k)).xy;
+        bool isLimp = s.knocked == 1u || substep >= (caught ? limp.y : limp.x);
+        driveLevels[k] = isLimp ? 0.0 : strength * (1.0 - driveLevels[k]);
+        acts = acts || !isLimp;
     }
 #ifdef SLEEP
     // A clip that goes on moves what is driven to it.
-    uint assembly = fetchMover(animatedBodies[puppet.firstBody].mover).assembly;
+    uint assembly = fetchMover(animatedBodies[root].mover).assembly;
     if (acts) assemblyCalm[assembly] = uvec2(0u, assembly);
 #endif
 }

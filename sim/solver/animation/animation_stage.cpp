@@ -1,5 +1,6 @@
 #include "sim/solver/animation/animation_stage.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/solver/pack.h"
@@ -50,6 +51,12 @@ void addPlays(std::vector<gpu::GpuClipPlay>& out, const World& world, const Anim
     }
 }
 
+uint32_t puppetOf(const World& world, uint32_t animation)
+{
+    const auto found = std::ranges::find(world.puppets, animation, &Puppet::animation);
+    return found == world.puppets.end() ? NO_INDEX : static_cast<uint32_t>(found - world.puppets.begin());
+}
+
 }  // namespace
 
 void AnimationStage::upload(const StageSetup& setup)
@@ -76,7 +83,7 @@ void AnimationStage::upload(const StageSetup& setup)
                               pack(links[b].anchor, 0)});
         placed.push_back({pack(animation.pose.translation, 0),
                           pack(animation.pose.rotation.vec(), animation.pose.rotation.w()),
-                          static_cast<uint32_t>(plays.size()), static_cast<uint32_t>(animation.plays.size()), 0, 0});
+                          static_cast<uint32_t>(plays.size()), static_cast<uint32_t>(animation.plays.size()), puppetOf(world, index), 0});
         addPlays(plays, world, animation, starts);
     }
     setup.parameters.animatedCount = static_cast<uint32_t>(bodies.size());
@@ -88,12 +95,14 @@ void AnimationStage::upload(const StageSetup& setup)
     const size_t driven = world.puppets.empty() ? 0 : bodies.size();
     clipBodyTurns = {"clipBodyTurns", driven};
     clipBodyPlaces = {"clipBodyPlaces", 2 * driven};
+    clipBodyTurns.clear();
+    clipBodyPlaces.clear();
 }
 
 void AnimationStage::addBuffers(BufferTable& table)
 {
     table.add(Lifetime::Constant, clipTurns, clipRoots, animatedBodies, animations, clipPlays);
-    table.add(Lifetime::Scratch, clipBodyTurns, clipBodyPlaces);
+    table.add(Lifetime::State, clipBodyTurns, clipBodyPlaces);
 }
 
 void AnimationStage::animate(Recorder& recorder) const

@@ -176,6 +176,13 @@ void BodyStage::uploadMovers(const StageSetup& setup)
     for (uint32_t b = 0; b < setup.world.bodies.size(); ++b)
         if (const uint32_t substep = releaseOf(setup.world, setup.world.bodies[b]); substep != NO_SUBSTEP)
             releases.push_back({b, substep});
+    for (const Puppet& puppet : setup.world.puppets) {
+        if (!puppet.caught) continue;
+        const uint32_t first = setup.world.objects[setup.world.animations[puppet.animation].object].bodyStart;
+        for (uint32_t b = 0; b < puppet.caught->releaseTimes.size(); ++b)
+            if (const float time = puppet.caught->releaseTimes[b]; std::isfinite(time))
+                releases.push_back({first + b, setup.world.settings.substepAt(time)});
+    }
     setup.parameters.releaseCount = static_cast<uint32_t>(releases.size());
     bodyReleases = {"bodyReleases", std::span<const gpu::uvec2>(releases)};
     moverStates = {"moverStates", std::span<const uint32_t>(movers.states)};

@@ -91,11 +91,6 @@ gpu::GpuPin packPin(const DriveSpring& spring)
     return pin;
 }
 
-gpu::vec4 packTurn(const Quaternionf& q)
-{
-    return pack(q.vec(), q.w());
-}
-
 /// Whether something fixed for ever holds a body of an object.
 bool isHeld(const World& world, const Object& object)
 {
@@ -106,6 +101,38 @@ bool isHeld(const World& world, const Object& object)
         return (isOf(joint.parent) && neverResponds(world.bodies[joint.child])) ||
                (isOf(joint.child) && neverResponds(world.bodies[joint.parent]));
     });
+}
+
+gpu::GpuPuppet packPuppet(const World& world, const Puppet& puppet, uint32_t firstBody, size_t firstKey)
+{
+    const Object& object = objectOf(world, puppet);
+    gpu::GpuPuppet p{};
+    p.firstBody = firstBody;
+    p.bodyCount = object.bodyCount;
+    p.firstKey = static_cast<uint32_t>(firstKey);
+    p.keyCount = static_cast<uint32_t>(puppet.strength.size());
+    p.isHeld = isHeld(world, object) ? 1 : 0;
+    for (uint32_t b = 0; b < object.bodyCount; ++b) p.mass += world.bodies[object.bodyStart + b].mass;
+    p.hitImpulse = bounded(puppet.hit.impulse);
+    p.hitFalloff = puppet.hit.falloff;
+    p.hitHold = puppet.hit.hold;
+    p.hitRecover = puppet.hit.recover;
+    p.knockDistance = bounded(puppet.knockOut.distance);
+    p.knockTime = bounded(puppet.knockOut.torqueTime);
+    p.catchSubstep = NO_SUBSTEP;
+    if (!puppet.caught) return p;
+    p.catchSubstep = world.settings.substepAt(puppet.caught->time);
+    p.catchHere = puppet.caught->here ? 1 : 0;
+    p.catchOtherwise = static_cast<uint32_t>(puppet.caught->otherwise);
+    p.catchBlend = puppet.caught->blend;
+    p.catchNear = puppet.caught->near;
+    p.catchWithin = puppet.caught->within;
+    return p;
+}
+
+gpu::vec4 packTurn(const Quaternionf& q)
+{
+    return pack(q.vec(), q.w());
 }
 
 /// What is uploaded, as it grows puppet by puppet.
@@ -149,9 +176,11 @@ void addJoints(Uploads& out, const StageSetup& setup, const Puppet& puppet, uint
         drive.joint = treeJointOf(setup.layout.jointTrees, body, parent);
         drive.row = rows[2 * out.drives.size()];
         drive.parentRow = rows[2 * out.drives.size() + 1];
+        drive.puppet = static_cast<uint32_t>(out.puppets.size()) - 1;
         out.drives.push_back(drive);
         const Quaternionf turn = world.bodies[parent].rotation.conjugate() * world.bodies[body].rotation;
-        for (const gpu::vec4& texel : {gpu::vec4{0, 0, 0, 1}, packTurn(turn), gpu::vec4{0, 0, 0, 1}})
+        const gpu::vec4 none{0, 0, 0, 0};
+        for (const gpu::vec4& texel : {gpu::vec4{0, 0, 0, 1}, packTurn(turn), gpu::vec4{0, 0, 0, 1}, none})
             out.driveStates.push_back(texel);
     }
 }
@@ -190,6 +219,13 @@ std::vector<uint32_t> firstBodies(const World& world)
 
 }  // namespace
 
+DriveStage::DriveStage(const StageSetup& setup)
+    : parameters_(setup.parameters),
+      catches_(std::ranges::any_of(setup.world.puppets, [](const Puppet& p) { return p.caught.has_value(); })),
+      hits_(std::ranges::any_of(setup.world.puppets, [](const Puppet& p) { return std::isfinite(p.hit.impulse); }))
+{
+}
+
 void DriveStage::reserveRows(RowPlan& rows, const World& world, const Layout&)
 {
     for (const Puppet& puppet : world.puppets) {
@@ -207,18 +243,19 @@ void DriveStage::upload(const StageSetup& setup)
     const World& world = setup.world;
     const std::vector<uint32_t> jointRows = setup.rows.rowsOf(JOINTS), pinRows = setup.rows.rowsOf(PINS);
     const std::vector<uint32_t> first = firstBodies(world);
-    std::vector<uint32_t> limp(first.back(), NO_SUBSTEP);
+    std::vector<gpu::uvec2> limp(first.back(), gpu::uvec2{NO_SUBSTEP, NO_SUBSTEP});
     Uploads out;
     out.order.resize(first.back());
     for (const Puppet& puppet : world.puppets) {
         const uint32_t firstBody = first[puppet.animation], bodies = objectOf(world, puppet).bodyCount;
-        out.puppets.push_back({firstBody, bodies, static_cast<uint32_t>(out.keys.size()),
-                               static_cast<uint32_t>(puppet.strength.size()),
-                               isHeld(world, objectOf(world, puppet)) ? 1u : 0u, 0, 0, 0});
+        out.puppets.push_back(packPuppet(world, puppet, firstBody, out.keys.size()));
         addOrder(out, world, puppet, firstBody);
         for (const StrengthKey& key : puppet.strength)
             out.keys.push_back({key.time, key.value, key.smooth ? 1.0f : 0.0f, 0});
-        for (uint32_t b = 0; b < bodies; ++b) limp[firstBody + b] = world.settings.substepAt(puppet.limpTimes[b]);
+        for (uint32_t b = 0; b < bodies; ++b)
+            limp[firstBody + b] = {world.settings.substepAt(puppet.limpTimes[b]),
+                                   world.settings.substepAt(puppet.caught ? puppet.caught->limpTimes[b]
+                                                                          : DriveSpring::INFINITE)};
         addJoints(out, setup, puppet, firstBody, jointRows);
         addPins(out, setup, puppet, firstBody, pinRows);
     }
@@ -230,8 +267,11 @@ void DriveStage::upload(const StageSetup& setup)
     pins = {"pins", std::span<const gpu::GpuPin>(out.pins)};
     strengthKeys = {"strengthKeys", std::span<const gpu::vec4>(out.keys)};
     puppetOrder = {"puppetOrder", std::span<const gpu::uvec2>(out.order)};
-    limpSubsteps = {"limpSubsteps", std::span<const uint32_t>(limp)};
+    limpSubsteps = {"limpSubsteps", std::span<const gpu::uvec2>(limp)};
     driveLevels = {"driveLevels", limp.size()};
+    driveHits = {"driveHits", limp.size()};
+    catchOffsets = {"catchOffsets", 2 * limp.size()};
+    puppetStates = {"puppetStates", 2 * out.puppets.size()};
     composites = {"composites", 3 * limp.size()};
     carried = {"carried", 3 * limp.size()};
     driveInertias = {"driveInertias", 4 * limp.size()};
@@ -240,6 +280,9 @@ void DriveStage::upload(const StageSetup& setup)
     pinsGiven = {"pinsGiven", PIN_GIVEN_TEXELS * out.pins.size()};
     driveStiffness = {"driveStiffness", DRIVE_STIFFNESS_TEXELS * setup.layout.jointTrees.joints.size()};
     driveLevels.clear();
+    driveHits.clear();
+    catchOffsets.clear();
+    puppetStates.clear();
     pinsGiven.clear();
     driveStiffness.clear();
 }
@@ -248,7 +291,18 @@ void DriveStage::addBuffers(BufferTable& table)
 {
     table.add(Lifetime::Constant, puppets, jointDrives, pins, strengthKeys, puppetOrder, limpSubsteps);
     table.add(Lifetime::Scratch, composites, carried, driveInertias);
-    table.add(Lifetime::State, driveStates, pinStates, pinsGiven, driveStiffness, driveLevels);
+    table.add(Lifetime::State, driveStates, pinStates, pinsGiven, driveStiffness, driveLevels, driveHits,
+              catchOffsets, puppetStates);
+}
+
+void DriveStage::catchAgain(Recorder& recorder) const
+{
+    if (catches_) recorder.perElement(catch_, parameters_.puppetCount);
+}
+
+void DriveStage::end(Recorder& recorder) const
+{
+    if (hits_) recorder.perElement(hit_, parameters_.animatedCount);
 }
 
 void DriveStage::begin(Recorder& recorder) const

@@ -14,11 +14,15 @@ namespace knuckle {
 class DriveStage : public Stage {
 public:
     static bool isNeeded(const World& world) { return !world.puppets.empty(); }
-    explicit DriveStage(const StageSetup& setup) : parameters_(setup.parameters) {}
+    explicit DriveStage(const StageSetup& setup);
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
     static void reserveRows(RowPlan& rows, const World& world, const Layout& layout);
 
+    /// Before anything of a substep: what is caught begins to be driven, or is animated again.
+    void catchAgain(Recorder& recorder) const;
+    /// At its end: blows take strength away.
+    void end(Recorder& recorder) const;
     /// After animate(): where a substep begins.
     void begin(Recorder& recorder) const;
     /// What springs give where the bodies are now; before joints are factored, and in each iteration.
@@ -29,7 +33,10 @@ public:
     Buffer<gpu::GpuPin> pins;
     Buffer<gpu::vec4> strengthKeys;    ///< Per puppet: time [s], strength; 1: smooth.
     Buffer<gpu::uvec2> puppetOrder;    ///< Animated bodies, parents before what hangs on them; 1: pinned.
-    Buffer<uint32_t> limpSubsteps;     ///< Per animated body: the first substep in which it is limp.
+    Buffer<gpu::uvec2> limpSubsteps;  ///< Per animated body: in which it is limp; the same once it was caught.
+    Buffer<gpu::uvec4> puppetStates;  ///< Per puppet: whether it is caught or knocked out; where its clips are put.
+    Buffer<gpu::vec4> catchOffsets;   ///< Per animated body: how it differed from its clip when it was caught.
+    Buffer<gpu::vec4> driveHits;      ///< Per animated body: what a blow has taken, how long ago that was [s].
     Buffer<float> driveLevels;         ///< Per animated body: the strength of its joint's drive and its pin.
     Buffer<gpu::vec4> composites;      ///< Per animated body: with all that hangs on it; centre, mass; inertia.
     Buffer<gpu::vec4> carried;         ///< The same, but for what is pinned itself.
@@ -41,6 +48,9 @@ public:
 
 private:
     const gpu::StepParameters& parameters_;
+    bool catches_, hits_;
+    Pass catch_{*this, "drive/drive_catch", {}, catches_};
+    Pass hit_{*this, "drive/drive_hit", {}, hits_};
     Pass strength_{*this, "drive/drive_strength"};
     Pass inertia_{*this, "drive/drive_inertia"};
     Pass beginJoints_{*this, "drive/drive_joint_begin"};

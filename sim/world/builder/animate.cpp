@@ -26,14 +26,19 @@ void WorldBuilder::releaseBody(uint32_t body, float time)
     world_.bodies.at(body).releaseTime = time;
 }
 
-void WorldBuilder::limpBody(uint32_t body, float time)
+void WorldBuilder::letGo(uint32_t body, float time, bool driven)
 {
+    float* release = &world_.bodies.at(body).releaseTime;
     for (Puppet& puppet : world_.puppets) {
         const Object& object = world_.objects[world_.animations[puppet.animation].object];
         if (body < object.bodyStart || body >= object.bodyStart + object.bodyCount) continue;
-        float& limp = puppet.limpTimes[body - object.bodyStart];
-        limp = std::min(limp, time);
+        const uint32_t b = body - object.bodyStart;
+        const bool again = puppet.caught && time > puppet.caught->time;
+        if (again) release = &puppet.caught->releaseTimes[b];
+        float& limp = again ? puppet.caught->limpTimes[b] : puppet.limpTimes[b];
+        if (!driven) limp = std::min(limp, time);
     }
+    *release = std::min(*release, time);
 }
 
 std::vector<AnimatedLink> WorldBuilder::draftedLinks(const Animation& animation) const

@@ -56,8 +56,9 @@ public:
     void animate(Animation animation);
     /// Drives an animated object to its clips while it responds.
     void drive(Puppet puppet) { world_.puppets.push_back(std::move(puppet)); }
-    /// The joint on which a body of a puppet hangs goes limp at a time [s]; nothing for what is no puppet's.
-    void limpBody(uint32_t body, float time);
+    /// Lets go of a body at a time [s], once more if that is after it was caught. @param driven whether a puppet's is
+    /// driven from then on, or limp.
+    void letGo(uint32_t body, float time, bool driven);
     /// Lets go of a body that is held or animated at a time [s].
     void releaseBody(uint32_t body, float time);
     /// A soft body of particles at `positions` (rest pose of the object) [m], as elastic as its material.

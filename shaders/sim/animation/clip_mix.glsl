@@ -1,0 +1,46 @@
+// What an animation says at a moment: one clip, or two while the earlier one fades out. A kernel declares
+// READ_BUFFER(GpuClipPlay, ClipPlays, clipPlays).
+#include "sim/animation/clip_play.glsl"
+
+/// Two plays at a moment, and how much the later one counts.
+struct Mix {
+    GpuClipPlay before, now;
+    Moment beforeAt, nowAt;
+    float part;
+};
+
+Mix mixAt(GpuAnimation animation, double time)
+{
+    uint now = animation.firstPlay;
+    while (now + 1u < animation.firstPlay + animation.playCount && double(clipPlays[now + 1u].at) <= time) ++now;
+    GpuClipPlay play = clipPlays[now];
+    bool fades = now > animation.firstPlay && time < double(play.at) + double(play.fade);
+    GpuClipPlay before = clipPlays[fades ? now - 1u : now];
+    float way = fades ? float((time - double(play.at)) / double(play.fade)) : 1.0;
+    return Mix(before, play, momentOf(before, time), momentOf(play, time), way * way * (3.0 - 2.0 * way));
+}
+
+/// A body in the world: its centre [m] and its turn from the rest pose.
+struct Placed {
+    vec3 place;
+    vec4 turned;
+};
+
+Placed placedIn(GpuAnimation animation, Placed p)
+{
+    return Placed(rotate(animation.rotation, p.place) + animation.position.xyz,
+                  quaternionProduct(animation.rotation, p.turned));
+}
+
+/// Of a body against its parent; of the first one where the animation is put.
+vec4 turnOf(Mix mixed, AnimatedBody body)
+{
+    vec4 before = sampleTurn(mixed.before, mixed.beforeAt, body.turn);
+    vec4 now = sampleTurn(mixed.now, mixed.nowAt, body.turn);
+    if (body.parent == NONE) {
+        before = quaternionProduct(aboutY(yawOf(mixed.before, mixed.beforeAt)), before);
+        now = quaternionProduct(aboutY(yawOf(mixed.now, mixed.nowAt)), now);
+    }
+    if (dot(before, now) < 0.0) before = -before;
+    return normalize(mix(before, now, mixed.part));
+}

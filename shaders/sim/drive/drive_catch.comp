@@ -1,0 +1,111 @@
+// One thread a puppet that is to be caught, before anything of a substep: from its time on it is driven to its clips,
+// put where it is; when all of it is near them, it is animated again.
+#include "sim/common/kernel.glsl"
+#include "sim/common/bodies/bodies.glsl"
+#include "sim/common/bodies/links.glsl"
+#include "sim/common/bodies/mover_poses.glsl"
+#include "sim/common/bodies/puppet_states.glsl"
+#include "sim/drive/turns.glsl"
+#include "shared/animation_types.h"
+
+layout(local_size_x = GROUP_SIZE) in;
+READ_BUFFER(GpuPuppet, Puppets, puppets);
+READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
+READ_BUFFER(Counters, CountersBlock, counters);
+BUFFER(uvec4, PuppetStates, puppetStates);
+BUFFER(vec4, CatchOffsets, catchOffsets);
+BUFFER(uint, MoverStates, newMoverStates);
+uniform usamplerBuffer puppetOrder;      // of animated bodies, parents before what hangs on them
+uniform samplerBuffer clipBodyPlaces;    // centre, rotation
+uniform samplerBuffer clipBodyTurns;
+
+struct Place {
+    vec3 centre;
+    vec4 rotation;
+};
+
+Place clipPlace(uint k)
+{
+    return Place(texelFetch(clipBodyPlaces, int(2u * k)).xyz, texelFetch(clipBodyPlaces, int(2u * k + 1u)));
+}
+
+Place ownPlace(uint k)
+{
+    uint m = animatedBodies[k].mover;
+    return Place(fetchCentre(m), fetchRotation(m));
+}
+
+/// The height of a body's lowest particle [m].
+float lowestOf(uint k, Place at)
+{
+    BodyInfo body = fetchBody(animatedBodies[k].mover);
+    float lowest = 1e30;
+    for (uint l = body.linkStart; l < body.linkStart + body.linkCount; ++l)
+        lowest = min(lowest, at.centre.y + rotate(at.rotation, fetchLink(l).r).y);
+    return lowest;
+}
+
+/// Turns its clips to where it looks and puts them under its first body, on what it stands or lies on.
+void putHere(GpuPuppet puppet, uint root, inout PuppetState s)
+{
+    Place is = ownPlace(root), clip = clipPlace(root);
+    vec4 turn = quaternionProduct(is.rotation, conjugate(clip.rotation));
+    s.yaw = length(turn.yw) > 1e-3 ? 2.0 * atan(turn.y, turn.w) : 0.0;
+    vec4 about = quaternionFromRotation(vec3(0, s.yaw, 0));
+    float lowest = 1e30, clipLowest = 1e30;
+    for (uint k = puppet.firstBody; k < puppet.firstBody + puppet.bodyCount; ++k) {
+        lowest = min(lowest, lowestOf(k, ownPlace(k)));
+        clipLowest = min(clipLowest, lowestOf(k, clipPlace(k)));
+    }
+    s.shift = is.centre - rotate(about, clip.centre);
+    s.shift.y = lowest - clipLowest;
+}
+
+bool isNear(GpuPuppet puppet)
+{
+    for (uint k = puppet.firstBody; k < puppet.firstBody + puppet.bodyCount; ++k)
+        if (distance(ownPlace(k).centre, clipPlace(k).centre) > puppet.catchNear) return false;
+    return true;
+}
+
+/// Animated from now on; what it differs from its clip by goes away by and by.
+void take(GpuPuppet puppet)
+{
+    for (uint k = puppet.firstBody; k < puppet.firstBody + puppet.bodyCount; ++k) {
+        AnimatedBody at = animatedBodies[k];
+        Place is = ownPlace(k), clip = clipPlace(k);
+        vec4 turn = quaternionProduct(is.rotation, conjugate(clip.rotation));
+        if (at.parent != NONE) turn = turnFrom(texelFetch(clipBodyTurns, int(k)), ownPlace(at.parent).rotation,
+                                               is.rotation);
+        catchOffsets[2u * k] = turn;
+        catchOffsets[2u * k + 1u].xyz = is.centre - clip.centre;
+        newMoverStates[at.mover] = MOVER_ANIMATED;
+    }
+}
+
+void main()
+{
+    uint p = gl_GlobalInvocationID.x;
+    if (p >= sim.puppetCount) return;
+    GpuPuppet puppet = puppets[p];
+    PuppetState s = PUPPET_STATE_FROM(puppetStates[2u * p], puppetStates[2u * p + 1u]);
+    uint substep = counters[0].substep, root = texelFetch(puppetOrder, int(puppet.firstBody)).x;
+    uint phase = s.phase;
+    if (phase == PUPPET_FIRST && substep >= puppet.catchSubstep) {
+        phase = PUPPET_FOUND;
+        s.knocked = 0u;
+    } else if (phase == PUPPET_FOUND) {
+        phase = PUPPET_CATCHING;
+        if (puppet.catchHere == 1u) putHere(puppet, root, s);
+    } else if (phase == PUPPET_CATCHING) {
+        bool late = float(substep - s.since) * sim.substepTime > puppet.catchWithin;
+        if (late) phase = puppet.catchOtherwise == OTHERWISE_ANIMATED ? PUPPET_CAUGHT : PUPPET_MISSED;
+        if (late && puppet.catchOtherwise == OTHERWISE_LIMP) s.knocked = 1u;
+        if (isNear(puppet)) phase = PUPPET_CAUGHT;
+        if (phase == PUPPET_CAUGHT) take(puppet);
+    }
+    if (phase == s.phase) return;
+    s.phase = phase;
+    s.since = substep;
+    STORE_PUPPET_STATE(puppetStates, p, s)
+}
