@@ -116,7 +116,7 @@ bool isDriven(const Json& actor)
 
 void driveActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects)
 {
-    constexpr float CATCHING = 6.0f;   // [Hz], of what has no drive
+    constexpr float CATCHING = 6.0f;  // [Hz], of what has no drive
     Puppet puppet;
     puppet.joints = readJoints(entry, actor);
     puppet.caught = readCatch(entry.json["catch"], actor.bodies.size());

@@ -166,6 +166,7 @@ Measures Solver::measure()
     if (s.distances) s.distances->measure(measures, impl_->world, particles);
     if (s.fluids) measureFluids(measures, s.fluids->densities());
     if (s.emitters) s.emitters->measure(measures);
+    if (s.drives) s.drives->measure(measures);
     return measures;
 }
 

@@ -91,4 +91,66 @@ TEST(Driven, TheFigureKeepsItsAngularMomentum)
     }
 }
 
+/// Three balls make it stagger; it comes back to its dance. The last one knocks it out.
+TEST(Driven, TheDancerRecoversFromAllBallsButTheLast)
+{
+    const Scene scene = sceneOf("hit", {});
+    const World& world = scene.world;
+    Solver solver(gpu(), world);
+    float farthest = 0.0f;
+    const auto away = [&](double time) {
+        const std::vector<Pose> clip = bodyPlaces(world, world.animations[0], time);
+        return (solver.readBodies()[0].position - clip[0].translation).norm();
+    };
+    const int steps = static_cast<int>(5.9 / world.settings.timeStep);
+    for (int i = 1; i <= steps; ++i) {
+        solver.step();
+        const double time = i * double{world.settings.timeStep};
+        farthest = std::max(farthest, away(time));
+        if (i % 10 == 0) solver.checkCounters(0);
+    }
+    EXPECT_GT(farthest, 0.05f);
+    EXPECT_LT(farthest, 0.3f);
+    // Its weight alone pulls it 0.15 m down where no foot carries it.
+    EXPECT_LT(away(steps * double{world.settings.timeStep}), 0.15f);
+    EXPECT_EQ(solver.measure().knockedOutCount, 0u);
+    const Watched fall = watch(solver, scene, 1.9, 0);
+    EXPECT_EQ(solver.measure().knockedOutCount, 1u);
+    EXPECT_LT(solver.readBodies()[0].position.y(), 0.3f);
+    EXPECT_LT(fall.gap, 0.05f);
+}
+
+/// It lies at the foot of the stairs, is caught without a jump, and is then where its clip has it.
+TEST(Driven, TheFallenDancerIsCaughtAndDancesOn)
+{
+    const Scene scene = sceneOf("catch", {});
+    const World& world = scene.world;
+    Solver solver(gpu(), world);
+    const double step = double{world.settings.timeStep};
+    const auto until = [&](int from, double time, auto each) {
+        int i = from;
+        for (; i * step < time; ++i) {
+            solver.step();
+            each();
+        }
+        solver.checkCounters(0);
+        return i;
+    };
+    int steps = until(0, 3.9, [] {});
+    EXPECT_LT(solver.readBodies()[0].position.y(), 0.4f);
+    std::vector<BodyState> before = solver.readBodies();
+    float change = 0.0f;
+    steps = until(steps, 8.5, [&] {
+        const std::vector<BodyState> now = solver.readBodies();
+        for (size_t b = 0; b < now.size(); ++b)
+            change = std::max(change, (now[b].velocity - before[b].velocity).norm());
+        before = now;
+    });
+    // In its dance alone 1.6 m/s a frame, where a foot lands.
+    EXPECT_LT(change, 4.0f);
+    EXPECT_EQ(solver.measure().caughtCount, 1u);
+    EXPECT_LT(squaredError(world, solver.readBodies(), steps * step), 1e-8);
+    EXPECT_GT(solver.readBodies()[0].position.y(), 0.6f);
+}
+
 }  // namespace knuckle::test

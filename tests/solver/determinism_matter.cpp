@@ -169,6 +169,10 @@ Puppet puppetOf(uint32_t animation)
     puppet.joints.assign(3, {.frequency = 6.0f, .dampingRatio = 0.7f, .greatestTorque = 3.0f});
     puppet.limpTimes = {DriveSpring::INFINITE, 0.5f, DriveSpring::INFINITE};
     puppet.pins = {{0, {.frequency = 3.0f}}, {2, {.frequency = 2.0f, .greatestForce = 50.0f}}};
+    puppet.hit.impulse = 5.0f;
+    puppet.knockOut = {0.6f, 0.5f};
+    if (animation == 3) puppet.caught = Catch{.time = 0.6f, .blend = 0.2f, .near = 0.3f};
+    if (puppet.caught) puppet.caught->releaseTimes = puppet.caught->limpTimes = {1.2f, 1.3f, DriveSpring::INFINITE};
     puppet.strength = {{0.0f, 1.0f, true}, {0.3f, 0.4f, false}, {0.6f, 2.0f, false}};
     return puppet;
 }

@@ -149,22 +149,28 @@ const std::vector<Member> ANIMATED_BODY = {MEMBER(AnimatedBody, mover),     MEMB
                                            MEMBER(AnimatedBody, centre),    MEMBER(AnimatedBody, anchor)};
 const std::vector<Member> ANIMATION = {MEMBER(GpuAnimation, position),  MEMBER(GpuAnimation, rotation),
                                        MEMBER(GpuAnimation, firstPlay), MEMBER(GpuAnimation, playCount),
-                                       MEMBER(GpuAnimation, unused1),   MEMBER(GpuAnimation, unused2)};
+                                       MEMBER(GpuAnimation, puppet),    MEMBER(GpuAnimation, unused1)};
 const std::vector<Member> CLIP_PLAY = {
     MEMBER(GpuClipPlay, firstTurn), MEMBER(GpuClipPlay, firstRoot), MEMBER(GpuClipPlay, keyCount),
     MEMBER(GpuClipPlay, bodyCount), MEMBER(GpuClipPlay, at),        MEMBER(GpuClipPlay, firstKey),
     MEMBER(GpuClipPlay, keyRate),   MEMBER(GpuClipPlay, fade),      MEMBER(GpuClipPlay, loop),
     MEMBER(GpuClipPlay, inPlace),   MEMBER(GpuClipPlay, yaw),       MEMBER(GpuClipPlay, roundYaw),
     MEMBER(GpuClipPlay, shift),     MEMBER(GpuClipPlay, roundShift)};
-const std::vector<Member> PUPPET = {MEMBER(GpuPuppet, firstBody), MEMBER(GpuPuppet, bodyCount),
-                                    MEMBER(GpuPuppet, firstKey),  MEMBER(GpuPuppet, keyCount),
-                                    MEMBER(GpuPuppet, isHeld),    MEMBER(GpuPuppet, unused1),
-                                    MEMBER(GpuPuppet, unused2),   MEMBER(GpuPuppet, unused3)};
+const std::vector<Member> PUPPET = {
+    MEMBER(GpuPuppet, firstBody),    MEMBER(GpuPuppet, bodyCount),     MEMBER(GpuPuppet, firstKey),
+    MEMBER(GpuPuppet, keyCount),     MEMBER(GpuPuppet, isHeld),        MEMBER(GpuPuppet, mass),
+    MEMBER(GpuPuppet, hitImpulse),   MEMBER(GpuPuppet, hitFalloff),    MEMBER(GpuPuppet, hitHold),
+    MEMBER(GpuPuppet, hitRecover),   MEMBER(GpuPuppet, knockDistance), MEMBER(GpuPuppet, knockTime),
+    MEMBER(GpuPuppet, catchSubstep), MEMBER(GpuPuppet, catchHere),     MEMBER(GpuPuppet, catchOtherwise),
+    MEMBER(GpuPuppet, catchBlend),   MEMBER(GpuPuppet, catchNear),     MEMBER(GpuPuppet, catchWithin),
+    MEMBER(GpuPuppet, unused1),      MEMBER(GpuPuppet, unused2)};
 const std::vector<Member> JOINT_DRIVE = {MEMBER(GpuJointDrive, axis),           MEMBER(GpuJointDrive, stiffness),
                                          MEMBER(GpuJointDrive, damping),        MEMBER(GpuJointDrive, isGiven),
                                          MEMBER(GpuJointDrive, greatestTorque), MEMBER(GpuJointDrive, body),
                                          MEMBER(GpuJointDrive, joint),          MEMBER(GpuJointDrive, row),
-                                         MEMBER(GpuJointDrive, parentRow)};
+                                         MEMBER(GpuJointDrive, parentRow),      MEMBER(GpuJointDrive, puppet),
+                                         MEMBER(GpuJointDrive, unused1),        MEMBER(GpuJointDrive, unused2),
+                                         MEMBER(GpuJointDrive, unused3)};
 const std::vector<Member> PIN = {
     MEMBER(GpuPin, stiffness), MEMBER(GpuPin, damping), MEMBER(GpuPin, greatestForce), MEMBER(GpuPin, greatestTorque),
     MEMBER(GpuPin, body),      MEMBER(GpuPin, joint),   MEMBER(GpuPin, row),           MEMBER(GpuPin, unused1)};

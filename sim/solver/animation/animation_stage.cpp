@@ -83,7 +83,8 @@ void AnimationStage::upload(const StageSetup& setup)
                               pack(links[b].anchor, 0)});
         placed.push_back({pack(animation.pose.translation, 0),
                           pack(animation.pose.rotation.vec(), animation.pose.rotation.w()),
-                          static_cast<uint32_t>(plays.size()), static_cast<uint32_t>(animation.plays.size()), puppetOf(world, index), 0});
+                          static_cast<uint32_t>(plays.size()), static_cast<uint32_t>(animation.plays.size()),
+                          puppetOf(world, index), 0});
         addPlays(plays, world, animation, starts);
     }
     setup.parameters.animatedCount = static_cast<uint32_t>(bodies.size());

@@ -253,9 +253,9 @@ void DriveStage::upload(const StageSetup& setup)
         for (const StrengthKey& key : puppet.strength)
             out.keys.push_back({key.time, key.value, key.smooth ? 1.0f : 0.0f, 0});
         for (uint32_t b = 0; b < bodies; ++b)
-            limp[firstBody + b] = {world.settings.substepAt(puppet.limpTimes[b]),
-                                   world.settings.substepAt(puppet.caught ? puppet.caught->limpTimes[b]
-                                                                          : DriveSpring::INFINITE)};
+            limp[firstBody + b] = {
+                world.settings.substepAt(puppet.limpTimes[b]),
+                world.settings.substepAt(puppet.caught ? puppet.caught->limpTimes[b] : DriveSpring::INFINITE)};
         addJoints(out, setup, puppet, firstBody, jointRows);
         addPins(out, setup, puppet, firstBody, pinRows);
     }
@@ -291,8 +291,27 @@ void DriveStage::addBuffers(BufferTable& table)
 {
     table.add(Lifetime::Constant, puppets, jointDrives, pins, strengthKeys, puppetOrder, limpSubsteps);
     table.add(Lifetime::Scratch, composites, carried, driveInertias);
-    table.add(Lifetime::State, driveStates, pinStates, pinsGiven, driveStiffness, driveLevels, driveHits,
-              catchOffsets, puppetStates);
+    table.add(Lifetime::State, driveStates, pinStates, pinsGiven, driveStiffness, driveLevels, driveHits, catchOffsets,
+              puppetStates);
+}
+
+void DriveStage::measure(Measures& out) const
+{
+    Vector3f impulse(0, 0, 0);
+    const std::vector<gpu::vec4> given = pinsGiven.download();
+    for (size_t p = 0; p < given.size(); p += PIN_GIVEN_TEXELS) {
+        const gpu::vec4 &force = given[p], &torque = given[p + 1], &sum = given[p + 2];
+        out.pinForce = std::max(out.pinForce, Vector3f(force.x, force.y, force.z).norm());
+        out.pinTorque = std::max(out.pinTorque, Vector3f(torque.x, torque.y, torque.z).norm());
+        impulse += Vector3f(sum.x, sum.y, sum.z);
+        out.pinWork += sum.w;
+    }
+    out.pinImpulse = impulse.norm();
+    const std::vector<gpu::uvec4> states = puppetStates.download();
+    for (size_t p = 0; p < states.size(); p += 2) {
+        out.caughtCount += states[p].x == PUPPET_CAUGHT ? 1 : 0;
+        out.knockedOutCount += states[p].z;
+    }
 }
 
 void DriveStage::catchAgain(Recorder& recorder) const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "shared/drive_types.h"
+#include "sim/solver/measure/state.h"
 #include "sim/solver/stage.h"
 
 namespace knuckle {
@@ -28,15 +29,18 @@ public:
     /// What springs give where the bodies are now; before joints are factored, and in each iteration.
     void pull(Recorder& recorder) const;
 
+    /// What pins give, and what has become of puppets. Stalls until the GPU is done.
+    void measure(Measures& out) const;
+
     Buffer<gpu::GpuPuppet> puppets;  ///< Its bodies, the keys of its strength.
     Buffer<gpu::GpuJointDrive> jointDrives;
     Buffer<gpu::GpuPin> pins;
     Buffer<gpu::vec4> strengthKeys;    ///< Per puppet: time [s], strength; 1: smooth.
     Buffer<gpu::uvec2> puppetOrder;    ///< Animated bodies, parents before what hangs on them; 1: pinned.
-    Buffer<gpu::uvec2> limpSubsteps;  ///< Per animated body: in which it is limp; the same once it was caught.
-    Buffer<gpu::uvec4> puppetStates;  ///< Per puppet: whether it is caught or knocked out; where its clips are put.
-    Buffer<gpu::vec4> catchOffsets;   ///< Per animated body: how it differed from its clip when it was caught.
-    Buffer<gpu::vec4> driveHits;      ///< Per animated body: what a blow has taken, how long ago that was [s].
+    Buffer<gpu::uvec2> limpSubsteps;   ///< Per animated body: in which it is limp; the same once it was caught.
+    Buffer<gpu::uvec4> puppetStates;   ///< Per puppet: whether it is caught or knocked out; where its clips are put.
+    Buffer<gpu::vec4> catchOffsets;    ///< Per animated body: how it differed from its clip when it was caught.
+    Buffer<gpu::vec4> driveHits;       ///< Per animated body: what a blow has taken, how long ago that was [s].
     Buffer<float> driveLevels;         ///< Per animated body: the strength of its joint's drive and its pin.
     Buffer<gpu::vec4> composites;      ///< Per animated body: with all that hangs on it; centre, mass; inertia.
     Buffer<gpu::vec4> carried;         ///< The same, but for what is pinned itself.

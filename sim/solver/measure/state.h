@@ -47,8 +47,14 @@ struct Measures {
     uint32_t fluidDrained = 0;      ///< Since the start, in drains or taken again as the oldest.
     float meanStretch = 0.0f;       ///< Of untorn ropes and threads of cloth: |length / length at rest - 1|.
     float worstStretch = 0.0f;
-    float maxSpeed = 0.0f;       ///< [m/s]
-    double kineticEnergy = 0.0;  ///< [J]
+    float pinForce = 0.0f;         ///< The largest that a pin gives now [N].
+    float pinTorque = 0.0f;        ///< [N m]
+    float pinImpulse = 0.0f;       ///< Size of the sum of what all pins gave since the start [N s].
+    float pinWork = 0.0f;          ///< Done by their forces since the start [J].
+    uint32_t caughtCount = 0;      ///< Driven objects that are animated again.
+    uint32_t knockedOutCount = 0;  ///< Driven objects that were let go by themselves.
+    float maxSpeed = 0.0f;         ///< [m/s]
+    double kineticEnergy = 0.0;    ///< [J]
 };
 
 }  // namespace knuckle

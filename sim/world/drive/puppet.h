@@ -56,14 +56,14 @@ struct KnockOut {
 struct Catch {
     enum class Otherwise : uint32_t { Limp, Driven, Animated };
 
-    float time = 0.0f;                         ///< When it begins [s].
-    float blend = 0.8f;                        ///< For how long drives and pins grow from nothing [s], >= 0.
-    float near = 0.1f;                         ///< Every body nearer to its clip than that: animated [m], > 0.
-    float within = 3.0f;                       ///< For how long it is tried [s].
-    Otherwise otherwise = Otherwise::Limp;     ///< What it is where that was not enough.
-    bool here = true;                          ///< Its clips go on where it lies then, not where they would be.
-    std::vector<float> releaseTimes;           ///< Per body: when it is let go again [s]; infinity: never.
-    std::vector<float> limpTimes;              ///< Per body: when it is limp again [s].
+    float time = 0.0f;                      ///< When it begins [s].
+    float blend = 0.8f;                     ///< For how long drives and pins grow from nothing [s], >= 0.
+    float near = 0.1f;                      ///< Every body nearer to its clip than that: animated [m], > 0.
+    float within = 3.0f;                    ///< For how long it is tried [s].
+    Otherwise otherwise = Otherwise::Limp;  ///< What it is where that was not enough.
+    bool here = true;                       ///< Its clips go on where it lies then, not where they would be.
+    std::vector<float> releaseTimes = {};   ///< Per body: when it is let go again [s]; infinity: never.
+    std::vector<float> limpTimes = {};      ///< Per body: when it is limp again [s].
 };
 
 /// An animated object whose joints are driven to its clips while it responds: between what is animated and what is
