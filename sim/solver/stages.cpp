@@ -77,6 +77,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
       colliders(setup_), search(setup_), contacts(setup_), bodies(setup_, actsOnParticles(world)), joints(setup_)
 {
     if (AnimationStage::isNeeded(world)) animations.emplace(setup_);
+    if (ReleaseStage::isNeeded(world)) releases.emplace(setup_);
     if (RestitutionStage::isNeeded(world)) restitution.emplace(setup_);
     if (SleepStage::isNeeded(world.settings)) sleep.emplace(setup_);
     if (SoftStage::isNeeded(world)) soft.emplace(setup_);
@@ -105,6 +106,7 @@ std::vector<Stage*> Stages::all()
         if (stage) stages.push_back(&*stage);
     };
     add(animations);
+    add(releases);
     add(restitution);
     add(sleep);
     add(soft);
@@ -135,6 +137,7 @@ Defines Stages::worldDefines() const
                       {"FREEZE", s.freeze > 0.0f},
                       {"POOL", emitters.has_value()},
                       {"GRIDS", layout.hasGrids},
+                      {"RELEASES", releases.has_value()},
                       {"NEIGHBOURS", std::ranges::any_of(world_.bodies, hasNeighbour)},
                       {"GRID_HASH", s.grid == GridKind::Hash}});
 }

@@ -47,6 +47,7 @@ namespace {
 
 void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorder, bool first)
 {
+    if (s.releases) s.releases->noteBefore(recorder);
     s.bodies.predict(recorder);
     if (s.animations) s.animations->animate(recorder);
     s.search.find(recorder);
@@ -66,7 +67,9 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     }
     s.joints.tear(recorder);
     s.bodies.integrate(recorder);
+    if (s.releases) s.releases->noteAfter(recorder);
     if (s.restitution) s.restitution->apply(recorder);
+    if (s.releases) s.releases->watch(recorder);
 }
 
 /// Of a world without solid particles.

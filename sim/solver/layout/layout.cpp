@@ -107,6 +107,7 @@ void Layout::orderLinks(const World& world)
         const auto shared = std::stable_partition(begin, begin + body.linkCount, isOwn);
         ownLinkCounts.push_back(static_cast<uint32_t>(shared - begin));
         const auto index = static_cast<uint32_t>(ownLinkCounts.size() - 1);
+        if (mayBeLetGo(body)) heldBodies.push_back(index);
         if (!neverResponds(body)) (ownLinkCounts.back() < body.linkCount ? jointedBodies : freeBodies).push_back(index);
     }
     owners.resize(world.particles.size());

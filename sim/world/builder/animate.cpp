@@ -26,6 +26,12 @@ void WorldBuilder::releaseBody(uint32_t body, float time)
     world_.bodies.at(body).releaseTime = time;
 }
 
+void WorldBuilder::addRelease(Release release)
+{
+    for (const uint32_t body : release.bodies) world_.bodies.at(body).watched = true;
+    world_.releases.push_back(std::move(release));
+}
+
 std::vector<AnimatedLink> WorldBuilder::draftedLinks(const Animation& animation) const
 {
     const Object& object = world_.objects[animation.object];
