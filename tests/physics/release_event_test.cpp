@@ -114,16 +114,17 @@ TEST(ReleaseEvent, ALoadGivesItsWeightInEachStep)
     }
 }
 
-/// What moves at a speed meets something that is free, or held, as it does not answer either; nothing else lets it go.
+/// What moves at a speed meets something that is free, or held, as it does not answer either; what else it
+/// touches does not let it go.
 TEST(ReleaseEvent, ATouchIsOfWhatIsNamed)
 {
     constexpr float GAP = 0.5f;
     for (const bool held : {false, true}) {
         WorldBuilder builder = makeBuilder(weightless());
         const uint32_t moved = addMoved(builder, {0, 0, 0}, 1.0f);
-        addCube(builder, {0, 3.05f * DIAMETER, 0}, true);
-        addCube(builder, {3 * DIAMETER + 0.2f, 3 * DIAMETER, 0}, false);
+        addCube(builder, {0, 2.95f * DIAMETER, 0}, true);
         const auto wall = addCube(builder, {3 * DIAMETER + GAP, -0.05f, 0.02f}, held);
+        addCube(builder, {0, -2.95f * DIAMETER, 0}, true);
         builder.addRelease(byTouch({moved}, wall));
         const World world = builder.build();
         const std::vector<LetGo> gone = simulate(world, 1.0);

@@ -197,7 +197,7 @@ World animatedWorld()
     touch.endParticle = builder.particleCount();
     region.cause = ReleaseCause::Region;
     region.bodies = {rows[2][2]};
-    region.region.position = {0.8f, 0.2f, 1.5f};
+    region.region.position = {0.8f, 0.2f, 0.9f};
     region.region.halfExtents = {1, 1, 0.1f};
     region.region.shape = ColliderShape::Box;
     impulse.bodies = rows[1];
