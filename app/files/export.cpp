@@ -148,6 +148,25 @@ Json threadsJson(const DriverThreads& threads)
             {"reason", threads.reason}};
 }
 
+/// null where what was let go was at rest.
+Json shareOf(double part, double whole)
+{
+    return whole > 0.0 ? Json(part / whole) : Json();
+}
+
+Json releasesJson(const std::vector<ReleaseFigures>& releases, const World& world)
+{
+    Json list = Json::array();
+    for (const ReleaseFigures& r : releases)
+        list.push_back({{"object", world.objects[r.object].name},
+                        {"time", r.time},
+                        {"bodies", r.bodies},
+                        {"momentumChange", shareOf(r.momentumChange, r.momentum)},
+                        {"worstBodyChange", shareOf(r.worstBodyChange, r.fastest)},
+                        {"worstGap", r.worstGap / world.diameter()}});
+    return list;
+}
+
 std::string statsText(const RunFigures& figures, const World& world, Solver& solver)
 {
     const Measures measures = solver.measure();
@@ -178,6 +197,7 @@ std::string statsText(const RunFigures& figures, const World& world, Solver& sol
     };
     for (const auto& [name, value] : measureFields(measures)) stats[name] = value;
     stats["stateHash"] = hashText(solver.stateHash());
+    stats["releases"] = releasesJson(figures.releases, world);
     stats["passes"] = passes;
     stats["drawingPasses"] = drawingPasses;
     return stats.dump(2) + "\n";

@@ -57,6 +57,7 @@ struct RunFigures {
     uint64_t frames = 0, steps = 0;
     double simulationSeconds = 0.0, totalSeconds = 0.0;
     DrawingFigures drawing;
+    std::vector<ReleaseFigures> releases;
 };
 
 /// The text of `--stats`: JSON.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -62,7 +63,7 @@ public:
           gpu_(openGpu(common, work())), solver_(*gpu_, scene.world), progress_("frame", range_.last, common.quiet)
     {
         const bool timed = outputs_.stats.has_value();
-        if (timed) solver_.timePasses();
+        if (timed) noteFigures();
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
         figures_.device = gpu_->device().name;
         figures_.driverThreads = gpu_->threads();
@@ -122,12 +123,29 @@ private:
         if (measured && drawing_) drawing_->wait();
         {
             const Stopwatch watch(figures_.simulationSeconds);
-            for (uint32_t i = 0; i < scene_.stepsPerFrame; ++i) solver_.step();
+            for (uint32_t i = 0; i < scene_.stepsPerFrame; ++i) step(frame);
             if (measured) solver_.checkCounters(frame);
         }
         if (drawing_) drawing_->fetch();
         if (!measured) solver_.checkCounters(frame);
         figures_.steps += scene_.stepsPerFrame;
+    }
+
+    void noteFigures()
+    {
+        solver_.timePasses();
+        if (std::ranges::none_of(scene_.world.bodies, mayBeLetGo)) return;
+        solver_.noteReleases();
+        releases_.emplace(scene_.world);
+    }
+
+    void step(uint64_t frame)
+    {
+        solver_.step();
+        if (!releases_) return;
+        solver_.checkCounters(frame);
+        releases_->add(solver_.letGo());
+        if (releases_->wantsGaps()) releases_->addGaps(solver_.readParticles(), solver_.readBodies());
     }
 
     void takeFrame(uint64_t frame)
@@ -146,6 +164,7 @@ private:
         if (outputs_.bodies) outputs_.bodies->finish();
         if (outputs_.measures) outputs_.measures->finish();
         if (!outputs_.stats) return;
+        if (releases_) figures_.releases = releases_->figures();
         outputs_.stats->write(statsText(figures_, scene_.world, solver_));
         outputs_.stats->commit();
     }
@@ -158,6 +177,7 @@ private:
     std::unique_ptr<Gpu> gpu_;
     Solver solver_;
     std::unique_ptr<FrameDrawing> drawing_;
+    std::optional<ReleaseLog> releases_;
     Progress progress_;
     RunFigures figures_;
 };

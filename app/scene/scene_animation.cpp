@@ -147,7 +147,6 @@ float timeOfRelease(const ObjectEntry& entry, const Json& json, const std::strin
 {
     const float time = readUnlessZero(json["time"]), clipTime = readUnlessZero(json["clipTime"]);
     if (std::isinf(clipTime)) return time;
-    if (std::isfinite(time)) entry.fail(where, "has `time` and `clipTime`; give one of them");
     const World& world = entry.context.builder.world();
     if (!isAnimated(entry.json) || !namesClip(entry.json["animation"]))
         entry.fail(where + "/clipTime", "is for what has an `animation`; give `time`");
@@ -208,21 +207,23 @@ void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vect
     for (size_t i = 0; i < count; ++i) {
         const Json& release = json.is_array() ? json[i] : json;
         const std::string where = json.is_array() ? fmt::format("/release/{}", i) : "/release";
+        const bool waits = waitsForEvent(entry, release, where);
         const float time = timeOfRelease(entry, release, where);
         const bool driven = release["becomes"] == "driven";
         if (driven && !isDriven(entry.json)) entry.fail(where + "/becomes", "is for what has a `drive`");
         const std::vector<uint32_t> below = bodiesBelow(entry, actor, release["below"], where + "/below");
-        if (std::isinf(time)) continue;
-        bool any = false;
-        for (const uint32_t object : objects)
-            for (const uint32_t b : below) {
-                const uint32_t body = builder.world().objects[object].bodyStart + b;
-                if (builder.world().bodies[body].motion == Motion::Dynamic) continue;
-                any = true;
-                builder.letGo(body, time, driven);
-            }
-        if (!any)
-            entry.fail(where, "is for what is held or animated; set `fixed`, `hold` or `animation`, or take it away");
+        if (std::isinf(time) && !waits) continue;
+        const auto isHeld = [&](uint32_t body) { return builder.world().bodies[body].motion != Motion::Dynamic; };
+        for (const uint32_t object : objects) {
+            std::vector<uint32_t> bodies;
+            for (const uint32_t b : below) bodies.push_back(builder.world().objects[object].bodyStart + b);
+            if (std::ranges::none_of(bodies, isHeld))
+                entry.fail(where,
+                           "is for what is held or animated; set `fixed`, `hold` or `animation`, or take it away");
+            if (waits) releaseOnEvent(entry, release, where, bodies);
+            for (const uint32_t body : bodies)
+                if (!waits && isHeld(body)) builder.letGo(body, time, driven);
+        }
     }
 }
 

@@ -131,7 +131,9 @@ void requireRoom(const Entry& entry, const Surroundings& surroundings)
     }
 }
 
-Collider readDrain(const Json& json)
+}  // namespace
+
+Collider readRegion(const Json& json)
 {
     Collider region;
     readValue(json["position"], region.position);
@@ -150,6 +152,8 @@ Collider readDrain(const Json& json)
     return region;
 }
 
+namespace {
+
 void requireNoDrain(const Entry& entry)
 {
     const World& world = entry.context.builder.world();
@@ -163,7 +167,7 @@ void requireNoDrain(const Entry& entry)
 
 void addEmitters(SceneContext& context, const Json& root, double duration)
 {
-    for (const Json& drain : root["drains"]) context.builder.addDrain(readDrain(drain));
+    for (const Json& drain : root["drains"]) context.builder.addDrain(readRegion(drain));
     if (root["emitters"].empty()) return;
     const Surroundings surroundings(context);
     for (size_t i = 0; i < root["emitters"].size(); ++i) {

@@ -186,6 +186,7 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     for (const bool rows : {false, true})
         for (size_t i = 0; i < objects.size(); ++i)
             if (isRopeObject(objects[i]) == rows) addObjects(context, objects[i], i);
+    addTouches(context);
     addEmitters(context, root, scene.duration);
     try {
         scene.world = builder.build();

@@ -206,8 +206,10 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
         {"rope", addStrands},
         {"cloth", addStrands},
         {"fluid", [](const Entry& fluid) { addFluid(fluid); }}};
+    const uint32_t first = context.builder.particleCount();
     try {
         KINDS.at(type)(entry);
+        noteParticles(entry, first);
     } catch (const InputError& error) {
         const std::string text = error.what();
         // The builder's message lacks the file and the JSON path: they are added here.

@@ -19,6 +19,17 @@ Quaternionf rotationOf(const Vector3f& degrees);
 /// The same from `rotation`; identity where there is none.
 Quaternionf readRotation(const Json& json);
 
+/// Particles of an object, or of one of its copies: from the first to before the end.
+struct ParticleRange {
+    uint32_t first = 0, end = 0;
+};
+
+/// A release by touch, until all objects are there that it may name.
+struct PendingTouch {
+    std::string pointer, name;
+    Release release;
+};
+
 /// What objects need to know about the scene that they stand in.
 struct SceneContext {
     std::string path;  ///< Of the scene file; other paths are relative to its folder.
@@ -28,7 +39,10 @@ struct SceneContext {
     std::map<std::string, Model> models = {};    ///< With clips, the same.
     std::map<std::string, uint32_t> clips = {};  ///< Indices by actor, file and name.
     std::vector<std::string> notes = {};         ///< For the user: what of the scene is not as it says.
-    std::vector<size_t> colliderEntries = {};    ///< Per collider of the world: the entry of `colliders` that it is of.
+    std::map<std::string, std::vector<ParticleRange>> particles = {};  ///< But fluids', by name of object or copy.
+    std::vector<std::string> objectNames = {};                         ///< Without those of copies.
+    std::vector<PendingTouch> touches = {};
+    std::vector<size_t> colliderEntries = {};  ///< Per collider of the world: the entry of `colliders` that it is of.
 };
 
 /// One entry of a list of the scene (objects, colliders, ...) while it is being built.
@@ -75,6 +89,19 @@ void driveActors(const ObjectEntry& entry, const Actor& actor, const std::vector
 
 /// Lets the copies of an actor go as `release` says. @throws InputError.
 void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);
+
+/// Whether one entry of `release` waits for something to happen. @throws InputError where it has two causes.
+bool waitsForEvent(const ObjectEntry& entry, const Json& release, const std::string& where);
+/// Has it let go of an actor's bodies when that happens to any of them. @throws InputError.
+void releaseOnEvent(const ObjectEntry& entry, const Json& release, const std::string& where,
+                    const std::vector<uint32_t>& bodies);
+/// Notes which particles an object has got. @param first of them.
+void noteParticles(const ObjectEntry& entry, uint32_t first);
+/// Adds the releases by touch, once all objects are there. @throws InputError for a name that none has.
+void addTouches(SceneContext& context);
+
+/// The box, sphere, capsule or plane that a drain or a release has.
+Collider readRegion(const Json& json);
 
 /// Whether a rigid object moves by itself.
 bool hasMotion(const Json& object);

@@ -19,7 +19,10 @@ struct StepParameters {
     uint moverCount;                // bodies and loose particles
     uint freeBodyCount;             // bodies that may respond and have no joints
     uint jointedBodyCount;          // and those that have
-    uint releaseCount;              // bodies that are held or animated until a time
+    uint releaseCount;              // bodies that are held or animated and may be let go
+    uint impulseWatchCount;         // bodies and releases that may let go of them: by an impulse, ...
+    uint touchWatchCount;           // ... by what they touch, ...
+    uint regionWatchCount;          // ... by where they are
     uint animatedCount;             // bodies that clips move
     uint puppetCount;               // animated objects that are driven
     uint jointDriveCount;           // their joints

@@ -211,4 +211,16 @@ void Solver::timePasses()
     impl_->timer.enable(impl_->gpu);
 }
 
+void Solver::noteReleases()
+{
+    if (impl_->stages.releases) impl_->stages.releases->startNotes();
+}
+
+std::vector<LetGo> Solver::letGo()
+{
+    const Stages& s = impl_->stages;
+    if (!s.releases) return {};
+    return s.releases->letGo(s.bodies.bodyReleases.download(), s.counters.download()[0].substep);
+}
+
 }  // namespace knuckle

@@ -8,6 +8,7 @@
 
 #include "sim/gpu/gpu.h"
 #include "sim/solver/list_room.h"
+#include "sim/solver/measure/releases.h"
 #include "sim/solver/measure/state.h"
 #include "sim/solver/particle_view.h"
 #include "sim/solver/stages_state.h"
@@ -60,6 +61,10 @@ public:
     std::vector<PassTime> passTimes();
     /// From now on times every pass, for passTimes().
     void timePasses();
+    /// Notes how what is let go moves on, for letGo(); to be called before the first step.
+    void noteReleases();
+    /// All bodies that were let go so far. Stalls until the GPU is done.
+    std::vector<LetGo> letGo();
 
 private:
     struct Impl;

@@ -79,6 +79,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
 {
     if (AnimationStage::isNeeded(world)) animations.emplace(setup_);
     if (DriveStage::isNeeded(world)) drives.emplace(setup_);
+    if (ReleaseStage::isNeeded(world)) releases.emplace(setup_);
     if (RestitutionStage::isNeeded(world)) restitution.emplace(setup_);
     if (SleepStage::isNeeded(world.settings)) sleep.emplace(setup_);
     if (SoftStage::isNeeded(world)) soft.emplace(setup_);
@@ -108,6 +109,7 @@ std::vector<Stage*> Stages::all()
     };
     add(animations);
     add(drives);
+    add(releases);
     add(restitution);
     add(sleep);
     add(soft);
@@ -136,8 +138,10 @@ Defines Stages::worldDefines() const
                       {"ROUNDS", layout.hasRounds},
                       {"SLEEP", sleep.has_value()},
                       {"FREEZE", s.freeze > 0.0f},
+                      {"PUPPETS", drives.has_value()},
                       {"POOL", emitters.has_value()},
                       {"GRIDS", layout.hasGrids},
+                      {"RELEASES", releases.has_value()},
                       {"NEIGHBOURS", std::ranges::any_of(world_.bodies, hasNeighbour)},
                       {"GRID_HASH", s.grid == GridKind::Hash}});
 }

@@ -14,6 +14,7 @@
 #include "sim/solver/list_room.h"
 #include "sim/solver/paper/paper_stage.h"
 #include "sim/solver/particle/particle_stage.h"
+#include "sim/solver/release/release_stage.h"
 #include "sim/solver/restitution/restitution_stage.h"
 #include "sim/solver/rope/distance_stage.h"
 #include "sim/solver/search/search_stage.h"
@@ -76,6 +77,7 @@ public:
     JointStage joints;
     std::optional<AnimationStage> animations;
     std::optional<DriveStage> drives;
+    std::optional<ReleaseStage> releases;
     std::optional<RestitutionStage> restitution;
     std::optional<SleepStage> sleep;
     std::optional<SoftStage> soft;

@@ -48,6 +48,7 @@ namespace {
 void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorder, bool first)
 {
     if (s.drives) s.drives->catchAgain(recorder);
+    if (s.releases) s.releases->noteBefore(recorder);
     s.bodies.predict(recorder);
     if (s.animations) s.animations->animate(recorder);
     if (s.drives) s.drives->begin(recorder);
@@ -71,7 +72,9 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     s.joints.tear(recorder);
     if (s.drives) s.drives->end(recorder);
     s.bodies.integrate(recorder);
+    if (s.releases) s.releases->noteAfter(recorder);
     if (s.restitution) s.restitution->apply(recorder);
+    if (s.releases) s.releases->watch(recorder);
 }
 
 /// Of a world without solid particles.

@@ -159,8 +159,18 @@ void validateReleases(const World& world)
     for (const Body& body : world.bodies) {
         require(body.releaseTime >= 0.0f, "body \"{}\": it is let go at {} s; must be 0 or later", body.name,
                 body.releaseTime);
-        requireInput(std::isinf(body.releaseTime) || world.settings.solver == SolverKind::Impulse,
+        requireInput((std::isinf(body.releaseTime) && !body.watched) || world.settings.solver == SolverKind::Impulse,
                      "the paper's solver lets nothing go; take `release` away, or use solver method impulse");
+    }
+    for (const Release& release : world.releases) {
+        require(!release.bodies.empty() && release.impulse >= 0.0f && std::isfinite(release.impulse) &&
+                    release.firstParticle <= release.endParticle && release.endParticle <= world.solidCount() &&
+                    release.region.shape <= ColliderShape::Capsule && release.region.position.allFinite(),
+                "a release has no bodies, or values out of range");
+        for (const uint32_t b : release.bodies)
+            require(b < world.bodies.size() && world.bodies[b].watched &&
+                        world.bodies[b].object == world.bodies[release.bodies[0]].object,
+                    "a release has bodies that are not of one object");
     }
 }
 

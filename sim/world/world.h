@@ -93,6 +93,7 @@ struct Body {
     Motion motion = Motion::Dynamic;
     float releaseTime =
         std::numeric_limits<float>::infinity();  ///< Of one that is not dynamic: it is let go then [s], >= 0.
+    bool watched = false;                        ///< One of World::releases may let go of it before.
     uint32_t material = 0;
     uint32_t assembly = NO_INDEX;
     uint32_t linkStart = 0, linkCount = 0;
@@ -129,6 +130,18 @@ struct Collider {
     bool visible = true;  ///< Walls of a container are often felt but not drawn.
 };
 
+enum class ReleaseCause : uint32_t { Impulse, Touch, Region };
+
+/// What lets go of bodies of an object when something happens to any of them. Whichever of several is first counts.
+struct Release {
+    ReleaseCause cause = ReleaseCause::Impulse;
+    std::vector<uint32_t> bodies;  ///< Of one object; with each all that hangs on it, and not all of them dynamic.
+    float impulse = 0.0f;          ///< Impulse: that contacts give to one of them in a step [N s], > 0.
+    uint32_t firstParticle = 0, endParticle = 0;  ///< Touch: of these particles.
+    bool driven = false;                          ///< A puppet's bodies are driven from then on, not limp.
+    Collider region;  ///< Region: one of their particles has its centre in it; box, sphere or capsule.
+};
+
 struct World {
     float particleRadius = 0.05f;  ///< [m], > 0; one for all.
     Settings settings;
@@ -141,6 +154,7 @@ struct World {
     std::vector<BodyClip> clips;
     std::vector<Animation> animations;
     std::vector<Puppet> puppets;
+    std::vector<Release> releases;
     std::vector<Collider> colliders;
     std::vector<SoftBody> softBodies;
     std::vector<Cluster> clusters;   ///< Grouped by soft body.
@@ -168,10 +182,17 @@ inline bool isFixed(const World& world, const Particle& particle)
     return particle.pinned || (particle.body != NO_INDEX && world.bodies[particle.body].motion == Motion::Fixed);
 }
 
+/// Whether something lets go of a body that is held or animated, or may.
+inline bool mayBeLetGo(const Body& body)
+{
+    return body.motion != Motion::Dynamic &&
+           (body.watched || body.releaseTime < std::numeric_limits<float>::infinity());
+}
+
 /// Whether a body never answers to anything: what joints and ropes connect is planned as if all others always did.
 inline bool neverResponds(const Body& body)
 {
-    return body.motion == Motion::Fixed && body.releaseTime == std::numeric_limits<float>::infinity();
+    return body.motion == Motion::Fixed && !mayBeLetGo(body);
 }
 
 /// Whether a particle never moves: it is pinned, or a body has it that never responds.

@@ -96,7 +96,7 @@ TEST_F(Render, WritesFigures)
     EXPECT_GT(stats["drawingPasses"].size(), 3u);
     EXPECT_EQ(stats["drawingPasses"][0]["count"], 4);
     EXPECT_GT(stats["simulationSeconds"].get<double>(), 0.0);
-    for (const char* key : {"device", "contacts", "substeps", "worstPenetration", "worstJointGap", "drawingSeconds"}) {
+    for (const char* key : {"device", "contacts", "substeps", "worstPenetration", "worstJointGap", "releases"}) {
         EXPECT_TRUE(stats.contains(key)) << key;
     }
     EXPECT_NE(result.out.find("state hash " + stats["stateHash"].get<std::string>()), std::string::npos);
@@ -110,6 +110,33 @@ TEST_F(Render, WritesNoFigureThatIsNotDescribed)
     for (const auto& [key, value] : stats.items()) {
         EXPECT_NE(described.find('`' + key + '`'), std::string::npos) << key;
     }
+}
+
+TEST_F(Render, TellsWhatWasLetGo)
+{
+    const std::string doll = folder.write(
+        "doll.json", R"({ "duration": 0.5, "diameter": 0.05, "render": { "width": 64, "height": 36 },
+        "objects": [{ "type": "actor", "name": "doll", "file": ")" +
+                         test::inSource("assets/models/humanoid.glb") + R"(", "animation": { "clip": "dance" },
+                      "release": [{ "time": 0.2, "below": "thigh.L" },
+                                  { "region": { "shape": "box", "size": [1, 1, 1], "position": [0, 2, 0] } }] },
+                    { "type": "actor", "name": "limp", "file": ")" +
+                         test::inSource("assets/models/humanoid.glb") + R"(", "position": [3, 0, 0],
+                      "pose": { "clip": "dance" } }] })");
+    const RunResult result = run({"render", doll, "-o", "out", "--frames", "30:30", "--stats", "stats.json", "--hash"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const Json stats = parseJson(test::readText(folder.path("stats.json")), "stats");
+    const Json& releases = stats["releases"];
+    ASSERT_EQ(releases.size(), 1u) << releases;
+    EXPECT_EQ(releases[0]["object"], "doll");
+    EXPECT_GT(releases[0]["bodies"], 12) << "its head is in the region from the start";
+    EXPECT_LT(releases[0]["time"].get<double>(), 0.01);
+    EXPECT_LT(releases[0]["momentumChange"].get<double>(), 0.01);
+    EXPECT_LT(releases[0]["worstBodyChange"].get<double>(), 0.02);
+    EXPECT_LT(releases[0]["worstGap"].get<double>(), 0.05);
+    // Telling changes nothing.
+    EXPECT_EQ(run({"render", doll, "-o", "out", "--frames", "30:30", "--hash", "-q"}).out,
+              "state hash " + stats["stateHash"].get<std::string>() + "\n");
 }
 
 TEST_F(Render, ExportsParticles)

@@ -191,21 +191,37 @@ World dancers(bool driven)
         }
         clips.push_back(builder.addClip(std::move(clip)));
     }
+    std::vector<std::vector<uint32_t>> rows;
     for (uint32_t k = 0; k < 4; ++k) {
         const std::vector<uint32_t> bodies = beginRow(builder, 3, [](int) { return JointType::Ball; });
+        rows.push_back(bodies);
         const Pose pose{Vector3f(0, 0.2f, 0.6f * static_cast<float>(k))};
         builder.endObject(pose);
         builder.animate(
             {k, pose, {0, 0, 0}, {{.clip = clips[k % 2]}, {.clip = clips[1 - k % 2], .at = 0.2f, .fade = 0.2f}}});
-        // One never, one from its middle on, two at once.
-        for (uint32_t b = k == 1 ? 1 : 0; b < 3 && k > 0; ++b) builder.releaseBody(bodies[b], 0.3f);
+        // One from its middle on, one at once.
+        for (uint32_t b = k == 1 ? 1 : 0; b < 3 && k % 2 == 1; ++b) builder.releaseBody(bodies[b], 0.3f);
         if (driven) builder.drive(puppetOf(k));
     }
+    const uint32_t firstOfBoxes = builder.particleCount();
     for (const float z : {0.3f, 0.9f, 1.5f}) {
         builder.beginObject("box");
         builder.addBody("box", boxLattice({3, 3, 3}, DIAMETER), 0);
         builder.endObject({Vector3f(0.4f, 0.15f, z)});
     }
+    Release touch, region, impulse;
+    touch.cause = ReleaseCause::Touch;
+    touch.bodies = rows[0];
+    touch.firstParticle = firstOfBoxes;
+    touch.endParticle = builder.particleCount();
+    region.cause = ReleaseCause::Region;
+    region.bodies = {rows[2][2]};
+    region.region.position = {0.8f, 0.2f, 0.9f};
+    region.region.halfExtents = {1, 1, 0.1f};
+    region.region.shape = ColliderShape::Box;
+    impulse.bodies = rows[1];
+    impulse.impulse = 0.5f;
+    for (const Release& release : {touch, region, impulse}) builder.addRelease(release);
     return builder.build();
 }
 

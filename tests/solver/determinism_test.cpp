@@ -38,6 +38,7 @@ enum Way {
     ROUNDS,
     GRIDS,
     HELD,
+    LET_GO,
     ALL_BY_HASH,
     WAYS
 };
@@ -63,6 +64,7 @@ World worldOf(int way)
     if (way == ROUNDS) return roundWorld();
     if (way == GRIDS) return gridWorld();
     if (way == HELD) return heldWorld();
+    if (way == LET_GO) return animatedWorld();
     if (way == ALL_BY_HASH) return everyWorld(GridKind::Hash);
     World world = table2World(OBJECTS, settingsOf(way));
     // One of them is shot into the others, fast enough to look further for contacts than they do.
@@ -115,9 +117,9 @@ TEST_P(DeterminismOf, APileHasTheSameBitsTwiceAndAtAnyNumberOfDriverThreads)
 
 std::string wayName(const testing::TestParamInfo<int>& way)
 {
-    static constexpr const char* NAMES[WAYS] = {"Default", "Hash",     "Paper",  "PaperInGroups", "Soft",  "Strands",
-                                                "Fluids",  "Emitters", "Limits", "Bounces",       "Sleep", "Freeze",
-                                                "Rounds",  "Grids",    "Held",   "AllByHash"};
+    static constexpr const char* NAMES[WAYS] = {"Default", "Hash",     "Paper",  "PaperInGroups", "Soft",     "Strands",
+                                                "Fluids",  "Emitters", "Limits", "Bounces",       "Sleep",    "Freeze",
+                                                "Rounds",  "Grids",    "Held",   "LetGo",         "AllByHash"};
     return NAMES[way.param];
 }
 
@@ -151,6 +153,19 @@ TEST(Determinism, ChainsTearAndTowersSleepAndWakeInItsWorlds)
     EXPECT_EQ(sleepers(), 9);
     for (int k = 45; k < STEPS; ++k) sleeping.step();
     EXPECT_EQ(sleepers(), 6) << "one tower is awake";
+}
+
+TEST(Determinism, ChainsAreLetGoForEachReasonInItsWorlds)
+{
+    const World world = animatedWorld();
+    Solver solver(gpu(), world);
+    for (int k = 0; k < STEPS; ++k) solver.step();
+    std::vector<uint32_t> objects(world.objects.size(), 0);
+    for (const LetGo& gone : solver.letGo()) {
+        ++objects[world.bodies[gone.body].object];
+        EXPECT_GT(gone.substep, 0u);
+    }
+    EXPECT_EQ(std::vector(objects.begin(), objects.begin() + 4), (std::vector<uint32_t>{3, 3, 1, 3}));
 }
 
 TEST(Determinism, OneBitOfOnePositionChangesTheHash)

@@ -14,7 +14,7 @@ World fluidWorld();  ///< Heavy boxes that fall through two fluids, one on the o
 /// Two jets into each other over boxes, of which one waits and one takes its oldest again, and fluid that drains.
 World emitterWorld();
 World heldWorld();                ///< Chains that are held and let go one after the other, on ground where they sleep.
-World animatedWorld();            ///< Chains that dance among boxes, from clip to clip, and are let go in parts.
+World animatedWorld();            ///< Chains that dance among boxes, from clip to clip, and are let go in all ways.
 World drivenWorld();              ///< The same, driven from then on.
 World limitedWorld();             ///< Joints at their limits, rigid and soft, and chains of which some tear.
 World bouncyWorld();              ///< Collisions that bounce.

@@ -1,12 +1,18 @@
-// One thread a body that is held or animated until a time: lets go of it then, from rest or as it moves. It wakes, and
-// everything looks for contacts.
+// One thread a body that is held or animated and may be let go: lets go of it in its substep, from rest or as it moves.
+// It wakes, and everything looks for contacts.
+#define BODIES
 #include "sim/common/kernel.glsl"
+#include "shared/contact_constants.h"
 #include "sim/common/bodies/assemblies.glsl"
+#include "sim/common/bodies/fields.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer bodyReleases;     // body, and the substep that it responds in first
+uniform usamplerBuffer bodyReleases;     // body, and the substep that it responds in first; NO_SUBSTEP: not yet known
+uniform samplerBuffer moverVelocities;
 BUFFER(uint, MoverStates, newMoverStates);
+BUFFER(vec4, OldMoverVelocities, oldMoverVelocities);
+BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(Assembly, AssemblyState, assemblies);
 #ifdef SLEEP
 BUFFER(uvec2, AssemblyCalm, assemblyCalm);   // steps, island
@@ -20,9 +26,12 @@ void main()
     uvec2 release = texelFetch(bodyReleases, int(k)).xy;
     if (release.y != counters[0].substep) return;
     uint assembly = fetchMover(release.x).assembly;
-    // Of first order, where nothing led up to it.
+    // Of first order, where nothing led up to it; else as if gravity had led up to how it moves.
     if (newMoverStates[release.x] == MOVER_FIXED) assemblies[assembly].lastContact = counters[0].substep - 1u;
+    else oldMoverVelocities[fieldStart(release.x)].xyz = fetchField(moverVelocities, release.x).t -
+                                                         sim.substepTime * sim.gravity.xyz;
     newMoverStates[release.x] = MOVER_DYNAMIC;
+    moverMoves[release.x].w = JUST_LET_GO;
 #ifdef SLEEP
     assemblyCalm[assembly] = uvec2(0u, assembly);
 #endif

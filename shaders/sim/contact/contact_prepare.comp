@@ -1,4 +1,5 @@
-// One thread a pair of particles: what its contact is made of, with the impulse that it had before.
+// One thread a pair of particles: what its contact is made of, with the impulse that it had before. RELEASES: of a
+// world where anything may be let go, which begins without.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/list_ranges.glsl"
 #include "math/spatial.glsl"
@@ -8,6 +9,9 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer searchPositions;
+#ifdef RELEASES
+uniform samplerBuffer moverMoves;
+#endif
 uniform usamplerBuffer pairArrivals;     // by second particle, in the order of arrival, which differs from run to run
 BUFFER(uvec4, PairSides, pairSides);
 BUFFER(vec4, PairArms, pairArms);
@@ -68,6 +72,11 @@ void main()
     pairArms[firstArm(q)] = packArm(Arm(rA, massA.worst));
     pairArms[secondArm(q)] = packArm(Arm(rB, massB.worst));
     Old old = oldImpulse(parity ^ 1u, pair, a.rank, b.rank);
+#ifdef RELEASES
+    // It has pushed something that did not give way.
+    if (texelFetch(moverMoves, int(a.mover)).w == JUST_LET_GO || texelFetch(moverMoves, int(b.mover)).w == JUST_LET_GO)
+        old = Old(Impulse(vec3(0), 0.0), 0.0);
+#endif
     if (separation.distance < touch && old.impulse.normal <= 0.0) old.impulse.normal = ABOUT_TO_ACT;
     pairImpulses[index] = packImpulse(old.impulse);
     pairMeans[index] = old.mean;

@@ -15,6 +15,9 @@ READ_BUFFER(Counters, CountersBlock, counters);
 BUFFER(uvec4, PuppetStates, puppetStates);
 BUFFER(vec4, CatchOffsets, catchOffsets);
 BUFFER(uint, MoverStates, newMoverStates);
+BUFFER(uvec2, BodyReleases, bodyReleases);
+uniform usamplerBuffer caughtReleases;   // per animated body: its place in bodyReleases, when it is let go again
+uniform usamplerBuffer limpSubsteps;
 uniform usamplerBuffer puppetOrder;      // of animated bodies, parents before what hangs on them
 uniform samplerBuffer clipBodyPlaces;    // centre, rotation
 uniform samplerBuffer clipBodyTurns;
@@ -80,6 +83,8 @@ void take(GpuPuppet puppet)
         catchOffsets[2u * k] = turn;
         catchOffsets[2u * k + 1u].xyz = is.centre - clip.centre;
         newMoverStates[at.mover] = MOVER_ANIMATED;
+        uvec2 again = texelFetch(caughtReleases, int(k)).xy;
+        if (again.x != NONE) bodyReleases[again.x].y = again.y;
     }
 }
 
@@ -102,6 +107,7 @@ void main()
         if (late) phase = puppet.catchOtherwise == OTHERWISE_ANIMATED ? PUPPET_CAUGHT : PUPPET_MISSED;
         if (late && puppet.catchOtherwise == OTHERWISE_LIMP) s.knocked = 1u;
         if (isNear(puppet)) phase = PUPPET_CAUGHT;
+        if (substep >= texelFetch(limpSubsteps, int(root)).y) phase = PUPPET_MISSED;
         if (phase == PUPPET_CAUGHT) take(puppet);
     }
     if (phase == s.phase) return;

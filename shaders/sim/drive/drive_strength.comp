@@ -10,7 +10,7 @@ READ_BUFFER(GpuPuppet, Puppets, puppets);
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
 READ_BUFFER(Counters, CountersBlock, counters);
 uniform samplerBuffer strengthKeys;      // time [s], strength; 1: smooth
-uniform usamplerBuffer limpSubsteps;     // of bodies; the same once they were caught
+uniform usamplerBuffer limpSubsteps;     // of bodies; the same once they were caught; when
 uniform usamplerBuffer puppetOrder;
 uniform samplerBuffer driveHits;         // what a blow has taken of a body's strength
 uniform samplerBuffer clipBodyPlaces;

@@ -10,10 +10,7 @@ namespace knuckle {
 class AnimationStage : public Stage {
 public:
     static bool isNeeded(const World& world) { return !world.animations.empty(); }
-    explicit AnimationStage(const StageSetup& setup)
-        : parameters_(setup.parameters), variant_(definesOf({{"PUPPETS", !setup.world.puppets.empty()}}))
-    {
-    }
+    explicit AnimationStage(const StageSetup& setup) : parameters_(setup.parameters) {}
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
@@ -30,8 +27,7 @@ public:
 
 private:
     const gpu::StepParameters& parameters_;
-    Defines variant_;
-    Pass animate_{*this, "animation/animate", variant_};
+    Pass animate_{*this, "animation/animate"};
 };
 
 }  // namespace knuckle

@@ -102,7 +102,6 @@ Movers makeMovers(const World& world, const Layout& layout)
 /// The substep that a body responds in first, NO_SUBSTEP where it is not held or animated until a time.
 uint32_t releaseOf(const World& world, const Body& body)
 {
-    if (body.motion == Motion::Dynamic) return NO_SUBSTEP;
     return world.settings.substepAt(body.releaseTime);
 }
 
@@ -113,11 +112,8 @@ BodyStage::BodyStage(const StageSetup& setup, bool onParticles)
       solves_(setup.world.settings.solver == SolverKind::Impulse),
       hasFree_(solves_ && !setup.layout.freeBodies.empty()),
       hasJointed_(solves_ && !setup.layout.jointedBodies.empty()), hasLoose_(solves_ && setup.layout.looseCount > 0),
-      releases_(solves_ &&
-                std::ranges::any_of(setup.world.bodies,
-                                    [&](const Body& body) { return releaseOf(setup.world, body) != NO_SUBSTEP; })),
-      onParticle_(definesOf({{"ON_PARTICLES", onParticles}})), warm_(definesOf({{"WARM_START", true}})),
-      angular_(definesOf({{"ANGULAR", setup.rows.hasAngular()}})),
+      releases_(solves_ && !setup.layout.heldBodies.empty()), onParticle_(definesOf({{"ON_PARTICLES", onParticles}})),
+      warm_(definesOf({{"WARM_START", true}})), angular_(definesOf({{"ANGULAR", setup.rows.hasAngular()}})),
       jointed_(definesOf({{"ON_PARTICLES", onParticles}, {"ANGULAR", setup.rows.hasAngular()}}))
 {
 }
@@ -173,16 +169,8 @@ void BodyStage::uploadMovers(const StageSetup& setup)
     const std::vector<gpu::vec4> changes(fields, gpu::vec4{0, 0, 0, INITIAL_RELAXATION});
     moverInfo = {"moverInfo", std::span<const gpu::MoverInfo>(movers.infos)};
     std::vector<gpu::uvec2> releases;
-    for (uint32_t b = 0; b < setup.world.bodies.size(); ++b)
-        if (const uint32_t substep = releaseOf(setup.world, setup.world.bodies[b]); substep != NO_SUBSTEP)
-            releases.push_back({b, substep});
-    for (const Puppet& puppet : setup.world.puppets) {
-        if (!puppet.caught) continue;
-        const uint32_t first = setup.world.objects[setup.world.animations[puppet.animation].object].bodyStart;
-        for (uint32_t b = 0; b < puppet.caught->releaseTimes.size(); ++b)
-            if (const float time = puppet.caught->releaseTimes[b]; std::isfinite(time))
-                releases.push_back({first + b, setup.world.settings.substepAt(time)});
-    }
+    for (const uint32_t b : setup.layout.heldBodies)
+        releases.push_back({b, releaseOf(setup.world, setup.world.bodies[b])});
     setup.parameters.releaseCount = static_cast<uint32_t>(releases.size());
     bodyReleases = {"bodyReleases", std::span<const gpu::uvec2>(releases)};
     moverStates = {"moverStates", std::span<const uint32_t>(movers.states)};
@@ -223,9 +211,9 @@ void BodyStage::uploadRows(const RowPlan& rows)
 
 void BodyStage::addBuffers(BufferTable& table)
 {
-    table.add(Lifetime::Constant, links, linksOfParticle, bodyInfo, bodyOrder, bodyNeighbours, bodyReleases,
-              bodyMoments, bodyInertias, bodyRounds, moverInfo, bodyRows, rowArms);
-    table.add(Lifetime::State, particleLinks, moverStates, moverCentres, moverRotations, moverVelocities,
+    table.add(Lifetime::Constant, links, linksOfParticle, bodyInfo, bodyOrder, bodyNeighbours, bodyMoments,
+              bodyInertias, bodyRounds, moverInfo, bodyRows, rowArms);
+    table.add(Lifetime::State, particleLinks, bodyReleases, moverStates, moverCentres, moverRotations, moverVelocities,
               oldMoverVelocities, oldMoverMoves, moverMoves, moverRotationDeltas, moverImpulses, moverChanges,
               rowImpulses, rowAngularImpulses);
     table.add(Lifetime::Scratch, moverPredictions, particleImpulses, bodyPushes, bodyParticlePushes, bodyLoads);

@@ -29,11 +29,11 @@ public:
     Buffer<gpu::BodyInfo> bodyInfo;            ///< Per body.
     Buffer<uint32_t> bodyOrder;                ///< Bodies that may respond: those without joints, then those with.
     Buffer<uint32_t> bodyNeighbours;           ///< Per body one that it never touches, NO_INDEX for none.
-    Buffer<gpu::uvec2> bodyReleases;   ///< Bodies that are held until a time: body, substep that it responds in.
     Buffer<gpu::vec4> bodyMoments;     ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
     Buffer<gpu::vec4> bodyInertias;    ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
     Buffer<gpu::vec4> bodyRounds;      ///< Per body, two: ends of its centre line [m]; w: radius, rolling friction.
     Buffer<gpu::MoverInfo> moverInfo;  ///< Per mover.
+    Buffer<gpu::uvec2> bodyReleases;   ///< Bodies that may be let go: body, substep that it responds in first.
     // State, per mover.
     Buffer<uint32_t> moverStates;                           ///< MOVER_*.
     Buffer<gpu::vec4> moverCentres, moverRotations;         ///< c and Q: when a substep begins, or (paper) now.

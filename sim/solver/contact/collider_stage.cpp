@@ -60,6 +60,7 @@ void ColliderStage::upload(const StageSetup& setup)
     std::vector<gpu::GpuCollider> all;
     for (const Collider& c : world.colliders) all.push_back(packCollider(world, c, starts));
     for (const Collider& c : world.drains) all.push_back(packCollider(world, c, starts));
+    for (const Release& release : world.releases) all.push_back(packCollider(world, release.region, starts));
     colliders = {"colliders", std::span<const gpu::GpuCollider>(all)};
     gridValues = {"gridValues", std::span<const float>(values)};
 }

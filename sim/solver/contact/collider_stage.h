@@ -4,7 +4,8 @@
 
 namespace knuckle {
 
-/// Static colliders, and behind them the drains of fluids. It has no kernels: contacts and fluids read it.
+/// Static colliders, and behind them the drains of fluids and the regions of releases. It has no kernels: contacts,
+/// fluids and releases read it.
 class ColliderStage : public Stage {
 public:
     /// @throws DeviceError when the device's limits are too small for the grids of meshes and heightfields.
@@ -12,7 +13,7 @@ public:
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
-    Buffer<gpu::GpuCollider> colliders;  ///< Static colliders, then drains.
+    Buffer<gpu::GpuCollider> colliders;  ///< Static colliders, drains, regions of releases.
     Buffer<float> gridValues;            ///< Of all ColliderGrids, one after another.
 };
 

@@ -204,17 +204,22 @@ void addPins(Uploads& out, const StageSetup& setup, const Puppet& puppet, uint32
     }
 }
 
-/// Of each animation, its first body among all that are animated.
-std::vector<uint32_t> firstBodies(const World& world)
+/// When a body of a puppet is limp, before and after it was caught, and when that is.
+gpu::uvec4 limpTimes(const Settings& settings, const Puppet& puppet, uint32_t body)
 {
-    std::vector<uint32_t> first;
-    uint32_t next = 0;
-    for (const Animation& animation : world.animations) {
-        first.push_back(next);
-        next += world.objects[animation.object].bodyCount;
-    }
-    first.push_back(next);
-    return first;
+    if (!puppet.caught) return {settings.substepAt(puppet.limpTimes[body]), NO_SUBSTEP, NO_SUBSTEP, 0};
+    return {settings.substepAt(puppet.limpTimes[body]), settings.substepAt(puppet.caught->limpTimes[body]),
+            settings.substepAt(puppet.caught->time), 0};
+}
+
+gpu::uvec2 caughtRelease(const StageSetup& setup, const Puppet& puppet, uint32_t body)
+{
+    const std::vector<uint32_t>& held = setup.layout.heldBodies;
+    const auto entry = std::ranges::lower_bound(held, objectOf(setup.world, puppet).bodyStart + body);
+    const bool isHeld = entry != held.end() && *entry == objectOf(setup.world, puppet).bodyStart + body;
+    if (!puppet.caught || !isHeld) return {NO_INDEX, NO_SUBSTEP};
+    return {static_cast<uint32_t>(entry - held.begin()),
+            setup.world.settings.substepAt(puppet.caught->releaseTimes[body])};
 }
 
 }  // namespace
@@ -242,8 +247,9 @@ void DriveStage::upload(const StageSetup& setup)
 {
     const World& world = setup.world;
     const std::vector<uint32_t> jointRows = setup.rows.rowsOf(JOINTS), pinRows = setup.rows.rowsOf(PINS);
-    const std::vector<uint32_t> first = firstBodies(world);
-    std::vector<gpu::uvec2> limp(first.back(), gpu::uvec2{NO_SUBSTEP, NO_SUBSTEP});
+    const std::vector<uint32_t>& first = setup.layout.firstAnimated;
+    std::vector<gpu::uvec4> limp(first.back(), gpu::uvec4{NO_SUBSTEP, NO_SUBSTEP, NO_SUBSTEP, 0});
+    std::vector<gpu::uvec2> again(first.back(), gpu::uvec2{NO_INDEX, NO_SUBSTEP});
     Uploads out;
     out.order.resize(first.back());
     for (const Puppet& puppet : world.puppets) {
@@ -252,10 +258,10 @@ void DriveStage::upload(const StageSetup& setup)
         addOrder(out, world, puppet, firstBody);
         for (const StrengthKey& key : puppet.strength)
             out.keys.push_back({key.time, key.value, key.smooth ? 1.0f : 0.0f, 0});
-        for (uint32_t b = 0; b < bodies; ++b)
-            limp[firstBody + b] = {
-                world.settings.substepAt(puppet.limpTimes[b]),
-                world.settings.substepAt(puppet.caught ? puppet.caught->limpTimes[b] : DriveSpring::INFINITE)};
+        for (uint32_t b = 0; b < bodies; ++b) {
+            limp[firstBody + b] = limpTimes(world.settings, puppet, b);
+            again[firstBody + b] = caughtRelease(setup, puppet, b);
+        }
         addJoints(out, setup, puppet, firstBody, jointRows);
         addPins(out, setup, puppet, firstBody, pinRows);
     }
@@ -267,7 +273,8 @@ void DriveStage::upload(const StageSetup& setup)
     pins = {"pins", std::span<const gpu::GpuPin>(out.pins)};
     strengthKeys = {"strengthKeys", std::span<const gpu::vec4>(out.keys)};
     puppetOrder = {"puppetOrder", std::span<const gpu::uvec2>(out.order)};
-    limpSubsteps = {"limpSubsteps", std::span<const gpu::uvec2>(limp)};
+    limpSubsteps = {"limpSubsteps", std::span<const gpu::uvec4>(limp)};
+    caughtReleases = {"caughtReleases", std::span<const gpu::uvec2>(again)};
     driveLevels = {"driveLevels", limp.size()};
     driveHits = {"driveHits", limp.size()};
     catchOffsets = {"catchOffsets", 2 * limp.size()};
@@ -289,10 +296,10 @@ void DriveStage::upload(const StageSetup& setup)
 
 void DriveStage::addBuffers(BufferTable& table)
 {
-    table.add(Lifetime::Constant, puppets, jointDrives, pins, strengthKeys, puppetOrder, limpSubsteps);
+    table.add(Lifetime::Constant, puppets, jointDrives, pins, strengthKeys, puppetOrder, caughtReleases);
     table.add(Lifetime::Scratch, composites, carried, driveInertias);
-    table.add(Lifetime::State, driveStates, pinStates, pinsGiven, driveStiffness, driveLevels, driveHits, catchOffsets,
-              puppetStates);
+    table.add(Lifetime::State, limpSubsteps, driveStates, pinStates, pinsGiven, driveStiffness, driveLevels, driveHits,
+              catchOffsets, puppetStates);
 }
 
 void DriveStage::measure(Measures& out) const

@@ -35,20 +35,21 @@ public:
     Buffer<gpu::GpuPuppet> puppets;  ///< Its bodies, the keys of its strength.
     Buffer<gpu::GpuJointDrive> jointDrives;
     Buffer<gpu::GpuPin> pins;
-    Buffer<gpu::vec4> strengthKeys;    ///< Per puppet: time [s], strength; 1: smooth.
-    Buffer<gpu::uvec2> puppetOrder;    ///< Animated bodies, parents before what hangs on them; 1: pinned.
-    Buffer<gpu::uvec2> limpSubsteps;   ///< Per animated body: in which it is limp; the same once it was caught.
-    Buffer<gpu::uvec4> puppetStates;   ///< Per puppet: whether it is caught or knocked out; where its clips are put.
-    Buffer<gpu::vec4> catchOffsets;    ///< Per animated body: how it differed from its clip when it was caught.
-    Buffer<gpu::vec4> driveHits;       ///< Per animated body: what a blow has taken, how long ago that was [s].
-    Buffer<float> driveLevels;         ///< Per animated body: the strength of its joint's drive and its pin.
-    Buffer<gpu::vec4> composites;      ///< Per animated body: with all that hangs on it; centre, mass; inertia.
-    Buffer<gpu::vec4> carried;         ///< The same, but for what is pinned itself.
-    Buffer<gpu::vec4> driveInertias;   ///< Per animated body: what its drive turns, and its pin [kg m2]; its mass.
-    Buffer<gpu::vec4> driveStates;     ///< Per driven joint: how far it was from its clip, its clip, the change.
-    Buffer<gpu::vec4> pinStates;       ///< Per pin the same, in place and direction.
-    Buffer<gpu::vec4> pinsGiven;       ///< Per pin: force [N]; torque [N m]; impulse since the start [N s], work [J].
-    Buffer<gpu::vec4> driveStiffness;  ///< Per joint of a tree: what drives and pins add to its block.
+    Buffer<gpu::vec4> strengthKeys;     ///< Per puppet: time [s], strength; 1: smooth.
+    Buffer<gpu::uvec2> puppetOrder;     ///< Animated bodies, parents before what hangs on them; 1: pinned.
+    Buffer<gpu::uvec2> caughtReleases;  ///< Per animated body: its place in bodyReleases, when it is let go again.
+    Buffer<gpu::uvec4> limpSubsteps;    ///< Per animated body: in which it is limp; the same once it was caught; when.
+    Buffer<gpu::uvec4> puppetStates;    ///< Per puppet: whether it is caught or knocked out; where its clips are put.
+    Buffer<gpu::vec4> catchOffsets;     ///< Per animated body: how it differed from its clip when it was caught.
+    Buffer<gpu::vec4> driveHits;        ///< Per animated body: what a blow has taken, how long ago that was [s].
+    Buffer<float> driveLevels;          ///< Per animated body: the strength of its joint's drive and its pin.
+    Buffer<gpu::vec4> composites;       ///< Per animated body: with all that hangs on it; centre, mass; inertia.
+    Buffer<gpu::vec4> carried;          ///< The same, but for what is pinned itself.
+    Buffer<gpu::vec4> driveInertias;    ///< Per animated body: what its drive turns, and its pin [kg m2]; its mass.
+    Buffer<gpu::vec4> driveStates;      ///< Per driven joint: how far it was from its clip, its clip, the change.
+    Buffer<gpu::vec4> pinStates;        ///< Per pin the same, in place and direction.
+    Buffer<gpu::vec4> pinsGiven;        ///< Per pin: force [N]; torque [N m]; impulse since the start [N s], work [J].
+    Buffer<gpu::vec4> driveStiffness;   ///< Per joint of a tree: what drives and pins add to its block.
 
 private:
     const gpu::StepParameters& parameters_;

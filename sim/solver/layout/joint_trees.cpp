@@ -92,8 +92,12 @@ private:
     {
         if (joint.parentJoint == NO_INDEX) return false;
         const Body &body = world_.bodies[joint.body], &parent = world_.bodies[joint.parent];
-        return body.motion != Motion::Dynamic &&
-               (parent.motion == Motion::Dynamic || parent.releaseTime < body.releaseTime);
+        if (body.motion == Motion::Dynamic) return false;
+        if (parent.motion == Motion::Dynamic || parent.releaseTime < body.releaseTime) return true;
+        return std::ranges::any_of(world_.releases, [&](const Release& release) {
+            const auto has = [&](uint32_t b) { return std::ranges::find(release.bodies, b) != release.bodies.end(); };
+            return parent.object == world_.bodies[release.bodies[0]].object && has(joint.parent) && !has(joint.body);
+        });
     }
 
     /// The joint seen from its parent.

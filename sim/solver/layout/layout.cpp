@@ -56,6 +56,9 @@ Layout::Layout(const World& world)
     orderLinks(world);
     listShared();
     findShapes(world);
+    firstAnimated.push_back(0);
+    for (const Animation& animation : world.animations)
+        firstAnimated.push_back(firstAnimated.back() + world.objects[animation.object].bodyCount);
 }
 
 void Layout::findShapes(const World& world)
@@ -107,6 +110,7 @@ void Layout::orderLinks(const World& world)
         const auto shared = std::stable_partition(begin, begin + body.linkCount, isOwn);
         ownLinkCounts.push_back(static_cast<uint32_t>(shared - begin));
         const auto index = static_cast<uint32_t>(ownLinkCounts.size() - 1);
+        if (mayBeLetGo(body)) heldBodies.push_back(index);
         if (!neverResponds(body)) (ownLinkCounts.back() < body.linkCount ? jointedBodies : freeBodies).push_back(index);
     }
     owners.resize(world.particles.size());

@@ -37,8 +37,10 @@ struct Layout {
     std::vector<float> worstInverseMasses;  ///< Per World::links: see worstInverseMasses() [1/kg].
     std::vector<uint32_t> ownLinkCounts;    ///< Per body: links before the first shared one.
     std::vector<uint32_t> freeBodies, jointedBodies;  ///< Those that may respond, without joints and with.
-    std::vector<std::vector<Owner>> owners;           ///< Per particle: its links, in their order.
-    std::vector<uint32_t> sharedParticles;            ///< Particles of two or more bodies, those of fewer bodies first.
+    std::vector<uint32_t> firstAnimated;     ///< Per animation its first body among all that clips move; their number.
+    std::vector<uint32_t> heldBodies;        ///< Those that are held or animated and may be let go.
+    std::vector<std::vector<Owner>> owners;  ///< Per particle: its links, in their order.
+    std::vector<uint32_t> sharedParticles;   ///< Particles of two or more bodies, those of fewer bodies first.
     JointTrees jointTrees;
 
 private:

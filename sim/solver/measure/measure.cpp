@@ -70,12 +70,15 @@ Vector3f goalOf(const Link& link, const BodyState& state)
     return state.position + state.rotation * link.restOffset;
 }
 
-Depths jointGaps(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies)
+/// Of joints between some bodies.
+Depths jointGaps(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies,
+                 uint32_t firstBody, uint32_t bodyEnd)
 {
     Depths gaps;
     std::map<uint32_t, std::vector<Vector3f>> places;
     for (const Link& link : world.links)
-        if (world.particles[link.particle].bodyCount > 1 && !particles.lost(world, link))
+        if (link.body >= firstBody && link.body < bodyEnd && world.particles[link.particle].bodyCount > 1 &&
+            !particles.lost(world, link))
             places[link.particle].push_back(goalOf(link, bodies[link.body]));
     for (const auto& [particle, wanted] : places) {
         float gap = 0.0f;
@@ -186,11 +189,17 @@ BodyState bodyState(const World& world, const Body& body, const ParticleState& p
     return state;
 }
 
+float worstJointGap(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies,
+                    const Object& object)
+{
+    return jointGaps(world, particles, bodies, object.bodyStart, object.bodyStart + object.bodyCount).worst;
+}
+
 Measures measureState(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies)
 {
     Measures m;
     const Depths depths = penetrations(world, particles.positions);
-    const Depths gaps = jointGaps(world, particles, bodies);
+    const Depths gaps = jointGaps(world, particles, bodies, 0, static_cast<uint32_t>(world.bodies.size()));
     m.contactCount = depths.count;
     m.meanPenetration = depths.mean();
     m.worstPenetration = depths.worst;

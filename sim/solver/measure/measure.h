@@ -13,6 +13,10 @@ BodyState bodyState(const World& world, const Body& body, const ParticleState& p
 /// touch, independently of the solver's own lists.
 Measures measureState(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies);
 
+/// The worst gap of the joints of an object [m].
+float worstJointGap(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies,
+                    const Object& object);
+
 /// The part of it that is about soft bodies, against their shape at the start.
 void measureSoftBodies(Measures& out, const World& world, const ParticleState& particles);
 

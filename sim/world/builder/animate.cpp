@@ -41,6 +41,12 @@ void WorldBuilder::letGo(uint32_t body, float time, bool driven)
     *release = std::min(*release, time);
 }
 
+void WorldBuilder::addRelease(Release release)
+{
+    for (const uint32_t body : release.bodies) world_.bodies.at(body).watched = true;
+    world_.releases.push_back(std::move(release));
+}
+
 std::vector<AnimatedLink> WorldBuilder::draftedLinks(const Animation& animation) const
 {
     const Object& object = world_.objects[animation.object];

@@ -61,6 +61,8 @@ public:
     void letGo(uint32_t body, float time, bool driven);
     /// Lets go of a body that is held or animated at a time [s].
     void releaseBody(uint32_t body, float time);
+    /// Lets go of bodies that are held or animated when something happens to them.
+    void addRelease(Release release);
     /// A soft body of particles at `positions` (rest pose of the object) [m], as elastic as its material.
     /// @param pinned indices into `positions`: these particles stay where they are put.
     /// @returns the soft body's index. @throws std::logic_error for an empty span or a position that is not finite.

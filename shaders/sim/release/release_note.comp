@@ -1,0 +1,40 @@
+// One thread a body that may be let go: of one that is in this substep, how its velocity changes. BEFORE: at the start
+// of the substep, what it is. After that, by how much it has changed beyond what gravity and contacts (fluids and
+// ropes, too) give, which part of that its joints did, and how much contacts gave.
+#define BODIES
+#include "sim/common/kernel.glsl"
+#include "sim/common/bodies/body_rows.glsl"
+#include "sim/common/bodies/mover_info.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform usamplerBuffer bodyReleases;
+uniform samplerBuffer moverVelocities;
+#ifndef BEFORE
+#include "sim/common/bodies/assemblies.glsl"
+uniform samplerBuffer bodyPushes;
+#endif
+BUFFER(vec4, ReleaseNotes, releaseNotes);   // three a body [m/s]
+READ_BUFFER(Counters, CountersBlock, counters);
+
+void main()
+{
+    uint k = gl_GlobalInvocationID.x;
+    if (k >= sim.releaseCount) return;
+    uvec2 release = texelFetch(bodyReleases, int(k)).xy;
+    vec3 velocity = fetchField(moverVelocities, release.x).t;
+#ifdef BEFORE
+    if (release.y == counters[0].substep) releaseNotes[3u * k] = vec4(velocity, 0);
+#else
+    if (release.y + 1u != counters[0].substep) return;
+    MoverInfo body = fetchMover(release.x);
+    Assembly assembly = fetchAssembly(body.assembly);
+    bool second = assembly.order == 2u && assembly.lastContact + 1u != counters[0].substep;
+    // What an impulse of one kg m does to the velocity of the body: BDF2's is that of one and a half moves.
+    float response = (second ? 1.5 : 1.0) * body.inverseMass / sim.substepTime;
+    vec3 contacts = response * fetchField(bodyPushes, release.x).t;
+    vec3 given = sim.substepTime * sim.gravity.xyz + contacts;
+    vec3 joints = response * rowSum(release.x, vec4(0, 0, 0, 1)).t;
+    releaseNotes[3u * k + 1u] = vec4(velocity - releaseNotes[3u * k].xyz - given, 0);
+    releaseNotes[3u * k + 2u] = vec4(joints, length(contacts));
+#endif
+}
