@@ -156,6 +156,10 @@ const std::vector<Member> CLIP_PLAY = {
     MEMBER(GpuClipPlay, keyRate),   MEMBER(GpuClipPlay, fade),      MEMBER(GpuClipPlay, loop),
     MEMBER(GpuClipPlay, inPlace),   MEMBER(GpuClipPlay, yaw),       MEMBER(GpuClipPlay, roundYaw),
     MEMBER(GpuClipPlay, shift),     MEMBER(GpuClipPlay, roundShift)};
+const std::vector<Member> RELEASE = {MEMBER(GpuRelease, firstEntry),    MEMBER(GpuRelease, entryEnd),
+                                     MEMBER(GpuRelease, firstBody),     MEMBER(GpuRelease, bodyEnd),
+                                     MEMBER(GpuRelease, firstParticle), MEMBER(GpuRelease, particleEnd),
+                                     MEMBER(GpuRelease, impulse),       MEMBER(GpuRelease, region)};
 const std::vector<Member> BODY_INFO = {MEMBER(BodyInfo, linkStart), MEMBER(BodyInfo, linkCount),
                                        MEMBER(BodyInfo, ownCount), MEMBER(BodyInfo, jointCount)};
 const std::vector<Member> MOVER_INFO = {MEMBER(MoverInfo, firstRank), MEMBER(MoverInfo, rankCount),
@@ -197,13 +201,15 @@ TEST(Layout, EmittersAreTheHostsStructs)
     expectArray(kernel, "EmitterStates", "newStates", sizeof(gpu::EmitterState), EMITTER_STATE);
 }
 
-TEST(Layout, AnimationsAreTheHostsStructs)
+TEST(Layout, AnimationsAndReleasesAreTheHostsStructs)
 {
     KernelFixture fixture(animatedWorld());
     const Kernel kernel = fixture.load("animation/animate");
     expectArray(kernel, "AnimatedBodies", "animatedBodies", sizeof(gpu::AnimatedBody), ANIMATED_BODY);
     expectArray(kernel, "Animations", "animations", sizeof(gpu::GpuAnimation), ANIMATION);
     expectArray(kernel, "ClipPlays", "clipPlays", sizeof(gpu::GpuClipPlay), CLIP_PLAY);
+    const Kernel region = fixture.load("release/release_region");
+    expectArray(region, "Releases", "releases", sizeof(gpu::GpuRelease), RELEASE);
 }
 
 TEST(Layout, StructsThatKernelsReadAsTexelsAreTheHostsStructs)
