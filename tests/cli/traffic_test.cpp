@@ -182,8 +182,9 @@ TEST_P(TrafficOf, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
     EXPECT_TRUE(here == aside) << "the pictures differ";
 }
 
-// What flows out of emitters is there from the start.
-INSTANTIATE_TEST_SUITE_P(Scenes, TrafficOf, testing::Values("ragdoll.json", "fountain.json", "dance.json"),
+// What flows out of emitters is there from the start; blows and touches let go without the host.
+INSTANTIATE_TEST_SUITE_P(Scenes, TrafficOf,
+                         testing::Values("ragdoll.json", "fountain.json", "dance.json", "struck.json"),
                          [](const auto& scene) { return std::string(scene.param, strchr(scene.param, '.')); });
 
 }  // namespace

@@ -149,7 +149,7 @@ TEST(ReleaseEvent, ARegionIsReachedByTheFirstParticle)
     EXPECT_NEAR(timeOf(world, gone[0]), 1 - 0.25 - DIAMETER, 1.1 * substep);
 }
 
-/// Of three releases that all happen, bodies go by the first that has them, and once.
+/// Half of a chain is in a region from the start; a ball and a time would let go of it later. The other half stays.
 TEST(ReleaseEvent, WhicheverIsFirstCounts)
 {
     WorldBuilder builder = makeBuilder();
@@ -157,7 +157,6 @@ TEST(ReleaseEvent, WhicheverIsFirstCounts)
     builder.endObject({{0, 3, 0}});
     for (const uint32_t b : {0u, 1u, 2u, 3u})
         builder.holdBody(b, b == 3 ? 0.5f : std::numeric_limits<float>::infinity());
-    // A cube falls on the last body, and past it through a region that nothing but the second last reaches.
     const auto ball = addCube(builder, {builder.world().particles.back().position.x(), 3.6f, 0}, false);
     builder.addRelease(byTouch({2, 3}, ball));
     builder.addRelease(byRegion({2, 3}, {0, 3, 0}, 100.0f));
@@ -177,8 +176,8 @@ TEST(ReleaseEvent, WhicheverIsFirstCounts)
     EXPECT_LT(solver.measure().worstJointGap, 0.01f * DIAMETER);
 }
 
-/// A body that hangs on what is not let go is held at its joint; momentum changes by what that joint does alone.
-TEST(ReleaseEvent, MomentumIsThatOfBeforeTheBlowAndTheBlow)
+/// Beyond the blow that lets it go, nothing changes how a body moves.
+TEST(ReleaseEvent, WhatTouchesAndIsLetGoMovesOnButForTheBlow)
 {
     WorldBuilder builder = makeBuilder();
     const uint32_t moved = addMoved(builder, {0, 0, 0}, 1.0f);

@@ -177,6 +177,10 @@ const std::vector<Member> JOINT_DRIVE = {MEMBER(GpuJointDrive, axis),           
 const std::vector<Member> PIN = {
     MEMBER(GpuPin, stiffness), MEMBER(GpuPin, damping), MEMBER(GpuPin, greatestForce), MEMBER(GpuPin, greatestTorque),
     MEMBER(GpuPin, body),      MEMBER(GpuPin, joint),   MEMBER(GpuPin, row),           MEMBER(GpuPin, unused1)};
+const std::vector<Member> RELEASE = {MEMBER(GpuRelease, firstEntry),    MEMBER(GpuRelease, entryEnd),
+                                     MEMBER(GpuRelease, firstBody),     MEMBER(GpuRelease, bodyEnd),
+                                     MEMBER(GpuRelease, firstParticle), MEMBER(GpuRelease, particleEnd),
+                                     MEMBER(GpuRelease, impulse),       MEMBER(GpuRelease, region), MEMBER(GpuRelease, firstLimp), MEMBER(GpuRelease, limpEnd), MEMBER(GpuRelease, unused1), MEMBER(GpuRelease, unused2)};
 const std::vector<Member> BODY_INFO = {MEMBER(BodyInfo, linkStart), MEMBER(BodyInfo, linkCount),
                                        MEMBER(BodyInfo, ownCount), MEMBER(BodyInfo, jointCount)};
 const std::vector<Member> MOVER_INFO = {MEMBER(MoverInfo, firstRank), MEMBER(MoverInfo, rankCount),
@@ -218,13 +222,15 @@ TEST(Layout, EmittersAreTheHostsStructs)
     expectArray(kernel, "EmitterStates", "newStates", sizeof(gpu::EmitterState), EMITTER_STATE);
 }
 
-TEST(Layout, AnimationsAreTheHostsStructs)
+TEST(Layout, AnimationsAndReleasesAreTheHostsStructs)
 {
     KernelFixture fixture(animatedWorld());
     const Kernel kernel = fixture.load("animation/animate");
     expectArray(kernel, "AnimatedBodies", "animatedBodies", sizeof(gpu::AnimatedBody), ANIMATED_BODY);
     expectArray(kernel, "Animations", "animations", sizeof(gpu::GpuAnimation), ANIMATION);
     expectArray(kernel, "ClipPlays", "clipPlays", sizeof(gpu::GpuClipPlay), CLIP_PLAY);
+    const Kernel region = fixture.load("release/release_region");
+    expectArray(region, "Releases", "releases", sizeof(gpu::GpuRelease), RELEASE);
 }
 
 TEST(Layout, DrivesAreTheHostsStructs)
