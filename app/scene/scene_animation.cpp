@@ -136,7 +136,7 @@ std::vector<uint32_t> bodiesBelow(const ObjectEntry& entry, const Actor& actor, 
     return below;
 }
 
-/// When one entry of `release` lets go [s]; infinity: never.
+/// When one entry of `release` lets go of the first copy [s]; infinity: never.
 float timeOfRelease(const ObjectEntry& entry, const Json& json, const std::string& where)
 {
     const float time = readUnlessZero(json["time"]), clipTime = readUnlessZero(json["clipTime"]);
@@ -145,7 +145,8 @@ float timeOfRelease(const ObjectEntry& entry, const Json& json, const std::strin
     const World& world = entry.context.builder.world();
     if (!isAnimated(entry.json) || !isNamed(entry.json["animation"]))
         entry.fail(where + "/clipTime", "is for what has an `animation`; give `time`");
-    const float reached = timeOf(world, world.animations.back().plays.front(), clipTime);
+    const Animation& first = world.animations[world.animations.size() - entry.poses.size()];
+    const float reached = timeOf(world, first.plays.front(), clipTime);
     if (std::isinf(reached)) entry.fail(where + "/clipTime", "is a time that the first clip never gets to");
     return reached;
 }
@@ -182,7 +183,8 @@ void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vect
     const bool limp = isNamed(entry.json["pose"]);
     WorldBuilder& builder = entry.context.builder;
     for (size_t copy = 0; copy < objects.size(); ++copy) {
-        builder.animate({objects[copy], entry.poses[copy], pivotOf(actor), plays});
+        const float delay = limp ? 0.0f : delayOf(entry.json, copy);
+        builder.animate({objects[copy], entry.poses[copy], pivotOf(actor), delayed(builder.world(), plays, delay)});
         const Object& object = builder.world().objects[objects[copy]];
         for (uint32_t b = 0; limp && b < object.bodyCount; ++b) builder.releaseBody(object.bodyStart + b, 0.0f);
     }
@@ -200,12 +202,13 @@ void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vect
         const std::vector<uint32_t> below = bodiesBelow(entry, actor, release["below"], where + "/below");
         if (std::isinf(time)) continue;
         bool any = false;
-        for (const uint32_t object : objects)
+        for (size_t copy = 0; copy < objects.size(); ++copy)
             for (const uint32_t b : below) {
-                const uint32_t body = builder.world().objects[object].bodyStart + b;
+                const uint32_t body = builder.world().objects[objects[copy]].bodyStart + b;
                 if (builder.world().bodies[body].motion == Motion::Dynamic) continue;
                 any = true;
-                builder.releaseBody(body, std::min(time, builder.world().bodies[body].releaseTime));
+                builder.releaseBody(
+                    body, std::min(time + delayOf(entry.json, copy), builder.world().bodies[body].releaseTime));
             }
         if (!any)
             entry.fail(where, "is for what is held or animated; set `fixed`, `hold` or `animation`, or take it away");
