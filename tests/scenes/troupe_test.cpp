@@ -55,7 +55,7 @@ TEST(Troupe, AWaveGoesThroughTheDancers)
 /// What is ahead of the walker stands higher than the water at rest, what is behind it lower; then it falls in.
 TEST(Wade, TheWalkerPushesAWaveAndFallsIn)
 {
-    const Scene scene = sceneOf("wade", {"diameter=0.1"});
+    const Scene scene = sceneOf("wade", {"diameter=0.09"});
     const World& world = scene.world;
     Solver solver(gpu(), world);
     runSteps(solver, 96);
