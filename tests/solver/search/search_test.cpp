@@ -95,7 +95,7 @@ void SearchBench::setReaches(const std::vector<float>& lengths)
     fill(stages.search.searchCentres, centres);
     std::vector<uint32_t> fast;
     for (uint32_t i = 0; i < count(); ++i)
-        if (isFast(i)) fast.push_back(i);
+        if (isFast(i)) fast.push_back(2 * i);
     gpu::Counters now = counters();
     now.fastListed = static_cast<uint32_t>(fast.size());
     setCounters(now);
