@@ -2,29 +2,16 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
-#include <map>
-#include <nlohmann/json.hpp>
 
-#include "app/commands/commands.h"
+#include "app/commands/bench_run.h"
 #include "app/commands/table2_world.h"
-#include "app/run/interrupt.h"
 #include "app/scene/scene_file.h"
 #include "render/renderer.h"
-#include "sim/solver/solver.h"
 #include "sim/solver/workload.h"
 
 namespace knuckle {
 
 namespace {
-
-struct BenchOptions {
-    std::string name = "table2";
-    std::vector<std::string> presets = {"default"}, sets;
-    std::vector<uint32_t> objects = {300, 600, 1200};
-    uint32_t steps = 600, drawnSteps = 60;
-    bool json = false;
-};
 
 /// The paper's table 2 [frames/s].
 struct PaperRow {
@@ -51,26 +38,6 @@ struct BenchRun {
     Measures measures;
     float diameter = 0.1f;
 };
-
-double secondsSince(std::chrono::steady_clock::time_point start)
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Runs `count` steps, each followed by `draw`, and waits for the last. @returns seconds.
-template <typename Draw>
-double timeSteps(Solver& solver, const InterruptGuard& interrupt, uint32_t first, uint32_t count, Draw draw)
-{
-    const auto start = std::chrono::steady_clock::now();
-    for (uint32_t i = 0; i < count; ++i) {
-        interrupt.check();
-        solver.step();
-        solver.checkCounters(first + i);
-        draw(first + i);
-    }
-    glFinish();
-    return secondsSince(start);
-}
 
 BenchRun runOnce(Gpu& gpu, uint32_t objectCount, const std::string& preset, const BenchOptions& options,
                  const Settings& settings)
@@ -110,35 +77,16 @@ nlohmann::ordered_json published(const PaperRow* row)
 
 nlohmann::ordered_json toJson(const BenchRun& run)
 {
-    return {{"preset", run.preset},
-            {"objectCount", run.objectCount},
-            {"particleCount", run.particleCount},
-            {"stepsPerSecond", run.stepsPerSecond},
-            {"settledStepsPerSecond", run.settledStepsPerSecond},
-            {"drawnStepsPerSecond", run.drawnStepsPerSecond},
-            {"pileTop", run.pileTop},
-            {"meanPenetration", run.measures.meanPenetration / run.diameter},
-            {"worstPenetration", run.measures.worstPenetration / run.diameter},
-            {"meanJointGap", run.measures.meanJointGap / run.diameter},
-            {"worstJointGap", run.measures.worstJointGap / run.diameter},
-            {"worstShapeError", run.measures.worstShapeError / run.diameter},
-            {"maxSpeed", run.measures.maxSpeed},
-            {"published", published(paperRow(run.objectCount))}};
-}
-
-/// All runs, with what they have in common; docs/output.md describes each key.
-nlohmann::ordered_json toJson(const BenchOptions& options, const Gpu& gpu, const std::vector<BenchRun>& runs)
-{
-    nlohmann::ordered_json result = {{"benchmark", options.name},
-                                     {"device", gpu.device().name},
-                                     {"driverThreads", nullptr},
-                                     {"steps", options.steps},
-                                     {"settledSteps", std::min(SETTLED_STEPS, options.steps)},
-                                     {"drawnSteps", options.drawnSteps},
-                                     {"runs", nlohmann::ordered_json::array()}};
-    if (gpu.threads().count) result["driverThreads"] = *gpu.threads().count;
-    for (const BenchRun& run : runs) result["runs"].push_back(toJson(run));
-    return result;
+    nlohmann::ordered_json json = {{"preset", run.preset},
+                                   {"objectCount", run.objectCount},
+                                   {"particleCount", run.particleCount},
+                                   {"stepsPerSecond", run.stepsPerSecond},
+                                   {"settledStepsPerSecond", run.settledStepsPerSecond},
+                                   {"drawnStepsPerSecond", run.drawnStepsPerSecond},
+                                   {"pileTop", run.pileTop}};
+    json.update(measuresToJson(run.measures, run.diameter));
+    json["published"] = published(paperRow(run.objectCount));
+    return json;
 }
 
 void printRow(const BenchRun& run)
@@ -156,18 +104,16 @@ void printRow(const BenchRun& run)
 }
 
 /// What a step of the largest world asks of a software driver: one device, with its threads, serves all worlds.
-Workload benchWorkload(const BenchOptions& options, const std::vector<std::pair<std::string, Settings>>& presets)
+Workload benchWorkload(const BenchOptions& options, const std::vector<Preset>& presets)
 {
     const uint32_t most = *std::max_element(options.objects.begin(), options.objects.end());
     return stepWorkload(table2World(most, presets.back().second));
 }
 
-int bench(const BenchOptions& options, const CommonOptions& common)
+int benchTable2(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common)
 {
-    std::vector<std::pair<std::string, Settings>> presets;
-    for (const std::string& preset : options.presets) presets.emplace_back(preset, loadSettings(preset, options.sets));
     const auto gpu = openGpu(common, FrameWork{benchWorkload(options, presets), {}});
-    std::vector<BenchRun> runs;
+    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
     if (!options.json) {
         fmt::print("Table 2 on {}: {} steps of 1/60 s; steps/s of all, of the last {}, and drawn at 1280x720;\n"
                    "beside them the paper's frames/s; penetration and joint gap in % of a diameter; the fastest\n"
@@ -178,33 +124,68 @@ int bench(const BenchOptions& options, const CommonOptions& common)
     }
     for (uint32_t objectCount : options.objects) {
         for (const auto& [preset, settings] : presets) {
-            runs.push_back(runOnce(*gpu, objectCount, preset, options, settings));
-            if (!options.json) printRow(runs.back());
+            const BenchRun run = runOnce(*gpu, objectCount, preset, options, settings);
+            if (options.json) runs.push_back(toJson(run));
+            else printRow(run);
         }
     }
-    if (options.json) fmt::print("{}\n", toJson(options, *gpu, runs).dump(2));
+    const uint32_t settled = std::min(SETTLED_STEPS, options.steps);
+    if (options.json) fmt::print("{}\n", runsToJson(options, *gpu, settled, std::move(runs)).dump(2));
     return EXIT_FINE;
+}
+
+int bench(BenchOptions options, const CommonOptions& common)
+{
+    const bool troupe = options.name == "troupe";
+    if (options.objects.empty() && troupe) options.objects = {100};
+    if (options.objects.empty()) options.objects = {300, 600, 1200};
+    std::vector<Preset> presets;
+    for (const std::string& preset : options.presets) presets.emplace_back(preset, loadSettings(preset, options.sets));
+    return troupe ? benchTroupe(options, presets, common) : benchTable2(options, presets, common);
 }
 
 }  // namespace
 
+nlohmann::ordered_json measuresToJson(const Measures& measures, float diameter)
+{
+    return {{"meanPenetration", measures.meanPenetration / diameter},
+            {"worstPenetration", measures.worstPenetration / diameter},
+            {"meanJointGap", measures.meanJointGap / diameter},
+            {"worstJointGap", measures.worstJointGap / diameter},
+            {"worstShapeError", measures.worstShapeError / diameter},
+            {"maxSpeed", measures.maxSpeed}};
+}
+
+nlohmann::ordered_json runsToJson(const BenchOptions& options, const Gpu& gpu, uint32_t settled,
+                                  nlohmann::ordered_json runs)
+{
+    nlohmann::ordered_json result = {{"benchmark", options.name}, {"device", gpu.device().name},
+                                     {"driverThreads", nullptr},  {"steps", options.steps},
+                                     {"settledSteps", settled},   {"drawnSteps", options.drawnSteps},
+                                     {"runs", std::move(runs)}};
+    if (gpu.threads().count) result["driverThreads"] = *gpu.threads().count;
+    return result;
+}
+
 void addBenchCommand(CommandLine line)
 {
-    auto* command = line.program.add_subcommand("bench", "Time the solver on the paper's table 2");
+    auto* command = line.program.add_subcommand("bench", "Time the solver: the paper's table 2, or a troupe of actors");
     command->fallthrough();
     command->footer(
-        "Objects are pairs of 3x3x3 cubes with a joint, the four types in equal shares, dropped in layers\n"
-        "into a 4 x 4 m box. Penetration and gaps stand beside the speed, since a squashed pile is fast.\n\n"
+        "table2: objects are pairs of 3x3x3 cubes with a joint, the four types in equal shares, dropped in\n"
+        "layers into a 4 x 4 m box. troupe: objects are actors in that box, who walk on the spot for half of\n"
+        "the steps and are limp for the rest. Penetration and gaps stand beside the speed, since a squashed\n"
+        "pile is fast.\n\n"
         "Example:\n  knuckle bench table2 --objects 300,1200 --json\n"
-        "  knuckle bench table2 --preset default,paper --objects 300");
+        "  knuckle bench table2 --preset default,paper --objects 300\n"
+        "  knuckle bench troupe");
     auto options = std::make_shared<BenchOptions>();
     command->add_option("BENCHMARK", options->name, "What to run")
-        ->check(CLI::IsMember({"table2"}))
+        ->check(CLI::IsMember({"table2", "troupe"}))
         ->capture_default_str();
-    command->add_option("--objects", options->objects, "Numbers of objects")
+    command->add_option("--objects", options->objects, "Numbers of objects [300,600,1200; troupe: 100]")
         ->delimiter(',')
-        ->check(CLI::Range(1, 10000))
-        ->capture_default_str();
+        ->check(CLI::Range(1, 10000));
     command->add_option("--preset", options->presets, "Solver presets, each with every number of objects")
         ->delimiter(',')
         ->check(CLI::IsMember({"default", "paper"}))
@@ -216,8 +197,11 @@ void addBenchCommand(CommandLine line)
     command->add_option("--steps", options->steps, "Steps of 1/60 s")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
-    command->add_option("--drawn-steps", options->drawnSteps, "Further steps that are drawn as well, 0 for none")
+    command
+        ->add_option("--drawn-steps", options->drawnSteps, "Further steps of table2 that are drawn as well, 0 for none")
         ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    command->add_option("--model", options->model, "The figure of the troupe; it has a clip \"walk\"")
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON instead of the table, docs/output.md");
     command->callback([=] { line.chosen = [=] { return bench(*options, line.common); }; });

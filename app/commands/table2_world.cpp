@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "sim/world/builder/builder.h"
-
 namespace knuckle {
 
 namespace {
@@ -30,7 +28,9 @@ void addPair(WorldBuilder& builder, uint32_t index, uint32_t material, const Pos
     builder.endObject(pose);
 }
 
-void addBox(WorldBuilder& builder)
+}  // namespace
+
+void addBenchBox(WorldBuilder& builder)
 {
     Collider floor;
     builder.addCollider(floor);
@@ -43,15 +43,13 @@ void addBox(WorldBuilder& builder)
     }
 }
 
-}  // namespace
-
 World table2World(uint32_t objectCount, const Settings& settings)
 {
     WorldBuilder builder(DIAMETER / 2, settings);
     Material material;
     material.name = "block";
     const uint32_t block = builder.addMaterial(material);
-    addBox(builder);
+    addBenchBox(builder);
     for (uint32_t i = 0; i < objectCount; ++i) {
         const uint32_t layer = i / (COLUMNS * ROWS), column = i % COLUMNS, row = i / COLUMNS % ROWS;
         Pose pose;

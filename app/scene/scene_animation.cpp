@@ -118,43 +118,6 @@ void addCaughtPlay(const ObjectEntry& entry, ClipReader& clips, std::vector<Clip
     plays.back().at = time;
 }
 
-/// When the first clip gets to a time of its own [s]; infinity where it never does.
-float timeOf(const World& world, const ClipPlay& play, float clipTime)
-{
-    const float length = world.clips[play.clip].duration();
-    float way = clipTime - play.start;
-    if (play.loop && way < 0.0f) way += length;
-    if (way < 0.0f || clipTime > length || play.speed == 0.0f) return std::numeric_limits<float>::infinity();
-    return way / play.speed;
-}
-
-/// The body of a name and what hangs on it; all for none.
-std::vector<uint32_t> bodiesBelow(const ObjectEntry& entry, const Actor& actor, const std::string& name,
-                                  const std::string& where)
-{
-    const int32_t top = name.empty() ? -1 : static_cast<int32_t>(bodyNamed(entry, actor, name, where));
-    std::vector<uint32_t> below;
-    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
-        auto above = static_cast<int32_t>(b);
-        while (above >= 0 && above != top) above = actor.bodies[above].parent;
-        if (name.empty() || above == top) below.push_back(b);
-    }
-    return below;
-}
-
-/// When one entry of `release` lets go [s]; infinity: never.
-float timeOfRelease(const ObjectEntry& entry, const Json& json, const std::string& where)
-{
-    const float time = readUnlessZero(json["time"]), clipTime = readUnlessZero(json["clipTime"]);
-    if (std::isinf(clipTime)) return time;
-    const World& world = entry.context.builder.world();
-    if (!isAnimated(entry.json) || !namesClip(entry.json["animation"]))
-        entry.fail(where + "/clipTime", "is for what has an `animation`; give `time`");
-    const float reached = timeOf(world, world.animations.back().plays.front(), clipTime);
-    if (std::isinf(reached)) entry.fail(where + "/clipTime", "is a time that the first clip never gets to");
-    return reached;
-}
-
 }  // namespace
 
 bool namesClip(const Json& clip)
@@ -193,37 +156,10 @@ void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vect
     const bool limp = namesClip(entry.json["pose"]);
     WorldBuilder& builder = entry.context.builder;
     for (size_t copy = 0; copy < objects.size(); ++copy) {
-        builder.animate({objects[copy], entry.poses[copy], pivotOf(actor), plays});
+        const float delay = limp ? 0.0f : delayOf(entry.json, copy);
+        builder.animate({objects[copy], entry.poses[copy], pivotOf(actor), delayed(builder.world(), plays, delay)});
         const Object& object = builder.world().objects[objects[copy]];
         for (uint32_t b = 0; limp && b < object.bodyCount; ++b) builder.releaseBody(object.bodyStart + b, 0.0f);
-    }
-}
-
-void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects)
-{
-    const Json& json = entry.json["release"];
-    const size_t count = json.is_array() ? json.size() : 1;
-    WorldBuilder& builder = entry.context.builder;
-    for (size_t i = 0; i < count; ++i) {
-        const Json& release = json.is_array() ? json[i] : json;
-        const std::string where = json.is_array() ? fmt::format("/release/{}", i) : "/release";
-        const bool waits = waitsForEvent(entry, release, where);
-        const float time = timeOfRelease(entry, release, where);
-        const bool driven = release["becomes"] == "driven";
-        if (driven && !isDriven(entry.json)) entry.fail(where + "/becomes", "is for what has a `drive`");
-        const std::vector<uint32_t> below = bodiesBelow(entry, actor, release["below"], where + "/below");
-        if (std::isinf(time) && !waits) continue;
-        const auto isHeld = [&](uint32_t body) { return builder.world().bodies[body].motion != Motion::Dynamic; };
-        for (const uint32_t object : objects) {
-            std::vector<uint32_t> bodies;
-            for (const uint32_t b : below) bodies.push_back(builder.world().objects[object].bodyStart + b);
-            if (std::ranges::none_of(bodies, isHeld))
-                entry.fail(where,
-                           "is for what is held or animated; set `fixed`, `hold` or `animation`, or take it away");
-            if (waits) releaseOnEvent(entry, release, where, bodies);
-            for (const uint32_t body : bodies)
-                if (!waits && isHeld(body)) builder.letGo(body, time, driven);
-        }
     }
 }
 

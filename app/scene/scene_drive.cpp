@@ -100,6 +100,14 @@ std::optional<Catch> readCatch(const Json& json, size_t bodies)
     return caught;
 }
 
+/// The same for a copy that is later [s].
+Puppet delayed(Puppet puppet, float delay)
+{
+    for (StrengthKey& key : puppet.strength) key.time += delay;
+    if (puppet.caught) puppet.caught->time += delay;
+    return puppet;
+}
+
 bool becomesDriven(const Json& release)
 {
     const auto driven = [](const Json& one) { return one.value("becomes", "limp") == "driven"; };
@@ -132,10 +140,11 @@ void driveActors(const ObjectEntry& entry, const Actor& actor, const std::vector
     puppet.strength = readStrengthKeys(entry);
     puppet.limpTimes.assign(actor.bodies.size(), driven ? DriveSpring::INFINITE : 0.0f);
     WorldBuilder& builder = entry.context.builder;
+    const bool posed = namesClip(entry.json["pose"]);
     const bool fromStart = driven && !becomesDriven(entry.json["release"]);
     for (size_t copy = 0; copy < objects.size(); ++copy) {
         puppet.animation = static_cast<uint32_t>(builder.world().animations.size() - objects.size() + copy);
-        builder.drive(puppet);
+        builder.drive(delayed(puppet, posed ? 0.0f : delayOf(entry.json, copy)));
         const Object& object = builder.world().objects[objects[copy]];
         for (uint32_t b = 0; fromStart && b < object.bodyCount; ++b) builder.releaseBody(object.bodyStart + b, 0.0f);
     }

@@ -74,17 +74,18 @@ void addRigidOrSoft(const Entry& entry)
     const float time = soft ? 0.0f : releaseTime(entry, held || moved);
     const ClipPlay motion = moved ? readMotion(entry) : ClipPlay();
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
+        const float delay = delayOf(entry.json, copy);
         builder.beginObject(entry.copyName(copy));
         if (soft) builder.addSoftBody(entry.copyName(copy), positions, entry.material, pinned);
         else {
             const uint32_t body = builder.addBody("body", positions, entry.material, Motion::Dynamic, surface,
                                                   roundShapeOf(entry));
-            if (held) builder.holdBody(body, time);
+            if (held) builder.holdBody(body, time + delay);
         }
         const uint32_t object = builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
         if (!moved) continue;
-        builder.animate({object, entry.poses[copy], {0, 0, 0}, {motion}});
-        builder.releaseBody(builder.world().objects[object].bodyStart, time);
+        builder.animate({object, entry.poses[copy], {0, 0, 0}, delayed(builder.world(), {motion}, delay)});
+        builder.releaseBody(builder.world().objects[object].bodyStart, time + delay);
     }
 }
 
@@ -108,7 +109,7 @@ void addChain(const Entry& entry, const JointSpec& common, uint32_t lastMaterial
         const bool held = (b == 0 && hold != "last" && hold != "none") || (last && hold != "first" && hold != "none");
         indices.push_back(
             builder.addBody(fmt::format("body_{}", b + 1), positions, last ? lastMaterial : entry.material));
-        if (held) builder.holdBody(indices.back(), releaseTime(entry, true));
+        if (held) builder.holdBody(indices.back(), releaseTime(entry, true) + delayOf(json, copy));
     }
     const Json& types = json["joints"];
     for (uint32_t j = 0; j + 1 < bodies; ++j) {
@@ -196,6 +197,8 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
         entry.fail("/material", fmt::format("\"{}\" is a fluid; only objects of type \"fluid\" are made of fluids",
                                             json["material"].get<std::string>()));
     entry.poses = repeatedPoses(json);
+    if (!json.contains("release") && delayOf(json, entry.poses.size() - 1) > 0.0f)
+        entry.fail("/repeat/delay", "is for what is moved or let go; take it away");
     const std::string type = json["type"];
     static const std::map<std::string, std::function<void(const Entry&)>> KINDS = {
         {"rigid", addRigidOrSoft},

@@ -90,11 +90,6 @@ void driveActors(const ObjectEntry& entry, const Actor& actor, const std::vector
 /// Lets the copies of an actor go as `release` says. @throws InputError.
 void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);
 
-/// Whether one entry of `release` waits for something to happen. @throws InputError where it has two causes.
-bool waitsForEvent(const ObjectEntry& entry, const Json& release, const std::string& where);
-/// Has it let go of an actor's bodies when that happens to any of them. @throws InputError.
-void releaseOnEvent(const ObjectEntry& entry, const Json& release, const std::string& where,
-                    const std::vector<uint32_t>& bodies);
 /// Notes which particles an object has got. @param first of them.
 void noteParticles(const ObjectEntry& entry, uint32_t first);
 /// Adds the releases by touch, once all objects are there. @throws InputError for a name that none has.
@@ -140,6 +135,10 @@ void addObjects(SceneContext& context, const Json& json, size_t index);
 
 /// Places of an object's copies. Deterministic: the same seed gives the same places everywhere.
 std::vector<Pose> repeatedPoses(const Json& object);
+/// How much later than the first one a copy is moved and let go [s].
+float delayOf(const Json& object, size_t copy);
+/// What is played, begun later; until then a clip that does not loop is held at its start.
+std::vector<ClipPlay> delayed(const World& world, std::vector<ClipPlay> plays, float delay);
 /// Product of repeat.counts, exact up to 1e18.
 uint64_t copyCount(const Json& object);
 

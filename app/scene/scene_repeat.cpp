@@ -1,3 +1,4 @@
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -25,6 +26,26 @@ uint64_t copyCount(const Json& object)
     uint64_t count = 1;
     for (const Json& side : object["repeat"]["counts"]) count *= side.get<uint64_t>();
     return count;
+}
+
+float delayOf(const Json& object, size_t copy)
+{
+    const Json& repeat = object["repeat"];
+    const size_t nx = repeat["counts"][0], nz = repeat["counts"][2];
+    const Vector3f cell = Eigen::Vector3<size_t>(copy % nx, copy / (nx * nz), copy / nx % nz).cast<float>();
+    Vector3f delay;
+    readValue(repeat["delay"], delay);
+    return cell.dot(delay);
+}
+
+std::vector<ClipPlay> delayed(const World& world, std::vector<ClipPlay> plays, float delay)
+{
+    ClipPlay& first = plays.front();
+    first.start -= delay * first.speed;
+    const float length = world.clips[first.clip].duration();
+    if (first.loop && first.start < 0.0f && length > 0.0f) first.start -= length * std::floor(first.start / length);
+    for (size_t i = 1; i < plays.size(); ++i) plays[i].at += delay;
+    return plays;
 }
 
 std::vector<Pose> repeatedPoses(const Json& object)

@@ -15,7 +15,7 @@
 namespace knuckle::gpu {
 #endif
 
-// Written by kernels, read once a frame. 68 bytes.
+// Written by kernels, read once a frame. 72 bytes.
 struct Counters {
     // Problems: PROBLEM_*, one particle that has them, and the room that would have been enough.
     uint problems;
@@ -35,11 +35,12 @@ struct Counters {
     uint fastCount;                 // particles of movers that will soon leave their margin
     uint fastListed;                // those of them that look further for contacts
     uint fastLater;                 // particles of movers that will leave it in CALM times as long
+    uint heard;                     // something is neither animated nor fixed; only where anything is animated
     uint calm;                      // 1: so few in the last search that contacts are found for as long as that
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(Counters) == 68);
+static_assert(sizeof(Counters) == 72);
 }  // namespace knuckle::gpu
 #endif
 #endif

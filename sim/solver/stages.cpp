@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sim/solver/drive/drive_upload.h"
 #include "sim/solver/pack.h"
 
 namespace knuckle {
@@ -44,6 +45,11 @@ bool actsOnParticles(const World& world)
     return FluidStage::isNeeded(world) || DistanceStage::isNeeded(world) || SoftStage::isNeeded(world);
 }
 
+bool isByTouch(const Release& release)
+{
+    return release.cause == ReleaseCause::Touch;
+}
+
 bool hasNeighbour(const Body& body)
 {
     return body.neighbour != NO_INDEX;
@@ -54,7 +60,7 @@ RowPlan planRows(const World& world, const Layout& layout)
 {
     RowPlan rows;
     JointStage::reserveRows(rows, world, layout);
-    DriveStage::reserveRows(rows, world, layout);
+    reserveDriveRows(rows, world);
     rows.place(layout.bodyCount);
     return rows;
 }
@@ -139,6 +145,7 @@ Defines Stages::worldDefines() const
                       {"SLEEP", sleep.has_value()},
                       {"FREEZE", s.freeze > 0.0f},
                       {"PUPPETS", drives.has_value()},
+                      {"TOUCHES", std::ranges::any_of(world_.releases, isByTouch)},
                       {"POOL", emitters.has_value()},
                       {"GRIDS", layout.hasGrids},
                       {"RELEASES", releases.has_value()},

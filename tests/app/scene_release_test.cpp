@@ -50,6 +50,33 @@ TEST(SceneRelease, AnActorIsHeldAsAWholeOrByBodiesOfItAndEachCopyIs)
     EXPECT_EQ(names, (std::vector<std::string>{"foot.R", "foot.R", "hand.L", "hand.L"}));
 }
 
+TEST(SceneRelease, EachCopyIsLetGoLaterThanTheOneBeforeIt)
+{
+    const World boxes = worldOf(R"({"type": "rigid", "shape": "box", "fixed": true, "release": {"time": 2},
+        "repeat": {"counts": [2, 2, 2], "delay": [0.25, 4, 1]}})");
+    std::vector<float> times;
+    for (const Body& body : boxes.bodies) times.push_back(body.releaseTime);
+    EXPECT_EQ(times, (std::vector<float>{2, 2.25f, 3, 3.25f, 6, 6.25f, 7, 7.25f}));
+}
+
+TEST(SceneRelease, ACopyThatMovesLaterIsLetGoAtTheSamePlaceOfItsClip)
+{
+    const World world = worldOf(R"({"type": "actor", "file": "FILE", "animation": {"clip": "dance", "start": 1,
+        "speed": 2, "then": [{"at": 3, "clip": "dance"}]}, "release": {"clipTime": 4},
+        "repeat": {"counts": [2, 1, 1], "delay": [1, 0, 0]}})");
+    const Animation &first = world.animations[0], &second = world.animations[1];
+    EXPECT_EQ(first.plays[0].start, 1.0f);
+    EXPECT_EQ(second.plays[0].start, 7.0f) << "a round of 8 s before";
+    EXPECT_EQ(second.plays[1].at, 4.0f);
+    EXPECT_EQ(world.bodies[world.objects[first.object].bodyStart].releaseTime, 1.5f);
+    EXPECT_EQ(world.bodies[world.objects[second.object].bodyStart].releaseTime, 2.5f);
+    const World lift = worldOf(R"({"type": "rigid", "shape": "box", "motion": {"loop": false, "keys": [{"time": 0},
+        {"time": 1, "position": [0, 2, 0]}]}, "repeat": {"counts": [2, 1, 1], "delay": [0.5, 0, 0]}})");
+    const auto height = [&](double time) { return bodyPlaces(lift, lift.animations[1], time)[0].translation.y(); };
+    EXPECT_EQ(height(0.25), height(0)) << "it waits";
+    EXPECT_NEAR(height(1.0) - height(0), 1.0f, 1e-5f);
+}
+
 TEST(SceneRelease, MistakesAreToldInOneLine)
 {
     EXPECT_EQ(
@@ -69,6 +96,8 @@ TEST(SceneRelease, MistakesAreToldInOneLine)
     EXPECT_EQ(complaintOf(R"({"type": "rigid", "shape": "box", "fixed": true, "release": {"time": 1}})",
                           R"("solver": "paper", )"),
               "the paper's solver lets nothing go; take `release` away, or use solver method impulse");
+    EXPECT_EQ(complaintOf(R"({"type": "cloth", "repeat": {"counts": [2, 1, 1], "delay": [1, 0, 0]}})"),
+              "/objects/0/repeat/delay: is for what is moved or let go; take it away");
     EXPECT_EQ(complaintOf(R"({"type": "actor", "file": "FILE", "hold": ["hand.l"]})"),
               "/objects/0/hold/0: there is no body \"hand.l\"; did you mean \"hand.L\"?");
 }

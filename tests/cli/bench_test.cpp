@@ -18,6 +18,14 @@ std::vector<std::string> withJson()
     return words;
 }
 
+void expectDescribed(const Json& object)
+{
+    const std::string page = test::readText(test::inSource("docs/output.md"));
+    const std::string described = page.substr(page.find("## Speed"));
+    for (const auto& [key, value] : object.items())
+        EXPECT_NE(described.find('`' + key + '`'), std::string::npos) << key;
+}
+
 TEST_F(Bench, PrintsARowForEachRun)
 {
     const RunResult result = run(SHORT);
@@ -44,16 +52,35 @@ TEST_F(Bench, WritesFiguresAsJson)
     }
 }
 
+/// Four steps of two actors, two of them animated.
+const std::vector<std::string> TROUPE = {
+    "bench", "troupe", "--objects", "2", "--steps", "4", "--model", test::inSource("assets/models/humanoid.glb")};
+
+TEST_F(Bench, TimesATroupeBeforeAndAfterItIsLetGo)
+{
+    const RunResult table = run(TROUPE);
+    EXPECT_EQ(table.code, 0) << table.err;
+    EXPECT_NE(table.out.find("\ndefault      2       1108      36"), std::string::npos) << table.out;
+    std::vector<std::string> words = TROUPE;
+    words.push_back("--json");
+    const Json first = parseJson(run(words).out, "figures")["runs"][0];
+    for (const char* key : {"animatedMilliseconds", "limpMilliseconds", "settledMilliseconds", "pileTop"})
+        EXPECT_GT(first[key].get<double>(), 0.0) << key;
+    expectDescribed(first);
+}
+
+TEST_F(Bench, ATroupeNeedsAModelThatWalks)
+{
+    const RunResult result = run({"bench", "troupe", "--model", "nowhere.glb"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_NE(result.err.find("nowhere.glb"), std::string::npos) << result.err;
+}
+
 TEST_F(Bench, WritesNoFigureThatIsNotDescribed)
 {
     const Json figures = parseJson(run(withJson()).out, "figures");
-    const std::string page = test::readText(test::inSource("docs/output.md"));
-    const std::string described = page.substr(page.find("## Speed"));
-    for (const Json& object : {figures, figures["runs"][0]}) {
-        for (const auto& [key, value] : object.items()) {
-            EXPECT_NE(described.find('`' + key + '`'), std::string::npos) << key;
-        }
-    }
+    expectDescribed(figures);
+    expectDescribed(figures["runs"][0]);
 }
 
 }  // namespace

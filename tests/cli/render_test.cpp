@@ -189,7 +189,7 @@ TEST_F(Render, ExportsMeasuresOfEachFrameAsStatsOfTheLast)
         if (++columns > 1) EXPECT_EQ(parseJson(value, "value"), stats.at(name)) << name;
         else EXPECT_EQ(value, "4");
     }
-    EXPECT_EQ(columns, 20);
+    EXPECT_EQ(columns, 26);
 }
 
 TEST_F(Render, FallsWithAnActorThatWasVoxelizedBefore)

@@ -136,6 +136,22 @@ TEST(Animation, WhatIsLetGoMovesOnAsItsClip)
     }
 }
 
+/// Two boxes that meet: nothing answers, so nobody looks for contacts after the first search, until one is let go.
+TEST(Animation, NothingIsSoughtUntilSomethingAnswers)
+{
+    WorldBuilder builder = makeBuilder(weightless());
+    addMoved(builder, {3, 3, 3}, {}, straight({2, 0, 0}, 1), true);
+    const uint32_t met = addMoved(builder, {3, 3, 3}, {{1.2f, 0, 0}}, straight({0, 0, 0}, 1), true);
+    builder.releaseBody(met, 0.3f);
+    const World world = builder.build();
+    Solver solver(gpu(), world);
+    run(solver, world, 0.25);
+    EXPECT_EQ(solver.searchCount(), 1u);
+    run(solver, world, 0.75);
+    EXPECT_GT(solver.searchCount(), 1u);
+    EXPECT_GT(solver.readBodies()[met].velocity.x(), 1.9f) << "pushed by what met it";
+}
+
 /// A piston of endless mass gives what it meets (1 + e) times its own speed.
 TEST(Animation, APistonGivesABlockTheSpeedOfTheClosedForm)
 {

@@ -104,6 +104,19 @@ double energyOf(const World& world, const ParticleState& state)
     return sum;
 }
 
+double reducedLength(const World& world, uint32_t body, const Vector3f& hinge)
+{
+    const Body& swinging = world.bodies[body];
+    double inertia = 0.0;
+    Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+    for (uint32_t l = swinging.linkStart; l < swinging.linkStart + swinging.linkCount; ++l) {
+        const Vector3f arm = world.links[l].restOffset + swinging.restCentre - hinge;
+        inertia += world.links[l].mass * arm.head<2>().squaredNorm();
+        moment += world.links[l].mass * arm.head<2>().cast<double>();
+    }
+    return inertia / moment.norm();
+}
+
 float lowestBody(const std::vector<BodyState>& bodies)
 {
     float lowest = INFINITY;

@@ -45,6 +45,10 @@ Totals totals(const World& world, const ParticleState& state);
 /// Kinetic and in gravity, of all particles [J].
 double energyOf(const World& world, const ParticleState& state);
 
+/// Of a body that swings about an axis along z: I / (m l), by its own links. @param hinge a point of it, where the
+/// body is put together [m].
+double reducedLength(const World& world, uint32_t body, const Vector3f& hinge);
+
 /// Height of the lowest body's mass centre [m].
 float lowestBody(const std::vector<BodyState>& bodies);
 

@@ -136,7 +136,7 @@ TEST(Driven, TheFallenDancerIsCaughtAndDancesOn)
         solver.checkCounters(0);
         return i;
     };
-    int steps = until(0, 3.9, [] {});
+    int steps = until(0, 4.4, [] {});
     EXPECT_LT(solver.readBodies()[0].position.y(), 0.4f);
     std::vector<BodyState> before = solver.readBodies();
     float change = 0.0f;

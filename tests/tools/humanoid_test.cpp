@@ -73,7 +73,8 @@ TEST(Humanoid, weightsSumToOne)
 TEST(Humanoid, danceLoopsAndMovesEveryLimb)
 {
     const Model model = makeHumanoid();
-    ASSERT_EQ(model.clips.size(), 1u);
+    ASSERT_EQ(model.clips.size(), 2u);
+    EXPECT_EQ(model.clips[1].name, "walk");
     const Clip& clip = model.clips[0];
     EXPECT_EQ(clip.poses.front(), clip.poses.back());
     EXPECT_EQ(clip.keyTimes.back(), clip.duration);
@@ -86,10 +87,32 @@ TEST(Humanoid, danceLoopsAndMovesEveryLimb)
     }
 }
 
-TEST(Humanoid, danceKeepsBoneLengthsAndFeetAboveTheFloor)
+TEST(Humanoid, walkGoesOnWhereItHasComeToAndItsFeetStand)
+{
+    const Clip& clip = makeHumanoid().clips.at(1);
+    const float stride = clip.poses.back()[HIPS](2, 3) - clip.poses.front()[HIPS](2, 3);
+    EXPECT_NEAR(stride, 1.1f, 1e-5f);
+    for (uint32_t b = 0; b < HUMANOID_BONE_COUNT; ++b) {
+        Eigen::Matrix4f next = clip.poses.front()[b];
+        next(2, 3) += stride;
+        EXPECT_LT((clip.poses.back()[b] - next).norm(), 1e-5f) << b;
+    }
+    // The toes of one foot at least stay where they are.
+    const Eigen::Vector4f toe(0, -clip.poses[0][FOOT_L](1, 3), 0.19f, 1);
+    for (size_t k = 1; k < clip.poses.size(); ++k) {
+        float least = 1.0f;
+        for (const uint32_t foot : {FOOT_L, FOOT_R})
+            least = std::min(least, (clip.poses[k][foot] * toe - clip.poses[k - 1][foot] * toe).norm());
+        EXPECT_LT(least, 2e-3f) << "key " << k;
+    }
+}
+
+TEST(Humanoid, clipsKeepBoneLengthsAndFeetAboveTheFloor)
 {
     const Model model = makeHumanoid();
-    for (const auto& key : model.clips[0].poses) {
+    std::vector<std::vector<Eigen::Matrix4f>> keys;
+    for (const Clip& clip : model.clips) keys.insert(keys.end(), clip.poses.begin(), clip.poses.end());
+    for (const auto& key : keys) {
         for (uint32_t b = 1; b < model.bones.size(); ++b) {
             const auto length = [&](const Eigen::Matrix4f& x, const Eigen::Matrix4f& y) {
                 return (x - y).block<3, 1>(0, 3).norm();
@@ -138,9 +161,11 @@ TEST(Humanoid, fileComesBackAsItWas)
     for (const Bone& bone : read.bones) {
         EXPECT_LT((bone.restPose - rest.at(bone.name)).norm(), 1e-5f) << bone.name;
     }
-    ASSERT_EQ(read.clips.size(), 1u);
-    EXPECT_EQ(read.clips[0].name, "dance");
-    EXPECT_NEAR(read.clips[0].duration, made.clips[0].duration, 1e-3);
+    ASSERT_EQ(read.clips.size(), 2u);
+    for (size_t c = 0; c < 2; ++c) {
+        EXPECT_EQ(read.clips[c].name, made.clips[c].name);
+        EXPECT_NEAR(read.clips[c].duration, made.clips[c].duration, 1e-3);
+    }
 }
 
 }  // namespace

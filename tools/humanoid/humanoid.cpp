@@ -187,6 +187,7 @@ Model makeHumanoid()
         model.skin.push_back(skinAt(vertex.cast<double>()));
     }
     model.clips.push_back(humanoidDance(model.bones));
+    model.clips.push_back(humanoidWalk(model.bones));
     return model;
 }
 

@@ -6,7 +6,7 @@ namespace knuckle {
 
 /// The project's own rigged figure, made from nothing but this code: an adult of 1.75 m standing at the origin on
 /// y = 0, facing +z, left arm towards +x, arms 50 degrees below the horizontal; 19 bones, a closed mesh, smooth skin
-/// weights, and one clip, "dance", that loops (its last pose is its first).
+/// weights, and two clips: "dance", whose last pose is its first, and "walk", which goes on where it has come to.
 Model makeHumanoid();
 
 /// Bones of the humanoid, the order of Model::bones.
@@ -35,5 +35,7 @@ enum HumanoidBone : uint32_t {
 
 /// The "dance" clip for a skeleton laid out as makeHumanoid() does, every bone's axes parallel to the model's.
 Clip humanoidDance(const std::vector<Bone>& bones);
+/// Likewise "walk": two steps along +z, at a metre a second.
+Clip humanoidWalk(const std::vector<Bone>& bones);
 
 }  // namespace knuckle

@@ -1,17 +1,15 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "tools/humanoid/humanoid.h"
+#include "tools/humanoid/humanoid_pose.h"
 
 // The dance: sixteen beats of half a second. Steps to both sides, a turn all the way round in six steps, a leap, and
-// back. The feet are placed first, the hips go over them, and the knees follow by two-bone inverse kinematics, so that
-// no foot can pass the floor. In the air the hips fly as a body does.
+// back. The feet are placed first, so that none can pass the floor, and the hips go over them. In the air the hips fly
+// as a body does.
 namespace knuckle {
 
-using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
@@ -19,7 +17,7 @@ namespace {
 
 constexpr double BEATS = 16.0;
 constexpr double BEAT = 0.5;  // [s]
-constexpr int KEYS_PER_SECOND = 30;
+constexpr int KEYS_PER_BEAT = 15;
 constexpr double CROUCH = 0.05;       // the hips hang this much lower than at rest [m]
 constexpr double STEP_HEIGHT = 0.09;  // [m]
 constexpr double GRAVITY = 9.81;      // [m/s2]
@@ -27,20 +25,6 @@ constexpr double GRAVITY = 9.81;      // [m/s2]
 // The leap, in beats: down, off the ground, on it again, up.
 constexpr double DOWN = 9.2, OFF = 10.0, ON = 11.2, UP = 13.0;
 constexpr double DEPTH = 0.2;  // of the hips before and after [m]
-
-using Heads = std::array<Vector3d, HUMANOID_BONE_COUNT>;
-using Rotations = std::array<Matrix3d, HUMANOID_BONE_COUNT>;
-
-Matrix3d turn(double degrees, const Vector3d& axis)
-{
-    return AngleAxisd(degrees * std::numbers::pi / 180.0, axis.normalized()).toRotationMatrix();
-}
-
-double smooth(double way)
-{
-    const double t = std::clamp(way, 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 // Where a foot goes, from one place to the next.
 struct Step {
@@ -132,48 +116,17 @@ const std::vector<ArmKey> RIGHT_ARM = {{0, -40, 20, 30},    {1, -50, 40, 70},   
                                        {12, -45, 30, 60},   {13, -45, 30, 60},  {14, 55, 20, 45},   {15, 60, 10, 30},
                                        {16, -40, 20, 30}};
 
-ArmKey armAt(const std::vector<ArmKey>& keys, double beat)
+Arm armAt(double side, double beat)
 {
+    const std::vector<ArmKey>& keys = side > 0 ? LEFT_ARM : RIGHT_ARM;
     size_t k = 0;
     while (k + 2 < keys.size() && keys[k + 1].beat <= beat) ++k;
     const ArmKey &a = keys[k], &b = keys[k + 1];
     const double way = smooth((beat - a.beat) / (b.beat - a.beat));
-    return {beat, a.high + way * (b.high - a.high), a.forward + way * (b.forward - a.forward),
-            a.elbow + way * (b.elbow - a.elbow)};
+    const double wave = std::sin(std::numbers::pi * beat + side);
+    return {a.high + way * (b.high - a.high), a.forward + way * (b.forward - a.forward),
+            a.elbow + way * (b.elbow - a.elbow), 15.0 * wave};
 }
-
-// Columns: along, the part of `pole` across it, their cross product.
-Matrix3d frame(const Vector3d& along, const Vector3d& pole)
-{
-    Matrix3d m;
-    m.col(0) = along.normalized();
-    m.col(1) = (pole - pole.dot(m.col(0)) * m.col(0)).normalized();
-    m.col(2) = m.col(0).cross(m.col(1));
-    return m;
-}
-
-// The rotation that takes one direction to another and the limb's own plane, which at rest faces forward, to that of a
-// normal.
-Matrix3d aim(const Vector3d& restDirection, const Vector3d& direction, const Vector3d& normal)
-{
-    Matrix3d m;
-    m.col(0) = direction.normalized();
-    m.col(1) = normal.cross(m.col(0)).normalized();
-    m.col(2) = m.col(0).cross(m.col(1));
-    return m * frame(restDirection, Vector3d::UnitZ()).transpose();
-}
-
-struct Leg {
-    HumanoidBone thigh, shin, foot;
-    double side;  // +1 left
-};
-
-// Where an ankle has to be, how its foot is turned, and where its knee looks.
-struct Ankle {
-    Vector3d place;
-    Matrix3d rotation;
-    Vector3d front;
-};
 
 Ankle ankleAt(const Leg& leg, const Heads& rest, double beat, const Heads& heads, const Rotations& rotations)
 {
@@ -187,50 +140,6 @@ Ankle ankleAt(const Leg& leg, const Heads& rest, double beat, const Heads& heads
     const Vector3d spread = rotations[HIPS] * Vector3d(0, leg.side > 0 ? 0.22 : 0.12, leg.side * 0.42);
     return {hanging + open * spread, rotations[HIPS] * turn(35.0 * open, Vector3d::UnitX()),
             rotations[HIPS] * Vector3d(0, open, 1)};
-}
-
-void poseLeg(const Leg& leg, const Heads& rest, double beat, Heads& heads, Rotations& rotations)
-{
-    const Ankle ankle = ankleAt(leg, rest, beat, heads, rotations);
-    const Vector3d hip = heads[HIPS] + rotations[HIPS] * (rest[leg.thigh] - rest[HIPS]);
-    const Vector3d upper = rest[leg.shin] - rest[leg.thigh], lower = rest[leg.foot] - rest[leg.shin];
-    const double a = upper.norm(), b = lower.norm();
-    const Vector3d reach = ankle.place - hip;
-    const double c = std::min(reach.norm(), 0.9995 * (a + b));
-    const double along = (a * a - b * b + c * c) / (2.0 * c);
-    const Vector3d pole = ankle.front + 0.12 * leg.side * (rotations[HIPS] * Vector3d::UnitX());
-    const Matrix3d f = frame(reach, pole);
-    const Vector3d knee = hip + along * f.col(0) + std::sqrt(std::max(a * a - along * along, 0.0)) * f.col(1);
-    heads[leg.thigh] = hip;
-    heads[leg.shin] = knee;
-    heads[leg.foot] = hip + c * f.col(0);
-    rotations[leg.thigh] = aim(upper, knee - hip, f.col(2));
-    rotations[leg.shin] = aim(lower, heads[leg.foot] - knee, f.col(2));
-    rotations[leg.foot] = ankle.rotation;
-}
-
-void attach(uint32_t bone, uint32_t parent, const Matrix3d& local, const Heads& rest, Heads& heads,
-            Rotations& rotations)
-{
-    heads[bone] = heads[parent] + rotations[parent] * (rest[bone] - rest[parent]);
-    rotations[bone] = rotations[parent] * local;
-}
-
-void poseArm(uint32_t clavicle, double side, double beat, const Heads& rest, Heads& heads, Rotations& rotations)
-{
-    const ArmKey arm = armAt(side > 0 ? LEFT_ARM : RIGHT_ARM, beat);
-    const double rad = std::numbers::pi / 180.0, high = arm.high * rad, forward = arm.forward * rad;
-    const Vector3d wanted(side * std::cos(high) * std::cos(forward), std::sin(high),
-                          std::cos(high) * std::sin(forward));
-    const Vector3d upper = rest[clavicle + 2] - rest[clavicle + 1], lower = rest[clavicle + 3] - rest[clavicle + 2];
-    attach(clavicle, CHEST, turn(side * 0.12 * (arm.high + 40.0), Vector3d::UnitZ()), rest, heads, rotations);
-    const Matrix3d shoulder = Eigen::Quaterniond::FromTwoVectors(upper, wanted).toRotationMatrix();
-    attach(clavicle + 1, clavicle, rotations[clavicle].transpose() * rotations[CHEST] * shoulder, rest, heads,
-           rotations);
-    // The elbow is a hinge: its forearm comes forward.
-    attach(clavicle + 2, clavicle + 1, turn(arm.elbow, lower.cross(Vector3d::UnitZ())), rest, heads, rotations);
-    const double wave = std::sin(std::numbers::pi * beat + side);
-    attach(clavicle + 3, clavicle + 2, turn(side * 15.0 * wave, Vector3d::UnitZ()), rest, heads, rotations);
 }
 
 void poseBody(double beat, const Heads& rest, Heads& heads, Rotations& rotations)
@@ -256,41 +165,24 @@ void poseBody(double beat, const Heads& rest, Heads& heads, Rotations& rotations
            rest, heads, rotations);
 }
 
-std::vector<Eigen::Matrix4f> danceAt(double beat, const Heads& rest)
+void danceAt(double beat, const Heads& rest, Heads& heads, Rotations& rotations)
 {
-    Heads heads;
-    Rotations rotations;
     poseBody(beat, rest, heads, rotations);
-    poseArm(CLAVICLE_L, 1.0, beat, rest, heads, rotations);
-    poseArm(CLAVICLE_R, -1.0, beat, rest, heads, rotations);
-    poseLeg({THIGH_L, SHIN_L, FOOT_L, 1.0}, rest, beat, heads, rotations);
-    poseLeg({THIGH_R, SHIN_R, FOOT_R, -1.0}, rest, beat, heads, rotations);
-    std::vector<Eigen::Matrix4f> poses(HUMANOID_BONE_COUNT, Eigen::Matrix4f::Identity());
-    for (uint32_t b = 0; b < HUMANOID_BONE_COUNT; ++b) {
-        poses[b].topLeftCorner<3, 3>() = rotations[b].cast<float>();
-        poses[b].block<3, 1>(0, 3) = heads[b].cast<float>();
-    }
-    return poses;
+    poseArm(CLAVICLE_L, armAt(1.0, beat), rest, heads, rotations);
+    poseArm(CLAVICLE_R, armAt(-1.0, beat), rest, heads, rotations);
+    for (const Leg& leg : {LEFT_LEG, RIGHT_LEG})
+        poseLeg(leg, ankleAt(leg, rest, beat, heads, rotations), rest, heads, rotations);
 }
 
 }  // namespace
 
 Clip humanoidDance(const std::vector<Bone>& bones)
 {
-    Heads rest;
-    for (uint32_t b = 0; b < HUMANOID_BONE_COUNT; ++b) {
-        rest[b] = bones[b].restPose.block<3, 1>(0, 3).cast<double>();
-    }
-    Clip clip;
-    clip.name = "dance";
-    clip.duration = BEATS * BEAT;
-    const int keys = static_cast<int>(clip.duration * KEYS_PER_SECOND);
-    for (int k = 0; k <= keys; ++k) {
-        clip.keyTimes.push_back(static_cast<double>(k) / KEYS_PER_SECOND);
+    const int keys = static_cast<int>(BEATS) * KEYS_PER_BEAT;
+    return makeClip("dance", BEATS * BEAT, bones, [&](int key, const Heads& rest, Heads& heads, Rotations& rotations) {
         // The last key is the first again, to the bit.
-        clip.poses.push_back(danceAt((k % keys) / (BEAT * KEYS_PER_SECOND), rest));
-    }
-    return clip;
+        danceAt(static_cast<double>(key % keys) / KEYS_PER_BEAT, rest, heads, rotations);
+    });
 }
 
 }  // namespace knuckle

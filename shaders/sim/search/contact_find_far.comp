@@ -30,7 +30,8 @@ void main()
 {
     uint k = gl_GlobalInvocationID.x;
     if (k >= counters[0].fastListed) return;
-    uint i = texelFetch(fastParticles, int(k)).x;
+    FastParticle fast = unpackFastParticle(texelFetch(fastParticles, int(k)).x);
+    uint i = fast.particle, mover = sortedMover(fetchRank(i).mover, fast.told);
     SortedInfo own = SortedInfo(i, fetchParticle(i).assembly, fetchRank(i).rank, true);
     vec3 x = texelFetch(searchPositions, int(i)).xyz;
     float reach = reachOf(i), farthest = sim.contactReach + reach + sim.farReach;
@@ -40,9 +41,10 @@ void main()
         uvec2 cells = farCells(cell, range);
         uint end = texelFetch(cellStarts, int(cells.y)).x;
         for (uint m = texelFetch(cellStarts, int(cells.x)).x; m < end; ++m) {
-            vec3 y = fetchSortedPosition(m).position;
+            SortedPosition there = fetchSortedPosition(m);
+            vec3 y = there.position;
             float apart = length(x - y);
-            if (apart >= farthest || !inFarRange(cell, range, y)) continue;
+            if (there.mover == mover || apart >= farthest || !inFarRange(cell, range, y)) continue;
             SortedInfo other = fetchSortedInfo(m);
             float further = reach + (other.fast ? reachOf(other.particle) : 0.0);
             if (isContact(own, other, apart, reach) && speaks(i, other.particle, x - y, further))

@@ -2,6 +2,7 @@
 // everything that is later summed over neighbours is summed in one order.
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/cell_rank.glsl"
+#include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/common/contacts/search_margin.glsl"
 #include "sim/search/sorted_particles.glsl"
@@ -20,7 +21,8 @@ void main()
     ParticleRank own = fetchRank(i);
     bool fast = fetchSearchCentre(searchCentres, own.mover).margin > sim.drift;
     uvec4 info = packSortedInfo(SortedInfo(i, fetchParticle(i).assembly, own.rank, fast));
-    vec4 sorted = packSortedPosition(texelFetch(searchPositions, int(i)).xyz, own.mover);
+    uint name = sortedMover(own.mover, isTold(own.mover));
+    vec4 sorted = packSortedPosition(SortedPosition(texelFetch(searchPositions, int(i)).xyz, name));
     sortedPositions[place.x] = sorted;
     sortedInfos[place.x] = info;
     if (place.y == NONE) return;

@@ -1,5 +1,5 @@
 // One thread a mover: asks for a new search when its farthest particle has come too far from where its contacts were
-// found.
+// found. Where bodies are animated, whether there is anything else, which could answer to a contact.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/mover_info.glsl"
@@ -21,7 +21,9 @@ float drift(uint m, SearchCentre found, vec3 centre, vec4 rotation)
 void main()
 {
     uint m = gl_GlobalInvocationID.x;
-    if (m >= sim.moverCount || !moves(m)) return;
+    if (m >= sim.moverCount) return;
+    if (sim.animatedCount > 0u && !isTold(m)) counters[0].heard = 1u;
+    if (!moves(m)) return;
     vec3 centre = fetchCentre(m) + fetchMove(m).shift;
     vec4 rotation = quaternionProduct(fetchRotationDelta(m), fetchRotation(m));
     SearchCentre found = fetchSearchCentre(searchCentres, m);

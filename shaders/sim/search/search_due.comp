@@ -1,5 +1,5 @@
 // One thread: counts the substep and sets the sizes of the dispatches that find contact candidates, to zero where
-// nobody has used up its margin.
+// nobody has used up its margin, or nobody is there to answer to a contact.
 #include "sim/common/kernel.glsl"
 #include "sim/common/groups.glsl"
 
@@ -9,7 +9,8 @@ BUFFER(uvec4, Dispatches, dispatches);
 
 void main()
 {
-    bool due = counters[0].due != 0u || counters[0].substep == 0u;
+    bool heard = sim.animatedCount == 0u || counters[0].heard != 0u;
+    bool due = (counters[0].due != 0u && heard) || counters[0].substep == 0u;
     uint on = due ? 1u : 0u;
     dispatches[DISPATCH_PARTICLES] = uvec4(on * groups(sim.particleCount), 1, 1, 0);
     dispatches[DISPATCH_CELL_CHUNKS] = uvec4(on * groups((sim.cellMask + 1u) / SCAN_CHUNK), 1, 1, 0);
@@ -22,7 +23,7 @@ void main()
         counters[0].fastLater = 0u;
     }
     counters[0].fastCount = counters[0].fastListed = 0u;
-    counters[0].due = 0u;
+    counters[0].due = counters[0].heard = 0u;
     counters[0].substep += 1u;
     counters[0].searchCount += on;
     counters[0].listParity ^= on;

@@ -7,6 +7,7 @@
 #include "sim/common/bodies/movers.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/common/contacts/search_margin.glsl"
+#include "sim/search/sorted_particles.glsl"
 #ifdef FROM_POSITIONS
 uniform samplerBuffer positions;
 uniform samplerBuffer predicted;
@@ -38,7 +39,8 @@ void main()
     float reach = counters[0].fastCount <= sim.fastLimit ? texelFetch(moverReaches, int(mover)).x : 0.0;
     float margin = sim.drift + reach;
     vec3 ahead = move * min(sim.lookAhead, 0.75 * margin / max(length(move), 1e-20));
-    if (margin > sim.drift) fastParticles[atomicAdd(counters[0].fastListed, 1u)] = i;
+    if (margin > sim.drift)
+        fastParticles[atomicAdd(counters[0].fastListed, 1u)] = packFastParticle(FastParticle(i, isTold(mover)));
     searchPositions[i] = vec4(point.centre + point.arm + point.move + ahead, 0);
     if (isFirst) {
         searchCentres[mover] = packSearchCentre(SearchCentre(point.centre + move + ahead, margin));

@@ -3,7 +3,7 @@
 /// As in sortedPositions.
 struct SortedPosition {
     vec3 position;   // the one for which contacts are found [m]
-    uint mover;      // only to be compared with another's
+    uint mover;      // sortedMover(), only to be compared with another's
 };
 
 SortedPosition unpackSortedPosition(vec4 t)
@@ -13,9 +13,31 @@ SortedPosition unpackSortedPosition(vec4 t)
 
 // The mover's index is stored as a float's bits, with an offset: a GPU may flush the denormals that small indices would
 // be. It stays below the NaNs.
-vec4 packSortedPosition(vec3 position, uint mover)
+// What is told where to be has one name, so that none of it finds another.
+uint sortedMover(uint mover, bool told)
 {
-    return vec4(position, uintBitsToFloat(0x01000000u + mover));
+    return 0x01000000u + (told ? sim.moverCount : mover);
+}
+
+vec4 packSortedPosition(SortedPosition sorted)
+{
+    return vec4(sorted.position, uintBitsToFloat(sorted.mover));
+}
+
+/// As in fastParticles: one that looks further for contacts.
+struct FastParticle {
+    uint particle;
+    bool told;       // isTold()
+};
+
+FastParticle unpackFastParticle(uint t)
+{
+    return FastParticle(t >> 1, (t & 1u) != 0u);
+}
+
+uint packFastParticle(FastParticle fast)
+{
+    return fast.particle << 1 | (fast.told ? 1u : 0u);
 }
 
 /// As in sortedInfos.

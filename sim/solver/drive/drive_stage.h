@@ -18,7 +18,6 @@ public:
     explicit DriveStage(const StageSetup& setup);
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
-    static void reserveRows(RowPlan& rows, const World& world, const Layout& layout);
 
     /// Before anything of a substep: what is caught begins to be driven, or is animated again.
     void catchAgain(Recorder& recorder) const;

@@ -28,7 +28,7 @@ struct BodyClip {
 struct ClipPlay {
     uint32_t clip = 0;     ///< Index into World::clips.
     float at = 0.0f;       ///< When it begins [s]: the first at 0, the others in this order.
-    float start = 0.0f;    ///< Where in the clip it begins [s].
+    float start = 0.0f;    ///< Where in the clip it begins [s]; below 0, without `loop`: it waits at its start first.
     float speed = 1.0f;    ///< >= 0.
     float fade = 0.0f;     ///< For how long what was played before goes on beneath it [s].
     bool loop = true;      ///< Begins anew where it ends, in place and in direction; else it stays at its end.

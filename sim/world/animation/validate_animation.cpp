@@ -35,7 +35,7 @@ void validatePlays(const World& world, const Animation& animation)
         require(play.clip < world.clips.size(), "animation: it plays a clip that is not there");
         require(world.clips[play.clip].bodyCount == world.objects[animation.object].bodyCount,
                 fmt::format("clip \"{}\" has other bodies than its object", world.clips[play.clip].name));
-        require(play.at >= last && play.start >= 0.0f && play.speed >= 0.0f && play.fade >= 0.0f,
+        require(play.at >= last && (play.start >= 0.0f || !play.loop) && play.speed >= 0.0f && play.fade >= 0.0f,
                 "animation: its plays are not in order, or a time or speed of them is negative");
         last = play.at;
     }

@@ -76,6 +76,7 @@ protected:
     {
         auto fast = fixture.stages.search.fastParticles.download();
         fast.resize(fixture.counters().fastListed);
+        for (uint32_t& entry : fast) entry >>= 1;  // the lowest bit: whether it is told where to be
         std::sort(fast.begin(), fast.end());
         return fast;
     }

@@ -55,6 +55,11 @@ float leastRestDistance(const Particle& a, const Particle& b)
 
 bool SearchBench::mayTouch(uint32_t i, uint32_t j) const
 {
+    const auto isFixed = [&](uint32_t k) {
+        const uint32_t body = world.particles[k].body;
+        return body != NO_INDEX && world.bodies[body].motion == Motion::Fixed;
+    };
+    if (isFixed(i) && isFixed(j)) return false;
     const Particle& a = world.particles[i];
     const Particle& b = world.particles[j];
     for (uint32_t body : bodies[i])
@@ -95,7 +100,7 @@ void SearchBench::setReaches(const std::vector<float>& lengths)
     fill(stages.search.searchCentres, centres);
     std::vector<uint32_t> fast;
     for (uint32_t i = 0; i < count(); ++i)
-        if (isFast(i)) fast.push_back(i);
+        if (isFast(i)) fast.push_back(2 * i);
     gpu::Counters now = counters();
     now.fastListed = static_cast<uint32_t>(fast.size());
     setCounters(now);

@@ -16,6 +16,18 @@ bool responds(uint m)
     return texelFetch(moverStates, int(m)).x == MOVER_DYNAMIC;
 }
 
+/// Whether a mover answers to nothing until somebody lets it go. Two of these are no contact, but
+/// where it matters what they touch (TOUCHES).
+bool isTold(uint m)
+{
+#ifdef TOUCHES
+    return false;
+#else
+    uint state = texelFetch(moverStates, int(m)).x;
+    return state == MOVER_ANIMATED || state == MOVER_FIXED;
+#endif
+}
+
 /// Whether a mover moves: what responds does, and what is animated, as it is told.
 bool moves(uint m)
 {

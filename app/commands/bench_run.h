@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands/commands.h"
+#include "app/run/interrupt.h"
+#include "sim/solver/solver.h"
+
+/// What the benchmarks share.
+namespace knuckle {
+
+struct BenchOptions {
+    std::string name = "table2";
+    std::vector<std::string> presets = {"default"}, sets;
+    std::string model = "assets/models/humanoid.glb";
+    std::vector<uint32_t> objects;
+    uint32_t steps = 600, drawnSteps = 60;
+    bool json = false;
+};
+
+/// A solver's settings by the name of their preset.
+using Preset = std::pair<std::string, Settings>;
+
+inline double secondsSince(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Runs `count` steps, each followed by `draw`, and waits for the last. @returns seconds.
+template <typename Draw>
+double timeSteps(Solver& solver, const InterruptGuard& interrupt, uint32_t first, uint32_t count, Draw draw)
+{
+    const auto start = std::chrono::steady_clock::now();
+    for (uint32_t i = 0; i < count; ++i) {
+        interrupt.check();
+        solver.step();
+        solver.checkCounters(first + i);
+        draw(first + i);
+    }
+    glFinish();
+    return secondsSince(start);
+}
+
+/// How well a state holds together, lengths as shares of a diameter, for the JSON of a run.
+nlohmann::ordered_json measuresToJson(const Measures& measures, float diameter);
+/// Runs, with what they have in common; docs/output.md describes each key. @param settled steps at the end of each run
+/// that count as such.
+nlohmann::ordered_json runsToJson(const BenchOptions& options, const Gpu& gpu, uint32_t settled,
+                                  nlohmann::ordered_json runs);
+
+/// `bench troupe`. @returns the exit code.
+int benchTroupe(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common);
+
+}  // namespace knuckle

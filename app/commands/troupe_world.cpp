@@ -1,0 +1,67 @@
+#include "app/commands/troupe_world.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/commands/table2_world.h"
+#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/clips/body_clip.h"
+#include "sim/world/builder/builder.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr float DIAMETER = 0.047f;  // 554 particles and 18 bodies of the project's figure
+constexpr uint32_t SIDE = 5;        // figures a row, rows a layer
+constexpr float SPACING = 0.78f, LAYER_HEIGHT = 2.0f, LIFT = 0.05f;
+const char* const CLIP = "walk";
+
+Actor actorOf(const Model& model, const Settings& settings)
+{
+    ActorOptions options;
+    options.voxels.diameter = DIAMETER;
+    options.articulation.limited = settings.solver == SolverKind::Impulse;
+    return makeActor(model, options);
+}
+
+/// Layer after layer, row after row, about the middle of the box.
+Pose poseOf(uint32_t index)
+{
+    const auto place = [](uint32_t k) { return SPACING * (static_cast<float>(k) - 0.5f * (SIDE - 1)); };
+    const float height = LIFT + LAYER_HEIGHT * static_cast<float>(index / (SIDE * SIDE));
+    return {{place(index % SIDE), height, place(index / SIDE % SIDE)}, Quaternionf::Identity()};
+}
+
+}  // namespace
+
+World troupeWorld(uint32_t actorCount, float releaseTime, const std::string& file, const Settings& settings)
+{
+    const Model model = importModel(file, {});
+    const auto clip = std::ranges::find(model.clips, CLIP, &Clip::name);
+    if (clip == model.clips.end())
+        throw InputError(fmt::format("{}: has no clip \"{}\"; give another --model", file, CLIP));
+    Actor actor = actorOf(model, settings);
+    BodyClip motion = ownClip(actor, model, *clip).clip;
+    takeIn(actor, motion);
+    WorldBuilder builder(DIAMETER / 2, settings);
+    Material material;
+    material.name = "figure";
+    const uint32_t figure = builder.addMaterial(material);
+    addBenchBox(builder);
+    const float length = motion.duration();
+    ClipPlay play{.clip = builder.addClip(std::move(motion)), .inPlace = true};
+    for (uint32_t i = 0; i < actorCount; ++i) {
+        actor.name = fmt::format("actor {}", i);
+        const uint32_t object = addActor(builder, actor, figure, poseOf(i));
+        play.start = length * static_cast<float>(7 * i % 25) / 25.0f;
+        builder.animate({object, poseOf(i), pivotOf(actor), {play}});
+        const Object& added = builder.world().objects[object];
+        for (uint32_t b = 0; b < added.bodyCount; ++b) builder.releaseBody(added.bodyStart + b, releaseTime);
+    }
+    return builder.build();
+}
+
+}  // namespace knuckle

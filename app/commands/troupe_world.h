@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// `actorCount` figures of a model in a box of 4 x 4 m with walls, in layers of 5 x 5 that are 2 m apart. They play a
+/// clip on the spot, each from another moment of it, until they are let go at a time [s].
+/// @throws InputError for a model that cannot be read or has no such clip.
+World troupeWorld(uint32_t actorCount, float releaseTime, const std::string& model, const Settings& settings = {});
+
+}  // namespace knuckle

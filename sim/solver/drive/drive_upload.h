@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "shared/drive_types.h"
+#include "sim/solver/stage.h"
+
+namespace knuckle {
+
+/// What the buffers of the same meaning in DriveStage begin with.
+struct DriveUpload {
+    std::vector<gpu::GpuPuppet> puppets;
+    std::vector<gpu::GpuJointDrive> drives;
+    std::vector<gpu::GpuPin> pins;
+    std::vector<gpu::vec4> keys, driveStates, pinStates;
+    std::vector<gpu::uvec2> order, again;  ///< Per animated body.
+    std::vector<gpu::uvec4> limp;          ///< Per animated body.
+};
+
+DriveUpload driveUpload(const StageSetup& setup);
+
+/// Of the channel: two for each driven joint, one for each pin.
+void reserveDriveRows(RowPlan& rows, const World& world);
+
+}  // namespace knuckle

@@ -1,0 +1,79 @@
+#include <cmath>
+#include <numbers>
+
+#include "tools/humanoid/humanoid_pose.h"
+
+// The walk: two steps of 0.55 m. A foot stands for three fifths of the time and swings for the rest; arms swing against
+// the legs.
+namespace knuckle {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr int KEYS = 33;            // of two steps
+constexpr double DURATION = 1.1;    // of them [s]
+constexpr double STRIDE = 1.1;      // from where a foot stands to where it stands next [m]
+constexpr double SWING = 0.4;       // share of the time
+constexpr double CROUCH = 0.035;    // how much lower than at rest the hips hang [m]
+constexpr double FOOT_LIFT = 0.11;  // [m]
+constexpr double TOE = 0.19;        // from the ankle ahead to the toes, over which the foot rolls [m]
+
+double wave(double phase)
+{
+    return std::sin(2.0 * std::numbers::pi * phase);
+}
+
+// Where a foot is, `phase` strides after it was set down under its hip: it stands, then swings to the next place.
+Ankle ankleAt(const Leg& leg, const Heads& rest, double phase)
+{
+    const double rounds = std::floor(phase), part = phase - rounds;
+    const double way = std::max(part - (1.0 - SWING), 0.0) / SWING, lift = 4.0 * way * (1.0 - way);
+    // Set down ahead of the hips by as much as it leaves the ground behind them.
+    const double along = STRIDE * (rounds + smooth(way) + 0.5 * (1.0 - SWING));
+    // The heel comes up before the foot does, and goes down first.
+    const double heel = smooth((part - 0.4) / 0.2) * (1.0 - smooth(way / 0.7)), toes = lift * way;
+    const Matrix3d tilt = turn(30.0 * heel, Vector3d::UnitX()), raised = turn(-18.0 * toes, Vector3d::UnitX());
+    const Vector3d toe(0, -rest[leg.foot].y(), TOE), place = rest[leg.foot] + Vector3d(0, FOOT_LIFT * lift, along);
+    return {place + toe - tilt * toe, tilt * raised, Vector3d::UnitZ()};
+}
+
+void poseBody(double phase, const Heads& rest, Heads& heads, Rotations& rotations)
+{
+    const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+    // Highest over the foot that stands, and towards it.
+    const double bob = -0.02 * wave(2.0 * phase + 0.15), sway = wave(phase);
+    heads[HIPS] = rest[HIPS] + Vector3d(0.025 * sway, bob - CROUCH, STRIDE * phase);
+    rotations[HIPS] = turn(-7.0 * wave(phase + 0.25), y) * turn(2.5 * sway, z) * turn(3.0, x);
+    attach(SPINE, HIPS, turn(-2.5 * sway, z) * turn(5.0 * wave(phase + 0.25), y), rest, heads, rotations);
+    attach(CHEST, SPINE, turn(8.0 * wave(phase + 0.25), y) * turn(2.0, x), rest, heads, rotations);
+    attach(NECK, CHEST, turn(-3.0 * wave(phase + 0.25), y), rest, heads, rotations);
+    attach(HEAD, NECK, turn(-3.0 * wave(phase + 0.25), y) * turn(-5.0, x), rest, heads, rotations);
+}
+
+// An arm that swings back while its leg goes ahead.
+Arm armAt(double phase)
+{
+    const double ahead = -wave(phase + 0.25);
+    return {-66.0 - 4.0 * ahead, 15.0 + 62.0 * ahead, 22.0 + 14.0 * ahead, 0.0};
+}
+
+}  // namespace
+
+Clip humanoidWalk(const std::vector<Bone>& bones)
+{
+    return makeClip("walk", DURATION, bones, [](int key, const Heads& rest, Heads& heads, Rotations& rotations) {
+        const double phase = static_cast<double>(key) / KEYS;
+        poseBody(phase, rest, heads, rotations);
+        poseArm(CLAVICLE_L, armAt(phase), rest, heads, rotations);
+        poseArm(CLAVICLE_R, armAt(phase + 0.5), rest, heads, rotations);
+        poseLeg(LEFT_LEG, ankleAt(LEFT_LEG, rest, phase), rest, heads, rotations);
+        // Half a stride behind.
+        Ankle right = ankleAt(RIGHT_LEG, rest, phase + 0.5);
+        right.place.z() -= 0.5 * STRIDE;
+        poseLeg(RIGHT_LEG, right, rest, heads, rotations);
+    });
+}
+
+}  // namespace knuckle
