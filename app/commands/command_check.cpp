@@ -5,11 +5,20 @@
 #include "app/commands/commands.h"
 #include "app/run/counted.h"
 #include "app/scene/scene_file.h"
+#include "sim/solver/measure/animated_depths.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
 
 namespace {
+
+std::string sentenceOf(const World& world, const AnimatedDepth& deep)
+{
+    const std::string what = deep.other == NO_INDEX ? fmt::format("collider {}", deep.collider)
+                                                    : fmt::format("\"{}\"", world.objects[deep.other].name);
+    return fmt::format("the animation of \"{}\" goes {:.2f} m into {} at {:.2f} s, and passes through it",
+                       world.objects[deep.object].name, deep.depth, what, deep.time);
+}
 
 int check(const std::vector<std::string>& paths, const std::vector<Override>& overrides, bool quiet)
 {
@@ -20,6 +29,8 @@ int check(const std::vector<std::string>& paths, const std::vector<Override>& ov
             if (quiet) continue;
             for (const std::string& note : scene.notes) fmt::print("{}: note: {}\n", path, note);
             const World& world = scene.world;
+            for (const AnimatedDepth& deep : animatedDepths(world, static_cast<float>(scene.duration)))
+                fmt::print("{}: note: {}\n", path, sentenceOf(world, deep));
             fmt::print("{}: {}, {}, {}, {}, {:g} s ({})\n", path, counted(world.particles.size(), "particle"),
                        counted(world.bodies.size(), "body", "bodies"), counted(jointCount(world), "joint"),
                        counted(world.colliders.size(), "collider"), scene.duration,
@@ -40,6 +51,7 @@ void addCheckCommand(CommandLine line)
     auto* command = line.program.add_subcommand("check", "Check scene files without running them; needs no GPU");
     command->fallthrough();
     command->footer("Prints a line for each scene: particles, bodies, joints, colliders, duration.\n"
+                    "Tells where animated objects pass through colliders or each other, and how far.\n"
                     "Exit code 2 when one of them is wrong; all are checked.\n\nExample:\n"
                     "  knuckle check assets/scenes/*.json");
     auto paths = std::make_shared<std::vector<std::string>>();

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "sim/solver/measure/animated_depths.h"
 #include "tests/app/one_object_scene.h"
 
 namespace knuckle::test {
@@ -71,6 +72,27 @@ TEST(SceneMotion, MistakesAreToldInOneLine)
     std::string fast = box(R"({"time": 0})");
     fast.insert(fast.size() - 1, R"(, "spin": [0, 1, 0])");
     EXPECT_EQ(complaintOf(fast), "/objects/0/motion: says how fast it is; take `velocity` and `spin` away");
+}
+
+/// A box of 0.3 m goes by 1 m into a wall that begins 0.5 m ahead, and into another that stands still.
+TEST(SceneMotion, HowFarItGoesThroughWhatItCannotPushIsTold)
+{
+    const auto mover = [](const std::string& position, const std::string& way) {
+        return R"({"type": "rigid", "shape": "box", "size": [0.3, 0.3, 0.3], "position": )" + position +
+               R"(, "motion": {"path": "linear", "loop": false, "keys": [{"time": 0}, {"time": 1, "position": )" + way +
+               "}]}}";
+    };
+    const World world = worldOf(mover("[0, 0, 0]", "[1, 0, 0]") + ", " + mover("[0, 0.2, 0]", "[0, 0, 0]"),
+                                R"("colliders": [{"type": "box", "size": [2, 4, 4], "position": [1.5, 0, 0]}], )");
+    const std::vector<AnimatedDepth> depths = animatedDepths(world, 3);
+    ASSERT_EQ(depths.size(), 2u);
+    EXPECT_EQ(depths[0].collider, 0u);
+    EXPECT_NEAR(depths[0].depth, 1 + 0.15f - 0.5f, 1e-3f);
+    EXPECT_NEAR(depths[0].time, 1, 0.06f);
+    EXPECT_EQ(depths[1].other, 1u);
+    // Both have 0.1 m in common; lattices know it to a diameter.
+    EXPECT_NEAR(depths[1].depth, 0.1f, world.diameter());
+    EXPECT_TRUE(animatedDepths(world, 0.3f).size() == 1) << "not in the wall yet";
 }
 
 }  // namespace knuckle::test
