@@ -93,7 +93,8 @@ struct Body {
     Motion motion = Motion::Dynamic;
     float releaseTime =
         std::numeric_limits<float>::infinity();  ///< Of one that is not dynamic: it is let go then [s], >= 0.
-    bool watched = false;                        ///< One of World::releases may let go of it before.
+    bool watched = false;                        ///< One of World::releases may let go of it before, or
+                                                 ///< a release after it was caught.
     uint32_t material = 0;
     uint32_t assembly = NO_INDEX;
     uint32_t linkStart = 0, linkCount = 0;

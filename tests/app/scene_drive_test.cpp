@@ -66,6 +66,14 @@ TEST(SceneDrive, ReleasesMakeItDrivenOrLimp)
     EXPECT_EQ(puppet.caught->limpTimes[head], 8.0f);
 }
 
+/// What is still animated when it is caught is let go by what comes after.
+TEST(SceneDrive, AReleaseBehindACatchIsTheSecondOne)
+{
+    const World world = worldOf(dancer(R"(, "catch": {"time": 1}, "release": {"time": 2})"));
+    EXPECT_EQ(world.puppets.at(0).caught->releaseTimes[3], 2.0f);
+    for (const Body& body : world.bodies) EXPECT_TRUE(mayBeLetGo(body)) << body.name;
+}
+
 TEST(SceneDrive, WhatIsWrongIsOneLine)
 {
     const struct {

@@ -89,7 +89,8 @@ TEST(Humanoid, danceLoopsAndMovesEveryLimb)
 
 TEST(Humanoid, walkGoesOnWhereItHasComeToAndItsFeetStand)
 {
-    const Clip& clip = makeHumanoid().clips.at(1);
+    const Model model = makeHumanoid();
+    const Clip& clip = model.clips.at(1);
     const float stride = clip.poses.back()[HIPS](2, 3) - clip.poses.front()[HIPS](2, 3);
     EXPECT_NEAR(stride, 1.1f, 1e-5f);
     for (uint32_t b = 0; b < HUMANOID_BONE_COUNT; ++b) {

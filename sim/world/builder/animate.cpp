@@ -35,6 +35,7 @@ void WorldBuilder::letGo(uint32_t body, float time, bool driven)
         const uint32_t b = body - object.bodyStart;
         const bool again = puppet.caught && time > puppet.caught->time;
         if (again) release = &puppet.caught->releaseTimes[b];
+        if (again) world_.bodies[body].watched = true;
         float& limp = again ? puppet.caught->limpTimes[b] : puppet.limpTimes[b];
         if (!driven) limp = std::min(limp, time);
     }
