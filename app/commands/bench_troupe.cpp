@@ -24,7 +24,8 @@ struct TroupeRun {
 
 World worldOf(uint32_t actorCount, const BenchOptions& options, const Settings& settings)
 {
-    return troupeWorld(actorCount, static_cast<float>(options.steps / 2) * settings.timeStep, options.model, settings);
+    const uint32_t half = options.steps / 2;
+    return troupeWorld(actorCount, static_cast<float>(half) * settings.timeStep, options.model, settings);
 }
 
 TroupeRun runOnce(Gpu& gpu, uint32_t actorCount, const Preset& preset, const BenchOptions& options)

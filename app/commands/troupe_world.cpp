@@ -31,7 +31,8 @@ Actor actorOf(const Model& model, const Settings& settings)
 Pose poseOf(uint32_t index)
 {
     const auto place = [](uint32_t k) { return SPACING * (static_cast<float>(k) - 0.5f * (SIDE - 1)); };
-    const float height = LIFT + LAYER_HEIGHT * static_cast<float>(index / (SIDE * SIDE));
+    const uint32_t layer = index / (SIDE * SIDE);
+    const float height = LIFT + LAYER_HEIGHT * static_cast<float>(layer);
     return {{place(index % SIDE), height, place(index / SIDE % SIDE)}, Quaternionf::Identity()};
 }
 
