@@ -84,6 +84,7 @@ void printRow(const TroupeRun& run)
 int benchTroupe(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common)
 {
     const uint32_t most = *std::max_element(options.objects.begin(), options.objects.end());
+    const uint32_t settled = std::min(SETTLED_STEPS, options.steps - options.steps / 2);
     const auto gpu = openGpu(common, FrameWork{stepWorkload(worldOf(most, options, presets.back().second)), {}});
     if (!options.json) {
         fmt::print("A troupe on {}: {} steps of 1/60 s, animated for the first half; ms a step of both halves and of\n"
@@ -91,7 +92,7 @@ int benchTroupe(const BenchOptions& options, const std::vector<Preset>& presets,
                    "fastest particle in m/s.\n\n"
                    "preset  actors  particles  bodies  animated    limp  settled  top, m  mean pen  worst  mean gap  "
                    "worst  speed\n",
-                   gpu->device().name, options.steps, std::min(SETTLED_STEPS, options.steps - options.steps / 2));
+                   gpu->device().name, options.steps, settled);
     }
     nlohmann::ordered_json runs = nlohmann::ordered_json::array();
     for (const uint32_t actorCount : options.objects)
@@ -100,7 +101,6 @@ int benchTroupe(const BenchOptions& options, const std::vector<Preset>& presets,
             if (options.json) runs.push_back(toJson(run));
             else printRow(run);
         }
-    const uint32_t settled = std::min(SETTLED_STEPS, options.steps - options.steps / 2);
     if (options.json) fmt::print("{}\n", runsToJson(options, *gpu, settled, std::move(runs)).dump(2));
     return EXIT_FINE;
 }

@@ -140,10 +140,16 @@ const Actor& findActor(SceneContext& context, const Json& object, const std::str
     return context.actors.emplace(key, std::move(actor)).first->second;
 }
 
+std::vector<std::string> bodyNames(const Actor& actor)
+{
+    std::vector<std::string> names;
+    for (const ActorBody& body : actor.bodies) names.push_back(body.name);
+    return names;
+}
+
 uint32_t bodyNamed(const ObjectEntry& entry, const Actor& actor, const std::string& name, const std::string& where)
 {
-    std::vector<std::string> known;
-    for (const ActorBody& body : actor.bodies) known.push_back(body.name);
+    const std::vector<std::string> known = bodyNames(actor);
     const auto found = std::ranges::find(known, name);
     if (found == known.end())
         entry.fail(where, fmt::format("there is no body \"{}\"; {}", name, suggestion(name, known)));

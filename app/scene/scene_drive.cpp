@@ -44,10 +44,7 @@ std::vector<DriveSpring> readJoints(const ObjectEntry& entry, const Actor& actor
             joints[b] = spring;
             any = true;
         }
-        if (any) continue;
-        std::vector<std::string> known;
-        for (const ActorBody& body : actor.bodies) known.push_back(body.name);
-        entry.fail(where + "/name", fmt::format("fits no body; {}", suggestion(pattern, known)));
+        if (!any) entry.fail(where + "/name", fmt::format("fits no body; {}", suggestion(pattern, bodyNames(actor))));
     }
     return joints;
 }

@@ -71,6 +71,8 @@ struct ObjectEntry : SceneEntry {
 /// Adds an object of type `actor` with its copies. @throws InputError.
 void addActors(const ObjectEntry& entry);
 
+/// Of an actor's bodies in their order.
+std::vector<std::string> bodyNames(const Actor& actor);
 /// Index of an actor's body. @param where in the entry its name stands. @throws InputError where there is none.
 uint32_t bodyNamed(const ObjectEntry& entry, const Actor& actor, const std::string& name, const std::string& where);
 

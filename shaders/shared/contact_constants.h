@@ -36,7 +36,6 @@
 // The mean falls so many times faster than it rises: what parts and meets again is not to be pushed by it.
 #define MEAN_FALL 4.0
 
-
 // moverMoves[].w of a body that was let go in this substep, until its contacts are summed.
 #define JUST_LET_GO (-1.0)
 

@@ -11,4 +11,9 @@ inline gpu::vec4 pack(const Vector3f& v, float w)
     return {v.x(), v.y(), v.z(), w};
 }
 
+inline gpu::vec4 pack(const Quaternionf& q)
+{
+    return pack(q.vec(), q.w());
+}
+
 }  // namespace knuckle

@@ -5,7 +5,7 @@
 // move as a linear field over it, so the default solver predicts, matches and finishes bodies through fields
 // (shaders/sim/common/bodies/fields.glsl) and visits their particles only where something touches them. A substep
 //
-//   lets go of what is held until now (mover_release);
+//   lets go of what is held until now (mover_release), and takes hold of what was caught (drive_catch);
 //   moves what clips move (animate), and notes how far what is driven is from its clip (drive_*, again below);
 //   predicts how far each mover would move if nothing touched it, and adds what its contacts did last (mover_predict,
 //     jointed_predict), and asks for a new search where one has left its margin (mover_drift);
@@ -21,9 +21,10 @@
 //     body, and body_solve matches it (eqs. 8-9, 11-17) to where they bring its particles, as loose_solve does for
 //     loose particles. For bodies with joints jointed_solve notes what is left to do, and joint_solve answers it for
 //     all bodies of a tree at once, joint_loop_solve for its loops;
-//   lets joints tear (joint_tear);
+//   lets joints tear (joint_tear), and blows weaken what is driven (drive_hit);
 //   ends with velocities and positions (mover_integrate, jointed_integrate), and where materials have restitution,
-//     gives collisions the speeds at which they part (contact_restitution, collider_restitution, mover_restitution).
+//     gives collisions the speeds at which they part (contact_restitution, collider_restitution, mover_restitution);
+//     then looks whether anything has happened that lets go in the next substep (release_*).
 //
 // With Settings::sleepSpeed, what has been calm for long sleeps from the end of a step on (sleep_mover, sleep_island,
 // sleep_update, sleep_state), until something that moves comes near it (sleep_wake_island, sleep_wake_assembly, in each

@@ -218,9 +218,9 @@ void validate(const World& world)
     validateEmitters(world);
     validateLinks(world);
     validateJoints(world);
+    validateAnimations(world);
     validatePuppets(world);
     validateReleases(world);
-    validateAnimations(world);
     validateColliders(world);
     validateSoftBodies(world);
     validateStrands(world);

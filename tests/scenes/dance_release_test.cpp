@@ -8,12 +8,6 @@ namespace knuckle::test {
 
 namespace {
 
-Gpu& gpu()
-{
-    static Gpu gpu;
-    return gpu;
-}
-
 /// The figure, dancing on the ground. @param release of it. @param objects beside it.
 Scene dancer(const std::string& release, const std::string& objects = "")
 {

@@ -12,12 +12,6 @@ namespace knuckle::test {
 
 namespace {
 
-Gpu& gpu()
-{
-    static Gpu gpu;
-    return gpu;
-}
-
 constexpr double SECOND = 480;  ///< Steps, of one substep each.
 
 /// The figure alone, without gravity, let go at a time of its dance.

@@ -12,12 +12,6 @@ namespace knuckle::test {
 
 namespace {
 
-Gpu& gpu()
-{
-    static Gpu gpu;
-    return gpu;
-}
-
 /// The figure alone, without gravity and pins, driven from the start. @param drive fields of its `drive`.
 Scene drivenFigure(const std::string& drive)
 {

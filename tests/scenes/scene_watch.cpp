@@ -49,6 +49,12 @@ void addMeasures(Watched& worst, const Measures& m, float diameter)
 
 }  // namespace
 
+Gpu& gpu()
+{
+    static Gpu gpu;
+    return gpu;
+}
+
 Scene sceneOf(const std::string& name, const std::vector<std::string>& changes)
 {
     std::vector<Override> overrides;

@@ -24,6 +24,9 @@ struct Watched {
     float densityError = 0.0f;     ///< Of fluids, on the mean.
 };
 
+/// The GL context of the whole test program: making one takes longer than most tests.
+Gpu& gpu();
+
 /// A scene of assets/scenes, changed by some `--set path=value`.
 Scene sceneOf(const std::string& name, const std::vector<std::string>& changes);
 

@@ -6,12 +6,6 @@ namespace knuckle::test {
 
 namespace {
 
-Gpu& gpu()
-{
-    static Gpu gpu;
-    return gpu;
-}
-
 /// One line a measure, so that a failure says all of them.
 void expectWithin(const Watched& found, const Watched& bounds)
 {

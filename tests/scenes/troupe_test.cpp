@@ -6,12 +6,6 @@ namespace knuckle::test {
 
 namespace {
 
-Gpu& gpu()
-{
-    static Gpu gpu;
-    return gpu;
-}
-
 constexpr double RELEASE = 2.7;  ///< Of the first dancer [s].
 
 void runSteps(Solver& solver, int count)

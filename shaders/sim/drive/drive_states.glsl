@@ -9,7 +9,7 @@
 #define PIN_TURN 0u        // the same of a pin's turn ...
 #define PIN_TARGET_TURN 1u
 #define PIN_TURNED 2u
-#define PIN_WAY 3u         // ... and of its place; w of the last: the part of its force that is given
+#define PIN_WAY 3u         // ... and of its place [m]
 #define PIN_TARGET_PLACE 4u
 #define PIN_MOVED 5u
 

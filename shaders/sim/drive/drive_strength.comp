@@ -28,7 +28,7 @@ float strengthAt(GpuPuppet puppet, float time)
     while (k < last && texelFetch(strengthKeys, int(k + 1u)).x <= time) ++k;
     vec4 before = texelFetch(strengthKeys, int(k)), next = texelFetch(strengthKeys, int(min(k + 1u, last)));
     float part = clamp((time - before.x) / max(next.x - before.x, 1e-6), 0.0, 1.0);
-    if (before.z == 1.0) part = part * part * (3.0 - 2.0 * part);
+    if (before.z == 1.0) part = smoothstep(0.0, 1.0, part);
     return mix(before.y, next.y, part);
 }
 
@@ -64,8 +64,8 @@ void main()
     uint substep = counters[0].substep, root = texelFetch(puppetOrder, int(puppet.firstBody)).x;
     bool caught = s.phase != PUPPET_FIRST;
     uvec2 rootLimp = texelFetch(limpSubsteps, int(root)).xy;
-    if (isTornAway(puppet, s, root, substep >= (caught ? rootLimp.y : rootLimp.x))) s.knocked = 1u;
-    STORE_PUPPET_STATE(puppetStates, p, s)
+    if (isTornAway(puppet, s, root, substep >= (caught ? rootLimp.y : rootLimp.x)))
+        puppetStates[2u * p].z = s.knocked = 1u;
     float strength = strengthAt(puppet, float(substep + 1u) * sim.substepTime);
     if (s.phase == PUPPET_FOUND) strength = 0.0;
     if (s.phase == PUPPET_CATCHING) strength *= easedPart(s, substep, puppet.catchBlend);

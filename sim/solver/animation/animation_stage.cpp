@@ -67,22 +67,22 @@ void AnimationStage::upload(const StageSetup& setup)
     for (const BodyClip& clip : world.clips) {
         starts.turns.push_back(static_cast<uint32_t>(turns.size()));
         starts.roots.push_back(static_cast<uint32_t>(roots.size()));
-        for (const Quaternionf& turn : clip.turns) turns.push_back(pack(turn.vec(), turn.w()));
+        for (const Quaternionf& turn : clip.turns) turns.push_back(pack(turn));
         for (const Vector3f& root : clip.roots) roots.push_back(pack(root, 0));
     }
     std::vector<gpu::AnimatedBody> bodies;
     std::vector<gpu::GpuAnimation> placed;
     std::vector<gpu::GpuClipPlay> plays;
     for (const Animation& animation : world.animations) {
-        const auto first = static_cast<uint32_t>(bodies.size()), index = static_cast<uint32_t>(placed.size());
+        const auto index = static_cast<uint32_t>(placed.size());
+        const uint32_t first = setup.layout.firstAnimated[index];
         const std::vector<AnimatedLink> links = linksOf(world, animation);
         for (uint32_t b = 0; b < links.size(); ++b)
             bodies.push_back({world.objects[animation.object].bodyStart + b,
                               links[b].parent == NO_INDEX ? NO_INDEX : first + links[b].parent, index, b,
                               pack(world.bodies[world.objects[animation.object].bodyStart + b].restCentre, 0),
                               pack(links[b].anchor, 0)});
-        placed.push_back({pack(animation.pose.translation, 0),
-                          pack(animation.pose.rotation.vec(), animation.pose.rotation.w()),
+        placed.push_back({pack(animation.pose.translation, 0), pack(animation.pose.rotation),
                           static_cast<uint32_t>(plays.size()), static_cast<uint32_t>(animation.plays.size()),
                           puppetOf(world, index), 0});
         addPlays(plays, world, animation, starts);

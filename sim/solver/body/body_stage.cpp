@@ -75,7 +75,7 @@ void addBody(Movers& out, const World& world, const Body& body)
     addMass(out, mass);
     addRound(out, world, body);
     out.centres.push_back(pack(body.position, 0));
-    out.rotations.push_back(pack(body.rotation.vec(), body.rotation.w()));
+    out.rotations.push_back(pack(body.rotation));
     addVelocityField(out.velocities, world, body, mass);
 }
 

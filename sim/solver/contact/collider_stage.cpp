@@ -29,7 +29,7 @@ gpu::GpuCollider packCollider(const World& world, const Collider& c, const std::
 {
     const Vector3f size = c.shape == ColliderShape::Box ? c.halfExtents : Vector3f(c.radius, c.halfHeight, 0);
     gpu::GpuCollider collider{pack(c.position, static_cast<float>(c.shape)),
-                              pack(c.orientation.vec(), c.orientation.w()),
+                              pack(c.orientation),
                               pack(size, 0),
                               {c.staticFriction, c.kineticFriction, 0, 0},
                               {},

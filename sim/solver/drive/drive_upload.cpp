@@ -130,11 +130,6 @@ gpu::GpuPuppet packPuppet(const World& world, const Puppet& puppet, uint32_t fir
     return p;
 }
 
-gpu::vec4 packTurn(const Quaternionf& q)
-{
-    return pack(q.vec(), q.w());
-}
-
 void addOrder(DriveUpload& out, const World& world, const Puppet& puppet, uint32_t firstBody)
 {
     const std::vector<AnimatedLink> links = linksOf(world, world.animations[puppet.animation]);
@@ -171,7 +166,7 @@ void addJoints(DriveUpload& out, const StageSetup& setup, const Puppet& puppet, 
         out.drives.push_back(drive);
         const Quaternionf turn = world.bodies[parent].rotation.conjugate() * world.bodies[body].rotation;
         const gpu::vec4 none{0, 0, 0, 0};
-        for (const gpu::vec4& texel : {gpu::vec4{0, 0, 0, 1}, packTurn(turn), gpu::vec4{0, 0, 0, 1}, none})
+        for (const gpu::vec4& texel : {gpu::vec4{0, 0, 0, 1}, pack(turn), gpu::vec4{0, 0, 0, 1}, none})
             out.driveStates.push_back(texel);
     }
 }
@@ -190,7 +185,7 @@ void addPins(DriveUpload& out, const StageSetup& setup, const Puppet& puppet, ui
         out.pins.push_back(pin);
         const gpu::vec4 none{0, 0, 0, 0};
         for (const gpu::vec4& texel :
-             {gpu::vec4{0, 0, 0, 1}, packTurn(body.rotation), none, none, pack(body.position, 0), none})
+             {gpu::vec4{0, 0, 0, 1}, pack(body.rotation), none, none, pack(body.position, 0), none})
             out.pinStates.push_back(texel);
     }
 }
@@ -205,12 +200,9 @@ gpu::uvec4 limpTimes(const Settings& settings, const Puppet& puppet, uint32_t bo
 
 gpu::uvec2 caughtRelease(const StageSetup& setup, const Puppet& puppet, uint32_t body)
 {
-    const std::vector<uint32_t>& held = setup.layout.heldBodies;
-    const auto entry = std::ranges::lower_bound(held, objectOf(setup.world, puppet).bodyStart + body);
-    const bool isHeld = entry != held.end() && *entry == objectOf(setup.world, puppet).bodyStart + body;
-    if (!puppet.caught || !isHeld) return {NO_INDEX, NO_SUBSTEP};
-    return {static_cast<uint32_t>(entry - held.begin()),
-            setup.world.settings.substepAt(puppet.caught->releaseTimes[body])};
+    const uint32_t entry = setup.layout.heldIndex(objectOf(setup.world, puppet).bodyStart + body);
+    if (!puppet.caught || entry == NO_INDEX) return {NO_INDEX, NO_SUBSTEP};
+    return {entry, setup.world.settings.substepAt(puppet.caught->releaseTimes[body])};
 }
 
 }  // namespace

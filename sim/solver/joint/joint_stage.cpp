@@ -62,11 +62,6 @@ Defines factorVariant(const StageSetup& setup)
                       {"DRIVES", !setup.world.puppets.empty()}});
 }
 
-gpu::vec4 packFrame(const Quaternionf& q)
-{
-    return pack(q.vec(), q.w());
-}
-
 }  // namespace
 
 void JointStage::reserveRows(RowPlan& rows, const World& world, const Layout& layout)
@@ -126,8 +121,8 @@ void JointStage::uploadTrees(const StageSetup& setup)
                          joint.childEnd});
         places.push_back(pack(joint.side.arm, 0));
         places.push_back(pack(joint.parentSide.arm, 0));
-        places.push_back(packFrame(joint.side.frame));
-        places.push_back(packFrame(joint.parentSide.frame));
+        places.push_back(pack(joint.side.frame));
+        places.push_back(pack(joint.parentSide.frame));
     }
     jointTrees = {"jointTrees", std::span<const gpu::uvec4>(ranges)};
     jointInfo = {"jointInfo", std::span<const gpu::JointInfo>(infos)};

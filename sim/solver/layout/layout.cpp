@@ -61,6 +61,12 @@ Layout::Layout(const World& world)
         firstAnimated.push_back(firstAnimated.back() + world.objects[animation.object].bodyCount);
 }
 
+uint32_t Layout::heldIndex(uint32_t body) const
+{
+    const auto at = std::ranges::lower_bound(heldBodies, body);
+    return at != heldBodies.end() && *at == body ? static_cast<uint32_t>(at - heldBodies.begin()) : NO_INDEX;
+}
+
 void Layout::findShapes(const World& world)
 {
     colliderCount = static_cast<uint32_t>(world.colliders.size());

@@ -23,6 +23,8 @@ struct Layout {
     uint32_t linkCount = 0;                  ///< Of bodies; those of clusters stand behind them.
     uint32_t assemblyCount = 0;              ///< With one for each loose particle that belongs to none.
     uint32_t moverCount() const { return bodyCount + looseCount; }
+    /// Where a body stands in heldBodies; NO_INDEX where it does not.
+    uint32_t heldIndex(uint32_t body) const;
     uint32_t colliderCount = 0;  ///< Drains stand behind them.
     bool hasGrids = false;       ///< Whether any collider or drain is a grid.
     bool hasRounds = false;      ///< Whether any body is a ball or a capsule.

@@ -1,7 +1,7 @@
 #include "sim/solver/measure/animated_depths.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "sim/solver/measure/measure.h"
 
@@ -42,24 +42,13 @@ Placed placedAt(const World& world, const Animation& animation, float time)
     return placed;
 }
 
-void raise(AnimatedDepth& deepest, float depth, float time)
+void raiseByColliders(AnimatedDepth& deepest, const World& world, const Placed& placed, float time)
 {
-    if (depth <= deepest.depth) return;
-    deepest.depth = depth;
-    deepest.time = time;
-}
-
-AnimatedDepth deepestInColliders(const World& world, const Animation& animation, float until)
-{
-    AnimatedDepth deepest{animation.object, NO_INDEX, NO_INDEX, 0.0f, 0.0f};
-    for (float time = 0.0f; time < until; time += INTERVAL)
-        for (const Vector3f& place : placedAt(world, animation, time).places)
-            for (uint32_t c = 0; c < world.colliders.size(); ++c) {
-                const float before = deepest.depth;
-                raise(deepest, world.particleRadius - colliderDistance(world, world.colliders[c], place), time);
-                if (deepest.depth > before) deepest.collider = c;
-            }
-    return deepest;
+    for (const Vector3f& place : placed.places)
+        for (uint32_t c = 0; c < world.colliders.size(); ++c) {
+            const float depth = world.particleRadius - colliderDistance(world, world.colliders[c], place);
+            if (depth > deepest.depth) deepest = {deepest.object, NO_INDEX, c, depth, time};
+        }
 }
 
 /// How far two objects are in each other: the least extent of what both fill.
@@ -81,35 +70,42 @@ float depthBetween(const World& world, const Placed& a, const Placed& b)
     return filled.isEmpty() ? 0.0f : filled.sizes().minCoeff() + d - least;
 }
 
-AnimatedDepth deepestInOthers(const World& world, size_t index, float until)
+/// Of those from an index on.
+void raiseByOthers(AnimatedDepth& deepest, const World& world, const std::vector<std::optional<Placed>>& placed,
+                   size_t index, float time)
 {
-    const Animation& animation = world.animations[index];
-    AnimatedDepth deepest{animation.object, NO_INDEX, NO_INDEX, 0.0f, 0.0f};
-    for (size_t other = index + 1; other < world.animations.size(); ++other) {
-        const float both = std::min(until, animatedUntil(world, world.objects[world.animations[other].object], until));
-        for (float time = 0.0f; time < both; time += INTERVAL) {
-            const float before = deepest.depth;
-            raise(deepest,
-                  depthBetween(world, placedAt(world, animation, time), placedAt(world, world.animations[other], time)),
-                  time);
-            if (deepest.depth > before) deepest.other = world.animations[other].object;
-        }
+    for (size_t other = index + 1; other < placed.size(); ++other) {
+        if (!placed[other]) continue;
+        const float depth = depthBetween(world, *placed[index], *placed[other]);
+        if (depth > deepest.depth) deepest = {deepest.object, world.animations[other].object, NO_INDEX, depth, time};
     }
-    return deepest;
 }
 
 }  // namespace
 
 std::vector<AnimatedDepth> animatedDepths(const World& world, float duration)
 {
-    std::vector<AnimatedDepth> depths;
-    for (size_t i = 0; i < world.animations.size(); ++i) {
-        const Object& object = world.objects[world.animations[i].object];
-        const float until = animatedUntil(world, object, duration);
-        for (const AnimatedDepth& deepest :
-             {deepestInColliders(world, world.animations[i], until), deepestInOthers(world, i, until)})
-            if (deepest.depth > world.diameter()) depths.push_back(deepest);
+    const size_t count = world.animations.size();
+    std::vector<AnimatedDepth> inColliders(count), inOthers(count);
+    std::vector<float> until(count);
+    for (size_t i = 0; i < count; ++i) {
+        inColliders[i].object = inOthers[i].object = world.animations[i].object;
+        until[i] = animatedUntil(world, world.objects[world.animations[i].object], duration);
     }
+    for (float time = 0.0f; time < duration; time += INTERVAL) {
+        std::vector<std::optional<Placed>> placed(count);
+        for (size_t i = 0; i < count; ++i)
+            if (time < until[i]) placed[i] = placedAt(world, world.animations[i], time);
+        for (size_t i = 0; i < count; ++i) {
+            if (!placed[i]) continue;
+            raiseByColliders(inColliders[i], world, *placed[i], time);
+            raiseByOthers(inOthers[i], world, placed, i, time);
+        }
+    }
+    std::vector<AnimatedDepth> depths;
+    for (size_t i = 0; i < count; ++i)
+        for (const AnimatedDepth& deepest : {inColliders[i], inOthers[i]})
+            if (deepest.depth > world.diameter()) depths.push_back(deepest);
     return depths;
 }
 

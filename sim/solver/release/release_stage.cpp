@@ -43,7 +43,6 @@ ReleaseStage::ReleaseStage(const StageSetup& setup)
 void ReleaseStage::upload(const StageSetup& setup)
 {
     const World& world = setup.world;
-    const std::vector<uint32_t>& held = setup.layout.heldBodies;
     const auto firstRegion = static_cast<uint32_t>(world.colliders.size() + world.drains.size());
     std::vector<gpu::GpuRelease> all;
     std::vector<uint32_t> entries, limps;
@@ -51,8 +50,7 @@ void ReleaseStage::upload(const StageSetup& setup)
         const Object& object = world.objects[world.bodies[release.bodies[0]].object];
         const auto first = static_cast<uint32_t>(entries.size()), index = static_cast<uint32_t>(all.size());
         for (const uint32_t body : release.bodies)
-            if (const auto at = std::ranges::lower_bound(held, body); at != held.end() && *at == body)
-                entries.push_back(static_cast<uint32_t>(at - held.begin()));
+            if (const uint32_t entry = setup.layout.heldIndex(body); entry != NO_INDEX) entries.push_back(entry);
         const auto firstLimp = static_cast<uint32_t>(limps.size());
         addLimps(limps, setup, release);
         all.push_back({first, static_cast<uint32_t>(entries.size()), object.bodyStart,
@@ -76,7 +74,7 @@ void ReleaseStage::upload(const StageSetup& setup)
     releaseWatches = {"releaseWatches", std::span<const gpu::uvec2>(watches)};
     releaseImpulses = {"releaseImpulses", size_t{setup.parameters.impulseWatchCount} * world.settings.substeps};
     releaseImpulses.clear();
-    releaseNotes = {"releaseNotes", 3 * held.size()};
+    releaseNotes = {"releaseNotes", 3 * setup.layout.heldBodies.size()};
 }
 
 void ReleaseStage::addBuffers(BufferTable& table)

@@ -102,7 +102,7 @@ void SoftStage::uploadClusters(const StageSetup& setup)
     }
     for (const Cluster& cluster : world.clusters) {
         const Quaternionf q = world.softBodies[cluster.softBody].rotation;
-        rotations.push_back(pack(q.vec(), q.w()));
+        rotations.push_back(pack(q));
     }
     clusterInfo = {"clusterInfo", std::span<const gpu::ClusterInfo>(infos)};
     clusterMoments = {"clusterMoments", std::span<const gpu::vec4>(moments)};

@@ -49,9 +49,6 @@ void validatePuppet(const World& world, const Puppet& puppet)
 
 void validatePuppets(const World& world)
 {
-    if (!world.puppets.empty() && world.settings.solver != SolverKind::Impulse)
-        throw InputError(
-            "the paper's solver has no drives; take `drive` and `catch` away, or use solver method impulse");
     for (const Puppet& puppet : world.puppets) validatePuppet(world, puppet);
 }
 

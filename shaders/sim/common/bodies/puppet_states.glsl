@@ -21,6 +21,5 @@ struct PuppetState {
 /// How far a puppet's time since its phase began is to a duration [s], slowly at both ends: 0 ... 1.
 float easedPart(PuppetState s, uint substep, float duration)
 {
-    float part = clamp(float(substep - s.since) * sim.substepTime / max(duration, 1e-6), 0.0, 1.0);
-    return part * part * (3.0 - 2.0 * part);
+    return smoothstep(0.0, max(duration, 1e-6), float(substep - s.since) * sim.substepTime);
 }
