@@ -72,6 +72,7 @@ std::string clipTable(const Model& model)
 {
     std::string text;
     for (const Clip& clip : model.clips) text += fmt::format("clip: {}, {:.2f} s\n", clip.name, clip.duration);
+    for (const UnusableClip& clip : model.unusableClips) text += fmt::format("clip: {} {}\n", clip.name, clip.why);
     return text;
 }
 

@@ -25,11 +25,14 @@ public:
     uint32_t read(const Json& json, const std::string& where)
     {
         const std::string file = json["file"], name = json["clip"];
+        const Model& model = modelOf(file, where);
+        const Clip& clip = find(model, name, where);
+        if (clip.duration == 0.0 && where != "/pose")
+            entry_.fail(where + "/clip",
+                        fmt::format("clip \"{}\" has no length; give another, or take it as `pose`", clip.name));
         const std::string key = Json{actorKey_, file, name}.dump();
         std::map<std::string, uint32_t>& made = entry_.context.clips;
         if (const auto found = made.find(key); found != made.end()) return found->second;
-        const Model& model = modelOf(file, where);
-        const Clip& clip = find(model, name, where);
         try {
             ActorClip fitted = file.empty() ? ownClip(actor_, model, clip) : foreignClip(actor_, model, clip);
             for (std::string& note : fitted.notes)
@@ -54,6 +57,11 @@ private:
 
     const Clip& find(const Model& model, const std::string& name, const std::string& where) const
     {
+        const auto unusable = std::ranges::find_if(model.unusableClips, [&](const UnusableClip& clip) {
+            return name.empty() ? model.clips.empty() : clip.name == name;
+        });
+        if (unusable != model.unusableClips.end())
+            entry_.fail(where + "/clip", fmt::format("clip \"{}\" {}; export another", unusable->name, unusable->why));
         if (model.clips.empty())
             entry_.fail(where, fmt::format("\"{}\" has no clips; give another `file`", model.name));
         if (name.empty()) return model.clips.front();

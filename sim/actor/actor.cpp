@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -43,6 +45,22 @@ SurfaceDistance surfaceOf(const Actor& actor, uint32_t particle)
     return {actor.signedDistances[particle], actor.outward[particle]};
 }
 
+bool touchAtRest(const Actor& actor, uint32_t particle, uint32_t other)
+{
+    return (actor.particles[particle] - actor.particles[other]).norm() <= (0.99f + SELF_MARGIN) * actor.diameter;
+}
+
+bool neverTouch(const Actor& actor, uint32_t body, uint32_t other)
+{
+    const auto limited = [&](const ActorJoint& joint) {
+        const auto parent = static_cast<uint32_t>(parentBody(actor, joint.child));
+        return joint.limits.any() &&
+               ((joint.child == body && parent == other) || (joint.child == other && parent == body));
+    };
+    const std::array pair{std::min(body, other), std::max(body, other)};
+    return std::ranges::any_of(actor.joints, limited) || std::ranges::find(actor.passes, pair) != actor.passes.end();
+}
+
 uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, const Pose& pose,
                   const Vector3f& velocity)
 {
@@ -81,6 +99,7 @@ uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, 
         builder.describeJoint(std::move(draft));
         if (joint.limits.any()) builder.passThrough(bodies[joint.child], bodies[parentBody(actor, joint.child)]);
     }
+    for (const auto& [body, other] : actor.passes) builder.passThrough(bodies[body], bodies[other]);
     builder.setSelfMargin(SELF_MARGIN);
     for (uint32_t b = 0; b < bodies.size(); ++b)
         if (actor.bodies[b].isCross) builder.markCross(bodies[b]);

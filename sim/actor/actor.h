@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -39,6 +40,8 @@ struct Actor {
     std::vector<Vector3f> outward;       ///< Per particle: SurfaceDistance::outward; or none.
     std::vector<ActorBody> bodies;
     std::vector<ActorJoint> joints;
+    /// Pairs of bodies that never touch, beside those that a joint with limits connects.
+    std::vector<std::array<uint32_t, 2>> passes = {};
     std::vector<std::string> notes;  ///< What was merged, dropped or assumed, one sentence each.
 };
 
@@ -47,6 +50,11 @@ int32_t parentBody(const Actor& actor, uint32_t body);
 
 /// What contacts need to know of a particle's place in the skin; empty where the actor does not say.
 SurfaceDistance surfaceOf(const Actor& actor, uint32_t particle);
+
+/// Whether two particles are so near each other at rest that they never touch.
+bool touchAtRest(const Actor& actor, uint32_t particle, uint32_t other);
+/// Whether two bodies never touch: Actor::passes, or limits at a joint between them.
+bool neverTouch(const Actor& actor, uint32_t body, uint32_t other);
 
 /// Adds the actor as one object, placed at `pose`. @returns the object's index.
 uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, const Pose& pose,

@@ -50,9 +50,9 @@ bool isByTouch(const Release& release)
     return release.cause == ReleaseCause::Touch;
 }
 
-bool hasNeighbour(const Body& body)
+bool passesAny(const Body& body)
 {
-    return body.neighbour != NO_INDEX;
+    return !body.passes.empty();
 }
 
 /// Of all kinds of constraints that act on bodies through the channel.
@@ -149,7 +149,7 @@ Defines Stages::worldDefines() const
                       {"POOL", emitters.has_value()},
                       {"GRIDS", layout.hasGrids},
                       {"RELEASES", releases.has_value()},
-                      {"NEIGHBOURS", std::ranges::any_of(world_.bodies, hasNeighbour)},
+                      {"PASSES", std::ranges::any_of(world_.bodies, passesAny)},
                       {"GRID_HASH", s.grid == GridKind::Hash}});
 }
 

@@ -149,6 +149,12 @@ void validateLinks(const World& world)
         }
     }
     require(next == world.links.size(), "there are links of no body");
+    for (uint32_t b = 0; b < world.bodies.size(); ++b)
+        for (const uint32_t other : world.bodies[b].passes)
+            require(other < world.bodies.size() && world.bodies[b].object < world.objects.size() &&
+                        world.objects[world.bodies[b].object].has(other) && passes(world, other, b),
+                    "body \"{}\" passes through one that is not of its object, or does not say so of it",
+                    world.bodies[b].name);
     for (size_t i = 0; i < bodiesOf.size(); ++i)
         require(bodiesOf[i] == world.particles[i].bodyCount, "particle {}: {} links name it, but it counts {} bodies",
                 i, bodiesOf[i], world.particles[i].bodyCount);

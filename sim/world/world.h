@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -98,10 +99,12 @@ struct Body {
     uint32_t material = 0;
     uint32_t assembly = NO_INDEX;
     uint32_t linkStart = 0, linkCount = 0;
-    uint32_t object = NO_INDEX;        ///< Index into World::objects: what the scene calls one thing.
-    RoundShape round;                  ///< Radius 0 for what is neither a ball nor a capsule.
-    bool isCross = false;              ///< The flat middle body of a universal joint.
-    uint32_t neighbour = NO_INDEX;     ///< A body that it never touches: the one it hangs on, where limits hold it.
+    uint32_t object = NO_INDEX;  ///< Index into World::objects: what the scene calls one thing.
+    RoundShape round;            ///< Radius 0 for what is neither a ball nor a capsule.
+    bool isCross = false;        ///< The flat middle body of a universal joint.
+    /// Bodies of its object that it never touches, and that say the same of it: what it hangs on where limits hold it,
+    /// and what it overlaps in most of a clip.
+    std::vector<uint32_t> passes;
     float mass = 0.0f;                 ///< Sum of its particles' shares of mass [kg].
     Vector3f restCentre{0, 0, 0};      ///< Mass centre in the object's rest pose [m].
     Vector3f position{0, 0, 0};        ///< Where restCentre starts [m].
@@ -112,6 +115,9 @@ struct Body {
 struct Object {
     std::string name;
     uint32_t bodyStart = 0, bodyCount = 0;
+
+    uint32_t bodyEnd() const { return bodyStart + bodyCount; }
+    bool has(uint32_t body) const { return body >= bodyStart && body < bodyEnd(); }
 };
 
 enum class ColliderShape : uint32_t { Plane, Box, Sphere, Capsule, Mesh, Heightfield };
@@ -181,6 +187,22 @@ struct World {
 inline bool isFixed(const World& world, const Particle& particle)
 {
     return particle.pinned || (particle.body != NO_INDEX && world.bodies[particle.body].motion == Motion::Fixed);
+}
+
+inline const Object& objectOf(const World& world, const Animation& animation)
+{
+    return world.objects[animation.object];
+}
+
+inline const Object& objectOf(const World& world, const Puppet& puppet)
+{
+    return objectOf(world, world.animations[puppet.animation]);
+}
+
+/// Whether two bodies never touch (Body::passes).
+inline bool passes(const World& world, uint32_t body, uint32_t other)
+{
+    return std::ranges::find(world.bodies[body].passes, other) != world.bodies[body].passes.end();
 }
 
 /// Whether something lets go of a body that is held or animated, or may.

@@ -130,6 +130,24 @@ TEST(JointTear, ABridgeTearsAndSwingsDown)
     EXPECT_GT(std::max(solver.readBodies()[1].position.y(), solver.readBodies()[7].position.y()), -PITCH);
 }
 
+/// A body stands on another that it may pass while they are joined. Once the joint is torn it lies on the layer that
+/// was between them, which is the lower one's.
+TEST(JointTear, WhatPassedEachOtherTouchesOnceItIsTorn)
+{
+    for (const bool tears : {false, true}) {
+        ChainSpec spec{.bodies = 2, .type = JointType::Stiff, .along = {0, 1, 0}};
+        spec.strength.force = tears ? 1.0f : 1e6f;
+        WorldBuilder builder = makeBuilder();
+        addChain(builder, spec);
+        builder.passThrough(0, 1);
+        const World world = builder.build();
+        Solver solver(gpu(), world);
+        run(solver, world, 1.5);
+        EXPECT_EQ(solver.readParticles().torn[world.joints[0].particles[0]], tears);
+        EXPECT_NEAR(solver.readBodies()[1].position.y(), world.bodies[1].position.y(), 0.01f * DIAMETER);
+    }
+}
+
 /// A hinge that falls against its limit, where it would be held by a torque.
 TEST(JointTear, AHingeTearsAtItsLimit)
 {

@@ -11,6 +11,17 @@ uniform usamplerBuffer jointParticles;
 BUFFER(uint, JointFreedoms, newJointFreedoms);
 BUFFER(vec4, JointLoads, jointLoads);
 BUFFER(uvec2, ParticleLinks, newParticleLinks);
+#ifdef PASSES
+#include "sim/common/bodies/body_passes.glsl"
+uniform usamplerBuffer jointPasses;      // two bodies each, which no longer pass each other when it tears; or NONE
+BUFFER(uint, PassBits, newPassBits);
+
+void forbid(uint body, uint other)
+{
+    uint bit = passBit(body, other);
+    if (bit != NONE) atomicAnd(newPassBits[bit >> 5], ~(1u << (bit & 31u)));
+}
+#endif
 
 struct JointStrength {
     float force, torque;   // [N, N m]
@@ -54,6 +65,11 @@ void tear(uint k)
     newJointFreedoms[k] = JOINT_NONE;
     clearRows(joint);
     for (uint i = strength.first; i < strength.end; ++i) newParticleLinks[texelFetch(jointParticles, int(i)).x].y = 1u;
+#ifdef PASSES
+    uvec2 apart = texelFetch(jointPasses, int(k)).xy;
+    forbid(apart.x, apart.y);
+    forbid(apart.y, apart.x);
+#endif
 }
 
 void main()

@@ -16,16 +16,18 @@ RestPosition fetchRestPosition(uint i)
     return RestPosition(t.xyz, t.w);
 }
 
-#ifdef NEIGHBOURS
-uniform usamplerBuffer bodyNeighbours;
+#ifdef PASSES
+#include "sim/common/bodies/body_passes.glsl"
+READ_BUFFER(uint, PassBits, passBits);
 
-/// Whether limits keep two bodies apart: they never touch.
-bool areNeighbours(uint a, uint b)
+/// Whether two bodies of an assembly never touch.
+bool passEachOther(uint a, uint b)
 {
-    return texelFetch(bodyNeighbours, int(a)).x == b || texelFetch(bodyNeighbours, int(b)).x == a;
+    uint bit = passBit(a, b);
+    return bit != NONE && (passBits[bit >> 5] >> (bit & 31u) & 1u) != 0u;
 }
 #else
-bool areNeighbours(uint a, uint b)
+bool passEachOther(uint a, uint b)
 {
     return false;
 }
@@ -39,7 +41,7 @@ bool areTogether(uint i, uint j)
     for (uint k = 0u; k < a.count; ++k)
         for (uint l = 0u; l < b.count; ++l) {
             uint first = fetchOwner(a.first + k).body, second = fetchOwner(b.first + l).body;
-            same = same || first == second || areNeighbours(first, second);
+            same = same || first == second || passEachOther(first, second);
         }
     return same;
 }

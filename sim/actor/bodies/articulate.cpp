@@ -175,6 +175,7 @@ JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, ui
         plan.along = perpendicular(plan.along, plan.axis);
         plan.flexion.setZero();
     }
+    lockNarrowRanges(plan);
     return plan;
 }
 

@@ -69,6 +69,28 @@ float turnAbout(const Vector3f& axis, const Quaternionf& turn)
     return std::remainder(2 * std::atan2(turn.vec().dot(axis), turn.w()), 2 * std::numbers::pi_v<float>);
 }
 
+bool isNarrow(const TurnRange& range)
+{
+    return range.highest - range.lowest < SPARE && range.lowest <= 0.0f && range.highest >= 0.0f;
+}
+
+void becomeHinge(JointPlan& plan, const Vector3f& axis, const TurnRange& range)
+{
+    const Vector3f across = plan.along - plan.along.dot(axis) * axis;
+    plan.type = JointType::Hinge;
+    plan.axis = axis;
+    plan.along = across.norm() > 1e-3f ? Vector3f(across.normalized()) : Vector3f(axis.unitOrthogonal());
+    plan.flexion.setZero();
+    plan.limits = {};
+    plan.limits.bend = range;
+}
+
+void becomeStiff(JointPlan& plan)
+{
+    plan.type = JointType::Stiff;
+    plan.limits = {};
+}
+
 }  // namespace
 
 bool hasRange(BodyPart part)
@@ -87,6 +109,30 @@ JointLimits ordinaryRange(const LimbStance& stance)
     JointLimits limits = ofPart(stance);
     if (limits.any()) takeIn(limits, rangedType(stance.part), stance.along, Quaternionf::Identity());
     return limits;
+}
+
+void lockNarrowRanges(JointPlan& plan)
+{
+    const JointLimits limits = plan.limits;
+    if (std::isfinite(limits.stiffness)) return;
+    const bool bends = !isNarrow(limits.bend), bendsAgain = !isNarrow(limits.secondBend);
+    const float lean = limits.cone.isZero() ? 0.0f : std::acos(limits.cone.normalized().dot(plan.twistAxis));
+    const bool swings = 2 * limits.swing >= SPARE || lean > limits.swing, twists = !isNarrow(limits.twist);
+    switch (plan.type) {
+        case JointType::Hinge:
+            if (!bends) becomeStiff(plan);
+            return;
+        case JointType::Ball:
+            if (!swings && !twists) becomeStiff(plan);
+            if (!swings && twists) becomeHinge(plan, plan.twistAxis, limits.twist);
+            return;
+        case JointType::Universal:
+            if (!bends && !bendsAgain) becomeStiff(plan);
+            if (!bends && bendsAgain) becomeHinge(plan, plan.along.cross(plan.axis).normalized(), limits.secondBend);
+            if (bends && !bendsAgain) becomeHinge(plan, plan.axis, limits.bend);
+            return;
+        case JointType::Stiff: return;
+    }
 }
 
 void takeIn(JointLimits& limits, JointType type, const Vector3f& axis, const Quaternionf& turn)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/actor/bodies/articulate.h"
+#include "sim/actor/bodies/joint_particles.h"
 
 namespace knuckle {
 
@@ -23,6 +24,10 @@ JointType rangedType(BodyPart part);
 /// The ordinary range of motion of a human joint (American Academy of Orthopaedic Surgeons, 1965), which takes in
 /// the rest pose with 5 degrees to spare. None for other parts.
 JointLimits ordinaryRange(const LimbStance& stance);
+
+/// Locks what has a range of less than 5 degrees about the rest pose: a hinge and a ball become stiff, a ball that only
+/// twists and a universal joint with one axis left become hinges. Limits behind a spring stay as they are.
+void lockNarrowRanges(JointPlan& plan);
 
 /// Widens limits so that they take in every turn of a clip with 5 degrees to spare. @param turn of the child against
 /// its parent. @param axis the joint's, in the rest pose.

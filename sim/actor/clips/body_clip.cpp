@@ -9,6 +9,7 @@
 #include "sim/actor/bodies/articulate.h"
 #include "sim/actor/bodies/joint_ranges.h"
 #include "sim/actor/clips/bone_match.h"
+#include "sim/actor/clips/clip_overlaps.h"
 #include "sim/actor/clips/joint_turns.h"
 #include "sim/world/errors.h"
 
@@ -239,6 +240,7 @@ void takeIn(Actor& actor, const BodyClip& clip)
         for (uint32_t k = 0; k < clip.keyCount(); ++k)
             takeIn(joint.limits, type, joint.axis, clip.turns[size_t{k} * clip.bodyCount + joint.child]);
     }
+    for (const auto& pair : overlapsIn(actor, clip)) actor.passes.push_back(pair);
 }
 
 }  // namespace knuckle

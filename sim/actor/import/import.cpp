@@ -128,6 +128,7 @@ Model readWhole(const std::string& path, const ImportOptions& options)
     }
     if (!options.clips) {
         model.clips.clear();
+        model.unusableClips.clear();
     }
     return model;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "sim/actor/import/import_scene.h"
 
@@ -16,6 +17,7 @@ namespace {
 constexpr double SAMPLES_PER_SECOND = 60.0;
 constexpr double DEFAULT_TICKS = 25.0;    // per second, where the file does not say
 constexpr double LONGEST = 3600.0;        // [s]
+constexpr unsigned MOST_KEYS = 500000;    // of one bone
 constexpr size_t MATRIX_LIMIT = 1000000;  // bone poses of all clips together, 64 MB
 
 Vector3d valueOf(const aiVectorKey& key)
@@ -131,10 +133,20 @@ std::pair<double, double> spanOf(const aiAnimation& animation)
     return {first, last};
 }
 
+unsigned mostKeys(const aiAnimation& animation)
+{
+    unsigned most = 0;
+    for (const aiNodeAnim* c : std::span(animation.mChannels, animation.mNumChannels))
+        most = std::max({most, c->mNumPositionKeys, c->mNumRotationKeys, c->mNumScalingKeys});
+    return most;
+}
+
 void convertClip(const aiAnimation& animation, const NodeTable& table, size_t keyLimit, Model& model)
 {
     Clip clip;
-    clip.name = animation.mName.length > 0 ? animation.mName.C_Str() : fmt::format("clip {}", model.clips.size());
+    clip.name = animation.mName.length > 0 ? animation.mName.C_Str()
+                                           : fmt::format("clip {}", model.clips.size() + model.unusableClips.size());
+    const auto refuse = [&](std::string why) { model.unusableClips.push_back({clip.name, std::move(why)}); };
     double ticksPerSecond = animation.mTicksPerSecond;
     if (!(ticksPerSecond > 0.0) || !std::isfinite(ticksPerSecond)) {
         ticksPerSecond = DEFAULT_TICKS;
@@ -143,11 +155,11 @@ void convertClip(const aiAnimation& animation, const NodeTable& table, size_t ke
     }
     const auto [first, last] = spanOf(animation);
     clip.duration = (last - first) / ticksPerSecond;
-    if (!(clip.duration >= 0.0) || clip.duration > LONGEST) {
-        model.notes.push_back(
-            fmt::format("Clip '{}' has no keys, or none at sensible times, and was left out.", clip.name));
-        return;
-    }
+    if (const unsigned keys = mostKeys(animation); keys > MOST_KEYS)
+        return refuse(fmt::format("has {} keys of one bone, more than {}", keys, MOST_KEYS));
+    if (!(clip.duration >= 0.0) || !std::isfinite(clip.duration))
+        return refuse("has no keys, or none at sensible times");
+    if (clip.duration > LONGEST) return refuse(fmt::format("lasts {:.0f} s, more than {:.0f}", clip.duration, LONGEST));
     const size_t wanted = static_cast<size_t>(std::ceil(clip.duration * SAMPLES_PER_SECOND)) + 1;
     const size_t count = std::min(wanted, std::max<size_t>(keyLimit, 2));
     if (count < wanted) {
@@ -159,13 +171,8 @@ void convertClip(const aiAnimation& animation, const NodeTable& table, size_t ke
         const double part = count > 1 ? static_cast<double>(k) / static_cast<double>(count - 1) : 0.0;
         clip.keyTimes.push_back(part * clip.duration);
         clip.poses.push_back(poseAt(channels, table, first + part * (last - first), model.bones.size()));
-        for (const Eigen::Matrix4f& pose : clip.poses.back()) {
-            if (!pose.allFinite()) {
-                model.notes.push_back(
-                    fmt::format("Clip '{}' has keys that are not numbers and was left out.", clip.name));
-                return;
-            }
-        }
+        if (!std::ranges::all_of(clip.poses.back(), [](const auto& pose) { return pose.allFinite(); }))
+            return refuse("has keys that are not numbers");
     }
     model.clips.push_back(std::move(clip));
 }

@@ -30,6 +30,12 @@ struct Clip {
     std::vector<std::vector<Eigen::Matrix4f>> poses;  ///< [key][bone], bone to model.
 };
 
+/// A clip of the file that cannot be played.
+struct UnusableClip {
+    std::string name;
+    std::string why;  ///< "has keys that are not numbers"
+};
+
 /// What import() hands over: triangles in metres, +Y up, in the rest pose, and the skeleton.
 struct Model {
     std::string name;
@@ -38,6 +44,7 @@ struct Model {
     std::vector<SkinWeights> skin;  ///< Empty, or one per vertex.
     std::vector<Bone> bones;
     std::vector<Clip> clips;
+    std::vector<UnusableClip> unusableClips;
     std::vector<std::string> notes;  ///< What import repaired or assumed, one sentence each.
 };
 

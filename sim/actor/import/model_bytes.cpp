@@ -112,6 +112,10 @@ void visitModel(Archive& archive, Any& model)
         archive.block(clip.keyTimes);
         archive.list(clip.poses, [&](auto& pose) { archive.block(pose); });
     });
+    archive.list(model.unusableClips, [&](auto& clip) {
+        archive.text(clip.name);
+        archive.text(clip.why);
+    });
     archive.list(model.notes, [&](auto& note) { archive.text(note); });
 }
 

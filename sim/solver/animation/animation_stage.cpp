@@ -77,11 +77,11 @@ void AnimationStage::upload(const StageSetup& setup)
         const auto index = static_cast<uint32_t>(placed.size());
         const uint32_t first = setup.layout.firstAnimated[index];
         const std::vector<AnimatedLink> links = linksOf(world, animation);
-        for (uint32_t b = 0; b < links.size(); ++b)
-            bodies.push_back({world.objects[animation.object].bodyStart + b,
-                              links[b].parent == NO_INDEX ? NO_INDEX : first + links[b].parent, index, b,
-                              pack(world.bodies[world.objects[animation.object].bodyStart + b].restCentre, 0),
-                              pack(links[b].anchor, 0)});
+        for (uint32_t b = 0; b < links.size(); ++b) {
+            const uint32_t body = objectOf(world, animation).bodyStart + b;
+            bodies.push_back({body, links[b].parent == NO_INDEX ? NO_INDEX : first + links[b].parent, index, b,
+                              pack(world.bodies[body].restCentre, 0), pack(links[b].anchor, 0)});
+        }
         placed.push_back({pack(animation.pose.translation, 0), pack(animation.pose.rotation),
                           static_cast<uint32_t>(plays.size()), static_cast<uint32_t>(animation.plays.size()),
                           puppetOf(world, index), 0});

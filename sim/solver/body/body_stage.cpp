@@ -145,16 +145,13 @@ void BodyStage::uploadLinks(const StageSetup& setup)
         for (const Layout::Owner& owner : owned) inverse.push_back({owner.link, owner.body});
     }
     std::vector<gpu::BodyInfo> infos;
-    std::vector<uint32_t> neighbours;
     for (const Body& body : world.bodies) {
-        neighbours.push_back(body.neighbour);
         const uint32_t own = layout.ownLinkCounts[infos.size()];
         infos.push_back({body.linkStart, body.linkCount, own, body.linkCount - own});
     }
     std::vector<uint32_t> order = layout.freeBodies;
     order.insert(order.end(), layout.jointedBodies.begin(), layout.jointedBodies.end());
     bodyOrder = {"bodyOrder", std::span<const uint32_t>(order)};
-    bodyNeighbours = {"bodyNeighbours", std::span<const uint32_t>(neighbours)};
     links = {"links", std::span<const gpu::ParticleRigidBodyLink>(all)};
     particleLinks = {"particleLinks", std::span<const gpu::uvec2>(ranges)};
     linksOfParticle = {"linksOfParticle", std::span<const gpu::uvec2>(inverse)};
@@ -211,8 +208,8 @@ void BodyStage::uploadRows(const RowPlan& rows)
 
 void BodyStage::addBuffers(BufferTable& table)
 {
-    table.add(Lifetime::Constant, links, linksOfParticle, bodyInfo, bodyOrder, bodyNeighbours, bodyMoments,
-              bodyInertias, bodyRounds, moverInfo, bodyRows, rowArms);
+    table.add(Lifetime::Constant, links, linksOfParticle, bodyInfo, bodyOrder, bodyMoments, bodyInertias, bodyRounds,
+              moverInfo, bodyRows, rowArms);
     table.add(Lifetime::State, particleLinks, bodyReleases, moverStates, moverCentres, moverRotations, moverVelocities,
               oldMoverVelocities, oldMoverMoves, moverMoves, moverRotationDeltas, moverImpulses, moverChanges,
               rowImpulses, rowAngularImpulses);

@@ -28,7 +28,6 @@ public:
     Buffer<gpu::uvec2> linksOfParticle;        ///< Per link, grouped by particle: link, body.
     Buffer<gpu::BodyInfo> bodyInfo;            ///< Per body.
     Buffer<uint32_t> bodyOrder;                ///< Bodies that may respond: those without joints, then those with.
-    Buffer<uint32_t> bodyNeighbours;           ///< Per body one that it never touches, NO_INDEX for none.
     Buffer<gpu::vec4> bodyMoments;     ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
     Buffer<gpu::vec4> bodyInertias;    ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
     Buffer<gpu::vec4> bodyRounds;      ///< Per body, two: ends of its centre line [m]; w: radius, rolling friction.

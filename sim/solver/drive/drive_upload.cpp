@@ -14,11 +14,6 @@ namespace {
 constexpr const char* JOINTS = "drive";
 constexpr const char* PINS = "pin";
 
-const Object& objectOf(const World& world, const Puppet& puppet)
-{
-    return world.objects[world.animations[puppet.animation].object];
-}
-
 const Joint* jointBetween(const World& world, uint32_t a, uint32_t b)
 {
     const auto found = std::ranges::find_if(world.joints, [&](const Joint& joint) { return joint.connects(a, b); });
@@ -94,12 +89,9 @@ gpu::GpuPin packPin(const DriveSpring& spring)
 /// Whether something fixed for ever holds a body of an object.
 bool isHeld(const World& world, const Object& object)
 {
-    const auto isOf = [&](uint32_t body) {
-        return body >= object.bodyStart && body < object.bodyStart + object.bodyCount;
-    };
     return std::ranges::any_of(world.joints, [&](const Joint& joint) {
-        return (isOf(joint.parent) && neverResponds(world.bodies[joint.child])) ||
-               (isOf(joint.child) && neverResponds(world.bodies[joint.parent]));
+        return (object.has(joint.parent) && neverResponds(world.bodies[joint.child])) ||
+               (object.has(joint.child) && neverResponds(world.bodies[joint.parent]));
     });
 }
 

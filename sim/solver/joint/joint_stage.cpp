@@ -28,6 +28,21 @@ bool isLimited(const World& world, const JointTrees::Joint& joint)
     return joint.joint != NO_INDEX && world.joints[joint.joint].limits.any();
 }
 
+/// The two bodies that a joint keeps from touching: where it is half of a universal one, those past the cross.
+gpu::uvec2 partedBy(const World& world, const JointTrees::Joint& joint)
+{
+    const auto past = [&](uint32_t body, uint32_t from) {
+        if (body == NO_INDEX || !world.bodies[body].isCross) return body;
+        for (const Joint& other : world.joints) {
+            if (other.child == body && other.parent != from) return other.parent;
+            if (other.parent == body && other.child != from) return other.child;
+        }
+        return body;
+    };
+    const uint32_t a = past(joint.body, joint.parent), b = past(joint.parent, joint.body);
+    return b == NO_INDEX ? gpu::uvec2{a, a} : gpu::uvec2{a, b};
+}
+
 /// Of short trees one elimination is enough, whatever hangs on them: pairs of 50,000 : 1 swing with gaps below 0.05 %
 /// of a diameter.
 bool hasLongTree(const JointTrees& trees)
@@ -160,6 +175,7 @@ void JointStage::uploadLimits(const StageSetup& setup)
 void JointStage::uploadStrengths(const StageSetup& setup)
 {
     std::vector<gpu::uvec4> strengths;
+    std::vector<gpu::uvec2> parted;
     std::vector<uint32_t> particles;
     if (tears_) {
         for (const JointTrees::Joint& joint : setup.layout.jointTrees.all()) {
@@ -169,9 +185,11 @@ void JointStage::uploadStrengths(const StageSetup& setup)
                                                                    : setup.world.joints[joint.joint].strength;
             strengths.push_back({std::bit_cast<uint32_t>(strength.force), std::bit_cast<uint32_t>(strength.torque),
                                  first, static_cast<uint32_t>(particles.size())});
+            parted.push_back(partedBy(setup.world, joint));
         }
     }
     jointStrengths = {"jointStrengths", std::span<const gpu::uvec4>(strengths)};
+    jointPasses = {"jointPasses", std::span<const gpu::uvec2>(parted)};
     jointParticles = {"jointParticles", std::span<const uint32_t>(particles)};
     jointLoads = {"jointLoads", JOINT_LOAD_TEXELS * strengths.size()};
     jointLoads.clear();
@@ -180,7 +198,7 @@ void JointStage::uploadStrengths(const StageSetup& setup)
 void JointStage::addBuffers(BufferTable& table)
 {
     table.add(Lifetime::Constant, sharedParticles, jointTrees, jointInfo, jointPlaces, jointLimits, jointStrengths,
-              jointParticles);
+              jointParticles, jointPasses);
     table.add(Lifetime::State, jointFreedoms, jointStops, jointLoads, bodyResponses);
     table.add(Lifetime::Scratch, jointFactors, rootFactors, treeTurns, jointPassed, jointSweeps, loopFactors);
 }

@@ -66,6 +66,7 @@ public:
     Buffer<gpu::JointLimits> jointLimits;  ///< Per joint, where any has limits.
     Buffer<gpu::vec4> jointStops;          ///< Per joint: where its limits stop it, and how hard.
     Buffer<gpu::uvec4> jointStrengths;  ///< Per joint: bits of force [N], torque [N m]; first of jointParticles, end.
+    Buffer<gpu::uvec2> jointPasses;     ///< Bodies that touch each other once it is torn; of a world where joints tear.
     Buffer<uint32_t> jointParticles;    ///< Those that its bodies share; of a world where joints tear.
     Buffer<gpu::vec4> jointLoads;       ///< Per joint: what it bore in the substep before [N], [N m].
     Buffer<gpu::vec4> bodyResponses;    ///< Per body: how it answers to forces with what its joints move along.

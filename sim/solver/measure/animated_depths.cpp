@@ -14,7 +14,7 @@ constexpr float INTERVAL = 0.05f;  // [s]
 /// Until when clips surely move all of an object [s].
 float animatedUntil(const World& world, const Object& object, float duration)
 {
-    for (uint32_t b = object.bodyStart; b < object.bodyStart + object.bodyCount; ++b) {
+    for (uint32_t b = object.bodyStart; b < object.bodyEnd(); ++b) {
         duration = std::min(duration, world.bodies[b].releaseTime);
         if (world.bodies[b].watched) duration = 0.0f;
     }

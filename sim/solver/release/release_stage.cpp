@@ -18,9 +18,9 @@ void addLimps(std::vector<uint32_t>& limps, const StageSetup& setup, const Relea
 {
     if (release.driven) return;
     for (const Puppet& puppet : setup.world.puppets) {
-        const Object& object = setup.world.objects[setup.world.animations[puppet.animation].object];
+        const Object& object = objectOf(setup.world, puppet);
         for (const uint32_t body : release.bodies)
-            if (body >= object.bodyStart && body < object.bodyStart + object.bodyCount)
+            if (object.has(body))
                 limps.push_back(setup.layout.firstAnimated[puppet.animation] + body - object.bodyStart);
     }
 }
@@ -53,9 +53,9 @@ void ReleaseStage::upload(const StageSetup& setup)
             if (const uint32_t entry = setup.layout.heldIndex(body); entry != NO_INDEX) entries.push_back(entry);
         const auto firstLimp = static_cast<uint32_t>(limps.size());
         addLimps(limps, setup, release);
-        all.push_back({first, static_cast<uint32_t>(entries.size()), object.bodyStart,
-                       object.bodyStart + object.bodyCount, release.firstParticle, release.endParticle, release.impulse,
-                       firstRegion + index, firstLimp, static_cast<uint32_t>(limps.size()), 0, 0});
+        all.push_back({first, static_cast<uint32_t>(entries.size()), object.bodyStart, object.bodyEnd(),
+                       release.firstParticle, release.endParticle, release.impulse, firstRegion + index, firstLimp,
+                       static_cast<uint32_t>(limps.size()), 0, 0});
     }
     std::vector<gpu::uvec2> watches;
     const auto addWatches = [&](ReleaseCause cause) {

@@ -90,11 +90,11 @@ Vector3f GroundMotion::apply(const Vector3f& p) const
 std::vector<AnimatedLink> linksOf(const World& world, const Animation& animation)
 {
     const Object& object = world.objects.at(animation.object);
-    const uint32_t first = object.bodyStart, end = first + object.bodyCount;
+    const uint32_t first = object.bodyStart;
     std::vector<AnimatedLink> links(object.bodyCount);
     links[0].anchor = animation.pivot;
     for (const Joint& joint : world.joints) {
-        if (joint.child < first || joint.child >= end || joint.parent < first || joint.parent >= end) continue;
+        if (!object.has(joint.child) || !object.has(joint.parent)) continue;
         links[joint.child - first] = {joint.parent - first, world.bodies[joint.child].restCentre + joint.childSide.arm};
     }
     requireTree(links);
@@ -163,7 +163,7 @@ std::vector<Pose> bodyPlaces(const World& world, const Animation& animation, dou
 {
     std::vector<Pose> places = sampleAnimation(world, animation, linksOf(world, animation), time);
     for (uint32_t b = 0; b < places.size(); ++b)
-        places[b].translation = places[b].apply(world.bodies[world.objects[animation.object].bodyStart + b].restCentre);
+        places[b].translation = places[b].apply(world.bodies[objectOf(world, animation).bodyStart + b].restCentre);
     return places;
 }
 

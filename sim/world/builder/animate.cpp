@@ -15,8 +15,7 @@ void WorldBuilder::animate(Animation animation)
 {
     if (objectOpen_) throw std::logic_error("animate: call endObject() first");
     const Object& object = world_.objects.at(animation.object);
-    for (uint32_t b = object.bodyStart; b < object.bodyStart + object.bodyCount; ++b)
-        world_.bodies[b].motion = Motion::Animated;
+    for (uint32_t b = object.bodyStart; b < object.bodyEnd(); ++b) world_.bodies[b].motion = Motion::Animated;
     poseAnimated(animation);
     world_.animations.push_back(std::move(animation));
 }
@@ -30,8 +29,8 @@ void WorldBuilder::letGo(uint32_t body, float time, bool driven)
 {
     float* release = &world_.bodies.at(body).releaseTime;
     for (Puppet& puppet : world_.puppets) {
-        const Object& object = world_.objects[world_.animations[puppet.animation].object];
-        if (body < object.bodyStart || body >= object.bodyStart + object.bodyCount) continue;
+        const Object& object = objectOf(world_, puppet);
+        if (!object.has(body)) continue;
         const uint32_t b = body - object.bodyStart;
         const bool again = puppet.caught && time > puppet.caught->time;
         if (again) release = &puppet.caught->releaseTimes[b];
@@ -55,7 +54,7 @@ std::vector<AnimatedLink> WorldBuilder::draftedLinks(const Animation& animation)
     links[0].anchor = animation.pivot;
     for (const JointDraft& draft : joints_) {
         const uint32_t child = draft.joint.child, parent = draft.joint.parent;
-        if (child < object.bodyStart || child >= object.bodyStart + object.bodyCount) continue;
+        if (!object.has(child)) continue;
         AnimatedLink& link = links[child - object.bodyStart];
         link = {parent - object.bodyStart, {0, 0, 0}};
         float count = 0.0f;

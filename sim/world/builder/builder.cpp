@@ -201,10 +201,14 @@ void WorldBuilder::markCross(uint32_t body)
     world_.bodies[body].isCross = true;
 }
 
-void WorldBuilder::passThrough(uint32_t body, uint32_t neighbour)
+void WorldBuilder::passThrough(uint32_t body, uint32_t other)
 {
-    requireObject("passThrough");
-    world_.bodies.at(body).neighbour = neighbour;
+    const auto add = [&](uint32_t a, uint32_t b) {
+        std::vector<uint32_t>& passes = world_.bodies.at(a).passes;
+        if (std::ranges::find(passes, b) == passes.end()) passes.push_back(b);
+    };
+    add(body, other);
+    add(other, body);
 }
 
 uint32_t WorldBuilder::endObject(const Pose& pose, const Vector3f& velocity, const Vector3f& spin)

@@ -26,7 +26,7 @@ void requireSpring(const DriveSpring& s)
 void validatePuppet(const World& world, const Puppet& puppet)
 {
     require(puppet.animation < world.animations.size(), "there is no such animation");
-    const Object& object = world.objects[world.animations[puppet.animation].object];
+    const Object& object = objectOf(world, puppet);
     if (object.bodyCount < 2)
         throw InputError(
             fmt::format("\"{}\" is one body, without a joint to drive; take its `drive` away", object.name));

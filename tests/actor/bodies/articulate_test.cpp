@@ -172,5 +172,17 @@ TEST(Articulate, worldBuiltFromAnActorHasItsBodiesAndSharedParticles)
     EXPECT_EQ(world.assemblyCount, 1u);
 }
 
+TEST(Articulate, jointThatHardlyTurnsIsStiff)
+{
+    ArticulationOptions options;
+    options.types["upper"] = JointType::Hinge;
+    options.limits["upper"].bend = {-0.03f, 0.03f};
+    const Actor actor = make(twoBoneBox("upper"), 0.1f, options);
+    EXPECT_EQ(actor.joints.front().type, JointType::Stiff);
+    EXPECT_FALSE(actor.joints.front().limits.any());
+    EXPECT_EQ(actor.joints.front().sharedParticles.size(), 4u);
+}
+
 }  // namespace
+
 }  // namespace knuckle

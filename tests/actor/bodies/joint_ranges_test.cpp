@@ -70,6 +70,50 @@ TEST(JointRanges, WhatAClipDoesIsTakenInWithFiveDegreesToSpare)
     EXPECT_EQ(ball.swing, static_cast<float>(M_PI)) << "all the way round is no limit";
 }
 
+/// A joint that bends about x and runs down y, after ranges of less than 5 degrees are locked [degrees].
+JointPlan locked(JointType type, TurnRange bend, TurnRange second, float swing, TurnRange twist)
+{
+    const auto radians = [](TurnRange range) { return TurnRange{range.lowest * DEGREE, range.highest * DEGREE}; };
+    JointPlan plan{.type = type, .axis = {1, 0, 0}};
+    plan.limits = {
+        .swing = swing * DEGREE, .twist = radians(twist), .bend = radians(bend), .secondBend = radians(second)};
+    lockNarrowRanges(plan);
+    return plan;
+}
+
+TEST(JointRanges, LessThanFiveDegreesIsALockedAxis)
+{
+    constexpr TurnRange FREE{-180, 180}, NARROW{-2, 2.9f}, WIDE{-2, 3.1f}, ELSEWHERE{10, 12};
+    EXPECT_EQ(locked(JointType::Hinge, NARROW, FREE, 180, FREE).type, JointType::Stiff);
+    EXPECT_FALSE(locked(JointType::Hinge, NARROW, FREE, 180, FREE).limits.any());
+    for (const TurnRange& range : {WIDE, ELSEWHERE, FREE})
+        EXPECT_EQ(locked(JointType::Hinge, range, FREE, 180, FREE).type, JointType::Hinge);
+
+    EXPECT_EQ(locked(JointType::Ball, FREE, FREE, 2.4f, NARROW).type, JointType::Stiff);
+    EXPECT_EQ(locked(JointType::Ball, FREE, FREE, 2.6f, NARROW).type, JointType::Ball);
+    const JointPlan twists = locked(JointType::Ball, FREE, FREE, 2.4f, {-30, 40});
+    EXPECT_EQ(twists.type, JointType::Hinge);
+    EXPECT_LT((twists.axis - Vector3f(0, -1, 0)).norm(), 1e-6f);
+    EXPECT_LT(std::abs(twists.along.dot(twists.axis)), 1e-6f);
+    EXPECT_NEAR(twists.limits.bend.highest, 40 * DEGREE, 1e-6f);
+
+    EXPECT_EQ(locked(JointType::Universal, NARROW, NARROW, 180, FREE).type, JointType::Stiff);
+    const JointPlan first = locked(JointType::Universal, {-30, 30}, NARROW, 180, FREE);
+    const JointPlan second = locked(JointType::Universal, NARROW, {-30, 20}, 180, FREE);
+    EXPECT_EQ(first.type, JointType::Hinge);
+    EXPECT_LT((first.axis - Vector3f(1, 0, 0)).norm(), 1e-6f);
+    EXPECT_EQ(second.type, JointType::Hinge);
+    // The axis at the child is square to the first and to the limb.
+    EXPECT_LT((second.axis - Vector3f(0, 0, 1)).norm(), 1e-6f);
+    EXPECT_NEAR(second.limits.bend.highest, 20 * DEGREE, 1e-6f);
+
+    JointPlan springy{.type = JointType::Hinge};
+    springy.limits.bend = {-0.01f, 0.01f};
+    springy.limits.stiffness = 50;
+    lockNarrowRanges(springy);
+    EXPECT_EQ(springy.type, JointType::Hinge) << "a spring behind a limit is to be felt";
+}
+
 TEST(JointRanges, WhatIsNoPartOfABodyHasNone)
 {
     for (const BodyPart part : {BodyPart::Other, BodyPart::Hips, BodyPart::Finger}) {

@@ -13,8 +13,11 @@ constexpr uint32_t CAPACITY = 100000;
 /// Every other joint's bodies never touch.
 World withNeighbours(World world)
 {
-    for (size_t j = 0; j < world.joints.size(); j += 2)
-        world.bodies[world.joints[j].child].neighbour = world.joints[j].parent;
+    for (size_t j = 0; j < world.joints.size(); j += 2) {
+        const Joint& joint = world.joints[j];
+        world.bodies[joint.child].passes.push_back(joint.parent);
+        world.bodies[joint.parent].passes.push_back(joint.child);
+    }
     return world;
 }
 
@@ -62,10 +65,11 @@ bool SearchBench::mayTouch(uint32_t i, uint32_t j) const
     if (isFixed(i) && isFixed(j)) return false;
     const Particle& a = world.particles[i];
     const Particle& b = world.particles[j];
-    for (uint32_t body : bodies[i])
-        if (bodies[j].contains(body) || bodies[j].contains(world.bodies[body].neighbour)) return false;
-    for (uint32_t body : bodies[j])
-        if (bodies[i].contains(world.bodies[body].neighbour)) return false;
+    for (uint32_t body : bodies[i]) {
+        if (bodies[j].contains(body)) return false;
+        for (uint32_t other : world.bodies[body].passes)
+            if (bodies[j].contains(other)) return false;
+    }
     if (a.assembly == NO_INDEX || a.assembly != b.assembly) return true;
     return a.touchesAssembly && b.touchesAssembly && restDistance(a, b) > leastRestDistance(a, b);
 }
