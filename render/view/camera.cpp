@@ -31,12 +31,19 @@ AlignedBox3f grown(AlignedBox3f box, float sideways, float upwards)
     return box;
 }
 
+bool moves(const World& world, uint32_t collider)
+{
+    return std::ranges::any_of(world.colliderMotions, [&](const ColliderMotion& motion) {
+        return collider >= motion.firstCollider && collider - motion.firstCollider < motion.places.size();
+    });
+}
+
 void findGround(const World& world, SceneExtent& extent)
 {
     for (uint32_t i = 0; i < world.colliders.size(); ++i) {
         const Collider& collider = world.colliders[i];
         const bool level = (collider.orientation * Vector3f::UnitY()).y() > 0.9999f;
-        if (collider.shape != ColliderShape::Plane || !level) continue;
+        if (collider.shape != ColliderShape::Plane || !level || moves(world, i)) continue;
         if (extent.groundCollider != NO_INDEX && collider.position.y() <= extent.ground) continue;
         extent.ground = collider.position.y();
         extent.groundCollider = i;

@@ -148,6 +148,7 @@ Defines Stages::worldDefines() const
                       {"TOUCHES", std::ranges::any_of(world_.releases, isByTouch)},
                       {"POOL", emitters.has_value()},
                       {"GRIDS", layout.hasGrids},
+                      {"MOVING", !world_.colliderMotions.empty()},
                       {"RELEASES", releases.has_value()},
                       {"NEIGHBOURS", std::ranges::any_of(world_.bodies, hasNeighbour)},
                       {"GRID_HASH", s.grid == GridKind::Hash}});

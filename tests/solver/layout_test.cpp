@@ -144,7 +144,7 @@ const std::vector<Member> COUNTERS = {MEMBER(Counters, problems),
                                       MEMBER(Counters, heard),
                                       MEMBER(Counters, calm),
                                       MEMBER(Counters, wantedNeighbours)};
-const std::vector<Member> COLLIDER = {MEMBER(GpuCollider, position), MEMBER(GpuCollider, orientation),
+const std::vector<Member> COLLIDER = {
                                       MEMBER(GpuCollider, size),     MEMBER(GpuCollider, friction),
                                       MEMBER(GpuCollider, gridLow),  MEMBER(GpuCollider, grid)};
 const std::vector<Member> EMITTER = {MEMBER(GpuEmitter, velocity),    MEMBER(GpuEmitter, clock),
