@@ -37,7 +37,7 @@ void main()
     contact.touch = 2.0 * particleRadius(particle);
     contact.normal = surface.normal;
     contact.sameAssembly = false;
-    contact.leaving = dot(point.move - surfaceWay, surface.normal);
+    contact.leaving = max(dot(point.move, surface.normal), -dot(surfaceWay, surface.normal));
     contact.gap = surface.distance - ref.radius;
     contact.startGap = colliderSurface(sides.collider, takenAlong(sides.collider, start)).distance - ref.radius;
     contact.worstInverseMass = arm.worstInverseMass * point.splits;
