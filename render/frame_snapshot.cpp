@@ -51,6 +51,7 @@ void FrameSnapshot::take(const ParticleView& view)
     const uint32_t speeds = showsSpeeds_ ? view.particleCount : 0, centres = follows_ ? view.bodyCount : 0;
     view_.velocities = copyVectors(view.velocities, speeds, velocities_, "drawn velocities");
     view_.bodyCentres = copyVectors(view.bodyCentres, centres, centres_, "drawn centres");
+    view_.colliderPlaces = copyVectors(view.colliderPlaces, 2 * view.colliderCount, colliders_, "drawn colliders");
     taken_.set();
 }
 

@@ -35,7 +35,7 @@ private:
     };
 
     bool showsSpeeds_, follows_;
-    RawBuffer positions_, velocities_, centres_;
+    RawBuffer positions_, velocities_, centres_, colliders_;
     ParticleView view_;
     Fence taken_, drawn_;
 };

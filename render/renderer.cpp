@@ -28,7 +28,7 @@ struct Renderer::Impl {
     gpu::FrameInput input;
     std::optional<double> lookedAt;  ///< Time of the state that the camera saw last [s].
     Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
-    RawBuffer positions, velocities, bodyCentres;  ///< Stand in for the view's.
+    RawBuffer positions, velocities, bodyCentres, colliderPlaces;  ///< Stand in for the view's.
     RenderTargets targets;
     BufferTable table;
     ViewPasses view;
@@ -58,6 +58,7 @@ BufferTable& Renderer::Impl::addInputs()
     table.add("positions", positions, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("velocities", velocities, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("bodyCentres", bodyCentres, elementType<gpu::vec4>(), Lifetime::Scratch);
+    table.add("colliderPlaces", colliderPlaces, elementType<gpu::vec4>(), Lifetime::Scratch);
     return table;
 }
 
@@ -71,6 +72,8 @@ void Renderer::Impl::attach(const ParticleView& shown)
     positions = RawBuffer::standIn("positions", shown.positions, shown.particleCount * sizeof(gpu::vec4));
     velocities = RawBuffer::standIn("velocities", shown.velocities, shown.particleCount * sizeof(gpu::vec4));
     bodyCentres = RawBuffer::standIn("bodyCentres", shown.bodyCentres, shown.bodyCount * sizeof(gpu::vec4));
+    colliderPlaces = RawBuffer::standIn("colliderPlaces", shown.colliderPlaces,
+                                        size_t{2} * shown.colliderCount * sizeof(gpu::vec4));
     // The solver's last step wrote what all of the following read.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }

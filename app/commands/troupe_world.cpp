@@ -14,9 +14,9 @@ namespace knuckle {
 
 namespace {
 
-constexpr float DIAMETER = 0.047f;  // 554 particles and 18 bodies of the project's figure
-constexpr uint32_t SIDE = 5;        // figures a row, rows a layer
-constexpr float SPACING = 0.78f, LAYER_HEIGHT = 2.0f, LIFT = 0.05f;
+constexpr float DIAMETER = 0.047f;          // 554 particles and 18 bodies of the project's figure
+constexpr uint32_t COLUMNS = 5, ROWS = 10;  // of a layer
+constexpr float COLUMN_WIDTH = 0.76f, ROW_DEPTH = 0.36f, LAYER_HEIGHT = 2.0f, LIFT = 0.3f;  // [m]
 const char* const CLIP = "walk";
 
 Actor actorOf(const Model& model, const Settings& settings)
@@ -30,10 +30,20 @@ Actor actorOf(const Model& model, const Settings& settings)
 /// Layer after layer, row after row, about the middle of the box.
 Pose poseOf(uint32_t index)
 {
-    const auto place = [](uint32_t k) { return SPACING * (static_cast<float>(k) - 0.5f * (SIDE - 1)); };
-    const uint32_t layer = index / (SIDE * SIDE);
-    const float height = LIFT + LAYER_HEIGHT * static_cast<float>(layer);
-    return {{place(index % SIDE), height, place(index / SIDE % SIDE)}, Quaternionf::Identity()};
+    const auto place = [](uint32_t k, uint32_t count) {
+        return static_cast<float>(k) - 0.5f * static_cast<float>(count - 1);
+    };
+    const uint32_t layer = index / (COLUMNS * ROWS), column = index % COLUMNS, row = index / COLUMNS % ROWS;
+    return {{COLUMN_WIDTH * place(column, COLUMNS), LIFT + LAYER_HEIGHT * static_cast<float>(layer),
+             ROW_DEPTH * place(row, ROWS)},
+            Quaternionf::Identity()};
+}
+
+/// Which part of its clip a figure begins with: those of a column are in step, since rows are nearer than a stride.
+float phaseOf(uint32_t index)
+{
+    const uint32_t layer = index / (COLUMNS * ROWS);
+    return static_cast<float>((2 * index + layer) % COLUMNS) / COLUMNS;
 }
 
 }  // namespace
@@ -57,7 +67,7 @@ World troupeWorld(uint32_t actorCount, float releaseTime, const std::string& fil
     for (uint32_t i = 0; i < actorCount; ++i) {
         actor.name = fmt::format("actor {}", i);
         const uint32_t object = addActor(builder, actor, figure, poseOf(i));
-        play.start = length * static_cast<float>(7 * i % 25) / 25.0f;
+        play.start = length * phaseOf(i);
         builder.animate({object, poseOf(i), pivotOf(actor), {play}});
         const Object& added = builder.world().objects[object];
         for (uint32_t b = 0; b < added.bodyCount; ++b) builder.releaseBody(added.bodyStart + b, releaseTime);

@@ -68,6 +68,30 @@ void addStairs(WorldBuilder& builder, const Collider& base, const Json& json)
     }
 }
 
+void addShapes(const SceneEntry& entry, Collider collider)
+{
+    WorldBuilder& builder = entry.context.builder;
+    const Json& json = entry.json;
+    const std::string type = json["type"];
+    if (type == "container") return addContainer(builder, collider, json);
+    if (type == "stairs") return addStairs(builder, collider, json);
+    if (type == "box") {
+        Vector3f size;
+        readValue(json["size"], size);
+        return addBox(builder, collider, {0, 0, 0}, size);
+    }
+    if (type == "mesh" || type == "heightfield") {
+        (type == "mesh" ? addMeshGrid : addHeightfield)(entry.context, json, entry.pointer, collider);
+        return builder.addCollider(collider);
+    }
+    collider.shape = type == "plane"    ? ColliderShape::Plane
+                     : type == "sphere" ? ColliderShape::Sphere
+                                        : ColliderShape::Capsule;
+    if (json.contains("radius")) readValue(json["radius"], collider.radius);
+    if (json.contains("length")) collider.halfHeight = 0.5f * json["length"].get<float>();
+    builder.addCollider(collider);
+}
+
 }  // namespace
 
 Quaternionf rotationOf(const Vector3f& degrees)
@@ -88,28 +112,16 @@ Quaternionf readRotation(const Json& json)
 
 void addColliders(SceneContext& context, const Json& json, size_t index)
 {
+    const SceneEntry entry{context, json, fmt::format("/colliders/{}", index)};
     WorldBuilder& builder = context.builder;
     Collider collider = readFields<Collider>(json);
     collider.orientation = readRotation(json);
-    const std::string type = json["type"];
-    if (type == "container") return addContainer(builder, collider, json);
-    if (type == "stairs") return addStairs(builder, collider, json);
-    if (type == "box") {
-        Vector3f size;
-        readValue(json["size"], size);
-        return addBox(builder, collider, {0, 0, 0}, size);
-    }
-    const std::string pointer = fmt::format("/colliders/{}", index);
-    if (type == "mesh" || type == "heightfield") {
-        (type == "mesh" ? addMeshGrid : addHeightfield)(context, json, pointer, collider);
-        return builder.addCollider(collider);
-    }
-    collider.shape = type == "plane"    ? ColliderShape::Plane
-                     : type == "sphere" ? ColliderShape::Sphere
-                                        : ColliderShape::Capsule;
-    if (json.contains("radius")) readValue(json["radius"], collider.radius);
-    if (json.contains("length")) collider.halfHeight = 0.5f * json["length"].get<float>();
-    builder.addCollider(collider);
+    const size_t before = builder.world().colliders.size();
+    addShapes(entry, collider);
+    if (!hasMotion(json)) return;
+    builder.moveColliders(static_cast<uint32_t>(builder.world().colliders.size() - before),
+                          {collider.position, collider.orientation},
+                          readMotion(entry, fmt::format("collider {}", index)));
 }
 
 }  // namespace knuckle

@@ -12,13 +12,13 @@ namespace {
 
 constexpr float RATE = 60.0f;  // keys of the clip [1/s]
 
-/// Where an object is at a time: an offset from where it stands [m], and angles about fixed x, y, z [degrees].
+/// Where something is at a time: an offset from where it stands [m], and angles about fixed x, y, z [degrees].
 struct MotionKey {
     float time = 0.0f;
     Eigen::Matrix<float, 6, 1> value = Eigen::Matrix<float, 6, 1>::Zero();
 };
 
-std::vector<MotionKey> readKeys(const ObjectEntry& entry)
+std::vector<MotionKey> readKeys(const SceneEntry& entry)
 {
     std::vector<MotionKey> keys;
     const Json& json = entry.json["motion"]["keys"];
@@ -59,21 +59,18 @@ Eigen::Matrix<float, 6, 1> valueAt(const std::vector<MotionKey>& keys, float tim
 
 }  // namespace
 
-bool hasMotion(const Json& object)
+bool hasMotion(const Json& entry)
 {
-    return object.contains("motion") && !object["motion"]["keys"].empty();
+    return entry.contains("motion") && !entry["motion"]["keys"].empty();
 }
 
-ClipPlay readMotion(const ObjectEntry& entry)
+ClipPlay readMotion(const SceneEntry& entry, const std::string& name)
 {
-    if (entry.json["fixed"].get<bool>()) entry.fail("/motion", "is for what is not fixed; take one of them away");
-    if (!entry.velocity.isZero() || !entry.spin.isZero())
-        entry.fail("/motion", "says how fast it is; take `velocity` and `spin` away");
     const std::vector<MotionKey> keys = readKeys(entry);
     const bool smooth = entry.json["motion"]["path"] == "smooth";
     const float length = keys.back().time;
     const auto count = static_cast<uint32_t>(std::max(std::round(length * RATE), 1.0f));
-    BodyClip clip{entry.name, length > 0 ? static_cast<float>(count) / length : RATE, 1};
+    BodyClip clip{name, length > 0 ? static_cast<float>(count) / length : RATE, 1};
     for (uint32_t k = 0; k <= count; ++k) {
         const auto value = valueAt(keys, length * static_cast<float>(k) / static_cast<float>(count), smooth);
         clip.roots.emplace_back(value.head<3>());
@@ -84,6 +81,14 @@ ClipPlay readMotion(const ObjectEntry& entry)
     play.loop = entry.json["motion"]["loop"];
     play.clip = entry.context.builder.addClip(std::move(clip));
     return play;
+}
+
+ClipPlay readObjectMotion(const ObjectEntry& entry)
+{
+    if (entry.json["fixed"].get<bool>()) entry.fail("/motion", "is for what is not fixed; take one of them away");
+    if (!entry.velocity.isZero() || !entry.spin.isZero())
+        entry.fail("/motion", "says how fast it is; take `velocity` and `spin` away");
+    return readMotion(entry, entry.name);
 }
 
 }  // namespace knuckle

@@ -72,7 +72,7 @@ void addRigidOrSoft(const Entry& entry)
     const bool held = entry.json["fixed"];
     const bool moved = hasMotion(entry.json);
     const float time = soft ? 0.0f : releaseTime(entry, held || moved);
-    const ClipPlay motion = moved ? readMotion(entry) : ClipPlay();
+    const ClipPlay motion = moved ? readObjectMotion(entry) : ClipPlay();
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         const float delay = delayOf(entry.json, copy);
         builder.beginObject(entry.copyName(copy));

@@ -100,10 +100,12 @@ void addTouches(SceneContext& context);
 /// The box, sphere, capsule or plane that a drain or a release has.
 Collider readRegion(const Json& json);
 
-/// Whether a rigid object moves by itself.
-bool hasMotion(const Json& object);
+/// Whether a collider or a rigid object moves by itself.
+bool hasMotion(const Json& entry);
 /// Adds the clip of its `motion`. @throws InputError.
-ClipPlay readMotion(const ObjectEntry& entry);
+ClipPlay readMotion(const SceneEntry& entry, const std::string& name);
+/// The same of an object, which nothing else may say how to move.
+ClipPlay readObjectMotion(const ObjectEntry& entry);
 
 /// By what an actor or a mesh differs from others. @param diameter of its particles [m].
 std::string actorKey(const SceneContext& context, const Json& object, const std::string& file, float diameter);

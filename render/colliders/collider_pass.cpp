@@ -10,7 +10,7 @@ namespace {
 constexpr uint32_t BOX_STRIP = 14;
 constexpr size_t INSTANCE_VECTORS = sizeof(gpu::ColliderInstance) / sizeof(gpu::vec4);
 
-std::array<gpu::vec4, INSTANCE_VECTORS> instanceOf(const Collider& collider)
+std::array<gpu::vec4, INSTANCE_VECTORS> instanceOf(const Collider& collider, uint32_t index)
 {
     Vector3f half = collider.halfExtents;
     float radius = 0.0f;
@@ -19,12 +19,9 @@ std::array<gpu::vec4, INSTANCE_VECTORS> instanceOf(const Collider& collider)
         const float straight = collider.shape == ColliderShape::Capsule ? collider.halfHeight : 0.0f;
         half = {radius, radius + straight, radius};
     }
-    const Vector3f& p = collider.position;
-    const Quaternionf q = collider.orientation.normalized();
-    return {gpu::vec4{p.x(), p.y(), p.z(), radius},
-            {q.x(), q.y(), q.z(), q.w()},
-            {half.x(), half.y(), half.z(), 0.0f},
-            {collider.color.x(), collider.color.y(), collider.color.z(), static_cast<float>(collider.shape)}};
+    return {gpu::vec4{half.x(), half.y(), half.z(), radius},
+            {collider.color.x(), collider.color.y(), collider.color.z(), static_cast<float>(collider.shape)},
+            {static_cast<float>(index), 0.0f, 0.0f, 0.0f}};
 }
 
 }  // namespace
@@ -35,13 +32,13 @@ ColliderPass::ColliderPass(const Gpu& gpu, BufferTable& table, const World& worl
 {
     upload(world, extent);
     table.add(Lifetime::Constant, planes_, shapes_);
-    planePass_ = DrawPass(gpu, table, {"colliders/plane", "colliders/plane"}, {"frame", "view", "colliderPlanes"},
-                          targets.geometry);
+    planePass_ = DrawPass(gpu, table, {"colliders/plane", "colliders/plane"},
+                          {"frame", "view", "colliderPlaces", "colliderPlanes"}, targets.geometry);
     // The far sides of the boxes: they are there even when the eye is inside.
-    shapePass_ = DrawPass(gpu, table, {"colliders/collider", "colliders/collider"}, {"frame", "view", "colliderShapes"},
-                          targets.geometry, GL_FRONT);
+    shapePass_ = DrawPass(gpu, table, {"colliders/collider", "colliders/collider"},
+                          {"frame", "view", "colliderPlaces", "colliderShapes"}, targets.geometry, GL_FRONT);
     shapeShadow_ = DrawPass(gpu, table, {"colliders/collider", "colliders/collider_shadow", {{"LIGHT_VIEW", "1"}}},
-                            {"frame", "view", "colliderShapes"}, targets.shadowMap, GL_FRONT);
+                            {"frame", "view", "colliderPlaces", "colliderShapes"}, targets.shadowMap, GL_FRONT);
 }
 
 void ColliderPass::upload(const World& world, const SceneExtent& extent)
@@ -51,12 +48,12 @@ void ColliderPass::upload(const World& world, const SceneExtent& extent)
         const Collider& collider = world.colliders[i];
         if (!collider.visible || collider.grid != NO_INDEX) continue;
         if (collider.shape != ColliderShape::Plane) {
-            for (const gpu::vec4& vector : instanceOf(collider)) shapes.push_back(vector);
+            for (const gpu::vec4& vector : instanceOf(collider, i)) shapes.push_back(vector);
             continue;
         }
-        const Vector3f n = collider.orientation.normalized() * Vector3f::UnitY(), &c = collider.color;
-        planes.push_back({n.x(), n.y(), n.z(), n.dot(collider.position)});
+        const Vector3f& c = collider.color;
         planes.push_back({c.x(), c.y(), c.z(), i == extent.groundCollider ? 1.0f : 0.0f});
+        planes.push_back({static_cast<float>(i), 0.0f, 0.0f, 0.0f});
     }
     planes_ = {"colliderPlanes", std::span<const gpu::vec4>(planes)};
     shapes_ = {"colliderShapes", std::span<const gpu::vec4>(shapes)};

@@ -10,7 +10,7 @@ namespace knuckle {
 /// boxes.
 class ColliderPass {
 public:
-    /// @param table must have "frame" and "view".
+    /// @param table must have "frame", "view" and "colliderPlaces".
     ColliderPass(const Gpu& gpu, BufferTable& table, const World& world, const SceneExtent& extent,
                  const RenderTargets& targets);
     ColliderPass(const ColliderPass&) = delete;
@@ -26,7 +26,7 @@ private:
     void drawShapes(KernelTimer& timer, const DrawPass& pass) const;
 
     MeshPass meshes_;
-    Buffer<gpu::vec4> planes_;  ///< Two each: unit normal, w: its component of the points [m]; colour, w: is ground.
+    Buffer<gpu::vec4> planes_;  ///< Two each: colour, w: is ground; x: its collider.
     Buffer<gpu::vec4> shapes_;  ///< A ColliderInstance each.
     DrawPass planePass_, shapePass_, shapeShadow_;
 };

@@ -25,16 +25,15 @@ std::vector<Vector3f> vertexNormals(const ColliderGrid& grid)
     return normals;
 }
 
-/// Two vectors a corner: its place, w: `mesh`; its normal.
-void addCorners(std::vector<gpu::vec4>& out, const Collider& collider, const ColliderGrid& grid, size_t mesh)
+/// Two vectors a corner, in the grid's frame: its place, w: `mesh`; its normal.
+void addCorners(std::vector<gpu::vec4>& out, const ColliderGrid& grid, size_t mesh)
 {
     const std::vector<Vector3f> normals = vertexNormals(grid);
-    const Eigen::Matrix3f turn = collider.orientation.normalized().toRotationMatrix();
     for (const auto& triangle : grid.triangles) {
         const Vector3f flat = areaNormal(grid, triangle).normalized();
         for (const uint32_t vertex : triangle) {
-            const Vector3f place = turn * grid.vertices[vertex] + collider.position;
-            const Vector3f normal = turn * (normals[vertex].dot(flat) < CREASE ? flat : normals[vertex]);
+            const Vector3f place = grid.vertices[vertex];
+            const Vector3f normal = normals[vertex].dot(flat) < CREASE ? flat : normals[vertex];
             out.push_back({place.x(), place.y(), place.z(), static_cast<float>(mesh)});
             out.push_back({normal.x(), normal.y(), normal.z(), 0.0f});
         }
@@ -46,19 +45,20 @@ void addCorners(std::vector<gpu::vec4>& out, const Collider& collider, const Col
 MeshPass::MeshPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderTargets& targets)
 {
     std::vector<gpu::vec4> corners, colors;
-    for (const Collider& collider : world.colliders) {
+    for (size_t c = 0; c < world.colliders.size(); ++c) {
+        const Collider& collider = world.colliders[c];
         const bool hasMesh = collider.shape == ColliderShape::Mesh || collider.shape == ColliderShape::Heightfield;
         if (!hasMesh || !collider.visible) continue;
-        addCorners(corners, collider, world.colliderGrids[collider.grid], colors.size());
-        colors.push_back({collider.color.x(), collider.color.y(), collider.color.z(), 0.0f});
+        addCorners(corners, world.colliderGrids[collider.grid], colors.size());
+        colors.push_back({collider.color.x(), collider.color.y(), collider.color.z(), static_cast<float>(c)});
     }
     corners_ = {"meshCorners", std::span<const gpu::vec4>(corners)};
     colors_ = {"meshColors", std::span<const gpu::vec4>(colors)};
     table.add(Lifetime::Constant, corners_, colors_);
     meshes_ = DrawPass(gpu, table, {"colliders/collider_mesh", "colliders/collider_mesh"},
-                       {"frame", "view", "meshCorners", "meshColors"}, targets.geometry);
+                       {"frame", "view", "colliderPlaces", "meshCorners", "meshColors"}, targets.geometry);
     shadow_ = DrawPass(gpu, table, {"colliders/collider_mesh", "colliders/collider_mesh_shadow", {{"LIGHT_VIEW", "1"}}},
-                       {"frame", "view", "meshCorners", "meshColors"}, targets.shadowMap);
+                       {"frame", "view", "colliderPlaces", "meshCorners", "meshColors"}, targets.shadowMap);
 }
 
 }  // namespace knuckle

@@ -10,7 +10,7 @@ namespace knuckle {
 /// Draws the visible colliders that are made of triangles: meshes and heightfields.
 class MeshPass {
 public:
-    /// @param table must have "frame" and "view".
+    /// @param table must have "frame", "view" and "colliderPlaces".
     MeshPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderTargets& targets);
     MeshPass(const MeshPass&) = delete;
     MeshPass& operator=(const MeshPass&) = delete;
@@ -23,8 +23,8 @@ public:
 private:
     uint32_t cornerCount() const { return static_cast<uint32_t>(corners_.size() / 2); }
 
-    Buffer<gpu::vec4> corners_;  ///< Two a corner: place in the world, w: mesh; normal.
-    Buffer<gpu::vec4> colors_;   ///< Of each mesh.
+    Buffer<gpu::vec4> corners_;  ///< Two a corner, in the collider's frame: place, w: mesh; normal.
+    Buffer<gpu::vec4> colors_;   ///< Of each mesh; w: its collider.
     DrawPass meshes_, shadow_;
 };
 

@@ -31,12 +31,30 @@ AlignedBox3f grown(AlignedBox3f box, float sideways, float upwards)
     return box;
 }
 
+bool moves(const World& world, uint32_t collider)
+{
+    return std::ranges::any_of(world.colliderMotions, [&](const ColliderMotion& motion) {
+        return collider >= motion.firstCollider && collider - motion.firstCollider < motion.places.size();
+    });
+}
+
+/// The start, and some more in which what moves gets to most of where it does [s].
+std::vector<double> timesOfMotions(const World& world)
+{
+    constexpr int SAMPLES = 24;
+    std::vector<double> times{0.0};
+    for (const ColliderMotion& motion : world.colliderMotions)
+        for (int k = 1; k <= SAMPLES; ++k)
+            times.push_back(static_cast<double>(world.clips[motion.play.clip].duration()) * k / SAMPLES);
+    return times;
+}
+
 void findGround(const World& world, SceneExtent& extent)
 {
     for (uint32_t i = 0; i < world.colliders.size(); ++i) {
         const Collider& collider = world.colliders[i];
         const bool level = (collider.orientation * Vector3f::UnitY()).y() > 0.9999f;
-        if (collider.shape != ColliderShape::Plane || !level) continue;
+        if (collider.shape != ColliderShape::Plane || !level || moves(world, i)) continue;
         if (extent.groundCollider != NO_INDEX && collider.position.y() <= extent.ground) continue;
         extent.ground = collider.position.y();
         extent.groundCollider = i;
@@ -74,9 +92,10 @@ SceneExtent sceneExtent(const World& world)
     SceneExtent extent;
     findGround(world, extent);
     AlignedBox3f box = particleBounds(world);
-    for (const Collider& collider : world.colliders)
-        if (collider.visible && collider.shape != ColliderShape::Plane)
-            extent.solids.extend(colliderBounds(world, collider));
+    for (const double time : timesOfMotions(world))
+        for (const Collider& collider : collidersAt(world, time))
+            if (collider.visible && collider.shape != ColliderShape::Plane)
+                extent.solids.extend(colliderBounds(world, collider));
     if (box.isEmpty()) box = extent.solids;
     if (box.isEmpty()) box = {Vector3f(-1, 0, -1), Vector3f(1, 1, 1)};
     if (extent.groundCollider != NO_INDEX) box.extend(Vector3f(box.center().x(), extent.ground, box.center().z()));

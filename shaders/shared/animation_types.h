@@ -18,6 +18,16 @@ struct AnimatedBody {
     vec4 anchor;                    // xyz: its joint, or the pivot, at rest
 };
 
+// A collider that a clip moves.
+struct MovingCollider {
+    uint collider;
+    uint animation;                 // of the frame that it stands in
+    float reach;                    // from its place to its farthest point [m]
+    uint unused0;
+    vec4 position;                  // xyz: in that frame [m]
+    vec4 orientation;
+};
+
 struct GpuAnimation {
     vec4 position;                  // xyz: of the object's rest pose in the world [m]
     vec4 rotation;

@@ -36,6 +36,12 @@
 // The mean falls so many times faster than it rises: what parts and meets again is not to be pushed by it.
 #define MEAN_FALL 4.0
 
+// A collider stays where it is while its clip has it no further away: rounding would else move what stands, and wake
+// what lies on it. As a turn [rad], and of its distance from the origin and a metre.
+#define STANDING 1e-6f
+// From the place of a plane to its farthest point that matters, for what its turns come to [m].
+#define PLANE_REACH 1000.0f
+
 // moverMoves[].w of a body that was let go in this substep, until its contacts are summed.
 #define JUST_LET_GO (-1.0)
 

@@ -95,12 +95,11 @@ struct FrameView {
     vec4 trackedHigh;
 };
 
-// An immovable obstacle as an instance attribute block.
+// An obstacle as an instance attribute block; colliderPlaces says where it is.
 struct ColliderInstance {
-    vec4 position;              // xyz [m]; w: radius [m]
-    vec4 orientation;           // quaternion xyzw
-    vec4 halfExtents;           // xyz [m]: of the box, or of the box around the shape in its own frame
+    vec4 halfExtents;           // xyz [m]: of the box, or of the box around the shape in its own frame; w: radius [m]
     vec4 color;                 // rgb; w: shape (COLLIDER_*)
+    vec4 collider;              // x: its index
 };
 
 // Which spheres a list has, and how they are drawn from it; each list has draw arguments of its own.

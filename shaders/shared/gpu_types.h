@@ -96,10 +96,10 @@ struct GpuSoftMatter {
     float unused;
 };
 
+// What never changes about a collider; colliderPlaces says where it is.
 struct GpuCollider {
-    vec4 position;                  // xyz [m]; w: COLLIDER_*, as a float
-    vec4 orientation;               // quaternion xyzw
-    vec4 size;                      // box: half extents; sphere, capsule: radius, half height; grids: a cell [m]
+    vec4 size;                      // box: half extents; sphere, capsule: radius, half height; grids: a cell [m];
+                                    // w: COLLIDER_*, as a float
     vec4 friction;                  // static, kinetic
     vec4 gridLow;                   // where the first value stands [m]
     uvec4 grid;                     // values along x, y, z; the first in gridValues
@@ -132,7 +132,7 @@ struct EmitterState {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ParticleRigidBodyLink) == 32 && sizeof(GpuCollider) == 96);
+static_assert(sizeof(ParticleRigidBodyLink) == 32 && sizeof(GpuCollider) == 64);
 }  // namespace knuckle::gpu
 #endif
 #endif

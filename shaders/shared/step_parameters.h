@@ -30,6 +30,7 @@ struct StepParameters {
     uint linkCount;
     uint assemblyCount;
     uint colliderCount;
+    uint movingColliderCount;       // those that clips move
     float diameter;                 // [m]
     // Time, and what holds for all movers.
     uint substeps;                  // a step

@@ -124,6 +124,8 @@ ParticleView Solver::view() const
     view.positions = s.particles.positions.id();
     view.velocities = s.particles.velocities.id();
     view.bodyCentres = s.bodies.moverCentres.id();
+    view.colliderPlaces = s.colliders.colliderPlaces.id();
+    view.colliderCount = s.parameters.colliderCount;
     view.particleCount = s.parameters.particleCount + s.parameters.fluidCount;
     view.bodyCount = s.parameters.bodyCount;
     view.solidCount = s.parameters.particleCount;
@@ -157,10 +159,22 @@ std::vector<BodyState> Solver::readBodies()
     return states;
 }
 
+std::vector<Collider> Solver::readColliders()
+{
+    std::vector<Collider> colliders = impl_->world.colliders;
+    const std::vector<gpu::vec4> places = impl_->stages.colliders.colliderPlaces.download();
+    for (size_t c = 0; c < colliders.size(); ++c) {
+        const gpu::vec4 &p = places[2 * c], &q = places[2 * c + 1];
+        colliders[c].position = {p.x, p.y, p.z};
+        colliders[c].orientation = Quaternionf(q.w, q.x, q.y, q.z);
+    }
+    return colliders;
+}
+
 Measures Solver::measure()
 {
     const ParticleState particles = readParticles();
-    Measures measures = measureState(impl_->world, particles, readBodies());
+    Measures measures = measureState(impl_->world, readColliders(), particles, readBodies());
     const Stages& s = impl_->stages;
     measures.fluidCount = s.parameters.fluidCount;
     if (s.distances) s.distances->measure(measures, impl_->world, particles);

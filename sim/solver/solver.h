@@ -50,6 +50,8 @@ public:
     // Everything below stalls until the GPU is done.
     ParticleState readParticles();
     std::vector<BodyState> readBodies();
+    /// The world's, where they are now.
+    std::vector<Collider> readColliders();
     Measures measure();
     /// FNV-1a over the bits of all positions and velocities.
     uint64_t stateHash();

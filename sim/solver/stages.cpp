@@ -148,6 +148,7 @@ Defines Stages::worldDefines() const
                       {"TOUCHES", std::ranges::any_of(world_.releases, isByTouch)},
                       {"POOL", emitters.has_value()},
                       {"GRIDS", layout.hasGrids},
+                      {"MOVING", !world_.colliderMotions.empty()},
                       {"RELEASES", releases.has_value()},
                       {"PASSES", std::ranges::any_of(world_.bodies, passesAny)},
                       {"GRID_HASH", s.grid == GridKind::Hash}});

@@ -6,7 +6,8 @@
 // (shaders/sim/common/bodies/fields.glsl) and visits their particles only where something touches them. A substep
 //
 //   lets go of what is held until now (mover_release), and takes hold of what was caught (drive_catch);
-//   moves what clips move (animate), and notes how far what is driven is from its clip (drive_*, again below);
+//   moves what clips move (animate, collider_move), and notes how far what is driven is from its clip (drive_*, again
+//     below);
 //   predicts how far each mover would move if nothing touched it, and adds what its contacts did last (mover_predict,
 //     jointed_predict), and asks for a new search where one has left its margin (mover_drift);
 //   finds contacts, but only when somebody asked: search_due sets the sizes of those dispatches on the GPU, to zero
@@ -81,6 +82,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
 /// Of a world without solid particles.
 void fluidSubstep(const Stages& s, Recorder& recorder, bool first)
 {
+    if (s.animations) s.animations->animate(recorder);
     s.search.count(recorder);
     s.fluids->substep(recorder, first);
 }
@@ -88,6 +90,7 @@ void fluidSubstep(const Stages& s, Recorder& recorder, bool first)
 void impulseStep(const Stages& s, const Settings& settings, Recorder& recorder)
 {
     const bool fluidsOnly = s.layout.solidCount == 0;
+    if (s.animations) s.animations->lookAhead(recorder);
     if (s.fluids) s.fluids->beginStep(recorder);
     for (uint32_t i = 0; i < settings.substeps; ++i)
         fluidsOnly ? fluidSubstep(s, recorder, i == 0) : impulseSubstep(s, settings, recorder, i == 0);

@@ -228,6 +228,7 @@ void validate(const World& world)
     validatePuppets(world);
     validateReleases(world);
     validateColliders(world);
+    validateColliderMotions(world);
     validateSoftBodies(world);
     validateStrands(world);
     validateGrids(world);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/world/animation/animation.h"
+#include "sim/world/animation/collider_motion.h"
 #include "sim/world/collider_grid.h"
 #include "sim/world/drive/puppet.h"
 #include "sim/world/emitter.h"
@@ -122,7 +123,7 @@ struct Object {
 
 enum class ColliderShape : uint32_t { Plane, Box, Sphere, Capsule, Mesh, Heightfield };
 
-/// An immovable obstacle.
+/// An obstacle: it stays where it is, or moves as World::colliderMotions say, and answers to nothing.
 struct Collider {
     ColliderShape shape = ColliderShape::Plane;
     Vector3f position{0, 0, 0};              ///< A point of the plane, a grid's origin, else the centre [m].
@@ -162,7 +163,8 @@ struct World {
     std::vector<Animation> animations;
     std::vector<Puppet> puppets;
     std::vector<Release> releases;
-    std::vector<Collider> colliders;
+    std::vector<Collider> colliders;              ///< Where they begin.
+    std::vector<ColliderMotion> colliderMotions;  ///< In the order of colliders.
     std::vector<SoftBody> softBodies;
     std::vector<Cluster> clusters;   ///< Grouped by soft body.
     std::vector<Link> clusterLinks;  ///< Grouped by cluster, which is what Link::body says here.

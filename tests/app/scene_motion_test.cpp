@@ -74,6 +74,68 @@ TEST(SceneMotion, MistakesAreToldInOneLine)
     EXPECT_EQ(complaintOf(fast), "/objects/0/motion: says how fast it is; take `velocity` and `spin` away");
 }
 
+/// All parts of a collider move about its position, in its own directions: stairs of two steps, turned by 90 degrees
+/// about y, go up by 1 m and turn once about their z, the world's x.
+TEST(SceneMotion, ACollidersPartsMoveTogetherAboutItsPosition)
+{
+    const World world = worldOf(
+        R"({"type": "rigid", "shape": "box"})",
+        R"("colliders": [{"type": "plane"}, {"type": "stairs", "steps": 2, "rise": 0.2, "run": 0.3,
+        "landing": 0.3, "position": [1, 2, 3], "rotation": [0, 90, 0], "motion": {"path": "linear", "loop": false,
+        "keys": [{"time": 0}, {"time": 2, "position": [0, 1, 0], "rotation": [0, 0, 180]}]}}], )");
+    ASSERT_EQ(world.colliderMotions.size(), 1u);
+    EXPECT_EQ(world.colliderMotions[0].firstCollider, 1u);
+    ASSERT_EQ(world.colliderMotions[0].places.size(), 2u);
+    const std::vector<Collider> end = collidersAt(world, 5);
+    EXPECT_EQ(end[0].position, world.colliders[0].position) << "the plane";
+    for (size_t c = 1; c < 3; ++c) {
+        const Vector3f before = world.colliders[c].position - Vector3f(1, 2, 3);
+        const Vector3f after = end[c].position - Vector3f(1, 3, 3);
+        EXPECT_LT((after - Vector3f(before.x(), -before.y(), -before.z())).norm(), 1e-5f) << c;
+        EXPECT_NEAR(end[c].orientation.angularDistance(world.colliders[c].orientation), M_PI, 1e-3) << c;
+    }
+}
+
+/// What begins elsewhere than it stands is there from the start.
+TEST(SceneMotion, ACollidersFirstKeyIsWhereItBegins)
+{
+    const World world = worldOf(
+        R"({"type": "rigid", "shape": "box"})",
+        R"("colliders": [{"type": "sphere", "motion": {"keys": [{"time": 0, "position": [0, 2, 0]},
+        {"time": 1, "position": [0, 3, 0]}]}}], )");
+    EXPECT_LT((world.colliders[0].position - Vector3f(0, 2, 0)).norm(), 1e-6f);
+}
+
+TEST(SceneMotion, MistakesOfACollidersMotionAreToldInOneLine)
+{
+    const auto complaint = [](const std::string& motion, const std::string& more = "") {
+        return complaintOf(
+            R"({"type": "rigid", "shape": "box"})",
+            more + R"("colliders": [{"type": "plane"}, {"type": "sphere", "motion": )" + motion + "}], ");
+    };
+    EXPECT_EQ(complaint(R"({"keys": [{"time": 1}]})"),
+              "/colliders/1/motion/keys/0/time: must be 0: a motion begins when the film does");
+    EXPECT_EQ(complaint(R"({"keys": [{"time": 0}, {"time": 0}]})"),
+              "/colliders/1/motion/keys/1/time: must be after that of the key before");
+    EXPECT_NE(complaint(R"({"keyz": []})").find("/colliders/1/motion/keyz: unknown field"), std::string::npos);
+    EXPECT_EQ(complaint(R"({"keys": [{"time": 0}]})", R"("solver": "paper", )"),
+              "the paper's solver has no colliders that move; take their `motion` away, or use solver method impulse");
+}
+
+/// An animated box stands at the origin; a collider comes over it by 1 m.
+TEST(SceneMotion, HowFarAMovingColliderComesOverItIsTold)
+{
+    const World world = worldOf(box(R"({"time": 0})"),
+                                R"("colliders": [{"type": "box", "size": [1, 1, 1], "position": [3, 2, 3], "motion": {
+        "path": "linear", "loop": false, "keys": [{"time": 0}, {"time": 1, "position": [-2, 0, 0]}]}}], )");
+    const std::vector<AnimatedDepth> depths = animatedDepths(world, 1.5f);
+    ASSERT_EQ(depths.size(), 1u);
+    EXPECT_EQ(depths[0].collider, 0u);
+    // Its middle is the box's then: a lattice knows the way out of it to a diameter.
+    EXPECT_NEAR(depths[0].depth, 0.5f, world.diameter());
+    EXPECT_NEAR(depths[0].time, 1, 0.1f);
+}
+
 /// A box of 0.3 m goes by 1 m into a wall that begins 0.5 m ahead, and into another that stands still.
 TEST(SceneMotion, HowFarItGoesThroughWhatItCannotPushIsTold)
 {

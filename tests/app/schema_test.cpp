@@ -71,7 +71,7 @@ TEST(Schema, DefaultsAreThoseOfTheStructs)
     expectSameDefaults<CameraSettings>("camera");
     expectSameDefaults<LightSettings>("light");
     expectSameDefaults<RenderSettings>("render");
-    expectSameDefaults<Collider>("planeCollider", {"type", "rotation"});
+    expectSameDefaults<Collider>("planeCollider", {"type", "rotation", "motion"});
 }
 
 TEST(Schema, WordsAreThoseOfTheEnums)

@@ -189,10 +189,11 @@ TEST_P(TrafficOf, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
     EXPECT_TRUE(here == aside) << "the pictures differ";
 }
 
-// What flows out of emitters is there from the start; blows, touches, drives and catches need no host.
+// What flows out of emitters is there from the start; blows, touches, drives, catches and colliders
+// that move need no host.
 INSTANTIATE_TEST_SUITE_P(Scenes, TrafficOf,
                          testing::Values("ragdoll.json", "fountain.json", "dance.json", "troupe.json", "wade.json",
-                                         "struck.json", "hit.json", "catch.json"),
+                                         "struck.json", "hit.json", "catch.json", "mill.json"),
                          [](const auto& scene) { return std::string(scene.param, strchr(scene.param, '.')); });
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "tests/render/still_world.h"
 
+#include "sim/solver/pack.h"
+
 namespace knuckle::test {
 
 namespace {
@@ -23,6 +25,16 @@ Buffer<gpu::vec4> positionsOf(const World& world)
     for (const Particle& p : world.particles)
         out.push_back({p.position.x(), p.position.y(), p.position.z(), out.size() < there ? 0.0f : 1.0f});
     return {"positions", out};
+}
+
+Buffer<gpu::vec4> placesOf(const World& world)
+{
+    std::vector<gpu::vec4> out;
+    for (const Collider& collider : world.colliders) {
+        out.push_back(pack(collider.position, 0));
+        out.push_back(pack(collider.orientation));
+    }
+    return {"places", out};
 }
 
 }  // namespace
@@ -77,7 +89,7 @@ StillBuffers::StillBuffers(const World& world)
     : radius_(world.particleRadius), fluidSpacing_(world.fluidSpacing), solidCount_(world.solidCount()),
       positions_(positionsOf(world)),
       velocities_(vectors("velocities", world.particles, [](const Particle& p) { return p.velocity; })),
-      centres_(vectors("centres", world.bodies, [](const Body& b) { return b.restCentre; }))
+      centres_(vectors("centres", world.bodies, [](const Body& b) { return b.restCentre; })), places_(placesOf(world))
 {
 }
 
@@ -86,8 +98,10 @@ ParticleView StillBuffers::view() const
     return {positions_.id(),
             velocities_.id(),
             centres_.id(),
+            places_.id(),
             static_cast<uint32_t>(positions_.size()),
             static_cast<uint32_t>(centres_.size()),
+            static_cast<uint32_t>(places_.size() / 2),
             radius_,
             solidCount_,
             fluidSpacing_};

@@ -142,6 +142,28 @@ void addGrids(WorldBuilder& builder, const Vector3f& place)
     }
 }
 
+Collider boxAt(const Vector3f& place, const Vector3f& halfExtents)
+{
+    Collider box;
+    box.shape = ColliderShape::Box;
+    box.position = place;
+    box.halfExtents = halfExtents;
+    return box;
+}
+
+/// A second of a way and a turn about z [rad], after which it stands. @param waits keys before it starts. @returns the
+/// clip.
+uint32_t addMoves(WorldBuilder& builder, const Vector3f& way, float turn, int waits = 0)
+{
+    BodyClip clip{"moves", 60.0f, 1};
+    for (int k = -waits; k <= 60; ++k) {
+        const float part = std::max(static_cast<float>(k) / 60.0f, 0.0f);
+        clip.roots.emplace_back(part * way);
+        clip.turns.emplace_back(Eigen::AngleAxisf(part * turn, Vector3f::UnitZ()));
+    }
+    return builder.addClip(std::move(clip));
+}
+
 }  // namespace
 
 World limitedWorld()
@@ -176,6 +198,29 @@ World sleepyWorld(float freeze)
     WorldBuilder builder = makeBuilder(settings, false);
     builder.addCollider({});
     addTowers(builder, {0, 0, 0});
+    return builder.build();
+}
+
+World movingWorld()
+{
+    Settings settings;
+    settings.sleepSpeed = 0.05f;
+    WorldBuilder builder = makeBuilder(settings, true);
+    builder.addCollider(planeAt({0, -0.4f, 0}, {0, 1, 0}));
+    addTowers(builder, {-3.5f, -0.4f, 0});
+    addGrids(builder, {0, 0, 0});
+    // The mesh turns, a lift is under the towers, and a piston beside them starts when they sleep.
+    const uint32_t turning = addMoves(builder, Vector3f::Zero(), 2.0f * static_cast<float>(M_PI));
+    builder.moveColliders(1, {builder.world().colliders.back().position}, {.clip = turning});
+    builder.addCollider(boxAt({-3.0f, -0.5f, 0}, {0.3f, 0.1f, 0.3f}));
+    builder.moveColliders(1, {{-3.0f, -0.5f, 0}}, {.clip = addMoves(builder, {0, 0.2f, 0}, 0.3f)});
+    builder.addCollider(boxAt({-4.2f, 0, 0}, {0.2f, 0.4f, 0.4f}));
+    builder.moveColliders(1, {{-4.2f, 0, 0}}, {.clip = addMoves(builder, {0.4f, 0, 0}, 0, 50)});
+    Material fluid;
+    fluid.fluid = true;
+    std::vector<Vector3f> water = boxLattice({8, 8, 8}, builder.fluidSpacing());
+    for (Vector3f& place : water) place += Vector3f(0.3f, 1.2f, 0.3f);
+    builder.addFluid(water, {0, 0, 0}, builder.addMaterial(fluid));
     return builder.build();
 }
 
@@ -223,6 +268,7 @@ std::vector<Matter> matters()
             {"Held", heldWorld},
             {"Animated", animatedWorld},
             {"Driven", drivenWorld},
+            {"Moving", movingWorld},
             {"Everything", [] { return everyWorld(GridKind::Lattice); }}};
 }
 

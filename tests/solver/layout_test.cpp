@@ -66,6 +66,7 @@ const std::vector<Member> STEP_PARAMETERS = {MEMBER(StepParameters, gravity),
                                              MEMBER(StepParameters, pinCount),
                                              MEMBER(StepParameters, linkCount),
                                              MEMBER(StepParameters, colliderCount),
+                                             MEMBER(StepParameters, movingColliderCount),
                                              MEMBER(StepParameters, contactSlots),
                                              MEMBER(StepParameters, cellMask),
                                              MEMBER(StepParameters, cellStrideY),
@@ -144,9 +145,8 @@ const std::vector<Member> COUNTERS = {MEMBER(Counters, problems),
                                       MEMBER(Counters, heard),
                                       MEMBER(Counters, calm),
                                       MEMBER(Counters, wantedNeighbours)};
-const std::vector<Member> COLLIDER = {MEMBER(GpuCollider, position), MEMBER(GpuCollider, orientation),
-                                      MEMBER(GpuCollider, size),     MEMBER(GpuCollider, friction),
-                                      MEMBER(GpuCollider, gridLow),  MEMBER(GpuCollider, grid)};
+const std::vector<Member> COLLIDER = {MEMBER(GpuCollider, size), MEMBER(GpuCollider, friction),
+                                      MEMBER(GpuCollider, gridLow), MEMBER(GpuCollider, grid)};
 const std::vector<Member> EMITTER = {MEMBER(GpuEmitter, velocity),    MEMBER(GpuEmitter, clock),
                                      MEMBER(GpuEmitter, startStep),   MEMBER(GpuEmitter, layerLimit),
                                      MEMBER(GpuEmitter, firstPoint),  MEMBER(GpuEmitter, pointCount),
@@ -159,6 +159,9 @@ const std::vector<Member> EMITTER_STATE = {MEMBER(EmitterState, taken),         
 const std::vector<Member> ANIMATED_BODY = {MEMBER(AnimatedBody, mover),     MEMBER(AnimatedBody, parent),
                                            MEMBER(AnimatedBody, animation), MEMBER(AnimatedBody, turn),
                                            MEMBER(AnimatedBody, centre),    MEMBER(AnimatedBody, anchor)};
+const std::vector<Member> MOVING_COLLIDER = {MEMBER(MovingCollider, collider), MEMBER(MovingCollider, animation),
+                                             MEMBER(MovingCollider, reach),    MEMBER(MovingCollider, unused0),
+                                             MEMBER(MovingCollider, position), MEMBER(MovingCollider, orientation)};
 const std::vector<Member> ANIMATION = {MEMBER(GpuAnimation, position),  MEMBER(GpuAnimation, rotation),
                                        MEMBER(GpuAnimation, firstPlay), MEMBER(GpuAnimation, playCount),
                                        MEMBER(GpuAnimation, puppet),    MEMBER(GpuAnimation, unused1)};
@@ -230,6 +233,13 @@ TEST(Layout, EmittersAreTheHostsStructs)
     const Kernel kernel = fixture.load("emitter/emitter_update", {{"POOL", "1"}});
     expectArray(kernel, "Emitters", "emitters", sizeof(gpu::GpuEmitter), EMITTER);
     expectArray(kernel, "EmitterStates", "newStates", sizeof(gpu::EmitterState), EMITTER_STATE);
+}
+
+TEST(Layout, MovingCollidersAreTheHostsStructs)
+{
+    KernelFixture fixture(movingWorld());
+    const Kernel kernel = fixture.load("animation/collider_move");
+    expectArray(kernel, "MovingColliders", "movingColliders", sizeof(gpu::MovingCollider), MOVING_COLLIDER);
 }
 
 TEST(Layout, AnimationsAndReleasesAreTheHostsStructs)

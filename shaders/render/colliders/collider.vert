@@ -1,5 +1,6 @@
 // The box around an obstacle, whose faces away from the eye start the rays of collider.frag.
 #include "render/common/frame_blocks.glsl"
+#include "render/colliders/collider_place.glsl"
 #include "render/colliders/ray_shapes.glsl"
 
 uniform samplerBuffer colliderShapes;       // ColliderInstance
@@ -12,11 +13,12 @@ out vec3 boxPoint;                          // on the box, world space
 
 void main()
 {
-    int first = 4 * gl_InstanceID;
-    shapePosition = texelFetch(colliderShapes, first);
-    shapeOrientation = texelFetch(colliderShapes, first + 1);
-    shapeHalfExtents = texelFetch(colliderShapes, first + 2);
-    shapeColor = texelFetch(colliderShapes, first + 3);
+    int first = 3 * gl_InstanceID;
+    shapeHalfExtents = texelFetch(colliderShapes, first);
+    shapeColor = texelFetch(colliderShapes, first + 1);
+    ColliderPlace place = fetchColliderPlace(texelFetch(colliderShapes, first + 2).x);
+    shapePosition = vec4(place.position, shapeHalfExtents.w);
+    shapeOrientation = place.orientation;
     // A cube's 14-vertex strip, one bit per axis and vertex.
     vec3 corner = vec3(uvec3(0x287au, 0x02afu, 0x31e3u) >> gl_VertexID & 1u) * 2.0 - 1.0;
     vec3 world = shapePosition.xyz + rotate(shapeOrientation, corner * shapeHalfExtents.xyz);

@@ -1,8 +1,9 @@
 // A corner of a mesh or a heightfield that stands in the way.
 #include "render/common/frame_blocks.glsl"
+#include "render/colliders/collider_place.glsl"
 
-uniform samplerBuffer meshCorners;          // two a corner, world space: place, with the mesh; normal
-uniform samplerBuffer meshColors;
+uniform samplerBuffer meshCorners;          // two a corner, of the collider at rest: place, w: mesh; normal
+uniform samplerBuffer meshColors;           // w: the collider
 
 out vec3 viewPlace;
 out vec3 viewNormal;
@@ -10,11 +11,12 @@ flat out vec3 color;
 
 void main()
 {
-    vec4 placed = texelFetch(meshCorners, 2 * gl_VertexID);
-    vec3 place = placed.xyz;
+    vec4 corner = texelFetch(meshCorners, 2 * gl_VertexID), mesh = texelFetch(meshColors, int(corner.w));
+    ColliderPlace at = fetchColliderPlace(mesh.w);
+    vec3 place = at.position + rotate(at.orientation, corner.xyz);
     viewPlace = toView(place);
-    viewNormal = directionToView(texelFetch(meshCorners, 2 * gl_VertexID + 1).xyz);
-    color = texelFetch(meshColors, int(placed.w)).rgb;
+    viewNormal = directionToView(rotate(at.orientation, texelFetch(meshCorners, 2 * gl_VertexID + 1).xyz));
+    color = mesh.rgb;
 #ifdef LIGHT_VIEW
     gl_Position = vec4(worldToLight(place), 1.0);
 #else

@@ -1,9 +1,10 @@
 // One triangle over the whole picture, with what all pixels of a plane share.
 #include "render/common/frame_blocks.glsl"
+#include "render/colliders/collider_place.glsl"
 #include "render/common/screen.glsl"
 #include "render/common/surface.glsl"
 
-uniform samplerBuffer colliderPlanes;       // two a plane: unit normal, its component of the plane's points; colour
+uniform samplerBuffer colliderPlanes;       // two a plane: colour, w: 1 for the ground; x: its index
 
 flat out vec4 planeInView;                  // normal; w: the eye's height above the plane
 flat out uint normalWord;
@@ -11,10 +12,10 @@ flat out vec4 planeColor;                   // rgb; w: 1 for the ground
 
 void main()
 {
-    vec4 plane = texelFetch(colliderPlanes, 2 * gl_InstanceID);
-    vec3 normal = directionToView(plane.xyz);
-    planeInView = vec4(normal, dot(view.cameraPosition.xyz, plane.xyz) - plane.w);
+    ColliderPlace place = fetchColliderPlace(texelFetch(colliderPlanes, 2 * gl_InstanceID + 1).x);
+    vec3 up = rotate(place.orientation, vec3(0, 1, 0)), normal = directionToView(up);
+    planeInView = vec4(normal, dot(view.cameraPosition.xyz - place.position, up));
     normalWord = packNormal(normal);
-    planeColor = texelFetch(colliderPlanes, 2 * gl_InstanceID + 1);
+    planeColor = texelFetch(colliderPlanes, 2 * gl_InstanceID);
     gl_Position = screenCorner();
 }

@@ -55,7 +55,7 @@ void main()
         at = body.parent;
         body = animatedBodies[body.parent];
     }
-    vec3 pivot = mix(pivotOf(mixed.before, mixed.beforeAt), pivotOf(mixed.now, mixed.nowAt), mixed.part);
+    vec3 pivot = pivotAt(mixed);
     Placed placed = placedIn(animation, Placed(place + pivot, turned));
 #ifdef PUPPETS
     placed = putByCatch(puppet, placed);

@@ -32,6 +32,12 @@ Placed placedIn(GpuAnimation animation, Placed p)
                   quaternionProduct(animation.rotation, p.turned));
 }
 
+/// Where the pivot is, before the animation is put anywhere [m].
+vec3 pivotAt(Mix mixed)
+{
+    return mix(pivotOf(mixed.before, mixed.beforeAt), pivotOf(mixed.now, mixed.nowAt), mixed.part);
+}
+
 /// Of a body against its parent; of the first one where the animation is put.
 vec4 turnOf(Mix mixed, AnimatedBody body)
 {

@@ -1,6 +1,7 @@
 // One thread a contact of a particle with a collider: one Jacobi iteration of its impulse.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/movers.glsl"
+#include "sim/common/contacts/collider_moves.glsl"
 #include "sim/common/contacts/collider_point.glsl"
 #include "sim/contact/contact_impulse.glsl"
 #include "sim/contact/contact_place.glsl"
@@ -30,24 +31,25 @@ void main()
     MoverPoint point = moverPoint(sides.mover, ref.r);
     vec3 start = point.centre + point.arm;
     ColliderSurface surface = colliderSurface(sides.collider, start + point.move);
+    vec3 offset = -ref.radius * surface.normal;
+    vec3 surfaceWay = surfaceMove(sides.collider, start + point.move + offset);
     Contact contact;
     contact.touch = 2.0 * particleRadius(particle);
     contact.normal = surface.normal;
     contact.sameAssembly = false;
-    contact.leaving = dot(point.move, surface.normal);
+    contact.leaving = max(dot(point.move, surface.normal), -dot(surfaceWay, surface.normal));
     contact.gap = surface.distance - ref.radius;
-    contact.startGap = colliderSurface(sides.collider, start).distance - ref.radius;
+    contact.startGap = colliderSurface(sides.collider, takenAlong(sides.collider, start)).distance - ref.radius;
     contact.worstInverseMass = arm.worstInverseMass * point.splits;
     contact.inverseMass = contact.worstInverseMass * sides.fraction;
     contact.friction = sides.friction;
-    vec3 offset = -ref.radius * surface.normal;
     if (ref.round) {
         vec3 before = rotate(rotation, arm.r - ref.r) - offset;
-        offset += rollingOffset(fetchRound(sides.mover).rolling * ref.radius, before, point.move, surface.normal,
-                                last.normal, contact.worstInverseMass);
+        offset += rollingOffset(fetchRound(sides.mover).rolling * ref.radius, before, point.move - surfaceWay,
+                                surface.normal, last.normal, contact.worstInverseMass);
     }
     arm.r = armAt(sides.mover, ref.r, offset);
-    contact.slide = moverPoint(sides.mover, arm.r).move;
+    contact.slide = moverPoint(sides.mover, arm.r).move - surfaceWay;
     float mean = texelFetch(lastColliderMeans, int(index)).x;
     colliderImpulses[index] = packImpulse(solveContact(contact, last, mean));
     colliderMeans[index] = mean;

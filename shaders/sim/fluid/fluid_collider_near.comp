@@ -7,6 +7,9 @@
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer fluidSearchPositions;
 uniform samplerBuffer velocities;
+#ifdef MOVING
+uniform samplerBuffer colliderAheads;
+#endif
 BUFFER(uint, SlotColliders, slotColliders);
 
 void main()
@@ -19,7 +22,12 @@ void main()
     float halfPath = sim.lookAhead * sim.substepTime * length(texelFetch(velocities, int(i)).xyz);
     float reach = sim.fluidListReach + 1.5 * halfPath;
     uint near = 0u;
-    for (uint c = 0u; c < sim.colliderCount; ++c)
-        near |= (colliderSurface(c, x).distance < reach ? 1u : 0u) << (c & 31u);
+    for (uint c = 0u; c < sim.colliderCount; ++c) {
+        float ahead = 0.0;
+#ifdef MOVING
+        ahead = texelFetch(colliderAheads, int(c)).x;
+#endif
+        near |= (colliderSurface(c, x).distance < reach + ahead ? 1u : 0u) << (c & 31u);
+    }
     slotColliders[k] = isFluid(i) ? near : 0u;
 }

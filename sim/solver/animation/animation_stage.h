@@ -5,29 +5,40 @@
 
 namespace knuckle {
 
-/// Bodies that clips move (World::animations). All keys are uploaded once; where a clip is follows from the number of
-/// the substep.
+/// Bodies and colliders that clips move (World::animations, World::colliderMotions). All keys are uploaded once; where
+/// a clip is follows from the number of the substep.
 class AnimationStage : public Stage {
 public:
-    static bool isNeeded(const World& world) { return !world.animations.empty(); }
-    explicit AnimationStage(const StageSetup& setup) : parameters_(setup.parameters) {}
+    static bool isNeeded(const World& world) { return !world.animations.empty() || !world.colliderMotions.empty(); }
+    explicit AnimationStage(const StageSetup& setup);
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
-    /// After the predictions: how far animated bodies come in the substep.
+    /// At the start of a step in which there are fluids: how far colliders come in it.
+    void lookAhead(Recorder& recorder) const;
+    /// After the predictions: how far animated bodies come in the substep, and colliders, which are at its end then.
     void animate(Recorder& recorder) const;
 
     Buffer<gpu::vec4> clipTurns;               ///< Per clip, key and body: its turn.
     Buffer<gpu::vec4> clipRoots;               ///< Per clip and key: where the pivot is [m].
     Buffer<gpu::AnimatedBody> animatedBodies;  ///< Grouped by animation, in the order of its object's bodies.
-    Buffer<gpu::GpuAnimation> animations;      ///< Where its object stands, and its plays.
+    Buffer<gpu::GpuAnimation> animations;      ///< Where its object stands, and its plays; then those
+                                               ///< of colliders.
     Buffer<gpu::GpuClipPlay> clipPlays;        ///< Per animation in order of time.
     Buffer<gpu::vec4> clipBodyTurns;   ///< Per animated body, where any is driven: its turn at the substep's end.
     Buffer<gpu::vec4> clipBodyPlaces;  ///< The same: where its centre is then [m], and its rotation.
+    Buffer<gpu::MovingCollider> movingColliders;  ///< Where each stands in the frame that moves.
+    Buffer<gpu::vec4> colliderFounds;  ///< Per moving collider: where it was in the last search; w: its count.
 
 private:
+    void addBodies(const StageSetup& setup);
+    void addColliders(const StageSetup& setup);
+
     const gpu::StepParameters& parameters_;
-    Pass animate_{*this, "animation/animate"};
+    bool hasBodies_, hasColliders_, hasFluids_;
+    Pass animate_{*this, "animation/animate", {}, hasBodies_};
+    Pass moveColliders_{*this, "animation/collider_move", {}, hasColliders_};
+    Pass lookAhead_{*this, "animation/collider_move", {{"AHEAD", "1"}}, hasColliders_&& hasFluids_};
 };
 
 }  // namespace knuckle

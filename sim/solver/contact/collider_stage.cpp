@@ -28,16 +28,12 @@ std::vector<uint32_t> gridStarts(const World& world)
 gpu::GpuCollider packCollider(const World& world, const Collider& c, const std::vector<uint32_t>& starts)
 {
     const Vector3f size = c.shape == ColliderShape::Box ? c.halfExtents : Vector3f(c.radius, c.halfHeight, 0);
-    gpu::GpuCollider collider{pack(c.position, static_cast<float>(c.shape)),
-                              pack(c.orientation),
-                              pack(size, 0),
-                              {c.staticFriction, c.kineticFriction, 0, 0},
-                              {},
-                              {}};
+    const auto shape = static_cast<float>(c.shape);
+    gpu::GpuCollider collider{pack(size, shape), {c.staticFriction, c.kineticFriction, 0, 0}, {}, {}};
     if (!hasGrid(c)) return collider;
     const ColliderGrid& grid = world.colliderGrids[c.grid];
     const Eigen::Vector3<uint32_t> counts = grid.counts.cast<uint32_t>();
-    collider.size = pack(grid.cell, 0);
+    collider.size = pack(grid.cell, shape);
     collider.gridLow = pack(grid.low, 0);
     collider.grid = {counts.x(), counts.y(), counts.z(), starts[c.grid]};
     return collider;
@@ -58,16 +54,30 @@ void ColliderStage::upload(const StageSetup& setup)
     for (const ColliderGrid& grid : world.colliderGrids)
         values.insert(values.end(), grid.values.begin(), grid.values.end());
     std::vector<gpu::GpuCollider> all;
-    for (const Collider& c : world.colliders) all.push_back(packCollider(world, c, starts));
-    for (const Collider& c : world.drains) all.push_back(packCollider(world, c, starts));
-    for (const Release& release : world.releases) all.push_back(packCollider(world, release.region, starts));
+    std::vector<gpu::vec4> places;
+    const auto add = [&](const Collider& c) {
+        all.push_back(packCollider(world, c, starts));
+        places.push_back(pack(c.position, 0));
+        places.push_back(pack(c.orientation));
+    };
+    for (const Collider& c : world.colliders) add(c);
+    for (const Collider& c : world.drains) add(c);
+    for (const Release& release : world.releases) add(release.region);
     colliders = {"colliders", std::span<const gpu::GpuCollider>(all)};
+    colliderPlaces = {"colliderPlaces", std::span<const gpu::vec4>(places)};
     gridValues = {"gridValues", std::span<const float>(values)};
+    std::vector<gpu::vec4> still;
+    for (size_t c = 0; c < (world.colliderMotions.empty() ? 0 : world.colliders.size()); ++c)
+        still.insert(still.end(), {{0, 0, 0, 0}, {0, 0, 0, 1}});
+    colliderMoves = {"colliderMoves", std::span<const gpu::vec4>(still)};
+    colliderAheads = {"colliderAheads", still.size() / 2};
+    colliderAheads.clear();
 }
 
 void ColliderStage::addBuffers(BufferTable& table)
 {
     table.add(Lifetime::Constant, colliders, gridValues);
+    table.add(Lifetime::State, colliderPlaces, colliderMoves, colliderAheads);
 }
 
 }  // namespace knuckle

@@ -42,11 +42,12 @@ Placed placedAt(const World& world, const Animation& animation, float time)
     return placed;
 }
 
-void raiseByColliders(AnimatedDepth& deepest, const World& world, const Placed& placed, float time)
+void raiseByColliders(AnimatedDepth& deepest, const World& world, const std::vector<Collider>& colliders,
+                      const Placed& placed, float time)
 {
     for (const Vector3f& place : placed.places)
-        for (uint32_t c = 0; c < world.colliders.size(); ++c) {
-            const float depth = world.particleRadius - colliderDistance(world, world.colliders[c], place);
+        for (uint32_t c = 0; c < colliders.size(); ++c) {
+            const float depth = world.particleRadius - colliderDistance(world, colliders[c], place);
             if (depth > deepest.depth) deepest = {deepest.object, NO_INDEX, c, depth, time};
         }
 }
@@ -94,11 +95,12 @@ std::vector<AnimatedDepth> animatedDepths(const World& world, float duration)
     }
     for (float time = 0.0f; time < duration; time += INTERVAL) {
         std::vector<std::optional<Placed>> placed(count);
+        const std::vector<Collider> colliders = collidersAt(world, double{time});
         for (size_t i = 0; i < count; ++i)
             if (time < until[i]) placed[i] = placedAt(world, world.animations[i], time);
         for (size_t i = 0; i < count; ++i) {
             if (!placed[i]) continue;
-            raiseByColliders(inColliders[i], world, *placed[i], time);
+            raiseByColliders(inColliders[i], world, colliders, *placed[i], time);
             raiseByOthers(inOthers[i], world, placed, i, time);
         }
     }

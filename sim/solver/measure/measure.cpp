@@ -37,7 +37,7 @@ struct Depths {
     float mean() const { return count > 0 ? static_cast<float>(sum / count) : 0.0f; }
 };
 
-Depths penetrations(const World& world, const std::vector<Vector3f>& positions)
+Depths penetrations(const World& world, const std::vector<Collider>& colliders, const std::vector<Vector3f>& positions)
 {
     Depths depths;
     const float diameter = world.diameter();
@@ -57,7 +57,7 @@ Depths penetrations(const World& world, const std::vector<Vector3f>& positions)
         }
     for (uint32_t i = 0; i < world.solidCount(); ++i) {
         if (isFixedForEver(world, world.particles[i])) continue;
-        for (const Collider& collider : world.colliders) {
+        for (const Collider& collider : colliders) {
             const float depth = world.particleRadius - colliderDistance(world, collider, positions[i]);
             if (depth > 0.0f) depths.add(depth);
         }
@@ -193,10 +193,11 @@ float worstJointGap(const World& world, const ParticleState& particles, const st
     return jointGaps(world, particles, bodies, object.bodyStart, object.bodyStart + object.bodyCount).worst;
 }
 
-Measures measureState(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies)
+Measures measureState(const World& world, const std::vector<Collider>& colliders, const ParticleState& particles,
+                      const std::vector<BodyState>& bodies)
 {
     Measures m;
-    const Depths depths = penetrations(world, particles.positions);
+    const Depths depths = penetrations(world, colliders, particles.positions);
     const Depths gaps = jointGaps(world, particles, bodies, 0, static_cast<uint32_t>(world.bodies.size()));
     m.contactCount = depths.count;
     m.meanPenetration = depths.mean();

@@ -11,7 +11,8 @@ BodyState bodyState(const World& world, const Body& body, const ParticleState& p
 
 /// Contacts, gaps and energies of a state (all but ropes and cloth), on the host: every pair of particles that may
 /// touch, independently of the solver's own lists.
-Measures measureState(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies);
+Measures measureState(const World& world, const std::vector<Collider>& colliders, const ParticleState& particles,
+                      const std::vector<BodyState>& bodies);
 
 /// The worst gap of the joints of an object [m].
 float worstJointGap(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies,

@@ -15,7 +15,8 @@ constexpr float FREEZE_SECONDS = 1.0f;
 }  // namespace
 
 SleepStage::SleepStage(const StageSetup& setup)
-    : parameters_(setup.parameters), freezes_(setup.world.settings.freeze > 0.0f)
+    : parameters_(setup.parameters), freezes_(setup.world.settings.freeze > 0.0f),
+      meetsMoving_(!setup.world.colliderMotions.empty() && setup.layout.solidCount > 0)
 {
 }
 
@@ -50,12 +51,14 @@ void SleepStage::addBuffers(BufferTable& table)
 void SleepStage::wake(Recorder& recorder) const
 {
     recorder.decided(wakeIsland_, DISPATCH_PAIRS);
+    if (meetsMoving_) recorder.decided(wakeByCollider_, DISPATCH_COLLIDER_PAIRS);
     recorder.perElement(wakeAssembly_, parameters_.assemblyCount);
     recorder.decided(wakeMovers_, DISPATCH_MOVERS);
 }
 
 void SleepStage::endStep(Recorder& recorder) const
 {
+    if (meetsMoving_) recorder.decided(besideCollider_, DISPATCH_COLLIDER_PAIRS);
     if (freezes_) {
         recorder.perElement(freezeMover_, parameters_.moverCount);
         recorder.perElement(freezeUpdate_, parameters_.assemblyCount);

@@ -24,11 +24,13 @@ public:
 
 private:
     const gpu::StepParameters& parameters_;
-    bool freezes_;
+    bool freezes_, meetsMoving_;
     Pass wakeIsland_{*this, "sleep/sleep_wake_island"};
+    Pass wakeByCollider_{*this, "sleep/sleep_collider", {{"WAKE", "1"}}, meetsMoving_};
     Pass wakeAssembly_{*this, "sleep/sleep_wake_assembly"};
     Pass wakeMovers_{*this, "sleep/sleep_state"};
     Pass rest_{*this, "sleep/sleep_state"};
+    Pass besideCollider_{*this, "sleep/sleep_collider", {}, meetsMoving_};
     Pass sleepMover_{*this, "sleep/sleep_mover", {}, !freezes_};
     Pass sleepIsland_{*this, "sleep/sleep_island", {}, !freezes_};
     Pass sleepUpdate_{*this, "sleep/sleep_update", {}, !freezes_};

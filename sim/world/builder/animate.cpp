@@ -20,6 +20,17 @@ void WorldBuilder::animate(Animation animation)
     world_.animations.push_back(std::move(animation));
 }
 
+void WorldBuilder::moveColliders(uint32_t count, const Pose& pose, const ClipPlay& play)
+{
+    ColliderMotion motion{static_cast<uint32_t>(world_.colliders.size()) - count, {}, pose, play};
+    const Quaternionf back = pose.rotation.conjugate();
+    for (uint32_t c = motion.firstCollider; c < world_.colliders.size(); ++c)
+        motion.places.push_back({back * (world_.colliders[c].position - pose.translation),
+                                 (back * world_.colliders[c].orientation).normalized()});
+    world_.colliderMotions.push_back(std::move(motion));
+    world_.colliders = collidersAt(world_, 0.0);
+}
+
 void WorldBuilder::releaseBody(uint32_t body, float time)
 {
     world_.bodies.at(body).releaseTime = time;

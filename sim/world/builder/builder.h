@@ -36,6 +36,9 @@ public:
 
     uint32_t addMaterial(Material material);
     void addCollider(const Collider& collider);
+    /// From the start the last `count` colliders move together as a clip says, beginning where that has them at 0.
+    /// @param pose of the frame that moves, where they stand.
+    void moveColliders(uint32_t count, const Pose& pose, const ClipPlay& play);
     /// @returns its index, for Collider::grid.
     uint32_t addColliderGrid(ColliderGrid grid);
 

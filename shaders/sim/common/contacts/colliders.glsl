@@ -1,22 +1,34 @@
-// Static colliders: signed distance of a point and the direction out of the obstacle.
+// Colliders, where they are now: signed distance of a point and the direction out of the obstacle.
 #include "math/quaternion.glsl"
 #ifdef GRIDS
 #include "sim/common/contacts/collider_grids.glsl"
 #endif
 
-uniform usamplerBuffer colliders;    // a GpuCollider in every six texels
+uniform usamplerBuffer colliders;    // a GpuCollider in every four texels
+uniform samplerBuffer colliderPlaces;
 
 GpuCollider colliderAt(uint index)
 {
-    uvec4 texels[6];
-    for (int k = 0; k < 6; ++k) texels[k] = texelFetch(colliders, int(6u * index) + k);
-    return GpuCollider(uintBitsToFloat(texels[0]), uintBitsToFloat(texels[1]), uintBitsToFloat(texels[2]),
-                       uintBitsToFloat(texels[3]), uintBitsToFloat(texels[4]), texels[5]);
+    uvec4 texels[4];
+    for (int k = 0; k < 4; ++k) texels[k] = texelFetch(colliders, int(4u * index) + k);
+    return GpuCollider(uintBitsToFloat(texels[0]), uintBitsToFloat(texels[1]), uintBitsToFloat(texels[2]), texels[3]);
+}
+
+/// Where a collider is.
+struct ColliderPlace {
+    vec3 position;       // [m]
+    vec4 orientation;
+};
+
+ColliderPlace fetchColliderPlace(uint index)
+{
+    int first = int(2u * index);
+    return ColliderPlace(texelFetch(colliderPlaces, first).xyz, texelFetch(colliderPlaces, first + 1));
 }
 
 uint colliderShape(GpuCollider collider)
 {
-    return uint(collider.position.w);
+    return uint(collider.size.w);
 }
 
 /// Static and kinetic.
@@ -35,7 +47,8 @@ ColliderSurface colliderSurface(uint index, vec3 x)
 {
     GpuCollider c = colliderAt(index);
     uint shape = colliderShape(c);
-    vec3 p = rotate(conjugate(c.orientation), x - c.position.xyz);
+    ColliderPlace place = fetchColliderPlace(index);
+    vec3 p = rotate(conjugate(place.orientation), x - place.position);
     vec3 normal = vec3(0, 1, 0);
     float gap = p.y;
     if (shape == COLLIDER_BOX) {
@@ -62,7 +75,7 @@ ColliderSurface colliderSurface(uint index, vec3 x)
         gap = surface.w;
     }
 #endif
-    return ColliderSurface(rotate(c.orientation, normal), gap);
+    return ColliderSurface(rotate(place.orientation, normal), gap);
 }
 
 /// A lower bound of the distance from a point to a collider [m]. Of a heightfield none is known:
