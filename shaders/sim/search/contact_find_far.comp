@@ -18,12 +18,14 @@ float reachOf(uint particle)
     return extraMargin(fetchSearchCentre(searchCentres, fetchRank(particle).mover));
 }
 
-bool isContact(SortedInfo own, SortedInfo other, float apart, float reach)
+/// @param r from the other to the own particle [m]. @param reach of the own one.
+bool isContact(SortedInfo own, SortedInfo other, vec3 r, float reach)
 {
     if (other.fast && other.rank < own.rank) return false;
     float both = reach + (other.fast ? reachOf(other.particle) : 0.0);
-    if (apart >= sim.contactReach + both) return false;
-    return other.assembly != own.assembly || mayTouch(own.particle, other.particle);
+    if (length(r) >= sim.contactReach + both) return false;
+    if (other.assembly == own.assembly && !mayTouch(own.particle, other.particle)) return false;
+    return speaks(own.particle, other.particle, r, both);
 }
 
 void main()
@@ -40,15 +42,22 @@ void main()
     for (int range = 0; range < FAR_RANGES; ++range) {
         uvec2 cells = farCells(cell, range);
         uint end = texelFetch(cellStarts, int(cells.y)).x;
-        for (uint m = texelFetch(cellStarts, int(cells.x)).x; m < end; ++m) {
-            SortedPosition there = fetchSortedPosition(m);
-            vec3 y = there.position;
-            float apart = length(x - y);
-            if (there.mover == mover || apart >= farthest || !inFarRange(cell, range, y)) continue;
-            SortedInfo other = fetchSortedInfo(m);
-            float further = reach + (other.fast ? reachOf(other.particle) : 0.0);
-            if (isContact(own, other, apart, reach) && speaks(i, other.particle, x - y, further))
-                notePair(own, other, count++);
+        for (uint first = texelFetch(cellStarts, int(cells.x)).x; first < end; first += 32u) {
+            // Bits first, branch-free; the few hits are visited afterwards.
+            uint hits = 0u, n = min(end - first, 32u);
+            for (uint b = 0u; b < n; ++b) {
+                SortedPosition there = fetchSortedPosition(first + b);
+                vec3 r = x - there.position;
+                hits |= (there.mover != mover && dot(r, r) < farthest * farthest ? 1u : 0u) << b;
+            }
+            while (hits != 0u) {
+                uint m = first + uint(findLSB(hits));
+                hits &= hits - 1u;
+                SortedInfo other = fetchSortedInfo(m);
+                vec3 place = fetchSortedPosition(m).position;
+                if (inFarRange(cell, range, place) && isContact(own, other, x - place, reach))
+                    notePair(own, other, count++);
+            }
         }
     }
     noteCount(own, count);
