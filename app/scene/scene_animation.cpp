@@ -25,25 +25,31 @@ public:
     uint32_t read(const Json& json, const std::string& where)
     {
         const std::string file = json["file"], name = json["clip"];
-        const Model& model = modelOf(file, where);
-        const Clip& clip = find(model, name, where);
-        if (clip.duration == 0.0 && where != "/pose")
-            entry_.fail(where + "/clip",
-                        fmt::format("clip \"{}\" has no length; give another, or take it as `pose`", clip.name));
         const std::string key = Json{actorKey_, file, name}.dump();
         std::map<std::string, uint32_t>& made = entry_.context.clips;
-        if (const auto found = made.find(key); found != made.end()) return found->second;
+        if (!made.contains(key)) made[key] = make(file, name, where);
+        const BodyClip& clip = entry_.context.builder.world().clips[made[key]];
+        if (clip.keyCount() < 2 && where != "/pose")
+            entry_.fail(where + "/clip",
+                        fmt::format("clip \"{}\" has no length; give another, or take it as `pose`", clip.name));
+        return made[key];
+    }
+
+private:
+    uint32_t make(const std::string& file, const std::string& name, const std::string& where)
+    {
+        const Model& model = modelOf(file, where);
+        const Clip& clip = find(model, name, where);
         try {
             ActorClip fitted = file.empty() ? ownClip(actor_, model, clip) : foreignClip(actor_, model, clip);
             for (std::string& note : fitted.notes)
                 entry_.context.notes.push_back(fmt::format("{}{}: {}", entry_.pointer, where, note));
-            return made[key] = entry_.context.builder.addClip(std::move(fitted.clip));
+            return entry_.context.builder.addClip(std::move(fitted.clip));
         } catch (const InputError& error) {
             entry_.fail(where + "/file", error.what());
         }
     }
 
-private:
     const Model& modelOf(const std::string& file, const std::string& where)
     {
         const bool own = file.empty();

@@ -13,7 +13,7 @@ BUFFER(vec4, JointLoads, jointLoads);
 BUFFER(uvec2, ParticleLinks, newParticleLinks);
 #ifdef PASSES
 #include "sim/common/bodies/body_passes.glsl"
-uniform usamplerBuffer jointPasses;      // two bodies each, which no longer pass each other when it tears; or NONE
+uniform usamplerBuffer jointPasses;      // two bodies each, which no longer pass each other when it tears
 BUFFER(uint, PassBits, newPassBits);
 
 void forbid(uint body, uint other)

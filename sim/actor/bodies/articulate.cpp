@@ -37,12 +37,6 @@ Bearings bearingsOf(const Model& model)
     return bearings;
 }
 
-Vector3f perpendicular(const Vector3f& v, const Vector3f& along)
-{
-    const Vector3f across = v - v.dot(along) * along;
-    return across.norm() > 1e-3f ? Vector3f(across.normalized()) : along.unitOrthogonal().eval();
-}
-
 int32_t firstChild(const Model& model, uint32_t bone)
 {
     for (uint32_t b = bone + 1; b < model.bones.size(); ++b) {
@@ -171,9 +165,7 @@ JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, ui
     if (const auto found = options.axes.find(draft.name); found != options.axes.end()) {
         if (!options.limits.contains(draft.name)) plan.limits = {};
         plan.twistAxis = found->second.normalized();
-        plan.axis = found->second.normalized();
-        plan.along = perpendicular(plan.along, plan.axis);
-        plan.flexion.setZero();
+        plan.turnAbout(plan.twistAxis);
     }
     lockNarrowRanges(plan);
     return plan;

@@ -228,6 +228,19 @@ std::vector<uint32_t> makeUniversal(Particles& particles, const JointPlan& plan,
 
 }  // namespace
 
+Vector3f perpendicular(const Vector3f& v, const Vector3f& along)
+{
+    const Vector3f across = v - v.dot(along) * along;
+    return across.norm() > 1e-3f ? Vector3f(across.normalized()) : along.unitOrthogonal().eval();
+}
+
+void JointPlan::turnAbout(const Vector3f& other)
+{
+    axis = other;
+    along = perpendicular(along, axis);
+    flexion.setZero();
+}
+
 std::vector<uint32_t> makeJointParticles(std::vector<ParticleDraft>& particles, const JointPlan& plan, float diameter,
                                          uint32_t crossBody)
 {

@@ -26,7 +26,13 @@ struct JointPlan {
     JointLimits limits = {};
     JointStrength strength = {};
     bool clear = true;  ///< Make room to turn in.
+
+    /// Takes another axis, unit, of which nobody knows which way it bends.
+    void turnAbout(const Vector3f& other);
 };
+
+/// The part of v across `along`, as unit vectors; any across it where v has none.
+Vector3f perpendicular(const Vector3f& v, const Vector3f& along);
 
 /// Makes the particles that the two bodies share and takes away those in their way. A universal joint needs
 /// `crossBody`, the body that stands between. @returns the shared particles: ball 1, hinge 2-5 in a row on the axis,

@@ -76,11 +76,8 @@ bool isNarrow(const TurnRange& range)
 
 void becomeHinge(JointPlan& plan, const Vector3f& axis, const TurnRange& range)
 {
-    const Vector3f across = plan.along - plan.along.dot(axis) * axis;
     plan.type = JointType::Hinge;
-    plan.axis = axis;
-    plan.along = across.norm() > 1e-3f ? Vector3f(across.normalized()) : Vector3f(axis.unitOrthogonal());
-    plan.flexion.setZero();
+    plan.turnAbout(axis);
     plan.limits = {};
     plan.limits.bend = range;
 }

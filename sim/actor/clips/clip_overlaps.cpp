@@ -40,21 +40,64 @@ std::vector<std::vector<uint32_t>> ownParticles(const Actor& actor)
     return own;
 }
 
-/// Bodies at a key.
+/// The particles of a body at a key.
 struct Placed {
-    std::vector<std::vector<Vector3f>> places;  ///< Of each body's own particles.
-    std::vector<Eigen::AlignedBox3f> bounds;
+    std::vector<uint32_t> particles;
+    std::vector<Vector3f> places;
+    Eigen::AlignedBox3f bounds;
+
+    void add(uint32_t particle, const Vector3f& place)
+    {
+        particles.push_back(particle);
+        places.push_back(place);
+        bounds.extend(place);
+    }
+    /// Those nearer than a distance to a box.
+    Placed near(const Eigen::AlignedBox3f& box, float distance) const
+    {
+        Placed found;
+        for (size_t i = 0; i < places.size(); ++i)
+            if (box.exteriorDistance(places[i]) < distance) found.add(particles[i], places[i]);
+        return found;
+    }
 };
 
-Placed placedAt(const Actor& actor, const std::vector<std::vector<uint32_t>>& own, const std::vector<Pose>& poses)
+bool overlap(const Actor& actor, const Placed& whole, const Placed& other)
 {
-    Placed placed{std::vector<std::vector<Vector3f>>(own.size()), std::vector<Eigen::AlignedBox3f>(own.size())};
+    const float distance = OVERLAP * actor.diameter;
+    if (whole.bounds.exteriorDistance(other.bounds) >= distance) return false;
+    const Placed a = whole.near(other.bounds, distance), b = other.near(a.bounds, distance);
+    for (size_t i = 0; i < a.places.size(); ++i)
+        for (size_t j = 0; j < b.places.size(); ++j)
+            if ((a.places[i] - b.places[j]).squaredNorm() < distance * distance &&
+                !touchAtRest(actor, a.particles[i], b.particles[j]))
+                return true;
+    return false;
+}
+
+std::vector<Placed> placedAt(const Actor& actor, const std::vector<std::vector<uint32_t>>& own,
+                             const std::vector<Pose>& poses)
+{
+    std::vector<Placed> placed(own.size());
     for (size_t b = 0; b < own.size(); ++b)
-        for (const uint32_t p : own[b]) {
-            placed.places[b].push_back(poses[b].apply(actor.particles[p]));
-            placed.bounds[b].extend(placed.places[b].back());
-        }
+        for (const uint32_t p : own[b]) placed[b].add(p, poses[b].apply(actor.particles[p]));
     return placed;
+}
+
+/// Of two bodies, in how many looks they overlap.
+struct PairLooks {
+    std::array<uint32_t, 2> bodies;
+    uint32_t overlaps = 0;
+};
+
+std::vector<PairLooks> pairsThatTouch(const Actor& actor)
+{
+    std::vector<PairLooks> pairs;
+    for (uint32_t a = 0; a < actor.bodies.size(); ++a)
+        for (uint32_t b = a + 1; b < actor.bodies.size(); ++b)
+            if (!actor.bodies[a].isCross && !actor.bodies[b].isCross && !neverTouch(actor, a, b))
+                pairs.push_back({{a, b}});
+    return pairs;
 }
 
 }  // namespace
@@ -63,31 +106,18 @@ std::vector<std::array<uint32_t, 2>> overlapsIn(const Actor& actor, const BodyCl
 {
     const JointTurns joints(actor);
     const auto own = ownParticles(actor);
-    const float near = OVERLAP * actor.diameter;
-    const auto overlap = [&](const Placed& placed, uint32_t a, uint32_t b) {
-        if (placed.bounds[a].exteriorDistance(placed.bounds[b]) >= near) return false;
-        for (size_t i = 0; i < own[a].size(); ++i)
-            for (size_t j = 0; j < own[b].size(); ++j)
-                if ((placed.places[a][i] - placed.places[b][j]).norm() < near &&
-                    !touchAtRest(actor, own[a][i], own[b][j]))
-                    return true;
-        return false;
-    };
-    const auto count = static_cast<uint32_t>(actor.bodies.size()), step = (clip.keyCount() + LOOKS - 1) / LOOKS;
-    std::vector<uint32_t> times(size_t{count} * count);
+    std::vector<PairLooks> pairs = pairsThatTouch(actor);
+    const uint32_t step = (clip.keyCount() + LOOKS - 1) / LOOKS;
     uint32_t looks = 0;
     for (uint32_t key = 0; key < clip.keyCount(); key += step, ++looks) {
-        const Placed placed = placedAt(actor, own, posesAt(actor, joints, clip, key));
-        for (uint32_t a = 0; a < count; ++a)
-            for (uint32_t b = a + 1; b < count; ++b)
-                if (!actor.bodies[a].isCross && !actor.bodies[b].isCross && overlap(placed, a, b))
-                    ++times[size_t{a} * count + b];
+        const std::vector<Placed> placed = placedAt(actor, own, posesAt(actor, joints, clip, key));
+        for (PairLooks& pair : pairs)
+            if (overlap(actor, placed[pair.bodies[0]], placed[pair.bodies[1]])) ++pair.overlaps;
     }
-    std::vector<std::array<uint32_t, 2>> pairs;
-    for (uint32_t a = 0; a < count; ++a)
-        for (uint32_t b = a + 1; b < count; ++b)
-            if (2 * times[size_t{a} * count + b] > looks && !neverTouch(actor, a, b)) pairs.push_back({a, b});
-    return pairs;
+    std::vector<std::array<uint32_t, 2>> found;
+    for (const PairLooks& pair : pairs)
+        if (2 * pair.overlaps > looks) found.push_back(pair.bodies);
+    return found;
 }
 
 }  // namespace knuckle
