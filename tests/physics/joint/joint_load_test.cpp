@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/physics/chain_fixture.h"
+#include "tests/physics/joint/chain_fixture.h"
 #include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {

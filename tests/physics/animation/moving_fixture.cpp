@@ -1,4 +1,4 @@
-#include "tests/physics/moving_fixture.h"
+#include "tests/physics/animation/moving_fixture.h"
 
 #include <cmath>
 

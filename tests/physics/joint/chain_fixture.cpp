@@ -1,4 +1,4 @@
-#include "tests/physics/chain_fixture.h"
+#include "tests/physics/joint/chain_fixture.h"
 
 #include <algorithm>
 

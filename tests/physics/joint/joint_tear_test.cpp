@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/physics/chain_fixture.h"
+#include "tests/physics/joint/chain_fixture.h"
 #include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "tests/physics/animation/moving_fixture.h"
 #include "tests/physics/fluid/tank.h"
-#include "tests/physics/moving_fixture.h"
 
 namespace knuckle::test {
 

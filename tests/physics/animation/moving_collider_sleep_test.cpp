@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "tests/physics/moving_fixture.h"
+#include "tests/physics/animation/moving_fixture.h"
 
 namespace knuckle::test {
 
