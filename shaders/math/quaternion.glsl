@@ -31,9 +31,23 @@ vec4 quaternionFromSmallRotation(vec3 w)
     return vec4((0.5 - square * (1.0 / 48.0 - square / 3840.0)) * w, 1.0 - square * (0.125 - square / 384.0));
 }
 
+/// How far a turn moves v, exact where it is small.
+vec3 moveByTurn(vec4 q, vec3 v)
+{
+    vec3 t = 2.0 * cross(q.xyz, v);
+    return q.w * t + cross(q.xyz, t);
+}
+
 mat3 matrixFromQuaternion(vec4 q)
 {
     return mat3(rotate(q, vec3(1, 0, 0)), rotate(q, vec3(0, 1, 0)), rotate(q, vec3(0, 0, 1)));
+}
+
+/// What a turn changes in the columns of a rotation's matrix.
+mat3 turnOfAxes(vec4 rotation, vec4 turn)
+{
+    mat3 axes = matrixFromQuaternion(rotation);
+    return mat3(moveByTurn(turn, axes[0]), moveByTurn(turn, axes[1]), moveByTurn(turn, axes[2]));
 }
 
 vec4 quaternionFromMatrix(mat3 m)

@@ -27,14 +27,18 @@ mat3 boundedCompression(mat3 impulses, mat3 rotation, mat3 moments)
     return impulses - (1.0 - part) * stretch * rotation;
 }
 
-/// @param prediction where nothing would have it: its move, and A.
-/// @param impulse on it. @param held what of its A is by joints and ropes, which turn with what they hold: contacts
-/// count as if they did not make it harder or easier to turn, since they come and go. @param shift its move now. @param
-/// rotation its own now. @param moments the sum of m r r^T.
-BodyLoad loadOf(Field prediction, Field impulse, mat3 held, vec3 shift, vec4 rotation, float inverseMass, mat3 moments)
+/// The prediction is taken relative to where the body is now: of a sum with its axes, which are of length 1, rounding
+/// would leave 6e-8 rad in each substep, with short ones an acceleration.
+/// @param prediction where nothing would have it: its move, and what that adds to A. @param impulse on it. @param held
+/// what of its A is by joints and ropes, which turn with what they hold: contacts count as if they did not make it
+/// harder or easier to turn, since they come and go. @param shift its move now. @param start its rotation when the
+/// substep began, @param delta and how it has turned since. @param moments the sum of m r r^T.
+BodyLoad loadOf(Field prediction, Field impulse, mat3 held, vec3 shift, vec4 start, vec4 delta, float inverseMass,
+                mat3 moments)
 {
-    mat3 r = matrixFromQuaternion(rotation);
-    mat3 a = prediction.f + impulse.f, bounded = prediction.f + boundedCompression(held, r, moments);
+    mat3 turned = turnOfAxes(start, delta), r = matrixFromQuaternion(start) + turned;
+    mat3 left = prediction.f - turned * moments, a = left + impulse.f;
+    mat3 bounded = r * moments + left + boundedCompression(held, r, moments);
     vec3 torque = cross(r[0], a[0]) + cross(r[1], a[1]) + cross(r[2], a[2]);
     float least = LEAST_HESSIAN * sim.diameter * sim.diameter / inverseMass;
     mat3 hessian = rotationHessian(stretchOf(bounded, r)) + mat3(least);

@@ -25,11 +25,7 @@ Field moveField(uint m, vec4 rotation, vec4 delta)
 {
     Field move = Field(fetchMove(m).shift, mat3(0));
     if (!IS_BODY(m)) return move;
-    mat3 axes = matrixFromQuaternion(rotation);
-    for (int column = 0; column < 3; ++column) {
-        vec3 t = 2.0 * cross(delta.xyz, axes[column]);
-        move.f[column] = delta.w * t + cross(delta.xyz, t);
-    }
+    move.f = turnOfAxes(rotation, delta);
     return move;
 }
 

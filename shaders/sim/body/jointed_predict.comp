@@ -24,15 +24,14 @@ void main()
     vec4 rotation = fetchRotation(m);
     Field move = predictedMove(m, second, true);
     Field impulse = lastContactImpulse(m);
-    move.f = (matrixFromQuaternion(rotation) + move.f) * moments;
+    move.f = move.f * moments;
     Field velocity = fetchField(moverVelocities, m);
     vec3 shift = sim.substepTime * velocity.t;
     mat3 turned = matrixFromQuaternion(rotation) + sim.substepTime * velocity.f;
     vec4 delta = matchedRotationDelta(turned * moments, rotation, vec4(0, 0, 0, 1));
     Field rows = rowSum(m, quaternionProduct(delta, rotation));
     impulse = Field(impulse.t + rows.t, impulse.f + rows.f);
-    BodyLoad load = loadOf(move, impulse, rows.f, shift, quaternionProduct(delta, rotation), mover.inverseMass,
-                           moments);
+    BodyLoad load = loadOf(move, impulse, rows.f, shift, rotation, delta, mover.inverseMass, moments);
     STORE_BODY_LOAD(newBodyLoads, m, load)
     STORE_FIELD(moverPredictions, m, move)
     storeStart(m, shift, delta);

@@ -27,9 +27,9 @@ void main()
 #ifdef ON_PARTICLES
     others = fetchField(bodyParticlePushes, m);
 #endif
-    vec4 rotation = quaternionProduct(fetchRotationDelta(m), fetchRotation(m));
-    Field rows = rowSum(m, rotation);
+    vec4 rotation = fetchRotation(m), delta = fetchRotationDelta(m);
+    Field rows = rowSum(m, quaternionProduct(delta, rotation));
     BodyLoad load = loadOf(fetchField(moverPredictions, m), Field(push.t + rows.t, push.f + rows.f), others.f + rows.f,
-                           fetchMove(m).shift, rotation, fetchMover(m).inverseMass, fetchMoments(m));
+                           fetchMove(m).shift, rotation, delta, fetchMover(m).inverseMass, fetchMoments(m));
     STORE_BODY_LOAD(newBodyLoads, m, load)
 }

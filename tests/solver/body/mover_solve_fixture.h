@@ -42,9 +42,16 @@ protected:
         fixture.run("body/body_solve", fixture.stages.parameters.freeBodyCount, with(defines, "ROWS"));
         fixture.run("body/loose_solve", fixture.moverCount() - fixture.stages.parameters.bodyCount, defines);
     }
-    /// For bodies with joints.
+    /// For bodies with joints, whose predictions are relative to where they started.
     void loadJointed()
     {
+        std::vector<gpu::vec4> relative = predictions;
+        for (uint32_t m = 0; m < fixture.world.bodies.size(); ++m) {
+            const Matrix3d f = fixture.field(predictions, m).f - fixture.rotation(m).toRotationMatrix() * moments(m);
+            for (uint32_t c = 0; c < 3; ++c)
+                relative[fixture.fieldStart(m) + 1 + c] = packed(Vector3f(f.col(c).cast<float>()));
+        }
+        fill(fixture.stages.bodies.moverPredictions, relative);
         fixture.run("body/impulse_sum", fixture.stages.parameters.bodyCount);
         fixture.run("body/jointed_solve", fixture.stages.parameters.jointedBodyCount);
     }
