@@ -3,10 +3,10 @@
 #include "shared/joint_records.h"
 #include "sim/common/bodies/mover_info.glsl"
 
-uniform usamplerBuffer jointTrees;       // first joint, end; first loop, end
 uniform usamplerBuffer jointInfo;        // two texels each
 uniform usamplerBuffer jointFreedoms;    // JOINT_*; a torn joint holds nothing any more: JOINT_NONE
 uniform samplerBuffer jointPlaces;       // arm, the parent's; axes, the parent's
+READ_BUFFER(uvec4, JointTrees, jointTrees);   // first joint, end; first loop, end
 
 struct JointTree {
     uint first, end;           // joints, parents before children, those of one body together
@@ -15,7 +15,7 @@ struct JointTree {
 
 JointTree fetchJointTree(uint tree)
 {
-    uvec4 t = texelFetch(jointTrees, int(tree));
+    uvec4 t = jointTrees[tree];
     return JointTree(t.x, t.y, t.z, t.w);
 }
 

@@ -1,6 +1,6 @@
 // One thread a tree of joints, after joint_solve: each of its loops in turn takes back its error by a force between its
 // ends, which the tree answers to as a whole; then the bodies move.
-#define LOOPS
+#define MANY_PUSHES
 #include "sim/common/kernel.glsl"
 #include "sim/joint/joint_error.glsl"
 #include "sim/joint/joint_rows.glsl"
@@ -44,7 +44,7 @@ void closeLoop(JointTree tree, uint loop)
     for (uint k = tree.first; k < tree.end; ++k) {
         Answer answer = follow(k);
 #ifdef LIMITS
-        answer.held.r += stopTorqueOf(k, 1.0);
+        answer.held.r += stopTorqueOf(k, answer, 1.0);
 #endif
         pushBoth(k, answer.held);
         addMotion(k, SWEEP_TOTAL, answer.motion);

@@ -1,4 +1,4 @@
-// The rows of the channel in which joints keep the impulses with which they hold. LIMITS, LOOPS: a row may be pushed
+// The rows of the channel in which joints keep the impulses with which they hold. MANY_PUSHES: a row may be pushed
 // more than once by one thread.
 #include "sim/joint/joint_info.glsl"
 #include "math/spatial.glsl"
@@ -11,7 +11,7 @@ BUFFER(vec4, RowAngularImpulses, newRowAngularImpulses);
 #endif
 
 // Where each row is pushed once, what was there comes by a texture, which llvmpipe reads three times as fast.
-#if defined(LOOPS) || defined(LIMITS)
+#ifdef MANY_PUSHES
 #define ROW(name, row) new##name[row].xyz
 #else
 #define ROW(name, row) texelFetch(last##name, int(row)).xyz

@@ -25,7 +25,7 @@ vec3 strayTorque(uint k)
     if (fetchFreedom(k) == JOINT_HINGE) {
         vec3 held = ROW(RowAngularImpulses, fetchJoint(k).row), axis = fetchJointFactor(k).axis;
 #ifdef LIMITS
-        held -= jointStops[JOINT_STOP_TEXELS * k + STOP_TORQUE].xyz;
+        held -= oldStopTorque(k);
 #endif
         stray = -axis * dot(axis, held);
     }
@@ -44,7 +44,6 @@ void ask(uint k)
         error = errorBeyond(k, fetchJointKept(k));
 #ifdef LIMITS
         stop = stopTorque(k);
-        if (stop != vec3(0)) pushBoth(k, Force(vec3(0), stop));
 #endif
         stop += strayTorque(k);
     }
@@ -58,7 +57,7 @@ void take(uint k, Answer answer, float part)
     Motion motion = scaled(answer.motion, part);
     held.r += strayTorque(k);
 #ifdef LIMITS
-    held.r += stopTorqueOf(k, part);
+    held.r += stopTorqueOf(k, answer, part);
 #endif
     pushBoth(k, held);
 #ifdef LOOPS

@@ -2,17 +2,28 @@
 #include "sim/joint/joint_stops.glsl"
 #include "sim/joint/joint_sweeps.glsl"
 
-/// Stores what a joint's stops hold. @returns how their torque changes by it.
-vec3 torqueChange(uint k, JointStop s)
+void storeHeld(uint joint, JointStop s)
 {
-    storeStop(k, s);
-    vec3 before = jointStops[JOINT_STOP_TEXELS * k + STOP_TORQUE].xyz, torque = torqueOf(s);
-    jointStops[JOINT_STOP_TEXELS * k + STOP_TORQUE].xyz = torque;
-    return torque - before;
+    newJointStops[JOINT_STOP_TEXELS * joint + STOP_HELD].xy = vec2(s.held[0], s.held[1]);
+}
+
+/// Of a stop what this dispatch has stored of it.
+JointStop loadStop(uint joint)
+{
+    JointStop s = fetchStop(joint);
+    vec2 held = newJointStops[JOINT_STOP_TEXELS * joint + STOP_HELD].xy;
+    s.held = float[2](held.x, held.y);
+    return s;
+}
+
+/// What a joint's stops have added to its rows before this dispatch.
+vec3 oldStopTorque(uint joint)
+{
+    return texelFetch(lastJointStops, int(JOINT_STOP_TEXELS * joint + STOP_TORQUE)).xyz;
 }
 
 /// The torque that a joint's stops add before anything moves: what they would hold where the body is now, less what
-/// they held.
+/// they held. Its rows get it with what moving adds, by stopTorqueOf().
 vec3 stopTorque(uint k)
 {
     JointLimits limits = fetchJointLimits(k);
@@ -20,26 +31,31 @@ vec3 stopTorque(uint k)
     JointInfo joint = fetchJoint(k);
     Excess e = excessOver(limits, jointSide(k, 1u, joint.parent).frame, jointSide(k, 0u, joint.body).frame);
     float excess[2] = float[2](e.swing, e.turn);
-    JointStop s = loadStop(k);
+    JointStop s = fetchStop(k);
     for (int i = 0; i < 2; ++i) {
         if (limits.stiffness > 0.0) s.held[i] = 0.0;
         s.held[i] += s.hardness[i] * (excess[i] - s.kept[i]);
         if (s.hardness[i] == 0.0) s.held[i] = 0.0;
     }
-    return torqueChange(k, s);
+    storeHeld(k, s);
+    return torqueOf(s) - oldStopTorque(k);
 }
 
-/// The torque that they add as the joint turns by a part of what this sweep has given to its bodies.
-vec3 stopTorqueOf(uint k, float part)
+/// The torque that they add to the joint's rows: by stopTorque(), and as the joint turns by a part of what this sweep
+/// has given to its bodies.
+vec3 stopTorqueOf(uint k, Answer answer, float part)
 {
     if (!isLimited(fetchJointLimits(k))) return vec3(0);
-    uint parent = fetchJoint(k).parentJoint, freedom = fetchFreedom(k);
-    vec3 turn = loadMotion(k, SWEEP_MOTION).r;
+    uint parent = fetchJoint(k).parentJoint, freedom = fetchFreedom(k), torque = JOINT_STOP_TEXELS * k + STOP_TORQUE;
+    vec3 turn = answer.motion.r;
     if (parent != NONE) turn -= loadMotion(parent, SWEEP_MOTION).r;
     JointStop s = loadStop(k);
+    vec3 before = torqueOf(s);
     for (int i = 0; i < 2; ++i) s.held[i] += s.hardness[i] * part * dot(s.axes[i], turn);
-    vec3 change = torqueChange(k, s);
-    if (freedom == JOINT_BALL) return change;
+    storeHeld(k, s);
+    vec3 now = torqueOf(s), change = now - before, asked = before - newJointStops[torque].xyz;
+    newJointStops[torque].xyz = now;
+    if (freedom == JOINT_BALL) return asked + change;
     vec3 axis = fetchJointFactor(k).axis;
-    return freedom == JOINT_HINGE ? axis * dot(axis, change) : vec3(0);
+    return asked + (freedom == JOINT_HINGE ? axis * dot(axis, change) : vec3(0));
 }

@@ -44,7 +44,7 @@ bool updateStops(uint k, bool start)
     JointInfo joint = fetchJoint(k);
     if (!isLimited(limits) || fetchFreedom(k) == JOINT_NONE || !responds(joint.body)) return false;
     JointSide body = jointSide(k, 0u, joint.body), parent = jointSide(k, 1u, joint.parent);
-    JointStop s = loadStop(k);
+    JointStop s = fetchStop(k);
     bool rigid = limits.stiffness == 0.0;
     Excess first = excessOver(limits, parent.startFrame, body.startFrame);
     if (start) {
@@ -77,13 +77,16 @@ mat3 stopStiffness(uint k, mat3 inertia)
     const float RIGID = 100.0;
     JointLimits limits = fetchJointLimits(k);
     if (!isLimited(limits)) return mat3(0);
-    JointStop s = loadStop(k);
     float factor = accelerationFactor(assemblies[fetchMover(fetchJoint(k).body).assembly]);
-    for (int i = 0; i < 2; ++i) {
-        if (s.hardness[i] == 0.0) continue;
-        s.hardness[i] = limits.stiffness > 0.0 ? limits.stiffness * factor * sim.substepTime * sim.substepTime
-                                               : RIGID * dot(s.axes[i], inertia * s.axes[i]);
+    mat3 resistance = mat3(0);
+    for (uint i = 0u; i < 2u; ++i) {
+        uint stop = JOINT_STOP_TEXELS * k + STOP_AXES + i;
+        vec4 axis = newJointStops[stop];   // w: hardness
+        if (axis.w == 0.0) continue;
+        axis.w = limits.stiffness > 0.0 ? limits.stiffness * factor * sim.substepTime * sim.substepTime
+                                        : RIGID * dot(axis.xyz, inertia * axis.xyz);
+        newJointStops[stop].w = axis.w;
+        resistance += outerProduct(axis.w * axis.xyz, axis.xyz);
     }
-    storeStop(k, s);
-    return resistanceOf(s);
+    return resistance;
 }

@@ -6,7 +6,8 @@
 #include "sim/joint/joint_recovery.glsl"
 
 uniform samplerBuffer jointLimits;     // swing, lowest and highest turn [rad]; stiffness [N m/rad], 0: rigid
-BUFFER(vec4, JointStops, jointStops);
+uniform samplerBuffer lastJointStops;  // as the dispatch before left them, which llvmpipe reads three times as fast
+BUFFER(vec4, JointStops, newJointStops);
 
 /// The axes of the swing's and of the turn's stop, about which the body turns on beyond it; and how hard each holds, 0
 /// where it does not [kg m2]. What each holds [kg m2], how much of its excess is kept [rad]. What both add to the joint
@@ -69,11 +70,13 @@ struct JointStop {
     float kept[2];       // [rad]
 };
 
-JointStop loadStop(uint joint)
+/// As it was before this dispatch.
+JointStop fetchStop(uint joint)
 {
-    uint first = JOINT_STOP_TEXELS * joint;
-    vec4 swing = jointStops[first + STOP_AXES], turn = jointStops[first + STOP_AXES + 1u];
-    vec4 held = jointStops[first + STOP_HELD];
+    int first = int(JOINT_STOP_TEXELS * joint);
+    vec4 swing = texelFetch(lastJointStops, first + int(STOP_AXES));
+    vec4 turn = texelFetch(lastJointStops, first + int(STOP_AXES) + 1);
+    vec4 held = texelFetch(lastJointStops, first + int(STOP_HELD));
     return JointStop(vec3[2](swing.xyz, turn.xyz), float[2](swing.w, turn.w), float[2](held.x, held.y),
                      float[2](held.z, held.w));
 }
@@ -81,14 +84,8 @@ JointStop loadStop(uint joint)
 void storeStop(uint joint, JointStop s)
 {
     uint first = JOINT_STOP_TEXELS * joint;
-    for (int i = 0; i < 2; ++i) jointStops[first + STOP_AXES + uint(i)] = vec4(s.axes[i], s.hardness[i]);
-    jointStops[first + STOP_HELD] = vec4(s.held[0], s.held[1], s.kept[0], s.kept[1]);
-}
-
-/// What stops add to a joint's resistance to turns.
-mat3 resistanceOf(JointStop s)
-{
-    return outerProduct(s.hardness[0] * s.axes[0], s.axes[0]) + outerProduct(s.hardness[1] * s.axes[1], s.axes[1]);
+    for (int i = 0; i < 2; ++i) newJointStops[first + STOP_AXES + uint(i)] = vec4(s.axes[i], s.hardness[i]);
+    newJointStops[first + STOP_HELD] = vec4(s.held[0], s.held[1], s.kept[0], s.kept[1]);
 }
 
 vec3 torqueOf(JointStop s)
