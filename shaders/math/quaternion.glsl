@@ -1,9 +1,15 @@
 // Quaternions xyzw.
 
-vec3 rotate(vec4 q, vec3 v)
+/// `from`, moved on as far as a turn moves v.
+vec3 movedByTurn(vec3 from, vec4 q, vec3 v)
 {
     vec3 t = 2.0 * cross(q.xyz, v);
-    return v + q.w * t + cross(q.xyz, t);
+    return from + q.w * t + cross(q.xyz, t);
+}
+
+vec3 rotate(vec4 q, vec3 v)
+{
+    return movedByTurn(v, q, v);
 }
 
 vec4 quaternionProduct(vec4 a, vec4 b)
@@ -34,8 +40,7 @@ vec4 quaternionFromSmallRotation(vec3 w)
 /// How far a turn moves v, exact where it is small.
 vec3 moveByTurn(vec4 q, vec3 v)
 {
-    vec3 t = 2.0 * cross(q.xyz, v);
-    return q.w * t + cross(q.xyz, t);
+    return movedByTurn(vec3(0), q, v);
 }
 
 mat3 matrixFromQuaternion(vec4 q)

@@ -11,7 +11,7 @@ uniform samplerBuffer oldMoverVelocities;
 uniform samplerBuffer oldMoverMoves;
 uniform samplerBuffer moverImpulses;
 uniform usamplerBuffer lastAssemblyState;
-BUFFER(vec4, MoverPredictions, moverPredictions);   // field: the centre's move, A; see loadOf()
+BUFFER(vec4, MoverPredictions, moverPredictions);   // field: the centre's move, A; with joints as loadOf() says
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
 BUFFER(Assembly, AssemblyState, assemblies);

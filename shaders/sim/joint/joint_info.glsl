@@ -6,6 +6,7 @@
 uniform usamplerBuffer jointInfo;        // two texels each
 uniform usamplerBuffer jointFreedoms;    // JOINT_*; a torn joint holds nothing any more: JOINT_NONE
 uniform samplerBuffer jointPlaces;       // arm, the parent's; axes, the parent's
+// Read once a thread, so that it is this one that is no texture: joint_solve has all 16.
 READ_BUFFER(uvec4, JointTrees, jointTrees);   // first joint, end; first loop, end
 
 struct JointTree {

@@ -11,8 +11,7 @@ vec3 goalMove(uint body, vec3 r)
 {
     vec3 arm = rotate(fetchBodyStart(body).rotation, r);
     vec4 delta = texelFetch(moverRotationDeltas, int(body));
-    vec3 t = 2.0 * cross(delta.xyz, arm);
-    return texelFetch(moverMoves, int(body)).xyz + delta.w * t + cross(delta.xyz, t);
+    return movedByTurn(texelFetch(moverMoves, int(body)).xyz, delta, arm);
 }
 
 /// Where the goal of r is now [m].

@@ -9,16 +9,17 @@ namespace {
 constexpr double AMPLITUDE = 120 * M_PI / 180;
 constexpr double RATE = 480;     // keys of the clip [1/s]
 constexpr double LET_GO = 0.25;  // [s]
+constexpr uint32_t SUBSTEPS = 24;
 
 /// An arm that hangs from what stays, and is turned by a clip until it is let go. Angles are from hanging down.
 struct Turned {
     double from = 0.0;   ///< Where it is let go [rad].
     double speed = 0.0;  ///< With which it is turned until then [rad/s].
-    uint32_t substeps = 24;
+    uint32_t substeps = SUBSTEPS;
 };
 
 /// A cube that stays, and one that a hinge joins to it.
-WorldBuilder hingedArm(uint32_t substeps = 24)
+WorldBuilder hingedArm(uint32_t substeps = SUBSTEPS)
 {
     Settings settings;
     settings.substeps = substeps;

@@ -26,8 +26,6 @@ struct MoverPoint {
 MoverPoint moverPoint(uint mover, vec3 r)
 {
     vec3 arm = rotate(fetchRotation(mover), r);
-    vec4 rotation = fetchRotationDelta(mover);
     MoverMove move = fetchMove(mover);
-    vec3 t = 2.0 * cross(rotation.xyz, arm);
-    return MoverPoint(fetchCentre(mover), arm, move.shift + rotation.w * t + cross(rotation.xyz, t), move.splits);
+    return MoverPoint(fetchCentre(mover), arm, movedByTurn(move.shift, fetchRotationDelta(mover), arm), move.splits);
 }
