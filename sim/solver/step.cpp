@@ -68,7 +68,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
         s.contacts.solve(recorder);
         if (s.drives) s.drives->pull(recorder);
         s.bodies.solve(recorder);
-        s.joints.factorAgain(recorder);
+        s.joints.factorAgain(recorder, settings.iterations > 1 && i + 1 == settings.iterations);
         s.joints.solve(recorder);
     }
     s.joints.tear(recorder);

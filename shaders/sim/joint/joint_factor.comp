@@ -2,7 +2,7 @@
 // joint, which passes on what it does not let go (Featherstone 2008, articulated bodies). Once a substep; joint_solve
 // makes use of it. RESPONSES: of a world where something asks how bodies answer to forces. LIMITS: of one where joints
 // are limited. DRIVES: where they are driven. AGAIN: later in a substep, where bodies have turned away from how they
-// were eliminated, or other springs hold than before.
+// were eliminated, or other springs hold than before. LAST: for the last time in a substep.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_elimination.glsl"
@@ -50,7 +50,7 @@ void factor(uint k)
                                     rotate(body.frame, vec3(1, 0, 0)), kept);
         mat3 stops = mat3(0);
 #ifdef LIMITS
-        stops = stopStiffness(k, f.inertia.d);
+        stops = stopStiffness(k, f.inertia);
 #endif
 #ifdef DRIVES
         stops += drivenStiffness(k);
@@ -78,10 +78,10 @@ void main()
     due = drivesChanged(tree) || due;
 #endif
 #ifdef LIMITS
-    due = updateStops(tree, false) || due;
+    due = updateStops(tree) || due;
 #endif
 #elif defined(LIMITS)
-    updateStops(tree, true);
+    updateStops(tree);
 #endif
     if (!due) return;
     for (uint k = tree.end; k-- > tree.first;) factor(k);

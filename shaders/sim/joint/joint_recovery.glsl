@@ -8,16 +8,18 @@ float keptPart(float error, float most)
     return 1.0 - min(CORRECTION, most * sim.substepTime / max(error, 1e-20));
 }
 
-const float MOST_JOINT_TURNING = 20.0;   // [rad/s]
-
-float keptOfTurn(float turned)
+/// Of the excess of a rigid stop. What is beyond a limit is not apart, and may take its time; at 20 rad/s a load of
+/// 100 : 1 would be flung back.
+float keptOfExcess(float excess)
 {
-    return turned * keptPart(turned, MOST_JOINT_TURNING);
+    const float MOST_TURNING = 1.0;   // [rad/s]
+    return excess * keptPart(excess, MOST_TURNING);
 }
 
 Motion keptOf(Motion error)
 {
-    const float MOST_SPEED = 1.0;   // [m/s]
+    const float MOST_SPEED = 1.0;      // [m/s]
+    const float MOST_TURNING = 20.0;   // [rad/s]
     return Motion(error.t * keptPart(length(error.t), MOST_SPEED),
-                  error.r * keptPart(length(error.r), MOST_JOINT_TURNING));
+                  error.r * keptPart(length(error.r), MOST_TURNING));
 }

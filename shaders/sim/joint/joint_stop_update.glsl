@@ -1,25 +1,30 @@
 // Which stops hold: those that their joint leans on or has passed.
-#include "sim/joint/joint_stops.glsl"
+#include "sim/joint/joint_stop_stiffness.glsl"
 
-BUFFER(Assembly, AssemblyState, assemblies);
-
-/// What a stop may be away from its limit and still lean on it [rad].
-const float TOUCH = 1e-4;
+/// As long as a stop that held is no further away from its limit than this, it may go on to [rad].
+const float TOUCH = 0.005;
+/// It comes as much nearer in a substep.
+const float LEANING = 0.9;
 /// What turns onto a stop no faster than this leans on it [rad/s].
 const float MOST_LEANING = 1.0;
 
-/// Where a substep begins: what was thrown back, or is still on its way, does not lean on it.
-void beginStop(inout JointStop s, int i, float excess, bool rigid)
+/// Where a substep begins: a stop that held goes on to, from where it is. Where those that hold a chain were all looked
+/// for anew, they would hold in one substep and not in the next. @param memory the part of what it held that is left.
+void beginStop(inout JointStop s, int i, float excess, bool rigid, float memory)
 {
-    s.kept[i] = rigid ? keptOfTurn(max(excess, 0.0)) : 0.0;
-    if (excess < -TOUCH) s.hardness[i] = s.held[i] = 0.0;
+    if (excess < -TOUCH) s.hardness[i] = 0.0;
+    bool goesOn = rigid && s.hardness[i] > 0.0;
+    s.kept[i] = rigid ? keptOfExcess(max(excess, 0.0)) : 0.0;
+    if (goesOn && excess < 0.0) s.kept[i] = LEANING * excess;
+    s.held[i] *= goesOn ? memory : 0.0;
 }
 
-/// @param start its excess when the substep began. @returns whether it holds now and did not, or the other way round.
-bool updateStop(inout JointStop s, int i, vec3 axis, float excess, float start, bool rigid)
+/// @param start its excess when the substep began. @param mayLetGo whether a rigid one that pulls lets go.
+/// @returns whether it holds now and did not, or the other way round.
+bool updateStop(inout JointStop s, int i, vec3 axis, float excess, float start, bool mayLetGo, bool rigid)
 {
-    bool held = s.hardness[i] > 0.0;
-    bool holds = held ? s.held[i] + s.hardness[i] * (excess - s.kept[i]) > 0.0 : excess > s.kept[i];
+    bool held = s.hardness[i] > 0.0, holds = excess > s.kept[i];
+    if (held) holds = (rigid && !mayLetGo) || s.held[i] + s.hardness[i] * (excess - s.kept[i]) > 0.0;
     if (holds && held && dot(axis, s.axes[i]) < 0.0) s.held[i] = 0.0;   // the other end of its range
     s.axes[i] = axis;
     if (!holds) s.hardness[i] = s.held[i] = 0.0;
@@ -37,8 +42,9 @@ bool hasStopped(JointStop s, int i, float excess, float start)
     return s.hardness[i] > 0.0 && excess - start > MOST_LEANING * sim.substepTime;
 }
 
-/// @param start whether a substep begins. @returns whether another set of stops holds than before.
-bool updateStops(uint k, bool start)
+/// @param start whether a substep begins. @param mayLetGo whether rigid ones that pull let go. @returns whether another
+/// set of stops holds than before.
+bool updateStops(uint k, bool start, bool mayLetGo)
 {
     JointLimits limits = fetchJointLimits(k);
     JointInfo joint = fetchJoint(k);
@@ -48,12 +54,13 @@ bool updateStops(uint k, bool start)
     bool rigid = limits.stiffness == 0.0;
     Excess first = excessOver(limits, parent.startFrame, body.startFrame);
     if (start) {
-        beginStop(s, 0, first.swing, rigid);
-        beginStop(s, 1, first.turn, rigid);
+        float memory = texelFetch(lastJointStops, int(JOINT_STOP_TEXELS * k + STOP_TORQUE)).w;
+        beginStop(s, 0, first.swing, rigid, memory);
+        beginStop(s, 1, first.turn, rigid, memory);
     }
     Excess now = excessOver(limits, parent.frame, body.frame);
-    bool swing = updateStop(s, 0, now.swingAxis, now.swing, first.swing, rigid);
-    bool turn = updateStop(s, 1, now.turnAxis, now.turn, first.turn, rigid);
+    bool swing = updateStop(s, 0, now.swingAxis, now.swing, first.swing, mayLetGo, rigid);
+    bool turn = updateStop(s, 1, now.turnAxis, now.turn, first.turn, mayLetGo, rigid);
     storeStop(k, s);
     // As with contacts: second order would answer what stops it one and a half times. What only leans on it may be
     // thrown back as far as that is.
@@ -62,31 +69,18 @@ bool updateStops(uint k, bool start)
     return swing || turn;
 }
 
-/// @returns whether another set of stops of a tree holds than before.
-bool updateStops(JointTree tree, bool start)
+/// Of a tree. Whether one pulls shows once what its body hangs on and touches has answered. In the last iteration none
+/// lets go: nobody would see where that leads.
+bool updateStops(JointTree tree)
 {
+    bool start = false, mayLetGo = true;
+#ifndef AGAIN
+    start = true;
+    mayLetGo = false;
+#elif defined(LAST)
+    mayLetGo = false;
+#endif
     bool changed = false;
-    for (uint k = tree.first; k < tree.end; ++k) changed = updateStops(k, start) || changed;
+    for (uint k = tree.first; k < tree.end; ++k) changed = updateStops(k, start, mayLetGo) || changed;
     return changed;
-}
-
-/// What a joint's stops add to its resistance to turns: a rigid one, much more than the body with all that hangs on it
-/// has by itself. @param inertia against turns about the joint [kg m2]
-mat3 stopStiffness(uint k, mat3 inertia)
-{
-    const float RIGID = 100.0;
-    JointLimits limits = fetchJointLimits(k);
-    if (!isLimited(limits)) return mat3(0);
-    float factor = accelerationFactor(assemblies[fetchMover(fetchJoint(k).body).assembly]);
-    mat3 resistance = mat3(0);
-    for (uint i = 0u; i < 2u; ++i) {
-        uint stop = JOINT_STOP_TEXELS * k + STOP_AXES + i;
-        vec4 axis = newJointStops[stop];   // w: hardness
-        if (axis.w == 0.0) continue;
-        axis.w = limits.stiffness > 0.0 ? limits.stiffness * factor * sim.substepTime * sim.substepTime
-                                        : RIGID * dot(axis.xyz, inertia * axis.xyz);
-        newJointStops[stop].w = axis.w;
-        resistance += outerProduct(axis.w * axis.xyz, axis.xyz);
-    }
-    return resistance;
 }

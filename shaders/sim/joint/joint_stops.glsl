@@ -11,7 +11,7 @@ BUFFER(vec4, JointStops, newJointStops);
 
 /// The axes of the swing's and of the turn's stop, about which the body turns on beyond it; and how hard each holds, 0
 /// where it does not [kg m2]. What each holds [kg m2], how much of its excess is kept [rad]. What both add to the joint
-/// now.
+/// now; and which part of what they hold is left in the next substep.
 #define STOP_AXES 0u
 #define STOP_HELD 2u
 #define STOP_TORQUE 3u

@@ -209,10 +209,10 @@ void JointStage::factor(Recorder& recorder) const
     if (hasLoops_) recorder.groups(factorLoops_, treeGroups());
 }
 
-void JointStage::factorAgain(Recorder& recorder) const
+void JointStage::factorAgain(Recorder& recorder, bool last) const
 {
     if (!again_) return;
-    recorder.groups(refactor_, treeGroups());
+    recorder.groups(last && hasLimits_ ? refactorLast_ : refactor_, treeGroups());
     if (hasLoops_ && hasLimits_) recorder.groups(factorLoops_, treeGroups());
 }
 

@@ -40,7 +40,8 @@ public:
     /// How the bodies of each tree answer to each other; once in a substep.
     void factor(Recorder& recorder) const;
     /// The same where bodies have turned too far since, or limits have been reached or left; in each iteration.
-    void factorAgain(Recorder& recorder) const;
+    /// @param last whether nothing is solved again after it in the substep: then no limit lets go.
+    void factorAgain(Recorder& recorder, bool last) const;
     /// Moves bodies by what acts on them and to where their joints hold. @param first in the substep.
     void solve(Recorder& recorder, bool first = false) const;
     /// Joints that bore too much let go; at the end of a substep.
@@ -82,6 +83,7 @@ private:
     Defines variant_, loopVariant_, factorVariant_, againVariant_, rowVariant_;
     Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
     Pass refactor_{*this, "joint/joint_factor", againVariant_, again_};
+    Pass refactorLast_{*this, "joint/joint_factor", with(againVariant_, "LAST"), again_&& hasLimits_};
     Pass factorLoops_{*this, "joint/joint_loop_factor", rowVariant_, hasLoops_};
     Pass solveFirst_{*this, "joint/joint_solve", with(variant_, "FIRST"), needed_};
     Pass solve_{*this, "joint/joint_solve", variant_, needed_};

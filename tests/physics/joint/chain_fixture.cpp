@@ -25,6 +25,7 @@ void addChain(WorldBuilder& builder, const ChainSpec& spec)
         joint.type = spec.type;
         joint.anchor = PITCH * (static_cast<float>(b) + 0.5f) * Vector3f::UnitX();
         joint.strength = spec.strength;
+        joint.limits = spec.limits;
         builder.addJoint(b, b + 1, joint);
     }
     builder.endObject({{0, 0, 0}, Quaternionf::FromTwoVectors(Vector3f::UnitX(), spec.along)});

@@ -13,6 +13,7 @@ struct ChainSpec {
     float load = 1.0f;  ///< How many times as heavy the last one is.
     Vector3f along{0, -1, 0};
     JointStrength strength = {};
+    JointLimits limits = {};
     std::vector<uint32_t> alsoHeavy = {};  ///< Other bodies that are as heavy as the last.
     bool bothEnds = false;                 ///< Whether the last body is fixed, too; the first always is.
 };

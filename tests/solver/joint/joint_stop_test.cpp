@@ -79,11 +79,11 @@ protected:
         excess.turnAxis = (above ? 1.0 : -1.0) / (1.0 + middle.dot(axis)) * (middle + axis);
         return excess;
     }
-    /// Half of what exceeds a limit is taken back, at most at 20 rad/s.
+    /// Half of what exceeds a limit is taken back, at most at 1 rad/s.
     double kept(double excess) const
     {
         const double h = fixture.stages.parameters.substepTime;
-        return excess <= 0.0 ? 0.0 : excess * (1.0 - std::min(0.5, 20.0 * h / excess));
+        return excess <= 0.0 ? 0.0 : excess * (1.0 - std::min(0.5, 1.0 * h / excess));
     }
     /// Of the body against turns about its joint.
     Matrix3d inertiaAt(const JointTrees::Joint& joint) const
@@ -96,14 +96,46 @@ protected:
     {
         return std::isfinite(fixture.world.joints[joint.joint].limits.stiffness);
     }
-    void factor(const char* again = nullptr)
+    void factor(const Defines& more = {})
     {
         Defines variant{{"LIMITS", "1"}};
-        if (again != nullptr) variant.push_back({again, "1"});
+        variant.insert(variant.end(), more.begin(), more.end());
         fixture.dispatch(fixture.load("joint/joint_factor", variant),
                          (fixture.stages.parameters.jointTreeCount + TREE_GROUP_SIZE - 1) / TREE_GROUP_SIZE);
         gpu().checkErrors();
         stops = fixture.stages.joints.jointStops.download();
+    }
+    /// All hinges to where they exceed their upper limit by so much, at the start of the substep. The others stay.
+    void turnHingesTo(float excess)
+    {
+        for (const JointTrees::Joint& joint : joints) {
+            if (joint.freedom != JOINT_HINGE) continue;
+            const Quaternionf parent = quaternion(fixture.rotations[joint.parent]) * joint.parentSide.frame;
+            const Quaternionf turn(Eigen::AngleAxisf(HIGHEST + excess, Vector3f::UnitX()));
+            fixture.rotations[joint.body] = packed(parent * turn * joint.side.frame.conjugate());
+        }
+        fill(fixture.stages.bodies.moverRotations, fixture.rotations);
+    }
+    static float memory(size_t joint) { return joint % 4 == 0 ? 1.0f : 0.0f; }
+    /// As if a substep before had left all stops holding as hard.
+    void holdAll()
+    {
+        stops.assign(JOINT_STOP_TEXELS * joints.size(), {0, 0, 0, 0});
+        for (size_t j = 0; j < joints.size(); ++j) {
+            stops[JOINT_STOP_TEXELS * j] = stops[JOINT_STOP_TEXELS * j + 1] = {1, 0, 0, 7};
+            stops[JOINT_STOP_TEXELS * j + 2] = {3, 3, 0, 0};
+            stops[JOINT_STOP_TEXELS * j + 3] = {0, 0, 0, memory(j)};
+        }
+        fill(fixture.stages.joints.jointStops, stops);
+    }
+    /// @returns how many rigid hinges' stops hold, and how many soft ones'.
+    std::pair<uint32_t, uint32_t> countHolding() const
+    {
+        std::pair<uint32_t, uint32_t> count{0, 0};
+        for (size_t j = 0; j < joints.size(); ++j)
+            if (joints[j].freedom == JOINT_HINGE && stop(j, 1).w > 0.0f)
+                ++(isSoft(joints[j]) ? count.second : count.first);
+        return count;
     }
     gpu::vec4 stop(size_t joint, uint32_t part) const { return stops[JOINT_STOP_TEXELS * joint + part]; }
 
@@ -148,10 +180,48 @@ TEST_F(JointStops, WhereTheSameOnesHoldNothingIsDoneAgain)
     factor();
     const auto factors = fixture.stages.joints.jointFactors.download(), before = stops;
     fixture.stages.joints.jointFactors.clear();
-    factor("AGAIN");
+    factor({{"AGAIN", "1"}});
     for (const gpu::vec4& texel : fixture.stages.joints.jointFactors.download())
         EXPECT_EQ(vec3(texel), Vector3f(0, 0, 0)) << "no set of stops has changed";
     for (size_t k = 0; k < before.size(); ++k) EXPECT_EQ(stops[k].w, before[k].w);
+}
+
+TEST_F(JointStops, ARigidOneThatHeldGoesOnFromWhereItIs)
+{
+    for (float excess : {-0.004f, -0.006f}) {
+        SCOPED_TRACE(excess);
+        turnHingesTo(excess);
+        holdAll();
+        factor();
+        const bool goesOn = excess > -0.005f;  // as far as a stop may be away from its limit and still hold
+        EXPECT_EQ(countHolding(), std::make_pair(goesOn ? 15u : 0u, 0u));
+        for (size_t j = 0; j < joints.size(); ++j) {
+            if (joints[j].freedom != JOINT_HINGE) continue;
+            EXPECT_EQ(stop(j, 2).y, stop(j, 1).w > 0.0f ? 3 * memory(j) : 0.0f);
+            // Angles of a few tenths, rounded some twenty times.
+            EXPECT_NEAR(stop(j, 2).w, stop(j, 1).w > 0.0f ? 0.9f * excess : 0.0f, 1e-5);
+        }
+    }
+}
+
+TEST_F(JointStops, WhatPullsLetsGoButARigidOneNotInTheLastIteration)
+{
+    for (bool last : {false, true}) {
+        SCOPED_TRACE(last);
+        turnHingesTo(0.01f);
+        fixture.setMoves(0.0f, 0.0f, 1.0f);
+        factor();
+        EXPECT_EQ(countHolding(), std::make_pair(15u, 15u));
+        // Bodies turn back, to within their limits.
+        auto turns = fixture.turns;
+        for (const JointTrees::Joint& joint : joints) {
+            const Vector3f x = quaternion(fixture.rotations[joint.parent]) * joint.parentSide.frame * Vector3f::UnitX();
+            turns[joint.body] = packed(Quaternionf(Eigen::AngleAxisf(-0.02f, x)));
+        }
+        fill(fixture.stages.bodies.moverRotationDeltas, turns);
+        factor(last ? Defines{{"AGAIN", "1"}, {"LAST", "1"}} : Defines{{"AGAIN", "1"}});
+        EXPECT_EQ(countHolding(), std::make_pair(last ? 15u : 0u, 0u));
+    }
 }
 
 TEST_F(JointStops, WhatTurnedOntoAStopInTheSubstepIsOfFirstOrder)
