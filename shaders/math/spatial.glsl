@@ -30,6 +30,12 @@ struct Inertia {
     mat3 d;   // [kg m2]
 };
 
+/// The mass of an Inertia's a, which differs by direction where joints let go: on the mean [kg].
+float meanMass(mat3 a)
+{
+    return (a[0][0] + a[1][1] + a[2][2]) / 3.0;
+}
+
 /// The matrix of the cross product v x ...
 mat3 crossMatrix(vec3 v)
 {

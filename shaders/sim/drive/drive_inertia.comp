@@ -19,7 +19,7 @@ BUFFER(vec4, DriveInertias, driveInertias);
 Composite ownOf(uint body)
 {
     mat3 axes = matrixFromQuaternion(fetchRotation(body)), moments = axes * fetchMoments(body) * transpose(axes);
-    float mass = 1.0 / fetchMover(body).inverseMass;
+    float mass = moverMass(body);
     // A row of particles has none about itself, and nothing could be solved with it.
     float least = 1e-5 * mass * sim.diameter * sim.diameter;
     return Composite(mass, fetchCentre(body), mat3(traceOf(moments) + least) - moments);

@@ -1,6 +1,7 @@
 // What keeps Newton's method for trees of joints on its way where light bodies carry heavy ones: these turn far for a
 // small error, past where it is linear, and further answers only turn them to and fro.
 #include "sim/common/bodies/movers.glsl"
+#include "math/spatial.glsl"
 #include "sim/joint/joint_info.glsl"
 
 /// What a body carries as if it moved alone. @param carried the mass of it and of all that hangs on it. @returns what
@@ -8,8 +9,7 @@
 float loadOn(uint k, mat3 carried)
 {
     const float LIGHT = 100.0;
-    float mass = (carried[0][0] + carried[1][1] + carried[2][2]) / 3.0;
-    return max(0.0, mass - LIGHT / fetchMover(fetchJoint(k).body).inverseMass);
+    return max(0.0, meanMass(carried) - LIGHT / fetchMover(fetchJoint(k).body).inverseMass);
 }
 
 /// Levenberg and Marquardt's damping (Nocedal and Wright 2006, 10.3): such a body resists its next turn by a part of

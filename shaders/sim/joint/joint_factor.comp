@@ -2,7 +2,8 @@
 // joint, which passes on what it does not let go (Featherstone 2008, articulated bodies). Once a substep; joint_solve
 // makes use of it. RESPONSES: of a world where something asks how bodies answer to forces. LIMITS: of one where joints
 // are limited. DRIVES: where they are driven. AGAIN: later in a substep, where bodies have turned away from how they
-// were eliminated, or other springs hold than before. LAST: for the last time in a substep.
+// were eliminated, or other springs hold than before. LAST: in the last of several
+// iterations.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_elimination.glsl"
@@ -30,7 +31,7 @@ void factor(uint k)
     JointInfo joint = fetchJoint(k);
     uint freedom = fetchFreedom(k);
     bool free = responds(joint.body);
-    Inertia m = Inertia(mat3(1.0 / fetchMover(joint.body).inverseMass), mat3(0), fetchBodyLoad(joint.body).hessian);
+    Inertia m = Inertia(mat3(moverMass(joint.body)), mat3(0), fetchBodyLoad(joint.body).hessian);
     for (uint child = joint.firstChild; child < joint.childEnd; ++child) m = add(m, loadPassed(child));
 #ifdef DRIVES
     m = add(m, pinStiffness(k));

@@ -9,8 +9,8 @@ BUFFER(Assembly, AssemblyState, assemblies);
 float memoryOf(JointInfo joint, float carried)
 {
     const float LIGHT = 10.0;
-    float lighter = 1.0 / fetchMover(joint.body).inverseMass;
-    if (responds(joint.parent)) lighter = min(lighter, 1.0 / fetchMover(joint.parent).inverseMass);
+    float lighter = moverMass(joint.body);
+    if (responds(joint.parent)) lighter = min(lighter, moverMass(joint.parent));
     return carried > LIGHT * lighter ? 0.0 : 1.0;
 }
 
@@ -23,8 +23,7 @@ mat3 stopStiffness(uint k, Inertia inertia)
     if (!isLimited(limits)) return mat3(0);
     JointInfo joint = fetchJoint(k);
     float factor = accelerationFactor(assemblies[fetchMover(joint.body).assembly]);
-    float carried = (inertia.a[0][0] + inertia.a[1][1] + inertia.a[2][2]) / 3.0;
-    newJointStops[JOINT_STOP_TEXELS * k + STOP_TORQUE].w = memoryOf(joint, carried);
+    newJointStops[JOINT_STOP_TEXELS * k + STOP_TORQUE].w = memoryOf(joint, meanMass(inertia.a));
     mat3 resistance = mat3(0);
     for (uint i = 0u; i < 2u; ++i) {
         uint stop = JOINT_STOP_TEXELS * k + STOP_AXES + i;

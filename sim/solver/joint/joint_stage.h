@@ -40,7 +40,7 @@ public:
     /// How the bodies of each tree answer to each other; once in a substep.
     void factor(Recorder& recorder) const;
     /// The same where bodies have turned too far since, or limits have been reached or left; in each iteration.
-    /// @param last whether nothing is solved again after it in the substep: then no limit lets go.
+    /// @param last whether it is the last of several iterations, in which no rigid limit lets go.
     void factorAgain(Recorder& recorder, bool last) const;
     /// Moves bodies by what acts on them and to where their joints hold. @param first in the substep.
     void solve(Recorder& recorder, bool first = false) const;

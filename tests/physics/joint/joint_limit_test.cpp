@@ -8,8 +8,8 @@ namespace knuckle::test {
 namespace {
 
 constexpr float DEGREE = std::numbers::pi_v<float> / 180;
-/// A stop that held goes on to where it is, up to 0.005 rad within its limit [degrees].
-constexpr float LEANING = 0.29f;
+/// How far within its limit a stop that held goes on holding: 0.005 rad [degrees].
+constexpr float TOUCH = 0.29f;
 
 struct LimitedPair {
     JointType type = JointType::Ball;
@@ -69,7 +69,7 @@ TEST(JointLimit, AHingeFallsToItsLimitAndStaysThere)
         }
         // It arrives with 3 rad/s, 0.7 degrees a substep; what is left of a stop's give is below a hundredth of that.
         EXPECT_GT(lowest, -30.05f) << load;
-        EXPECT_NEAR(turnOf(solver).bend, -30, LEANING) << load;  // measured 0.07
+        EXPECT_NEAR(turnOf(solver).bend, -30, TOUCH) << load;  // measured 0.07
         EXPECT_LT(solver.readBodies()[1].angularVelocity.norm(), 1e-3f) << load;
     }
 }
@@ -84,7 +84,7 @@ TEST(JointLimit, AConeIsTheSameInEightDirections)
         const World world = limitedPair(spec);
         Solver solver(gpu(), world);
         run(solver, world, 2.0);
-        EXPECT_NEAR(turnOf(solver).swing, 40, LEANING) << k;  // measured 0.05
+        EXPECT_NEAR(turnOf(solver).swing, 40, TOUCH) << k;  // measured 0.05
         // Nothing twists it but rounding and how the bodies' lattices meet the directions.
         EXPECT_NEAR(turnOf(solver).twist, 0, 1) << k;
     }

@@ -130,7 +130,8 @@ TEST_P(LimitedChain, StaysShut)
     limits.twist = limits.secondBend = {-20 * DEGREE, 20 * DEGREE};
     limits.bend = {-30 * DEGREE, 40 * DEGREE};
     expectShutSwing(
-        {.bodies = 6, .type = GetParam().type, .load = GetParam().load, .along = {1, 0, 0}, .limits = limits}, 0.5f);
+        {.bodies = 6, .type = GetParam().type, .load = GetParam().load, .along = {1, 0, 0}, .limits = limits},
+        0.1f);  // measured 0.05 of balls, 0.012 of universals, 2e-4 of hinges
 }
 
 std::string nameOf(const Swing& swing)

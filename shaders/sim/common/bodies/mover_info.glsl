@@ -10,6 +10,12 @@ MoverInfo fetchMover(uint m)
     return MoverInfo(t.x, t.y, t.z, uintBitsToFloat(t.w));
 }
 
+/// [kg]
+float moverMass(uint m)
+{
+    return 1.0 / fetchMover(m).inverseMass;
+}
+
 /// Whether a mover answers to what acts on it. Its mass is there all the same: only this says so.
 bool responds(uint m)
 {
