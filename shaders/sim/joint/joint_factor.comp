@@ -12,7 +12,7 @@
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
 #ifdef LIMITS
-#include "sim/joint/joint_stop_update.glsl"
+#include "sim/joint/stops/joint_stop_update.glsl"
 #endif
 #ifdef DRIVES
 #include "sim/joint/joint_drives.glsl"

@@ -8,7 +8,7 @@
 #include "sim/joint/joint_rows.glsl"
 #include "sim/joint/joint_sweeps.glsl"
 #ifdef LIMITS
-#include "sim/joint/joint_stop_solve.glsl"
+#include "sim/joint/stops/joint_stop_solve.glsl"
 #endif
 
 layout(local_size_x = TREE_GROUP_SIZE) in;

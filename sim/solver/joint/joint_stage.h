@@ -84,10 +84,10 @@ private:
     Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
     Pass refactor_{*this, "joint/joint_factor", againVariant_, again_};
     Pass refactorLast_{*this, "joint/joint_factor", with(againVariant_, "LAST"), again_&& hasLimits_};
-    Pass factorLoops_{*this, "joint/joint_loop_factor", rowVariant_, hasLoops_};
+    Pass factorLoops_{*this, "joint/loops/joint_loop_factor", rowVariant_, hasLoops_};
     Pass solveFirst_{*this, "joint/joint_solve", with(variant_, "FIRST"), needed_};
     Pass solve_{*this, "joint/joint_solve", variant_, needed_};
-    Pass solveLoops_{*this, "joint/joint_loop_solve", loopVariant_, hasLoops_};
+    Pass solveLoops_{*this, "joint/loops/joint_loop_solve", loopVariant_, hasLoops_};
     Pass tear_{*this, "joint/joint_tear", rowVariant_, tears_};
     Pass place_{*this, "joint/joint_position", {}, shared_};
 };

@@ -217,9 +217,9 @@ void JointFixture::solve(bool loops, const Defines& more)
     variant.insert(variant.end(), more.begin(), more.end());
     variant.push_back({"RESPONSES", "1"});
     dispatch(load("joint/joint_factor", variant), groups);
-    if (loops) dispatch(load("joint/joint_loop_factor", variant), groups);
+    if (loops) dispatch(load("joint/loops/joint_loop_factor", variant), groups);
     dispatch(load("joint/joint_solve", with(loops ? with(variant, "LOOPS") : variant, "FIRST")), groups);
-    if (loops) dispatch(load("joint/joint_loop_solve", variant), groups);
+    if (loops) dispatch(load("joint/loops/joint_loop_solve", variant), groups);
     gpu().checkErrors();
 }
 

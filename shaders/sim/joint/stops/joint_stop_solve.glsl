@@ -1,5 +1,5 @@
 // What stops do while the joints of a tree are solved.
-#include "sim/joint/joint_stops.glsl"
+#include "sim/joint/stops/joint_stops.glsl"
 #include "sim/joint/joint_sweeps.glsl"
 
 void storeHeld(uint joint, JointStop s)

@@ -6,9 +6,9 @@
 #include "sim/joint/joint_rows.glsl"
 #include "sim/joint/joint_sweeps.glsl"
 #ifdef LIMITS
-#include "sim/joint/joint_stop_solve.glsl"
+#include "sim/joint/stops/joint_stop_solve.glsl"
 #endif
-#include "sim/joint/joint_loops.glsl"
+#include "sim/joint/loops/joint_loops.glsl"
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
 uniform samplerBuffer loopFactors;

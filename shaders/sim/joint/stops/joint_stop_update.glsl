@@ -1,5 +1,5 @@
 // Which stops hold: those that their joint leans on or has passed.
-#include "sim/joint/joint_stop_stiffness.glsl"
+#include "sim/joint/stops/joint_stop_stiffness.glsl"
 
 /// Where a substep begins all are looked for; later in it, those that have come to hold or pull.
 #ifdef AGAIN

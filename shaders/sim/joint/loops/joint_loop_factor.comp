@@ -4,7 +4,7 @@
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/joint/joint_pose.glsl"
 #include "sim/joint/joint_rows.glsl"
-#include "sim/joint/joint_loops.glsl"
+#include "sim/joint/loops/joint_loops.glsl"
 #include "sim/joint/joint_recovery.glsl"
 
 layout(local_size_x = TREE_GROUP_SIZE) in;

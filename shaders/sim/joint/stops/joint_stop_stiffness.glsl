@@ -1,5 +1,5 @@
 // How hard the stops of a joint hold.
-#include "sim/joint/joint_stops.glsl"
+#include "sim/joint/stops/joint_stops.glsl"
 
 BUFFER(Assembly, AssemblyState, assemblies);
 
