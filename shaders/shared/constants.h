@@ -8,8 +8,6 @@
 #define BODY_GROUP_SIZE 32
 // Values that one thread of a prefix sum adds up.
 #define SCAN_CHUNK 64
-// Colliders that one particle can touch at a time.
-#define COLLIDER_SLOTS 8
 // Cells of the grid that are listed once more behind the last, so that no range of neighbours wraps.
 #define WRAPPED_CELLS 9
 // Cells of the fluids' grid along x that are as long together as one is wide: rows of candidates end closer.
@@ -52,18 +50,19 @@
 #define IN_FLUID 0xfffffffeu
 
 // Dispatches whose sizes the GPU decides (Stages::dispatches).
-#define DISPATCH_PARTICLES 0        // this and the next six: none where contacts were not found anew
+#define DISPATCH_PARTICLES 0        // this and the next seven: none where contacts were not found anew
 #define DISPATCH_CELL_CHUNKS 1
 #define DISPATCH_LIST_CHUNKS 2
 #define DISPATCH_MOVERS 3
 #define DISPATCH_NEW_PAIRS 4
 #define DISPATCH_NEW_COLLIDER_PAIRS 5
 #define DISPATCH_FAST 6             // particles that find contacts from afar
-#define DISPATCH_PAIRS 7
-#define DISPATCH_COLLIDER_PAIRS 8
-#define DISPATCH_SLOTS 9            // of fluids, where there are emitters or drains
-#define DISPATCH_EMIT 10
-#define DISPATCH_COUNT 11
+#define DISPATCH_CANDIDATES 7
+#define DISPATCH_PAIRS 8
+#define DISPATCH_COLLIDER_PAIRS 9
+#define DISPATCH_SLOTS 10           // of fluids, where there are emitters or drains
+#define DISPATCH_EMIT 11
+#define DISPATCH_COUNT 12
 
 // By how much longer contacts are to stay good where few things are fast.
 #define CALM 3.0f

@@ -5,11 +5,10 @@
 #include "shared/gpu_types.h"
 
 // Bits of Counters::problems.
-#define PROBLEM_CONTACTS 1u
-#define PROBLEM_COLLIDERS 2u
-#define PROBLEM_NAN 4u
-#define PROBLEM_PAIRS 8u
-#define PROBLEM_FLUID 16u
+#define PROBLEM_CANDIDATES 1u
+#define PROBLEM_NAN 2u
+#define PROBLEM_PAIRS 4u
+#define PROBLEM_FLUID 8u
 
 #ifdef __cplusplus
 namespace knuckle::gpu {
@@ -20,8 +19,7 @@ struct Counters {
     // Problems: PROBLEM_*, one particle that has them, and the room that would have been enough.
     uint problems;
     uint badParticle;               // one particle that turned NaN
-    uint wantedContacts;            // largest number of candidates a particle would have had
-    uint wantedColliders;
+    uint wantedCandidates;          // most contacts that a search would have found
     uint wantedPairs;
     uint wantedColliderPairs;
     uint wantedNeighbours;          // most that a particle would have had in fluids
@@ -35,6 +33,7 @@ struct Counters {
     uint fastCount;                 // particles of movers that will soon leave their margin
     uint fastListed;                // those of them that look further for contacts
     uint fastLater;                 // particles of movers that will leave it in CALM times as long
+    uint candidateCount;            // contacts of all kinds that this search has found
     uint heard;                     // something is neither animated nor fixed; only where anything is animated
     uint calm;                      // 1: so few in the last search that contacts are found for as long as that
 };

@@ -48,7 +48,7 @@ struct StepParameters {
     uint cellMask;                  // cells - 1, cells a power of two
     uint cellStrideY;               // lattice grid: cells between neighbours in y ...
     uint cellStrideZ;               // ... and in z
-    uint contactSlots;              // contacts that one particle can be the first of
+    uint candidateCapacity;         // contacts of all kinds as they are found
     uint pairCapacity;              // contacts between particles
     uint colliderPairCapacity;      // contacts with colliders
     float drift;                    // a particle that has moved further makes the candidates due again [m]

@@ -84,6 +84,7 @@ Bindings::Bindings(const Program& program, const BufferTable& table, const std::
     findStorage(table, user);
     findUniforms(table, user);
     findSamplers(table, user);
+    findImages(table, user);
 }
 
 void Bindings::findStorage(const BufferTable& table, const std::string& user)
@@ -127,6 +128,21 @@ void Bindings::findSamplers(const BufferTable& table, const std::string& user)
     }
 }
 
+void Bindings::findImages(const BufferTable& table, const std::string& user)
+{
+    for (GLuint i = 0; i < resourceCount(program_, GL_UNIFORM); ++i) {
+        if (property(program_, GL_UNIFORM, i, GL_TYPE) != GL_IMAGE_BUFFER) continue;
+        const std::string image = resourceName(program_, GL_UNIFORM, i);
+        const BufferTable::Entry& entry = table.find(image, user);
+        if (entry.element.scalar != Scalar::Float)
+            throw DeviceError(fmt::format("{} declares \"{}\" as an imageBuffer, which the host's buffer does not hold",
+                                          user, image));
+        glProgramUniform1i(program_, property(program_, GL_UNIFORM, i, GL_LOCATION),
+                           static_cast<GLint>(images_.size()));
+        images_.push_back({entry.buffer, texelFormat(entry.element.texelBytes, false)});
+    }
+}
+
 void Bindings::bind() const
 {
     glUseProgram(program_);
@@ -140,6 +156,9 @@ void Bindings::bind() const
                                                           : sampled.buffer->texture(sampled.format);
         glBindTexture(sampled.picture != nullptr ? GL_TEXTURE_2D : GL_TEXTURE_BUFFER, texture);
     }
+    for (GLuint i = 0; i < images_.size(); ++i)
+        glBindImageTexture(i, images_[i].buffer->texture(images_[i].format), 0, GL_FALSE, 0, GL_READ_WRITE,
+                           images_[i].format);
 }
 
 }  // namespace knuckle

@@ -8,7 +8,8 @@
 
 namespace knuckle {
 
-/// What a program reads and writes: its storage blocks, uniform blocks and samplers, each found in a table by its name.
+/// What a program reads and writes: its storage blocks, uniform blocks, samplers and images of buffers, each found in a
+/// table by its name.
 /// Refers to the buffers and textures: one that is assigned to is bound anew by itself.
 class Bindings {
 public:
@@ -19,6 +20,7 @@ public:
 
     size_t storageCount() const { return storage_.size(); }
     size_t textureCount() const { return samplers_.size(); }
+    size_t imageCount() const { return images_.size(); }
     /// For what is dispatched or drawn next.
     void bind() const;
 
@@ -31,10 +33,11 @@ private:
     void findStorage(const BufferTable& table, const std::string& user);
     void findUniforms(const BufferTable& table, const std::string& user);
     void findSamplers(const BufferTable& table, const std::string& user);
+    void findImages(const BufferTable& table, const std::string& user);
 
     GLuint program_ = 0;
     std::vector<const RawBuffer*> storage_, uniforms_;  ///< Position is binding point, as in samplers_.
-    std::vector<Sampled> samplers_;
+    std::vector<Sampled> samplers_, images_;
 };
 
 }  // namespace knuckle

@@ -60,6 +60,7 @@ Kernel::Kernel(const Gpu& gpu, const BufferTable& buffers, const std::string& pa
     };
     check(bindings_.storageCount(), 8, "storage buffers");
     check(bindings_.textureCount(), 16, "textures");
+    check(bindings_.imageCount(), 8, "images");
 }
 
 void Kernel::begin(KernelTimer& timer) const
@@ -72,7 +73,7 @@ void Kernel::begin(KernelTimer& timer) const
 void Kernel::end(KernelTimer& timer)
 {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT |
-                    GL_COMMAND_BARRIER_BIT);
+                    GL_COMMAND_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     timer.end();
     glPopDebugGroup();
 }

@@ -16,7 +16,7 @@ namespace {
 /// After how many steps the state is copied anew: a copy takes time, and an overflow all steps since once more.
 constexpr uint32_t STEPS_KEPT = 16;
 /// What there was no room for.
-constexpr uint32_t OVERFLOWS = PROBLEM_CONTACTS | PROBLEM_PAIRS | PROBLEM_FLUID;
+constexpr uint32_t OVERFLOWS = PROBLEM_CANDIDATES | PROBLEM_PAIRS | PROBLEM_FLUID;
 
 std::vector<Vector3f> unpack(const std::vector<gpu::vec4>& values)
 {
@@ -111,10 +111,6 @@ void Solver::checkCounters(uint64_t frame)
                                    "raise solver.substeps or lower the speeds and forces of the scene",
                                    frame, counters.badParticle, owner, impl_->world.materials[particle.material].name));
     }
-    if (counters.problems & PROBLEM_COLLIDERS)
-        throw RunError(fmt::format("frame {}: a particle touches {} static colliders at a time and {} are possible; "
-                                   "merge colliders that overlap",
-                                   frame, counters.wantedColliders, COLLIDER_SLOTS));
 }
 
 ParticleView Solver::view() const

@@ -97,7 +97,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
     if (shuffle) shuffle(stages);
     for (Stage* stage : stages) stage->upload(setup_);
     if (room) {
-        parameters.contactSlots = room->contacts;
+        parameters.candidateCapacity = room->candidates;
         parameters.pairCapacity = parameters.colliderPairCapacity = room->pairs;
         parameters.fluidSlots = room->neighbours;
     }

@@ -6,7 +6,7 @@ namespace knuckle::test {
 
 namespace {
 
-constexpr ListRoom LEAST{1, 1, 4}, PLENTY{160, 60'000, 400};
+constexpr ListRoom LEAST{1, 1, 4}, PLENTY{120'000, 60'000, 400};
 
 class Overflow : public testing::TestWithParam<Matter> {
 protected:

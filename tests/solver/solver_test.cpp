@@ -124,6 +124,9 @@ void KernelFixture::setFound(const std::vector<gpu::vec4>& places)
     const uint32_t count = stages.parameters.particleCount;
     std::fill(counts.begin() + count, counts.begin() + 2 * count, 0u);
     fill(stages.search.listCounts, counts);
+    gpu::Counters now = counters();
+    now.candidateCount = 0;
+    setCounters(now);
 }
 
 void KernelFixture::fillGrid(const Defines& defines)
@@ -152,7 +155,7 @@ void KernelFixture::fillLists()
     const uint32_t chunks = 3 * stages.parameters.particleCount / SCAN_CHUNK + 1;
     run("common/grid/scan_sum", chunks, lists);
     run("search/list_start", chunks, lists);
-    forParticles("search/pair_list");
+    run("search/pair_list", std::max(counters().candidateCount, 1u));
     run("contact/contact_prepare", counters().pairCount);
     run("contact/collider_prepare", counters().colliderPairCount);
 }

@@ -30,7 +30,7 @@ void refer(uint parity, uint q, uint secondRank)
     uvec2 range = listRange(parity, LIST_AS_SECOND, secondRank, 1u);
     uint index = range.x;
     for (uint k = range.x; k < range.y; ++k) index += texelFetch(pairArrivals, int(k)).x < q ? 1u : 0u;
-    pairReferences[index] = q;
+    if (index < range.y) pairReferences[index] = q;
 }
 
 /// The hidden axes of a particle's lattice for what is at `towards` from it [m]. @param rotation of its body.

@@ -3,7 +3,8 @@
 #include "math/spatial.glsl"
 #include "shared/joint_records.h"
 
-BUFFER(vec4, JointSweeps, jointSweeps);
+// An image: a software driver reads and writes whole texels of it faster than of a storage block.
+layout(rgba32f) restrict uniform imageBuffer jointSweeps;
 
 #define SWEEP_PASSED 0u
 #define SWEEP_ASKED 2u
@@ -22,49 +23,49 @@ struct Asked {
 
 void storeAsked(uint joint, Asked asked)
 {
-    uint first = sweepEntry(joint, SWEEP_ASKED);
-    jointSweeps[first] = vec4(asked.force.t, asked.error.t.x);
-    jointSweeps[first + 1u] = vec4(asked.force.r, asked.error.t.y);
-    jointSweeps[first + 2u] = vec4(asked.error.r, asked.error.t.z);
+    int first = int(sweepEntry(joint, SWEEP_ASKED));
+    imageStore(jointSweeps, first, vec4(asked.force.t, asked.error.t.x));
+    imageStore(jointSweeps, first + 1, vec4(asked.force.r, asked.error.t.y));
+    imageStore(jointSweeps, first + 2, vec4(asked.error.r, asked.error.t.z));
 }
 
 Asked loadAsked(uint joint)
 {
-    uint first = sweepEntry(joint, SWEEP_ASKED);
-    vec4 a = jointSweeps[first], b = jointSweeps[first + 1u], c = jointSweeps[first + 2u];
+    int first = int(sweepEntry(joint, SWEEP_ASKED));
+    vec4 a = imageLoad(jointSweeps, first), b = imageLoad(jointSweeps, first + 1);
+    vec4 c = imageLoad(jointSweeps, first + 2);
     return Asked(Force(a.xyz, b.xyz), Motion(vec3(a.w, b.w, c.w), c.xyz));
 }
 
 Force loadPassedForce(uint joint)
 {
-    uint first = sweepEntry(joint, SWEEP_PASSED);
-    return Force(jointSweeps[first].xyz, jointSweeps[first + 1u].xyz);
+    int first = int(sweepEntry(joint, SWEEP_PASSED));
+    return Force(imageLoad(jointSweeps, first).xyz, imageLoad(jointSweeps, first + 1).xyz);
 }
 
 void storePassedForce(uint joint, Force f)
 {
-    uint first = sweepEntry(joint, SWEEP_PASSED);
-    jointSweeps[first].xyz = f.t;
-    jointSweeps[first + 1u].xyz = f.r;
+    int first = int(sweepEntry(joint, SWEEP_PASSED));
+    imageStore(jointSweeps, first, vec4(f.t, 0));
+    imageStore(jointSweeps, first + 1, vec4(f.r, 0));
 }
 
 /// @param part SWEEP_MOTION or SWEEP_TOTAL, as of the next two.
 Motion loadMotion(uint joint, uint part)
 {
-    uint first = sweepEntry(joint, part);
-    return Motion(jointSweeps[first].xyz, jointSweeps[first + 1u].xyz);
+    int first = int(sweepEntry(joint, part));
+    return Motion(imageLoad(jointSweeps, first).xyz, imageLoad(jointSweeps, first + 1).xyz);
 }
 
 void storeMotion(uint joint, uint part, Motion m)
 {
-    uint first = sweepEntry(joint, part);
-    jointSweeps[first].xyz = m.t;
-    jointSweeps[first + 1u].xyz = m.r;
+    int first = int(sweepEntry(joint, part));
+    imageStore(jointSweeps, first, vec4(m.t, 0));
+    imageStore(jointSweeps, first + 1, vec4(m.r, 0));
 }
 
 void addMotion(uint joint, uint part, Motion m)
 {
-    uint first = sweepEntry(joint, part);
-    jointSweeps[first].xyz += m.t;
-    jointSweeps[first + 1u].xyz += m.r;
+    Motion before = loadMotion(joint, part);
+    storeMotion(joint, part, Motion(before.t + m.t, before.r + m.r));
 }

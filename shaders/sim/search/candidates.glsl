@@ -1,22 +1,19 @@
 // Contacts as the search finds them, in any order, before pair_list gives them their places.
 
-/// An entry of firstLists: the second particle of a pair, and how many pairs have found it before.
+/// A pair of particles, or a particle and a collider.
 struct Candidate {
-    uint second, arrival;
+    uint first;     // particle
+    uint second;    // particle or collider
+    uint place;     // how many contacts of its kind its first particle found before
+    uint arrival;   // how many pairs had found its second particle before; NONE: of a collider
 };
 
-Candidate unpackCandidate(uvec2 t)
+Candidate unpackCandidate(uvec4 t)
 {
-    return Candidate(t.x, t.y);
+    return Candidate(t.x, t.y, t.z, t.w);
 }
 
-uvec2 packCandidate(Candidate candidate)
+uvec4 packCandidate(Candidate candidate)
 {
-    return uvec2(candidate.second, candidate.arrival);
-}
-
-/// Where firstLists and colliderLists have entry k of a particle.
-uint candidateIndex(uint k, uint particle)
-{
-    return k * sim.particleCount + particle;
+    return uvec4(candidate.first, candidate.second, candidate.place, candidate.arrival);
 }

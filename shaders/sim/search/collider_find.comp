@@ -1,22 +1,18 @@
 // One thread a particle: the static colliders that it may touch.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/colliders.glsl"
-#include "sim/common/contacts/contact_lists.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/common/contacts/search_margin.glsl"
 #include "sim/common/contacts/touch.glsl"
 #include "sim/common/contacts/round_bodies.glsl"
 #include "math/quaternion.glsl"
-#include "sim/search/candidates.glsl"
+#include "sim/search/candidate_notes.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer searchPositions;
 uniform samplerBuffer searchCentres;
 uniform samplerBuffer searchRotations;
 uniform usamplerBuffer moverColliders;   // bits: those that the mover may touch
-BUFFER(uint, ColliderLists, colliderLists);
-BUFFER(uint, ListCounts, listCounts);
-BUFFER(Counters, CountersBlock, counters);
 
 void main()
 {
@@ -38,14 +34,9 @@ void main()
         for (uint left = near; left != 0u; left &= left - 1u) {
             uint c = block + uint(findLSB(left));
             if (c >= sim.colliderCount || colliderSurface(c, x).distance > reach) continue;
-            if (count < COLLIDER_SLOTS) colliderLists[candidateIndex(count, i)] = c;
-            ++count;
+            note(Candidate(i, c, count++, NONE));
         }
         if (block + 32u >= sim.colliderCount) break;
     }
-    if (count > COLLIDER_SLOTS) {
-        atomicOr(counters[0].problems, PROBLEM_COLLIDERS);
-        atomicMax(counters[0].wantedColliders, count);
-    }
-    listCounts[listIndex(LIST_COLLIDERS, own.rank)] = min(count, COLLIDER_SLOTS);
+    listCounts[listIndex(LIST_COLLIDERS, own.rank)] = count;
 }

@@ -1,11 +1,12 @@
 // One thread a particle, in cell order: the particles ahead of it that it may touch (paper, section 3.1: nearer than
-// 1.2 diameters). Never particles of a body of its own, nor of its assembly where they overlap at rest; fast ones are
-// found by contact_find_far, for which the first thread sets how many work groups it takes.
+// 1.2 diameters), none of its bodies, or of its assembly that overlaps it at rest. contact_find_far finds the fast; the
+// first thread sets how many work groups that takes.
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/fluid_grid.glsl"
 #include "sim/common/grid/grid.glsl"
 #include "sim/common/groups.glsl"
 #include "sim/search/contact_search.glsl"
+#include "sim/search/pass_window.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(uvec4, Dispatches, dispatches);
@@ -32,7 +33,7 @@ Sequence sequenceAhead(ivec3 cell, uint k)
     return s;
 }
 
-/// The index in the sorted arrays of the sequence's particle c; `range` is which range it is of.
+/// The index in the sorted arrays of the sequence's particle c, and which range it is of.
 uint indexOf(Sequence s, uint c, out int range)
 {
     uint offset = s.offsets[0];
@@ -45,39 +46,55 @@ uint indexOf(Sequence s, uint c, out int range)
     return c + offset;
 }
 
+/// Which of the 32 particles from the sequence's `first` on are nearer than sim.contactReach and outside a window, as
+/// bits: branch-free, the few hits are visited afterwards.
+uint hitsFrom(Sequence s, uint first, vec3 position, PassWindow window)
+{
+    uint hits = 0u, n = min(s.count - min(s.count, first), 32u);
+    int range;
+    for (uint b = 0u; b < n; ++b) {
+        SortedPosition other = fetchSortedPosition(indexOf(s, first + b, range));
+        vec3 r = position - other.position;
+        bool isNear = dot(r, r) < sim.contactReach * sim.contactReach;
+        hits |= (isNear && !isIn(window, other.mover) ? 1u : 0u) << b;
+    }
+    return hits;
+}
+
+/// Takes the first of 64 bits away. @returns which it was.
+uint takeFirst(inout uvec2 bits)
+{
+    bool low = bits.x != 0u;
+    uint word = low ? bits.x : bits.y, left = word & (word - 1u);
+    bits = low ? uvec2(left, bits.y) : uvec2(0u, left);
+    return (low ? 0u : 32u) + uint(findLSB(word));
+}
+
 void main()
 {
     uint k = gl_GlobalInvocationID.x;
     if (k >= sim.particleCount) return;
     if (k == 0u) dispatches[DISPATCH_FAST] = uvec4(groups(counters[0].fastListed), 1, 1, 0);
-    SortedInfo info = fetchSortedInfo(k);
-    if (info.fast) return;
+    SortedParticle self = fetchSortedParticle(k);
+    if (self.fast) return;
     SortedPosition own = fetchSortedPosition(k);
     ivec3 cell = cellOf(own.position);
     Sequence ahead = sequenceAhead(cell, k);
-    float reach = sim.contactReach * sim.contactReach;
-    uint count = 0u;
-    int range;
-    for (uint first = 0u; first < ahead.count; first += 32u) {
-        // Bits first, branch-free; the few hits are visited afterwards.
-        uint hits = 0u;
-        uint n = min(ahead.count - first, 32u);
-        for (uint b = 0u; b < n; ++b) {
-            SortedPosition other = fetchSortedPosition(indexOf(ahead, first + b, range));
-            vec3 r = own.position - other.position;
-            uint hit = dot(r, r) < reach && other.mover != own.mover ? 1u : 0u;
-            hits |= hit << b;
-        }
-        while (hits != 0u) {
-            uint m = indexOf(ahead, first + uint(findLSB(hits)), range);
-            hits &= hits - 1u;
-            SortedInfo other = fetchSortedInfo(m);
-            if (other.fast || (other.assembly == info.assembly && !mayTouch(info.particle, other.particle))) continue;
+    PassWindow window = windowAround(own.mover);
+    uint count = 0u, first = 0u;
+    do {
+        uvec2 hits;
+        for (uint w = 0u; w < 2u; ++w) hits[w] = hitsFrom(ahead, first + 32u * w, own.position, window);
+        while (hits != uvec2(0)) {
+            int range;
+            uint m = indexOf(ahead, first + takeFirst(hits), range);
+            SortedParticle other = fetchSortedParticle(m);
             vec3 place = fetchSortedPosition(m).position;
-            if (!inForwardRange(cell, range, place)) continue;
-            if (!speaks(info.particle, other.particle, own.position - place, 0.0)) continue;
-            notePair(info, other, count++);
+            if (other.fast || !inForwardRange(cell, range, place)) continue;
+            if (!mayTouch(self.particle, other.particle)) continue;
+            if (speaks(self.particle, other.particle, own.position - place, 0.0))
+                notePair(self.particle, other.particle, count++);
         }
-    }
-    noteCount(info, count);
+    } while ((first += 64u) < ahead.count);
+    noteCount(self.particle, count);
 }

@@ -6,26 +6,82 @@
 #include "sim/common/particles.glsl"
 #include "sim/common/contacts/search_margin.glsl"
 #include "sim/search/contact_search.glsl"
+#include "sim/search/pass_window.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer fastParticles;
 uniform samplerBuffer searchPositions;
 uniform samplerBuffer searchCentres;
 
-/// By how much further a particle looks than others.
+/// By how much further a particle looks than others [m].
 float reachOf(uint particle)
 {
     return extraMargin(fetchSearchCentre(searchCentres, fetchRank(particle).mover));
 }
 
 /// @param r from the other to the own particle [m]. @param reach of the own one.
-bool isContact(SortedInfo own, SortedInfo other, vec3 r, float reach)
+bool isContact(uint own, SortedParticle other, vec3 r, float reach)
 {
-    if (other.fast && other.rank < own.rank) return false;
+    if (other.fast && fetchRank(other.particle).rank < fetchRank(own).rank) return false;
     float both = reach + (other.fast ? reachOf(other.particle) : 0.0);
-    if (length(r) >= sim.contactReach + both) return false;
-    if (other.assembly == own.assembly && !mayTouch(own.particle, other.particle)) return false;
-    return speaks(own.particle, other.particle, r, both);
+    return length(r) < sim.contactReach + both && mayTouch(own, other.particle) &&
+           speaks(own, other.particle, r, both);
+}
+
+#define ROWS 25   // of cells, looked into one after the other before anything is done about what is there
+
+/// Of a row the particles of one block of 32: the first, and those behind the last.
+uvec2 blockOf(ivec3 cell, int row, uint block)
+{
+    uvec2 cells = farCells(cell, row);
+    uint first = texelFetch(cellStarts, int(cells.x)).x + 32u * block, end = texelFetch(cellStarts, int(cells.y)).x;
+    return uvec2(first, max(first, end));
+}
+
+/// Which of the first 32 particles of a range are nearer than `farthest` to x and outside a window, as bits.
+uint hitsIn(uvec2 range, vec3 x, float farthest, PassWindow window)
+{
+    uint hits = 0u, n = min(range.y - range.x, 32u);
+    for (uint b = 0u; b < n; ++b) {
+        SortedPosition there = fetchSortedPosition(range.x + b);
+        vec3 r = x - there.position;
+        hits |= (dot(r, r) < farthest * farthest && !isIn(window, there.mover) ? 1u : 0u) << b;
+    }
+    return hits;
+}
+
+/// What a fast particle knows of itself.
+struct Seeker {
+    uint particle;
+    vec3 position;       // [m]
+    ivec3 cell;
+    float reach;         // reachOf()
+    PassWindow window;
+};
+
+/// Notes the contacts in one block of the rows from `start` on. @returns whether any row has more.
+bool findIn(Seeker own, int start, uint block, inout uint count)
+{
+    float farthest = sim.contactReach + own.reach + sim.farReach;
+    uint hits[ROWS], rows = 0u;   // of each row; the rows that have any, since few have
+    bool more = false;
+    for (int row = 0; row < ROWS; ++row) {
+        uvec2 range = blockOf(own.cell, start + row, block);
+        hits[row] = hitsIn(range, own.position, farthest, own.window);
+        rows |= (hits[row] != 0u ? 1u : 0u) << row;
+        more = more || range.y - range.x > 32u;
+    }
+    while (rows != 0u) {
+        int row = findLSB(rows);
+        uint word = hits[row], m = blockOf(own.cell, start + row, block).x + uint(findLSB(word));
+        hits[row] = word & (word - 1u);
+        rows &= hits[row] == 0u ? rows - 1u : ~0u;
+        SortedParticle other = fetchSortedParticle(m);
+        vec3 place = fetchSortedPosition(m).position;
+        if (inFarRange(own.cell, start + row, place) && isContact(own.particle, other, own.position - place, own.reach))
+            notePair(own.particle, other.particle, count++);
+    }
+    return more;
 }
 
 void main()
@@ -33,32 +89,11 @@ void main()
     uint k = gl_GlobalInvocationID.x;
     if (k >= counters[0].fastListed) return;
     FastParticle fast = unpackFastParticle(texelFetch(fastParticles, int(k)).x);
-    uint i = fast.particle, mover = sortedMover(fetchRank(i).mover, fast.told);
-    SortedInfo own = SortedInfo(i, fetchParticle(i).assembly, fetchRank(i).rank, true);
-    vec3 x = texelFetch(searchPositions, int(i)).xyz;
-    float reach = reachOf(i), farthest = sim.contactReach + reach + sim.farReach;
-    ivec3 cell = cellOf(x);
+    vec3 position = texelFetch(searchPositions, int(fast.particle)).xyz;
+    PassWindow window = windowAround(sortedMover(fetchRank(fast.particle).mover, fast.told));
+    Seeker own = Seeker(fast.particle, position, cellOf(position), reachOf(fast.particle), window);
     uint count = 0u;
-    for (int range = 0; range < FAR_RANGES; ++range) {
-        uvec2 cells = farCells(cell, range);
-        uint end = texelFetch(cellStarts, int(cells.y)).x;
-        for (uint first = texelFetch(cellStarts, int(cells.x)).x; first < end; first += 32u) {
-            // Bits first, branch-free; the few hits are visited afterwards.
-            uint hits = 0u, n = min(end - first, 32u);
-            for (uint b = 0u; b < n; ++b) {
-                SortedPosition there = fetchSortedPosition(first + b);
-                vec3 r = x - there.position;
-                hits |= (there.mover != mover && dot(r, r) < farthest * farthest ? 1u : 0u) << b;
-            }
-            while (hits != 0u) {
-                uint m = first + uint(findLSB(hits));
-                hits &= hits - 1u;
-                SortedInfo other = fetchSortedInfo(m);
-                vec3 place = fetchSortedPosition(m).position;
-                if (inFarRange(cell, range, place) && isContact(own, other, x - place, reach))
-                    notePair(own, other, count++);
-            }
-        }
-    }
-    noteCount(own, count);
+    for (int row = 0; row < FAR_RANGES; row += ROWS)
+        for (uint block = 0u; findIn(own, row, block, count);) ++block;
+    noteCount(own.particle, count);
 }

@@ -1,29 +1,25 @@
 // What a search for contacts knows about particles, and where it notes what it finds.
 #include "math/quaternion.glsl"
-#include "sim/common/contacts/contact_lists.glsl"
 #include "sim/common/contacts/touch.glsl"
 #include "sim/common/contacts/round_bodies.glsl"
-#include "sim/search/candidates.glsl"
+#include "sim/search/candidate_notes.glsl"
 #include "sim/search/self_contact.glsl"
 #include "sim/search/sorted_particles.glsl"
 #include "sim/common/particles.glsl"
 
 uniform samplerBuffer sortedPositions;
-uniform usamplerBuffer sortedInfos;
+uniform usamplerBuffer sortedParticles;
 uniform usamplerBuffer cellStarts;
 uniform samplerBuffer searchRotations;
-BUFFER(uvec2, FirstLists, firstLists);   // candidates
-BUFFER(uint, ListCounts, listCounts);
-BUFFER(Counters, CountersBlock, counters);
 
 SortedPosition fetchSortedPosition(uint k)
 {
     return unpackSortedPosition(texelFetch(sortedPositions, int(k)));
 }
 
-SortedInfo fetchSortedInfo(uint k)
+SortedParticle fetchSortedParticle(uint k)
 {
-    return unpackSortedInfo(texelFetch(sortedInfos, int(k)));
+    return unpackSortedParticle(texelFetch(sortedParticles, int(k)).x);
 }
 
 /// Whether a particle of a ball or capsule is nearer to a point than all others of it, or as near. The body is a cubic
@@ -58,19 +54,14 @@ bool speaks(uint i, uint j, vec3 difference, float further)
 #endif
 }
 
-/// Lists `other` as the second of a pair whose first is `own`, which has `count` before it.
-void notePair(SortedInfo own, SortedInfo other, uint count)
+/// Notes a pair. @param place how many its first particle has found before.
+void notePair(uint first, uint second, uint place)
 {
-    if (count >= sim.contactSlots) return;
-    uint arrival = atomicAdd(listCounts[listIndex(LIST_AS_SECOND, other.rank)], 1u);
-    firstLists[candidateIndex(count, own.particle)] = packCandidate(Candidate(other.particle, arrival));
+    uint arrival = atomicAdd(listCounts[listIndex(LIST_AS_SECOND, fetchRank(second).rank)], 1u);
+    note(Candidate(first, second, place, arrival));
 }
 
-void noteCount(SortedInfo own, uint count)
+void noteCount(uint first, uint count)
 {
-    if (count > sim.contactSlots) {
-        atomicOr(counters[0].problems, PROBLEM_CONTACTS);
-        atomicMax(counters[0].wantedContacts, count);
-    }
-    listCounts[listIndex(LIST_AS_FIRST, own.rank)] = min(count, sim.contactSlots);
+    listCounts[listIndex(LIST_AS_FIRST, fetchRank(first).rank)] = count;
 }

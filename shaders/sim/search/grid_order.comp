@@ -11,7 +11,7 @@ layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer searchPositions;
 uniform samplerBuffer searchCentres;
 BUFFER(vec4, SortedPositions, sortedPositions);
-BUFFER(uvec4, SortedInfos, sortedInfos);
+BUFFER(uint, SortedParticles, sortedParticles);
 
 void main()
 {
@@ -20,12 +20,13 @@ void main()
     uvec2 place = placeInCells(i);
     ParticleRank own = fetchRank(i);
     bool fast = fetchSearchCentre(searchCentres, own.mover).margin > sim.drift;
-    uvec4 info = packSortedInfo(SortedInfo(i, fetchParticle(i).assembly, own.rank, fast));
-    uint name = sortedMover(own.mover, isTold(own.mover));
-    vec4 sorted = packSortedPosition(SortedPosition(texelFetch(searchPositions, int(i)).xyz, name));
-    sortedPositions[place.x] = sorted;
-    sortedInfos[place.x] = info;
-    if (place.y == NONE) return;
-    sortedPositions[place.y] = sorted;
-    sortedInfos[place.y] = info;
+    uint particle = packSortedParticle(SortedParticle(i, fast)), name = sortedMover(own.mover, isTold(own.mover));
+    vec4 position = packSortedPosition(SortedPosition(texelFetch(searchPositions, int(i)).xyz, name));
+    bool again;
+    do {
+        sortedPositions[place.x] = position;
+        sortedParticles[place.x] = particle;
+        again = place.y != NONE;
+        place = uvec2(place.y, NONE);
+    } while (again);
 }

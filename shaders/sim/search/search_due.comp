@@ -17,12 +17,12 @@ void main()
     dispatches[DISPATCH_LIST_CHUNKS] = uvec4(on * groups(3u * sim.particleCount / SCAN_CHUNK + 1u), 1, 1, 0);
     dispatches[DISPATCH_MOVERS] = uvec4(on * groups(sim.moverCount), 1, 1, 0);
     dispatches[DISPATCH_NEW_PAIRS] = dispatches[DISPATCH_NEW_COLLIDER_PAIRS] = dispatches[DISPATCH_FAST] =
-        uvec4(0, 1, 1, 0);
+        dispatches[DISPATCH_CANDIDATES] = uvec4(0, 1, 1, 0);
     if (due) {
         counters[0].calm = counters[0].fastLater <= sim.fastLimit ? 1u : 0u;
         counters[0].fastLater = 0u;
     }
-    counters[0].fastCount = counters[0].fastListed = 0u;
+    counters[0].fastCount = counters[0].fastListed = counters[0].candidateCount = 0u;
     counters[0].due = counters[0].heard = 0u;
     counters[0].substep += 1u;
     counters[0].searchCount += on;

@@ -1,6 +1,7 @@
-// Which particles of one assembly may touch each other.
+// Which particles may touch each other.
 #include "sim/common/bodies/owners.glsl"
 #include "sim/common/contacts/touch.glsl"
+#include "sim/common/particles.glsl"
 
 uniform samplerBuffer restPositions;
 
@@ -17,8 +18,7 @@ RestPosition fetchRestPosition(uint i)
 }
 
 #ifdef PASSES
-#include "sim/common/bodies/body_passes.glsl"
-READ_BUFFER(uint, PassBits, passBits);
+#include "sim/search/pass_bits.glsl"
 
 /// Whether two bodies of an assembly never touch.
 bool passEachOther(uint a, uint b)
@@ -37,18 +37,21 @@ bool passEachOther(uint a, uint b)
 bool areTogether(uint i, uint j)
 {
     OwnerRange a = fetchOwners(i), b = fetchOwners(j);
-    bool same = false;
-    for (uint k = 0u; k < a.count; ++k)
-        for (uint l = 0u; l < b.count; ++l) {
-            uint first = fetchOwner(a.first + k).body, second = fetchOwner(b.first + l).body;
-            same = same || first == second || passEachOther(first, second);
-        }
-    return same;
+    bool same = false, owned = a.count > 0u && b.count > 0u;
+    uint k = 0u, l = 0u;
+    do {
+        uint first = fetchOwner(a.first + k).body, second = fetchOwner(b.first + l).body;
+        same = same || first == second || passEachOther(first, second);
+        l = l + 1u < b.count ? l + 1u : 0u;
+        if (l == 0u) ++k;
+    } while (k < a.count && !same);
+    return same && owned;
 }
 
-/// For two particles of one assembly: only where they do not touch or overlap at rest.
+/// Whether two particles may touch: of one assembly only where they do not touch or overlap at rest.
 bool mayTouch(uint i, uint j)
 {
+    if (fetchParticle(i).assembly != fetchParticle(j).assembly) return true;
     RestPosition a = fetchRestPosition(i), b = fetchRestPosition(j);
     float least = (0.99 + max(a.margin, b.margin)) * touchDistance(i, j);
     return length(a.position - b.position) > least && !areTogether(i, j);

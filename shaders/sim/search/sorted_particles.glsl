@@ -40,20 +40,18 @@ uint packFastParticle(FastParticle fast)
     return fast.particle << 1 | (fast.told ? 1u : 0u);
 }
 
-/// As in sortedInfos.
-struct SortedInfo {
+/// As in sortedParticles.
+struct SortedParticle {
     uint particle;
-    uint assembly;
-    uint rank;
     bool fast;       // it looks further for contacts: contact_find_far finds them
 };
 
-SortedInfo unpackSortedInfo(uvec4 t)
+SortedParticle unpackSortedParticle(uint t)
 {
-    return SortedInfo(t.x, t.y, t.z, t.w != 0u);
+    return SortedParticle(t >> 1, (t & 1u) != 0u);
 }
 
-uvec4 packSortedInfo(SortedInfo info)
+uint packSortedParticle(SortedParticle sorted)
 {
-    return uvec4(info.particle, info.assembly, info.rank, info.fast ? 1u : 0u);
+    return sorted.particle << 1 | (sorted.fast ? 1u : 0u);
 }

@@ -12,7 +12,6 @@ namespace knuckle {
 
 namespace {
 
-constexpr uint32_t FIRST_CONTACT_SLOTS = 8;
 constexpr uint64_t MOST_PARTICLES = 1u << 23;  // contacts have 23 bits for a mover
 // How far particles may be from each other where one touches the other's box [diameters]: in the middle of four of a
 // face root 1.5, less what it may sink in before it is found; root 2 would find all neighbours across two faces.
@@ -82,13 +81,13 @@ void SearchStage::setParameters(const StageSetup& setup)
     p.horizon = 2.0f * static_cast<float>(s.substeps);
     p.farReach = 0.5f * p.contactReach;
     p.fastLimit = p.particleCount / 8;
-    p.contactSlots = FIRST_CONTACT_SLOTS;
     p.pairCapacity = p.colliderPairCapacity = std::max(2 * p.particleCount, 4096u);
+    p.candidateCapacity = 2 * p.pairCapacity;
 }
 
 void SearchStage::makeGrid(gpu::StepParameters& p)
 {
-    const uint32_t count = p.particleCount, cells = std::bit_ceil(std::max(count, 4096u));
+    const uint32_t count = p.particleCount, cells = std::bit_ceil(std::max(2 * count, 4096u));
     // A box of cells about as wide as high and deep, wrapped.
     const uint32_t bits = static_cast<uint32_t>(std::countr_zero(cells));
     p.cellMask = cells - 1;
@@ -102,14 +101,14 @@ void SearchStage::makeGrid(gpu::StepParameters& p)
     fastParticles = {"fastParticles", count};
     particleCells = {"particleCells", count};
     sortedPositions = {"sortedPositions", 2 * size_t(count)};
-    sortedInfos = {"sortedInfos", 2 * size_t(count)};
+    sortedParticles = {"sortedParticles", 2 * size_t(count)};
 }
 
 void SearchStage::makeLists(const Gpu& gpu)
 {
     const gpu::StepParameters& p = parameters_;
     const size_t count = p.particleCount;
-    const uint64_t largest = std::max<uint64_t>(p.contactSlots * count, 2ull * p.pairCapacity);
+    const uint64_t largest = std::max<uint64_t>(p.candidateCapacity, 2ull * p.pairCapacity);
     const auto limit = static_cast<uint64_t>(gpu.limits().storageBlockSize);
     if (largest * sizeof(gpu::vec4) > limit || largest > static_cast<uint64_t>(gpu.limits().textureBufferSize) ||
         count > MOST_PARTICLES)
@@ -117,20 +116,19 @@ void SearchStage::makeLists(const Gpu& gpu)
                                       "allows {}; use fewer particles or another --device",
                                       gpu.device().name, count, p.pairCapacity, largest * sizeof(gpu::vec4) >> 20,
                                       limit >> 20));
-    firstLists = {"firstLists", p.contactSlots * count};
-    colliderLists = {"colliderLists", COLLIDER_SLOTS * count};
+    candidates = {"candidates", p.candidateCapacity};
     if (listSums.id() == 0 || listCounts.size() != 3 * count) listSums = scanSums("listSums", 3 * count);
     listCounts.resize("listCounts", 3 * count);
     listStarts.resize("listStarts", 2 * (3 * count + 1), HALVES);
     pairs.resize("pairs", 2 * size_t(p.pairCapacity), HALVES);
-    pairArrivals = {"pairArrivals", p.contactSlots * count};
-    pairReferences.resize("pairReferences", p.contactSlots * count);
+    pairArrivals = {"pairArrivals", p.candidateCapacity};
+    pairReferences.resize("pairReferences", p.candidateCapacity);
     colliderPairs.resize("colliderPairs", 2 * size_t(p.colliderPairCapacity), HALVES);
 }
 
 void SearchStage::reserve(gpu::StepParameters& p, const gpu::Counters& counters) const
 {
-    if (counters.wantedContacts > p.contactSlots) p.contactSlots = counters.wantedContacts * 3 / 2 + 4;
+    if (counters.wantedCandidates > p.candidateCapacity) p.candidateCapacity = counters.wantedCandidates * 3 / 2;
     if (counters.wantedPairs > p.pairCapacity) p.pairCapacity = counters.wantedPairs * 3 / 2;
     if (counters.wantedColliderPairs > p.colliderPairCapacity)
         p.colliderPairCapacity = counters.wantedColliderPairs * 3 / 2;
@@ -143,7 +141,7 @@ void SearchStage::addBuffers(BufferTable& table)
               pairReferences, colliderPairs);
     table.add(Lifetime::State, cellCounts, cellSums, listCounts, listSums);  // they begin a search with zeros
     table.add(Lifetime::Scratch, moverReaches, fastParticles, moverColliders, particleCells, cellStarts, cellMembers,
-              sortedPositions, sortedInfos, firstLists, colliderLists, pairArrivals);
+              sortedPositions, sortedParticles, candidates, pairArrivals);
 }
 
 void SearchStage::count(Recorder& recorder) const
@@ -170,7 +168,7 @@ void SearchStage::find(Recorder& recorder) const
     }
     recorder.decided(listSum_, DISPATCH_LIST_CHUNKS);
     recorder.decided(listStart_, DISPATCH_LIST_CHUNKS);
-    recorder.decided(list_, DISPATCH_PARTICLES);
+    recorder.decided(list_, DISPATCH_CANDIDATES);
 }
 
 }  // namespace knuckle

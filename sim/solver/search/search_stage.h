@@ -28,10 +28,9 @@ public:
     Buffer<uint32_t> moverColliders;                   ///< Per mover, bits: colliders that it may touch.
     Buffer<gpu::uvec2> particleCells;                  ///< Cell, arrival in it.
     Buffer<uint32_t> cellCounts, cellSums, cellStarts, cellMembers;  ///< Per cell, chunk, cell, particle.
-    Buffer<gpu::vec4> sortedPositions;  ///< In the order of cells; w: bits of the mover's index.
-    Buffer<gpu::uvec4> sortedInfos;     ///< Particle, assembly, rank, 1 if fast.
-    Buffer<gpu::uvec2> firstLists;      ///< As found, contactSlots a particle: second particle, its arrival there.
-    Buffer<uint32_t> colliderLists;     ///< As found, COLLIDER_SLOTS a particle.
+    Buffer<gpu::vec4> sortedPositions;                  ///< In the order of cells; w: bits of the mover's index.
+    Buffer<uint32_t> sortedParticles;                   ///< Twice the particle's index, and 1 if it is fast.
+    Buffer<gpu::uvec4> candidates;                      ///< Contacts as they are found: first, second, place, arrival.
     Buffer<uint32_t> listCounts, listSums, listStarts;  ///< Three lists of ranks; the last in halves.
     Buffer<gpu::uvec2> pairs;                           ///< Halves of pairCapacity: first and second particle.
     Buffer<uint32_t> pairArrivals, pairReferences;      ///< Pairs by their second particle; the latter in order.

@@ -36,13 +36,13 @@ protected:
     /// The same of what the particles found.
     std::vector<gpu::uvec2> wantedContacts() const
     {
-        const auto counts = fixture.stages.search.listCounts.download(),
-                   lists = fixture.stages.search.colliderLists.download();
-        const auto count = static_cast<uint32_t>(found.size());
+        auto candidates = fixture.stages.search.candidates.download();
+        candidates.resize(fixture.counters().candidateCount);
+        std::erase_if(candidates, [](const gpu::uvec4& candidate) { return candidate.w != NO_INDEX; });
+        std::ranges::sort(candidates, {},
+                          [&](const gpu::uvec4& candidate) { return std::pair(places[candidate.x].y, candidate.z); });
         std::vector<gpu::uvec2> wanted;
-        for (uint32_t i : fixture.stages.particles.rankedParticles.download())
-            for (uint32_t slot = 0; slot < counts[2 * count + places[i].y]; ++slot)
-                wanted.push_back({i, lists[slot * count + i]});
+        for (const gpu::uvec4& candidate : candidates) wanted.push_back({candidate.x, candidate.y});
         return wanted;
     }
     float gapOf(gpu::uvec2 contact) const

@@ -50,7 +50,7 @@ protected:
     std::vector<uint32_t> ids() const
     {
         std::vector<uint32_t> found;
-        for (const gpu::uvec4& info : fixture.stages.search.sortedInfos.download()) found.push_back(info.x);
+        for (uint32_t info : fixture.stages.search.sortedParticles.download()) found.push_back(info >> 1);
         return found;
     }
     std::vector<uint32_t> histogram() const
@@ -96,27 +96,24 @@ TEST_P(Grid, SortsParticlesByCellAndIdAndListsTheFirstCellsAgain)
     const auto counts = histogram();
     const uint32_t again = std::accumulate(counts.begin(), counts.begin() + WRAPPED_CELLS, 0u);
     for (uint32_t k = 0; k < again; ++k) expected.push_back(expected[k]);
-    const auto infos = fixture.stages.search.sortedInfos.download();
+    const auto infos = fixture.stages.search.sortedParticles.download();
     const auto sortedPlaces = fixture.stages.search.sortedPositions.download();
     ASSERT_LE(expected.size(), infos.size());
     for (uint32_t k = 0; k < expected.size(); ++k) {
-        ASSERT_EQ(infos[k].x, expected[k]) << "place " << k;
+        ASSERT_EQ(infos[k] >> 1, expected[k]) << "place " << k;
         ASSERT_EQ(vec3(sortedPlaces[k]), place(expected[k])) << "place " << k;
     }
 }
 
 TEST_P(Grid, TellsOfEachSortedParticleWhatTheSearchNeeds)
 {
-    const auto infos = fixture.stages.search.sortedInfos.download();
+    const auto infos = fixture.stages.search.sortedParticles.download();
     const auto sortedPlaces = fixture.stages.search.sortedPositions.download();
     const auto ranks = fixture.stages.particles.particleRanks.download();
-    const auto particles = fixture.stages.particles.particleInfo.download();
     const auto states = fixture.stages.bodies.moverStates.download();
     for (uint32_t k = 0; k < places.size(); ++k) {
-        const uint32_t mover = ranks[infos[k].x].x;
-        ASSERT_EQ(infos[k].y, particles[infos[k].x].assembly) << "place " << k;
-        ASSERT_EQ(infos[k].z, ranks[infos[k].x].y) << "place " << k;
-        ASSERT_EQ(infos[k].w, mover % 3 == 0 ? 1u : 0u) << "place " << k;
+        const uint32_t mover = ranks[infos[k] >> 1].x;
+        ASSERT_EQ(infos[k] & 1u, mover % 3 == 0 ? 1u : 0u) << "place " << k;
         const uint32_t name = states[mover] == MOVER_FIXED ? fixture.stages.parameters.moverCount : mover;
         ASSERT_EQ(std::bit_cast<uint32_t>(sortedPlaces[k].w), 0x01000000u + name) << "place " << k;
     }
@@ -130,7 +127,7 @@ TEST_P(Grid, SortsTheSameWhenParticlesArriveInAnotherOrder)
     const auto counts = histogram();
     for (gpu::uvec2& c : cells) c.y = counts[c.x] - 1 - c.y;
     fill(fixture.stages.search.particleCells, cells);
-    fixture.stages.search.sortedInfos.clear();
+    fixture.stages.search.sortedParticles.clear();
     fixture.forParticles("common/grid/grid_scatter");
     fixture.forParticles("search/grid_order");
     EXPECT_EQ(ids(), before);

@@ -121,13 +121,10 @@ TEST_P(PairLists, ReferencesDoNotDependOnTheOrderOfArrival)
     find();
     const auto before = fixture.stages.search.pairReferences.download();
     const auto counts = fixture.stages.search.listCounts.download();
-    auto entries = fixture.stages.search.firstLists.download();
-    for (uint32_t i = 0; i < count(); ++i)
-        for (uint32_t slot = 0; slot < noted[i].size(); ++slot) {
-            gpu::uvec2& entry = entries[slot * count() + i];
-            entry.y = counts[count() + fixture.rankOf(entry.x)] - 1 - entry.y;
-        }
-    fill(fixture.stages.search.firstLists, entries);
+    auto entries = fixture.candidates();
+    for (gpu::uvec4& candidate : entries) candidate.w = counts[count() + fixture.rankOf(candidate.y)] - 1 - candidate.w;
+    std::ranges::reverse(entries);
+    fixture.stages.search.candidates.write(entries.data(), entries.size() * sizeof entries[0], 0);
     fixture.fillLists();
     EXPECT_EQ(fixture.stages.search.pairReferences.download(), before);
 }
@@ -135,7 +132,7 @@ TEST_P(PairLists, ReferencesDoNotDependOnTheOrderOfArrival)
 TEST_P(PairLists, MorePairsThanThereIsRoomForAreReportedAndLeftOut)
 {
     constexpr uint32_t ROOM = 1001;
-    fixture.narrow(fixture.stages.parameters.contactSlots, ROOM, fixture.stages.parameters.colliderPairCapacity);
+    fixture.narrow(fixture.stages.parameters.candidateCapacity, ROOM, fixture.stages.parameters.colliderPairCapacity);
     const gpu::uvec2 untouched{77, 78};
     const gpu::vec4 untouchedVector{7, 7, 7, 7};
     Stages& b = fixture.stages;
@@ -167,7 +164,7 @@ TEST_P(PairLists, ReferencesAreTheSameInEveryRunEvenWhereThereIsNoRoom)
 {
     // What the arrivals held before comes from another search, in an order of its own.
     constexpr uint32_t ROOM = 1001;
-    fixture.narrow(fixture.stages.parameters.contactSlots, ROOM, fixture.stages.parameters.colliderPairCapacity);
+    fixture.narrow(fixture.stages.parameters.candidateCapacity, ROOM, fixture.stages.parameters.colliderPairCapacity);
     find();
     const auto first = fixture.stages.search.pairReferences.download();
     Random random(32);

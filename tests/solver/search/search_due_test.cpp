@@ -27,6 +27,7 @@ protected:
         counters.fastLater = fixture.stages.parameters.fastLimit + 1;
         counters.calm = 1;
         counters.fastListed = 2;
+        counters.candidateCount = 3;
         counters.pairCount = 55;
         // What the last search left.
         fill(fixture.stages.dispatches, std::vector<gpu::uvec4>(DISPATCH_COUNT, gpu::uvec4{9, 1, 1, 0}));
@@ -54,7 +55,7 @@ protected:
             EXPECT_EQ(sizes[dispatch].z, 1u);
         }
         // Their sizes are known later.
-        for (uint32_t dispatch : {DISPATCH_NEW_PAIRS, DISPATCH_NEW_COLLIDER_PAIRS, DISPATCH_FAST})
+        for (uint32_t dispatch : {DISPATCH_NEW_PAIRS, DISPATCH_NEW_COLLIDER_PAIRS, DISPATCH_FAST, DISPATCH_CANDIDATES})
             EXPECT_EQ(sizes[dispatch].x, 0u) << "dispatch " << dispatch;
         // The contacts of the last search, which are solved where there is no new one.
         for (uint32_t dispatch : {DISPATCH_PAIRS, DISPATCH_COLLIDER_PAIRS}) EXPECT_EQ(sizes[dispatch].x, 9u);
@@ -63,6 +64,7 @@ protected:
         EXPECT_EQ(counters.searchCount, found ? 8u : 7u);
         EXPECT_EQ(counters.fastCount, 0u);
         EXPECT_EQ(counters.fastListed, 0u);
+        EXPECT_EQ(counters.candidateCount, 0u);
         EXPECT_EQ(counters.fastLater, found ? 0u : fixture.stages.parameters.fastLimit + 1u);
         EXPECT_EQ(counters.calm, found ? 0u : 1u) << "too many were fast in the last search";
         EXPECT_EQ(counters.due, 0u);

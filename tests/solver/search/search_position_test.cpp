@@ -156,9 +156,9 @@ TEST_F(SearchPosition, TheGridAgreesOnWhoIsFastHoweverLittleAMoverReaches)
     fixture.forParticles("search/search_position");
     fixture.fillGrid({});
     std::vector<uint32_t> fast;
-    const auto infos = fixture.stages.search.sortedInfos.download();
+    const auto infos = fixture.stages.search.sortedParticles.download();
     for (uint32_t k = 0; k < particles(); ++k)
-        if (infos[k].w != 0) fast.push_back(infos[k].x);
+        if ((infos[k] & 1u) != 0) fast.push_back(infos[k] >> 1);
     std::sort(fast.begin(), fast.end());
     EXPECT_GT(fast.size(), 100u);
     EXPECT_LT(fast.size(), 900u) << "the least reaches are lost in the sum with the drift";

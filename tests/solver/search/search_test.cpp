@@ -6,8 +6,6 @@ namespace knuckle::test {
 
 namespace {
 
-/// More than any particle of the fixture can touch, fast or not.
-constexpr uint32_t SLOTS = 500;
 constexpr uint32_t CAPACITY = 100000;
 
 /// Every other joint's bodies never touch.
@@ -25,7 +23,7 @@ World withNeighbours(World world)
 
 SearchBench::SearchBench() : KernelFixture(withNeighbours(mixedWorld()))
 {
-    stages.parameters.contactSlots = SLOTS;
+    stages.parameters.candidateCapacity = 2 * CAPACITY;
     stages.parameters.pairCapacity = stages.parameters.colliderPairCapacity = CAPACITY;
     stages.search.makeLists(gpu());
     stages.contacts.makeLists(gpu());
@@ -115,16 +113,23 @@ void SearchBench::setReaches(const std::vector<float>& lengths)
 std::vector<std::vector<uint32_t>> SearchBench::notedPairs() const
 {
     const auto counts = stages.search.listCounts.download();
-    const auto entries = stages.search.firstLists.download();
     std::vector<std::vector<uint32_t>> lists(count());
-    for (uint32_t i = 0; i < count(); ++i)
-        for (uint32_t slot = 0; slot < counts[rankOf(i)]; ++slot) lists[i].push_back(entries.at(slot * count() + i).x);
+    for (uint32_t i = 0; i < count(); ++i) lists[i].resize(counts[rankOf(i)], NO_INDEX);
+    for (const gpu::uvec4& candidate : candidates())
+        if (candidate.w != NO_INDEX) lists[candidate.x].at(candidate.z) = candidate.y;
     return lists;
 }
 
-void SearchBench::narrow(uint32_t contactSlots, uint32_t pairs, uint32_t colliderPairs)
+std::vector<gpu::uvec4> SearchBench::candidates() const
 {
-    stages.parameters.contactSlots = contactSlots;
+    auto all = stages.search.candidates.download();
+    all.resize(std::min(counters().candidateCount, stages.parameters.candidateCapacity));
+    return all;
+}
+
+void SearchBench::narrow(uint32_t candidates, uint32_t pairs, uint32_t colliderPairs)
+{
+    stages.parameters.candidateCapacity = candidates;
     stages.parameters.pairCapacity = pairs;
     stages.parameters.colliderPairCapacity = colliderPairs;
     setParameters();

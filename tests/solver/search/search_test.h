@@ -37,8 +37,10 @@ public:
     void setReaches(const std::vector<float>& lengths);
     /// The pairs that the search noted, by first particle, in the order in which it noted them.
     std::vector<std::vector<uint32_t>> notedPairs() const;
+    /// What it noted, in the order in which it came: first and second particle, place, arrival.
+    std::vector<gpu::uvec4> candidates() const;
     /// Lets the kernels believe in less room than the stages have.
-    void narrow(uint32_t contactSlots, uint32_t pairs, uint32_t colliderPairs);
+    void narrow(uint32_t candidates, uint32_t pairs, uint32_t colliderPairs);
 
     std::vector<gpu::vec4> found;
     std::vector<gpu::uvec2> places;

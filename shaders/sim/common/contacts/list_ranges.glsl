@@ -14,7 +14,7 @@ uvec2 listRange(uint parity, uint list, uint rank, uint count)
     uint index = listIndex(list, rank);
     uint before = list == LIST_AS_FIRST ? 0u : listEntry(parity, listIndex(list, 0u));
     uint capacity = list == LIST_AS_FIRST    ? sim.pairCapacity
-                    : list == LIST_AS_SECOND ? sim.contactSlots * sim.particleCount
+                    : list == LIST_AS_SECOND ? sim.candidateCapacity
                                              : sim.colliderPairCapacity;
     return min(uvec2(listEntry(parity, index), listEntry(parity, index + count)) - before, uvec2(capacity));
 }
