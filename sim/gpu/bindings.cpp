@@ -148,17 +148,17 @@ void Bindings::bind() const
     glUseProgram(program_);
     for (GLuint i = 0; i < storage_.size(); ++i) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, storage_[i]->id());
     for (GLuint i = 0; i < uniforms_.size(); ++i) glBindBufferBase(GL_UNIFORM_BUFFER, i, uniforms_[i]->id());
+    // Making a buffer's texture disturbs the active unit: images come before samplers, and each unit before its own.
+    for (GLuint i = 0; i < images_.size(); ++i)
+        glBindImageTexture(i, images_[i].buffer->texture(images_[i].format), 0, GL_FALSE, 0, GL_READ_WRITE,
+                           images_[i].format);
     for (GLuint i = 0; i < samplers_.size(); ++i) {
         const Sampled& sampled = samplers_[i];
-        // First, since making a buffer's texture disturbs the active unit.
         glActiveTexture(GL_TEXTURE0 + i);
         const GLuint texture = sampled.picture != nullptr ? sampled.picture->id()
                                                           : sampled.buffer->texture(sampled.format);
         glBindTexture(sampled.picture != nullptr ? GL_TEXTURE_2D : GL_TEXTURE_BUFFER, texture);
     }
-    for (GLuint i = 0; i < images_.size(); ++i)
-        glBindImageTexture(i, images_[i].buffer->texture(images_[i].format), 0, GL_FALSE, 0, GL_READ_WRITE,
-                           images_[i].format);
 }
 
 }  // namespace knuckle
