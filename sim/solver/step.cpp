@@ -11,10 +11,10 @@
 //   predicts how far each mover would move if nothing touched it, and adds what its contacts did last (mover_predict,
 //     jointed_predict), and asks for a new search where one has left its margin (mover_drift);
 //   finds contacts, but only when somebody asked: search_due sets the sizes of those dispatches on the GPU, to zero
-//     otherwise. Particles get the positions to search for (search_position) and are sorted into cells by a counting
-//     sort (grid_*); each looks for those that lie ahead (contact_find, further for fast ones: contact_find_far) and
-//     for colliders (collider_*); a prefix sum says where each list begins (scan_*, list_start, pair_list), and each
-//     contact learns what it is made of (contact_prepare, collider_prepare);
+//     otherwise. Movers and particles get the places to search for (search_centre, search_position), particles are
+//     sorted into cells by a counting sort (grid_*); each looks for those that lie ahead (contact_find, further for
+//     fast ones: contact_find_far) and for colliders (collider_*); a prefix sum says where each list begins (scan_*,
+//     list_start, pair_list), and each contact learns what it is made of (contact_prepare, collider_prepare);
 //   moves fluids by their pressures (fluid_*), once;
 //   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, distance_solve moves ropes
 //     and cloth, colour by colour; contact_solve and collider_solve work out impulses, each contact by itself, from

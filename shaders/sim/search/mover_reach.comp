@@ -14,7 +14,7 @@ void main()
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
     float radius = moverRadius(m);
-    // search_position looks ahead by three quarters of the margin: the margin lasts for 1.75 times its length.
+    // search_centre looks ahead by three quarters of the margin: the margin lasts for 1.75 times its length.
     // Rotations are not looked ahead of.
     float path = length(fetchMove(m).shift) / 1.75 +
                  2.0 * length(fetchRotationDelta(m).xyz) * radius;

@@ -154,6 +154,7 @@ void SearchStage::find(Recorder& recorder) const
     if (!byParticles_) recorder.perElement(drift_, parameters_.moverCount);
     count(recorder);
     if (!byParticles_) recorder.decided(reach_, DISPATCH_MOVERS);
+    recorder.decided(centre_, DISPATCH_MOVERS);
     recorder.decided(position_, DISPATCH_PARTICLES);
     recorder.decided(countCells_, DISPATCH_PARTICLES);
     recorder.decided(cellSum_, DISPATCH_CELL_CHUNKS);

@@ -46,11 +46,12 @@ private:
     const gpu::StepParameters& parameters_;
     /// Bodies of the paper's solver are particles until the end of a step.
     bool byParticles_, hasSolids_, hasColliders_;
+    Defines kind_ = byParticles_ ? Defines{{"FROM_POSITIONS", "1"}} : Defines{};
     Pass drift_{*this, "search/mover_drift", {}, hasSolids_ && !byParticles_};
     Pass due_{*this, "search/search_due"};
     Pass reach_{*this, "search/mover_reach", {}, hasSolids_ && !byParticles_};
-    Pass position_{*this, "search/search_position", byParticles_ ? Defines{{"FROM_POSITIONS", "1"}} : Defines{},
-                   hasSolids_};
+    Pass centre_{*this, "search/search_centre", kind_, hasSolids_};
+    Pass position_{*this, "search/search_position", kind_, hasSolids_};
     Pass countCells_{*this, "common/grid/grid_count", {}, hasSolids_};
     Pass cellSum_{*this, "common/grid/scan_sum", {}, hasSolids_};
     Pass cellStart_{*this, "common/grid/grid_start", {}, hasSolids_};

@@ -36,6 +36,11 @@ protected:
     const gpu::StepParameters& parameters() const { return fixture.stages.parameters; }
     uint32_t movers() const { return fixture.stages.parameters.moverCount; }
     uint32_t particles() const { return fixture.stages.parameters.particleCount; }
+    void findPlaces(const Defines& defines = {})
+    {
+        fixture.forMovers("search/search_centre", defines);
+        fixture.forParticles("search/search_position", defines);
+    }
     void setFastCount(uint32_t fast)
     {
         gpu::Counters counters = fixture.counters();
@@ -116,7 +121,7 @@ protected:
 TEST_F(SearchPosition, LiesAheadOnTheWayByUpToThreeQuartersOfTheDrift)
 {
     setFastCount(parameters().fastLimit);
-    fixture.forParticles("search/search_position");
+    findPlaces();
     expectPlaces(true);
     uint32_t bounded = 0, free = 0;
     for (uint32_t m = 0; m < movers(); ++m) {
@@ -131,7 +136,7 @@ TEST_F(SearchPosition, LiesAheadOnTheWayByUpToThreeQuartersOfTheDrift)
 TEST_F(SearchPosition, ParticlesOfMoversThatReachFurtherAreListed)
 {
     setFastCount(parameters().fastLimit);
-    fixture.forParticles("search/search_position");
+    findPlaces();
     std::vector<uint32_t> wanted;
     for (uint32_t i = 0; i < particles(); ++i)
         if (reaches[places[i].x] > 0.0f) wanted.push_back(i);
@@ -142,7 +147,7 @@ TEST_F(SearchPosition, ParticlesOfMoversThatReachFurtherAreListed)
 TEST_F(SearchPosition, NobodyReachesFurtherWhereTooManyWouldHaveTo)
 {
     setFastCount(parameters().fastLimit + 1);
-    fixture.forParticles("search/search_position");
+    findPlaces();
     expectPlaces(false);
     EXPECT_TRUE(fastParticles().empty());
 }
@@ -153,7 +158,7 @@ TEST_F(SearchPosition, TheGridAgreesOnWhoIsFastHoweverLittleAMoverReaches)
     for (size_t m = 0; m < reaches.size(); ++m) reaches[m] = std::pow(10.0f, -static_cast<float>(m % 20));
     fill(fixture.stages.search.moverReaches, reaches);
     setFastCount(0);
-    fixture.forParticles("search/search_position");
+    findPlaces();
     fixture.fillGrid({});
     std::vector<uint32_t> fast;
     const auto infos = fixture.stages.search.sortedParticles.download();
@@ -167,7 +172,7 @@ TEST_F(SearchPosition, TheGridAgreesOnWhoIsFastHoweverLittleAMoverReaches)
 
 TEST_F(SearchPosition, NoParticleIsReferredToYet)
 {
-    fixture.forParticles("search/search_position");
+    findPlaces();
     const auto counts = fixture.stages.search.listCounts.download();
     for (uint32_t k = 0; k < counts.size(); ++k) ASSERT_EQ(counts[k], k / particles() == 1 ? 0u : 5u) << "count " << k;
 }
@@ -182,7 +187,7 @@ TEST_F(SearchPositionByThePaper, ThePapersParticlesAreWhereTheyArePredictedAndIt
     const auto starts = randomVectors(particles(), 0.5f, 82), predicted = randomVectors(particles(), 0.01f, 83);
     fill(fixture.stages.particles.positions, starts);
     fill(fixture.stages.paper->predicted, predicted);
-    fixture.forParticles("search/search_position", {{"FROM_POSITIONS", "1"}});
+    findPlaces({{"FROM_POSITIONS", "1"}});
     const auto found = fixture.stages.search.searchPositions.download(),
                turned = fixture.stages.search.searchRotations.download();
     for (uint32_t i = 0; i < particles(); ++i) {
