@@ -8,6 +8,17 @@
 
 namespace knuckle {
 
+namespace {
+
+/// NVIDIA's driver 580 loses what glBufferSubData writes right after a copy or a clear: it comes first. Both are rare,
+/// so they wait.
+void waitBeforeTheNextWrite()
+{
+    glFinish();
+}
+
+}  // namespace
+
 RawBuffer::RawBuffer(std::string label, size_t bytes, const void* data)
     : handle_(BufferHandle::make()), bytes_(std::max<size_t>(bytes, 16)), label_(std::move(label))
 {
@@ -67,6 +78,7 @@ void RawBuffer::copy(const RawBuffer& from, size_t byteCount, size_t fromOffset,
     glBindBuffer(GL_COPY_WRITE_BUFFER, id());
     glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(fromOffset),
                         static_cast<GLintptr>(toOffset), static_cast<GLsizeiptr>(byteCount));
+    waitBeforeTheNextWrite();
 }
 
 void RawBuffer::clear()
@@ -74,6 +86,7 @@ void RawBuffer::clear()
     const uint32_t zero = 0;
     glBindBuffer(GL_COPY_WRITE_BUFFER, id());
     glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+    waitBeforeTheNextWrite();
 }
 
 }  // namespace knuckle

@@ -209,6 +209,7 @@ World movingWorld()
     builder.addCollider(planeAt({0, -0.4f, 0}, {0, 1, 0}));
     addTowers(builder, {-3.5f, -0.4f, 0});
     addGrids(builder, {0, 0, 0});
+    addRounds(builder, {2.5f, 0.5f, 0}, BOUNCY);
     // The mesh turns, a lift is under the towers, and a piston beside them starts when they sleep.
     const uint32_t turning = addMoves(builder, Vector3f::Zero(), 2.0f * static_cast<float>(M_PI));
     builder.moveColliders(1, {builder.world().colliders.back().position}, {.clip = turning});

@@ -60,11 +60,23 @@ private:
     KernelTimer timer_;
 };
 
+uint32_t wordAt(const std::vector<std::byte>& bytes, size_t at)
+{
+    uint32_t word;
+    std::memcpy(&word, &bytes[at], sizeof word);
+    return word;
+}
+
 /// Bit by bit.
 void expectSame(const StagesState& found, const StagesState& wanted)
 {
     EXPECT_GT(wanted.buffers.size(), 20u);
-    for (const auto& [name, bytes] : wanted.buffers) EXPECT_TRUE(found.buffers.at(name) == bytes) << name;
+    for (const auto& [name, bytes] : wanted.buffers) {
+        const auto& others = found.buffers.at(name);
+        ASSERT_EQ(others.size(), bytes.size()) << name;
+        for (size_t k = 0; k < bytes.size(); k += 4)
+            EXPECT_EQ(wordAt(others, k), wordAt(bytes, k)) << name << " in word " << k / 4;
+    }
 }
 
 /// Of all buffers.

