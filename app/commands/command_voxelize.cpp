@@ -9,7 +9,7 @@
 #include "app/files/joints_file.h"
 #include "app/files/output.h"
 #include "render/renderer.h"
-#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/bodies/make_actor.h"
 #include "sim/solver/solver.h"
 #include "sim/world/errors.h"
 
@@ -19,8 +19,10 @@ namespace {
 
 struct VoxelizeOptions {
     std::string model, output, joints, preview;
-    double diameter = 0.0, scale = 0.0;
+    double diameter = 0.0, scale = 0.0, height = 0.0;
     uint32_t particles = 0;
+    UpAxis up = UpAxis::Y;
+    bool center = false;
 };
 
 /// The actor in its rest pose on a ground plane, shared particles red.
@@ -56,9 +58,12 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     }
     ImportOptions import;
     import.scale = options.scale;
+    import.height = options.height;
+    import.up = options.up;
+    import.centering = options.center ? Centering::Always : Centering::WhereFar;
     ActorOptions actorOptions;
     actorOptions.voxels.diameter = static_cast<float>(options.diameter);
-    actorOptions.voxels.particleCount = options.particles;
+    actorOptions.particleCount = options.particles;
     if (!options.joints.empty()) readJoints(options.joints, actorOptions.articulation);
     const Model model = importModel(options.model, import);
     const Actor actor = makeActor(model, actorOptions);
@@ -76,8 +81,10 @@ void addVoxelizeCommand(CommandLine line)
     command->fallthrough();
     command->footer(
         "Reads glTF, FBX, Collada, BVH and what else assimp knows. Prints a table of the bodies, their particles and\n"
-        "joints, what was merged and why, and the clips that a scene can play. Without --diameter or --particles, 3 % "
-        "of the longest side.\n\n"
+        "joints, what was merged and why, and the clips that a scene can play. Without --diameter or --particles, "
+        "limbs\n"
+        "are two to three particles thick, as far as 800 to 4000 particles do that; a model without a skeleton has\n"
+        "particles of 3 % of its longest side.\n\n"
         "Examples:\n"
         "  knuckle voxelize model.glb                               print the table only\n"
         "  knuckle voxelize model.glb -o actor.json --particles 3000 --preview actor.png\n"
@@ -94,10 +101,18 @@ void addVoxelizeCommand(CommandLine line)
         ->excludes(diameter);
     command->add_option("--joints", options->joints, "Joint types that override those from the bones' names")
         ->type_name("FILE");
+    auto* height = command->add_option("--height", options->height, "Height of the figure, instead of --scale [m]")
+                       ->check(CLI::Range(0.01, 100.0))
+                       ->type_name("M");
     command->add_option("--scale", options->scale, "Metres per unit of the model; 0: as the file says, else guessed")
         ->check(CLI::Range(0.0, 1e6))
         ->capture_default_str()
-        ->type_name("M");
+        ->type_name("M")
+        ->excludes(height);
+    command->add_option("--up", options->up, "The axis that points up, where the file does not say so")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}}))
+        ->type_name("y|z");
+    command->add_flag("--center", options->center, "Lowest point at height 0, middle over the origin");
     command->add_option("--preview", options->preview, "Draw the actor, shared particles red")->type_name("actor.png");
     command->callback([=] { line.chosen = [=] { return voxelizeFile(*options, line.common); }; });
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/commands/table2_world.h"
-#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/bodies/make_actor.h"
 #include "sim/actor/clips/body_clip.h"
 #include "sim/world/builder/builder.h"
 #include "sim/world/errors.h"

@@ -13,7 +13,7 @@
 #include "app/scene/scene_fill.h"
 #include "app/scene/scene_parts.h"
 #include "app/scene/scene_ropes.h"
-#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/bodies/make_actor.h"
 
 namespace knuckle {
 

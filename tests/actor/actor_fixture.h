@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/bodies/make_actor.h"
 #include "tests/actor/shapes.h"
 
 namespace knuckle {

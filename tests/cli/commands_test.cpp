@@ -38,6 +38,8 @@ TEST_F(Cli, RefusesWrongOptionsInOneLine)
                                                {"compare", "a.png"},
                                                {"schema", "nothing"},
                                                {"voxelize", "a.glb", "--diameter", "-1"},
+                                               {"voxelize", "a.glb", "--up", "x"},
+                                               {"voxelize", "a.glb", "--height", "2", "--scale", "1"},
                                                {"render", scene, "--size", "64"},
                                                {"render", scene, "--size", "0x0"},
                                                {"render", scene, "--frames", "0:3"},

@@ -242,7 +242,7 @@ void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointP
 
 }  // namespace
 
-Actor makeActor(const Model& model, const ActorOptions& options)
+Actor articulate(const Model& model, const ActorOptions& options)
 {
     checkOverrides(model, options.articulation.types);
     checkOverrides(model, options.articulation.axes);

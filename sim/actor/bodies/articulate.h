@@ -27,6 +27,7 @@ struct ArticulationOptions {
 struct ActorOptions {
     std::string name;  ///< Empty: the model's.
     VoxelOptions voxels;
+    uint32_t particleCount = 0;  ///< Of the actor that makeActor() makes; 0: by the diameter.
     ArticulationOptions articulation;
 };
 
@@ -38,7 +39,7 @@ struct ActorOptions {
 /// universal a flat body of five (named after the bone with "/cross" added) that shares two with each side, and then
 /// stands as two joints of type Universal in a row. A model without bones becomes one body without joints.
 /// @throws InputError as voxelize() does, and for an override that names no bone of the model.
-Actor makeActor(const Model& model, const ActorOptions& options);
+Actor articulate(const Model& model, const ActorOptions& options);
 
 /// What of a body a bone is, in the words of many programs.
 enum class BodyPart {

@@ -6,10 +6,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <string_view>
 
 #include "sim/actor/import/child_process.h"
+#include "sim/actor/import/fit.h"
 #include "sim/actor/import/import_scene.h"
 #include "sim/actor/import/model.h"
 #include "sim/actor/import/model_bytes.h"
@@ -21,96 +21,7 @@ namespace knuckle {
 namespace {
 
 constexpr uint8_t HOLDS_MODEL = 0, HOLDS_MESSAGE = 1;
-constexpr uintmax_t FILE_LIMIT = 512ull << 20;        // [bytes]
-constexpr float LARGEST_FIGURE = 20.0f;               // taller than this cannot be meant in metres [m]
-constexpr float SMALLEST = 0.005f, LARGEST = 200.0f;  // sizes that a guess may lead to [m]
-constexpr float PERSON = 1.7f;                        // what a skeleton without a mesh stands for [m]
-
-struct Unit {
-    const char* name;
-    float metres;
-};
-constexpr Unit UNITS[] = {{"metres", 1.0f}, {"centimetres", 0.01f}, {"millimetres", 0.001f}};
-// Motion capture comes in these; the last is the unit of the CMU library (an inch over 0.45).
-constexpr Unit CAPTURE_UNITS[] = {{"metres", 1.0f},
-                                  {"centimetres", 0.01f},
-                                  {"inches", 0.0254f},
-                                  {"millimetres", 0.001f},
-                                  {"units of 56.4 mm", 0.0254f / 0.45f}};
-
-float sizeOf(const Model& model)
-{
-    Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
-    const auto include = [&](const Eigen::Vector3f& p) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    };
-    std::for_each(model.vertices.begin(), model.vertices.end(), include);
-    for (size_t b = 0; b < model.bones.size() && model.vertices.empty(); ++b) {
-        include(model.bones[b].restPose.block<3, 1>(0, 3));
-    }
-    return (high - low).maxCoeff();
-}
-
-void scaleBy(Model& model, float factor)
-{
-    for (Eigen::Vector3f& vertex : model.vertices) {
-        vertex *= factor;
-    }
-    for (Bone& bone : model.bones) {
-        bone.restPose.topRows<3>() *= factor;
-    }
-    for (Clip& clip : model.clips) {
-        for (auto& pose : clip.poses) {
-            for (Eigen::Matrix4f& matrix : pose) {
-                matrix.topRows<3>() *= factor;
-            }
-        }
-    }
-}
-
-// Guesses the file's unit: for a figure too large for metres one that gives a plausible size, for a skeleton without a
-// mesh the one that makes it as tall as a person.
-const Unit& guessUnit(const Model& model, float size)
-{
-    if (model.triangles.empty()) {
-        return *std::min_element(std::begin(CAPTURE_UNITS), std::end(CAPTURE_UNITS), [&](const Unit& a, const Unit& b) {
-            return std::abs(std::log(size * a.metres / PERSON)) < std::abs(std::log(size * b.metres / PERSON));
-        });
-    }
-    for (const Unit& unit : UNITS) {
-        if (size * unit.metres <= LARGEST_FIGURE) {
-            return unit;
-        }
-    }
-    return UNITS[0];
-}
-
-void fitScale(Model& model, const ImportOptions& options)
-{
-    const float size = sizeOf(model);
-    if (!std::isfinite(size) || !(size > 0.0f)) {
-        throw InputError("it has no size, or one that is not finite: check the transforms in the file");
-    }
-    float factor = static_cast<float>(options.scale);
-    if (options.scale == 0.0) {
-        const Unit& unit = guessUnit(model, size);
-        factor = unit.metres;
-        if (factor != 1.0f) {
-            model.notes.push_back(fmt::format("The model measures {:.4g} units: taken for {}, so {:.3g} m.", size,
-                                              unit.name, size * factor));
-        }
-    }
-    const float metres = size * factor;
-    if (!(metres >= SMALLEST && metres <= LARGEST)) {
-        throw InputError(fmt::format("it would be {:.3g} m large, {:g} to {:g} m are possible: give a scale in metres "
-                                     "per unit (the file has {:.4g} units)",
-                                     metres, SMALLEST, LARGEST, size));
-    }
-    if (factor != 1.0f) {
-        scaleBy(model, factor);
-    }
-}
+constexpr uintmax_t FILE_LIMIT = 512ull << 20;  // [bytes]
 
 Model readWhole(const std::string& path, const ImportOptions& options)
 {
@@ -122,7 +33,7 @@ Model readWhole(const std::string& path, const ImportOptions& options)
     if (model.triangles.empty() && !(bare && model.bones.size() >= 2)) {
         throw InputError("it holds neither triangles nor a skeleton: export a mesh");
     }
-    fitScale(model, options);
+    fitModel(model, options);
     if (bare) {
         addBodyAlongBones(model);
     }
@@ -193,6 +104,9 @@ Model importModel(const std::string& path, const ImportOptions& options)
 {
     if (!(options.scale >= 0.0) || !std::isfinite(options.scale)) {
         throw InputError(fmt::format("{}: scale {} must be above 0 metres per unit", path, options.scale));
+    }
+    if (!(options.height >= 0.0) || !std::isfinite(options.height)) {
+        throw InputError(fmt::format("{}: height {} must be above 0 metres", path, options.height));
     }
     checkFile(path);
     const ChildResult result = runInChild([&] { return inChild(path, options); }, {});

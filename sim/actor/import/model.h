@@ -48,12 +48,22 @@ struct Model {
     std::vector<std::string> notes;  ///< What import repaired or assumed, one sentence each.
 };
 
-/// Reads a model with assimp in a child process with limits on memory and time, since libassimp crashes or allocates
-/// without bound on some broken files. @throws InputError naming the file, what is wrong and the remedy.
+/// The axis of a file that points up, where the file does not say so itself.
+enum class UpAxis { Y, Z };
+/// Which models are moved so that their lowest point is at height 0 and the middle of their bounds over the origin:
+/// none, those that stand ten times their size away, all.
+enum class Centering { Never, WhereFar, Always };
+
 struct ImportOptions {
     double scale = 0.0;  ///< Metres per file unit; 0: what the file says, else guessed and noted.
     bool clips = true;
+    double height = 0.0;  ///< [m]; 0: by scale.
+    UpAxis up = UpAxis::Y;
+    Centering centering = Centering::Never;
 };
+
+/// Reads a model with assimp in a child process with limits on memory and time, since libassimp crashes or allocates
+/// without bound on some broken files. @throws InputError naming the file, what is wrong and the remedy.
 Model importModel(const std::string& path, const ImportOptions& options = {});
 
 }  // namespace knuckle

@@ -20,8 +20,6 @@ namespace {
 constexpr double CELL_LIMIT = 5e7;         // lattice points looked at
 constexpr double SAMPLE_LIMIT = 2e7;       // surface samples looked at
 constexpr float DEFAULT_DIAMETER = 0.03f;  // of the longest side
-constexpr int SEARCH_STEPS = 12;
-constexpr double SEARCH_TOLERANCE = 0.01;  // of the wanted count
 
 struct Bounds {
     Vector3f low, high;
@@ -93,14 +91,17 @@ public:
     template <typename Visit>
     void forEach(Visit visit) const
     {
-        for (int z = 0; z < counts_.z(); ++z) {
-            for (int y = 0; y < counts_.y(); ++y) {
-                for (int x = 0; x < counts_.x(); ++x) {
-                    visit(Vector3i(x, y, z));
-                }
-            }
-        }
+        forEachIn(Vector3i::Zero(), counts_, 1, visit);
     }
+    // The points from `low` to before `high`, every step-th along each axis.
+    template <typename Visit>
+    void forEachIn(const Vector3i& low, const Vector3i& high, int step, Visit visit) const
+    {
+        for (int z = low.z(); z < high.z(); z += step)
+            for (int y = low.y(); y < high.y(); y += step)
+                for (int x = low.x(); x < high.x(); x += step) visit(Vector3i(x, y, z));
+    }
+    const Vector3i& counts() const { return counts_; }
     size_t count() const { return count_; }
     float spacing() const { return spacing_; }
 
@@ -183,14 +184,31 @@ void keepThinParts(Lattice& lattice, const TriangleTree& tree, std::span<const V
     }
 }
 
+// Points of the lattice along each axis that are looked at together where no surface is among them.
+constexpr int BLOCK = 4;
+// From whole numbers, of a winding number with no hole nearby.
+constexpr double CLOSED = 0.05;
+
+// Whether what lies within `reach` of the middle is inside as a whole, or outside.
+bool isAllOrNothing(const TriangleTree& tree, const Vector3f& middle, float reach)
+{
+    if (tree.nearest(middle).distance <= reach) return false;
+    const double number = tree.windingNumber(middle);
+    return std::abs(number - std::round(number)) < CLOSED;
+}
+
 Lattice fill(const TriangleTree& tree, std::span<const Vector3f> vertices, std::span<const Triangle> triangles,
              const Bounds& bounds, float diameter)
 {
     Lattice lattice(bounds, diameter);
-    lattice.forEach([&](const Vector3i& cell) {
-        if (tree.inside(lattice.position(cell))) {
-            lattice.take(cell);
-        }
+    lattice.forEachIn(Vector3i::Zero(), lattice.counts(), BLOCK, [&](const Vector3i& low) {
+        const Vector3i high = (low + Vector3i::Constant(BLOCK)).cwiseMin(lattice.counts());
+        const Vector3f middle = 0.5f * (lattice.position(low) + lattice.position(high - Vector3i::Ones()));
+        const bool whole = isAllOrNothing(tree, middle, (middle - lattice.position(low)).norm());
+        if (whole && !tree.inside(middle)) return;
+        lattice.forEachIn(low, high, 1, [&](const Vector3i& cell) {
+            if (whole || tree.inside(lattice.position(cell))) lattice.take(cell);
+        });
     });
     keepThinParts(lattice, tree, vertices, triangles);
     return lattice;
@@ -216,44 +234,12 @@ Vector3f outwardOf(const TriangleTree& tree, const Vector3f& point, float distan
     return deeper ? outward : Vector3f(Vector3f::Zero());
 }
 
-// The count falls with the cube of the diameter (with its square for thin meshes, so the steps converge there too).
-float searchDiameter(const TriangleTree& tree, std::span<const Vector3f> vertices, std::span<const Triangle> triangles,
-                     const Bounds& bounds, uint32_t wanted)
+float chooseDiameter(const Bounds& bounds, const VoxelOptions& options)
 {
-    float diameter = DEFAULT_DIAMETER * bounds.longest(), best = diameter;
-    double bestError = std::numeric_limits<double>::infinity();
-    for (int step = 0; step < SEARCH_STEPS && bestError > SEARCH_TOLERANCE * wanted; ++step) {
-        const double count = static_cast<double>(fill(tree, vertices, triangles, bounds, diameter).count());
-        const double error = std::abs(count - wanted);
-        if (error < bestError) {
-            bestError = error;
-            best = diameter;
-        }
-        // Damped after the first steps: the count jumps as lattice layers come and go.
-        const double power = step < 4 ? 1.0 / 3.0 : 1.0 / 6.0;
-        diameter *= static_cast<float>(std::pow(std::max(count, 0.5) / wanted, power));
-    }
-    return best;
-}
-
-float chooseDiameter(const TriangleTree& tree, std::span<const Vector3f> vertices, std::span<const Triangle> triangles,
-                     const Bounds& bounds, const VoxelOptions& options)
-{
-    if (options.diameter != 0.0f) {
-        if (!(options.diameter > 0.0f) || !std::isfinite(options.diameter)) {
-            throw std::logic_error(
-                fmt::format("particle diameter must be a length above 0 m, not {}", options.diameter));
-        }
-        return options.diameter;
-    }
-    if (options.particleCount > options.particleLimit) {
-        throw std::logic_error(fmt::format("{} particles wanted for one model, at most {} are allowed: ask for fewer",
-                                           options.particleCount, options.particleLimit));
-    }
-    if (options.particleCount > 0) {
-        return searchDiameter(tree, vertices, triangles, bounds, options.particleCount);
-    }
-    return DEFAULT_DIAMETER * bounds.longest();
+    if (options.diameter == 0.0f) return DEFAULT_DIAMETER * bounds.longest();
+    if (!(options.diameter > 0.0f) || !std::isfinite(options.diameter))
+        throw std::logic_error(fmt::format("particle diameter must be a length above 0 m, not {}", options.diameter));
+    return options.diameter;
 }
 
 }  // namespace
@@ -269,7 +255,7 @@ Voxels voxelize(std::span<const Vector3f> vertices, std::span<const Triangle> tr
     }
     const TriangleTree tree(vertices, triangles);
     Voxels voxels;
-    voxels.diameter = chooseDiameter(tree, vertices, triangles, bounds, options);
+    voxels.diameter = chooseDiameter(bounds, options);
     const Lattice lattice = fill(tree, vertices, triangles, bounds, voxels.diameter);
     if (lattice.count() > options.particleLimit) {
         const double factor = std::cbrt(static_cast<double>(lattice.count()) / options.particleLimit);

@@ -9,8 +9,7 @@
 namespace knuckle {
 
 struct VoxelOptions {
-    float diameter = 0.0f;       ///< Particle diameter and lattice spacing [m]; 0: from particleCount.
-    uint32_t particleCount = 0;  ///< Wanted count, met as nearly as the lattice allows; 0: from diameter.
+    float diameter = 0.0f;  ///< Particle diameter and lattice spacing [m]; 0: 3 % of the longest side.
     uint32_t particleLimit = 200000;
 };
 
@@ -28,7 +27,6 @@ struct Voxels {
 /// Solid voxelization by generalized winding number (Jacobson et al. 2013), so that the mesh need not be closed nor
 /// its triangles face one way. Parts thinner than the lattice keep one layer, those thinner in two directions a row.
 ///
-/// With neither diameter nor count, the diameter is 3 % of the longest side.
 /// @throws InputError for a mesh that is empty or needs more particles than the limit, std::logic_error for options out
 /// of range.
 Voxels voxelize(std::span<const Eigen::Vector3f> vertices, std::span<const Triangle> triangles,

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/bodies/make_actor.h"
 #include "sim/actor/clips/body_clip.h"
 #include "sim/world/errors.h"
 #include "tests/message_of.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <functional>
 
-#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/bodies/make_actor.h"
 #include "sim/actor/import/child_process.h"
 #include "sim/actor/import/model_bytes.h"
 #include "sim/world/errors.h"

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "sim/actor/import/model.h"
+
+namespace knuckle {
+
+/// Brings a model into metres, +Y up, and where the options want it. `notes` gets a sentence for what was guessed, and
+/// for a figure whose size is odd.
+/// @throws InputError for a model without a size, or one that would be too small or too large.
+void fitModel(Model& model, const ImportOptions& options);
+
+}  // namespace knuckle
