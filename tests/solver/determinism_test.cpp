@@ -89,9 +89,10 @@ uint64_t hashOfPile(int way)
 std::string runChild(int way, int threads)
 {
     const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-    const std::string command = fmt::format("env -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX LP_NUM_THREADS={} {}={} '{}' --gtest_also_run_disabled_tests "
-                                            "--gtest_filter=Determinism.DISABLED_InAChildProcess 2>&1",
-                                            threads, WAY_VARIABLE, way, self);
+    const std::string command = fmt::format(
+        "env -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX LP_NUM_THREADS={} {}={} '{}' --gtest_also_run_disabled_tests "
+        "--gtest_filter=Determinism.DISABLED_InAChildProcess 2>&1",
+        threads, WAY_VARIABLE, way, self);
     std::string output;
     FILE* pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return "cannot run " + command;

@@ -114,7 +114,7 @@ void fitScale(Model& model, const ImportOptions& options)
 
 Model readWhole(const std::string& path, const ImportOptions& options)
 {
-    Model model = readScene(path, true);
+    Model model = readScene(path, options.surface);
     const bool bare = model.triangles.empty() && model.vertices.empty();
     if (bare && model.bones.size() >= 2) {
         unfoldRestPose(model);

@@ -115,7 +115,8 @@ TEST(JointLimit, ABallTwistsNoFurtherThanItsRange)
         // It is stopped in the substep that would pass the limit, of 6 rad/s / 240 Hz.
         EXPECT_NEAR(turnOf(solver).twist, spin > 0 ? -20 : 50, 1.5) << spin;
         // What it had is in the fixed body.
-        EXPECT_LT(solver.readBodies()[1].angularVelocity.norm(), 0.01f) << spin;  // measured 0.0004, and 0.0069 on an H100
+        EXPECT_LT(solver.readBodies()[1].angularVelocity.norm(), 0.01f)
+            << spin;  // measured 0.0004, and 0.0069 on an H100
     }
 }
 
