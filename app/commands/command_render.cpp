@@ -34,16 +34,20 @@ void addSize(const std::string& text, std::vector<Override>& overrides)
 
 void readExports(const std::vector<std::string>& exports, FilmOptions& film)
 {
-    const std::map<std::string, std::string*> kinds{
-        {"ply", &film.plyFolder}, {"bodies", &film.bodyTable}, {"measures", &film.measureTable}};
+    const std::map<std::string, std::string*> kinds{{"ply", &film.plyFolder},
+                                                    {"bodies", &film.bodyTable},
+                                                    {"measures", &film.measureTable},
+                                                    {"bvh", &film.bvh},
+                                                    {"gltf", &film.gltf}};
     for (const std::string& text : exports) {
         const size_t equals = text.find('=');
         const std::string kind = text.substr(0, equals);
         const std::string path = equals == std::string::npos ? "" : text.substr(equals + 1);
         const auto found = kinds.find(kind);
         if (path.empty() || found == kinds.end()) {
-            throw InputError(
-                fmt::format("--export {}: must be ply=FOLDER, bodies=FILE.csv or measures=FILE.csv", text));
+            throw InputError(fmt::format(
+                "--export {}: must be ply=FOLDER, bodies=FILE.csv, measures=FILE.csv, bvh=FILE.bvh or gltf=FILE.glb",
+                text));
         }
         *found->second = path;
     }
@@ -77,6 +81,9 @@ constexpr const char* NOTES =
     "Ctrl-C finishes the frame and stops.\n\n"
     "--export ply=DIR        per frame: id, position, velocity, body and material of each particle, binary PLY\n"
     "--export bodies=FILE    frame, body, object, name, position, quaternion, velocity, angular velocity, CSV\n"
+    "--export bvh=FILE       motion of an actor's bones, BVH; of several actors a file each, FILE_NAME.bvh\n"
+    "--export gltf=FILE      the motion as one clip: actors with skeleton and mesh, other bodies as nodes, glTF 2.0 "
+    "binary\n"
     "--export measures=FILE  per frame: contacts, penetration, joint gaps, rigidity, strain, density, energy, CSV\n"
     "--stats FILE            JSON: device, passes with ms, particles, how deep contacts are, how far joints gape,\n"
     "                        density of fluids, strain of soft bodies, stretch of ropes and cloth, energy\n"

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/export/bvh.h"
+#include "app/export/gltf.h"
 #include "app/files/export.h"
 #include "app/run/counted.h"
 #include "app/run/frame_drawing.h"
@@ -26,6 +28,8 @@ struct Outputs {
     FrameSinks sinks;
     std::optional<BodyTable> bodies;
     std::optional<MeasureTable> measures;
+    std::optional<BvhExport> bvh;
+    std::optional<GltfExport> gltf;
     std::optional<OutputFile> stats;
     std::string plyFolder;
 
@@ -35,6 +39,8 @@ struct Outputs {
         if (!plyFolder.empty()) requireWritableFolder(plyFolder);
         if (!options.bodyTable.empty()) bodies.emplace(options.bodyTable);
         if (!options.measureTable.empty()) measures.emplace(options.measureTable);
+        if (!options.bvh.empty()) bvh.emplace(options.bvh, scene);
+        if (!options.gltf.empty()) gltf.emplace(options.gltf, scene);
         if (!options.stats.empty()) stats.emplace(options.stats);
     }
 
@@ -156,6 +162,8 @@ private:
         if (!wanted) return;
         if (!outputs_.plyFolder.empty()) writePly(outputs_.plyFolder, frame, scene_.world, solver_.readParticles());
         if (outputs_.bodies) outputs_.bodies->write(frame, scene_.world, solver_.readBodies());
+        if (outputs_.gltf) outputs_.gltf->add(scene_.world, solver_.readBodies());
+        if (outputs_.bvh) outputs_.bvh->add(scene_.world, solver_.readBodies());
         if (outputs_.measures) outputs_.measures->write(frame, solver_.measure());
     }
 
@@ -163,6 +171,8 @@ private:
     {
         if (outputs_.bodies) outputs_.bodies->finish();
         if (outputs_.measures) outputs_.measures->finish();
+        if (outputs_.gltf) outputs_.gltf->finish(scene_.framesPerSecond);
+        if (outputs_.bvh) outputs_.bvh->finish(scene_.framesPerSecond);
         if (!outputs_.stats) return;
         if (releases_) figures_.releases = releases_->figures();
         outputs_.stats->write(statsText(figures_, scene_.world, solver_));

@@ -23,7 +23,7 @@ struct FilmOptions {
     std::vector<std::string> outputs;  ///< Folders for PNG frames, and .mp4 films.
     FrameRange frames;
     std::string stats;  ///< Empty: none, as below.
-    std::string plyFolder, bodyTable, measureTable;
+    std::string plyFolder, bodyTable, measureTable, bvh, gltf;
     bool hash = false;
     std::optional<bool> drawAside;  ///< On a thread of its own; none: where that is faster.
 };

@@ -91,6 +91,19 @@ void freeHeldJoints(Actor& actor, const std::vector<uint32_t>& held)
             if (joint.child == held[i] || joint.parent == held[i]) joint.limits = {};
 }
 
+bool isActorFile(const std::string& file)
+{
+    return std::filesystem::path(file).extension() == ".json";
+}
+
+/// Remembers what an actor was made of.
+void noteUse(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects)
+{
+    const std::string file = existingFile(entry.context, entry.json["file"], entry.pointer + "/file");
+    entry.context.actorUses.push_back(
+        {std::make_shared<const Actor>(actor), isActorFile(file) ? "" : file, entry.json.value("scale", 0.0), objects});
+}
+
 }  // namespace
 
 std::string existingFile(const SceneContext& context, const std::string& file, const std::string& pointer)
@@ -134,7 +147,7 @@ const Actor& findActor(SceneContext& context, const Json& object, const std::str
     const std::string key = actorKey(context, object, file, diameter);
     const auto found = context.actors.find(key);
     if (found != context.actors.end()) return found->second;
-    const bool actorFile = object["type"] == "actor" && std::filesystem::path(file).extension() == ".json";
+    const bool actorFile = object["type"] == "actor" && isActorFile(file);
     Actor actor = actorFile ? loadActor(context, object, file, pointer)
                             : voxelizeModel(context, object, file, diameter);
     return context.actors.emplace(key, std::move(actor)).first->second;
@@ -175,6 +188,7 @@ void addActors(const ObjectEntry& entry)
         objects.push_back(addActor(builder, actor, entry.material, entry.poses[copy], entry.velocity));
         for (const uint32_t body : held) builder.holdBody(builder.world().objects[objects.back()].bodyStart + body);
     }
+    noteUse(entry, actor, objects);
     if (animated) animateActors(entry, actor, objects, plays);
     driveActors(entry, actor, objects);
     releaseActors(entry, actor, objects);

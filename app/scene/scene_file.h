@@ -1,17 +1,27 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/scene/overrides.h"
 #include "render/settings.h"
+#include "sim/actor/actor.h"
 #include "sim/world/world.h"
 
 namespace knuckle {
 
 /// More particles than this are refused.
 inline constexpr uint64_t MAX_PARTICLES = 1'000'000;
+
+/// An actor of the scene, and what it was made of.
+struct SceneActor {
+    std::shared_ptr<const Actor> actor;
+    std::string model;              ///< Path of its model; empty for one that came as an actor file.
+    double scale = 0.0;             ///< As ImportOptions::scale.
+    std::vector<uint32_t> objects;  ///< Its copies: indices into World::objects.
+};
 
 /// What a scene file says.
 struct Scene {
@@ -20,7 +30,8 @@ struct Scene {
     World world;
     RenderSettings render;
     double framesPerSecond = 60.0;
-    double duration = 0.0;           ///< [s]
+    double duration = 0.0;  ///< [s]
+    std::vector<SceneActor> actors;
     std::vector<std::string> notes;  ///< What of it is not as the file says, one sentence each.
     uint32_t stepsPerFrame = 1;      ///< World::settings.timeStep is 1 / (framesPerSecond * stepsPerFrame).
 

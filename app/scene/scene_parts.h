@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/json/json.h"
+#include "app/scene/scene_file.h"
 #include "sim/actor/actor.h"
 #include "sim/actor/import/model.h"
 #include "sim/world/builder/builder.h"
@@ -38,7 +39,8 @@ struct SceneContext {
     std::map<std::string, Actor> actors = {};    ///< Read or made already, by what was asked for.
     std::map<std::string, Model> models = {};    ///< With clips, the same.
     std::map<std::string, uint32_t> clips = {};  ///< Indices by actor, file and name.
-    std::vector<std::string> notes = {};         ///< For the user: what of the scene is not as it says.
+    std::vector<SceneActor> actorUses = {};
+    std::vector<std::string> notes = {};  ///< For the user: what of the scene is not as it says.
     std::map<std::string, std::vector<ParticleRange>> particles = {};  ///< But fluids', by name of object or copy.
     std::vector<std::string> objectNames = {};                         ///< Without those of copies.
     std::vector<PendingTouch> touches = {};

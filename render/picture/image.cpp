@@ -73,16 +73,22 @@ GreyImage readGreyImage(const std::string& path)
     return image;
 }
 
-void writePng(const std::string& path, const Image& image)
+std::string encodePng(uint32_t width, uint32_t height, uint32_t channels, std::span<const uint8_t> pixels)
 {
     stbi_write_force_png_filter = UP_FILTER;
-    const int width = static_cast<int>(image.width);
+    const int columns = static_cast<int>(width), parts = static_cast<int>(channels);
     int byteCount = 0;
-    const std::unique_ptr<unsigned char, Free> bytes(stbi_write_png_to_mem(
-        image.rgb.data(), width * CHANNELS, width, static_cast<int>(image.height), CHANNELS, &byteCount));
-    if (!bytes || byteCount <= 0) throw RunError(fmt::format("{} cannot be encoded: out of memory", path));
+    const std::unique_ptr<unsigned char, Free> bytes(
+        stbi_write_png_to_mem(pixels.data(), columns * parts, columns, static_cast<int>(height), parts, &byteCount));
+    if (!bytes || byteCount <= 0) throw RunError("a picture cannot be encoded: out of memory");
+    return {reinterpret_cast<const char*>(bytes.get()), static_cast<size_t>(byteCount)};
+}
+
+void writePng(const std::string& path, const Image& image)
+{
+    const std::string bytes = encodePng(image.width, image.height, CHANNELS, image.rgb);
     TemporaryFile file(path);
-    file.write(bytes.get(), static_cast<size_t>(byteCount));
+    file.write(bytes.data(), bytes.size());
     file.commit();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct Image {
 /// @throws InputError (missing, not an image) or RunError (disk full, not writable: nothing is left half-written).
 Image readImage(const std::string& path);
 void writePng(const std::string& path, const Image& image);
+/// The bytes of a PNG file. @param channels 3: RGB, 4: with alpha. @param pixels width * height * channels, top row
+/// first.
+std::string encodePng(uint32_t width, uint32_t height, uint32_t channels, std::span<const uint8_t> pixels);
 
 /// The grey of an image, 0 ... 1, top row first, as its file has it: no gamma is taken off.
 struct GreyImage {

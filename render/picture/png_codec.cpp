@@ -1,4 +1,4 @@
-// The one file that holds stb's code, with its deflate replaced by libdeflate's.
+// The one file that holds stb's code for frames, with its deflate replaced by libdeflate's.
 #include <libdeflate.h>
 
 #include <cstdlib>

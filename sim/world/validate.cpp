@@ -232,6 +232,7 @@ void validate(const World& world)
     validateSoftBodies(world);
     validateStrands(world);
     validateGrids(world);
+    validateSkins(world);
 }
 
 }  // namespace knuckle

@@ -16,6 +16,7 @@
 #include "sim/world/joint.h"
 #include "sim/world/no_index.h"
 #include "sim/world/settings.h"
+#include "sim/world/skin.h"
 #include "sim/world/soft_matter.h"
 #include "sim/world/strand.h"
 #include "sim/world/surface.h"
@@ -170,6 +171,7 @@ struct World {
     std::vector<Link> clusterLinks;  ///< Grouped by cluster, which is what Link::body says here.
     std::vector<Strand> strands;     ///< Ropes and cloth.
     std::vector<ColliderGrid> colliderGrids;
+    std::vector<Skin> skins;  ///< Only drawn.
     uint32_t assemblyCount = 0;
     /// Rest distance of fluid particles [m], 0.3 ... 0.6 diameters. A fluid particle weighs density * spacing^3.
     float fluidSpacing = 0.05f;

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <map>
 
+#include "sim/actor/gltf/glb.h"
 #include "sim/actor/mesh/triangle_tree.h"
-#include "tools/humanoid/glb.h"
 
 namespace knuckle {
 namespace {

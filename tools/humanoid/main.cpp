@@ -2,7 +2,7 @@
 #include <exception>
 
 #include "app/files/output.h"
-#include "tools/humanoid/glb.h"
+#include "sim/actor/gltf/glb.h"
 #include "tools/humanoid/humanoid.h"
 
 /// Writes the project's own figure, assets/models/humanoid.glb.

@@ -60,6 +60,8 @@ Bounds boundsOf(const Model& model)
 void transform(Model& model, const Eigen::Affine3f& similarity)
 {
     for (Vector3f& vertex : model.vertices) vertex = similarity * vertex;
+    for (SurfaceVertex& vertex : model.surface.vertices)
+        vertex.normal = (similarity.linear() * vertex.normal).normalized();
     for (Bone& bone : model.bones) bone.restPose = similarity * bone.restPose;
     for (Clip& clip : model.clips)
         for (auto& pose : clip.poses)

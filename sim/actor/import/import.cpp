@@ -25,7 +25,7 @@ constexpr uintmax_t FILE_LIMIT = 512ull << 20;  // [bytes]
 
 Model readWhole(const std::string& path, const ImportOptions& options)
 {
-    Model model = readScene(path, true);
+    Model model = readScene(path, options.surface);
     const bool bare = model.triangles.empty() && model.vertices.empty();
     if (bare && model.bones.size() >= 2) {
         unfoldRestPose(model);

@@ -31,31 +31,6 @@ struct SkinNotes {
     size_t unweighted = 0;  // vertices that no bone moves, in a skinned mesh
 };
 
-// Per bone of the mesh: from the mesh's space to the model's in the rest pose of the nodes.
-std::vector<Matrix4d> skinMatrices(const aiMesh& mesh, const NodeTable& table, const aiScene& scene)
-{
-    std::vector<Matrix4d> matrices;
-    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-        const aiBone& bone = *mesh.mBones[b];
-        const Matrix4d bind = toEigen(bone.mOffsetMatrix);
-        const Matrix4d matrix = table.globals[table.indices.at(&nodeOfBone(scene, bone))] * bind;
-        bool moves = false;
-        for (unsigned w = 0; w < bone.mNumWeights; ++w) {
-            moves = moves || bone.mWeights[w].mWeight > 0.0f;
-        }
-        const Eigen::Vector3d stretch = bind.topLeftCorner<3, 3>().colwise().norm();
-        const double volume = std::abs(bind.topLeftCorner<3, 3>().determinant());
-        const bool sound = matrix.allFinite() && volume > SINGULAR * std::pow(stretch.maxCoeff(), 3.0) && volume > 0.0;
-        if (moves && !sound) {
-            throw InputError(fmt::format("bone '{}' has a bind matrix that is singular or not a number: export the "
-                                         "model again",
-                                         bone.mName.C_Str()));
-        }
-        matrices.push_back(matrix);
-    }
-    return matrices;
-}
-
 std::vector<std::vector<Influence>> influencesOf(const aiMesh& mesh, SkinNotes& notes)
 {
     std::vector<std::vector<Influence>> influences(mesh.mNumVertices);
@@ -202,28 +177,59 @@ void addRigid(const aiMesh& mesh, uint32_t node, const NodeTable& table, Model& 
 
 }  // namespace
 
-void convertMeshes(const aiScene& scene, const NodeTable& table, Model& model)
+std::vector<Matrix4d> skinMatrices(const aiMesh& mesh, const NodeTable& table, const aiScene& scene)
 {
-    SkinNotes notes;
-    std::vector<bool> skinned(scene.mNumMeshes, false);
+    std::vector<Matrix4d> matrices;
+    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+        const aiBone& bone = *mesh.mBones[b];
+        const Matrix4d bind = toEigen(bone.mOffsetMatrix);
+        const Matrix4d matrix = table.globals[table.indices.at(&nodeOfBone(scene, bone))] * bind;
+        bool moves = false;
+        for (unsigned w = 0; w < bone.mNumWeights; ++w) {
+            moves = moves || bone.mWeights[w].mWeight > 0.0f;
+        }
+        const Eigen::Vector3d stretch = bind.topLeftCorner<3, 3>().colwise().norm();
+        const double volume = std::abs(bind.topLeftCorner<3, 3>().determinant());
+        const bool sound = matrix.allFinite() && volume > SINGULAR * std::pow(stretch.maxCoeff(), 3.0) && volume > 0.0;
+        if (moves && !sound) {
+            throw InputError(fmt::format("bone '{}' has a bind matrix that is singular or not a number: export the "
+                                         "model again",
+                                         bone.mName.C_Str()));
+        }
+        matrices.push_back(matrix);
+    }
+    return matrices;
+}
+
+void forEachMesh(const aiScene& scene, const NodeTable& table,
+                 const std::function<void(const aiMesh&, uint32_t)>& visit)
+{
+    std::vector<bool> shown(scene.mNumMeshes, false);
     for (uint32_t n = 0; n < table.nodes.size(); ++n) {
         for (unsigned m = 0; m < table.nodes[n]->mNumMeshes; ++m) {
             const unsigned index = table.nodes[n]->mMeshes[m];
-            if (index >= scene.mNumMeshes || (scene.mMeshes[index]->mNumBones > 0 && skinned[index])) {
-                continue;  // a skinned mesh stands where its bones are, whichever node shows it
+            if (index >= scene.mNumMeshes || (scene.mMeshes[index]->mNumBones > 0 && shown[index])) {
+                continue;
             }
-            const aiMesh& mesh = *scene.mMeshes[index];
-            if (model.vertices.size() + mesh.mNumVertices > VERTEX_LIMIT) {
-                throw InputError(fmt::format("it has more than {} vertices: simplify it", VERTEX_LIMIT));
-            }
-            skinned[index] = true;
-            if (mesh.mNumBones > 0) {
-                addSkinned(scene, mesh, n, table, model, notes);
-            } else {
-                addRigid(mesh, n, table, model);
-            }
+            shown[index] = true;
+            visit(*scene.mMeshes[index], n);
         }
     }
+}
+
+void convertMeshes(const aiScene& scene, const NodeTable& table, Model& model)
+{
+    SkinNotes notes;
+    forEachMesh(scene, table, [&](const aiMesh& mesh, uint32_t node) {
+        if (model.vertices.size() + mesh.mNumVertices > VERTEX_LIMIT) {
+            throw InputError(fmt::format("it has more than {} vertices: simplify it", VERTEX_LIMIT));
+        }
+        if (mesh.mNumBones > 0) {
+            addSkinned(scene, mesh, node, table, model, notes);
+        } else {
+            addRigid(mesh, node, table, model);
+        }
+    });
     if (notes.scaled > 0) {
         model.notes.push_back(fmt::format("Weights of {} vertices did not sum to 1 and were scaled.", notes.scaled));
     }

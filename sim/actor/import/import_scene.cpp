@@ -19,6 +19,8 @@ namespace {
 constexpr size_t NODE_LIMIT = 100000;
 constexpr size_t DEPTH_LIMIT = 1000;
 constexpr size_t BONE_LIMIT = 4096;
+/// From here on an edge without normals of its own is drawn sharp [degrees].
+constexpr float CREASE = 60.0f;
 
 // FBX keeps the up axis as metadata and the data as they are.
 Eigen::Matrix4d uprightFrom(const aiScene& scene)
@@ -145,15 +147,18 @@ void convertBones(const aiScene& scene, NodeTable& table, Model& model)
     }
 }
 
-Model readScene(const std::string& path, bool clips)
+Model readScene(const std::string& path, bool surface)
 {
     Assimp::Importer importer;
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-    // Importers of some games' formats look for further files beside the given one. None of them is needed.
-    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_TEXTURES | aiComponent_MATERIALS |
-                                                            aiComponent_LIGHTS | aiComponent_CAMERAS);
+    // Importers of some games' formats look for further files beside the given one. None of them is needed but for what
+    // is drawn.
+    const int looks = surface ? 0 : aiComponent_TEXTURES | aiComponent_MATERIALS;
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, looks | aiComponent_LIGHTS | aiComponent_CAMERAS);
+    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, CREASE);
+    const unsigned normals = surface ? unsigned{aiProcess_GenSmoothNormals} : 0u;
     const aiScene* scene = importer.ReadFile(
-        path, aiProcess_Triangulate | aiProcess_PopulateArmatureData | aiProcess_GlobalScale);
+        path, aiProcess_Triangulate | aiProcess_PopulateArmatureData | aiProcess_GlobalScale | normals);
     if (scene == nullptr || scene->mRootNode == nullptr) {
         const std::string reason = importer.GetErrorString();
         if (reason.find("bad_alloc") != std::string::npos) {
@@ -169,9 +174,8 @@ Model readScene(const std::string& path, bool clips)
     NodeTable table = listNodes(*scene);
     convertBones(*scene, table, model);
     convertMeshes(*scene, table, model);
-    if (clips) {
-        convertClips(*scene, table, model);
-    }
+    if (surface) convertSurface(*scene, table, path, model);
+    convertClips(*scene, table, model);
     return model;
 }
 

@@ -2,6 +2,7 @@
 
 #include <assimp/scene.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -42,7 +43,24 @@ void convertClips(const aiScene& scene, const NodeTable& table, Model& model);
 
 Eigen::Matrix4d toEigen(const aiMatrix4x4& m);
 
-/// Reads and converts a file, in the file's own units. @throws InputError.
-Model readScene(const std::string& path, bool clips);
+/// Calls visit(mesh, node) for each mesh that a node shows, in the order in which Model::vertices has them. A skinned
+/// one is shown once: it stands where its bones are, whichever node names it.
+void forEachMesh(const aiScene& scene, const NodeTable& table,
+                 const std::function<void(const aiMesh&, uint32_t)>& visit);
+
+/// Per bone of a mesh: from the mesh's space to the model's in the rest pose of the nodes.
+/// @throws InputError for a bind matrix that is singular or not a number.
+std::vector<Eigen::Matrix4d> skinMatrices(const aiMesh& mesh, const NodeTable& table, const aiScene& scene);
+
+/// Fills Model::surface for the vertices that convertMeshes() added. What of a texture cannot be had is a note.
+/// @param path of the model's file.
+void convertSurface(const aiScene& scene, const NodeTable& table, const std::string& path, Model& model);
+
+/// Fills the materials that the scene's meshes have, and reads their textures. @returns per material of the scene its
+/// index among them, NO_INDEX where no mesh has it.
+std::vector<uint32_t> convertMaterials(const aiScene& scene, const std::string& path, Model& model);
+
+/// Reads and converts a file, in the file's own units. @param surface see ImportOptions. @throws InputError.
+Model readScene(const std::string& path, bool surface);
 
 }  // namespace knuckle

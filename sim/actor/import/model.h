@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/world/skin.h"
+
 namespace knuckle {
 
 /// A node of the skeleton. Parents come before their children.
@@ -20,6 +22,21 @@ struct Bone {
 struct SkinWeights {
     std::array<uint32_t, 8> bones{};
     std::array<float, 8> weights{};
+};
+
+/// How a vertex of a model looks; as in SkinVertex.
+struct SurfaceVertex {
+    Eigen::Vector3f normal{0, 1, 0};
+    Eigen::Vector2f uv{0, 0};
+    Eigen::Vector3f color{1, 1, 1};
+    uint32_t material = 0;  ///< Index into ModelSurface::materials.
+};
+
+/// How a model looks: empty where nobody asked, and where its mesh was made up.
+struct ModelSurface {
+    std::vector<SurfaceVertex> vertices;  ///< Per vertex of the model.
+    std::vector<SkinMaterial> materials;
+    std::vector<TexturePicture> textures;
 };
 
 /// A sampled clip: local poses per bone at keyTimes.
@@ -42,6 +59,7 @@ struct Model {
     std::vector<Eigen::Vector3f> vertices;
     std::vector<std::array<uint32_t, 3>> triangles;
     std::vector<SkinWeights> skin;  ///< Empty, or one per vertex.
+    ModelSurface surface;
     std::vector<Bone> bones;
     std::vector<Clip> clips;
     std::vector<UnusableClip> unusableClips;
@@ -60,6 +78,7 @@ struct ImportOptions {
     double height = 0.0;  ///< [m]; 0: by scale.
     UpAxis up = UpAxis::Y;
     Centering centering = Centering::Never;
+    bool surface = false;  ///< Whether it is going to be drawn: only then its textures are read.
 };
 
 /// Reads a model with assimp in a child process with limits on memory and time, since libassimp crashes or allocates

@@ -1,6 +1,7 @@
 #include "sim/actor/import/model_bytes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <type_traits>
@@ -101,6 +102,19 @@ void visitModel(Archive& archive, Any& model)
     archive.block(model.vertices);
     archive.block(model.triangles);
     archive.block(model.skin);
+    archive.block(model.surface.vertices);
+    archive.list(model.surface.materials, [&](auto& material) {
+        archive.text(material.name);
+        archive.plain(material.color);
+        archive.plain(material.texture);
+        archive.plain(material.twoSided);
+        archive.plain(material.alphaCutoff);
+    });
+    archive.list(model.surface.textures, [&](auto& picture) {
+        archive.plain(picture.width);
+        archive.plain(picture.height);
+        archive.block(picture.rgba);
+    });
     archive.list(model.bones, [&](auto& bone) {
         archive.text(bone.name);
         archive.plain(bone.parent);
@@ -119,11 +133,30 @@ void visitModel(Archive& archive, Any& model)
     archive.list(model.notes, [&](auto& note) { archive.text(note); });
 }
 
+bool valid(const ModelSurface& surface, size_t vertexCount)
+{
+    bool good = surface.vertices.empty() || surface.vertices.size() == vertexCount;
+    for (const SurfaceVertex& vertex : surface.vertices) {
+        good = good && vertex.normal.allFinite() && vertex.uv.allFinite() && vertex.color.allFinite() &&
+               vertex.material < surface.materials.size();
+    }
+    for (const SkinMaterial& material : surface.materials) {
+        good = good && material.color.allFinite() && std::isfinite(material.alphaCutoff) &&
+               (material.texture == NO_INDEX || material.texture < surface.textures.size());
+    }
+    for (const TexturePicture& picture : surface.textures) {
+        good = good && picture.width > 0 && picture.height > 0 && picture.width <= TEXTURE_SIDE &&
+               picture.height <= TEXTURE_SIDE && picture.rgba.size() == size_t{4} * picture.width * picture.height;
+    }
+    return good;
+}
+
 bool valid(const Model& model)
 {
     const auto finite = [](const auto& m) { return m.allFinite(); };
     const auto allFinite = [&](const auto& list) { return std::all_of(list.begin(), list.end(), finite); };
-    bool good = allFinite(model.vertices) && (model.skin.empty() || model.skin.size() == model.vertices.size());
+    bool good = valid(model.surface, model.vertices.size()) && allFinite(model.vertices) &&
+                (model.skin.empty() || model.skin.size() == model.vertices.size());
     for (const auto& triangle : model.triangles) {
         good = good && *std::max_element(triangle.begin(), triangle.end()) < model.vertices.size();
     }

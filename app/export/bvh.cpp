@@ -1,0 +1,211 @@
+#include "app/export/bvh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+using Eigen::Isometry3f;
+using Frames = std::vector<std::vector<Isometry3f>>;
+
+constexpr float CENTIMETRES = 100.0f;  // a metre
+constexpr float DEGREES = 180.0f / std::numbers::pi_v<float>;
+constexpr float AWAY = 0.001f;          // from where its parent has it [m]: a joint that needs a position
+constexpr float STRAIGHT_UP = 0.9999f;  // sine of the turn about x, above which those about z and y are one
+
+Vector3f headOf(const Bone& bone)
+{
+    return bone.restPose.block<3, 1>(0, 3);
+}
+
+/// Which bones do not stay where their parents have them.
+std::vector<bool> movesApart(const Rig& rig, const Frames& frames)
+{
+    std::vector<bool> apart(rig.model.bones.size(), false);
+    for (size_t b = 0; b < rig.model.bones.size(); ++b) {
+        const int32_t parent = rig.model.bones[b].parent;
+        for (const auto& frame : frames)
+            if (parent < 0 ||
+                (frame[b] * headOf(rig.model.bones[b]) - frame[parent] * headOf(rig.model.bones[b])).norm() > AWAY)
+                apart[b] = true;
+    }
+    return apart;
+}
+
+/// Turns about Z, X and Y, R = Rz Rx Ry [degrees]; each as near to the last ones as it may be.
+Vector3f anglesOf(const Eigen::Matrix3f& r, const Vector3f& last)
+{
+    const float sine = std::clamp(r(2, 1), -1.0f, 1.0f);
+    Vector3f angles;
+    if (std::abs(sine) > STRAIGHT_UP) angles = {std::atan2(r(1, 0), r(0, 0)), std::asin(sine), 0.0f};
+    else angles = {std::atan2(-r(0, 1), r(1, 1)), std::asin(sine), std::atan2(-r(2, 0), r(2, 2))};
+    angles *= DEGREES;
+    // The same rotation, the other way about x.
+    const Vector3f other(angles[0] + 180.0f, 180.0f - angles[1], angles[2] + 180.0f);
+    const auto near = [&](const Vector3f& a) {
+        return Vector3f(a.array() - 360.0f * ((a - last).array() / 360.0f).round());
+    };
+    const Vector3f first = near(angles), second = near(other);
+    return (second - last).norm() < (first - last).norm() ? second : first;
+}
+
+class BvhText {
+public:
+    BvhText(const Rig& rig, const Frames& frames) : rig_(rig), frames_(frames), apart_(movesApart(rig, frames)) {}
+
+    std::string text(double framesPerSecond)
+    {
+        text_ = "HIERARCHY\n";
+        // What has no parent beside the root hangs on it, since a file has one hierarchy.
+        for (size_t b = 0; b < rig_.model.bones.size(); ++b)
+            if (parentOf(b) < 0) writeJoint(b, 0);
+        text_ += fmt::format("MOTION\nFrames: {}\nFrame Time: {:.9g}\n", frames_.size(), 1.0 / framesPerSecond);
+        std::vector<Vector3f> last(rig_.model.bones.size(), Vector3f::Zero());
+        for (const auto& frame : frames_) writeFrame(frame, last);
+        return std::move(text_);
+    }
+
+private:
+    int32_t parentOf(size_t bone) const
+    {
+        return bone > 0 && rig_.model.bones[bone].parent < 0 ? 0 : rig_.model.bones[bone].parent;
+    }
+
+    Vector3f offsetOf(size_t bone) const
+    {
+        const int32_t parent = parentOf(bone);
+        return headOf(rig_.model.bones[bone]) -
+               (parent < 0 ? Vector3f(Vector3f::Zero()) : headOf(rig_.model.bones[parent]));
+    }
+
+    void writeLine(int depth, const std::string& line)
+    {
+        text_ += std::string(static_cast<size_t>(depth), '\t') + line + "\n";
+    }
+
+    void writeOffset(int depth, const Vector3f& offset)
+    {
+        const Vector3f o = CENTIMETRES * offset;
+        writeLine(depth, fmt::format("OFFSET {:.5f} {:.5f} {:.5f}", o.x(), o.y(), o.z()));
+    }
+
+    void writeJoint(size_t bone, int depth)
+    {
+        order_.push_back(bone);
+        std::string name = rig_.model.bones[bone].name;
+        std::ranges::replace_if(
+            name, [](unsigned char c) { return c <= ' ' || c == '{' || c == '}'; }, '_');
+        writeLine(depth,
+                  (parentOf(bone) < 0 ? "ROOT " : "JOINT ") + (name.empty() ? fmt::format("bone{}", bone) : name));
+        writeLine(depth, "{");
+        writeOffset(depth + 1, offsetOf(bone));
+        const std::string turns = "Zrotation Xrotation Yrotation";
+        writeLine(depth + 1,
+                  hasPosition(bone) ? "CHANNELS 6 Xposition Yposition Zposition " + turns : "CHANNELS 3 " + turns);
+        bool isLeaf = true;
+        for (size_t child = bone + 1; child < rig_.model.bones.size(); ++child) {
+            if (parentOf(child) != static_cast<int32_t>(bone)) continue;
+            isLeaf = false;
+            writeJoint(child, depth + 1);
+        }
+        if (isLeaf) writeEnd(bone, depth + 1);
+        writeLine(depth, "}");
+    }
+
+    /// Half as long as the bone that it ends.
+    void writeEnd(size_t bone, int depth)
+    {
+        writeLine(depth, "End Site");
+        writeLine(depth, "{");
+        writeOffset(depth + 1, 0.5f * offsetOf(bone));
+        writeLine(depth, "}");
+    }
+
+    bool hasPosition(size_t bone) const { return parentOf(bone) < 0 || apart_[bone]; }
+
+    /// @param last angles of each bone [degrees].
+    void writeFrame(const std::vector<Isometry3f>& frame, std::vector<Vector3f>& last)
+    {
+        std::string line;
+        for (const size_t bone : order_) {
+            const int32_t parent = parentOf(bone);
+            const Isometry3f above = parent < 0 ? Isometry3f::Identity() : frame[static_cast<size_t>(parent)];
+            const Vector3f from = parent < 0 ? Vector3f(Vector3f::Zero()) : headOf(rig_.model.bones[parent]);
+            if (hasPosition(bone)) {
+                const Vector3f at = CENTIMETRES *
+                                    (above.inverse() * (frame[bone] * headOf(rig_.model.bones[bone])) - from);
+                line += fmt::format("{:.5f} {:.5f} {:.5f} ", at.x(), at.y(), at.z());
+            }
+            last[bone] = anglesOf(above.linear().transpose() * frame[bone].linear(), last[bone]);
+            line += fmt::format("{:.5f} {:.5f} {:.5f} ", last[bone][0], last[bone][1], last[bone][2]);
+        }
+        line.back() = '\n';
+        text_ += line;
+    }
+
+    const Rig& rig_;
+    const Frames& frames_;
+    std::vector<bool> apart_;
+    std::vector<size_t> order_;  // of the channels
+    std::string text_;
+};
+
+/// The path of a file for each rig.
+std::vector<std::string> pathsFor(const std::string& path, const std::vector<Rig>& rigs)
+{
+    if (rigs.size() == 1) return {path};
+    std::vector<std::string> paths;
+    std::map<std::string, int> used;
+    const std::filesystem::path whole(path);
+    for (const Rig& rig : rigs) {
+        std::string name = rig.model.name;
+        std::ranges::replace(name, '/', '_');
+        if (const int times = ++used[name]; times > 1) name += fmt::format("_{}", times);
+        paths.push_back(
+            (whole.parent_path() / fmt::format("{}_{}{}", whole.stem().string(), name, whole.extension().string()))
+                .string());
+    }
+    return paths;
+}
+
+}  // namespace
+
+std::string bvhText(const Rig& rig, const Frames& frames, double framesPerSecond)
+{
+    return BvhText(rig, frames).text(framesPerSecond);
+}
+
+BvhExport::BvhExport(const std::string& path, const Scene& scene) : rigs_(rigsOf(scene, false)), motions_(rigs_.size())
+{
+    if (rigs_.empty())
+        throw InputError(fmt::format("--export bvh={}: the scene has no actor, whose bones could be written", path));
+    for (const std::string& file : pathsFor(path, rigs_)) files_.push_back(std::make_unique<OutputFile>(file));
+}
+
+void BvhExport::add(const World& world, const std::vector<BodyState>& states)
+{
+    for (size_t r = 0; r < rigs_.size(); ++r) {
+        std::vector<Isometry3f> frame;
+        for (const uint32_t body : rigs_[r].bodies) frame.push_back(motionOf(world.bodies[body], states[body]));
+        motions_[r].push_back(std::move(frame));
+    }
+}
+
+void BvhExport::finish(double framesPerSecond)
+{
+    for (size_t r = 0; r < rigs_.size(); ++r) {
+        files_[r]->write(bvhText(rigs_[r], motions_[r], framesPerSecond));
+        files_[r]->commit();
+    }
+}
+
+}  // namespace knuckle

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/export/rig.h"
+#include "app/files/output.h"
+
+namespace knuckle {
+
+/// Motions of actors as BVH files, one an actor: the rest pose as OFFSETs in centimetres, rotations in the order Z, X,
+/// Y in degrees, the position of the root. A joint that does not stay where its parent has it has a position as well.
+class BvhExport {
+public:
+    /// @param path of the file of a single actor; of several, names of their objects are put before its ending.
+    /// @throws InputError for a scene without actors, and for files that cannot be written.
+    BvhExport(const std::string& path, const Scene& scene);
+    /// Of the next frame.
+    void add(const World& world, const std::vector<BodyState>& states);
+    /// @param framesPerSecond of what was added. @throws RunError from a full disk.
+    void finish(double framesPerSecond);
+
+private:
+    std::vector<Rig> rigs_;
+    std::vector<std::unique_ptr<OutputFile>> files_;
+    std::vector<std::vector<std::vector<Eigen::Isometry3f>>> motions_;  ///< Per rig and frame, of each bone.
+};
+
+/// The text of a BVH file. @param frames how each bone has moved from the rest pose, in each frame.
+std::string bvhText(const Rig& rig, const std::vector<std::vector<Eigen::Isometry3f>>& frames, double framesPerSecond);
+
+}  // namespace knuckle

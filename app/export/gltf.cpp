@@ -1,0 +1,154 @@
+#include "app/export/gltf.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numbers>
+
+#include "render/picture/image.h"
+#include "sim/actor/gltf/glb.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr const char* CLIP = "simulation";
+// At the skin 0.1 mm and 0.1 degrees; errors of a chain's joints add up, so each has a part of that.
+constexpr float SHIFT_TOLERANCE = 2e-5f;                                   // [m]
+constexpr float TURN_TOLERANCE = 0.02f * std::numbers::pi_v<float> / 180;  // [rad]
+
+/// Bodies without a skeleton, a bone each.
+Rig rigOfBodies(const World& world, uint32_t object)
+{
+    Rig rig;
+    rig.object = object;
+    rig.model.name = world.objects[object].name;
+    for (uint32_t b = world.objects[object].bodyStart; b < world.objects[object].bodyEnd(); ++b) {
+        Bone bone{world.bodies[b].name};
+        bone.restPose.block<3, 1>(0, 3) = world.bodies[b].restCentre;
+        rig.model.bones.push_back(bone);
+        rig.bodies.push_back(b);
+    }
+    return rig;
+}
+
+/// The first bone that each body moves.
+std::map<uint32_t, uint32_t> bonesOfBodies(const Rig& rig)
+{
+    std::map<uint32_t, uint32_t> bones;
+    for (uint32_t b = 0; b < rig.bodies.size(); ++b) bones.emplace(rig.bodies[b], b);
+    return bones;
+}
+
+/// A mesh of octahedra where an object's particles are, for what has no mesh.
+void addParticles(Rig& rig, const World& world)
+{
+    const std::map<uint32_t, uint32_t> bones = bonesOfBodies(rig);
+    const float radius = world.particleRadius;
+    for (const Particle& particle : world.particles) {
+        const auto bone = bones.find(particle.body);
+        if (bone == bones.end()) continue;
+        const auto first = static_cast<uint32_t>(rig.model.vertices.size());
+        for (int side = 0; side < 6; ++side) {
+            Vector3f offset = Vector3f::Zero();
+            offset[side / 2] = side % 2 == 0 ? radius : -radius;
+            SkinWeights skin;
+            skin.bones[0] = bone->second;
+            skin.weights[0] = 1.0f;
+            rig.model.vertices.push_back(particle.restPosition + offset);
+            rig.model.skin.push_back(skin);
+        }
+        // Corners +x -x +y -y +z -z; counter-clockwise from outside where an even number of signs is negative.
+        for (uint32_t octant = 0; octant < 8; ++octant) {
+            const uint32_t x = first + (octant & 1u), y = first + 2 + (octant >> 1 & 1u), z = first + 4 + (octant >> 2);
+            const bool odd = ((octant & 1u) + (octant >> 1 & 1u) + (octant >> 2)) % 2 == 1;
+            rig.model.triangles.push_back({x, odd ? z : y, odd ? y : z});
+        }
+    }
+}
+
+/// Has one bone of each body do what all of its bones did, so that four bones are as many bodies.
+void mergeWeights(Rig& rig)
+{
+    const std::map<uint32_t, uint32_t> bones = bonesOfBodies(rig);
+    for (SkinWeights& skin : rig.model.skin) {
+        std::map<uint32_t, float> sums;
+        for (size_t i = 0; i < skin.bones.size(); ++i)
+            if (skin.weights[i] > 0.0f) sums[bones.at(rig.bodies[skin.bones[i]])] += skin.weights[i];
+        skin = {};
+        size_t i = 0;
+        for (const auto& [bone, weight] : sums) {
+            skin.bones[i] = bone;
+            skin.weights[i++] = weight;
+        }
+    }
+}
+
+std::vector<Rig> everyRig(const Scene& scene)
+{
+    std::vector<Rig> rigs = rigsOf(scene, true);
+    for (Rig& rig : rigs) {
+        // A mesh that import made up around bones is none of the file's.
+        if (rig.model.surface.vertices.empty()) {
+            rig.model.vertices.clear();
+            rig.model.triangles.clear();
+            rig.model.skin.clear();
+            addParticles(rig, scene.world);
+        } else mergeWeights(rig);
+    }
+    for (uint32_t object = 0; object < scene.world.objects.size(); ++object) {
+        if (scene.world.objects[object].bodyCount == 0) continue;
+        if (std::ranges::find(rigs, object, &Rig::object) != rigs.end()) continue;
+        rigs.push_back(rigOfBodies(scene.world, object));
+        addParticles(rigs.back(), scene.world);
+    }
+    std::ranges::stable_sort(rigs, {}, &Rig::object);
+    for (Rig& rig : rigs) rig.model.clips = {{CLIP, 0.0, {}, {}}};
+    return rigs;
+}
+
+std::string encodePicture(const TexturePicture& picture)
+{
+    return encodePng(picture.width, picture.height, 4, picture.rgba);
+}
+
+}  // namespace
+
+GltfExport::GltfExport(const std::string& path, const Scene& scene) : rigs_(everyRig(scene)), file_(path)
+{
+    if (rigs_.empty())
+        throw InputError(fmt::format("--export gltf={}: the scene has no bodies, which could be written", path));
+}
+
+void GltfExport::add(const World& world, const std::vector<BodyState>& states)
+{
+    for (Rig& rig : rigs_) {
+        std::vector<Eigen::Matrix4f> poses;
+        for (size_t b = 0; b < rig.bodies.size(); ++b)
+            poses.push_back(motionOf(world.bodies[rig.bodies[b]], states[rig.bodies[b]]).matrix() *
+                            rig.model.bones[b].restPose);
+        rig.model.clips[0].poses.push_back(std::move(poses));
+    }
+}
+
+void GltfExport::finish(double framesPerSecond)
+{
+    std::vector<Model> models;
+    for (Rig& rig : rigs_) {
+        Clip& clip = rig.model.clips[0];
+        for (size_t k = 0; k < clip.poses.size(); ++k)
+            clip.keyTimes.push_back(static_cast<double>(k) / framesPerSecond);
+        models.push_back(std::move(rig.model));
+    }
+    GlbOptions options;
+    options.shiftTolerance = SHIFT_TOLERANCE;
+    options.turnTolerance = TURN_TOLERANCE;
+    options.encode = encodePicture;
+    file_.write(toGlb(models, options));
+    file_.commit();
+}
+
+}  // namespace knuckle

@@ -1,0 +1,76 @@
+#include "app/export/rig.h"
+
+#include <algorithm>
+
+#include "sim/actor/import/model.h"
+#include "sim/actor/skin/skin_mesh.h"
+
+namespace knuckle {
+
+namespace {
+
+Model readModel(const SceneActor& use, bool surface)
+{
+    ImportOptions options;
+    options.scale = use.scale;
+    options.clips = false;
+    options.surface = surface;
+    return importModel(use.model, options);
+}
+
+/// A body's joint with what it hangs on; of the first one the middle of its particles.
+Vector3f headOf(const Actor& actor, uint32_t body)
+{
+    const auto joint = std::ranges::find(actor.joints, body, &ActorJoint::child);
+    if (joint != actor.joints.end()) return joint->anchor;
+    Vector3f sum = Vector3f::Zero();
+    for (const uint32_t particle : actor.bodies[body].particles) sum += actor.particles[particle];
+    return sum / static_cast<float>(actor.bodies[body].particles.size());
+}
+
+/// A skeleton of an actor's bodies, for what has no other. @param bodies gets the body of each bone.
+Model skeletonOf(const Actor& actor, std::vector<uint32_t>& bodies)
+{
+    Model model;
+    std::vector<int32_t> boneOf(actor.bodies.size(), -1);
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
+        if (actor.bodies[b].isCross) continue;
+        const int32_t parent = parentBody(actor, b);
+        boneOf[b] = static_cast<int32_t>(model.bones.size());
+        Bone bone{actor.bodies[b].name, parent < 0 ? -1 : boneOf[static_cast<size_t>(parent)]};
+        bone.restPose.block<3, 1>(0, 3) = headOf(actor, b);
+        model.bones.push_back(bone);
+        bodies.push_back(b);
+    }
+    return model;
+}
+
+}  // namespace
+
+std::vector<Rig> rigsOf(const Scene& scene, bool surface)
+{
+    std::vector<Rig> rigs;
+    for (const SceneActor& use : scene.actors) {
+        Rig rig;
+        if (!use.model.empty()) {
+            rig.model = readModel(use, surface);
+            rig.bodies = bodiesOfBones(*use.actor, rig.model);
+        }
+        if (rig.model.bones.empty()) rig.model = skeletonOf(*use.actor, rig.bodies);
+        for (const uint32_t object : use.objects) {
+            Rig& copy = rigs.emplace_back(rig);
+            copy.object = object;
+            copy.model.name = scene.world.objects[object].name;
+            for (uint32_t& body : copy.bodies) body += scene.world.objects[object].bodyStart;
+        }
+    }
+    std::ranges::stable_sort(rigs, {}, &Rig::object);
+    return rigs;
+}
+
+Eigen::Isometry3f motionOf(const Body& body, const BodyState& state)
+{
+    return Eigen::Translation3f(state.position) * state.rotation * Eigen::Translation3f(-body.restCentre);
+}
+
+}  // namespace knuckle

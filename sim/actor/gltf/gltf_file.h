@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace knuckle {
+
+using GltfJson = nlohmann::ordered_json;
+
+// Component types, buffer targets and modes of the glTF 2.0 specification.
+inline constexpr int GLTF_UNSIGNED_BYTE = 5121, GLTF_UNSIGNED_SHORT = 5123, GLTF_UNSIGNED_INT = 5125, GLTF_FLOAT = 5126;
+inline constexpr int GLTF_ARRAY_BUFFER = 34962, GLTF_ELEMENT_ARRAY_BUFFER = 34963, GLTF_NO_TARGET = 0;
+
+template <typename Vector>
+GltfJson gltfArray(const Vector& v)
+{
+    GltfJson array = GltfJson::array();
+    for (Eigen::Index i = 0; i < v.size(); ++i) array.push_back(v[i]);
+    return array;
+}
+
+template <typename Vector>
+void appendTo(std::vector<float>& list, const Vector& v)
+{
+    list.insert(list.end(), v.data(), v.data() + v.size());
+}
+
+/// A binary glTF 2.0 file in the making: its JSON, and the buffer that it refers to.
+class GltfFile {
+public:
+    GltfFile();
+
+    /// Appends to one of the root's lists ("nodes", "meshes", ...). @returns its index.
+    size_t append(const char* list, GltfJson entry);
+    size_t count(const char* list) const { return root.contains(list) ? root[list].size() : 0; }
+
+    /// Appends an accessor to values of its own. @param type "SCALAR", "VEC3", ... of so many components.
+    template <typename T>
+    size_t addAccessor(const std::vector<T>& values, size_t components, int componentType, const char* type,
+                       int target = GLTF_NO_TARGET)
+    {
+        const size_t view = addView(values.data(), values.size() * sizeof(T), target);
+        return append("accessors", {{"bufferView", view},
+                                    {"componentType", componentType},
+                                    {"count", values.size() / components},
+                                    {"type", type}});
+    }
+    /// Tells the least and greatest values of an accessor.
+    void setBounds(size_t accessor, GltfJson low, GltfJson high);
+    /// Appends a picture. @param bytes of a PNG file.
+    size_t addPng(const std::string& bytes, const std::string& name);
+    /// The whole file.
+    std::string bytes();
+
+    GltfJson root;
+
+private:
+    size_t addView(const void* data, size_t size, int target);
+
+    std::string buffer_;
+};
+
+}  // namespace knuckle

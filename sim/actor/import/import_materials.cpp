@@ -1,0 +1,180 @@
+#include <assimp/GltfMaterial.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "sim/actor/import/import_scene.h"
+#include "sim/actor/import/texture_decoder.h"
+
+namespace knuckle {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr uintmax_t PICTURE_FILE_LIMIT = 256ull << 20;  // [bytes]
+constexpr size_t PIXEL_LIMIT = 16u << 20;               // of all pictures of a model
+constexpr float BLENDED_CUTOFF = 0.5f;                  // of what the file says is blended
+
+/// Reads each picture of a scene once, whatever number of materials names it.
+class TextureReader {
+public:
+    TextureReader(const aiScene& scene, const std::string& modelPath, Model& model)
+        : scene_(scene), folder_(fs::path(modelPath).parent_path()), model_(model)
+    {
+    }
+
+    /// @returns the index of its picture; NO_INDEX, and a note, where it cannot be had.
+    uint32_t read(const std::string& name)
+    {
+        const auto [entry, isNew] = indices_.emplace(name, NO_INDEX);
+        if (isNew) entry->second = add(name);
+        return entry->second;
+    }
+
+private:
+    uint32_t add(const std::string& name)
+    {
+        std::string why = "is damaged or of a kind that is not read (PNG, JPEG, TGA, BMP and PSD are)";
+        std::optional<TexturePicture> picture = find(name, why);
+        if (!picture) return missing(name, why);
+        const uint32_t width = picture->width, height = picture->height;
+        while (std::max(picture->width, picture->height) > TEXTURE_SIDE) *picture = halved(*picture);
+        const size_t pixels = size_t{picture->width} * picture->height;
+        if (pixels_ + pixels > PIXEL_LIMIT)
+            return missing(name, fmt::format("is one too many: {} million pixels are read", PIXEL_LIMIT >> 20));
+        pixels_ += pixels;
+        if (picture->width < width)
+            model_.notes.push_back(fmt::format("Texture '{}' of {} x {} pixels is drawn as {} x {}.", name, width,
+                                               height, picture->width, picture->height));
+        model_.surface.textures.push_back(std::move(*picture));
+        return static_cast<uint32_t>(model_.surface.textures.size() - 1);
+    }
+
+    uint32_t missing(const std::string& name, const std::string& why)
+    {
+        model_.notes.push_back(fmt::format("Texture '{}' {}: drawn plain.", name, why));
+        return NO_INDEX;
+    }
+
+    std::optional<TexturePicture> find(const std::string& name, std::string& why) const
+    {
+        if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str())) return decode(*embedded);
+        const std::optional<fs::path> file = beside(name);
+        if (!file) {
+            why = "is not there";
+            return {};
+        }
+        std::error_code error;
+        if (fs::file_size(*file, error) > PICTURE_FILE_LIMIT || error) return {};
+        std::ifstream stream(*file, std::ios::binary);
+        const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
+        return decodeTexture({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()});
+    }
+
+    static std::optional<TexturePicture> decode(const aiTexture& texture)
+    {
+        const auto* bytes = reinterpret_cast<const uint8_t*>(texture.pcData);
+        if (texture.mHeight == 0) return decodeTexture({bytes, texture.mWidth});
+        if (std::max(texture.mWidth, texture.mHeight) > unsigned{DECODED_SIDE} || texture.mWidth == 0) return {};
+        TexturePicture picture{texture.mWidth, texture.mHeight, {}};
+        for (size_t i = 0; i < size_t{texture.mWidth} * texture.mHeight; ++i) {
+            const aiTexel& texel = texture.pcData[i];
+            picture.rgba.insert(picture.rgba.end(), {texel.r, texel.g, texel.b, texel.a});
+        }
+        return picture;
+    }
+
+    /// Where the file says, or right beside it: paths in models are often those of another computer.
+    std::optional<fs::path> beside(std::string name) const
+    {
+        std::ranges::replace(name, '\\', '/');
+        for (const fs::path& path : {folder_ / name, folder_ / fs::path(name).filename()}) {
+            std::error_code error;
+            if (fs::is_regular_file(path, error)) return path;
+        }
+        return {};
+    }
+
+    const aiScene& scene_;
+    fs::path folder_;
+    Model& model_;
+    size_t pixels_ = 0;
+    std::map<std::string, uint32_t> indices_;
+};
+
+float linearOf(float srgb)
+{
+    return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+}
+
+Eigen::Vector3f colorOf(const aiMaterial& material)
+{
+    aiColor4D color(0.8f, 0.8f, 0.8f, 1.0f);
+    // glTF's factors are linear; those of older kinds are what was picked on a screen.
+    const bool isLinear = material.Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS;
+    if (!isLinear) material.Get(AI_MATKEY_COLOR_DIFFUSE, color);
+    Eigen::Vector3f rgb(color.r, color.g, color.b);
+    if (!rgb.allFinite()) return {0.8f, 0.8f, 0.8f};
+    rgb = rgb.cwiseMax(0.0f).cwiseMin(1.0f);
+    return isLinear ? rgb : Eigen::Vector3f(rgb.unaryExpr(&linearOf));
+}
+
+/// A file that says nothing does not mean that backs are not there.
+bool isTwoSided(const aiMaterial& material)
+{
+    int twoSided = 1;
+    material.Get(AI_MATKEY_TWOSIDED, twoSided);
+    return twoSided != 0;
+}
+
+float alphaCutoffOf(const aiMaterial& material)
+{
+    aiString mode;
+    if (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != aiReturn_SUCCESS) return 0.0f;
+    if (mode == aiString("BLEND")) return BLENDED_CUTOFF;
+    float cutoff = 0.0f;
+    if (mode == aiString("MASK")) material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
+    return std::isfinite(cutoff) ? std::clamp(cutoff, 0.0f, 1.0f) : 0.0f;
+}
+
+SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures)
+{
+    SkinMaterial converted;
+    aiString materialName;
+    if (material.Get(AI_MATKEY_NAME, materialName) == aiReturn_SUCCESS) converted.name = materialName.C_Str();
+    converted.color = colorOf(material);
+    converted.twoSided = isTwoSided(material);
+    converted.alphaCutoff = alphaCutoffOf(material);
+    for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+        aiString name;
+        if (material.GetTexture(type, 0, &name) != aiReturn_SUCCESS || name.length == 0) continue;
+        converted.texture = textures.read(name.C_Str());
+        break;
+    }
+    return converted;
+}
+
+}  // namespace
+
+std::vector<uint32_t> convertMaterials(const aiScene& scene, const std::string& path, Model& model)
+{
+    TextureReader textures(scene, path, model);
+    std::vector<uint32_t> indices(std::max(scene.mNumMaterials, 1u), NO_INDEX);
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        uint32_t& index = indices.at(scene.mMeshes[m]->mMaterialIndex);
+        if (index != NO_INDEX) continue;
+        index = static_cast<uint32_t>(model.surface.materials.size());
+        const bool known = scene.mMeshes[m]->mMaterialIndex < scene.mNumMaterials;
+        model.surface.materials.push_back(
+            known ? convertMaterial(*scene.mMaterials[scene.mMeshes[m]->mMaterialIndex], textures) : SkinMaterial());
+    }
+    return indices;
+}
+
+}  // namespace knuckle

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/world/no_index.h"
+
+namespace knuckle {
+
+/// Sides of texture pictures are 1 ... TEXTURE_SIDE pixels.
+inline constexpr uint32_t TEXTURE_SIDE = 1024;
+
+/// Rows from the top, four bytes a pixel: red, green, blue as in sRGB, and alpha.
+struct TexturePicture {
+    uint32_t width = 0, height = 0;  ///< [pixels]
+    std::vector<uint8_t> rgba;
+};
+
+/// The picture at half its sides, rounded down, of one pixel at least: the next level of its mipmap.
+TexturePicture halved(const TexturePicture& picture);
+
+/// How a part of a mesh looks.
+struct SkinMaterial {
+    std::string name;
+    Eigen::Vector3f color{0.8f, 0.8f, 0.8f};  ///< Linear RGB, 0-1; a texture's and a vertex's are multiplied by it.
+    uint32_t texture = NO_INDEX;              ///< Index of its picture, or none.
+    bool twoSided = true;                     ///< Seen from behind as well.
+    float alphaCutoff = 0.0f;                 ///< What of the picture has less alpha is not there, 0 ... 1.
+};
+
+/// Skinned to at most four bodies of an object.
+struct SkinVertex {
+    Eigen::Vector3f position{0, 0, 0};         ///< In the object's rest pose [m].
+    Eigen::Vector3f normal{0, 1, 0};           ///< Unit.
+    Eigen::Vector2f uv{0, 0};                  ///< 0, 0 is the upper left corner of the picture, which repeats.
+    Eigen::Vector3f color{1, 1, 1};            ///< Linear RGB, 0-1.
+    uint32_t material = 0;                     ///< Index into SkinMesh::materials.
+    std::array<uint32_t, 4> bodies{};          ///< Within the object.
+    std::array<float, 4> weights{1, 0, 0, 0};  ///< Sum 1.
+};
+
+/// Triangles that move with the bodies of an object.
+struct SkinMesh {
+    std::vector<SkinVertex> vertices;
+    std::vector<std::array<uint32_t, 3>> triangles;
+    std::vector<SkinMaterial> materials;
+    std::vector<TexturePicture> textures;
+};
+
+/// A mesh and those who wear it.
+struct Skin {
+    std::shared_ptr<const SkinMesh> mesh;
+    std::vector<uint32_t> objects;  ///< Indices into World::objects.
+    bool hidesParticles = true;     ///< The particles of these objects are not drawn.
+};
+
+struct World;
+
+/// The part of validate() that is about skins. @throws std::logic_error.
+void validateSkins(const World& world);
+
+}  // namespace knuckle
