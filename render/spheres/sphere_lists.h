@@ -10,8 +10,8 @@ namespace knuckle {
 /// Spheres that are listed apart from others.
 enum class SphereGroup : uint32_t { Solid = SOLID_SPHERES, Fluid = FLUID_SPHERES };
 
-/// Lists, on the device, which particles the camera and the key light can see. Buried ones are in neither list, and those
-/// that skins cover in none.
+/// Lists, on the device, which particles the camera and the key light can see. Buried ones are in neither list, nor are
+/// those that skins cover.
 class SphereLists {
 public:
     /// Adds "sphereList" and its own buffers to the table, which must have "frame", "view" and "positions".
