@@ -54,6 +54,17 @@ void DrawPass::draw(KernelTimer& timer, GLenum primitive, uint32_t vertices, uin
     end(timer);
 }
 
+void DrawPass::drawIndexed(KernelTimer& timer, const RawBuffer& indices, const IndexedDraw& what) const
+{
+    if (what.count == 0 || what.instances == 0) return;
+    begin(timer);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
+    glDrawElementsInstancedBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(what.count), GL_UNSIGNED_INT,
+                                      reinterpret_cast<const void*>(what.first * sizeof(uint32_t)),
+                                      static_cast<GLsizei>(what.instances), static_cast<GLint>(what.firstVertex));
+    end(timer);
+}
+
 void DrawPass::drawIndirect(KernelTimer& timer, GLenum primitive, const RawBuffer& arguments, uint32_t index) const
 {
     begin(timer);

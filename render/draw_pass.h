@@ -15,6 +15,13 @@ struct DrawShaders {
     Defines defines = {};
 };
 
+/// A part of an index buffer.
+struct IndexedDraw {
+    uint32_t first = 0, count = 0;  ///< Indices.
+    uint32_t firstVertex = 0;       ///< Added to each, also in gl_VertexID.
+    uint32_t instances = 1;
+};
+
 /// A draw of the frame: a program that reads buffers and textures by their names and draws into one target. It has its
 /// time and its label by the name of its fragment shader. There are no vertex attributes: shaders fetch what they need.
 class DrawPass {
@@ -32,6 +39,8 @@ public:
     void drawScreen(KernelTimer& timer, uint32_t instances = 1) const;
     /// @param primitive GL_POINTS, GL_TRIANGLES, ...
     void draw(KernelTimer& timer, GLenum primitive, uint32_t vertices, uint32_t instances = 1) const;
+    /// Triangles of an index buffer of 32 bits.
+    void drawIndexed(KernelTimer& timer, const RawBuffer& indices, const IndexedDraw& what) const;
     /// With the DrawArguments of `arguments` at element `index`.
     void drawIndirect(KernelTimer& timer, GLenum primitive, const RawBuffer& arguments, uint32_t index) const;
 

@@ -37,8 +37,10 @@ void FrameSnapshot::Fence::wait()
     if (sync_ != nullptr) glWaitSync(sync_, 0, GL_TIMEOUT_IGNORED);
 }
 
-FrameSnapshot::FrameSnapshot(const RenderSettings& settings)
-    : showsSpeeds_(settings.colorBy == ColorBy::Speed), follows_(settings.camera.kind == CameraKind::Follow)
+FrameSnapshot::FrameSnapshot(const World& world, const RenderSettings& settings)
+    : showsSpeeds_(settings.colorBy == ColorBy::Speed),
+      showsCentres_(settings.camera.kind == CameraKind::Follow || !world.skins.empty()),
+      showsSkins_(!world.skins.empty())
 {
 }
 
@@ -48,9 +50,11 @@ void FrameSnapshot::take(const ParticleView& view)
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     view_ = view;
     view_.positions = copyVectors(view.positions, view.particleCount, positions_, "drawn positions");
-    const uint32_t speeds = showsSpeeds_ ? view.particleCount : 0, centres = follows_ ? view.bodyCount : 0;
+    const uint32_t speeds = showsSpeeds_ ? view.particleCount : 0;
+    const uint32_t centres = showsCentres_ ? view.bodyCount : 0, rotations = showsSkins_ ? view.bodyCount : 0;
     view_.velocities = copyVectors(view.velocities, speeds, velocities_, "drawn velocities");
     view_.bodyCentres = copyVectors(view.bodyCentres, centres, centres_, "drawn centres");
+    view_.bodyRotations = copyVectors(view.bodyRotations, rotations, rotations_, "drawn rotations");
     view_.colliderPlaces = copyVectors(view.colliderPlaces, 2 * view.colliderCount, colliders_, "drawn colliders");
     taken_.set();
 }

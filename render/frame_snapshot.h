@@ -3,6 +3,7 @@
 #include "render/settings.h"
 #include "sim/gpu/buffer.h"
 #include "sim/solver/particle_view.h"
+#include "sim/world/world.h"
 
 namespace knuckle {
 
@@ -10,8 +11,8 @@ namespace knuckle {
 /// goes on. Lives in the solver's context; its two sides may be called on different threads, one at a time.
 class FrameSnapshot {
 public:
-    /// @param settings of what is drawn from it: they say what of a state is read.
-    explicit FrameSnapshot(const RenderSettings& settings);
+    /// @param world, settings of what is drawn from it: they say what of a state is read.
+    FrameSnapshot(const World& world, const RenderSettings& settings);
     /// On the solver's side: copies, after whatever was drawn from the copy before.
     void take(const ParticleView& view);
     /// On the drawing side: the copy, which what is drawn from now on finds complete.
@@ -34,8 +35,8 @@ private:
         GLsync sync_ = nullptr;
     };
 
-    bool showsSpeeds_, follows_;
-    RawBuffer positions_, velocities_, centres_, colliders_;
+    bool showsSpeeds_, showsCentres_, showsSkins_;
+    RawBuffer positions_, velocities_, centres_, rotations_, colliders_;
     ParticleView view_;
     Fence taken_, drawn_;
 };

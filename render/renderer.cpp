@@ -8,6 +8,7 @@
 #include "render/frame_input.h"
 #include "render/picture/picture_passes.h"
 #include "render/picture/picture_reader.h"
+#include "render/skins/skin_pass.h"
 #include "render/spheres/sphere_pass.h"
 #include "render/view/view_passes.h"
 #include "sim/world/errors.h"
@@ -28,12 +29,13 @@ struct Renderer::Impl {
     gpu::FrameInput input;
     std::optional<double> lookedAt;  ///< Time of the state that the camera saw last [s].
     Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
-    RawBuffer positions, velocities, bodyCentres, colliderPlaces;  ///< Stand in for the view's.
+    RawBuffer positions, velocities, bodyCentres, bodyRotations, colliderPlaces;  ///< Stand in for the view's.
     RenderTargets targets;
     BufferTable table;
     ViewPasses view;
     SphereLists lists;
     ColliderPass colliders;
+    SkinPass skins;
     SpherePass spheres;
     PicturePasses picture;
     PictureReader reader;
@@ -44,8 +46,8 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
     : settings((checkSettings(chosen), chosen)), extent(sceneExtent(world)),
       camera(settings.camera, world, float(settings.width) / float(settings.height)),
       input(frameInput(world, settings, extent, camera)),
-      targets(settings.width, settings.height, settings.antialiasing), view(gpu, addInputs()),
-      lists(gpu, table, world.particles.size()), colliders(gpu, table, world, extent, targets),
+      targets(settings.width, settings.height, settings.antialiasing), view(gpu, addInputs()), lists(gpu, table, world),
+      colliders(gpu, table, world, extent, targets), skins(gpu, table, world, targets),
       spheres(gpu, table, world, settings, targets), picture(gpu, table, targets),
       reader(settings.width, settings.height)
 {
@@ -58,6 +60,7 @@ BufferTable& Renderer::Impl::addInputs()
     table.add("positions", positions, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("velocities", velocities, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("bodyCentres", bodyCentres, elementType<gpu::vec4>(), Lifetime::Scratch);
+    table.add("bodyRotations", bodyRotations, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("colliderPlaces", colliderPlaces, elementType<gpu::vec4>(), Lifetime::Scratch);
     return table;
 }
@@ -72,6 +75,7 @@ void Renderer::Impl::attach(const ParticleView& shown)
     positions = RawBuffer::standIn("positions", shown.positions, shown.particleCount * sizeof(gpu::vec4));
     velocities = RawBuffer::standIn("velocities", shown.velocities, shown.particleCount * sizeof(gpu::vec4));
     bodyCentres = RawBuffer::standIn("bodyCentres", shown.bodyCentres, shown.bodyCount * sizeof(gpu::vec4));
+    bodyRotations = RawBuffer::standIn("bodyRotations", shown.bodyRotations, shown.bodyCount * sizeof(gpu::vec4));
     colliderPlaces = RawBuffer::standIn("colliderPlaces", shown.colliderPlaces,
                                         size_t{2} * shown.colliderCount * sizeof(gpu::vec4));
     // The solver's last step wrote what all of the following read.
@@ -95,11 +99,13 @@ void Renderer::Impl::draw()
 
     targets.shadowMap.clear();
     colliders.drawShadow(timer);
+    skins.drawShadow(timer);
     if (hasSolids) spheres.drawShadow(timer, lists, SphereGroup::Solid);
     if (hasFluids) spheres.drawShadow(timer, lists, SphereGroup::Fluid);
 
     targets.geometry.clear();
     colliders.draw(timer);
+    skins.draw(timer);
     if (hasSolids) spheres.draw(timer, lists, SphereGroup::Solid);
     if (hasFluids) spheres.draw(timer, lists, SphereGroup::Fluid);
 

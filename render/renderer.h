@@ -14,7 +14,8 @@ namespace knuckle {
 /// About what one picture asks of a software driver, within three times.
 Workload drawingWorkload(const RenderSettings& settings);
 
-/// Draws the particles as spheres straight from the solver's buffers, with the world's colliders around them.
+/// Draws the particles as spheres, and skins, straight from the solver's buffers, with the world's colliders around
+/// them.
 class Renderer {
 public:
     /// @throws InputError for a camera that follows an unknown object or a setting out of range.

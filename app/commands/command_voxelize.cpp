@@ -66,7 +66,9 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     actorOptions.particleCount = options.particles;
     if (!options.joints.empty()) readJoints(options.joints, actorOptions.articulation);
     const Model model = importModel(options.model, import);
-    const Actor actor = makeActor(model, actorOptions);
+    Actor actor = makeActor(model, actorOptions);
+    actor.model = options.model;
+    actor.modelScale = options.scale;
     if (!common.quiet) fmt::print("{}{}", actorTable(actor), clipTable(model));
     if (!options.output.empty()) writeActor(options.output, actor);
     if (!options.preview.empty()) writePreview(options.preview, actor, common);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "app/files/output.h"
 #include "app/json/fields.h"
@@ -150,6 +151,8 @@ std::string actorText(const Actor& actor)
     std::string text = fmt::format("{{\n  \"format\": \"knuckle-actor\",\n  \"version\": {},\n  \"name\": {},\n"
                                    "  \"diameter\": {}",
                                    ACTOR_VERSION, stringText(actor.name), actor.diameter);
+    if (!actor.model.empty()) text += fmt::format(",\n  \"model\": {}", stringText(actor.model));
+    if (actor.modelScale != 0.0) text += fmt::format(",\n  \"scale\": {}", actor.modelScale);
     text += listText("bodies", actor.bodies, bodyText);
     text += listText("joints", actor.joints, jointText);
     text += listText("notes", actor.notes, stringText);
@@ -161,8 +164,12 @@ std::string actorText(const Actor& actor)
 
 void writeActor(const std::string& path, const Actor& actor)
 {
+    namespace fs = std::filesystem;
+    Actor placed = actor;
+    if (!actor.model.empty())
+        placed.model = fs::absolute(actor.model).lexically_proximate(fs::absolute(path).parent_path()).generic_string();
     OutputFile file(path);
-    file.write(actorText(actor));
+    file.write(actorText(placed));
     file.commit();
 }
 
@@ -177,6 +184,10 @@ Actor readActor(const std::string& path)
     readValue(root["diameter"], actor.diameter);
     readValue(root["signedDistances"], actor.signedDistances);
     readValue(root["notes"], actor.notes);
+    readValue(root["model"], actor.model);
+    readValue(root["scale"], actor.modelScale);
+    if (!actor.model.empty())
+        actor.model = (std::filesystem::path(path).parent_path() / actor.model).lexically_normal().string();
     for (const Json& position : root["particles"]) readValue(position, actor.particles.emplace_back());
     for (const Json& direction : root["outward"]) readValue(direction, actor.outward.emplace_back());
     for (const Json& body : root["bodies"]) {

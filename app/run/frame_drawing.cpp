@@ -32,7 +32,8 @@ void DrawingHere::fetch()
 }
 
 DrawingThread::DrawingThread(const Gpu& gpu, const Scene& scene, const FrameSinks& sinks, bool timed)
-    : snapshots_{FrameSnapshot(scene.render), FrameSnapshot(scene.render)}, thread_(SNAPSHOTS, [this] {
+    : snapshots_{FrameSnapshot(scene.world, scene.render), FrameSnapshot(scene.world, scene.render)},
+      thread_(SNAPSHOTS, [this] {
           drawing_.reset();
           gpu_.reset();
       })

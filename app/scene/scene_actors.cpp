@@ -57,7 +57,8 @@ Model readModel(const Json& object, const std::string& file)
 
 Actor voxelizeModel(SceneContext& context, const Json& object, const std::string& file, float diameter)
 {
-    Model model = playsOwnClips(object) ? modelWithClips(context, file, object["scale"]) : readModel(object, file);
+    const bool kept = playsOwnClips(object) || showsSkin(object);
+    Model model = kept ? modelWithClips(context, file, object["scale"], showsSkin(object)) : readModel(object, file);
     ActorOptions options;
     options.voxels.diameter = diameter;
     options.voxels.particleLimit = MAX_PARTICLES;
@@ -130,13 +131,14 @@ std::string actorKey(const SceneContext& context, const Json& object, const std:
         .dump();
 }
 
-const Model& modelWithClips(SceneContext& context, const std::string& file, double scale)
+const Model& modelWithClips(SceneContext& context, const std::string& file, double scale, bool surface)
 {
-    const std::string key = Json{file, scale}.dump();
+    const std::string key = Json{file, scale, surface}.dump();
     const auto found = context.models.find(key);
     if (found != context.models.end()) return found->second;
     ImportOptions options;
     options.scale = scale;
+    options.surface = surface;
     return context.models.emplace(key, importModel(file, options)).first->second;
 }
 
@@ -192,6 +194,7 @@ void addActors(const ObjectEntry& entry)
     if (animated) animateActors(entry, actor, objects, plays);
     driveActors(entry, actor, objects);
     releaseActors(entry, actor, objects);
+    if (showsSkin(entry.json)) wearSkin(entry, actor, objects);
 }
 
 }  // namespace knuckle

@@ -73,6 +73,7 @@ void addRigidOrSoft(const Entry& entry)
     const bool moved = hasMotion(entry.json);
     const float time = soft ? 0.0f : releaseTime(entry, held || moved);
     const ClipPlay motion = moved ? readObjectMotion(entry) : ClipPlay();
+    std::vector<uint32_t> objects;
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         const float delay = delayOf(entry.json, copy);
         builder.beginObject(entry.copyName(copy));
@@ -83,10 +84,12 @@ void addRigidOrSoft(const Entry& entry)
             if (held) builder.holdBody(body, time + delay);
         }
         const uint32_t object = builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
+        objects.push_back(object);
         if (!moved) continue;
         builder.animate({object, entry.poses[copy], {0, 0, 0}, delayed(builder.world(), {motion}, delay)});
         builder.releaseBody(builder.world().objects[object].bodyStart, time + delay);
     }
+    if (showsSkin(entry.json)) wearSkin(entry, findActor(entry.context, entry.json, entry.pointer), objects);
 }
 
 /// Adds the boxes and joints of one chain; the object is open.

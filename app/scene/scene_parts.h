@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -35,10 +36,11 @@ struct PendingTouch {
 struct SceneContext {
     std::string path;  ///< Of the scene file; other paths are relative to its folder.
     WorldBuilder& builder;
-    std::map<std::string, uint32_t> materials;   ///< Indices by name.
-    std::map<std::string, Actor> actors = {};    ///< Read or made already, by what was asked for.
-    std::map<std::string, Model> models = {};    ///< With clips, the same.
-    std::map<std::string, uint32_t> clips = {};  ///< Indices by actor, file and name.
+    std::map<std::string, uint32_t> materials;  ///< Indices by name.
+    std::map<std::string, Actor> actors = {};   ///< Read or made already, by what was asked for.
+    std::map<std::string, Model> models = {};   ///< With clips, the same.
+    std::map<std::string, std::shared_ptr<const SkinMesh>> skins = {};  ///< The same.
+    std::map<std::string, uint32_t> clips = {};                         ///< Indices by actor, file and name.
     std::vector<SceneActor> actorUses = {};
     std::vector<std::string> notes = {};  ///< For the user: what of the scene is not as it says.
     std::map<std::string, std::vector<ParticleRange>> particles = {};  ///< But fluids', by name of object or copy.
@@ -113,7 +115,14 @@ ClipPlay readObjectMotion(const ObjectEntry& entry);
 std::string actorKey(const SceneContext& context, const Json& object, const std::string& file, float diameter);
 
 /// A model with its clips, read at most once. @param scale [m per unit]; 0: what the file says, else a guess.
-const Model& modelWithClips(SceneContext& context, const std::string& file, double scale);
+/// @param surface see ImportOptions.
+const Model& modelWithClips(SceneContext& context, const std::string& file, double scale, bool surface = false);
+
+/// Whether an object is to be drawn by its mesh.
+bool showsSkin(const Json& object);
+/// Has the copies of an actor or of a rigid mesh wear the mesh that it was made from. @param objects of the world, a
+/// copy each. @throws InputError where there is none.
+void wearSkin(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);
 
 /// Whether an object is an actor whose first clip is of its own model.
 bool playsOwnClips(const Json& object);

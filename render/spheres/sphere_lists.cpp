@@ -1,5 +1,7 @@
 #include "render/spheres/sphere_lists.h"
 
+#include "render/spheres/covered.h"
+
 namespace knuckle {
 
 namespace {
@@ -19,13 +21,19 @@ uint32_t groupsOf(size_t threads)
 
 }  // namespace
 
-SphereLists::SphereLists(const Gpu& gpu, BufferTable& table, size_t particleCount)
-    : particleCount_(static_cast<uint32_t>(particleCount)), drawKinds_("sphereDrawKinds", particleCount),
-      list_("sphereList", 3 * particleCount), cells_("burialCells", CELL_COUNT), buried_("buriedCells", CELL_COUNT),
-      counts_("sphereCounts", runLimit(particleCount)), draws_("sphereDraws", SPHERE_DRAWS)
+SphereLists::SphereLists(const Gpu& gpu, BufferTable& table, const World& world)
+    : particleCount_(static_cast<uint32_t>(world.particles.size())),
+      covered_("coveredParticles", std::span<const uint32_t>(coveredParticles(world))),
+      drawKinds_("sphereDrawKinds", particleCount_), list_("sphereList", size_t{3} * particleCount_),
+      cells_("burialCells", CELL_COUNT), buried_("buriedCells", CELL_COUNT),
+      counts_("sphereCounts", runLimit(particleCount_)), draws_("sphereDraws", SPHERE_DRAWS)
 {
+    table.add(Lifetime::Constant, covered_);
     table.add(Lifetime::Scratch, drawKinds_, list_, cells_, buried_, counts_, draws_);
-    const auto load = [&](const std::string& name) { return Kernel(gpu, table, "render/spheres/" + name + ".comp"); };
+    const Defines defines = coversParticles(world) ? Defines{{"COVERED", "1"}} : Defines{};
+    const auto load = [&](const std::string& name) {
+        return Kernel(gpu, table, "render/spheres/" + name + ".comp", defines);
+    };
     burialCount_ = load("burial_count");
     burialCells_ = load("burial_cells");
     burialHidden_ = load("burial_hidden");

@@ -3,17 +3,19 @@
 #include "render/draw_pass.h"
 #include "shared/frame_types.h"
 #include "sim/gpu/kernel.h"
+#include "sim/world/world.h"
 
 namespace knuckle {
 
 /// Spheres that are listed apart from others.
 enum class SphereGroup : uint32_t { Solid = SOLID_SPHERES, Fluid = FLUID_SPHERES };
 
-/// Lists, on the device, which particles the camera and the key light can see. Buried ones are in neither list.
+/// Lists, on the device, which particles the camera and the key light can see. Buried ones are in neither list, nor are
+/// those that skins cover.
 class SphereLists {
 public:
     /// Adds "sphereList" and its own buffers to the table, which must have "frame", "view" and "positions".
-    SphereLists(const Gpu& gpu, BufferTable& table, size_t particleCount);
+    SphereLists(const Gpu& gpu, BufferTable& table, const World& world);
     SphereLists(const SphereLists&) = delete;
     SphereLists& operator=(const SphereLists&) = delete;
 
@@ -23,6 +25,7 @@ public:
 
 private:
     uint32_t particleCount_;
+    Buffer<uint32_t> covered_;  ///< A bit a particle.
     Buffer<uint32_t> drawKinds_, list_, cells_, buried_;
     Buffer<gpu::uvec4> counts_;
     Buffer<gpu::DrawArguments> draws_;

@@ -63,6 +63,9 @@ struct FrameInput {
     uint resolveFactor;         // samples an axis of a pixel of the frame
 };
 
+// Of a vertex of a skin: place, w: material; normal, w: its first wearer; uv, colour as a number, 0; bodies; weights.
+#define SKIN_VERTEX_TEXELS 5
+
 // What one thread of frame_bounds.comp finds.
 struct ParticleBounds {
     vec4 low;                   // xyz [m]

@@ -12,6 +12,7 @@ struct ParticleView {
     GLuint positions = 0;       ///< particleCount x vec4: xyz [m], w: 0, or 1 for a fluid particle that is not there.
     GLuint velocities = 0;      ///< particleCount x vec4: xyz [m/s], w unspecified.
     GLuint bodyCentres = 0;     ///< bodyCount x vec4: xyz mass centre [m], w unspecified.
+    GLuint bodyRotations = 0;   ///< bodyCount x vec4: quaternion xyzw from the rest pose.
     GLuint colliderPlaces = 0;  ///< colliderCount x 2 x vec4: xyz [m]; quaternion xyzw.
     uint32_t particleCount = 0;
     uint32_t bodyCount = 0;

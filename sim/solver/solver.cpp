@@ -120,6 +120,7 @@ ParticleView Solver::view() const
     view.positions = s.particles.positions.id();
     view.velocities = s.particles.velocities.id();
     view.bodyCentres = s.bodies.moverCentres.id();
+    view.bodyRotations = s.bodies.moverRotations.id();
     view.colliderPlaces = s.colliders.colliderPlaces.id();
     view.colliderCount = s.parameters.colliderCount;
     view.particleCount = s.parameters.particleCount + s.parameters.fluidCount;

@@ -27,6 +27,13 @@ Buffer<gpu::vec4> positionsOf(const World& world)
     return {"positions", out};
 }
 
+Buffer<gpu::vec4> rotationsOf(const World& world)
+{
+    std::vector<gpu::vec4> out;
+    for (const Body& body : world.bodies) out.push_back(pack(body.rotation));
+    return {"rotations", out};
+}
+
 Buffer<gpu::vec4> placesOf(const World& world)
 {
     std::vector<gpu::vec4> out;
@@ -56,7 +63,8 @@ uint32_t StillWorld::addBody(const std::vector<Vector3f>& offsets, const Vector3
     body.assembly = body.object = index;
     body.linkStart = static_cast<uint32_t>(world.links.size());
     body.linkCount = static_cast<uint32_t>(offsets.size());
-    body.restCentre = position;
+    body.position = position;
+    body.rotation = rotation;
     world.objects.push_back({body.name, index, 1});
     world.bodies.push_back(body);
     for (const Vector3f& offset : offsets) {
@@ -89,7 +97,8 @@ StillBuffers::StillBuffers(const World& world)
     : radius_(world.particleRadius), fluidSpacing_(world.fluidSpacing), solidCount_(world.solidCount()),
       positions_(positionsOf(world)),
       velocities_(vectors("velocities", world.particles, [](const Particle& p) { return p.velocity; })),
-      centres_(vectors("centres", world.bodies, [](const Body& b) { return b.restCentre; })), places_(placesOf(world))
+      centres_(vectors("centres", world.bodies, [](const Body& b) { return b.position; })),
+      rotations_(rotationsOf(world)), places_(placesOf(world))
 {
 }
 
@@ -98,6 +107,7 @@ ParticleView StillBuffers::view() const
     return {positions_.id(),
             velocities_.id(),
             centres_.id(),
+            rotations_.id(),
             places_.id(),
             static_cast<uint32_t>(positions_.size()),
             static_cast<uint32_t>(centres_.size()),

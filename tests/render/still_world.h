@@ -33,7 +33,7 @@ public:
 private:
     float radius_, fluidSpacing_;
     uint32_t solidCount_;
-    Buffer<gpu::vec4> positions_, velocities_, centres_, places_;
+    Buffer<gpu::vec4> positions_, velocities_, centres_, rotations_, places_;
 };
 
 /// Lattice points of a cube of `count` particles a side, spaced by `diameter`, centred on the origin [m].

@@ -1,6 +1,6 @@
 // One thread adds the space that one particle takes to its cell.
 #include "render/spheres/burial.glsl"
-#include "render/common/sphere_sizes.glsl"
+#include "render/spheres/covered.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
 uniform samplerBuffer positions;
@@ -11,5 +11,5 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= frame.particleCount) return;
     vec4 position = texelFetch(positions, int(i));
-    if (isThere(position)) atomicAdd(cells[burialCell(position.xyz)], sphereSpace(i));
+    if (isShown(i, position)) atomicAdd(cells[burialCell(position.xyz)], sphereSpace(i));
 }

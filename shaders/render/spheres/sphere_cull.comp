@@ -1,7 +1,7 @@
 // One thread decides how the particles of a run are drawn, and counts them: as points, as quads (too large for
 // the driver's points, or the point's centre clipped away), as shadow casters, or not at all.
 #include "render/spheres/burial.glsl"
-#include "render/common/sphere_sizes.glsl"
+#include "render/spheres/covered.glsl"
 #include "render/spheres/sphere_bounds.glsl"
 #include "render/spheres/sphere_lists.glsl"
 #include "render/spheres/sphere_runs.glsl"
@@ -37,7 +37,7 @@ void main()
     uvec3 count = uvec3(0u);
     for (uint i = run.begin; i < run.end; ++i) {
         vec4 position = texelFetch(positions, int(i));
-        uint how = isThere(position) ? howDrawn(position.xyz, sphereRadius(i)) : 0u;
+        uint how = isShown(i, position) ? howDrawn(position.xyz, sphereRadius(i)) : 0u;
         drawKinds[i] = how;
         count += listCounts(how);
     }

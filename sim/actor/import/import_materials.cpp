@@ -50,15 +50,15 @@ private:
             return missing(name, fmt::format("is one too many: {} million pixels are read", PIXEL_LIMIT >> 20));
         pixels_ += pixels;
         if (picture->width < width)
-            model_.notes.push_back(fmt::format("Texture '{}' of {} x {} pixels is drawn as {} x {}.", name, width,
-                                               height, picture->width, picture->height));
+            model_.surface.notes.push_back(fmt::format("Texture '{}' of {} x {} pixels is drawn as {} x {}.", name,
+                                                       width, height, picture->width, picture->height));
         model_.surface.textures.push_back(std::move(*picture));
         return static_cast<uint32_t>(model_.surface.textures.size() - 1);
     }
 
     uint32_t missing(const std::string& name, const std::string& why)
     {
-        model_.notes.push_back(fmt::format("Texture '{}' {}: drawn plain.", name, why));
+        model_.surface.notes.push_back(fmt::format("Texture '{}' {}: drawn plain.", name, why));
         return NO_INDEX;
     }
 

@@ -37,6 +37,7 @@ struct ModelSurface {
     std::vector<SurfaceVertex> vertices;  ///< Per vertex of the model.
     std::vector<SkinMaterial> materials;
     std::vector<TexturePicture> textures;
+    std::vector<std::string> notes;  ///< What of the textures cannot be had or was made smaller, one sentence each.
 };
 
 /// A sampled clip: local poses per bone at keyTimes.

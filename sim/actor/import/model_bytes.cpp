@@ -115,6 +115,7 @@ void visitModel(Archive& archive, Any& model)
         archive.plain(picture.height);
         archive.block(picture.rgba);
     });
+    archive.list(model.surface.notes, [&](auto& note) { archive.text(note); });
     archive.list(model.bones, [&](auto& bone) {
         archive.text(bone.name);
         archive.plain(bone.parent);

@@ -56,15 +56,8 @@ std::vector<uint32_t> bodiesOfBones(const Actor& actor, const Model& model)
         throw InputError(fmt::format("no body of the actor '{}' is a bone of the model '{}': make the actor anew of it "
                                      "with knuckle voxelize",
                                      actor.name, model.name));
-    // Children come last, so that the first of several is what stays.
-    for (size_t b = count; b-- > 1;) {
-        const int32_t parent = model.bones[b].parent;
-        const bool above = parent >= 0 && !byName.contains(model.bones[parent].name);
-        if (above && known(bodies[b]) && !known(bodies[parent])) bodies[parent] = bodies[b];
-    }
-    // What hangs on a root that has just got a body, and what has no bone with a body anywhere.
-    for (size_t b = 0; b < count; ++b)
-        if (!known(bodies[b])) bodies[b] = model.bones[b].parent >= 0 ? bodies[model.bones[b].parent] : 0;
+    // The first body is the one that the others hang on.
+    std::ranges::replace(bodies, NO_INDEX, 0u);
     return bodies;
 }
 

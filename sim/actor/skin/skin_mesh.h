@@ -8,7 +8,7 @@
 namespace knuckle {
 
 /// Per bone of a model, the body of its actor that moves it: that which it became or was merged into, else that of the
-/// nearest bone above or, at the root, below that has one.
+/// nearest bone above that has one, else the first.
 /// @throws InputError where the actor has several bodies and none of them is a bone of the model.
 std::vector<uint32_t> bodiesOfBones(const Actor& actor, const Model& model);
 

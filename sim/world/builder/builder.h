@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +42,9 @@ public:
     void moveColliders(uint32_t count, const Pose& pose, const ClipPlay& play);
     /// @returns its index, for Collider::grid.
     uint32_t addColliderGrid(ColliderGrid grid);
+
+    /// Objects that are there wear a mesh, which is drawn where their bodies are. @param hidesParticles see Skin.
+    void addSkin(const std::shared_ptr<const SkinMesh>& mesh, std::span<const uint32_t> objects, bool hidesParticles);
 
     /// All bodies and joints up to endObject() belong to one object named `name`.
     void beginObject(std::string name);

@@ -41,7 +41,7 @@ protected:
     }
     static bool notes(const Model& model, const std::string& text)
     {
-        return std::ranges::find(model.notes, text) != model.notes.end();
+        return std::ranges::find(model.surface.notes, text) != model.surface.notes.end();
     }
     test::TempFolder folder_;
 };
@@ -90,7 +90,7 @@ TEST_F(Surface, NobodyAsksNobodyReads)
     square("map_Kd paint.tga\n");
     const Model model = importModel(folder_.path("square.obj"));
     EXPECT_TRUE(model.surface.vertices.empty());
-    EXPECT_TRUE(model.notes.empty());
+    EXPECT_TRUE(model.surface.notes.empty());
 }
 
 TEST_F(Surface, BytesWithATextureOfAnotherSizeAreNoModel)

@@ -1,0 +1,58 @@
+#include "render/skins/skin_looks.h"
+
+#include <array>
+#include <cmath>
+
+namespace knuckle {
+
+namespace {
+
+/// Of the bytes of sRGB, the square roots of the light that they stand for, as packAlbedo() has them.
+std::array<uint8_t, 256> rootsOfLight()
+{
+    std::array<uint8_t, 256> roots;
+    for (size_t i = 0; i < roots.size(); ++i) {
+        const double value = static_cast<double>(i) / 255.0;
+        const double light = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+        roots[i] = static_cast<uint8_t>(std::lround(255.0 * std::sqrt(light)));
+    }
+    return roots;
+}
+
+}  // namespace
+
+void SkinLooks::addPicture(TexturePicture picture)
+{
+    static const std::array<uint8_t, 256> ROOTS = rootsOfLight();
+    for (bool isLast = false; !isLast;) {
+        levels.push_back({picture.width, picture.height, static_cast<uint32_t>(texels.size()), 0});
+        for (size_t i = 0; i < picture.rgba.size(); i += 4) {
+            const uint8_t* p = &picture.rgba[i];
+            texels.push_back(ROOTS[p[0]] | ROOTS[p[1]] << 8 | ROOTS[p[2]] << 16 | uint32_t{p[3]} << 24);
+        }
+        isLast = picture.width == 1 && picture.height == 1;
+        picture = halved(picture);
+    }
+}
+
+uint32_t SkinLooks::add(const SkinMesh& mesh)
+{
+    std::vector<uint32_t> firstLevels;
+    for (const TexturePicture& picture : mesh.textures) {
+        firstLevels.push_back(static_cast<uint32_t>(levels.size()));
+        addPicture(picture);
+    }
+    firstLevels.push_back(static_cast<uint32_t>(levels.size()));
+    const auto first = static_cast<uint32_t>(materials.size() / 2);
+    for (const SkinMaterial& material : mesh.materials) {
+        const bool plain = material.texture == NO_INDEX;
+        const uint32_t level = plain ? 0 : firstLevels[material.texture];
+        const uint32_t count = plain ? 0 : firstLevels[material.texture + 1] - level;
+        materials.push_back({material.color.x(), material.color.y(), material.color.z(), material.alphaCutoff});
+        materials.push_back(
+            {material.twoSided ? 1.0f : 0.0f, static_cast<float>(level), static_cast<float>(count), 0.0f});
+    }
+    return first;
+}
+
+}  // namespace knuckle

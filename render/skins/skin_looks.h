@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "shared/gpu_types.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// The materials and pictures of all skins, as shaders/render/skins/skin_looks.glsl reads them.
+struct SkinLooks {
+    std::vector<gpu::vec4> materials;
+    std::vector<gpu::uvec4> levels;
+    std::vector<uint32_t> texels;
+
+    /// Adds those of a mesh. @returns the index of its first material.
+    uint32_t add(const SkinMesh& mesh);
+
+private:
+    /// The picture and its mipmap.
+    void addPicture(TexturePicture picture);
+};
+
+}  // namespace knuckle

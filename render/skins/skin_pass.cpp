@@ -1,0 +1,97 @@
+#include "render/skins/skin_pass.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/skins/skin_looks.h"
+#include "shared/frame_types.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+/// 8 bits a channel: a number that a float holds exactly.
+float colorNumber(const Eigen::Vector3f& color)
+{
+    uint32_t word = 0;
+    for (int i = 0; i < 3; ++i)
+        word |= static_cast<uint32_t>(255.0f * std::clamp(color[i], 0.0f, 1.0f) + 0.5f) << 8 * i;
+    return static_cast<float>(word);
+}
+
+void addVertices(std::vector<gpu::vec4>& out, const SkinMesh& mesh, uint32_t firstMaterial, uint32_t firstWearer)
+{
+    for (const SkinVertex& vertex : mesh.vertices) {
+        const Eigen::Vector3f &p = vertex.position, &n = vertex.normal;
+        const auto& b = vertex.bodies;
+        const auto& w = vertex.weights;
+        out.push_back({p.x(), p.y(), p.z(), static_cast<float>(firstMaterial + vertex.material)});
+        out.push_back({n.x(), n.y(), n.z(), static_cast<float>(firstWearer)});
+        out.push_back({vertex.uv.x(), vertex.uv.y(), colorNumber(vertex.color), 0.0f});
+        out.push_back(
+            {static_cast<float>(b[0]), static_cast<float>(b[1]), static_cast<float>(b[2]), static_cast<float>(b[3])});
+        out.push_back({w[0], w[1], w[2], w[3]});
+    }
+}
+
+void requireRoom(const Gpu& gpu, const char* what, size_t texels)
+{
+    const auto limit = static_cast<size_t>(gpu.limits().textureBufferSize);
+    if (texels > limit)
+        throw InputError(fmt::format("the {} of all skins take {} texels, the device allows {}: show fewer models with "
+                                     "their skin, or simpler ones",
+                                     what, texels, limit));
+}
+
+}  // namespace
+
+SkinPass::SkinPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderTargets& targets)
+{
+    if (world.skins.empty()) return;
+    upload(gpu, world);
+    table.add(Lifetime::Constant, vertices_, wearers_, centres_, materials_, levels_, texels_);
+    skins_ = DrawPass(gpu, table, {"skins/skin", "skins/skin"},
+                      {"frame", "view", "skinVertices", "skinWearers", "skinCentres", "bodyCentres", "bodyRotations",
+                       "skinMaterials", "skinLevels", "skinTexels"},
+                      targets.geometry);
+    shadow_ = DrawPass(gpu, table, {"skins/skin", "skins/skin_shadow", {{"LIGHT_VIEW", "1"}}},
+                       {"frame", "view", "skinVertices", "skinWearers", "skinCentres", "bodyCentres", "bodyRotations",
+                        "skinMaterials", "skinLevels", "skinTexels"},
+                       targets.shadowMap);
+}
+
+void SkinPass::upload(const Gpu& gpu, const World& world)
+{
+    std::vector<uint32_t> indices, wearers;
+    std::vector<gpu::vec4> vertices, centres;
+    SkinLooks looks;
+    for (const Skin& skin : world.skins) {
+        const auto firstVertex = static_cast<uint32_t>(vertices.size() / SKIN_VERTEX_TEXELS);
+        draws_.push_back({static_cast<uint32_t>(indices.size()), static_cast<uint32_t>(3 * skin.mesh->triangles.size()),
+                          firstVertex, static_cast<uint32_t>(skin.objects.size())});
+        addVertices(vertices, *skin.mesh, looks.add(*skin.mesh), static_cast<uint32_t>(wearers.size()));
+        for (const auto& triangle : skin.mesh->triangles)
+            indices.insert(indices.end(), triangle.begin(), triangle.end());
+        for (const uint32_t object : skin.objects) wearers.push_back(world.objects[object].bodyStart);
+    }
+    for (const Body& body : world.bodies)
+        centres.push_back({body.restCentre.x(), body.restCentre.y(), body.restCentre.z(), 0.0f});
+    requireRoom(gpu, "vertices", vertices.size());
+    requireRoom(gpu, "textures", looks.texels.size());
+    indices_ = {"skinIndices", std::span<const uint32_t>(indices)};
+    vertices_ = {"skinVertices", std::span<const gpu::vec4>(vertices)};
+    wearers_ = {"skinWearers", std::span<const uint32_t>(wearers)};
+    centres_ = {"skinCentres", std::span<const gpu::vec4>(centres)};
+    materials_ = {"skinMaterials", std::span<const gpu::vec4>(looks.materials)};
+    levels_ = {"skinLevels", std::span<const gpu::uvec4>(looks.levels)};
+    texels_ = {"skinTexels", std::span<const uint32_t>(looks.texels)};
+}
+
+void SkinPass::draw(KernelTimer& timer, const DrawPass& pass) const
+{
+    for (const IndexedDraw& skin : draws_) pass.drawIndexed(timer, indices_, skin);
+}
+
+}  // namespace knuckle

@@ -1,0 +1,29 @@
+#include "render/spheres/covered.h"
+
+#include <algorithm>
+
+namespace knuckle {
+
+bool coversParticles(const World& world)
+{
+    return std::ranges::any_of(world.skins, &Skin::hidesParticles);
+}
+
+std::vector<uint32_t> coveredParticles(const World& world)
+{
+    std::vector<uint32_t> bits(world.particles.size() / 32 + 1, 0);
+    for (const Skin& skin : world.skins) {
+        if (!skin.hidesParticles) continue;
+        for (const uint32_t index : skin.objects) {
+            const Object& object = world.objects[index];
+            for (uint32_t b = object.bodyStart; b < object.bodyEnd(); ++b)
+                for (uint32_t l = 0; l < world.bodies[b].linkCount; ++l) {
+                    const uint32_t particle = world.links[world.bodies[b].linkStart + l].particle;
+                    bits[particle / 32] |= 1u << particle % 32;
+                }
+        }
+    }
+    return bits;
+}
+
+}  // namespace knuckle
