@@ -8,6 +8,7 @@
 #include "sim/actor/bodies/bone_bodies.h"
 #include "sim/actor/bodies/joint_particles.h"
 #include "sim/actor/bodies/joint_ranges.h"
+#include "sim/actor/bodies/name_pattern.h"
 #include "sim/world/builder/joints.h"
 #include "sim/world/errors.h"
 
@@ -23,33 +24,23 @@ struct Bearings {
     Vector3f forward{0, 0, 1};
 };
 
-Bearings bearingsOf(const Model& model)
+/// A model as its joints are planned from it.
+struct Figure {
+    const Model& model;
+    const std::vector<BoneAnatomy>& anatomy;
+    const std::vector<BodyDraft>& drafts;
+    const Voxels& voxels;
+    Bearings bearings = {};
+
+    const BoneAnatomy& boneOf(uint32_t body) const { return anatomy[drafts[body].bone]; }
+};
+
+Bearings bearingsOf(const Model& model, const std::vector<BoneAnatomy>& anatomy)
 {
-    std::vector<std::string> names;
-    std::vector<Vector3f> places;
-    for (uint32_t b = 0; b < model.bones.size(); ++b) {
-        names.push_back(model.bones[b].name);
-        places.push_back(boneHead(model, b));
-    }
     Bearings bearings;
-    bearings.left = leftOf(names, places);
+    bearings.left = leftOf(model, anatomy);
     bearings.forward = bearings.left.cross(Vector3f::UnitY());
     return bearings;
-}
-
-int32_t firstChild(const Model& model, uint32_t bone)
-{
-    for (uint32_t b = bone + 1; b < model.bones.size(); ++b) {
-        if (model.bones[b].parent == static_cast<int32_t>(bone)) {
-            return static_cast<int32_t>(b);
-        }
-    }
-    return -1;
-}
-
-std::string nameOf(const Model& model, int32_t bone)
-{
-    return bone < 0 ? std::string() : model.bones[bone].name;
 }
 
 // The direction in which the body leaves its joint: towards the next joint, else towards its middle.
@@ -73,46 +64,34 @@ Vector3f directionOf(const std::vector<BodyDraft>& drafts, uint32_t body, const 
     return along.norm() > 1e-3f * voxels.diameter ? Vector3f(along.normalized()) : Vector3f(0, -1, 0);
 }
 
-// Which way a hinge bends, from the words of its bone: knees back, toes and everything else forward, or up where the
-// limb itself points forward.
-Vector3f bendDirection(const std::string& name, const Vector3f& along, const Bearings& bearings)
+// Which way a hinge bends: knees back, toes and everything else forward, or up where the limb itself points forward.
+Vector3f bendDirection(BodyPart part, const Vector3f& along, const Bearings& bearings)
 {
-    std::string words = name;
-    std::transform(words.begin(), words.end(), words.begin(), [](unsigned char c) { return std::tolower(c); });
-    const auto says = [&](const char* part) { return words.find(part) != std::string::npos; };
-    const bool arm = says("arm") || says("elbow");
-    const bool leg = !arm && (says("leg") || says("knee") || says("shin") || says("calf"));
-    const Vector3f wanted = leg ? Vector3f(-bearings.forward) : bearings.forward;
+    const Vector3f wanted = part == BodyPart::Shin ? Vector3f(-bearings.forward) : bearings.forward;
     return std::abs(wanted.dot(along)) < 0.8f ? perpendicular(wanted, along) : perpendicular(Vector3f::UnitY(), along);
 }
 
-BodyPart partOf(const Model& model, const BodyDraft& draft)
-{
-    return partFromName(draft.name, nameOf(model, model.bones[draft.bone].parent),
-                        nameOf(model, firstChild(model, draft.bone)));
-}
-
 /// Neck and head share a range, as the segments of a spine do.
-uint32_t segmentsOf(const Model& model, const std::vector<BodyDraft>& drafts, BodyPart part)
+uint32_t segmentsOf(const Figure& figure, BodyPart part)
 {
     const auto kind = [](BodyPart p) { return p == BodyPart::Head ? BodyPart::Neck : p; };
     uint32_t count = 0;
-    for (size_t b = 1; b < drafts.size(); ++b) count += kind(partOf(model, drafts[b])) == kind(part);
+    for (uint32_t b = 1; b < figure.drafts.size(); ++b) count += kind(figure.boneOf(b).part) == kind(part);
     return std::max(count, 1u);
 }
 
-/// The limits of a joint of a human body, where its type is the one that it has there.
-JointLimits rangeOf(const Model& model, const std::vector<BodyDraft>& drafts, const JointPlan& plan,
-                    const Bearings& bearings)
+/// The limits of a joint of a body, where its type is the one that it has there.
+JointLimits rangeOf(const Figure& figure, const JointPlan& plan)
 {
-    const BodyDraft &draft = drafts[plan.child], &parent = drafts[plan.parent];
+    const BodyDraft &draft = figure.drafts[plan.child], &parent = figure.drafts[plan.parent];
+    const BoneAnatomy& bone = figure.boneOf(plan.child);
     LimbStance stance;
-    stance.part = partOf(model, draft);
+    stance.part = bone.part;
     if (!hasRange(stance.part) || rangedType(stance.part) != plan.type) return {};
     stance.along = plan.type == JointType::Ball ? plan.twistAxis : plan.along;
-    stance.forward = bearings.forward;
-    stance.outward = static_cast<float>(sideFromName(draft.name)) * bearings.left;
-    stance.segments = segmentsOf(model, drafts, stance.part);
+    stance.forward = figure.bearings.forward;
+    stance.outward = static_cast<float>(bone.side) * figure.bearings.left;
+    stance.segments = segmentsOf(figure, stance.part);
     const Vector3f above = draft.anchor - parent.anchor;
     if (plan.type == JointType::Hinge && parent.parent >= 0 && above.norm() > 0.0f)
         stance.bend = std::atan2(plan.along.dot(plan.axis.cross(above.normalized())),
@@ -120,64 +99,104 @@ JointLimits rangeOf(const Model& model, const std::vector<BodyDraft>& drafts, co
     return ordinaryRange(stance);
 }
 
-JointPlan planJoint(const Model& model, const std::vector<BodyDraft>& drafts, uint32_t body, const Voxels& voxels,
-                    const ArticulationOptions& options, const Bearings& bearings)
+JointType typeOf(const BoneAnatomy& bone, bool limited)
 {
-    const BodyDraft& draft = drafts[body];
-    const uint32_t parent = static_cast<uint32_t>(draft.parent);
-    JointPlan plan;
-    plan.type = jointTypeFromName(draft.name, nameOf(model, model.bones[draft.bone].parent),
-                                  nameOf(model, firstChild(model, draft.bone)));
-    const BodyPart part = partOf(model, draft);
-    if (options.limited && hasRange(part)) plan.type = rangedType(part);
-    if (const auto found = options.types.find(draft.name); found != options.types.end()) {
-        plan.type = found->second;
-    }
-    plan.parent = parent;
-    plan.child = body;
+    if (bone.role == BoneRole::Twist) return JointType::Stiff;
+    if (bone.source == AnatomySource::Clip) return JointType::Hinge;
+    return limited && hasRange(bone.part) ? rangedType(bone.part) : jointTypeOf(bone.part);
+}
+
+/// Which way the joint lies, and about what it turns.
+void placeJoint(const Figure& figure, JointPlan& plan)
+{
+    const BodyDraft &draft = figure.drafts[plan.child], &parent = figure.drafts[plan.parent];
+    const BoneAnatomy& bone = figure.boneOf(plan.child);
     plan.anchor = draft.anchor;
-    // What bends by little does not need the room.
-    const bool bendsLittle = part == BodyPart::Spine || part == BodyPart::Neck || part == BodyPart::Clavicle;
-    plan.clear = options.clearJoints && !(options.limited && bendsLittle);
-    plan.along = directionOf(drafts, body, voxels);
-    plan.flexion = bendDirection(draft.name, plan.along, bearings);
-    const Vector3f above = draft.anchor - drafts[parent].anchor;
-    if (drafts[parent].parent >= 0 && above.norm() > voxels.diameter) {
+    plan.along = directionOf(figure.drafts, plan.child, figure.voxels);
+    plan.flexion = bendDirection(bone.part, plan.along, figure.bearings);
+    const Vector3f above = draft.anchor - parent.anchor;
+    if (parent.parent >= 0 && above.norm() > figure.voxels.diameter) {
         const Vector3f bend = above.normalized().cross(plan.along);
         const Vector3f deviation = plan.along - plan.along.dot(above.normalized()) * above.normalized();
-        // A limb that is bent at rest shows its hinge's axis, unless it is bent the wrong way (a knee forward).
-        if (bend.norm() > BENT && deviation.dot(plan.flexion) > 0.5f * deviation.norm()) {
+        // A limb that is bent at rest shows its hinge's axis, unless it is bent the wrong way (a knee forward). Of a
+        // creature's leg nobody knows which way is wrong.
+        const bool rightWay = deviation.dot(plan.flexion) > 0.5f * deviation.norm();
+        if (bend.norm() > BENT && (rightWay || bone.source == AnatomySource::Shape))
             plan.flexion = perpendicular(deviation, plan.along);
-        }
     }
     plan.axis = plan.along.cross(plan.flexion).normalized();
     plan.twistAxis = plan.along;
-    if (options.limited) plan.limits = rangeOf(model, drafts, plan, bearings);
-    if (const auto found = options.limits.find(draft.name); found != options.limits.end()) {
-        plan.limits = found->second;
+    if (bone.source == AnatomySource::Clip) plan.turnAbout(bone.axis);
+}
+
+JointPlan planJoint(const Figure& figure, uint32_t body, const ArticulationOptions& options)
+{
+    const BodyDraft& draft = figure.drafts[body];
+    const BodyPart part = figure.boneOf(body).part;
+    JointPlan plan;
+    plan.parent = static_cast<uint32_t>(draft.parent);
+    plan.child = body;
+    plan.type = typeOf(figure.boneOf(body), options.limited);
+    if (const JointType* type = findByPattern(options.types, draft.name)) plan.type = *type;
+    // What bends by little does not need the room.
+    const bool bendsLittle = part == BodyPart::Spine || part == BodyPart::Neck || part == BodyPart::Clavicle;
+    plan.clear = options.clearJoints && !(options.limited && bendsLittle);
+    placeJoint(figure, plan);
+    if (options.limited) plan.limits = rangeOf(figure, plan);
+    const JointLimits* limits = findByPattern(options.limits, draft.name);
+    if (limits) {
+        plan.limits = *limits;
         for (const std::string& name : plan.limits.misplacedIn(plan.type))
             throw InputError(
                 fmt::format("joint for bone '{}': a {} joint has no limit `{}`; give another type or limit", draft.name,
                             jointTypeName(plan.type), name));
     }
-    if (const auto found = options.strengths.find(draft.name); found != options.strengths.end())
-        plan.strength = found->second;
-    if (const auto found = options.axes.find(draft.name); found != options.axes.end()) {
-        if (!options.limits.contains(draft.name)) plan.limits = {};
-        plan.twistAxis = found->second.normalized();
+    if (const JointStrength* strength = findByPattern(options.strengths, draft.name)) plan.strength = *strength;
+    if (const Vector3f* axis = findByPattern(options.axes, draft.name)) {
+        if (!limits) plan.limits = {};
+        plan.twistAxis = axis->normalized();
         plan.turnAbout(plan.twistAxis);
     }
     lockNarrowRanges(plan);
     return plan;
 }
 
-template <typename Value>
-void checkOverrides(const Model& model, const std::map<std::string, Value>& overrides)
+void checkPattern(const Model& model, const std::string& pattern)
 {
-    for (const auto& [name, value] : overrides)
-        if (std::ranges::find(model.bones, name, &Bone::name) == model.bones.end())
-            throw InputError(
-                fmt::format("joint for bone '{}': the model '{}' has no bone of that name", name, model.name));
+    const auto isNamed = [&](const Bone& bone) { return bone.name == pattern || matchesPattern(bone.name, pattern); };
+    if (std::ranges::none_of(model.bones, isNamed))
+        throw InputError(
+            fmt::format("joint for bone '{}': the model '{}' has no bone of that name", pattern, model.name));
+}
+
+void checkOptions(const Model& model, const ArticulationOptions& options)
+{
+    const auto checkNames = [&](const auto& overrides) {
+        for (const auto& entry : overrides) checkPattern(model, entry.first);
+    };
+    checkNames(options.types);
+    checkNames(options.axes);
+    checkNames(options.limits);
+    checkNames(options.strengths);
+    for (const std::vector<std::string>* patterns : {&options.keep, &options.merge})
+        for (const std::string& pattern : *patterns) checkPattern(model, pattern);
+}
+
+std::map<uint32_t, BoneRole> rolesWanted(const Model& model, const ArticulationOptions& options)
+{
+    std::map<uint32_t, BoneRole> roles;
+    const auto want = [&](const std::vector<std::string>& patterns, BoneRole role) {
+        for (uint32_t b = 0; b < model.bones.size(); ++b) {
+            const std::string& name = model.bones[b].name;
+            if (std::ranges::any_of(patterns, [&](const std::string& pattern) {
+                    return name == pattern || matchesPattern(name, pattern);
+                }))
+                roles[b] = role;
+        }
+    };
+    want(options.keep, BoneRole::Limb);
+    want(options.merge, BoneRole::Attached);
+    return roles;
 }
 
 // The actor without the particles that gave way to joints; indices are renumbered without gaps.
@@ -244,16 +263,14 @@ void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointP
 
 Actor articulate(const Model& model, const ActorOptions& options)
 {
-    checkOverrides(model, options.articulation.types);
-    checkOverrides(model, options.articulation.axes);
-    checkOverrides(model, options.articulation.limits);
-    checkOverrides(model, options.articulation.strengths);
+    checkOptions(model, options.articulation);
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(model, rolesWanted(model, options.articulation));
     const Voxels voxels = voxelize(model.vertices, model.triangles, options.voxels);
     Actor actor;
     actor.name = options.name.empty() ? model.name : options.name;
     actor.diameter = voxels.diameter;
     actor.notes = model.notes;
-    const std::vector<BodyDraft> drafts = cutIntoBodies(model, voxels, actor.notes);
+    const std::vector<BodyDraft> drafts = cutIntoBodies(model, voxels, anatomy, actor.notes);
     std::vector<ParticleDraft> particles(voxels.positions.size());
     for (size_t p = 0; p < particles.size(); ++p) {
         particles[p].position = voxels.positions[p];
@@ -266,10 +283,9 @@ Actor articulate(const Model& model, const ActorOptions& options)
             particles[p].bodies = {b};
         }
     }
-    const Bearings bearings = bearingsOf(model);
-    for (uint32_t b = 1; b < drafts.size(); ++b) {
-        addJoints(actor, particles, planJoint(model, drafts, b, voxels, options.articulation, bearings));
-    }
+    const Figure figure{model, anatomy, drafts, voxels, bearingsOf(model, anatomy)};
+    for (uint32_t b = 1; b < drafts.size(); ++b)
+        addJoints(actor, particles, planJoint(figure, b, options.articulation));
     collect(particles, actor);
     return actor;
 }

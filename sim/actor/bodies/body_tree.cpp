@@ -12,7 +12,7 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr float TOUCH = 1.8f;        // lattice neighbours, diagonals included, are nearer than this [d]
-constexpr float LOOSE = 2.6f;        // bodies farther apart than this are looked at again [d]
+constexpr float LOOSE = 2.6f;        // bodies farther apart than this do not touch [d]
 constexpr float NEAR_JOINT = 2.5f;   // a bone's head is its joint up to this distance from its body [d]
 constexpr size_t PAIR_LIMIT = 1500;  // particles a side when two bodies' distance is measured
 
@@ -35,9 +35,11 @@ bool isBelow(const std::vector<BodyDraft>& drafts, int32_t body, int32_t ancesto
     return body == ancestor;
 }
 
-// The parentless body that most particles hang from.
-int32_t mainRoot(const std::vector<BodyDraft>& drafts)
+// The hips, where they are a root, else the parentless body that most particles hang from.
+int32_t mainRoot(const std::vector<BodyDraft>& drafts, std::span<const BoneAnatomy> anatomy)
 {
+    for (size_t b = 0; b < drafts.size(); ++b)
+        if (drafts[b].parent < 0 && anatomy[drafts[b].bone].part == BodyPart::Hips) return static_cast<int32_t>(b);
     std::vector<size_t> weight(drafts.size(), 0);
     int32_t best = 0;
     for (size_t b = drafts.size(); b-- > 0;) {
@@ -54,75 +56,86 @@ int32_t mainRoot(const std::vector<BodyDraft>& drafts)
     return best;
 }
 
+// A body to hang on: how many bones away, how near its particles come.
+struct Candidate {
+    int32_t body = -1;
+    uint32_t steps = NO_INDEX;
+    Contact contact;
+};
+
+Candidate nearestInSkeleton(const std::vector<BodyDraft>& drafts, int32_t body, int32_t root, const BoneTree& tree,
+                            const Voxels& voxels)
+{
+    const std::vector<uint32_t> steps = tree.stepsFrom(drafts[body].bone);
+    Candidate best;
+    for (int32_t other = 0; other < static_cast<int32_t>(drafts.size()); ++other) {
+        const uint32_t away = steps[drafts[other].bone];
+        if (!isBelow(drafts, other, root) || (best.body >= 0 && away > best.steps)) continue;
+        const Contact contact = contactOf(drafts[body].particles, drafts[other].particles, voxels);
+        if (best.body < 0 || away < best.steps || contact.distance < best.contact.distance)
+            best = {other, away, contact};
+    }
+    return best;
+}
+
+// The body whose particles are at the bone's head; none where no body is that near.
+int32_t bodyAtHead(const std::vector<BodyDraft>& drafts, int32_t body, int32_t root, const Voxels& voxels)
+{
+    float nearest = TOUCH * voxels.diameter;
+    int32_t best = -1;
+    for (int32_t other = 0; other < static_cast<int32_t>(drafts.size()); ++other) {
+        if (!isBelow(drafts, other, root)) continue;
+        const float distance = distanceTo(drafts[body].anchor, drafts[other].particles, voxels);
+        if (distance < nearest) best = other;
+        nearest = std::min(nearest, distance);
+    }
+    return best;
+}
+
 // Joins the trees of a skeleton with several roots: always the root next that is nearest to the main tree.
-void joinRoots(std::vector<BodyDraft>& drafts, int32_t root, const Voxels& voxels, std::vector<std::string>& notes)
+void joinRoots(std::vector<BodyDraft>& drafts, int32_t root, const BoneTree& tree, const Voxels& voxels,
+               std::vector<std::string>& notes)
 {
     while (true) {
-        Contact best;
-        int32_t child = -1, parent = -1;
+        Candidate best;
+        int32_t child = -1;
         for (int32_t b = 0; b < static_cast<int32_t>(drafts.size()); ++b) {
-            for (int32_t other = 0; b != root && drafts[b].parent < 0 && other < static_cast<int32_t>(drafts.size());
-                 ++other) {
-                if (!isBelow(drafts, other, root)) {
-                    continue;
-                }
-                const Contact contact = contactOf(drafts[b].particles, drafts[other].particles, voxels);
-                if (contact.distance < best.distance) {
-                    best = contact;
-                    child = b;
-                    parent = other;
-                }
-            }
+            if (b == root || drafts[b].parent >= 0) continue;
+            const Candidate found = nearestInSkeleton(drafts, b, root, tree, voxels);
+            const bool nearer = found.steps < best.steps ||
+                                (found.steps == best.steps && found.contact.distance < best.contact.distance);
+            if (child >= 0 && !nearer) continue;
+            best = found;
+            child = b;
         }
-        if (child < 0) {
-            return;
-        }
-        drafts[child].parent = parent;
+        if (child < 0) return;
+        drafts[child].parent = best.body;
+        const bool apart = best.contact.distance > LOOSE * voxels.diameter;
+        const int32_t atHead = apart ? bodyAtHead(drafts, child, root, voxels) : -1;
+        if (atHead >= 0) drafts[child].parent = atHead;
+        const char* why = atHead >= 0              ? "where its head is"
+                          : best.steps == NO_INDEX ? "the body nearest to it"
+                                                   : "next to it in the skeleton";
         notes.push_back(
-            fmt::format("{} is joined to {}, the body nearest to it.", drafts[child].name, drafts[parent].name));
-        if (distanceTo(drafts[child].anchor, drafts[parent].particles, voxels) > NEAR_JOINT * voxels.diameter ||
-            distanceTo(drafts[child].anchor, drafts[child].particles, voxels) > NEAR_JOINT * voxels.diameter) {
-            drafts[child].anchor = best.middle;
-        }
+            fmt::format("{} is joined to {}, {}.", drafts[child].name, drafts[drafts[child].parent].name, why));
     }
 }
 
-// Bodies that stand apart from their parent but touch another (feet that hang from an inverse-kinematics control)
-// join that; joints move to where the bodies meet if the bone's head is away from there.
+// Joints move to where the bodies meet if the bone's head is away from there.
 void tightenJoints(std::vector<BodyDraft>& drafts, int32_t root, const Voxels& voxels, std::vector<std::string>& notes)
 {
     const float d = voxels.diameter;
     for (int32_t b = 0; b < static_cast<int32_t>(drafts.size()); ++b) {
+        if (b == root) continue;
         BodyDraft& body = drafts[b];
-        if (b == root) {
-            continue;
-        }
-        const Contact kept = contactOf(body.particles, drafts[body.parent].particles, voxels);
-        Contact best = kept;
-        int32_t better = body.parent;
-        for (int32_t other = 0; kept.distance > LOOSE * d && other < static_cast<int32_t>(drafts.size()); ++other) {
-            if (isBelow(drafts, other, b)) {
-                continue;
-            }
-            const Contact contact = contactOf(body.particles, drafts[other].particles, voxels);
-            if (contact.distance < std::min(best.distance, 0.5f * kept.distance)) {
-                best = contact;
-                better = other;
-            }
-        }
-        const float offBody = distanceTo(body.anchor, body.particles, voxels);
-        const float offParent = distanceTo(body.anchor, drafts[better].particles, voxels);
-        if (better != body.parent) {
-            notes.push_back(fmt::format("{} is joined to {}, which it touches, instead of {}.", body.name,
-                                        drafts[better].name, drafts[body.parent].name));
-            body.parent = better;
-            body.anchor = best.middle;
-        } else if (offBody > NEAR_JOINT * d || (offParent > NEAR_JOINT * d && best.distance < TOUCH * d)) {
-            notes.push_back(
-                fmt::format("The joint of {} sits where it meets {}, since the bone's head is away from it.", body.name,
-                            drafts[better].name));
-            body.anchor = best.middle;
-        }
+        const BodyDraft& parent = drafts[body.parent];
+        const Contact contact = contactOf(body.particles, parent.particles, voxels);
+        const bool offBody = distanceTo(body.anchor, body.particles, voxels) > NEAR_JOINT * d;
+        const bool offParent = distanceTo(body.anchor, parent.particles, voxels) > NEAR_JOINT * d;
+        if (!offBody && !(offParent && contact.distance < TOUCH * d)) continue;
+        notes.push_back(fmt::format("The joint of {} sits where it meets {}, since the bone's head is away from it.",
+                                    body.name, parent.name));
+        body.anchor = contact.middle;
     }
 }
 
@@ -173,10 +186,11 @@ Contact contactOf(const Particles& a, const Particles& b, const Voxels& voxels)
     return contact;
 }
 
-void arrangeTree(std::vector<BodyDraft>& drafts, const Voxels& voxels, std::vector<std::string>& notes)
+void arrangeTree(std::vector<BodyDraft>& drafts, const BoneTree& tree, std::span<const BoneAnatomy> anatomy,
+                 const Voxels& voxels, std::vector<std::string>& notes)
 {
-    const int32_t root = mainRoot(drafts);
-    joinRoots(drafts, root, voxels, notes);
+    const int32_t root = mainRoot(drafts, anatomy);
+    joinRoots(drafts, root, tree, voxels, notes);
     tightenJoints(drafts, root, voxels, notes);
     drafts = parentsFirst(std::move(drafts));
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/actor/anatomy/bone_tree.h"
 #include "sim/actor/bodies/bone_bodies.h"
 #include "sim/actor/mesh/voxelize.h"
 
@@ -18,8 +19,11 @@ struct Contact {
 /// Of bodies with thousands of particles only every n-th particle is compared.
 Contact contactOf(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b, const Voxels& voxels);
 
-/// Makes one tree of the bodies, parents first: further roots join the body nearest to them, bodies apart from their
-/// parent join one they touch, and joints whose bone's head is away from both move to where they meet.
-void arrangeTree(std::vector<BodyDraft>& drafts, const Voxels& voxels, std::vector<std::string>& notes);
+/// Makes one tree of the bodies, parents first. Its root is the hips, else what most hangs on. Further roots join the
+/// body nearest in the skeleton, of equally near ones that nearest in space; where that is apart from them and another
+/// is at their bone's head (a foot on a control), they join that. Joints whose bone's head is away from both bodies
+/// move to where they meet.
+void arrangeTree(std::vector<BodyDraft>& drafts, const BoneTree& tree, std::span<const BoneAnatomy> anatomy,
+                 const Voxels& voxels, std::vector<std::string>& notes);
 
 }  // namespace knuckle

@@ -9,7 +9,9 @@
 #include <map>
 #include <numeric>
 
+#include "sim/actor/anatomy/bone_tree.h"
 #include "sim/actor/bodies/body_tree.h"
+#include "sim/actor/bodies/bone_merge.h"
 #include "sim/world/cells.h"
 
 namespace knuckle {
@@ -23,7 +25,8 @@ constexpr double ISLAND_PART = 0.25;  // a cut-off part below this share of its 
 
 using Particles = std::vector<uint32_t>;
 
-std::vector<uint32_t> assignBones(const Model& model, const Voxels& voxels)
+/// Per particle the limb that weighs most at the nearest point of the skin, with all that is part of its body.
+std::vector<uint32_t> assignBones(const Model& model, const Voxels& voxels, std::span<const BoneAnatomy> anatomy)
 {
     std::vector<uint32_t> bones;
     std::vector<float> sums(model.bones.size());
@@ -32,7 +35,7 @@ std::vector<uint32_t> assignBones(const Model& model, const Voxels& voxels)
         for (int corner = 0; corner < 3; ++corner) {
             const SkinWeights& skin = model.skin[model.triangles[point.triangle][corner]];
             for (size_t i = 0; i < skin.bones.size(); ++i) {
-                sums[skin.bones[i]] += point.barycentric[corner] * skin.weights[i];
+                sums[anatomy[skin.bones[i]].owner] += point.barycentric[corner] * skin.weights[i];
             }
         }
         bones.push_back(static_cast<uint32_t>(std::max_element(sums.begin(), sums.end()) - sums.begin()));
@@ -107,97 +110,58 @@ void moveIslands(std::vector<uint32_t>& bones, const Voxels& voxels)
     }
 }
 
-std::vector<Vector3f> positionsOf(const Particles& particles, const Voxels& voxels)
-{
-    std::vector<Vector3f> positions;
-    for (uint32_t particle : particles) {
-        positions.push_back(voxels.positions[particle]);
-    }
-    return positions;
-}
-
-std::vector<uint8_t> deformingBones(const Model& model)
-{
-    std::vector<uint8_t> deforms(model.bones.size(), 0);
-    for (const SkinWeights& skin : model.skin) {
-        for (size_t i = 0; i < skin.bones.size(); ++i) {
-            deforms[skin.bones[i]] |= skin.weights[i] > 0.0f;
-        }
-    }
-    return deforms;
-}
-
-// Gives every bone its particles, then lets bones too small for a body join their parents, children first.
-struct BoneCut {
-    std::vector<Particles> particles;
-    std::vector<std::vector<std::string>> merged;
-};
-
-BoneCut mergeSmall(const Model& model, const Voxels& voxels, const std::vector<uint32_t>& bones)
-{
-    BoneCut cut{std::vector<Particles>(model.bones.size()), std::vector<std::vector<std::string>>(model.bones.size())};
-    const std::vector<uint8_t> deforms = deformingBones(model);
-    for (uint32_t p = 0; p < bones.size(); ++p) {
-        cut.particles[bones[p]].push_back(p);
-    }
-    const auto join = [&](size_t from, size_t to) {
-        cut.particles[to].insert(cut.particles[to].end(), cut.particles[from].begin(), cut.particles[from].end());
-        cut.merged[to].insert(cut.merged[to].end(), cut.merged[from].begin(), cut.merged[from].end());
-        if (deforms[from]) {
-            cut.merged[to].push_back(model.bones[from].name);
-        }
-        cut.particles[from].clear();
-        cut.merged[from].clear();
-    };
-    const auto large = [&](size_t b) { return spansSpace(positionsOf(cut.particles[b], voxels), voxels.diameter); };
-    for (size_t b = model.bones.size(); b-- > 0;) {
-        int32_t ancestor = model.bones[b].parent;
-        while (ancestor >= 0 && cut.particles[ancestor].empty()) {
-            ancestor = model.bones[ancestor].parent;
-        }
-        if (ancestor >= 0 && !large(b)) {
-            join(b, static_cast<size_t>(ancestor));
-        }
-    }
-    // No ancestor has a body: take the nearest body that is large enough.
-    for (size_t b = 0; b < model.bones.size(); ++b) {
-        if (cut.particles[b].empty() || large(b)) {
-            continue;
-        }
-        float nearest = std::numeric_limits<float>::infinity();
-        size_t target = b;
-        for (size_t other = 0; other < model.bones.size(); ++other) {
-            if (other != b && large(other)) {
-                const float distance = contactOf(cut.particles[b], cut.particles[other], voxels).distance;
-                target = distance < nearest ? other : target;
-                nearest = std::min(nearest, distance);
-            }
-        }
-        if (target != b) {
-            join(b, target);
-        }
-    }
-    return cut;
-}
-
-std::vector<BodyDraft> draftBodies(const Model& model, BoneCut& cut)
+std::vector<BodyDraft> draftBodies(const Model& model, std::span<const BoneAnatomy> anatomy, BoneCut& cut)
 {
     std::vector<BodyDraft> drafts;
     std::vector<int32_t> draftOf(model.bones.size(), -1);
     for (uint32_t b = 0; b < model.bones.size(); ++b) {
-        if (cut.particles[b].empty()) {
-            continue;
-        }
+        if (cut.particles[b].empty()) continue;
         draftOf[b] = static_cast<int32_t>(drafts.size());
-        int32_t ancestor = model.bones[b].parent;
-        while (ancestor >= 0 && draftOf[ancestor] < 0) {
-            ancestor = model.bones[ancestor].parent;
-        }
+        std::vector<std::string> merged;
+        std::ranges::sort(cut.merged[b]);
+        for (const uint32_t other : cut.merged[b]) merged.push_back(model.bones[other].name);
         std::sort(cut.particles[b].begin(), cut.particles[b].end());
-        drafts.push_back({model.bones[b].name, b, ancestor < 0 ? -1 : draftOf[ancestor], std::move(cut.particles[b]),
-                          std::move(cut.merged[b]), boneHead(model, b)});
+        drafts.push_back({model.bones[b].name, b, -1, std::move(cut.particles[b]), merged, boneHead(model, b)});
     }
+    for (BodyDraft& draft : drafts)
+        for (int32_t above = anatomy[draft.bone].parent; above >= 0 && draft.parent < 0; above = anatomy[above].parent)
+            draft.parent = draftOf[above];
     return drafts;
+}
+
+/// Says which bones have no body of their own, and why.
+void noteMerged(const Model& model, std::span<const BoneAnatomy> anatomy, const std::vector<BodyDraft>& drafts,
+                const BoneCut& cut, std::vector<std::string>& notes)
+{
+    for (const BodyDraft& draft : drafts) {
+        std::vector<std::string> small, pieces, attached;
+        for (const uint32_t b : cut.merged[draft.bone]) {
+            const BoneRole role = anatomy[b].role;
+            auto& list = role == BoneRole::Twist ? pieces : role == BoneRole::Attached ? attached : small;
+            list.push_back(model.bones[b].name);
+        }
+        const auto note = [&](const std::vector<std::string>& names, const char* why) {
+            if (!names.empty())
+                notes.push_back(fmt::format("{} took in {}, {}.", draft.name, fmt::join(names, ", "), why));
+        };
+        note(small, "too small for four particles that span space");
+        note(pieces, "of the same limb");
+        note(attached, "which hang on it");
+    }
+}
+
+/// Says what was not read from names.
+void noteSources(const Model& model, std::span<const BoneAnatomy> anatomy, std::vector<std::string>& notes)
+{
+    const auto count = [&](AnatomySource source) { return std::ranges::count(anatomy, source, &BoneAnatomy::source); };
+    if (const auto bones = count(AnatomySource::Shape); bones > 0)
+        notes.push_back(fmt::format("The names of bones name no limbs: {} of {} are what the skeleton's shape says.",
+                                    bones, model.bones.size()));
+    std::vector<std::string> hinges;
+    for (size_t b = 0; b < anatomy.size(); ++b)
+        if (anatomy[b].source == AnatomySource::Clip) hinges.push_back(model.bones[b].name);
+    if (!hinges.empty())
+        notes.push_back(fmt::format("Hinges, since clips turn them about one axis: {}.", fmt::join(hinges, ", ")));
 }
 
 }  // namespace
@@ -224,7 +188,8 @@ bool spansSpace(const std::vector<Vector3f>& points, float diameter)
     return thinnest > 0.01f * diameter * diameter;
 }
 
-std::vector<BodyDraft> cutIntoBodies(const Model& model, const Voxels& voxels, std::vector<std::string>& notes)
+std::vector<BodyDraft> cutIntoBodies(const Model& model, const Voxels& voxels, std::span<const BoneAnatomy> anatomy,
+                                     std::vector<std::string>& notes)
 {
     if (model.bones.empty() || model.skin.size() != model.vertices.size()) {
         BodyDraft whole;
@@ -233,17 +198,14 @@ std::vector<BodyDraft> cutIntoBodies(const Model& model, const Voxels& voxels, s
         std::iota(whole.particles.begin(), whole.particles.end(), 0u);
         return {whole};
     }
-    std::vector<uint32_t> bones = assignBones(model, voxels);
+    std::vector<uint32_t> bones = assignBones(model, voxels, anatomy);
     moveIslands(bones, voxels);
-    BoneCut cut = mergeSmall(model, voxels, bones);
-    std::vector<BodyDraft> drafts = draftBodies(model, cut);
-    arrangeTree(drafts, voxels, notes);
-    for (const BodyDraft& draft : drafts) {
-        if (!draft.mergedBones.empty()) {
-            notes.push_back(fmt::format("{} took in {}, too small for four particles that span space.", draft.name,
-                                        fmt::join(draft.mergedBones, ", ")));
-        }
-    }
+    const BoneTree tree(model);
+    BoneCut cut = mergeSmall(tree, anatomy, voxels, bones);
+    std::vector<BodyDraft> drafts = draftBodies(model, anatomy, cut);
+    arrangeTree(drafts, tree, anatomy, voxels, notes);
+    noteMerged(model, anatomy, drafts, cut, notes);
+    noteSources(model, anatomy, notes);
     return drafts;
 }
 

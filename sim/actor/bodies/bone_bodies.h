@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
+#include "sim/actor/anatomy/anatomy.h"
 #include "sim/actor/import/model.h"
 #include "sim/actor/mesh/voxelize.h"
 
@@ -18,9 +20,11 @@ struct BodyDraft {
     Eigen::Vector3f anchor{0, 0, 0};  ///< Where its joint with the parent sits [m].
 };
 
-/// Cuts the particles into one body per bone that is large enough, arranged as a tree with one root. `notes` gets a
+/// Cuts the particles into one body per limb that is large enough, arranged as a tree with one root. `notes` gets a
 /// sentence for whatever was merged or joined elsewhere than the skeleton says.
-std::vector<BodyDraft> cutIntoBodies(const Model& model, const Voxels& voxels, std::vector<std::string>& notes);
+/// @param anatomy of the model's bones, one each.
+std::vector<BodyDraft> cutIntoBodies(const Model& model, const Voxels& voxels, std::span<const BoneAnatomy> anatomy,
+                                     std::vector<std::string>& notes);
 
 /// Four or more points that do not lie in one plane, give or take a tenth of a diameter.
 bool spansSpace(const std::vector<Eigen::Vector3f>& points, float diameter);

@@ -52,6 +52,7 @@ JointLimits ofPart(const LimbStance& s)
         // 20 up, 50 down.
         case BodyPart::Foot: return cone(s.along - 0.27f * up, 35, 25);
         case BodyPart::Toe: limits.bend = bendRange(-40, 70, 0); return limits;
+        case BodyPart::Tail: return cone(s.along, 30, 15);
         default: return limits;
     }
 }
@@ -92,7 +93,7 @@ void becomeStiff(JointPlan& plan)
 
 bool hasRange(BodyPart part)
 {
-    return part != BodyPart::Other && part != BodyPart::Hips && part != BodyPart::Finger;
+    return part != BodyPart::Other && part != BodyPart::Hips && part != BodyPart::Finger && part != BodyPart::Wing;
 }
 
 JointType rangedType(BodyPart part)

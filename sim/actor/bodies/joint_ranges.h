@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/anatomy/anatomy.h"
 #include "sim/actor/bodies/joint_particles.h"
 
 namespace knuckle {

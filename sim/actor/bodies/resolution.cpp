@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 
-#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/anatomy/anatomy.h"
 #include "sim/actor/bodies/bone_bodies.h"
 
 namespace knuckle {
@@ -16,24 +17,24 @@ constexpr float MIDDLE_PART = 0.3f;  // of a bone's length on each side of its m
 constexpr float SHORTEST = 0.05f;    // of the model's size: a limb; fingers are shorter
 constexpr float SLENDER = 1.0f;      // at least so long beside its thickness
 
-/// The child whose head ends a bone: the farthest.
-int32_t endOf(const Model& model, uint32_t bone)
+/// The limb whose head ends a bone: the farthest of those that hang on it; -1 where none does.
+int32_t endOf(const Model& model, std::span<const BoneAnatomy> anatomy, uint32_t bone)
 {
     int32_t end = -1;
     float farthest = 0.0f;
-    for (uint32_t b = bone + 1; b < model.bones.size(); ++b) {
+    for (uint32_t b = 0; b < model.bones.size(); ++b) {
         const float length = (boneHead(model, b) - boneHead(model, bone)).norm();
-        if (model.bones[b].parent != static_cast<int32_t>(bone) || length <= farthest) continue;
+        if (anatomy[b].parent != static_cast<int32_t>(bone) || length <= farthest) continue;
         farthest = length;
         end = static_cast<int32_t>(b);
     }
     return end;
 }
 
-/// The bone that weighs most at each triangle.
-std::vector<uint32_t> triangleBones(const Model& model)
+/// The limb of the bone that weighs most at each triangle, or none.
+std::vector<uint32_t> triangleLimbs(const Model& model, std::span<const BoneAnatomy> anatomy)
 {
-    std::vector<uint32_t> bones;
+    std::vector<uint32_t> limbs;
     for (const auto& triangle : model.triangles) {
         std::array<std::pair<float, uint32_t>, 3> heaviest;
         for (size_t c = 0; c < 3; ++c) {
@@ -41,9 +42,9 @@ std::vector<uint32_t> triangleBones(const Model& model)
             const auto most = std::max_element(skin.weights.begin(), skin.weights.end());
             heaviest[c] = {*most, skin.bones[static_cast<size_t>(most - skin.weights.begin())]};
         }
-        bones.push_back(std::max_element(heaviest.begin(), heaviest.end())->second);
+        limbs.push_back(anatomy[std::max_element(heaviest.begin(), heaviest.end())->second].owner);
     }
-    return bones;
+    return limbs;
 }
 
 struct Patch {
@@ -71,13 +72,6 @@ bool isLongLimb(BodyPart part)
     return part == BodyPart::UpperArm || part == BodyPart::Forearm || part == BodyPart::Thigh || part == BodyPart::Shin;
 }
 
-BodyPart partOf(const Model& model, uint32_t bone, int32_t end)
-{
-    const int32_t parent = model.bones[bone].parent;
-    return partFromName(model.bones[bone].name, parent < 0 ? "" : model.bones[static_cast<size_t>(parent)].name,
-                        end < 0 ? "" : model.bones[static_cast<size_t>(end)].name);
-}
-
 float sizeOf(const Model& model)
 {
     Vector3f low = Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
@@ -93,13 +87,15 @@ float sizeOf(const Model& model)
 std::vector<LimbThickness> limbThicknesses(const Model& model)
 {
     if (model.skin.size() != model.vertices.size() || model.bones.empty()) return {};
-    const std::vector<uint32_t> owners = triangleBones(model);
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(model);
+    const std::vector<uint32_t> owners = triangleLimbs(model, anatomy);
     std::vector<std::vector<uint32_t>> owned(model.bones.size());
-    for (uint32_t t = 0; t < owners.size(); ++t) owned[owners[t]].push_back(t);
+    for (uint32_t t = 0; t < owners.size(); ++t)
+        if (owners[t] != NO_INDEX) owned[owners[t]].push_back(t);
     const float size = sizeOf(model);
     std::vector<LimbThickness> known, others;
     for (uint32_t bone = 0; bone < model.bones.size(); ++bone) {
-        const int32_t end = endOf(model, bone);
+        const int32_t end = endOf(model, anatomy, bone);
         if (end < 0) continue;
         const Vector3f head = boneHead(model, bone), along = boneHead(model, static_cast<uint32_t>(end)) - head;
         const float length = along.norm();
@@ -114,7 +110,7 @@ std::vector<LimbThickness> limbThicknesses(const Model& model)
         }
         const LimbThickness limb{bone, thicknessOf(patches), length};
         if (limb.thickness == 0.0f) continue;
-        if (isLongLimb(partOf(model, bone, end))) known.push_back(limb);
+        if (isLongLimb(anatomy[bone].part)) known.push_back(limb);
         else if (length > SHORTEST * size && length > SLENDER * limb.thickness) others.push_back(limb);
     }
     return known.empty() ? others : known;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/anatomy/anatomy.h"
 #include "sim/actor/bodies/joint_ranges.h"
 #include "sim/actor/clips/bone_match.h"
 #include "sim/actor/clips/clip_overlaps.h"
@@ -165,22 +165,17 @@ Mapping mapForeign(const Actor& actor, const Model& source)
     Mapping map;
     map.own = false;
     map.bones = matchBones(actor, source);
-    std::vector<std::string> ourNames, theirNames;
-    std::vector<Vector3f> ourPlaces, theirPlaces;
-    for (const ActorJoint& joint : actor.joints) {
-        ourNames.push_back(joint.name);
-        ourPlaces.push_back(joint.anchor);
+    if (std::ranges::all_of(map.bones, [](uint32_t bone) { return bone == NO_INDEX; })) {
+        const auto firstNames = [](const auto& named) {
+            std::vector<std::string> names;
+            for (size_t i = 0; i < std::min<size_t>(8, named.size()); ++i) names.push_back(named[i].name);
+            return fmt::format("{}", fmt::join(names, ", "));
+        };
+        throw InputError(fmt::format("none of its bones ({}) is one of the actor's ({})", firstNames(source.bones),
+                                     firstNames(actor.joints)));
     }
-    for (const Bone& bone : source.bones) {
-        theirNames.push_back(bone.name);
-        theirPlaces.push_back(headOf(bone.restPose));
-    }
-    if (std::ranges::all_of(map.bones, [](uint32_t bone) { return bone == NO_INDEX; }))
-        throw InputError(fmt::format(
-            "none of its bones ({}) is one of the actor's ({})",
-            fmt::join(theirNames.begin(), theirNames.begin() + std::min<size_t>(8, theirNames.size()), ", "),
-            fmt::join(ourNames.begin(), ourNames.begin() + std::min<size_t>(8, ourNames.size()), ", ")));
-    map.facing = facingFrom(leftOf(theirNames, theirPlaces), leftOf(ourNames, ourPlaces));
+    const Model skeleton = skeletonOf(actor);
+    map.facing = facingFrom(leftOf(source, readAnatomy(source)), leftOf(skeleton, readAnatomy(skeleton)));
     const Limb root = limbOf(actor, source, map, childrenOf(actor)[0]);
     map.pivot = root.count > 0 ? root.theirs
                                : headOf(source.bones[map.bones[0] == NO_INDEX ? 0 : map.bones[0]].restPose);

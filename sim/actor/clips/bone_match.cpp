@@ -4,7 +4,8 @@
 #include <cctype>
 #include <map>
 
-#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/anatomy/anatomy.h"
+#include "sim/actor/clips/body_clip.h"
 
 namespace knuckle {
 
@@ -22,49 +23,47 @@ std::string plainName(const std::string& name)
 /// A part and its side.
 using PartKey = std::pair<BodyPart, int>;
 
-struct Named {
-    std::string name;
-    int32_t parent = -1;
-};
-
 /// Of each part, in order from the root: several of a spine.
-std::map<PartKey, std::vector<uint32_t>> partsOf(const std::vector<Named>& all)
+std::map<PartKey, std::vector<uint32_t>> partsOf(const Model& skeleton)
 {
     std::map<PartKey, std::vector<uint32_t>> parts;
-    for (uint32_t b = 0; b < all.size(); ++b) {
-        const auto child = std::ranges::find(all, static_cast<int32_t>(b), &Named::parent);
-        const BodyPart part = partFromName(all[b].name, all[b].parent < 0 ? "" : all[all[b].parent].name,
-                                           child == all.end() ? "" : child->name);
-        if (part != BodyPart::Other && part != BodyPart::Finger) parts[{part, sideFromName(all[b].name)}].push_back(b);
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(skeleton);
+    for (uint32_t b = 0; b < anatomy.size(); ++b) {
+        const BoneAnatomy& bone = anatomy[b];
+        const bool known = bone.part != BodyPart::Other && bone.part != BodyPart::Finger;
+        if (known && bone.role == BoneRole::Limb) parts[{bone.part, bone.side}].push_back(b);
     }
     return parts;
 }
 
-std::vector<Named> namesOf(const Actor& actor)
-{
-    std::vector<Named> names;
-    for (uint32_t b = 0; b < actor.bodies.size(); ++b)
-        names.push_back({actor.bodies[b].isCross ? std::string() : actor.bodies[b].name, parentBody(actor, b)});
-    return names;
-}
-
 }  // namespace
+
+Model skeletonOf(const Actor& actor)
+{
+    Model skeleton;
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
+        Bone bone{actor.bodies[b].isCross ? std::string() : actor.bodies[b].name, parentBody(actor, b)};
+        const auto joint = std::ranges::find(actor.joints, b, &ActorJoint::child);
+        if (joint != actor.joints.end()) bone.restPose.block<3, 1>(0, 3) = joint->anchor;
+        else bone.restPose.block<3, 1>(0, 3) = pivotOf(actor);
+        skeleton.bones.push_back(bone);
+    }
+    return skeleton;
+}
 
 std::vector<uint32_t> matchBones(const Actor& actor, const Model& source)
 {
-    std::vector<Named> bones;
     std::map<std::string, uint32_t> byName;
-    for (const Bone& bone : source.bones) {
-        byName.try_emplace(plainName(bone.name), static_cast<uint32_t>(bones.size()));
-        bones.push_back({bone.name, bone.parent});
-    }
-    const std::vector<Named> bodies = namesOf(actor);
-    std::vector<uint32_t> match(bodies.size(), NO_INDEX);
-    for (uint32_t b = 0; b < bodies.size(); ++b)
-        if (const auto found = byName.find(plainName(bodies[b].name)); found != byName.end() && !bodies[b].name.empty())
+    for (uint32_t b = 0; b < source.bones.size(); ++b) byName.try_emplace(plainName(source.bones[b].name), b);
+    const Model skeleton = skeletonOf(actor);
+    std::vector<uint32_t> match(skeleton.bones.size(), NO_INDEX);
+    for (uint32_t b = 0; b < match.size(); ++b) {
+        const std::string& name = skeleton.bones[b].name;
+        if (const auto found = byName.find(plainName(name)); found != byName.end() && !name.empty())
             match[b] = found->second;
-    const auto theirs = partsOf(bones);
-    for (const auto& [part, ours] : partsOf(bodies)) {
+    }
+    const auto theirs = partsOf(source);
+    for (const auto& [part, ours] : partsOf(skeleton)) {
         const auto found = theirs.find(part);
         if (found == theirs.end()) continue;
         // The last of both are alike: the chest, the wrist.

@@ -137,11 +137,23 @@ TEST(BodyClip, WhatNoBoneMovesGoesWithItsParentAndIsTold)
     EXPECT_EQ(made.notes.back(), "Clip 'dance' does not move hand.L: no bone of its file is that.");
 }
 
-TEST(BodyClip, ASkeletonOfNothingKnownIsRefusedWithNamesOfBoth)
+TEST(BodyClip, ASkeletonWithoutNamesIsMatchedByItsShape)
 {
     std::map<std::string, std::string> names;
     for (const auto& [ours, theirs] : MIXAMO) names[ours] = fmt::format("thing{}", names.size());
-    const Model other = disguised(names, 1.0f, 0.0f);
+    const Model other = disguised(names, 1.5f, 1.0f);
+    const ActorClip made = foreignClip(actor(), other, other.clips.front());
+    const ActorClip own = ownClip(actor(), figure(), figure().clips.front());
+    EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+    for (size_t i = 0; i < own.clip.turns.size(); ++i)
+        ASSERT_LT(made.clip.turns[i].angularDistance(own.clip.turns[i]), 0.02f) << i;
+}
+
+TEST(BodyClip, ASkeletonOfNothingKnownIsRefusedWithNamesOfBoth)
+{
+    Model other;
+    other.bones = {{"thing0"}, {"thing1", 0}};
+    other.clips = {{"idle", 1.0, {0.0}, {{Eigen::Matrix4f::Identity(), Eigen::Matrix4f::Identity()}}}};
     const std::string message = messageOf<InputError>([&] { foreignClip(actor(), other, other.clips.front()); });
     EXPECT_TRUE(message.starts_with("none of its bones (thing")) << message;
     EXPECT_NE(message.find("is one of the actor's (spine"), std::string::npos) << message;

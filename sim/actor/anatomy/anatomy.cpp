@@ -1,0 +1,63 @@
+#include "sim/actor/anatomy/anatomy.h"
+
+#include <algorithm>
+
+#include "sim/actor/anatomy/bone_name.h"
+#include "sim/actor/anatomy/bone_roles.h"
+#include "sim/actor/anatomy/bone_tree.h"
+#include "sim/actor/anatomy/chain_parts.h"
+#include "sim/actor/anatomy/clip_hinges.h"
+#include "sim/actor/anatomy/shape_parts.h"
+
+namespace knuckle {
+
+using Eigen::Vector3f;
+
+std::vector<BoneAnatomy> readAnatomy(const Model& model, const std::map<uint32_t, BoneRole>& roles)
+{
+    const BoneTree tree(model);
+    std::vector<BoneName> names;
+    for (const Bone& bone : model.bones) names.push_back(readBoneName(bone.name));
+    std::vector<BoneAnatomy> anatomy(model.bones.size());
+    readNamedParts(tree, names, anatomy);
+    const bool limbsNamed = std::ranges::any_of(anatomy, isLimbPart, &BoneAnatomy::part);
+    if (!limbsNamed) readPartsFromShape(tree, anatomy);
+    readRoles(tree, names, roles, anatomy);
+    readClipHinges(model, anatomy);
+    return anatomy;
+}
+
+JointType jointTypeOf(BodyPart part)
+{
+    switch (part) {
+        case BodyPart::Forearm:
+        case BodyPart::Shin:
+        case BodyPart::Toe:
+        case BodyPart::Finger: return JointType::Hinge;
+        case BodyPart::Clavicle:
+        case BodyPart::Spine:
+        case BodyPart::Neck:
+        case BodyPart::Hips: return JointType::Stiff;
+        default: return JointType::Ball;
+    }
+}
+
+Vector3f leftOf(const Model& model, std::span<const BoneAnatomy> anatomy)
+{
+    Vector3f left = Vector3f::Zero(), right = Vector3f::Zero();
+    int lefts = 0, rights = 0;
+    for (size_t b = 0; b < anatomy.size(); ++b) {
+        if (anatomy[b].role == BoneRole::Control) continue;
+        const Vector3f head = model.bones[b].restPose.block<3, 1>(0, 3);
+        if (anatomy[b].side > 0) left += head;
+        if (anatomy[b].side < 0) right += head;
+        lefts += anatomy[b].side > 0;
+        rights += anatomy[b].side < 0;
+    }
+    if (lefts == 0 || rights == 0) return Vector3f::UnitX();
+    Vector3f across = left / static_cast<float>(lefts) - right / static_cast<float>(rights);
+    across.y() = 0.0f;
+    return across.norm() > 1e-4f ? Vector3f(across.normalized()) : Vector3f::UnitX();
+}
+
+}  // namespace knuckle

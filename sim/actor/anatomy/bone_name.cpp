@@ -1,0 +1,127 @@
+#include "sim/actor/anatomy/bone_name.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "sim/actor/anatomy/vocabulary.h"
+
+namespace knuckle {
+
+namespace {
+
+bool isUpper(char c)
+{
+    return std::isupper(static_cast<unsigned char>(c)) != 0;
+}
+
+bool isLetter(char c)
+{
+    return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+/// "LHipJoint" -> l, hip, joint; "Bip01 L Calf" -> bip, l, calf; "IKFoot" -> ik, foot.
+std::vector<std::string> tokensOf(std::string_view name)
+{
+    std::vector<std::string> tokens(1);
+    for (size_t i = 0; i < name.size(); ++i) {
+        const char c = name[i], before = i > 0 ? name[i - 1] : ' ', after = i + 1 < name.size() ? name[i + 1] : ' ';
+        const bool lowerAfter = isLetter(after) && !isUpper(after);
+        const bool startsWord = isUpper(c) && isLetter(before) && (!isUpper(before) || lowerAfter);
+        if ((startsWord || !isLetter(c)) && !tokens.back().empty()) tokens.emplace_back();
+        if (isLetter(c)) tokens.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    if (tokens.back().empty()) tokens.pop_back();
+    return tokens;
+}
+
+/// Whether the text is nothing but known words, which are added, the longest first.
+bool splitCompound(std::string_view text, std::vector<std::string>& words)
+{
+    if (text.empty()) return true;
+    for (size_t length = text.size(); length >= 2; --length) {
+        const std::string_view first = text.substr(0, length);
+        const std::optional<Word> word = findWord(first);
+        const bool joins = word && word->use != WordUse::End && (length >= 3 || first == "up");
+        if (!joins) continue;
+        words.emplace_back(first);
+        if (splitCompound(text.substr(length), words)) return true;
+        words.pop_back();
+    }
+    return false;
+}
+
+bool namesPart(const std::vector<std::string>& words)
+{
+    return std::ranges::any_of(words, [](const std::string& word) { return findWord(word)->use == WordUse::Part; });
+}
+
+void addWords(const std::string& token, std::vector<std::string>& words)
+{
+    std::vector<std::string> found;
+    if (findWord(token) || !splitCompound(token, found)) {
+        found.clear();
+        const bool sided = token[0] == 'l' || token[0] == 'r';
+        if (!findWord(token) && sided && splitCompound(std::string_view(token).substr(1), found) && namesPart(found))
+            found.insert(found.begin(), token.substr(0, 1));
+        else found = {token};
+    }
+    words.insert(words.end(), found.begin(), found.end());
+}
+
+/// An arm or a leg with a word that says which half; a torso's lower half is the hips.
+NamedPart halved(NamedPart part, bool upper, bool lower, bool fore)
+{
+    switch (part) {
+        case NamedPart::Arm: return lower || fore ? NamedPart::Forearm : upper ? NamedPart::UpperArm : part;
+        case NamedPart::Leg: return lower ? NamedPart::Shin : upper ? NamedPart::Thigh : part;
+        case NamedPart::None: return fore ? NamedPart::MaybeFinger : part;
+        default: return part;
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> wordsOf(std::string_view name)
+{
+    name.remove_prefix(std::min(name.size(), name.find_last_of(":|") + 1));  // npos + 1 is 0
+    std::vector<std::string> words;
+    for (const std::string& token : tokensOf(translated(name))) addWords(token, words);
+    return words;
+}
+
+BoneName readBoneName(std::string_view name)
+{
+    BoneName read;
+    NamedPart weak = NamedPart::None;
+    bool upper = false, lower = false, fore = false, trunk = false, foot = false;
+    for (const std::string& text : wordsOf(name)) {
+        const Word word = findWord(text).value_or(Word{});
+        switch (word.use) {
+            case WordUse::Left: read.side = read.side == 0 ? 1 : read.side; break;
+            case WordUse::Right: read.side = read.side == 0 ? -1 : read.side; break;
+            case WordUse::Upper: upper = true; break;
+            case WordUse::Lower: lower = true; break;
+            case WordUse::Fore: fore = true; break;
+            case WordUse::Twist: read.isTwist = true; break;
+            case WordUse::Control: read.isControl = true; break;
+            case WordUse::Attached: read.isAttached = true; break;
+            case WordUse::End: read.isEnd = true; break;
+            case WordUse::Part:
+                foot |= word.part == NamedPart::Foot || word.part == NamedPart::Toe;
+                read.part = word.part;
+                break;
+            case WordUse::WeakPart: weak = word.part; break;
+            case WordUse::Filler: break;
+        }
+        trunk |= text == "torso" || text == "body";
+    }
+    // "LeftHandIndex1": behind a hand's word, a finger's is one.
+    if (weak == NamedPart::MaybeFinger && read.part == NamedPart::Hand) read.part = NamedPart::Finger;
+    if (read.part == NamedPart::None) read.part = weak;
+    if (foot && read.part == NamedPart::Finger) read.part = NamedPart::Toe;
+    read.part = halved(read.part, upper, lower, fore);
+    if (read.part == NamedPart::Spine && trunk && lower) read.part = NamedPart::Hips;
+    return read;
+}
+
+}  // namespace knuckle

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace knuckle {
+
+/// What the words of a bone's name speak of. Hip, Shoulder, Leg and Arm mean different bones in different programs;
+/// the bones around them decide (chain_parts.h).
+enum class NamedPart {
+    None,
+    Hips,
+    Hip,
+    Spine,
+    Neck,
+    Head,
+    Clavicle,
+    Shoulder,
+    Arm,
+    UpperArm,
+    Forearm,
+    Hand,
+    Finger,
+    MaybeFinger,  ///< "middle", "ring": a finger behind a hand.
+    Leg,
+    Thigh,
+    Shin,
+    Foot,
+    Toe,
+    Tail,
+    Wing,
+};
+
+/// A bone's name, read by itself.
+struct BoneName {
+    NamedPart part = NamedPart::None;
+    int side = 0;             ///< +1 left, -1 right, 0 neither.
+    bool isTwist = false;     ///< Takes a share of a limb's turn.
+    bool isControl = false;   ///< A handle of the animator's: inverse kinematics, poles, trajectories.
+    bool isAttached = false;  ///< Face, hair, clothes, props.
+    bool isEnd = false;       ///< Says where a chain ends.
+};
+
+/// Lower-case words of a name: namespaces (`mixamorig:`) and digits are dropped, camel case and compounds of known
+/// words ("lhipjoint", "upperarm") taken apart, Japanese words translated.
+std::vector<std::string> wordsOf(std::string_view name);
+
+BoneName readBoneName(std::string_view name);
+
+}  // namespace knuckle

@@ -1,0 +1,196 @@
+#include "sim/actor/anatomy/bone_roles.h"
+
+#include <algorithm>
+
+#include "sim/actor/anatomy/chain_parts.h"
+
+namespace knuckle {
+
+namespace {
+
+class BoneRoles {
+public:
+    BoneRoles(const BoneTree& tree, const std::vector<BoneName>& names, const std::map<uint32_t, BoneRole>& wanted,
+              std::vector<BoneAnatomy>& anatomy)
+        : tree_(tree), names_(names), wanted_(wanted), anatomy_(anatomy)
+    {
+    }
+
+    void read()
+    {
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            const auto wish = wanted_.find(b);
+            anatomy_[b].role = wish == wanted_.end() ? roleOf(b) : wish->second;
+        }
+        for (uint32_t b = 0; b < tree_.size(); ++b)
+            if (const int32_t main = mainOf(b); main >= 0 && !wanted_.contains(b)) {
+                anatomy_[b].role = BoneRole::Twist;
+                anatomy_[b].owner = static_cast<uint32_t>(main);
+            }
+        for (uint32_t b = 0; b < tree_.size(); ++b)
+            if (anatomy_[b].owner == NO_INDEX) anatomy_[b].owner = ownerOf(b);
+        for (uint32_t b = 0; b < tree_.size(); ++b) anatomy_[b].parent = isLimb(b) ? parentOf(b) : -1;
+        for (uint32_t b = 0; b < tree_.size(); ++b) reattach(b);
+    }
+
+private:
+    bool isLimb(uint32_t b) const { return anatomy_[b].role == BoneRole::Limb; }
+    bool hasPart(uint32_t b) const { return anatomy_[b].part != BodyPart::Other; }
+
+    BoneRole roleOf(uint32_t b) const
+    {
+        const BoneName& name = names_[b];
+        if (!tree_.deforms[b] && !hasPart(b)) return BoneRole::Control;
+        const auto counts = [&](uint32_t other) { return hasPart(other); };
+        if (name.isEnd && tree_.below(b, [&](uint32_t other) { return tree_.carries[other] != 0; }) < 0)
+            return BoneRole::Attached;
+        if (hasPart(b)) return continues(b) ? BoneRole::Twist : BoneRole::Limb;
+        const bool carriesParts = tree_.below(b, counts) >= 0;
+        // A pelvis of one side, a hip that has a thigh below.
+        const bool halfHip = name.side != 0 && (name.part == NamedPart::Hips || name.part == NamedPart::Hip ||
+                                                name.part == NamedPart::Spine);
+        if (halfHip || (name.isAttached && !carriesParts)) return BoneRole::Attached;
+        if (name.isTwist) return BoneRole::Twist;
+        const int32_t above = tree_.above(b, counts);
+        return above >= 0 && anatomy_[above].part == BodyPart::Head ? BoneRole::Attached : BoneRole::Limb;
+    }
+
+    /// A limb's second piece: "thigh.L.001" below "thigh.L", a hand below a wrist.
+    bool continues(uint32_t b) const
+    {
+        const BodyPart part = anatomy_[b].part;
+        const bool named = anatomy_[b].source == AnatomySource::Name;
+        const bool numbered = names_[b].part == NamedPart::Leg || names_[b].part == NamedPart::Arm;
+        if (!named || numbered || !isLimbPart(part) || part == BodyPart::Finger || part == BodyPart::Toe) return false;
+        const int32_t above = tree_.above(b, [&](uint32_t other) { return hasPart(other); });
+        return above >= 0 && anatomy_[above].part == part && anatomy_[above].side == anatomy_[b].side;
+    }
+
+    size_t sizeBelow(uint32_t top) const
+    {
+        size_t count = 0;
+        for (uint32_t b = top + 1; b < tree_.size(); ++b)
+            count += tree_.carries[b] && tree_.isBelow(static_cast<int32_t>(b), top);
+        return count;
+    }
+
+    /// Of several bones of one part on one bone, the one that a helper or a piece of a palm belongs to; -1 for none.
+    int32_t mainOf(uint32_t b) const
+    {
+        const BoneAnatomy& own = anatomy_[b];
+        const bool limb = isLimbPart(own.part) && own.part != BodyPart::Finger && own.part != BodyPart::Toe;
+        if (own.source != AnatomySource::Name || !isLimb(b) || !limb || tree_.parents[b] < 0) return -1;
+        const size_t ownSize = sizeBelow(b);
+        if (ownSize > 0 && own.part != BodyPart::Hand) return -1;
+        int32_t main = -1;
+        size_t most = ownSize;
+        for (const uint32_t other : tree_.children[tree_.parents[b]]) {
+            const BoneAnatomy& rival = anatomy_[other];
+            if (other == b || !isLimb(other) || rival.part != own.part || rival.side != own.side) continue;
+            const size_t size = sizeBelow(other);
+            const bool wins = size > most || (size == most && main < 0 && other < b && own.part == BodyPart::Hand);
+            if (!wins) continue;
+            most = size;
+            main = static_cast<int32_t>(other);
+        }
+        return main;
+    }
+
+    uint32_t ownerOf(uint32_t b) const
+    {
+        if (isLimb(b) || anatomy_[b].role == BoneRole::Control) return b;
+        const auto limb = [&](uint32_t other) { return isLimb(other); };
+        int32_t owner = tree_.above(b, limb);
+        if (anatomy_[b].role == BoneRole::Twist && owner >= 0) owner = twisted(b, static_cast<uint32_t>(owner));
+        if (owner < 0) owner = tree_.below(b, limb);
+        for (int32_t top = tree_.parents[b]; owner < 0 && top >= 0; top = tree_.parents[top])
+            owner = tree_.below(static_cast<uint32_t>(top), limb);
+        return owner < 0 ? b : static_cast<uint32_t>(owner);
+    }
+
+    /// The limb of a twist: of its side and, where it says so, of its part.
+    int32_t twisted(uint32_t b, uint32_t above) const
+    {
+        const int side = anatomy_[b].side;
+        const BodyPart part = partSaid(b);
+        const bool fits = side == 0 || anatomy_[above].side == side;
+        if (fits && (part == BodyPart::Other || part == anatomy_[above].part)) return static_cast<int32_t>(above);
+        const int32_t beside = tree_.below(above, [&](uint32_t other) {
+            return isLimb(other) && anatomy_[other].side == side &&
+                   (part == BodyPart::Other || anatomy_[other].part == part);
+        });
+        return beside < 0 ? static_cast<int32_t>(above) : beside;
+    }
+
+    BodyPart partSaid(uint32_t b) const
+    {
+        switch (names_[b].part) {
+            case NamedPart::Thigh: return BodyPart::Thigh;
+            case NamedPart::Shin: return BodyPart::Shin;
+            case NamedPart::UpperArm: return BodyPart::UpperArm;
+            case NamedPart::Forearm: return BodyPart::Forearm;
+            default: return BodyPart::Other;
+        }
+    }
+
+    int32_t parentOf(uint32_t b) const
+    {
+        for (int32_t above = tree_.parents[b]; above >= 0; above = tree_.parents[above]) {
+            const BoneAnatomy& bone = anatomy_[above];
+            if (bone.role == BoneRole::Control) continue;
+            if (!tree_.isBelow(static_cast<int32_t>(bone.owner), b)) return static_cast<int32_t>(bone.owner);
+        }
+        return -1;
+    }
+
+    bool hangsOn(int32_t bone, uint32_t ancestor) const
+    {
+        while (bone >= 0 && bone != static_cast<int32_t>(ancestor)) bone = anatomy_[bone].parent;
+        return bone >= 0;
+    }
+
+    /// Feet and hands that hang on a control instead of their limb, fingers that hang beside their hand.
+    void reattach(uint32_t b)
+    {
+        BoneAnatomy& own = anatomy_[b];
+        if (!isLimb(b) || own.side == 0 || own.source != AnatomySource::Name) return;
+        std::vector<BodyPart> wanted;
+        if (own.part == BodyPart::Foot) wanted = {BodyPart::Shin, BodyPart::Thigh};
+        if (own.part == BodyPart::Hand) wanted = {BodyPart::Forearm, BodyPart::UpperArm};
+        if (own.part == BodyPart::Finger) wanted = {BodyPart::Hand, BodyPart::Finger};
+        if (own.part == BodyPart::Shin) wanted = {BodyPart::Thigh};
+        if (own.part == BodyPart::Forearm) wanted = {BodyPart::UpperArm};
+        const bool onLimb = own.parent >= 0 && anatomy_[own.parent].side == own.side &&
+                            (own.part != BodyPart::Finger || std::ranges::count(wanted, anatomy_[own.parent].part));
+        if (onLimb) return;
+        for (const BodyPart part : wanted) {
+            int32_t nearest = -1;
+            for (uint32_t other = 0; other < tree_.size(); ++other) {
+                const BoneAnatomy& limb = anatomy_[other];
+                if (limb.part != part || limb.side != own.side || !isLimb(other) || hangsOn(int32_t(other), b))
+                    continue;
+                const float far = (tree_.heads[other] - tree_.heads[b]).norm();
+                if (nearest < 0 || far < (tree_.heads[nearest] - tree_.heads[b]).norm())
+                    nearest = static_cast<int32_t>(other);
+            }
+            if (nearest < 0) continue;
+            own.parent = nearest;
+            return;
+        }
+    }
+
+    const BoneTree& tree_;
+    const std::vector<BoneName>& names_;
+    const std::map<uint32_t, BoneRole>& wanted_;
+    std::vector<BoneAnatomy>& anatomy_;
+};
+
+}  // namespace
+
+void readRoles(const BoneTree& tree, const std::vector<BoneName>& names, const std::map<uint32_t, BoneRole>& wanted,
+               std::vector<BoneAnatomy>& anatomy)
+{
+    BoneRoles(tree, names, wanted, anatomy).read();
+}
+
+}  // namespace knuckle

@@ -1,0 +1,61 @@
+#include "sim/actor/anatomy/bone_tree.h"
+
+namespace knuckle {
+
+BoneTree::BoneTree(const Model& model)
+    : children(model.bones.size()), hasSkin(!model.skin.empty()), deforms(model.bones.size(), model.skin.empty())
+{
+    for (uint32_t b = 0; b < model.bones.size(); ++b) {
+        const int32_t parent = model.bones[b].parent;
+        parents.push_back(parent);
+        heads.emplace_back(model.bones[b].restPose.block<3, 1>(0, 3));
+        if (parent >= 0) children[parent].push_back(b);
+    }
+    for (const SkinWeights& skin : model.skin)
+        for (size_t i = 0; i < skin.bones.size(); ++i) deforms[skin.bones[i]] |= skin.weights[i] > 0.0f;
+    carries = deforms;
+    for (uint32_t b = size(); b-- > 0;)
+        if (parents[b] >= 0) carries[parents[b]] |= carries[b];
+}
+
+bool BoneTree::isBelow(int32_t bone, uint32_t ancestor) const
+{
+    while (bone >= 0 && bone != static_cast<int32_t>(ancestor)) bone = parents[bone];
+    return bone >= 0;
+}
+
+int32_t BoneTree::above(uint32_t bone, const std::function<bool(uint32_t)>& counts) const
+{
+    int32_t found = parents[bone];
+    while (found >= 0 && !counts(static_cast<uint32_t>(found))) found = parents[found];
+    return found;
+}
+
+int32_t BoneTree::below(uint32_t bone, const std::function<bool(uint32_t)>& counts) const
+{
+    std::vector<uint32_t> queue = children[bone];
+    for (size_t i = 0; i < queue.size(); ++i) {
+        if (counts(queue[i])) return static_cast<int32_t>(queue[i]);
+        queue.insert(queue.end(), children[queue[i]].begin(), children[queue[i]].end());
+    }
+    return -1;
+}
+
+std::vector<uint32_t> BoneTree::stepsFrom(uint32_t bone) const
+{
+    std::vector<uint32_t> steps(size(), NO_INDEX), queue{bone};
+    steps[bone] = 0;
+    for (size_t i = 0; i < queue.size(); ++i) {
+        const auto reach = [&](uint32_t other) {
+            if (steps[other] != NO_INDEX) return;
+            steps[other] = steps[queue[i]] + 1;
+            queue.push_back(other);
+        };
+        const uint32_t from = queue[i];
+        if (parents[from] >= 0) reach(static_cast<uint32_t>(parents[from]));
+        for (const uint32_t child : children[from]) reach(child);
+    }
+    return steps;
+}
+
+}  // namespace knuckle

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/actor/anatomy/anatomy.h"
+
+namespace knuckle {
+
+/// Limbs of no known part that all clips turn about one axis against what they hang on, and by much, get that axis.
+void readClipHinges(const Model& model, std::vector<BoneAnatomy>& anatomy);
+
+}  // namespace knuckle

@@ -1,0 +1,207 @@
+#include "sim/actor/anatomy/shape_parts.h"
+
+#include <algorithm>
+
+#include "sim/actor/anatomy/limb_pairs.h"
+
+namespace knuckle {
+
+using Eigen::Vector3f;
+
+namespace {
+
+constexpr float GROUND = 0.2f;     // ends of legs are this near to the lowest [height]
+constexpr float SHORT = 0.45f;     // a first bone that is shorter belongs to hip or shoulder [next one]
+constexpr size_t MOST_NECKS = 3;   // of a chain up to the head
+constexpr float LONG_WING = 0.2f;  // pairs that are shorter are feelers and ears [size]
+
+class ShapeParts {
+public:
+    ShapeParts(const BoneTree& tree, const MirrorPlane& plane, std::vector<BoneAnatomy>& anatomy)
+        : tree_(tree), plane_(plane), anatomy_(anatomy), trunk_(tree.size(), 0), inPair_(tree.size(), 0)
+    {
+    }
+
+    void read()
+    {
+        sortPairs();
+        if (legs_.empty()) return;
+        pelvis_ = legs_.front().base;
+        markTrunk();
+        readEnds();
+        readPairs();
+        call(pelvis_, BodyPart::Hips);
+        for (uint32_t b = 0; b < tree_.size(); ++b)
+            if (trunk_[b]) call(b, BodyPart::Spine);
+        readSides();
+    }
+
+private:
+    void call(uint32_t b, BodyPart part)
+    {
+        if (anatomy_[b].part != BodyPart::Other || anatomy_[b].source != AnatomySource::None) return;
+        anatomy_[b].part = part;
+        anatomy_[b].source = AnatomySource::Shape;
+    }
+
+    void callBelow(uint32_t top, BodyPart part)
+    {
+        for (uint32_t b = top + 1; b < tree_.size(); ++b)
+            if (tree_.carries[b] && tree_.isBelow(static_cast<int32_t>(b), top)) call(b, part);
+    }
+
+    void sortPairs()
+    {
+        Eigen::AlignedBox3f box;
+        for (uint32_t b = 0; b < tree_.size(); ++b)
+            if (tree_.carries[b]) box.extend(tree_.heads[b]);
+        for (LimbPair& pair : findLimbPairs(tree_, plane_)) {
+            const bool inAnother = std::ranges::any_of(pair.chains, [&](const BoneChain& chain) {
+                return tree_.above(chain.bones.front(), [&](uint32_t b) { return inPair_[b] != 0; }) >= 0;
+            });
+            if (inAnother) continue;
+            for (const BoneChain& chain : pair.chains)
+                for (const uint32_t b : chain.bones) inPair_[b] = 1;
+            const bool atGround = pair.lowest < box.min().y() + GROUND * box.sizes().y();
+            const bool goesDown = tree_.heads[pair.chains[0].bones.front()].y() > pair.lowest + 0.3f * pair.length();
+            (atGround && goesDown && pair.count() >= 3 ? legs_ : others_).push_back(std::move(pair));
+        }
+    }
+
+    /// The ways from the pelvis to the bones that other limbs hang on.
+    void markTrunk()
+    {
+        for (const std::vector<LimbPair>* pairs : {&legs_, &others_}) {
+            for (const LimbPair& pair : *pairs) {
+                if (pairs == &others_ && pair.length() < LONG_WING * sizeOf(tree_)) continue;
+                auto b = static_cast<int32_t>(pair.base);
+                for (; b >= 0 && !tree_.isBelow(static_cast<int32_t>(pelvis_), b); b = tree_.parents[b]) trunk_[b] = 1;
+                if (b < 0) continue;
+                for (auto p = static_cast<int32_t>(pelvis_); p != b; p = tree_.parents[p]) trunk_[p] = trunk_[b] = 1;
+            }
+        }
+        trunk_[pelvis_] = 0;
+    }
+
+    /// Single chains that leave the trunk: the highest has the head, the others are tails.
+    void readEnds()
+    {
+        std::vector<BoneChain> ends;
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            if (b != pelvis_ && !trunk_[b]) continue;
+            for (const uint32_t child : tree_.children[b])
+                if (tree_.carries[child] && !inPair_[child] && !trunk_[child] && child != pelvis_)
+                    ends.push_back(chainFrom(tree_, child));
+        }
+        const auto height = [&](const BoneChain& chain) { return tree_.heads[chain.bones[chain.fork]].y(); };
+        const auto head = std::ranges::max_element(ends, {}, height);
+        for (auto end = ends.begin(); end != ends.end(); ++end) {
+            if (end == head && height(*end) > tree_.heads[pelvis_].y()) readHead(*end);
+            else if (end->bones.size() >= 2)
+                for (const uint32_t b : end->bones) call(b, BodyPart::Tail);
+        }
+    }
+
+    void readHead(const BoneChain& chain)
+    {
+        // Ears and jaws hang on the head.
+        size_t last = chain.fork;
+        for (const LimbPair& pair : others_)
+            if (const auto at = std::ranges::find(chain.bones, pair.base); at != chain.bones.end())
+                last = std::min(last, static_cast<size_t>(at - chain.bones.begin()));
+        for (size_t i = 0; i <= last; ++i)
+            call(chain.bones[i], i == last ? BodyPart::Head : i + MOST_NECKS < last ? BodyPart::Spine : BodyPart::Neck);
+        head_ = static_cast<int32_t>(chain.bones[last]);
+    }
+
+    bool startsShort(const BoneChain& chain) const
+    {
+        const auto segment = [&](size_t i) {
+            return (tree_.heads[chain.bones[i + 1]] - tree_.heads[chain.bones[i]]).norm();
+        };
+        return chain.bones.size() >= 4 && segment(0) < SHORT * segment(1);
+    }
+
+    void readLeg(const BoneChain& chain)
+    {
+        const size_t first = chain.bones.size() >= 5 && startsShort(chain) ? 1 : 0, count = chain.bones.size() - first;
+        // A creature's leg may have more joints between thigh and foot.
+        const size_t foot = legs_.size() > 1 && count > 4 ? count - 2 : 2;
+        for (size_t i = 0; i < count; ++i)
+            call(chain.bones[first + i], i == 0      ? BodyPart::Thigh
+                                         : i < foot  ? BodyPart::Shin
+                                         : i == foot ? BodyPart::Foot
+                                                     : BodyPart::Toe);
+        if (foot < count) callBelow(chain.bones[first + foot], BodyPart::Toe);
+    }
+
+    void readArm(const BoneChain& chain)
+    {
+        const size_t hand = chain.fork >= 2 ? chain.fork : chain.bones.size() - 1;
+        size_t next = 0;
+        if (hand >= 3) call(chain.bones[next++], BodyPart::Clavicle);
+        for (const BodyPart part : {BodyPart::UpperArm, BodyPart::Forearm, BodyPart::Hand})
+            if (next < chain.bones.size()) call(chain.bones[next++], part);
+        callBelow(chain.bones[next - 1], BodyPart::Finger);
+    }
+
+    void readPairs()
+    {
+        for (const LimbPair& pair : legs_)
+            for (const BoneChain& chain : pair.chains) readLeg(chain);
+        const auto longest = std::ranges::max_element(others_, {}, &LimbPair::length);
+        for (auto pair = others_.begin(); pair != others_.end(); ++pair) {
+            const bool onTrunk = trunk_[pair->base] || pair->base == pelvis_;
+            if (!onTrunk || pair->length() < LONG_WING * sizeOf(tree_)) continue;
+            for (const BoneChain& chain : pair->chains) {
+                if (legs_.size() == 1 && pair == longest) readArm(chain);
+                else
+                    for (const uint32_t b : chain.bones) call(b, BodyPart::Wing);
+            }
+        }
+    }
+
+    /// Where it looks: from heels to toes; of a creature from its hips to its head.
+    Vector3f forward() const
+    {
+        Vector3f way = Vector3f::Zero();
+        const uint32_t front = head_ >= 0 ? static_cast<uint32_t>(head_) : legs_.back().base;
+        if (legs_.size() > 1) way = tree_.heads[front] - tree_.heads[pelvis_];
+        else
+            for (const BoneChain& chain : legs_.front().chains)
+                way += tree_.heads[chain.bones.back()] -
+                       tree_.heads[chain.bones[std::min<size_t>(2, chain.bones.size() - 1)]];
+        return way - way.dot(plane_.across) * plane_.across - way.y() * Vector3f::UnitY();
+    }
+
+    void readSides()
+    {
+        Vector3f ahead = forward();
+        if (ahead.norm() < 0.01f * sizeOf(tree_)) ahead = Vector3f(0.1f, 0, 1);
+        const bool positive = Vector3f::UnitY().cross(ahead).dot(plane_.across) > 0;
+        for (const std::vector<LimbPair>* pairs : {&legs_, &others_})
+            for (const LimbPair& pair : *pairs)
+                for (size_t c = 0; c < 2; ++c)
+                    for (uint32_t b = 0; b < tree_.size(); ++b)
+                        if (anatomy_[b].side == 0 &&
+                            tree_.isBelow(static_cast<int32_t>(b), pair.chains[c].bones.front()))
+                            anatomy_[b].side = (c == 0) == positive ? 1 : -1;
+    }
+
+    const BoneTree& tree_;
+    const MirrorPlane& plane_;
+    std::vector<BoneAnatomy>& anatomy_;
+    std::vector<LimbPair> legs_, others_;
+    std::vector<uint8_t> trunk_, inPair_;
+    uint32_t pelvis_ = 0;
+    int32_t head_ = -1;
+};
+
+}  // namespace
+
+void readPartsFromShape(const BoneTree& tree, std::vector<BoneAnatomy>& anatomy)
+{
+    if (const std::optional<MirrorPlane> plane = findMirrorPlane(tree)) ShapeParts(tree, *plane, anatomy).read();
+}
+
+}  // namespace knuckle
