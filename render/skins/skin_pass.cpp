@@ -36,6 +36,11 @@ void addVertices(std::vector<gpu::vec4>& out, const SkinMesh& mesh, uint32_t fir
     }
 }
 
+bool hasCutOuts(const Skin& skin)
+{
+    return std::ranges::any_of(skin.mesh->materials, [](const SkinMaterial& m) { return m.alphaCutoff > 0.0f; });
+}
+
 void requireRoom(const Gpu& gpu, const char* what, size_t texels)
 {
     const auto limit = static_cast<size_t>(gpu.limits().textureBufferSize);
@@ -56,7 +61,9 @@ SkinPass::SkinPass(const Gpu& gpu, BufferTable& table, const World& world, const
                       {"frame", "view", "skinVertices", "skinWearers", "skinCentres", "bodyCentres", "bodyRotations",
                        "skinMaterials", "skinLevels", "skinTexels"},
                       targets.geometry);
-    shadow_ = DrawPass(gpu, table, {"skins/skin", "skins/skin_shadow", {{"LIGHT_VIEW", "1"}}},
+    Defines lightView{{"LIGHT_VIEW", "1"}};
+    if (std::ranges::any_of(world.skins, hasCutOuts)) lightView.push_back({"CUT_OUT", "1"});
+    shadow_ = DrawPass(gpu, table, {"skins/skin", "skins/skin_shadow", lightView},
                        {"frame", "view", "skinVertices", "skinWearers", "skinCentres", "bodyCentres", "bodyRotations",
                         "skinMaterials", "skinLevels", "skinTexels"},
                        targets.shadowMap);

@@ -1,5 +1,7 @@
 // A skin in the shadow map: its triangles give the depth, but for what its picture cuts out.
+#ifdef CUT_OUT
 #include "render/skins/skin_looks.glsl"
+#endif
 
 in vec3 viewPlace;
 in vec3 viewNormal;
@@ -9,7 +11,8 @@ flat in int material;
 
 void main()
 {
+#ifdef CUT_OUT
     SkinLooks looks = fetchLooks(material);
-    vec4 picture = skinPicture(looks, uv, dFdx(uv), dFdy(uv));
-    if (picture.a < looks.alphaCutoff) discard;
+    if (skinPicture(looks, uv, dFdx(uv), dFdy(uv)).a < looks.alphaCutoff) discard;
+#endif
 }
