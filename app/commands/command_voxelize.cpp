@@ -19,9 +19,9 @@ namespace {
 
 struct VoxelizeOptions {
     std::string model, output, joints, preview;
-    double diameter = 0.0, scale = 0.0, height = 0.0;
+    double diameter = 0.0;
     uint32_t particles = 0;
-    UpAxis up = UpAxis::Y;
+    ModelFit fit;
     bool center = false;
 };
 
@@ -57,18 +57,15 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
         if (!path.empty()) OutputFile probe(path);
     }
     ImportOptions import;
-    import.scale = options.scale;
-    import.height = options.height;
-    import.up = options.up;
-    import.centering = options.center ? Centering::Always : Centering::WhereFar;
+    import.fit = options.fit;
+    import.fit.centering = options.center ? Centering::Always : Centering::WhereFar;
     ActorOptions actorOptions;
     actorOptions.voxels.diameter = static_cast<float>(options.diameter);
     actorOptions.particleCount = options.particles;
     if (!options.joints.empty()) readJoints(options.joints, actorOptions.articulation);
     const Model model = importModel(options.model, import);
     Actor actor = makeActor(model, actorOptions);
-    actor.model = options.model;
-    actor.modelScale = options.scale;
+    actor.model = {options.model, import.fit};
     if (!common.quiet) fmt::print("{}{}", actorTable(actor), clipTable(model));
     if (!options.output.empty()) writeActor(options.output, actor);
     if (!options.preview.empty()) writePreview(options.preview, actor, common);
@@ -103,15 +100,16 @@ void addVoxelizeCommand(CommandLine line)
         ->excludes(diameter);
     command->add_option("--joints", options->joints, "Joint types that override those from the bones' names")
         ->type_name("FILE");
-    auto* height = command->add_option("--height", options->height, "Height of the figure, instead of --scale [m]")
+    auto* height = command->add_option("--height", options->fit.height, "Height of the figure, instead of --scale [m]")
                        ->check(CLI::Range(0.01, 100.0))
                        ->type_name("M");
-    command->add_option("--scale", options->scale, "Metres per unit of the model; 0: as the file says, else guessed")
+    command
+        ->add_option("--scale", options->fit.scale, "Metres per unit of the model; 0: as the file says, else guessed")
         ->check(CLI::Range(0.0, 1e6))
         ->capture_default_str()
         ->type_name("M")
         ->excludes(height);
-    command->add_option("--up", options->up, "The axis that points up, where the file does not say so")
+    command->add_option("--up", options->fit.up, "The axis that points up, where the file does not say so")
         ->transform(CLI::CheckedTransformer(std::map<std::string, UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}}))
         ->type_name("y|z");
     command->add_flag("--center", options->center, "Lowest point at height 0, middle over the origin");

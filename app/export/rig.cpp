@@ -1,6 +1,7 @@
 #include "app/export/rig.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "sim/actor/import/model.h"
 #include "sim/actor/skin/skin_mesh.h"
@@ -12,10 +13,10 @@ namespace {
 Model readModel(const SceneActor& use, bool surface)
 {
     ImportOptions options;
-    options.scale = use.scale;
+    options.fit = use.actor->model.fit;
     options.clips = false;
     options.surface = surface;
-    return importModel(use.model, options);
+    return importModel(use.actor->model.file, options);
 }
 
 /// A body's joint with what it hangs on; of the first one the middle of its particles.
@@ -52,7 +53,7 @@ std::vector<Rig> rigsOf(const Scene& scene, bool surface)
     std::vector<Rig> rigs;
     for (const SceneActor& use : scene.actors) {
         Rig rig;
-        if (!use.model.empty()) {
+        if (std::filesystem::is_regular_file(use.actor->model.file)) {
             rig.model = readModel(use, surface);
             rig.bodies = bodiesOfBones(*use.actor, rig.model);
         }

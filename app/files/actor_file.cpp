@@ -144,6 +144,30 @@ void checkConsistent(const JsonFile& file, const Actor& actor)
     }
 }
 
+constexpr std::array<const char*, 3> CENTERINGS{"never", "whereFar", "always"};  // as in Centering
+
+std::string sourceText(const ModelSource& model)
+{
+    if (model.file.empty()) return {};
+    std::string text = fmt::format(",\n  \"model\": {}", stringText(model.file));
+    const ModelFit& fit = model.fit;
+    if (fit.scale != 0.0) text += fmt::format(",\n  \"scale\": {}", fit.scale);
+    if (fit.height != 0.0) text += fmt::format(",\n  \"height\": {}", fit.height);
+    if (fit.up == UpAxis::Z) text += ",\n  \"up\": \"z\"";
+    if (fit.centering != Centering::Never)
+        text += fmt::format(",\n  \"centering\": \"{}\"", CENTERINGS[static_cast<size_t>(fit.centering)]);
+    return text;
+}
+
+ModelSource readSource(const Json& root)
+{
+    ModelSource model{root["model"], {root["scale"], root["height"]}};
+    if (root["up"] == "z") model.fit.up = UpAxis::Z;
+    const auto centering = std::ranges::find(CENTERINGS, root["centering"].get<std::string>());
+    model.fit.centering = static_cast<Centering>(centering - CENTERINGS.begin());
+    return model;
+}
+
 }  // namespace
 
 std::string actorText(const Actor& actor)
@@ -151,8 +175,7 @@ std::string actorText(const Actor& actor)
     std::string text = fmt::format("{{\n  \"format\": \"knuckle-actor\",\n  \"version\": {},\n  \"name\": {},\n"
                                    "  \"diameter\": {}",
                                    ACTOR_VERSION, stringText(actor.name), actor.diameter);
-    if (!actor.model.empty()) text += fmt::format(",\n  \"model\": {}", stringText(actor.model));
-    if (actor.modelScale != 0.0) text += fmt::format(",\n  \"scale\": {}", actor.modelScale);
+    text += sourceText(actor.model);
     text += listText("bodies", actor.bodies, bodyText);
     text += listText("joints", actor.joints, jointText);
     text += listText("notes", actor.notes, stringText);
@@ -166,8 +189,8 @@ void writeActor(const std::string& path, const Actor& actor)
 {
     namespace fs = std::filesystem;
     Actor placed = actor;
-    if (!actor.model.empty())
-        placed.model = fs::absolute(actor.model).lexically_proximate(fs::absolute(path).parent_path()).generic_string();
+    if (std::string& file = placed.model.file; !file.empty())
+        file = fs::absolute(file).lexically_proximate(fs::absolute(path).parent_path()).generic_string();
     OutputFile file(path);
     file.write(actorText(placed));
     file.commit();
@@ -184,10 +207,9 @@ Actor readActor(const std::string& path)
     readValue(root["diameter"], actor.diameter);
     readValue(root["signedDistances"], actor.signedDistances);
     readValue(root["notes"], actor.notes);
-    readValue(root["model"], actor.model);
-    readValue(root["scale"], actor.modelScale);
-    if (!actor.model.empty())
-        actor.model = (std::filesystem::path(path).parent_path() / actor.model).lexically_normal().string();
+    actor.model = readSource(root);
+    if (std::string& model = actor.model.file; !model.empty())
+        model = (std::filesystem::path(path).parent_path() / model).lexically_normal().string();
     for (const Json& position : root["particles"]) readValue(position, actor.particles.emplace_back());
     for (const Json& direction : root["outward"]) readValue(direction, actor.outward.emplace_back());
     for (const Json& body : root["bodies"]) {

@@ -50,7 +50,7 @@ Actor loadActor(SceneContext& context, const Json& object, const std::string& fi
 Model readModel(const Json& object, const std::string& file)
 {
     ImportOptions options;
-    options.scale = object["scale"];
+    options.fit.scale = object["scale"];
     options.clips = false;
     return importModel(file, options);
 }
@@ -58,7 +58,8 @@ Model readModel(const Json& object, const std::string& file)
 Actor voxelizeModel(SceneContext& context, const Json& object, const std::string& file, float diameter)
 {
     const bool kept = playsOwnClips(object) || showsSkin(object);
-    Model model = kept ? modelWithClips(context, file, object["scale"], showsSkin(object)) : readModel(object, file);
+    Model model = kept ? modelWithClips(context, {file, {object["scale"]}}, showsSkin(object))
+                       : readModel(object, file);
     ActorOptions options;
     options.voxels.diameter = diameter;
     options.voxels.particleLimit = MAX_PARTICLES;
@@ -69,7 +70,9 @@ Actor voxelizeModel(SceneContext& context, const Json& object, const std::string
     } else if (const std::string joints = object["joints"]; !joints.empty()) {
         readJoints(besideScene(context, joints), options.articulation);
     }
-    return makeActor(model, options);
+    Actor actor = makeActor(model, options);
+    actor.model = {file, {object["scale"]}};
+    return actor;
 }
 
 /// Indices of the bodies of an actor that the scene holds.
@@ -95,14 +98,6 @@ void freeHeldJoints(Actor& actor, const std::vector<uint32_t>& held)
 bool isActorFile(const std::string& file)
 {
     return std::filesystem::path(file).extension() == ".json";
-}
-
-/// Remembers what an actor was made of.
-void noteUse(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects)
-{
-    const std::string file = existingFile(entry.context, entry.json["file"], entry.pointer + "/file");
-    entry.context.actorUses.push_back(
-        {std::make_shared<const Actor>(actor), isActorFile(file) ? "" : file, entry.json.value("scale", 0.0), objects});
 }
 
 }  // namespace
@@ -131,15 +126,16 @@ std::string actorKey(const SceneContext& context, const Json& object, const std:
         .dump();
 }
 
-const Model& modelWithClips(SceneContext& context, const std::string& file, double scale, bool surface)
+const Model& modelWithClips(SceneContext& context, const ModelSource& source, bool surface)
 {
-    const std::string key = Json{file, scale, surface}.dump();
+    const ModelFit& fit = source.fit;
+    const std::string key = Json{source.file, fit.scale, fit.height, fit.up, fit.centering, surface}.dump();
     const auto found = context.models.find(key);
     if (found != context.models.end()) return found->second;
     ImportOptions options;
-    options.scale = scale;
+    options.fit = fit;
     options.surface = surface;
-    return context.models.emplace(key, importModel(file, options)).first->second;
+    return context.models.emplace(key, importModel(source.file, options)).first->second;
 }
 
 const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer, float diameter)
@@ -190,7 +186,7 @@ void addActors(const ObjectEntry& entry)
         objects.push_back(addActor(builder, actor, entry.material, entry.poses[copy], entry.velocity));
         for (const uint32_t body : held) builder.holdBody(builder.world().objects[objects.back()].bodyStart + body);
     }
-    noteUse(entry, actor, objects);
+    entry.context.actorUses.push_back({std::make_shared<const Actor>(actor), objects});
     if (animated) animateActors(entry, actor, objects, plays);
     driveActors(entry, actor, objects);
     releaseActors(entry, actor, objects);

@@ -18,8 +18,6 @@ inline constexpr uint64_t MAX_PARTICLES = 1'000'000;
 /// An actor of the scene, and what it was made of.
 struct SceneActor {
     std::shared_ptr<const Actor> actor;
-    std::string model;              ///< Path of its model; empty for one that came as an actor file.
-    double scale = 0.0;             ///< As ImportOptions::scale.
     std::vector<uint32_t> objects;  ///< Its copies: indices into World::objects.
 };
 

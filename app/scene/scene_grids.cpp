@@ -70,7 +70,7 @@ void addMeshGrid(SceneContext& context, const Json& json, const std::string& poi
     const std::string file = existingFile(context, json["file"], pointer + "/file");
     const float given = json["cell"], cell = given > 0.0f ? given : context.builder.diameter();
     ImportOptions import;
-    import.scale = json["scale"];
+    import.fit.scale = json["scale"];
     import.clips = false;
     atPointer(context, pointer, [&] {
         const Model model = importModel(file, import);

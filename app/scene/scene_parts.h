@@ -116,7 +116,7 @@ std::string actorKey(const SceneContext& context, const Json& object, const std:
 
 /// A model with its clips, read at most once. @param scale [m per unit]; 0: what the file says, else a guess.
 /// @param surface see ImportOptions.
-const Model& modelWithClips(SceneContext& context, const std::string& file, double scale, bool surface = false);
+const Model& modelWithClips(SceneContext& context, const ModelSource& source, bool surface = false);
 
 /// Whether an object is to be drawn by its mesh.
 bool showsSkin(const Json& object);

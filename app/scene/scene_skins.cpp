@@ -10,29 +10,23 @@ namespace knuckle {
 
 namespace {
 
-struct SkinSource {
-    std::string file;    ///< Of the model.
-    double scale = 0.0;  ///< ImportOptions::scale.
-};
-
-SkinSource sourceOf(const ObjectEntry& entry, const Actor& actor)
+ModelSource sourceOf(const ObjectEntry& entry, const Actor& actor)
 {
     const std::string file = existingFile(entry.context, entry.json["file"], entry.pointer + "/file");
-    if (std::filesystem::path(file).extension() != ".json") return {file, entry.json["scale"]};
-    if (actor.model.empty())
+    if (std::filesystem::path(file).extension() != ".json") return {file, {entry.json["scale"]}};
+    if (actor.model.file.empty())
         entry.fail("/skin", fmt::format("{} does not say of which `model` it was made; make it anew with knuckle "
                                         "voxelize, or take \"particles\"",
                                         file));
-    if (!std::filesystem::is_regular_file(actor.model))
+    if (!std::filesystem::is_regular_file(actor.model.file))
         entry.fail("/skin", fmt::format("{} was made of {}, which is not there; put it there, or take \"particles\"",
-                                        file, actor.model));
-    return {actor.model, actor.modelScale};
+                                        file, actor.model.file));
+    return actor.model;
 }
 
 std::shared_ptr<const SkinMesh> makeSkin(const ObjectEntry& entry, const Actor& actor)
 {
-    const SkinSource source = sourceOf(entry, actor);
-    const Model& model = modelWithClips(entry.context, source.file, source.scale, true);
+    const Model& model = modelWithClips(entry.context, sourceOf(entry, actor), true);
     for (const std::string& note : model.surface.notes)
         entry.context.notes.push_back(fmt::format("{}/skin: {}", entry.pointer, note));
     try {

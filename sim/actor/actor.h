@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/actor/import/model_fit.h"
 #include "sim/world/builder/builder.h"
 #include "sim/world/world.h"
 
@@ -42,8 +43,7 @@ struct Actor {
     std::vector<ActorJoint> joints;
     /// Pairs of bodies that never touch, beside those that a joint with limits connects.
     std::vector<std::array<uint32_t, 2>> passes = {};
-    std::string model = {};          ///< Path of the file that it was made from; empty: not known.
-    double modelScale = 0.0;         ///< ImportOptions::scale that this was read with.
+    ModelSource model = {};          ///< What it was made from.
     std::vector<std::string> notes;  ///< What was merged, dropped or assumed, one sentence each.
 };
 

@@ -1,5 +1,5 @@
 #include "app/files/actor_file.h"
-#include "sim/actor/bodies/articulate.h"
+#include "sim/actor/bodies/make_actor.h"
 #include "tests/app/one_object_scene.h"
 
 namespace knuckle::test {
@@ -61,8 +61,7 @@ TEST(SceneSkin, AnActorFileSaysWhereItsMeshIs)
     Actor actor = makeActor(importModel(folder.path("cube.obj")),
                             {.name = {}, .voxels = {.diameter = 0.05f}, .articulation = {}});
     writeActor(folder.path("nameless.json"), actor);
-    actor.model = folder.path("cube.obj");
-    actor.modelScale = 1.0;
+    actor.model = {folder.path("cube.obj"), {.scale = 1.0}};
     std::filesystem::create_directory(folder.path("actors"));
     writeActor(folder.path("actors/cube.json"), actor);
     EXPECT_NE(readText(folder.path("actors/cube.json")).find(R"("model": "../cube.obj")"), std::string::npos);

@@ -82,13 +82,13 @@ const Unit& guessUnit(const Model& model, float size)
 }
 
 /// Metres per unit of the file.
-float scaleOf(Model& model, const ImportOptions& options, const Vector3f& size)
+float scaleOf(Model& model, const ModelFit& fit, const Vector3f& size)
 {
-    if (options.height > 0.0) {
+    if (fit.height > 0.0) {
         if (!(size.y() > 0.0f)) throw InputError("it has no height that could be changed; give --scale");
-        return static_cast<float>(options.height) / size.y();
+        return static_cast<float>(fit.height) / size.y();
     }
-    if (options.scale > 0.0) return static_cast<float>(options.scale);
+    if (fit.scale > 0.0) return static_cast<float>(fit.scale);
     const Unit& unit = guessUnit(model, size.maxCoeff());
     if (unit.metres != 1.0f)
         model.notes.push_back(fmt::format("The model measures {:.4g} units: taken for {}, so {:.3g} m.",
@@ -120,21 +120,21 @@ void center(Model& model, Centering centering)
 
 }  // namespace
 
-void fitModel(Model& model, const ImportOptions& options)
+void fitModel(Model& model, const ModelFit& fit)
 {
-    if (options.up == UpAxis::Z)
+    if (fit.up == UpAxis::Z)
         transform(model, Eigen::Affine3f(Eigen::AngleAxisf(-0.5f * std::numbers::pi_v<float>, Vector3f::UnitX())));
     const Vector3f size = boundsOf(model).size();
     if (!size.allFinite() || !(size.maxCoeff() > 0.0f))
         throw InputError("it has no size, or one that is not finite: check the transforms in the file");
-    const float factor = scaleOf(model, options, size), metres = size.maxCoeff() * factor;
+    const float factor = scaleOf(model, fit, size), metres = size.maxCoeff() * factor;
     if (!(metres >= SMALLEST && metres <= LARGEST))
         throw InputError(fmt::format("it would be {:.3g} m large, {:g} to {:g} m are possible: give a scale in metres "
                                      "per unit (the file has {:.4g} units)",
                                      metres, SMALLEST, LARGEST, size.maxCoeff()));
     if (factor != 1.0f) transform(model, Eigen::Affine3f(Eigen::Scaling(factor)));
-    if (options.height == 0.0 && options.scale == 0.0) questionSize(model, factor * size);
-    center(model, options.centering);
+    if (fit.height == 0.0 && fit.scale == 0.0) questionSize(model, factor * size);
+    center(model, fit.centering);
 }
 
 }  // namespace knuckle

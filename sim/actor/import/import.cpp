@@ -33,7 +33,7 @@ Model readWhole(const std::string& path, const ImportOptions& options)
     if (model.triangles.empty() && !(bare && model.bones.size() >= 2)) {
         throw InputError("it holds neither triangles nor a skeleton: export a mesh");
     }
-    fitModel(model, options);
+    fitModel(model, options.fit);
     if (bare) {
         addBodyAlongBones(model);
     }
@@ -102,11 +102,11 @@ std::string oneLine(std::string text)
 
 Model importModel(const std::string& path, const ImportOptions& options)
 {
-    if (!(options.scale >= 0.0) || !std::isfinite(options.scale)) {
-        throw InputError(fmt::format("{}: scale {} must be above 0 metres per unit", path, options.scale));
+    if (!(options.fit.scale >= 0.0) || !std::isfinite(options.fit.scale)) {
+        throw InputError(fmt::format("{}: scale {} must be above 0 metres per unit", path, options.fit.scale));
     }
-    if (!(options.height >= 0.0) || !std::isfinite(options.height)) {
-        throw InputError(fmt::format("{}: height {} must be above 0 metres", path, options.height));
+    if (!(options.fit.height >= 0.0) || !std::isfinite(options.fit.height)) {
+        throw InputError(fmt::format("{}: height {} must be above 0 metres", path, options.fit.height));
     }
     checkFile(path);
     const ChildResult result = runInChild([&] { return inChild(path, options); }, {});

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/actor/import/model_fit.h"
 #include "sim/world/skin.h"
 
 namespace knuckle {
@@ -67,18 +68,9 @@ struct Model {
     std::vector<std::string> notes;  ///< What import repaired or assumed, one sentence each.
 };
 
-/// The axis of a file that points up, where the file does not say so itself.
-enum class UpAxis { Y, Z };
-/// Which models are moved so that their lowest point is at height 0 and the middle of their bounds over the origin:
-/// none, those that stand ten times their size away, all.
-enum class Centering { Never, WhereFar, Always };
-
 struct ImportOptions {
-    double scale = 0.0;  ///< Metres per file unit; 0: what the file says, else guessed and noted.
+    ModelFit fit = {};
     bool clips = true;
-    double height = 0.0;  ///< [m]; 0: by scale.
-    UpAxis up = UpAxis::Y;
-    Centering centering = Centering::Never;
     bool surface = false;  ///< Whether it is going to be drawn: only then its textures are read.
 };
 

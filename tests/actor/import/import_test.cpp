@@ -151,7 +151,7 @@ TEST_F(Import, modelFarTooLargeForMetresIsTakenForCentimetresAndNoted)
 
 TEST_F(Import, givenScaleIsTaken)
 {
-    const Model model = importModel(write("cube.obj", cubeObj()), {.scale = 0.25, .clips = false});
+    const Model model = importModel(write("cube.obj", cubeObj()), {.fit = {.scale = 0.25}, .clips = false});
     float largest = 0.0f;
     for (const Eigen::Vector3f& v : model.vertices) {
         largest = std::max(largest, v.maxCoeff());
@@ -230,7 +230,7 @@ TEST_F(Import, absurdScaleIsRefusedWithTheRemedy)
 {
     expectRefused(write("huge.obj", cubeObj("1e12")), "scale");
     expectRefused(write("tiny.obj", cubeObj("1e-9")), "scale");
-    EXPECT_NE(refusal(write("cube.obj", cubeObj()), {.scale = -1.0}), "was read");
+    EXPECT_NE(refusal(write("cube.obj", cubeObj()), {.fit = {.scale = -1.0}}), "was read");
 }
 
 TEST_F(Import, messagesNameNoControlCharacters)
