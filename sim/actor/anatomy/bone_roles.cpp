@@ -12,8 +12,10 @@ class BoneRoles {
 public:
     BoneRoles(const BoneTree& tree, const std::vector<BoneName>& names, const std::map<uint32_t, BoneRole>& wanted,
               std::vector<BoneAnatomy>& anatomy)
-        : tree_(tree), names_(names), wanted_(wanted), anatomy_(anatomy)
+        : tree_(tree), names_(names), wanted_(wanted), anatomy_(anatomy), below_(tree.size(), 0)
     {
+        for (uint32_t b = tree.size(); b-- > 0;)
+            if (tree.carries[b] && tree.parents[b] >= 0) below_[tree.parents[b]] += below_[b] + 1;
     }
 
     void read()
@@ -44,15 +46,16 @@ private:
         const auto counts = [&](uint32_t other) { return hasPart(other); };
         if (name.isEnd && tree_.below(b, [&](uint32_t other) { return tree_.carries[other] != 0; }) < 0)
             return BoneRole::Attached;
-        if (hasPart(b)) return continues(b) ? BoneRole::Twist : BoneRole::Limb;
+        const int32_t above = tree_.above(b, counts);
+        const bool onHead = above >= 0 && anatomy_[above].part == BodyPart::Head;
+        if (hasPart(b)) return continues(b) ? BoneRole::Twist : onHead ? BoneRole::Attached : BoneRole::Limb;
         const bool carriesParts = tree_.below(b, counts) >= 0;
         // A pelvis of one side, a hip that has a thigh below.
-        const bool halfHip = name.side != 0 && (name.part == NamedPart::Hips || name.part == NamedPart::Hip ||
-                                                name.part == NamedPart::Spine);
+        const bool halfHip = name.side != 0 && (name.part == NamedPart::Hips || name.part == NamedPart::Spine ||
+                                                (name.part == NamedPart::Hip && !name.isTwist));
         if (halfHip || (name.isAttached && !carriesParts)) return BoneRole::Attached;
         if (name.isTwist) return BoneRole::Twist;
-        const int32_t above = tree_.above(b, counts);
-        return above >= 0 && anatomy_[above].part == BodyPart::Head ? BoneRole::Attached : BoneRole::Limb;
+        return onHead ? BoneRole::Attached : BoneRole::Limb;
     }
 
     /// A limb's second piece: "thigh.L.001" below "thigh.L", a hand below a wrist.
@@ -66,28 +69,20 @@ private:
         return above >= 0 && anatomy_[above].part == part && anatomy_[above].side == anatomy_[b].side;
     }
 
-    size_t sizeBelow(uint32_t top) const
-    {
-        size_t count = 0;
-        for (uint32_t b = top + 1; b < tree_.size(); ++b)
-            count += tree_.carries[b] && tree_.isBelow(static_cast<int32_t>(b), top);
-        return count;
-    }
-
     /// Of several bones of one part on one bone, the one that a helper or a piece of a palm belongs to; -1 for none.
     int32_t mainOf(uint32_t b) const
     {
         const BoneAnatomy& own = anatomy_[b];
         const bool limb = isLimbPart(own.part) && own.part != BodyPart::Finger && own.part != BodyPart::Toe;
         if (own.source != AnatomySource::Name || !isLimb(b) || !limb || tree_.parents[b] < 0) return -1;
-        const size_t ownSize = sizeBelow(b);
+        const uint32_t ownSize = below_[b];
         if (ownSize > 0 && own.part != BodyPart::Hand) return -1;
         int32_t main = -1;
-        size_t most = ownSize;
+        uint32_t most = ownSize;
         for (const uint32_t other : tree_.children[tree_.parents[b]]) {
             const BoneAnatomy& rival = anatomy_[other];
             if (other == b || !isLimb(other) || rival.part != own.part || rival.side != own.side) continue;
-            const size_t size = sizeBelow(other);
+            const uint32_t size = below_[other];
             const bool wins = size > most || (size == most && main < 0 && other < b && own.part == BodyPart::Hand);
             if (!wins) continue;
             most = size;
@@ -183,6 +178,7 @@ private:
     const std::vector<BoneName>& names_;
     const std::map<uint32_t, BoneRole>& wanted_;
     std::vector<BoneAnatomy>& anatomy_;
+    std::vector<uint32_t> below_;  ///< Per bone, how many with skin are below.
 };
 
 }  // namespace
