@@ -97,10 +97,18 @@ private:
         const auto limb = [&](uint32_t other) { return isLimb(other); };
         int32_t owner = tree_.above(b, limb);
         if (anatomy_[b].role == BoneRole::Twist && owner >= 0) owner = twisted(b, static_cast<uint32_t>(owner));
-        if (owner < 0) owner = tree_.below(b, limb);
-        for (int32_t top = tree_.parents[b]; owner < 0 && top >= 0; top = tree_.parents[top])
-            owner = tree_.below(static_cast<uint32_t>(top), limb);
-        return owner < 0 ? b : static_cast<uint32_t>(owner);
+        return owner < 0 ? nearestLimb(b) : static_cast<uint32_t>(owner);
+    }
+
+    /// In the skeleton, of equally near ones the first; the bone itself where there is none.
+    uint32_t nearestLimb(uint32_t b) const
+    {
+        const std::vector<uint32_t> steps = tree_.stepsFrom(b);
+        uint32_t nearest = b;
+        for (uint32_t other = 0; other < tree_.size(); ++other)
+            if (isLimb(other) && steps[other] != NO_INDEX && (nearest == b || steps[other] < steps[nearest]))
+                nearest = other;
+        return nearest;
     }
 
     /// The limb of a twist: of its side and, where it says so, of its part.
