@@ -8,6 +8,9 @@ namespace knuckle {
 
 namespace {
 
+/// A thigh on a spine belongs to the hips unless they are farther off than this [distance from the spine].
+constexpr float NEARER_HIPS = 1.25f;
+
 class BoneRoles {
 public:
     BoneRoles(const BoneTree& tree, const std::vector<BoneName>& names, const std::map<uint32_t, BoneRole>& wanted,
@@ -32,7 +35,10 @@ public:
         for (uint32_t b = 0; b < tree_.size(); ++b)
             if (anatomy_[b].owner == NO_INDEX) anatomy_[b].owner = ownerOf(b);
         for (uint32_t b = 0; b < tree_.size(); ++b) anatomy_[b].parent = isLimb(b) ? parentOf(b) : -1;
-        for (uint32_t b = 0; b < tree_.size(); ++b) reattach(b);
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            reattach(b);
+            reattachToTrunk(b);
+        }
     }
 
 private:
@@ -167,19 +173,45 @@ private:
                             (own.part != BodyPart::Finger || std::ranges::count(wanted, anatomy_[own.parent].part));
         if (onLimb) return;
         for (const BodyPart part : wanted) {
-            int32_t nearest = -1;
-            for (uint32_t other = 0; other < tree_.size(); ++other) {
-                const BoneAnatomy& limb = anatomy_[other];
-                if (limb.part != part || limb.side != own.side || !isLimb(other) || hangsOn(int32_t(other), b))
-                    continue;
-                const float far = (tree_.heads[other] - tree_.heads[b]).norm();
-                if (nearest < 0 || far < (tree_.heads[nearest] - tree_.heads[b]).norm())
-                    nearest = static_cast<int32_t>(other);
-            }
+            const int32_t nearest = nearestOf(part, own.side, b);
             if (nearest < 0) continue;
             own.parent = nearest;
             return;
         }
+    }
+
+    /// The limb of a part and side nearest in space that does not hang on the bone itself; -1 for none.
+    int32_t nearestOf(BodyPart part, int side, uint32_t b) const
+    {
+        int32_t nearest = -1;
+        for (uint32_t other = 0; other < tree_.size(); ++other) {
+            const BoneAnatomy& limb = anatomy_[other];
+            const bool fits = limb.part == part && limb.side == side && isLimb(other);
+            if (!fits || hangsOn(static_cast<int32_t>(other), b)) continue;
+            const float far = (tree_.heads[other] - tree_.heads[b]).norm();
+            if (nearest < 0 || far < (tree_.heads[nearest] - tree_.heads[b]).norm())
+                nearest = static_cast<int32_t>(other);
+        }
+        return nearest;
+    }
+
+    /// Biped hangs thighs on the spine and collar bones on the neck; others hang thighs on no bone with skin.
+    void reattachToTrunk(uint32_t b)
+    {
+        BoneAnatomy& own = anatomy_[b];
+        if (!isLimb(b) || own.source != AnatomySource::Name) return;
+        if (own.part == BodyPart::Thigh && own.parent < 0) own.parent = nearestOf(BodyPart::Hips, 0, b);
+        if (own.parent < 0) return;
+        const auto parent = static_cast<uint32_t>(own.parent);
+        const int32_t above = anatomy_[parent].parent;
+        if (above < 0) return;
+        const BodyPart on = anatomy_[parent].part, beyond = anatomy_[above].part;
+        const auto far = [&](uint32_t bone) { return (tree_.heads[bone] - tree_.heads[b]).norm(); };
+        const bool thigh = own.part == BodyPart::Thigh && on == BodyPart::Spine && beyond == BodyPart::Hips &&
+                           far(static_cast<uint32_t>(above)) < NEARER_HIPS * far(parent);
+        const bool arm = (own.part == BodyPart::Clavicle || own.part == BodyPart::UpperArm) && on == BodyPart::Neck &&
+                         beyond == BodyPart::Spine;
+        if (thigh || arm) own.parent = above;
     }
 
     const BoneTree& tree_;
