@@ -104,15 +104,17 @@ TEST(ShapeParts, AFigureWithoutNamesHasLegsArmsAndAHead)
 
 TEST(ShapeParts, WhatForksAtTheHandsIsFingers)
 {
-    Nameless rig = humanoid(0, false, true);
-    for (uint32_t b = 0, count = uint32_t(rig.model.bones.size()); b < count; ++b) {
-        if (rig.expected[b] != "hand") continue;
-        const Vector3f hand = rig.model.bones[b].restPose.block<3, 1>(0, 3);
-        for (const float z : {-0.03f, 0.0f, 0.03f})
-            rig.chain(int32_t(b), {hand + Vector3f(hand.x() * 0.1f, 0, z), hand + Vector3f(hand.x() * 0.15f, 0, z)},
-                      {"finger", "finger"});
+    for (const bool clavicles : {false, true}) {
+        Nameless rig = humanoid(0, false, clavicles);
+        for (uint32_t b = 0, count = uint32_t(rig.model.bones.size()); b < count; ++b) {
+            if (rig.expected[b] != "hand") continue;
+            const Vector3f hand = rig.model.bones[b].restPose.block<3, 1>(0, 3), out(0.1f * hand.x(), 0, 0);
+            for (const float z : {-0.03f, 0.0f, 0.03f})
+                rig.chain(int32_t(b), {hand + out + Vector3f(0, 0, z), hand + 1.5f * out + Vector3f(0, 0, z)},
+                          {"finger", "finger"});
+        }
+        expectRead(rig);
     }
-    expectRead(rig);
 }
 
 TEST(ShapeParts, ACreatureHasMoreLegsAndATail)

@@ -16,7 +16,8 @@ TEST(NamePatterns, StarsStandForAnyLettersQuestionMarksForOne)
 
 TEST(NamePatterns, TheNameItselfWinsThenTheLongestPattern)
 {
-    const std::map<std::string, int> entries{{"*", 1}, {"tail*", 2}, {"tail0*", 3}, {"tail03", 4}, {"***l05", 5}};
+    const std::map<std::string, int> entries{{"*", 1},      {"tail*", 2},  {"tail0*", 3},
+                                             {"tail03", 4}, {"t?il03", 6}, {"***l05", 5}};
     EXPECT_EQ(*findByPattern(entries, "tail03"), 4);
     EXPECT_EQ(*findByPattern(entries, "tail02"), 3);
     EXPECT_EQ(*findByPattern(entries, "tail12"), 2);
