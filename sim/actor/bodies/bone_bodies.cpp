@@ -146,7 +146,7 @@ void noteMerged(const Model& model, std::span<const BoneAnatomy> anatomy, const 
         };
         note(small, "too small for four particles that span space");
         note(pieces, "of the same limb");
-        note(attached, "which hang on it");
+        note(attached, "attached to it");
     }
 }
 

@@ -142,7 +142,7 @@ TEST(BodiesOfBones, twistsAndPropsArePartsOfTheirLimb)
     EXPECT_EQ(actor.bodies[1].mergedBones, (std::vector<std::string>{"thigh.L.001", "holster"}));
     EXPECT_EQ(parentName(actor, "shin.L"), "thigh.L");
     EXPECT_TRUE(std::ranges::count(actor.notes, "thigh.L took in thigh.L.001, of the same limb."));
-    EXPECT_TRUE(std::ranges::count(actor.notes, "thigh.L took in holster, which hang on it."));
+    EXPECT_TRUE(std::ranges::count(actor.notes, "thigh.L took in holster, attached to it."));
 }
 
 TEST(BodiesOfBones, patternsKeepAndMerge)
