@@ -93,7 +93,7 @@ BoneName readBoneName(std::string_view name)
 {
     BoneName read;
     NamedPart weak = NamedPart::None;
-    bool upper = false, lower = false, fore = false, trunk = false, foot = false;
+    bool upper = false, lower = false, fore = false, trunk = false, foot = false, piece = false;
     for (const std::string& text : wordsOf(name)) {
         const Word word = findWord(text).value_or(Word{});
         switch (word.use) {
@@ -103,6 +103,7 @@ BoneName readBoneName(std::string_view name)
             case WordUse::Lower: lower = true; break;
             case WordUse::Fore: fore = true; break;
             case WordUse::Twist: read.isTwist = true; break;
+            case WordUse::Piece: piece = true; break;
             case WordUse::Control: read.isControl = true; break;
             case WordUse::Attached: read.isAttached = true; break;
             case WordUse::End: read.isEnd = true; break;
@@ -121,6 +122,7 @@ BoneName readBoneName(std::string_view name)
     if (foot && read.part == NamedPart::Finger) read.part = NamedPart::Toe;
     read.part = halved(read.part, upper, lower, fore);
     if (read.part == NamedPart::Spine && trunk && lower) read.part = NamedPart::Hips;
+    read.isTwist |= piece && read.part != NamedPart::None;
     return read;
 }
 

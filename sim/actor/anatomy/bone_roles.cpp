@@ -8,12 +8,17 @@ namespace knuckle {
 
 namespace {
 
+/// A thigh on a spine belongs to the hips unless they are farther off than this [distance from the spine].
+constexpr float NEARER_HIPS = 1.25f;
+
 class BoneRoles {
 public:
     BoneRoles(const BoneTree& tree, const std::vector<BoneName>& names, const std::map<uint32_t, BoneRole>& wanted,
               std::vector<BoneAnatomy>& anatomy)
-        : tree_(tree), names_(names), wanted_(wanted), anatomy_(anatomy)
+        : tree_(tree), names_(names), wanted_(wanted), anatomy_(anatomy), below_(tree.size(), 0)
     {
+        for (uint32_t b = tree.size(); b-- > 0;)
+            if (tree.carries[b] && tree.parents[b] >= 0) below_[tree.parents[b]] += below_[b] + 1;
     }
 
     void read()
@@ -30,7 +35,10 @@ public:
         for (uint32_t b = 0; b < tree_.size(); ++b)
             if (anatomy_[b].owner == NO_INDEX) anatomy_[b].owner = ownerOf(b);
         for (uint32_t b = 0; b < tree_.size(); ++b) anatomy_[b].parent = isLimb(b) ? parentOf(b) : -1;
-        for (uint32_t b = 0; b < tree_.size(); ++b) reattach(b);
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            reattach(b);
+            reattachToTrunk(b);
+        }
     }
 
 private:
@@ -44,15 +52,16 @@ private:
         const auto counts = [&](uint32_t other) { return hasPart(other); };
         if (name.isEnd && tree_.below(b, [&](uint32_t other) { return tree_.carries[other] != 0; }) < 0)
             return BoneRole::Attached;
-        if (hasPart(b)) return continues(b) ? BoneRole::Twist : BoneRole::Limb;
+        const int32_t above = tree_.above(b, counts);
+        const bool onHead = above >= 0 && anatomy_[above].part == BodyPart::Head;
+        if (hasPart(b)) return continues(b) ? BoneRole::Twist : onHead ? BoneRole::Attached : BoneRole::Limb;
         const bool carriesParts = tree_.below(b, counts) >= 0;
         // A pelvis of one side, a hip that has a thigh below.
-        const bool halfHip = name.side != 0 && (name.part == NamedPart::Hips || name.part == NamedPart::Hip ||
-                                                name.part == NamedPart::Spine);
+        const bool halfHip = name.side != 0 && (name.part == NamedPart::Hips || name.part == NamedPart::Spine ||
+                                                (name.part == NamedPart::Hip && !name.isTwist));
         if (halfHip || (name.isAttached && !carriesParts)) return BoneRole::Attached;
         if (name.isTwist) return BoneRole::Twist;
-        const int32_t above = tree_.above(b, counts);
-        return above >= 0 && anatomy_[above].part == BodyPart::Head ? BoneRole::Attached : BoneRole::Limb;
+        return onHead ? BoneRole::Attached : BoneRole::Limb;
     }
 
     /// A limb's second piece: "thigh.L.001" below "thigh.L", a hand below a wrist.
@@ -66,28 +75,20 @@ private:
         return above >= 0 && anatomy_[above].part == part && anatomy_[above].side == anatomy_[b].side;
     }
 
-    size_t sizeBelow(uint32_t top) const
-    {
-        size_t count = 0;
-        for (uint32_t b = top + 1; b < tree_.size(); ++b)
-            count += tree_.carries[b] && tree_.isBelow(static_cast<int32_t>(b), top);
-        return count;
-    }
-
     /// Of several bones of one part on one bone, the one that a helper or a piece of a palm belongs to; -1 for none.
     int32_t mainOf(uint32_t b) const
     {
         const BoneAnatomy& own = anatomy_[b];
         const bool limb = isLimbPart(own.part) && own.part != BodyPart::Finger && own.part != BodyPart::Toe;
         if (own.source != AnatomySource::Name || !isLimb(b) || !limb || tree_.parents[b] < 0) return -1;
-        const size_t ownSize = sizeBelow(b);
+        const uint32_t ownSize = below_[b];
         if (ownSize > 0 && own.part != BodyPart::Hand) return -1;
         int32_t main = -1;
-        size_t most = ownSize;
+        uint32_t most = ownSize;
         for (const uint32_t other : tree_.children[tree_.parents[b]]) {
             const BoneAnatomy& rival = anatomy_[other];
             if (other == b || !isLimb(other) || rival.part != own.part || rival.side != own.side) continue;
-            const size_t size = sizeBelow(other);
+            const uint32_t size = below_[other];
             const bool wins = size > most || (size == most && main < 0 && other < b && own.part == BodyPart::Hand);
             if (!wins) continue;
             most = size;
@@ -102,10 +103,18 @@ private:
         const auto limb = [&](uint32_t other) { return isLimb(other); };
         int32_t owner = tree_.above(b, limb);
         if (anatomy_[b].role == BoneRole::Twist && owner >= 0) owner = twisted(b, static_cast<uint32_t>(owner));
-        if (owner < 0) owner = tree_.below(b, limb);
-        for (int32_t top = tree_.parents[b]; owner < 0 && top >= 0; top = tree_.parents[top])
-            owner = tree_.below(static_cast<uint32_t>(top), limb);
-        return owner < 0 ? b : static_cast<uint32_t>(owner);
+        return owner < 0 ? nearestLimb(b) : static_cast<uint32_t>(owner);
+    }
+
+    /// In the skeleton, of equally near ones the first; the bone itself where there is none.
+    uint32_t nearestLimb(uint32_t b) const
+    {
+        const std::vector<uint32_t> steps = tree_.stepsFrom(b);
+        uint32_t nearest = b;
+        for (uint32_t other = 0; other < tree_.size(); ++other)
+            if (isLimb(other) && steps[other] != NO_INDEX && (nearest == b || steps[other] < steps[nearest]))
+                nearest = other;
+        return nearest;
     }
 
     /// The limb of a twist: of its side and, where it says so, of its part.
@@ -164,25 +173,52 @@ private:
                             (own.part != BodyPart::Finger || std::ranges::count(wanted, anatomy_[own.parent].part));
         if (onLimb) return;
         for (const BodyPart part : wanted) {
-            int32_t nearest = -1;
-            for (uint32_t other = 0; other < tree_.size(); ++other) {
-                const BoneAnatomy& limb = anatomy_[other];
-                if (limb.part != part || limb.side != own.side || !isLimb(other) || hangsOn(int32_t(other), b))
-                    continue;
-                const float far = (tree_.heads[other] - tree_.heads[b]).norm();
-                if (nearest < 0 || far < (tree_.heads[nearest] - tree_.heads[b]).norm())
-                    nearest = static_cast<int32_t>(other);
-            }
+            const int32_t nearest = nearestOf(part, own.side, b);
             if (nearest < 0) continue;
             own.parent = nearest;
             return;
         }
     }
 
+    /// The limb of a part and side nearest in space that does not hang on the bone itself; -1 for none.
+    int32_t nearestOf(BodyPart part, int side, uint32_t b) const
+    {
+        int32_t nearest = -1;
+        for (uint32_t other = 0; other < tree_.size(); ++other) {
+            const BoneAnatomy& limb = anatomy_[other];
+            const bool fits = limb.part == part && limb.side == side && isLimb(other);
+            if (!fits || hangsOn(static_cast<int32_t>(other), b)) continue;
+            const float far = (tree_.heads[other] - tree_.heads[b]).norm();
+            if (nearest < 0 || far < (tree_.heads[nearest] - tree_.heads[b]).norm())
+                nearest = static_cast<int32_t>(other);
+        }
+        return nearest;
+    }
+
+    /// Biped hangs thighs on the spine and collar bones on the neck; others hang thighs on no bone with skin.
+    void reattachToTrunk(uint32_t b)
+    {
+        BoneAnatomy& own = anatomy_[b];
+        if (!isLimb(b) || own.source != AnatomySource::Name) return;
+        if (own.part == BodyPart::Thigh && own.parent < 0) own.parent = nearestOf(BodyPart::Hips, 0, b);
+        if (own.parent < 0) return;
+        const auto parent = static_cast<uint32_t>(own.parent);
+        const int32_t above = anatomy_[parent].parent;
+        if (above < 0) return;
+        const BodyPart on = anatomy_[parent].part, beyond = anatomy_[above].part;
+        const auto far = [&](uint32_t bone) { return (tree_.heads[bone] - tree_.heads[b]).norm(); };
+        const bool thigh = own.part == BodyPart::Thigh && on == BodyPart::Spine && beyond == BodyPart::Hips &&
+                           far(static_cast<uint32_t>(above)) < NEARER_HIPS * far(parent);
+        const bool arm = (own.part == BodyPart::Clavicle || own.part == BodyPart::UpperArm) && on == BodyPart::Neck &&
+                         beyond == BodyPart::Spine;
+        if (thigh || arm) own.parent = above;
+    }
+
     const BoneTree& tree_;
     const std::vector<BoneName>& names_;
     const std::map<uint32_t, BoneRole>& wanted_;
     std::vector<BoneAnatomy>& anatomy_;
+    std::vector<uint32_t> below_;  ///< Per bone, how many with skin are below.
 };
 
 }  // namespace

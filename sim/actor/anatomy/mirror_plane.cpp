@@ -8,24 +8,37 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float SAME_PLACE = 0.06f;    // a bone's mirror image is this near to another bone [size]
+constexpr float SAME_PLACE = 0.05f;    // a bone's mirror image is this near to another bone [size]
+constexpr float BESIDE = 0.01f;        // what is farther from the plane lies to a side of it [size]
 constexpr size_t MOST_GUESSES = 24;    // directions that are tried
 constexpr uint32_t FEWEST_IMAGES = 4;  // bones beside the plane that have an image
 
-uint32_t imagesIn(const BoneTree& tree, const MirrorPlane& plane, float tolerance)
+std::vector<uint32_t> depthsOf(const BoneTree& tree)
+{
+    std::vector<uint32_t> depths(tree.size(), 0);
+    for (uint32_t b = 0; b < tree.size(); ++b)
+        if (tree.parents[b] >= 0) depths[b] = depths[tree.parents[b]] + 1;
+    return depths;
+}
+
+/// Bones beside the plane whose image is another bone, as far from the root: a hind leg is none of a front leg.
+uint32_t imagesIn(const BoneTree& tree, const std::vector<uint32_t>& depths, const MirrorPlane& plane, float size)
 {
     uint32_t images = 0;
     for (uint32_t b = 0; b < tree.size(); ++b) {
-        if (!tree.carries[b] || std::abs(plane.distance(tree.heads[b])) < tolerance) continue;
+        if (!tree.carries[b] || std::abs(plane.distance(tree.heads[b])) < BESIDE * size) continue;
         const Vector3f image = plane.mirrored(tree.heads[b]);
-        images += std::ranges::any_of(tree.heads,
-                                      [&](const Vector3f& head) { return (head - image).norm() < tolerance; });
+        bool found = false;
+        for (uint32_t other = 0; other < tree.size() && !found; ++other)
+            found = other != b && depths[other] == depths[b] && tree.carries[other] &&
+                    (tree.heads[other] - image).norm() < SAME_PLACE * size;
+        images += found;
     }
     return images;
 }
 
 /// The axes, and from each bone to what hangs on the same one.
-std::vector<Vector3f> guesses(const BoneTree& tree, float tolerance)
+std::vector<Vector3f> guesses(const BoneTree& tree, float size)
 {
     std::vector<Vector3f> directions{Vector3f::UnitX(), Vector3f::UnitZ()};
     for (const std::vector<uint32_t>& siblings : tree.children) {
@@ -33,7 +46,7 @@ std::vector<Vector3f> guesses(const BoneTree& tree, float tolerance)
             for (size_t j = i + 1; j < siblings.size() && directions.size() < MOST_GUESSES; ++j) {
                 Vector3f way = tree.heads[siblings[j]] - tree.heads[siblings[i]];
                 way.y() = 0.0f;
-                if (way.norm() > tolerance) directions.push_back(way.normalized());
+                if (way.norm() > BESIDE * size) directions.push_back(way.normalized());
             }
         }
     }
@@ -52,8 +65,9 @@ float sizeOf(const BoneTree& tree)
 
 std::optional<MirrorPlane> findMirrorPlane(const BoneTree& tree)
 {
-    const float tolerance = SAME_PLACE * sizeOf(tree);
-    if (tolerance <= 0.0f) return {};
+    const float size = sizeOf(tree);
+    if (size <= 0.0f) return {};
+    const std::vector<uint32_t> depths = depthsOf(tree);
     Vector3f middle = Vector3f::Zero();
     float count = 0.0f;
     for (uint32_t b = 0; b < tree.size(); ++b) {
@@ -63,9 +77,9 @@ std::optional<MirrorPlane> findMirrorPlane(const BoneTree& tree)
     }
     MirrorPlane best;
     uint32_t most = 0;
-    for (const Vector3f& across : guesses(tree, tolerance)) {
+    for (const Vector3f& across : guesses(tree, size)) {
         const MirrorPlane plane{across, across.dot(middle) / count};
-        const uint32_t images = imagesIn(tree, plane, tolerance);
+        const uint32_t images = imagesIn(tree, depths, plane, size);
         if (images <= most) continue;
         most = images;
         best = plane;

@@ -72,8 +72,9 @@ constexpr Words WORDS[] = {
     {WordUse::Lower, NamedPart::None, "lower low"},
     {WordUse::Fore, NamedPart::None, "fore"},
     {WordUse::Twist, NamedPart::None, "twist roll twst share helper"},
+    {WordUse::Piece, NamedPart::None, "part"},
     {WordUse::End, NamedPart::None, "end nub site effector"},
-    {WordUse::Filler, NamedPart::None, "base bone joint jnt bend part def skin big small"},
+    {WordUse::Filler, NamedPart::None, "base bone joint jnt bend def skin big small"},
     {WordUse::Control, NamedPart::None,
      "ik fk ctrl control controller ctl pole target goal mch org trajectory master mother reference null locator "
      "socket dummy parent groove center centre cog tweak widget cancel armature vb origin pivot aim root"},

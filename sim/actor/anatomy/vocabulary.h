@@ -18,6 +18,7 @@ enum class WordUse {
     Lower,
     Fore,  ///< Of an arm the lower one, of a leg the front one.
     Twist,
+    Piece,  ///< Of a limb, where another word names one: "HipPart1".
     Control,
     Attached,
     End,

@@ -146,7 +146,23 @@ void noteMerged(const Model& model, std::span<const BoneAnatomy> anatomy, const 
         };
         note(small, "too small for four particles that span space");
         note(pieces, "of the same limb");
-        note(attached, "which hang on it");
+        note(attached, "attached to it");
+    }
+}
+
+/// Says which bodies hang elsewhere than their bones do.
+void noteReattached(const BoneTree& tree, std::span<const BoneAnatomy> anatomy, const std::vector<BodyDraft>& drafts,
+                    std::vector<std::string>& notes)
+{
+    for (const BodyDraft& draft : drafts) {
+        if (draft.parent < 0) continue;
+        const uint32_t parent = drafts[draft.parent].bone;
+        const int32_t above = tree.above(
+            draft.bone, [&](uint32_t b) { return std::ranges::count(drafts, anatomy[b].owner, &BodyDraft::bone) > 0; });
+        const bool asBones = above >= 0 && anatomy[above].owner == parent;
+        if (!asBones && anatomy[draft.bone].source == AnatomySource::Name)
+            notes.push_back(fmt::format("{} is joined to {}, which its part of a body belongs to.", draft.name,
+                                        drafts[draft.parent].name));
     }
 }
 
@@ -203,6 +219,7 @@ std::vector<BodyDraft> cutIntoBodies(const Model& model, const Voxels& voxels, s
     const BoneTree tree(model);
     BoneCut cut = mergeSmall(tree, anatomy, voxels, bones);
     std::vector<BodyDraft> drafts = draftBodies(model, anatomy, cut);
+    noteReattached(tree, anatomy, drafts, notes);
     arrangeTree(drafts, tree, anatomy, voxels, notes);
     noteMerged(model, anatomy, drafts, cut, notes);
     noteSources(model, anatomy, notes);

@@ -22,7 +22,7 @@ bool hasRange(BodyPart part);
 JointType rangedType(BodyPart part);
 
 /// The ordinary range of motion of a human joint (American Academy of Orthopaedic Surgeons, 1965), which takes in
-/// the rest pose with 5 degrees to spare. None for other parts.
+/// the rest pose with 5 degrees to spare; a tail's gives a little at each bone. None for other parts.
 JointLimits ordinaryRange(const LimbStance& stance);
 
 /// Locks what has a range of less than 5 degrees about the rest pose: a hinge and a ball become stiff, a ball that only

@@ -133,6 +133,17 @@ TEST(Articulate, overriddenAxisIsKept)
     expectOnAxis(actor, actor.joints[0]);
 }
 
+TEST(Articulate, overridesMayBePatterns)
+{
+    ArticulationOptions options;
+    options.types["*"] = JointType::Stiff;
+    options.types["t?p"] = JointType::Hinge;
+    options.axes["ti*"] = {0, 2, 0};
+    const Actor actor = make(twoBoneBox("tip"), 0.1f, options);
+    EXPECT_EQ(actor.joints.at(0).type, JointType::Hinge);
+    EXPECT_EQ(actor.joints.at(0).axis, Vector3f(0, 1, 0));
+}
+
 TEST(Articulate, overrideForABoneThatIsNotThereIsRefused)
 {
     ArticulationOptions options;

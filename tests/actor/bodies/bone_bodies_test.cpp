@@ -1,4 +1,6 @@
+#include "sim/world/errors.h"
 #include "tests/actor/actor_fixture.h"
+#include "tests/message_of.h"
 
 namespace knuckle {
 namespace {
@@ -60,6 +62,108 @@ TEST(BodiesOfBones, secondRootJoinsTheNearestBody)
     const Actor actor = make(model, 0.1f);
     expectSound(actor);
     EXPECT_EQ(actor.joints.size(), 1u);
+}
+
+/// Boxes of 0.5 m, each of a bone that has its head where the box begins.
+struct Boxes {
+    Model model;
+
+    uint32_t add(const std::string& name, int32_t parent, const Vector3f& middle, bool hasBox = true)
+    {
+        const auto index = static_cast<uint32_t>(model.bones.size()), first = uint32_t(model.vertices.size());
+        Bone bone{name, parent};
+        bone.restPose.block<3, 1>(0, 3) = middle - Vector3f(0, 0, 0.25f);
+        model.bones.push_back(bone);
+        const TriangleMesh box = boxMesh(middle, Vector3f::Constant(0.25f));
+        for (size_t v = 0; hasBox && v < box.vertices.size(); ++v) {
+            model.vertices.push_back(box.vertices[v]);
+            model.skin.push_back({{index}, {1.0f}});
+        }
+        for (size_t t = 0; hasBox && t < box.triangles.size(); ++t) {
+            const Triangle& triangle = box.triangles[t];
+            model.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+        }
+        return index;
+    }
+};
+
+std::string parentName(const Actor& actor, const std::string& body)
+{
+    const auto found = std::ranges::find(actor.bodies, body, &ActorBody::name);
+    if (found == actor.bodies.end() || found->parent < 0) return "none";
+    return actor.bodies[found->parent].name;
+}
+
+TEST(BodiesOfBones, aSecondRootJoinsItsSiblingInTheSkeletonNotWhatIsNear)
+{
+    Boxes boxes;
+    boxes.add("scene", -1, {0, 0, 0}, false);
+    const uint32_t base = boxes.add("base", 0, {0, 0, 0});
+    boxes.add("crane", int32_t(base), {0, 0, 0.5f});
+    boxes.add("load", 0, {0, 0.55f, 0.6f});  // beside the crane, and two bones from the base
+    const Actor actor = make(boxes.model, 0.1f);
+    expectSound(actor);
+    EXPECT_EQ(parentName(actor, "load"), "base");
+}
+
+TEST(BodiesOfBones, aBodyApartFromItsParentStaysItsChild)
+{
+    Boxes boxes;
+    boxes.add("base", -1, {0, 0, 0});
+    boxes.add("crane", 0, {0, 0, 0.5f});
+    boxes.add("load", 0, {0, 0, 1.0f});
+    EXPECT_EQ(parentName(make(boxes.model, 0.1f), "load"), "base");
+}
+
+TEST(BodiesOfBones, aFootThatHangsOnAControlJoinsItsShin)
+{
+    Boxes boxes;
+    boxes.add("root", -1, {0, 0, 0}, false);
+    boxes.add("Hips", 0, {0, 0, 0});
+    boxes.add("UpperLeg.L", 1, {0, 0, 0.5f});
+    boxes.add("LowerLeg.L", 2, {0, 0, 1.0f});
+    boxes.add("Foot.L", 0, {0, 0.45f, 0.5f});  // beside the thigh
+    const Actor actor = make(boxes.model, 0.1f);
+    EXPECT_EQ(parentName(actor, "Foot.L"), "LowerLeg.L");
+    EXPECT_TRUE(
+        std::ranges::count(actor.notes, "Foot.L is joined to LowerLeg.L, which its part of a body belongs to."));
+}
+
+TEST(BodiesOfBones, twistsAndPropsArePartsOfTheirLimb)
+{
+    Boxes boxes;
+    boxes.add("Hips", -1, {0, 0, 0});
+    boxes.add("thigh.L", 0, {0, 0, 0.5f});
+    boxes.add("thigh.L.001", 1, {0, 0, 1.0f});
+    boxes.add("shin.L", 2, {0, 0, 1.5f});
+    boxes.add("holster", 1, {0, 0.5f, 0.5f});
+    const Actor actor = make(boxes.model, 0.1f);
+    ASSERT_EQ(actor.bodies.size(), 3u);
+    EXPECT_EQ(actor.bodies[1].mergedBones, (std::vector<std::string>{"thigh.L.001", "holster"}));
+    EXPECT_EQ(parentName(actor, "shin.L"), "thigh.L");
+    EXPECT_TRUE(std::ranges::count(actor.notes, "thigh.L took in thigh.L.001, of the same limb."));
+    EXPECT_TRUE(std::ranges::count(actor.notes, "thigh.L took in holster, attached to it."));
+}
+
+TEST(BodiesOfBones, patternsKeepAndMerge)
+{
+    Boxes boxes;
+    boxes.add("base", -1, {0, 0, 0});
+    boxes.add("hair_01", 0, {0, 0, 0.5f});
+    boxes.add("hair_02", 1, {0, 0, 1.0f});
+    boxes.add("hook", 0, {0, 0.5f, 0});
+    EXPECT_EQ(make(boxes.model, 0.1f).bodies.size(), 2u);
+    ArticulationOptions options;
+    options.keep = {"hair_*"};
+    EXPECT_EQ(make(boxes.model, 0.1f, options).bodies.size(), 4u);
+    options.merge = {"hair_02", "h??k"};
+    const Actor actor = make(boxes.model, 0.1f, options);
+    ASSERT_EQ(actor.bodies.size(), 2u);
+    EXPECT_EQ(actor.bodies[0].mergedBones, std::vector<std::string>{"hook"});
+    EXPECT_EQ(actor.bodies[1].mergedBones, std::vector<std::string>{"hair_02"});
+    options.merge = {"wing*"};
+    EXPECT_EQ(test::messageOf<InputError>([&] { make(boxes.model, 0.1f, options); }),
+              "joint for bone 'wing*': the model '' has no bone of that name");
 }
 
 TEST(BodiesOfBones, modelWithoutBonesIsOneRigidBody)

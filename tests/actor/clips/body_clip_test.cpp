@@ -8,6 +8,7 @@
 
 #include "sim/actor/bodies/make_actor.h"
 #include "sim/actor/clips/body_clip.h"
+#include "sim/actor/clips/bone_match.h"
 #include "sim/world/errors.h"
 #include "tests/message_of.h"
 #include "tools/humanoid/humanoid.h"
@@ -147,6 +148,24 @@ TEST(BodyClip, ASkeletonWithoutNamesIsMatchedByItsShape)
     EXPECT_TRUE(made.notes.empty()) << made.notes.front();
     for (size_t i = 0; i < own.clip.turns.size(); ++i)
         ASSERT_LT(made.clip.turns[i].angularDistance(own.clip.turns[i]), 0.02f) << i;
+}
+
+TEST(BodyClip, AnActorWithoutNamesIsMatchedByItsShape)
+{
+    std::map<std::string, std::string> names, ours;
+    for (const auto& [own, theirs] : MIXAMO) {
+        names[own] = fmt::format("thing{}", names.size());
+        ours[names[own]] = theirs;
+    }
+    ActorOptions options;
+    options.voxels.diameter = 0.05f;
+    const Actor nameless = makeActor(disguised(names, 1.0f, 0.0f), options);
+    const Model source = disguised(MIXAMO, 1.0f, 0.0f);
+    const std::vector<uint32_t> match = matchBones(nameless, source);
+    for (uint32_t b = 0; b < match.size(); ++b) {
+        ASSERT_NE(match[b], NO_INDEX) << nameless.bodies[b].name;
+        EXPECT_EQ(source.bones[match[b]].name, ours[nameless.bodies[b].name]);
+    }
 }
 
 TEST(BodyClip, ASkeletonOfNothingKnownIsRefusedWithNamesOfBoth)

@@ -1,0 +1,196 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "tests/actor/anatomy/rigs.h"
+
+namespace knuckle::test {
+
+namespace {
+
+using Eigen::Vector3f;
+
+/// A rig whose bones are called node0, node1, ... and turned about y.
+struct Nameless : Rig {
+    float yaw = 0.0f;
+    bool sidesNamed = false;
+
+    uint32_t node(int32_t parent, const Vector3f& head, const std::string& is)
+    {
+        std::string name = "node" + std::to_string(model.bones.size());
+        if (sidesNamed && head.x() != 0.0f) name += head.x() > 0.0f ? ".L" : ".R";
+        return add(name, parent, Eigen::AngleAxisf(yaw, Vector3f::UnitY()) * head, is, (head.x() > 0) - (head.x() < 0));
+    }
+    /// A chain on both sides, by the heads of the left one.
+    void limbs(uint32_t base, const std::vector<Vector3f>& heads, const std::vector<std::string>& parts)
+    {
+        for (const float side : {1.0f, -1.0f}) {
+            auto parent = static_cast<int32_t>(base);
+            for (size_t i = 0; i < heads.size(); ++i)
+                parent = static_cast<int32_t>(
+                    node(parent, {side * heads[i].x(), heads[i].y(), heads[i].z()}, parts[i]));
+        }
+    }
+    uint32_t chain(int32_t parent, const std::vector<Vector3f>& heads, const std::vector<std::string>& parts)
+    {
+        for (size_t i = 0; i < heads.size(); ++i) parent = static_cast<int32_t>(node(parent, heads[i], parts[i]));
+        return static_cast<uint32_t>(parent);
+    }
+};
+
+const std::vector<Vector3f> LEG = {
+    {0.1f, 0.9f, 0}, {0.11f, 0.5f, 0.02f}, {0.12f, 0.09f, -0.02f}, {0.12f, 0.02f, 0.12f}};
+const std::vector<std::string> LEG_PARTS = {"thigh", "shin", "foot", "toe"};
+
+Nameless humanoid(float yaw, bool sidesNamed, bool clavicles)
+{
+    Nameless rig;
+    rig.yaw = yaw;
+    rig.sidesNamed = sidesNamed;
+    const uint32_t hips = rig.node(-1, {0, 0.95f, 0}, "hips");
+    rig.limbs(hips, LEG, LEG_PARTS);
+    const uint32_t chest = rig.chain(int32_t(hips), {{0, 1.05f, 0}, {0, 1.25f, 0}}, {"spine", "spine"});
+    rig.chain(int32_t(chest), {{0, 1.45f, 0}, {0, 1.55f, 0.02f}}, {"neck", "head"});
+    std::vector<Vector3f> arm = {{0.05f, 1.4f, 0}, {0.18f, 1.4f, 0}, {0.45f, 1.38f, 0}, {0.7f, 1.38f, 0}};
+    std::vector<std::string> parts = {"clavicle", "upperArm", "forearm", "hand"};
+    if (!clavicles) arm.erase(arm.begin()), parts.erase(parts.begin());
+    rig.limbs(chest, arm, parts);
+    return rig;
+}
+
+/// A creature that looks along +z, with as many pairs of legs, the first at its tail.
+Nameless creature(int pairs)
+{
+    Nameless rig;
+    uint32_t trunk = rig.node(-1, {0, 0.6f, -0.5f}, "hips");
+    rig.chain(int32_t(trunk), {{0, 0.6f, -0.65f}, {0, 0.55f, -0.8f}, {0, 0.5f, -0.95f}}, {"tail", "tail", "tail"});
+    for (int pair = 0; pair < pairs; ++pair) {
+        const float z = -0.5f + 0.4f * static_cast<float>(pair);
+        if (pair > 0) trunk = rig.chain(int32_t(trunk), {{0, 0.62f, z - 0.2f}, {0, 0.62f, z}}, {"spine", "spine"});
+        rig.limbs(trunk, {{0.12f, 0.55f, z}, {0.13f, 0.3f, z + 0.05f}, {0.13f, 0.05f, z}}, {"thigh", "shin", "foot"});
+    }
+    rig.chain(int32_t(trunk), {{0, 0.7f, 0.6f}, {0, 0.8f, 0.7f}}, {"neck", "head"});
+    return rig;
+}
+
+const std::map<std::string, BodyPart> PARTS = {
+    {"hips", BodyPart::Hips},       {"spine", BodyPart::Spine},       {"neck", BodyPart::Neck},
+    {"head", BodyPart::Head},       {"hand", BodyPart::Hand},         {"clavicle", BodyPart::Clavicle},
+    {"thigh", BodyPart::Thigh},     {"shin", BodyPart::Shin},         {"foot", BodyPart::Foot},
+    {"toe", BodyPart::Toe},         {"tail", BodyPart::Tail},         {"", BodyPart::Other},
+    {"forearm", BodyPart::Forearm}, {"upperArm", BodyPart::UpperArm}, {"wing", BodyPart::Wing},
+    {"finger", BodyPart::Finger}};
+
+void expectRead(const Rig& rig)
+{
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(rig.model);
+    for (uint32_t b = 0; b < anatomy.size(); ++b) {
+        EXPECT_EQ(anatomy[b].part, PARTS.at(rig.expected[b])) << b << ", a " << rig.expected[b];
+        EXPECT_EQ(anatomy[b].source, AnatomySource::Shape) << b;
+        EXPECT_EQ(anatomy[b].role, BoneRole::Limb) << b;
+        EXPECT_EQ(anatomy[b].side, rig.sides[b]) << b << ", a " << rig.expected[b];
+    }
+}
+
+}  // namespace
+
+TEST(ShapeParts, AFigureWithoutNamesHasLegsArmsAndAHead)
+{
+    for (const float yaw : {0.0f, 0.6f, 1.6f, 3.1f})
+        for (const bool sidesNamed : {false, true})
+            for (const bool clavicles : {false, true}) expectRead(humanoid(yaw, sidesNamed, clavicles));
+}
+
+TEST(ShapeParts, WhatForksAtTheHandsIsFingers)
+{
+    for (const bool clavicles : {false, true}) {
+        Nameless rig = humanoid(0, false, clavicles);
+        for (uint32_t b = 0, count = uint32_t(rig.model.bones.size()); b < count; ++b) {
+            if (rig.expected[b] != "hand") continue;
+            const Vector3f hand = rig.model.bones[b].restPose.block<3, 1>(0, 3), out(0.1f * hand.x(), 0, 0);
+            for (const float z : {-0.03f, 0.0f, 0.03f})
+                rig.chain(int32_t(b), {hand + out + Vector3f(0, 0, z), hand + 1.5f * out + Vector3f(0, 0, z)},
+                          {"finger", "finger"});
+        }
+        expectRead(rig);
+    }
+}
+
+TEST(ShapeParts, ACreatureHasMoreLegsAndATail)
+{
+    for (const int pairs : {2, 3, 4}) expectRead(creature(pairs));
+}
+
+TEST(ShapeParts, APairThatLeavesACreaturesTrunkAboveTheGroundIsWings)
+{
+    Nameless rig = creature(2);
+    const auto shoulders = uint32_t(std::ranges::find(rig.expected, "neck") - rig.expected.begin());
+    rig.limbs(uint32_t(rig.model.bones[shoulders].parent), {{0.1f, 0.7f, -0.1f}, {0.5f, 0.9f, -0.1f}, {0.9f, 0.8f, 0}},
+              {"wing", "wing", "wing"});
+    expectRead(rig);
+}
+
+TEST(ShapeParts, WhatHasNoLegsHasNoParts)
+{
+    Rig arm;
+    for (int i = 0; i < 5; ++i) arm.add("node" + std::to_string(i), i - 1, {0.2f * float(i), 0.1f * float(i * i), 0});
+    for (const BoneAnatomy& bone : readAnatomy(arm.model)) {
+        EXPECT_EQ(bone.part, BodyPart::Other);
+        EXPECT_EQ(bone.source, AnatomySource::None);
+    }
+}
+
+TEST(ShapeParts, NamesOfLimbsWinOverShape)
+{
+    Nameless rig = humanoid(0, false, true);
+    rig.model.bones[1].name = "thigh.L";
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(rig.model);
+    EXPECT_EQ(anatomy[1].source, AnatomySource::Name);
+    EXPECT_EQ(std::ranges::count(anatomy, AnatomySource::Shape, &BoneAnatomy::source), 0);
+}
+
+TEST(Anatomy, OddSkeletonsAreRead)
+{
+    EXPECT_TRUE(readAnatomy({}).empty());
+    Rig one;
+    one.add("leg.L", -1, {0, 0, 0});
+    EXPECT_EQ(readAnatomy(one.model).front().owner, 0u);
+    for (const char* name : {"node", "leg", "arm.L", "LeftShoulder", "twist", "hair", "thigh.L", "ik"}) {
+        Rig chain;
+        for (int i = 0; i < 1000; ++i) chain.add(name, i - 1, {0.0f, 0.0f, 0.01f * float(i)});
+        const std::vector<BoneAnatomy> anatomy = readAnatomy(chain.model);
+        for (const BoneAnatomy& bone : anatomy) ASSERT_LT(bone.owner, anatomy.size()) << name;
+    }
+    Rig star;
+    star.add("node", -1, {0, 0, 0});
+    for (int i = 0; i < 1000; ++i) star.add("hand.L", 0, {float(i % 7), float(i % 5), float(i % 3)});
+    EXPECT_EQ(readAnatomy(star.model)[5].owner, 1u);
+}
+
+TEST(Anatomy, ABoneThatClipsTurnAboutOneAxisIsAHinge)
+{
+    Rig rig;
+    rig.add("base", -1, {0, 0, 0});
+    rig.add("lid", 0, {0, 1, 0});
+    rig.add("ball joint", 0, {0, 2, 0});
+    Clip clip{"open", 1.0, {}, {}};
+    for (int key = 0; key < 5; ++key) {
+        std::vector<Eigen::Matrix4f> poses;
+        for (const Bone& bone : rig.model.bones) poses.push_back(bone.restPose);
+        const float angle = 0.3f * float(key);
+        poses[1].topLeftCorner<3, 3>() = Eigen::AngleAxisf(angle, Vector3f(0, 0.6f, 0.8f)).toRotationMatrix();
+        poses[2].topLeftCorner<3, 3>() =
+            Eigen::AngleAxisf(angle, Vector3f(1, angle, 0).normalized()).toRotationMatrix();
+        clip.keyTimes.push_back(0.25 * key);
+        clip.poses.push_back(poses);
+    }
+    rig.model.clips.push_back(clip);
+    rig.model.bones[1].name = "door";
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(rig.model);
+    EXPECT_EQ(anatomy[1].source, AnatomySource::Clip);
+    EXPECT_LT((anatomy[1].axis - Vector3f(0, 0.6f, 0.8f)).norm(), 1e-4f);
+    EXPECT_EQ(anatomy[2].source, AnatomySource::None);
+}
+
+}  // namespace knuckle::test
