@@ -11,7 +11,8 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr float GROUND = 0.2f;     // ends of legs are this near to the lowest [height]
-constexpr float SHORT = 0.45f;     // a first bone that is shorter belongs to hip or shoulder [next one]
+constexpr float DOWN = 0.3f;       // ... and begin this far above their ends [length]
+constexpr float SHORT = 0.45f;     // a first bone of a leg that is shorter is part of the hip [next one]
 constexpr size_t MOST_NECKS = 3;   // of a chain up to the head
 constexpr float LONG_WING = 0.2f;  // pairs that are shorter are feelers and ears [size]
 
@@ -63,7 +64,7 @@ private:
             for (const BoneChain& chain : pair.chains)
                 for (const uint32_t b : chain.bones) inPair_[b] = 1;
             const bool atGround = pair.lowest < box.min().y() + GROUND * box.sizes().y();
-            const bool goesDown = tree_.heads[pair.chains[0].bones.front()].y() > pair.lowest + 0.3f * pair.length();
+            const bool goesDown = tree_.heads[pair.chains[0].bones.front()].y() > pair.lowest + DOWN * pair.length();
             (atGround && goesDown && pair.count() >= 3 ? legs_ : others_).push_back(std::move(pair));
         }
     }

@@ -84,7 +84,7 @@ constexpr Words WORDS[] = {
      "whisker feather fur"},
     {WordUse::Attached, NamedPart::None,
      "weapon sword gun rifle pistol bow arrow quiver staff prop shield item attach attachment helmet hat cap crown "
-     "mask hood skirt cape cloak dress coat jacket robe cloth sleeve scarf tie ribbon necklace pendant collarbow belt "
+     "mask hood skirt cape cloak dress coat jacket robe cloth sleeve scarf tie ribbon necklace pendant belt "
      "buckle bag backpack pouch holster sheath strap string armor armour plate pad guard band headband wristband "
      "watch sec tops camera light"},
     {WordUse::Attached, NamedPart::None,
@@ -94,13 +94,13 @@ constexpr Words WORDS[] = {
     {WordUse::Part, NamedPart::Hip, "hip"},
     {WordUse::WeakPart, NamedPart::Spine, "back body trunk"},
     {WordUse::Part, NamedPart::Spine,
-     "spine spinal chest torso abdomen abdominal waist rib ribs ribcage thorax lumbar lowerback upperback"},
+     "spine spinal chest torso abdomen abdominal waist rib ribs ribcage thorax lumbar"},
     {WordUse::Part, NamedPart::Neck, "neck"},
     {WordUse::Part, NamedPart::Head, "head skull"},
     {WordUse::Part, NamedPart::Clavicle, "clavicle collar scapula collarbone"},
     {WordUse::Part, NamedPart::Shoulder, "shoulder"},
     {WordUse::Part, NamedPart::Arm, "arm"},
-    {WordUse::Part, NamedPart::UpperArm, "humerus shldr uparm bicepbone"},
+    {WordUse::Part, NamedPart::UpperArm, "humerus shldr"},
     {WordUse::Part, NamedPart::Forearm, "forearm elbow radius ulna"},
     {WordUse::Part, NamedPart::Hand, "hand wrist palm carpal metacarpal"},
     {WordUse::Part, NamedPart::Finger, "finger thumb pinky pinkie"},
