@@ -1,0 +1,125 @@
+#include "app/export/bvh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "sim/world/errors.h"
+#include "tests/message_of.h"
+#include "tests/places.h"
+#include "tests/temp_folder.h"
+
+namespace knuckle::test {
+namespace {
+
+using Eigen::Isometry3f;
+
+/// Hips, spine, an arm of two, and a tail that hangs on nothing.
+Rig figure()
+{
+    Rig rig;
+    const auto add = [&](const char* name, int32_t parent, const Vector3f& head) {
+        Bone bone{name, parent};
+        bone.restPose.block<3, 1>(0, 3) = head;
+        rig.model.bones.push_back(bone);
+        rig.bodies.push_back(static_cast<uint32_t>(rig.bodies.size()));
+    };
+    add("hips", -1, {0, 1, 0});
+    add("spine", 0, {0, 1.3f, 0.02f});
+    add("arm", 1, {0.2f, 1.5f, 0});
+    add("fore arm", 2, {0.5f, 1.5f, 0});
+    add("tail", -1, {0, 0.9f, -0.1f});
+    return rig;
+}
+
+/// Bones that turn about their heads by up to a whole turn, while the first and the last fly about.
+std::vector<std::vector<Isometry3f>> motionsOf(const Rig& rig, int count)
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> some(-1.0f, 1.0f);
+    std::vector<std::vector<Isometry3f>> frames;
+    for (int f = 0; f < count; ++f) {
+        std::vector<Isometry3f> frame;
+        for (const Bone& bone : rig.model.bones) {
+            const Vector3f head = bone.restPose.block<3, 1>(0, 3);
+            const Vector3f axis = Vector3f(some(random), some(random), some(random)).normalized();
+            // Some straight up or down, where turns about Z and Y are one.
+            const float angle = f % 4 == 0 ? 0.5f * static_cast<float>(M_PI) : 3.0f * some(random);
+            const Eigen::AngleAxisf turn(angle, f % 4 == 0 ? Vector3f(Vector3f::UnitX()) : axis);
+            Isometry3f motion(Eigen::Translation3f(head) * turn * Eigen::Translation3f(-head));
+            if (bone.parent >= 0) motion = frame[static_cast<size_t>(bone.parent)] * motion;
+            else motion = Eigen::Translation3f(some(random), some(random), some(random)) * motion;
+            frame.push_back(motion);
+        }
+        frames.push_back(std::move(frame));
+    }
+    return frames;
+}
+
+TEST(Bvh, ReadBackEveryJointIsWhereItWas)
+{
+    const TempFolder folder;
+    const Rig rig = figure();
+    const auto frames = motionsOf(rig, 40);
+    const std::string path = folder.write("moves.bvh", bvhText(rig, frames, 50.0));
+    const Model model = importModel(path, {.fit = {.scale = 0.01}});
+    ASSERT_EQ(model.clips.size(), 1u);
+    const Clip& clip = model.clips[0];
+    EXPECT_NEAR(clip.duration, 39 * 0.02, 1e-6);
+    ASSERT_GE(model.bones.size(), 5u);
+    const char* names[] = {"hips", "spine", "arm", "fore_arm", "tail"};
+    for (size_t b = 0; b < 5; ++b) {
+        const auto bone = std::ranges::find(model.bones, names[b], &Bone::name);
+        ASSERT_NE(bone, model.bones.end()) << names[b];
+        const auto index = static_cast<size_t>(bone - model.bones.begin());
+        for (size_t f = 0; f < 40; ++f) {
+            // Import may add keys where a turn is wide.
+            const auto key = std::ranges::find_if(
+                clip.keyTimes, [&](double time) { return std::abs(time - 0.02 * static_cast<double>(f)) < 1e-6; });
+            ASSERT_NE(key, clip.keyTimes.end()) << f;
+            const auto& pose = clip.poses[static_cast<size_t>(key - clip.keyTimes.begin())];
+            const Vector3f wanted = frames[f][b] * Vector3f(rig.model.bones[b].restPose.block<3, 1>(0, 3));
+            // Five decimals of centimetres and degrees, over a chain of a metre.
+            EXPECT_LT((pose[index].block<3, 1>(0, 3) - wanted).norm(), 2e-5f) << names[b] << " in frame " << f;
+        }
+    }
+}
+
+TEST(Bvh, AnglesDoNotJumpWhereTheMotionDoesNot)
+{
+    Rig rig = figure();
+    rig.model.bones.resize(1);
+    rig.bodies.resize(1);
+    std::vector<std::vector<Isometry3f>> frames;
+    // Three turns about y, 5 degrees a frame.
+    for (int f = 0; f < 216; ++f) {
+        const float angle = static_cast<float>(M_PI) / 36.0f * static_cast<float>(f);
+        frames.push_back({Isometry3f(Eigen::AngleAxisf(angle, Vector3f::UnitY()))});
+    }
+    const std::string text = bvhText(rig, frames, 60.0);
+    EXPECT_NE(text.find(" 1075.00"), std::string::npos) << "the last angle: 215 times 5 degrees";
+}
+
+TEST(Bvh, OfSeveralActorsEachHasAFile)
+{
+    const TempFolder folder;
+    const std::string figureFile = inSource("assets/models/humanoid.glb");
+    const Scene scene = loadScene(folder.write("scene.json", R"({ "diameter": 0.08, "objects": [
+        { "type": "actor", "name": "a", "file": ")" + figureFile +
+                                                                 R"(" },
+        { "type": "actor", "name": "b", "file": ")" + figureFile +
+                                                                 R"(", "position": [2, 0, 0] }] })"));
+    BvhExport both(folder.path("out.bvh"), scene);
+    both.add(scene.world, std::vector<BodyState>(scene.world.bodies.size()));
+    both.finish(60.0);
+    EXPECT_TRUE(std::filesystem::exists(folder.path("out_a.bvh")));
+    EXPECT_TRUE(std::filesystem::exists(folder.path("out_b.bvh")));
+    const Scene bare = loadScene(folder.write("bare.json", R"({ "objects": [{ "type": "joined" }] })"));
+    EXPECT_EQ(messageOf<InputError>([&] { BvhExport none(folder.path("none.bvh"), bare); }),
+              "--export bvh=" + folder.path("none.bvh") + ": the scene has no actor, whose bones could be written");
+    EXPECT_FALSE(std::filesystem::exists(folder.path("none.bvh")));
+}
+
+}  // namespace
+}  // namespace knuckle::test

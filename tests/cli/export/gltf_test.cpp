@@ -1,0 +1,100 @@
+#include "app/export/gltf.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/actor/gltf/key_reduction.h"
+#include "sim/world/errors.h"
+#include "tests/message_of.h"
+#include "tests/places.h"
+#include "tests/temp_folder.h"
+
+namespace knuckle::test {
+namespace {
+
+/// States of a world whose bodies turn about an axis through the origin and rise.
+std::vector<BodyState> turned(const World& world, float angle)
+{
+    const Eigen::AngleAxisf turn(angle, Vector3f(1, 2, 0.5f).normalized());
+    std::vector<BodyState> states;
+    for (const Body& body : world.bodies) {
+        BodyState state;
+        state.rotation = Quaternionf(turn);
+        state.position = turn * body.restCentre + Vector3f(0, angle, 0);
+        states.push_back(state);
+    }
+    return states;
+}
+
+TEST(GltfExport, ReadBackTheSkeletonMovesAsTheBodiesDid)
+{
+    const TempFolder folder;
+    const Scene scene = loadScene(folder.write("scene.json", R"({ "diameter": 0.08, "objects": [
+        { "type": "actor", "name": "figure", "file": ")" + inSource("assets/models/humanoid.glb") +
+                                                                 R"(" },
+        { "type": "joined", "name": "pair", "position": [3, 0, 0] }] })"));
+    const std::string path = folder.path("out.glb");
+    GltfExport out(path, scene);
+    constexpr int FRAMES = 31;
+    const auto angleAt = [](int frame) { return 0.1f * static_cast<float>(frame); };
+    for (int f = 0; f < FRAMES; ++f) out.add(scene.world, turned(scene.world, angleAt(f)));
+    out.finish(30.0);
+
+    const Model before = importModel(inSource("assets/models/humanoid.glb"), {.clips = false});
+    const Model after = importModel(path, {.fit = {.scale = 1.0}, .surface = true});
+    ASSERT_EQ(after.clips.size(), 1u);
+    EXPECT_EQ(after.clips[0].name, "simulation");
+    EXPECT_NEAR(after.clips[0].duration, 1.0, 1e-6);
+    EXPECT_GE(after.bones.size(), before.bones.size() + 2) << "the figure's, and two bodies";
+    const Clip& clip = after.clips[0];
+    for (const Bone& bone : before.bones) {
+        const auto found = std::ranges::find(after.bones, bone.name, &Bone::name);
+        ASSERT_NE(found, after.bones.end()) << bone.name;
+        for (size_t k = 0; k < clip.keyTimes.size(); ++k) {
+            const auto angle = 3.0f * static_cast<float>(clip.keyTimes[k]);
+            const Vector3f head = bone.restPose.block<3, 1>(0, 3);
+            const Vector3f wanted = Eigen::AngleAxisf(angle, Vector3f(1, 2, 0.5f).normalized()) * head +
+                                    Vector3f(0, angle, 0);
+            const Vector3f is = clip.poses[k][static_cast<size_t>(found - after.bones.begin())].block<3, 1>(0, 3);
+            // Places and turns may be off by 0.02 mm and 0.02 degrees of 2 m.
+            EXPECT_LT((is - wanted).norm(), 1e-3f) << bone.name << " at " << clip.keyTimes[k];
+        }
+    }
+}
+
+TEST(GltfExport, ASceneWithoutBodiesIsRefused)
+{
+    const TempFolder folder;
+    const Scene scene = loadScene(folder.write("water.json", R"({ "materials": { "water": { "fluid": true } },
+        "objects": [{ "type": "fluid", "shape": "box", "size": [0.5, 0.5, 0.5], "material": "water" }] })"));
+    EXPECT_EQ(messageOf<InputError>([&] { GltfExport out(folder.path("out.glb"), scene); }),
+              "--export gltf=" + folder.path("out.glb") + ": the scene has no bodies, which could be written");
+    EXPECT_FALSE(std::filesystem::exists(folder.path("out.glb")));
+}
+
+TEST(KeyReduction, KeepsWhatALineCannotSay)
+{
+    std::vector<float> times;
+    std::vector<Vector3f> straight, bent, wave;
+    for (int k = 0; k <= 100; ++k) {
+        const auto t = 0.01f * static_cast<float>(k);
+        times.push_back(t);
+        straight.push_back({t, 2 * t, 1});
+        bent.push_back({std::abs(t - 0.37f), 0, 0});
+        wave.push_back({std::sin(6.0f * t), 0, 0});
+    }
+    EXPECT_EQ(keysOf(times, straight, 1e-5f), (std::vector<size_t>{0, 100}));
+    EXPECT_EQ(keysOf(times, bent, 1e-5f), (std::vector<size_t>{0, 37, 100}));
+    const std::vector<size_t> keys = keysOf(times, wave, 1e-2f);
+    EXPECT_LT(keys.size(), 40u);
+    for (size_t i = 0; i + 1 < keys.size(); ++i)
+        for (size_t k = keys[i]; k <= keys[i + 1]; ++k) {
+            const float part = (times[k] - times[keys[i]]) / (times[keys[i + 1]] - times[keys[i]]);
+            const Vector3f line = wave[keys[i]] + part * (wave[keys[i + 1]] - wave[keys[i]]);
+            EXPECT_LE((line - wave[k]).norm(), 1e-2f);
+        }
+}
+
+}  // namespace
+}  // namespace knuckle::test
