@@ -8,6 +8,7 @@
 #include "app/files/actor_file.h"
 #include "app/files/joints_file.h"
 #include "app/files/output.h"
+#include "app/run/counted.h"
 #include "render/renderer.h"
 #include "sim/actor/bodies/make_actor.h"
 #include "sim/solver/solver.h"
@@ -17,8 +18,12 @@ namespace knuckle {
 
 namespace {
 
+constexpr size_t FEWEST_PARTICLES = 12;
+constexpr float SMALLEST_DIAMETER = 0.001f;  // of a scene [m]
+
 struct VoxelizeOptions {
     std::string model, output, joints, preview;
+    std::vector<std::string> keep, merge;
     double diameter = 0.0;
     uint32_t particles = 0;
     ModelFit fit;
@@ -51,6 +56,21 @@ void writePreview(const std::string& path, const Actor& actor, const CommonOptio
     writePng(path, renderer.readImage());
 }
 
+/// Whether a scene can use it.
+void requireUsable(const std::string& file, const Actor& actor)
+{
+    const size_t count = actor.particles.size();
+    if (count < FEWEST_PARTICLES)
+        throw InputError(fmt::format("{}: {} of {:.3g} m are too few for an actor; use --particles 1000, or a smaller "
+                                     "--diameter",
+                                     file, counted(count, "particle"), actor.diameter));
+    if (actor.diameter < SMALLEST_DIAMETER)
+        throw InputError(
+            fmt::format("{}: it would consist of particles of {:.3g} m, scenes have some of {:g} m or more; "
+                        "make it larger by --height, or use fewer --particles",
+                        file, actor.diameter, SMALLEST_DIAMETER));
+}
+
 int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
 {
     for (const std::string& path : {options.output, options.preview}) {
@@ -62,10 +82,13 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     ActorOptions actorOptions;
     actorOptions.voxels.diameter = static_cast<float>(options.diameter);
     actorOptions.particleCount = options.particles;
+    actorOptions.articulation.keep = options.keep;
+    actorOptions.articulation.merge = options.merge;
     if (!options.joints.empty()) readJoints(options.joints, actorOptions.articulation);
     const Model model = importModel(options.model, import);
     Actor actor = makeActor(model, actorOptions);
     actor.model = {options.model, import.fit};
+    requireUsable(options.model, actor);
     if (!common.quiet) fmt::print("{}{}", actorTable(actor), clipTable(model));
     if (!options.output.empty()) writeActor(options.output, actor);
     if (!options.preview.empty()) writePreview(options.preview, actor, common);
@@ -87,6 +110,7 @@ void addVoxelizeCommand(CommandLine line)
         "Examples:\n"
         "  knuckle voxelize model.glb                               print the table only\n"
         "  knuckle voxelize model.glb -o actor.json --particles 3000 --preview actor.png\n"
+        "  knuckle voxelize model.glb --keep '*tail*' --merge 'hair*'   * is any part of a name, ? any letter\n"
         "  knuckle schema joints                                    the format of --joints");
     auto options = std::make_shared<VoxelizeOptions>();
     command->add_option("MODEL", options->model, "The rigged model")->required();
@@ -95,7 +119,7 @@ void addVoxelizeCommand(CommandLine line)
                          ->check(CLI::Range(0.001, 10.0))
                          ->type_name("M");
     command->add_option("--particles", options->particles, "As many particles as this, or nearly")
-        ->check(CLI::Range(4, 200000))
+        ->check(CLI::Range(12, 200000))
         ->type_name("N")
         ->excludes(diameter);
     command->add_option("--joints", options->joints, "Joint types that override those from the bones' names")
@@ -113,6 +137,10 @@ void addVoxelizeCommand(CommandLine line)
         ->transform(CLI::CheckedTransformer(std::map<std::string, UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}}))
         ->type_name("y|z");
     command->add_flag("--center", options->center, "Lowest point at height 0, middle over the origin");
+    command->add_option("--keep", options->keep, "Bones that get a body of their own where they are large enough")
+        ->type_name("PATTERN ...");
+    command->add_option("--merge", options->merge, "Bones that are part of the body that they hang on")
+        ->type_name("PATTERN ...");
     command->add_option("--preview", options->preview, "Draw the actor, shared particles red")->type_name("actor.png");
     command->callback([=] { line.chosen = [=] { return voxelizeFile(*options, line.common); }; });
 }

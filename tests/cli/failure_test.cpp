@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "tests/cli/cli_fixture.h"
+#include "tests/places.h"
 
 namespace knuckle {
 namespace {
@@ -64,6 +65,19 @@ TEST_F(Failure, OfAModelIsOneLineAndLeavesNothing)
     expectError(run({"voxelize", "notes.md"}), 2,
                 "notes.md: it cannot be read as a model (No suitable reader found for the file format of file "
                 "\"notes.md\"); export it as glTF, FBX, Collada or BVH");
+}
+
+TEST_F(Failure, AnActorThatNoSceneCouldUseIsRefused)
+{
+    const std::string figure = test::inSource("assets/models/humanoid.glb");
+    const RunResult coarse = run({"voxelize", figure, "--diameter", "0.6", "-o", "actor.json"});
+    EXPECT_EQ(coarse.code, 2);
+    EXPECT_TRUE(coarse.err.starts_with("knuckle: " + figure + ": ")) << coarse.err;
+    EXPECT_NE(coarse.err.find("use --particles 1000, or a smaller --diameter"), std::string::npos) << coarse.err;
+    const RunResult tiny = run({"voxelize", figure, "--height", "0.012", "-o", "actor.json"});
+    EXPECT_EQ(tiny.code, 2);
+    EXPECT_NE(tiny.err.find("make it larger by --height"), std::string::npos) << tiny.err;
+    EXPECT_TRUE(madeFiles().empty());
 }
 
 TEST_F(Failure, ToFindAPlaceForTheFramesComesBeforeSimulating)

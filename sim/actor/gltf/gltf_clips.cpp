@@ -10,6 +10,7 @@ namespace knuckle {
 namespace {
 
 constexpr float SAME_PLACE = 1e-5f;  // of a bone against its parent [m]
+constexpr float UNSCALED = 1e-5f;    // from the identity, of what a rotation times its transpose is
 
 /// Times of a clip's keys, of which tracks with the same keys share an accessor.
 class KeyTimes {
@@ -74,22 +75,23 @@ GltfJson& animationNamed(GltfFile& file, const std::string& name)
 
 }  // namespace
 
-Eigen::Isometry3f rigidPose(const Eigen::Matrix4f& pose)
+Eigen::Matrix4f rigidPose(const Eigen::Matrix4f& pose)
 {
-    Eigen::Isometry3f rigid = Eigen::Isometry3f::Identity();
-    rigid.translation() = pose.block<3, 1>(0, 3);
+    const Eigen::Matrix3f linear = pose.topLeftCorner<3, 3>();
+    if ((linear.transpose() * linear).isIdentity(UNSCALED)) return pose;
     Eigen::Matrix3f rotation, scale;
     Eigen::Affine3f(pose).computeRotationScaling(&rotation, &scale);
-    rigid.linear() = rotation;
+    Eigen::Matrix4f rigid = pose;
+    rigid.topLeftCorner<3, 3>() = rotation;
     return rigid;
 }
 
 LocalPose localPose(const Model& model, const std::vector<Eigen::Matrix4f>& pose, size_t bone)
 {
     const int32_t parent = model.bones[bone].parent;
-    Eigen::Isometry3f local = rigidPose(pose[bone]);
-    if (parent >= 0) local = rigidPose(pose[static_cast<size_t>(parent)]).inverse() * local;
-    return {local.translation(), Eigen::Quaternionf(local.linear()).normalized()};
+    Eigen::Matrix4f local = rigidPose(pose[bone]);
+    if (parent >= 0) local = Eigen::Matrix4f(rigidPose(pose[static_cast<size_t>(parent)]).inverse() * local);
+    return {local.block<3, 1>(0, 3), Eigen::Quaternionf(local.topLeftCorner<3, 3>()).normalized()};
 }
 
 void addClip(GltfFile& file, const Model& model, const Clip& clip, size_t firstBone, const GlbOptions& options)

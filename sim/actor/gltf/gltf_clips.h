@@ -14,7 +14,7 @@ struct LocalPose {
 /// @param pose of all bones in the model's space; any scale of theirs is taken off.
 LocalPose localPose(const Model& model, const std::vector<Eigen::Matrix4f>& pose, size_t bone);
 /// A bone's pose without scale.
-Eigen::Isometry3f rigidPose(const Eigen::Matrix4f& pose);
+Eigen::Matrix4f rigidPose(const Eigen::Matrix4f& pose);
 
 /// Appends a clip to the animation of its name: every bone's turns, and its places where they are not those of its rest
 /// pose. @param firstBone node of the model's first bone.

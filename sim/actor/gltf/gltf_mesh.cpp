@@ -131,7 +131,7 @@ size_t addSkin(GltfFile& file, const Model& model, size_t firstBone)
     std::vector<float> binds;
     GltfJson joints = GltfJson::array();
     for (size_t b = 0; b < model.bones.size(); ++b) {
-        appendTo(binds, rigidPose(model.bones[b].restPose).inverse().matrix());
+        appendTo(binds, Eigen::Matrix4f(rigidPose(model.bones[b].restPose).inverse()));
         joints.push_back(firstBone + b);
     }
     const size_t accessor = file.addAccessor(binds, 16, GLTF_FLOAT, "MAT4");
