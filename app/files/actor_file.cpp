@@ -161,7 +161,10 @@ std::string sourceText(const ModelSource& model)
 
 ModelSource readSource(const Json& root)
 {
-    ModelSource model{root["model"], {root["scale"], root["height"]}};
+    ModelSource model;
+    readValue(root["model"], model.file);
+    readValue(root["scale"], model.fit.scale);
+    readValue(root["height"], model.fit.height);
     if (root["up"] == "z") model.fit.up = UpAxis::Z;
     const auto centering = std::ranges::find(CENTERINGS, root["centering"].get<std::string>());
     model.fit.centering = static_cast<Centering>(centering - CENTERINGS.begin());

@@ -58,7 +58,7 @@ Model readModel(const Json& object, const std::string& file)
 Actor voxelizeModel(SceneContext& context, const Json& object, const std::string& file, float diameter)
 {
     const bool kept = playsOwnClips(object) || showsSkin(object);
-    Model model = kept ? modelWithClips(context, {file, {object["scale"]}}, showsSkin(object))
+    Model model = kept ? modelWithClips(context, {file, {.scale = object["scale"].get<double>()}}, showsSkin(object))
                        : readModel(object, file);
     ActorOptions options;
     options.voxels.diameter = diameter;
@@ -71,7 +71,7 @@ Actor voxelizeModel(SceneContext& context, const Json& object, const std::string
         readJoints(besideScene(context, joints), options.articulation);
     }
     Actor actor = makeActor(model, options);
-    actor.model = {file, {object["scale"]}};
+    actor.model = {file, {.scale = object["scale"].get<double>()}};
     return actor;
 }
 

@@ -59,7 +59,8 @@ private:
             entry_.fail(where + (own ? "/clip" : "/file"),
                         "an actor file has no clips; give the model that has them as its `file`");
         if (!own) return modelWithClips(entry_.context, {path, {}});
-        return modelWithClips(entry_.context, {path, {entry_.json["scale"]}}, showsSkin(entry_.json));
+        return modelWithClips(entry_.context, {path, {.scale = entry_.json["scale"].get<double>()}},
+                              showsSkin(entry_.json));
     }
 
     const Clip& find(const Model& model, const std::string& name, const std::string& where) const

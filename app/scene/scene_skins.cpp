@@ -13,7 +13,7 @@ namespace {
 ModelSource sourceOf(const ObjectEntry& entry, const Actor& actor)
 {
     const std::string file = existingFile(entry.context, entry.json["file"], entry.pointer + "/file");
-    if (std::filesystem::path(file).extension() != ".json") return {file, {entry.json["scale"]}};
+    if (std::filesystem::path(file).extension() != ".json") return {file, {.scale = entry.json["scale"].get<double>()}};
     if (actor.model.file.empty())
         entry.fail("/skin", fmt::format("{} does not say of which `model` it was made; make it anew with knuckle "
                                         "voxelize, or take \"particles\"",

@@ -7,10 +7,12 @@ namespace knuckle {
 
 namespace {
 
-/// The bones of a model. @returns the node of the first one; the others follow.
+/// The bones of a model. A skin wants one root, so what has several gets a node above them.
+/// @returns the node of the first one; the others follow.
 size_t addBones(GltfFile& file, const Model& model, GltfJson& roots)
 {
     const size_t first = file.count("nodes");
+    GltfJson own = GltfJson::array();
     std::vector<Eigen::Matrix4f> rest;
     for (const Bone& bone : model.bones) rest.push_back(bone.restPose);
     for (size_t b = 0; b < model.bones.size(); ++b) {
@@ -22,9 +24,14 @@ size_t addBones(GltfFile& file, const Model& model, GltfJson& roots)
         for (size_t c = b + 1; c < model.bones.size(); ++c)
             if (model.bones[c].parent == static_cast<int32_t>(b)) children.push_back(first + c);
         if (!children.empty()) node["children"] = std::move(children);
-        if (model.bones[b].parent < 0) roots.push_back(first + b);
+        if (model.bones[b].parent < 0) own.push_back(first + b);
         file.append("nodes", std::move(node));
     }
+    if (own.size() > 1) {
+        GltfJson above{{"name", model.name + " root"}, {"children", own}};
+        own = GltfJson::array({file.append("nodes", std::move(above))});
+    }
+    for (const GltfJson& root : own) roots.push_back(root);
     return first;
 }
 

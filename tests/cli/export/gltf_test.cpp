@@ -63,6 +63,19 @@ TEST(GltfExport, ReadBackTheSkeletonMovesAsTheBodiesDid)
     }
 }
 
+TEST(GltfExport, JointsOfASkinHaveOneRoot)
+{
+    const TempFolder folder;
+    const Scene scene = loadScene(
+        folder.write("pair.json", R"({ "objects": [{ "type": "joined", "name": "pair" }] })"));
+    const std::string path = folder.path("pair.glb");
+    GltfExport out(path, scene);
+    out.add(scene.world, turned(scene.world, 0.0f));
+    out.finish(30.0);
+    const std::string bytes = readText(path);
+    EXPECT_NE(bytes.find(R"("name":"pair root","children":[0,1])"), std::string::npos);
+}
+
 TEST(GltfExport, ASceneWithoutBodiesIsRefused)
 {
     const TempFolder folder;
