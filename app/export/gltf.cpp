@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numbers>
 
 #include "render/picture/image.h"
 #include "sim/actor/gltf/glb.h"
@@ -16,9 +15,9 @@ namespace knuckle {
 namespace {
 
 constexpr const char* CLIP = "simulation";
-// At the skin 0.1 mm and 0.1 degrees; errors of a chain's joints add up, so each has a part of that.
-constexpr float SHIFT_TOLERANCE = 2e-5f;                                   // [m]
-constexpr float TURN_TOLERANCE = 0.02f * std::numbers::pi_v<float> / 180;  // [rad]
+// At the skin 0.1 mm: what a chain of seven joints of a meter is off by, each as far as it may be.
+constexpr float SHIFT_TOLERANCE = 1e-5f;  // [m]
+constexpr float TURN_TOLERANCE = 2e-5f;   // [rad]
 
 /// Bodies without a skeleton, a bone each.
 Rig rigOfBodies(const World& world, uint32_t object)
