@@ -18,8 +18,8 @@ namespace knuckle {
 
 namespace {
 
-constexpr size_t FEWEST_PARTICLES = 12;
-constexpr float SMALLEST_DIAMETER = 0.001f;  // of a scene [m]
+constexpr uint32_t FEWEST_PARTICLES = 12, MOST_PARTICLES = 200000;
+constexpr double SMALLEST_DIAMETER = 0.001;  // of a scene [m]
 
 struct VoxelizeOptions {
     std::string model, output, joints, preview;
@@ -64,7 +64,7 @@ void requireUsable(const std::string& file, const Actor& actor)
         throw InputError(fmt::format("{}: {} of {:.3g} m are too few for an actor; use --particles 1000, or a smaller "
                                      "--diameter",
                                      file, counted(count, "particle"), actor.diameter));
-    if (actor.diameter < SMALLEST_DIAMETER)
+    if (actor.diameter < static_cast<float>(SMALLEST_DIAMETER))
         throw InputError(
             fmt::format("{}: it would consist of particles of {:.3g} m, scenes have some of {:g} m or more; "
                         "make it larger by --height, or use fewer --particles",
@@ -116,10 +116,10 @@ void addVoxelizeCommand(CommandLine line)
     command->add_option("MODEL", options->model, "The rigged model")->required();
     command->add_option("-o,--output", options->output, "Write the actor here")->type_name("actor.json");
     auto* diameter = command->add_option("--diameter", options->diameter, "Diameter of a particle [m]")
-                         ->check(CLI::Range(0.001, 10.0))
+                         ->check(CLI::Range(SMALLEST_DIAMETER, 10.0))
                          ->type_name("M");
     command->add_option("--particles", options->particles, "As many particles as this, or nearly")
-        ->check(CLI::Range(12, 200000))
+        ->check(CLI::Range(FEWEST_PARTICLES, MOST_PARTICLES))
         ->type_name("N")
         ->excludes(diameter);
     command->add_option("--joints", options->joints, "Joint types that override those from the bones' names")
@@ -137,10 +137,11 @@ void addVoxelizeCommand(CommandLine line)
         ->transform(CLI::CheckedTransformer(std::map<std::string, UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}}))
         ->type_name("y|z");
     command->add_flag("--center", options->center, "Lowest point at height 0, middle over the origin");
-    command->add_option("--keep", options->keep, "Bones that get a body of their own where they are large enough")
-        ->type_name("PATTERN ...");
-    command->add_option("--merge", options->merge, "Bones that are part of the body that they hang on")
-        ->type_name("PATTERN ...");
+    const auto list = [command](const char* name, std::vector<std::string>& values, const char* words) {
+        command->add_option(name, values, words)->type_name("PATTERN ...")->take_all()->allow_extra_args(false);
+    };
+    list("--keep", options->keep, "Bones that get a body of their own where they are large enough");
+    list("--merge", options->merge, "Bones that are part of the body that they hang on");
     command->add_option("--preview", options->preview, "Draw the actor, shared particles red")->type_name("actor.png");
     command->callback([=] { line.chosen = [=] { return voxelizeFile(*options, line.common); }; });
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "sim/actor/bodies/bone_bodies.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -22,11 +23,6 @@ constexpr float DEGREES = 180.0f / std::numbers::pi_v<float>;
 constexpr float AWAY = 0.001f;          // from where its parent has it [m]: a joint that needs a position
 constexpr float STRAIGHT_UP = 0.9999f;  // sine of the turn about x, above which those about z and y are one
 
-Vector3f headOf(const Bone& bone)
-{
-    return bone.restPose.block<3, 1>(0, 3);
-}
-
 /// Which bones do not stay where their parents have them.
 std::vector<bool> movesApart(const Rig& rig, const Frames& frames)
 {
@@ -34,8 +30,9 @@ std::vector<bool> movesApart(const Rig& rig, const Frames& frames)
     for (size_t b = 0; b < rig.model.bones.size(); ++b) {
         const int32_t parent = rig.model.bones[b].parent;
         for (const auto& frame : frames)
-            if (parent < 0 ||
-                (frame[b] * headOf(rig.model.bones[b]) - frame[parent] * headOf(rig.model.bones[b])).norm() > AWAY)
+            if (parent < 0 || (frame[b] * boneHead(rig.model, static_cast<uint32_t>(b)) -
+                               frame[parent] * boneHead(rig.model, static_cast<uint32_t>(b)))
+                                      .norm() > AWAY)
                 apart[b] = true;
     }
     return apart;
@@ -80,11 +77,12 @@ private:
         return bone > 0 && rig_.model.bones[bone].parent < 0 ? 0 : rig_.model.bones[bone].parent;
     }
 
+    Vector3f headOf(size_t bone) const { return boneHead(rig_.model, static_cast<uint32_t>(bone)); }
+
     Vector3f offsetOf(size_t bone) const
     {
         const int32_t parent = parentOf(bone);
-        return headOf(rig_.model.bones[bone]) -
-               (parent < 0 ? Vector3f(Vector3f::Zero()) : headOf(rig_.model.bones[parent]));
+        return headOf(bone) - (parent < 0 ? Vector3f(Vector3f::Zero()) : headOf(static_cast<size_t>(parent)));
     }
 
     void writeLine(int depth, const std::string& line)
@@ -139,10 +137,9 @@ private:
         for (const size_t bone : order_) {
             const int32_t parent = parentOf(bone);
             const Isometry3f above = parent < 0 ? Isometry3f::Identity() : frame[static_cast<size_t>(parent)];
-            const Vector3f from = parent < 0 ? Vector3f(Vector3f::Zero()) : headOf(rig_.model.bones[parent]);
+            const Vector3f from = parent < 0 ? Vector3f(Vector3f::Zero()) : headOf(static_cast<size_t>(parent));
             if (hasPosition(bone)) {
-                const Vector3f at = CENTIMETRES *
-                                    (above.inverse() * (frame[bone] * headOf(rig_.model.bones[bone])) - from);
+                const Vector3f at = CENTIMETRES * (above.inverse() * (frame[bone] * headOf(bone)) - from);
                 line += fmt::format("{:.5f} {:.5f} {:.5f} ", at.x(), at.y(), at.z());
             }
             last[bone] = anglesOf(above.linear().transpose() * frame[bone].linear(), last[bone]);

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "render/picture/image.h"
 #include "sim/actor/gltf/glb.h"
+#include "sim/actor/skin/skin_mesh.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -73,16 +73,16 @@ void addParticles(Rig& rig, const World& world)
 void mergeWeights(Rig& rig)
 {
     const std::map<uint32_t, uint32_t> bones = bonesOfBodies(rig);
+    std::vector<uint32_t> owners;
+    for (const uint32_t body : rig.bodies) owners.push_back(bones.at(body));
     for (SkinWeights& skin : rig.model.skin) {
-        std::map<uint32_t, float> sums;
-        for (size_t i = 0; i < skin.bones.size(); ++i)
-            if (skin.weights[i] > 0.0f) sums[bones.at(rig.bodies[skin.bones[i]])] += skin.weights[i];
-        skin = {};
+        SkinWeights merged;
         size_t i = 0;
-        for (const auto& [bone, weight] : sums) {
-            skin.bones[i] = bone;
-            skin.weights[i++] = weight;
+        for (const auto& [bone, weight] : weightsByOwner(skin, owners)) {
+            merged.bones[i] = bone;
+            merged.weights[i++] = weight;
         }
+        skin = merged;
     }
 }
 

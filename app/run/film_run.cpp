@@ -44,6 +44,15 @@ struct Outputs {
         if (!options.stats.empty()) stats.emplace(options.stats);
     }
 
+    bool wantBodies() const { return bodies || bvh || gltf; }
+
+    void addBodies(uint64_t frame, const World& world, const std::vector<BodyState>& states)
+    {
+        if (bodies) bodies->write(frame, world, states);
+        if (gltf) gltf->add(world, states);
+        if (bvh) bvh->add(world, states);
+    }
+
     static std::unique_ptr<FrameSink> openSink(const std::string& path, const Scene& scene)
     {
         const std::string ending = std::filesystem::path(path).extension().string();
@@ -161,9 +170,7 @@ private:
         if (drawing_) drawing_->take(solver_.view(), {frame, time, wanted});
         if (!wanted) return;
         if (!outputs_.plyFolder.empty()) writePly(outputs_.plyFolder, frame, scene_.world, solver_.readParticles());
-        if (outputs_.bodies) outputs_.bodies->write(frame, scene_.world, solver_.readBodies());
-        if (outputs_.gltf) outputs_.gltf->add(scene_.world, solver_.readBodies());
-        if (outputs_.bvh) outputs_.bvh->add(scene_.world, solver_.readBodies());
+        if (outputs_.wantBodies()) outputs_.addBodies(frame, scene_.world, solver_.readBodies());
         if (outputs_.measures) outputs_.measures->write(frame, solver_.measure());
     }
 

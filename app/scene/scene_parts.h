@@ -114,8 +114,7 @@ ClipPlay readObjectMotion(const ObjectEntry& entry);
 /// By what an actor or a mesh differs from others. @param diameter of its particles [m].
 std::string actorKey(const SceneContext& context, const Json& object, const std::string& file, float diameter);
 
-/// A model with its clips, read at most once. @param scale [m per unit]; 0: what the file says, else a guess.
-/// @param surface see ImportOptions.
+/// A model with its clips, read at most once. @param surface see ImportOptions.
 const Model& modelWithClips(SceneContext& context, const ModelSource& source, bool surface = false);
 
 /// Whether an object is to be drawn by its mesh.

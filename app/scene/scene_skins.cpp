@@ -10,17 +10,17 @@ namespace knuckle {
 
 namespace {
 
-ModelSource sourceOf(const ObjectEntry& entry, const Actor& actor)
+/// The model that an actor was made of. @throws InputError where it is not known, or not there.
+const ModelSource& sourceOf(const ObjectEntry& entry, const Actor& actor)
 {
-    const std::string file = existingFile(entry.context, entry.json["file"], entry.pointer + "/file");
-    if (std::filesystem::path(file).extension() != ".json") return {file, {.scale = entry.json["scale"].get<double>()}};
-    if (actor.model.file.empty())
-        entry.fail("/skin", fmt::format("{} does not say of which `model` it was made; make it anew with knuckle "
-                                        "voxelize, or take \"particles\"",
-                                        file));
-    if (!std::filesystem::is_regular_file(actor.model.file))
-        entry.fail("/skin", fmt::format("{} was made of {}, which is not there; put it there, or take \"particles\"",
-                                        file, actor.model.file));
+    const std::string& model = actor.model.file;
+    const auto refuse = [&](const std::string& why) {
+        const std::string file = existingFile(entry.context, entry.json["file"], entry.pointer + "/file");
+        entry.fail("/skin", file + why + ", or take \"particles\"");
+    };
+    if (model.empty()) refuse(" does not say of which `model` it was made; make it anew with knuckle voxelize");
+    if (!std::filesystem::is_regular_file(model))
+        refuse(fmt::format(" was made of {}, which is not there; put it there", model));
     return actor.model;
 }
 

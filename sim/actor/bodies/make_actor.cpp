@@ -86,11 +86,11 @@ Actor actorOfCount(const Model& model, const ActorOptions& options, uint32_t wan
 }
 
 /// Tells which limbs are less than two particles thick.
-void noteThinLimbs(const Model& model, Actor& actor)
+void noteThinLimbs(const Model& model, std::span<const LimbThickness> limbs, Actor& actor)
 {
     std::string names;
     float thinnest = std::numeric_limits<float>::max();
-    for (const LimbThickness& limb : limbThicknesses(model)) {
+    for (const LimbThickness& limb : limbs) {
         if (limb.thickness >= THIN * actor.diameter) continue;
         names += (names.empty() ? "" : ", ") + model.bones[limb.bone].name;
         thinnest = std::min(thinnest, limb.thickness);
@@ -123,11 +123,12 @@ Actor makeActor(const Model& model, const ActorOptions& options)
     if (options.particleCount > options.voxels.particleLimit)
         throw std::logic_error(fmt::format("{} particles wanted for one model, at most {} are allowed: ask for fewer",
                                            options.particleCount, options.voxels.particleLimit));
-    const bool byLimbs = options.voxels.diameter == 0.0f && options.particleCount == 0;
-    const float limbs = byLimbs ? limbDiameter(model) : 0.0f;
-    Actor actor = limbs > 0.0f ? actorByLimbs(model, options, limbs) : actorOf(model, options, options.voxels.diameter);
+    const std::vector<LimbThickness> limbs = limbThicknesses(model);
+    const bool byLimbs = options.voxels.diameter == 0.0f && options.particleCount == 0 && !limbs.empty();
+    Actor actor = byLimbs ? actorByLimbs(model, options, limbDiameter(limbs))
+                          : actorOf(model, options, options.voxels.diameter);
     if (options.particleCount > 0) actor = actorOfCount(model, options, options.particleCount, actor.diameter);
-    noteThinLimbs(model, actor);
+    noteThinLimbs(model, limbs, actor);
     return actor;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <span>
 
 #include "sim/actor/anatomy/anatomy.h"
@@ -72,16 +71,6 @@ bool isLongLimb(BodyPart part)
     return part == BodyPart::UpperArm || part == BodyPart::Forearm || part == BodyPart::Thigh || part == BodyPart::Shin;
 }
 
-float sizeOf(const Model& model)
-{
-    Vector3f low = Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
-    for (const Vector3f& vertex : model.vertices) {
-        low = low.cwiseMin(vertex);
-        high = high.cwiseMax(vertex);
-    }
-    return (high - low).maxCoeff();
-}
-
 }  // namespace
 
 std::vector<LimbThickness> limbThicknesses(const Model& model)
@@ -92,7 +81,9 @@ std::vector<LimbThickness> limbThicknesses(const Model& model)
     std::vector<std::vector<uint32_t>> owned(model.bones.size());
     for (uint32_t t = 0; t < owners.size(); ++t)
         if (owners[t] != NO_INDEX) owned[owners[t]].push_back(t);
-    const float size = sizeOf(model);
+    Eigen::AlignedBox3f bounds;
+    for (const Vector3f& vertex : model.vertices) bounds.extend(vertex);
+    const float size = bounds.sizes().maxCoeff();
     std::vector<LimbThickness> known, others;
     for (uint32_t bone = 0; bone < model.bones.size(); ++bone) {
         const int32_t end = endOf(model, anatomy, bone);
@@ -116,12 +107,10 @@ std::vector<LimbThickness> limbThicknesses(const Model& model)
     return known.empty() ? others : known;
 }
 
-float limbDiameter(const Model& model)
+float limbDiameter(std::span<const LimbThickness> limbs)
 {
-    float thinnest = std::numeric_limits<float>::max();
-    const std::vector<LimbThickness> limbs = limbThicknesses(model);
-    for (const LimbThickness& limb : limbs) thinnest = std::min(thinnest, limb.thickness);
-    return limbs.empty() ? 0.0f : thinnest / ACROSS;
+    const auto thinnest = std::ranges::min_element(limbs, {}, &LimbThickness::thickness);
+    return thinnest == limbs.end() ? 0.0f : thinnest->thickness / ACROSS;
 }
 
 }  // namespace knuckle

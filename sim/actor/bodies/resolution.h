@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "sim/actor/import/model.h"
 
 namespace knuckle {
@@ -15,8 +17,8 @@ struct LimbThickness {
 /// thick and no finger's size; in the order of bones.
 std::vector<LimbThickness> limbThicknesses(const Model& model);
 
-/// The particle diameter at which the thinnest limb has two and a half particles across it [m]; 0 for a model without
-/// limbs.
-float limbDiameter(const Model& model);
+/// The particle diameter at which the thinnest of the limbs has two and a half particles across it [m]; 0 where there
+/// are none.
+float limbDiameter(std::span<const LimbThickness> limbs);
 
 }  // namespace knuckle

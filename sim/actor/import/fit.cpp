@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numbers>
 
 #include "sim/world/errors.h"
@@ -35,24 +33,13 @@ constexpr Unit CAPTURE_UNITS[] = {{"metres", 1.0f},
                                   {"millimetres", 0.001f},
                                   {"units of 56.4 mm", 0.0254f / 0.45f}};
 
-struct Bounds {
-    Vector3f low = Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
-
-    void include(const Vector3f& p)
-    {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    Vector3f size() const { return high - low; }
-};
-
-/// Of the mesh, or of the bones' heads where there is none.
-Bounds boundsOf(const Model& model)
+/// Around the mesh, or the bones' heads where there is none.
+Eigen::AlignedBox3f boundsOf(const Model& model)
 {
-    Bounds bounds;
-    for (const Vector3f& vertex : model.vertices) bounds.include(vertex);
+    Eigen::AlignedBox3f bounds;
+    for (const Vector3f& vertex : model.vertices) bounds.extend(vertex);
     if (model.vertices.empty())
-        for (const Bone& bone : model.bones) bounds.include(bone.restPose.block<3, 1>(0, 3));
+        for (const Bone& bone : model.bones) bounds.extend(Vector3f(bone.restPose.block<3, 1>(0, 3)));
     return bounds;
 }
 
@@ -108,14 +95,14 @@ void questionSize(Model& model, const Vector3f& size)
 
 void center(Model& model, Centering centering)
 {
-    const Bounds bounds = boundsOf(model);
-    const Vector3f middle = 0.5f * (bounds.low + bounds.high);
-    const bool isFar = middle.norm() > FAR_AWAY * bounds.size().maxCoeff();
+    const Eigen::AlignedBox3f bounds = boundsOf(model);
+    const Vector3f middle = bounds.center();
+    const bool isFar = middle.norm() > FAR_AWAY * bounds.sizes().maxCoeff();
     if (centering == Centering::Never || (centering == Centering::WhereFar && !isFar)) return;
     if (centering == Centering::WhereFar)
         model.notes.push_back(
             fmt::format("The model stood {:.3g} m from its origin and was moved there.", middle.norm()));
-    transform(model, Eigen::Affine3f(Eigen::Translation3f(-middle.x(), -bounds.low.y(), -middle.z())));
+    transform(model, Eigen::Affine3f(Eigen::Translation3f(-middle.x(), -bounds.min().y(), -middle.z())));
 }
 
 }  // namespace
@@ -124,7 +111,7 @@ void fitModel(Model& model, const ModelFit& fit)
 {
     if (fit.up == UpAxis::Z)
         transform(model, Eigen::Affine3f(Eigen::AngleAxisf(-0.5f * std::numbers::pi_v<float>, Vector3f::UnitX())));
-    const Vector3f size = boundsOf(model).size();
+    const Vector3f size = boundsOf(model).sizes();
     if (!size.allFinite() || !(size.maxCoeff() > 0.0f))
         throw InputError("it has no size, or one that is not finite: check the transforms in the file");
     const float factor = scaleOf(model, fit, size), metres = size.maxCoeff() * factor;

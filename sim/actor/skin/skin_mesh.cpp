@@ -25,11 +25,7 @@ std::map<std::string, uint32_t> bodiesByName(const Actor& actor)
 /// @param bodies per bone of the model.
 void skinVertex(const SkinWeights& skin, const std::vector<uint32_t>& bodies, SkinVertex& vertex)
 {
-    std::map<uint32_t, float> sums;
-    for (size_t i = 0; i < skin.bones.size(); ++i)
-        if (skin.weights[i] > 0.0f) sums[bodies[skin.bones[i]]] += skin.weights[i];
-    std::vector<std::pair<uint32_t, float>> order(sums.begin(), sums.end());
-    std::ranges::stable_sort(order, std::ranges::greater(), &std::pair<uint32_t, float>::second);
+    std::vector<std::pair<uint32_t, float>> order = weightsByOwner(skin, bodies);
     order.resize(std::min(order.size(), vertex.bodies.size()));
     float sum = 0.0f;
     for (const auto& [body, weight] : order) sum += weight;
@@ -41,6 +37,16 @@ void skinVertex(const SkinWeights& skin, const std::vector<uint32_t>& bodies, Sk
 }
 
 }  // namespace
+
+std::vector<std::pair<uint32_t, float>> weightsByOwner(const SkinWeights& skin, std::span<const uint32_t> owners)
+{
+    std::map<uint32_t, float> sums;
+    for (size_t i = 0; i < skin.bones.size(); ++i)
+        if (skin.weights[i] > 0.0f) sums[owners[skin.bones[i]]] += skin.weights[i];
+    std::vector<std::pair<uint32_t, float>> order(sums.begin(), sums.end());
+    std::ranges::stable_sort(order, std::ranges::greater(), &std::pair<uint32_t, float>::second);
+    return order;
+}
 
 std::vector<uint32_t> bodiesOfBones(const Actor& actor, const Model& model)
 {

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/actor/actor.h"
 #include "sim/actor/import/model.h"
 
 namespace knuckle {
+
+/// The weights of a vertex by whom its bones belong to, heaviest first. @param owners per bone.
+std::vector<std::pair<uint32_t, float>> weightsByOwner(const SkinWeights& skin, std::span<const uint32_t> owners);
 
 /// Per bone of a model, the body of its actor that moves it: that which it became or was merged into, else that of the
 /// nearest bone above that has one, else the first.

@@ -61,7 +61,7 @@ TEST(Resolution, aTubeIsAsThickAsItsDiameter)
         EXPECT_NEAR(limbs[i].thickness, i == 0 ? 0.12f : 0.1f, 0.001f);
         EXPECT_NEAR(limbs[i].length, LENGTH, 1e-6f);
     }
-    EXPECT_NEAR(limbDiameter(arm()), 0.04f, 0.0004f) << "two and a half particles across the forearm";
+    EXPECT_NEAR(limbDiameter(limbThicknesses(arm())), 0.04f, 0.0004f) << "two and a half particles across the forearm";
 }
 
 TEST(Resolution, whereNoLimbIsKnownEveryLongBoneIsOne)
@@ -69,7 +69,7 @@ TEST(Resolution, whereNoLimbIsKnownEveryLongBoneIsOne)
     const Model model = tubes({{"a", 0.2f}, {"b", 0.08f}, {"c", 0.06f}, {"d", 0.05f}});
     const std::vector<LimbThickness> limbs = limbThicknesses(model);
     ASSERT_EQ(limbs.size(), 2u) << "the first is thicker than long, the last ends nowhere";
-    EXPECT_NEAR(limbDiameter(model), 0.12f / 2.5f, 0.0005f);
+    EXPECT_NEAR(limbDiameter(limbs), 0.12f / 2.5f, 0.0005f);
 }
 
 TEST(Resolution, aModelWithoutASkeletonHasNoLimbs)
@@ -78,7 +78,7 @@ TEST(Resolution, aModelWithoutASkeletonHasNoLimbs)
     model.bones.clear();
     model.skin.clear();
     EXPECT_TRUE(limbThicknesses(model).empty());
-    EXPECT_EQ(limbDiameter(model), 0.0f);
+    EXPECT_EQ(limbDiameter({}), 0.0f);
 }
 
 TEST(MakeActor, limbsDecideTheDiameterAsFarAsTheCountAllows)
