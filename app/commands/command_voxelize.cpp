@@ -27,6 +27,7 @@ struct VoxelizeOptions {
     double diameter = 0.0;
     uint32_t particles = 0;
     ModelFit fit;
+    std::string up = "y";
     bool center = false;
 };
 
@@ -78,6 +79,7 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     }
     ImportOptions import;
     import.fit = options.fit;
+    import.fit.up = options.up == "z" ? UpAxis::Z : UpAxis::Y;
     import.fit.centering = options.center ? Centering::Always : Centering::WhereFar;
     ActorOptions actorOptions;
     actorOptions.voxels.diameter = static_cast<float>(options.diameter);
@@ -133,8 +135,8 @@ void addVoxelizeCommand(CommandLine line)
         ->capture_default_str()
         ->type_name("M")
         ->excludes(height);
-    command->add_option("--up", options->fit.up, "The axis that points up, where the file does not say so")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}}))
+    command->add_option("--up", options->up, "The axis that points up, where the file does not say so")
+        ->check(CLI::IsMember({"y", "z"}))
         ->type_name("y|z");
     command->add_flag("--center", options->center, "Lowest point at height 0, middle over the origin");
     const auto list = [command](const char* name, std::vector<std::string>& values, const char* words) {
