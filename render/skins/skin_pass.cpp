@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/skins/skin_looks.h"
 #include "shared/frame_types.h"
@@ -17,7 +18,7 @@ float colorNumber(const Eigen::Vector3f& color)
 {
     uint32_t word = 0;
     for (int i = 0; i < 3; ++i)
-        word |= static_cast<uint32_t>(255.0f * std::clamp(color[i], 0.0f, 1.0f) + 0.5f) << 8 * i;
+        word |= static_cast<uint32_t>(std::lround(255.0f * std::clamp(color[i], 0.0f, 1.0f))) << 8 * i;
     return static_cast<float>(word);
 }
 

@@ -42,7 +42,7 @@ TexturePicture halved(const TexturePicture& picture)
                     sum += channel < 3 ? value * value : value;
                 }
                 const float mean = channel < 3 ? std::sqrt(0.25f * sum) : 0.25f * sum;
-                half.rgba.push_back(static_cast<uint8_t>(mean + 0.5f));
+                half.rgba.push_back(static_cast<uint8_t>(std::lround(mean)));
             }
         }
     }
