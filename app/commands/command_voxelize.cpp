@@ -11,6 +11,7 @@
 #include "app/run/counted.h"
 #include "render/renderer.h"
 #include "sim/actor/bodies/make_actor.h"
+#include "sim/actor/limbs/fill_error.h"
 #include "sim/solver/solver.h"
 #include "sim/world/errors.h"
 
@@ -29,6 +30,7 @@ struct VoxelizeOptions {
     ModelFit fit;
     std::string up = "y";
     bool center = false;
+    bool grid = false;
 };
 
 /// The actor in its rest pose on a ground plane, shared particles red.
@@ -84,6 +86,7 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     ActorOptions actorOptions;
     actorOptions.voxels.diameter = static_cast<float>(options.diameter);
     actorOptions.particleCount = options.particles;
+    actorOptions.alongBones = !options.grid;
     actorOptions.articulation.keep = options.keep;
     actorOptions.articulation.merge = options.merge;
     if (!options.joints.empty()) readJoints(options.joints, actorOptions.articulation);
@@ -91,7 +94,12 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     Actor actor = makeActor(model, actorOptions);
     actor.model = {options.model, import.fit};
     requireUsable(options.model, actor);
-    if (!common.quiet) fmt::print("{}{}", actorTable(actor), clipTable(model));
+    if (!common.quiet) {
+        const FillError error = fillError(actor, Solid(model.vertices, model.triangles));
+        fmt::print("{}{}", actorTable(actor), clipTable(model));
+        fmt::print("fill: {:.0f} % of the mesh's volume; its surface is {:.2f} diameters off the particles'\n",
+                   100 * error.volume, error.surface);
+    }
     if (!options.output.empty()) writeActor(options.output, actor);
     if (!options.preview.empty()) writePreview(options.preview, actor, common);
     return EXIT_FINE;
@@ -144,6 +152,7 @@ void addVoxelizeCommand(CommandLine line)
     };
     list("--keep", options->keep, "Bones that get a body of their own where they are large enough");
     list("--merge", options->merge, "Bones that are part of the body that they hang on");
+    command->add_flag("--grid", options->grid, "All particles on one grid, not those of a limb on one along its bone");
     command->add_option("--preview", options->preview, "Draw the actor, shared particles red")->type_name("actor.png");
     command->callback([=] { line.chosen = [=] { return voxelizeFile(*options, line.common); }; });
 }

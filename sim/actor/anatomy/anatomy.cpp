@@ -60,4 +60,9 @@ Vector3f leftOf(const Model& model, std::span<const BoneAnatomy> anatomy)
     return across.norm() > 1e-4f ? Vector3f(across.normalized()) : Vector3f::UnitX();
 }
 
+bool isLongLimb(BodyPart part)
+{
+    return part == BodyPart::UpperArm || part == BodyPart::Forearm || part == BodyPart::Thigh || part == BodyPart::Shin;
+}
+
 }  // namespace knuckle

@@ -66,6 +66,9 @@ std::vector<BoneAnatomy> readAnatomy(const Model& model, const std::map<uint32_t
 /// stiff, everything else is a ball.
 JointType jointTypeOf(BodyPart part);
 
+/// Upper arms, forearms, thighs and shins.
+bool isLongLimb(BodyPart part);
+
 /// A figure's left, level and unit, from what of it is left and right; x where nothing is.
 Eigen::Vector3f leftOf(const Model& model, std::span<const BoneAnatomy> anatomy);
 

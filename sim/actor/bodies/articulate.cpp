@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sim/actor/bodies/bone_bodies.h"
+#include "sim/actor/bodies/bone_options.h"
 #include "sim/actor/bodies/joint_particles.h"
 #include "sim/actor/bodies/joint_ranges.h"
 #include "sim/actor/bodies/name_pattern.h"
+#include "sim/actor/limbs/limb_fill.h"
 #include "sim/world/builder/joints.h"
 #include "sim/world/errors.h"
 
@@ -132,15 +135,11 @@ void placeJoint(const Figure& figure, JointPlan& plan)
 JointPlan planJoint(const Figure& figure, uint32_t body, const ArticulationOptions& options)
 {
     const BodyDraft& draft = figure.drafts[body];
-    const BodyPart part = figure.boneOf(body).part;
     JointPlan plan;
     plan.parent = static_cast<uint32_t>(draft.parent);
     plan.child = body;
     plan.type = typeOf(figure.boneOf(body), options.limited);
     if (const JointType* type = findByPattern(options.types, draft.name)) plan.type = *type;
-    // What bends by little does not need the room.
-    const bool bendsLittle = part == BodyPart::Spine || part == BodyPart::Neck || part == BodyPart::Clavicle;
-    plan.clear = options.clearJoints && !(options.limited && bendsLittle);
     placeJoint(figure, plan);
     if (options.limited) plan.limits = rangeOf(figure, plan);
     const JointLimits* limits = findByPattern(options.limits, draft.name);
@@ -157,46 +156,10 @@ JointPlan planJoint(const Figure& figure, uint32_t body, const ArticulationOptio
         plan.twistAxis = axis->normalized();
         plan.turnAbout(plan.twistAxis);
     }
+    // Bodies that limits keep apart pass through each other, and need no room to turn in.
+    plan.clear = options.clearJoints && !plan.limits.any();
     lockNarrowRanges(plan);
     return plan;
-}
-
-void checkPattern(const Model& model, const std::string& pattern)
-{
-    const auto isNamed = [&](const Bone& bone) { return bone.name == pattern || matchesPattern(bone.name, pattern); };
-    if (std::ranges::none_of(model.bones, isNamed))
-        throw InputError(
-            fmt::format("joint for bone '{}': the model '{}' has no bone of that name", pattern, model.name));
-}
-
-void checkOptions(const Model& model, const ArticulationOptions& options)
-{
-    const auto checkNames = [&](const auto& overrides) {
-        for (const auto& entry : overrides) checkPattern(model, entry.first);
-    };
-    checkNames(options.types);
-    checkNames(options.axes);
-    checkNames(options.limits);
-    checkNames(options.strengths);
-    for (const std::vector<std::string>* patterns : {&options.keep, &options.merge})
-        for (const std::string& pattern : *patterns) checkPattern(model, pattern);
-}
-
-std::map<uint32_t, BoneRole> rolesWanted(const Model& model, const ArticulationOptions& options)
-{
-    std::map<uint32_t, BoneRole> roles;
-    const auto want = [&](const std::vector<std::string>& patterns, BoneRole role) {
-        for (uint32_t b = 0; b < model.bones.size(); ++b) {
-            const std::string& name = model.bones[b].name;
-            if (std::ranges::any_of(patterns, [&](const std::string& pattern) {
-                    return name == pattern || matchesPattern(name, pattern);
-                }))
-                roles[b] = role;
-        }
-    };
-    want(options.keep, BoneRole::Limb);
-    want(options.merge, BoneRole::Attached);
-    return roles;
 }
 
 // The actor without the particles that gave way to joints; indices are renumbered without gaps.
@@ -259,18 +222,34 @@ void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointP
                             plan.strength});
 }
 
+/// The lattice has a layer on the plane of symmetry, so that it mirrors as the figure does.
+VoxelOptions latticeOn(const std::optional<Mirror>& mirror, const Solid& solid, VoxelOptions options)
+{
+    const int axis = mirror ? mirror->axis() : -1;
+    if (axis < 0) return options;
+    Vector3f centre = solid.bounds().center();
+    centre -= mirror->plane.distance(centre) * mirror->plane.across;
+    options.centre = centre;
+    return options;
+}
+
 }  // namespace
 
-Actor articulate(const Model& model, const ActorOptions& options)
+Actor articulate(const Model& model, const Solid& solid, const ActorOptions& options)
 {
-    checkOptions(model, options.articulation);
+    checkBoneNames(model, options.articulation);
     const std::vector<BoneAnatomy> anatomy = readAnatomy(model, rolesWanted(model, options.articulation));
-    const Voxels voxels = voxelize(model.vertices, model.triangles, options.voxels);
+    const std::optional<Mirror> mirror = findMirror(BoneTree(model));
+    Voxels voxels = voxelize(solid, latticeOn(mirror, solid, options.voxels));
     Actor actor;
     actor.name = options.name.empty() ? model.name : options.name;
     actor.diameter = voxels.diameter;
     actor.notes = model.notes;
-    const std::vector<BodyDraft> drafts = cutIntoBodies(model, voxels, anatomy, actor.notes);
+    const Bearings bearings = bearingsOf(model, anatomy);
+    std::vector<BodyDraft> drafts = cutIntoBodies(model, solid, anatomy, mirror ? &*mirror : nullptr, bearings.forward,
+                                                  voxels, actor.notes);
+    if (options.alongBones && drafts.size() > 1)
+        fillAlongBones(model, solid, anatomy, bearings.forward, mirror ? &*mirror : nullptr, drafts, voxels);
     std::vector<ParticleDraft> particles(voxels.positions.size());
     for (size_t p = 0; p < particles.size(); ++p) {
         particles[p].position = voxels.positions[p];
@@ -283,7 +262,7 @@ Actor articulate(const Model& model, const ActorOptions& options)
             particles[p].bodies = {b};
         }
     }
-    const Figure figure{model, anatomy, drafts, voxels, bearingsOf(model, anatomy)};
+    const Figure figure{model, anatomy, drafts, voxels, bearings};
     for (uint32_t b = 1; b < drafts.size(); ++b)
         addJoints(actor, particles, planJoint(figure, b, options.articulation));
     collect(particles, actor);

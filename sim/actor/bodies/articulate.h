@@ -31,6 +31,7 @@ struct ActorOptions {
     VoxelOptions voxels;
     uint32_t particleCount = 0;  ///< Of the actor that makeActor() makes; 0: by the diameter.
     ArticulationOptions articulation;
+    bool alongBones = true;  ///< Long limbs stand on lattices of their own (fillAlongBones()), not all on one.
 };
 
 /// Fills the model with particles and cuts it into bodies that share particles at the joints.
@@ -41,7 +42,8 @@ struct ActorOptions {
 /// joint: ball one, hinge two or more on its axis, stiff four, universal a flat body of five (named after the bone with
 /// "/cross" added) that shares two with each side, and then stands as two joints of type Universal in a row. A model
 /// without bones becomes one body without joints.
+/// @param solid of the model's mesh.
 /// @throws InputError as voxelize() does, and for an override that names no bone of the model.
-Actor articulate(const Model& model, const ActorOptions& options);
+Actor articulate(const Model& model, const Solid& solid, const ActorOptions& options);
 
 }  // namespace knuckle

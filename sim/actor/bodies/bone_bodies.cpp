@@ -12,6 +12,9 @@
 #include "sim/actor/anatomy/bone_tree.h"
 #include "sim/actor/bodies/body_tree.h"
 #include "sim/actor/bodies/bone_merge.h"
+#include "sim/actor/limbs/limb_frame.h"
+#include "sim/actor/limbs/limb_owner.h"
+#include "sim/actor/limbs/rods.h"
 #include "sim/world/cells.h"
 
 namespace knuckle {
@@ -21,27 +24,10 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr size_t SPACE_POINTS = 4;    // the fewest particles that can span space
+constexpr float FINER = 0.8f;         // of a diameter that is too large, where nothing else is known
 constexpr double ISLAND_PART = 0.25;  // a cut-off part below this share of its body changes sides
 
 using Particles = std::vector<uint32_t>;
-
-/// Per particle the limb that weighs most at the nearest point of the skin, with all that is part of its body.
-std::vector<uint32_t> assignBones(const Model& model, const Voxels& voxels, std::span<const BoneAnatomy> anatomy)
-{
-    std::vector<uint32_t> bones;
-    std::vector<float> sums(model.bones.size());
-    for (const SurfacePoint& point : voxels.nearest) {
-        std::fill(sums.begin(), sums.end(), 0.0f);
-        for (int corner = 0; corner < 3; ++corner) {
-            const SkinWeights& skin = model.skin[model.triangles[point.triangle][corner]];
-            for (size_t i = 0; i < skin.bones.size(); ++i) {
-                sums[anatomy[skin.bones[i]].owner] += point.barycentric[corner] * skin.weights[i];
-            }
-        }
-        bones.push_back(static_cast<uint32_t>(std::max_element(sums.begin(), sums.end()) - sums.begin()));
-    }
-    return bones;
-}
 
 // The voxels' lattice again: each particle in the middle of a cell of its own, whatever was rounded.
 class VoxelCells {
@@ -150,6 +136,23 @@ void noteMerged(const Model& model, std::span<const BoneAnatomy> anatomy, const 
     }
 }
 
+/// Says which limbs of arms and legs have no joint, and what gives them one.
+void noteLost(const Model& model, std::span<const BoneAnatomy> anatomy, const BoneCut& cut, float diameter,
+              std::vector<std::string>& notes)
+{
+    for (uint32_t b = 0; b < anatomy.size(); ++b) {
+        const int32_t end = limbEnd(model, anatomy, b);
+        const bool lost = anatomy[b].owner == b && isLongLimb(anatomy[b].part) && cut.particles[b].empty();
+        if (!lost || end < 0) continue;
+        const float length = (boneHead(model, static_cast<uint32_t>(end)) - boneHead(model, b)).norm();
+        const float enough = std::min(length / (ROD_PARTICLES - 1), FINER * diameter);
+        notes.push_back(
+            fmt::format("{} has no joint of its own, since it is too small for one: --diameter {:.2g} gives "
+                        "it one.",
+                        model.bones[b].name, enough));
+    }
+}
+
 /// Says which bodies hang elsewhere than their bones do.
 void noteReattached(const BoneTree& tree, std::span<const BoneAnatomy> anatomy, const std::vector<BodyDraft>& drafts,
                     std::vector<std::string>& notes)
@@ -204,7 +207,8 @@ bool spansSpace(const std::vector<Vector3f>& points, float diameter)
     return thinnest > 0.01f * diameter * diameter;
 }
 
-std::vector<BodyDraft> cutIntoBodies(const Model& model, const Voxels& voxels, std::span<const BoneAnatomy> anatomy,
+std::vector<BodyDraft> cutIntoBodies(const Model& model, const Solid& solid, std::span<const BoneAnatomy> anatomy,
+                                     const Mirror* mirror, const Vector3f& forward, Voxels& voxels,
                                      std::vector<std::string>& notes)
 {
     if (model.bones.empty() || model.skin.size() != model.vertices.size()) {
@@ -214,10 +218,15 @@ std::vector<BodyDraft> cutIntoBodies(const Model& model, const Voxels& voxels, s
         std::iota(whole.particles.begin(), whole.particles.end(), 0u);
         return {whole};
     }
-    std::vector<uint32_t> bones = assignBones(model, voxels, anatomy);
+    LimbOwner owner(model, anatomy);
+    std::vector<uint32_t> bones;
+    for (const SurfacePoint& point : voxels.nearest) bones.push_back(owner.at(point));
     moveIslands(bones, voxels);
     const BoneTree tree(model);
+    if (mirror) mirrorParticles(solid, *mirror, tree.parents, voxels, bones);
+    windRods(model, solid, anatomy, forward, voxels, bones);
     BoneCut cut = mergeSmall(tree, anatomy, voxels, bones);
+    noteLost(model, anatomy, cut, voxels.diameter, notes);
     std::vector<BodyDraft> drafts = draftBodies(model, anatomy, cut);
     noteReattached(tree, anatomy, drafts, notes);
     arrangeTree(drafts, tree, anatomy, voxels, notes);

@@ -6,7 +6,7 @@
 
 #include "sim/actor/anatomy/anatomy.h"
 #include "sim/actor/import/model.h"
-#include "sim/actor/mesh/voxelize.h"
+#include "sim/actor/limbs/mirror.h"
 
 namespace knuckle {
 
@@ -23,7 +23,10 @@ struct BodyDraft {
 /// Cuts the particles into one body per limb that is large enough, arranged as a tree with one root. `notes` gets a
 /// sentence for whatever was merged or joined elsewhere than the skeleton says.
 /// @param anatomy of the model's bones, one each.
-std::vector<BodyDraft> cutIntoBodies(const Model& model, const Voxels& voxels, std::span<const BoneAnatomy> anatomy,
+/// @param mirror null for a model without symmetry; else both sides are cut alike, and may get or lose particles.
+/// @param forward where the figure looks, level and unit.
+std::vector<BodyDraft> cutIntoBodies(const Model& model, const Solid& solid, std::span<const BoneAnatomy> anatomy,
+                                     const Mirror* mirror, const Eigen::Vector3f& forward, Voxels& voxels,
                                      std::vector<std::string>& notes);
 
 /// Four or more points that do not lie in one plane, give or take a tenth of a diameter.

@@ -20,17 +20,17 @@ constexpr double CLOSE = 0.02;                 // of the wanted count
 constexpr int ROUNDS = 14;
 constexpr float THIN = 2.0f;  // particles across a limb
 
-Actor actorOf(const Model& model, ActorOptions options, float diameter)
+Actor actorOf(const Model& model, const Solid& solid, ActorOptions options, float diameter)
 {
     options.voxels.diameter = diameter;
-    return articulate(model, options);
+    return articulate(model, solid, options);
 }
 
 /// Nothing where not one particle fits.
-std::optional<Actor> actorIfAny(const Model& model, const ActorOptions& options, float diameter)
+std::optional<Actor> actorIfAny(const Model& model, const Solid& solid, const ActorOptions& options, float diameter)
 {
     try {
-        return actorOf(model, options, diameter);
+        return actorOf(model, solid, options, diameter);
     } catch (const InputError&) {
         return std::nullopt;
     }
@@ -66,13 +66,14 @@ private:
 };
 
 /// @param diameter to begin with [m].
-Actor actorOfCount(const Model& model, const ActorOptions& options, uint32_t wanted, double diameter)
+Actor actorOfCount(const Model& model, const Solid& solid, const ActorOptions& options, uint32_t wanted,
+                   double diameter)
 {
     Bracket bracket(wanted);
     std::optional<Actor> best;
     double bestError = std::numeric_limits<double>::infinity();
     for (int round = 0; round < ROUNDS && bestError > CLOSE * wanted; ++round) {
-        std::optional<Actor> actor = actorIfAny(model, options, static_cast<float>(diameter));
+        std::optional<Actor> actor = actorIfAny(model, solid, options, static_cast<float>(diameter));
         const double count = actor ? static_cast<double>(actor->particles.size()) : 0.5;
         const double error = std::abs(count - wanted);
         if (actor && error < bestError) {
@@ -82,7 +83,7 @@ Actor actorOfCount(const Model& model, const ActorOptions& options, uint32_t wan
         bracket.learn(diameter, count);
         diameter = bracket.next(diameter, count, round);
     }
-    return best ? *best : actorOf(model, options, static_cast<float>(diameter));
+    return best ? *best : actorOf(model, solid, options, static_cast<float>(diameter));
 }
 
 /// Tells which limbs are less than two particles thick.
@@ -107,13 +108,13 @@ double scaledCount(const Actor& actor, float diameter)
 }
 
 /// As thick limbs as FEWEST to MOST particles allow.
-Actor actorByLimbs(const Model& model, const ActorOptions& options, float diameter)
+Actor actorByLimbs(const Model& model, const Solid& solid, const ActorOptions& options, float diameter)
 {
-    const Actor coarse = actorOf(model, options, 0.0f);
-    if (scaledCount(coarse, diameter) > 2 * MOST) return actorOfCount(model, options, MOST, coarse.diameter);
-    Actor actor = actorOf(model, options, diameter);
+    const Actor coarse = actorOf(model, solid, options, 0.0f);
+    if (scaledCount(coarse, diameter) > 2 * MOST) return actorOfCount(model, solid, options, MOST, coarse.diameter);
+    Actor actor = actorOf(model, solid, options, diameter);
     const uint32_t count = static_cast<uint32_t>(actor.particles.size()), wanted = std::clamp(count, FEWEST, MOST);
-    return wanted == count ? actor : actorOfCount(model, options, wanted, diameter);
+    return wanted == count ? actor : actorOfCount(model, solid, options, wanted, diameter);
 }
 
 }  // namespace
@@ -123,11 +124,12 @@ Actor makeActor(const Model& model, const ActorOptions& options)
     if (options.particleCount > options.voxels.particleLimit)
         throw std::logic_error(fmt::format("{} particles wanted for one model, at most {} are allowed: ask for fewer",
                                            options.particleCount, options.voxels.particleLimit));
+    const Solid solid(model.vertices, model.triangles);
     const std::vector<LimbThickness> limbs = limbThicknesses(model);
     const bool byLimbs = options.voxels.diameter == 0.0f && options.particleCount == 0 && !limbs.empty();
-    Actor actor = byLimbs ? actorByLimbs(model, options, limbDiameter(limbs))
-                          : actorOf(model, options, options.voxels.diameter);
-    if (options.particleCount > 0) actor = actorOfCount(model, options, options.particleCount, actor.diameter);
+    Actor actor = byLimbs ? actorByLimbs(model, solid, options, limbDiameter(limbs))
+                          : actorOf(model, solid, options, options.voxels.diameter);
+    if (options.particleCount > 0) actor = actorOfCount(model, solid, options, options.particleCount, actor.diameter);
     noteThinLimbs(model, limbs, actor);
     return actor;
 }

@@ -5,7 +5,8 @@
 #include <span>
 
 #include "sim/actor/anatomy/anatomy.h"
-#include "sim/actor/bodies/bone_bodies.h"
+#include "sim/actor/limbs/limb_frame.h"
+#include "sim/actor/limbs/limb_owner.h"
 
 namespace knuckle {
 
@@ -15,36 +16,6 @@ constexpr float ACROSS = 2.5f;       // particles, of the thinnest limb
 constexpr float MIDDLE_PART = 0.3f;  // of a bone's length on each side of its middle that is looked at
 constexpr float SHORTEST = 0.05f;    // of the model's size: a limb; fingers are shorter
 constexpr float SLENDER = 1.0f;      // at least so long beside its thickness
-
-/// The limb whose head ends a bone: the farthest of those that hang on it; -1 where none does.
-int32_t endOf(const Model& model, std::span<const BoneAnatomy> anatomy, uint32_t bone)
-{
-    int32_t end = -1;
-    float farthest = 0.0f;
-    for (uint32_t b = 0; b < model.bones.size(); ++b) {
-        const float length = (boneHead(model, b) - boneHead(model, bone)).norm();
-        if (anatomy[b].parent != static_cast<int32_t>(bone) || length <= farthest) continue;
-        farthest = length;
-        end = static_cast<int32_t>(b);
-    }
-    return end;
-}
-
-/// The limb of the bone that weighs most at each triangle, or none.
-std::vector<uint32_t> triangleLimbs(const Model& model, std::span<const BoneAnatomy> anatomy)
-{
-    std::vector<uint32_t> limbs;
-    for (const auto& triangle : model.triangles) {
-        std::array<std::pair<float, uint32_t>, 3> heaviest;
-        for (size_t c = 0; c < 3; ++c) {
-            const SkinWeights& skin = model.skin[triangle[c]];
-            const auto most = std::max_element(skin.weights.begin(), skin.weights.end());
-            heaviest[c] = {*most, skin.bones[static_cast<size_t>(most - skin.weights.begin())]};
-        }
-        limbs.push_back(anatomy[std::max_element(heaviest.begin(), heaviest.end())->second].owner);
-    }
-    return limbs;
-}
 
 struct Patch {
     Vector3f across;  // from the bone's line [m]
@@ -66,27 +37,21 @@ float thicknessOf(const std::vector<Patch>& patches)
     return 2.0f * distance / area;
 }
 
-bool isLongLimb(BodyPart part)
-{
-    return part == BodyPart::UpperArm || part == BodyPart::Forearm || part == BodyPart::Thigh || part == BodyPart::Shin;
-}
-
 }  // namespace
 
 std::vector<LimbThickness> limbThicknesses(const Model& model)
 {
     if (model.skin.size() != model.vertices.size() || model.bones.empty()) return {};
     const std::vector<BoneAnatomy> anatomy = readAnatomy(model);
-    const std::vector<uint32_t> owners = triangleLimbs(model, anatomy);
+    LimbOwner owner(model, anatomy);
     std::vector<std::vector<uint32_t>> owned(model.bones.size());
-    for (uint32_t t = 0; t < owners.size(); ++t)
-        if (owners[t] != NO_INDEX) owned[owners[t]].push_back(t);
+    for (uint32_t t = 0; t < model.triangles.size(); ++t) owned[owner.atMiddleOf(t)].push_back(t);
     Eigen::AlignedBox3f bounds;
     for (const Vector3f& vertex : model.vertices) bounds.extend(vertex);
     const float size = bounds.sizes().maxCoeff();
     std::vector<LimbThickness> known, others;
     for (uint32_t bone = 0; bone < model.bones.size(); ++bone) {
-        const int32_t end = endOf(model, anatomy, bone);
+        const int32_t end = limbEnd(model, anatomy, bone);
         if (end < 0) continue;
         const Vector3f head = boneHead(model, bone), along = boneHead(model, static_cast<uint32_t>(end)) - head;
         const float length = along.norm();

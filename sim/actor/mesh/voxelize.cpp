@@ -21,40 +21,22 @@ constexpr double CELL_LIMIT = 5e7;         // lattice points looked at
 constexpr double SAMPLE_LIMIT = 2e7;       // surface samples looked at
 constexpr float DEFAULT_DIAMETER = 0.03f;  // of the longest side
 
-struct Bounds {
-    Vector3f low, high;
-    float longest() const { return (high - low).maxCoeff(); }
-};
-
-Bounds boundsOf(std::span<const Vector3f> vertices, std::span<const Triangle> triangles)
-{
-    Bounds bounds{Vector3f::Constant(std::numeric_limits<float>::max()),
-                  Vector3f::Constant(std::numeric_limits<float>::lowest())};
-    for (const Triangle& triangle : triangles) {
-        for (uint32_t v : triangle) {
-            bounds.low = bounds.low.cwiseMin(vertices[v]);
-            bounds.high = bounds.high.cwiseMax(vertices[v]);
-        }
-    }
-    return bounds;
-}
-
 // The cubic lattice over a mesh, and which of its points are taken.
 class Lattice {
 public:
-    Lattice(const Bounds& bounds, float spacing) : spacing_(spacing)
+    Lattice(const Eigen::AlignedBox3f& bounds, const Vector3f& centre, float spacing) : spacing_(spacing)
     {
-        const Vector3f half = 0.5f * (bounds.high - bounds.low);
+        const Vector3f half = (bounds.max() - centre).cwiseMax(centre - bounds.min());
         // One point beyond the bounds on each side, since a thin part's layer may stand outside.
         const Eigen::Vector3d reach = (half / spacing).cast<double>().array().ceil() + 1.0;
         const double cells = (2.0 * reach.array() + 1.0).prod();
         if (!(cells <= CELL_LIMIT)) {
             throw InputError(fmt::format(
                 "particle diameter {:g} m is too small for a model of {:.3g} x {:.3g} x {:.3g} m: use a larger one",
-                spacing, 2 * half.x(), 2 * half.y(), 2 * half.z()));
+                spacing, bounds.sizes().x(), bounds.sizes().y(), bounds.sizes().z()));
         }
         counts_ = 2 * reach.cast<int>() + Vector3i::Ones();
-        origin_ = 0.5f * (bounds.low + bounds.high) - spacing * reach.cast<float>();
+        origin_ = centre - spacing * reach.cast<float>();
         taken_.assign(static_cast<size_t>(counts_.prod()), 0);
     }
 
@@ -155,33 +137,15 @@ void keepThinPart(Lattice& lattice, const TriangleTree& tree, const Vector3f& sa
 }
 
 // Walks over the surface in samples at most half a diameter apart.
-void keepThinParts(Lattice& lattice, const TriangleTree& tree, std::span<const Vector3f> vertices,
-                   std::span<const Triangle> triangles)
+void keepThinParts(Lattice& lattice, const Solid& solid)
 {
-    double samples = 0.0;
-    for (const Triangle& t : triangles) {
-        const Vector3f& a = vertices[t[0]];
-        const Vector3f ab = vertices[t[1]] - a, ac = vertices[t[2]] - a;
-        const float longest = std::max({ab.norm(), ac.norm(), (ab - ac).norm()});
-        const Vector3f normal = ab.cross(ac).normalized();
-        if (!normal.allFinite()) {
-            continue;
-        }
-        const int n = static_cast<int>(std::ceil(longest / (0.5f * lattice.spacing())));
-        samples += 0.5 * n * (n + 1.0);
-        if (samples > SAMPLE_LIMIT) {
-            throw InputError(fmt::format("particle diameter {:g} m is too small for this model's surface: "
-                                         "use a larger one",
-                                         lattice.spacing()));
-        }
-        for (int i = 0; i < n; ++i) {
-            for (int j = 0; i + j < n; ++j) {
-                const float u = (static_cast<float>(i) + 1.0f / 3.0f) / static_cast<float>(n);
-                const float v = (static_cast<float>(j) + 1.0f / 3.0f) / static_cast<float>(n);
-                keepThinPart(lattice, tree, a + u * ab + v * ac, normal);
-            }
-        }
-    }
+    const double samples = solid.forEachSample(0.5f * lattice.spacing(), SAMPLE_LIMIT,
+                                               [&](const Vector3f& sample, const Vector3f& normal, uint32_t) {
+                                                   keepThinPart(lattice, solid.tree(), sample, normal);
+                                               });
+    if (samples > SAMPLE_LIMIT)
+        throw InputError(fmt::format("particle diameter {:g} m is too small for this model's surface: use a larger one",
+                                     lattice.spacing()));
 }
 
 // Points of the lattice along each axis that are looked at together where no surface is among them.
@@ -197,10 +161,10 @@ bool isAllOrNothing(const TriangleTree& tree, const Vector3f& middle, float reac
     return std::abs(number - std::round(number)) < CLOSED;
 }
 
-Lattice fill(const TriangleTree& tree, std::span<const Vector3f> vertices, std::span<const Triangle> triangles,
-             const Bounds& bounds, float diameter)
+Lattice fill(const Solid& solid, const VoxelOptions& options, float diameter)
 {
-    Lattice lattice(bounds, diameter);
+    const TriangleTree& tree = solid.tree();
+    Lattice lattice(solid.bounds(), options.centre.value_or(solid.bounds().center()), diameter);
     lattice.forEachIn(Vector3i::Zero(), lattice.counts(), BLOCK, [&](const Vector3i& low) {
         const Vector3i high = (low + Vector3i::Constant(BLOCK)).cwiseMin(lattice.counts());
         const Vector3f middle = 0.5f * (lattice.position(low) + lattice.position(high - Vector3i::Ones()));
@@ -210,33 +174,26 @@ Lattice fill(const TriangleTree& tree, std::span<const Vector3f> vertices, std::
             if (whole || tree.inside(lattice.position(cell))) lattice.take(cell);
         });
     });
-    keepThinParts(lattice, tree, vertices, triangles);
+    keepThinParts(lattice, solid);
     return lattice;
-}
-
-float signedDistance(const TriangleTree& tree, const Vector3f& point)
-{
-    const float distance = tree.nearest(point).distance;
-    return tree.inside(point) ? -distance : distance;
 }
 
 // Depth [d] that half a diameter inwards must add for a side to be the only nearest one.
 constexpr float DEEPER = 0.15f;
 
-Vector3f outwardOf(const TriangleTree& tree, const Vector3f& point, float distance, const Vector3f& nearest,
-                   float diameter)
+Vector3f outwardOf(const Solid& solid, const Vector3f& point, float distance, const Vector3f& nearest, float diameter)
 {
     if (std::abs(distance) < 1e-3f * diameter) {
         return Vector3f::Zero();
     }
     const Vector3f outward = (point - nearest) / distance;
-    const bool deeper = signedDistance(tree, point - 0.5f * diameter * outward) < distance - DEEPER * diameter;
+    const bool deeper = solid.signedDistance(point - 0.5f * diameter * outward) < distance - DEEPER * diameter;
     return deeper ? outward : Vector3f(Vector3f::Zero());
 }
 
-float chooseDiameter(const Bounds& bounds, const VoxelOptions& options)
+float chooseDiameter(const Solid& solid, const VoxelOptions& options)
 {
-    if (options.diameter == 0.0f) return DEFAULT_DIAMETER * bounds.longest();
+    if (options.diameter == 0.0f) return DEFAULT_DIAMETER * solid.bounds().sizes().maxCoeff();
     if (!(options.diameter > 0.0f) || !std::isfinite(options.diameter))
         throw std::logic_error(fmt::format("particle diameter must be a length above 0 m, not {}", options.diameter));
     return options.diameter;
@@ -244,19 +201,34 @@ float chooseDiameter(const Bounds& bounds, const VoxelOptions& options)
 
 }  // namespace
 
-Voxels voxelize(std::span<const Vector3f> vertices, std::span<const Triangle> triangles, const VoxelOptions& options)
+void Voxels::add(const Solid& solid, const Vector3f& position)
 {
-    if (triangles.empty()) {
-        throw InputError("the model has no triangles to fill with particles");
+    const SurfacePoint point = solid.tree().nearest(position);
+    const float distance = solid.inside(position) ? -point.distance : point.distance;
+    positions.push_back(position);
+    nearest.push_back(point);
+    signedDistances.push_back(distance);
+    outward.push_back(outwardOf(solid, position, distance, point.position, diameter));
+}
+
+Voxels Voxels::chosen(std::span<const uint32_t> particles) const
+{
+    Voxels some;
+    some.diameter = diameter;
+    for (const uint32_t p : particles) {
+        some.positions.push_back(positions[p]);
+        some.nearest.push_back(nearest[p]);
+        some.signedDistances.push_back(signedDistances[p]);
+        some.outward.push_back(outward[p]);
     }
-    const Bounds bounds = boundsOf(vertices, triangles);
-    if (!(bounds.longest() > 0.0f)) {
-        throw InputError("the model has no size: all of its vertices are at one point");
-    }
-    const TriangleTree tree(vertices, triangles);
+    return some;
+}
+
+Voxels voxelize(const Solid& solid, const VoxelOptions& options)
+{
     Voxels voxels;
-    voxels.diameter = chooseDiameter(bounds, options);
-    const Lattice lattice = fill(tree, vertices, triangles, bounds, voxels.diameter);
+    voxels.diameter = chooseDiameter(solid, options);
+    const Lattice lattice = fill(solid, options, voxels.diameter);
     if (lattice.count() > options.particleLimit) {
         const double factor = std::cbrt(static_cast<double>(lattice.count()) / options.particleLimit);
         throw InputError(fmt::format("diameter {:g} m fills the model with {} particles, at most {} are allowed: "
@@ -265,15 +237,7 @@ Voxels voxelize(std::span<const Vector3f> vertices, std::span<const Triangle> tr
                                      1.05 * factor * voxels.diameter));
     }
     lattice.forEach([&](const Vector3i& cell) {
-        if (lattice.taken(cell)) {
-            const Vector3f position = lattice.position(cell);
-            const SurfacePoint nearest = tree.nearest(position);
-            voxels.positions.push_back(position);
-            voxels.nearest.push_back(nearest);
-            const float distance = tree.inside(position) ? -nearest.distance : nearest.distance;
-            voxels.signedDistances.push_back(distance);
-            voxels.outward.push_back(outwardOf(tree, position, distance, nearest.position, voxels.diameter));
-        }
+        if (lattice.taken(cell)) voxels.add(solid, lattice.position(cell));
     });
     if (voxels.positions.empty()) {
         throw InputError(

@@ -163,7 +163,7 @@ TEST(BodiesOfBones, patternsKeepAndMerge)
     EXPECT_EQ(actor.bodies[1].mergedBones, std::vector<std::string>{"hair_02"});
     options.merge = {"wing*"};
     EXPECT_EQ(test::messageOf<InputError>([&] { make(boxes.model, 0.1f, options); }),
-              "joint for bone 'wing*': the model '' has no bone of that name");
+              "bone to merge 'wing*': the model '' has no bone of that name");
 }
 
 TEST(BodiesOfBones, modelWithoutBonesIsOneRigidBody)

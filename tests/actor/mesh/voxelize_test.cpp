@@ -15,7 +15,7 @@ using Eigen::Vector3f;
 
 Voxels fillMesh(const TriangleMesh& mesh, float diameter)
 {
-    return voxelize(mesh.vertices, mesh.triangles, {.diameter = diameter});
+    return voxelize(Solid(mesh.vertices, mesh.triangles), {.diameter = diameter});
 }
 
 double exactWinding(const TriangleMesh& mesh, const Vector3f& point)
@@ -182,7 +182,7 @@ TEST(Voxelize, badDiametersAreRefused)
     for (const float diameter : {1e-9f, 0.005f}) EXPECT_THROW(fillMesh(mesh, diameter), InputError) << diameter;
     for (const float diameter : {-0.1f, std::nanf("")})
         EXPECT_THROW(fillMesh(mesh, diameter), std::logic_error) << diameter;
-    EXPECT_THROW(voxelize(mesh.vertices, {}, {.diameter = 0.1f}), InputError);
+    EXPECT_THROW(Solid(mesh.vertices, {}), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/actor/bodies/bone_bodies.h"
+#include "sim/actor/limbs/limb_lattice.h"
+
+namespace knuckle {
+
+/// The limb that hangs on this one with its head farthest from this one's; -1 where none does.
+int32_t limbEnd(const Model& model, std::span<const BoneAnatomy> anatomy, uint32_t limb);
+
+/// Unit, across a limb: where the figure looks, or up for a limb that points there.
+Eigen::Vector3f acrossLimb(const Eigen::Vector3f& along, const Eigen::Vector3f& forward);
+
+/// How a body's lattice stands: from its joint to the farthest of those on it; where there is none along its bone, or
+/// through its middle; nothing for one that is not slender.
+/// @param boneEnd of its bone, where it has one.
+std::optional<LimbFrame> limbFrame(const std::vector<BodyDraft>& drafts, uint32_t body, const Voxels& voxels,
+                                   const Eigen::Vector3f& forward, const std::optional<Eigen::Vector3f>& boneEnd);
+
+}  // namespace knuckle

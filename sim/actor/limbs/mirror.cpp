@@ -1,0 +1,118 @@
+#include "sim/actor/limbs/mirror.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/world/cells.h"
+
+namespace knuckle {
+
+using Eigen::Vector3f;
+
+namespace {
+
+constexpr float SAME_PLACE = 0.02f;  // of the skeleton's size: a bone's image and the bone there
+constexpr float ON_PLANE = 0.25f;    // d
+constexpr float SAME_POINT = 0.1f;   // d: a particle's image and the particle there
+constexpr float ALIKE = 0.5f;        // d: distances to the surface at a particle and at its image
+constexpr float LEVEL = 0.9999f;     // cosine of a plane's normal with an axis
+
+std::vector<uint32_t> nearestImages(const BoneTree& tree, const MirrorPlane& plane)
+{
+    const float reach = SAME_PLACE * sizeOf(tree);
+    std::vector<uint32_t> images(tree.size(), NO_INDEX);
+    std::vector<uint32_t> depth(tree.size(), 0);
+    for (uint32_t b = 0; b < tree.size(); ++b)
+        if (tree.parents[b] >= 0) depth[b] = depth[tree.parents[b]] + 1;
+    for (uint32_t b = 0; b < tree.size(); ++b) {
+        const Vector3f image = plane.mirrored(tree.heads[b]);
+        float nearest = reach;
+        for (uint32_t other = 0; other < tree.size(); ++other) {
+            // Of bones at one place the image is the one as far from the root, and a bone its own before another's.
+            const float distance = (tree.heads[other] - image).norm();
+            if (depth[other] != depth[b] || !(distance < nearest || (other == b && distance <= nearest))) continue;
+            nearest = distance;
+            images[b] = other;
+        }
+    }
+    return images;
+}
+
+/// Indices of the particles by place.
+class Places {
+public:
+    explicit Places(const Voxels& voxels) : voxels_(voxels), cells_(voxels.diameter)
+    {
+        for (uint32_t p = 0; p < voxels.positions.size(); ++p) cells_.add(voxels.positions[p], p);
+    }
+    uint32_t at(const Vector3f& place) const
+    {
+        uint32_t found = NO_INDEX;
+        cells_.forEachAround(place, [&](uint32_t p) {
+            if ((voxels_.positions[p] - place).norm() < SAME_POINT * voxels_.diameter) found = p;
+        });
+        return found;
+    }
+
+private:
+    const Voxels& voxels_;
+    Cells cells_;
+};
+
+}  // namespace
+
+int Mirror::axis() const
+{
+    Vector3f::Index axis = 0;
+    return plane.across.cwiseAbs().maxCoeff(&axis) > LEVEL ? static_cast<int>(axis) : -1;
+}
+
+std::optional<Mirror> findMirror(const BoneTree& tree)
+{
+    const std::optional<MirrorPlane> plane = findMirrorPlane(tree);
+    if (!plane) return {};
+    Mirror mirror{*plane, nearestImages(tree, *plane)};
+    for (uint32_t b = 0; b < tree.size(); ++b) {
+        const uint32_t image = mirror.images[b];
+        if (image != NO_INDEX && mirror.images[image] != b) mirror.images[b] = NO_INDEX;
+    }
+    return mirror;
+}
+
+void mirrorParticles(const Solid& solid, const Mirror& mirror, const std::vector<int32_t>& parents, Voxels& voxels,
+                     std::vector<uint32_t>& bones)
+{
+    const Places places(voxels);
+    const float d = voxels.diameter;
+    std::vector<uint32_t> kept, keptBones;
+    const uint32_t count = static_cast<uint32_t>(voxels.positions.size());
+    for (uint32_t p = 0; p < count; ++p) {
+        const Vector3f image = mirror.plane.mirrored(voxels.positions[p]);
+        const float side = mirror.plane.distance(voxels.positions[p]);
+        const uint32_t other = places.at(image);
+        uint32_t bone = bones[p];
+        if (std::abs(side) < ON_PLANE * d) {
+            int32_t above = static_cast<int32_t>(bone);
+            while (above >= 0 && mirror.images[above] != static_cast<uint32_t>(above)) above = parents[above];
+            if (above >= 0) bone = static_cast<uint32_t>(above);
+        } else if (other != NO_INDEX) {
+            const uint32_t mirrored = mirror.images[bones[other]];
+            if (side < 0.0f && mirrored != NO_INDEX) bone = mirrored;
+        } else {
+            const float there = solid.signedDistance(image);
+            const bool alike = std::abs(there - voxels.signedDistances[p]) < ALIKE * d;
+            if (alike && side < 0.0f) continue;
+            if (alike && mirror.images[bone] != NO_INDEX) {
+                kept.push_back(static_cast<uint32_t>(voxels.positions.size()));
+                keptBones.push_back(mirror.images[bone]);
+                voxels.add(solid, image);
+            }
+        }
+        kept.push_back(p);
+        keptBones.push_back(bone);
+    }
+    voxels = voxels.chosen(kept);
+    bones = std::move(keptBones);
+}
+
+}  // namespace knuckle

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+#include "sim/actor/anatomy/anatomy.h"
+#include "sim/actor/mesh/voxelize.h"
+
+namespace knuckle {
+
+/// The fewest particles along a rod: those that can span space.
+inline constexpr int ROD_PARTICLES = 4;
+
+/// Makes bodies of limbs so thin that the grid has no body in them: as many particles along their bones as these are
+/// diameters long, wound about them, since a straight row has no turn. Limbs shorter than that stay as they are.
+/// @param forward where the figure looks, level and unit.
+/// @param bones per particle its limb.
+void windRods(const Model& model, const Solid& solid, std::span<const BoneAnatomy> anatomy,
+              const Eigen::Vector3f& forward, Voxels& voxels, std::vector<uint32_t>& bones);
+
+}  // namespace knuckle
