@@ -13,6 +13,7 @@
 #include "sim/actor/import/import_scene.h"
 #include "sim/actor/import/model.h"
 #include "sim/actor/import/model_bytes.h"
+#include "sim/actor/import/rest_pose.h"
 #include "sim/actor/import/skeleton_body.h"
 #include "sim/world/errors.h"
 
@@ -28,7 +29,7 @@ Model readWhole(const std::string& path, const ImportOptions& options)
     Model model = readScene(path, options.surface);
     const bool bare = model.triangles.empty() && model.vertices.empty();
     if (bare && model.bones.size() >= 2) {
-        unfoldRestPose(model);
+        chooseRestPose(model);
     }
     if (model.triangles.empty() && !(bare && model.bones.size() >= 2)) {
         throw InputError("it holds neither triangles nor a skeleton: export a mesh");

@@ -4,10 +4,15 @@
 #include <assimp/postprocess.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cctype>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <new>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "sim/world/errors.h"
@@ -147,6 +152,24 @@ void convertBones(const aiScene& scene, NodeTable& table, Model& model)
     }
 }
 
+namespace {
+
+constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
+
+/// assimp takes a BVH file with a byte-order mark for none: it gets what follows the mark.
+const aiScene* readFile(Assimp::Importer& importer, const std::string& path, unsigned flags)
+{
+    std::string start(BYTE_ORDER_MARK.size(), '\0'), extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    std::ifstream file(path, std::ios::binary);
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (extension != ".bvh" || start != BYTE_ORDER_MARK) return importer.ReadFile(path, flags);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    return importer.ReadFileFromMemory(text.data(), text.size(), flags, "bvh");
+}
+
+}  // namespace
+
 Model readScene(const std::string& path, bool surface)
 {
     Assimp::Importer importer;
@@ -157,8 +180,8 @@ Model readScene(const std::string& path, bool surface)
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, looks | aiComponent_LIGHTS | aiComponent_CAMERAS);
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, CREASE);
     const unsigned normals = surface ? unsigned{aiProcess_GenSmoothNormals} : 0u;
-    const aiScene* scene = importer.ReadFile(
-        path, aiProcess_Triangulate | aiProcess_PopulateArmatureData | aiProcess_GlobalScale | normals);
+    const aiScene* scene = readFile(
+        importer, path, aiProcess_Triangulate | aiProcess_PopulateArmatureData | aiProcess_GlobalScale | normals);
     if (scene == nullptr || scene->mRootNode == nullptr) {
         const std::string reason = importer.GetErrorString();
         if (reason.find("bad_alloc") != std::string::npos) {

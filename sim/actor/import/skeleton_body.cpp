@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
+
+#include "sim/actor/anatomy/anatomy.h"
+#include "sim/actor/anatomy/bone_tree.h"
 
 namespace knuckle {
 
@@ -18,8 +20,8 @@ namespace {
 constexpr int SIDES = 8;             // of a capsule, around
 constexpr int CAP_RINGS = 2;         // of each of its ends
 constexpr float SAME_PLACE = 1e-3f;  // of the figure's size
-constexpr float FOLDED = 0.3f;       // second longest over longest side of the bounds
 constexpr float THICK_PART = 0.5f;   // a capsule, but the skull, is no thicker than this share of its length ...
+constexpr float SIDEWAYS = 0.5f;     // cosine of a skull with its neck, below which it lies on its side
 constexpr float THINNEST = 0.012f;   // ... unless that would be thinner than this share of the figure's size
 
 struct Thickness {
@@ -105,6 +107,39 @@ void addCapsule(Model& model, const Vector3f& a, const Vector3f& b, float radius
     }
 }
 
+/// Bones between a scene's root and the figure: a chain from a root to the first bone that branches, such as a
+/// trajectory on the ground and what leads up to the hips. No part of a body is among them.
+std::vector<uint8_t> columnsOf(const BoneTree& tree, const std::vector<BoneAnatomy>& anatomy)
+{
+    std::vector<uint8_t> columns(tree.size(), 0);
+    for (uint32_t root = 0; root < tree.size(); ++root) {
+        if (tree.parents[root] >= 0) continue;
+        std::vector<uint32_t> chain;
+        uint32_t bone = root;
+        const auto isPart = [&] {
+            return anatomy[bone].part != BodyPart::Other && anatomy[bone].part != BodyPart::Hips;
+        };
+        for (; tree.children[bone].size() == 1 && !isPart(); bone = tree.children[bone].front()) chain.push_back(bone);
+        if (tree.children[bone].size() < 2) continue;
+        for (const uint32_t above : chain) columns[above] = 1;
+    }
+    return columns;
+}
+
+/// Where the capsule of a bone's child ends: at the child, but for a skull that the file lays on its side, as some
+/// recorders do, which goes on as the neck does.
+Vector3f capsuleEnd(const Model& model, const BoneTree& tree, const std::vector<BoneAnatomy>& anatomy, uint32_t child)
+{
+    const uint32_t bone = static_cast<uint32_t>(tree.parents[child]);
+    const int32_t neck = tree.parents[bone];
+    const Vector3f to = headOf(model, child), from = headOf(model, bone);
+    if (anatomy[bone].part != BodyPart::Head || neck < 0 || !tree.children[child].empty()) return to;
+    const Vector3f before = from - headOf(model, static_cast<uint32_t>(neck));
+    const float length = (to - from).norm();
+    return before.dot(to - from) < SIDEWAYS * before.norm() * length ? Vector3f(from + length * before.normalized())
+                                                                     : to;
+}
+
 }  // namespace
 
 void addBodyAlongBones(Model& model)
@@ -112,15 +147,18 @@ void addBodyAlongBones(Model& model)
     if (model.bones.size() < 2) {
         return;
     }
+    const BoneTree tree(model);
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(model);
+    const std::vector<uint8_t> columns = columnsOf(tree, anatomy);
     const float size = sizeOf(model).maxCoeff();
     std::vector<uint32_t> carrier(model.bones.size());
     for (uint32_t b = 0; b < model.bones.size(); ++b) {
         const int32_t parent = model.bones[b].parent;
         carrier[b] = b;
-        if (parent < 0) {
+        if (parent < 0 || columns[parent] != 0) {
             continue;
         }
-        const Vector3f from = headOf(model, static_cast<size_t>(parent)), to = headOf(model, b);
+        const Vector3f from = headOf(model, static_cast<size_t>(parent)), to = capsuleEnd(model, tree, anatomy, b);
         const float length = (to - from).norm();
         if (length < SAME_PLACE * size) {
             carrier[b] = carrier[parent];
@@ -129,29 +167,6 @@ void addBodyAlongBones(Model& model)
         }
     }
     model.notes.push_back("The file has a skeleton and no mesh: a body was made of capsules along its bones.");
-}
-
-void unfoldRestPose(Model& model)
-{
-    Vector3f size = sizeOf(model);
-    std::sort(size.data(), size.data() + 3);
-    if (model.clips.empty() || size[1] > FOLDED * size[2]) {
-        return;
-    }
-    const std::vector<Eigen::Matrix4f>& pose = model.clips.front().poses.front();
-    Vector3f low = Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
-    for (const Eigen::Matrix4f& bone : pose) {
-        low = low.cwiseMin(bone.block<3, 1>(0, 3));
-        high = high.cwiseMax(bone.block<3, 1>(0, 3));
-    }
-    const Vector3f origin(0.5f * (low.x() + high.x()), low.y(), 0.5f * (low.z() + high.z()));
-    for (size_t b = 0; b < model.bones.size(); ++b) {
-        model.bones[b].restPose = pose[b];
-        model.bones[b].restPose.block<3, 1>(0, 3) -= origin;
-    }
-    model.notes.push_back(fmt::format("The skeleton's rest pose is folded up: the first pose of clip '{}' was taken, "
-                                      "moved to the origin.",
-                                      model.clips.front().name));
 }
 
 }  // namespace knuckle

@@ -1,0 +1,125 @@
+#include "sim/actor/import/rest_pose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/actor/anatomy/anatomy.h"
+#include "sim/actor/anatomy/bone_tree.h"
+#include "sim/actor/anatomy/mirror_plane.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+using Eigen::Vector3f;
+
+namespace {
+
+constexpr float FOLDED = 0.3f;       // second longest over longest side of the bounds
+constexpr float UPRIGHT = 0.4f;      // height of the head over the feet, of the longest side
+constexpr float APART = 0.05f;       // left from right, of the longest side
+constexpr float SAME_PLACE = 1e-3f;  // of the size: a marker and its end
+constexpr size_t FEWEST_MARKERS = 15;
+constexpr double MARKER_PART = 0.8;  // of all bones, those that end on one and the same
+
+using BonePoses = std::vector<Eigen::Matrix4f>;
+
+Vector3f headIn(const BonePoses& pose, size_t bone)
+{
+    return pose[bone].block<3, 1>(0, 3);
+}
+
+Eigen::AlignedBox3f boundsOf(const BonePoses& pose)
+{
+    Eigen::AlignedBox3f box;
+    for (size_t b = 0; b < pose.size(); ++b) box.extend(headIn(pose, b));
+    return box;
+}
+
+/// The middle of some bones, and how many there are.
+struct Middle {
+    Vector3f sum{0, 0, 0};
+    float count = 0.0f;
+
+    void add(const Vector3f& place)
+    {
+        sum += place;
+        count += 1.0f;
+    }
+    Vector3f mean() const { return sum / count; }
+};
+
+bool isPose(const BonePoses& pose, const std::vector<BoneAnatomy>& anatomy)
+{
+    Vector3f size = boundsOf(pose).sizes();
+    const float longest = size.maxCoeff();
+    Middle heads, feet, left, right;
+    for (size_t b = 0; b < pose.size(); ++b) {
+        const BodyPart part = anatomy[b].part;
+        if (part == BodyPart::Head) heads.add(headIn(pose, b));
+        if (part == BodyPart::Foot || part == BodyPart::Shin) feet.add(headIn(pose, b));
+        if (anatomy[b].side > 0) left.add(headIn(pose, b));
+        if (anatomy[b].side < 0) right.add(headIn(pose, b));
+    }
+    const bool isBody = heads.count > 0 && feet.count > 0 && left.count > 0 && right.count > 0;
+    if (isBody)
+        return heads.mean().y() - feet.mean().y() > UPRIGHT * longest &&
+               (left.mean() - right.mean()).norm() > APART * longest;
+    std::sort(size.data(), size.data() + 3);
+    return size[1] > FOLDED * size[2];
+}
+
+/// Refuses points that all hang on one and the same.
+void refuseMarkers(const Model& model)
+{
+    const BoneTree tree(model);
+    const float size = sizeOf(tree);
+    const auto isPoint = [&](uint32_t bone) {
+        return std::ranges::all_of(tree.children[bone], [&](uint32_t end) {
+            return tree.children[end].empty() && (tree.heads[end] - tree.heads[bone]).norm() < SAME_PLACE * size;
+        });
+    };
+    // End sites of files are bones of their own.
+    const auto joints = std::ranges::count_if(tree.children, [](const auto& children) { return !children.empty(); });
+    for (uint32_t b = 0; b < tree.size(); ++b) {
+        const auto ends = static_cast<size_t>(std::ranges::count_if(tree.children[b], isPoint));
+        if (ends >= FEWEST_MARKERS && static_cast<double>(ends) >= MARKER_PART * static_cast<double>(joints))
+            throw InputError(
+                fmt::format("it holds {} points that all hang on '{}': a cloud of markers, not a skeleton; "
+                            "give the skeleton that was made from it",
+                            ends, model.bones[b].name));
+    }
+}
+
+}  // namespace
+
+void chooseRestPose(Model& model)
+{
+    refuseMarkers(model);
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(model);
+    BonePoses rest;
+    for (const Bone& bone : model.bones) rest.push_back(bone.restPose);
+    if (model.clips.empty() || isPose(rest, anatomy)) return;
+    const Clip& first = model.clips.front();
+    const Clip* clip = &first;
+    const BonePoses* chosen = &first.poses.front();
+    for (const Clip& other : model.clips) {
+        const auto pose = std::ranges::find_if(other.poses, [&](const BonePoses& p) { return isPose(p, anatomy); });
+        if (pose == other.poses.end()) continue;
+        clip = &other;
+        chosen = &*pose;
+        break;
+    }
+    const double time = clip->keyTimes[static_cast<size_t>(chosen - clip->poses.data())];
+    const Eigen::AlignedBox3f box = boundsOf(*chosen);
+    const Vector3f origin(box.center().x(), box.min().y(), box.center().z());
+    for (size_t b = 0; b < model.bones.size(); ++b) {
+        model.bones[b].restPose = (*chosen)[b];
+        model.bones[b].restPose.block<3, 1>(0, 3) -= origin;
+    }
+    model.notes.push_back(fmt::format("The skeleton's rest pose is none that a body has: that of clip '{}' at {:.2f} s "
+                                      "was taken, moved to the origin.",
+                                      clip->name, time));
+}
+
+}  // namespace knuckle
