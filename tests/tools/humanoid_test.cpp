@@ -134,7 +134,7 @@ TEST(Humanoid, committedFileIsWhatTheCodeMakes)
     std::ifstream file(test::inSource("assets/models/humanoid.glb"), std::ios::binary);
     const std::string committed{std::istreambuf_iterator<char>(file), {}};
     EXPECT_TRUE(committed == toGlb(makeHumanoid()))
-        << "make it again: build/release/bin/make_humanoid assets/models/humanoid.glb";
+        << "make it again: build/release/bin/make_model humanoid assets/models/humanoid.glb";
     EXPECT_LT(committed.size(), 400000u);
 }
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "tools/humanoid/surface_nets.h"
+#include "tools/shapes/distance.h"
+#include "tools/shapes/skeleton.h"
+#include "tools/shapes/surface_nets.h"
 
 namespace knuckle {
 
@@ -16,66 +17,21 @@ namespace {
 constexpr double MESH_STEP = 0.021;              // [m]
 constexpr double HALF_WIDTH = 35.5 * MESH_STEP;  // of the meshed box: the grid mirrors like the body does
 constexpr double BLEND = 0.035;                  // width over which limbs melt into each other [m]
-constexpr double SKIN_FALLOFF = 6.0;  // weights fall with this power of the distance from the bone, in its radii
-constexpr size_t BONES_PER_VERTEX = 4;
-
-struct BoneSpec {
-    const char* name;
-    int32_t parent;
-    Vector3d head, tail;  // [m], left side; the right side mirrors it
-    double radius;        // of the flesh around it [m]
-};
 
 // Proportions of an adult of 1.75 m: 7.5 heads, hips at 53 % of the height.
-const BoneSpec SPECS[HUMANOID_BONE_COUNT] = {
-    {"hips", -1, {0, 0.95, -0.005}, {0, 1.04, -0.01}, 0.135},
-    {"spine", HIPS, {0, 1.05, -0.01}, {0, 1.18, -0.01}, 0.135},
-    {"chest", SPINE, {0, 1.19, -0.01}, {0, 1.41, -0.01}, 0.15},
-    {"neck", CHEST, {0, 1.46, -0.012}, {0, 1.53, 0.0}, 0.075},
-    {"head", NECK, {0, 1.545, 0.005}, {0, 1.70, 0.015}, 0.09},
-    {"clavicle.L", CHEST, {0.045, 1.41, -0.01}, {0.15, 1.415, -0.01}, 0.065},
-    {"upper_arm.L", CLAVICLE_L, {0.185, 1.405, -0.01}, {0.355, 1.205, -0.012}, 0.05},
-    {"forearm.L", UPPER_ARM_L, {0.365, 1.195, -0.012}, {0.52, 1.015, 0.012}, 0.042},
-    {"hand.L", FOREARM_L, {0.528, 1.005, 0.014}, {0.625, 0.885, 0.035}, 0.04},
-    {"clavicle.R", CHEST, {}, {}, 0},
-    {"upper_arm.R", CLAVICLE_R, {}, {}, 0},
-    {"forearm.R", UPPER_ARM_R, {}, {}, 0},
-    {"hand.R", FOREARM_R, {}, {}, 0},
-    {"thigh.L", HIPS, {0.098, 0.91, 0.0}, {0.118, 0.52, 0.008}, 0.08},
-    {"shin.L", THIGH_L, {0.119, 0.495, 0.008}, {0.132, 0.11, -0.022}, 0.055},
-    {"foot.L", SHIN_L, {0.133, 0.085, -0.024}, {0.155, 0.03, 0.13}, 0.05},
-    {"thigh.R", HIPS, {}, {}, 0},
-    {"shin.R", THIGH_R, {}, {}, 0},
-    {"foot.R", SHIN_R, {}, {}, 0},
-};
-
-// Left-side bones stand this far before their mirror images.
-uint32_t mirrored(uint32_t bone)
-{
-    const bool rightArm = bone >= CLAVICLE_R && bone <= HAND_R;
-    const bool rightLeg = bone >= THIGH_R;
-    return rightArm ? bone - (CLAVICLE_R - CLAVICLE_L) : rightLeg ? bone - (THIGH_R - THIGH_L) : bone;
-}
-
-Vector3d placed(const Vector3d& leftPoint, bool mirror)
-{
-    return mirror ? Vector3d(-leftPoint.x(), leftPoint.y(), leftPoint.z()) : leftPoint;
-}
-
-Vector3d boneHead(uint32_t bone)
-{
-    return placed(SPECS[mirrored(bone)].head, mirrored(bone) != bone);
-}
-
-Vector3d boneTail(uint32_t bone)
-{
-    return placed(SPECS[mirrored(bone)].tail, mirrored(bone) != bone);
-}
-
-// A capsule whose radius changes from one end to the other.
-struct Limb {
-    Vector3d a, b;
-    double radiusA, radiusB;
+const BoneSpec SPECS[] = {
+    {"hips", "", {0, 0.95, -0.005}, {0, 1.04, -0.01}, 0.135},
+    {"spine", "hips", {0, 1.05, -0.01}, {0, 1.18, -0.01}, 0.135},
+    {"chest", "spine", {0, 1.19, -0.01}, {0, 1.41, -0.01}, 0.15},
+    {"neck", "chest", {0, 1.46, -0.012}, {0, 1.53, 0.0}, 0.075},
+    {"head", "neck", {0, 1.545, 0.005}, {0, 1.70, 0.015}, 0.09},
+    {"clavicle.L", "chest", {0.045, 1.41, -0.01}, {0.15, 1.415, -0.01}, 0.065},
+    {"upper_arm.L", "clavicle.L", {0.185, 1.405, -0.01}, {0.355, 1.205, -0.012}, 0.05},
+    {"forearm.L", "upper_arm.L", {0.365, 1.195, -0.012}, {0.52, 1.015, 0.012}, 0.042},
+    {"hand.L", "forearm.L", {0.528, 1.005, 0.014}, {0.625, 0.885, 0.035}, 0.04},
+    {"thigh.L", "hips", {0.098, 0.91, 0.0}, {0.118, 0.52, 0.008}, 0.08},
+    {"shin.L", "thigh.L", {0.119, 0.495, 0.008}, {0.132, 0.11, -0.022}, 0.055},
+    {"foot.L", "shin.L", {0.133, 0.085, -0.024}, {0.155, 0.03, 0.13}, 0.05},
 };
 
 // The left half of the body and what lies on the middle; the distance mirrors x.
@@ -110,81 +66,29 @@ constexpr double HEAD_TOP = 1.75;
 const Vector3d HEAD_RADII{0.080, 0.115, 0.098};
 const Vector3d HEAD_CENTRE{0, HEAD_TOP - 0.115, 0.012};
 
-double segmentParameter(const Vector3d& p, const Vector3d& a, const Vector3d& b)
-{
-    return std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-}
-
-double segmentDistance(const Vector3d& p, const Vector3d& a, const Vector3d& b)
-{
-    return (p - a - segmentParameter(p, a, b) * (b - a)).norm();
-}
-
-double limbDistance(const Vector3d& p, const Limb& limb)
-{
-    const double t = segmentParameter(p, limb.a, limb.b);
-    return segmentDistance(p, limb.a, limb.b) - (limb.radiusA + t * (limb.radiusB - limb.radiusA));
-}
-
-// Polynomial smooth minimum.
-double melt(double a, double b)
-{
-    const double h = std::max(BLEND - std::abs(a - b), 0.0) / BLEND;
-    return std::min(a, b) - 0.25 * BLEND * h * h;
-}
-
 double bodyDistance(const Vector3d& point)
 {
     const Vector3d p(std::abs(point.x()), point.y(), point.z());
-    const Vector3d scaled = (p - HEAD_CENTRE).cwiseQuotient(HEAD_RADII);
-    double distance = (scaled.norm() - 1.0) * HEAD_RADII.minCoeff();
+    double distance = ellipsoidDistance(p, HEAD_CENTRE, HEAD_RADII);
     for (const Limb& limb : LIMBS) {
-        distance = melt(distance, limbDistance(p, limb));
+        distance = melt(distance, limbDistance(p, limb), BLEND);
     }
     return std::max(distance, -p.y());  // flat soles on the ground
-}
-
-SkinWeights skinAt(const Vector3d& vertex)
-{
-    std::array<double, HUMANOID_BONE_COUNT> weights;
-    std::array<uint32_t, HUMANOID_BONE_COUNT> order;
-    std::iota(order.begin(), order.end(), 0u);
-    for (uint32_t b = 0; b < HUMANOID_BONE_COUNT; ++b) {
-        const double distance = std::max(segmentDistance(vertex, boneHead(b), boneTail(b)), 1e-3);
-        weights[b] = std::pow(distance / SPECS[mirrored(b)].radius, -SKIN_FALLOFF);
-    }
-    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return weights[a] > weights[b]; });
-    double sum = 0.0;
-    for (size_t i = 0; i < BONES_PER_VERTEX; ++i) {
-        sum += weights[order[i]];
-    }
-    SkinWeights skin;
-    for (size_t i = 0; i < BONES_PER_VERTEX; ++i) {
-        skin.bones[i] = order[i];
-        // Rounded like the vertices. The sum is then within 1e-4 of 1, and import normalizes it.
-        skin.weights[i] = static_cast<float>(std::round(weights[order[i]] / sum * 1e4) * 1e-4);
-    }
-    return skin;
 }
 
 }  // namespace
 
 Model makeHumanoid()
 {
+    const Skeleton skeleton = mirrored(SPECS);
     Model model;
     model.name = "humanoid";
-    for (uint32_t b = 0; b < HUMANOID_BONE_COUNT; ++b) {
-        Bone bone;
-        bone.name = SPECS[b].name;
-        bone.parent = SPECS[b].parent;
-        bone.restPose.block<3, 1>(0, 3) = boneHead(b).cast<float>();
-        model.bones.push_back(bone);
-    }
+    model.bones = bonesOf(skeleton);
     TriangleMesh mesh = surfaceNets(bodyDistance, {-HALF_WIDTH, -0.05, -0.2}, {HALF_WIDTH, 1.81, 0.26}, MESH_STEP);
     model.vertices = std::move(mesh.vertices);
     model.triangles = std::move(mesh.triangles);
     for (const Vector3f& vertex : model.vertices) {
-        model.skin.push_back(skinAt(vertex.cast<double>()));
+        model.skin.push_back(weightsAt(skeleton, vertex.cast<double>()));
     }
     model.clips.push_back(humanoidDance(model.bones));
     model.clips.push_back(humanoidWalk(model.bones));

@@ -1,4 +1,4 @@
-#include "tools/humanoid/surface_nets.h"
+#include "tools/shapes/surface_nets.h"
 
 #include <cmath>
 
@@ -56,7 +56,7 @@ bool cellVertex(const Grid& grid, const Vector3i& cell, Vector3d& vertex)
     return crossings > 0;
 }
 
-Vector3d gradient(const std::function<double(const Vector3d&)>& distance, const Vector3d& p, double h)
+Vector3d gradient(const Distance& distance, const Vector3d& p, double h)
 {
     Vector3d g;
     for (int axis = 0; axis < 3; ++axis) {
@@ -65,8 +65,7 @@ Vector3d gradient(const std::function<double(const Vector3d&)>& distance, const 
     return g;
 }
 
-Grid sample(const std::function<double(const Vector3d&)>& distance, const Vector3d& low, const Vector3d& high,
-            double step)
+Grid sample(const Distance& distance, const Vector3d& low, const Vector3d& high, double step)
 {
     Grid grid{low, step, ((high - low) / step).array().ceil().cast<int>() + 1, {}};
     grid.values.reserve(static_cast<size_t>(grid.counts.prod()));
@@ -99,8 +98,7 @@ void addQuad(const Grid& grid, const std::vector<uint32_t>& cells, const Vector3
 
 }  // namespace
 
-TriangleMesh surfaceNets(const std::function<double(const Vector3d&)>& distance, const Vector3d& low,
-                         const Vector3d& high, double step)
+TriangleMesh surfaceNets(const Distance& distance, const Vector3d& low, const Vector3d& high, double step)
 {
     const Grid grid = sample(distance, low, high, step);
     TriangleMesh mesh;
