@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/shapes/distance.h"
-#include "tools/shapes/skeleton.h"
-#include "tools/shapes/surface_nets.h"
+#include "tools/humanoid/humanoid_look.h"
 
 namespace knuckle {
 
@@ -14,9 +12,8 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr double MESH_STEP = 0.021;              // [m]
-constexpr double HALF_WIDTH = 35.5 * MESH_STEP;  // of the meshed box: the grid mirrors like the body does
-constexpr double BLEND = 0.035;                  // width over which limbs melt into each other [m]
+constexpr double FINEST_CELL = 0.0014;  // of the mesh, at the eyes [m]
+constexpr double HAND_BLEND = 0.02;     // width over which hands melt into arms [m]
 
 // Proportions of an adult of 1.75 m: 7.5 heads, hips at 53 % of the height.
 const BoneSpec SPECS[] = {
@@ -34,64 +31,98 @@ const BoneSpec SPECS[] = {
     {"foot.L", "shin.L", {0.133, 0.085, -0.024}, {0.155, 0.03, 0.13}, 0.05},
 };
 
-// The left half of the body and what lies on the middle; the distance mirrors x.
-const Limb LIMBS[] = {
-    {{0, 0.95, -0.005}, {0.065, 0.95, -0.005}, 0.100, 0.092},       // pelvis
-    {{0.062, 0.915, -0.045}, {0.075, 0.90, -0.045}, 0.075, 0.072},  // seat
-    {{0, 1.08, 0.0}, {0.045, 1.08, 0.0}, 0.092, 0.080},             // waist
-    {{0.03, 0.98, -0.005}, {0.045, 1.30, -0.005}, 0.090, 0.094},    // trunk
-    {{0, 1.27, -0.005}, {0.072, 1.29, -0.005}, 0.105, 0.095},       // ribs
-    {{0.06, 1.335, 0.02}, {0.085, 1.33, 0.015}, 0.066, 0.062},      // breast
-    {{0, 1.40, -0.015}, {0.15, 1.405, -0.012}, 0.062, 0.052},       // shoulders
-    {{0.175, 1.40, -0.01}, {0.19, 1.385, -0.01}, 0.060, 0.058},     // deltoid
-    {{0, 1.43, -0.015}, {0, 1.55, 0.0}, 0.060, 0.052},              // neck
-    {{0, 1.585, 0.025}, {0, 1.565, 0.055}, 0.062, 0.038},           // jaw
-    {{0, 1.60, 0.09}, {0, 1.625, 0.10}, 0.018, 0.012},              // nose
-    {{0.195, 1.39, -0.01}, {0.365, 1.195, -0.012}, 0.055, 0.042},
-    {{0.365, 1.195, -0.012}, {0.43, 1.12, -0.002}, 0.043, 0.043},
-    {{0.43, 1.12, -0.002}, {0.528, 1.005, 0.014}, 0.043, 0.029},
-    {{0.535, 0.995, 0.016}, {0.58, 0.94, 0.028}, 0.030, 0.033},  // palm, widened across below
-    {{0.562, 0.95, 0.045}, {0.575, 0.935, 0.0}, 0.026, 0.026},
-    {{0.58, 0.94, 0.04}, {0.63, 0.87, 0.042}, 0.024, 0.016},  // fingers
-    {{0.585, 0.935, 0.012}, {0.625, 0.875, 0.018}, 0.024, 0.016},
-    {{0.54, 0.975, 0.04}, {0.575, 0.93, 0.085}, 0.020, 0.014},    // thumb
-    {{0.095, 0.90, 0.0}, {0.119, 0.50, 0.01}, 0.086, 0.056},      // thigh
-    {{0.119, 0.50, 0.012}, {0.124, 0.36, -0.012}, 0.055, 0.057},  // calf
-    {{0.124, 0.36, -0.012}, {0.133, 0.085, -0.025}, 0.056, 0.038},
-    {{0.133, 0.04, -0.055}, {0.135, 0.05, 0.0}, 0.040, 0.044},  // heel
-    {{0.135, 0.05, 0.0}, {0.158, 0.022, 0.135}, 0.046, 0.030},  // foot
-};
-
-constexpr double HEAD_TOP = 1.75;
-const Vector3d HEAD_RADII{0.080, 0.115, 0.098};
-const Vector3d HEAD_CENTRE{0, HEAD_TOP - 0.115, 0.012};
-
-double bodyDistance(const Vector3d& point)
+double distanceAt(const Vector3d& p)
 {
-    const Vector3d p(std::abs(point.x()), point.y(), point.z());
-    double distance = ellipsoidDistance(p, HEAD_CENTRE, HEAD_RADII);
-    for (const Limb& limb : LIMBS) {
-        distance = melt(distance, limbDistance(p, limb), BLEND);
+    const Vector3d left(std::abs(p.x()), p.y(), p.z());
+    const double body = melt(bodyDistance(left), handDistance(left), HAND_BLEND);
+    return std::max(headDistance(p, body), -p.y());  // flat soles on the ground
+}
+
+double cellAt(const Vector3d& p)
+{
+    const Vector3d left(std::abs(p.x()), p.y(), p.z());
+    const double feature = featureDistance(left);
+    if (feature < 0.0) return FINEST_CELL;
+    if (feature < 0.005) return 2.0 * FINEST_CELL;
+    const bool face = left.y() > 1.59 && left.y() < 1.68 && left.x() < 0.052 && p.z() > 0.075;
+    const bool fingers = left.x() > 0.595 && left.y() < 0.93;
+    if (face || fingers) return 4.0 * FINEST_CELL;
+    const bool hand = left.x() > 0.5, head = left.y() > 1.47, shoe = left.y() < 0.1 && left.y() > 0.011;
+    return hand || head || shoe || hemDistance(left) < 0.0095 ? 8.0 * FINEST_CELL : 16.0 * FINEST_CELL;
+}
+
+Vector3f colorOf(Region region)
+{
+    switch (region) {
+        case LIPS: return screenColor(196, 112, 100);
+        case MOUTH: return screenColor(92, 40, 38);
+        case EYE_WHITE: return screenColor(240, 237, 230);
+        case IRIS: return screenColor(70, 116, 116);
+        case PUPIL: return screenColor(14, 12, 14);
+        case LASHES: return screenColor(38, 24, 20);
+        case BROW: return screenColor(66, 40, 28);
+        case HAIR: return screenColor(70, 42, 28);
+        case SHIRT: return screenColor(236, 228, 212);
+        case SLEEVE: return screenColor(32, 104, 112);
+        case BELT: return screenColor(96, 58, 36);
+        case BUCKLE: return screenColor(214, 174, 100);
+        case TROUSERS: return screenColor(48, 60, 92);
+        case CUFF: return screenColor(112, 130, 164);
+        case SOCK: return screenColor(236, 234, 230);
+        case SHOE: return screenColor(206, 74, 50);
+        case LACE:
+        case SOLE: return screenColor(244, 241, 234);
+        default: return screenColor(226, 172, 138);
     }
-    return std::max(distance, -p.y());  // flat soles on the ground
+}
+
+// A little red in cheeks, nose and ears.
+Vector3f colorAt(Region region, const Vector3d& p)
+{
+    const Vector3f color = colorOf(region);
+    if (region != BODY_SKIN || p.y() < 1.5) return color;
+    const Vector3d left(std::abs(p.x()), p.y(), p.z());
+    const double near = std::min((left - Vector3d(0.046, 1.608, 0.083)).norm() / 0.024,
+                                 (left - Vector3d(0, 1.607, 0.122)).norm() / 0.016);
+    const float blush = static_cast<float>(0.30 * std::exp(-near * near));
+    return color + blush * (screenColor(216, 120, 104) - color);
+}
+
+}  // namespace
+
+Figure humanoidFigure(const Skeleton& skeleton)
+{
+    Figure figure;
+    figure.distance = distanceAt;
+    figure.grid = {{0, 640 * FINEST_CELL, 0}, FINEST_CELL, 11, cellAt};  // y = 0 between cells
+    figure.regionAt = [](const Vector3d& p) -> Region {
+        const Vector3d left(std::abs(p.x()), p.y(), p.z());
+        return p.y() > 1.52 ? headRegionAt(p) : clothesAt(left);
+    };
+    figure.colorAt = colorAt;
+    figure.weightsAt = [skeleton](Region, const Vector3d& p) { return weightsAt(skeleton, p); };
+    return figure;
+}
+
+namespace {
+
+Model make()
+{
+    const Skeleton skeleton = mirrored(SPECS);
+    Model model;
+    model.name = "humanoid";
+    model.bones = bonesOf(skeleton);
+    dress(model, humanoidFigure(skeleton));
+    model.clips.push_back(humanoidDance(model.bones));
+    model.clips.push_back(humanoidWalk(model.bones));
+    return model;
 }
 
 }  // namespace
 
 Model makeHumanoid()
 {
-    const Skeleton skeleton = mirrored(SPECS);
-    Model model;
-    model.name = "humanoid";
-    model.bones = bonesOf(skeleton);
-    TriangleMesh mesh = surfaceNets(bodyDistance, {-HALF_WIDTH, -0.05, -0.2}, {HALF_WIDTH, 1.81, 0.26}, MESH_STEP);
-    model.vertices = std::move(mesh.vertices);
-    model.triangles = std::move(mesh.triangles);
-    for (const Vector3f& vertex : model.vertices) {
-        model.skin.push_back(weightsAt(skeleton, vertex.cast<double>()));
-    }
-    model.clips.push_back(humanoidDance(model.bones));
-    model.clips.push_back(humanoidWalk(model.bones));
+    static const Model model = make();
     return model;
 }
 

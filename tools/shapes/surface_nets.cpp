@@ -1,6 +1,10 @@
 #include "tools/shapes/surface_nets.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
+#include <unordered_map>
 
 #include "sim/world/no_index.h"
 
@@ -11,50 +15,140 @@ using Eigen::Vector3i;
 
 namespace {
 
-constexpr int PROJECTION_STEPS = 2;
-// Vertices are rounded to this [model unit], so that the last bits of the mathematical library do not show.
-constexpr double GRAIN = 1e-4;
+constexpr int PROJECTION_STEPS = 3;
+constexpr double GRADIENT_STEP = 5e-4;  // [m]
+constexpr double GRAIN = 1e-4;          // [m]
+constexpr double HIGHEST_STEP = 0.012;  // that may stand on a true distance [m]
+constexpr int COORDINATE_BITS = 20;     // of a place in a key
 
-struct Grid {
-    Vector3d low;
-    double step;
-    Vector3i counts;  // of sample points
-    std::vector<double> values;
-
-    size_t index(const Vector3i& p) const
-    {
-        return (static_cast<size_t>(p.z()) * counts.y() + p.y()) * counts.x() + p.x();
-    }
-    double at(const Vector3i& p) const { return values[index(p)]; }
-    Vector3d position(const Vector3i& p) const { return low + step * p.cast<double>(); }
+// Places and sides of cells are counted in the smallest ones.
+struct Leaf {
+    Vector3i low;
+    int side;
+    Vector3d sum = Vector3d::Zero();  // of where the surface crosses edges around it
+    int crossings = 0;
+    uint32_t vertex = NO_INDEX;
 };
 
-Vector3i corner(int i)
+uint64_t keyOf(const Vector3i& p)
 {
-    return {i & 1, i >> 1 & 1, i >> 2 & 1};
+    return (static_cast<uint64_t>(p.z()) << COORDINATE_BITS | static_cast<uint64_t>(p.y())) << COORDINATE_BITS |
+           static_cast<uint64_t>(p.x());
 }
 
-// The mean of where the surface crosses the cell's edges; false where it does not.
-bool cellVertex(const Grid& grid, const Vector3i& cell, Vector3d& vertex)
-{
-    Vector3d sum = Vector3d::Zero();
-    int crossings = 0;
-    for (int i = 0; i < 8; ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
-            if (i >> axis & 1) {
-                continue;
+class Octree {
+public:
+    Octree(const Distance& distance, const NetGrid& grid) : distance_(distance), grid_(grid)
+    {
+        side_ = 1 << grid.levels;
+        low_ = grid.centre - Vector3d::Constant(0.5 * side_ * grid.finest);
+        grow(Vector3i::Zero(), side_);
+    }
+
+    TriangleMesh mesh()
+    {
+        forEachEdge([&](const std::array<uint32_t, 4>& around, const Vector3i& a, const Vector3i& b) {
+            const double va = valueAt(a), vb = valueAt(b);
+            const Vector3d crossing = position(a) + va / (va - vb) * (position(b) - position(a));
+            for (const uint32_t leaf : around) {
+                leaves_[leaf].sum += crossing;
+                ++leaves_[leaf].crossings;
             }
-            const Vector3i a = cell + corner(i), b = cell + corner(i | 1 << axis);
-            const double va = grid.at(a), vb = grid.at(b);
-            if ((va < 0.0) != (vb < 0.0)) {
-                sum += grid.position(a) + va / (va - vb) * (grid.position(b) - grid.position(a));
-                ++crossings;
+        });
+        TriangleMesh mesh;
+        for (Leaf& leaf : leaves_) {
+            if (leaf.crossings == 0) continue;
+            leaf.vertex = static_cast<uint32_t>(mesh.vertices.size());
+            mesh.vertices.push_back(onSurface(distance_, leaf.sum / leaf.crossings).cast<float>());
+        }
+        forEachEdge([&](const std::array<uint32_t, 4>& around, const Vector3i& a, const Vector3i&) {
+            std::array<uint32_t, 4> quad{};
+            for (size_t i = 0; i < 4; ++i) quad[i] = leaves_[around[i]].vertex;
+            if (valueAt(a) >= 0.0) std::swap(quad[1], quad[3]);
+            addQuad(quad, mesh);
+        });
+        return mesh;
+    }
+
+private:
+    Vector3d position(const Vector3i& p) const { return low_ + grid_.finest * p.cast<double>(); }
+
+    void grow(const Vector3i& low, int side)
+    {
+        const double size = side * grid_.finest;
+        const Vector3d centre = position(low) + Vector3d::Constant(0.5 * size);
+        if (std::abs(distance_(centre)) > 0.5 * std::sqrt(3.0) * size + HIGHEST_STEP) return;
+        if (side > 1 && size > grid_.cellAt(centre)) {
+            for (int i = 0; i < 8; ++i) grow(low + side / 2 * Vector3i(i & 1, i >> 1 & 1, i >> 2 & 1), side / 2);
+            return;
+        }
+        leafAt_[keyOf(low)] = static_cast<uint32_t>(leaves_.size());
+        leaves_.push_back({low, side});
+    }
+
+    // Of the cell that the smallest cell at a place lies in.
+    uint32_t leafAround(const Vector3i& p) const
+    {
+        if (p.minCoeff() < 0 || p.maxCoeff() >= side_) throw std::logic_error("the surface leaves the grid");
+        for (int side = 1; side <= side_; side *= 2) {
+            const Vector3i low = p.unaryExpr([&](int c) { return c & ~(side - 1); });
+            const auto found = leafAt_.find(keyOf(low));
+            if (found != leafAt_.end() && leaves_[found->second].side == side) return found->second;
+        }
+        return NO_INDEX;
+    }
+
+    double valueAt(const Vector3i& p)
+    {
+        const auto [place, isNew] = values_.try_emplace(keyOf(p));
+        if (isNew) place->second = distance_(position(p));
+        return place->second;
+    }
+
+    // Edges that cross the surface and are not divided, each once, with the leaves around them in turn.
+    template <typename Visit>
+    void forEachEdge(const Visit& visit)
+    {
+        for (uint32_t l = 0; l < leaves_.size(); ++l) {
+            const int side = leaves_[l].side;
+            for (int edge = 0; edge < 12; ++edge) {
+                const int axis = edge / 4;
+                const Vector3i u = Vector3i::Unit((axis + 1) % 3), v = Vector3i::Unit((axis + 2) % 3);
+                const Vector3i a = leaves_[l].low + side * ((edge & 1) * u + (edge >> 1 & 1) * v);
+                const Vector3i b = a + side * Vector3i::Unit(axis);
+                if ((valueAt(a) < 0.0) == (valueAt(b) < 0.0)) continue;
+                const std::array<uint32_t, 4> around{leafAround(a - u - v), leafAround(a - v), leafAround(a),
+                                                     leafAround(a - u)};
+                if (std::ranges::count(around, NO_INDEX) > 0) throw std::logic_error("the distance is too steep");
+                // The first of the smallest leaves around an edge owns it.
+                const auto owner = std::ranges::min_element(around, {}, [&](uint32_t i) { return leaves_[i].side; });
+                if (*owner == l) visit(around, a, b);
             }
         }
     }
-    vertex = sum / std::max(crossings, 1);
-    return crossings > 0;
-}
+
+    // Two triangles along the shorter diagonal, or one where a large leaf has two of the corners.
+    static void addQuad(const std::array<uint32_t, 4>& q, TriangleMesh& mesh)
+    {
+        const auto length = [&](size_t i, size_t j) { return (mesh.vertices[q[i]] - mesh.vertices[q[j]]).norm(); };
+        const size_t first = length(0, 2) <= length(1, 3) ? 0 : 1;
+        for (const size_t i : {first, first + 2}) {
+            const Triangle triangle{q[i % 4], q[(i + 1) % 4], q[(i + 2) % 4]};
+            if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
+                mesh.triangles.push_back(triangle);
+        }
+    }
+
+    const Distance& distance_;
+    const NetGrid& grid_;
+    int side_ = 0;
+    Vector3d low_;
+    std::vector<Leaf> leaves_;
+    std::unordered_map<uint64_t, uint32_t> leafAt_;
+    std::unordered_map<uint64_t, double> values_;
+};
+
+}  // namespace
 
 Vector3d gradient(const Distance& distance, const Vector3d& p, double h)
 {
@@ -65,73 +159,19 @@ Vector3d gradient(const Distance& distance, const Vector3d& p, double h)
     return g;
 }
 
-Grid sample(const Distance& distance, const Vector3d& low, const Vector3d& high, double step)
+Vector3d onSurface(const Distance& distance, const Vector3d& p)
 {
-    Grid grid{low, step, ((high - low) / step).array().ceil().cast<int>() + 1, {}};
-    grid.values.reserve(static_cast<size_t>(grid.counts.prod()));
-    for (int z = 0; z < grid.counts.z(); ++z) {
-        for (int y = 0; y < grid.counts.y(); ++y) {
-            for (int x = 0; x < grid.counts.x(); ++x) {
-                grid.values.push_back(distance(grid.position({x, y, z})));
-            }
-        }
+    Vector3d point = p;
+    for (int i = 0; i < PROJECTION_STEPS; ++i) {
+        const Vector3d g = gradient(distance, point, GRADIENT_STEP);
+        point -= distance(point) / std::max(g.squaredNorm(), 0.1) * g;
     }
-    return grid;
+    return (point / GRAIN).array().round() * GRAIN;
 }
 
-// One quad per grid edge that crosses the surface, between the vertices of the four cells around it.
-void addQuad(const Grid& grid, const std::vector<uint32_t>& cells, const Vector3i& p, int axis, TriangleMesh& mesh)
+TriangleMesh surfaceNets(const Distance& distance, const NetGrid& grid)
 {
-    const bool inside = grid.at(p) < 0.0;
-    if (inside == (grid.at(p + Vector3i::Unit(axis)) < 0.0)) {
-        return;
-    }
-    const Vector3i u = Vector3i::Unit((axis + 1) % 3), v = Vector3i::Unit((axis + 2) % 3);
-    uint32_t quad[4] = {cells[grid.index(p - u - v)], cells[grid.index(p - v)], cells[grid.index(p)],
-                        cells[grid.index(p - u)]};
-    if (!inside) {
-        std::swap(quad[1], quad[3]);
-    }
-    mesh.triangles.push_back({quad[0], quad[1], quad[2]});
-    mesh.triangles.push_back({quad[0], quad[2], quad[3]});
-}
-
-}  // namespace
-
-TriangleMesh surfaceNets(const Distance& distance, const Vector3d& low, const Vector3d& high, double step)
-{
-    const Grid grid = sample(distance, low, high, step);
-    TriangleMesh mesh;
-    std::vector<uint32_t> cells(grid.values.size(), NO_INDEX);
-    const auto forEachCell = [&](auto visit) {
-        for (int z = 0; z + 1 < grid.counts.z(); ++z) {
-            for (int y = 0; y + 1 < grid.counts.y(); ++y) {
-                for (int x = 0; x + 1 < grid.counts.x(); ++x) {
-                    visit(Vector3i(x, y, z));
-                }
-            }
-        }
-    };
-    forEachCell([&](const Vector3i& cell) {
-        Vector3d vertex;
-        if (!cellVertex(grid, cell, vertex)) {
-            return;
-        }
-        for (int i = 0; i < PROJECTION_STEPS; ++i) {
-            const Vector3d g = gradient(distance, vertex, 0.05 * step);
-            vertex -= distance(vertex) / std::max(g.squaredNorm(), 0.1) * g;
-        }
-        cells[grid.index(cell)] = static_cast<uint32_t>(mesh.vertices.size());
-        mesh.vertices.push_back(((vertex / GRAIN).array().round() * GRAIN).cast<float>());
-    });
-    forEachCell([&](const Vector3i& p) {
-        for (int axis = 0; axis < 3; ++axis) {
-            if (p[(axis + 1) % 3] > 0 && p[(axis + 2) % 3] > 0) {
-                addQuad(grid, cells, p, axis, mesh);
-            }
-        }
-    });
-    return mesh;
+    return Octree(distance, grid).mesh();
 }
 
 }  // namespace knuckle
