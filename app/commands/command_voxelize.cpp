@@ -70,9 +70,7 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     requireUsable(options.model, actor);
     if (!common.quiet) {
         const FillError error = fillError(actor, Solid(model.vertices, model.triangles));
-        fmt::print("{}{}", actorTable(actor), clipTable(model));
-        fmt::print("fill: {:.0f} % of the mesh's volume; its surface is {:.2f} diameters off the particles'\n",
-                   100 * error.volume, error.surface);
+        fmt::print("{}", actorTable(actor, model, actorOptions.articulation, error));
     }
     if (!options.output.empty()) writeActor(options.output, actor);
     if (!options.preview.empty()) writePng(options.preview, drawPreview(actor, model, common));
