@@ -33,6 +33,9 @@ void DrawPass::begin(KernelTimer& timer) const
     enable(GL_DEPTH_TEST, target_->hasDepth());
     enable(GL_CULL_FACE, culled_ != GL_NONE);
     if (culled_ != GL_NONE) glCullFace(culled_);
+    enable(GL_BLEND, opacity_ < 1.0f);
+    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+    glBlendColor(0.0f, 0.0f, 0.0f, opacity_);
 }
 
 void DrawPass::end(KernelTimer& timer)
@@ -46,11 +49,12 @@ void DrawPass::drawScreen(KernelTimer& timer, uint32_t instances) const
     draw(timer, GL_TRIANGLES, 3, instances);
 }
 
-void DrawPass::draw(KernelTimer& timer, GLenum primitive, uint32_t vertices, uint32_t instances) const
+void DrawPass::draw(KernelTimer& timer, GLenum primitive, uint32_t vertices, uint32_t instances, uint32_t first) const
 {
     if (vertices == 0 || instances == 0) return;
     begin(timer);
-    glDrawArraysInstanced(primitive, 0, static_cast<GLsizei>(vertices), static_cast<GLsizei>(instances));
+    glDrawArraysInstanced(primitive, static_cast<GLint>(first), static_cast<GLsizei>(vertices),
+                          static_cast<GLsizei>(instances));
     end(timer);
 }
 

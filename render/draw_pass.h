@@ -34,11 +34,14 @@ public:
     DrawPass(const Gpu& gpu, const BufferTable& table, const DrawShaders& shaders,
              std::initializer_list<std::string> reads, const Framebuffer& target, GLenum culled = GL_NONE);
 
+    /// Mixes what it draws with what is in the target already, 0 (nothing of it) ... 1 (as by default, nothing else).
+    void setOpacity(float opacity) { opacity_ = opacity; }
     const std::string& name() const { return program_.name(); }
     /// One triangle over the whole target, an instance each.
     void drawScreen(KernelTimer& timer, uint32_t instances = 1) const;
-    /// @param primitive GL_POINTS, GL_TRIANGLES, ...
-    void draw(KernelTimer& timer, GLenum primitive, uint32_t vertices, uint32_t instances = 1) const;
+    /// @param primitive GL_POINTS, GL_TRIANGLES, ... @param first gl_VertexID of the first vertex.
+    void draw(KernelTimer& timer, GLenum primitive, uint32_t vertices, uint32_t instances = 1,
+              uint32_t first = 0) const;
     /// Triangles of an index buffer of 32 bits.
     void drawIndexed(KernelTimer& timer, const RawBuffer& indices, const IndexedDraw& what) const;
     /// With the DrawArguments of `arguments` at element `index`.
@@ -53,6 +56,7 @@ private:
     VertexArrayHandle noAttributes_;
     const Framebuffer* target_ = nullptr;
     GLenum culled_ = GL_NONE;
+    float opacity_ = 1.0f;
 };
 
 }  // namespace knuckle

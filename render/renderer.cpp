@@ -6,6 +6,8 @@
 
 #include "render/colliders/collider_pass.h"
 #include "render/frame_input.h"
+#include "render/marks/joint_marks.h"
+#include "render/marks/mark_pass.h"
 #include "render/picture/picture_passes.h"
 #include "render/picture/picture_reader.h"
 #include "render/skins/skin_pass.h"
@@ -21,6 +23,8 @@ struct Renderer::Impl {
     BufferTable& addInputs();  ///< To the table, which it returns.
     void attach(const ParticleView& view);
     void aimCamera(double time);
+    /// What casts shadows and what is seen, with the light that reaches it.
+    void drawSurfaces(bool withSkins, bool withParticles);
     void draw();
 
     RenderSettings settings;
@@ -38,6 +42,7 @@ struct Renderer::Impl {
     SkinPass skins;
     SpherePass spheres;
     PicturePasses picture;
+    MarkPass marks;
     PictureReader reader;
     KernelTimer timer;
 };
@@ -48,7 +53,8 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
       input(frameInput(world, settings, extent, camera)),
       targets(settings.width, settings.height, settings.antialiasing), view(gpu, addInputs()), lists(gpu, table, world),
       colliders(gpu, table, world, extent, targets), skins(gpu, table, world, targets),
-      spheres(gpu, table, world, settings, targets), picture(gpu, table, targets),
+      spheres(gpu, table, world, settings, targets), picture(gpu, table, targets, settings.skinOpacity),
+      marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets),
       reader(settings.width, settings.height)
 {
     gpu.checkErrors();
@@ -91,26 +97,37 @@ void Renderer::Impl::aimCamera(double time)
     view.aim(timer);
 }
 
-void Renderer::Impl::draw()
+void Renderer::Impl::drawSurfaces(bool withSkins, bool withParticles)
 {
-    const bool hasSolids = input.solidCount > 0, hasFluids = input.solidCount < input.particleCount;
-    view.fit(timer);
-    lists.update(timer);
-
+    const bool hasSolids = withParticles && input.solidCount > 0;
+    const bool hasFluids = withParticles && input.solidCount < input.particleCount;
     targets.shadowMap.clear();
     colliders.drawShadow(timer);
-    skins.drawShadow(timer);
+    if (withSkins) skins.drawShadow(timer);
     if (hasSolids) spheres.drawShadow(timer, lists, SphereGroup::Solid);
     if (hasFluids) spheres.drawShadow(timer, lists, SphereGroup::Fluid);
 
     targets.geometry.clear();
     colliders.draw(timer);
-    skins.draw(timer);
+    if (withSkins) skins.draw(timer);
     if (hasSolids) spheres.draw(timer, lists, SphereGroup::Solid);
     if (hasFluids) spheres.draw(timer, lists, SphereGroup::Fluid);
 
     picture.drawOcclusion(timer);
+}
+
+void Renderer::Impl::draw()
+{
+    const bool veiled = settings.skinOpacity < 1.0f && !skins.empty();
+    view.fit(timer);
+    lists.update(timer);
+    drawSurfaces(!veiled, true);
     picture.drawLighting(timer);
+    if (veiled) {
+        drawSurfaces(true, false);
+        picture.drawVeil(timer);
+    }
+    marks.draw(timer);
     picture.drawSmooth(timer);
     reader.start(picture.result().id());
 }
@@ -133,7 +150,6 @@ void Renderer::draw(const ParticleView& view, double time)
 {
     glEnable(GL_PROGRAM_POINT_SIZE);
     glEnable(GL_DEPTH_CLAMP);
-    glDisable(GL_BLEND);
     impl_->attach(view);
     impl_->aimCamera(time);
     impl_->draw();

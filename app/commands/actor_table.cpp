@@ -5,24 +5,148 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
 
 #include "app/json/fields.h"
 #include "app/run/counted.h"
+#include "sim/actor/anatomy/anatomy.h"
+#include "sim/actor/bodies/bone_options.h"
+#include "sim/actor/bodies/name_pattern.h"
 
 namespace knuckle {
 
+template <>
+struct EnumWords<BodyPart> {
+    static constexpr std::array WORDS{"other", "hips",   "spine", "neck", "head", "collar bone", "upper arm", "forearm",
+                                      "hand",  "finger", "thigh", "shin", "foot", "toe",         "tail",      "wing"};
+};
+template <>
+struct EnumWords<AnatomySource> {
+    static constexpr std::array WORDS{"", "name", "shape", "clip"};
+};
+
 namespace {
 
-using Row = std::array<std::string, 6>;
+constexpr size_t COLUMNS = 8;
+using Row = std::array<std::string, COLUMNS>;
+using Names = std::vector<std::string>;
 
-/// The first name and how many more there are; the notes below the table have them all.
-std::string shortList(const std::vector<std::string>& names)
+/// What a table says of a model's bones, by their names.
+class BoneFacts {
+public:
+    BoneFacts(const Model& model, const ArticulationOptions& options)
+        : options_(options), wanted_(rolesWanted(model, options)), anatomy_(readAnatomy(model, wanted_))
+    {
+        for (uint32_t b = 0; b < model.bones.size(); ++b) bones_.try_emplace(model.bones[b].name, b);
+    }
+
+    /// "upper arm, left (name)"
+    std::string part(const std::string& name) const
+    {
+        const auto bone = find(name);
+        if (!bone) return {};
+        const BoneAnatomy& anatomy = anatomy_[*bone];
+        const char* side = anatomy.side > 0 ? ", left" : anatomy.side < 0 ? ", right" : "";
+        Names by;
+        if (anatomy.source != AnatomySource::None) by.push_back(wordOf(anatomy.source));
+        if (wanted_.contains(*bone)) by.push_back("--keep");
+        if (isOverridden(name)) by.push_back("--joints");
+        return wordOf(anatomy.part) + side + (by.empty() ? "" : fmt::format(" ({})", fmt::join(by, ", ")));
+    }
+
+    /// Why a bone is part of another one's body.
+    const char* whyMerged(const std::string& name) const
+    {
+        const auto bone = find(name);
+        const BoneRole role = bone ? anatomy_[*bone].role : BoneRole::Limb;
+        if (bone && wanted_.contains(*bone) && role == BoneRole::Attached) return "--merge";
+        if (role == BoneRole::Twist) return "of the same limb";
+        return role == BoneRole::Attached ? "attached" : "too few particles";
+    }
+
+private:
+    std::optional<uint32_t> find(const std::string& name) const
+    {
+        const auto found = bones_.find(name);
+        return found == bones_.end() ? std::nullopt : std::optional(found->second);
+    }
+    bool isOverridden(const std::string& name) const
+    {
+        return findByPattern(options_.types, name) || findByPattern(options_.axes, name) ||
+               findByPattern(options_.limits, name) || findByPattern(options_.strengths, name);
+    }
+
+    const ArticulationOptions& options_;
+    std::map<uint32_t, BoneRole> wanted_;
+    std::vector<BoneAnatomy> anatomy_;
+    std::map<std::string, uint32_t> bones_;
+};
+
+/// The first names and how many more there are; the notes below the table have them all.
+std::string shortList(const Names& names)
 {
     if (names.size() <= 2) return fmt::format("{}", fmt::join(names, ", "));
     return fmt::format("{} and {} more", names.front(), names.size() - 1);
 }
 
-Row bodyRow(const Actor& actor, uint32_t index)
+/// "neck (too few particles), hair and 3 more (attached)"
+std::string mergedText(const BoneFacts& facts, const Names& merged)
+{
+    std::vector<std::pair<std::string, Names>> groups;
+    for (const std::string& name : merged) {
+        const std::string why = facts.whyMerged(name);
+        auto group = std::ranges::find(groups, why, &std::pair<std::string, Names>::first);
+        if (group == groups.end()) group = groups.insert(group, {why, {}});
+        group->second.push_back(name);
+    }
+    Names texts;
+    for (const auto& [why, names] : groups) texts.push_back(fmt::format("{} ({})", shortList(names), why));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+long degrees(float radians)
+{
+    return std::lround(180.0 * static_cast<double>(radians) / std::numbers::pi);
+}
+
+std::string rangeText(const TurnRange& range)
+{
+    return range.bounded() ? fmt::format("{} to {}", degrees(range.lowest), degrees(range.highest)) : "all round";
+}
+
+/// "x", "-z", or its numbers where it is none of the world's.
+std::string axisText(const Vector3f& axis)
+{
+    constexpr float ALONG = 0.9995f;  // a little less than 2 degrees off
+    for (int k = 0; k < 3; ++k)
+        if (std::abs(axis[k]) > ALONG) return fmt::format("{}{}", axis[k] < 0.0f ? "-" : "", "xyz"[k]);
+    const auto rounded = [&](int k) { return std::round(axis[k] * 100.0f) / 100.0f + 0.0f; };
+    return fmt::format("({:.2f} {:.2f} {:.2f})", rounded(0), rounded(1), rounded(2));
+}
+
+std::string turnText(const ActorJoint& joint)
+{
+    const JointLimits& limits = joint.limits;
+    std::string text;
+    switch (joint.type) {
+        case JointType::Stiff: return "-";
+        case JointType::Hinge:
+        case JointType::Universal:
+            text = fmt::format("{} about {}", rangeText(limits.bend), axisText(joint.axis));
+            break;
+        case JointType::Ball:
+            if (!limits.any()) return "any way";
+            text = limits.swing < std::numbers::pi_v<float> ? fmt::format("cone {}", degrees(limits.swing)) : "any way";
+            text += ", twist " + rangeText(limits.twist);
+    }
+    if (std::isfinite(limits.stiffness)) text += fmt::format(", spring {:.3g} N m/rad", limits.stiffness);
+    return text;
+}
+
+Row bodyRow(const Actor& actor, const BoneFacts& facts, uint32_t index)
 {
     const ActorBody& body = actor.bodies[index];
     Row row{body.name,
@@ -30,49 +154,79 @@ Row bodyRow(const Actor& actor, uint32_t index)
             std::to_string(body.particles.size()),
             "-",
             "-",
-            shortList(body.mergedBones)};
+            "-",
+            body.isCross ? "middle of a universal joint" : facts.part(body.name),
+            mergedText(facts, body.mergedBones)};
     for (const ActorJoint& joint : actor.joints) {
         if (joint.child != index) continue;
         row[3] = wordOf(joint.type);
         row[4] = std::to_string(joint.sharedParticles.size());
+        row[5] = turnText(joint);
     }
     return row;
 }
 
-}  // namespace
-
-std::string actorTable(const Actor& actor)
+std::string aligned(const std::vector<Row>& rows)
 {
-    std::vector<Row> rows{{"body", "parent", "particles", "joint", "shared", "merged bones"}};
-    size_t mergedCount = 0;
-    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
-        rows.push_back(bodyRow(actor, b));
-        mergedCount += actor.bodies[b].mergedBones.size();
-    }
-    std::array<size_t, 6> widths{};
-    for (const Row& row : rows) {
-        for (size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
-    }
+    constexpr std::array NUMBERS{false, false, true, false, true, false, false, false};
+    std::array<size_t, COLUMNS> widths{};
+    for (const Row& row : rows)
+        for (size_t c = 0; c < COLUMNS; ++c) widths[c] = std::max(widths[c], row[c].size());
     std::string text;
     for (const Row& row : rows) {
-        std::string line = fmt::format("{:<{}}  {:<{}}  {:>{}}  {:<{}}  {:>{}}  {}", row[0], widths[0], row[1],
-                                       widths[1], row[2], widths[2], row[3], widths[3], row[4], widths[4], row[5]);
+        std::string line;
+        for (size_t c = 0; c < COLUMNS; ++c)
+            line += NUMBERS[c] ? fmt::format("{:>{}}  ", row[c], widths[c])
+                               : fmt::format("{:<{}}  ", row[c], widths[c]);
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";
     }
-    text += fmt::format("\n{}: {} of {} m, {}, {}, {} merged\n", actor.name.empty() ? "actor" : actor.name,
-                        counted(actor.particles.size(), "particle"), actor.diameter,
-                        counted(actor.bodies.size(), "body", "bodies"), counted(actor.joints.size(), "joint"),
-                        counted(mergedCount, "bone"));
-    for (const std::string& note : actor.notes) text += fmt::format("note: {}\n", note);
     return text;
 }
 
-std::string clipTable(const Model& model)
+std::string sizeText(const Model& model)
+{
+    Eigen::AlignedBox3f box;
+    for (const Vector3f& vertex : model.vertices) box.extend(vertex);
+    const Vector3f size = box.sizes();
+    const float lowest = std::round(box.min().y() * 1000.0f) / 1000.0f + 0.0f;
+    return fmt::format("size: {:.3g} m wide, {:.3g} high, {:.3g} deep; its lowest point at a height of {:.3g} m\n",
+                       size.x(), size.y(), size.z(), lowest);
+}
+
+std::string clipText(const Model& model)
 {
     std::string text;
     for (const Clip& clip : model.clips) text += fmt::format("clip: {}, {:.2f} s\n", clip.name, clip.duration);
     for (const UnusableClip& clip : model.unusableClips) text += fmt::format("clip: {} {}\n", clip.name, clip.why);
+    return text;
+}
+
+}  // namespace
+
+std::string actorTable(const Actor& actor, const Model& model, const ArticulationOptions& options,
+                       const FillError& fill)
+{
+    const BoneFacts facts(model, options);
+    std::vector<Row> rows{
+        {"body", "parent", "particles", "joint", "shared", "turns, degrees", "taken for (by)", "took in (why)"}};
+    size_t mergedCount = 0;
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
+        rows.push_back(bodyRow(actor, facts, b));
+        mergedCount += actor.bodies[b].mergedBones.size();
+    }
+    std::string text = aligned(rows);
+    text += fmt::format("\n{}: {} of {} m, {}, {}, {} merged\n", actor.name.empty() ? "actor" : actor.name,
+                        counted(actor.particles.size(), "particle"), actor.diameter,
+                        counted(actor.bodies.size(), "body", "bodies"), counted(actor.joints.size(), "joint"),
+                        counted(mergedCount, "bone"));
+    text += sizeText(model);
+    text += fmt::format("fill: {:.0f} % of the mesh's volume; its surface is {:.2f} diameters off the particles'\n",
+                        100 * fill.volume, fill.surface);
+    text += fmt::format("pose: {}\n", model.poseFrom.empty() ? "the file's rest pose" : model.poseFrom);
+    text += clipText(model);
+    for (const std::string& note : actor.notes) text += fmt::format("note: {}\n", note);
+    for (const std::string& note : model.surface.notes) text += fmt::format("note: {}\n", note);
     return text;
 }
 

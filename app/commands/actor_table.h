@@ -3,15 +3,17 @@
 #include <string>
 
 #include "sim/actor/actor.h"
+#include "sim/actor/bodies/articulate.h"
 #include "sim/actor/import/model.h"
+#include "sim/actor/limbs/fill_error.h"
 
 namespace knuckle {
 
-/// What `knuckle voxelize` prints: a line for each body with the bones in it, its particles, its joint to the parent;
-/// totals; and what was merged, dropped or assumed.
-std::string actorTable(const Actor& actor);
-
-/// A line for each clip: its name and length.
-std::string clipTable(const Model& model);
+/// What `knuckle voxelize` prints: a line for each body, with how it is joined and how far that turns, what of a body
+/// its bone was taken for and by what, and which bones it took in and why; how many and how large it all is, the pose,
+/// the clips; and what was repaired or assumed.
+/// @param options with which the actor was made of the model.
+std::string actorTable(const Actor& actor, const Model& model, const ArticulationOptions& options,
+                       const FillError& fill);
 
 }  // namespace knuckle

@@ -3,16 +3,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/commands/actor_preview.h"
 #include "app/commands/actor_table.h"
 #include "app/commands/commands.h"
 #include "app/files/actor_file.h"
 #include "app/files/joints_file.h"
 #include "app/files/output.h"
 #include "app/run/counted.h"
-#include "render/renderer.h"
 #include "sim/actor/bodies/make_actor.h"
 #include "sim/actor/limbs/fill_error.h"
-#include "sim/solver/solver.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -32,32 +31,6 @@ struct VoxelizeOptions {
     bool center = false;
     bool grid = false;
 };
-
-/// The actor in its rest pose on a ground plane, shared particles red.
-World previewWorld(const Actor& actor)
-{
-    WorldBuilder builder(0.5f * actor.diameter);
-    const uint32_t material = builder.addMaterial({});
-    Collider ground;
-    float lowest = actor.particles.front().y();
-    for (const Vector3f& position : actor.particles) lowest = std::min(lowest, position.y());
-    ground.position.y() = lowest - 0.5f * actor.diameter;
-    builder.addCollider(ground);
-    addActor(builder, actor, material, {});
-    return builder.build();
-}
-
-void writePreview(const std::string& path, const Actor& actor, const CommonOptions& common)
-{
-    const World world = previewWorld(actor);
-    RenderSettings settings;
-    settings.highlightJoints = true;
-    const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(settings)});
-    Solver solver(*gpu, world);
-    Renderer renderer(*gpu, world, settings);
-    renderer.draw(solver.view(), 0.0);
-    writePng(path, renderer.readImage());
-}
 
 /// Whether a scene can use it.
 void requireUsable(const std::string& file, const Actor& actor)
@@ -83,6 +56,7 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     import.fit = options.fit;
     import.fit.up = options.up == "z" ? UpAxis::Z : UpAxis::Y;
     import.fit.centering = options.center ? Centering::Always : Centering::WhereFar;
+    import.surface = !options.preview.empty();
     ActorOptions actorOptions;
     actorOptions.voxels.diameter = static_cast<float>(options.diameter);
     actorOptions.particleCount = options.particles;
@@ -96,12 +70,10 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     requireUsable(options.model, actor);
     if (!common.quiet) {
         const FillError error = fillError(actor, Solid(model.vertices, model.triangles));
-        fmt::print("{}{}", actorTable(actor), clipTable(model));
-        fmt::print("fill: {:.0f} % of the mesh's volume; its surface is {:.2f} diameters off the particles'\n",
-                   100 * error.volume, error.surface);
+        fmt::print("{}", actorTable(actor, model, actorOptions.articulation, error));
     }
     if (!options.output.empty()) writeActor(options.output, actor);
-    if (!options.preview.empty()) writePreview(options.preview, actor, common);
+    if (!options.preview.empty()) writePng(options.preview, drawPreview(actor, model, common));
     return EXIT_FINE;
 }
 

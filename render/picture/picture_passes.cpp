@@ -2,7 +2,7 @@
 
 namespace knuckle {
 
-PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& targets)
+PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& targets, float veilOpacity)
     : targets_(targets), isResolved_(targets.resolved.id() != 0)
 {
     table.add(targets.surface, targets.depth, targets.shadow, targets.shade, targets.lit, targets.smoothed);
@@ -10,6 +10,9 @@ PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& 
                           {"frame", "view", "depthPicture", "surfacePicture", "shadowPicture"}, targets.occlusion);
     lighting_ = DrawPass(gpu, table, {"picture/screen", "picture/lighting"},
                          {"frame", "view", "depthPicture", "surfacePicture", "shadePicture"}, targets.lighting);
+    veil_ = DrawPass(gpu, table, {"picture/screen", "picture/lighting", {{"VEIL", "1"}}},
+                     {"frame", "view", "depthPicture", "surfacePicture", "shadePicture"}, targets.lighting);
+    veil_.setOpacity(veilOpacity);
     edgeFilter_ = DrawPass(gpu, table, {"picture/edge_tile", "picture/edge_filter"},
                            {"frame", "litPicture", "shadePicture"}, targets.edges);
     if (isResolved_)

@@ -10,7 +10,8 @@ namespace knuckle {
 class PicturePasses {
 public:
     /// @param table must have "frame" and "view". @param targets are added to it.
-    PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& targets);
+    /// @param veilOpacity of drawVeil(), 0 ... 1.
+    PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& targets, float veilOpacity);
     PicturePasses(const PicturePasses&) = delete;
     PicturePasses& operator=(const PicturePasses&) = delete;
 
@@ -18,6 +19,8 @@ public:
     void drawOcclusion(KernelTimer& timer) const;
     /// Colours, ready to be seen.
     void drawLighting(KernelTimer& timer) const { lighting_.drawScreen(timer); }
+    /// The same, but for ground and sky, half transparent over the colours that are there.
+    void drawVeil(KernelTimer& timer) const { veil_.drawScreen(timer); }
     /// Smooth edges, then the mean of the samples of each pixel, where there are several.
     void drawSmooth(KernelTimer& timer) const;
     /// The finished frame.
@@ -26,7 +29,7 @@ public:
 private:
     RenderTargets& targets_;
     bool isResolved_;
-    DrawPass occlusion_, lighting_, edgeFilter_, resolve_;
+    DrawPass occlusion_, lighting_, veil_, edgeFilter_, resolve_;
 };
 
 }  // namespace knuckle

@@ -17,6 +17,7 @@ public:
     SkinPass(const SkinPass&) = delete;
     SkinPass& operator=(const SkinPass&) = delete;
 
+    bool empty() const { return draws_.empty(); }
     /// Into the shadow map.
     void drawShadow(KernelTimer& timer) const { draw(timer, shadow_); }
     /// Into the geometry buffers.

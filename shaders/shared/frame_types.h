@@ -66,6 +66,12 @@ struct FrameInput {
 // Of a vertex of a skin: place, w: material; normal, w: its first wearer; uv, colour as a number, 0; bodies; weights.
 #define SKIN_VERTEX_TEXELS 5
 
+// Of a corner of a mark: place from the centre of its body, w: body; place of the other end of its stroke; how far it
+// is moved along the stroke and across it, in heights of the picture; colour, as displayed.
+#define MARK_TEXELS 4
+// Instead of a body: the place is one on the picture, from its upper left corner, in heights of it.
+#define MARK_ON_PICTURE -1.0f
+
 // What one thread of frame_bounds.comp finds.
 struct ParticleBounds {
     vec4 low;                   // xyz [m]

@@ -59,6 +59,9 @@ void main()
     float depth = texelFetch(depthPicture, pixel, 0).r * frame.farDepth;
     vec3 ray = viewRay(gl_FragCoord.xy);
     uvec2 surface = texelFetch(surfacePicture, pixel, 0).xy;
+#ifdef VEIL
+    if (depth >= frame.farDepth || isGround(surface)) discard;
+#endif
     vec3 lit = litSurface(pixel, ray * depth, surface, depth);
     vec3 sky = skyRadiance(dot(normalize(ray), view.upInView.xyz));
     float far = depth * length(ray) / frame.groundFade;

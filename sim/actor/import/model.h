@@ -65,6 +65,7 @@ struct Model {
     std::vector<Bone> bones;
     std::vector<Clip> clips;
     std::vector<UnusableClip> unusableClips;
+    std::string poseFrom;            ///< "clip 'run' at 0.03 s": what the rest pose is; empty: the file's own.
     std::vector<std::string> notes;  ///< What import repaired or assumed, one sentence each.
 };
 

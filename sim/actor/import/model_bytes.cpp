@@ -131,6 +131,7 @@ void visitModel(Archive& archive, Any& model)
         archive.text(clip.name);
         archive.text(clip.why);
     });
+    archive.text(model.poseFrom);
     archive.list(model.notes, [&](auto& note) { archive.text(note); });
 }
 

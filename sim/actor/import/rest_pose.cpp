@@ -117,9 +117,11 @@ void chooseRestPose(Model& model)
         model.bones[b].restPose = (*chosen)[b];
         model.bones[b].restPose.block<3, 1>(0, 3) -= origin;
     }
-    model.notes.push_back(fmt::format("The skeleton's rest pose is none that a body has: that of clip '{}' at {:.2f} s "
-                                      "was taken, moved to the origin.",
-                                      clip->name, time));
+    model.poseFrom = fmt::format("clip '{}' at {:.2f} s", clip->name, time);
+    model.notes.push_back(
+        fmt::format("The skeleton's rest pose is none that a body has: that of {} was taken, moved to "
+                    "the origin.",
+                    model.poseFrom));
 }
 
 }  // namespace knuckle

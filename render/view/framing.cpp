@@ -1,0 +1,34 @@
+#include "render/view/framing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace knuckle {
+
+using Eigen::Array2f;
+using Eigen::Vector3f;
+
+CameraSettings cameraThatFrames(const Framing& framing)
+{
+    constexpr float HALF_DEGREE = std::numbers::pi_v<float> / 360.0f;
+    const Vector3f right = Vector3f::UnitY().cross(framing.back).normalized(), up = framing.back.cross(right);
+    const float half = framing.share * std::tan(HALF_DEGREE * framing.fieldOfView);
+    const Array2f slope(half * framing.aspect, half);
+    // Along each side of the view a point asks the camera to stand so far out or away.
+    Array2f most = Array2f::Constant(-1e30f), least = Array2f::Constant(1e30f);
+    for (const Vector3f& point : framing.points) {
+        const Array2f side(point.dot(right), point.dot(up)), reach = framing.radius * (1.0f + slope.square()).sqrt();
+        most = most.max(side + slope * point.dot(framing.back) + reach);
+        least = least.min(side - slope * point.dot(framing.back) - reach);
+    }
+    const Array2f middle = 0.5f * (most + least), away = 0.5f * (most - least) / slope;
+    CameraSettings camera;
+    camera.automatic = false;
+    camera.fieldOfView = framing.fieldOfView;
+    camera.position = middle.x() * right + middle.y() * up + away.maxCoeff() * framing.back;
+    camera.target = camera.position - framing.back;
+    return camera;
+}
+
+}  // namespace knuckle
