@@ -266,6 +266,7 @@ Actor articulate(const Model& model, const Solid& solid, const ActorOptions& opt
     for (uint32_t b = 1; b < drafts.size(); ++b)
         addJoints(actor, particles, planJoint(figure, b, options.articulation));
     collect(particles, actor);
+    numberAsAdded(actor);
     return actor;
 }
 
