@@ -120,7 +120,7 @@ TEST(Marks, ALegendNamesOnlyWhatIsThere)
     EXPECT_EQ(pixelAt(image, 16, 33), pixelAt(none, 16, 33)) << "a second row";
 }
 
-TEST(Marks, ASkinIsAVeilOverParticlesAndHidesNoGround)
+TEST(Marks, ASkinIsAVeilOverWhatIsBehindIt)
 {
     World world = arm(JointType::Ball);
     world.bodies[0].restCentre.setZero();
