@@ -84,11 +84,13 @@ void addVoxelizeCommand(CommandLine line)
     auto* command = line.program.add_subcommand("voxelize", "Fill a rigged model with particles, as a ragdoll");
     command->fallthrough();
     command->footer(
-        "Reads glTF, FBX, Collada, BVH and what else assimp knows. Prints a table of the bodies, their particles and\n"
-        "joints, what was merged and why, and the clips that a scene can play. Without --diameter or --particles, "
-        "limbs\n"
-        "are two to three particles thick, as far as 800 to 4000 particles do that; a model without a skeleton has\n"
-        "particles of 3 % of its longest side.\n\n"
+        "Reads glTF, FBX, Collada, BVH and what else assimp knows. Prints a table of the bodies, their particles, "
+        "joints\n"
+        "and how far these turn, what each bone was taken for and by what (its name, the skeleton's shape, clips,\n"
+        "options), which bones were merged and why; then the size, the pose, and the clips that a scene can play.\n"
+        "Without --diameter or --particles, limbs are two to three particles thick, as far as 800 to 4000 particles "
+        "do\n"
+        "that; a model without a skeleton has particles of 3 % of its longest side.\n\n"
         "Examples:\n"
         "  knuckle voxelize model.glb                               print the table only\n"
         "  knuckle voxelize model.glb -o actor.json --particles 3000 --preview actor.png\n"
@@ -125,7 +127,10 @@ void addVoxelizeCommand(CommandLine line)
     list("--keep", options->keep, "Bones that get a body of their own where they are large enough");
     list("--merge", options->merge, "Bones that are part of the body that they hang on");
     command->add_flag("--grid", options->grid, "All particles on one grid, not those of a limb on one along its bone");
-    command->add_option("--preview", options->preview, "Draw the actor, shared particles red")->type_name("actor.png");
+    command
+        ->add_option("--preview", options->preview,
+                     "Draw the actor from front and side: particles under its skin, joints with their limits")
+        ->type_name("actor.png");
     command->callback([=] { line.chosen = [=] { return voxelizeFile(*options, line.common); }; });
 }
 

@@ -14,8 +14,9 @@ namespace {
 /// the next ones, 2 apart, still stop it [diameters].
 constexpr float SELF_MARGIN = 0.5f;
 
-// A shared particle is added with the smallest of its bodies, which may have nothing else to begin with.
-std::vector<uint32_t> ownersOf(const Actor& actor)
+/// Per body the particles that are added with it, in order: a shared one with the smallest of its bodies, which may
+/// have nothing else to begin with.
+std::vector<std::vector<uint32_t>> particlesAddedWith(const Actor& actor)
 {
     std::vector<uint32_t> owners(actor.particles.size(), NO_INDEX);
     for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
@@ -26,7 +27,20 @@ std::vector<uint32_t> ownersOf(const Actor& actor)
             }
         }
     }
-    return owners;
+    std::vector<std::vector<uint32_t>> added(actor.bodies.size());
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b)
+        for (uint32_t particle : actor.bodies[b].particles)
+            if (owners[particle] == b) added[b].push_back(particle);
+    return added;
+}
+
+template <typename T>
+void reorder(std::vector<T>& items, const std::vector<uint32_t>& order)
+{
+    if (items.empty()) return;
+    std::vector<T> reordered;
+    for (const uint32_t item : order) reordered.push_back(items[item]);
+    items = std::move(reordered);
 }
 
 }  // namespace
@@ -61,21 +75,35 @@ bool neverTouch(const Actor& actor, uint32_t body, uint32_t other)
     return std::ranges::any_of(actor.joints, limited) || std::ranges::find(actor.passes, pair) != actor.passes.end();
 }
 
+void numberAsAdded(Actor& actor)
+{
+    std::vector<uint32_t> order, numbers(actor.particles.size(), NO_INDEX);
+    for (const std::vector<uint32_t>& added : particlesAddedWith(actor))
+        order.insert(order.end(), added.begin(), added.end());
+    for (uint32_t i = 0; i < order.size(); ++i) numbers[order[i]] = i;
+    reorder(actor.particles, order);
+    reorder(actor.signedDistances, order);
+    reorder(actor.outward, order);
+    for (ActorBody& body : actor.bodies)
+        for (uint32_t& particle : body.particles) particle = numbers[particle];
+    for (ActorJoint& joint : actor.joints)
+        for (uint32_t& particle : joint.sharedParticles) particle = numbers[particle];
+}
+
 uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, const Pose& pose,
                   const Vector3f& velocity)
 {
-    const std::vector<uint32_t> owners = ownersOf(actor);
-    std::vector<uint32_t> particles(actor.particles.size(), NO_INDEX), bodies;
+    const std::vector<std::vector<uint32_t>> added = particlesAddedWith(actor);
+    std::vector<uint32_t> particles(actor.particles.size(), NO_INDEX), owners = particles, bodies;
     builder.beginObject(actor.name);
     for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
         std::vector<Vector3f> positions;
         std::vector<SurfaceDistance> surface;
-        for (uint32_t particle : actor.bodies[b].particles) {
-            if (owners[particle] == b) {
-                particles[particle] = builder.particleCount() + static_cast<uint32_t>(positions.size());
-                positions.push_back(actor.particles[particle]);
-                surface.push_back(surfaceOf(actor, particle));
-            }
+        for (uint32_t particle : added[b]) {
+            owners[particle] = b;
+            particles[particle] = builder.particleCount() + static_cast<uint32_t>(positions.size());
+            positions.push_back(actor.particles[particle]);
+            surface.push_back(surfaceOf(actor, particle));
         }
         if (positions.empty()) {
             throw InputError(fmt::format("actor '{}': body '{}' has no particle that it does not share", actor.name,

@@ -50,6 +50,9 @@ struct Actor {
 /// The body that one hangs on, past the cross of a universal joint; -1 of the first.
 int32_t parentBody(const Actor& actor, uint32_t body);
 
+/// Numbers the particles as addActor() adds them, so that those of an actor file are those of what a run exports.
+void numberAsAdded(Actor& actor);
+
 /// What contacts need to know of a particle's place in the skin; empty where the actor does not say.
 SurfaceDistance surfaceOf(const Actor& actor, uint32_t particle);
 

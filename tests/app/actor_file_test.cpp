@@ -171,12 +171,34 @@ TEST(JointsFile, TellsWhatIsWrong)
 
 TEST(ActorTable, TellsBodiesJointsAndWhatWasMerged)
 {
-    EXPECT_EQ(actorTable(makePair()), "body  parent  particles  joint  shared  merged bones\n"
-                                      "hip   -            1200  -           -  pelvis, belly\n"
-                                      "leg   hip           801  hinge       1  knee and 2 more\n"
-                                      "\n"
-                                      "pa\"ir\\: 2000 particles of 0.033333335 m, 2 bodies, 1 joint, 5 bones merged\n"
-                                      "note: pelvis has 2 particles and became part of hip\n");
+    Actor actor = makePair();
+    actor.joints[0].axis = {0.6f, 0, -0.8f};
+    Model model;
+    model.vertices = {{-1, 0.25f, 0}, {1, 2, 0.5f}};
+    model.bones = {{"hip", -1}, {"pelvis", 0}, {"leg", 0}};
+    model.clips = {{"run", 1.5, {}, {}}};
+    model.unusableClips = {{"jump", "has keys that are not numbers"}};
+    model.poseFrom = "clip 'run' at 0.50 s";
+    model.surface.notes = {"The texture is not there."};
+    ArticulationOptions options;
+    options.merge = {"pelvis"};
+    options.limits["l*g"] = {};
+    EXPECT_EQ(actorTable(actor, model, options, {1.014, 0.25}),
+              "body  parent  particles  joint  shared  turns, degrees                                          "
+              "taken for (by)          took in (why)\n"
+              "hip   -            1200  -           -  -                                                       "
+              "hips (name)             pelvis (--merge), belly (too few particles)\n"
+              "leg   hip           801  hinge       1  -29 to 90 about (0.60 0.00 -0.80), spring 12.5 N m/rad  "
+              "thigh (name, --joints)  knee and 2 more (too few particles)\n"
+              "\n"
+              "pa\"ir\\: 2000 particles of 0.033333335 m, 2 bodies, 1 joint, 5 bones merged\n"
+              "size: 2 m wide, 1.75 high, 0.5 deep; its lowest point at a height of 0.25 m\n"
+              "fill: 101 % of the mesh's volume; its surface is 0.25 diameters off the particles'\n"
+              "pose: clip 'run' at 0.50 s\n"
+              "clip: run, 1.50 s\n"
+              "clip: jump has keys that are not numbers\n"
+              "note: pelvis has 2 particles and became part of hip\n"
+              "note: The texture is not there.\n");
 }
 
 }  // namespace

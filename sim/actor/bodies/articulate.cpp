@@ -290,6 +290,7 @@ Actor articulate(const Model& model, const Solid& solid, const ActorOptions& opt
         addJoints(actor, particles, planJoint(figure, b, options.articulation));
     collect(particles, actor);
     passShortBodies(actor);
+    numberAsAdded(actor);
     return actor;
 }
 

@@ -80,6 +80,20 @@ TEST(Articulate, kneesHaveRoomBehindAndNoneInFront)
     }
 }
 
+TEST(Articulate, numbersParticlesAsAWorldDoes)
+{
+    const Actor actor = make(makeHumanoid(), 0.05f);
+    WorldBuilder builder(0.5f * actor.diameter);
+    addActor(builder, actor, builder.addMaterial({}), {});
+    const World world = builder.build();
+    ASSERT_EQ(world.particles.size(), actor.particles.size());
+    for (size_t p = 0; p < world.particles.size(); ++p)
+        EXPECT_LT((world.particles[p].position - actor.particles[p]).norm(), 1e-5f) << p;
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b)
+        for (uint32_t i = 0; i < world.bodies[b].linkCount; ++i)
+            EXPECT_TRUE(contains(actor.bodies[b].particles, world.links[world.bodies[b].linkStart + i].particle));
+}
+
 TEST(Articulate, ballSharesOneParticleAtTheAnchor)
 {
     const Actor actor = make(twoBoneBox("something"), 0.1f);
