@@ -10,29 +10,40 @@ namespace knuckle {
 
 namespace {
 
-/// The model that an actor was made of. @throws InputError where it is not known, or not there.
-const ModelSource& sourceOf(const ObjectEntry& entry, const Actor& actor)
+bool isAutomatic(const ObjectEntry& entry)
 {
-    const std::string& model = actor.model.file;
-    const auto refuse = [&](const std::string& why) {
-        const std::string file = existingFile(entry.context, entry.json["file"], entry.pointer + "/file");
-        entry.fail("/skin", file + why + ", or take \"particles\"");
-    };
-    if (model.empty()) refuse(" does not say of which `model` it was made; make it anew with knuckle voxelize");
-    if (!std::filesystem::is_regular_file(model))
-        refuse(fmt::format(" was made of {}, which is not there; put it there", model));
-    return actor.model;
+    return entry.json["skin"] == "auto";
 }
 
+/// Why the mesh of an actor cannot be had; empty where it can.
+std::string whyNoMesh(const Actor& actor)
+{
+    const std::string& model = actor.model.file;
+    if (model.empty()) return " does not say of which `model` it was made; make it anew with knuckle voxelize";
+    if (!std::filesystem::is_regular_file(model))
+        return fmt::format(" was made of {}, which is not there; put it there", model);
+    return {};
+}
+
+/// Null where the mesh is only wanted where there is one. @throws InputError where it is wanted and cannot be had.
 std::shared_ptr<const SkinMesh> makeSkin(const ObjectEntry& entry, const Actor& actor)
 {
-    const Model& model = modelWithClips(entry.context, sourceOf(entry, actor), true);
+    SceneContext& context = entry.context;
+    const auto without = [&](const std::string& why) {
+        if (!isAutomatic(entry)) entry.fail("/skin", why + ", or take \"particles\"");
+        context.notes.push_back(fmt::format("{}: its particles are drawn: {}", entry.pointer, why));
+        return nullptr;
+    };
+    if (const std::string why = whyNoMesh(actor); !why.empty())
+        return without(existingFile(context, entry.json["file"], entry.pointer + "/file") + why);
+    const Model& model = modelWithClips(context, actor.model, true);
+    if (isAutomatic(entry) && model.surface.vertices.empty()) return nullptr;
     for (const std::string& note : model.surface.notes)
-        entry.context.notes.push_back(fmt::format("{}/skin: {}", entry.pointer, note));
+        context.notes.push_back(fmt::format("{}/skin: {}", entry.pointer, note));
     try {
         return std::make_shared<const SkinMesh>(makeSkinMesh(actor, model));
     } catch (const InputError& error) {
-        entry.fail("/skin", error.what());
+        return without(error.what());
     }
 }
 
@@ -47,8 +58,8 @@ void wearSkin(const ObjectEntry& entry, const Actor& actor, const std::vector<ui
 {
     SceneContext& context = entry.context;
     const std::string key = actorKey(context, entry.json, entry.json["file"], context.builder.diameter());
-    if (!context.skins.contains(key)) context.skins[key] = makeSkin(entry, actor);
-    context.builder.addSkin(context.skins[key], objects, entry.json["skin"] == "mesh");
+    if (!context.skins[key]) context.skins[key] = makeSkin(entry, actor);
+    if (context.skins[key]) context.builder.addSkin(context.skins[key], objects, entry.json["skin"] != "both");
 }
 
 }  // namespace knuckle

@@ -29,11 +29,11 @@ TEST(SceneSkin, CopiesOfAnActorWearOneMesh)
     const TempFolder folder;
     const std::string figure = inSource("assets/models/humanoid.glb");
     EXPECT_TRUE(loadScene(folder.write("scene.json", actorOf(figure, "particles"))).world.skins.empty());
-    for (const char* kind : {"mesh", "both"}) {
+    for (const char* kind : {"auto", "mesh", "both"}) {
         const World world = loadScene(folder.write("scene.json", actorOf(figure, kind))).world;
         ASSERT_EQ(world.skins.size(), 1u);
         EXPECT_EQ(world.skins[0].objects, (std::vector<uint32_t>{0, 1}));
-        EXPECT_EQ(world.skins[0].hidesParticles, std::string(kind) == "mesh");
+        EXPECT_EQ(world.skins[0].hidesParticles, std::string(kind) != "both");
         EXPECT_GT(world.skins[0].mesh->triangles.size(), 1000u);
     }
 }
@@ -47,7 +47,7 @@ TEST(SceneSkin, ARigidMeshWearsItsOwn)
 
 TEST(SceneSkin, ASkinDoesNotChangeWhatMoves)
 {
-    const World plain = worldOf(R"({ "type": "actor", "file": "FILE" })");
+    const World plain = worldOf(R"({ "type": "actor", "file": "FILE", "skin": "particles" })");
     const World skinned = worldOf(R"({ "type": "actor", "file": "FILE", "skin": "mesh" })");
     ASSERT_EQ(skinned.particles.size(), plain.particles.size());
     for (size_t i = 0; i < plain.particles.size(); ++i)
@@ -73,6 +73,10 @@ TEST(SceneSkin, AnActorFileSaysWhereItsMeshIs)
               "/objects/0/skin: " + folder.path("nameless.json") +
                   " does not say of which `model` it was made; make it anew with knuckle voxelize, or take "
                   "\"particles\"");
+    const Scene bare = loadScene(folder.write("scene.json", actorOf("nameless.json", "auto")));
+    EXPECT_TRUE(bare.world.skins.empty());
+    ASSERT_EQ(bare.notes.size(), 1u);
+    EXPECT_TRUE(bare.notes[0].starts_with("/objects/0: its particles are drawn: ")) << bare.notes[0];
     std::filesystem::remove(folder.path("cube.obj"));
     EXPECT_EQ(complaint(folder, "actors/cube.json"), "/objects/0/skin: " + folder.path("actors/cube.json") +
                                                          " was made of " + folder.path("cube.obj") +
@@ -97,7 +101,10 @@ TEST(SceneSkin, ASkeletonAloneHasNone)
                                "Zrotation Xrotation Yrotation\n  End Site\n  {\n   OFFSET 0 40 0\n  }\n }\n}\n"
                                "MOTION\nFrames: 1\nFrame Time: 0.05\n0 90 0 0 0 0 0 0 0\n");
     EXPECT_EQ(complaint(folder, "walker.bvh"),
-              "/objects/0/skin: the model 'walker' has no mesh to draw; take \"particles\"");
+              "/objects/0/skin: the model 'walker' has no mesh to draw, or take \"particles\"");
+    const Scene scene = loadScene(folder.write("scene.json", actorOf("walker.bvh", "auto")));
+    EXPECT_TRUE(scene.world.skins.empty());
+    EXPECT_TRUE(scene.notes.empty());
 }
 
 }  // namespace

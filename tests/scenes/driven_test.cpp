@@ -71,15 +71,15 @@ TEST(Driven, TheFigureFollowsItsDance)
     EXPECT_LT(std::sqrt(squares / STEPS), 5.0 * std::numbers::pi / 180);
 }
 
-/// In free flight drives are within the figure: neither momentum nor its turning changes, before a hand touches a
-/// thigh: friction there acts at the particles' centres.
+/// In free flight drives are within the figure: neither momentum nor its turning changes, before its
+/// shins touch: friction there acts at the particles' centres.
 TEST(Driven, TheFigureKeepsItsAngularMomentum)
 {
     const Scene scene = drivenFigure(R"("frequency": 10)");
     Solver solver(gpu(), scene.world);
     solver.step();
     const Turning before = turningOf(scene.world, solver.readParticles());
-    for (int i = 0; i < 125; ++i) {
+    for (int i = 0; i < 80; ++i) {
         solver.step();
         const Turning now = turningOf(scene.world, solver.readParticles());
         ASSERT_LT((now.sum - before.sum).norm(), 1e-4 * now.size) << "step " << i;

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "tools/humanoid/surface_nets.h"
+#include "tools/humanoid/humanoid_look.h"
 
 namespace knuckle {
 
@@ -13,181 +12,117 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr double MESH_STEP = 0.021;              // [m]
-constexpr double HALF_WIDTH = 35.5 * MESH_STEP;  // of the meshed box: the grid mirrors like the body does
-constexpr double BLEND = 0.035;                  // width over which limbs melt into each other [m]
-constexpr double SKIN_FALLOFF = 6.0;  // weights fall with this power of the distance from the bone, in its radii
-constexpr size_t BONES_PER_VERTEX = 4;
-
-struct BoneSpec {
-    const char* name;
-    int32_t parent;
-    Vector3d head, tail;  // [m], left side; the right side mirrors it
-    double radius;        // of the flesh around it [m]
-};
+constexpr double FINEST_CELL = 0.0014;  // of the mesh, at the eyes [m]
+constexpr double HAND_BLEND = 0.02;     // width over which hands melt into arms [m]
 
 // Proportions of an adult of 1.75 m: 7.5 heads, hips at 53 % of the height.
-const BoneSpec SPECS[HUMANOID_BONE_COUNT] = {
-    {"hips", -1, {0, 0.95, -0.005}, {0, 1.04, -0.01}, 0.135},
-    {"spine", HIPS, {0, 1.05, -0.01}, {0, 1.18, -0.01}, 0.135},
-    {"chest", SPINE, {0, 1.19, -0.01}, {0, 1.41, -0.01}, 0.15},
-    {"neck", CHEST, {0, 1.46, -0.012}, {0, 1.53, 0.0}, 0.075},
-    {"head", NECK, {0, 1.545, 0.005}, {0, 1.70, 0.015}, 0.09},
-    {"clavicle.L", CHEST, {0.045, 1.41, -0.01}, {0.15, 1.415, -0.01}, 0.065},
-    {"upper_arm.L", CLAVICLE_L, {0.185, 1.405, -0.01}, {0.355, 1.205, -0.012}, 0.05},
-    {"forearm.L", UPPER_ARM_L, {0.365, 1.195, -0.012}, {0.52, 1.015, 0.012}, 0.042},
-    {"hand.L", FOREARM_L, {0.528, 1.005, 0.014}, {0.625, 0.885, 0.035}, 0.04},
-    {"clavicle.R", CHEST, {}, {}, 0},
-    {"upper_arm.R", CLAVICLE_R, {}, {}, 0},
-    {"forearm.R", UPPER_ARM_R, {}, {}, 0},
-    {"hand.R", FOREARM_R, {}, {}, 0},
-    {"thigh.L", HIPS, {0.098, 0.91, 0.0}, {0.118, 0.52, 0.008}, 0.08},
-    {"shin.L", THIGH_L, {0.119, 0.495, 0.008}, {0.132, 0.11, -0.022}, 0.055},
-    {"foot.L", SHIN_L, {0.133, 0.085, -0.024}, {0.155, 0.03, 0.13}, 0.05},
-    {"thigh.R", HIPS, {}, {}, 0},
-    {"shin.R", THIGH_R, {}, {}, 0},
-    {"foot.R", SHIN_R, {}, {}, 0},
+const BoneSpec SPECS[] = {
+    {"hips", "", {0, 0.95, -0.005}, {0, 1.04, -0.01}, 0.135},
+    {"spine", "hips", {0, 1.05, -0.01}, {0, 1.18, -0.01}, 0.135},
+    {"chest", "spine", {0, 1.19, -0.01}, {0, 1.41, -0.01}, 0.15},
+    {"neck", "chest", {0, 1.46, -0.012}, {0, 1.53, 0.0}, 0.075},
+    {"head", "neck", {0, 1.545, 0.005}, {0, 1.70, 0.015}, 0.09},
+    {"clavicle.L", "chest", {0.045, 1.41, -0.01}, {0.15, 1.415, -0.01}, 0.065},
+    {"upper_arm.L", "clavicle.L", {0.185, 1.405, -0.01}, {0.355, 1.205, -0.012}, 0.05},
+    {"forearm.L", "upper_arm.L", {0.365, 1.195, -0.012}, {0.52, 1.015, 0.012}, 0.042},
+    {"hand.L", "forearm.L", {0.528, 1.005, 0.014}, {0.625, 0.885, 0.035}, 0.04},
+    {"thigh.L", "hips", {0.098, 0.91, 0.0}, {0.118, 0.52, 0.008}, 0.08},
+    {"shin.L", "thigh.L", {0.119, 0.495, 0.008}, {0.132, 0.11, -0.022}, 0.055},
+    {"foot.L", "shin.L", {0.133, 0.085, -0.024}, {0.155, 0.03, 0.13}, 0.05},
 };
 
-// Left-side bones stand this far before their mirror images.
-uint32_t mirrored(uint32_t bone)
+double distanceAt(const Vector3d& p)
 {
-    const bool rightArm = bone >= CLAVICLE_R && bone <= HAND_R;
-    const bool rightLeg = bone >= THIGH_R;
-    return rightArm ? bone - (CLAVICLE_R - CLAVICLE_L) : rightLeg ? bone - (THIGH_R - THIGH_L) : bone;
+    const Vector3d left(std::abs(p.x()), p.y(), p.z());
+    const double body = melt(bodyDistance(left), handDistance(left), HAND_BLEND);
+    return std::max(headDistance(p, body), -p.y());  // flat soles on the ground
 }
 
-Vector3d placed(const Vector3d& leftPoint, bool mirror)
+double cellAt(const Vector3d& p)
 {
-    return mirror ? Vector3d(-leftPoint.x(), leftPoint.y(), leftPoint.z()) : leftPoint;
+    const Vector3d left(std::abs(p.x()), p.y(), p.z());
+    const double feature = featureDistance(left);
+    if (feature < 0.0) return FINEST_CELL;
+    if (feature < 0.005) return 2.0 * FINEST_CELL;
+    const bool face = left.y() > 1.59 && left.y() < 1.68 && left.x() < 0.052 && p.z() > 0.075;
+    const bool fingers = left.x() > 0.595 && left.y() < 0.93;
+    if (face || fingers) return 4.0 * FINEST_CELL;
+    const bool hand = left.x() > 0.5, head = left.y() > 1.47, shoe = left.y() < 0.1 && left.y() > 0.011;
+    return hand || head || shoe || hemDistance(left) < 0.0095 ? 8.0 * FINEST_CELL : 16.0 * FINEST_CELL;
 }
 
-Vector3d boneHead(uint32_t bone)
+Vector3f colorOf(Region region)
 {
-    return placed(SPECS[mirrored(bone)].head, mirrored(bone) != bone);
-}
-
-Vector3d boneTail(uint32_t bone)
-{
-    return placed(SPECS[mirrored(bone)].tail, mirrored(bone) != bone);
-}
-
-// A capsule whose radius changes from one end to the other.
-struct Limb {
-    Vector3d a, b;
-    double radiusA, radiusB;
-};
-
-// The left half of the body and what lies on the middle; the distance mirrors x.
-const Limb LIMBS[] = {
-    {{0, 0.95, -0.005}, {0.065, 0.95, -0.005}, 0.100, 0.092},       // pelvis
-    {{0.062, 0.915, -0.045}, {0.075, 0.90, -0.045}, 0.075, 0.072},  // seat
-    {{0, 1.08, 0.0}, {0.045, 1.08, 0.0}, 0.092, 0.080},             // waist
-    {{0.03, 0.98, -0.005}, {0.045, 1.30, -0.005}, 0.090, 0.094},    // trunk
-    {{0, 1.27, -0.005}, {0.072, 1.29, -0.005}, 0.105, 0.095},       // ribs
-    {{0.06, 1.335, 0.02}, {0.085, 1.33, 0.015}, 0.066, 0.062},      // breast
-    {{0, 1.40, -0.015}, {0.15, 1.405, -0.012}, 0.062, 0.052},       // shoulders
-    {{0.175, 1.40, -0.01}, {0.19, 1.385, -0.01}, 0.060, 0.058},     // deltoid
-    {{0, 1.43, -0.015}, {0, 1.55, 0.0}, 0.060, 0.052},              // neck
-    {{0, 1.585, 0.025}, {0, 1.565, 0.055}, 0.062, 0.038},           // jaw
-    {{0, 1.60, 0.09}, {0, 1.625, 0.10}, 0.018, 0.012},              // nose
-    {{0.195, 1.39, -0.01}, {0.365, 1.195, -0.012}, 0.055, 0.042},
-    {{0.365, 1.195, -0.012}, {0.43, 1.12, -0.002}, 0.043, 0.043},
-    {{0.43, 1.12, -0.002}, {0.528, 1.005, 0.014}, 0.043, 0.029},
-    {{0.535, 0.995, 0.016}, {0.58, 0.94, 0.028}, 0.030, 0.033},  // palm, widened across below
-    {{0.562, 0.95, 0.045}, {0.575, 0.935, 0.0}, 0.026, 0.026},
-    {{0.58, 0.94, 0.04}, {0.63, 0.87, 0.042}, 0.024, 0.016},  // fingers
-    {{0.585, 0.935, 0.012}, {0.625, 0.875, 0.018}, 0.024, 0.016},
-    {{0.54, 0.975, 0.04}, {0.575, 0.93, 0.085}, 0.020, 0.014},    // thumb
-    {{0.095, 0.90, 0.0}, {0.119, 0.50, 0.01}, 0.086, 0.056},      // thigh
-    {{0.119, 0.50, 0.012}, {0.124, 0.36, -0.012}, 0.055, 0.057},  // calf
-    {{0.124, 0.36, -0.012}, {0.133, 0.085, -0.025}, 0.056, 0.038},
-    {{0.133, 0.04, -0.055}, {0.135, 0.05, 0.0}, 0.040, 0.044},  // heel
-    {{0.135, 0.05, 0.0}, {0.158, 0.022, 0.135}, 0.046, 0.030},  // foot
-};
-
-constexpr double HEAD_TOP = 1.75;
-const Vector3d HEAD_RADII{0.080, 0.115, 0.098};
-const Vector3d HEAD_CENTRE{0, HEAD_TOP - 0.115, 0.012};
-
-double segmentParameter(const Vector3d& p, const Vector3d& a, const Vector3d& b)
-{
-    return std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-}
-
-double segmentDistance(const Vector3d& p, const Vector3d& a, const Vector3d& b)
-{
-    return (p - a - segmentParameter(p, a, b) * (b - a)).norm();
-}
-
-double limbDistance(const Vector3d& p, const Limb& limb)
-{
-    const double t = segmentParameter(p, limb.a, limb.b);
-    return segmentDistance(p, limb.a, limb.b) - (limb.radiusA + t * (limb.radiusB - limb.radiusA));
-}
-
-// Polynomial smooth minimum.
-double melt(double a, double b)
-{
-    const double h = std::max(BLEND - std::abs(a - b), 0.0) / BLEND;
-    return std::min(a, b) - 0.25 * BLEND * h * h;
-}
-
-double bodyDistance(const Vector3d& point)
-{
-    const Vector3d p(std::abs(point.x()), point.y(), point.z());
-    const Vector3d scaled = (p - HEAD_CENTRE).cwiseQuotient(HEAD_RADII);
-    double distance = (scaled.norm() - 1.0) * HEAD_RADII.minCoeff();
-    for (const Limb& limb : LIMBS) {
-        distance = melt(distance, limbDistance(p, limb));
+    switch (region) {
+        case LIPS: return screenColor(196, 112, 100);
+        case MOUTH: return screenColor(92, 40, 38);
+        case EYE_WHITE: return screenColor(240, 237, 230);
+        case IRIS: return screenColor(70, 116, 116);
+        case PUPIL: return screenColor(14, 12, 14);
+        case LASHES: return screenColor(38, 24, 20);
+        case BROW: return screenColor(66, 40, 28);
+        case HAIR: return screenColor(70, 42, 28);
+        case SHIRT: return screenColor(236, 228, 212);
+        case SLEEVE: return screenColor(32, 104, 112);
+        case BELT: return screenColor(96, 58, 36);
+        case BUCKLE: return screenColor(214, 174, 100);
+        case TROUSERS: return screenColor(48, 60, 92);
+        case CUFF: return screenColor(112, 130, 164);
+        case SOCK: return screenColor(236, 234, 230);
+        case SHOE: return screenColor(206, 74, 50);
+        case LACE:
+        case SOLE: return screenColor(244, 241, 234);
+        default: return screenColor(226, 172, 138);
     }
-    return std::max(distance, -p.y());  // flat soles on the ground
 }
 
-SkinWeights skinAt(const Vector3d& vertex)
+// A little red in cheeks, nose and ears.
+Vector3f colorAt(Region region, const Vector3d& p)
 {
-    std::array<double, HUMANOID_BONE_COUNT> weights;
-    std::array<uint32_t, HUMANOID_BONE_COUNT> order;
-    std::iota(order.begin(), order.end(), 0u);
-    for (uint32_t b = 0; b < HUMANOID_BONE_COUNT; ++b) {
-        const double distance = std::max(segmentDistance(vertex, boneHead(b), boneTail(b)), 1e-3);
-        weights[b] = std::pow(distance / SPECS[mirrored(b)].radius, -SKIN_FALLOFF);
-    }
-    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return weights[a] > weights[b]; });
-    double sum = 0.0;
-    for (size_t i = 0; i < BONES_PER_VERTEX; ++i) {
-        sum += weights[order[i]];
-    }
-    SkinWeights skin;
-    for (size_t i = 0; i < BONES_PER_VERTEX; ++i) {
-        skin.bones[i] = order[i];
-        // Rounded like the vertices. The sum is then within 1e-4 of 1, and import normalizes it.
-        skin.weights[i] = static_cast<float>(std::round(weights[order[i]] / sum * 1e4) * 1e-4);
-    }
-    return skin;
+    const Vector3f color = colorOf(region);
+    if (region != BODY_SKIN || p.y() < 1.5) return color;
+    const Vector3d left(std::abs(p.x()), p.y(), p.z());
+    const double near = std::min((left - Vector3d(0.046, 1.608, 0.083)).norm() / 0.024,
+                                 (left - Vector3d(0, 1.607, 0.122)).norm() / 0.016);
+    const float blush = static_cast<float>(0.30 * std::exp(-near * near));
+    return color + blush * (screenColor(216, 120, 104) - color);
+}
+
+}  // namespace
+
+Figure humanoidFigure(const Skeleton& skeleton)
+{
+    Figure figure;
+    figure.distance = distanceAt;
+    figure.grid = {{0, 640 * FINEST_CELL, 0}, FINEST_CELL, 11, cellAt};  // y = 0 between cells
+    figure.regionAt = [](const Vector3d& p) -> Region {
+        const Vector3d left(std::abs(p.x()), p.y(), p.z());
+        return p.y() > 1.52 ? headRegionAt(p) : clothesAt(left);
+    };
+    figure.colorAt = colorAt;
+    figure.weightsAt = [skeleton](Region, const Vector3d& p) { return weightsAt(skeleton, p); };
+    return figure;
+}
+
+namespace {
+
+Model make()
+{
+    const Skeleton skeleton = mirrored(SPECS);
+    Model model;
+    model.name = "humanoid";
+    model.bones = bonesOf(skeleton);
+    dress(model, humanoidFigure(skeleton));
+    model.clips.push_back(humanoidDance(model.bones));
+    model.clips.push_back(humanoidWalk(model.bones));
+    return model;
 }
 
 }  // namespace
 
 Model makeHumanoid()
 {
-    Model model;
-    model.name = "humanoid";
-    for (uint32_t b = 0; b < HUMANOID_BONE_COUNT; ++b) {
-        Bone bone;
-        bone.name = SPECS[b].name;
-        bone.parent = SPECS[b].parent;
-        bone.restPose.block<3, 1>(0, 3) = boneHead(b).cast<float>();
-        model.bones.push_back(bone);
-    }
-    TriangleMesh mesh = surfaceNets(bodyDistance, {-HALF_WIDTH, -0.05, -0.2}, {HALF_WIDTH, 1.81, 0.26}, MESH_STEP);
-    model.vertices = std::move(mesh.vertices);
-    model.triangles = std::move(mesh.triangles);
-    for (const Vector3f& vertex : model.vertices) {
-        model.skin.push_back(skinAt(vertex.cast<double>()));
-    }
-    model.clips.push_back(humanoidDance(model.bones));
-    model.clips.push_back(humanoidWalk(model.bones));
+    static const Model model = make();
     return model;
 }
 

@@ -19,7 +19,8 @@ namespace knuckle {
 
 namespace {
 
-constexpr float BENT = 0.15f;  // sine of the rest bend from which a hinge's axis is taken from it
+constexpr float IN_BODY = 1.5f;  // d: a joint is in a body that has a particle as near as this
+constexpr float BENT = 0.15f;    // sine of the rest bend from which a hinge's axis is taken from it
 
 // Which way a figure faces in its rest pose.
 struct Bearings {
@@ -222,13 +223,35 @@ void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointP
                             plan.strength});
 }
 
-/// The lattice has a layer on the plane of symmetry, so that it mirrors as the figure does.
-VoxelOptions latticeOn(const std::optional<Mirror>& mirror, const Solid& solid, VoxelOptions options)
+/// An arm hangs on a collar bone so short that it sits in the chest, and turns there like what hangs on the chest
+/// itself: the two never touch.
+void passShortBodies(Actor& actor)
 {
-    const int axis = mirror ? mirror->axis() : -1;
-    if (axis < 0) return options;
+    for (const ActorJoint& joint : actor.joints) {
+        const int32_t middle = parentBody(actor, joint.child);
+        const int32_t above = middle < 0 ? -1 : parentBody(actor, static_cast<uint32_t>(middle));
+        if (above < 0 || !joint.limits.any()) continue;
+        const auto isNear = [&](uint32_t p) {
+            return (actor.particles[p] - joint.anchor).norm() < IN_BODY * actor.diameter;
+        };
+        if (std::ranges::any_of(actor.bodies[above].particles, isNear))
+            actor.passes.push_back({std::min(joint.child, static_cast<uint32_t>(above)),
+                                    std::max(joint.child, static_cast<uint32_t>(above))});
+    }
+}
+
+/// The lattice of a figure mirrors as it does, having a layer on its plane of symmetry, and stands on the ground where
+/// its soles do, half a particle above them.
+VoxelOptions latticeOf(const Model& model, const std::optional<Mirror>& mirror, const Solid& solid,
+                       VoxelOptions options)
+{
+    if (model.bones.empty()) return options;
     Vector3f centre = solid.bounds().center();
-    centre -= mirror->plane.distance(centre) * mirror->plane.across;
+    if (mirror && mirror->axis() >= 0) centre -= mirror->plane.distance(centre) * mirror->plane.across;
+    if (const float d = options.diameter; d > 0.0f) {
+        const float lowest = solid.bounds().min().y() + 0.5f * d;
+        centre.y() = lowest + d * std::round((centre.y() - lowest) / d);
+    }
     options.centre = centre;
     return options;
 }
@@ -240,7 +263,7 @@ Actor articulate(const Model& model, const Solid& solid, const ActorOptions& opt
     checkBoneNames(model, options.articulation);
     const std::vector<BoneAnatomy> anatomy = readAnatomy(model, rolesWanted(model, options.articulation));
     const std::optional<Mirror> mirror = findMirror(BoneTree(model));
-    Voxels voxels = voxelize(solid, latticeOn(mirror, solid, options.voxels));
+    Voxels voxels = voxelize(solid, latticeOf(model, mirror, solid, options.voxels));
     Actor actor;
     actor.name = options.name.empty() ? model.name : options.name;
     actor.diameter = voxels.diameter;
@@ -267,6 +290,7 @@ Actor articulate(const Model& model, const Solid& solid, const ActorOptions& opt
         addJoints(actor, particles, planJoint(figure, b, options.articulation));
     collect(particles, actor);
     numberAsAdded(actor);
+    passShortBodies(actor);
     return actor;
 }
 

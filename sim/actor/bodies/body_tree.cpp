@@ -109,10 +109,10 @@ void joinRoots(std::vector<BodyDraft>& drafts, int32_t root, const BoneTree& tre
             child = b;
         }
         if (child < 0) return;
-        drafts[child].parent = best.body;
+        // Of the main tree, which it is no part of yet.
         const bool apart = best.contact.distance > LOOSE * voxels.diameter;
         const int32_t atHead = apart ? bodyAtHead(drafts, child, root, voxels) : -1;
-        if (atHead >= 0) drafts[child].parent = atHead;
+        drafts[child].parent = atHead >= 0 ? atHead : best.body;
         const char* why = atHead >= 0              ? "where its head is"
                           : best.steps == NO_INDEX ? "the body nearest to it"
                                                    : "next to it in the skeleton";

@@ -132,7 +132,8 @@ Vector3f capsuleEnd(const Model& model, const BoneTree& tree, const std::vector<
 {
     const uint32_t bone = static_cast<uint32_t>(tree.parents[child]);
     const int32_t neck = tree.parents[bone];
-    const Vector3f to = headOf(model, child), from = headOf(model, bone);
+    Vector3f to = headOf(model, child);
+    const Vector3f from = headOf(model, bone);
     if (anatomy[bone].part != BodyPart::Head || neck < 0 || !tree.children[child].empty()) return to;
     const Vector3f before = from - headOf(model, static_cast<uint32_t>(neck));
     const float length = (to - from).norm();

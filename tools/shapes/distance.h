@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+namespace knuckle {
+
+/// The signed distance from a surface, or nearly so: negative inside [m].
+using Distance = std::function<double(const Eigen::Vector3d&)>;
+
+/// A capsule whose radius changes from one end to the other [m].
+struct Limb {
+    Eigen::Vector3d a, b;
+    double radiusA, radiusB;
+};
+
+/// How far along a segment its point nearest to `p` is, 0 ... 1.
+double segmentParameter(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+double segmentDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+double limbDistance(const Eigen::Vector3d& p, const Limb& limb);
+/// Nowhere more than the true distance.
+double ellipsoidDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& centre, const Eigen::Vector3d& radii);
+/// Polynomial smooth minimum: shapes melt into each other over `width` > 0 [m].
+double melt(double a, double b, double width);
+
+}  // namespace knuckle

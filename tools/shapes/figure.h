@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "sim/actor/import/model.h"
+#include "tools/shapes/distance.h"
+#include "tools/shapes/surface_nets.h"
+
+namespace knuckle {
+
+/// What of a figure a place of its surface belongs to: its skin, its shirt. Numbers are the figure's own.
+using Region = uint32_t;
+
+/// How a figure looks.
+struct Figure {
+    Distance distance;
+    NetGrid grid;
+    std::function<Region(const Eigen::Vector3d&)> regionAt;
+    /// Linear RGB, 0-1.
+    std::function<Eigen::Vector3f(Region, const Eigen::Vector3d&)> colorAt;
+    std::function<SkinWeights(Region, const Eigen::Vector3d&)> weightsAt;
+};
+
+/// A mesh of which every triangle belongs to one region; vertices on the border of two are there twice.
+struct RegionMesh {
+    TriangleMesh mesh;
+    std::vector<Region> regions;  ///< Per vertex.
+};
+
+/// Cuts triangles where the region changes, so that borders are as sharp as they are given.
+RegionMesh cutAtBorders(const TriangleMesh& mesh, const Figure& figure);
+
+/// Gives a model the mesh of a figure, with normals, colours and weights.
+void dress(Model& model, const Figure& figure);
+
+/// Linear RGB of a colour as it is given on screens, of 0 ... 255.
+Eigen::Vector3f screenColor(int red, int green, int blue);
+
+}  // namespace knuckle
