@@ -5,12 +5,15 @@
 
 #include "app/files/output.h"
 #include "sim/actor/gltf/glb.h"
+#include "tools/dog/dog.h"
 #include "tools/humanoid/humanoid.h"
+#include "tools/spider/spider.h"
 
 /// Writes one of the project's own models, as it stands in assets/models.
 int main(int argc, char** argv)
 {
-    const std::map<std::string, knuckle::Model (*)()> models{{"humanoid", knuckle::makeHumanoid}};
+    const std::map<std::string, knuckle::Model (*)()> models{
+        {"dog", knuckle::makeDog}, {"humanoid", knuckle::makeHumanoid}, {"spider", knuckle::makeSpider}};
     const auto chosen = argc == 3 ? models.find(argv[1]) : models.end();
     if (chosen == models.end()) {
         std::fprintf(stderr, "usage: make_model NAME FILE.glb, where NAME is one of:");

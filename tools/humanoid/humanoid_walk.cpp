@@ -1,5 +1,4 @@
 #include <cmath>
-#include <numbers>
 
 #include "tools/humanoid/humanoid_pose.h"
 
@@ -20,18 +19,11 @@ constexpr double CROUCH = 0.035;    // how much lower than at rest the hips hang
 constexpr double FOOT_LIFT = 0.11;  // [m]
 constexpr double TOE = 0.19;        // from the ankle ahead to the toes, over which the foot rolls [m]
 
-double wave(double phase)
-{
-    return std::sin(2.0 * std::numbers::pi * phase);
-}
-
 // Where a foot is, `phase` strides after it was set down under its hip: it stands, then swings to the next place.
 Ankle ankleAt(const Leg& leg, const Heads& rest, double phase)
 {
-    const double rounds = std::floor(phase), part = phase - rounds;
-    const double way = std::max(part - (1.0 - SWING), 0.0) / SWING, lift = 4.0 * way * (1.0 - way);
-    // Set down ahead of the hips by as much as it leaves the ground behind them.
-    const double along = STRIDE * (rounds + smooth(way) + 0.5 * (1.0 - SWING));
+    const auto [along, stand, way, lift] = footfallAt(phase, STRIDE, SWING);
+    const double part = phase - std::floor(phase);
     // The heel comes up before the foot does, and goes down first.
     const double heel = smooth((part - 0.4) / 0.2) * (1.0 - smooth(way / 0.7)), toes = lift * way;
     const Matrix3d tilt = turn(30.0 * heel, Vector3d::UnitX()), raised = turn(-18.0 * toes, Vector3d::UnitX());

@@ -28,6 +28,20 @@ double ellipsoidDistance(const Vector3d& p, const Vector3d& centre, const Vector
     return ((p - centre).cwiseQuotient(radii).norm() - 1.0) * radii.minCoeff();
 }
 
+double boxDistance(const Vector3d& p, const Vector3d& centre, const Vector3d& half, double rounding)
+{
+    const Vector3d beyond = (p - centre).cwiseAbs() - half + Vector3d::Constant(rounding);
+    return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0) - rounding;
+}
+
+double cylinderDistance(const Vector3d& p, const Vector3d& a, const Vector3d& b, double radius, double rounding)
+{
+    const Vector3d axis = (b - a).normalized(), off = p - 0.5 * (a + b);
+    const double along = std::abs(off.dot(axis)) - 0.5 * (b - a).norm() + rounding;
+    const double out = (off - off.dot(axis) * axis).norm() - radius + rounding;
+    return std::hypot(std::max(along, 0.0), std::max(out, 0.0)) + std::min(std::max(along, out), 0.0) - rounding;
+}
+
 double melt(double a, double b, double width)
 {
     const double h = std::max(width - std::abs(a - b), 0.0) / width;

@@ -20,6 +20,12 @@ double segmentDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const
 double limbDistance(const Eigen::Vector3d& p, const Limb& limb);
 /// Nowhere more than the true distance.
 double ellipsoidDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& centre, const Eigen::Vector3d& radii);
+/// A box with rounded edges. @param half of its sides, roundings within [m].
+double boxDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& centre, const Eigen::Vector3d& half,
+                   double rounding);
+/// A cylinder with rounded edges, from `a` to `b`.
+double cylinderDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius,
+                        double rounding);
 /// Polynomial smooth minimum: shapes melt into each other over `width` > 0 [m].
 double melt(double a, double b, double width);
 

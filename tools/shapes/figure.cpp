@@ -113,7 +113,7 @@ RegionMesh cutAtBorders(const TriangleMesh& mesh, const Figure& figure)
 
 void dress(Model& model, const Figure& figure)
 {
-    RegionMesh cut = cutAtBorders(surfaceNets(figure.distance, figure.grid), figure);
+    const RegionMesh cut = cutAtBorders(surfaceNets(figure.distance, figure.grid), figure);
     for (size_t v = 0; v < cut.regions.size(); ++v) {
         const Vector3d place = cut.mesh.vertices[v].cast<double>();
         SurfaceVertex looks;
@@ -123,13 +123,14 @@ void dress(Model& model, const Figure& figure)
         model.surface.vertices.push_back(looks);
         model.skin.push_back(figure.weightsAt(cut.regions[v], place));
     }
+    const auto first = static_cast<uint32_t>(model.vertices.size());
+    model.vertices.insert(model.vertices.end(), cut.mesh.vertices.begin(), cut.mesh.vertices.end());
+    for (const Triangle& t : cut.mesh.triangles) model.triangles.push_back({first + t[0], first + t[1], first + t[2]});
     SkinMaterial material;
     material.name = model.name;
     material.color = {1, 1, 1};
     material.twoSided = false;
     model.surface.materials = {material};
-    model.vertices = std::move(cut.mesh.vertices);
-    model.triangles = std::move(cut.mesh.triangles);
 }
 
 Vector3f screenColor(int red, int green, int blue)

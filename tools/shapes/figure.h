@@ -31,7 +31,7 @@ struct RegionMesh {
 /// Cuts triangles where the region changes, so that borders are as sharp as they are given.
 RegionMesh cutAtBorders(const TriangleMesh& mesh, const Figure& figure);
 
-/// Gives a model the mesh of a figure, with normals, colours and weights.
+/// Adds the mesh of a figure to a model, with normals, colours and weights.
 void dress(Model& model, const Figure& figure);
 
 /// Linear RGB of a colour as it is given on screens, of 0 ... 255.

@@ -12,8 +12,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int KEYS_PER_SECOND = 30;
-
 // Columns: along, the part of `pole` across it, their cross product.
 Matrix3d frame(const Vector3d& along, const Vector3d& pole)
 {
@@ -60,6 +58,19 @@ void attach(uint32_t bone, uint32_t parent, const Matrix3d& local, const Heads& 
 {
     heads[bone] = heads[parent] + rotations[parent] * (rest[bone] - rest[parent]);
     rotations[bone] = rotations[parent] * local;
+}
+
+Footfall footfallAt(double phase, double stride, double swing)
+{
+    const double rounds = std::floor(phase), part = phase - rounds;
+    const double way = std::max(part - (1.0 - swing), 0.0) / swing;
+    const double along = stride * (rounds + smooth(way) + 0.5 * (1.0 - swing));
+    return {along, std::min(part / (1.0 - swing), 1.0), way, 4.0 * way * (1.0 - way)};
+}
+
+double wave(double phase)
+{
+    return std::sin(2.0 * std::numbers::pi * phase);
 }
 
 Clip makeClip(const std::string& name, double duration, const std::vector<Bone>& bones,

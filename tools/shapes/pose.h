@@ -34,7 +34,22 @@ Eigen::Matrix3d aim(const Eigen::Vector3d& restDirection, const Eigen::Vector3d&
 void attach(uint32_t bone, uint32_t parent, const Eigen::Matrix3d& local, const Heads& rest, Heads& heads,
             Rotations& rotations);
 
-/// A clip of 30 keys a second. @param pose at a key, from the bones' heads at rest.
+/// Where a foot is that stands, then swings to where it stands next.
+struct Footfall {
+    double along;  ///< Ahead of where the hips were at phase 0 [m].
+    double stand;  ///< How much of its stand is over, 0 ... 1.
+    double way;    ///< How much of its swing is over, 0 ... 1.
+    double lift;   ///< 0 on the ground ... 1 in the middle of the swing.
+};
+/// @param phase in strides since it was set down. @param stride from one stand to the next [m]. @param swing its share
+/// of the time, within 0 ... 1. It is set down ahead of the hips by as much as it leaves the ground behind them.
+Footfall footfallAt(double phase, double stride, double swing);
+/// Once up and down from phase to phase + 1, from 0.
+double wave(double phase);
+
+inline constexpr int KEYS_PER_SECOND = 30;  ///< Of every clip.
+
+/// A clip of whole keys. @param pose at a key, from the bones' heads at rest.
 Clip makeClip(const std::string& name, double duration, const std::vector<Bone>& bones,
               const std::function<void(int key, const Heads& rest, Heads& heads, Rotations& rotations)>& pose);
 

@@ -289,8 +289,8 @@ Actor articulate(const Model& model, const Solid& solid, const ActorOptions& opt
     for (uint32_t b = 1; b < drafts.size(); ++b)
         addJoints(actor, particles, planJoint(figure, b, options.articulation));
     collect(particles, actor);
-    numberAsAdded(actor);
     passShortBodies(actor);
+    numberAsAdded(actor);
     return actor;
 }
 

@@ -104,8 +104,8 @@ TEST(LimbFill, jointsGapeByADiameterAtMost)
                 for (const uint32_t q : actor.bodies[joint.child].particles)
                     if (!isShared(actor, p) && !isShared(actor, q))
                         nearest = std::min(nearest, (actor.particles[p] - actor.particles[q]).norm());
-            // Between surfaces: particles are a diameter apart where they touch.
-            EXPECT_LE(nearest, 2.0f * diameter) << joint.name << " at " << diameter;
+            // Between surfaces: particles are a diameter apart where they touch. Slices of limbs are up to 1.2 apart.
+            EXPECT_LE(nearest, 2.1f * diameter) << joint.name << " at " << diameter;
         }
     }
 }
