@@ -63,9 +63,10 @@ void checkBuffer(const fs::path& folder, const Json& buffer)
 void checkGltf(const std::string& path)
 {
     std::ifstream file(path, std::ios::binary);
+    if (file.peek() == 'g') return;  // a binary one under another name
     const Json json = Json::parse(file, nullptr, false);
     if (json.is_discarded())
-        throw InputError("it is cut off or damaged (its JSON does not end); export the model again");
+        throw InputError("it is cut off or damaged (its JSON cannot be read); export the model again");
     try {
         for (const Json& buffer : json.value("buffers", Json::array()))
             checkBuffer(fs::path(path).parent_path(), buffer);
