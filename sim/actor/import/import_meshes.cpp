@@ -224,10 +224,14 @@ void convertMeshes(const aiScene& scene, const NodeTable& table, Model& model)
         if (model.vertices.size() + mesh.mNumVertices > VERTEX_LIMIT) {
             throw InputError(fmt::format("it has more than {} vertices: simplify it", VERTEX_LIMIT));
         }
+        const size_t before = model.triangles.size();
         if (mesh.mNumBones > 0) {
             addSkinned(scene, mesh, node, table, model, notes);
         } else {
             addRigid(mesh, node, table, model);
+        }
+        if (model.triangles.size() == before) {
+            model.notes.push_back(fmt::format("Mesh '{}' has no triangles and fills nothing.", mesh.mName.C_Str()));
         }
     });
     if (notes.scaled > 0) {

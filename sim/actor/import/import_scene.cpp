@@ -15,6 +15,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/actor/import/file_check.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -172,6 +173,7 @@ const aiScene* readFile(Assimp::Importer& importer, const std::string& path, uns
 
 Model readScene(const std::string& path, bool surface)
 {
+    checkParts(path);
     Assimp::Importer importer;
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     // Importers of some games' formats look for further files beside the given one. None of them is needed but for what
@@ -189,15 +191,17 @@ Model readScene(const std::string& path, bool surface)
         }
         std::string line = reason.substr(0, reason.find('\n'));
         line.erase(line.find_last_not_of(". ") + 1);
-        throw InputError(fmt::format("it cannot be read as a model ({}); export it as glTF, FBX, Collada or BVH",
-                                     line.empty() ? "it holds no scene" : line));
+        throw InputError(unreadableBecause(line));
     }
     Model model;
     model.name = std::filesystem::path(path).stem().string();
     NodeTable table = listNodes(*scene);
     convertBones(*scene, table, model);
     convertMeshes(*scene, table, model);
-    if (surface) convertSurface(*scene, table, path, model);
+    if (surface) {
+        convertSurface(*scene, table, path, model);
+        noteMissingMaterials(path, model.surface);
+    }
     convertClips(*scene, table, model);
     return model;
 }
