@@ -22,7 +22,7 @@ for model in "$@"; do
     particles=$(sed -nE 's/^[^:]+: ([0-9]+) particles.*/\1/p' <<<"$line")
     diameter=$(sed -nE 's/.*particles of ([0-9.]+) m.*/\1/p' <<<"$line")
     bodies=$(sed -nE 's/.* m, ([0-9]+) bod.*/\1/p' <<<"$line")
-    printf '| %s | %s | %.4f | %s | %s | %s | %s | %s | %s |\n' "$(basename "$model")" "$height" "$diameter" \
+    printf '| %s | %s | %.4f | %s | %s | %s | %s | %s | %s |\n' "$(basename "$model" | tr _ " ")" "$height" "$diameter" \
         "$particles" "$bodies" "$(count_of "$told" ball)" "$(count_of "$told" hinge)" "$(fill_of "$told")" \
         "$(fill_of "$grid")"
 done
