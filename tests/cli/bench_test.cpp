@@ -60,7 +60,7 @@ TEST_F(Bench, TimesATroupeBeforeAndAfterItIsLetGo)
 {
     const RunResult table = run(TROUPE);
     EXPECT_EQ(table.code, 0) << table.err;
-    EXPECT_NE(table.out.find("\ndefault      2       1108      36"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("\ndefault      2       1138      36"), std::string::npos) << table.out;
     std::vector<std::string> words = TROUPE;
     words.push_back("--json");
     const Json first = parseJson(run(words).out, "figures")["runs"][0];
