@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "tools/dog/dog_parts.h"
 
@@ -121,7 +123,7 @@ double distanceAt(const Vector3d& point)
         d = melt(d, ellipsoidDistance(p, NOSE_TIP, {0.018, 0.013, 0.014}), 0.006);
         d += 0.0025 * std::exp(-std::pow(mouthLine(p) / 0.0022, 2));
     }
-    // Tufts along the neck and the tail.
+    // The collar lies on the fur.
     const double ring = std::abs(collarAt(p));
     d -= 0.004 * std::clamp((COLLAR_WIDTH / 2 - ring) / 0.003 + 0.5, 0.0, 1.0) * (p.y() > 0.5 && p.z() > 0.15 ? 1 : 0);
     d = melt(d, ellipsoidDistance(p, TAG_CENTRE, {0.015, 0.017, 0.006}), 0.002);

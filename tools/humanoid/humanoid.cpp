@@ -79,7 +79,7 @@ Vector3f colorOf(Region region)
 // A little red in cheeks, nose and ears.
 Vector3f colorAt(Region region, const Vector3d& p)
 {
-    const Vector3f color = colorOf(region);
+    Vector3f color = colorOf(region);
     if (region != BODY_SKIN || p.y() < 1.5) return color;
     const Vector3d left(std::abs(p.x()), p.y(), p.z());
     const double near = std::min((left - Vector3d(0.046, 1.608, 0.083)).norm() / 0.024,

@@ -30,8 +30,6 @@ enum HumanoidRegion : Region {
     SOLE,
 };
 
-inline constexpr double HEAD_TOP = 1.75;  ///< [m]
-
 /// The body with clothes, without hands, and head but for the skull. @param p of the left side (x >= 0).
 double bodyDistance(const Eigen::Vector3d& p);
 /// SHIRT and on, or BODY_SKIN where nothing is worn.
