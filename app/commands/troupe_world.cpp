@@ -14,7 +14,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr float DIAMETER = 0.047f;          // 554 particles and 18 bodies of the project's figure
+constexpr float DIAMETER = 0.047f;          // 643 particles and 18 bodies of the project's figure
 constexpr uint32_t COLUMNS = 5, ROWS = 10;  // of a layer
 constexpr float COLUMN_WIDTH = 0.76f, ROW_DEPTH = 0.36f, LAYER_HEIGHT = 2.0f, LIFT = 0.3f;  // [m]
 const char* const CLIP = "walk";
