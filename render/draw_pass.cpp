@@ -1,6 +1,6 @@
 #include "render/draw_pass.h"
 
-#include "shared/frame_types.h"
+#include "shared/draw_types.h"
 
 namespace knuckle {
 
@@ -10,6 +10,13 @@ void enable(GLenum what, bool wanted)
 {
     if (wanted) glEnable(what);
     else glDisable(what);
+}
+
+/// @param faces GL_FRONT or GL_BACK; GL_NONE: all are drawn.
+void cull(GLenum faces)
+{
+    enable(GL_CULL_FACE, faces != GL_NONE);
+    if (faces != GL_NONE) glCullFace(faces);
 }
 
 }  // namespace
@@ -31,8 +38,7 @@ void DrawPass::begin(KernelTimer& timer) const
     bindings_.bind();
     glBindVertexArray(noAttributes_.id());
     enable(GL_DEPTH_TEST, target_->hasDepth());
-    enable(GL_CULL_FACE, culled_ != GL_NONE);
-    if (culled_ != GL_NONE) glCullFace(culled_);
+    cull(culled_);
     enable(GL_BLEND, opacity_ < 1.0f);
     glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
     glBlendColor(0.0f, 0.0f, 0.0f, opacity_);
@@ -62,6 +68,7 @@ void DrawPass::drawIndexed(KernelTimer& timer, const RawBuffer& indices, const I
 {
     if (what.count == 0 || what.instances == 0) return;
     begin(timer);
+    if (what.culled) cull(GL_BACK);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
     glDrawElementsInstancedBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(what.count), GL_UNSIGNED_INT,
                                       reinterpret_cast<const void*>(what.first * sizeof(uint32_t)),

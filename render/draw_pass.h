@@ -20,6 +20,7 @@ struct IndexedDraw {
     uint32_t first = 0, count = 0;  ///< Indices.
     uint32_t firstVertex = 0;       ///< Added to each, also in gl_VertexID.
     uint32_t instances = 1;
+    bool culled = false;  ///< Faces seen from behind are not drawn, whatever the pass says.
 };
 
 /// A draw of the frame: a program that reads buffers and textures by their names and draws into one target. It has its

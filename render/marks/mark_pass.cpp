@@ -1,6 +1,6 @@
 #include "render/marks/mark_pass.h"
 
-#include "shared/frame_types.h"
+#include "shared/draw_types.h"
 
 namespace knuckle {
 

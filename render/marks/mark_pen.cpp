@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "shared/frame_types.h"
+#include "shared/draw_types.h"
 
 namespace knuckle {
 

@@ -10,9 +10,11 @@ PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& 
                           {"frame", "view", "depthPicture", "surfacePicture", "shadowPicture"}, targets.occlusion);
     lighting_ = DrawPass(gpu, table, {"picture/screen", "picture/lighting"},
                          {"frame", "view", "depthPicture", "surfacePicture", "shadePicture"}, targets.lighting);
-    veil_ = DrawPass(gpu, table, {"picture/screen", "picture/lighting", {{"VEIL", "1"}}},
-                     {"frame", "view", "depthPicture", "surfacePicture", "shadePicture"}, targets.lighting);
-    veil_.setOpacity(veilOpacity);
+    if (veilOpacity < 1.0f) {
+        veil_ = DrawPass(gpu, table, {"picture/screen", "picture/lighting", {{"VEIL", "1"}}},
+                         {"frame", "view", "depthPicture", "surfacePicture", "shadePicture"}, targets.lighting);
+        veil_.setOpacity(veilOpacity);
+    }
     edgeFilter_ = DrawPass(gpu, table, {"picture/edge_tile", "picture/edge_filter"},
                            {"frame", "litPicture", "shadePicture"}, targets.edges);
     if (isResolved_)

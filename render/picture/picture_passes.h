@@ -10,7 +10,7 @@ namespace knuckle {
 class PicturePasses {
 public:
     /// @param table must have "frame" and "view". @param targets are added to it.
-    /// @param veilOpacity of drawVeil(), 0 ... 1.
+    /// @param veilOpacity of drawVeil(), 0 ... 1; there is none of 1.
     PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& targets, float veilOpacity);
     PicturePasses(const PicturePasses&) = delete;
     PicturePasses& operator=(const PicturePasses&) = delete;

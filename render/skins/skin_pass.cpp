@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "render/skins/skin_looks.h"
-#include "shared/frame_types.h"
+#include "shared/draw_types.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -20,6 +20,11 @@ float colorNumber(const Eigen::Vector3f& color)
     for (int i = 0; i < 3; ++i)
         word |= static_cast<uint32_t>(std::lround(255.0f * std::clamp(color[i], 0.0f, 1.0f))) << 8 * i;
     return static_cast<float>(word);
+}
+
+bool isOneSided(const SkinMesh& mesh)
+{
+    return std::ranges::none_of(mesh.materials, &SkinMaterial::twoSided);
 }
 
 void addVertices(std::vector<gpu::vec4>& out, const SkinMesh& mesh, uint32_t firstMaterial, uint32_t firstWearer)
@@ -78,7 +83,7 @@ void SkinPass::upload(const Gpu& gpu, const World& world)
     for (const Skin& skin : world.skins) {
         const auto firstVertex = static_cast<uint32_t>(vertices.size() / SKIN_VERTEX_TEXELS);
         draws_.push_back({static_cast<uint32_t>(indices.size()), static_cast<uint32_t>(3 * skin.mesh->triangles.size()),
-                          firstVertex, static_cast<uint32_t>(skin.objects.size())});
+                          firstVertex, static_cast<uint32_t>(skin.objects.size()), isOneSided(*skin.mesh)});
         addVertices(vertices, *skin.mesh, looks.add(*skin.mesh), static_cast<uint32_t>(wearers.size()));
         for (const auto& triangle : skin.mesh->triangles)
             indices.insert(indices.end(), triangle.begin(), triangle.end());
@@ -99,7 +104,11 @@ void SkinPass::upload(const Gpu& gpu, const World& world)
 
 void SkinPass::draw(KernelTimer& timer, const DrawPass& pass) const
 {
-    for (const IndexedDraw& skin : draws_) pass.drawIndexed(timer, indices_, skin);
+    for (IndexedDraw skin : draws_) {
+        // Both sides of a surface cast shadows.
+        skin.culled = skin.culled && &pass == &skins_;
+        pass.drawIndexed(timer, indices_, skin);
+    }
 }
 
 }  // namespace knuckle

@@ -1,5 +1,7 @@
 #include "render/spheres/sphere_lists.h"
 
+#include "shared/frame_types.h"
+
 #include "render/spheres/covered.h"
 
 namespace knuckle {

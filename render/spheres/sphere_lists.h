@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/draw_pass.h"
-#include "shared/frame_types.h"
+#include "shared/draw_types.h"
 #include "sim/gpu/kernel.h"
 #include "sim/world/world.h"
 

@@ -51,6 +51,7 @@ struct Actor {
 int32_t parentBody(const Actor& actor, uint32_t body);
 
 /// Numbers the particles as addActor() adds them, so that those of an actor file are those of what a run exports.
+/// Particles of no body are left out.
 void numberAsAdded(Actor& actor);
 
 /// What contacts need to know of a particle's place in the skin; empty where the actor does not say.

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include <stdexcept>
 
 #include "tests/tools/model_checks.h"
@@ -27,8 +29,7 @@ Figure ball()
 
 TEST(Shapes, aBallOfSeveralCellSizesIsClosedAndRound)
 {
-    Model model;
-    dress(model, ball());
+    const Model model = makeModel("ball", {}, std::array{ball()});
     EXPECT_EQ(test::openEdges(model), 0u);
     size_t fine = 0;
     for (size_t v = 0; v < model.vertices.size(); ++v) {
@@ -41,8 +42,7 @@ TEST(Shapes, aBallOfSeveralCellSizesIsClosedAndRound)
 
 TEST(Shapes, regionsMeetWhereTheyAreSaidTo)
 {
-    Model model;
-    dress(model, ball());
+    const Model model = makeModel("ball", {}, std::array{ball()});
     for (size_t v = 0; v < model.vertices.size(); ++v) {
         const bool red = model.surface.vertices[v].color.x() > 0.5f;
         // Half a millimetre: cuts keep away from corners.

@@ -1,5 +1,7 @@
 #include "tools/dog/dog.h"
 
+#include <array>
+
 #include "tools/dog/dog_parts.h"
 
 namespace knuckle {
@@ -29,10 +31,7 @@ const BoneSpec SPECS[] = {
 Model make()
 {
     const Skeleton skeleton = mirrored(SPECS);
-    Model model;
-    model.name = "dog";
-    model.bones = bonesOf(skeleton);
-    dress(model, dogFigure(skeleton));
+    Model model = makeModel("dog", skeleton, std::array{dogFigure(skeleton)});
     model.clips = {dogWalk(skeleton), dogTrot(skeleton)};
     return model;
 }

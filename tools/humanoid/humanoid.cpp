@@ -1,6 +1,7 @@
 #include "tools/humanoid/humanoid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tools/humanoid/humanoid_look.h"
@@ -109,10 +110,7 @@ namespace {
 Model make()
 {
     const Skeleton skeleton = mirrored(SPECS);
-    Model model;
-    model.name = "humanoid";
-    model.bones = bonesOf(skeleton);
-    dress(model, humanoidFigure(skeleton));
+    Model model = makeModel("humanoid", skeleton, std::array{humanoidFigure(skeleton)});
     model.clips.push_back(humanoidDance(model.bones));
     model.clips.push_back(humanoidWalk(model.bones));
     return model;

@@ -104,13 +104,7 @@ Vector3f rounded(const Vector3f& v)
     return (v / GRAIN).array().round() * GRAIN;
 }
 
-}  // namespace
-
-RegionMesh cutAtBorders(const TriangleMesh& mesh, const Figure& figure)
-{
-    return Cutter(mesh, figure).cut();
-}
-
+/// Adds the mesh of a figure.
 void dress(Model& model, const Figure& figure)
 {
     const RegionMesh cut = cutAtBorders(surfaceNets(figure.distance, figure.grid), figure);
@@ -126,11 +120,27 @@ void dress(Model& model, const Figure& figure)
     const auto first = static_cast<uint32_t>(model.vertices.size());
     model.vertices.insert(model.vertices.end(), cut.mesh.vertices.begin(), cut.mesh.vertices.end());
     for (const Triangle& t : cut.mesh.triangles) model.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+}
+
+}  // namespace
+
+RegionMesh cutAtBorders(const TriangleMesh& mesh, const Figure& figure)
+{
+    return Cutter(mesh, figure).cut();
+}
+
+Model makeModel(const std::string& name, const Skeleton& skeleton, std::span<const Figure> figures)
+{
+    Model model;
+    model.name = name;
+    model.bones = bonesOf(skeleton);
+    for (const Figure& figure : figures) dress(model, figure);
     SkinMaterial material;
-    material.name = model.name;
+    material.name = name;
     material.color = {1, 1, 1};
     material.twoSided = false;
     model.surface.materials = {material};
+    return model;
 }
 
 Vector3f screenColor(int red, int green, int blue)

@@ -2,9 +2,12 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <span>
+#include <string>
 
 #include "sim/actor/import/model.h"
 #include "tools/shapes/distance.h"
+#include "tools/shapes/skeleton.h"
 #include "tools/shapes/surface_nets.h"
 
 namespace knuckle {
@@ -31,8 +34,8 @@ struct RegionMesh {
 /// Cuts triangles where the region changes, so that borders are as sharp as they are given.
 RegionMesh cutAtBorders(const TriangleMesh& mesh, const Figure& figure);
 
-/// Adds the mesh of a figure to a model, with normals, colours and weights.
-void dress(Model& model, const Figure& figure);
+/// A model of a skeleton and of meshes on it, with normals, colours and weights.
+Model makeModel(const std::string& name, const Skeleton& skeleton, std::span<const Figure> figures);
 
 /// Linear RGB of a colour as it is given on screens, of 0 ... 255.
 Eigen::Vector3f screenColor(int red, int green, int blue);

@@ -38,10 +38,7 @@ Model make()
 {
     const std::vector<BoneSpec> all = specs();
     const Skeleton skeleton = mirrored(all);
-    Model model;
-    model.name = "spider";
-    model.bones = bonesOf(skeleton);
-    for (const Figure& figure : spiderFigures(skeleton)) dress(model, figure);
+    Model model = makeModel("spider", skeleton, spiderFigures(skeleton));
     model.clips = {spiderWalk(skeleton)};
     return model;
 }

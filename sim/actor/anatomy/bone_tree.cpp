@@ -18,6 +18,14 @@ BoneTree::BoneTree(const Model& model)
         if (parents[b] >= 0) carries[parents[b]] |= carries[b];
 }
 
+std::vector<uint32_t> BoneTree::depths() const
+{
+    std::vector<uint32_t> depths(size(), 0);
+    for (uint32_t b = 0; b < size(); ++b)
+        if (parents[b] >= 0) depths[b] = depths[parents[b]] + 1;
+    return depths;
+}
+
 bool BoneTree::isBelow(int32_t bone, uint32_t ancestor) const
 {
     while (bone >= 0 && bone != static_cast<int32_t>(ancestor)) bone = parents[bone];

@@ -22,6 +22,8 @@ struct BoneTree {
     std::vector<uint8_t> carries;  ///< It or something below it has weights.
 
     uint32_t size() const { return static_cast<uint32_t>(parents.size()); }
+    /// Per bone how many are above it.
+    std::vector<uint32_t> depths() const;
     /// Whether a bone is `ancestor` or below it.
     bool isBelow(int32_t bone, uint32_t ancestor) const;
     /// The nearest bone above, -1 for none.

@@ -13,14 +13,6 @@ constexpr float BESIDE = 0.01f;        // what is farther from the plane lies to
 constexpr size_t MOST_GUESSES = 24;    // directions that are tried
 constexpr uint32_t FEWEST_IMAGES = 4;  // bones beside the plane that have an image
 
-std::vector<uint32_t> depthsOf(const BoneTree& tree)
-{
-    std::vector<uint32_t> depths(tree.size(), 0);
-    for (uint32_t b = 0; b < tree.size(); ++b)
-        if (tree.parents[b] >= 0) depths[b] = depths[tree.parents[b]] + 1;
-    return depths;
-}
-
 /// Bones beside the plane whose image is another bone, as far from the root: a hind leg is none of a front leg.
 uint32_t imagesIn(const BoneTree& tree, const std::vector<uint32_t>& depths, const MirrorPlane& plane, float size)
 {
@@ -67,7 +59,7 @@ std::optional<MirrorPlane> findMirrorPlane(const BoneTree& tree)
 {
     const float size = sizeOf(tree);
     if (size <= 0.0f) return {};
-    const std::vector<uint32_t> depths = depthsOf(tree);
+    const std::vector<uint32_t> depths = tree.depths();
     Vector3f middle = Vector3f::Zero();
     float count = 0.0f;
     for (uint32_t b = 0; b < tree.size(); ++b) {

@@ -163,27 +163,16 @@ JointPlan planJoint(const Figure& figure, uint32_t body, const ArticulationOptio
     return plan;
 }
 
-// The actor without the particles that gave way to joints; indices are renumbered without gaps.
+/// Hands over the drafts, also those that gave way to joints: they are in no body, and numberAsAdded() leaves them out.
 void collect(const std::vector<ParticleDraft>& particles, Actor& actor)
 {
-    std::vector<uint32_t> index(particles.size(), NO_INDEX);
-    for (size_t p = 0; p < particles.size(); ++p) {
-        if (particles[p].bodies.empty()) {
-            continue;
-        }
-        index[p] = static_cast<uint32_t>(actor.particles.size());
+    for (uint32_t p = 0; p < particles.size(); ++p) {
         actor.particles.push_back(particles[p].position);
         actor.signedDistances.push_back(particles[p].signedDistance);
         actor.outward.push_back(particles[p].outward);
-        for (uint32_t body : particles[p].bodies) {
-            actor.bodies[body].particles.push_back(index[p]);
-        }
+        for (uint32_t body : particles[p].bodies) actor.bodies[body].particles.push_back(p);
     }
-    for (ActorJoint& joint : actor.joints) {
-        for (uint32_t& particle : joint.sharedParticles) {
-            particle = index[particle];
-        }
-    }
+    numberAsAdded(actor);
 }
 
 void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointPlan& plan)
@@ -290,7 +279,6 @@ Actor articulate(const Model& model, const Solid& solid, const ActorOptions& opt
         addJoints(actor, particles, planJoint(figure, b, options.articulation));
     collect(particles, actor);
     passShortBodies(actor);
-    numberAsAdded(actor);
     return actor;
 }
 

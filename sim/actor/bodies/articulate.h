@@ -22,7 +22,7 @@ struct ArticulationOptions {
     /// a little; without, they are stiff.
     bool limited = true;
     /// Leave one layer of a ball or hinge joint's child out where it would touch the parent, so that the joint can
-    /// turn before the two sides meet.
+    /// turn before the two sides meet. Joints with limits need no such room: their bodies never touch.
     bool clearJoints = true;
 };
 

@@ -141,10 +141,10 @@ void noteLost(const Model& model, std::span<const BoneAnatomy> anatomy, const Bo
               std::vector<std::string>& notes)
 {
     for (uint32_t b = 0; b < anatomy.size(); ++b) {
-        const int32_t end = limbEnd(model, anatomy, b);
+        const std::optional<Vector3f> end = limbEnd(model, anatomy, b);
         const bool lost = anatomy[b].owner == b && isLongLimb(anatomy[b].part) && cut.particles[b].empty();
-        if (!lost || end < 0) continue;
-        const float length = (boneHead(model, static_cast<uint32_t>(end)) - boneHead(model, b)).norm();
+        if (!lost || !end) continue;
+        const float length = (*end - boneHead(model, b)).norm();
         const float enough = std::min(length / (ROD_PARTICLES - 1), FINER * diameter);
         notes.push_back(
             fmt::format("{} has no joint of its own, since it is too small for one: --diameter {:.2g} gives "

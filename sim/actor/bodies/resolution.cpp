@@ -51,9 +51,9 @@ std::vector<LimbThickness> limbThicknesses(const Model& model)
     const float size = bounds.sizes().maxCoeff();
     std::vector<LimbThickness> known, others;
     for (uint32_t bone = 0; bone < model.bones.size(); ++bone) {
-        const int32_t end = limbEnd(model, anatomy, bone);
-        if (end < 0) continue;
-        const Vector3f head = boneHead(model, bone), along = boneHead(model, static_cast<uint32_t>(end)) - head;
+        const std::optional<Vector3f> end = limbEnd(model, anatomy, bone);
+        if (!end) continue;
+        const Vector3f head = boneHead(model, bone), along = *end - head;
         const float length = along.norm();
         std::vector<Patch> patches;
         for (const uint32_t t : owned[bone]) {

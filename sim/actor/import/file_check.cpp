@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "sim/actor/import/lowercase.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -23,12 +23,6 @@ using Json = nlohmann::json;
 /// What assimp's readers say where a file ends too early.
 constexpr std::array CUT_OFF_WORDS{"end of file", "eof",       "out of range", "exceeds size",
                                    "too small",   "truncated", "keyword \"\"", "invalid number of"};
-
-std::string lowercase(std::string text)
-{
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 /// A name in a .gltf, with its %20 as what they stand for.
 std::string decoded(std::string_view uri)

@@ -4,9 +4,7 @@
 #include <assimp/postprocess.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <assimp/Importer.hpp>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -16,6 +14,7 @@
 #include <utility>
 
 #include "sim/actor/import/file_check.h"
+#include "sim/actor/import/lowercase.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -160,11 +159,11 @@ constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
 /// assimp takes a BVH file with a byte-order mark for none: it gets what follows the mark.
 const aiScene* readFile(Assimp::Importer& importer, const std::string& path, unsigned flags)
 {
-    std::string start(BYTE_ORDER_MARK.size(), '\0'), extension = std::filesystem::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    std::string start(BYTE_ORDER_MARK.size(), '\0');
     std::ifstream file(path, std::ios::binary);
     file.read(start.data(), static_cast<std::streamsize>(start.size()));
-    if (extension != ".bvh" || start != BYTE_ORDER_MARK) return importer.ReadFile(path, flags);
+    const bool isBvh = lowercase(std::filesystem::path(path).extension().string()) == ".bvh";
+    if (!isBvh || start != BYTE_ORDER_MARK) return importer.ReadFile(path, flags);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     return importer.ReadFileFromMemory(text.data(), text.size(), flags, "bvh");
 }

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "sim/actor/anatomy/anatomy.h"
 #include "sim/actor/anatomy/bone_tree.h"
+#include "sim/actor/import/lowercase.h"
 
 namespace knuckle {
 
@@ -58,8 +58,7 @@ Vector3f sizeOf(const Model& model)
 
 float radiusFor(const std::string& name, float length, float size)
 {
-    std::string lower = name;
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string lower = lowercase(name);
     float part = USUAL_THICKNESS;
     for (const Thickness& thickness : THICKNESSES) {
         if (lower.find(thickness.word) != std::string::npos) {

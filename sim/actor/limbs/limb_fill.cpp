@@ -166,10 +166,8 @@ void fillAlongBones(const Model& model, const Solid& solid, std::span<const Bone
     std::vector<uint8_t> done(drafts.size(), 0);
     for (uint32_t b = 0; b < drafts.size(); ++b) {
         if (done[b] != 0 || !isLimb(anatomy[drafts[b].bone].part)) continue;
-        const int32_t end = limbEnd(model, anatomy, drafts[b].bone);
-        const std::optional<LimbFrame> frame = limbFrame(
-            drafts, b, voxels, forward,
-            end < 0 ? std::nullopt : std::optional(boneHead(model, static_cast<uint32_t>(end))));
+        const std::optional<LimbFrame> frame = limbFrame(drafts, b, voxels, forward,
+                                                         limbEnd(model, anatomy, drafts[b].bone));
         if (!frame) continue;
         Places grid;
         for (const uint32_t p : drafts[b].particles) grid.push_back(voxels.positions[p]);

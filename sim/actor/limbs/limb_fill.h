@@ -8,7 +8,7 @@
 namespace knuckle {
 
 /// Fills long limbs anew, each on a lattice of its own along its bone, where that is nearer to the skin than the grid
-/// that they were cut from; hands, feet, trunk and head stay on the grid. Limbs that are images of each other get
+/// that they were cut from; feet, trunk and head stay on the grid. Limbs that are images of each other get
 /// images of the same particles.
 /// @param forward where the figure looks, level and unit: rows of particles go across it.
 /// @param mirror null for a skeleton without symmetry.

@@ -37,15 +37,15 @@ void findEnd(const std::vector<BodyDraft>& drafts, uint32_t body, const Voxels& 
 
 }  // namespace
 
-int32_t limbEnd(const Model& model, std::span<const BoneAnatomy> anatomy, uint32_t limb)
+std::optional<Vector3f> limbEnd(const Model& model, std::span<const BoneAnatomy> anatomy, uint32_t limb)
 {
-    int32_t end = -1;
+    std::optional<Vector3f> end;
     float farthest = 0.0f;
     for (uint32_t b = 0; b < model.bones.size(); ++b) {
         const float length = (boneHead(model, b) - boneHead(model, limb)).norm();
         if (anatomy[b].parent != static_cast<int32_t>(limb) || length <= farthest) continue;
         farthest = length;
-        end = static_cast<int32_t>(b);
+        end = boneHead(model, b);
     }
     return end;
 }

@@ -7,8 +7,8 @@
 
 namespace knuckle {
 
-/// The limb that hangs on this one with its head farthest from this one's; -1 where none does.
-int32_t limbEnd(const Model& model, std::span<const BoneAnatomy> anatomy, uint32_t limb);
+/// The head of the limb that hangs on this one farthest from this one's [m]; nothing where none does.
+std::optional<Eigen::Vector3f> limbEnd(const Model& model, std::span<const BoneAnatomy> anatomy, uint32_t limb);
 
 /// Unit, across a limb: where the figure looks, or up for a limb that points there.
 Eigen::Vector3f acrossLimb(const Eigen::Vector3f& along, const Eigen::Vector3f& forward);

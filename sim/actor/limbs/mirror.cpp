@@ -21,16 +21,14 @@ std::vector<uint32_t> nearestImages(const BoneTree& tree, const MirrorPlane& pla
 {
     const float reach = SAME_PLACE * sizeOf(tree);
     std::vector<uint32_t> images(tree.size(), NO_INDEX);
-    std::vector<uint32_t> depth(tree.size(), 0);
-    for (uint32_t b = 0; b < tree.size(); ++b)
-        if (tree.parents[b] >= 0) depth[b] = depth[tree.parents[b]] + 1;
+    const std::vector<uint32_t> depths = tree.depths();
     for (uint32_t b = 0; b < tree.size(); ++b) {
         const Vector3f image = plane.mirrored(tree.heads[b]);
         float nearest = reach;
         for (uint32_t other = 0; other < tree.size(); ++other) {
             // Of bones at one place the image is the one as far from the root, and a bone its own before another's.
             const float distance = (tree.heads[other] - image).norm();
-            if (depth[other] != depth[b] || !(distance < nearest || (other == b && distance <= nearest))) continue;
+            if (depths[other] != depths[b] || !(distance < nearest || (other == b && distance <= nearest))) continue;
             nearest = distance;
             images[b] = other;
         }

@@ -26,9 +26,9 @@ void windRods(const Model& model, const Solid& solid, std::span<const BoneAnatom
     std::vector<uint8_t> isRod(anatomy.size(), 0);
     for (uint32_t limb = 0; limb < anatomy.size(); ++limb) {
         if (owned[limb].empty() || spansSpace(owned[limb], voxels.diameter)) continue;
-        const int32_t end = limbEnd(model, anatomy, limb);
-        if (end < 0) continue;
-        const Vector3f head = boneHead(model, limb), way = boneHead(model, static_cast<uint32_t>(end)) - head;
+        const std::optional<Vector3f> end = limbEnd(model, anatomy, limb);
+        if (!end) continue;
+        const Vector3f head = boneHead(model, limb), way = *end - head;
         const int count = static_cast<int>(std::lround(way.norm() / voxels.diameter)) + 1;
         if (count < ROD_PARTICLES) continue;
         isRod[limb] = 1;
