@@ -64,23 +64,25 @@ void DrawPass::draw(KernelTimer& timer, GLenum primitive, uint32_t vertices, uin
     end(timer);
 }
 
-void DrawPass::drawIndexed(KernelTimer& timer, const RawBuffer& indices, const IndexedDraw& what) const
-{
-    if (what.count == 0 || what.instances == 0) return;
-    begin(timer);
-    if (what.culled) cull(GL_BACK);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
-    glDrawElementsInstancedBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(what.count), GL_UNSIGNED_INT,
-                                      reinterpret_cast<const void*>(what.first * sizeof(uint32_t)),
-                                      static_cast<GLsizei>(what.instances), static_cast<GLint>(what.firstVertex));
-    end(timer);
-}
-
 void DrawPass::drawIndirect(KernelTimer& timer, GLenum primitive, const RawBuffer& arguments, uint32_t index) const
 {
     begin(timer);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.id());
     glDrawArraysIndirect(primitive, reinterpret_cast<const void*>(index * sizeof(gpu::DrawArguments)));
+    end(timer);
+}
+
+void DrawPass::drawIndexed(KernelTimer& timer, const RawBuffer& indices, const RawBuffer& arguments,
+                           const IndexedDraws& which) const
+{
+    if (which.count == 0) return;
+    begin(timer);
+    if (which.culled != GL_NONE) cull(which.culled);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.id());
+    const size_t offset = which.first * sizeof(gpu::DrawElementsArguments);
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
+                                static_cast<GLsizei>(which.count), 0);
     end(timer);
 }
 

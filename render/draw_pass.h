@@ -15,12 +15,10 @@ struct DrawShaders {
     Defines defines = {};
 };
 
-/// A part of an index buffer.
-struct IndexedDraw {
-    uint32_t first = 0, count = 0;  ///< Indices.
-    uint32_t firstVertex = 0;       ///< Added to each, also in gl_VertexID.
-    uint32_t instances = 1;
-    bool culled = false;  ///< Faces seen from behind are not drawn, whatever the pass says.
+/// Draws of an array of DrawElementsArguments.
+struct IndexedDraws {
+    uint32_t first = 0, count = 0;
+    GLenum culled = GL_NONE;  ///< As that of the pass, for these.
 };
 
 /// A draw of the frame: a program that reads buffers and textures by their names and draws into one target. It has its
@@ -43,10 +41,11 @@ public:
     /// @param primitive GL_POINTS, GL_TRIANGLES, ... @param first gl_VertexID of the first vertex.
     void draw(KernelTimer& timer, GLenum primitive, uint32_t vertices, uint32_t instances = 1,
               uint32_t first = 0) const;
-    /// Triangles of an index buffer of 32 bits.
-    void drawIndexed(KernelTimer& timer, const RawBuffer& indices, const IndexedDraw& what) const;
     /// With the DrawArguments of `arguments` at element `index`.
     void drawIndirect(KernelTimer& timer, GLenum primitive, const RawBuffer& arguments, uint32_t index) const;
+    /// Triangles of an index buffer of 32 bits, with some of the DrawElementsArguments of `arguments`.
+    void drawIndexed(KernelTimer& timer, const RawBuffer& indices, const RawBuffer& arguments,
+                     const IndexedDraws& which) const;
 
 private:
     void begin(KernelTimer& timer) const;

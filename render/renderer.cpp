@@ -121,6 +121,7 @@ void Renderer::Impl::draw()
     const bool veiled = settings.skinOpacity < 1.0f && !skins.empty();
     view.fit(timer);
     lists.update(timer);
+    skins.update(timer);
     drawSurfaces(!veiled, true);
     picture.drawLighting(timer);
     if (veiled) {

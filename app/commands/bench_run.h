@@ -55,5 +55,7 @@ nlohmann::ordered_json runsToJson(const BenchOptions& options, const Gpu& gpu, u
 
 /// `bench troupe`. @returns the exit code.
 int benchTroupe(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common);
+/// `bench draw`. @returns the exit code.
+int benchDraw(const BenchOptions& options, const CommonOptions& common);
 
 }  // namespace knuckle

@@ -136,9 +136,11 @@ int benchTable2(const BenchOptions& options, const std::vector<Preset>& presets,
 
 int bench(BenchOptions options, const CommonOptions& common)
 {
-    const bool troupe = options.name == "troupe";
+    const bool troupe = options.name == "troupe", draw = options.name == "draw";
+    if (options.objects.empty() && draw) options.objects = {25};
     if (options.objects.empty() && troupe) options.objects = {100};
     if (options.objects.empty()) options.objects = {300, 600, 1200};
+    if (draw) return benchDraw(options, common);
     std::vector<Preset> presets;
     for (const std::string& preset : options.presets) presets.emplace_back(preset, loadSettings(preset, options.sets));
     return troupe ? benchTroupe(options, presets, common) : benchTable2(options, presets, common);
@@ -169,21 +171,23 @@ nlohmann::ordered_json runsToJson(const BenchOptions& options, const Gpu& gpu, u
 
 void addBenchCommand(CommandLine line)
 {
-    auto* command = line.program.add_subcommand("bench", "Time the solver: the paper's table 2, or a troupe of actors");
+    auto* command = line.program.add_subcommand(
+        "bench", "Time the solver (the paper's table 2, a troupe of actors) or the drawing of a crowd");
     command->fallthrough();
     command->footer(
         "table2: objects are pairs of 3x3x3 cubes with a joint, the four types in equal shares, dropped in\n"
         "layers into a 4 x 4 m box. troupe: objects are actors in that box, who walk on the spot for half of\n"
         "the steps and are limp for the rest. Penetration and gaps stand beside the speed, since a squashed\n"
-        "pile is fast.\n\n"
+        "pile is fast. draw: objects are actors who walk on the spot, drawn as spheres and in their skins.\n\n"
         "Example:\n  knuckle bench table2 --objects 300,1200 --json\n"
         "  knuckle bench table2 --preset default,paper --objects 300\n"
-        "  knuckle bench troupe");
+        "  knuckle bench troupe\n"
+        "  knuckle bench draw --objects 1,25,100");
     auto options = std::make_shared<BenchOptions>();
     command->add_option("BENCHMARK", options->name, "What to run")
-        ->check(CLI::IsMember({"table2", "troupe"}))
+        ->check(CLI::IsMember({"table2", "troupe", "draw"}))
         ->capture_default_str();
-    command->add_option("--objects", options->objects, "Numbers of objects [300,600,1200; troupe: 100]")
+    command->add_option("--objects", options->objects, "Numbers of objects [300,600,1200; troupe: 100; draw: 25]")
         ->delimiter(',')
         ->check(CLI::Range(1, 10000));
     command->add_option("--preset", options->presets, "Solver presets, each with every number of objects")
@@ -198,10 +202,11 @@ void addBenchCommand(CommandLine line)
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     command
-        ->add_option("--drawn-steps", options->drawnSteps, "Further steps of table2 that are drawn as well, 0 for none")
+        ->add_option("--drawn-steps", options->drawnSteps,
+                     "Further steps of table2 that are drawn as well, 0 for none; steps of draw")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
-    command->add_option("--model", options->model, "The figure of the troupe; it has a clip \"walk\"")
+    command->add_option("--model", options->model, "The figure of troupe and draw; it has a clip \"walk\"")
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON instead of the table, docs/output.md");
     command->callback([=] { line.chosen = [=] { return bench(*options, line.common); }; });

@@ -7,6 +7,7 @@
 #include "app/commands/table2_world.h"
 #include "sim/actor/bodies/make_actor.h"
 #include "sim/actor/clips/body_clip.h"
+#include "sim/actor/skin/skin_mesh.h"
 #include "sim/world/builder/builder.h"
 #include "sim/world/errors.h"
 
@@ -19,12 +20,30 @@ constexpr uint32_t COLUMNS = 5, ROWS = 10;  // of a layer
 constexpr float COLUMN_WIDTH = 0.76f, ROW_DEPTH = 0.36f, LAYER_HEIGHT = 2.0f, LIFT = 0.3f;  // [m]
 const char* const CLIP = "walk";
 
-Actor actorOf(const Model& model, const Settings& settings)
+constexpr float CROWD_SPACING = 1.3f;  // [m]
+
+/// An actor with the clip that it plays.
+struct Figure {
+    Actor actor;
+    BodyClip motion;
+};
+
+Figure figureOf(const Model& model, const std::string& file, const ActorOptions& options)
 {
-    ActorOptions options;
-    options.voxels.diameter = DIAMETER;
-    options.articulation.limited = settings.solver == SolverKind::Impulse;
-    return makeActor(model, options);
+    const auto clip = std::ranges::find(model.clips, CLIP, &Clip::name);
+    if (clip == model.clips.end())
+        throw InputError(fmt::format("{}: has no clip \"{}\"; give another --model", file, CLIP));
+    Actor actor = makeActor(model, options);
+    BodyClip motion = ownClip(actor, model, *clip).clip;
+    takeIn(actor, motion);
+    return {std::move(actor), std::move(motion)};
+}
+
+uint32_t addFigureMaterial(WorldBuilder& builder)
+{
+    Material material;
+    material.name = "figure";
+    return builder.addMaterial(material);
 }
 
 /// Layer after layer, row after row, about the middle of the box.
@@ -50,28 +69,43 @@ float phaseOf(uint32_t index)
 
 World troupeWorld(uint32_t actorCount, float releaseTime, const std::string& file, const Settings& settings)
 {
-    const Model model = importModel(file, {});
-    const auto clip = std::ranges::find(model.clips, CLIP, &Clip::name);
-    if (clip == model.clips.end())
-        throw InputError(fmt::format("{}: has no clip \"{}\"; give another --model", file, CLIP));
-    Actor actor = actorOf(model, settings);
-    BodyClip motion = ownClip(actor, model, *clip).clip;
-    takeIn(actor, motion);
+    ActorOptions options;
+    options.voxels.diameter = DIAMETER;
+    options.articulation.limited = settings.solver == SolverKind::Impulse;
+    auto [actor, motion] = figureOf(importModel(file, {}), file, options);
     WorldBuilder builder(DIAMETER / 2, settings);
-    Material material;
-    material.name = "figure";
-    const uint32_t figure = builder.addMaterial(material);
+    const uint32_t material = addFigureMaterial(builder);
     addBenchBox(builder);
     const float length = motion.duration();
     ClipPlay play{.clip = builder.addClip(std::move(motion)), .inPlace = true};
     for (uint32_t i = 0; i < actorCount; ++i) {
         actor.name = fmt::format("actor {}", i);
-        const uint32_t object = addActor(builder, actor, figure, poseOf(i));
+        const uint32_t object = addActor(builder, actor, material, poseOf(i));
         play.start = length * phaseOf(i);
         builder.animate({object, poseOf(i), pivotOf(actor), {play}});
         const Object& added = builder.world().objects[object];
         for (uint32_t b = 0; b < added.bodyCount; ++b) builder.releaseBody(added.bodyStart + b, releaseTime);
     }
+    return builder.build();
+}
+
+World crowdWorld(uint32_t actorCount, const std::string& file)
+{
+    const Model model = importModel(file, {.surface = true});
+    auto [actor, motion] = figureOf(model, file, {});
+    const auto skin = std::make_shared<const SkinMesh>(makeSkinMesh(actor, model));
+    WorldBuilder builder(actor.diameter / 2);
+    const uint32_t material = addFigureMaterial(builder);
+    builder.addCollider({});
+    const ClipPlay play{.clip = builder.addClip(std::move(motion)), .inPlace = true};
+    std::vector<uint32_t> objects;
+    for (uint32_t i = 0; i < actorCount; ++i) {
+        const auto column = static_cast<float>(i % COLUMNS), row = static_cast<float>(i / COLUMNS);
+        const Pose pose{{CROWD_SPACING * column, LIFT, -CROWD_SPACING * row}, Quaternionf::Identity()};
+        objects.push_back(addActor(builder, actor, material, pose));
+        builder.animate({objects.back(), pose, pivotOf(actor), {play}});
+    }
+    builder.addSkin(skin, objects, true);
     return builder.build();
 }
 

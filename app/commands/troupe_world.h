@@ -11,4 +11,9 @@ namespace knuckle {
 /// @throws InputError for a model that cannot be read or has no such clip.
 World troupeWorld(uint32_t actorCount, float releaseTime, const std::string& model, const Settings& settings = {});
 
+/// `actorCount` figures of a model in their skins, of as many particles as it gets by default, in rows of 5 on the
+/// ground. They play the same clip.
+/// @throws InputError as troupeWorld(), and for a model without a mesh.
+World crowdWorld(uint32_t actorCount, const std::string& model);
+
 }  // namespace knuckle

@@ -43,14 +43,13 @@ uint32_t SkinLooks::add(const SkinMesh& mesh)
         addPicture(picture);
     }
     firstLevels.push_back(static_cast<uint32_t>(levels.size()));
-    const auto first = static_cast<uint32_t>(materials.size() / 2);
+    const auto first = static_cast<uint32_t>(materials.size());
     for (const SkinMaterial& material : mesh.materials) {
         const bool plain = material.texture == NO_INDEX;
         const uint32_t level = plain ? 0 : firstLevels[material.texture];
         const uint32_t count = plain ? 0 : firstLevels[material.texture + 1] - level;
-        materials.push_back({material.color.x(), material.color.y(), material.color.z(), material.alphaCutoff});
-        materials.push_back(
-            {material.twoSided ? 1.0f : 0.0f, static_cast<float>(level), static_cast<float>(count), 0.0f});
+        materials.push_back({material.alphaCutoff, material.twoSided ? 1.0f : 0.0f, static_cast<float>(level),
+                             static_cast<float>(count)});
     }
     return first;
 }

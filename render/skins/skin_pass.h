@@ -1,14 +1,13 @@
 #pragma once
 
-#include <vector>
-
 #include "render/draw_pass.h"
 #include "render/picture/render_targets.h"
-#include "sim/world/world.h"
+#include "render/skins/skin_buffers.h"
+#include "sim/gpu/kernel.h"
 
 namespace knuckle {
 
-/// Draws the skins of objects, deformed on the device by where their bodies are.
+/// Draws the skins of objects, deformed on the device by where their bodies are, each as finely as it is seen.
 class SkinPass {
 public:
     /// @param table must have "frame", "view", "bodyCentres" and "bodyRotations".
@@ -17,24 +16,20 @@ public:
     SkinPass(const SkinPass&) = delete;
     SkinPass& operator=(const SkinPass&) = delete;
 
-    bool empty() const { return draws_.empty(); }
+    bool empty() const { return buffers_.wearerCount == 0; }
+    /// Poses what the draws of a frame need of the skins.
+    void update(KernelTimer& timer);
     /// Into the shadow map.
-    void drawShadow(KernelTimer& timer) const { draw(timer, shadow_); }
+    void drawShadow(KernelTimer& timer) const;
     /// Into the geometry buffers.
-    void draw(KernelTimer& timer) const { draw(timer, skins_); }
+    void draw(KernelTimer& timer) const;
 
 private:
-    void upload(const Gpu& gpu, const World& world);
-    void draw(KernelTimer& timer, const DrawPass& pass) const;
+    /// @param first of the draws of wearers. @param culled of one-sided skins.
+    void draw(KernelTimer& timer, const DrawPass& pass, uint32_t first, GLenum culled) const;
 
-    std::vector<IndexedDraw> draws_;  ///< A skin each.
-    Buffer<uint32_t> indices_;
-    Buffer<gpu::vec4> vertices_;   ///< SKIN_VERTEX_TEXELS each.
-    Buffer<uint32_t> wearers_;     ///< Per skin and object: its first body.
-    Buffer<gpu::vec4> centres_;    ///< Per body: its mass centre at rest.
-    Buffer<gpu::vec4> materials_;  ///< As in SkinLooks.
-    Buffer<gpu::uvec4> levels_;
-    Buffer<uint32_t> texels_;
+    SkinBuffers buffers_;
+    Kernel lod_, pose_;
     DrawPass skins_, shadow_;
 };
 

@@ -8,8 +8,12 @@
 namespace knuckle::gpu {
 #endif
 
-// Of a vertex of a skin: place, w: material; normal, w: its first wearer; uv, colour as a number, 0; bodies; weights.
-#define SKIN_VERTEX_TEXELS 5
+// Vertices of a wearer's skin that a group of threads poses, each some of them; a wearer's begin with a group of their
+// own.
+#define SKIN_GROUP_SIZE 512u
+// How far the surface of a level of detail may be off: in pixels of the picture, and in texels of the shadow map.
+#define SKIN_PIXELS_OFF 0.5f
+#define SKIN_TEXELS_OFF 1.0f
 
 // Of a corner of a mark: place from the centre of its body, w: body; place of the other end of its stroke; how far it
 // is moved along the stroke and across it, in heights of the picture; colour, as displayed.
@@ -34,6 +38,47 @@ struct DrawArguments {
     uint instanceCount;
     uint first;
     uint baseInstance;
+};
+
+// glDrawElementsIndirect's arguments.
+struct DrawElementsArguments {
+    uint count;
+    uint instanceCount;
+    uint firstIndex;
+    uint baseVertex;
+    uint baseInstance;
+};
+
+// What of a vertex of a skin moves. Bodies are those within the object, heaviest first.
+struct GpuSkinVertex {
+    float placeX;               // in the rest pose of its object [m]
+    float placeY;
+    float placeZ;
+    uint normalXY;              // 16 bits each, as packSnorm2x16() has them
+    uint bodies01;              // 16 bits each
+    uint bodies23;
+    uint weights12;             // as packUnorm2x16() has them; the first body has what the others leave of 1
+    uint normalZWeight3;
+};
+
+// A level of detail, from the finest to the coarsest.
+struct GpuSkinLod {
+    uint firstIndex;
+    uint indexCount;
+    uint vertexCount;           // it uses the first so many vertices of the skin
+    float error;                // [m]
+};
+
+// An object in its skin.
+struct SkinWearer {
+    uint firstBody;
+    uint bodyCount;
+    uint firstPlace;            // of its vertices, where they are now; whole groups
+    uint firstLod;
+    uint lodCount;
+    uint unused0;
+    uint unused1;
+    uint unused2;
 };
 
 #ifdef __cplusplus

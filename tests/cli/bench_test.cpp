@@ -69,6 +69,32 @@ TEST_F(Bench, TimesATroupeBeforeAndAfterItIsLetGo)
     expectDescribed(first);
 }
 
+/// Three frames of two figures.
+const std::vector<std::string> DRAW = {
+    "bench", "draw", "--objects", "2", "--drawn-steps", "3", "--model", test::inSource("assets/models/humanoid.glb")};
+
+TEST_F(Bench, TimesACrowdAsSpheresAndInItsSkins)
+{
+    const RunResult table = run(DRAW);
+    EXPECT_EQ(table.code, 0) << table.err;
+    EXPECT_NE(table.out.find("\n     2       3452      28582"), std::string::npos) << table.out;
+    std::vector<std::string> words = DRAW;
+    words.push_back("--json");
+    const Json figures = parseJson(run(words).out, "figures");
+    EXPECT_EQ(figures["drawnSteps"], 3);
+    const Json& first = figures["runs"][0];
+    for (const char* key : {"bareMilliseconds", "spheresMilliseconds", "skinsMilliseconds"})
+        EXPECT_GT(first[key].get<double>(), 0.0) << key;
+    expectDescribed(first);
+}
+
+TEST_F(Bench, DrawingNeedsFramesAndAMesh)
+{
+    const RunResult none = run({"bench", "draw", "--drawn-steps", "0"});
+    EXPECT_EQ(none.code, 2);
+    EXPECT_NE(none.err.find("--drawn-steps"), std::string::npos) << none.err;
+}
+
 TEST_F(Bench, ATroupeNeedsAModelThatWalks)
 {
     const RunResult result = run({"bench", "troupe", "--model", "nowhere.glb"});

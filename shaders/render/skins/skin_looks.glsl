@@ -1,12 +1,11 @@
 // How skins look: their materials and pictures.
 #include "render/common/surface.glsl"
 
-uniform samplerBuffer skinMaterials;        // two a material: colour, alpha cutoff; two-sided, its first level, levels
+uniform samplerBuffer skinMaterials;        // alpha cutoff, two-sided, its first level, levels
 uniform usamplerBuffer skinLevels;          // of each picture, large to small: width, height, first texel
 uniform usamplerBuffer skinTexels;          // as unpackAlbedo() reads them, alpha above
 
 struct SkinLooks {
-    vec3 color;
     float alphaCutoff;
     bool twoSided;
     int firstLevel;
@@ -15,8 +14,8 @@ struct SkinLooks {
 
 SkinLooks fetchLooks(int material)
 {
-    vec4 color = texelFetch(skinMaterials, 2 * material), picture = texelFetch(skinMaterials, 2 * material + 1);
-    return SkinLooks(color.rgb, color.a, picture.x != 0.0, int(picture.y), int(picture.z));
+    vec4 looks = texelFetch(skinMaterials, material);
+    return SkinLooks(looks.x, looks.y != 0.0, int(looks.z), int(looks.w));
 }
 
 vec4 skinTexel(uvec4 level, ivec2 place)

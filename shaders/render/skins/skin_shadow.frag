@@ -3,10 +3,9 @@
 #include "render/skins/skin_looks.glsl"
 #endif
 
-in vec3 viewPlace;
 in vec3 viewNormal;
 in vec2 uv;
-flat in vec3 vertexColor;
+in vec3 vertexColor;
 flat in int material;
 
 void main()

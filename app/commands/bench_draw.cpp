@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/commands/bench_run.h"
+#include "app/commands/troupe_world.h"
+#include "render/renderer.h"
+#include "sim/solver/workload.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+/// Milliseconds a frame, medians.
+struct DrawRun {
+    uint32_t actorCount = 0;
+    size_t particleCount = 0, triangleCount = 0;
+    double bare = 0.0, spheres = 0.0, skins = 0.0;
+
+    /// What figures cost in their skins, of what they cost as spheres.
+    double ratio() const { return (skins - bare) / (spheres - bare); }
+};
+
+World withoutSkins(World world)
+{
+    world.skins.clear();
+    return world;
+}
+
+/// Figures that are there and not seen.
+World withoutFigures(World world)
+{
+    for (Skin& skin : world.skins) skin.mesh = std::make_shared<const SkinMesh>();
+    return world;
+}
+
+double median(std::vector<double> values)
+{
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+DrawRun runOnce(Gpu& gpu, uint32_t actorCount, const BenchOptions& options)
+{
+    const World world = crowdWorld(actorCount, options.model), spheres = withoutSkins(world),
+                bare = withoutFigures(world);
+    Solver solver(gpu, world);
+    std::array<Renderer, 3> renderers = {Renderer(gpu, bare, {}), Renderer(gpu, spheres, {}), Renderer(gpu, world, {})};
+    std::array<std::vector<double>, 3> milliseconds;
+    const InterruptGuard interrupt;
+    // In turn, so that a machine that changes its speed changes all alike. The first frame compiles.
+    for (uint32_t frame = 0; frame <= options.drawnSteps; ++frame) {
+        interrupt.check();
+        solver.step();
+        solver.checkCounters(frame + 1);
+        glFinish();
+        for (size_t i = 0; i < renderers.size(); ++i) {
+            const auto start = std::chrono::steady_clock::now();
+            renderers[i].draw(solver.view(), frame * static_cast<double>(world.settings.timeStep));
+            glFinish();
+            if (frame > 0) milliseconds[i].push_back(1e3 * secondsSince(start));
+        }
+    }
+    return {.actorCount = actorCount,
+            .particleCount = world.particles.size(),
+            .triangleCount = world.skins[0].mesh->triangles.size(),
+            .bare = median(milliseconds[0]),
+            .spheres = median(milliseconds[1]),
+            .skins = median(milliseconds[2])};
+}
+
+nlohmann::ordered_json toJson(const DrawRun& run)
+{
+    return {{"actorCount", run.actorCount},       {"particleCount", run.particleCount},
+            {"triangleCount", run.triangleCount}, {"bareMilliseconds", run.bare},
+            {"spheresMilliseconds", run.spheres}, {"skinsMilliseconds", run.skins},
+            {"skinsOverSpheres", run.ratio()}};
+}
+
+void printRow(const DrawRun& run)
+{
+    fmt::print("{:6}{:11}{:11}{:9.2f}{:9.2f}{:9.2f}{:17.2f}\n", run.actorCount, run.particleCount, run.triangleCount,
+               run.bare, run.spheres, run.skins, run.ratio());
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int benchDraw(const BenchOptions& options, const CommonOptions& common)
+{
+    if (options.drawnSteps == 0) throw InputError("bench draw needs --drawn-steps of 1 or more");
+    const uint32_t most = *std::max_element(options.objects.begin(), options.objects.end());
+    const auto gpu = openGpu(common, FrameWork{stepWorkload(crowdWorld(most, options.model)), drawingWorkload({})});
+    if (!options.json) {
+        fmt::print("A crowd on {}:\n"
+                   "ms a frame of 1280x720, the median of {}, with the figures unseen, as spheres and in\n"
+                   "their skins; and what skins cost of what spheres cost.\n\n"
+                   "actors  particles  triangles     bare  spheres    skins  skins / spheres\n",
+                   gpu->device().name, options.drawnSteps);
+    }
+    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+    for (const uint32_t actorCount : options.objects) {
+        const DrawRun run = runOnce(*gpu, actorCount, options);
+        if (options.json) runs.push_back(toJson(run));
+        else printRow(run);
+    }
+    if (options.json) fmt::print("{}\n", runsToJson(options, *gpu, 0, std::move(runs)).dump(2));
+    return EXIT_FINE;
+}
+
+}  // namespace knuckle
