@@ -6,6 +6,7 @@
 #include <map>
 
 #include "render/picture/image.h"
+#include "render/spheres/palette.h"
 #include "sim/actor/gltf/glb.h"
 #include "sim/actor/skin/skin_mesh.h"
 #include "sim/world/errors.h"
@@ -42,12 +43,27 @@ std::map<uint32_t, uint32_t> bonesOfBodies(const Rig& rig)
     return bones;
 }
 
-/// A mesh of octahedra where an object's particles are, for what has no mesh.
-void addParticles(Rig& rig, const World& world)
+/// The colours in which particles are drawn, by body where these follow the speed.
+std::vector<uint32_t> colorsOf(const Scene& scene)
+{
+    RenderSettings settings = scene.render;
+    if (settings.colorBy == ColorBy::Speed) settings.colorBy = ColorBy::Body;
+    return particleColors(scene.world, settings);
+}
+
+/// A mesh of octahedra where an object's particles are, for what has no mesh. @param colors of all particles.
+void addParticles(Rig& rig, const World& world, const std::vector<uint32_t>& colors)
 {
     const std::map<uint32_t, uint32_t> bones = bonesOfBodies(rig);
+    SkinMaterial material;
+    material.name = "particles";
+    material.color = {1, 1, 1};
+    material.twoSided = false;
+    rig.model.surface = {};
+    rig.model.surface.materials = {material};
     const float radius = world.particleRadius;
-    for (const Particle& particle : world.particles) {
+    for (size_t i = 0; i < world.particles.size(); ++i) {
+        const Particle& particle = world.particles[i];
         const auto bone = bones.find(particle.body);
         if (bone == bones.end()) continue;
         const auto first = static_cast<uint32_t>(rig.model.vertices.size());
@@ -59,6 +75,7 @@ void addParticles(Rig& rig, const World& world)
             skin.weights[0] = 1.0f;
             rig.model.vertices.push_back(particle.restPosition + offset);
             rig.model.skin.push_back(skin);
+            rig.model.surface.vertices.push_back({offset / radius, {0, 0}, unpackColor(colors[i])});
         }
         // Corners +x -x +y -y +z -z; counter-clockwise from outside where an even number of signs is negative.
         for (uint32_t octant = 0; octant < 8; ++octant) {
@@ -89,20 +106,21 @@ void mergeWeights(Rig& rig)
 std::vector<Rig> everyRig(const Scene& scene)
 {
     std::vector<Rig> rigs = rigsOf(scene, true);
+    const std::vector<uint32_t> colors = colorsOf(scene);
     for (Rig& rig : rigs) {
         // A mesh that import made up around bones is none of the file's.
         if (rig.model.surface.vertices.empty()) {
             rig.model.vertices.clear();
             rig.model.triangles.clear();
             rig.model.skin.clear();
-            addParticles(rig, scene.world);
+            addParticles(rig, scene.world, colors);
         } else mergeWeights(rig);
     }
     for (uint32_t object = 0; object < scene.world.objects.size(); ++object) {
         if (scene.world.objects[object].bodyCount == 0) continue;
         if (std::ranges::find(rigs, object, &Rig::object) != rigs.end()) continue;
         rigs.push_back(rigOfBodies(scene.world, object));
-        addParticles(rigs.back(), scene.world);
+        addParticles(rigs.back(), scene.world, colors);
     }
     std::ranges::stable_sort(rigs, {}, &Rig::object);
     for (Rig& rig : rigs) rig.model.clips = {{CLIP, 0.0, {}, {}}};

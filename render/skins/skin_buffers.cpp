@@ -7,20 +7,14 @@
 
 #include "render/skins/skin_lods.h"
 #include "render/skins/skin_looks.h"
+#include "render/spheres/palette.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
 
 namespace {
 
-/// Of unit numbers, as unpackAlbedo() has them: a number that a float holds exactly.
-float colorNumber(const Eigen::Vector3f& color)
-{
-    uint32_t word = 0;
-    for (int i = 0; i < 3; ++i)
-        word |= static_cast<uint32_t>(std::lround(255.0f * std::sqrt(std::clamp(color[i], 0.0f, 1.0f)))) << 8 * i;
-    return static_cast<float>(word);
-}
+constexpr uint32_t COLOR_BITS = 0xFFFFFF;  // a number that a float holds exactly
 
 /// Numbers of 0 ... 1 as packUnorm2x16() has them.
 uint32_t packUnorm(float x, float y)
@@ -70,8 +64,8 @@ void SkinArrays::addVertex(const SkinVertex& vertex, const SkinMesh& mesh, uint3
     vertices.push_back({p.x(), p.y(), p.z(), packSnorm(n.x()) | packSnorm(n.y()) << 16, b[0] | b[1] << 16,
                         b[2] | b[3] << 16, packUnorm(w[1], w[2]), packUnorm(0.0f, w[3]) | packSnorm(n.z())});
     const Eigen::Vector3f color = vertex.color.cwiseProduct(mesh.materials[vertex.material].color);
-    vertexLooks.push_back(
-        {vertex.uv.x(), vertex.uv.y(), colorNumber(color), static_cast<float>(firstMaterial + vertex.material)});
+    vertexLooks.push_back({vertex.uv.x(), vertex.uv.y(), static_cast<float>(packColor(color) & COLOR_BITS),
+                           static_cast<float>(firstMaterial + vertex.material)});
 }
 
 void SkinArrays::addWearer(const Object& object, const SkinMesh& mesh, gpu::SkinWearer wearer, uint32_t firstVertex)

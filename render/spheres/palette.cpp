@@ -11,14 +11,6 @@ namespace {
 const Vector3f JOINT_COLOR{0.80f, 0.015f, 0.012f};
 const Vector3f LOOSE_COLOR{0.62f, 0.50f, 0.33f};
 
-/// packAlbedo of shaders/render/common/surface.glsl.
-uint32_t packColor(const Vector3f& color)
-{
-    const Eigen::Array3f root = (color.array().max(0.0f).min(1.0f).sqrt() * 255.0f).round();
-    return static_cast<uint32_t>(root.x()) | static_cast<uint32_t>(root.y()) << 8 |
-           static_cast<uint32_t>(root.z()) << 16 | 0xff000000u;
-}
-
 uint32_t colorWord(const World& world, uint32_t index, const RenderSettings& settings)
 {
     const Particle& particle = world.particles[index];
@@ -66,6 +58,22 @@ std::vector<uint32_t> particleColors(const World& world, const RenderSettings& s
     std::vector<uint32_t> colors(world.particles.size());
     for (uint32_t i = 0; i < colors.size(); ++i) colors[i] = colorWord(world, i, settings);
     return colors;
+}
+
+uint32_t packColor(const Vector3f& color)
+{
+    const Eigen::Array3f root = (color.array().max(0.0f).min(1.0f).sqrt() * 255.0f).round();
+    return static_cast<uint32_t>(root.x()) | static_cast<uint32_t>(root.y()) << 8 |
+           static_cast<uint32_t>(root.z()) << 16 | 0xff000000u;
+}
+
+Vector3f unpackColor(uint32_t word)
+{
+    const auto light = [](uint32_t byte) {
+        const float root = static_cast<float>(byte & 255u) / 255.0f;
+        return root * root;
+    };
+    return {light(word), light(word >> 8), light(word >> 16)};
 }
 
 }  // namespace knuckle
