@@ -24,6 +24,7 @@ enum class NamedPart {
     Finger,
     MaybeFinger,  ///< "middle", "ring": a finger behind a hand.
     Leg,
+    Coxa,
     Thigh,
     Shin,
     Foot,

@@ -68,7 +68,9 @@ Nameless creature(int pairs)
     for (int pair = 0; pair < pairs; ++pair) {
         const float z = -0.5f + 0.4f * static_cast<float>(pair);
         if (pair > 0) trunk = rig.chain(int32_t(trunk), {{0, 0.62f, z - 0.2f}, {0, 0.62f, z}}, {"spine", "spine"});
-        rig.limbs(trunk, {{0.12f, 0.55f, z}, {0.13f, 0.3f, z + 0.05f}, {0.13f, 0.05f, z}}, {"thigh", "shin", "foot"});
+        const bool fore = pairs == 2 && pair == 1;
+        const std::vector<std::string> leg = {"thigh", "shin", "foot"}, arm = {"upperArm", "forearm", "hand"};
+        rig.limbs(trunk, {{0.12f, 0.55f, z}, {0.13f, 0.3f, z + 0.05f}, {0.13f, 0.05f, z}}, fore ? arm : leg);
     }
     rig.chain(int32_t(trunk), {{0, 0.7f, 0.6f}, {0, 0.8f, 0.7f}}, {"neck", "head"});
     return rig;
