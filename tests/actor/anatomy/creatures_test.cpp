@@ -125,7 +125,7 @@ TEST(Creatures, FiguresOnTwoLegsAreUpright)
     addLegs(rig, int32_t(rig.add("chest", hips, {0, 1.3f, 0})), {"upper_arm.{}", "forearm.{}"}, {0.2f, 1.4f, 0.1f});
     EXPECT_TRUE(isUpright(rig.model, readAnatomy(rig.model)));
     // Bones that are there twice, at one place, are no further legs.
-    addLegs(rig, hips, {"thigh.{}.helper", "shin.{}.helper", "foot.{}.helper"}, {0.1f, 0.9f, 0});
+    addLegs(rig, hips, {"thigh_d.{}", "shin_d.{}", "foot_d.{}"}, {0.1f, 0.9f, 0});
     EXPECT_TRUE(isUpright(rig.model, readAnatomy(rig.model)));
 }
 
