@@ -22,7 +22,7 @@ template <>
 struct EnumWords<BodyPart> {
     static constexpr std::array WORDS{"other",     "hips",    "spine", "neck",   "head",  "collar bone",
                                       "upper arm", "forearm", "hand",  "finger", "thigh", "shin",
-                                      "foot",      "toe",     "tail",  "wing",   "coxa"};
+                                      "foot",      "toe",     "tail",  "wing",   "coxa",  "lever"};
 };
 template <>
 struct EnumWords<AnatomySource> {

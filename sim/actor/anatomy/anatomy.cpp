@@ -60,7 +60,8 @@ JointType jointTypeOf(BodyPart part)
         case BodyPart::Forearm:
         case BodyPart::Shin:
         case BodyPart::Toe:
-        case BodyPart::Finger: return JointType::Hinge;
+        case BodyPart::Finger:
+        case BodyPart::Lever: return JointType::Hinge;
         case BodyPart::Clavicle:
         case BodyPart::Spine:
         case BodyPart::Neck:

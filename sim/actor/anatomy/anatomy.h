@@ -27,7 +27,8 @@ enum class BodyPart {
     Toe,
     Tail,
     Wing,
-    Coxa,  ///< Between a creature's trunk and its thigh.
+    Coxa,   ///< Between a creature's trunk and its thigh.
+    Lever,  ///< Of a machine.
 };
 
 /// Where a bone's part is known from.
@@ -63,8 +64,8 @@ struct BoneAnatomy {
 /// @returns one entry a bone. Parents lead to a bone without one, never in a ring.
 std::vector<BoneAnatomy> readAnatomy(const Model& model, const std::map<uint32_t, BoneRole>& roles = {});
 
-/// The joint at the head of such a bone: knees, elbows, fingers and toes are hinges, spine, neck and collar bones are
-/// stiff, everything else is a ball.
+/// The joint at the head of such a bone: knees, elbows, fingers, toes and levers are hinges, spine, neck and collar
+/// bones are stiff, everything else is a ball.
 JointType jointTypeOf(BodyPart part);
 
 /// Whether it stands on two legs, its trunk above them. What has more of them, or a level trunk, does not.

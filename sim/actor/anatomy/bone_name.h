@@ -31,6 +31,7 @@ enum class NamedPart {
     Toe,
     Tail,
     Wing,
+    Lever,
 };
 
 /// A bone's name, read by itself.

@@ -22,6 +22,7 @@ public:
             anatomy_[b].part = partOf(b);
             if (anatomy_[b].part != BodyPart::Other) anatomy_[b].source = AnatomySource::Name;
         }
+        callLevers();
         callForeLegs();
         findHips();
         findHead();
@@ -170,8 +171,22 @@ private:
             case NamedPart::Toe: return footPart(b);
             case NamedPart::Tail: return BodyPart::Tail;
             case NamedPart::Wing: return BodyPart::Wing;
+            case NamedPart::Lever: return BodyPart::Lever;
         }
         return BodyPart::Other;
+    }
+
+    /// Arms without a side of what has no legs and no head are a machine's.
+    void callLevers()
+    {
+        const auto isAnimals = [](const BoneAnatomy& bone) {
+            const bool arm = ofForeLeg(bone.part) == bone.part && isLimbPart(bone.part) && bone.part != BodyPart::Toe;
+            return bone.part == BodyPart::Hips || bone.part == BodyPart::Neck || bone.part == BodyPart::Head ||
+                   (isLimbPart(bone.part) && (bone.side != 0 || !arm));
+        };
+        if (std::ranges::any_of(anatomy_, isAnimals)) return;
+        for (BoneAnatomy& bone : anatomy_)
+            if (isLimbPart(bone.part)) bone.part = BodyPart::Lever;
     }
 
     /// Four legs, of which the front ones are arms: what hangs on a shoulder, or of two on a side the one next to the

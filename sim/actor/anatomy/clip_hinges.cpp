@@ -31,7 +31,7 @@ void readClipHinges(const Model& model, std::vector<BoneAnatomy>& anatomy)
     for (uint32_t b = 0; b < anatomy.size(); ++b) {
         BoneAnatomy& bone = anatomy[b];
         const bool unknown = bone.part == BodyPart::Other && bone.source == AnatomySource::None;
-        if (!unknown || bone.role != BoneRole::Limb || bone.parent < 0) continue;
+        if (!(unknown || bone.part == BodyPart::Lever) || bone.role != BoneRole::Limb || bone.parent < 0) continue;
         const std::vector<Vector3f> turns = turnsOf(model, b, static_cast<uint32_t>(bone.parent));
         const auto most = std::ranges::max_element(turns, {}, [](const Vector3f& turn) { return turn.norm(); });
         if (most == turns.end() || most->norm() < MUCH) continue;

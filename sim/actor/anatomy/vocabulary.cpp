@@ -113,6 +113,7 @@ constexpr Words WORDS[] = {
     {WordUse::Part, NamedPart::Toe, "toe ball"},
     {WordUse::Part, NamedPart::Tail, "tail"},
     {WordUse::Part, NamedPart::Wing, "wing fin flipper"},
+    {WordUse::Part, NamedPart::Lever, "boom jib dipper bucket lever"},
 };
 
 std::map<std::string_view, Word> makeVocabulary()

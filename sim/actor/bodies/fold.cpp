@@ -21,8 +21,10 @@ Vector3f usualFold(const LimbStance& limb)
     const Vector3f up = Vector3f::UnitY();
     Vector3f wanted = limb.forward;
     if (limb.part == BodyPart::Shin) wanted = -limb.forward;
+    if (limb.part == BodyPart::Lever) wanted = up;
     if (limb.part == BodyPart::Finger) wanted = -(up + limb.outward).normalized();
-    return perpendicular(std::abs(wanted.dot(limb.along)) < ACROSS ? wanted : up, limb.along);
+    if (std::abs(wanted.dot(limb.along)) >= ACROSS) wanted = limb.part == BodyPart::Lever ? limb.forward : up;
+    return perpendicular(wanted, limb.along);
 }
 
 std::optional<Vector3f> foldAtRest(const LimbStance& limb, const Vector3f& usual)
@@ -30,7 +32,8 @@ std::optional<Vector3f> foldAtRest(const LimbStance& limb, const Vector3f& usual
     const Vector3f deviation = limb.along - limb.along.dot(limb.above) * limb.above;
     const float bend = limb.above.cross(limb.along).norm();
     const bool rightWay = deviation.dot(usual) > 0.5f * deviation.norm();
-    const bool mayBeWrong = limb.part == BodyPart::Finger || (limb.upright && bend < STRONGLY_BENT);
+    const bool mayBeWrong = limb.part == BodyPart::Finger ||
+                            (limb.part != BodyPart::Lever && limb.upright && bend < STRONGLY_BENT);
     if (bend <= BENT || (!rightWay && mayBeWrong)) return {};
     return perpendicular(deviation, limb.along);
 }

@@ -80,6 +80,7 @@ JointLimits ofPart(const LimbStance& s)
         case BodyPart::Foot: return cone(s.along - 0.27f * up, 35, 25);
         case BodyPart::Toe: limits.bend = bendRange(-40, 70, 0); return limits;
         case BodyPart::Finger: limits.bend = bendRange(-20, 100, s.bend); return limits;
+        case BodyPart::Lever: limits.bend = bendRange(-60, 60, 0); return limits;
         case BodyPart::Tail: return cone(s.along, 30, 15);
         case BodyPart::Coxa: return cone(s.along, 30, 20);
         case BodyPart::Wing: return cone(s.along, 60, 30);

@@ -129,4 +129,20 @@ TEST(Creatures, FiguresOnTwoLegsAreUpright)
     EXPECT_TRUE(isUpright(rig.model, readAnatomy(rig.model)));
 }
 
+TEST(Creatures, ArmsWithoutASideOfWhatHasNoLegsAreAMachines)
+{
+    const auto chain = [](const Names& names) {
+        Rig rig;
+        for (const std::string& name : names) rig.add(name, int32_t(rig.model.bones.size()) - 1, {0, 1, 0});
+        Parts parts;
+        for (const BoneAnatomy& bone : readAnatomy(rig.model)) parts.push_back(bone.part);
+        return parts;
+    };
+    constexpr BodyPart LEVER = BodyPart::Lever;
+    EXPECT_EQ(chain({"base", "boom", "dipper", "bucket"}), Parts({BodyPart::Other, LEVER, LEVER, LEVER}));
+    EXPECT_EQ(chain({"base", "arm1", "arm2", "hand"}), Parts({BodyPart::Other, LEVER, LEVER, LEVER}));
+    EXPECT_EQ(chain({"hips", "arm1", "arm2"})[1], BodyPart::UpperArm);
+    EXPECT_EQ(chain({"base", "arm1.L", "arm2.L"})[1], BodyPart::UpperArm);
+}
+
 }  // namespace knuckle::test

@@ -168,4 +168,14 @@ TEST(CreatureJoints, WhatIsMergedOnOneSideStaysOnTheOther)
     }
 }
 
+TEST(CreatureJoints, AMachinesBoomIsAHinge)
+{
+    const Actor actor = make(twoBoneBox("boom"), 0.1f);
+    const ActorJoint& boom = actor.joints.at(0);
+    EXPECT_EQ(boom.type, JointType::Hinge);
+    EXPECT_GT(std::abs(boom.axis.x()), 0.99f);
+    EXPECT_NEAR(boom.limits.bend.lowest, -60 * DEGREE, 1e-4f);
+    EXPECT_NEAR(boom.limits.bend.highest, 60 * DEGREE, 1e-4f);
+}
+
 }  // namespace knuckle

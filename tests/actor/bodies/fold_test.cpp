@@ -65,4 +65,16 @@ TEST(Fold, ABendIsMeasuredTheWayThatALimbFolds)
     EXPECT_NEAR(restBend(limb, -axis), -40 * DEGREE, 1e-4f);
 }
 
+TEST(Fold, LeversTurnInTheirUprightPlane)
+{
+    const Vector3f x(1, 0, 0);
+    for (const Vector3f& along : {Vector3f(0, 0, 1), Vector3f(0, 1, 0), Vector3f(0, -0.8f, 0.6f)}) {
+        const LimbStance lever{.part = BodyPart::Lever, .along = along};
+        EXPECT_GT(std::abs(along.cross(foldDirection(lever, {})).dot(x)), 0.99f);
+    }
+    // One that is bent at rest shows its plane.
+    const LimbStance bent{.part = BodyPart::Lever, .above = {0, 1, 0}, .along = Vector3f(1, 3, 0).normalized()};
+    EXPECT_GT(std::abs(bent.along.cross(foldDirection(bent, {})).z()), 0.99f);
+}
+
 }  // namespace knuckle::test
