@@ -13,6 +13,7 @@
 #include "sim/actor/bodies/joint_ranges.h"
 #include "sim/actor/bodies/name_pattern.h"
 #include "sim/actor/limbs/limb_fill.h"
+#include "sim/actor/limbs/limb_frame.h"
 #include "sim/world/builder/joints.h"
 #include "sim/world/errors.h"
 
@@ -50,25 +51,23 @@ Bearings bearingsOf(const Model& model, const std::vector<BoneAnatomy>& anatomy)
     return bearings;
 }
 
-// The direction in which the body leaves its joint: towards the next joint, else towards its middle.
-Vector3f directionOf(const std::vector<BodyDraft>& drafts, uint32_t body, const Voxels& voxels)
+/// The direction in which the body leaves its joint: towards the next joint, of a finger's last body towards its next
+/// bone, else towards its middle.
+Vector3f directionOf(const Figure& figure, uint32_t body)
 {
-    Vector3f end = Vector3f::Zero();
-    float count = 0.0f;
-    for (const BodyDraft& draft : drafts) {
-        if (draft.parent == static_cast<int32_t>(body)) {
-            end += draft.anchor;
-            count += 1.0f;
-        }
-    }
-    if (count == 0.0f) {
-        for (uint32_t p : drafts[body].particles) {
-            end += voxels.positions[p];
-        }
-        count = static_cast<float>(drafts[body].particles.size());
-    }
-    const Vector3f along = end / count - drafts[body].anchor;
-    return along.norm() > 1e-3f * voxels.diameter ? Vector3f(along.normalized()) : Vector3f(0, -1, 0);
+    const BodyDraft& draft = figure.drafts[body];
+    std::vector<Vector3f> ends;
+    for (const BodyDraft& other : figure.drafts)
+        if (other.parent == static_cast<int32_t>(body)) ends.push_back(other.anchor);
+    if (ends.empty() && figure.boneOf(body).part == BodyPart::Finger)
+        if (const std::optional<Vector3f> end = limbEnd(figure.model, figure.anatomy, draft.bone))
+            ends.push_back(draft.anchor + *end - boneHead(figure.model, draft.bone));
+    for (size_t i = 0, all = ends.empty() ? draft.particles.size() : 0; i < all; ++i)
+        ends.push_back(figure.voxels.positions[draft.particles[i]]);
+    Vector3f sum = Vector3f::Zero();
+    for (const Vector3f& end : ends) sum += end;
+    const Vector3f along = sum / static_cast<float>(ends.size()) - draft.anchor;
+    return along.norm() > 1e-3f * figure.voxels.diameter ? Vector3f(along.normalized()) : Vector3f(0, -1, 0);
 }
 
 /// Neck and head share a range, as the segments of a spine do.
@@ -134,7 +133,7 @@ void placeJoint(const Figure& figure, JointPlan& plan)
 {
     const BoneAnatomy& bone = figure.boneOf(plan.child);
     plan.anchor = figure.drafts[plan.child].anchor;
-    plan.along = directionOf(figure.drafts, plan.child, figure.voxels);
+    plan.along = directionOf(figure, plan.child);
     plan.flexion = foldDirection(stanceOf(figure, plan), turnsOf(figure, plan));
     plan.axis = plan.along.cross(plan.flexion).normalized();
     plan.twistAxis = plan.along;

@@ -11,10 +11,11 @@ namespace {
 
 constexpr float BENT = 0.15f;          // sine of the rest bend from which a fold is taken from it
 constexpr float STRONGLY_BENT = 0.5f;  // ... also where bodies do not fold so
-constexpr float CLIP_BENT = 0.25f;     // sine of the mean bend of clips from which it is taken from them
-constexpr float ONE_WAY = 0.8f;        // of the bends in clips that their sum is at least
-constexpr float SAME_WAY = 0.7f;       // cosine between the ways of the rest pose and of clips that agree
-constexpr float ACROSS = 0.8f;         // cosine with the limb from which a direction does not lie across it
+constexpr float CLIP_BENT =
+    0.25f;                       // sine of the bend of clips, root of the mean square, from which it is taken from them
+constexpr float ONE_WAY = 0.8f;  // of the squares of bends in clips that their sum is at least
+constexpr float SAME_WAY = 0.7f;  // cosine between the ways of the rest pose and of clips that agree
+constexpr float ACROSS = 0.8f;    // cosine with the limb from which a direction does not lie across it
 
 Vector3f usualFold(const LimbStance& limb)
 {
@@ -40,19 +41,19 @@ std::optional<Vector3f> foldAtRest(const LimbStance& limb, const Vector3f& usual
 
 std::optional<Vector3f> foldInClips(const LimbStance& limb, std::span<const Turns> clips)
 {
-    // Thumbs are spread at rest: what a finger does is seen from there.
+    // What bends far counts most. Thumbs are spread at rest: what a finger does is seen from there.
     const Vector3f& straight = limb.part == BodyPart::Finger ? limb.along : limb.above;
     Vector3f sum = Vector3f::Zero();
     float total = 0.0f, count = 0.0f;
     for (const Turns& turns : clips) {
         for (const Quaternionf& turn : turns) {
             const Vector3f bend = straight.cross(turn * limb.along);
-            sum += bend;
-            total += bend.norm();
+            sum += bend.norm() * bend;
+            total += bend.squaredNorm();
             count += 1.0f;
         }
     }
-    if (count == 0.0f || total < CLIP_BENT * count || sum.norm() < ONE_WAY * total) return {};
+    if (count == 0.0f || total < CLIP_BENT * CLIP_BENT * count || sum.norm() < ONE_WAY * total) return {};
     const Vector3f way = sum.cross(limb.along);
     if (way.norm() < ONE_WAY * sum.norm()) return {};
     return way.normalized();
