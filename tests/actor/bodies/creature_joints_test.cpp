@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "sim/actor/clips/body_clip.h"
 #include "tests/actor/actor_fixture.h"
 #include "tools/dog/dog.h"
 #include "tools/humanoid/humanoid.h"
@@ -126,6 +127,38 @@ TEST(CreatureJoints, BothSidesAreAlike)
             EXPECT_NEAR(left.limits.bend.lowest, right.limits.bend.lowest, 0.5f * DEGREE) << left.name;
             EXPECT_NEAR(left.limits.bend.highest, right.limits.bend.highest, 0.5f * DEGREE) << left.name;
             EXPECT_NEAR(left.limits.twist.lowest, -right.limits.twist.highest, 0.5f * DEGREE) << left.name;
+        }
+    }
+}
+
+float angleAbout(const Vector3f& axis, const Quaternionf& turn)
+{
+    return std::remainder(2 * std::atan2(turn.vec().dot(axis), turn.w()), 2 * static_cast<float>(M_PI));
+}
+
+TEST(CreatureJoints, EveryPoseOfEveryClipIsWithinTheLimits)
+{
+    const Model figure = makeHumanoid();
+    for (const Model* model : {&dog(), &spider(), &figure}) {
+        const Actor actor = make(*model, 0.03f);
+        for (const Clip& source : model->clips) {
+            const BodyClip clip = ownClip(actor, *model, source).clip;
+            for (const ActorJoint& joint : actor.joints) {
+                const JointLimits& limits = joint.limits;
+                ASSERT_TRUE(limits.any()) << joint.name;
+                const bool hinge = joint.type == JointType::Hinge;
+                const TurnRange& range = hinge ? limits.bend : limits.twist;
+                const Vector3f middle = limits.cone.isZero() ? joint.axis : limits.cone.normalized();
+                const Quaternionf lean = hinge ? Quaternionf::Identity()
+                                               : Quaternionf::FromTwoVectors(joint.axis, middle);
+                for (const Quaternionf& turn : turnsOf(clip, joint.child)) {
+                    const float angle = angleAbout(joint.axis, lean.conjugate() * turn);
+                    ASSERT_GT(angle, range.lowest) << joint.name << " in " << source.name;
+                    ASSERT_LT(angle, range.highest) << joint.name << " in " << source.name;
+                    if (hinge) continue;
+                    ASSERT_GT(middle.dot(turn * joint.axis), std::cos(limits.swing)) << joint.name;
+                }
+            }
         }
     }
 }
