@@ -5,6 +5,7 @@
 
 #include "app/files/output.h"
 #include "sim/actor/gltf/glb.h"
+#include "tools/crate/crate.h"
 #include "tools/dog/dog.h"
 #include "tools/humanoid/humanoid.h"
 #include "tools/spider/spider.h"
@@ -12,8 +13,10 @@
 /// Writes one of the project's own models, as it stands in assets/models.
 int main(int argc, char** argv)
 {
-    const std::map<std::string, knuckle::Model (*)()> models{
-        {"dog", knuckle::makeDog}, {"humanoid", knuckle::makeHumanoid}, {"spider", knuckle::makeSpider}};
+    const std::map<std::string, knuckle::Model (*)()> models{{"crate", knuckle::makeCrate},
+                                                             {"dog", knuckle::makeDog},
+                                                             {"humanoid", knuckle::makeHumanoid},
+                                                             {"spider", knuckle::makeSpider}};
     const auto chosen = argc == 3 ? models.find(argv[1]) : models.end();
     if (chosen == models.end()) {
         std::fprintf(stderr, "usage: make_model NAME FILE.glb, where NAME is one of:");

@@ -20,8 +20,9 @@ namespace knuckle {
 
 template <>
 struct EnumWords<BodyPart> {
-    static constexpr std::array WORDS{"other", "hips",   "spine", "neck", "head", "collar bone", "upper arm", "forearm",
-                                      "hand",  "finger", "thigh", "shin", "foot", "toe",         "tail",      "wing"};
+    static constexpr std::array WORDS{"other",     "hips",    "spine", "neck",   "head",  "collar bone",
+                                      "upper arm", "forearm", "hand",  "finger", "thigh", "shin",
+                                      "foot",      "toe",     "tail",  "wing",   "coxa",  "lever"};
 };
 template <>
 struct EnumWords<AnatomySource> {

@@ -51,7 +51,7 @@ Model readModel(const Json& object, const std::string& file)
 {
     ImportOptions options;
     options.fit.scale = object["scale"];
-    options.clips = false;
+    options.clips = object["type"] == "actor";  // they show how joints turn
     return importModel(file, options);
 }
 

@@ -44,7 +44,7 @@ TEST_F(Voxelize, TellsEveryDecisionAndWhy)
     };
     has("hips", "- - - hips (name)");
     has("spine", "stiff 4 - spine (name, --joints)");
-    has("thigh.R", "ball 1 cone 75, twist -45 to 45 thigh, right (name)");
+    has("thigh.R", "ball 1 cone 75, twist -45 to 68 thigh, right (name)");
     has("foot.L", "about x foot, left (name, --joints)");
     has("foot.L", "-30 to 20");
     has("head", "cone 40, twist all round, spring 3 N m/rad head (name, --joints)");

@@ -1,13 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
-#include "sim/actor/gltf/glb.h"
-#include "tests/places.h"
 #include "tests/tools/model_checks.h"
 #include "tools/dog/dog.h"
 #include "tools/spider/spider.h"
@@ -117,12 +113,7 @@ TEST_P(Creatures, doNotSlide)
 
 TEST_P(Creatures, areCommittedAsTheCodeMakesThem)
 {
-    const std::string name = GetParam().name, path = "assets/models/" + name + ".glb";
-    std::ifstream file(test::inSource(path), std::ios::binary);
-    const std::string committed{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_TRUE(committed == toGlb(GetParam().make()))
-        << "make it again: build/release/bin/make_model " << name << " " << path;
-    EXPECT_LT(committed.size(), 1600000u);
+    test::expectCommitted(GetParam().name, GetParam().make());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Creatures, testing::Values(dog(), spider()),

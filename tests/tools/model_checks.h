@@ -1,10 +1,17 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <string>
 #include <utility>
 
+#include "sim/actor/gltf/glb.h"
 #include "sim/actor/import/model.h"
+#include "tests/places.h"
 
 namespace knuckle::test {
 
@@ -27,6 +34,16 @@ inline size_t openEdges(const Model& model)
     size_t open = 0;
     for (const auto& [edge, balance] : edges) open += balance != 0 ? 1 : 0;
     return open;
+}
+
+/// That assets/models has the model as the code makes it.
+inline void expectCommitted(const std::string& name, const Model& model)
+{
+    const std::string path = "assets/models/" + name + ".glb";
+    std::ifstream file(inSource(path), std::ios::binary);
+    const std::string committed{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_TRUE(committed == toGlb(model)) << "make it again: build/release/bin/make_model " << name << " " << path;
+    EXPECT_LT(committed.size(), 1600000u);
 }
 
 }  // namespace knuckle::test

@@ -13,6 +13,33 @@ namespace knuckle {
 
 using Eigen::Vector3f;
 
+namespace {
+
+constexpr float UPRIGHT = 0.7f;  // a trunk's height is this share of its length at least
+constexpr float APART = 1e-3f;   // two bones, not one twice [m]
+
+/// Where limbs of a part begin.
+std::vector<Vector3f> placesOf(const Model& model, std::span<const BoneAnatomy> anatomy, BodyPart part)
+{
+    std::vector<Vector3f> places;
+    for (size_t b = 0; b < anatomy.size(); ++b) {
+        if (anatomy[b].role != BoneRole::Limb || anatomy[b].part != part) continue;
+        const Vector3f head = model.bones[b].restPose.block<3, 1>(0, 3);
+        if (std::ranges::none_of(places, [&](const Vector3f& place) { return (place - head).norm() < APART; }))
+            places.push_back(head);
+    }
+    return places;
+}
+
+Vector3f meanOf(const std::vector<Vector3f>& places)
+{
+    Vector3f sum = Vector3f::Zero();
+    for (const Vector3f& place : places) sum += place;
+    return sum / static_cast<float>(places.size());
+}
+
+}  // namespace
+
 std::vector<BoneAnatomy> readAnatomy(const Model& model, const std::map<uint32_t, BoneRole>& roles)
 {
     const BoneTree tree(model);
@@ -33,7 +60,8 @@ JointType jointTypeOf(BodyPart part)
         case BodyPart::Forearm:
         case BodyPart::Shin:
         case BodyPart::Toe:
-        case BodyPart::Finger: return JointType::Hinge;
+        case BodyPart::Finger:
+        case BodyPart::Lever: return JointType::Hinge;
         case BodyPart::Clavicle:
         case BodyPart::Spine:
         case BodyPart::Neck:
@@ -58,6 +86,16 @@ Vector3f leftOf(const Model& model, std::span<const BoneAnatomy> anatomy)
     Vector3f across = left / static_cast<float>(lefts) - right / static_cast<float>(rights);
     across.y() = 0.0f;
     return across.norm() > 1e-4f ? Vector3f(across.normalized()) : Vector3f::UnitX();
+}
+
+bool isUpright(const Model& model, std::span<const BoneAnatomy> anatomy)
+{
+    const std::vector<Vector3f> arms = placesOf(model, anatomy, BodyPart::UpperArm),
+                                thighs = placesOf(model, anatomy, BodyPart::Thigh);
+    if (thighs.size() > 2) return false;
+    if (arms.empty() || thighs.empty()) return true;
+    const Vector3f trunk = meanOf(arms) - meanOf(thighs);
+    return trunk.y() > UPRIGHT * trunk.norm();
 }
 
 bool isLongLimb(BodyPart part)

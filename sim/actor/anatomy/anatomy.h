@@ -27,6 +27,8 @@ enum class BodyPart {
     Toe,
     Tail,
     Wing,
+    Coxa,   ///< Between a creature's trunk and its thigh.
+    Lever,  ///< Of a machine.
 };
 
 /// Where a bone's part is known from.
@@ -57,14 +59,17 @@ struct BoneAnatomy {
 /// Reads names in the conventions of Mixamo, Biped, Rigify, MakeHuman, VRM, Unreal, Source, SMPL, Daz, Roblox, CMU,
 /// Character Creator, MikuMikuDance, Maya and Second Life, with the bones around them where a word means several
 /// things. Where no limb is named, the skeleton's shape decides: two chains down to the ground are legs, two above
-/// arms, the single one up neck and head; more legs make a creature.
+/// arms, the single one up neck and head; more legs make a creature. Of four legs the front ones are its arms.
 /// @param roles of bones, by index, that stand whatever names say.
 /// @returns one entry a bone. Parents lead to a bone without one, never in a ring.
 std::vector<BoneAnatomy> readAnatomy(const Model& model, const std::map<uint32_t, BoneRole>& roles = {});
 
-/// The joint at the head of such a bone: knees, elbows, fingers and toes are hinges, spine, neck and collar bones are
-/// stiff, everything else is a ball.
+/// The joint at the head of such a bone: knees, elbows, fingers, toes and levers are hinges, spine, neck and collar
+/// bones are stiff, everything else is a ball.
 JointType jointTypeOf(BodyPart part);
+
+/// Whether it stands on two legs, its trunk above them. What has more of them, or a level trunk, does not.
+bool isUpright(const Model& model, std::span<const BoneAnatomy> anatomy);
 
 /// Upper arms, forearms, thighs and shins.
 bool isLongLimb(BodyPart part);

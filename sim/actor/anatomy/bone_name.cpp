@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "sim/actor/anatomy/vocabulary.h"
 
@@ -93,9 +94,11 @@ BoneName readBoneName(std::string_view name)
 {
     BoneName read;
     NamedPart weak = NamedPart::None;
-    bool upper = false, lower = false, fore = false, trunk = false, foot = false, piece = false;
+    bool upper = false, lower = false, fore = false, trunk = false, foot = false, piece = false, unknown = false;
     for (const std::string& text : wordsOf(name)) {
-        const Word word = findWord(text).value_or(Word{});
+        const std::optional<Word> found = findWord(text);
+        const Word word = found.value_or(Word{});
+        unknown |= !found && text.size() > 1;
         switch (word.use) {
             case WordUse::Left: read.side = read.side == 0 ? 1 : read.side; break;
             case WordUse::Right: read.side = read.side == 0 ? -1 : read.side; break;
@@ -118,6 +121,8 @@ BoneName readBoneName(std::string_view name)
     }
     // "LeftHandIndex1": behind a hand's word, a finger's is one.
     if (weak == NamedPart::MaybeFinger && read.part == NamedPart::Hand) read.part = NamedPart::Finger;
+    // "back_trochantin.L": at a limb, back is a place.
+    if (weak == NamedPart::Spine && unknown && read.side != 0) weak = NamedPart::None;
     if (read.part == NamedPart::None) read.part = weak;
     if (foot && read.part == NamedPart::Finger) read.part = NamedPart::Toe;
     read.part = halved(read.part, upper, lower, fore);

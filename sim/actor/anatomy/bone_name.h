@@ -24,12 +24,14 @@ enum class NamedPart {
     Finger,
     MaybeFinger,  ///< "middle", "ring": a finger behind a hand.
     Leg,
+    Coxa,
     Thigh,
     Shin,
     Foot,
     Toe,
     Tail,
     Wing,
+    Lever,
 };
 
 /// A bone's name, read by itself.

@@ -11,8 +11,17 @@ BoneTree::BoneTree(const Model& model)
         heads.emplace_back(model.bones[b].restPose.block<3, 1>(0, 3));
         if (parent >= 0) children[parent].push_back(b);
     }
-    for (const SkinWeights& skin : model.skin)
-        for (size_t i = 0; i < skin.bones.size(); ++i) deforms[skin.bones[i]] |= skin.weights[i] > 0.0f;
+    tips = heads;
+    for (size_t v = 0; v < model.skin.size(); ++v) {
+        const SkinWeights& skin = model.skin[v];
+        for (size_t i = 0; i < skin.bones.size(); ++i) {
+            const uint32_t b = skin.bones[i];
+            deforms[b] |= skin.weights[i] > 0.0f;
+            const Eigen::Vector3f& place = model.vertices[v];
+            const bool own = skin.weights[i] > 0.5f;
+            if (own && (place - heads[b]).squaredNorm() > (tips[b] - heads[b]).squaredNorm()) tips[b] = place;
+        }
+    }
     carries = deforms;
     for (uint32_t b = size(); b-- > 0;)
         if (parents[b] >= 0) carries[parents[b]] |= carries[b];

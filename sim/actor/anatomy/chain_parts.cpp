@@ -22,6 +22,8 @@ public:
             anatomy_[b].part = partOf(b);
             if (anatomy_[b].part != BodyPart::Other) anatomy_[b].source = AnatomySource::Name;
         }
+        callLevers();
+        callForeLegs();
         findHips();
         findHead();
     }
@@ -92,11 +94,21 @@ private:
         return thighBelow ? BodyPart::Other : BodyPart::Thigh;
     }
 
-    BodyPart shoulderPart(uint32_t b) const
+    BodyPart coxaPart(uint32_t b) const
     {
         const NamedPart below = nameBelow(b);
+        return below == NamedPart::Shin || below == NamedPart::Foot ? BodyPart::Thigh : BodyPart::Coxa;
+    }
+
+    BodyPart shoulderPart(uint32_t b) const
+    {
+        const int32_t next = nextBelow(b);
+        const NamedPart below = nameBelow(b);
         const BodyPart above = partAbove(b);
-        const bool armBelow = below == NamedPart::UpperArm || below == NamedPart::Arm || below == NamedPart::Shoulder;
+        const bool legBelow = below == NamedPart::Thigh ||
+                              (below == NamedPart::Leg && isUpperLeg(static_cast<uint32_t>(next)));
+        const bool armBelow = legBelow || below == NamedPart::UpperArm || below == NamedPart::Arm ||
+                              below == NamedPart::Shoulder;
         if (armBelow || (below == NamedPart::None && above != BodyPart::Clavicle && above != BodyPart::UpperArm))
             return BodyPart::Clavicle;
         return BodyPart::UpperArm;
@@ -113,6 +125,7 @@ private:
     BodyPart legPart(uint32_t b) const
     {
         const BodyPart above = partAbove(b);
+        if (above == BodyPart::UpperArm || above == BodyPart::Forearm) return BodyPart::Forearm;
         return above == BodyPart::Thigh || above == BodyPart::Shin ? BodyPart::Shin : BodyPart::Thigh;
     }
 
@@ -151,14 +164,54 @@ private:
             case NamedPart::Finger: return BodyPart::Finger;
             case NamedPart::MaybeFinger: return fingerPart(b);
             case NamedPart::Leg: return legPart(b);
+            case NamedPart::Coxa: return coxaPart(b);
             case NamedPart::Thigh: return BodyPart::Thigh;
             case NamedPart::Shin: return BodyPart::Shin;
             case NamedPart::Foot:
             case NamedPart::Toe: return footPart(b);
             case NamedPart::Tail: return BodyPart::Tail;
             case NamedPart::Wing: return BodyPart::Wing;
+            case NamedPart::Lever: return BodyPart::Lever;
         }
         return BodyPart::Other;
+    }
+
+    /// Arms without a side of what has no legs and no head are a machine's.
+    void callLevers()
+    {
+        const auto isAnimals = [](const BoneAnatomy& bone) {
+            const bool arm = ofForeLeg(bone.part) == bone.part && isLimbPart(bone.part) && bone.part != BodyPart::Toe;
+            return bone.part == BodyPart::Hips || bone.part == BodyPart::Neck || bone.part == BodyPart::Head ||
+                   (isLimbPart(bone.part) && (bone.side != 0 || !arm));
+        };
+        if (std::ranges::any_of(anatomy_, isAnimals)) return;
+        for (BoneAnatomy& bone : anatomy_)
+            if (isLimbPart(bone.part)) bone.part = BodyPart::Lever;
+    }
+
+    /// Four legs, of which the front ones are arms: what hangs on a shoulder, or of two on a side the one next to the
+    /// head.
+    void callForeLegs()
+    {
+        std::vector<uint32_t> thighs[2];
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            const BodyPart above = partAbove(b);
+            if (anatomy_[b].part == BodyPart::Foot && above == BodyPart::Forearm) callForeLeg(b);
+            if (anatomy_[b].part != BodyPart::Thigh || above == BodyPart::Thigh) continue;
+            if (above == BodyPart::Clavicle || above == BodyPart::UpperArm) callForeLeg(b);
+            else if (names_[b].side != 0) thighs[names_[b].side < 0].push_back(b);
+        }
+        const uint32_t head = std::min(firstOf(BodyPart::Head), firstOf(BodyPart::Neck));
+        const bool four = thighs[0].size() == 2 && thighs[1].size() == 2 && firstOf(BodyPart::UpperArm) == tree_.size();
+        if (!four || head == tree_.size()) return;
+        const auto away = [&](uint32_t b) { return (tree_.heads[b] - tree_.heads[head]).norm(); };
+        for (const std::vector<uint32_t>& side : thighs) callForeLeg(*std::ranges::min_element(side, {}, away));
+    }
+
+    void callForeLeg(uint32_t top)
+    {
+        for (uint32_t b = top; b < tree_.size(); ++b)
+            if (tree_.isBelow(static_cast<int32_t>(b), top)) anatomy_[b].part = ofForeLeg(anatomy_[b].part);
     }
 
     uint32_t firstOf(BodyPart part) const
@@ -215,6 +268,16 @@ void readNamedParts(const BoneTree& tree, const std::vector<BoneName>& names, st
     NamedParts(tree, names, anatomy).read();
 }
 
+BodyPart ofForeLeg(BodyPart part)
+{
+    switch (part) {
+        case BodyPart::Thigh: return BodyPart::UpperArm;
+        case BodyPart::Shin: return BodyPart::Forearm;
+        case BodyPart::Foot: return BodyPart::Hand;
+        default: return part;
+    }
+}
+
 bool isLimbPart(BodyPart part)
 {
     switch (part) {
@@ -226,7 +289,8 @@ bool isLimbPart(BodyPart part)
         case BodyPart::Thigh:
         case BodyPart::Shin:
         case BodyPart::Foot:
-        case BodyPart::Toe: return true;
+        case BodyPart::Toe:
+        case BodyPart::Coxa: return true;
         default: return false;
     }
 }

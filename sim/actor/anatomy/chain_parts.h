@@ -13,6 +13,9 @@ namespace knuckle {
 /// a shin; a shoulder above an upper arm is a collar bone, above an elbow the upper arm.
 void readNamedParts(const BoneTree& tree, const std::vector<BoneName>& names, std::vector<BoneAnatomy>& anatomy);
 
+/// What of an arm a part of a leg is, where it is a front leg of four; other parts stay what they are.
+BodyPart ofForeLeg(BodyPart part);
+
 /// Whether such a part is of an arm or a leg.
 bool isLimbPart(BodyPart part);
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "sim/actor/anatomy/clip_turns.h"
+
 namespace knuckle {
 
-using Eigen::Matrix3f;
-using Eigen::Matrix4f;
 using Eigen::Vector3f;
 
 namespace {
@@ -13,27 +13,15 @@ namespace {
 constexpr float MUCH = 0.35f;    // of a turn that shows an axis [rad]
 constexpr float ASIDE = 0.035f;  // of a turn about other axes that is no turn [rad]
 
-Matrix3f rotationOf(const Matrix4f& pose)
-{
-    return pose.topLeftCorner<3, 3>().colwise().normalized();
-}
-
-/// How a bone has turned since the rest pose, in the model's directions.
-Matrix3f turnOf(const Model& model, const std::vector<Matrix4f>& poses, uint32_t bone)
-{
-    return rotationOf(poses[bone]) * rotationOf(model.bones[bone].restPose).transpose();
-}
-
 std::vector<Vector3f> turnsOf(const Model& model, uint32_t bone, uint32_t parent)
 {
-    std::vector<Vector3f> turns;
-    for (const Clip& clip : model.clips)
-        for (const std::vector<Matrix4f>& poses : clip.poses) {
-            const Eigen::AngleAxisf turn(
-                Matrix3f(turnOf(model, poses, parent).transpose() * turnOf(model, poses, bone)));
-            turns.push_back(turn.angle() * turn.axis());
+    std::vector<Vector3f> vectors;
+    for (const Turns& turns : clipTurns(model, bone, parent))
+        for (const Eigen::Quaternionf& turn : turns) {
+            const Eigen::AngleAxisf about(turn);
+            vectors.push_back(about.angle() * about.axis());
         }
-    return turns;
+    return vectors;
 }
 
 }  // namespace
@@ -43,7 +31,7 @@ void readClipHinges(const Model& model, std::vector<BoneAnatomy>& anatomy)
     for (uint32_t b = 0; b < anatomy.size(); ++b) {
         BoneAnatomy& bone = anatomy[b];
         const bool unknown = bone.part == BodyPart::Other && bone.source == AnatomySource::None;
-        if (!unknown || bone.role != BoneRole::Limb || bone.parent < 0) continue;
+        if (!(unknown || bone.part == BodyPart::Lever) || bone.role != BoneRole::Limb || bone.parent < 0) continue;
         const std::vector<Vector3f> turns = turnsOf(model, b, static_cast<uint32_t>(bone.parent));
         const auto most = std::ranges::max_element(turns, {}, [](const Vector3f& turn) { return turn.norm(); });
         if (most == turns.end() || most->norm() < MUCH) continue;

@@ -6,7 +6,8 @@
 
 namespace knuckle {
 
-/// Limbs of no known part that all clips turn about one axis against what they hang on, and by much, get that axis.
+/// Limbs of no known part, and levers, that all clips turn about one axis against what they hang on, and by much, get
+/// that axis.
 void readClipHinges(const Model& model, std::vector<BoneAnatomy>& anatomy);
 
 }  // namespace knuckle

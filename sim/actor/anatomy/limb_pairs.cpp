@@ -91,8 +91,7 @@ std::vector<LimbPair> findLimbPairs(const BoneTree& tree, const MirrorPlane& pla
                 if (off < least) best = i, least = off;
             }
             if (best == sides[1].size()) continue;
-            const float lowest = std::min(tree.heads[left.bones.back()].y(),
-                                          tree.heads[sides[1][best].bones.back()].y());
+            const float lowest = std::min(tree.tips[left.bones.back()].y(), tree.tips[sides[1][best].bones.back()].y());
             pairs.push_back({base, {left, sides[1][best]}, lowest});
             sides[1].erase(sides[1].begin() + static_cast<std::ptrdiff_t>(best));
         }

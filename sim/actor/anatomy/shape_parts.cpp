@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/actor/anatomy/chain_parts.h"
 #include "sim/actor/anatomy/limb_pairs.h"
 
 namespace knuckle {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr float GROUND = 0.2f;     // ends of legs are this near to the lowest [height]
 constexpr float DOWN = 0.3f;       // ... and begin this far above their ends [length]
+constexpr float FOOT = 0.2f;       // a foot begins this near to the ground [height of the leg]
 constexpr float SHORT = 0.45f;     // a first bone of a leg that is shorter is part of the hip [next one]
 constexpr size_t MOST_NECKS = 3;   // of a chain up to the head
 constexpr float LONG_WING = 0.2f;  // pairs that are shorter are feelers and ears [size]
@@ -55,7 +57,7 @@ private:
     {
         Eigen::AlignedBox3f box;
         for (uint32_t b = 0; b < tree_.size(); ++b)
-            if (tree_.carries[b]) box.extend(tree_.heads[b]);
+            if (tree_.carries[b]) box.extend(tree_.heads[b]).extend(tree_.tips[b]);
         for (LimbPair& pair : findLimbPairs(tree_, plane_)) {
             const bool inAnother = std::ranges::any_of(pair.chains, [&](const BoneChain& chain) {
                 return tree_.above(chain.bones.front(), [&](uint32_t b) { return inPair_[b] != 0; }) >= 0;
@@ -120,20 +122,35 @@ private:
         const auto segment = [&](size_t i) {
             return (tree_.heads[chain.bones[i + 1]] - tree_.heads[chain.bones[i]]).norm();
         };
-        return chain.bones.size() >= 4 && segment(0) < SHORT * segment(1);
+        return chain.bones.size() >= 3 && segment(0) < SHORT * segment(1);
     }
 
-    void readLeg(const BoneChain& chain)
+    /// The first joint next to the ground; of a leg that has no foot the number of its bones.
+    size_t footOf(const LimbPair& pair, const BoneChain& chain) const
     {
-        const size_t first = chain.bones.size() >= 5 && startsShort(chain) ? 1 : 0, count = chain.bones.size() - first;
-        // A creature's leg may have more joints between thigh and foot.
-        const size_t foot = legs_.size() > 1 && count > 4 ? count - 2 : 2;
-        for (size_t i = 0; i < count; ++i)
-            call(chain.bones[first + i], i == 0      ? BodyPart::Thigh
-                                         : i < foot  ? BodyPart::Shin
-                                         : i == foot ? BodyPart::Foot
-                                                     : BodyPart::Toe);
-        if (foot < count) callBelow(chain.bones[first + foot], BodyPart::Toe);
+        const float root = tree_.heads[chain.bones.front()].y() - pair.lowest;
+        size_t foot = 2;
+        while (foot < chain.bones.size() && tree_.heads[chain.bones[foot]].y() - pair.lowest > FOOT * root) ++foot;
+        return foot;
+    }
+
+    void readLeg(const LimbPair& pair, const BoneChain& chain, bool fore)
+    {
+        size_t first = chain.bones.size() >= 5 && startsShort(chain) ? 1 : 0, foot = first + 2;
+        if (legs_.size() > 1) {
+            foot = footOf(pair, chain);
+            // A front leg has its shoulder blade, others begin with a short piece.
+            const bool blade = fore && foot >= 3;
+            first = foot >= 3 && (fore || startsShort(chain)) ? 1 : 0;
+            if (first > 0) call(chain.bones[0], blade ? BodyPart::Clavicle : BodyPart::Coxa);
+        }
+        for (size_t i = first; i < chain.bones.size(); ++i) {
+            const BodyPart part = i == first ? BodyPart::Thigh
+                                  : i < foot ? BodyPart::Shin
+                                             : (i == foot ? BodyPart::Foot : BodyPart::Toe);
+            call(chain.bones[i], fore ? ofForeLeg(part) : part);
+        }
+        if (foot < chain.bones.size()) callBelow(chain.bones[foot], BodyPart::Toe);
     }
 
     void readArm(const BoneChain& chain)
@@ -146,10 +163,22 @@ private:
         callBelow(chain.bones[next - 1], BodyPart::Finger);
     }
 
+    /// Of four legs the two next to the head.
+    bool isForeLeg(const LimbPair& pair) const
+    {
+        if (legs_.size() != 2) return false;
+        if (head_ < 0) return &pair == &legs_.back();
+        const LimbPair& other = legs_[&pair == &legs_.front()];
+        const auto away = [&](const LimbPair& p) {
+            return (tree_.heads[p.chains[0].bones.front()] - tree_.heads[head_]).norm();
+        };
+        return away(pair) < away(other);
+    }
+
     void readPairs()
     {
         for (const LimbPair& pair : legs_)
-            for (const BoneChain& chain : pair.chains) readLeg(chain);
+            for (const BoneChain& chain : pair.chains) readLeg(pair, chain, isForeLeg(pair));
         const auto longest = std::ranges::max_element(others_, {}, &LimbPair::length);
         for (auto pair = others_.begin(); pair != others_.end(); ++pair) {
             const bool onTrunk = trunk_[pair->base] || pair->base == pelvis_;

@@ -66,15 +66,15 @@ struct Words {
 };
 
 constexpr Words WORDS[] = {
-    {WordUse::Left, NamedPart::None, "left l lt lf lft lh"},
-    {WordUse::Right, NamedPart::None, "right r rt rf rgt rh"},
+    {WordUse::Left, NamedPart::None, "left l lt lf lft lh fl bl hl"},
+    {WordUse::Right, NamedPart::None, "right r rt rf rgt rh fr br hr"},
     {WordUse::Upper, NamedPart::None, "upper up"},
     {WordUse::Lower, NamedPart::None, "lower low"},
     {WordUse::Fore, NamedPart::None, "fore"},
     {WordUse::Twist, NamedPart::None, "twist roll twst share helper"},
     {WordUse::Piece, NamedPart::None, "part"},
     {WordUse::End, NamedPart::None, "end nub site effector"},
-    {WordUse::Filler, NamedPart::None, "base bone joint jnt bend def skin big small"},
+    {WordUse::Filler, NamedPart::None, "base bone joint jnt bend def skin big small front hind rear"},
     {WordUse::Control, NamedPart::None,
      "ik fk ctrl control controller ctl pole target goal mch org trajectory master mother reference null locator "
      "socket dummy parent groove center centre cog tweak widget cancel armature vb origin pivot aim root"},
@@ -106,12 +106,14 @@ constexpr Words WORDS[] = {
     {WordUse::Part, NamedPart::Finger, "finger thumb pinky pinkie"},
     {WordUse::WeakPart, NamedPart::MaybeFinger, "index middle mid ring little third"},
     {WordUse::Part, NamedPart::Leg, "leg limb"},
+    {WordUse::Part, NamedPart::Coxa, "coxa trochanter"},
     {WordUse::Part, NamedPart::Thigh, "thigh femur"},
-    {WordUse::Part, NamedPart::Shin, "shin calf tibia fibula knee crus"},
-    {WordUse::Part, NamedPart::Foot, "foot feet ankle metatarsal tarsal paw hoof"},
+    {WordUse::Part, NamedPart::Shin, "shin calf tibia fibula knee crus patella stifle"},
+    {WordUse::Part, NamedPart::Foot, "foot feet ankle metatarsal metatarsus tarsal tarsus paw hoof hock cannon"},
     {WordUse::Part, NamedPart::Toe, "toe ball"},
     {WordUse::Part, NamedPart::Tail, "tail"},
     {WordUse::Part, NamedPart::Wing, "wing fin flipper"},
+    {WordUse::Part, NamedPart::Lever, "boom jib dipper bucket lever"},
 };
 
 std::map<std::string_view, Word> makeVocabulary()

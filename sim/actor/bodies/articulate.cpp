@@ -8,10 +8,12 @@
 
 #include "sim/actor/bodies/bone_bodies.h"
 #include "sim/actor/bodies/bone_options.h"
+#include "sim/actor/bodies/fold.h"
 #include "sim/actor/bodies/joint_particles.h"
 #include "sim/actor/bodies/joint_ranges.h"
 #include "sim/actor/bodies/name_pattern.h"
 #include "sim/actor/limbs/limb_fill.h"
+#include "sim/actor/limbs/limb_frame.h"
 #include "sim/world/builder/joints.h"
 #include "sim/world/errors.h"
 
@@ -20,12 +22,12 @@ namespace knuckle {
 namespace {
 
 constexpr float IN_BODY = 1.5f;  // d: a joint is in a body that has a particle as near as this
-constexpr float BENT = 0.15f;    // sine of the rest bend from which a hinge's axis is taken from it
 
 // Which way a figure faces in its rest pose.
 struct Bearings {
     Vector3f left{1, 0, 0};
     Vector3f forward{0, 0, 1};
+    bool upright = true;
 };
 
 /// A model as its joints are planned from it.
@@ -34,6 +36,7 @@ struct Figure {
     const std::vector<BoneAnatomy>& anatomy;
     const std::vector<BodyDraft>& drafts;
     const Voxels& voxels;
+    const std::optional<Mirror>& mirror;
     Bearings bearings = {};
 
     const BoneAnatomy& boneOf(uint32_t body) const { return anatomy[drafts[body].bone]; }
@@ -44,35 +47,27 @@ Bearings bearingsOf(const Model& model, const std::vector<BoneAnatomy>& anatomy)
     Bearings bearings;
     bearings.left = leftOf(model, anatomy);
     bearings.forward = bearings.left.cross(Vector3f::UnitY());
+    bearings.upright = isUpright(model, anatomy);
     return bearings;
 }
 
-// The direction in which the body leaves its joint: towards the next joint, else towards its middle.
-Vector3f directionOf(const std::vector<BodyDraft>& drafts, uint32_t body, const Voxels& voxels)
+/// The direction in which the body leaves its joint: towards the next joint, of a finger's last body towards its next
+/// bone, else towards its middle.
+Vector3f directionOf(const Figure& figure, uint32_t body)
 {
-    Vector3f end = Vector3f::Zero();
-    float count = 0.0f;
-    for (const BodyDraft& draft : drafts) {
-        if (draft.parent == static_cast<int32_t>(body)) {
-            end += draft.anchor;
-            count += 1.0f;
-        }
-    }
-    if (count == 0.0f) {
-        for (uint32_t p : drafts[body].particles) {
-            end += voxels.positions[p];
-        }
-        count = static_cast<float>(drafts[body].particles.size());
-    }
-    const Vector3f along = end / count - drafts[body].anchor;
-    return along.norm() > 1e-3f * voxels.diameter ? Vector3f(along.normalized()) : Vector3f(0, -1, 0);
-}
-
-// Which way a hinge bends: knees back, toes and everything else forward, or up where the limb itself points forward.
-Vector3f bendDirection(BodyPart part, const Vector3f& along, const Bearings& bearings)
-{
-    const Vector3f wanted = part == BodyPart::Shin ? Vector3f(-bearings.forward) : bearings.forward;
-    return std::abs(wanted.dot(along)) < 0.8f ? perpendicular(wanted, along) : perpendicular(Vector3f::UnitY(), along);
+    const BodyDraft& draft = figure.drafts[body];
+    std::vector<Vector3f> ends;
+    for (const BodyDraft& other : figure.drafts)
+        if (other.parent == static_cast<int32_t>(body)) ends.push_back(other.anchor);
+    if (ends.empty() && figure.boneOf(body).part == BodyPart::Finger)
+        if (const std::optional<Vector3f> end = limbEnd(figure.model, figure.anatomy, draft.bone))
+            ends.push_back(draft.anchor + *end - boneHead(figure.model, draft.bone));
+    for (size_t i = 0, all = ends.empty() ? draft.particles.size() : 0; i < all; ++i)
+        ends.push_back(figure.voxels.positions[draft.particles[i]]);
+    Vector3f sum = Vector3f::Zero();
+    for (const Vector3f& end : ends) sum += end;
+    const Vector3f along = sum / static_cast<float>(ends.size()) - draft.anchor;
+    return along.norm() > 1e-3f * figure.voxels.diameter ? Vector3f(along.normalized()) : Vector3f(0, -1, 0);
 }
 
 /// Neck and head share a range, as the segments of a spine do.
@@ -84,22 +79,45 @@ uint32_t segmentsOf(const Figure& figure, BodyPart part)
     return std::max(count, 1u);
 }
 
-/// The limits of a joint of a body, where its type is the one that it has there.
-JointLimits rangeOf(const Figure& figure, const JointPlan& plan)
+LimbStance stanceOf(const Figure& figure, const JointPlan& plan)
 {
     const BodyDraft &draft = figure.drafts[plan.child], &parent = figure.drafts[plan.parent];
     const BoneAnatomy& bone = figure.boneOf(plan.child);
     LimbStance stance;
     stance.part = bone.part;
-    if (!hasRange(stance.part) || rangedType(stance.part) != plan.type) return {};
-    stance.along = plan.type == JointType::Ball ? plan.twistAxis : plan.along;
+    stance.along = plan.along;
     stance.forward = figure.bearings.forward;
     stance.outward = static_cast<float>(bone.side) * figure.bearings.left;
     stance.segments = segmentsOf(figure, stance.part);
+    stance.upright = figure.bearings.upright;
     const Vector3f above = draft.anchor - parent.anchor;
-    if (plan.type == JointType::Hinge && parent.parent >= 0 && above.norm() > 0.0f)
-        stance.bend = std::atan2(plan.along.dot(plan.axis.cross(above.normalized())),
-                                 plan.along.dot(above.normalized()));
+    if (parent.parent >= 0 && above.norm() > figure.voxels.diameter) stance.above = above.normalized();
+    return stance;
+}
+
+/// What clips do with a joint, and with the one on the other side.
+std::vector<Turns> turnsOf(const Figure& figure, const JointPlan& plan)
+{
+    const uint32_t child = figure.drafts[plan.child].bone, parent = figure.drafts[plan.parent].bone;
+    std::vector<Turns> turns = clipTurns(figure.model, child, parent);
+    if (!figure.mirror) return turns;
+    const uint32_t image = figure.mirror->images[child], above = figure.mirror->images[parent];
+    if (image == NO_INDEX || above == NO_INDEX) return turns;
+    for (Turns& others : clipTurns(figure.model, image, above))
+        turns.push_back(mirrored(std::move(others), figure.mirror->plane.across));
+    return turns;
+}
+
+/// The limits of a joint of a body, where its type is the one that it has there.
+JointLimits rangeOf(const Figure& figure, const JointPlan& plan)
+{
+    const BoneAnatomy& bone = figure.boneOf(plan.child);
+    if (bone.source == AnatomySource::Clip && plan.type == JointType::Hinge)
+        return rangeInClips(plan.axis, turnsOf(figure, plan));
+    if (!hasRange(bone.part) || rangedType(bone.part) != plan.type) return {};
+    LimbStance stance = stanceOf(figure, plan);
+    if (plan.type == JointType::Ball) stance.along = plan.twistAxis;
+    if (plan.type == JointType::Hinge) stance.bend = restBend(stance, plan.axis);
     return ordinaryRange(stance);
 }
 
@@ -113,21 +131,10 @@ JointType typeOf(const BoneAnatomy& bone, bool limited)
 /// Which way the joint lies, and about what it turns.
 void placeJoint(const Figure& figure, JointPlan& plan)
 {
-    const BodyDraft &draft = figure.drafts[plan.child], &parent = figure.drafts[plan.parent];
     const BoneAnatomy& bone = figure.boneOf(plan.child);
-    plan.anchor = draft.anchor;
-    plan.along = directionOf(figure.drafts, plan.child, figure.voxels);
-    plan.flexion = bendDirection(bone.part, plan.along, figure.bearings);
-    const Vector3f above = draft.anchor - parent.anchor;
-    if (parent.parent >= 0 && above.norm() > figure.voxels.diameter) {
-        const Vector3f bend = above.normalized().cross(plan.along);
-        const Vector3f deviation = plan.along - plan.along.dot(above.normalized()) * above.normalized();
-        // A limb that is bent at rest shows its hinge's axis, unless it is bent the wrong way (a knee forward). Of a
-        // creature's leg nobody knows which way is wrong.
-        const bool rightWay = deviation.dot(plan.flexion) > 0.5f * deviation.norm();
-        if (bend.norm() > BENT && (rightWay || bone.source == AnatomySource::Shape))
-            plan.flexion = perpendicular(deviation, plan.along);
-    }
+    plan.anchor = figure.drafts[plan.child].anchor;
+    plan.along = directionOf(figure, plan.child);
+    plan.flexion = foldDirection(stanceOf(figure, plan), turnsOf(figure, plan));
     plan.axis = plan.along.cross(plan.flexion).normalized();
     plan.twistAxis = plan.along;
     if (bone.source == AnatomySource::Clip) plan.turnAbout(bone.axis);
@@ -251,7 +258,8 @@ Actor articulate(const Model& model, const Solid& solid, const ActorOptions& opt
 {
     checkBoneNames(model, options.articulation);
     const std::vector<BoneAnatomy> anatomy = readAnatomy(model, rolesWanted(model, options.articulation));
-    const std::optional<Mirror> mirror = findMirror(BoneTree(model));
+    std::optional<Mirror> mirror = findMirror(BoneTree(model));
+    if (mirror) mirror->keepAlike(anatomy);
     Voxels voxels = voxelize(solid, latticeOf(model, mirror, solid, options.voxels));
     Actor actor;
     actor.name = options.name.empty() ? model.name : options.name;
@@ -274,7 +282,7 @@ Actor articulate(const Model& model, const Solid& solid, const ActorOptions& opt
             particles[p].bodies = {b};
         }
     }
-    const Figure figure{model, anatomy, drafts, voxels, bearings};
+    const Figure figure{model, anatomy, drafts, voxels, mirror, bearings};
     for (uint32_t b = 1; b < drafts.size(); ++b)
         addJoints(actor, particles, planJoint(figure, b, options.articulation));
     collect(particles, actor);

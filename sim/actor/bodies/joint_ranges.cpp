@@ -1,8 +1,11 @@
 #include "sim/actor/bodies/joint_ranges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 namespace knuckle {
 
@@ -10,8 +13,10 @@ namespace {
 
 constexpr float DEGREE = std::numbers::pi_v<float> / 180;
 constexpr float SPARE = 5 * DEGREE;
-/// A limit that is wider is none.
-constexpr float WIDEST = 175 * DEGREE;
+constexpr float WIDEST = 175 * DEGREE;  // a limit's end, either way
+constexpr float ROUND = 330 * DEGREE;   // of a clip that goes all the way round
+constexpr float UNSURE = 0.35f;         // cosine of half the swing beyond which the turn about an axis says nothing
+constexpr float MORE = 15 * DEGREE;     // of a hinge than its clips show, beside SPARE
 
 /// A range as tables have it: from straight, the way that it bends.
 TurnRange bendRange(float lowest, float highest, float bend)
@@ -26,6 +31,28 @@ JointLimits cone(const Vector3f& middle, float swing, float twist)
     limits.swing = swing * DEGREE;
     limits.twist = {-twist * DEGREE, twist * DEGREE};
     return limits;
+}
+
+/// A knee of a creature folds 40 degrees at least, and goes half of the way to straight.
+TurnRange creatureBend(const LimbStance& s)
+{
+    const float bend = s.bend / DEGREE, back = std::min(bend, std::max(20.0f, bend / 2));
+    return bendRange(bend - back, std::max(140.0f, bend + 40), s.bend);
+}
+
+/// What swings otherwise than that of an upright figure.
+std::optional<JointLimits> ofCreature(const LimbStance& s)
+{
+    JointLimits limits;
+    switch (s.part) {
+        case BodyPart::UpperArm:
+        case BodyPart::Thigh: return cone(s.along, 50, 20);
+        case BodyPart::Hand:
+        case BodyPart::Foot: return cone(s.along, 40, 15);
+        case BodyPart::Forearm:
+        case BodyPart::Shin: limits.bend = creatureBend(s); return limits;
+        default: return {};
+    }
 }
 
 JointLimits ofPart(const LimbStance& s)
@@ -52,22 +79,45 @@ JointLimits ofPart(const LimbStance& s)
         // 20 up, 50 down.
         case BodyPart::Foot: return cone(s.along - 0.27f * up, 35, 25);
         case BodyPart::Toe: limits.bend = bendRange(-40, 70, 0); return limits;
+        case BodyPart::Finger: limits.bend = bendRange(-20, 100, s.bend); return limits;
+        case BodyPart::Lever: limits.bend = bendRange(-60, 60, 0); return limits;
         case BodyPart::Tail: return cone(s.along, 30, 15);
+        case BodyPart::Coxa: return cone(s.along, 30, 20);
+        case BodyPart::Wing: return cone(s.along, 60, 30);
         default: return limits;
     }
-}
-
-/// An angle that becomes a range's end where it leaves it.
-void widen(TurnRange& range, float angle)
-{
-    range.lowest = std::min(range.lowest, angle - SPARE);
-    range.highest = std::max(range.highest, angle + SPARE);
-    if (range.lowest < -WIDEST || range.highest > WIDEST) range = {};
 }
 
 float turnAbout(const Vector3f& axis, const Quaternionf& turn)
 {
     return std::remainder(2 * std::atan2(turn.vec().dot(axis), turn.w()), 2 * std::numbers::pi_v<float>);
+}
+
+/// The angles about an axis of turns that follow each other, which may be beyond half a turn. @param near the first.
+std::optional<TurnRange> anglesOf(const Vector3f& axis, std::span<const Quaternionf> turns, float near)
+{
+    std::optional<TurnRange> range;
+    for (const Quaternionf& turn : turns) {
+        if (std::hypot(turn.w(), turn.vec().dot(axis)) < UNSURE) continue;
+        near += std::remainder(turnAbout(axis, turn) - near, 2 * std::numbers::pi_v<float>);
+        if (!range) range = {near, near};
+        range->lowest = std::min(range->lowest, near);
+        range->highest = std::max(range->highest, near);
+    }
+    return range;
+}
+
+void widen(TurnRange& range, const Vector3f& axis, std::span<const Quaternionf> turns)
+{
+    if (!range.bounded()) return;
+    const std::optional<TurnRange> angles = anglesOf(axis, turns, 0.5f * (range.lowest + range.highest));
+    if (!angles) return;
+    if (angles->highest - angles->lowest > ROUND) {
+        range = {};
+        return;
+    }
+    range.lowest = std::max(std::min(range.lowest, angles->lowest - SPARE), -WIDEST);
+    range.highest = std::min(std::max(range.highest, angles->highest + SPARE), WIDEST);
 }
 
 bool isNarrow(const TurnRange& range)
@@ -93,19 +143,34 @@ void becomeStiff(JointPlan& plan)
 
 bool hasRange(BodyPart part)
 {
-    return part != BodyPart::Other && part != BodyPart::Hips && part != BodyPart::Finger && part != BodyPart::Wing;
+    return part != BodyPart::Other && part != BodyPart::Hips;
 }
 
 JointType rangedType(BodyPart part)
 {
-    const bool hinge = part == BodyPart::Forearm || part == BodyPart::Shin || part == BodyPart::Toe;
-    return hinge ? JointType::Hinge : JointType::Ball;
+    return jointTypeOf(part) == JointType::Hinge ? JointType::Hinge : JointType::Ball;
 }
 
 JointLimits ordinaryRange(const LimbStance& stance)
 {
-    JointLimits limits = ofPart(stance);
-    if (limits.any()) takeIn(limits, rangedType(stance.part), stance.along, Quaternionf::Identity());
+    const std::optional<JointLimits> creatures = stance.upright ? std::nullopt : ofCreature(stance);
+    JointLimits limits = creatures ? *creatures : ofPart(stance);
+    const std::array rest{Quaternionf::Identity()};
+    takeIn(limits, rangedType(stance.part), stance.along, rest);
+    return limits;
+}
+
+JointLimits rangeInClips(const Vector3f& axis, std::span<const std::vector<Quaternionf>> clips)
+{
+    JointLimits limits;
+    TurnRange range{0.0f, 0.0f};
+    for (const std::vector<Quaternionf>& turns : clips) {
+        const TurnRange angles = anglesOf(axis, turns, 0.0f).value_or(range);
+        range.lowest = std::min(range.lowest, angles.lowest - SPARE);
+        range.highest = std::max(range.highest, angles.highest + SPARE);
+    }
+    if (range.lowest < -WIDEST || range.highest > WIDEST) return limits;
+    limits.bend = {std::max(range.lowest - MORE, -WIDEST), std::min(range.highest + MORE, WIDEST)};
     return limits;
 }
 
@@ -133,20 +198,36 @@ void lockNarrowRanges(JointPlan& plan)
     }
 }
 
-void takeIn(JointLimits& limits, JointType type, const Vector3f& axis, const Quaternionf& turn)
+void takeIn(JointLimits& limits, JointType type, const Vector3f& axis, std::span<const Quaternionf> turns)
 {
     if (!limits.any()) return;
-    if (type == JointType::Hinge) return widen(limits.bend, turnAbout(axis, turn));
+    if (type == JointType::Hinge) return widen(limits.bend, axis, turns);
     if (type != JointType::Ball) return;
     const Vector3f middle = limits.cone.isZero() ? axis : limits.cone.normalized();
-    if (limits.swing < std::numbers::pi_v<float>) {
+    // What is left of a turn when the axis has swung to the middle of its cone.
+    const Quaternionf lean = Quaternionf::FromTwoVectors(axis, middle);
+    std::vector<Quaternionf> twists;
+    for (const Quaternionf& turn : turns) {
+        twists.push_back(lean.conjugate() * turn);
         const Vector3f now = turn * axis;
         limits.swing = std::max(limits.swing, std::atan2(middle.cross(now).norm(), middle.dot(now)) + SPARE);
-        if (limits.swing > WIDEST) limits.swing = std::numbers::pi_v<float>;
     }
-    // What is left of the turn when the axis has swung to the middle of its cone.
-    const Quaternionf lean = Quaternionf::FromTwoVectors(axis, middle);
-    if (limits.twist.bounded()) widen(limits.twist, turnAbout(axis, lean.conjugate() * turn));
+    if (limits.swing > WIDEST) limits.swing = std::numbers::pi_v<float>;
+    widen(limits.twist, axis, twists);
+}
+
+void leanTo(JointLimits& limits, const Vector3f& axis, std::span<const Quaternionf> turns)
+{
+    if (limits.swing >= WIDEST) return;
+    Vector3f middle = limits.cone.isZero() ? axis : limits.cone.normalized();
+    for (const Quaternionf& turn : turns) {
+        const Vector3f now = turn * axis, about = middle.cross(now);
+        const float beyond = std::atan2(about.norm(), middle.dot(now)) + SPARE - limits.swing;
+        if (beyond <= 0.0f || about.isZero()) continue;
+        limits.swing += 0.5f * beyond;
+        middle = Eigen::AngleAxisf(0.5f * beyond, about.normalized()) * middle;
+        limits.cone = middle;
+    }
 }
 
 }  // namespace knuckle

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "sim/actor/bodies/clip_ranges.h"
 #include "sim/actor/bodies/resolution.h"
 #include "sim/world/errors.h"
 
@@ -130,6 +131,7 @@ Actor makeActor(const Model& model, const ActorOptions& options)
     Actor actor = byLimbs ? actorByLimbs(model, solid, options, limbDiameter(limbs))
                           : actorOf(model, solid, options, options.voxels.diameter);
     if (options.particleCount > 0) actor = actorOfCount(model, solid, options, options.particleCount, actor.diameter);
+    takeInClips(model, options.articulation, actor);
     noteThinLimbs(model, limbs, actor);
     return actor;
 }

@@ -228,12 +228,18 @@ ActorClip foreignClip(const Actor& actor, const Model& source, const Clip& clip)
     return out;
 }
 
+std::vector<Quaternionf> turnsOf(const BodyClip& clip, uint32_t body)
+{
+    std::vector<Quaternionf> turns;
+    for (uint32_t k = 0; k < clip.keyCount(); ++k) turns.push_back(clip.turns[size_t{k} * clip.bodyCount + body]);
+    return turns;
+}
+
 void takeIn(Actor& actor, const BodyClip& clip)
 {
     for (ActorJoint& joint : actor.joints) {
         const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
-        for (uint32_t k = 0; k < clip.keyCount(); ++k)
-            takeIn(joint.limits, type, joint.axis, clip.turns[size_t{k} * clip.bodyCount + joint.child]);
+        takeIn(joint.limits, type, joint.axis, turnsOf(clip, joint.child));
     }
     for (const auto& pair : overlapsIn(actor, clip)) actor.passes.push_back(pair);
 }

@@ -27,6 +27,9 @@ ActorClip ownClip(const Actor& actor, const Model& model, const Clip& clip);
 /// the hips, and the way begins where the actor stands. @throws InputError where no bone fits, with names of both.
 ActorClip foreignClip(const Actor& actor, const Model& source, const Clip& clip);
 
+/// Of one body against the one that it hangs on, key by key.
+std::vector<Quaternionf> turnsOf(const BodyClip& clip, uint32_t body);
+
 /// Makes an actor fit for a clip: widens its joints' limits so that they take in every turn of it, with 5 degrees to
 /// spare, and lets bodies that overlap in most of it never touch.
 void takeIn(Actor& actor, const BodyClip& clip);

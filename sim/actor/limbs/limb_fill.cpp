@@ -33,6 +33,7 @@ bool isLimb(BodyPart part)
         case BodyPart::Shin:
         case BodyPart::Tail:
         case BodyPart::Wing:
+        case BodyPart::Lever:
         case BodyPart::Other: return true;
         default: return false;
     }

@@ -65,6 +65,18 @@ int Mirror::axis() const
     return plane.across.cwiseAbs().maxCoeff(&axis) > LEVEL ? static_cast<int>(axis) : -1;
 }
 
+void Mirror::keepAlike(std::span<const BoneAnatomy> anatomy)
+{
+    std::vector<uint32_t> unlike;
+    for (uint32_t b = 0; b < images.size(); ++b) {
+        const uint32_t image = images[b], owner = anatomy[b].owner;
+        if (image == NO_INDEX || images[owner] == anatomy[image].owner) continue;
+        for (const uint32_t bone : {b, image, owner, anatomy[image].owner})
+            if (images[bone] != bone) unlike.push_back(bone);
+    }
+    for (const uint32_t bone : unlike) images[bone] = NO_INDEX;
+}
+
 std::optional<Mirror> findMirror(const BoneTree& tree)
 {
     const std::optional<MirrorPlane> plane = findMirrorPlane(tree);
@@ -99,8 +111,9 @@ void mirrorParticles(const Solid& solid, const Mirror& mirror, const std::vector
         } else {
             const float there = solid.signedDistance(image);
             const bool alike = std::abs(there - voxels.signedDistances[p]) < ALIKE * d;
-            if (alike && side < 0.0f) continue;
-            if (alike && mirror.images[bone] != NO_INDEX) {
+            const bool mirrors = alike && mirror.images[bone] != NO_INDEX;
+            if (mirrors && side < 0.0f) continue;
+            if (mirrors) {
                 kept.push_back(static_cast<uint32_t>(voxels.positions.size()));
                 keptBones.push_back(mirror.images[bone]);
                 voxels.add(solid, image);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "sim/actor/anatomy/anatomy.h"
 #include "sim/actor/anatomy/mirror_plane.h"
 #include "sim/actor/mesh/voxelize.h"
 
@@ -15,6 +17,8 @@ struct Mirror {
 
     /// The axis that the plane is across, where it is one; -1.
     int axis() const;
+    /// Bones whose limbs are not each other's images have none: somebody wants one side otherwise.
+    void keepAlike(std::span<const BoneAnatomy> anatomy);
 };
 
 /// None for a skeleton without symmetry.

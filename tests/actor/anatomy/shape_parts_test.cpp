@@ -68,7 +68,9 @@ Nameless creature(int pairs)
     for (int pair = 0; pair < pairs; ++pair) {
         const float z = -0.5f + 0.4f * static_cast<float>(pair);
         if (pair > 0) trunk = rig.chain(int32_t(trunk), {{0, 0.62f, z - 0.2f}, {0, 0.62f, z}}, {"spine", "spine"});
-        rig.limbs(trunk, {{0.12f, 0.55f, z}, {0.13f, 0.3f, z + 0.05f}, {0.13f, 0.05f, z}}, {"thigh", "shin", "foot"});
+        const bool fore = pairs == 2 && pair == 1;
+        const std::vector<std::string> leg = {"thigh", "shin", "foot"}, arm = {"upperArm", "forearm", "hand"};
+        rig.limbs(trunk, {{0.12f, 0.55f, z}, {0.13f, 0.3f, z + 0.05f}, {0.13f, 0.05f, z}}, fore ? arm : leg);
     }
     rig.chain(int32_t(trunk), {{0, 0.7f, 0.6f}, {0, 0.8f, 0.7f}}, {"neck", "head"});
     return rig;
@@ -80,7 +82,7 @@ const std::map<std::string, BodyPart> PARTS = {
     {"thigh", BodyPart::Thigh},     {"shin", BodyPart::Shin},         {"foot", BodyPart::Foot},
     {"toe", BodyPart::Toe},         {"tail", BodyPart::Tail},         {"", BodyPart::Other},
     {"forearm", BodyPart::Forearm}, {"upperArm", BodyPart::UpperArm}, {"wing", BodyPart::Wing},
-    {"finger", BodyPart::Finger}};
+    {"finger", BodyPart::Finger},   {"coxa", BodyPart::Coxa}};
 
 void expectRead(const Rig& rig)
 {
@@ -120,6 +122,38 @@ TEST(ShapeParts, WhatForksAtTheHandsIsFingers)
 TEST(ShapeParts, ACreatureHasMoreLegsAndATail)
 {
     for (const int pairs : {2, 3, 4}) expectRead(creature(pairs));
+}
+
+/// Eight legs that begin with a short piece, rise to the knee and have their tips, not their last heads, on the ground.
+TEST(ShapeParts, LegsOfASpiderEndInTheirShins)
+{
+    for (const bool feet : {false, true}) {
+        Nameless rig;
+        const uint32_t trunk = rig.node(-1, {0, 0.3f, 0}, "hips");
+        for (const float z : {-0.3f, -0.1f, 0.1f, 0.3f}) {
+            std::vector<Vector3f> leg = {{0.1f, 0.3f, z}, {0.16f, 0.3f, z}, {0.4f, 0.5f, z}};
+            std::vector<std::string> parts = {"coxa", "thigh", "shin"};
+            if (feet) leg.emplace_back(0.58f, 0.04f, z), parts.emplace_back("foot");
+            rig.limbs(trunk, leg, parts);
+        }
+        rig.chain(int32_t(trunk), {{0, 0.35f, 0.45f}, {0, 0.35f, 0.55f}}, {"neck", "head"});
+        for (uint32_t v = 0; v < rig.model.vertices.size(); ++v)
+            if (rig.expected[v] == "shin" && !feet) rig.model.vertices[v] += Vector3f(0, -0.5f, 0);
+        expectRead(rig);
+    }
+}
+
+TEST(ShapeParts, ALongFrontLegBeginsWithItsBlade)
+{
+    Nameless rig;
+    const uint32_t hips = rig.node(-1, {0, 0.5f, -0.3f}, "hips");
+    rig.limbs(hips, {{0.1f, 0.48f, -0.3f}, {0.1f, 0.3f, -0.2f}, {0.1f, 0.2f, -0.4f}, {0.1f, 0.05f, -0.35f}},
+              {"thigh", "shin", "shin", "foot"});
+    const uint32_t chest = rig.chain(int32_t(hips), {{0, 0.52f, -0.1f}, {0, 0.52f, 0.1f}}, {"spine", "spine"});
+    rig.limbs(chest, {{0.1f, 0.55f, 0.2f}, {0.1f, 0.42f, 0.28f}, {0.1f, 0.3f, 0.2f}, {0.1f, 0.06f, 0.22f}},
+              {"clavicle", "upperArm", "forearm", "hand"});
+    rig.chain(int32_t(chest), {{0, 0.6f, 0.35f}, {0, 0.7f, 0.45f}}, {"neck", "head"});
+    expectRead(rig);
 }
 
 TEST(ShapeParts, APairThatLeavesACreaturesTrunkAboveTheGroundIsWings)

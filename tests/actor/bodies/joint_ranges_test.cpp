@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "sim/actor/bodies/joint_ranges.h"
 
@@ -54,19 +56,19 @@ TEST(JointRanges, WhatAClipDoesIsTakenInWithFiveDegreesToSpare)
 {
     JointLimits hinge;
     hinge.bend = {-0.1f, 1.0f};
-    takeIn(hinge, JointType::Hinge, {0, 0, 1}, turn(40, {0, 0, 1}));
+    takeIn(hinge, JointType::Hinge, {0, 0, 1}, std::array{turn(40, {0, 0, 1})});
     EXPECT_EQ(hinge.bend.highest, 1.0f);
-    takeIn(hinge, JointType::Hinge, {0, 0, 1}, turn(-60, {0, 0, 1}));
+    takeIn(hinge, JointType::Hinge, {0, 0, 1}, std::array{turn(-60, {0, 0, 1})});
     EXPECT_NEAR(hinge.bend.lowest, -65 * DEGREE, 1e-5f);
 
     JointLimits ball;
     ball.swing = 20 * DEGREE;
     ball.twist = {-10 * DEGREE, 10 * DEGREE};
-    takeIn(ball, JointType::Ball, {0, 1, 0}, turn(50, {1, 0, 0}) * turn(30, {0, 1, 0}));
+    takeIn(ball, JointType::Ball, {0, 1, 0}, std::array{turn(50, {1, 0, 0}) * turn(30, {0, 1, 0})});
     EXPECT_NEAR(ball.swing, 55 * DEGREE, 1e-5f);
     EXPECT_NEAR(ball.twist.highest, 35 * DEGREE, 1e-5f);
     EXPECT_NEAR(ball.twist.lowest, -10 * DEGREE, 1e-5f);
-    takeIn(ball, JointType::Ball, {0, 1, 0}, turn(178, {1, 0, 0}));
+    takeIn(ball, JointType::Ball, {0, 1, 0}, std::array{turn(178, {1, 0, 0})});
     EXPECT_EQ(ball.swing, static_cast<float>(M_PI)) << "all the way round is no limit";
 }
 
@@ -114,9 +116,79 @@ TEST(JointRanges, LessThanFiveDegreesIsALockedAxis)
     EXPECT_EQ(springy.type, JointType::Hinge) << "a spring behind a limit is to be felt";
 }
 
+/// About z, in steps of 30 degrees.
+std::vector<Quaternionf> turning(float from, float to)
+{
+    std::vector<Quaternionf> turns;
+    const float step = to > from ? 30.0f : -30.0f;
+    for (float degrees = from; (to - degrees) * step >= 0.0f; degrees += step)
+        turns.push_back(turn(degrees, {0, 0, 1}));
+    return turns;
+}
+
+TEST(JointRanges, OnlyWhatGoesRoundInAClipHasNoLimits)
+{
+    const auto after = [](const std::vector<Quaternionf>& turns) {
+        JointLimits elbow;
+        elbow.bend = {-5 * DEGREE, 146 * DEGREE};
+        takeIn(elbow, JointType::Hinge, {0, 0, 1}, turns);
+        return elbow.bend;
+    };
+    // -175 degrees are 185 for an elbow: a little more than it has.
+    EXPECT_NEAR(after({turn(-175, {0, 0, 1})}).lowest, -5 * DEGREE, 1e-5f);
+    EXPECT_NEAR(after({turn(-175, {0, 0, 1})}).highest, 175 * DEGREE, 1e-5f);
+    EXPECT_NEAR(after(turning(0, 150)).highest, 155 * DEGREE, 1e-4f);
+    EXPECT_NEAR(after(turning(0, 240)).highest, 175 * DEGREE, 1e-5f);
+    EXPECT_NEAR(after(turning(0, 240)).lowest, -5 * DEGREE, 1e-5f);
+    EXPECT_FALSE(after(turning(0, 360)).bounded());
+    EXPECT_FALSE(after(turning(180, -180)).bounded());
+    // A swing of half a turn says nothing of the turn about the axis.
+    EXPECT_NEAR(after({turn(178, {1, 0.02f, 0.02f})}).highest, 146 * DEGREE, 1e-5f);
+}
+
+TEST(JointRanges, AConeLeansToWhereAClipGoes)
+{
+    JointLimits paw;
+    paw.swing = 40 * DEGREE;
+    const Vector3f down(0, -1, 0);
+    leanTo(paw, down, std::array{turn(30, {1, 0, 0})});
+    EXPECT_NEAR(paw.swing, 40 * DEGREE, 1e-5f);
+    EXPECT_TRUE(paw.cone.isZero());
+    leanTo(paw, down, std::array{turn(95, {1, 0, 0})});
+    // From 40 on the one side to 100 on the other.
+    EXPECT_NEAR(paw.swing, 70 * DEGREE, 1e-4f);
+    EXPECT_LT((paw.cone - turn(30, {1, 0, 0}) * down).norm(), 1e-4f);
+}
+
+TEST(JointRanges, OfAHingeThatOnlyClipsShowTheyAreTheRange)
+{
+    const Vector3f z(0, 0, 1);
+    const std::vector<std::vector<Quaternionf>> lid{turning(0, 60), turning(0, -30)}, wheel{turning(0, 300)};
+    const TurnRange opens = rangeInClips(z, lid).bend;
+    EXPECT_NEAR(opens.lowest, -50 * DEGREE, 1e-4f);
+    EXPECT_NEAR(opens.highest, 80 * DEGREE, 1e-4f);
+    EXPECT_FALSE(rangeInClips(z, wheel).any());
+}
+
+TEST(JointRanges, ACreaturesLegsSwingAboutWhereTheyAre)
+{
+    const Vector3f along = Vector3f(0, -1, 0.8f).normalized();
+    const JointLimits leg = ordinaryRange({.part = BodyPart::UpperArm, .along = along, .upright = false});
+    EXPECT_LT((leg.cone - along).norm(), 1e-5f);
+    EXPECT_NEAR(leg.swing, 50 * DEGREE, 1e-5f);
+    // A knee that is bent by 62 degrees goes half of the way back, one by 120 folds 40 more.
+    const auto knee = [](float bend) {
+        return ordinaryRange({.part = BodyPart::Shin, .bend = bend * DEGREE, .upright = false}).bend;
+    };
+    EXPECT_NEAR(knee(62).lowest, -31 * DEGREE, 1e-5f);
+    EXPECT_NEAR(knee(62).highest, 78 * DEGREE, 1e-5f);
+    EXPECT_NEAR(knee(120).highest, 40 * DEGREE, 1e-5f);
+    EXPECT_NEAR(knee(0).lowest, -5 * DEGREE, 1e-5f);
+}
+
 TEST(JointRanges, WhatIsNoPartOfABodyHasNone)
 {
-    for (const BodyPart part : {BodyPart::Other, BodyPart::Hips, BodyPart::Finger}) {
+    for (const BodyPart part : {BodyPart::Other, BodyPart::Hips}) {
         EXPECT_FALSE(hasRange(part));
         EXPECT_FALSE(ordinaryRange({.part = part}).any());
     }

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "sim/actor/import/model.h"
+
+namespace knuckle {
+
+/// A wooden crate of 0.27 m about the origin: planks within a frame, braces across its four upright sides. One bone,
+/// and closed shells that lie in each other.
+Model makeCrate();
+
+}  // namespace knuckle
