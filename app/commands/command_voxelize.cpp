@@ -56,7 +56,7 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     import.fit = options.fit;
     import.fit.up = options.up == "z" ? UpAxis::Z : UpAxis::Y;
     import.fit.centering = options.center ? Centering::Always : Centering::WhereFar;
-    import.surface = !options.preview.empty();
+    import.surface = true;  // what of its looks cannot be had is told
     ActorOptions actorOptions;
     actorOptions.voxels.diameter = static_cast<float>(options.diameter);
     actorOptions.particleCount = options.particles;

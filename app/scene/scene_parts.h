@@ -42,7 +42,8 @@ struct SceneContext {
     std::map<std::string, std::shared_ptr<const SkinMesh>> skins = {};  ///< The same.
     std::map<std::string, uint32_t> clips = {};                         ///< Indices by actor, file and name.
     std::vector<SceneActor> actorUses = {};
-    std::vector<std::string> notes = {};  ///< For the user: what of the scene is not as it says.
+    std::vector<std::string> notes = {};     ///< For the user: what of the scene is not as it says.
+    std::vector<std::string> warnings = {};  ///< Of that what a run tells, too: Scene::warnings.
     std::map<std::string, std::vector<ParticleRange>> particles = {};  ///< But fluids', by name of object or copy.
     std::vector<std::string> objectNames = {};                         ///< Without those of copies.
     std::vector<PendingTouch> touches = {};

@@ -75,12 +75,32 @@ TEST(SceneSkin, AnActorFileSaysWhereItsMeshIs)
                   "\"particles\"");
     const Scene bare = loadScene(folder.write("scene.json", actorOf("nameless.json", "auto")));
     EXPECT_TRUE(bare.world.skins.empty());
-    ASSERT_EQ(bare.notes.size(), 1u);
-    EXPECT_TRUE(bare.notes[0].starts_with("/objects/0: its particles are drawn: ")) << bare.notes[0];
+    EXPECT_TRUE(bare.notes.empty());
+    ASSERT_EQ(bare.warnings.size(), 1u);
+    EXPECT_TRUE(bare.warnings[0].starts_with("/objects/0: its particles are drawn: ")) << bare.warnings[0];
     std::filesystem::remove(folder.path("cube.obj"));
     EXPECT_EQ(complaint(folder, "actors/cube.json"), "/objects/0/skin: " + folder.path("actors/cube.json") +
                                                          " was made of " + folder.path("cube.obj") +
                                                          ", which is not there; put it there, or take \"particles\"");
+}
+
+TEST(SceneSkin, ADamagedModelBehindAnActorFileLeavesItsParticles)
+{
+    const TempFolder folder;
+    folder.write("cube.obj", CUBE);
+    Actor actor = makeActor(importModel(folder.path("cube.obj")),
+                            {.name = {}, .voxels = {.diameter = 0.05f}, .articulation = {}});
+    actor.model = {folder.path("cube.obj"), {}};
+    writeActor(folder.path("cube.json"), actor);
+    folder.write("cube.obj", "v 0 0\n");
+    const Scene scene = loadScene(folder.write("scene.json", actorOf("cube.json", "auto")));
+    EXPECT_TRUE(scene.world.skins.empty());
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(scene.warnings[0].starts_with("/objects/0: its particles are drawn: " + folder.path("cube.obj")))
+        << scene.warnings[0];
+    const std::string wanted = complaint(folder, "cube.json");
+    EXPECT_TRUE(wanted.starts_with("/objects/0/skin: " + folder.path("cube.obj"))) << wanted;
+    EXPECT_TRUE(wanted.ends_with(", or take \"particles\"")) << wanted;
 }
 
 TEST(SceneSkin, WhatOfATextureCannotBeHadIsANote)

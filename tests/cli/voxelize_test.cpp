@@ -57,6 +57,16 @@ TEST_F(Voxelize, TellsEveryDecisionAndWhy)
     has("clip:", "dance, 8.00 s");
 }
 
+TEST_F(Voxelize, TellsWhatOfItsLooksIsMissing)
+{
+    folder.write("ramp.obj", "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n"
+                             "f 1 4 3\n");
+    const std::string missing = "\nnote: Material file 'gone.mtl' is not beside the model: drawn plain.\n";
+    EXPECT_NE(run({"voxelize", "ramp.obj"}).out.find(missing), std::string::npos);
+    folder.write("gone.mtl", "newmtl a\nmap_Kd paint.png\n");
+    EXPECT_EQ(run({"voxelize", "ramp.obj"}).out.find(missing), std::string::npos);
+}
+
 /// In a part of a picture, the rows and columns of what is colourful, as the figure is and the ground is not.
 struct Extent {
     uint32_t left = 10000, right = 0, top = 10000, bottom = 0;
