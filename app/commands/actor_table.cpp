@@ -38,7 +38,8 @@ using Names = std::vector<std::string>;
 class BoneFacts {
 public:
     BoneFacts(const Model& model, const ArticulationOptions& options)
-        : options_(options), wanted_(rolesWanted(model, options)), anatomy_(readAnatomy(model, wanted_))
+        : options_(options), wanted_(rolesWanted(model, options)), isSplit_(model.isSplit),
+          anatomy_(model.isSplit ? std::vector<BoneAnatomy>(model.bones.size()) : readAnatomy(model, wanted_))
     {
         for (uint32_t b = 0; b < model.bones.size(); ++b) bones_.try_emplace(model.bones[b].name, b);
     }
@@ -48,6 +49,7 @@ public:
     {
         const auto bone = find(name);
         if (!bone) return {};
+        if (isSplit_) return "part";
         const BoneAnatomy& anatomy = anatomy_[*bone];
         const char* side = anatomy.side > 0 ? ", left" : anatomy.side < 0 ? ", right" : "";
         Names by;
@@ -81,6 +83,7 @@ private:
 
     const ArticulationOptions& options_;
     std::map<uint32_t, BoneRole> wanted_;
+    bool isSplit_;
     std::vector<BoneAnatomy> anatomy_;
     std::map<std::string, uint32_t> bones_;
 };

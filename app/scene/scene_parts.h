@@ -115,6 +115,9 @@ ClipPlay readObjectMotion(const ObjectEntry& entry);
 /// By what an actor or a mesh differs from others. @param diameter of its particles [m].
 std::string actorKey(const SceneContext& context, const Json& object, const std::string& file, float diameter);
 
+/// The model in a file as an object wants it: an actor one skeleton of it, anything else all that there is.
+ModelSource modelOf(const Json& object, const std::string& file);
+
 /// A model with its clips, read at most once. @param surface see ImportOptions.
 const Model& modelWithClips(SceneContext& context, const ModelSource& source, bool surface = false);
 

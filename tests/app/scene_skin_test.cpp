@@ -1,5 +1,6 @@
 #include "app/files/actor_file.h"
 #include "sim/actor/bodies/make_actor.h"
+#include "sim/actor/gltf/glb.h"
 #include "tests/app/one_object_scene.h"
 
 namespace knuckle::test {
@@ -101,6 +102,25 @@ TEST(SceneSkin, ADamagedModelBehindAnActorFileLeavesItsParticles)
     const std::string wanted = complaint(folder, "cube.json");
     EXPECT_TRUE(wanted.starts_with("/objects/0/skin: " + folder.path("cube.obj"))) << wanted;
     EXPECT_TRUE(wanted.ends_with(", or take \"particles\"")) << wanted;
+}
+
+TEST(SceneSkin, OfTwoFiguresInAFileASceneTakesOne)
+{
+    const TempFolder folder;
+    const Model model = importModel(inSource("assets/models/humanoid.glb"), {.clips = false, .surface = true});
+    folder.write("pair.glb", toGlb(std::vector{model, model}));
+    EXPECT_EQ(complaint(folder, "pair.glb"), "/objects/0/skeleton: " + folder.path("pair.glb") +
+                                                 ": it holds 2 skeletons: hips (19 bones), hips#2 (19 bones); give the "
+                                                 "name of one, or \"*\" for all as one");
+    const World world = loadScene(folder.write("scene.json", R"({ "diameter": 0.1, "objects": [
+        { "type": "actor", "file": "pair.glb", "skeleton": "hips" },
+        { "type": "actor", "file": "pair.glb", "skeleton": "*", "position": [0, 0, 3] },
+        { "type": "rigid", "shape": "mesh", "file": "pair.glb", "position": [0, 0, 6] }] })"))
+                            .world;
+    ASSERT_EQ(world.skins.size(), 3u);
+    EXPECT_EQ(world.skins[0].mesh->triangles.size(), model.triangles.size());
+    EXPECT_EQ(world.skins[1].mesh->triangles.size(), 2 * model.triangles.size());
+    EXPECT_EQ(world.skins[2].mesh->triangles.size(), 2 * model.triangles.size());
 }
 
 TEST(SceneSkin, WhatOfATextureCannotBeHadIsANote)

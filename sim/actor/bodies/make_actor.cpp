@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "sim/actor/bodies/part_bodies.h"
 #include "sim/actor/bodies/resolution.h"
 #include "sim/world/errors.h"
 
@@ -23,7 +24,7 @@ constexpr float THIN = 2.0f;  // particles across a limb
 Actor actorOf(const Model& model, const Solid& solid, ActorOptions options, float diameter)
 {
     options.voxels.diameter = diameter;
-    return articulate(model, solid, options);
+    return model.isSplit ? partBodies(model, solid, options) : articulate(model, solid, options);
 }
 
 /// Nothing where not one particle fits.
