@@ -98,7 +98,7 @@ void addVoxelizeCommand(CommandLine line)
         "Reads glTF, FBX, Collada, BVH and what else assimp knows. Prints a table of the bodies, their particles, "
         "joints\n"
         "and how far these turn, what each bone was taken for and by what (its name, the skeleton's shape, clips,\n"
-        "options), which bones were merged and why; then the size, the pose, and the clips that a scene can play.\n"
+        "options); then the size, the pose, the clips that a scene can play, and which bones were merged and why.\n"
         "Without --diameter or --particles, limbs are two to three particles thick, as far as 800 to 4000 particles "
         "do\n"
         "that; a model without a skeleton has particles of 3 % of its longest side.\n\n"

@@ -10,6 +10,7 @@
 
 #include "sim/actor/bodies/part_bodies.h"
 #include "sim/actor/bodies/resolution.h"
+#include "sim/actor/bodies/short_list.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -90,16 +91,16 @@ Actor actorOfCount(const Model& model, const Solid& solid, const ActorOptions& o
 /// Tells which limbs are less than two particles thick.
 void noteThinLimbs(const Model& model, std::span<const LimbThickness> limbs, Actor& actor)
 {
-    std::string names;
+    std::vector<std::string> names;
     float thinnest = std::numeric_limits<float>::max();
     for (const LimbThickness& limb : limbs) {
         if (limb.thickness >= THIN * actor.diameter) continue;
-        names += (names.empty() ? "" : ", ") + model.bones[limb.bone].name;
+        names.push_back(model.bones[limb.bone].name);
         thinnest = std::min(thinnest, limb.thickness);
     }
     if (!names.empty())
-        actor.notes.push_back(fmt::format("Less than two particles thick: {}; --diameter {:.2g} gives them two.", names,
-                                          thinnest / THIN));
+        actor.notes.push_back(fmt::format("Less than two particles thick: {}; --diameter {:.2g} gives them two.",
+                                          shortList(names), thinnest / THIN));
 }
 
 /// The number of particles that a model has at a diameter, from that at another: as its volume says.
