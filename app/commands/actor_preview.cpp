@@ -32,7 +32,7 @@ World previewWorld(const Actor& actor, const Model& model)
     builder.addCollider(ground);
     const std::array objects{addActor(builder, actor, material, {})};
     if (!model.surface.vertices.empty())
-        builder.addSkin(std::make_shared<const SkinMesh>(makeSkinMesh(actor, model)), objects, false);
+        builder.addSkin(std::make_shared<const SkinMesh>(makeSkinMesh(actor, model)), objects, SkinUse::Cover);
     return builder.build();
 }
 
@@ -78,7 +78,8 @@ Image drawPreview(const Actor& actor, const Model& model, const CommonOptions& c
 {
     const World world = previewWorld(actor, model);
     const std::vector<Vector3f> points = shownPoints(actor, model);
-    const Vector3f left = leftOf(model, readAnatomy(model)), front = left.cross(Vector3f::UnitY());
+    const Vector3f left = model.isSplit ? Vector3f::UnitX() : leftOf(model, readAnatomy(model)),
+                   front = left.cross(Vector3f::UnitY());
     const float radius = 0.5f * actor.diameter;
     const std::array sides{viewFrom(front, points, radius, true), viewFrom(left, points, radius, false)};
     const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(sides.front())});

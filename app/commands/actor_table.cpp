@@ -31,7 +31,7 @@ struct EnumWords<AnatomySource> {
 
 namespace {
 
-constexpr size_t COLUMNS = 8;
+constexpr size_t COLUMNS = 7;
 using Row = std::array<std::string, COLUMNS>;
 using Names = std::vector<std::string>;
 
@@ -39,7 +39,8 @@ using Names = std::vector<std::string>;
 class BoneFacts {
 public:
     BoneFacts(const Model& model, const ArticulationOptions& options)
-        : options_(options), wanted_(rolesWanted(model, options)), anatomy_(readAnatomy(model, wanted_))
+        : options_(options), wanted_(rolesWanted(model, options)), isSplit_(model.isSplit),
+          anatomy_(model.isSplit ? std::vector<BoneAnatomy>(model.bones.size()) : readAnatomy(model, wanted_))
     {
         for (uint32_t b = 0; b < model.bones.size(); ++b) bones_.try_emplace(model.bones[b].name, b);
     }
@@ -49,6 +50,7 @@ public:
     {
         const auto bone = find(name);
         if (!bone) return {};
+        if (isSplit_) return "part";
         const BoneAnatomy& anatomy = anatomy_[*bone];
         const char* side = anatomy.side > 0 ? ", left" : anatomy.side < 0 ? ", right" : "";
         Names by;
@@ -56,16 +58,6 @@ public:
         if (wanted_.contains(*bone)) by.push_back("--keep");
         if (isOverridden(name)) by.push_back("--joints");
         return wordOf(anatomy.part) + side + (by.empty() ? "" : fmt::format(" ({})", fmt::join(by, ", ")));
-    }
-
-    /// Why a bone is part of another one's body.
-    const char* whyMerged(const std::string& name) const
-    {
-        const auto bone = find(name);
-        const BoneRole role = bone ? anatomy_[*bone].role : BoneRole::Limb;
-        if (bone && wanted_.contains(*bone) && role == BoneRole::Attached) return "--merge";
-        if (role == BoneRole::Twist) return "of the same limb";
-        return role == BoneRole::Attached ? "attached" : "too few particles";
     }
 
 private:
@@ -82,31 +74,10 @@ private:
 
     const ArticulationOptions& options_;
     std::map<uint32_t, BoneRole> wanted_;
+    bool isSplit_;
     std::vector<BoneAnatomy> anatomy_;
     std::map<std::string, uint32_t> bones_;
 };
-
-/// The first names and how many more there are; the notes below the table have them all.
-std::string shortList(const Names& names)
-{
-    if (names.size() <= 2) return fmt::format("{}", fmt::join(names, ", "));
-    return fmt::format("{} and {} more", names.front(), names.size() - 1);
-}
-
-/// "neck (too few particles), hair and 3 more (attached)"
-std::string mergedText(const BoneFacts& facts, const Names& merged)
-{
-    std::vector<std::pair<std::string, Names>> groups;
-    for (const std::string& name : merged) {
-        const std::string why = facts.whyMerged(name);
-        auto group = std::ranges::find(groups, why, &std::pair<std::string, Names>::first);
-        if (group == groups.end()) group = groups.insert(group, {why, {}});
-        group->second.push_back(name);
-    }
-    Names texts;
-    for (const auto& [why, names] : groups) texts.push_back(fmt::format("{} ({})", shortList(names), why));
-    return fmt::format("{}", fmt::join(texts, ", "));
-}
 
 long degrees(float radians)
 {
@@ -156,8 +127,7 @@ Row bodyRow(const Actor& actor, const BoneFacts& facts, uint32_t index)
             "-",
             "-",
             "-",
-            body.isCross ? "middle of a universal joint" : facts.part(body.name),
-            mergedText(facts, body.mergedBones)};
+            body.isCross ? "middle of a universal joint" : facts.part(body.name)};
     for (const ActorJoint& joint : actor.joints) {
         if (joint.child != index) continue;
         row[3] = wordOf(joint.type);
@@ -169,7 +139,7 @@ Row bodyRow(const Actor& actor, const BoneFacts& facts, uint32_t index)
 
 std::string aligned(const std::vector<Row>& rows)
 {
-    constexpr std::array NUMBERS{false, false, true, false, true, false, false, false};
+    constexpr std::array NUMBERS{false, false, true, false, true, false, false};
     std::array<size_t, COLUMNS> widths{};
     for (const Row& row : rows)
         for (size_t c = 0; c < COLUMNS; ++c) widths[c] = std::max(widths[c], row[c].size());
@@ -209,8 +179,7 @@ std::string actorTable(const Actor& actor, const Model& model, const Articulatio
                        const FillError& fill)
 {
     const BoneFacts facts(model, options);
-    std::vector<Row> rows{
-        {"body", "parent", "particles", "joint", "shared", "turns, degrees", "taken for (by)", "took in (why)"}};
+    std::vector<Row> rows{{"body", "parent", "particles", "joint", "shared", "turns, degrees", "taken for (by)"}};
     size_t mergedCount = 0;
     for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
         rows.push_back(bodyRow(actor, facts, b));

@@ -10,8 +10,8 @@
 namespace knuckle {
 
 /// What `knuckle voxelize` prints: a line for each body, with how it is joined and how far that turns, what of a body
-/// its bone was taken for and by what, and which bones it took in and why; how many and how large it all is, the pose,
-/// the clips; and what was repaired or assumed.
+/// its bone was taken for and by what; how many and how large it all is, the pose, the clips; and what was merged,
+/// repaired or assumed.
 /// @param options with which the actor was made of the model.
 std::string actorTable(const Actor& actor, const Model& model, const ArticulationOptions& options,
                        const FillError& fill);

@@ -28,6 +28,7 @@ int check(const std::vector<std::string>& paths, const std::vector<Override>& ov
             const Scene scene = loadScene(path, overrides);
             if (quiet) continue;
             for (const std::string& note : scene.notes) fmt::print("{}: note: {}\n", path, note);
+            for (const std::string& warning : scene.warnings) fmt::print("{}: warning: {}\n", path, warning);
             const World& world = scene.world;
             for (const AnimatedDepth& deep : animatedDepths(world, static_cast<float>(scene.duration)))
                 fmt::print("{}: note: {}\n", path, sentenceOf(world, deep));

@@ -70,6 +70,9 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
     readExports(options.exports, film);
     const Scene scene = loadScene(options.scene, overrides);
+    if (!common.quiet)
+        for (const std::string& warning : scene.warnings)
+            fmt::print(stderr, "knuckle: warning: {}: {}\n", options.scene, warning);
     film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
     runFilm(scene, film, common);
     return EXIT_FINE;

@@ -22,14 +22,14 @@ constexpr uint32_t FEWEST_PARTICLES = 12, MOST_PARTICLES = 200000;
 constexpr double SMALLEST_DIAMETER = 0.001;  // of a scene [m]
 
 struct VoxelizeOptions {
-    std::string model, output, joints, preview;
+    std::string model, output, joints, preview, skeleton;
     std::vector<std::string> keep, merge;
     double diameter = 0.0;
     uint32_t particles = 0;
     ModelFit fit;
     std::string up = "y";
     bool center = false;
-    bool grid = false;
+    bool grid = false, split = false;
 };
 
 /// Whether a scene can use it.
@@ -47,6 +47,16 @@ void requireUsable(const std::string& file, const Actor& actor)
                         file, actor.diameter, SMALLEST_DIAMETER));
 }
 
+Model readModel(const std::string& path, const ImportOptions& options)
+{
+    try {
+        return importModel(path, options);
+    } catch (const SkeletonError& error) {
+        throw InputError(
+            fmt::format("{}; choose one by --skeleton NAME, or all as one by --skeleton '*'", error.what()));
+    }
+}
+
 int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
 {
     for (const std::string& path : {options.output, options.preview}) {
@@ -56,7 +66,7 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     import.fit = options.fit;
     import.fit.up = options.up == "z" ? UpAxis::Z : UpAxis::Y;
     import.fit.centering = options.center ? Centering::Always : Centering::WhereFar;
-    import.surface = !options.preview.empty();
+    import.surface = true;  // what of its looks cannot be had is told
     ActorOptions actorOptions;
     actorOptions.voxels.diameter = static_cast<float>(options.diameter);
     actorOptions.particleCount = options.particles;
@@ -64,9 +74,10 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     actorOptions.articulation.keep = options.keep;
     actorOptions.articulation.merge = options.merge;
     if (!options.joints.empty()) readJoints(options.joints, actorOptions.articulation);
-    const Model model = importModel(options.model, import);
+    import.pick = {options.skeleton, options.split};
+    const Model model = readModel(options.model, import);
     Actor actor = makeActor(model, actorOptions);
-    actor.model = {options.model, import.fit};
+    actor.model = {options.model, import.fit, import.pick};
     requireUsable(options.model, actor);
     if (!common.quiet) {
         const FillError error = fillError(actor, Solid(model.vertices, model.triangles));
@@ -87,7 +98,7 @@ void addVoxelizeCommand(CommandLine line)
         "Reads glTF, FBX, Collada, BVH and what else assimp knows. Prints a table of the bodies, their particles, "
         "joints\n"
         "and how far these turn, what each bone was taken for and by what (its name, the skeleton's shape, clips,\n"
-        "options), which bones were merged and why; then the size, the pose, and the clips that a scene can play.\n"
+        "options); then the size, the pose, the clips that a scene can play, and which bones were merged and why.\n"
         "Without --diameter or --particles, limbs are two to three particles thick, as far as 800 to 4000 particles "
         "do\n"
         "that; a model without a skeleton has particles of 3 % of its longest side.\n\n"
@@ -95,6 +106,8 @@ void addVoxelizeCommand(CommandLine line)
         "  knuckle voxelize model.glb                               print the table only\n"
         "  knuckle voxelize model.glb -o actor.json --particles 3000 --preview actor.png\n"
         "  knuckle voxelize model.glb --keep '*tail*' --merge 'hair*'   * is any part of a name, ? any letter\n"
+        "  knuckle voxelize pair.fbx --skeleton Hips                one of two figures; without, their names are told\n"
+        "  knuckle voxelize crates.obj --split                      parts that fall apart\n"
         "  knuckle schema joints                                    the format of --joints");
     auto options = std::make_shared<VoxelizeOptions>();
     command->add_option("MODEL", options->model, "The rigged model")->required();
@@ -106,8 +119,16 @@ void addVoxelizeCommand(CommandLine line)
         ->check(CLI::Range(FEWEST_PARTICLES, MOST_PARTICLES))
         ->type_name("N")
         ->excludes(diameter);
+    command
+        ->add_option("--skeleton", options->skeleton,
+                     "Of a file with several skeletons the one of this root bone, with its meshes and clips")
+        ->type_name("PATTERN");
+    auto* split = command->add_flag(
+        "--split", options->split,
+        "A rigid body, without a joint, for each separate part of a model without a skeleton");
     command->add_option("--joints", options->joints, "Joint types that override those from the bones' names")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->excludes(split);
     auto* height = command->add_option("--height", options->fit.height, "Height of the figure, instead of --scale [m]")
                        ->check(CLI::Range(0.01, 100.0))
                        ->type_name("M");
@@ -121,8 +142,12 @@ void addVoxelizeCommand(CommandLine line)
         ->check(CLI::IsMember({"y", "z"}))
         ->type_name("y|z");
     command->add_flag("--center", options->center, "Lowest point at height 0, middle over the origin");
-    const auto list = [command](const char* name, std::vector<std::string>& values, const char* words) {
-        command->add_option(name, values, words)->type_name("PATTERN ...")->take_all()->allow_extra_args(false);
+    const auto list = [command, split](const char* name, std::vector<std::string>& values, const char* words) {
+        command->add_option(name, values, words)
+            ->type_name("PATTERN ...")
+            ->take_all()
+            ->allow_extra_args(false)
+            ->excludes(split);
     };
     list("--keep", options->keep, "Bones that get a body of their own where they are large enough");
     list("--merge", options->merge, "Bones that are part of the body that they hang on");

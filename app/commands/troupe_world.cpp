@@ -105,7 +105,7 @@ World crowdWorld(uint32_t actorCount, const std::string& file)
         objects.push_back(addActor(builder, actor, material, pose));
         builder.animate({objects.back(), pose, pivotOf(actor), {play}});
     }
-    builder.addSkin(skin, objects, true);
+    builder.addSkin(skin, objects, SkinUse::Hide);
     return builder.build();
 }
 

@@ -14,6 +14,7 @@ Model readModel(const SceneActor& use, bool surface)
 {
     ImportOptions options;
     options.fit = use.actor->model.fit;
+    options.pick = use.actor->model.pick;
     options.clips = false;
     options.surface = surface;
     return importModel(use.actor->model.file, options);

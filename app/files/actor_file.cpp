@@ -150,6 +150,8 @@ std::string sourceText(const ModelSource& model)
 {
     if (model.file.empty()) return {};
     std::string text = fmt::format(",\n  \"model\": {}", stringText(model.file));
+    if (!model.pick.skeleton.empty()) text += fmt::format(",\n  \"skeleton\": {}", stringText(model.pick.skeleton));
+    if (model.pick.split) text += ",\n  \"split\": true";
     const ModelFit& fit = model.fit;
     if (fit.scale != 0.0) text += fmt::format(",\n  \"scale\": {}", fit.scale);
     if (fit.height != 0.0) text += fmt::format(",\n  \"height\": {}", fit.height);
@@ -163,6 +165,8 @@ ModelSource readSource(const Json& root)
 {
     ModelSource model;
     readValue(root["model"], model.file);
+    readValue(root["skeleton"], model.pick.skeleton);
+    readValue(root["split"], model.pick.split);
     readValue(root["scale"], model.fit.scale);
     readValue(root["height"], model.fit.height);
     if (root["up"] == "z") model.fit.up = UpAxis::Z;

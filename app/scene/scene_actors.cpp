@@ -35,9 +35,13 @@ Actor loadActor(SceneContext& context, const Json& object, const std::string& fi
     if (!isLimited(context, object))
         for (ActorJoint& joint : actor.joints) joint.limits = {};
     const float diameter = context.builder.diameter();
-    if (!object["joints"].get<std::string>().empty()) {
-        failAt(context.path, pointer + "/joints", "an actor file has its joints already; give the model as `file`");
-    }
+    for (const auto& [field, given] :
+         {std::pair{"joints", object["joints"] != ""}, std::pair{"skeleton", object["skeleton"] != ""},
+          std::pair{"split", object["split"] == true}})
+        if (given)
+            failAt(context.path, fmt::format("{}/{}", pointer, field),
+                   fmt::format("an actor file has its {} already; give the model as `file`",
+                               std::string_view(field) == "split" ? "parts" : field));
     if (std::abs(actor.diameter - diameter) > 1e-4f * diameter) {
         failAt(context.path, pointer + "/file",
                fmt::format("{} is made of particles of {} m, the scene of {} m; set /diameter to {}, or make the actor "
@@ -47,19 +51,26 @@ Actor loadActor(SceneContext& context, const Json& object, const std::string& fi
     return actor;
 }
 
-Model readModel(const Json& object, const std::string& file)
+ImportOptions optionsFor(const ModelSource& source)
 {
     ImportOptions options;
-    options.fit.scale = object["scale"];
+    options.fit = source.fit;
+    options.pick = source.pick;
+    return options;
+}
+
+Model readModel(const Json& object, const std::string& file)
+{
+    ImportOptions options = optionsFor(modelOf(object, file));
     options.clips = object["type"] == "actor";  // they show how joints turn
     return importModel(file, options);
 }
 
-Actor voxelizeModel(SceneContext& context, const Json& object, const std::string& file, float diameter)
+Actor voxelizeModel(SceneContext& context, const Json& object, const std::string& file, const std::string& pointer,
+                    float diameter)
 {
     const bool kept = playsOwnClips(object) || showsSkin(object);
-    Model model = kept ? modelWithClips(context, {file, {.scale = object["scale"].get<double>()}}, showsSkin(object))
-                       : readModel(object, file);
+    Model model = kept ? modelWithClips(context, modelOf(object, file), showsSkin(object)) : readModel(object, file);
     ActorOptions options;
     options.voxels.diameter = diameter;
     options.voxels.particleLimit = MAX_PARTICLES;
@@ -68,10 +79,11 @@ Actor voxelizeModel(SceneContext& context, const Json& object, const std::string
         model.bones.clear();
         model.skin.clear();
     } else if (const std::string joints = object["joints"]; !joints.empty()) {
+        if (model.isSplit) failAt(context.path, pointer + "/joints", "parts have none; take this or `split` away");
         readJoints(besideScene(context, joints), options.articulation);
     }
     Actor actor = makeActor(model, options);
-    actor.model = {file, {.scale = object["scale"].get<double>()}};
+    actor.model = modelOf(object, file);
     return actor;
 }
 
@@ -115,12 +127,21 @@ Model readClothModel(SceneContext& context, const Json& object, const std::strin
     return readModel(object, existingFile(context, object["file"], pointer + "/file"));
 }
 
+ModelSource modelOf(const Json& object, const std::string& file)
+{
+    ModelPick pick{ALL_SKELETONS};
+    if (object["type"] == "actor") pick = {object["skeleton"], object["split"]};
+    return {file, {.scale = object["scale"].get<double>()}, pick};
+}
+
 std::string actorKey(const SceneContext& context, const Json& object, const std::string& file, float diameter)
 {
     return Json{file,
                 object["type"],
                 object.value("joints", ""),
                 object.value("scale", 0.0),
+                object.value("skeleton", ""),
+                object.value("split", false),
                 diameter,
                 isLimited(context, object)}
         .dump();
@@ -129,11 +150,12 @@ std::string actorKey(const SceneContext& context, const Json& object, const std:
 const Model& modelWithClips(SceneContext& context, const ModelSource& source, bool surface)
 {
     const ModelFit& fit = source.fit;
-    const std::string key = Json{source.file, fit.scale, fit.height, fit.up, fit.centering, surface}.dump();
+    const std::string key = Json{source.file,          fit.scale,         fit.height, fit.up, fit.centering,
+                                 source.pick.skeleton, source.pick.split, surface}
+                                .dump();
     const auto found = context.models.find(key);
     if (found != context.models.end()) return found->second;
-    ImportOptions options;
-    options.fit = fit;
+    ImportOptions options = optionsFor(source);
     options.surface = surface;
     return context.models.emplace(key, importModel(source.file, options)).first->second;
 }
@@ -146,9 +168,14 @@ const Actor& findActor(SceneContext& context, const Json& object, const std::str
     const auto found = context.actors.find(key);
     if (found != context.actors.end()) return found->second;
     const bool actorFile = object["type"] == "actor" && isActorFile(file);
-    Actor actor = actorFile ? loadActor(context, object, file, pointer)
-                            : voxelizeModel(context, object, file, diameter);
-    return context.actors.emplace(key, std::move(actor)).first->second;
+    try {
+        Actor actor = actorFile ? loadActor(context, object, file, pointer)
+                                : voxelizeModel(context, object, file, pointer, diameter);
+        return context.actors.emplace(key, std::move(actor)).first->second;
+    } catch (const SkeletonError& error) {
+        failAt(context.path, pointer + "/skeleton",
+               fmt::format("{}; give the name of one, or \"*\" for all as one", error.what()));
+    }
 }
 
 std::vector<std::string> bodyNames(const Actor& actor)

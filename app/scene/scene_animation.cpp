@@ -58,9 +58,8 @@ private:
         if (path.ends_with(".json"))
             entry_.fail(where + (own ? "/clip" : "/file"),
                         "an actor file has no clips; give the model that has them as its `file`");
-        if (!own) return modelWithClips(entry_.context, {path, {}});
-        return modelWithClips(entry_.context, {path, {.scale = entry_.json["scale"].get<double>()}},
-                              showsSkin(entry_.json));
+        if (!own) return modelWithClips(entry_.context, {path, {}, {ALL_SKELETONS}});
+        return modelWithClips(entry_.context, knuckle::modelOf(entry_.json, path), showsSkin(entry_.json));
     }
 
     const Clip& find(const Model& model, const std::string& name, const std::string& where) const

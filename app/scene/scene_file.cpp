@@ -194,6 +194,7 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
         throw InputError(fmt::format("{}: {}", path, error.what()));
     }
     scene.notes = context.notes;
+    scene.warnings = context.warnings;
     scene.actors = std::move(context.actorUses);
     scene.render = readRender(file, scene.world);
     return scene;

@@ -30,8 +30,9 @@ struct Scene {
     double framesPerSecond = 60.0;
     double duration = 0.0;  ///< [s]
     std::vector<SceneActor> actors;
-    std::vector<std::string> notes;  ///< What of it is not as the file says, one sentence each.
-    uint32_t stepsPerFrame = 1;      ///< World::settings.timeStep is 1 / (framesPerSecond * stepsPerFrame).
+    std::vector<std::string> notes;     ///< What of it is not as the file says, one sentence each.
+    std::vector<std::string> warnings;  ///< What of it is not drawn as the file says: a run tells these, too.
+    uint32_t stepsPerFrame = 1;         ///< World::settings.timeStep is 1 / (framesPerSecond * stepsPerFrame).
 
     /// Frame 1 shows time 0.
     uint64_t frameCount() const;

@@ -72,6 +72,7 @@ void addMeshGrid(SceneContext& context, const Json& json, const std::string& poi
     ImportOptions import;
     import.fit.scale = json["scale"];
     import.clips = false;
+    import.pick.skeleton = ALL_SKELETONS;
     atPointer(context, pointer, [&] {
         const Model model = importModel(file, import);
         collider.grid = context.builder.addColliderGrid(makeDistanceGrid(model.vertices, model.triangles, cell));

@@ -42,7 +42,8 @@ struct SceneContext {
     std::map<std::string, std::shared_ptr<const SkinMesh>> skins = {};  ///< The same.
     std::map<std::string, uint32_t> clips = {};                         ///< Indices by actor, file and name.
     std::vector<SceneActor> actorUses = {};
-    std::vector<std::string> notes = {};  ///< For the user: what of the scene is not as it says.
+    std::vector<std::string> notes = {};     ///< For the user: what of the scene is not as it says.
+    std::vector<std::string> warnings = {};  ///< Of that what a run tells, too: Scene::warnings.
     std::map<std::string, std::vector<ParticleRange>> particles = {};  ///< But fluids', by name of object or copy.
     std::vector<std::string> objectNames = {};                         ///< Without those of copies.
     std::vector<PendingTouch> touches = {};
@@ -113,6 +114,9 @@ ClipPlay readObjectMotion(const ObjectEntry& entry);
 
 /// By what an actor or a mesh differs from others. @param diameter of its particles [m].
 std::string actorKey(const SceneContext& context, const Json& object, const std::string& file, float diameter);
+
+/// The model in a file as an object wants it: an actor one skeleton of it, anything else all that there is.
+ModelSource modelOf(const Json& object, const std::string& file);
 
 /// A model with its clips, read at most once. @param surface see ImportOptions.
 const Model& modelWithClips(SceneContext& context, const ModelSource& source, bool surface = false);

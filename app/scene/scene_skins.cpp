@@ -31,20 +31,26 @@ std::shared_ptr<const SkinMesh> makeSkin(const ObjectEntry& entry, const Actor& 
     SceneContext& context = entry.context;
     const auto without = [&](const std::string& why) {
         if (!isAutomatic(entry)) entry.fail("/skin", why + ", or take \"particles\"");
-        context.notes.push_back(fmt::format("{}: its particles are drawn: {}", entry.pointer, why));
+        context.warnings.push_back(fmt::format("{}: its particles are drawn: {}", entry.pointer, why));
         return nullptr;
     };
     if (const std::string why = whyNoMesh(actor); !why.empty())
         return without(existingFile(context, entry.json["file"], entry.pointer + "/file") + why);
-    const Model& model = modelWithClips(context, actor.model, true);
-    if (isAutomatic(entry) && model.surface.vertices.empty()) return nullptr;
-    for (const std::string& note : model.surface.notes)
-        context.notes.push_back(fmt::format("{}/skin: {}", entry.pointer, note));
     try {
+        const Model& model = modelWithClips(context, actor.model, true);
+        if (isAutomatic(entry) && model.surface.vertices.empty()) return nullptr;
+        for (const std::string& note : model.surface.notes)
+            context.notes.push_back(fmt::format("{}/skin: {}", entry.pointer, note));
         return std::make_shared<const SkinMesh>(makeSkinMesh(actor, model));
     } catch (const InputError& error) {
         return without(error.what());
     }
+}
+
+SkinUse useOf(const std::string& skin)
+{
+    if (skin == "both") return SkinUse::Cover;
+    return skin == "colors" ? SkinUse::Paint : SkinUse::Hide;
 }
 
 }  // namespace
@@ -59,7 +65,7 @@ void wearSkin(const ObjectEntry& entry, const Actor& actor, const std::vector<ui
     SceneContext& context = entry.context;
     const std::string key = actorKey(context, entry.json, entry.json["file"], context.builder.diameter());
     if (!context.skins[key]) context.skins[key] = makeSkin(entry, actor);
-    if (context.skins[key]) context.builder.addSkin(context.skins[key], objects, entry.json["skin"] != "both");
+    if (context.skins[key]) context.builder.addSkin(context.skins[key], objects, useOf(entry.json["skin"]));
 }
 
 }  // namespace knuckle

@@ -125,7 +125,7 @@ SkinBuffers::SkinBuffers(const Gpu& gpu, const World& world)
     for (const Body& body : world.bodies) arrays.centres.push_back(texel(body.restCentre, -1.0f));
     for (const bool oneSided : {true, false}) {
         for (const Skin& skin : world.skins)
-            if (isOneSided(skin) == oneSided) arrays.add(skin, world);
+            if (isDrawn(skin) && isOneSided(skin) == oneSided) arrays.add(skin, world);
         if (oneSided) oneSidedCount = static_cast<uint32_t>(arrays.wearers.size());
     }
     wearerCount = static_cast<uint32_t>(arrays.wearers.size());

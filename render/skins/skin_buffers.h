@@ -7,7 +7,7 @@
 
 namespace knuckle {
 
-/// What the device knows of the skins of a world. Wearers of skins without a two-sided material come first.
+/// What the device knows of the drawn skins of a world. Wearers of those without a two-sided material come first.
 struct SkinBuffers {
     SkinBuffers() = default;
     /// @throws InputError for skins that are too large for the device.

@@ -25,7 +25,7 @@ bool needsMaterials(const Skin& skin)
 
 SkinPass::SkinPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderTargets& targets)
 {
-    if (world.skins.empty()) return;
+    if (std::ranges::none_of(world.skins, isDrawn)) return;
     buffers_ = SkinBuffers(gpu, world);
     buffers_.addTo(table);
     lod_ = Kernel(gpu, table, "render/skins/skin_lod.comp");

@@ -6,14 +6,14 @@ namespace knuckle {
 
 bool coversParticles(const World& world)
 {
-    return std::ranges::any_of(world.skins, &Skin::hidesParticles);
+    return std::ranges::find(world.skins, SkinUse::Hide, &Skin::use) != world.skins.end();
 }
 
 std::vector<uint32_t> coveredParticles(const World& world)
 {
     std::vector<uint32_t> bits(world.particles.size() / 32 + 1, 0);
     for (const Skin& skin : world.skins) {
-        if (!skin.hidesParticles) continue;
+        if (skin.use != SkinUse::Hide) continue;
         for (const uint32_t index : skin.objects) {
             const Object& object = world.objects[index];
             for (uint32_t b = object.bodyStart; b < object.bodyEnd(); ++b)

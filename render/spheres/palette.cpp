@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/skins/skin_colors.h"
+
 namespace knuckle {
 
 namespace {
@@ -14,7 +16,6 @@ const Vector3f LOOSE_COLOR{0.62f, 0.50f, 0.33f};
 uint32_t colorWord(const World& world, uint32_t index, const RenderSettings& settings)
 {
     const Particle& particle = world.particles[index];
-    if (settings.highlightJoints && particle.bodyCount > 1) return packColor(JOINT_COLOR);
     switch (settings.colorBy) {
         case ColorBy::Speed: return 0;
         case ColorBy::Material: return packColor(world.materials[particle.material].color);
@@ -57,6 +58,10 @@ std::vector<uint32_t> particleColors(const World& world, const RenderSettings& s
 {
     std::vector<uint32_t> colors(world.particles.size());
     for (uint32_t i = 0; i < colors.size(); ++i) colors[i] = colorWord(world, i, settings);
+    if (settings.colorBy == ColorBy::Body) paintParticles(world, colors);
+    if (settings.highlightJoints)
+        for (uint32_t i = 0; i < colors.size(); ++i)
+            if (world.particles[i].bodyCount > 1) colors[i] = packColor(JOINT_COLOR);
     return colors;
 }
 

@@ -51,12 +51,24 @@ struct SkinMesh {
     std::vector<TexturePicture> textures;
 };
 
+/// What a skin does to the particles of those who wear it.
+enum class SkinUse {
+    Hide,   ///< The mesh is drawn instead of them.
+    Cover,  ///< The mesh is drawn with them.
+    Paint,  ///< They have its colours, and it is not drawn.
+};
+
 /// A mesh and those who wear it.
 struct Skin {
     std::shared_ptr<const SkinMesh> mesh;
     std::vector<uint32_t> objects;  ///< Indices into World::objects.
-    bool hidesParticles = true;     ///< The particles of these objects are not drawn.
+    SkinUse use = SkinUse::Hide;
 };
+
+inline bool isDrawn(const Skin& skin)
+{
+    return skin.use != SkinUse::Paint;
+}
 
 struct World;
 

@@ -185,11 +185,11 @@ TEST(ActorTable, TellsBodiesJointsAndWhatWasMerged)
     options.limits["l*g"] = {};
     EXPECT_EQ(actorTable(actor, model, options, {1.014, 0.25}),
               "body  parent  particles  joint  shared  turns, degrees                                          "
-              "taken for (by)          took in (why)\n"
+              "taken for (by)\n"
               "hip   -            1200  -           -  -                                                       "
-              "hips (name)             pelvis (--merge), belly (too few particles)\n"
+              "hips (name)\n"
               "leg   hip           801  hinge       1  -29 to 90 about (0.60 0.00 -0.80), spring 12.5 N m/rad  "
-              "thigh (name, --joints)  knee and 2 more (too few particles)\n"
+              "thigh (name, --joints)\n"
               "\n"
               "pa\"ir\\: 2000 particles of 0.033333335 m, 2 bodies, 1 joint, 5 bones merged\n"
               "size: 2 m wide, 1.75 high, 0.5 deep; its lowest point at a height of 0.25 m\n"

@@ -1,5 +1,6 @@
 #include "app/files/actor_file.h"
 #include "sim/actor/bodies/make_actor.h"
+#include "sim/actor/gltf/glb.h"
 #include "tests/app/one_object_scene.h"
 
 namespace knuckle::test {
@@ -29,11 +30,14 @@ TEST(SceneSkin, CopiesOfAnActorWearOneMesh)
     const TempFolder folder;
     const std::string figure = inSource("assets/models/humanoid.glb");
     EXPECT_TRUE(loadScene(folder.write("scene.json", actorOf(figure, "particles"))).world.skins.empty());
-    for (const char* kind : {"auto", "mesh", "both"}) {
+    for (const auto& [kind, use] : {std::pair{"auto", SkinUse::Hide},
+                                    {"mesh", SkinUse::Hide},
+                                    {"both", SkinUse::Cover},
+                                    {"colors", SkinUse::Paint}}) {
         const World world = loadScene(folder.write("scene.json", actorOf(figure, kind))).world;
         ASSERT_EQ(world.skins.size(), 1u);
         EXPECT_EQ(world.skins[0].objects, (std::vector<uint32_t>{0, 1}));
-        EXPECT_EQ(world.skins[0].hidesParticles, std::string(kind) != "both");
+        EXPECT_EQ(world.skins[0].use, use) << kind;
         EXPECT_GT(world.skins[0].mesh->triangles.size(), 1000u);
     }
 }
@@ -75,12 +79,51 @@ TEST(SceneSkin, AnActorFileSaysWhereItsMeshIs)
                   "\"particles\"");
     const Scene bare = loadScene(folder.write("scene.json", actorOf("nameless.json", "auto")));
     EXPECT_TRUE(bare.world.skins.empty());
-    ASSERT_EQ(bare.notes.size(), 1u);
-    EXPECT_TRUE(bare.notes[0].starts_with("/objects/0: its particles are drawn: ")) << bare.notes[0];
+    EXPECT_TRUE(bare.notes.empty());
+    ASSERT_EQ(bare.warnings.size(), 1u);
+    EXPECT_TRUE(bare.warnings[0].starts_with("/objects/0: its particles are drawn: ")) << bare.warnings[0];
     std::filesystem::remove(folder.path("cube.obj"));
     EXPECT_EQ(complaint(folder, "actors/cube.json"), "/objects/0/skin: " + folder.path("actors/cube.json") +
                                                          " was made of " + folder.path("cube.obj") +
                                                          ", which is not there; put it there, or take \"particles\"");
+}
+
+TEST(SceneSkin, ADamagedModelBehindAnActorFileLeavesItsParticles)
+{
+    const TempFolder folder;
+    folder.write("cube.obj", CUBE);
+    Actor actor = makeActor(importModel(folder.path("cube.obj")),
+                            {.name = {}, .voxels = {.diameter = 0.05f}, .articulation = {}});
+    actor.model = {folder.path("cube.obj"), {}};
+    writeActor(folder.path("cube.json"), actor);
+    folder.write("cube.obj", "v 0 0\n");
+    const Scene scene = loadScene(folder.write("scene.json", actorOf("cube.json", "auto")));
+    EXPECT_TRUE(scene.world.skins.empty());
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(scene.warnings[0].starts_with("/objects/0: its particles are drawn: " + folder.path("cube.obj")))
+        << scene.warnings[0];
+    const std::string wanted = complaint(folder, "cube.json");
+    EXPECT_TRUE(wanted.starts_with("/objects/0/skin: " + folder.path("cube.obj"))) << wanted;
+    EXPECT_TRUE(wanted.ends_with(", or take \"particles\"")) << wanted;
+}
+
+TEST(SceneSkin, OfTwoFiguresInAFileASceneTakesOne)
+{
+    const TempFolder folder;
+    const Model model = importModel(inSource("assets/models/humanoid.glb"), {.clips = false, .surface = true});
+    folder.write("pair.glb", toGlb(std::vector{model, model}));
+    EXPECT_EQ(complaint(folder, "pair.glb"), "/objects/0/skeleton: " + folder.path("pair.glb") +
+                                                 ": it holds 2 skeletons: hips (19 bones), hips#2 (19 bones); give the "
+                                                 "name of one, or \"*\" for all as one");
+    const World world = loadScene(folder.write("scene.json", R"({ "diameter": 0.1, "objects": [
+        { "type": "actor", "file": "pair.glb", "skeleton": "hips" },
+        { "type": "actor", "file": "pair.glb", "skeleton": "*", "position": [0, 0, 3] },
+        { "type": "rigid", "shape": "mesh", "file": "pair.glb", "position": [0, 0, 6] }] })"))
+                            .world;
+    ASSERT_EQ(world.skins.size(), 3u);
+    EXPECT_EQ(world.skins[0].mesh->triangles.size(), model.triangles.size());
+    EXPECT_EQ(world.skins[1].mesh->triangles.size(), 2 * model.triangles.size());
+    EXPECT_EQ(world.skins[2].mesh->triangles.size(), 2 * model.triangles.size());
 }
 
 TEST(SceneSkin, WhatOfATextureCannotBeHadIsANote)

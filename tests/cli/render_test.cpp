@@ -206,6 +206,22 @@ TEST_F(Render, FallsWithAnActorThatWasVoxelizedBefore)
     EXPECT_TRUE(std::filesystem::exists(folder.path("out/doll/frame_0003.png")));
 }
 
+TEST_F(Render, WarnsOfAnActorWithoutItsMesh)
+{
+    std::filesystem::copy_file(test::inSource("assets/models/humanoid.glb"), folder.path("figure.glb"));
+    ASSERT_EQ(run({"voxelize", "figure.glb", "-o", "actor.json", "--diameter", "0.1"}).code, 0);
+    std::filesystem::remove(folder.path("figure.glb"));
+    folder.write("doll.json", R"({ "diameter": 0.1, "duration": 0.02, "render": { "width": 64, "height": 36 },
+        "objects": [{ "type": "actor", "file": "actor.json" }] })");
+    const RunResult filmed = run({"render", "doll.json", "--frames", "1:1"});
+    EXPECT_EQ(filmed.code, 0);
+    const std::string warning = "knuckle: warning: doll.json: /objects/0: its particles are drawn: actor.json was made "
+                                "of figure.glb, which is not there; put it there\n";
+    EXPECT_NE(filmed.err.find(warning), std::string::npos) << filmed.err;
+    EXPECT_EQ(run({"render", "doll.json", "--frames", "1:1", "-q"}).err, "");
+    EXPECT_NE(run({"check", "doll.json"}).out.find("doll.json: warning: /objects/0: "), std::string::npos);
+}
+
 TEST_F(Render, FilmsAndWritesFramesInOneRun)
 {
     const RunResult result = run({"render", scene, "-o", "out", "-o", "film.mp4"});

@@ -3,6 +3,8 @@
 
 #include "app/json/json.h"
 #include "render/picture/image.h"
+#include "sim/actor/gltf/glb.h"
+#include "sim/actor/import/model.h"
 #include "tests/cli/cli_fixture.h"
 #include "tests/places.h"
 
@@ -48,13 +50,81 @@ TEST_F(Voxelize, TellsEveryDecisionAndWhy)
     has("foot.L", "about x foot, left (name, --joints)");
     has("foot.L", "-30 to 20");
     has("head", "cone 40, twist all round, spring 3 N m/rad head (name, --joints)");
-    has("forearm.L", "hand.L (--merge)");
+    EXPECT_NE(result.out.find("\nnote: forearm.L took in hand.L, as --merge says.\n"), std::string::npos);
     has("clavicle.L", "collar bone, left (name, --keep)");
-    has("chest", "neck (too few particles)");
+    EXPECT_NE(result.out.find("\nnote: chest took in neck, too small for four particles that span space.\n"),
+              std::string::npos);
     has("size:", "1.75 high");
     has("size:", "lowest point at a height of 0 m");
     has("pose:", "the file's rest pose");
     has("clip:", "dance, 8.00 s");
+}
+
+TEST_F(Voxelize, TellsItInLinesOfAScreensWidth)
+{
+    for (const char* diameter : {"0.03", "0.08"}) {
+        std::istringstream lines(run({"voxelize", figure, "--diameter", diameter}).out);
+        for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120u) << line;
+    }
+}
+
+TEST_F(Voxelize, AsksWhichOfTwoFiguresIsMeant)
+{
+    const Model model = importModel(figure, {.clips = false});
+    folder.write("pair.glb", toGlb(std::vector{model, model}));
+    const std::string choice = "; choose one by --skeleton NAME, or all as one by --skeleton '*'";
+    expectError(run({"voxelize", "pair.glb"}), 2,
+                "pair.glb: it holds 2 skeletons: hips (19 bones), hips#2 (19 bones)" + choice);
+    expectError(run({"voxelize", "pair.glb", "--skeleton", "Hips"}), 2,
+                "pair.glb: it has no skeleton 'Hips', but hips (19 bones), hips#2 (19 bones)" + choice);
+    const RunResult result = run(
+        {"voxelize", "pair.glb", "--skeleton", "hips#2", "-o", "actor.json", "--diameter", "0.05"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out.find("shin.L#2"), std::string::npos);
+    EXPECT_NE(test::readText(folder.path("actor.json")).find("\"skeleton\": \"hips#2\""), std::string::npos);
+    folder.write("doll.json", R"({ "diameter": 0.05, "duration": 1,
+        "objects": [{ "type": "actor", "file": "actor.json", "skin": "mesh" }] })");
+    EXPECT_EQ(run({"check", "doll.json"}).err, "");
+}
+
+TEST_F(Voxelize, SplitsAMeshIntoItsParts)
+{
+    folder.write("two.obj", "o red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+                            "o blue\nv 2 0 0\nv 3 0 0\nv 2 1 0\nv 2 0 1\nf 5 7 6\nf 5 6 8\nf 6 7 8\nf 5 8 7\n");
+    const RunResult result = run({"voxelize", "two.obj", "--split", "--diameter", "0.1", "-o", "two.json"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(lineOf(result.out, "red").ends_with("- - - part")) << lineOf(result.out, "red");
+    EXPECT_NE(lineOf(result.out, "two:").find("2 bodies, 0 joints"), std::string::npos);
+    folder.write("fall.json", R"({ "diameter": 0.1, "duration": 0.6, "render": { "width": 64, "height": 36 },
+        "objects": [{ "type": "actor", "file": "two.json", "position": [0, 1, 0], "rotation": [20, 0, 0],
+                      "skin": "mesh" }],
+        "colliders": [{ "type": "box", "size": [0.8, 0.2, 4], "position": [0, 0.1, 0] }] })");
+    EXPECT_EQ(run({"render", "fall.json", "--export", "bodies=fall.csv", "--frames", "36:36", "-q"}).err, "");
+    // Of the last frame, the heights of both: one lies on the box, the other falls beside it.
+    std::istringstream csv(test::readText(folder.path("fall.csv")));
+    std::vector<float> heights;
+    for (std::string line; std::getline(csv, line);) {
+        if (!line.starts_with("36,")) continue;
+        std::istringstream fields(line);
+        std::string field;
+        for (int column = 0; column < 6; ++column) std::getline(fields, field, ',');
+        heights.push_back(std::stof(field));
+    }
+    ASSERT_EQ(heights.size(), 2u);
+    EXPECT_GT(heights[0], heights[1] + 0.3f);
+    EXPECT_EQ(run({"voxelize", "two.obj", "--split", "--keep", "red"}).code, 2);
+    expectError(run({"voxelize", figure, "--split"}), 2,
+                figure + ": it has a skeleton, which says what its bodies are: leave `split` away");
+}
+
+TEST_F(Voxelize, TellsWhatOfItsLooksIsMissing)
+{
+    folder.write("ramp.obj", "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n"
+                             "f 1 4 3\n");
+    const std::string missing = "\nnote: Material file 'gone.mtl' is not beside the model: drawn plain.\n";
+    EXPECT_NE(run({"voxelize", "ramp.obj"}).out.find(missing), std::string::npos);
+    folder.write("gone.mtl", "newmtl a\nmap_Kd paint.png\n");
+    EXPECT_EQ(run({"voxelize", "ramp.obj"}).out.find(missing), std::string::npos);
 }
 
 /// In a part of a picture, the rows and columns of what is colourful, as the figure is and the ground is not.

@@ -140,7 +140,7 @@ TEST(Marks, ASkinIsAVeilOverWhatIsBehindIt)
     settings.skinOpacity = 0.5f;
     const Vector3f onParticles{0.1f, 0.02f, 0}, beside{-0.25f, 0, 0}, far{0.8f, 0.02f, 0};
     const Image bare = drawn(world, settings);
-    world.skins = {{std::make_shared<SkinMesh>(mesh), {0}, false}};
+    world.skins = {{std::make_shared<SkinMesh>(mesh), {0}, SkinUse::Cover}};
     const Image veiled = drawn(world, settings);
     settings.skinOpacity = 1.0f;
     const Image solid = drawn(world, settings);

@@ -153,7 +153,7 @@ protected:
             still.world.objects.push_back({"ball", i, 1});
             wearers.push_back(i);
         }
-        still.world.skins = {{mesh, wearers, true}};
+        still.world.skins = {{mesh, wearers, SkinUse::Hide}};
     }
 
     void pose()
@@ -258,7 +258,7 @@ TEST_F(SkinKernels, VerticesAreWhereTheirBodiesHaveThem)
         body.rotation = Quaternionf(Eigen::AngleAxisf(0.4f + float(b), Vector3f(1, 2, 3).normalized()));
     }
     still.world.objects = {{"figure", 0, 3}};
-    still.world.skins = {{mesh, {0}, true}};
+    still.world.skins = {{mesh, {0}, SkinUse::Hide}};
     pose();
     const std::vector<gpu::uvec4> found = skins.places.download();
     ASSERT_EQ(skins.placeCounts.download()[0], mesh->vertices.size());

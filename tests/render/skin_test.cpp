@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "render/spheres/palette.h"
 #include "tests/render/golden.h"
 #include "tests/render/render_fixture.h"
 
@@ -39,9 +40,9 @@ struct SkinnedPair {
         still.world.bodies[1].restCentre = UPPER;
         still.world.objects = {{"pair", 0, 2}};
     }
-    void wear(const SkinMesh& mesh, bool hides = true)
+    void wear(const SkinMesh& mesh, SkinUse use = SkinUse::Hide)
     {
-        still.world.skins = {{std::make_shared<SkinMesh>(mesh), {0}, hides}};
+        still.world.skins = {{std::make_shared<SkinMesh>(mesh), {0}, use}};
     }
     StillWorld still;
 };
@@ -121,10 +122,10 @@ TEST(Skin, LiesBetweenTwoBodiesAsItsWeightsSay)
 TEST(Skin, HidesItsParticlesOrNot)
 {
     SkinnedPair pair;
-    pair.wear(squareMesh({0.7f, 1, 0}, 0.1f), false);
+    pair.wear(squareMesh({0.7f, 1, 0}, 0.1f), SkinUse::Cover);
     RenderSettings settings = front();
     const Eigen::Vector3i seen = pixelAt(drawn(pair.still.world, settings), 100, 50);
-    pair.wear(squareMesh({0.7f, 1, 0}, 0.1f), true);
+    pair.wear(squareMesh({0.7f, 1, 0}, 0.1f), SkinUse::Hide);
     const Eigen::Vector3i hidden = pixelAt(drawn(pair.still.world, settings), 100, 50);
     EXPECT_GT((seen - hidden).cwiseAbs().maxCoeff(), 30);
     pair.still.world.skins.clear();
@@ -164,6 +165,42 @@ TEST(Skin, APictureIsTheRightWayUpAndRepeats)
     EXPECT_EQ(strongest(120, 80), 1);
     EXPECT_EQ(strongest(80, 120), 2);
     EXPECT_EQ(strongest(120, 120), -1);
+}
+
+/// The lower body's particles are nearest to a red corner or a green one; the upper has a picture, blue above and white
+/// below. Nearest of all to the upper one's lowest particles is a corner of the lower body.
+TEST(Skin, PaintsParticlesAsTheNearestVertexOfTheirBody)
+{
+    SkinnedPair pair;
+    SkinMesh mesh = squareMesh(LOWER, 0.15f);
+    for (SkinVertex& vertex : mesh.vertices)
+        vertex.color = vertex.position.x() < 0 ? Vector3f(0.8f, 0, 0) : Vector3f(0, 0.8f, 0);
+    for (SkinVertex vertex : squareMesh(UPPER, 0.15f).vertices) {
+        vertex.bodies[0] = 1;
+        vertex.material = 1;
+        mesh.vertices.push_back(vertex);
+    }
+    mesh.vertices.push_back(corner({0, 1.3f, 0}, Vector3f::UnitZ(), {0, 0}));
+    mesh.materials.resize(2);
+    for (SkinMaterial& material : mesh.materials) material.color = {1, 1, 1};
+    mesh.materials[1].texture = 0;
+    mesh.textures = {{1, 2, {0, 0, 255, 255, 255, 255, 255, 255}}};
+    for (SkinVertex& vertex : mesh.vertices) vertex.uv.y() = std::clamp(vertex.uv.y(), 0.25f, 0.75f);
+    pair.wear(mesh, SkinUse::Paint);
+    const World& world = pair.still.world;
+    const std::vector<uint32_t> words = particleColors(world, {});
+    for (const Link& link : world.links) {
+        const Vector3f& away = link.restOffset;
+        if (std::abs(link.body == 0 ? away.x() : away.y()) < 0.05f) continue;  // as near to both
+        const Vector3f lower(away.x() < 0 ? 0.8f : 0, away.x() > 0 ? 0.8f : 0, 0);
+        const Vector3f upper = away.y() > 0 ? Vector3f(0, 0, 1) : Vector3f(1, 1, 1);
+        EXPECT_LT((unpackColor(words[link.particle]) - (link.body == 0 ? lower : upper)).norm(), 0.01f)
+            << link.body << " at " << away.transpose();
+    }
+    RenderSettings byParticle;
+    byParticle.colorBy = ColorBy::Particle;
+    EXPECT_EQ(particleColors(world, byParticle)[0], packColor(paletteColor(0)));
+    EXPECT_EQ(redOf(drawn(world, front())).count > 0, true) << "particles are drawn";
 }
 
 /// A tube about both bodies, striped, whose weights go over from one to the other around y = 1.

@@ -11,6 +11,7 @@
 #include "sim/actor/bodies/fold.h"
 #include "sim/actor/bodies/joint_particles.h"
 #include "sim/actor/bodies/joint_ranges.h"
+#include "sim/actor/bodies/merge_notes.h"
 #include "sim/actor/bodies/name_pattern.h"
 #include "sim/actor/limbs/limb_fill.h"
 #include "sim/actor/limbs/limb_frame.h"
@@ -257,7 +258,8 @@ VoxelOptions latticeOf(const Model& model, const std::optional<Mirror>& mirror, 
 Actor articulate(const Model& model, const Solid& solid, const ActorOptions& options)
 {
     checkBoneNames(model, options.articulation);
-    const std::vector<BoneAnatomy> anatomy = readAnatomy(model, rolesWanted(model, options.articulation));
+    const std::map<uint32_t, BoneRole> wanted = rolesWanted(model, options.articulation);
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(model, wanted);
     std::optional<Mirror> mirror = findMirror(BoneTree(model));
     if (mirror) mirror->keepAlike(anatomy);
     Voxels voxels = voxelize(solid, latticeOf(model, mirror, solid, options.voxels));
@@ -268,6 +270,7 @@ Actor articulate(const Model& model, const Solid& solid, const ActorOptions& opt
     const Bearings bearings = bearingsOf(model, anatomy);
     std::vector<BodyDraft> drafts = cutIntoBodies(model, solid, anatomy, mirror ? &*mirror : nullptr, bearings.forward,
                                                   voxels, actor.notes);
+    noteMerged(model, anatomy, wanted, drafts, actor.notes);
     if (options.alongBones && drafts.size() > 1)
         fillAlongBones(model, solid, anatomy, bearings.forward, mirror ? &*mirror : nullptr, drafts, voxels);
     std::vector<ParticleDraft> particles(voxels.positions.size());
@@ -277,7 +280,8 @@ Actor articulate(const Model& model, const Solid& solid, const ActorOptions& opt
         particles[p].outward = voxels.outward[p];
     }
     for (uint32_t b = 0; b < drafts.size(); ++b) {
-        actor.bodies.push_back({drafts[b].name, {}, drafts[b].parent, drafts[b].mergedBones});
+        ActorBody& body = actor.bodies.emplace_back(ActorBody{drafts[b].name, {}, drafts[b].parent, {}});
+        for (const uint32_t bone : drafts[b].mergedBones) body.mergedBones.push_back(model.bones[bone].name);
         for (uint32_t p : drafts[b].particles) {
             particles[p].bodies = {b};
         }

@@ -1,7 +1,6 @@
 #include "sim/actor/bodies/bone_bodies.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include "sim/actor/anatomy/bone_tree.h"
 #include "sim/actor/bodies/body_tree.h"
 #include "sim/actor/bodies/bone_merge.h"
+#include "sim/actor/bodies/short_list.h"
 #include "sim/actor/limbs/limb_frame.h"
 #include "sim/actor/limbs/limb_owner.h"
 #include "sim/actor/limbs/rods.h"
@@ -103,37 +103,14 @@ std::vector<BodyDraft> draftBodies(const Model& model, std::span<const BoneAnato
     for (uint32_t b = 0; b < model.bones.size(); ++b) {
         if (cut.particles[b].empty()) continue;
         draftOf[b] = static_cast<int32_t>(drafts.size());
-        std::vector<std::string> merged;
         std::ranges::sort(cut.merged[b]);
-        for (const uint32_t other : cut.merged[b]) merged.push_back(model.bones[other].name);
         std::sort(cut.particles[b].begin(), cut.particles[b].end());
-        drafts.push_back({model.bones[b].name, b, -1, std::move(cut.particles[b]), merged, boneHead(model, b)});
+        drafts.push_back({model.bones[b].name, b, -1, std::move(cut.particles[b]), cut.merged[b], boneHead(model, b)});
     }
     for (BodyDraft& draft : drafts)
         for (int32_t above = anatomy[draft.bone].parent; above >= 0 && draft.parent < 0; above = anatomy[above].parent)
             draft.parent = draftOf[above];
     return drafts;
-}
-
-/// Says which bones have no body of their own, and why.
-void noteMerged(const Model& model, std::span<const BoneAnatomy> anatomy, const std::vector<BodyDraft>& drafts,
-                const BoneCut& cut, std::vector<std::string>& notes)
-{
-    for (const BodyDraft& draft : drafts) {
-        std::vector<std::string> small, pieces, attached;
-        for (const uint32_t b : cut.merged[draft.bone]) {
-            const BoneRole role = anatomy[b].role;
-            auto& list = role == BoneRole::Twist ? pieces : role == BoneRole::Attached ? attached : small;
-            list.push_back(model.bones[b].name);
-        }
-        const auto note = [&](const std::vector<std::string>& names, const char* why) {
-            if (!names.empty())
-                notes.push_back(fmt::format("{} took in {}, {}.", draft.name, fmt::join(names, ", "), why));
-        };
-        note(small, "too small for four particles that span space");
-        note(pieces, "of the same limb");
-        note(attached, "attached to it");
-    }
 }
 
 /// Says which limbs of arms and legs have no joint, and what gives them one.
@@ -180,7 +157,7 @@ void noteSources(const Model& model, std::span<const BoneAnatomy> anatomy, std::
     for (size_t b = 0; b < anatomy.size(); ++b)
         if (anatomy[b].source == AnatomySource::Clip) hinges.push_back(model.bones[b].name);
     if (!hinges.empty())
-        notes.push_back(fmt::format("Hinges, since clips turn them about one axis: {}.", fmt::join(hinges, ", ")));
+        notes.push_back(fmt::format("Hinges, since clips turn them about one axis: {}.", shortList(hinges)));
 }
 
 }  // namespace
@@ -230,7 +207,6 @@ std::vector<BodyDraft> cutIntoBodies(const Model& model, const Solid& solid, std
     std::vector<BodyDraft> drafts = draftBodies(model, anatomy, cut);
     noteReattached(tree, anatomy, drafts, notes);
     arrangeTree(drafts, tree, anatomy, voxels, notes);
-    noteMerged(model, anatomy, drafts, cut, notes);
     noteSources(model, anatomy, notes);
     return drafts;
 }

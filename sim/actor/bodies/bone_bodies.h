@@ -16,12 +16,12 @@ struct BodyDraft {
     uint32_t bone = NO_INDEX;
     int32_t parent = -1;              ///< Into the list of drafts; parents come first.
     std::vector<uint32_t> particles;  ///< Into Voxels, ascending.
-    std::vector<std::string> mergedBones;
+    std::vector<uint32_t> mergedBones;
     Eigen::Vector3f anchor{0, 0, 0};  ///< Where its joint with the parent sits [m].
 };
 
 /// Cuts the particles into one body per limb that is large enough, arranged as a tree with one root. `notes` gets a
-/// sentence for whatever was merged or joined elsewhere than the skeleton says.
+/// sentence for whatever was joined elsewhere than the skeleton says.
 /// @param anatomy of the model's bones, one each.
 /// @param mirror null for a model without symmetry; else both sides are cut alike, and may get or lose particles.
 /// @param forward where the figure looks, level and unit.

@@ -9,7 +9,9 @@
 #include <stdexcept>
 
 #include "sim/actor/bodies/clip_ranges.h"
+#include "sim/actor/bodies/part_bodies.h"
 #include "sim/actor/bodies/resolution.h"
+#include "sim/actor/bodies/short_list.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -24,7 +26,7 @@ constexpr float THIN = 2.0f;  // particles across a limb
 Actor actorOf(const Model& model, const Solid& solid, ActorOptions options, float diameter)
 {
     options.voxels.diameter = diameter;
-    return articulate(model, solid, options);
+    return model.isSplit ? partBodies(model, solid, options) : articulate(model, solid, options);
 }
 
 /// Nothing where not one particle fits.
@@ -90,16 +92,16 @@ Actor actorOfCount(const Model& model, const Solid& solid, const ActorOptions& o
 /// Tells which limbs are less than two particles thick.
 void noteThinLimbs(const Model& model, std::span<const LimbThickness> limbs, Actor& actor)
 {
-    std::string names;
+    std::vector<std::string> names;
     float thinnest = std::numeric_limits<float>::max();
     for (const LimbThickness& limb : limbs) {
         if (limb.thickness >= THIN * actor.diameter) continue;
-        names += (names.empty() ? "" : ", ") + model.bones[limb.bone].name;
+        names.push_back(model.bones[limb.bone].name);
         thinnest = std::min(thinnest, limb.thickness);
     }
     if (!names.empty())
-        actor.notes.push_back(fmt::format("Less than two particles thick: {}; --diameter {:.2g} gives them two.", names,
-                                          thinnest / THIN));
+        actor.notes.push_back(fmt::format("Less than two particles thick: {}; --diameter {:.2g} gives them two.",
+                                          shortList(names), thinnest / THIN));
 }
 
 /// The number of particles that a model has at a diameter, from that at another: as its volume says.

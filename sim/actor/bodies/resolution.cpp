@@ -41,7 +41,7 @@ float thicknessOf(const std::vector<Patch>& patches)
 
 std::vector<LimbThickness> limbThicknesses(const Model& model)
 {
-    if (model.skin.size() != model.vertices.size() || model.bones.empty()) return {};
+    if (model.skin.size() != model.vertices.size() || model.bones.empty() || model.isSplit) return {};
     const std::vector<BoneAnatomy> anatomy = readAnatomy(model);
     LimbOwner owner(model, anatomy);
     std::vector<std::vector<uint32_t>> owned(model.bones.size());

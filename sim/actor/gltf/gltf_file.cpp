@@ -32,26 +32,43 @@ size_t GltfFile::append(const char* list, GltfJson entry)
     return root[list].size() - 1;
 }
 
+size_t GltfFile::appendOnce(const char* list, GltfJson entry)
+{
+    const auto [known, isNew] = entries_.try_emplace(list + entry.dump());
+    if (isNew) known->second = append(list, std::move(entry));
+    return known->second;
+}
+
 void GltfFile::setBounds(size_t accessor, GltfJson low, GltfJson high)
 {
     root["accessors"][accessor]["min"] = std::move(low);
     root["accessors"][accessor]["max"] = std::move(high);
 }
 
-size_t GltfFile::addView(const void* data, size_t size, int target)
+size_t GltfFile::addView(const void* data, size_t size, int target, const std::string& kind)
 {
+    const std::string_view bytes(static_cast<const char*>(data), size);
+    const std::string key = kind + std::to_string(target) + ' ' + std::to_string(std::hash<std::string_view>()(bytes));
+    const auto [first, last] = viewsOf_.equal_range(key);
+    for (auto known = first; known != last; ++known) {
+        const GltfJson& view = root["bufferViews"][known->second];
+        const std::string_view stored(buffer_.data() + view["byteOffset"].get<size_t>(), view["byteLength"]);
+        if (stored == bytes) return known->second;
+    }
     const size_t offset = buffer_.size();
-    buffer_.append(static_cast<const char*>(data), size);
+    buffer_.append(bytes);
     buffer_.resize(aligned(buffer_.size()), '\0');
     GltfJson view{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", size}};
     if (target != GLTF_NO_TARGET) view["target"] = target;
-    return append("bufferViews", std::move(view));
+    const size_t index = append("bufferViews", std::move(view));
+    viewsOf_.emplace(key, index);
+    return index;
 }
 
 size_t GltfFile::addPng(const std::string& bytes, const std::string& name)
 {
-    const size_t view = addView(bytes.data(), bytes.size(), GLTF_NO_TARGET);
-    return append("images", {{"name", name}, {"bufferView", view}, {"mimeType", "image/png"}});
+    const size_t view = addView(bytes.data(), bytes.size(), GLTF_NO_TARGET, "PNG");
+    return appendOnce("images", {{"name", name}, {"bufferView", view}, {"mimeType", "image/png"}});
 }
 
 std::string GltfFile::bytes()

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -36,18 +37,20 @@ public:
 
     /// Appends to one of the root's lists ("nodes", "meshes", ...). @returns its index.
     size_t append(const char* list, GltfJson entry);
+    /// The same, but where the list has had such an entry from this function before that stands for it.
+    size_t appendOnce(const char* list, GltfJson entry);
     size_t count(const char* list) const { return root.contains(list) ? root[list].size() : 0; }
 
-    /// Appends an accessor to values of its own. @param type "SCALAR", "VEC3", ... of so many components.
+    /// An accessor to values that are stored once. @param type "SCALAR", "VEC3", ... of so many components.
     template <typename T>
     size_t addAccessor(const std::vector<T>& values, size_t components, int componentType, const char* type,
                        int target = GLTF_NO_TARGET)
     {
-        const size_t view = addView(values.data(), values.size() * sizeof(T), target);
-        return append("accessors", {{"bufferView", view},
-                                    {"componentType", componentType},
-                                    {"count", values.size() / components},
-                                    {"type", type}});
+        const size_t view = addView(values.data(), values.size() * sizeof(T), target, type);
+        return appendOnce("accessors", {{"bufferView", view},
+                                        {"componentType", componentType},
+                                        {"count", values.size() / components},
+                                        {"type", type}});
     }
     /// Tells the least and greatest values of an accessor.
     void setBounds(size_t accessor, GltfJson low, GltfJson high);
@@ -59,9 +62,12 @@ public:
     GltfJson root;
 
 private:
-    size_t addView(const void* data, size_t size, int target);
+    /// @param kind only views of the same kind share bytes.
+    size_t addView(const void* data, size_t size, int target, const std::string& kind);
 
     std::string buffer_;
+    std::map<std::string, size_t> entries_;       ///< Of appendOnce(), by list and text.
+    std::multimap<std::string, size_t> viewsOf_;  ///< By their kind and the hash of what they view.
 };
 
 }  // namespace knuckle

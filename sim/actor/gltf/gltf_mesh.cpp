@@ -79,7 +79,7 @@ void addWeights(GltfFile& file, const Model& model, GltfJson& attributes)
 
 size_t addTexture(GltfFile& file, const std::string& png, const std::string& name)
 {
-    return file.append("textures", {{"source", file.addPng(png, name)}});
+    return file.appendOnce("textures", {{"source", file.addPng(png, name)}});
 }
 
 /// The materials of a model. @returns the index of the first one.

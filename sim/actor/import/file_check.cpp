@@ -54,10 +54,32 @@ void checkBuffer(const fs::path& folder, const Json& buffer)
                                      size, wanted));
 }
 
+/// The file's name with another ending.
+std::string renamed(const std::string& path, const char* extension)
+{
+    return fs::path(path).filename().replace_extension(extension).string();
+}
+
+void checkGlb(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    char first = 0;
+    file >> first;
+    if (first == '{')
+        throw InputError(fmt::format("it is a glTF of text under the name of a binary one: rename it to {}",
+                                     renamed(path, ".gltf")));
+}
+
 void checkGltf(const std::string& path)
 {
     std::ifstream file(path, std::ios::binary);
-    if (file.peek() == 'g') return;  // a binary one under another name
+    std::string magic(4, '\0');
+    file.read(magic.data(), 4);
+    if (magic == "glTF")
+        throw InputError(
+            fmt::format("it is a binary glTF under the name of one of text: rename it to {}", renamed(path, ".glb")));
+    file.clear();
+    file.seekg(0);
     const Json json = Json::parse(file, nullptr, false);
     if (json.is_discarded())
         throw InputError("it is cut off or damaged (its JSON cannot be read); export the model again");
@@ -77,6 +99,7 @@ void checkParts(const std::string& path)
     if (name.ends_with(".skeleton") || name.ends_with(".skeleton.xml"))
         throw InputError("it is a skeleton of Ogre without its mesh: give the .mesh or .mesh.xml that goes with it");
     if (name.ends_with(".gltf")) checkGltf(path);
+    if (name.ends_with(".glb")) checkGlb(path);
 }
 
 std::string unreadableBecause(const std::string& reason)

@@ -87,7 +87,7 @@ float scaleOf(Model& model, const ModelFit& fit, const Vector3f& size)
 void questionSize(Model& model, const Vector3f& size)
 {
     const float largest = size.maxCoeff();
-    if (model.bones.size() < 2 || (largest >= ODDLY_SMALL && largest <= ODDLY_LARGE)) return;
+    if (model.bones.size() < 2 || model.isSplit || (largest >= ODDLY_SMALL && largest <= ODDLY_LARGE)) return;
     model.notes.push_back(fmt::format(
         "The figure is {:.3g} m {}. If that is not meant, give its height: --height 1.8.", size.y(),
         largest < ODDLY_SMALL ? "high, small for one that moves" : "high, larger than people and most animals"));

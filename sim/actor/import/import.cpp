@@ -21,12 +21,12 @@ namespace knuckle {
 
 namespace {
 
-constexpr uint8_t HOLDS_MODEL = 0, HOLDS_MESSAGE = 1;
+constexpr uint8_t HOLDS_MODEL = 0, HOLDS_MESSAGE = 1, HOLDS_SKELETONS = 2;
 constexpr uintmax_t FILE_LIMIT = 512ull << 20;  // [bytes]
 
 Model readWhole(const std::string& path, const ImportOptions& options)
 {
-    Model model = readScene(path, options.surface);
+    Model model = readScene(path, options.surface, options.pick);
     const bool bare = model.triangles.empty() && model.vertices.empty();
     if (bare && model.bones.size() >= 2) {
         chooseRestPose(model);
@@ -47,16 +47,20 @@ Model readWhole(const std::string& path, const ImportOptions& options)
 
 std::vector<uint8_t> inChild(const std::string& path, const ImportOptions& options)
 {
-    std::vector<uint8_t> bytes;
-    try {
-        bytes = toBytes(readWhole(path, options));
-        bytes.insert(bytes.begin(), HOLDS_MODEL);
-    } catch (const InputError& error) {
-        const std::string message = error.what();
-        bytes.assign(1, HOLDS_MESSAGE);
+    const auto said = [](uint8_t kind, const std::string& message) {
+        std::vector<uint8_t> bytes(1, kind);
         bytes.insert(bytes.end(), message.begin(), message.end());
+        return bytes;
+    };
+    try {
+        std::vector<uint8_t> bytes = toBytes(readWhole(path, options));
+        bytes.insert(bytes.begin(), HOLDS_MODEL);
+        return bytes;
+    } catch (const SkeletonError& error) {
+        return said(HOLDS_SKELETONS, error.what());
+    } catch (const InputError& error) {
+        return said(HOLDS_MESSAGE, error.what());
     }
-    return bytes;
 }
 
 void checkFile(const std::string& path)
@@ -116,8 +120,10 @@ Model importModel(const std::string& path, const ImportOptions& options)
                                      result.failure));
     }
     if (result.bytes.empty() || result.bytes[0] != HOLDS_MODEL) {
-        throw InputError(oneLine(fmt::format(
-            "{}: {}", path, std::string(result.bytes.begin() + !result.bytes.empty(), result.bytes.end()))));
+        const std::string message = oneLine(
+            fmt::format("{}: {}", path, std::string(result.bytes.begin() + !result.bytes.empty(), result.bytes.end())));
+        if (!result.bytes.empty() && result.bytes[0] == HOLDS_SKELETONS) throw SkeletonError(message);
+        throw InputError(message);
     }
     Model model;
     if (!fromBytes(std::span(result.bytes).subspan(1), model)) {

@@ -141,8 +141,18 @@ unsigned mostKeys(const aiAnimation& animation)
     return most;
 }
 
+/// Whether any channel is of a bone.
+bool movesBones(const std::vector<const aiNodeAnim*>& channels, const NodeTable& table)
+{
+    for (size_t n = 0; n < channels.size(); ++n)
+        if (channels[n] && table.boneOf[n] >= 0) return true;
+    return false;
+}
+
 void convertClip(const aiAnimation& animation, const NodeTable& table, size_t keyLimit, Model& model)
 {
+    const std::vector<const aiNodeAnim*> channels = channelsByNode(animation, table);
+    if (table.isPicked && !movesBones(channels, table)) return;
     Clip clip;
     clip.name = animation.mName.length > 0 ? animation.mName.C_Str()
                                            : fmt::format("clip {}", model.clips.size() + model.unusableClips.size());
@@ -166,7 +176,6 @@ void convertClip(const aiAnimation& animation, const NodeTable& table, size_t ke
         model.notes.push_back(
             fmt::format("Clip '{}' was sampled {} times instead of {} to save memory.", clip.name, count, wanted));
     }
-    const std::vector<const aiNodeAnim*> channels = channelsByNode(animation, table);
     for (size_t k = 0; k < count; ++k) {
         const double part = count > 1 ? static_cast<double>(k) / static_cast<double>(count - 1) : 0.0;
         clip.keyTimes.push_back(part * clip.duration);

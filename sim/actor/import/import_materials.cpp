@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <set>
 
 #include "sim/actor/import/import_scene.h"
 #include "sim/actor/import/texture_decoder.h"
@@ -162,11 +163,15 @@ SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures
 
 }  // namespace
 
-std::vector<uint32_t> convertMaterials(const aiScene& scene, const std::string& path, Model& model)
+std::vector<uint32_t> convertMaterials(const aiScene& scene, const NodeTable& table, const std::string& path,
+                                       Model& model)
 {
     TextureReader textures(scene, path, model);
     std::vector<uint32_t> indices(std::max(scene.mNumMaterials, 1u), NO_INDEX);
+    std::set<const aiMesh*> taken;
+    forEachMesh(scene, table, [&](const aiMesh& mesh, uint32_t) { taken.insert(&mesh); });
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        if (table.isPicked && !taken.contains(scene.mMeshes[m])) continue;
         uint32_t& index = indices.at(scene.mMeshes[m]->mMaterialIndex);
         if (index != NO_INDEX) continue;
         index = static_cast<uint32_t>(model.surface.materials.size());

@@ -120,15 +120,13 @@ void addTriangles(const aiMesh& mesh, size_t firstVertex, bool mirrored, Model& 
     }
 }
 
-void addSkinned(const aiScene& scene, const aiMesh& mesh, uint32_t node, const NodeTable& table, Model& model,
-                SkinNotes& notes)
+void addSkinned(const aiMesh& mesh, uint32_t node, const NodeTable& table, Model& model, SkinNotes& notes)
 {
-    const std::vector<Matrix4d> matrices = skinMatrices(mesh, table, scene);
+    const std::vector<Matrix4d> matrices = skinMatrices(mesh, table);
     std::vector<std::vector<Influence>> influences = influencesOf(mesh, notes);
     std::vector<uint32_t> boneIndices;
     for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-        const uint32_t boneNode = table.indices.at(&nodeOfBone(scene, *mesh.mBones[b]));
-        boneIndices.push_back(static_cast<uint32_t>(table.boneOf[boneNode]));
+        boneIndices.push_back(static_cast<uint32_t>(table.boneOf[table.boneNodes.at(mesh.mBones[b])]));
     }
     const size_t first = model.vertices.size();
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
@@ -177,13 +175,13 @@ void addRigid(const aiMesh& mesh, uint32_t node, const NodeTable& table, Model& 
 
 }  // namespace
 
-std::vector<Matrix4d> skinMatrices(const aiMesh& mesh, const NodeTable& table, const aiScene& scene)
+std::vector<Matrix4d> skinMatrices(const aiMesh& mesh, const NodeTable& table)
 {
     std::vector<Matrix4d> matrices;
     for (unsigned b = 0; b < mesh.mNumBones; ++b) {
         const aiBone& bone = *mesh.mBones[b];
         const Matrix4d bind = toEigen(bone.mOffsetMatrix);
-        const Matrix4d matrix = table.globals[table.indices.at(&nodeOfBone(scene, bone))] * bind;
+        const Matrix4d matrix = table.globals[table.boneNodes.at(&bone)] * bind;
         bool moves = false;
         for (unsigned w = 0; w < bone.mNumWeights; ++w) {
             moves = moves || bone.mWeights[w].mWeight > 0.0f;
@@ -212,7 +210,7 @@ void forEachMesh(const aiScene& scene, const NodeTable& table,
                 continue;
             }
             shown[index] = true;
-            visit(*scene.mMeshes[index], n);
+            if (table.takes(*scene.mMeshes[index], n)) visit(*scene.mMeshes[index], n);
         }
     }
 }
@@ -226,7 +224,7 @@ void convertMeshes(const aiScene& scene, const NodeTable& table, Model& model)
         }
         const size_t before = model.triangles.size();
         if (mesh.mNumBones > 0) {
-            addSkinned(scene, mesh, node, table, model, notes);
+            addSkinned(mesh, node, table, model, notes);
         } else {
             addRigid(mesh, node, table, model);
         }

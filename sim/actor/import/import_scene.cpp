@@ -4,16 +4,19 @@
 #include <assimp/postprocess.h>
 #include <fmt/format.h>
 
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
+
 #include <assimp/Importer.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <new>
-#include <set>
 #include <string_view>
 #include <utility>
 
 #include "sim/actor/import/file_check.h"
+#include "sim/actor/import/joint_names.h"
 #include "sim/actor/import/lowercase.h"
 #include "sim/world/errors.h"
 
@@ -23,7 +26,6 @@ namespace {
 
 constexpr size_t NODE_LIMIT = 100000;
 constexpr size_t DEPTH_LIMIT = 1000;
-constexpr size_t BONE_LIMIT = 4096;
 /// From here on an edge without normals of its own is drawn sharp [degrees].
 constexpr float CREASE = 60.0f;
 
@@ -45,34 +47,7 @@ Eigen::Matrix4d uprightFrom(const aiScene& scene)
     return upright;
 }
 
-std::set<const aiNode*> boneNodes(const aiScene& scene, const NodeTable& table)
-{
-    std::set<const aiNode*> bones;
-    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b) {
-            bones.insert(&nodeOfBone(scene, *scene.mMeshes[m]->mBones[b]));
-        }
-    }
-    // A skeleton without a mesh: all of its nodes, but those that assimp makes for FBX pivots.
-    for (size_t n = 0; n < table.nodes.size() && scene.mNumMeshes == 0; ++n) {
-        if (std::string(table.nodes[n]->mName.C_Str()).find("_$AssimpFbx$_") == std::string::npos) {
-            bones.insert(table.nodes[n]);
-        }
-    }
-    return bones;
-}
-
 }  // namespace
-
-const aiNode& nodeOfBone(const aiScene& scene, const aiBone& bone)
-{
-    const aiNode* node = bone.mNode != nullptr ? bone.mNode : scene.mRootNode->FindNode(bone.mName);
-    if (node == nullptr) {
-        throw InputError(fmt::format("bone '{}' is not among the scene's nodes: export the model with its skeleton",
-                                     bone.mName.C_Str()));
-    }
-    return *node;
-}
 
 Eigen::Matrix4d toEigen(const aiMatrix4x4& m)
 {
@@ -88,6 +63,31 @@ int32_t NodeTable::boneAbove(uint32_t node) const
         n = parents[n];
     }
     return n < 0 ? -1 : boneOf[n];
+}
+
+size_t NodeTable::sharedDepth(uint32_t a, uint32_t b) const
+{
+    const auto depthOf = [&](int32_t node) {
+        size_t depth = 0;
+        for (; node >= 0; node = parents[node]) ++depth;
+        return depth;
+    };
+    auto x = static_cast<int32_t>(a), y = static_cast<int32_t>(b);
+    size_t depthX = depthOf(x), depthY = depthOf(y);
+    for (; depthX > depthY; --depthX) x = parents[x];
+    for (; depthY > depthX; --depthY) y = parents[y];
+    for (; x != y; --depthX) {
+        x = parents[x];
+        y = parents[y];
+    }
+    return depthX;
+}
+
+std::string NodeTable::nameOf(uint32_t node) const
+{
+    const std::string name = nodes[node]->mName.C_Str();
+    const auto original = originals.find(name);
+    return original == originals.end() ? name : original->second;
 }
 
 NodeTable listNodes(const aiScene& scene)
@@ -126,39 +126,34 @@ NodeTable listNodes(const aiScene& scene)
     return table;
 }
 
-void convertBones(const aiScene& scene, NodeTable& table, Model& model)
-{
-    const std::set<const aiNode*> chosen = boneNodes(scene, table);
-    if (chosen.size() > BONE_LIMIT) {
-        throw InputError(fmt::format("it has {} bones, at most {} are read", chosen.size(), BONE_LIMIT));
-    }
-    std::map<std::string, int> seen;
-    for (uint32_t n = 0; n < table.nodes.size(); ++n) {
-        if (!chosen.contains(table.nodes[n])) {
-            continue;
-        }
-        Bone bone;
-        bone.name = table.nodes[n]->mName.C_Str();
-        if (bone.name.empty()) {
-            bone.name = fmt::format("bone {}", model.bones.size());
-        }
-        if (const int times = ++seen[bone.name]; times > 1) {
-            bone.name += fmt::format("#{}", times);
-        }
-        bone.parent = table.boneAbove(n);
-        bone.restPose = table.globals[n].cast<float>();
-        table.boneOf[n] = static_cast<int32_t>(model.bones.size());
-        model.bones.push_back(bone);
-    }
-}
-
 namespace {
 
 constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
 
-/// assimp takes a BVH file with a byte-order mark for none: it gets what follows the mark.
-const aiScene* readFile(Assimp::Importer& importer, const std::string& path, unsigned flags)
+/// Reads files as they are, but for one.
+class OneInMemory : public Assimp::DefaultIOSystem {
+public:
+    OneInMemory(std::string path, std::string bytes) : path_(std::move(path)), bytes_(std::move(bytes)) {}
+
+    Assimp::IOStream* Open(const char* file, const char* mode) override
+    {
+        if (path_ != file) return DefaultIOSystem::Open(file, mode);
+        return new Assimp::MemoryIOStream(reinterpret_cast<const uint8_t*>(bytes_.data()), bytes_.size());
+    }
+
+private:
+    std::string path_, bytes_;
+};
+
+/// @param originals gets the names that were changed, see NamedJoints.
+const aiScene* readFile(Assimp::Importer& importer, const std::string& path, unsigned flags,
+                        std::map<std::string, std::string>& originals)
 {
+    NamedJoints named = nameJoints(path);
+    originals = std::move(named.originals);
+    if (!named.bytes.empty())
+        importer.SetIOHandler(new OneInMemory(path, std::move(named.bytes)));  // the importer owns it
+    // assimp takes a BVH file with a byte-order mark for none: it gets what follows the mark.
     std::string start(BYTE_ORDER_MARK.size(), '\0');
     std::ifstream file(path, std::ios::binary);
     file.read(start.data(), static_cast<std::streamsize>(start.size()));
@@ -170,7 +165,7 @@ const aiScene* readFile(Assimp::Importer& importer, const std::string& path, uns
 
 }  // namespace
 
-Model readScene(const std::string& path, bool surface)
+Model readScene(const std::string& path, bool surface, const ModelPick& pick)
 {
     checkParts(path);
     Assimp::Importer importer;
@@ -181,8 +176,10 @@ Model readScene(const std::string& path, bool surface)
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, looks | aiComponent_LIGHTS | aiComponent_CAMERAS);
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, CREASE);
     const unsigned normals = surface ? unsigned{aiProcess_GenSmoothNormals} : 0u;
+    std::map<std::string, std::string> originals;
     const aiScene* scene = readFile(
-        importer, path, aiProcess_Triangulate | aiProcess_PopulateArmatureData | aiProcess_GlobalScale | normals);
+        importer, path, aiProcess_Triangulate | aiProcess_PopulateArmatureData | aiProcess_GlobalScale | normals,
+        originals);
     if (scene == nullptr || scene->mRootNode == nullptr) {
         const std::string reason = importer.GetErrorString();
         if (reason.find("bad_alloc") != std::string::npos) {
@@ -195,13 +192,16 @@ Model readScene(const std::string& path, bool surface)
     Model model;
     model.name = std::filesystem::path(path).stem().string();
     NodeTable table = listNodes(*scene);
-    convertBones(*scene, table, model);
+    table.originals = std::move(originals);
+    findBoneNodes(*scene, table);
+    convertBones(pickSkeleton(*scene, pick, table, model.notes), table, model);
     convertMeshes(*scene, table, model);
     if (surface) {
         convertSurface(*scene, table, path, model);
         noteMissingMaterials(path, model.surface);
     }
     convertClips(*scene, table, model);
+    if (pick.split) splitIntoParts(*scene, table, model);
     return model;
 }
 

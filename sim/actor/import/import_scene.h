@@ -20,23 +20,48 @@ struct NodeTable {
     std::map<const aiNode*, uint32_t> indices;
     std::vector<int32_t> boneOf;                            ///< Index of the node's bone in Model::bones, or -1.
     Eigen::Matrix4d upright = Eigen::Matrix4d::Identity();  ///< Turns the file's up axis to +y; part of globals.
+    std::map<const aiBone*, uint32_t> boneNodes;            ///< The node that moves with each bone of a mesh.
+    std::map<std::string, std::string> originals;           ///< NamedJoints::originals.
+    bool isPicked = false;                                  ///< Whether only what hangs on bones of the model is taken.
 
     /// The bone of the node or of the nearest ancestor that has one, or -1.
     int32_t boneAbove(uint32_t node) const;
+    /// How many nodes lead to both, themselves among them.
+    size_t sharedDepth(uint32_t a, uint32_t b) const;
+    /// What the file calls a node.
+    std::string nameOf(uint32_t node) const;
+    /// Whether a mesh that is skinned to bones, or hangs on the node, is part of the model.
+    bool takes(const aiMesh& mesh, uint32_t node) const;
 };
 
 /// @throws InputError for a tree that is too deep or large, or a transform that is not finite.
 NodeTable listNodes(const aiScene& scene);
 
-/// The node that moves with the bone. @throws InputError if the scene has none.
-const aiNode& nodeOfBone(const aiScene& scene, const aiBone& bone);
+/// Fills NodeTable::boneNodes. @throws InputError for a bone without a node.
+void findBoneNodes(const aiScene& scene, NodeTable& table);
 
-/// Fills Model::bones from the nodes that bones of meshes name (all nodes if there are no meshes), parents first.
-void convertBones(const aiScene& scene, NodeTable& table, Model& model);
+/// The nodes that bones of meshes name, ascending; all nodes if there are no meshes.
+std::vector<uint32_t> bonesIn(const aiScene& scene, const NodeTable& table);
+
+/// Names of nodes as bones: those of the file, numbered where several have the same.
+std::vector<std::string> boneNames(const NodeTable& table, const std::vector<uint32_t>& nodes);
+
+/// The nodes that become bones: of a file with several skeletons those of the one that is picked.
+/// Several skeletons are what has a mesh each, skinned to three of its bones or more, where no mesh is skinned to
+/// bones of two. @throws SkeletonError where that is not said, or where there is none of the name.
+std::vector<uint32_t> pickSkeleton(const aiScene& scene, const ModelPick& pick, NodeTable& table,
+                                   std::vector<std::string>& notes);
+
+/// Fills Model::bones from nodes, parents first.
+void convertBones(const std::vector<uint32_t>& nodes, NodeTable& table, Model& model);
 
 /// Adds all triangles, skinned into the rest pose of the nodes, with normalized weights. @throws InputError for
 /// vertices that are not finite, indices out of range, counts over the limit, singular bind matrices.
 void convertMeshes(const aiScene& scene, const NodeTable& table, Model& model);
+
+/// Makes a bone of each separate part of the mesh: of what triangles and corners at the same place connect in one
+/// node. It has the name of the node, the mesh or the material. @throws InputError for a model with a skeleton.
+void splitIntoParts(const aiScene& scene, const NodeTable& table, Model& model);
 
 /// Samples every animation into bone-to-model matrices at a fixed rate.
 void convertClips(const aiScene& scene, const NodeTable& table, Model& model);
@@ -50,17 +75,18 @@ void forEachMesh(const aiScene& scene, const NodeTable& table,
 
 /// Per bone of a mesh: from the mesh's space to the model's in the rest pose of the nodes.
 /// @throws InputError for a bind matrix that is singular or not a number.
-std::vector<Eigen::Matrix4d> skinMatrices(const aiMesh& mesh, const NodeTable& table, const aiScene& scene);
+std::vector<Eigen::Matrix4d> skinMatrices(const aiMesh& mesh, const NodeTable& table);
 
 /// Fills Model::surface for the vertices that convertMeshes() added. What of a texture cannot be had is a note.
 /// @param path of the model's file.
 void convertSurface(const aiScene& scene, const NodeTable& table, const std::string& path, Model& model);
 
-/// Fills the materials that the scene's meshes have, and reads their textures. @returns per material of the scene its
-/// index among them, NO_INDEX where no mesh has it.
-std::vector<uint32_t> convertMaterials(const aiScene& scene, const std::string& path, Model& model);
+/// Fills the materials that the scene's meshes have which are taken, and reads their textures. @returns per material of
+/// the scene its index among them, NO_INDEX where no mesh has it.
+std::vector<uint32_t> convertMaterials(const aiScene& scene, const NodeTable& table, const std::string& path,
+                                       Model& model);
 
 /// Reads and converts a file, in the file's own units. @param surface see ImportOptions. @throws InputError.
-Model readScene(const std::string& path, bool surface);
+Model readScene(const std::string& path, bool surface, const ModelPick& pick);
 
 }  // namespace knuckle

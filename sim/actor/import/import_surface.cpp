@@ -25,14 +25,13 @@ Matrix3d normalMatrix(const Matrix4d& matrix)
 /// Turns the normals of one mesh as its vertices are.
 class NormalTurner {
 public:
-    NormalTurner(const aiScene& scene, const aiMesh& mesh, uint32_t node, const NodeTable& table)
-        : rigid_(normalMatrix(table.globals[node]))
+    NormalTurner(const aiMesh& mesh, uint32_t node, const NodeTable& table) : rigid_(normalMatrix(table.globals[node]))
     {
         if (mesh.mNumBones == 0) return;
-        const std::vector<Matrix4d> matrices = skinMatrices(mesh, table, scene);
+        const std::vector<Matrix4d> matrices = skinMatrices(mesh, table);
         rigid_ = normalMatrix(matrices[0]);
         for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-            const uint32_t bone = table.indices.at(&nodeOfBone(scene, *mesh.mBones[b]));
+            const uint32_t bone = table.boneNodes.at(mesh.mBones[b]);
             turns_[static_cast<uint32_t>(table.boneOf[bone])] = normalMatrix(matrices[b]);
         }
     }
@@ -71,10 +70,10 @@ Eigen::Vector3f colorOf(const aiColor4D& color)
 
 void convertSurface(const aiScene& scene, const NodeTable& table, const std::string& path, Model& model)
 {
-    const std::vector<uint32_t> materials = convertMaterials(scene, path, model);
+    const std::vector<uint32_t> materials = convertMaterials(scene, table, path, model);
     ModelSurface& surface = model.surface;
     forEachMesh(scene, table, [&](const aiMesh& mesh, uint32_t node) {
-        const NormalTurner turner(scene, mesh, node, table);
+        const NormalTurner turner(mesh, node, table);
         for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
             SurfaceVertex vertex;
             const size_t index = surface.vertices.size();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/actor/import/model_fit.h"
+#include "sim/world/errors.h"
 #include "sim/world/skin.h"
 
 namespace knuckle {
@@ -63,6 +64,7 @@ struct Model {
     std::vector<SkinWeights> skin;  ///< Empty, or one per vertex.
     ModelSurface surface;
     std::vector<Bone> bones;
+    bool isSplit = false;  ///< Its bones are separate parts, a vertex is of one: they become bodies without joints.
     std::vector<Clip> clips;
     std::vector<UnusableClip> unusableClips;
     std::string poseFrom;            ///< "clip 'run' at 0.03 s": what the rest pose is; empty: the file's own.
@@ -73,10 +75,17 @@ struct ImportOptions {
     ModelFit fit = {};
     bool clips = true;
     bool surface = false;  ///< Whether it is going to be drawn: only then its textures are read.
+    ModelPick pick = {};
+};
+
+/// A file has several skeletons and nobody said which, or none of the name that was given.
+struct SkeletonError : InputError {
+    using InputError::InputError;
 };
 
 /// Reads a model with assimp in a child process with limits on memory and time, since libassimp crashes or allocates
-/// without bound on some broken files. @throws InputError naming the file, what is wrong and the remedy.
+/// without bound on some broken files. @throws InputError naming the file, what is wrong and the remedy; SkeletonError
+/// without a remedy, which depends on who asks.
 Model importModel(const std::string& path, const ImportOptions& options = {});
 
 }  // namespace knuckle

@@ -121,6 +121,7 @@ void visitModel(Archive& archive, Any& model)
         archive.plain(bone.parent);
         archive.plain(bone.restPose);
     });
+    archive.plain(model.isSplit);
     archive.list(model.clips, [&](auto& clip) {
         archive.text(clip.name);
         archive.plain(clip.duration);

@@ -20,10 +20,23 @@ struct ModelFit {
     bool operator==(const ModelFit&) const = default;
 };
 
+/// What of a file becomes an actor.
+struct ModelPick {
+    /// By the name of its root bone, or a pattern (name_pattern.h): the skeleton whose bones and meshes are taken.
+    /// Empty: the only one. `*`: all that is there, as one.
+    std::string skeleton;
+    bool split = false;  ///< A model without a skeleton: a body for each separate part of its mesh.
+
+    bool operator==(const ModelPick&) const = default;
+};
+/// For what has no use for a skeleton.
+inline const std::string ALL_SKELETONS = "*";
+
 /// A model in a file.
 struct ModelSource {
     std::string file;  ///< Its path; empty: not known.
     ModelFit fit;
+    ModelPick pick = {};
 };
 
 }  // namespace knuckle

@@ -51,8 +51,7 @@ public:
         for (uint32_t b = 0; b < drafts.size(); ++b) {
             for (const uint32_t p : drafts[b].particles) ofParticle_[p] = b;
             for (uint32_t bone = 0; bone < model.bones.size(); ++bone)
-                if (bone == drafts[b].bone || std::ranges::count(drafts[b].mergedBones, model.bones[bone].name) > 0)
-                    ofBone_[bone] = b;
+                if (bone == drafts[b].bone || std::ranges::count(drafts[b].mergedBones, bone) > 0) ofBone_[bone] = b;
         }
     }
     uint32_t ofBone(uint32_t bone) const { return bone == NO_INDEX ? NO_INDEX : ofBone_[bone]; }

@@ -39,12 +39,11 @@ uint32_t WorldBuilder::addColliderGrid(ColliderGrid grid)
     return static_cast<uint32_t>(world_.colliderGrids.size() - 1);
 }
 
-void WorldBuilder::addSkin(const std::shared_ptr<const SkinMesh>& mesh, std::span<const uint32_t> objects,
-                           bool hidesParticles)
+void WorldBuilder::addSkin(const std::shared_ptr<const SkinMesh>& mesh, std::span<const uint32_t> objects, SkinUse use)
 {
-    const auto same = [&](const Skin& skin) { return skin.mesh == mesh && skin.hidesParticles == hidesParticles; };
+    const auto same = [&](const Skin& skin) { return skin.mesh == mesh && skin.use == use; };
     auto skin = std::ranges::find_if(world_.skins, same);
-    if (skin == world_.skins.end()) skin = world_.skins.insert(skin, {mesh, {}, hidesParticles});
+    if (skin == world_.skins.end()) skin = world_.skins.insert(skin, {mesh, {}, use});
     skin->objects.insert(skin->objects.end(), objects.begin(), objects.end());
 }
 

@@ -43,8 +43,8 @@ public:
     /// @returns its index, for Collider::grid.
     uint32_t addColliderGrid(ColliderGrid grid);
 
-    /// Objects that are there wear a mesh, which is drawn where their bodies are. @param hidesParticles see Skin.
-    void addSkin(const std::shared_ptr<const SkinMesh>& mesh, std::span<const uint32_t> objects, bool hidesParticles);
+    /// Objects that are there wear a mesh, which moves with their bodies.
+    void addSkin(const std::shared_ptr<const SkinMesh>& mesh, std::span<const uint32_t> objects, SkinUse use);
 
     /// All bodies and joints up to endObject() belong to one object named `name`.
     void beginObject(std::string name);

@@ -60,6 +60,14 @@ TEST_F(FileCheck, SaysWhichFileToGiveInsteadOfASkeletonOfOgre)
                   "it is a skeleton of Ogre without its mesh: give the .mesh or .mesh.xml that goes with it");
 }
 
+TEST_F(FileCheck, SaysHowToRenameAGltfOfTheOtherKind)
+{
+    EXPECT_EQ(refusal("walk.v2.gltf", std::string("glTF\2\0\0\0\20\0\0\0more", 16)),
+              "it is a binary glTF under the name of one of text: rename it to walk.v2.glb");
+    EXPECT_EQ(refusal("walk.GLB", "\n" + gltf("a.bin")),
+              "it is a glTF of text under the name of a binary one: rename it to walk.gltf");
+}
+
 TEST_F(FileCheck, NotesAMissingMaterialFileWhereItWouldBeSeen)
 {
     const std::string path = folder.write("box.obj", std::string("mtllib gone.mtl\r\nusemtl a\n") + TETRAHEDRON);

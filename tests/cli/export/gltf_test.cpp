@@ -69,6 +69,24 @@ TEST(GltfExport, ReadBackTheSkeletonMovesAsTheBodiesDid)
     EXPECT_GE(checked, 30 * before.bones.size());
 }
 
+TEST(GltfExport, CopiesShareTheirMesh)
+{
+    const TempFolder folder;
+    const auto sizeOf = [&](int copies) {
+        const Scene scene = loadScene(
+            folder.write("scene.json", R"({ "diameter": 0.08, "objects": [{ "type": "actor", "file": ")" +
+                                           inSource("assets/models/humanoid.glb") + R"(", "repeat": { "counts": [)" +
+                                           std::to_string(copies) + R"(, 1, 1], "spacing": [2, 2, 2] } }] })"));
+        const std::string path = folder.path("out.glb");
+        GltfExport out(path, scene);
+        out.add(scene.world, turned(scene.world, 0.0f));
+        out.finish(30.0);
+        EXPECT_FALSE(importModel(path, {.fit = {.scale = 1.0}, .pick = {.skeleton = ALL_SKELETONS}}).vertices.empty());
+        return readText(path).size();
+    };
+    EXPECT_LT(sizeOf(3), 1.2 * static_cast<double>(sizeOf(1)));
+}
+
 TEST(GltfExport, JointsOfASkinHaveOneRoot)
 {
     const TempFolder folder;

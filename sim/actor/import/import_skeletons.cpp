@@ -1,0 +1,171 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+#include "sim/actor/bodies/name_pattern.h"
+#include "sim/actor/import/import_scene.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr size_t FEWEST_SKINNED = 3;  // bones of one mesh that make it a figure's
+
+/// Bones below one root, or below several that a mesh connects.
+struct Skeleton {
+    std::string name;                    ///< Of the root with the most bones below it.
+    uint32_t root = 0;                   ///< Its node.
+    std::vector<uint32_t> nodes, roots;  ///< Of all its bones, ascending.
+    size_t skinned = 0;                  ///< The most bones that one mesh is skinned to.
+};
+
+bool moves(const aiBone& bone)
+{
+    return std::ranges::any_of(std::span(bone.mWeights, bone.mNumWeights),
+                               [](const aiVertexWeight& weight) { return weight.mWeight > 0.0f; });
+}
+
+/// Finds the skeletons of a scene by joining the trees of bones that a mesh spans.
+class SkeletonFinder {
+public:
+    SkeletonFinder(const aiScene& scene, const NodeTable& table)
+        : table_(table), bones_(bonesIn(scene, table)), names_(boneNames(table, bones_)),
+          rootOf_(table.nodes.size(), NO_INDEX), joined_(table.nodes.size())
+    {
+        std::iota(joined_.begin(), joined_.end(), 0u);
+        std::vector<uint8_t> isBone(table.nodes.size(), 0);
+        for (const uint32_t bone : bones_) isBone[bone] = 1;
+        // Parents come first.
+        for (uint32_t n = 0; n < table.nodes.size(); ++n) {
+            const int32_t parent = table.parents[n];
+            const uint32_t above = parent < 0 ? NO_INDEX : rootOf_[static_cast<size_t>(parent)];
+            rootOf_[n] = above != NO_INDEX ? above : isBone[n] ? n : NO_INDEX;
+        }
+        forEachMesh(scene, table, [&](const aiMesh& mesh, uint32_t) { join(mesh); });
+    }
+
+    std::vector<Skeleton> find()
+    {
+        std::map<uint32_t, Skeleton> found;
+        std::map<uint32_t, std::vector<uint32_t>> trees;
+        for (const uint32_t bone : bones_) trees[rootOf_[bone]].push_back(bone);
+        for (const auto& [root, nodes] : trees) {
+            Skeleton& skeleton = found[group(root)];
+            skeleton.roots.push_back(root);
+            skeleton.nodes.insert(skeleton.nodes.end(), nodes.begin(), nodes.end());
+            if (skeleton.name.empty() || nodes.size() > trees.at(skeleton.root).size()) {
+                skeleton.root = root;
+                skeleton.name = names_[static_cast<size_t>(std::ranges::lower_bound(bones_, root) - bones_.begin())];
+            }
+        }
+        for (const auto& [root, count] : skinned_)
+            found.at(group(root)).skinned = std::max(found.at(group(root)).skinned, count);
+        std::vector<Skeleton> skeletons;
+        for (auto& [root, skeleton] : found) {
+            std::ranges::sort(skeleton.nodes);
+            skeletons.push_back(std::move(skeleton));
+        }
+        return skeletons;
+    }
+
+private:
+    uint32_t group(uint32_t root) const
+    {
+        while (joined_[root] != root) root = joined_[root];
+        return root;
+    }
+
+    void join(const aiMesh& mesh)
+    {
+        std::vector<uint32_t> roots;
+        for (const aiBone* bone : std::span(mesh.mBones, mesh.mNumBones))
+            if (moves(*bone)) roots.push_back(group(rootOf_[table_.boneNodes.at(bone)]));
+        if (roots.empty()) return;
+        const uint32_t first = *std::ranges::min_element(roots);
+        for (const uint32_t root : roots) joined_[group(root)] = first;
+        skinned_[first] = std::max(skinned_[first], roots.size());
+    }
+
+    const NodeTable& table_;
+    std::vector<uint32_t> bones_;
+    std::vector<std::string> names_;
+    std::vector<uint32_t> rootOf_, joined_;  ///< Per node.
+    std::map<uint32_t, size_t> skinned_;     ///< By root: of how many bones a mesh is.
+};
+
+std::string listed(std::span<const Skeleton> skeletons)
+{
+    std::vector<std::string> texts;
+    for (const Skeleton& skeleton : skeletons)
+        texts.push_back(fmt::format("{} ({} bones)", skeleton.name, skeleton.nodes.size()));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+bool isWanted(const Skeleton& skeleton, const std::string& pattern)
+{
+    return skeleton.name == pattern || matchesPattern(skeleton.name, pattern);
+}
+
+/// Controls and props go with the figure that hangs nearest to them in the tree of nodes, unless two are as near.
+void giveAway(const std::vector<Skeleton>& others, const NodeTable& table, std::vector<Skeleton>& figures)
+{
+    for (const Skeleton& other : others) {
+        std::vector<size_t> depths;
+        for (const Skeleton& figure : figures) depths.push_back(table.sharedDepth(other.root, figure.root));
+        const auto nearest = std::ranges::max_element(depths);
+        if (std::ranges::count(depths, *nearest) > 1) continue;
+        std::vector<uint32_t>& nodes = figures[static_cast<size_t>(nearest - depths.begin())].nodes;
+        nodes.insert(nodes.end(), other.nodes.begin(), other.nodes.end());
+        std::ranges::sort(nodes);
+    }
+}
+
+}  // namespace
+
+bool NodeTable::takes(const aiMesh& mesh, uint32_t node) const
+{
+    if (!isPicked) return true;
+    if (mesh.mNumBones == 0) return boneAbove(node) >= 0;
+    return std::ranges::any_of(std::span(mesh.mBones, mesh.mNumBones),
+                               [&](const aiBone* bone) { return moves(*bone) && boneOf[boneNodes.at(bone)] >= 0; });
+}
+
+std::vector<uint32_t> pickSkeleton(const aiScene& scene, const ModelPick& pick, NodeTable& table,
+                                   std::vector<std::string>& notes)
+{
+    std::vector<uint32_t> all = bonesIn(scene, table);
+    if (pick.skeleton == ALL_SKELETONS || scene.mNumMeshes == 0) return all;
+    std::vector<Skeleton> skeletons = SkeletonFinder(scene, table).find();
+    const auto others = std::ranges::stable_partition(
+        skeletons, [](const Skeleton& skeleton) { return skeleton.skinned >= FEWEST_SKINNED; });
+    std::vector<Skeleton> figures(skeletons.begin(), others.begin());
+    if (figures.size() < 2) {
+        const bool known = std::ranges::any_of(skeletons,
+                                               [&](const Skeleton& s) { return isWanted(s, pick.skeleton); });
+        if (pick.skeleton.empty() || known) return all;
+        throw SkeletonError(skeletons.empty() ? "it has no skeleton"
+                                              : fmt::format("it has no skeleton '{}', but one: {}", pick.skeleton,
+                                                            listed(std::span(skeletons).first(1))));
+    }
+    if (pick.skeleton.empty())
+        throw SkeletonError(fmt::format("it holds {} skeletons: {}", figures.size(), listed(figures)));
+    const std::string choice = listed(figures);
+    giveAway({others.begin(), others.end()}, table, figures);
+    std::vector<uint32_t> nodes;
+    std::vector<std::string> taken;
+    for (const Skeleton& figure : figures) {
+        if (!isWanted(figure, pick.skeleton)) continue;
+        nodes.insert(nodes.end(), figure.nodes.begin(), figure.nodes.end());
+        taken.push_back(figure.name);
+    }
+    if (taken.empty()) throw SkeletonError(fmt::format("it has no skeleton '{}', but {}", pick.skeleton, choice));
+    std::ranges::sort(nodes);
+    table.isPicked = true;
+    notes.push_back(fmt::format("Of {} skeletons only {} was taken.", figures.size(), fmt::join(taken, ", ")));
+    return nodes;
+}
+
+}  // namespace knuckle

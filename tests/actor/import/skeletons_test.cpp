@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include "sim/actor/gltf/glb.h"
+#include "sim/actor/import/model.h"
+#include "tests/actor/shapes.h"
+#include "tests/message_of.h"
+#include "tests/temp_folder.h"
+
+namespace knuckle {
+namespace {
+
+using Eigen::Vector3f;
+
+/// A chain of bones up from the ground at x, a box on each.
+Model chain(const std::string& name, int bones, float x)
+{
+    Model model;
+    model.name = name + " skin";
+    for (int b = 0; b < bones; ++b) {
+        const float y = 0.5f * static_cast<float>(b);
+        const TriangleMesh mesh = boxMesh({x, y + 0.25f, 0}, {0.1f, 0.25f, 0.1f});
+        const auto first = static_cast<uint32_t>(model.vertices.size());
+        for (const Triangle& t : mesh.triangles) model.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+        SkinWeights skin;
+        skin.bones[0] = static_cast<uint32_t>(b);
+        skin.weights[0] = 1.0f;
+        model.vertices.insert(model.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+        model.skin.resize(model.vertices.size(), skin);
+        Bone bone{name + (b == 0 ? "" : std::to_string(b)), b - 1};
+        bone.restPose.block<3, 1>(0, 3) = Vector3f(x, y, 0);
+        model.bones.push_back(bone);
+    }
+    return model;
+}
+
+std::vector<std::string> boneNames(const Model& model)
+{
+    std::vector<std::string> names;
+    for (const Bone& bone : model.bones) names.push_back(bone.name);
+    return names;
+}
+
+/// A clip in which the last bone turns.
+Clip clipOf(const Model& model, const std::string& name, float angle)
+{
+    Clip clip{name, 1.0, {0.0, 1.0}, {}};
+    for (const float turn : {0.0f, angle}) {
+        clip.poses.emplace_back();
+        for (const Bone& bone : model.bones) clip.poses.back().push_back(bone.restPose);
+        clip.poses.back().back().topLeftCorner<3, 3>() = Eigen::AngleAxisf(turn, Vector3f::UnitX()).toRotationMatrix();
+    }
+    return clip;
+}
+
+class Skeletons : public testing::Test {
+protected:
+    std::string write(const std::vector<Model>& models) const { return folder_.write("several.glb", toGlb(models)); }
+    Model import(const std::vector<Model>& models, const std::string& skeleton, bool surface = false) const
+    {
+        ImportOptions options;
+        options.surface = surface;
+        options.pick.skeleton = skeleton;
+        return importModel(write(models), options);
+    }
+    /// Without the file's path.
+    std::string refusal(const std::vector<Model>& models, const std::string& skeleton) const
+    {
+        const std::string message = test::messageOf<SkeletonError>([&] { import(models, skeleton); });
+        const size_t end = message.find(".glb: ");
+        return end == std::string::npos ? message : message.substr(end + 6);
+    }
+    test::TempFolder folder_;
+};
+
+TEST_F(Skeletons, OfTwoFiguresOneMustBeChosen)
+{
+    const std::vector<Model> models{chain("left", 3, -1), chain("right", 4, 1)};
+    EXPECT_EQ(refusal(models, ""), "it holds 2 skeletons: left (3 bones), right (4 bones)");
+    EXPECT_EQ(refusal(models, "middle"), "it has no skeleton 'middle', but left (3 bones), right (4 bones)");
+    EXPECT_EQ(boneNames(import(models, "r*t")), (std::vector<std::string>{"right", "right1", "right2", "right3"}));
+    EXPECT_EQ(import(models, "*").bones.size(), 7u);
+}
+
+TEST_F(Skeletons, OneOfTwoIsAsIfItWereAlone)
+{
+    std::vector<Model> models{chain("root", 3, -1), chain("root", 3, 1)};
+    models[0].clips = {clipOf(models[0], "nod", 0.5f), clipOf(models[0], "bow", 1.0f)};
+    models[1].clips = {clipOf(models[1], "nod", 0.8f)};
+    models[0].surface.materials = {{.name = "one"}};
+    models[1].surface.materials = {{.name = "two"}};
+    for (Model& model : models) model.surface.vertices.resize(model.vertices.size());
+    for (const size_t figure : {size_t{0}, size_t{1}}) {
+        const Model picked = import(models, figure == 0 ? "root" : "root#2", true);
+        const Model alone = import({models[figure]}, "", true);
+        EXPECT_EQ(boneNames(picked), boneNames(alone));
+        EXPECT_EQ(picked.vertices, alone.vertices);
+        EXPECT_EQ(picked.triangles, alone.triangles);
+        ASSERT_EQ(picked.clips.size(), models[figure].clips.size());
+        EXPECT_EQ(picked.clips[0].poses, alone.clips[0].poses);
+        ASSERT_EQ(picked.surface.materials.size(), 1u);
+        EXPECT_EQ(picked.surface.materials[0].name, figure == 0 ? "one" : "two");
+    }
+}
+
+TEST_F(Skeletons, AMeshThatSpansTwoTreesJoinsThem)
+{
+    Model both = chain("upper", 3, 0);
+    const Model lower = chain("lower", 3, 1);
+    const auto firstVertex = static_cast<uint32_t>(both.vertices.size());
+    both.vertices.insert(both.vertices.end(), lower.vertices.begin(), lower.vertices.end());
+    for (const Triangle& t : lower.triangles)
+        both.triangles.push_back({t[0] + firstVertex, t[1] + firstVertex, t[2] + firstVertex});
+    for (SkinWeights skin : lower.skin) {
+        skin.bones[0] += 3;
+        both.skin.push_back(skin);
+    }
+    for (Bone bone : lower.bones) {
+        bone.parent = bone.parent < 0 ? -1 : bone.parent + 3;
+        both.bones.push_back(bone);
+    }
+    EXPECT_EQ(import({both}, "").bones.size(), 6u);
+    EXPECT_EQ(refusal({both}, "lower"), "it has no skeleton 'lower', but one: upper (6 bones)");
+}
+
+TEST_F(Skeletons, PropsAndControlsMakeNoFigure)
+{
+    EXPECT_EQ(import({chain("hips", 4, 0), chain("sword", 2, 1), chain("control", 1, 2)}, "").bones.size(), 7u);
+}
+
+TEST_F(Skeletons, WhatHasNoneHasNone)
+{
+    const std::string path = folder_.write("box.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n"
+                                                      "f 1 4 3\n");
+    ImportOptions options;
+    options.pick.skeleton = "hips";
+    EXPECT_EQ(test::messageOf<SkeletonError>([&] { importModel(path, options); }), path + ": it has no skeleton");
+    options.pick.skeleton = "*";
+    EXPECT_EQ(importModel(path, options).triangles.size(), 4u);
+}
+
+}  // namespace
+}  // namespace knuckle
