@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "sim/actor/import/import_scene.h"
 #include "sim/world/errors.h"
@@ -19,37 +20,52 @@ constexpr double SAME = 1e-3;  // of two ways to skin a mesh, in its size
 
 using NodesByName = std::map<std::string, std::vector<uint32_t>>;
 
-/// Of several figures whose bones have the same names, the one that a mesh belongs to: where its vertices come nearest
-/// to where the mesh stands when its bones move them, of equal ones that which hangs nearest to it.
+/// Tells which of several figures whose bones have the same names each mesh belongs to: the one whose bones move it
+/// least from where it stands, of equal ones that which hangs nearest to it. Where that leaves a figure without a mesh,
+/// they are dealt out in the order of the file.
 class NamesakeFinder {
 public:
     NamesakeFinder(const NodeTable& table, const NodesByName& byName) : table_(table), byName_(byName) {}
 
-    void find(const aiMesh& mesh, uint32_t node, std::map<const aiBone*, uint32_t>& boneNodes) const
+    void add(const aiMesh& mesh, uint32_t node)
     {
-        size_t figures = 1;
-        for (const aiBone* bone : std::span(mesh.mBones, mesh.mNumBones))
-            figures = std::max(figures, nodesOf(*bone).size());
-        if (figures < 2) return;
+        // A single bone may have the name of a mesh.
+        const std::span bones(mesh.mBones, mesh.mNumBones);
+        const size_t figures = bones.size() < FEWEST_SKINNED ? 1 : nodesOf(*bones.front()).size();
+        const auto isShared = [&](const aiBone* bone) { return nodesOf(*bone).size() == figures; };
+        if (figures < 2 || !std::ranges::all_of(bones, isShared)) return;
         std::tuple<double, size_t> best{INFINITY, 0};
         size_t chosen = figures;
         for (size_t figure = 0; figure < figures; ++figure) {
-            const double off = std::round(offset(mesh, node, figures, figure) / SAME);
-            const std::tuple found{off, table_.nodes.size() - depth(mesh, node, figures, figure)};
-            if (found == best) chosen = figures;  // as assimp has it
+            const double off = std::round(offset(mesh, node, figure) / SAME);
+            const std::tuple found{off, table_.nodes.size() - depth(mesh, node, figure)};
+            if (found == best) chosen = figures;  // undecided
             if (found < best) chosen = figure;
             best = std::min(best, found);
         }
-        if (chosen == figures) return;
-        for (const aiBone* bone : std::span(mesh.mBones, mesh.mNumBones))
-            if (nodesOf(*bone).size() == figures) boneNodes[bone] = nodesOf(*bone)[chosen];
+        meshes_[figures].push_back({&mesh, chosen});
+    }
+
+    void decide(std::map<const aiBone*, uint32_t>& boneNodes) const
+    {
+        for (const auto& [figures, meshes] : meshes_) {
+            std::set<size_t> found;
+            for (const auto& [mesh, figure] : meshes) found.insert(figure);
+            const bool isTold = found.size() == figures && *found.rbegin() < figures;
+            for (size_t m = 0; m < meshes.size(); ++m) {
+                const aiMesh& mesh = *meshes[m].first;
+                const size_t figure = isTold ? meshes[m].second : m * figures / meshes.size();
+                for (const aiBone* bone : std::span(mesh.mBones, mesh.mNumBones))
+                    boneNodes[bone] = nodesOf(*bone)[figure];
+            }
+        }
     }
 
 private:
     const std::vector<uint32_t>& nodesOf(const aiBone& bone) const { return byName_.at(bone.mName.C_Str()); }
 
     /// How far bones move the corners of a mesh's bounds from where it stands, in parts of its size.
-    double offset(const aiMesh& mesh, uint32_t node, size_t figures, size_t figure) const
+    double offset(const aiMesh& mesh, uint32_t node, size_t figure) const
     {
         Eigen::AlignedBox3d box;
         for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
@@ -59,7 +75,6 @@ private:
         const Eigen::Matrix4d& own = table_.globals[node];
         double sum = 0.0;
         for (const aiBone* bone : std::span(mesh.mBones, mesh.mNumBones)) {
-            if (nodesOf(*bone).size() != figures) continue;
             const Eigen::Matrix4d moved = table_.globals[nodesOf(*bone)[figure]] * toEigen(bone->mOffsetMatrix);
             for (const auto corner : {Eigen::AlignedBox3d::BottomLeftFloor, Eigen::AlignedBox3d::TopRightCeil})
                 sum += ((moved - own) * box.corner(corner).homogeneous()).norm();
@@ -68,18 +83,55 @@ private:
         return std::isfinite(sum) && size > 0.0 ? sum / size : 0.0;
     }
 
-    size_t depth(const aiMesh& mesh, uint32_t node, size_t figures, size_t figure) const
+    size_t depth(const aiMesh& mesh, uint32_t node, size_t figure) const
     {
         size_t depth = 0;
         for (const aiBone* bone : std::span(mesh.mBones, mesh.mNumBones))
-            if (nodesOf(*bone).size() == figures)
-                depth = std::max(depth, table_.sharedDepth(node, nodesOf(*bone)[figure]));
+            depth = std::max(depth, table_.sharedDepth(node, nodesOf(*bone)[figure]));
         return depth;
     }
 
     const NodeTable& table_;
     const NodesByName& byName_;
+    std::map<size_t, std::vector<std::pair<const aiMesh*, size_t>>> meshes_;  ///< By how many figures there are.
 };
+
+/// Where a skeleton without a mesh begins: below what only holds it, as scenes and armatures do, which no clip moves
+/// and from which nothing else branches.
+uint32_t skeletonTop(const aiScene& scene, const NodeTable& table)
+{
+    std::set<std::string> moved;
+    for (const aiAnimation* clip : std::span(scene.mAnimations, scene.mNumAnimations))
+        for (const aiNodeAnim* channel : std::span(clip->mChannels, clip->mNumChannels))
+            moved.insert(channel->mNodeName.C_Str());
+    const aiNode* top = scene.mRootNode;
+    while (!moved.contains(top->mName.C_Str())) {
+        std::vector<const aiNode*> branches;
+        for (const aiNode* child : std::span(top->mChildren, top->mNumChildren))
+            if (child->mNumChildren > 0 || moved.contains(child->mName.C_Str())) branches.push_back(child);
+        if (branches.size() != 1) break;
+        top = branches.front();
+    }
+    return table.indices.at(top);
+}
+
+std::vector<uint32_t> bareBones(const aiScene& scene, const NodeTable& table)
+{
+    std::set<std::string> others;
+    for (const aiCamera* camera : std::span(scene.mCameras, scene.mNumCameras)) others.insert(camera->mName.C_Str());
+    for (const aiLight* light : std::span(scene.mLights, scene.mNumLights)) others.insert(light->mName.C_Str());
+    const uint32_t top = skeletonTop(scene, table);
+    std::vector<uint8_t> isBelow(table.nodes.size(), 0);
+    std::vector<uint32_t> bones;
+    for (uint32_t n = top; n < table.nodes.size(); ++n) {
+        isBelow[n] = n == top || isBelow[static_cast<size_t>(table.parents[n])];
+        const std::string name = table.nodes[n]->mName.C_Str();
+        // assimp makes nodes for the pivots of FBX.
+        const bool isPivot = name.find("_$AssimpFbx$_") != std::string::npos;
+        if (isBelow[n] && !isPivot && !others.contains(name)) bones.push_back(n);
+    }
+    return bones;
+}
 
 }  // namespace
 
@@ -98,17 +150,16 @@ void findBoneNodes(const aiScene& scene, NodeTable& table)
             table.boneNodes[bone] = known != table.indices.end() ? known->second : named->second.front();
         }
     }
-    const NamesakeFinder finder(table, byName);
-    forEachMesh(scene, table, [&](const aiMesh& mesh, uint32_t node) { finder.find(mesh, node, table.boneNodes); });
+    NamesakeFinder finder(table, byName);
+    forEachMesh(scene, table, [&](const aiMesh& mesh, uint32_t node) { finder.add(mesh, node); });
+    finder.decide(table.boneNodes);
 }
 
 std::vector<uint32_t> bonesIn(const aiScene& scene, const NodeTable& table)
 {
+    if (table.isBare) return bareBones(scene, table);
     std::set<uint32_t> bones;
     for (const auto& [bone, node] : table.boneNodes) bones.insert(node);
-    // A skeleton without a mesh: all of its nodes, but those that assimp makes for FBX pivots.
-    for (uint32_t n = 0; n < table.nodes.size() && scene.mNumMeshes == 0; ++n)
-        if (std::string(table.nodes[n]->mName.C_Str()).find("_$AssimpFbx$_") == std::string::npos) bones.insert(n);
     return {bones.begin(), bones.end()};
 }
 

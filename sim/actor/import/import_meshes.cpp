@@ -202,6 +202,7 @@ std::vector<Matrix4d> skinMatrices(const aiMesh& mesh, const NodeTable& table)
 void forEachMesh(const aiScene& scene, const NodeTable& table,
                  const std::function<void(const aiMesh&, uint32_t)>& visit)
 {
+    if (table.isBare) return;
     std::vector<bool> shown(scene.mNumMeshes, false);
     for (uint32_t n = 0; n < table.nodes.size(); ++n) {
         for (unsigned m = 0; m < table.nodes[n]->mNumMeshes; ++m) {

@@ -45,8 +45,10 @@ struct Run {
 /// Whether a name is one that somebody gave, not one that importers make up.
 bool isGiven(std::string_view name)
 {
-    return !name.empty() && name[0] != '<' && name != "defaultobject" && !name.starts_with("mesh_") &&
-           name != "DefaultMaterial" && name != "ROOT";
+    constexpr std::array<std::string_view, 4> MADE_UP{"<", "mesh_", "nodes[", "meshes["};
+    const auto isMadeUp = [&](std::string_view start) { return name.starts_with(start); };
+    return !name.empty() && name != "defaultobject" && name != "DefaultMaterial" && name != "ROOT" &&
+           std::ranges::none_of(MADE_UP, isMadeUp);
 }
 
 std::string baseName(const Run& run, const NodeTable& table)

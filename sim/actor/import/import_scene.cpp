@@ -193,10 +193,13 @@ Model readScene(const std::string& path, bool surface, const ModelPick& pick)
     model.name = std::filesystem::path(path).stem().string();
     NodeTable table = listNodes(*scene);
     table.originals = std::move(originals);
+    // Of an MD5 clip assimp makes a mesh of needles.
+    const bool isClip = lowercase(std::filesystem::path(path).extension().string()) == ".md5anim";
+    table.isBare = scene->mNumMeshes == 0 || isClip;
     findBoneNodes(*scene, table);
     convertBones(pickSkeleton(*scene, pick, table, model.notes), table, model);
     convertMeshes(*scene, table, model);
-    if (surface) {
+    if (surface && !table.isBare) {
         convertSurface(*scene, table, path, model);
         noteMissingMaterials(path, model.surface);
     }

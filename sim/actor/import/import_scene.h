@@ -12,6 +12,9 @@
 // Inside the importing child only: the files import_*.cpp alone know assimp.
 namespace knuckle {
 
+/// Bones of one mesh that make it a figure's.
+constexpr size_t FEWEST_SKINNED = 3;
+
 /// The node tree of a scene as lists, parents first.
 struct NodeTable {
     std::vector<const aiNode*> nodes;
@@ -22,6 +25,7 @@ struct NodeTable {
     Eigen::Matrix4d upright = Eigen::Matrix4d::Identity();  ///< Turns the file's up axis to +y; part of globals.
     std::map<const aiBone*, uint32_t> boneNodes;            ///< The node that moves with each bone of a mesh.
     std::map<std::string, std::string> originals;           ///< NamedJoints::originals.
+    bool isBare = false;                                    ///< Whether the scene has no mesh but a skeleton.
     bool isPicked = false;                                  ///< Whether only what hangs on bones of the model is taken.
 
     /// The bone of the node or of the nearest ancestor that has one, or -1.
@@ -40,7 +44,8 @@ NodeTable listNodes(const aiScene& scene);
 /// Fills NodeTable::boneNodes. @throws InputError for a bone without a node.
 void findBoneNodes(const aiScene& scene, NodeTable& table);
 
-/// The nodes that bones of meshes name, ascending; all nodes if there are no meshes.
+/// The nodes that bones of meshes name, ascending. If there are no meshes, all of the skeleton, without what only holds
+/// it, cameras and lights.
 std::vector<uint32_t> bonesIn(const aiScene& scene, const NodeTable& table);
 
 /// Names of nodes as bones: those of the file, numbered where several have the same.

@@ -12,8 +12,6 @@ namespace knuckle {
 
 namespace {
 
-constexpr size_t FEWEST_SKINNED = 3;  // bones of one mesh that make it a figure's
-
 /// Bones below one root, or below several that a mesh connects.
 struct Skeleton {
     std::string name;                    ///< Of the root with the most bones below it.
@@ -137,10 +135,10 @@ std::vector<uint32_t> pickSkeleton(const aiScene& scene, const ModelPick& pick, 
                                    std::vector<std::string>& notes)
 {
     std::vector<uint32_t> all = bonesIn(scene, table);
-    if (pick.skeleton == ALL_SKELETONS || scene.mNumMeshes == 0) return all;
+    if (pick.skeleton == ALL_SKELETONS || (table.isBare && pick.skeleton.empty())) return all;
     std::vector<Skeleton> skeletons = SkeletonFinder(scene, table).find();
     const auto others = std::ranges::stable_partition(
-        skeletons, [](const Skeleton& skeleton) { return skeleton.skinned >= FEWEST_SKINNED; });
+        skeletons, [&](const Skeleton& skeleton) { return table.isBare || skeleton.skinned >= FEWEST_SKINNED; });
     std::vector<Skeleton> figures(skeletons.begin(), others.begin());
     if (figures.size() < 2) {
         const bool known = std::ranges::any_of(skeletons,

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "sim/actor/anatomy/anatomy.h"
@@ -23,6 +25,11 @@ constexpr float SAME_PLACE = 1e-3f;  // of the figure's size
 constexpr float THICK_PART = 0.5f;   // a capsule, but the skull, is no thicker than this share of its length ...
 constexpr float SIDEWAYS = 0.5f;     // cosine of a skull with its neck, below which it lies on its side
 constexpr float THINNEST = 0.012f;   // ... unless that would be thinner than this share of the figure's size
+
+// Of an adult's ends, where no bone says how long they are [of the figure's size].
+constexpr float HEAD_LENGTH = 0.09f, HAND_LENGTH = 0.08f, FOOT_LENGTH = 0.09f, FOOT_DROP = 0.02f;
+// In names of bones that are ends themselves.
+constexpr std::array END_WORDS{"end", "nub", "site", "tip"};
 
 struct Thickness {
     const char* word;
@@ -107,7 +114,8 @@ void addCapsule(Model& model, const Vector3f& a, const Vector3f& b, float radius
 }
 
 /// Bones between a scene's root and the figure: a chain from a root to the first bone that branches, such as a
-/// trajectory on the ground and what leads up to the hips. No part of a body is among them.
+/// trajectory on the ground and what leads up to the hips, and whatever else the hips hang on. No part of a body is
+/// among them.
 std::vector<uint8_t> columnsOf(const BoneTree& tree, const std::vector<BoneAnatomy>& anatomy)
 {
     std::vector<uint8_t> columns(tree.size(), 0);
@@ -122,7 +130,31 @@ std::vector<uint8_t> columnsOf(const BoneTree& tree, const std::vector<BoneAnato
         if (tree.children[bone].size() < 2) continue;
         for (const uint32_t above : chain) columns[above] = 1;
     }
+    // Controls may hang beside the hips.
+    if (std::ranges::count(anatomy, BodyPart::Hips, &BoneAnatomy::part) == 1) {
+        const auto hips = std::ranges::find(anatomy, BodyPart::Hips, &BoneAnatomy::part) - anatomy.begin();
+        for (int32_t b = tree.parents[static_cast<size_t>(hips)]; b >= 0; b = tree.parents[b]) columns[b] = 1;
+    }
     return columns;
+}
+
+/// Where a head, hand or foot ends on which no bone hangs that says so.
+std::optional<Vector3f> unsaidEnd(const Model& model, const BoneTree& tree, const BoneAnatomy& anatomy, uint32_t bone,
+                                  const Vector3f& forward, float size)
+{
+    const std::string name = lowercase(model.bones[bone].name);
+    const bool isEnd = std::ranges::any_of(END_WORDS, [&](const char* w) { return name.find(w) != std::string::npos; });
+    if (!tree.children[bone].empty() || tree.parents[bone] < 0 || isEnd) return {};
+    const Vector3f head = headOf(model, bone);
+    const Vector3f from = head - headOf(model, static_cast<size_t>(tree.parents[bone]));
+    if (from.norm() < SAME_PLACE * size) return {};
+    const Vector3f along = from.normalized();
+    switch (anatomy.part) {
+        case BodyPart::Head: return head + HEAD_LENGTH * size * along;
+        case BodyPart::Hand: return head + HAND_LENGTH * size * along;
+        case BodyPart::Foot: return head + size * (FOOT_LENGTH * forward - FOOT_DROP * Vector3f::UnitY());
+        default: return {};
+    }
 }
 
 /// Where the capsule of a bone's child ends: at the child, but for a skull that the file lays on its side, as some
@@ -166,6 +198,11 @@ void addBodyAlongBones(Model& model)
             addCapsule(model, from, to, radiusFor(model.bones[parent].name, length, size), carrier[parent]);
         }
     }
+    const Vector3f forward = leftOf(model, anatomy).cross(Vector3f::UnitY());
+    for (uint32_t b = 0; b < model.bones.size(); ++b)
+        if (const auto end = unsaidEnd(model, tree, anatomy[b], b, forward, size))
+            addCapsule(model, headOf(model, b), *end,
+                       radiusFor(model.bones[b].name, (*end - headOf(model, b)).norm(), size), carrier[b]);
     model.notes.push_back("The file has a skeleton and no mesh: a body was made of capsules along its bones.");
 }
 

@@ -7,7 +7,8 @@ namespace knuckle {
 /// Gives a skeleton that has no mesh a body: a closed capsule along each bone, as thick as that part of a person is,
 /// skinned to the bone whole. What leads from a scene's root to the hips gets none. Bones must stand in their final
 /// place and scale. Bones at the same position as their parent (common in motion capture files) are skinned with the
-/// parent. Does nothing for less than two bones.
+/// parent. A head, a hand or a foot on which no bone hangs is as long as a person's. Does nothing for less than two
+/// bones.
 void addBodyAlongBones(Model& model);
 
 }  // namespace knuckle

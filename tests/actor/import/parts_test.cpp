@@ -87,6 +87,30 @@ TEST_F(Parts, WithoutANameAreNumbered)
     EXPECT_EQ(names(import(boxes.text)), (std::vector<std::string>{"part_1", "part_2"}));
 }
 
+TEST_F(Parts, OfAGltfWithoutNamesAreNumberedToo)
+{
+    // Two tetrahedra in one mesh.
+    std::string bytes;
+    const auto append = [&](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    for (const float x : {0.0f, 2.0f})
+        for (const Vector3f& v : {Vector3f(x, 0, 0), Vector3f(x + 1, 0, 0), Vector3f(x, 1, 0), Vector3f(x, 0, 1)})
+            for (int k = 0; k < 3; ++k) append(v[k]);
+    for (const uint16_t first : {uint16_t{0}, uint16_t{4}})
+        for (const int corner : {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2}) append(static_cast<uint16_t>(first + corner));
+    std::ofstream(folder_.path("two.bin"), std::ios::binary) << bytes;
+    ImportOptions options;
+    options.pick.split = true;
+    const Model model = importModel(folder_.write("two.gltf", R"({ "asset": { "version": "2.0" }, "scene": 0,
+        "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }], "buffers": [{ "uri": "two.bin", "byteLength": 144 }],
+        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 }, "indices": 1 }] }],
+        "bufferViews": [{ "buffer": 0, "byteLength": 96 }, { "buffer": 0, "byteOffset": 96, "byteLength": 48 }],
+        "accessors": [{ "bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3", "min": [0, 0, 0],
+                        "max": [3, 1, 1] },
+                      { "bufferView": 1, "componentType": 5123, "count": 24, "type": "SCALAR" }] })"),
+                                    options);
+    EXPECT_EQ(names(model), (std::vector<std::string>{"part_1", "part_2"}));
+}
+
 TEST_F(Parts, BecomeBodiesWithoutJointsOfTheirOwnParticles)
 {
     ObjBoxes boxes;

@@ -52,6 +52,33 @@ Clip clipOf(const Model& model, const std::string& name, float angle)
     return clip;
 }
 
+std::string shift(float x, float y)
+{
+    return "1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, " + std::to_string(x) + ", " + std::to_string(y) + ", 0, 1;;";
+}
+
+/// A chain of three bones in the words of a DirectX file, the first at x, with two meshes that all three move.
+/// @param top "2": how high they are.
+std::string chainOfX(float x, const std::string& top)
+{
+    std::string text = "Frame root { FrameTransformMatrix { " + shift(x, 0) +
+                       " } Frame root1 { FrameTransformMatrix { " + shift(0, 1) +
+                       " } Frame root2 { FrameTransformMatrix { " + shift(0, 1) + " } } } }\n";
+    for (const char* name : {"body", "coat"}) {
+        text += std::string("Frame ") + name + " { FrameTransformMatrix { " + shift(0, 0) + " }\nMesh { 4; ";
+        for (const std::string& place :
+             {std::string("0;0;0;, "), std::string("0.5;1;0;, "), "0;" + top + ";0;, ", std::string("0;1;0.5;; ")}) {
+            text += std::to_string(x + std::stof(place)) + place.substr(place.find(';'));
+        }
+        text += "4; 3;0,2,1;, 3;0,1,3;, 3;1,2,3;, 3;0,3,2;;\nXSkinMeshHeader { 1; 1; 3; }\n";
+        for (int b = 0; b < 3; ++b)
+            text += "SkinWeights { \"root" + (b == 0 ? std::string() : std::to_string(b)) + "\"; 1; " +
+                    std::to_string(b) + "; 1.0; " + shift(-x, -static_cast<float>(b)) + " }\n";
+        text += "} }\n";
+    }
+    return text;
+}
+
 class Skeletons : public testing::Test {
 protected:
     std::string write(const std::vector<Model>& models) const { return folder_.write("several.glb", toGlb(models)); }
@@ -99,6 +126,23 @@ TEST_F(Skeletons, OneOfTwoIsAsIfItWereAlone)
         EXPECT_EQ(picked.clips[0].poses, alone.clips[0].poses);
         ASSERT_EQ(picked.surface.materials.size(), 1u);
         EXPECT_EQ(picked.surface.materials[0].name, figure == 0 ? "one" : "two");
+    }
+}
+
+TEST_F(Skeletons, MeshesOfFiguresWithTheSameNamesGoToTheirOwn)
+{
+    const std::string path = folder_.write("pair.x", "xof 0303txt 0032\n" + chainOfX(-1, "2") + chainOfX(1, "3"));
+    for (const float side : {-1.0f, 1.0f}) {
+        ImportOptions options;
+        options.pick.skeleton = side < 0.0f ? "root" : "root#2";
+        const Model model = importModel(path, options);
+        EXPECT_EQ(model.bones.size(), 3u);
+        EXPECT_EQ(model.triangles.size(), 8u) << "body and coat";
+        for (const Vector3f& v : model.vertices) {
+            EXPECT_GE(side * v.x(), 0.5f) << v.transpose();
+            if (v.y() < 1.5f) continue;
+            EXPECT_NEAR(v.y(), side < 0.0f ? 2.0f : 3.0f, 1e-4f);
+        }
     }
 }
 
