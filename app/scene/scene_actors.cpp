@@ -66,6 +66,7 @@ Model readModel(const Json& object, const std::string& file)
     return importModel(file, options);
 }
 
+/// @param diameter of its particles [m]; 0: what fits it.
 Actor voxelizeModel(SceneContext& context, const Json& object, const std::string& file, const std::string& pointer,
                     float diameter)
 {
@@ -105,6 +106,12 @@ void freeHeldJoints(Actor& actor, const std::vector<uint32_t>& held)
     for (ActorJoint& joint : actor.joints)
         for (size_t i = 1; i < held.size(); ++i)
             if (joint.child == held[i] || joint.parent == held[i]) joint.limits = {};
+}
+
+[[noreturn]] void failForSkeleton(const SceneContext& context, const std::string& pointer, const SkeletonError& error)
+{
+    failAt(context.path, pointer + "/skeleton",
+           fmt::format("{}; give the name of one, or \"*\" for all as one", error.what()));
 }
 
 bool isActorFile(const std::string& file)
@@ -173,8 +180,18 @@ const Actor& findActor(SceneContext& context, const Json& object, const std::str
                                 : voxelizeModel(context, object, file, pointer, diameter);
         return context.actors.emplace(key, std::move(actor)).first->second;
     } catch (const SkeletonError& error) {
-        failAt(context.path, pointer + "/skeleton",
-               fmt::format("{}; give the name of one, or \"*\" for all as one", error.what()));
+        failForSkeleton(context, pointer, error);
+    }
+}
+
+float ownDiameter(SceneContext& context, const Json& object, const std::string& pointer)
+{
+    const std::string file = existingFile(context, object["file"], pointer + "/file");
+    if (isActorFile(file)) return readActor(file).diameter;
+    try {
+        return voxelizeModel(context, object, file, pointer, 0.0f).diameter;
+    } catch (const SkeletonError& error) {
+        failForSkeleton(context, pointer, error);
     }
 }
 

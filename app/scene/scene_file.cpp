@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
@@ -62,14 +63,18 @@ void settleObjects(Json& root)
     if (root.is_object() && root.contains("emitters") && !root.contains("objects")) root["objects"] = Json::array();
 }
 
-/// The document with its overrides, every default filled in.
-JsonFile completed(JsonFile file, const std::vector<Override>& overrides)
+void applyOverrides(Json& root, const std::vector<Override>& overrides)
+{
+    for (const Override& change : overrides) {
+        expandSolver(root);
+        applyOverride(root, change);
+    }
+}
+
+/// The document with every default filled in.
+JsonFile completed(JsonFile file)
 {
     static const Schema schema("scene.schema.json");
-    for (const Override& change : overrides) {
-        expandSolver(file.root);
-        applyOverride(file.root, change);
-    }
     expandSolver(file.root);
     fillPaperChoices(file.root);
     settleCamera(file.root);
@@ -109,6 +114,26 @@ std::map<std::string, uint32_t> addMaterials(const JsonFile& file, WorldBuilder&
         indices["water"] = builder.addMaterial(water);
     }
     return indices;
+}
+
+/// Without a diameter of its own, a scene has the finest that its actors ask for.
+void settleDiameter(JsonFile& file, const Settings& settings, std::vector<std::string>& notes)
+{
+    Json& diameter = file.root["diameter"];
+    WorldBuilder nothing(0.5f * diameter.get<float>(), settings);
+    SceneContext context{file.path, nothing, {}};
+    const Json& objects = file.root["objects"];
+    float finest = std::numeric_limits<float>::max();
+    std::string asked;
+    for (size_t i = 0; i < objects.size(); ++i) {
+        if (objects[i]["type"] != "actor") continue;
+        const float own = ownDiameter(context, objects[i], fmt::format("/objects/{}", i));
+        if (own < finest) asked = objects[i]["file"];
+        finest = std::min(finest, own);
+    }
+    if (asked.empty()) return;
+    diameter = finest;
+    notes.push_back(fmt::format("/diameter is {:.3g} m, as fits {}.", finest, asked));
 }
 
 RenderSettings readRender(const JsonFile& file, const World& world)
@@ -155,13 +180,18 @@ Settings loadSettings(const std::string& preset, const std::vector<std::string>&
                                      change));
     }
     const Json anything = Json::array({{{"type", "rigid"}, {"shape", "box"}}});
-    const JsonFile file = completed({"--set", {{"solver", preset}, {"objects", anything}}}, overrides);
+    Json root = {{"solver", preset}, {"objects", anything}};
+    applyOverrides(root, overrides);
+    const JsonFile file = completed({"--set", root});
     return readFields<Settings>(file.root["solver"]);
 }
 
 Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
 {
-    const JsonFile file = completed(readJsonFile(path), overrides);
+    JsonFile file = readJsonFile(path);
+    applyOverrides(file.root, overrides);
+    const bool givesDiameter = file.root.is_object() && file.root.contains("diameter");
+    file = completed(std::move(file));
     const Json& root = file.root;
     Scene scene;
     scene.name = root["name"];
@@ -173,6 +203,8 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     scene.stepsPerFrame = stepsForFrame(scene.framesPerSecond, settings.timeStep);
     settings.timeStep = static_cast<float>(1.0 / (scene.framesPerSecond * scene.stepsPerFrame));
 
+    std::vector<std::string> notes;
+    if (!givesDiameter) settleDiameter(file, settings, notes);
     WorldBuilder builder(0.5f * root["diameter"].get<float>(), settings);
     builder.setFluidSpacing(root["fluidSpacing"]);
     SceneContext context{path, builder, addMaterials(file, builder)};
@@ -193,7 +225,8 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", path, error.what()));
     }
-    scene.notes = context.notes;
+    scene.notes = notes;
+    scene.notes.insert(scene.notes.end(), context.notes.begin(), context.notes.end());
     scene.warnings = context.warnings;
     scene.actors = std::move(context.actorUses);
     scene.render = readRender(file, scene.world);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/files/actor_file.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_parts.h"
+#include "sim/actor/bodies/make_actor.h"
 #include "tests/places.h"
 #include "tests/temp_folder.h"
 
@@ -73,6 +75,25 @@ TEST(Scene, TakesOverridesBeforeItIsChecked)
     EXPECT_EQ(scene.world.particles.size(), 1000u);
     EXPECT_EQ(scene.frameCount(), 30u);
     EXPECT_EQ(scene.name, "other");
+}
+
+TEST(Scene, HasTheDiameterOfItsActorsUnlessToldOtherwise)
+{
+    const test::TempFolder folder;
+    const auto diameterOf = [&](const std::string& start, const std::string& more) {
+        const std::string file = test::inSource("assets/models/humanoid.glb");
+        return loadScene(folder.write("scene.json", "{ " + start + R"("objects": [{ "type": "rigid", "shape": "box" },
+            { "type": "actor", "file": ")" + file + "\" }" +
+                                                        more + "] }"))
+            .world.diameter();
+    };
+    const Actor fine = makeActor(importModel(test::inSource("assets/models/humanoid.glb")), {});
+    EXPECT_EQ(diameterOf("", ""), fine.diameter);
+    EXPECT_EQ(diameterOf(R"("diameter": 0.08, )", ""), 0.08f);
+    ActorOptions finest;
+    finest.voxels.diameter = 0.03f;
+    writeActor(folder.path("fine.json"), makeActor(importModel(test::inSource("assets/models/dog.glb")), finest));
+    EXPECT_EQ(diameterOf("", R"(, { "type": "actor", "file": "fine.json" })"), 0.03f);
 }
 
 TEST(Scene, StandsStillWithItsCameraWhereItIsTold)

@@ -29,11 +29,12 @@ const char* whyMerged(const BoneAnatomy& bone, bool isWanted)
 std::string listed(const Model& model, std::span<const BoneAnatomy> anatomy, std::vector<uint32_t> bones)
 {
     std::vector<std::string> texts, names;
-    for (const auto& [part, word] : ROWS) {
-        const auto rest = std::ranges::stable_partition(bones, [&](uint32_t b) { return anatomy[b].part != part; });
-        if (rest.size() < ROW) continue;
-        texts.push_back(fmt::format("{} bones of {}", rest.size(), word));
-        bones.erase(rest.begin(), rest.end());
+    for (const auto& row : ROWS) {
+        const auto isInRow = [&](uint32_t bone) { return anatomy[bone].part == row.first; };
+        const auto count = static_cast<size_t>(std::ranges::count_if(bones, isInRow));
+        if (count < ROW) continue;
+        texts.push_back(fmt::format("{} bones of {}", count, row.second));
+        std::erase_if(bones, isInRow);
     }
     std::ranges::sort(bones);
     for (const uint32_t bone : bones) names.push_back(model.bones[bone].name);

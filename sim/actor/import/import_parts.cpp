@@ -119,7 +119,7 @@ void splitIntoParts(const aiScene& scene, const NodeTable& table, Model& model)
     std::vector<uint32_t> drawn;  // the first vertex of each set that has a triangle
     for (const auto& triangle : model.triangles) drawn.push_back(sets.find(triangle[0]));
     std::ranges::sort(drawn);
-    drawn.erase(std::ranges::unique(drawn).begin(), drawn.end());
+    drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
     if (drawn.size() > PART_LIMIT)
         throw InputError(fmt::format("it has {} separate parts, at most {} can be bodies: leave `split` away",
                                      drawn.size(), PART_LIMIT));

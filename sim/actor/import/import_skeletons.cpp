@@ -136,10 +136,10 @@ std::vector<uint32_t> pickSkeleton(const aiScene& scene, const ModelPick& pick, 
 {
     std::vector<uint32_t> all = bonesIn(scene, table);
     if (pick.skeleton == ALL_SKELETONS || (table.isBare && pick.skeleton.empty())) return all;
-    std::vector<Skeleton> skeletons = SkeletonFinder(scene, table).find();
-    const auto others = std::ranges::stable_partition(
-        skeletons, [&](const Skeleton& skeleton) { return table.isBare || skeleton.skinned >= FEWEST_SKINNED; });
-    std::vector<Skeleton> figures(skeletons.begin(), others.begin());
+    const std::vector<Skeleton> skeletons = SkeletonFinder(scene, table).find();
+    std::vector<Skeleton> figures, others;
+    for (const Skeleton& skeleton : skeletons)
+        (table.isBare || skeleton.skinned >= FEWEST_SKINNED ? figures : others).push_back(skeleton);
     if (figures.size() < 2) {
         const bool known = std::ranges::any_of(skeletons,
                                                [&](const Skeleton& s) { return isWanted(s, pick.skeleton); });
@@ -151,7 +151,7 @@ std::vector<uint32_t> pickSkeleton(const aiScene& scene, const ModelPick& pick, 
     if (pick.skeleton.empty())
         throw SkeletonError(fmt::format("it holds {} skeletons: {}", figures.size(), listed(figures)));
     const std::string choice = listed(figures);
-    giveAway({others.begin(), others.end()}, table, figures);
+    giveAway(others, table, figures);
     std::vector<uint32_t> nodes;
     std::vector<std::string> taken;
     for (const Skeleton& figure : figures) {
