@@ -100,8 +100,9 @@ World crowdWorld(uint32_t actorCount, const std::string& file)
     const ClipPlay play{.clip = builder.addClip(std::move(motion)), .inPlace = true};
     std::vector<uint32_t> objects;
     for (uint32_t i = 0; i < actorCount; ++i) {
-        const auto column = static_cast<float>(i % COLUMNS), row = static_cast<float>(i / COLUMNS);
-        const Pose pose{{CROWD_SPACING * column, LIFT, -CROWD_SPACING * row}, Quaternionf::Identity()};
+        const uint32_t column = i % COLUMNS, row = i / COLUMNS;
+        const Pose pose{{CROWD_SPACING * static_cast<float>(column), LIFT, -CROWD_SPACING * static_cast<float>(row)},
+                        Quaternionf::Identity()};
         objects.push_back(addActor(builder, actor, material, pose));
         builder.animate({objects.back(), pose, pivotOf(actor), {play}});
     }

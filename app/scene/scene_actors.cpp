@@ -35,9 +35,9 @@ Actor loadActor(SceneContext& context, const Json& object, const std::string& fi
     if (!isLimited(context, object))
         for (ActorJoint& joint : actor.joints) joint.limits = {};
     const float diameter = context.builder.diameter();
-    for (const auto& [field, given] :
-         {std::pair{"joints", object["joints"] != ""}, std::pair{"skeleton", object["skeleton"] != ""},
-          std::pair{"split", object["split"] == true}})
+    for (const auto& [field, given] : {std::pair{"joints", !object["joints"].get<std::string>().empty()},
+                                       std::pair{"skeleton", !object["skeleton"].get<std::string>().empty()},
+                                       std::pair{"split", object["split"] == true}})
         if (given)
             failAt(context.path, fmt::format("{}/{}", pointer, field),
                    fmt::format("an actor file has its {} already; give the model as `file`",

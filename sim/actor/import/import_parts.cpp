@@ -53,7 +53,7 @@ bool isGiven(std::string_view name)
 
 std::string baseName(const Run& run, const NodeTable& table)
 {
-    const std::string node = table.nameOf(run.node);
+    std::string node = table.nameOf(run.node);
     if (table.parents[run.node] >= 0 && isGiven(node)) return node;
     return isGiven(run.mesh) ? run.mesh : isGiven(run.material) ? run.material : "part";
 }
