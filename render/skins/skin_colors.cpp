@@ -1,7 +1,7 @@
 #include "render/skins/skin_colors.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <map>
 
 #include "render/skins/skin_looks.h"
@@ -25,13 +25,14 @@ TexturePicture coarse(TexturePicture picture)
     return picture;
 }
 
-Vector3f colorAt(const TexturePicture& picture, const Eigen::Vector2f& uv)
+Vector3f colorAt(const TexturePicture& picture, const Eigen::Vector2f& uv, const std::array<TextureWrap, 2>& wrap)
 {
-    const auto pixel = [](float place, uint32_t count) {
-        const float part = place - std::floor(place);
+    const auto pixel = [](float part, uint32_t count) {
         return std::min(static_cast<uint32_t>(part * static_cast<float>(count)), count - 1);
     };
-    const size_t index = size_t{pixel(uv.y(), picture.height)} * picture.width + pixel(uv.x(), picture.width);
+    const uint32_t column = pixel(wrapped(uv.x(), wrap[0]), picture.width);
+    const uint32_t row = pixel(wrapped(uv.y(), wrap[1]), picture.height);
+    const size_t index = size_t{row} * picture.width + column;
     const uint8_t* p = &picture.rgba[4 * index];
     return unpackColor(rootOfLight(p[0]) | rootOfLight(p[1]) << 8 | rootOfLight(p[2]) << 16);
 }
@@ -45,7 +46,8 @@ std::map<uint32_t, std::vector<PaintedVertex>> verticesOf(const SkinMesh& mesh)
     for (const SkinVertex& vertex : mesh.vertices) {
         const SkinMaterial& material = mesh.materials[vertex.material];
         Vector3f color = vertex.color.cwiseProduct(material.color);
-        if (material.texture != NO_INDEX) color = color.cwiseProduct(colorAt(pictures[material.texture], vertex.uv));
+        if (material.texture != NO_INDEX)
+            color = color.cwiseProduct(colorAt(pictures[material.texture], vertex.uv, material.wrap));
         const auto heaviest = std::ranges::max_element(vertex.weights) - vertex.weights.begin();
         vertices[vertex.bodies[static_cast<size_t>(heaviest)]].push_back({vertex.position, packColor(color)});
     }

@@ -46,8 +46,9 @@ uint32_t SkinLooks::add(const SkinMesh& mesh)
         const bool plain = material.texture == NO_INDEX;
         const uint32_t level = plain ? 0 : firstLevels[material.texture];
         const uint32_t count = plain ? 0 : firstLevels[material.texture + 1] - level;
-        materials.push_back({material.alphaCutoff, material.twoSided ? 1.0f : 0.0f, static_cast<float>(level),
-                             static_cast<float>(count)});
+        const int sides = (material.twoSided ? 1 : 0) | int(material.wrap[0]) << 1 | int(material.wrap[1]) << 3;
+        materials.push_back(
+            {material.alphaCutoff, static_cast<float>(sides), static_cast<float>(level), static_cast<float>(count)});
     }
     return first;
 }

@@ -25,6 +25,11 @@
 #define COLLIDER_MESH 4u
 #define COLLIDER_HEIGHTFIELD 5u
 
+// TextureWrap of sim/world/skin.h.
+#define TEXTURE_REPEAT 0
+#define TEXTURE_MIRROR 1
+#define TEXTURE_CLAMP 2
+
 // Threads in a work group that solves joints: each takes a tree.
 #define TREE_GROUP_SIZE 8
 // How a joint lets its body turn: not at all, about one axis, freely; and what a root has that nothing holds.

@@ -26,6 +26,14 @@ bool fits(const SkinMesh& mesh, const SkinVertex& vertex, uint32_t bodyCount)
 
 }  // namespace
 
+float wrapped(float place, TextureWrap wrap)
+{
+    if (wrap == TextureWrap::Clamp) return std::clamp(place, 0.0f, 1.0f);
+    if (wrap == TextureWrap::Repeat) return place - std::floor(place);
+    const float pair = 0.5f * place;
+    return 1.0f - std::abs(2.0f * (pair - std::floor(pair)) - 1.0f);
+}
+
 TexturePicture halved(const TexturePicture& picture)
 {
     TexturePicture half{std::max(1u, picture.width / 2), std::max(1u, picture.height / 2), {}};

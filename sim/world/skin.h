@@ -23,6 +23,16 @@ struct TexturePicture {
 /// The picture at half its sides, rounded down, of one pixel at least: the next level of its mipmap.
 TexturePicture halved(const TexturePicture& picture);
 
+/// What is beyond an edge of a picture; TEXTURE_... of shaders/shared/constants.h.
+enum class TextureWrap : uint8_t {
+    Repeat,
+    Mirror,  ///< The picture again, the other way round.
+    Clamp,   ///< The pixels at the edge.
+};
+
+/// Where in the picture a place is, 0 ... 1, both in parts of its side.
+float wrapped(float place, TextureWrap wrap);
+
 /// How a part of a mesh looks.
 struct SkinMaterial {
     std::string name;
@@ -30,13 +40,14 @@ struct SkinMaterial {
     uint32_t texture = NO_INDEX;              ///< Index of its picture, or none.
     bool twoSided = true;                     ///< Seen from behind as well.
     float alphaCutoff = 0.0f;                 ///< What of the picture has less alpha is not there, 0 ... 1.
+    std::array<TextureWrap, 2> wrap{};        ///< Along u and v.
 };
 
 /// Skinned to at most four bodies of an object.
 struct SkinVertex {
     Eigen::Vector3f position{0, 0, 0};         ///< In the object's rest pose [m].
     Eigen::Vector3f normal{0, 1, 0};           ///< Unit.
-    Eigen::Vector2f uv{0, 0};                  ///< 0, 0 is the upper left corner of the picture, which repeats.
+    Eigen::Vector2f uv{0, 0};                  ///< 0, 0 is the upper left corner of the picture.
     Eigen::Vector3f color{1, 1, 1};            ///< Linear RGB, 0-1.
     uint32_t material = 0;                     ///< Index into SkinMesh::materials.
     std::array<uint32_t, 4> bodies{};          ///< Within the object.

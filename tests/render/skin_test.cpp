@@ -167,6 +167,26 @@ TEST(Skin, APictureIsTheRightWayUpAndRepeats)
     EXPECT_EQ(strongest(120, 120), -1);
 }
 
+/// Of a picture whose left half is red and whose right half is blue the square shows the place 1 ... 2.
+TEST(Skin, APicturesEdgesRepeatMirrorOrStay)
+{
+    SkinnedPair pair;
+    SkinMesh mesh = squareMesh({0, 1, 0}, 0.4f);
+    mesh.materials[0] = {"paint", {1, 1, 1}, 0};
+    mesh.textures = {{2, 1, {230, 0, 0, 255, 0, 0, 230, 255}}};
+    for (SkinVertex& vertex : mesh.vertices) vertex.uv += Eigen::Vector2f(1, 0);
+    const auto redAt = [&](uint32_t x, TextureWrap wrap) {
+        mesh.materials[0].wrap = {wrap, TextureWrap::Repeat};
+        pair.wear(mesh);
+        const Eigen::Vector3i pixel = pixelAt(drawn(pair.still.world, front()), x, 100);
+        return pixel.x() > pixel.z();
+    };
+    const uint32_t left = 80, right = 120;
+    EXPECT_TRUE(redAt(left, TextureWrap::Repeat) && !redAt(right, TextureWrap::Repeat));
+    EXPECT_TRUE(!redAt(left, TextureWrap::Mirror) && redAt(right, TextureWrap::Mirror));
+    EXPECT_TRUE(!redAt(left, TextureWrap::Clamp) && !redAt(right, TextureWrap::Clamp));
+}
+
 /// The lower body's particles are nearest to a red corner or a green one; the upper has a picture, blue above and white
 /// below. Nearest of all to the upper one's lowest particles is a corner of the lower body.
 TEST(Skin, PaintsParticlesAsTheNearestVertexOfTheirBody)

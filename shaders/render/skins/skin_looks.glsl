@@ -1,13 +1,15 @@
 // How skins look: their materials and pictures.
 #include "render/common/surface.glsl"
+#include "shared/constants.h"
 
-uniform samplerBuffer skinMaterials;        // alpha cutoff, two-sided, its first level, levels
+uniform samplerBuffer skinMaterials;        // alpha cutoff, bits: two-sided, wrap of u and v; its first level, levels
 uniform usamplerBuffer skinLevels;          // of each picture, large to small: width, height, first texel
 uniform usamplerBuffer skinTexels;          // as unpackAlbedo() reads them, alpha above
 
 struct SkinLooks {
     float alphaCutoff;
     bool twoSided;
+    ivec2 wrap;             // TextureWrap
     int firstLevel;
     int levelCount;         // 0: without a picture
 };
@@ -15,13 +17,24 @@ struct SkinLooks {
 SkinLooks fetchLooks(int material)
 {
     vec4 looks = texelFetch(skinMaterials, material);
-    return SkinLooks(looks.x, looks.y != 0.0, int(looks.z), int(looks.w));
+    int bits = int(looks.y);
+    return SkinLooks(looks.x, (bits & 1) != 0, ivec2(bits >> 1 & 3, bits >> 3), int(looks.z), int(looks.w));
 }
 
-vec4 skinTexel(uvec4 level, ivec2 place)
+// wrapped() of the host.
+float wrapped(float place, int wrap)
+{
+    if (wrap == TEXTURE_CLAMP) return clamp(place, 0.0, 1.0);
+    if (wrap == TEXTURE_MIRROR) return 1.0 - abs(2.0 * fract(0.5 * place) - 1.0);
+    return fract(place);
+}
+
+vec4 skinTexel(uvec4 level, ivec2 place, ivec2 wrap)
 {
     ivec2 size = ivec2(level.xy);
-    ivec2 inside = place - size * ivec2(greaterThanEqual(place, size)) + size * ivec2(lessThan(place, ivec2(0)));
+    ivec2 around = place - size * ivec2(greaterThanEqual(place, size)) + size * ivec2(lessThan(place, ivec2(0)));
+    ivec2 held = clamp(place, ivec2(0), size - 1);
+    ivec2 inside = ivec2(wrap.x == TEXTURE_REPEAT ? around.x : held.x, wrap.y == TEXTURE_REPEAT ? around.y : held.y);
     uint word = texelFetch(skinTexels, int(level.z) + inside.y * size.x + inside.x).x;
     return vec4(unpackAlbedo(word), float(word >> 24) / 255.0);
 }
@@ -35,10 +48,11 @@ vec4 skinPicture(SkinLooks looks, vec2 uv, vec2 uvPerX, vec2 uvPerY)
     float texels = max(max(dot(acrossX, acrossX), dot(acrossY, acrossY)), 1e-12);
     int wanted = int(floor(0.5 * log2(texels) + 0.5));
     uvec4 level = texelFetch(skinLevels, looks.firstLevel + clamp(wanted, 0, looks.levelCount - 1));
-    vec2 place = fract(uv) * vec2(level.xy) - 0.5;
+    ivec2 wrap = looks.wrap;
+    vec2 place = vec2(wrapped(uv.x, wrap.x), wrapped(uv.y, wrap.y)) * vec2(level.xy) - 0.5;
     ivec2 low = ivec2(floor(place));
     vec2 part = place - floor(place);
-    vec4 above = mix(skinTexel(level, low), skinTexel(level, low + ivec2(1, 0)), part.x);
-    vec4 below = mix(skinTexel(level, low + ivec2(0, 1)), skinTexel(level, low + ivec2(1, 1)), part.x);
+    vec4 above = mix(skinTexel(level, low, wrap), skinTexel(level, low + ivec2(1, 0), wrap), part.x);
+    vec4 below = mix(skinTexel(level, low + ivec2(0, 1), wrap), skinTexel(level, low + ivec2(1, 1), wrap), part.x);
     return mix(above, below, part.y);
 }

@@ -77,25 +77,35 @@ void addWeights(GltfFile& file, const Model& model, GltfJson& attributes)
     attributes["WEIGHTS_0"] = file.addAccessor(weights, WEIGHTS, GLTF_FLOAT, "VEC4", GLTF_ARRAY_BUFFER);
 }
 
-size_t addTexture(GltfFile& file, const std::string& png, const std::string& name)
+/// @returns the index of the material's texture with that picture.
+size_t addTexture(GltfFile& file, size_t picture, const SkinMaterial& material)
 {
-    return file.appendOnce("textures", {{"source", file.addPng(png, name)}});
+    GltfJson texture{{"source", picture}};
+    if (material.wrap != SkinMaterial().wrap) {
+        const auto mode = [](TextureWrap wrap) {
+            return wrap == TextureWrap::Clamp ? GLTF_CLAMP_TO_EDGE
+                                              : (wrap == TextureWrap::Mirror ? GLTF_MIRRORED_REPEAT : GLTF_REPEAT);
+        };
+        texture["sampler"] = file.appendOnce("samplers",
+                                             {{"wrapS", mode(material.wrap[0])}, {"wrapT", mode(material.wrap[1])}});
+    }
+    return file.appendOnce("textures", std::move(texture));
 }
 
 /// The materials of a model. @returns the index of the first one.
 size_t addMaterials(GltfFile& file, const ModelSurface& surface, const GlbOptions& options)
 {
     const size_t first = file.count("materials");
-    std::map<uint32_t, size_t> textures;
+    std::map<uint32_t, size_t> pictures;
     for (const SkinMaterial& material : surface.materials) {
         GltfJson rough{{"baseColorFactor", {material.color.x(), material.color.y(), material.color.z(), 1.0f}},
                        {"metallicFactor", 0.0f},
                        {"roughnessFactor", 0.8f}};
         if (material.texture < surface.textures.size() && options.encode) {
-            if (!textures.contains(material.texture))
-                textures[material.texture] = addTexture(file, options.encode(surface.textures[material.texture]),
-                                                        material.name);
-            rough["baseColorTexture"] = {{"index", textures[material.texture]}};
+            if (!pictures.contains(material.texture))
+                pictures[material.texture] = file.addPng(options.encode(surface.textures[material.texture]),
+                                                         material.name);
+            rough["baseColorTexture"] = {{"index", addTexture(file, pictures[material.texture], material)}};
         }
         GltfJson entry{{"name", material.name}, {"pbrMetallicRoughness", std::move(rough)}};
         if (material.twoSided) entry["doubleSided"] = true;

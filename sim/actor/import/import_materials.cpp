@@ -144,7 +144,36 @@ float alphaCutoffOf(const aiMaterial& material)
     return std::isfinite(cutoff) ? std::clamp(cutoff, 0.0f, 1.0f) : 0.0f;
 }
 
-SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures)
+TextureWrap wrapOf(aiTextureMapMode mode)
+{
+    return mode == aiTextureMapMode_Mirror
+               ? TextureWrap::Mirror
+               : (mode == aiTextureMapMode_Clamp ? TextureWrap::Clamp : TextureWrap::Repeat);
+}
+
+/// Whether the same picture tells where a material is not there, as in FBX.
+bool isCutOut(const aiMaterial& material, const aiString& picture)
+{
+    aiString opacity;
+    return material.GetTexture(aiTextureType_OPACITY, 0, &opacity) == aiReturn_SUCCESS && opacity == picture;
+}
+
+/// glTF's KHR_texture_transform, from what assimp makes of it for places whose v is upwards. (Its own step that moves
+/// places loses shifts.)
+Eigen::Affine2f movedBy(const aiUVTransform& transform)
+{
+    const float cosine = std::cos(-transform.mRotation), sine = std::sin(-transform.mRotation);
+    const Eigen::Vector2f scale(transform.mScaling.x, transform.mScaling.y);
+    Eigen::Affine2f moved = Eigen::Affine2f::Identity();
+    moved.linear() << cosine, sine, -sine, cosine;
+    moved.linear() *= scale.asDiagonal();
+    moved.translation() << transform.mTranslation.x - 0.5f * scale.x() * (1.0f - cosine + sine),
+        1.0f - scale.y() - transform.mTranslation.y + 0.5f * scale.y() * (sine + cosine - 1.0f);
+    return moved.matrix().allFinite() ? moved : Eigen::Affine2f::Identity();
+}
+
+/// @param picture gets what is said of its place.
+SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures, ConvertedMaterial& picture)
 {
     SkinMaterial converted;
     aiString materialName;
@@ -154,8 +183,18 @@ SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures
     converted.alphaCutoff = alphaCutoffOf(material);
     for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
         aiString name;
-        if (material.GetTexture(type, 0, &name) != aiReturn_SUCCESS || name.length == 0) continue;
+        unsigned channel = 0;
+        aiTextureMapMode modes[] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
+        if (material.GetTexture(type, 0, &name, nullptr, &channel, nullptr, nullptr, modes) != aiReturn_SUCCESS ||
+            name.length == 0)
+            continue;
         converted.texture = textures.read(name.C_Str());
+        converted.wrap = {wrapOf(modes[0]), wrapOf(modes[1])};
+        picture.uvChannel = channel;
+        aiUVTransform transform;
+        if (material.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == aiReturn_SUCCESS)
+            picture.moved = movedBy(transform);
+        if (isCutOut(material, name)) converted.alphaCutoff = BLENDED_CUTOFF;
         break;
     }
     return converted;
@@ -163,23 +202,23 @@ SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures
 
 }  // namespace
 
-std::vector<uint32_t> convertMaterials(const aiScene& scene, const NodeTable& table, const std::string& path,
-                                       Model& model)
+std::vector<ConvertedMaterial> convertMaterials(const aiScene& scene, const NodeTable& table, const std::string& path,
+                                                Model& model)
 {
     TextureReader textures(scene, path, model);
-    std::vector<uint32_t> indices(std::max(scene.mNumMaterials, 1u), NO_INDEX);
+    std::vector<ConvertedMaterial> converted(std::max(scene.mNumMaterials, 1u));
     std::set<const aiMesh*> taken;
     forEachMesh(scene, table, [&](const aiMesh& mesh, uint32_t) { taken.insert(&mesh); });
-    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-        if (table.isPicked && !taken.contains(scene.mMeshes[m])) continue;
-        uint32_t& index = indices.at(scene.mMeshes[m]->mMaterialIndex);
-        if (index != NO_INDEX) continue;
-        index = static_cast<uint32_t>(model.surface.materials.size());
-        const bool known = scene.mMeshes[m]->mMaterialIndex < scene.mNumMaterials;
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+        if (table.isPicked && !taken.contains(scene.mMeshes[i])) continue;
+        const unsigned m = scene.mMeshes[i]->mMaterialIndex;
+        ConvertedMaterial& entry = converted.at(m);
+        if (entry.index != NO_INDEX) continue;
+        entry.index = static_cast<uint32_t>(model.surface.materials.size());
         model.surface.materials.push_back(
-            known ? convertMaterial(*scene.mMaterials[scene.mMeshes[m]->mMaterialIndex], textures) : SkinMaterial());
+            m < scene.mNumMaterials ? convertMaterial(*scene.mMaterials[m], textures, entry) : SkinMaterial());
     }
-    return indices;
+    return converted;
 }
 
 }  // namespace knuckle

@@ -86,10 +86,17 @@ std::vector<Eigen::Matrix4d> skinMatrices(const aiMesh& mesh, const NodeTable& t
 /// @param path of the model's file.
 void convertSurface(const aiScene& scene, const NodeTable& table, const std::string& path, Model& model);
 
+/// What became of a material of the scene.
+struct ConvertedMaterial {
+    uint32_t index = NO_INDEX;  ///< In ModelSurface::materials; NO_INDEX where no mesh has it.
+    unsigned uvChannel = 0;     ///< Of the places in its picture.
+    Eigen::Affine2f moved = Eigen::Affine2f::Identity();  ///< Where it has them, v downwards.
+};
+
 /// Fills the materials that the scene's meshes have which are taken, and reads their textures. @returns per material of
-/// the scene its index among them, NO_INDEX where no mesh has it.
-std::vector<uint32_t> convertMaterials(const aiScene& scene, const NodeTable& table, const std::string& path,
-                                       Model& model);
+/// the scene.
+std::vector<ConvertedMaterial> convertMaterials(const aiScene& scene, const NodeTable& table, const std::string& path,
+                                                Model& model);
 
 /// Reads and converts a file, in the file's own units. @param surface see ImportOptions. @throws InputError.
 Model readScene(const std::string& path, bool surface, const ModelPick& pick);

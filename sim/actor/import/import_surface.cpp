@@ -53,9 +53,9 @@ private:
     std::map<uint32_t, Matrix3d> turns_;  ///< By index in Model::bones.
 };
 
-Eigen::Vector2f uvOf(const aiVector3D& uv)
+Eigen::Vector2f uvOf(const aiVector3D& uv, const Eigen::Affine2f& moved)
 {
-    const Eigen::Vector2f place(uv.x, 1.0f - uv.y);
+    const Eigen::Vector2f place = moved * Eigen::Vector2f(uv.x, 1.0f - uv.y);
     // Further repetitions would leave floats no digits for the place in the picture.
     return place.allFinite() && place.cwiseAbs().maxCoeff() < 1e4f ? place : Eigen::Vector2f(0, 0);
 }
@@ -70,10 +70,12 @@ Eigen::Vector3f colorOf(const aiColor4D& color)
 
 void convertSurface(const aiScene& scene, const NodeTable& table, const std::string& path, Model& model)
 {
-    const std::vector<uint32_t> materials = convertMaterials(scene, table, path, model);
+    const std::vector<ConvertedMaterial> materials = convertMaterials(scene, table, path, model);
     ModelSurface& surface = model.surface;
     forEachMesh(scene, table, [&](const aiMesh& mesh, uint32_t node) {
         const NormalTurner turner(mesh, node, table);
+        const ConvertedMaterial& material = materials.at(mesh.mMaterialIndex);
+        const unsigned channel = mesh.HasTextureCoords(material.uvChannel) ? material.uvChannel : 0;
         for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
             SurfaceVertex vertex;
             const size_t index = surface.vertices.size();
@@ -82,9 +84,9 @@ void convertSurface(const aiScene& scene, const NodeTable& table, const std::str
                 const Vector3d normal = turner.turn(mesh.mNormals[v], skin);
                 if (normal.allFinite() && normal.norm() > 0.0) vertex.normal = normal.normalized().cast<float>();
             }
-            if (mesh.HasTextureCoords(0)) vertex.uv = uvOf(mesh.mTextureCoords[0][v]);
+            if (mesh.HasTextureCoords(channel)) vertex.uv = uvOf(mesh.mTextureCoords[channel][v], material.moved);
             if (mesh.HasVertexColors(0)) vertex.color = colorOf(mesh.mColors[0][v]);
-            vertex.material = materials.at(mesh.mMaterialIndex);
+            vertex.material = material.index;
             surface.vertices.push_back(vertex);
         }
     });

@@ -109,6 +109,7 @@ void visitModel(Archive& archive, Any& model)
         archive.plain(material.texture);
         archive.plain(material.twoSided);
         archive.plain(material.alphaCutoff);
+        archive.plain(material.wrap);
     });
     archive.list(model.surface.textures, [&](auto& picture) {
         archive.plain(picture.width);
@@ -145,6 +146,7 @@ bool valid(const ModelSurface& surface, size_t vertexCount)
     }
     for (const SkinMaterial& material : surface.materials) {
         good = good && material.color.allFinite() && std::isfinite(material.alphaCutoff) &&
+               std::ranges::max(material.wrap) <= TextureWrap::Clamp &&
                (material.texture == NO_INDEX || material.texture < surface.textures.size());
     }
     for (const TexturePicture& picture : surface.textures) {

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 
+#include "sim/actor/gltf/glb.h"
 #include "sim/actor/import/model.h"
 #include "sim/actor/import/model_bytes.h"
 #include "tests/temp_folder.h"
@@ -65,6 +67,62 @@ TEST_F(Surface, ATextureBesideTheModelIsDecoded)
     ASSERT_EQ(model.surface.materials.size(), 1u);
     EXPECT_EQ(model.surface.materials[0].texture, 0u);
     EXPECT_TRUE(model.surface.materials[0].twoSided);
+}
+
+TEST_F(Surface, APictureMayEndAtItsEdges)
+{
+    write("paint.tga", smallPicture());
+    const SkinMaterial material = square("map_Kd -clamp on paint.tga\n").surface.materials.at(0);
+    EXPECT_EQ(material.wrap, (std::array{TextureWrap::Clamp, TextureWrap::Clamp}));
+}
+
+TEST_F(Surface, WhatAPicturesAlphaLeavesOutIsNotThere)
+{
+    write("paint.tga", smallPicture());
+    EXPECT_EQ(square("map_Kd paint.tga\n").surface.materials.at(0).alphaCutoff, 0.0f);
+    EXPECT_EQ(square("map_Kd paint.tga\nmap_d paint.tga\n").surface.materials.at(0).alphaCutoff, 0.5f);
+}
+
+/// A triangle whose second channel of places is 1, 0.5; 2, 0.5; 1, 1, which the material doubles, turns by a quarter
+/// anticlockwise about the picture's upper left corner and shifts.
+const char* const SHIFTED = R"({ "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }],
+    "nodes": [{ "mesh": 0 }], "buffers": [{ "uri": "shifted.bin", "byteLength": 84 }],
+    "bufferViews": [{ "buffer": 0, "byteLength": 36 }, { "buffer": 0, "byteOffset": 36, "byteLength": 24 },
+                    { "buffer": 0, "byteOffset": 60, "byteLength": 24 }],
+    "accessors": [
+        { "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0] },
+        { "bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2" },
+        { "bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC2" }],
+    "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0, "TEXCOORD_0": 1, "TEXCOORD_1": 2 },
+                                  "material": 0 }] }],
+    "images": [{ "uri": "paint.tga" }], "samplers": [{ "wrapS": 33648, "wrapT": 33071 }],
+    "textures": [{ "source": 0, "sampler": 0 }], "extensionsUsed": ["KHR_texture_transform"],
+    "materials": [{ "pbrMetallicRoughness": { "baseColorTexture": { "index": 0, "texCoord": 1, "extensions": {
+        "KHR_texture_transform": { "offset": [0.25, -0.5], "scale": [2, 2],
+                                   "rotation": 1.57079633 } } } } }] })";
+
+TEST_F(Surface, APictureIsShiftedAndWrappedAsItsMaterialSays)
+{
+    write("paint.tga", smallPicture());
+    write("shifted.gltf", SHIFTED);
+    const std::array<float, 21> numbers{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0.5f, 2, 0.5f, 1, 1};
+    write("shifted.bin", {reinterpret_cast<const char*>(numbers.data()), sizeof numbers});
+    ImportOptions options;
+    options.surface = true;
+    const Model model = importModel(folder_.path("shifted.gltf"), options);
+    const SkinMaterial& material = model.surface.materials.at(0);
+    EXPECT_EQ(material.texture, 0u);
+    EXPECT_EQ(material.wrap, (std::array{TextureWrap::Mirror, TextureWrap::Clamp}));
+    const std::array<Eigen::Vector2f, 3> places{{{1.25f, -2.5f}, {1.25f, -4.5f}, {2.25f, -2.5f}}};
+    ASSERT_EQ(model.surface.vertices.size(), places.size());
+    for (size_t v = 0; v < places.size(); ++v)
+        EXPECT_LT((model.surface.vertices[v].uv - places[v]).norm(), 1e-5f) << model.surface.vertices[v].uv;
+
+    GlbOptions glb;
+    glb.encode = [](const TexturePicture&) { return smallPicture(); };
+    write("back.glb", toGlb(std::span(&model, 1), glb));
+    const Model back = importModel(folder_.path("back.glb"), options);
+    EXPECT_EQ(back.surface.materials.at(0).wrap, material.wrap);
 }
 
 TEST_F(Surface, ADamagedTextureIsANoteAndItsMaterialPlain)
