@@ -13,6 +13,11 @@ bool hasCutOuts(const Skin& skin)
     return std::ranges::any_of(skin.mesh->materials, [](const SkinMaterial& m) { return m.alphaCutoff > 0.0f; });
 }
 
+bool isTwoSided(const Skin& skin)
+{
+    return std::ranges::any_of(skin.mesh->materials, &SkinMaterial::twoSided);
+}
+
 /// Whether pixels of it need its materials: for pictures, or where some of it is seen from one side only.
 bool needsMaterials(const Skin& skin)
 {
@@ -34,6 +39,7 @@ SkinPass::SkinPass(const Gpu& gpu, BufferTable& table, const World& world, const
                                                       "skinVertexLooks", "skinMaterials", "skinLevels", "skinTexels"};
     Defines looks;
     if (std::ranges::any_of(world.skins, needsMaterials)) looks.push_back({"MATERIALS", "1"});
+    if (std::ranges::any_of(world.skins, isTwoSided)) looks.push_back({"TWO_SIDED", "1"});
     skins_ = DrawPass(gpu, table, {"skins/skin", "skins/skin", looks}, reads, targets.geometry);
     Defines lightView{{"LIGHT_VIEW", "1"}};
     if (std::ranges::any_of(world.skins, hasCutOuts)) lightView.push_back({"CUT_OUT", "1"});

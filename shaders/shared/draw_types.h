@@ -12,7 +12,7 @@ namespace knuckle::gpu {
 // own.
 #define SKIN_GROUP_SIZE 512u
 // How far the surface of a level of detail may be off: in pixels of the picture, and in texels of the shadow map.
-#define SKIN_PIXELS_OFF 0.5f
+#define SKIN_PIXELS_OFF 0.65f
 #define SKIN_TEXELS_OFF 1.0f
 
 // Of a corner of a mark: place from the centre of its body, w: body; place of the other end of its stroke; how far it

@@ -220,7 +220,7 @@ TEST_F(SkinKernels, EachIsDrawnAsCoarselyAsAPixelAllows)
         // A pixel is a hundredth of what is seen at the nearest point of the ball, which is a metre before its centre.
         const float depth = -places[i].z() - 1.0f;
         const bool inSight = i < 4;
-        EXPECT_EQ(draws[i].count, inSight ? indicesWithin(0.5f * depth / 100) : 0u) << i;
+        EXPECT_EQ(draws[i].count, inSight ? indicesWithin(SKIN_PIXELS_OFF * depth / 100) : 0u) << i;
         // 40 m over 100 texels.
         EXPECT_EQ(draws[count + i].count, indicesWithin(0.4f)) << i;
         for (const uint32_t k : {i, count + i}) {

@@ -2,15 +2,25 @@
 #include "math/octahedron.glsl"
 
 // Square roots spend the 8 bits a channel where the eye sees steps.
+uint packRoots(vec3 roots, float alpha)
+{
+    return packUnorm4x8(vec4(roots, alpha));
+}
+
+vec3 unpackRoots(uint word)
+{
+    return unpackUnorm4x8(word).rgb;
+}
+
 uint packAlbedo(vec3 albedo, float alpha)
 {
-    return packUnorm4x8(vec4(sqrt(clamp(albedo, 0.0, 1.0)), alpha));
+    return packRoots(sqrt(clamp(albedo, 0.0, 1.0)), alpha);
 }
 
 vec3 unpackAlbedo(uint word)
 {
-    vec3 root = unpackUnorm4x8(word).rgb;
-    return root * root;
+    vec3 roots = unpackRoots(word);
+    return roots * roots;
 }
 
 // The ground's colour words have no alpha.
@@ -19,6 +29,7 @@ bool isGround(uvec2 surface)
     return surface.y >> 24 == 0u;
 }
 
+// Of any length above 0.
 uint packNormal(vec3 n)
 {
     return packSnorm2x16(toSquare(n));

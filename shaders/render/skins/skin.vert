@@ -9,7 +9,7 @@ uniform samplerBuffer skinVertexLooks;      // uv, colour, material
 
 out vec3 viewNormal;
 out vec2 uv;
-out vec3 vertexColor;
+out vec3 colorRoots;            // of the colour, so that pixels need not take them
 flat out int material;
 
 void main()
@@ -20,7 +20,7 @@ void main()
     vec3 place = uintBitsToFloat(posed.xyz);
     viewNormal = directionToView(unpackNormal(posed.w));
     uv = looks.xy;
-    vertexColor = unpackAlbedo(uint(looks.z));
+    colorRoots = unpackRoots(uint(looks.z));
     material = int(looks.w);
 #ifdef LIGHT_VIEW
     gl_Position = vec4(worldToLight(place), 1.0);

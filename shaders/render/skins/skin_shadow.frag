@@ -5,7 +5,7 @@
 
 in vec3 viewNormal;
 in vec2 uv;
-in vec3 vertexColor;
+in vec3 colorRoots;
 flat in int material;
 
 void main()
