@@ -144,7 +144,7 @@ TEST(SceneSkin, ASkeletonAloneHasNone)
                                "Zrotation Xrotation Yrotation\n  End Site\n  {\n   OFFSET 0 40 0\n  }\n }\n}\n"
                                "MOTION\nFrames: 1\nFrame Time: 0.05\n0 90 0 0 0 0 0 0 0\n");
     EXPECT_EQ(complaint(folder, "walker.bvh"),
-              "/objects/0/skin: the model 'walker' has no mesh to draw, or take \"particles\"");
+              "/objects/0/skin: the model 'walker' has no mesh to draw: give one that has, or take \"particles\"");
     const Scene scene = loadScene(folder.write("scene.json", actorOf("walker.bvh", "auto")));
     EXPECT_TRUE(scene.world.skins.empty());
     EXPECT_TRUE(scene.notes.empty());

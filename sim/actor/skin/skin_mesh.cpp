@@ -71,7 +71,7 @@ SkinMesh makeSkinMesh(const Actor& actor, const Model& model)
 {
     const ModelSurface& surface = model.surface;
     if (surface.vertices.size() != model.vertices.size() || model.triangles.empty())
-        throw InputError(fmt::format("the model '{}' has no mesh to draw", model.name));
+        throw InputError(fmt::format("the model '{}' has no mesh to draw: give one that has", model.name));
     const std::vector<uint32_t> bodies = bodiesOfBones(actor, model);
     SkinMesh mesh{{}, model.triangles, surface.materials, surface.textures};
     for (size_t v = 0; v < model.vertices.size(); ++v) {

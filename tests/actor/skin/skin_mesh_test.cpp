@@ -73,7 +73,7 @@ TEST(SkinMesh, RefusesAModelWithoutAMeshAndAnother)
               "voxelize");
     model.surface.vertices.clear();
     EXPECT_EQ(test::messageOf<InputError>([&] { makeSkinMesh(actor, model); }),
-              "the model 'chain' has no mesh to draw");
+              "the model 'chain' has no mesh to draw: give one that has");
 }
 
 }  // namespace
