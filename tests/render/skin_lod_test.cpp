@@ -13,6 +13,17 @@
 namespace knuckle::test {
 namespace {
 
+/// Adds the triangles between rings of vertices, one after another.
+void connectRings(uint32_t rings, uint32_t sides, SkinMesh& mesh)
+{
+    for (uint32_t r = 0; r < rings; ++r)
+        for (uint32_t s = 0; s < sides; ++s) {
+            const uint32_t a = r * sides + s, b = r * sides + (s + 1) % sides;
+            mesh.triangles.push_back({a, b, b + sides});
+            mesh.triangles.push_back({a, b + sides, a + sides});
+        }
+}
+
 /// A ball of radius 1 in `rings` rings of twice as many vertices, of one body.
 SkinMesh ball(uint32_t rings)
 {
@@ -28,12 +39,7 @@ SkinMesh ball(uint32_t rings)
             vertex.normal = vertex.position;
             mesh.vertices.push_back(vertex);
         }
-    for (uint32_t r = 0; r < rings; ++r)
-        for (uint32_t s = 0; s < sides; ++s) {
-            const uint32_t a = r * sides + s, b = r * sides + (s + 1) % sides;
-            mesh.triangles.push_back({a, b, b + sides});
-            mesh.triangles.push_back({a, b + sides, a + sides});
-        }
+    connectRings(rings, sides, mesh);
     mesh.materials.resize(1);
     return mesh;
 }
@@ -110,12 +116,7 @@ SkinMesh tube(bool smooth)
             vertex.weights = {1.0f - upper, upper, 0, 0};
             mesh.vertices.push_back(vertex);
         }
-    for (uint32_t r = 0; r < RINGS; ++r)
-        for (uint32_t s = 0; s < SIDES; ++s) {
-            const uint32_t a = r * SIDES + s, b = r * SIDES + (s + 1) % SIDES;
-            mesh.triangles.push_back({a, b, b + SIDES});
-            mesh.triangles.push_back({a, b + SIDES, a + SIDES});
-        }
+    connectRings(RINGS, SIDES, mesh);
     mesh.materials.resize(1);
     return mesh;
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <string_view>
 
 #include "sim/actor/import/import_scene.h"
+#include "sim/world/disjoint_sets.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -13,27 +13,6 @@ namespace knuckle {
 namespace {
 
 constexpr size_t PART_LIMIT = 4096;
-
-/// Sets of indices that grow together; the smallest index of a set names it.
-class Sets {
-public:
-    explicit Sets(size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), 0u); }
-
-    uint32_t find(uint32_t i)
-    {
-        while (above_[i] != i) i = above_[i] = above_[above_[i]];
-        return i;
-    }
-    void join(uint32_t a, uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        above_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<uint32_t> above_;
-};
 
 /// The vertices of one mesh at one node.
 struct Run {
@@ -72,12 +51,12 @@ std::vector<Run> runsOf(const aiScene& scene, const NodeTable& table)
 }
 
 /// Joins what triangles connect, and corners of one node at the same place.
-Sets connected(const Model& model, const std::vector<Run>& runs)
+DisjointSets connected(const Model& model, const std::vector<Run>& runs)
 {
-    Sets sets(model.vertices.size());
+    DisjointSets sets(model.vertices.size());
     for (const auto& [a, b, c] : model.triangles) {
-        sets.join(a, b);
-        sets.join(a, c);
+        sets.unite(a, b);
+        sets.unite(a, c);
     }
     std::map<std::array<float, 3>, uint32_t> places;
     uint32_t vertex = 0;
@@ -86,7 +65,7 @@ Sets connected(const Model& model, const std::vector<Run>& runs)
         for (; vertex < runs[r].end; ++vertex) {
             const Eigen::Vector3f& p = model.vertices[vertex];
             const auto [place, isNew] = places.try_emplace({p.x(), p.y(), p.z()}, vertex);
-            if (!isNew) sets.join(vertex, place->second);
+            if (!isNew) sets.unite(vertex, place->second);
         }
     }
     return sets;
@@ -115,7 +94,7 @@ void splitIntoParts(const aiScene& scene, const NodeTable& table, Model& model)
 {
     if (!model.bones.empty()) throw InputError("it has a skeleton, which says what its bodies are: leave `split` away");
     const std::vector<Run> runs = runsOf(scene, table);
-    Sets sets = connected(model, runs);
+    DisjointSets sets = connected(model, runs);
     std::vector<uint32_t> drawn;  // the first vertex of each set that has a triangle
     for (const auto& triangle : model.triangles) drawn.push_back(sets.find(triangle[0]));
     std::ranges::sort(drawn);

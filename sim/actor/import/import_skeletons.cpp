@@ -2,11 +2,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 
 #include "sim/actor/bodies/name_pattern.h"
 #include "sim/actor/import/import_scene.h"
+#include "sim/world/disjoint_sets.h"
 
 namespace knuckle {
 
@@ -33,7 +33,6 @@ public:
         : table_(table), bones_(bonesIn(scene, table)), names_(boneNames(table, bones_)),
           rootOf_(table.nodes.size(), NO_INDEX), joined_(table.nodes.size())
     {
-        std::iota(joined_.begin(), joined_.end(), 0u);
         std::vector<uint8_t> isBone(table.nodes.size(), 0);
         for (const uint32_t bone : bones_) isBone[bone] = 1;
         // Parents come first.
@@ -51,7 +50,7 @@ public:
         std::map<uint32_t, std::vector<uint32_t>> trees;
         for (const uint32_t bone : bones_) trees[rootOf_[bone]].push_back(bone);
         for (const auto& [root, nodes] : trees) {
-            Skeleton& skeleton = found[group(root)];
+            Skeleton& skeleton = found[joined_.find(root)];
             skeleton.roots.push_back(root);
             skeleton.nodes.insert(skeleton.nodes.end(), nodes.begin(), nodes.end());
             if (skeleton.name.empty() || nodes.size() > trees.at(skeleton.root).size()) {
@@ -60,7 +59,7 @@ public:
             }
         }
         for (const auto& [root, count] : skinned_)
-            found.at(group(root)).skinned = std::max(found.at(group(root)).skinned, count);
+            found.at(joined_.find(root)).skinned = std::max(found.at(joined_.find(root)).skinned, count);
         std::vector<Skeleton> skeletons;
         for (auto& [root, skeleton] : found) {
             std::ranges::sort(skeleton.nodes);
@@ -70,28 +69,23 @@ public:
     }
 
 private:
-    uint32_t group(uint32_t root) const
-    {
-        while (joined_[root] != root) root = joined_[root];
-        return root;
-    }
-
     void join(const aiMesh& mesh)
     {
         std::vector<uint32_t> roots;
         for (const aiBone* bone : std::span(mesh.mBones, mesh.mNumBones))
-            if (moves(*bone)) roots.push_back(group(rootOf_[table_.boneNodes.at(bone)]));
+            if (moves(*bone)) roots.push_back(rootOf_[table_.boneNodes.at(bone)]);
         if (roots.empty()) return;
-        const uint32_t first = *std::ranges::min_element(roots);
-        for (const uint32_t root : roots) joined_[group(root)] = first;
-        skinned_[first] = std::max(skinned_[first], roots.size());
+        for (const uint32_t root : roots) joined_.unite(root, roots.front());
+        size_t& skinned = skinned_[roots.front()];
+        skinned = std::max(skinned, roots.size());
     }
 
     const NodeTable& table_;
     std::vector<uint32_t> bones_;
     std::vector<std::string> names_;
-    std::vector<uint32_t> rootOf_, joined_;  ///< Per node.
-    std::map<uint32_t, size_t> skinned_;     ///< By root: of how many bones a mesh is.
+    std::vector<uint32_t> rootOf_;        ///< Per node.
+    DisjointSets joined_;                 ///< Roots of one skeleton.
+    std::map<uint32_t, size_t> skinned_;  ///< By root: of how many bones a mesh is.
 };
 
 std::string listed(std::span<const Skeleton> skeletons)
