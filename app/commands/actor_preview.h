@@ -3,7 +3,7 @@
 #include "app/run/open_gpu.h"
 #include "render/picture/image.h"
 #include "sim/actor/actor.h"
-#include "sim/actor/import/model.h"
+#include "sim/actor/import/import.h"
 
 namespace knuckle {
 

@@ -13,8 +13,8 @@
 #include "app/json/fields.h"
 #include "app/run/counted.h"
 #include "sim/actor/anatomy/anatomy.h"
+#include "sim/actor/anatomy/name_pattern.h"
 #include "sim/actor/bodies/bone_options.h"
-#include "sim/actor/bodies/name_pattern.h"
 
 namespace knuckle {
 

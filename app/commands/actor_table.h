@@ -4,8 +4,8 @@
 
 #include "sim/actor/actor.h"
 #include "sim/actor/bodies/articulate.h"
-#include "sim/actor/import/model.h"
 #include "sim/actor/limbs/fill_error.h"
+#include "sim/actor/model.h"
 
 namespace knuckle {
 

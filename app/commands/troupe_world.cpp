@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/commands/table2_world.h"
+#include "sim/actor/bodies/clip_ranges.h"
 #include "sim/actor/bodies/make_actor.h"
 #include "sim/actor/clips/body_clip.h"
 #include "sim/actor/skin/skin_mesh.h"

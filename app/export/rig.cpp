@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "sim/actor/import/model.h"
+#include "sim/actor/import/import.h"
 #include "sim/actor/skin/skin_mesh.h"
 
 namespace knuckle {

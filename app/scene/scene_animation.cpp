@@ -5,6 +5,7 @@
 
 #include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
+#include "sim/actor/bodies/clip_ranges.h"
 #include "sim/actor/clips/body_clip.h"
 #include "sim/world/errors.h"
 

@@ -6,7 +6,7 @@
 #include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
 #include "render/picture/image.h"
-#include "sim/actor/import/model.h"
+#include "sim/actor/import/import.h"
 #include "sim/actor/mesh/distance_grid.h"
 #include "sim/world/errors.h"
 

@@ -10,7 +10,7 @@
 #include "app/json/json.h"
 #include "app/scene/scene_file.h"
 #include "sim/actor/actor.h"
-#include "sim/actor/import/model.h"
+#include "sim/actor/import/import.h"
 #include "sim/world/builder/builder.h"
 
 /// The parts of a scene file, from documents that the schema has completed.

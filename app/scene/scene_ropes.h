@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/scene/scene_parts.h"
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
 
 namespace knuckle {
 

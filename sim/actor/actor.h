@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/actor/import/model_fit.h"
+#include "sim/actor/model_source.h"
 #include "sim/world/builder/builder.h"
 #include "sim/world/world.h"
 

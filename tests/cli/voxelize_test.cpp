@@ -4,7 +4,7 @@
 #include "app/json/json.h"
 #include "render/picture/image.h"
 #include "sim/actor/gltf/glb.h"
-#include "sim/actor/import/model.h"
+#include "sim/actor/import/import.h"
 #include "tests/cli/cli_fixture.h"
 #include "tests/places.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "sim/actor/gltf/glb.h"
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
 #include "tests/places.h"
 
 namespace knuckle::test {

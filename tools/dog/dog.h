@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
 
 namespace knuckle {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
 
 namespace knuckle {
 

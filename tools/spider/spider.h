@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
 
 namespace knuckle {
 

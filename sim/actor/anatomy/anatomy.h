@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
 #include "sim/world/world.h"
 
 namespace knuckle {

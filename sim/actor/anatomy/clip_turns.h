@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
 
 namespace knuckle {
 

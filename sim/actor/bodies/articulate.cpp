@@ -6,13 +6,13 @@
 #include <cmath>
 #include <optional>
 
+#include "sim/actor/anatomy/name_pattern.h"
 #include "sim/actor/bodies/bone_bodies.h"
 #include "sim/actor/bodies/bone_options.h"
 #include "sim/actor/bodies/fold.h"
 #include "sim/actor/bodies/joint_particles.h"
 #include "sim/actor/bodies/joint_ranges.h"
 #include "sim/actor/bodies/merge_notes.h"
-#include "sim/actor/bodies/name_pattern.h"
 #include "sim/actor/limbs/limb_fill.h"
 #include "sim/actor/limbs/limb_frame.h"
 #include "sim/world/builder/joints.h"

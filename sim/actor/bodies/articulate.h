@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sim/actor/actor.h"
-#include "sim/actor/import/model.h"
 #include "sim/actor/mesh/voxelize.h"
+#include "sim/actor/model.h"
 
 namespace knuckle {
 

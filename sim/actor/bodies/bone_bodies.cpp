@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -23,7 +22,6 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr size_t SPACE_POINTS = 4;    // the fewest particles that can span space
 constexpr float FINER = 0.8f;         // of a diameter that is too large, where nothing else is known
 constexpr double ISLAND_PART = 0.25;  // a cut-off part below this share of its body changes sides
 
@@ -161,28 +159,6 @@ void noteSources(const Model& model, std::span<const BoneAnatomy> anatomy, std::
 }
 
 }  // namespace
-
-Vector3f boneHead(const Model& model, uint32_t bone)
-{
-    return model.bones[bone].restPose.block<3, 1>(0, 3);
-}
-
-bool spansSpace(const std::vector<Vector3f>& points, float diameter)
-{
-    if (points.size() < SPACE_POINTS) {
-        return false;
-    }
-    Vector3f mean = Vector3f::Zero();
-    for (const Vector3f& p : points) {
-        mean += p / static_cast<float>(points.size());
-    }
-    Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
-    for (const Vector3f& p : points) {
-        covariance += (p - mean) * (p - mean).transpose() / static_cast<float>(points.size());
-    }
-    const float thinnest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(covariance).eigenvalues()[0];
-    return thinnest > 0.01f * diameter * diameter;
-}
 
 std::vector<BodyDraft> cutIntoBodies(const Model& model, const Solid& solid, std::span<const BoneAnatomy> anatomy,
                                      const Mirror* mirror, const Vector3f& forward, Voxels& voxels,

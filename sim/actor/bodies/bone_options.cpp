@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/actor/bodies/name_pattern.h"
+#include "sim/actor/anatomy/name_pattern.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {

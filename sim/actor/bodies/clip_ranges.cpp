@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "sim/actor/anatomy/clip_turns.h"
+#include "sim/actor/anatomy/name_pattern.h"
 #include "sim/actor/bodies/joint_ranges.h"
-#include "sim/actor/bodies/name_pattern.h"
 #include "sim/actor/clips/body_clip.h"
+#include "sim/actor/clips/clip_overlaps.h"
 #include "sim/actor/limbs/mirror.h"
 
 namespace knuckle {
@@ -60,6 +61,15 @@ void takeInClips(const Model& model, const ArticulationOptions& options, Actor& 
             if (joint.type == JointType::Ball) leanTo(joint.limits, joint.axis, clip);
         for (const Turns& clip : turns) takeIn(joint.limits, joint.type, joint.axis, clip);
     }
+}
+
+void takeIn(Actor& actor, const BodyClip& clip)
+{
+    for (ActorJoint& joint : actor.joints) {
+        const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
+        takeIn(joint.limits, type, joint.axis, turnsOf(clip, joint.child));
+    }
+    for (const auto& pair : overlapsIn(actor, clip)) actor.passes.push_back(pair);
 }
 
 }  // namespace knuckle

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim/actor/bodies/joint_particles.h"
+#include "sim/actor/limbs/limb_frame.h"
 
 namespace knuckle {
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/actor/limbs/limb_frame.h"
+
 namespace knuckle {
 
 namespace {
@@ -227,12 +229,6 @@ std::vector<uint32_t> makeUniversal(Particles& particles, const JointPlan& plan,
 }
 
 }  // namespace
-
-Vector3f perpendicular(const Vector3f& v, const Vector3f& along)
-{
-    const Vector3f across = v - v.dot(along) * along;
-    return across.norm() > 1e-3f ? Vector3f(across.normalized()) : along.unitOrthogonal().eval();
-}
 
 void JointPlan::turnAbout(const Vector3f& other)
 {

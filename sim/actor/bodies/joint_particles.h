@@ -31,9 +31,6 @@ struct JointPlan {
     void turnAbout(const Vector3f& other);
 };
 
-/// The part of v across `along`, as unit vectors; any across it where v has none.
-Vector3f perpendicular(const Vector3f& v, const Vector3f& along);
-
 /// Makes the particles that the two bodies share and takes away those in their way. A universal joint needs
 /// `crossBody`, the body that stands between. @returns the shared particles: ball 1, hinge 2-5 in a row on the axis,
 /// stiff 4, universal the two shared with the parent, then the two shared with the child.

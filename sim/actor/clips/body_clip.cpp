@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "sim/actor/anatomy/anatomy.h"
-#include "sim/actor/bodies/joint_ranges.h"
 #include "sim/actor/clips/bone_match.h"
 #include "sim/actor/clips/clip_overlaps.h"
 #include "sim/actor/clips/joint_turns.h"
@@ -233,15 +232,6 @@ std::vector<Quaternionf> turnsOf(const BodyClip& clip, uint32_t body)
     std::vector<Quaternionf> turns;
     for (uint32_t k = 0; k < clip.keyCount(); ++k) turns.push_back(clip.turns[size_t{k} * clip.bodyCount + body]);
     return turns;
-}
-
-void takeIn(Actor& actor, const BodyClip& clip)
-{
-    for (ActorJoint& joint : actor.joints) {
-        const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
-        takeIn(joint.limits, type, joint.axis, turnsOf(clip, joint.child));
-    }
-    for (const auto& pair : overlapsIn(actor, clip)) actor.passes.push_back(pair);
 }
 
 }  // namespace knuckle

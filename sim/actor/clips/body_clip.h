@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/actor/actor.h"
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
 #include "sim/world/animation/animation.h"
 
 namespace knuckle {
@@ -29,9 +29,5 @@ ActorClip foreignClip(const Actor& actor, const Model& source, const Clip& clip)
 
 /// Of one body against the one that it hangs on, key by key.
 std::vector<Quaternionf> turnsOf(const BodyClip& clip, uint32_t body);
-
-/// Makes an actor fit for a clip: widens its joints' limits so that they take in every turn of it, with 5 degrees to
-/// spare, and lets bodies that overlap in most of it never touch.
-void takeIn(Actor& actor, const BodyClip& clip);
 
 }  // namespace knuckle

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/actor/actor.h"
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
 
 namespace knuckle {
 

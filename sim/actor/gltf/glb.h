@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
 
 namespace knuckle {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
 
 namespace knuckle {
 

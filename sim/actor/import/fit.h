@@ -1,6 +1,7 @@
 #pragma once
 
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
+#include "sim/actor/model_source.h"
 
 namespace knuckle {
 

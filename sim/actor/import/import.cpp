@@ -10,8 +10,8 @@
 
 #include "sim/actor/import/child_process.h"
 #include "sim/actor/import/fit.h"
+#include "sim/actor/import/import.h"
 #include "sim/actor/import/import_scene.h"
-#include "sim/actor/import/model.h"
 #include "sim/actor/import/model_bytes.h"
 #include "sim/actor/import/rest_pose.h"
 #include "sim/actor/import/skeleton_body.h"

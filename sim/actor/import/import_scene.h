@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/actor/import/model.h"
+#include "sim/actor/import/import.h"
+#include "sim/actor/model_source.h"
 
 // Inside the importing child only: the files import_*.cpp alone know assimp.
 namespace knuckle {

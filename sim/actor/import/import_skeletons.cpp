@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-#include "sim/actor/bodies/name_pattern.h"
+#include "sim/actor/anatomy/name_pattern.h"
 #include "sim/actor/import/import_scene.h"
 #include "sim/world/disjoint_sets.h"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/actor/import/model.h"
+#include "sim/actor/model.h"
 
 namespace knuckle {
 

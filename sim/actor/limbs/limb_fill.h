@@ -2,7 +2,8 @@
 
 #include <span>
 
-#include "sim/actor/bodies/bone_bodies.h"
+#include "sim/actor/anatomy/anatomy.h"
+#include "sim/actor/limbs/body_draft.h"
 #include "sim/actor/limbs/mirror.h"
 
 namespace knuckle {

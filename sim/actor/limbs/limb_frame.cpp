@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/actor/bodies/joint_particles.h"
-
 namespace knuckle {
 
 using Eigen::Vector3f;
@@ -75,6 +73,12 @@ std::optional<LimbFrame> limbFrame(const std::vector<BodyDraft>& drafts, uint32_
         frame.after = std::max(frame.after, way - length + d);
     }
     return frame;
+}
+
+Vector3f perpendicular(const Vector3f& v, const Vector3f& along)
+{
+    const Vector3f across = v - v.dot(along) * along;
+    return across.norm() > 1e-3f ? Vector3f(across.normalized()) : along.unitOrthogonal().eval();
 }
 
 }  // namespace knuckle

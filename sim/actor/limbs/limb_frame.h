@@ -2,8 +2,10 @@
 
 #include <optional>
 
-#include "sim/actor/bodies/bone_bodies.h"
+#include "sim/actor/anatomy/anatomy.h"
+#include "sim/actor/limbs/body_draft.h"
 #include "sim/actor/limbs/limb_lattice.h"
+#include "sim/actor/mesh/voxelize.h"
 
 namespace knuckle {
 
@@ -18,5 +20,8 @@ Eigen::Vector3f acrossLimb(const Eigen::Vector3f& along, const Eigen::Vector3f& 
 /// @param boneEnd of its bone, where it has one.
 std::optional<LimbFrame> limbFrame(const std::vector<BodyDraft>& drafts, uint32_t body, const Voxels& voxels,
                                    const Eigen::Vector3f& forward, const std::optional<Eigen::Vector3f>& boneEnd);
+
+/// The part of v across `along`, as unit vectors; any across it where v has none.
+Eigen::Vector3f perpendicular(const Eigen::Vector3f& v, const Eigen::Vector3f& along);
 
 }  // namespace knuckle

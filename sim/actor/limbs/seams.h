@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "sim/actor/bodies/bone_bodies.h"
+#include "sim/actor/limbs/body_draft.h"
+#include "sim/actor/mesh/voxelize.h"
 
 namespace knuckle {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/actor/actor.h"
-#include "sim/actor/import/model.h"
+#include "sim/actor/import/import.h"
 
 namespace knuckle {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "sim/actor/bodies/clip_ranges.h"
 #include "sim/actor/bodies/make_actor.h"
 #include "sim/actor/clips/body_clip.h"
 #include "sim/actor/clips/clip_overlaps.h"

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "sim/actor/bodies/make_actor.h"
-#include "sim/actor/import/model.h"
+#include "sim/actor/import/import.h"
 #include "sim/world/errors.h"
 #include "tests/message_of.h"
 #include "tests/temp_folder.h"

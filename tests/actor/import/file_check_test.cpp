@@ -1,4 +1,5 @@
 #include "sim/actor/import/file_check.h"
+#include "sim/actor/import/import.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include "sim/actor/gltf/glb.h"
 #include "sim/actor/gltf/gltf_clips.h"
 #include "sim/actor/import/child_process.h"
+#include "sim/actor/import/import.h"
 #include "sim/actor/import/model_bytes.h"
 #include "sim/world/errors.h"
 #include "tests/actor/shapes.h"

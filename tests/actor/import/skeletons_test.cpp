@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/actor/gltf/glb.h"
-#include "sim/actor/import/model.h"
+#include "sim/actor/import/import.h"
 #include "tests/actor/shapes.h"
 #include "tests/message_of.h"
 #include "tests/temp_folder.h"

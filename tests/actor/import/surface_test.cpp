@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "sim/actor/gltf/glb.h"
-#include "sim/actor/import/model.h"
+#include "sim/actor/import/import.h"
 #include "sim/actor/import/model_bytes.h"
 #include "tests/temp_folder.h"
 

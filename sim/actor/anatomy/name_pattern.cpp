@@ -1,4 +1,4 @@
-#include "sim/actor/bodies/name_pattern.h"
+#include "sim/actor/anatomy/name_pattern.h"
 
 namespace knuckle {
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/actor/bodies/name_pattern.h"
+#include "sim/actor/anatomy/name_pattern.h"
 
 namespace knuckle {
 

@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/actor/import/model_fit.h"
-#include "sim/world/errors.h"
 #include "sim/world/skin.h"
 
 namespace knuckle {
@@ -56,7 +54,8 @@ struct UnusableClip {
     std::string why;  ///< "has keys that are not numbers"
 };
 
-/// What import() hands over: triangles in metres, +Y up, in the rest pose, and the skeleton.
+/// What importModel() of import/import.h makes of a file: triangles in metres, +Y up, in the rest pose, and the
+/// skeleton.
 struct Model {
     std::string name;
     std::vector<Eigen::Vector3f> vertices;
@@ -71,21 +70,10 @@ struct Model {
     std::vector<std::string> notes;  ///< What import repaired or assumed, one sentence each.
 };
 
-struct ImportOptions {
-    ModelFit fit = {};
-    bool clips = true;
-    bool surface = false;  ///< Whether it is going to be drawn: only then its textures are read.
-    ModelPick pick = {};
-};
-
-/// A file has several skeletons and nobody said which, or none of the name that was given.
-struct SkeletonError : InputError {
-    using InputError::InputError;
-};
-
-/// Reads a model with assimp in a child process with limits on memory and time, since libassimp crashes or allocates
-/// without bound on some broken files. @throws InputError naming the file, what is wrong and the remedy; SkeletonError
-/// without a remedy, which depends on who asks.
-Model importModel(const std::string& path, const ImportOptions& options = {});
+/// The bone's head in the rest pose [m].
+inline Eigen::Vector3f boneHead(const Model& model, uint32_t bone)
+{
+    return model.bones[bone].restPose.topRightCorner<3, 1>();
+}
 
 }  // namespace knuckle
