@@ -16,6 +16,9 @@ namespace knuckle {
 
 namespace {
 
+constexpr float LEVEL = 0.5f;   // height of a pivot, of its mean distance to joints: less is level
+constexpr float ALIKE = 0.02f;  // off in the mean, of the mean distance of joints from the pivot
+
 using Eigen::Matrix3f;
 using Eigen::Matrix4f;
 
@@ -38,6 +41,7 @@ struct Mapping {
     float scale = 1.0f;                ///< Of ways.
     Vector3f pivot{0, 0, 0};           ///< In the skeleton's rest pose [m].
     bool own = true;
+    bool stands = false;  ///< Whether the skeleton at rest stands where the actor does.
 };
 
 /// How a body is turned by its bone, in the actor's directions.
@@ -85,7 +89,10 @@ ActorClip convert(const Actor& actor, const Model& source, const Clip& clip, con
     for (uint32_t k = 0; k < keys; ++k) {
         const std::vector<Matrix4f>& poses = clip.poses[k];
         const Vector3f pivot = pivotAt(map, source, poses);
-        if (k == 0) start = Vector3f(pivot.x(), groundOf(clip) + map.pivot.y() - lowestOf(source), pivot.z());
+        if (k == 0) {
+            const float ground = map.stands ? 0.0f : groundOf(clip) - lowestOf(source);
+            start = Vector3f(pivot.x(), ground + map.pivot.y(), pivot.z());
+        }
         out.clip.roots.push_back(map.own ? pivot : Vector3f(rest + map.scale * (map.facing * (pivot - start))));
         const auto wanted = [&](uint32_t body) -> std::optional<Quaternionf> {
             if (map.bones[body] == NO_INDEX) return {};
@@ -159,6 +166,52 @@ Quaternionf facingFrom(const Vector3f& theirLeft, const Vector3f& ourLeft)
     return Quaternionf(Eigen::AngleAxisf(yaw, Vector3f::UnitY()));
 }
 
+/// Joints of the actor, and where the bones are that move what hangs on them, from the pivots of both at rest.
+struct JointPair {
+    Vector3f ours, theirs;
+};
+
+std::vector<JointPair> jointPairs(const Actor& actor, const Model& source, const Mapping& map)
+{
+    const Vector3f pivot = pivotOf(actor);
+    std::vector<JointPair> pairs;
+    for (const ActorJoint& joint : actor.joints) {
+        const uint32_t bone = map.bones[joint.child];
+        if (bone == NO_INDEX || actor.bodies[joint.child].isCross) continue;
+        pairs.push_back({joint.anchor - pivot, map.facing * (headOf(source.bones[bone].restPose) - map.pivot)});
+    }
+    return pairs;
+}
+
+/// How large the actor is beside the skeleton: by how high both pivots are over the lowest joint, which keeps feet from
+/// sliding; of what has its joints at one height, by how far they reach.
+float scaleOf(const std::vector<JointPair>& pairs)
+{
+    float ours = 0.0f, theirs = 0.0f, ourReach = 0.0f, theirReach = 0.0f;
+    for (const JointPair& pair : pairs) {
+        ours = std::max(ours, -pair.ours.y());
+        theirs = std::max(theirs, -pair.theirs.y());
+        ourReach += pair.ours.norm();
+        theirReach += pair.theirs.norm();
+    }
+    const auto count = static_cast<float>(pairs.size());
+    const bool isHigh = ours * count > LEVEL * ourReach && theirs * count > LEVEL * theirReach;
+    if (isHigh) return ours / theirs;
+    return ourReach > 0.0f && theirReach > 0.0f ? ourReach / theirReach : 1.0f;
+}
+
+/// Whether both have the same rest pose at the same height, but for their units.
+bool standsAlike(const Actor& actor, const std::vector<JointPair>& pairs, const Mapping& map)
+{
+    float reach = 0.0f, off = 0.0f;
+    for (const JointPair& pair : pairs) {
+        reach += pair.ours.norm();
+        off += (map.scale * pair.theirs - pair.ours).norm();
+    }
+    const float lift = std::abs(map.scale * map.pivot.y() - pivotOf(actor).y());
+    return off < ALIKE * reach && lift * static_cast<float>(pairs.size()) < ALIKE * reach;
+}
+
 Mapping mapForeign(const Actor& actor, const Model& source)
 {
     Mapping map;
@@ -178,10 +231,9 @@ Mapping mapForeign(const Actor& actor, const Model& source)
     const Limb root = limbOf(actor, source, map, childrenOf(actor)[0]);
     map.pivot = root.count > 0 ? root.theirs
                                : headOf(source.bones[map.bones[0] == NO_INDEX ? 0 : map.bones[0]].restPose);
-    float low = pivotOf(actor).y();
-    for (const Vector3f& p : actor.particles) low = std::min(low, p.y());
-    const float theirs = map.pivot.y() - lowestOf(source);
-    if (theirs > 1e-3f) map.scale = (pivotOf(actor).y() - low) / theirs;
+    const std::vector<JointPair> pairs = jointPairs(actor, source, map);
+    map.scale = scaleOf(pairs);
+    map.stands = standsAlike(actor, pairs, map);
     alignLimbs(actor, source, map);
     return map;
 }

@@ -170,7 +170,8 @@ void convertClip(const aiAnimation& animation, const NodeTable& table, size_t ke
     if (!(clip.duration >= 0.0) || !std::isfinite(clip.duration))
         return refuse("has no keys, or none at sensible times");
     if (clip.duration > LONGEST) return refuse(fmt::format("lasts {:.0f} s, more than {:.0f}", clip.duration, LONGEST));
-    const size_t wanted = static_cast<size_t>(std::ceil(clip.duration * SAMPLES_PER_SECOND)) + 1;
+    // A little less, so that rounding adds no sample, which would move all others off the file's keys.
+    const size_t wanted = static_cast<size_t>(std::ceil(clip.duration * SAMPLES_PER_SECOND - 1e-3)) + 1;
     const size_t count = std::min(wanted, std::max<size_t>(keyLimit, 2));
     if (count < wanted) {
         model.notes.push_back(

@@ -17,6 +17,8 @@ namespace {
 
 constexpr float FOLDED = 0.3f;       // second longest over longest side of the bounds
 constexpr float UPRIGHT = 0.4f;      // height of the head over the feet, of the longest side
+constexpr float LONG = 0.1f;         // the same of what stands on its legs, however long it is
+constexpr float HANGING = 0.8f;      // height of a leg, of its length: less hangs not down
 constexpr float APART = 0.05f;       // left from right, of the longest side
 constexpr float SAME_PLACE = 1e-3f;  // of the size: a marker and its end
 constexpr size_t FEWEST_MARKERS = 15;
@@ -49,7 +51,23 @@ struct Middle {
     Vector3f mean() const { return sum / count; }
 };
 
-bool isPose(const BonePoses& pose, const std::vector<BoneAnatomy>& anatomy)
+/// Whether most of a figure's legs hang down from their hips, as those of what goes on four do at rest.
+bool standsOnLegs(const Model& model, const BonePoses& pose, const std::vector<BoneAnatomy>& anatomy)
+{
+    int down = 0;
+    for (uint32_t b = 0; b < pose.size(); ++b) {
+        if (anatomy[b].part != BodyPart::Foot) continue;
+        int32_t above = model.bones[b].parent;
+        while (above >= 0 && anatomy[static_cast<size_t>(above)].part != BodyPart::Thigh)
+            above = model.bones[static_cast<size_t>(above)].parent;
+        if (above < 0) continue;
+        const Vector3f leg = headIn(pose, static_cast<size_t>(above)) - headIn(pose, b);
+        down += leg.y() > HANGING * leg.norm() ? 1 : -1;
+    }
+    return down > 0;
+}
+
+bool isPose(const Model& model, const BonePoses& pose, const std::vector<BoneAnatomy>& anatomy)
 {
     Vector3f size = boundsOf(pose).sizes();
     const float longest = size.maxCoeff();
@@ -61,10 +79,14 @@ bool isPose(const BonePoses& pose, const std::vector<BoneAnatomy>& anatomy)
         if (anatomy[b].side > 0) left.add(headIn(pose, b));
         if (anatomy[b].side < 0) right.add(headIn(pose, b));
     }
-    const bool isBody = heads.count > 0 && feet.count > 0 && left.count > 0 && right.count > 0;
-    if (isBody)
-        return heads.mean().y() - feet.mean().y() > UPRIGHT * longest &&
-               (left.mean() - right.mean()).norm() > APART * longest;
+    // What has more than two legs bears its head where it likes.
+    const bool hasMany = std::ranges::count(anatomy, BodyPart::Thigh, &BoneAnatomy::part) > 2;
+    const bool isBody = !hasMany && heads.count > 0 && feet.count > 0 && left.count > 0 && right.count > 0;
+    if (isBody) {
+        const float height = heads.mean().y() - feet.mean().y();
+        const bool stands = height > LONG * longest && standsOnLegs(model, pose, anatomy);
+        return (height > UPRIGHT * longest || stands) && (left.mean() - right.mean()).norm() > APART * longest;
+    }
     std::sort(size.data(), size.data() + 3);
     return size[1] > FOLDED * size[2];
 }
@@ -99,12 +121,13 @@ void chooseRestPose(Model& model)
     const std::vector<BoneAnatomy> anatomy = readAnatomy(model);
     BonePoses rest;
     for (const Bone& bone : model.bones) rest.push_back(bone.restPose);
-    if (model.clips.empty() || isPose(rest, anatomy)) return;
+    if (model.clips.empty() || isPose(model, rest, anatomy)) return;
     const Clip& first = model.clips.front();
     const Clip* clip = &first;
     const BonePoses* chosen = &first.poses.front();
     for (const Clip& other : model.clips) {
-        const auto pose = std::ranges::find_if(other.poses, [&](const BonePoses& p) { return isPose(p, anatomy); });
+        const auto pose = std::ranges::find_if(other.poses,
+                                               [&](const BonePoses& p) { return isPose(model, p, anatomy); });
         if (pose == other.poses.end()) continue;
         clip = &other;
         chosen = &*pose;

@@ -4,9 +4,12 @@
 
 #include "sim/actor/bodies/make_actor.h"
 #include "sim/actor/import/import.h"
+#include "sim/actor/import/rest_pose.h"
 #include "sim/world/errors.h"
 #include "tests/message_of.h"
 #include "tests/temp_folder.h"
+#include "tools/dog/dog.h"
+#include "tools/spider/spider.h"
 
 namespace knuckle {
 namespace {
@@ -118,6 +121,27 @@ TEST(SkeletonFile, goodRestPoseStays)
 {
     const Model model = import(bvh("Root", hips("0 95 0", "0 20 0"), STILL));
     for (const std::string& note : model.notes) EXPECT_EQ(note.find("rest pose"), std::string::npos) << note;
+}
+
+/// What goes on four or six legs is longer than high.
+TEST(SkeletonFile, restPosesOfCreaturesStay)
+{
+    for (Model model : {makeDog(), makeSpider()}) {
+        chooseRestPose(model);
+        EXPECT_EQ(model.poseFrom, "") << model.name;
+        for (Bone& bone : model.bones) bone.restPose = Eigen::Matrix4f::Identity();
+        chooseRestPose(model);
+        EXPECT_NE(model.poseFrom, "") << model.name;
+    }
+}
+
+TEST(SkeletonFile, aClipHasASampleForEachOfItsFrames)
+{
+    std::string text = bvh("Root", hips("0 95 0", "0 20 0"), STILL), frame = "0 0 0 0 0 0";
+    for (size_t i = 0; i < STILL.size(); ++i) frame += " 0 0 0";
+    text = text.substr(0, text.find("Frames:")) + "Frames: 8\nFrame Time: 0.0166667\n";
+    for (int i = 0; i < 8; ++i) text += frame + "\n";
+    EXPECT_EQ(import(text).clips.at(0).poses.size(), 8u);
 }
 
 TEST(SkeletonFile, cloudOfMarkersIsRefused)
