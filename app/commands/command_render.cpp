@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "app/commands/commands.h"
@@ -49,8 +50,24 @@ void readExports(const std::vector<std::string>& exports, FilmOptions& film)
                 "--export {}: must be ply=FOLDER, bodies=FILE.csv, measures=FILE.csv, bvh=FILE.bvh or gltf=FILE.glb",
                 text));
         }
+        if (kind == "gltf" && std::filesystem::path(path).extension() == ".gltf")
+            throw InputError(fmt::format("--export {}: it is written as binary glTF; name it {}", text,
+                                         std::filesystem::path(path).replace_extension(".glb").string()));
         *found->second = path;
     }
+}
+
+/// Refuses what would be written over something else of the same run.
+void requireOwnPaths(const FilmOptions& film)
+{
+    std::vector<std::string> paths = film.outputs;
+    for (const std::string& path : {film.plyFolder, film.bodyTable, film.measureTable, film.bvh, film.gltf, film.stats})
+        if (!path.empty()) paths.push_back(path);
+    for (std::string& path : paths) path = std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
+    std::ranges::sort(paths);
+    const auto twice = std::ranges::adjacent_find(paths);
+    if (twice != paths.end() && std::filesystem::path(*twice).has_extension())
+        throw InputError(fmt::format("{} would be written twice; give each output a name of its own", *twice));
 }
 
 std::string defaultOutput(const Scene& scene)
@@ -74,6 +91,7 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
         for (const std::string& warning : scene.warnings)
             fmt::print(stderr, "knuckle: warning: {}: {}\n", options.scene, warning);
     film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
+    requireOwnPaths(film);
     runFilm(scene, film, common);
     return EXIT_FINE;
 }
@@ -81,7 +99,8 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
 constexpr const char* NOTES =
     "Frame 1 shows time 0. --frames 100:120 simulates up to frame 100 without drawing. -o may be given more than\n"
     "once, for frames and a film of the same run; a film needs the program ffmpeg.\n"
-    "Ctrl-C finishes the frame and stops.\n\n"
+    "Ctrl-C finishes the frame and stops: frames and PLY files are kept, films and other exports, which are not\n"
+    "finished, are not.\n\n"
     "--export ply=DIR        per frame: id, position, velocity, body and material of each particle, binary PLY\n"
     "--export bodies=FILE    frame, body, object, name, position, quaternion, velocity, angular velocity, CSV\n"
     "--export bvh=FILE       motion of an actor's bones, BVH; of several actors a file each, FILE_NAME.bvh\n"

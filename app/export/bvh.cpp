@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <numbers>
+#include <set>
 
 #include "sim/actor/bodies/bone_bodies.h"
 #include "sim/world/errors.h"
@@ -161,12 +161,13 @@ std::vector<std::string> pathsFor(const std::string& path, const std::vector<Rig
 {
     if (rigs.size() == 1) return {path};
     std::vector<std::string> paths;
-    std::map<std::string, int> used;
+    std::set<std::string> used;
     const std::filesystem::path whole(path);
     for (const Rig& rig : rigs) {
-        std::string name = rig.model.name;
-        std::ranges::replace(name, '/', '_');
-        if (const int times = ++used[name]; times > 1) name += fmt::format("_{}", times);
+        std::string plain = rig.model.name;
+        std::ranges::replace(plain, '/', '_');
+        std::string name = plain;
+        for (int times = 2; !used.insert(name).second; ++times) name = fmt::format("{}_{}", plain, times);
         paths.push_back(
             (whole.parent_path() / fmt::format("{}_{}{}", whole.stem().string(), name, whole.extension().string()))
                 .string());

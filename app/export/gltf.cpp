@@ -35,6 +35,30 @@ Rig rigOfBodies(const World& world, uint32_t object)
     return rig;
 }
 
+/// The mesh that an object wears; null for none.
+const SkinMesh* meshOf(const World& world, uint32_t object)
+{
+    for (const Skin& skin : world.skins)
+        if (isDrawn(skin) && std::ranges::find(skin.objects, object) != skin.objects.end()) return skin.mesh.get();
+    return nullptr;
+}
+
+/// @param rig whose bones are the bodies of an object that wears the mesh.
+void addMesh(const SkinMesh& mesh, Rig& rig)
+{
+    rig.model.triangles = mesh.triangles;
+    rig.model.surface.materials = mesh.materials;
+    rig.model.surface.textures = mesh.textures;
+    for (const SkinVertex& vertex : mesh.vertices) {
+        SkinWeights skin;
+        std::ranges::copy(vertex.bodies, skin.bones.begin());
+        std::ranges::copy(vertex.weights, skin.weights.begin());
+        rig.model.vertices.push_back(vertex.position);
+        rig.model.skin.push_back(skin);
+        rig.model.surface.vertices.push_back({vertex.normal, vertex.uv, vertex.color, vertex.material});
+    }
+}
+
 /// The first bone that each body moves.
 std::map<uint32_t, uint32_t> bonesOfBodies(const Rig& rig)
 {
@@ -120,7 +144,8 @@ std::vector<Rig> everyRig(const Scene& scene)
         if (scene.world.objects[object].bodyCount == 0) continue;
         if (std::ranges::find(rigs, object, &Rig::object) != rigs.end()) continue;
         rigs.push_back(rigOfBodies(scene.world, object));
-        addParticles(rigs.back(), scene.world, colors);
+        if (const SkinMesh* mesh = meshOf(scene.world, object)) addMesh(*mesh, rigs.back());
+        else addParticles(rigs.back(), scene.world, colors);
     }
     std::ranges::stable_sort(rigs, {}, &Rig::object);
     for (Rig& rig : rigs) rig.model.clips = {{CLIP, 0.0, {}, {}}};

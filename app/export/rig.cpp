@@ -47,6 +47,16 @@ Model skeletonOf(const Actor& actor, std::vector<uint32_t>& bodies)
     return model;
 }
 
+/// Bones for a model that has none, of which the one body moves all.
+void giveBodies(const Actor& actor, Rig& rig)
+{
+    rig.bodies.clear();
+    rig.model.bones = skeletonOf(actor, rig.bodies).bones;
+    SkinWeights whole;
+    whole.weights[0] = 1.0f;
+    rig.model.skin.assign(rig.model.vertices.size(), whole);
+}
+
 }  // namespace
 
 std::vector<Rig> rigsOf(const Scene& scene, bool surface)
@@ -58,7 +68,7 @@ std::vector<Rig> rigsOf(const Scene& scene, bool surface)
             rig.model = readModel(use, surface);
             rig.bodies = bodiesOfBones(*use.actor, rig.model);
         }
-        if (rig.model.bones.empty()) rig.model = skeletonOf(*use.actor, rig.bodies);
+        if (rig.model.bones.empty()) giveBodies(*use.actor, rig);
         for (const uint32_t object : use.objects) {
             Rig& copy = rigs.emplace_back(rig);
             copy.object = object;

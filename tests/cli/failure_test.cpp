@@ -136,6 +136,18 @@ TEST_F(Failure, OfADeviceThatIsAlwaysFullIsToldToo)
     EXPECT_TRUE(result.err.starts_with("knuckle: /dev/full: cannot be written")) << result.err;
 }
 
+TEST_F(Failure, OfOutputsThatAreInEachOthersWayComesBeforeTheRun)
+{
+    expectError(run({"render", scene, "-o", "out", "--export", "gltf=motion.gltf"}), 2,
+                "--export gltf=motion.gltf: it is written as binary glTF; name it motion.glb");
+    const RunResult twice = run(
+        {"render", scene, "-o", "out", "--export", "bodies=a.csv", "--export", "measures=./a.csv"});
+    EXPECT_EQ(twice.code, 2);
+    EXPECT_NE(twice.err.find("a.csv would be written twice; give each output a name of its own"), std::string::npos)
+        << twice.err;
+    EXPECT_TRUE(madeFiles().empty());
+}
+
 TEST_F(Failure, ByCtrlCKeepsWhatIsFinishedAndRemovesTheRest)
 {
     for (const int signal : {SIGINT, SIGTERM}) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <random>
 
 #include "sim/world/errors.h"
@@ -121,6 +122,22 @@ TEST(Bvh, OfSeveralActorsEachHasAFile)
     EXPECT_EQ(messageOf<InputError>([&] { BvhExport none(folder.path("none.bvh"), bare); }),
               "--export bvh=" + folder.path("none.bvh") + ": the scene has no actor, whose bones could be written");
     EXPECT_FALSE(std::filesystem::exists(folder.path("none.bvh")));
+}
+
+TEST(Bvh, EachActorHasAFileOfItsOwn)
+{
+    const TempFolder folder;
+    std::string objects;
+    for (const char* name : {"a", "a", "a_2", "b/c", "b_c"})
+        objects += std::string(objects.empty() ? "" : ", ") + R"({ "type": "actor", "name": ")" + name +
+                   R"(", "file": ")" + inSource("assets/models/humanoid.glb") + "\" }";
+    const Scene scene = loadScene(folder.write("scene.json", R"({ "diameter": 0.08, "objects": [)" + objects + "] }"));
+    BvhExport out(folder.path("out.bvh"), scene);
+    std::vector<BodyState> states(scene.world.bodies.size());
+    out.add(scene.world, states);
+    out.finish(60.0);
+    for (const char* name : {"a", "a_2", "a_2_2", "b_c", "b_c_2"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path(std::string("out_") + name + ".bvh"))) << name;
 }
 
 }  // namespace

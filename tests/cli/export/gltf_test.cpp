@@ -87,6 +87,27 @@ TEST(GltfExport, CopiesShareTheirMesh)
     EXPECT_LT(sizeOf(3), 1.2 * static_cast<double>(sizeOf(1)));
 }
 
+/// A crate without a skeleton: as an actor, and as a rigid thing that is drawn in its mesh.
+TEST(GltfExport, WhatHasNoSkeletonKeepsItsMesh)
+{
+    const TempFolder folder;
+    const std::string crate = inSource("assets/models/crate.glb");
+    const Model before = importModel(crate, {.surface = true});
+    for (const char* object :
+         {R"("type": "actor", "skin": "particles")", R"("type": "rigid", "shape": "mesh", "skin": "mesh")"}) {
+        const Scene scene = loadScene(folder.write("scene.json", R"({ "diameter": 0.1, "objects": [{ "file": ")" +
+                                                                     crate + "\", " + std::string(object) + " }] }"));
+        GltfExport out(folder.path("out.glb"), scene);
+        out.add(scene.world, turned(scene.world, 0.0f));
+        out.finish(30.0);
+        const Model after = importModel(folder.path("out.glb"), {.fit = {.scale = 1.0}, .surface = true});
+        EXPECT_EQ(after.triangles.size(), before.triangles.size()) << object;
+        EXPECT_EQ(after.surface.materials.size(), before.surface.materials.size()) << object;
+        EXPECT_EQ(after.surface.textures.size(), before.surface.textures.size()) << object;
+        EXPECT_EQ(after.bones.size(), 1u) << object;
+    }
+}
+
 TEST(GltfExport, JointsOfASkinHaveOneRoot)
 {
     const TempFolder folder;
