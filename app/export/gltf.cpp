@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "render/picture/image.h"
 #include "render/spheres/palette.h"
@@ -163,6 +164,25 @@ GltfExport::GltfExport(const std::string& path, const Scene& scene) : rigs_(ever
 {
     if (rigs_.empty())
         throw InputError(fmt::format("--export gltf={}: the scene has no bodies, which could be written", path));
+}
+
+std::vector<std::string> GltfExport::leftOut(const World& world)
+{
+    std::vector<bool> isTied(world.particles.size(), false);
+    for (const Strand& strand : world.strands)
+        for (const uint32_t particle : strand.particles) isTied[particle] = true;
+    bool hasGrains = false;
+    for (uint32_t i = 0; i < world.solidCount(); ++i) {
+        const Particle& particle = world.particles[i];
+        hasGrains = hasGrains || (particle.bodyCount == 0 && particle.assembly == NO_INDEX && !isTied[i]);
+    }
+    std::vector<std::string> names;
+    for (const auto& [name, isThere] :
+         {std::pair{"colliders", !world.colliders.empty()}, std::pair{"soft bodies", !world.softBodies.empty()},
+          std::pair{"ropes and cloth", !world.strands.empty()}, std::pair{"grains", hasGrains},
+          std::pair{"fluids", world.fluidCount > 0}})
+        if (isThere) names.emplace_back(name);
+    return names;
 }
 
 void GltfExport::add(const World& world, const std::vector<BodyState>& states)

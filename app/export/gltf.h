@@ -19,6 +19,9 @@ public:
     /// @param framesPerSecond of what was added. @throws RunError from a full disk.
     void finish(double framesPerSecond);
 
+    /// What of a world has no place in the file: "colliders", "fluids", ...
+    static std::vector<std::string> leftOut(const World& world);
+
 private:
     std::vector<Rig> rigs_;
     OutputFile file_;

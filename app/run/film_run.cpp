@@ -80,6 +80,9 @@ public:
         const bool timed = outputs_.stats.has_value();
         if (timed) noteFigures();
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
+        const std::vector<std::string> leftOut = GltfExport::leftOut(scene.world);
+        if (outputs_.gltf && !common.quiet && !leftOut.empty())
+            fmt::print(stderr, "knuckle: note: {} leaves out {}\n", options.gltf, fmt::join(leftOut, ", "));
         figures_.device = gpu_->device().name;
         figures_.driverThreads = gpu_->threads();
     }

@@ -121,6 +121,23 @@ TEST(GltfExport, JointsOfASkinHaveOneRoot)
     EXPECT_NE(bytes.find(R"("name":"pair root","children":[0,1])"), std::string::npos);
 }
 
+TEST(GltfExport, TellsWhatItLeavesOut)
+{
+    const TempFolder folder;
+    const auto leftOut = [&](const std::string& more) {
+        return GltfExport::leftOut(
+            loadScene(folder.write("scene.json", R"({ "objects": [{ "type": "joined" })" + more + " }")).world);
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(leftOut("]"), Names());
+    EXPECT_EQ(leftOut(R"(, { "type": "cloth", "position": [0, 3, 0] }, { "type": "grains", "shape": "box",
+                         "position": [0, 5, 0] }], "colliders": [{ "type": "plane" }])"),
+              (Names{"colliders", "ropes and cloth", "grains"}));
+    EXPECT_EQ(leftOut(R"(, { "type": "soft", "shape": "box", "position": [0, 5, 0] },
+                         { "type": "fluid", "shape": "box", "position": [5, 5, 0] }])"),
+              (Names{"soft bodies", "fluids"}));
+}
+
 TEST(GltfExport, ASceneWithoutBodiesIsRefused)
 {
     const TempFolder folder;
