@@ -184,12 +184,12 @@ const Actor& findActor(SceneContext& context, const Json& object, const std::str
     }
 }
 
-float ownDiameter(SceneContext& context, const Json& object, const std::string& pointer)
+Actor actorAlone(SceneContext& context, const Json& object, const std::string& pointer)
 {
     const std::string file = existingFile(context, object["file"], pointer + "/file");
-    if (isActorFile(file)) return readActor(file).diameter;
+    if (isActorFile(file)) return readActor(file);
     try {
-        return voxelizeModel(context, object, file, pointer, 0.0f).diameter;
+        return voxelizeModel(context, object, file, pointer, 0.0f);
     } catch (const SkeletonError& error) {
         failForSkeleton(context, pointer, error);
     }

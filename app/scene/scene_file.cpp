@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <limits>
+#include <utility>
 
 #include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
@@ -116,24 +116,26 @@ std::map<std::string, uint32_t> addMaterials(const JsonFile& file, WorldBuilder&
     return indices;
 }
 
-/// Without a diameter of its own, a scene has the finest that its actors ask for.
+/// Without a diameter of its own, a scene has the finest that its actors ask for: those with joints, if there are any.
 void settleDiameter(JsonFile& file, const Settings& settings, std::vector<std::string>& notes)
 {
     Json& diameter = file.root["diameter"];
     WorldBuilder nothing(0.5f * diameter.get<float>(), settings);
     SceneContext context{file.path, nothing, {}};
     const Json& objects = file.root["objects"];
-    float finest = std::numeric_limits<float>::max();
+    std::pair finest{true, 0.0f};  // without joints, at what diameter
     std::string asked;
     for (size_t i = 0; i < objects.size(); ++i) {
         if (objects[i]["type"] != "actor") continue;
-        const float own = ownDiameter(context, objects[i], fmt::format("/objects/{}", i));
-        if (own < finest) asked = objects[i]["file"];
-        finest = std::min(finest, own);
+        const Actor actor = actorAlone(context, objects[i], fmt::format("/objects/{}", i));
+        const std::pair own{actor.joints.empty(), actor.diameter};
+        if (!asked.empty() && own >= finest) continue;
+        asked = objects[i]["file"];
+        finest = own;
     }
     if (asked.empty()) return;
-    diameter = finest;
-    notes.push_back(fmt::format("/diameter is {:.3g} m, as fits {}.", finest, asked));
+    diameter = finest.second;
+    notes.push_back(fmt::format("/diameter is {:.3g} m, as fits {}.", finest.second, asked));
 }
 
 RenderSettings readRender(const JsonFile& file, const World& world)

@@ -94,6 +94,10 @@ TEST(Scene, HasTheDiameterOfItsActorsUnlessToldOtherwise)
     finest.voxels.diameter = 0.03f;
     writeActor(folder.path("fine.json"), makeActor(importModel(test::inSource("assets/models/dog.glb")), finest));
     EXPECT_EQ(diameterOf("", R"(, { "type": "actor", "file": "fine.json" })"), 0.03f);
+    // A crate of any diameter is one.
+    EXPECT_EQ(diameterOf("", R"(, { "type": "actor", "scale": 0.1, "file": ")" +
+                                 test::inSource("assets/models/crate.glb") + "\" }"),
+              fine.diameter);
 }
 
 TEST(Scene, StandsStillWithItsCameraWhereItIsTold)
