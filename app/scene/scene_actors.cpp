@@ -184,12 +184,16 @@ const Actor& findActor(SceneContext& context, const Json& object, const std::str
     }
 }
 
-Actor actorAlone(SceneContext& context, const Json& object, const std::string& pointer)
+const Actor& actorAlone(SceneContext& context, const Json& object, const std::string& pointer)
 {
     const std::string file = existingFile(context, object["file"], pointer + "/file");
-    if (isActorFile(file)) return readActor(file);
+    const std::string key = actorKey(context, object, file, 0.0f);
+    const auto found = context.actors.find(key);
+    if (found != context.actors.end()) return found->second;
     try {
-        return voxelizeModel(context, object, file, pointer, 0.0f);
+        Actor actor = isActorFile(file) ? readActor(file) : voxelizeModel(context, object, file, pointer, 0.0f);
+        if (!isActorFile(file)) context.actors.emplace(actorKey(context, object, file, actor.diameter), actor);
+        return context.actors.emplace(key, std::move(actor)).first->second;
     } catch (const SkeletonError& error) {
         failForSkeleton(context, pointer, error);
     }

@@ -117,25 +117,23 @@ std::map<std::string, uint32_t> addMaterials(const JsonFile& file, WorldBuilder&
 }
 
 /// Without a diameter of its own, a scene has the finest that its actors ask for: those with joints, if there are any.
-void settleDiameter(JsonFile& file, const Settings& settings, std::vector<std::string>& notes)
+/// @param context gets what was read, and the note.
+void settleDiameter(JsonFile& file, SceneContext& context)
 {
-    Json& diameter = file.root["diameter"];
-    WorldBuilder nothing(0.5f * diameter.get<float>(), settings);
-    SceneContext context{file.path, nothing, {}};
     const Json& objects = file.root["objects"];
     std::pair finest{true, 0.0f};  // without joints, at what diameter
     std::string asked;
     for (size_t i = 0; i < objects.size(); ++i) {
         if (objects[i]["type"] != "actor") continue;
-        const Actor actor = actorAlone(context, objects[i], fmt::format("/objects/{}", i));
+        const Actor& actor = actorAlone(context, objects[i], fmt::format("/objects/{}", i));
         const std::pair own{actor.joints.empty(), actor.diameter};
         if (!asked.empty() && own >= finest) continue;
         asked = objects[i]["file"];
         finest = own;
     }
     if (asked.empty()) return;
-    diameter = finest.second;
-    notes.push_back(fmt::format("/diameter is {:.3g} m, as fits {}.", finest.second, asked));
+    file.root["diameter"] = finest.second;
+    context.notes.push_back(fmt::format("/diameter is {:.3g} m, as fits {}.", finest.second, asked));
 }
 
 RenderSettings readRender(const JsonFile& file, const World& world)
@@ -205,11 +203,14 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     scene.stepsPerFrame = stepsForFrame(scene.framesPerSecond, settings.timeStep);
     settings.timeStep = static_cast<float>(1.0 / (scene.framesPerSecond * scene.stepsPerFrame));
 
-    std::vector<std::string> notes;
-    if (!givesDiameter) settleDiameter(file, settings, notes);
+    // What its actors ask for is known only when they are read.
+    WorldBuilder trial(0.5f * root["diameter"].get<float>(), settings);
+    SceneContext known{path, trial, {}};
+    if (!givesDiameter) settleDiameter(file, known);
     WorldBuilder builder(0.5f * root["diameter"].get<float>(), settings);
     builder.setFluidSpacing(root["fluidSpacing"]);
-    SceneContext context{path, builder, addMaterials(file, builder)};
+    SceneContext context{path, builder, addMaterials(file, builder), std::move(known.actors), std::move(known.models)};
+    context.notes = known.notes;
     for (size_t i = 0; i < root["colliders"].size(); ++i) {
         checkFriction(file, root["colliders"][i], fmt::format("/colliders/{}", i));
         addColliders(context, root["colliders"][i], i);
@@ -227,8 +228,7 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", path, error.what()));
     }
-    scene.notes = notes;
-    scene.notes.insert(scene.notes.end(), context.notes.begin(), context.notes.end());
+    scene.notes = context.notes;
     scene.warnings = context.warnings;
     scene.actors = std::move(context.actorUses);
     scene.render = readRender(file, scene.world);

@@ -171,8 +171,8 @@ inline float uniformFraction(std::mt19937& random)
 /// options.
 /// @param diameter of its particles [m]; 0: the scene's.
 const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer, float diameter = 0.0f);
-/// At the diameter that its actor file has, or that fits its model. @returns the actor as it is then.
-Actor actorAlone(SceneContext& context, const Json& object, const std::string& pointer);
+/// At the diameter that its actor file has, or that fits its model; findActor() has it then, too.
+const Actor& actorAlone(SceneContext& context, const Json& object, const std::string& pointer);
 
 /// What the particles of a region without bodies have in common.
 struct LooseKind {
