@@ -34,7 +34,8 @@ size_t GltfFile::append(const char* list, GltfJson entry)
 
 size_t GltfFile::appendOnce(const char* list, GltfJson entry)
 {
-    const auto [known, isNew] = entries_.try_emplace(list + entry.dump());
+    const auto [known,
+                isNew] = entries_.try_emplace(list + entry.dump(-1, ' ', false, GltfJson::error_handler_t::replace));
     if (isNew) known->second = append(list, std::move(entry));
     return known->second;
 }
@@ -74,7 +75,7 @@ size_t GltfFile::addPng(const std::string& bytes, const std::string& name)
 std::string GltfFile::bytes()
 {
     if (!buffer_.empty()) root["buffers"] = GltfJson::array({GltfJson{{"byteLength", buffer_.size()}}});
-    std::string json = root.dump();
+    std::string json = root.dump(-1, ' ', false, GltfJson::error_handler_t::replace);
     json.resize(aligned(json.size()), ' ');
     constexpr size_t HEADER = 12, CHUNK_HEADER = 8;
     const size_t chunks = CHUNK_HEADER + json.size() + (buffer_.empty() ? 0 : CHUNK_HEADER + buffer_.size());

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "sim/actor/import/gltf_source.h"
 #include "sim/actor/import/lowercase.h"
 #include "sim/world/errors.h"
 
@@ -24,26 +24,12 @@ using Json = nlohmann::json;
 constexpr std::array CUT_OFF_WORDS{"end of file", "eof",       "out of range", "exceeds size",
                                    "too small",   "truncated", "keyword \"\"", "invalid number of"};
 
-/// A name in a .gltf, with its %20 as what they stand for.
-std::string decoded(std::string_view uri)
-{
-    std::string name;
-    for (size_t i = 0; i < uri.size(); ++i) {
-        unsigned code = 0;
-        const bool escaped = uri[i] == '%' && i + 2 < uri.size() &&
-                             std::from_chars(&uri[i + 1], &uri[i + 3], code, 16).ptr == &uri[i + 3];
-        name += escaped ? static_cast<char>(code) : uri[i];
-        if (escaped) i += 2;
-    }
-    return name;
-}
-
 void checkBuffer(const fs::path& folder, const Json& buffer)
 {
     const std::string uri = buffer.is_object() ? buffer.value("uri", std::string()) : std::string();
     if (uri.empty() || uri.starts_with("data:")) return;
-    const std::string name = decoded(uri);
     std::error_code error;
+    const std::string name = fs::exists(folder / uri, error) ? uri : decodedUri(uri);
     const uintmax_t size = fs::file_size(folder / name, error);
     if (error)
         throw InputError(

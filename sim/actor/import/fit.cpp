@@ -88,9 +88,10 @@ void questionSize(Model& model, const Vector3f& size)
 {
     const float largest = size.maxCoeff();
     if (model.bones.size() < 2 || model.isSplit || (largest >= ODDLY_SMALL && largest <= ODDLY_LARGE)) return;
-    model.notes.push_back(fmt::format(
-        "The figure is {:.3g} m {}. If that is not meant, give its height: --height 1.8.", size.y(),
-        largest < ODDLY_SMALL ? "high, small for one that moves" : "high, larger than people and most animals"));
+    const char* side = largest == size.y() ? "high" : "across";
+    model.notes.push_back(
+        fmt::format("The figure is {:.3g} m {}, {}. If that is not meant, give its height: --height 1.8.", largest,
+                    side, largest < ODDLY_SMALL ? "small for one that moves" : "larger than people and most animals"));
 }
 
 void center(Model& model, Centering centering)
@@ -116,9 +117,10 @@ void fitModel(Model& model, const ModelFit& fit)
         throw InputError("it has no size, or one that is not finite: check the transforms in the file");
     const float factor = scaleOf(model, fit, size), metres = size.maxCoeff() * factor;
     if (!(metres >= SMALLEST && metres <= LARGEST))
-        throw InputError(fmt::format("it would be {:.3g} m large, {:g} to {:g} m are possible: give a scale in metres "
-                                     "per unit (the file has {:.4g} units)",
-                                     metres, SMALLEST, LARGEST, size.maxCoeff()));
+        throw InputError(
+            fmt::format("it would be {:.3g} m large, {:g} to {:g} m are possible: give --height, or --scale "
+                        "(in scenes `scale`), in metres per unit (the file has {:.4g} units)",
+                        metres, SMALLEST, LARGEST, size.maxCoeff()));
     if (factor != 1.0f) transform(model, Eigen::Affine3f(Eigen::Scaling(factor)));
     if (fit.height == 0.0 && fit.scale == 0.0) questionSize(model, factor * size);
     center(model, fit.centering);

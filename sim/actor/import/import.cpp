@@ -15,6 +15,7 @@
 #include "sim/actor/import/model_bytes.h"
 #include "sim/actor/import/rest_pose.h"
 #include "sim/actor/import/skeleton_body.h"
+#include "sim/actor/import/valid_text.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -23,6 +24,23 @@ namespace {
 
 constexpr uint8_t HOLDS_MODEL = 0, HOLDS_MESSAGE = 1, HOLDS_SKELETONS = 2;
 constexpr uintmax_t FILE_LIMIT = 512ull << 20;  // [bytes]
+
+/// Names in old formats are in whatever letters their program had; all that is written of them is UTF-8.
+void makeTextsValid(Model& model)
+{
+    const auto fix = [](std::string& text) { text = validText(text); };
+    fix(model.name);
+    fix(model.poseFrom);
+    for (Bone& bone : model.bones) fix(bone.name);
+    for (Clip& clip : model.clips) fix(clip.name);
+    for (SkinMaterial& material : model.surface.materials) fix(material.name);
+    for (UnusableClip& clip : model.unusableClips) {
+        fix(clip.name);
+        fix(clip.why);
+    }
+    for (auto* notes : {&model.notes, &model.surface.notes})
+        for (std::string& note : *notes) fix(note);
+}
 
 Model readWhole(const std::string& path, const ImportOptions& options)
 {
@@ -42,12 +60,14 @@ Model readWhole(const std::string& path, const ImportOptions& options)
         model.clips.clear();
         model.unusableClips.clear();
     }
+    makeTextsValid(model);
     return model;
 }
 
 std::vector<uint8_t> inChild(const std::string& path, const ImportOptions& options)
 {
-    const auto said = [](uint8_t kind, const std::string& message) {
+    const auto said = [](uint8_t kind, const std::string& words) {
+        const std::string message = validText(words);
         std::vector<uint8_t> bytes(1, kind);
         bytes.insert(bytes.end(), message.begin(), message.end());
         return bytes;

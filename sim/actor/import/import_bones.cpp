@@ -126,9 +126,7 @@ std::vector<uint32_t> bareBones(const aiScene& scene, const NodeTable& table)
     for (uint32_t n = top; n < table.nodes.size(); ++n) {
         isBelow[n] = n == top || isBelow[static_cast<size_t>(table.parents[n])];
         const std::string name = table.nodes[n]->mName.C_Str();
-        // assimp makes nodes for the pivots of FBX.
-        const bool isPivot = name.find("_$AssimpFbx$_") != std::string::npos;
-        if (isBelow[n] && !isPivot && !others.contains(name)) bones.push_back(n);
+        if (isBelow[n] && !isPivot(name) && !others.contains(name)) bones.push_back(n);
     }
     return bones;
 }
@@ -160,6 +158,7 @@ std::vector<uint32_t> bonesIn(const aiScene& scene, const NodeTable& table)
     if (table.isBare) return bareBones(scene, table);
     std::set<uint32_t> bones;
     for (const auto& [bone, node] : table.boneNodes) bones.insert(node);
+    if (bones.empty() && table.isOfParts) return movedNodes(scene, table);
     return {bones.begin(), bones.end()};
 }
 
@@ -176,6 +175,13 @@ std::vector<std::string> boneNames(const NodeTable& table, const std::vector<uin
     return names;
 }
 
+Eigen::Matrix4f bonePose(const Eigen::Matrix4d& global)
+{
+    Eigen::Matrix4d pose = global;
+    if (pose.topLeftCorner<3, 3>().determinant() < 0.0) pose.col(2) *= -1.0;
+    return pose.cast<float>();
+}
+
 void convertBones(const std::vector<uint32_t>& nodes, NodeTable& table, Model& model)
 {
     if (nodes.size() > BONE_LIMIT)
@@ -183,7 +189,7 @@ void convertBones(const std::vector<uint32_t>& nodes, NodeTable& table, Model& m
     const std::vector<std::string> names = boneNames(table, nodes);
     for (size_t b = 0; b < nodes.size(); ++b) {
         Bone bone{names[b], table.boneAbove(nodes[b])};
-        bone.restPose = table.globals[nodes[b]].cast<float>();
+        bone.restPose = bonePose(table.globals[nodes[b]]);
         table.boneOf[nodes[b]] = static_cast<int32_t>(b);
         model.bones.push_back(bone);
     }

@@ -57,9 +57,12 @@ Matrix4d sampleChannel(const aiNodeAnim& channel, const Matrix4d& rest, double t
 {
     Eigen::Affine3d restAffine(rest);
     Vector3d position = restAffine.translation();
+    // What is mirrored is so along all axes, as where assimp takes matrices apart.
+    const double sign = rest.topLeftCorner<3, 3>().determinant() < 0.0 ? -1.0 : 1.0;
     const Vector3d restScale = rest.topLeftCorner<3, 3>().colwise().norm();
-    Vector3d scale = restScale;
-    Eigen::Matrix3d rotation = rest.topLeftCorner<3, 3>() * restScale.cwiseMax(1e-12).cwiseInverse().asDiagonal();
+    Vector3d scale = sign * restScale;
+    Eigen::Matrix3d rotation = sign * rest.topLeftCorner<3, 3>() *
+                               restScale.cwiseMax(1e-12).cwiseInverse().asDiagonal();
     if (channel.mNumPositionKeys > 0) {
         position = sampleKeys(channel.mPositionKeys, channel.mNumPositionKeys, time);
     }
@@ -109,7 +112,7 @@ std::vector<Eigen::Matrix4f> poseAt(const std::vector<const aiNodeAnim*>& channe
         }
         globals[n] = table.parents[n] < 0 ? local : Matrix4d(globals[table.parents[n]] * local);
         if (table.boneOf[n] >= 0) {
-            poses[table.boneOf[n]] = globals[n].cast<float>();
+            poses[table.boneOf[n]] = bonePose(globals[n]);
         }
     }
     return poses;

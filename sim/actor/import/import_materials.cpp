@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "sim/actor/import/gltf_source.h"
 #include "sim/actor/import/import_scene.h"
 #include "sim/actor/import/texture_decoder.h"
 
@@ -20,6 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr uintmax_t PICTURE_FILE_LIMIT = 256ull << 20;  // [bytes]
 constexpr size_t PIXEL_LIMIT = 16u << 20;               // of all pictures of a model
+constexpr float NOTHING_LEFT = 2.0f;                    // a cutoff that no alpha reaches
 constexpr float BLENDED_CUTOFF = 0.5f;                  // of what the file says is blended
 
 /// Reads each picture of a scene once, whatever number of materials names it.
@@ -95,9 +98,11 @@ private:
     std::optional<fs::path> beside(std::string name) const
     {
         std::ranges::replace(name, '\\', '/');
-        for (const fs::path& path : {folder_ / name, folder_ / fs::path(name).filename()}) {
-            std::error_code error;
-            if (fs::is_regular_file(path, error)) return path;
+        for (const fs::path wanted : {name, decodedUri(name)}) {
+            for (const fs::path& path : {folder_ / wanted, folder_ / wanted.filename()}) {
+                std::error_code error;
+                if (fs::is_regular_file(path, error)) return path;
+            }
         }
         return {};
     }
@@ -114,16 +119,32 @@ float linearOf(float srgb)
     return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
 }
 
-Eigen::Vector3f colorOf(const aiMaterial& material)
+/// What is not given as linear is as it was picked on a screen.
+Eigen::Vector3f plainColor(const aiColor4D& color, bool isLinear)
 {
-    aiColor4D color(0.8f, 0.8f, 0.8f, 1.0f);
-    // glTF's factors are linear; those of older kinds are what was picked on a screen.
-    const bool isLinear = material.Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS;
-    if (!isLinear) material.Get(AI_MATKEY_COLOR_DIFFUSE, color);
     Eigen::Vector3f rgb(color.r, color.g, color.b);
     if (!rgb.allFinite()) return {0.8f, 0.8f, 0.8f};
     rgb = rgb.cwiseMax(0.0f).cwiseMin(1.0f);
     return isLinear ? rgb : Eigen::Vector3f(rgb.unaryExpr(&linearOf));
+}
+
+/// The color that its picture is multiplied by. What is black and glows has that of its glow.
+struct MaterialColor {
+    Eigen::Vector3f rgb{0.8f, 0.8f, 0.8f};
+    float alpha = 1.0f;
+    bool isGlow = false;
+};
+
+MaterialColor colorOf(const aiMaterial& material)
+{
+    constexpr float BLACK = 1e-3f;
+    aiColor4D color(0.8f, 0.8f, 0.8f, 1.0f), glow(0.0f, 0.0f, 0.0f, 1.0f);
+    const bool isLinear = material.Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS;
+    if (!isLinear) material.Get(AI_MATKEY_COLOR_DIFFUSE, color);
+    MaterialColor found{plainColor(color, isLinear), std::isfinite(color.a) ? color.a : 1.0f, false};
+    const bool glows = material.Get(AI_MATKEY_COLOR_EMISSIVE, glow) == aiReturn_SUCCESS;
+    if (!glows || found.rgb.maxCoeff() > BLACK || plainColor(glow, isLinear).maxCoeff() <= BLACK) return found;
+    return {plainColor(glow, isLinear), found.alpha, true};
 }
 
 /// A file that says nothing does not mean that backs are not there.
@@ -141,7 +162,16 @@ float alphaCutoffOf(const aiMaterial& material)
     if (mode == aiString("BLEND")) return BLENDED_CUTOFF;
     float cutoff = 0.0f;
     if (mode == aiString("MASK")) material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
-    return std::isfinite(cutoff) ? std::clamp(cutoff, 0.0f, 1.0f) : 0.0f;
+    return std::isfinite(cutoff) ? std::clamp(cutoff, 0.0f, NOTHING_LEFT) : 0.0f;
+}
+
+/// What the alpha of the picture alone, 1 where there is none, must reach.
+float cutoffOf(const SkinMaterial& material, float alpha)
+{
+    if (material.alphaCutoff <= 0.0f || alpha >= 1.0f) return material.alphaCutoff;
+    if (!(alpha > 0.0f)) return NOTHING_LEFT;
+    const float cutoff = std::min(material.alphaCutoff / alpha, NOTHING_LEFT);
+    return material.texture == NO_INDEX && cutoff <= 1.0f ? 0.0f : cutoff;
 }
 
 TextureWrap wrapOf(aiTextureMapMode mode)
@@ -178,10 +208,13 @@ SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures
     SkinMaterial converted;
     aiString materialName;
     if (material.Get(AI_MATKEY_NAME, materialName) == aiReturn_SUCCESS) converted.name = materialName.C_Str();
-    converted.color = colorOf(material);
+    const MaterialColor color = colorOf(material);
+    converted.color = color.rgb;
     converted.twoSided = isTwoSided(material);
     converted.alphaCutoff = alphaCutoffOf(material);
-    for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+    const auto wanted = color.isGlow ? std::array{aiTextureType_EMISSIVE, aiTextureType_EMISSION_COLOR}
+                                     : std::array{aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
+    for (const aiTextureType type : wanted) {
         aiString name;
         unsigned channel = 0;
         aiTextureMapMode modes[] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
@@ -197,6 +230,7 @@ SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures
         if (isCutOut(material, name)) converted.alphaCutoff = BLENDED_CUTOFF;
         break;
     }
+    converted.alphaCutoff = cutoffOf(converted, color.alpha);
     return converted;
 }
 

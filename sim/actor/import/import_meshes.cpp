@@ -95,7 +95,14 @@ void addVertex(const Vector4d& position, const aiMesh& mesh, Model& model)
     model.vertices.push_back(position.head<3>().cast<float>());
 }
 
-void addTriangles(const aiMesh& mesh, size_t firstVertex, bool mirrored, Model& model)
+/// 1 for a matrix that keeps right hands, -1 for one that makes left ones of them.
+double handOf(const Matrix4d& matrix)
+{
+    return matrix.topLeftCorner<3, 3>().determinant() < 0.0 ? -1.0 : 1.0;
+}
+
+/// @param hands per vertex: handOf() what moves it. Triangles of vertices that are mirrored are turned round.
+void addTriangles(const aiMesh& mesh, size_t firstVertex, const std::vector<double>& hands, Model& model)
 {
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
         const aiFace& face = mesh.mFaces[f];
@@ -103,16 +110,16 @@ void addTriangles(const aiMesh& mesh, size_t firstVertex, bool mirrored, Model& 
             continue;  // points and lines enclose nothing
         }
         std::array<uint32_t, 3> triangle;
+        double hand = 0.0;
         for (unsigned i = 0; i < 3; ++i) {
             if (face.mIndices[i] >= mesh.mNumVertices) {
                 throw InputError(fmt::format("mesh '{}' names vertex {}, it has {}", mesh.mName.C_Str(),
                                              face.mIndices[i], mesh.mNumVertices));
             }
             triangle[i] = static_cast<uint32_t>(firstVertex) + face.mIndices[i];
+            hand += hands[face.mIndices[i]];
         }
-        if (mirrored) {
-            std::swap(triangle[1], triangle[2]);
-        }
+        if (hand < 0.0) std::swap(triangle[1], triangle[2]);
         model.triangles.push_back(triangle);
     }
     if (model.triangles.size() > TRIANGLE_LIMIT) {
@@ -129,6 +136,7 @@ void addSkinned(const aiMesh& mesh, uint32_t node, const NodeTable& table, Model
         boneIndices.push_back(static_cast<uint32_t>(table.boneOf[table.boneNodes.at(mesh.mBones[b])]));
     }
     const size_t first = model.vertices.size();
+    std::vector<double> hands(mesh.mNumVertices, 0.0);
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
         const aiVector3D& p = mesh.mVertices[v];
         const Vector4d local(p.x, p.y, p.z, 1.0);
@@ -136,7 +144,8 @@ void addSkinned(const aiMesh& mesh, uint32_t node, const NodeTable& table, Model
         Vector4d position = Vector4d::Zero();
         if (influences[v].empty()) {
             ++notes.unweighted;
-            addVertex((mesh.mNumBones > 0 ? matrices[0] : table.globals[node]) * local, mesh, model);
+            addVertex(matrices[0] * local, mesh, model);
+            hands[v] = handOf(matrices[0]);
             const int32_t above = table.boneAbove(node);
             skin.bones[0] = above >= 0 ? static_cast<uint32_t>(above) : nearestBone(model, model.vertices.back());
             skin.weights[0] = 1.0f;
@@ -145,6 +154,7 @@ void addSkinned(const aiMesh& mesh, uint32_t node, const NodeTable& table, Model
             for (size_t i = 0; i < influences[v].size(); ++i) {
                 const Influence& influence = influences[v][i];
                 position += influence.weight * (matrices[influence.bone] * local);
+                hands[v] += influence.weight * handOf(matrices[influence.bone]);
                 skin.bones[i] = boneIndices[influence.bone];
                 skin.weights[i] = static_cast<float>(influence.weight);
             }
@@ -152,7 +162,7 @@ void addSkinned(const aiMesh& mesh, uint32_t node, const NodeTable& table, Model
         }
         model.skin.push_back(skin);
     }
-    addTriangles(mesh, first, false, model);
+    addTriangles(mesh, first, hands, model);
 }
 
 void addRigid(const aiMesh& mesh, uint32_t node, const NodeTable& table, Model& model)
@@ -170,7 +180,7 @@ void addRigid(const aiMesh& mesh, uint32_t node, const NodeTable& table, Model& 
             model.skin.push_back(skin);
         }
     }
-    addTriangles(mesh, first, matrix.topLeftCorner<3, 3>().determinant() < 0.0, model);
+    addTriangles(mesh, first, std::vector(mesh.mNumVertices, handOf(matrix)), model);
 }
 
 }  // namespace

@@ -21,20 +21,11 @@ struct Run {
     uint32_t end = 0;  ///< One past its last vertex.
 };
 
-/// Whether a name is one that somebody gave, not one that importers make up.
-bool isGiven(std::string_view name)
-{
-    constexpr std::array<std::string_view, 4> MADE_UP{"<", "mesh_", "nodes[", "meshes["};
-    const auto isMadeUp = [&](std::string_view start) { return name.starts_with(start); };
-    return !name.empty() && name != "defaultobject" && name != "DefaultMaterial" && name != "ROOT" &&
-           std::ranges::none_of(MADE_UP, isMadeUp);
-}
-
 std::string baseName(const Run& run, const NodeTable& table)
 {
     std::string node = table.nameOf(run.node);
-    if (table.parents[run.node] >= 0 && isGiven(node)) return node;
-    return isGiven(run.mesh) ? run.mesh : isGiven(run.material) ? run.material : "part";
+    if (table.parents[run.node] >= 0 && isGivenName(node)) return node;
+    return isGivenName(run.mesh) ? run.mesh : isGivenName(run.material) ? run.material : "part";
 }
 
 std::vector<Run> runsOf(const aiScene& scene, const NodeTable& table)
@@ -89,6 +80,14 @@ std::vector<std::string> numbered(const std::vector<std::string>& names)
 }
 
 }  // namespace
+
+bool isGivenName(std::string_view name)
+{
+    constexpr std::array<std::string_view, 4> MADE_UP{"<", "mesh_", "nodes[", "meshes["};
+    const auto isMadeUp = [&](std::string_view start) { return name.starts_with(start); };
+    return !name.empty() && name != "defaultobject" && name != "DefaultMaterial" && name != "ROOT" &&
+           std::ranges::none_of(MADE_UP, isMadeUp);
+}
 
 void splitIntoParts(const aiScene& scene, const NodeTable& table, Model& model)
 {

@@ -4,20 +4,14 @@
 #include <assimp/postprocess.h>
 #include <fmt/format.h>
 
-#include <assimp/DefaultIOSystem.h>
-#include <assimp/MemoryIOWrapper.h>
-
 #include <assimp/Importer.hpp>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <new>
-#include <string_view>
 #include <utility>
 
 #include "sim/actor/import/file_check.h"
-#include "sim/actor/import/joint_names.h"
 #include "sim/actor/import/lowercase.h"
+#include "sim/actor/import/valid_text.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -87,7 +81,7 @@ std::string NodeTable::nameOf(uint32_t node) const
 {
     const std::string name = nodes[node]->mName.C_Str();
     const auto original = originals.find(name);
-    return original == originals.end() ? name : original->second;
+    return validText(original == originals.end() ? name : original->second);
 }
 
 NodeTable listNodes(const aiScene& scene)
@@ -126,45 +120,6 @@ NodeTable listNodes(const aiScene& scene)
     return table;
 }
 
-namespace {
-
-constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
-
-/// Reads files as they are, but for one.
-class OneInMemory : public Assimp::DefaultIOSystem {
-public:
-    OneInMemory(std::string path, std::string bytes) : path_(std::move(path)), bytes_(std::move(bytes)) {}
-
-    Assimp::IOStream* Open(const char* file, const char* mode) override
-    {
-        if (path_ != file) return DefaultIOSystem::Open(file, mode);
-        return new Assimp::MemoryIOStream(reinterpret_cast<const uint8_t*>(bytes_.data()), bytes_.size());
-    }
-
-private:
-    std::string path_, bytes_;
-};
-
-/// @param originals gets the names that were changed, see NamedJoints.
-const aiScene* readFile(Assimp::Importer& importer, const std::string& path, unsigned flags,
-                        std::map<std::string, std::string>& originals)
-{
-    NamedJoints named = nameJoints(path);
-    originals = std::move(named.originals);
-    if (!named.bytes.empty())
-        importer.SetIOHandler(new OneInMemory(path, std::move(named.bytes)));  // the importer owns it
-    // assimp takes a BVH file with a byte-order mark for none: it gets what follows the mark.
-    std::string start(BYTE_ORDER_MARK.size(), '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(start.data(), static_cast<std::streamsize>(start.size()));
-    const bool isBvh = lowercase(std::filesystem::path(path).extension().string()) == ".bvh";
-    if (!isBvh || start != BYTE_ORDER_MARK) return importer.ReadFile(path, flags);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    return importer.ReadFileFromMemory(text.data(), text.size(), flags, "bvh");
-}
-
-}  // namespace
-
 Model readScene(const std::string& path, bool surface, const ModelPick& pick)
 {
     checkParts(path);
@@ -196,8 +151,13 @@ Model readScene(const std::string& path, bool surface, const ModelPick& pick)
     // Of an MD5 clip assimp makes a mesh of needles.
     const bool isClip = lowercase(std::filesystem::path(path).extension().string()) == ".md5anim";
     table.isBare = scene->mNumMeshes == 0 || isClip;
+    table.isOfParts = !pick.split;
     findBoneNodes(*scene, table);
     convertBones(pickSkeleton(*scene, pick, table, model.notes), table, model);
+    if (table.boneNodes.empty() && !table.isBare && !model.bones.empty())
+        model.notes.push_back(fmt::format("No mesh has a skeleton: of what clips move {} bone{} made.",
+                                          model.bones.size(), model.bones.size() == 1 ? " was" : "s were"));
+    leaveApart(*scene, table, model.notes);
     convertMeshes(*scene, table, model);
     if (surface && !table.isBare) {
         convertSurface(*scene, table, path, model);

@@ -4,11 +4,18 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim/actor/import/import.h"
 #include "sim/actor/model_source.h"
+
+namespace Assimp {
+class Importer;
+}
 
 // Inside the importing child only: the files import_*.cpp alone know assimp.
 namespace knuckle {
@@ -25,9 +32,12 @@ struct NodeTable {
     std::vector<int32_t> boneOf;                            ///< Index of the node's bone in Model::bones, or -1.
     Eigen::Matrix4d upright = Eigen::Matrix4d::Identity();  ///< Turns the file's up axis to +y; part of globals.
     std::map<const aiBone*, uint32_t> boneNodes;            ///< The node that moves with each bone of a mesh.
-    std::map<std::string, std::string> originals;           ///< NamedJoints::originals.
+    std::map<std::string, std::string> originals;           ///< PreparedGltf::originals.
     bool isBare = false;                                    ///< Whether the scene has no mesh but a skeleton.
     bool isPicked = false;                                  ///< Whether only what hangs on bones of the model is taken.
+
+    bool isOfParts = false;                              ///< Whether nodes that clips move may be bones.
+    std::set<std::pair<const aiMesh*, uint32_t>> apart;  ///< By node: meshes that are no part of the figure.
 
     /// The bone of the node or of the nearest ancestor that has one, or -1.
     int32_t boneAbove(uint32_t node) const;
@@ -46,8 +56,26 @@ NodeTable listNodes(const aiScene& scene);
 void findBoneNodes(const aiScene& scene, NodeTable& table);
 
 /// The nodes that bones of meshes name, ascending. If there are no meshes, all of the skeleton, without what only holds
-/// it, cameras and lights.
+/// it, cameras and lights. If no mesh has bones, movedNodes().
 std::vector<uint32_t> bonesIn(const aiScene& scene, const NodeTable& table);
+
+/// Of a scene of rigid parts: the nodes that clips move and that meshes hang on, and one that leads to all where some
+/// parts stand still. None if no clip moves any part.
+std::vector<uint32_t> movedNodes(const aiScene& scene, const NodeTable& table);
+
+/// Whether assimp made a node of that name for a pivot of FBX.
+bool isPivot(const std::string& name);
+
+/// Whether a name is one that somebody gave, not one that importers make up.
+bool isGivenName(std::string_view name);
+
+/// Fills NodeTable::apart: where meshes are skinned to a figure, those that hang on no bone and are not within its
+/// bounds, as floors are.
+void leaveApart(const aiScene& scene, NodeTable& table, std::vector<std::string>& notes);
+
+/// A bone to the model, of the node's matrix. Mirrored nodes would not turn bodies: of such the third axis points the
+/// other way, at rest and in clips alike.
+Eigen::Matrix4f bonePose(const Eigen::Matrix4d& global);
 
 /// Names of nodes as bones: those of the file, numbered where several have the same.
 std::vector<std::string> boneNames(const NodeTable& table, const std::vector<uint32_t>& nodes);
@@ -98,6 +126,10 @@ struct ConvertedMaterial {
 /// the scene.
 std::vector<ConvertedMaterial> convertMaterials(const aiScene& scene, const NodeTable& table, const std::string& path,
                                                 Model& model);
+
+/// Reads a file with assimp. @param originals gets the names that were changed, see PreparedGltf.
+const aiScene* readFile(Assimp::Importer& importer, const std::string& path, unsigned flags,
+                        std::map<std::string, std::string>& originals);
 
 /// Reads and converts a file, in the file's own units. @param surface see ImportOptions. @throws InputError.
 Model readScene(const std::string& path, bool surface, const ModelPick& pick);

@@ -119,6 +119,7 @@ void giveAway(const std::vector<Skeleton>& others, const NodeTable& table, std::
 
 bool NodeTable::takes(const aiMesh& mesh, uint32_t node) const
 {
+    if (apart.contains({&mesh, node})) return false;
     if (!isPicked) return true;
     if (mesh.mNumBones == 0) return boneAbove(node) >= 0;
     return std::ranges::any_of(std::span(mesh.mBones, mesh.mNumBones),

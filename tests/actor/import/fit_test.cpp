@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/world/errors.h"
+#include "tests/message_of.h"
 
 namespace knuckle {
 namespace {
@@ -80,6 +81,10 @@ TEST(Fit, oddSizesAreAskedAboutUnlessGiven)
     EXPECT_NE(giant.notes[0].find("The figure is 11 m high"), std::string::npos);
     ASSERT_EQ(dwarf.notes.size(), 1u);
     EXPECT_NE(dwarf.notes[0].find("--height 1.8"), std::string::npos);
+    Model wide = stick({0, 0, 0}, {6, 1.76f, 0});
+    fitModel(wide, {});
+    ASSERT_EQ(wide.notes.size(), 1u);
+    EXPECT_TRUE(wide.notes[0].starts_with("The figure is 6 m across, larger than people")) << wide.notes[0];
     Model told = stick({0, 0, 0}, {0, 11, 0}), tree = stick({0, 0, 0}, {0, 11, 0});
     fitModel(told, {.scale = 1.0});
     EXPECT_TRUE(told.notes.empty());
@@ -87,6 +92,13 @@ TEST(Fit, oddSizesAreAskedAboutUnlessGiven)
     tree.clips.clear();
     fitModel(tree, {});
     EXPECT_TRUE(tree.notes.empty()) << "what has no skeleton may have any size";
+}
+
+TEST(Fit, aSizeThatCannotBeIsRefusedWithTheOptions)
+{
+    Model speck = stick({0, 0, 0}, {0, 0.003f, 0});
+    const std::string message = test::messageOf<InputError>([&] { fitModel(speck, {}); });
+    EXPECT_NE(message.find("give --height, or --scale (in scenes `scale`)"), std::string::npos) << message;
 }
 
 }  // namespace

@@ -41,6 +41,16 @@ protected:
     {
         std::ofstream(folder_.path(name), std::ios::binary) << bytes;
     }
+    /// The material of a triangle.
+    SkinMaterial lookOf(const std::string& gltf) const
+    {
+        const std::array<float, 21> numbers{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0.5f, 2, 0.5f, 1, 1};
+        write("shifted.gltf", gltf);
+        write("shifted.bin", {reinterpret_cast<const char*>(numbers.data()), sizeof numbers});
+        ImportOptions options;
+        options.surface = true;
+        return importModel(folder_.path("shifted.gltf"), options).surface.materials.at(0);
+    }
     static bool notes(const Model& model, const std::string& text)
     {
         return std::ranges::find(model.surface.notes, text) != model.surface.notes.end();
@@ -123,6 +133,51 @@ TEST_F(Surface, APictureIsShiftedAndWrappedAsItsMaterialSays)
     write("back.glb", toGlb(std::span(&model, 1), glb));
     const Model back = importModel(folder_.path("back.glb"), options);
     EXPECT_EQ(back.surface.materials.at(0).wrap, material.wrap);
+}
+
+/// The triangle without its second places and its picture, of a material of that JSON.
+std::string trianglePainted(const std::string& material)
+{
+    std::string text = SHIFTED;
+    const size_t start = text.find("\"materials\": [");
+    return text.substr(0, start) + "\"materials\": [" + material + "] }";
+}
+
+TEST_F(Surface, APicturesNameMayBeWrittenAsAnUri)
+{
+    write("my paint.tga", smallPicture());
+    std::string text = SHIFTED;
+    EXPECT_EQ(lookOf(text.replace(text.find("paint.tga"), 9, "my%20paint.tga")).texture, 0u);
+}
+
+TEST_F(Surface, AlphaOfTheColorCountsForCutoffs)
+{
+    write("paint.tga", smallPicture());
+    const std::string picture = "\"baseColorTexture\": { \"index\": 0 }, ";
+    const auto cutoff = [&](const std::string& mode, const std::string& of, const std::string& alpha) {
+        return lookOf(trianglePainted("{ \"alphaMode\": " + mode + ", \"pbrMetallicRoughness\": { " + of +
+                                      "\"baseColorFactor\": [1, 1, 1, " + alpha + "] } }"))
+            .alphaCutoff;
+    };
+    const std::string mask = "\"MASK\", \"alphaCutoff\": 0.25", blend = "\"BLEND\"";
+    EXPECT_FLOAT_EQ(cutoff(mask, picture, "1"), 0.25f);
+    EXPECT_FLOAT_EQ(cutoff(mask, picture, "0.5"), 0.5f);
+    EXPECT_GT(cutoff(mask, picture, "0.2"), 1.0f) << "nothing is left";
+    EXPECT_FLOAT_EQ(cutoff(blend, picture, "0.8"), 0.625f);
+    EXPECT_GT(cutoff(blend, "", "0.4"), 1.0f);
+    EXPECT_GT(cutoff(mask, "", "0"), 1.0f);
+    EXPECT_LE(cutoff(blend, "", "0.8"), 1.0f);
+    EXPECT_EQ(cutoff("\"OPAQUE\"", "", "0.1"), 0.0f);
+}
+
+TEST_F(Surface, ColorsOfOldAndOfGlowingMaterialsAreTaken)
+{
+    const std::string old = "{ \"extensions\": { \"KHR_materials_pbrSpecularGlossiness\": { \"diffuseFactor\": "
+                            "[0.25, 0.5, 0, 1] } } }";
+    EXPECT_EQ(lookOf(trianglePainted(old)).color, Eigen::Vector3f(0.25f, 0.5f, 0));
+    const std::string glow = "\"emissiveFactor\": [0, 0.5, 1], \"pbrMetallicRoughness\": { \"baseColorFactor\": ";
+    EXPECT_EQ(lookOf(trianglePainted("{ " + glow + "[0, 0, 0, 1] } }")).color, Eigen::Vector3f(0, 0.5f, 1));
+    EXPECT_EQ(lookOf(trianglePainted("{ " + glow + "[1, 0, 0, 1] } }")).color, Eigen::Vector3f(1, 0, 0));
 }
 
 TEST_F(Surface, ADamagedTextureIsANoteAndItsMaterialPlain)

@@ -1,0 +1,80 @@
+#include "sim/actor/import/gltf_prepared.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "sim/actor/import/gltf_floats.h"
+#include "sim/actor/import/gltf_keys.h"
+#include "sim/actor/import/gltf_shapes.h"
+#include "sim/actor/import/gltf_source.h"
+#include "sim/actor/import/joint_names.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+using Json = nlohmann::json;
+
+Json extensionOf(const Json& entry, const char* name)
+{
+    return entry.value("extensions", Json::object()).value(name, Json());
+}
+
+/// Views of compressed bytes may have plain ones as well.
+void refuseCompressed(const GltfSource& source)
+{
+    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+        const Json& buffers = source.list("buffers");
+        for (const Json& view : source.list("bufferViews")) {
+            if (extensionOf(view, name).is_null()) continue;
+            const auto buffer = view.at("buffer").get<size_t>();
+            if (source.hasBuffer(buffer) && extensionOf(buffers[buffer], name).is_null()) continue;
+            throw InputError(fmt::format("its meshes are compressed with meshopt ({}), which is not read: export it "
+                                         "without compression (gltfpack: without -c)",
+                                         name));
+        }
+    }
+}
+
+/// What KHR_materials_pbrSpecularGlossiness calls diffuse is the colour where there is no other.
+void supplyColors(GltfSource& source)
+{
+    if (!source.root.contains("materials")) return;
+    for (Json& material : source.root["materials"]) {
+        const Json old = extensionOf(material, "KHR_materials_pbrSpecularGlossiness");
+        Json plain = material.value("pbrMetallicRoughness", Json::object());
+        if (!old.is_object() || plain.contains("baseColorFactor") || plain.contains("baseColorTexture")) continue;
+        if (old.contains("diffuseFactor")) plain["baseColorFactor"] = old["diffuseFactor"];
+        if (old.contains("diffuseTexture")) plain["baseColorTexture"] = old["diffuseTexture"];
+        material["pbrMetallicRoughness"] = plain;
+    }
+}
+
+}  // namespace
+
+PreparedGltf prepareGltf(const std::string& path)
+{
+    std::optional<GltfSource> source = GltfSource::open(path);
+    if (!source) return {};
+    PreparedGltf prepared;
+    try {
+        const Json before = source->root;
+        refuseCompressed(*source);
+        prepared.originals = nameJoints(source->root);
+        supplyBindMatrices(*source);
+        supplyLinearKeys(*source);
+        applyShapes(*source);
+        supplyFloats(*source);
+        supplyColors(*source);
+        if (source->root == before) return {};
+    } catch (const Json::exception&) {
+        return {};  // assimp says what is wrong
+    }
+    prepared.bytes = source->bytes();
+    prepared.added = source->added();
+    return prepared;
+}
+
+}  // namespace knuckle

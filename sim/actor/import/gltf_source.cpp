@@ -1,0 +1,174 @@
+#include "sim/actor/import/gltf_source.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "sim/actor/import/lowercase.h"
+#include "sim/world/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr size_t HEADER = 12, CHUNK_HEADER = 8;  // of a binary glTF [bytes]
+
+uint32_t numberAt(const std::string& bytes, size_t place)
+{
+    uint32_t number = 0;
+    std::memcpy(&number, bytes.data() + place, sizeof number);
+    return number;
+}
+
+void setNumber(std::string& bytes, size_t place, size_t number)
+{
+    const auto value = static_cast<uint32_t>(number);
+    std::memcpy(bytes.data() + place, &value, sizeof value);
+}
+
+std::string wholeFile(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string fromBase64(std::string_view text)
+{
+    constexpr std::string_view DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        const size_t digit = DIGITS.find(c);
+        if (digit == std::string_view::npos) continue;
+        bits = bits << 6 | static_cast<uint32_t>(digit);
+        count += 6;
+        if (count < 8) continue;
+        count -= 8;
+        bytes += static_cast<char>(bits >> count & 0xff);
+    }
+    return bytes;
+}
+
+}  // namespace
+
+std::string decodedUri(std::string_view uri)
+{
+    std::string name;
+    for (size_t i = 0; i < uri.size(); ++i) {
+        unsigned code = 0;
+        const char* digits = uri.data() + i + 1;
+        const bool escaped = uri[i] == '%' && i + 2 < uri.size() &&
+                             std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2;
+        name += escaped ? static_cast<char>(code) : uri[i];
+        if (escaped) i += 2;
+    }
+    return name;
+}
+
+std::optional<GltfSource> GltfSource::open(const std::string& path)
+{
+    const std::string extension = lowercase(fs::path(path).extension().string());
+    if (extension != ".glb" && extension != ".gltf") return {};
+    GltfSource source;
+    source.path_ = path;
+    source.bytes_ = wholeFile(path);
+    source.jsonLength_ = source.bytes_.size();
+    if (source.bytes_.starts_with("glTF")) {
+        source.jsonStart_ = HEADER + CHUNK_HEADER;
+        if (source.bytes_.size() < source.jsonStart_) return {};
+        source.jsonLength_ = numberAt(source.bytes_, HEADER);
+        if (source.jsonLength_ > source.bytes_.size() - source.jsonStart_) return {};
+    }
+    const auto start = source.bytes_.begin() + static_cast<std::ptrdiff_t>(source.jsonStart_);
+    source.root = Json::parse(start, start + static_cast<std::ptrdiff_t>(source.jsonLength_), nullptr, false);
+    if (!source.root.is_object()) return {};
+    return source;
+}
+
+const Json& GltfSource::list(const char* name) const
+{
+    static const Json NONE = Json::array();
+    return root.contains(name) && root[name].is_array() ? root[name] : NONE;
+}
+
+bool GltfSource::hasBuffer(size_t buffer) const
+{
+    const Json& buffers = list("buffers");
+    if (buffer >= buffers.size()) return false;
+    return buffers[buffer].contains("uri") ||
+           (buffer == 0 && jsonStart_ > 0 && jsonStart_ + jsonLength_ + CHUNK_HEADER < bytes_.size());
+}
+
+std::string_view GltfSource::bufferBytes(size_t buffer)
+{
+    if (!hasBuffer(buffer)) return {};
+    const std::string uri = list("buffers")[buffer].value("uri", std::string());
+    if (uri.empty()) return std::string_view(bytes_).substr(jsonStart_ + jsonLength_ + CHUNK_HEADER);
+    const auto [known, isNew] = read_.try_emplace(buffer);
+    if (!isNew) return known->second;
+    const size_t comma = uri.find(',');
+    if (uri.starts_with("data:")) {
+        known->second = comma == std::string::npos ? "" : fromBase64(std::string_view(uri).substr(comma + 1));
+        return known->second;
+    }
+    const fs::path folder = fs::path(path_).parent_path();
+    std::error_code error;
+    known->second = wholeFile(fs::is_regular_file(folder / uri, error) ? folder / uri : folder / decodedUri(uri));
+    return known->second;
+}
+
+std::string_view GltfSource::viewBytes(size_t view)
+{
+    const Json& views = list("bufferViews");
+    if (view >= views.size()) throw InputError(fmt::format("it names buffer view {}, it has {}", view, views.size()));
+    const std::string_view bytes = bufferBytes(views[view].at("buffer").get<size_t>());
+    const auto offset = views[view].value("byteOffset", size_t{0}), length = views[view].value("byteLength", size_t{0});
+    if (offset > bytes.size() || length > bytes.size() - offset)
+        throw InputError(fmt::format("buffer view {} reaches past the end of its buffer, which has {} bytes: it is cut "
+                                     "off or damaged; export the model again",
+                                     view, bytes.size()));
+    return bytes.substr(offset, length);
+}
+
+size_t GltfSource::addFloats(const std::vector<float>& values, size_t components, const std::string& type)
+{
+    const auto append = [&](const char* list, Json entry) {
+        if (!root.contains(list)) root[list] = Json::array();
+        root[list].push_back(std::move(entry));
+        return root[list].size() - 1;
+    };
+    if (added_.empty()) addedBuffer_ = append("buffers", {{"uri", ADDED_FILE}});
+    const size_t offset = added_.size() * sizeof(float);
+    added_.insert(added_.end(), values.begin(), values.end());
+    root["buffers"][addedBuffer_]["byteLength"] = added_.size() * sizeof(float);
+    const size_t view = append(
+        "bufferViews",
+        {{"buffer", addedBuffer_}, {"byteOffset", offset}, {"byteLength", values.size() * sizeof(float)}});
+    constexpr int FLOAT = 5126;
+    return append(
+        "accessors",
+        {{"bufferView", view}, {"componentType", FLOAT}, {"count", values.size() / components}, {"type", type}});
+}
+
+std::string GltfSource::bytes() const
+{
+    std::string text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const bool isBinary = jsonStart_ > 0;
+    if (isBinary) text.resize((text.size() + 3) / 4 * 4, ' ');
+    std::string whole = bytes_;
+    whole.replace(jsonStart_, jsonLength_, text);
+    if (isBinary) setNumber(whole, HEADER, text.size());
+    if (isBinary) setNumber(whole, 8, whole.size());
+    return whole;
+}
+
+}  // namespace knuckle

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace knuckle {
+
+/// A glTF file, of text or binary, that can be changed in memory before it is read.
+class GltfSource {
+public:
+    /// The name of a file that does not exist: what addFloats() adds.
+    static constexpr const char* ADDED_FILE = "knuckle-added-floats.bin";
+
+    /// @returns nothing for what is no glTF, or has no JSON that can be read.
+    static std::optional<GltfSource> open(const std::string& path);
+
+    nlohmann::json root;
+
+    /// The entries of one of the root's lists; none if it has no such list.
+    const nlohmann::json& list(const char* name) const;
+    /// The bytes that a view shows. @throws InputError where its buffer is not there or ends before it.
+    std::string_view viewBytes(size_t view);
+    /// Whether the file holds a buffer, or names another file for it.
+    bool hasBuffer(size_t buffer) const;
+    /// Appends an accessor to floats. @param type "SCALAR", "VEC3", ... of so many components.
+    size_t addFloats(const std::vector<float>& values, size_t components, const std::string& type);
+
+    /// The whole file with its JSON as it is now.
+    std::string bytes() const;
+    /// What ADDED_FILE holds.
+    std::string added() const { return {reinterpret_cast<const char*>(added_.data()), added_.size() * sizeof(float)}; }
+
+private:
+    std::string_view bufferBytes(size_t buffer);
+
+    std::string path_, bytes_;
+    size_t jsonStart_ = 0, jsonLength_ = 0;
+    std::map<size_t, std::string> read_;  ///< Buffers that are not in the file itself.
+    std::vector<float> added_;
+    size_t addedBuffer_ = 0;  ///< Its index, once there is something.
+};
+
+/// A name in a glTF, with its %20 as what they stand for.
+std::string decodedUri(std::string_view uri);
+
+}  // namespace knuckle
