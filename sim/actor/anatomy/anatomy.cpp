@@ -5,9 +5,8 @@
 #include "sim/actor/anatomy/bone_name.h"
 #include "sim/actor/anatomy/bone_roles.h"
 #include "sim/actor/anatomy/bone_tree.h"
-#include "sim/actor/anatomy/chain_parts.h"
 #include "sim/actor/anatomy/clip_hinges.h"
-#include "sim/actor/anatomy/shape_parts.h"
+#include "sim/actor/anatomy/shape_fill.h"
 
 namespace knuckle {
 
@@ -38,6 +37,22 @@ Vector3f meanOf(const std::vector<Vector3f>& places)
     return sum / static_cast<float>(places.size());
 }
 
+/// From where right limbs of a part begin to where left ones do, level and unit; 0 where they are not as many.
+Vector3f acrossPart(const Model& model, std::span<const BoneAnatomy> anatomy, BodyPart part)
+{
+    Vector3f across = Vector3f::Zero();
+    int lefts = 0, rights = 0;
+    for (uint32_t b = 0; b < anatomy.size(); ++b) {
+        const BoneAnatomy& bone = anatomy[b];
+        if (bone.role != BoneRole::Limb || bone.part != part || bone.side == 0) continue;
+        across += static_cast<float>(bone.side) * boneHead(model, b);
+        ++(bone.side > 0 ? lefts : rights);
+    }
+    across.y() = 0.0f;
+    const bool known = lefts == rights && lefts > 0 && across.norm() > APART * static_cast<float>(lefts);
+    return known ? Vector3f(across.normalized()) : Vector3f(Vector3f::Zero());
+}
+
 }  // namespace
 
 std::vector<BoneAnatomy> readAnatomy(const Model& model, const std::map<uint32_t, BoneRole>& roles)
@@ -45,10 +60,7 @@ std::vector<BoneAnatomy> readAnatomy(const Model& model, const std::map<uint32_t
     const BoneTree tree(model);
     std::vector<BoneName> names;
     for (const Bone& bone : model.bones) names.push_back(readBoneName(bone.name));
-    std::vector<BoneAnatomy> anatomy(model.bones.size());
-    readNamedParts(tree, names, anatomy);
-    const bool limbsNamed = std::ranges::any_of(anatomy, isLimbPart, &BoneAnatomy::part);
-    if (!limbsNamed) readPartsFromShape(tree, anatomy);
+    std::vector<BoneAnatomy> anatomy = readParts(tree, names);
     readRoles(tree, names, roles, anatomy);
     readClipHinges(model, anatomy);
     return anatomy;
@@ -72,20 +84,11 @@ JointType jointTypeOf(BodyPart part)
 
 Vector3f leftOf(const Model& model, std::span<const BoneAnatomy> anatomy)
 {
-    Vector3f left = Vector3f::Zero(), right = Vector3f::Zero();
-    int lefts = 0, rights = 0;
-    for (size_t b = 0; b < anatomy.size(); ++b) {
-        if (anatomy[b].role == BoneRole::Control) continue;
-        const Vector3f head = model.bones[b].restPose.block<3, 1>(0, 3);
-        if (anatomy[b].side > 0) left += head;
-        if (anatomy[b].side < 0) right += head;
-        lefts += anatomy[b].side > 0;
-        rights += anatomy[b].side < 0;
-    }
-    if (lefts == 0 || rights == 0) return Vector3f::UnitX();
-    Vector3f across = left / static_cast<float>(lefts) - right / static_cast<float>(rights);
-    across.y() = 0.0f;
-    return across.norm() > 1e-4f ? Vector3f(across.normalized()) : Vector3f::UnitX();
+    using enum BodyPart;
+    Vector3f left = acrossPart(model, anatomy, Thigh) + acrossPart(model, anatomy, UpperArm);
+    for (const BodyPart part : {Clavicle, Shin, Forearm, Foot, Hand, Coxa, Wing, Toe, Finger, Other})
+        if (left.norm() < APART) left = acrossPart(model, anatomy, part);
+    return left.norm() < APART ? Vector3f::UnitX() : Vector3f(left.normalized());
 }
 
 bool isUpright(const Model& model, std::span<const BoneAnatomy> anatomy)

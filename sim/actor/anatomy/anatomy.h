@@ -74,7 +74,8 @@ bool isUpright(const Model& model, std::span<const BoneAnatomy> anatomy);
 /// Upper arms, forearms, thighs and shins.
 bool isLongLimb(BodyPart part);
 
-/// A figure's left, level and unit, from what of it is left and right; x where nothing is.
+/// A figure's left, level and unit, from where its thighs and upper arms begin, however these are posed; without them
+/// from its other limbs that are there on both sides; x where none is.
 Eigen::Vector3f leftOf(const Model& model, std::span<const BoneAnatomy> anatomy);
 
 }  // namespace knuckle

@@ -42,7 +42,7 @@ bool splitCompound(std::string_view text, std::vector<std::string>& words)
     for (size_t length = text.size(); length >= 2; --length) {
         const std::string_view first = text.substr(0, length);
         const std::optional<Word> word = findWord(first);
-        const bool joins = word && word->use != WordUse::End && (length >= 3 || first == "up");
+        const bool joins = word && word->use != WordUse::End && (length >= 3 || first == "up" || first == "lo");
         if (!joins) continue;
         words.emplace_back(first);
         if (splitCompound(text.substr(length), words)) return true;
@@ -93,7 +93,7 @@ std::vector<std::string> wordsOf(std::string_view name)
 BoneName readBoneName(std::string_view name)
 {
     BoneName read;
-    NamedPart weak = NamedPart::None;
+    NamedPart weak = NamedPart::None, muscle = NamedPart::None;
     bool upper = false, lower = false, fore = false, trunk = false, foot = false, piece = false, unknown = false;
     for (const std::string& text : wordsOf(name)) {
         const std::optional<Word> found = findWord(text);
@@ -108,7 +108,10 @@ BoneName readBoneName(std::string_view name)
             case WordUse::Twist: read.isTwist = true; break;
             case WordUse::Piece: piece = true; break;
             case WordUse::Control: read.isControl = true; break;
-            case WordUse::Attached: read.isAttached = true; break;
+            case WordUse::Attached:
+                read.isAttached = true;
+                muscle = word.part == NamedPart::None ? muscle : word.part;
+                break;
             case WordUse::End: read.isEnd = true; break;
             case WordUse::Part:
                 foot |= word.part == NamedPart::Foot || word.part == NamedPart::Toe;
@@ -123,7 +126,7 @@ BoneName readBoneName(std::string_view name)
     if (weak == NamedPart::MaybeFinger && read.part == NamedPart::Hand) read.part = NamedPart::Finger;
     // "back_trochantin.L": at a limb, back is a place.
     if (weak == NamedPart::Spine && unknown && read.side != 0) weak = NamedPart::None;
-    if (read.part == NamedPart::None) read.part = weak;
+    if (read.part == NamedPart::None) read.part = weak != NamedPart::None ? weak : muscle;
     if (foot && read.part == NamedPart::Finger) read.part = NamedPart::Toe;
     read.part = halved(read.part, upper, lower, fore);
     if (read.part == NamedPart::Spine && trunk && lower) read.part = NamedPart::Hips;

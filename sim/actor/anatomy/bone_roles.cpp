@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/actor/anatomy/chain_parts.h"
+#include "sim/actor/anatomy/figure_parts.h"
 
 namespace knuckle {
 
@@ -10,6 +11,7 @@ namespace {
 
 /// A thigh on a spine belongs to the hips unless they are farther off than this [distance from the spine].
 constexpr float NEARER_HIPS = 1.25f;
+constexpr float SAME = 1e-3f;  // two bones that begin at one place [m]
 
 class BoneRoles {
 public:
@@ -103,16 +105,20 @@ private:
         const auto limb = [&](uint32_t other) { return isLimb(other); };
         int32_t owner = tree_.above(b, limb);
         if (anatomy_[b].role == BoneRole::Twist && owner >= 0) owner = twisted(b, static_cast<uint32_t>(owner));
+        const bool ofHips = owner < 0 && names_[b].part == NamedPart::Hips;
+        if (ofHips) owner = nearestOf(BodyPart::Hips, 0, b);
         return owner < 0 ? nearestLimb(b) : static_cast<uint32_t>(owner);
     }
 
-    /// In the skeleton, of equally near ones the first; the bone itself where there is none.
+    /// In the skeleton, of equally near ones that nearest in space; the bone itself where there is none.
     uint32_t nearestLimb(uint32_t b) const
     {
         const std::vector<uint32_t> steps = tree_.stepsFrom(b);
         uint32_t nearest = b;
         for (uint32_t other = 0; other < tree_.size(); ++other)
-            if (isLimb(other) && steps[other] != NO_INDEX && (nearest == b || steps[other] < steps[nearest]))
+            if (isLimb(other) && steps[other] != NO_INDEX &&
+                (nearest == b || steps[other] < steps[nearest] ||
+                 (steps[other] == steps[nearest] && apart(other, b) < apart(nearest, b))))
                 nearest = other;
         return nearest;
     }
@@ -146,11 +152,22 @@ private:
     {
         for (int32_t above = tree_.parents[b]; above >= 0; above = tree_.parents[above]) {
             const BoneAnatomy& bone = anatomy_[above];
-            if (bone.role == BoneRole::Control) continue;
-            if (!tree_.isBelow(static_cast<int32_t>(bone.owner), b)) return static_cast<int32_t>(bone.owner);
+            const int32_t limb = bone.role == BoneRole::Control ? standIn(static_cast<uint32_t>(above), b)
+                                                                : static_cast<int32_t>(bone.owner);
+            if (limb >= 0 && !tree_.isBelow(limb, b)) return limb;
         }
         return -1;
     }
+
+    /// What has a control's skin: a limb on it that begins where it does, other than the one that asks.
+    int32_t standIn(uint32_t control, uint32_t asks) const
+    {
+        for (const uint32_t child : tree_.children[control])
+            if (child != asks && isLimb(child) && apart(child, control) < SAME) return static_cast<int32_t>(child);
+        return -1;
+    }
+
+    float apart(uint32_t a, uint32_t b) const { return (tree_.heads[a] - tree_.heads[b]).norm(); }
 
     bool hangsOn(int32_t bone, uint32_t ancestor) const
     {
@@ -188,8 +205,7 @@ private:
             const BoneAnatomy& limb = anatomy_[other];
             const bool fits = limb.part == part && limb.side == side && isLimb(other);
             if (!fits || hangsOn(static_cast<int32_t>(other), b)) continue;
-            const float far = (tree_.heads[other] - tree_.heads[b]).norm();
-            if (nearest < 0 || far < (tree_.heads[nearest] - tree_.heads[b]).norm())
+            if (nearest < 0 || apart(other, b) < apart(static_cast<uint32_t>(nearest), b))
                 nearest = static_cast<int32_t>(other);
         }
         return nearest;
@@ -200,18 +216,27 @@ private:
     {
         BoneAnatomy& own = anatomy_[b];
         if (!isLimb(b) || own.source != AnatomySource::Name) return;
-        if (own.part == BodyPart::Thigh && own.parent < 0) own.parent = nearestOf(BodyPart::Hips, 0, b);
+        if (own.parent < 0) own.parent = onTrunk(b);
         if (own.parent < 0) return;
         const auto parent = static_cast<uint32_t>(own.parent);
         const int32_t above = anatomy_[parent].parent;
         if (above < 0) return;
         const BodyPart on = anatomy_[parent].part, beyond = anatomy_[above].part;
-        const auto far = [&](uint32_t bone) { return (tree_.heads[bone] - tree_.heads[b]).norm(); };
         const bool thigh = own.part == BodyPart::Thigh && on == BodyPart::Spine && beyond == BodyPart::Hips &&
-                           far(static_cast<uint32_t>(above)) < NEARER_HIPS * far(parent);
+                           apart(static_cast<uint32_t>(above), b) < NEARER_HIPS * apart(parent, b);
         const bool arm = (own.part == BodyPart::Clavicle || own.part == BodyPart::UpperArm) && on == BodyPart::Neck &&
                          beyond == BodyPart::Spine;
         if (thigh || arm) own.parent = above;
+    }
+
+    /// Where a limb belongs whose bones hang on none with skin; -1 where nothing is called so.
+    int32_t onTrunk(uint32_t b) const
+    {
+        const BoneAnatomy& own = anatomy_[b];
+        if (own.part == BodyPart::Thigh) return nearestOf(BodyPart::Hips, 0, b);
+        if (own.part != BodyPart::Clavicle && own.part != BodyPart::UpperArm) return -1;
+        const int32_t collar = own.part == BodyPart::UpperArm ? nearestOf(BodyPart::Clavicle, own.side, b) : -1;
+        return collar >= 0 ? collar : spineAt(tree_, anatomy_, b);
     }
 
     const BoneTree& tree_;

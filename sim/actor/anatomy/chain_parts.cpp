@@ -1,6 +1,6 @@
 #include "sim/actor/anatomy/chain_parts.h"
 
-#include <algorithm>
+#include "sim/actor/anatomy/figure_parts.h"
 
 namespace knuckle {
 
@@ -22,10 +22,6 @@ public:
             anatomy_[b].part = partOf(b);
             if (anatomy_[b].part != BodyPart::Other) anatomy_[b].source = AnatomySource::Name;
         }
-        callLevers();
-        callForeLegs();
-        findHips();
-        findHead();
     }
 
 private:
@@ -33,7 +29,15 @@ private:
     bool speaks(uint32_t b) const
     {
         if (names_[b].isControl && !(tree_.hasSkin && tree_.deforms[b])) return false;
-        return !names_[b].isAttached && !(names_[b].isTwist && repeats(b));
+        return (!names_[b].isAttached || carriesLimb(b)) && !(names_[b].isTwist && repeats(b));
+    }
+
+    /// What is called after a muscle or clothes, but is the upper half of a limb.
+    bool carriesLimb(uint32_t b) const
+    {
+        const NamedPart own = names_[b].part, below = nameBelow(b);
+        if (own == NamedPart::UpperArm) return below == NamedPart::Forearm && partAbove(b) != BodyPart::UpperArm;
+        return own == NamedPart::Thigh && below == NamedPart::Shin && partAbove(b) != BodyPart::Thigh;
     }
 
     /// Whether a limb's bone that is no twist has the same words: a neck's twists may be all of it.
@@ -54,13 +58,7 @@ private:
         return isLimbPart(parent.part) ? parent.side : 0;
     }
 
-    BodyPart partAbove(uint32_t b) const
-    {
-        const int32_t above = tree_.above(b, [&](uint32_t other) {
-            return anatomy_[other].part != BodyPart::Other && anatomy_[other].side == anatomy_[b].side;
-        });
-        return above < 0 ? BodyPart::Other : anatomy_[above].part;
-    }
+    BodyPart partAbove(uint32_t b) const { return knuckle::partAbove(tree_, anatomy_, b); }
 
     int32_t nextBelow(uint32_t b) const
     {
@@ -86,7 +84,7 @@ private:
 
     BodyPart hipPart(uint32_t b) const
     {
-        if (names_[b].side == 0) return BodyPart::Hips;
+        if (names_[b].side == 0 && !hasRival(b)) return BodyPart::Hips;
         const int32_t below = nextBelow(b);
         const NamedPart next = nameBelow(b);
         const bool thighBelow = next == NamedPart::Thigh || next == NamedPart::Hip ||
@@ -145,9 +143,36 @@ private:
         return behindFoot || names_[b].side != 0 ? BodyPart::Toe : BodyPart::Other;
     }
 
+    /// Whether both sides, neck or head are below a bone of neither side, so that it is of the trunk.
+    bool isCentral(uint32_t b) const
+    {
+        if (names_[b].side != 0) return false;
+        const auto has = [&](const auto& fits) {
+            return tree_.below(b, [&](uint32_t other) { return !names_[other].isAttached && fits(names_[other]); }) >=
+                   0;
+        };
+        const auto upwards = [](const BoneName& name) {
+            return name.part == NamedPart::Neck || name.part == NamedPart::Head;
+        };
+        return has(upwards) || (has([](const BoneName& name) { return name.side > 0; }) &&
+                                has([](const BoneName& name) { return name.side < 0; }));
+    }
+
+    /// Hips that are there twice are each one of a side.
+    bool hasRival(uint32_t b) const
+    {
+        if (tree_.parents[b] < 0) return false;
+        return std::ranges::any_of(tree_.children[tree_.parents[b]], [&](uint32_t other) {
+            return other != b && names_[other].part == names_[b].part && !names_[other].isTwist;
+        });
+    }
+
     BodyPart partOf(uint32_t b) const
     {
         const bool middle = names_[b].side == 0;
+        const NamedPart part = names_[b].part;
+        const bool arm = part == NamedPart::Shoulder || part == NamedPart::Arm, leg = part == NamedPart::Leg;
+        if ((arm || leg) && isCentral(b)) return arm ? BodyPart::Spine : BodyPart::Hips;
         switch (names_[b].part) {
             case NamedPart::None: return BodyPart::Other;
             case NamedPart::Hips: return middle ? BodyPart::Hips : BodyPart::Other;
@@ -176,86 +201,6 @@ private:
         return BodyPart::Other;
     }
 
-    /// Arms without a side of what has no legs and no head are a machine's.
-    void callLevers()
-    {
-        const auto isAnimals = [](const BoneAnatomy& bone) {
-            const bool arm = ofForeLeg(bone.part) == bone.part && isLimbPart(bone.part) && bone.part != BodyPart::Toe;
-            return bone.part == BodyPart::Hips || bone.part == BodyPart::Neck || bone.part == BodyPart::Head ||
-                   (isLimbPart(bone.part) && (bone.side != 0 || !arm));
-        };
-        if (std::ranges::any_of(anatomy_, isAnimals)) return;
-        for (BoneAnatomy& bone : anatomy_)
-            if (isLimbPart(bone.part)) bone.part = BodyPart::Lever;
-    }
-
-    /// Four legs, of which the front ones are arms: what hangs on a shoulder, or of two on a side the one next to the
-    /// head.
-    void callForeLegs()
-    {
-        std::vector<uint32_t> thighs[2];
-        for (uint32_t b = 0; b < tree_.size(); ++b) {
-            const BodyPart above = partAbove(b);
-            if (anatomy_[b].part == BodyPart::Foot && above == BodyPart::Forearm) callForeLeg(b);
-            if (anatomy_[b].part != BodyPart::Thigh || above == BodyPart::Thigh) continue;
-            if (above == BodyPart::Clavicle || above == BodyPart::UpperArm) callForeLeg(b);
-            else if (names_[b].side != 0) thighs[names_[b].side < 0].push_back(b);
-        }
-        const uint32_t head = std::min(firstOf(BodyPart::Head), firstOf(BodyPart::Neck));
-        const bool four = thighs[0].size() == 2 && thighs[1].size() == 2 && firstOf(BodyPart::UpperArm) == tree_.size();
-        if (!four || head == tree_.size()) return;
-        const auto away = [&](uint32_t b) { return (tree_.heads[b] - tree_.heads[head]).norm(); };
-        for (const std::vector<uint32_t>& side : thighs) callForeLeg(*std::ranges::min_element(side, {}, away));
-    }
-
-    void callForeLeg(uint32_t top)
-    {
-        for (uint32_t b = top; b < tree_.size(); ++b)
-            if (tree_.isBelow(static_cast<int32_t>(b), top)) anatomy_[b].part = ofForeLeg(anatomy_[b].part);
-    }
-
-    uint32_t firstOf(BodyPart part) const
-    {
-        const auto found = std::ranges::find(anatomy_, part, &BoneAnatomy::part);
-        return static_cast<uint32_t>(found - anatomy_.begin());
-    }
-
-    void call(uint32_t b, BodyPart part) { anatomy_[b].part = part, anatomy_[b].source = AnatomySource::Name; }
-
-    /// What carries the thighs, where nothing is called hips: a root, or the first of a spine. No spine is above them.
-    void findHips()
-    {
-        const uint32_t thigh = firstOf(BodyPart::Thigh);
-        uint32_t hips = firstOf(BodyPart::Hips);
-        if (hips == tree_.size() && thigh < tree_.size()) {
-            const int32_t carrier = tree_.above(
-                thigh, [&](uint32_t b) { return names_[b].side == 0 && !names_[b].isAttached && tree_.deforms[b]; });
-            if (carrier < 0 || names_[carrier].part == NamedPart::Head) return;
-            hips = static_cast<uint32_t>(carrier);
-            call(hips, BodyPart::Hips);
-        }
-        for (int32_t b = hips < tree_.size() ? tree_.parents[hips] : -1; b >= 0; b = tree_.parents[b])
-            if (anatomy_[b].part == BodyPart::Spine) anatomy_[b].part = BodyPart::Other;
-    }
-
-    /// A spine that goes on past the shoulders, where nothing is called head: neck, and head at its end.
-    void findHead()
-    {
-        if (firstOf(BodyPart::Head) < tree_.size()) return;
-        const uint32_t arm = std::min(firstOf(BodyPart::Clavicle), firstOf(BodyPart::UpperArm));
-        if (arm == tree_.size()) return;
-        const auto isSpine = [&](uint32_t b) { return anatomy_[b].part == BodyPart::Spine; };
-        const auto goesOn = [&](uint32_t b) { return isSpine(b) || anatomy_[b].part == BodyPart::Neck; };
-        int32_t last = tree_.above(arm, isSpine);
-        while (last >= 0) {
-            const auto next = std::ranges::find_if(tree_.children[last], goesOn);
-            if (next == tree_.children[last].end()) break;
-            last = static_cast<int32_t>(*next);
-            call(*next, BodyPart::Neck);
-        }
-        if (last >= 0 && anatomy_[last].part == BodyPart::Neck) call(static_cast<uint32_t>(last), BodyPart::Head);
-    }
-
     const BoneTree& tree_;
     const std::vector<BoneName>& names_;
     std::vector<BoneAnatomy>& anatomy_;
@@ -266,6 +211,7 @@ private:
 void readNamedParts(const BoneTree& tree, const std::vector<BoneName>& names, std::vector<BoneAnatomy>& anatomy)
 {
     NamedParts(tree, names, anatomy).read();
+    readFigure(tree, names, anatomy);
 }
 
 BodyPart ofForeLeg(BodyPart part)

@@ -20,8 +20,9 @@ constexpr float LONG_WING = 0.2f;  // pairs that are shorter are feelers and ear
 
 class ShapeParts {
 public:
-    ShapeParts(const BoneTree& tree, const MirrorPlane& plane, std::vector<BoneAnatomy>& anatomy)
-        : tree_(tree), plane_(plane), anatomy_(anatomy), trunk_(tree.size(), 0), inPair_(tree.size(), 0)
+    ShapeParts(const BoneTree& tree, const MirrorPlane& plane, const std::vector<BoneAnatomy>& named,
+               std::vector<BoneAnatomy>& anatomy)
+        : tree_(tree), plane_(plane), named_(named), anatomy_(anatomy), trunk_(tree.size(), 0), inPair_(tree.size(), 0)
     {
     }
 
@@ -42,7 +43,7 @@ public:
 private:
     void call(uint32_t b, BodyPart part)
     {
-        if (anatomy_[b].part != BodyPart::Other || anatomy_[b].source != AnatomySource::None) return;
+        if (anatomy_[b].source != AnatomySource::None) return;
         anatomy_[b].part = part;
         anatomy_[b].source = AnatomySource::Shape;
     }
@@ -134,6 +135,21 @@ private:
         return foot;
     }
 
+    /// Where a limb's part begins, as names of any of its parts say: how many bones from the chain's first; -1 where
+    /// they say nothing or not the same.
+    int placeOf(const BoneChain& chain, const std::vector<BodyPart>& parts, size_t part) const
+    {
+        int place = -1;
+        for (size_t i = 0; i < chain.bones.size(); ++i) {
+            const auto named = std::ranges::find(parts, named_[chain.bones[i]].part);
+            if (named == parts.end()) continue;
+            const auto at = static_cast<int>(i + part) - static_cast<int>(named - parts.begin());
+            if (at < 0 || (place >= 0 && place != at)) return -1;
+            place = at;
+        }
+        return place < static_cast<int>(chain.bones.size()) ? place : -1;
+    }
+
     void readLeg(const LimbPair& pair, const BoneChain& chain, bool fore)
     {
         size_t first = chain.bones.size() >= 5 && startsShort(chain) ? 1 : 0, foot = first + 2;
@@ -143,6 +159,9 @@ private:
             const bool blade = fore && foot >= 3;
             first = foot >= 3 && (fore || startsShort(chain)) ? 1 : 0;
             if (first > 0) call(chain.bones[0], blade ? BodyPart::Clavicle : BodyPart::Coxa);
+        } else if (const int place = placeOf(chain, {BodyPart::Thigh, BodyPart::Shin, BodyPart::Foot}, 0); place >= 0) {
+            first = static_cast<size_t>(place);
+            foot = first + 2;
         }
         for (size_t i = first; i < chain.bones.size(); ++i) {
             const BodyPart part = i == first ? BodyPart::Thigh
@@ -156,8 +175,10 @@ private:
     void readArm(const BoneChain& chain)
     {
         const size_t hand = chain.fork >= 2 ? chain.fork : chain.bones.size() - 1;
-        size_t next = 0;
-        if (hand >= 3) call(chain.bones[next++], BodyPart::Clavicle);
+        size_t next = hand >= 3 ? 1 : 0;
+        const int place = placeOf(chain, {BodyPart::UpperArm, BodyPart::Forearm, BodyPart::Hand}, 0);
+        if (place >= 0) next = static_cast<size_t>(place);
+        if (next > 0) call(chain.bones[next - 1], BodyPart::Clavicle);
         for (const BodyPart part : {BodyPart::UpperArm, BodyPart::Forearm, BodyPart::Hand})
             if (next < chain.bones.size()) call(chain.bones[next++], part);
         callBelow(chain.bones[next - 1], BodyPart::Finger);
@@ -204,11 +225,21 @@ private:
         return way - way.dot(plane_.across) * plane_.across - way.y() * Vector3f::UnitY();
     }
 
-    void readSides()
+    /// Whether the left is where the plane's distance is positive: as names say, else as it looks.
+    bool leftIsPositive() const
     {
+        float said = 0.0f;
+        for (uint32_t b = 0; b < tree_.size(); ++b)
+            if (tree_.carries[b]) said += static_cast<float>(named_[b].side) * plane_.distance(tree_.heads[b]);
+        if (said != 0.0f) return said > 0.0f;
         Vector3f ahead = forward();
         if (ahead.norm() < 0.01f * sizeOf(tree_)) ahead = Vector3f(0.1f, 0, 1);
-        const bool positive = Vector3f::UnitY().cross(ahead).dot(plane_.across) > 0;
+        return Vector3f::UnitY().cross(ahead).dot(plane_.across) > 0;
+    }
+
+    void readSides()
+    {
+        const bool positive = leftIsPositive();
         for (const std::vector<LimbPair>* pairs : {&legs_, &others_})
             for (const LimbPair& pair : *pairs)
                 for (size_t c = 0; c < 2; ++c)
@@ -220,6 +251,7 @@ private:
 
     const BoneTree& tree_;
     const MirrorPlane& plane_;
+    const std::vector<BoneAnatomy>& named_;
     std::vector<BoneAnatomy>& anatomy_;
     std::vector<LimbPair> legs_, others_;
     std::vector<uint8_t> trunk_, inPair_;
@@ -229,9 +261,11 @@ private:
 
 }  // namespace
 
-void readPartsFromShape(const BoneTree& tree, std::vector<BoneAnatomy>& anatomy)
+std::vector<BoneAnatomy> readShape(const BoneTree& tree, const std::vector<BoneAnatomy>& named)
 {
-    if (const std::optional<MirrorPlane> plane = findMirrorPlane(tree)) ShapeParts(tree, *plane, anatomy).read();
+    std::vector<BoneAnatomy> anatomy(tree.size());
+    if (const std::optional<MirrorPlane> plane = findMirrorPlane(tree)) ShapeParts(tree, *plane, named, anatomy).read();
+    return anatomy;
 }
 
 }  // namespace knuckle

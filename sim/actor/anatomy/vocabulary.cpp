@@ -14,6 +14,13 @@ constexpr Entry JAPANESE[] = {
     {"つま先", " toe "},
     {"爪先", " toe "},
     {"手首", " wrist "},
+    {"太もも", " thigh "},
+    {"太腿", " thigh "},
+    {"もも", " thigh "},
+    {"大腿", " thigh "},
+    {"すね", " shin "},
+    {"脛", " shin "},
+    {"背骨", " spine "},
     {"乳首", " breast "},
     {"手捩", " forearm twist "},
     {"手捻", " forearm twist "},
@@ -46,6 +53,7 @@ constexpr Entry JAPANESE[] = {
     {"捻", " twist "},
     {"肩", " shoulder "},
     {"腕", " arm "},
+    {"手", " hand "},
     {"足", " leg "},
     {"首", " neck "},
     {"頭", " head "},
@@ -66,10 +74,10 @@ struct Words {
 };
 
 constexpr Words WORDS[] = {
-    {WordUse::Left, NamedPart::None, "left l lt lf lft lh fl bl hl"},
-    {WordUse::Right, NamedPart::None, "right r rt rf rgt rh fr br hr"},
+    {WordUse::Left, NamedPart::None, "left l lt lf lft lh fl bl hl le sx izq izquierda izquierdo gauche links"},
+    {WordUse::Right, NamedPart::None, "right r rt rf rgt rh fr br hr ri dx der derecha derecho droite rechts"},
     {WordUse::Upper, NamedPart::None, "upper up"},
-    {WordUse::Lower, NamedPart::None, "lower low"},
+    {WordUse::Lower, NamedPart::None, "lower low lo"},
     {WordUse::Fore, NamedPart::None, "fore"},
     {WordUse::Twist, NamedPart::None, "twist roll twst share helper"},
     {WordUse::Piece, NamedPart::None, "part"},
@@ -86,10 +94,13 @@ constexpr Words WORDS[] = {
      "weapon sword gun rifle pistol bow arrow quiver staff prop shield item attach attachment helmet hat cap crown "
      "mask hood skirt cape cloak dress coat jacket robe cloth sleeve scarf tie ribbon necklace pendant belt "
      "buckle bag backpack pouch holster sheath strap string armor armour plate pad guard band headband wristband "
-     "watch sec tops camera light"},
+     "watch sec tops camera light scabbard apron poncho neckerchief handle mantel mantle"},
     {WordUse::Attached, NamedPart::None,
-     "breast boob bust pectoral pec butt buttock glute belly stomach muscle bicep tricep trapezius lat deltoid "
-     "corrective heel adj"},
+     "breast boob bust pectoral pec butt buttock glute belly stomach muscle tricep trapezius lat deltoid corrective "
+     "heel adj"},
+    // Muscles, and what some call the limb itself.
+    {WordUse::Attached, NamedPart::UpperArm, "bicep"},
+    {WordUse::Attached, NamedPart::Thigh, "quad quadricep"},
     {WordUse::Part, NamedPart::Hips, "hips pelvis pelvic"},
     {WordUse::Part, NamedPart::Hip, "hip"},
     {WordUse::WeakPart, NamedPart::Spine, "back body trunk"},
@@ -97,7 +108,7 @@ constexpr Words WORDS[] = {
      "spine spinal chest torso abdomen abdominal waist rib ribs ribcage thorax lumbar"},
     {WordUse::Part, NamedPart::Neck, "neck"},
     {WordUse::Part, NamedPart::Head, "head skull"},
-    {WordUse::Part, NamedPart::Clavicle, "clavicle collar scapula collarbone"},
+    {WordUse::Part, NamedPart::Clavicle, "clavicle clav clavical collar scapula collarbone"},
     {WordUse::Part, NamedPart::Shoulder, "shoulder"},
     {WordUse::Part, NamedPart::Arm, "arm"},
     {WordUse::Part, NamedPart::UpperArm, "humerus shldr"},

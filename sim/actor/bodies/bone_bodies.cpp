@@ -25,6 +25,9 @@ namespace {
 constexpr float FINER = 0.8f;         // of a diameter that is too large, where nothing else is known
 constexpr double ISLAND_PART = 0.25;  // a cut-off part below this share of its body changes sides
 
+constexpr std::ptrdiff_t ENDS = 4;  // of bodies that may be a figure with arms and legs
+constexpr float LYING = 1.5f;       // of a figure's height its depth, if it lies
+
 using Particles = std::vector<uint32_t>;
 
 // The voxels' lattice again: each particle in the middle of a cell of its own, whatever was rounded.
@@ -112,12 +115,15 @@ std::vector<BodyDraft> draftBodies(const Model& model, std::span<const BoneAnato
 }
 
 /// Says which limbs of arms and legs have no joint, and what gives them one.
-void noteLost(const Model& model, std::span<const BoneAnatomy> anatomy, const BoneCut& cut, float diameter,
-              std::vector<std::string>& notes)
+void noteLost(const Model& model, const BoneTree& tree, std::span<const BoneAnatomy> anatomy, const BoneCut& cut,
+              float diameter, std::vector<std::string>& notes)
 {
+    std::vector<uint8_t> hasSkin(anatomy.size(), 0);
+    for (uint32_t b = 0; b < anatomy.size(); ++b)
+        if (tree.deforms[b]) hasSkin[anatomy[b].owner] = 1;
     for (uint32_t b = 0; b < anatomy.size(); ++b) {
         const std::optional<Vector3f> end = limbEnd(model, anatomy, b);
-        const bool lost = anatomy[b].owner == b && isLongLimb(anatomy[b].part) && cut.particles[b].empty();
+        const bool lost = hasSkin[b] && isLongLimb(anatomy[b].part) && cut.particles[b].empty();
         if (!lost || !end) continue;
         const float length = (*end - boneHead(model, b)).norm();
         const float enough = std::min(length / (ROD_PARTICLES - 1), FINER * diameter);
@@ -148,14 +154,38 @@ void noteReattached(const BoneTree& tree, std::span<const BoneAnatomy> anatomy, 
 void noteSources(const Model& model, std::span<const BoneAnatomy> anatomy, std::vector<std::string>& notes)
 {
     const auto count = [&](AnatomySource source) { return std::ranges::count(anatomy, source, &BoneAnatomy::source); };
+    const bool named = std::ranges::any_of(
+        anatomy, [](const BoneAnatomy& bone) { return bone.source == AnatomySource::Name && isLongLimb(bone.part); });
     if (const auto bones = count(AnatomySource::Shape); bones > 0)
-        notes.push_back(fmt::format("The names of bones name no limbs: {} of {} are what the skeleton's shape says.",
-                                    bones, model.bones.size()));
+        notes.push_back(fmt::format("The names of bones name {} limbs: {} of {} are what the skeleton's shape says.",
+                                    named ? "not all" : "no", bones, model.bones.size()));
     std::vector<std::string> hinges;
     for (size_t b = 0; b < anatomy.size(); ++b)
         if (anatomy[b].source == AnatomySource::Clip) hinges.push_back(model.bones[b].name);
     if (!hinges.empty())
         notes.push_back(fmt::format("Hinges, since clips turn them about one axis: {}.", shortList(hinges)));
+}
+
+/// Says what helps where nothing tells which bones are limbs.
+void noteUnknown(const Model& model, std::span<const BoneAnatomy> anatomy, const std::vector<BodyDraft>& drafts,
+                 std::vector<std::string>& notes)
+{
+    const auto isKnown = [](const BoneAnatomy& bone) {
+        return bone.source == AnatomySource::Clip ||
+               (bone.part != BodyPart::Other && bone.part != BodyPart::Hips && bone.part != BodyPart::Spine &&
+                bone.part != BodyPart::Head && bone.part != BodyPart::Neck);
+    };
+    std::vector<uint8_t> isEnd(drafts.size(), 1);
+    for (const BodyDraft& draft : drafts)
+        if (draft.parent >= 0) isEnd[draft.parent] = 0;
+    if (std::ranges::count(isEnd, 1) < ENDS || std::ranges::any_of(anatomy, isKnown)) return;
+    Eigen::AlignedBox3f box;
+    for (const Vector3f& vertex : model.vertices) box.extend(vertex);
+    const bool lies = box.sizes().z() > LYING * box.sizes().y();
+    notes.push_back(fmt::format(
+        "Neither the names of bones nor the skeleton's shape tell arms and legs: no joint is a knee or an elbow. Names "
+        "like \"thigh.L\" do, or --joints{}.",
+        lies ? "; and where the figure should stand but lies, --up z stands it up" : ""));
 }
 
 }  // namespace
@@ -179,11 +209,12 @@ std::vector<BodyDraft> cutIntoBodies(const Model& model, const Solid& solid, std
     if (mirror) mirrorParticles(solid, *mirror, tree.parents, voxels, bones);
     windRods(model, solid, anatomy, forward, voxels, bones);
     BoneCut cut = mergeSmall(tree, anatomy, voxels, bones);
-    noteLost(model, anatomy, cut, voxels.diameter, notes);
+    noteLost(model, tree, anatomy, cut, voxels.diameter, notes);
     std::vector<BodyDraft> drafts = draftBodies(model, anatomy, cut);
     noteReattached(tree, anatomy, drafts, notes);
     arrangeTree(drafts, tree, anatomy, voxels, notes);
     noteSources(model, anatomy, notes);
+    noteUnknown(model, anatomy, drafts, notes);
     return drafts;
 }
 

@@ -29,15 +29,17 @@ Vector3f usualFold(const LimbStance& limb)
     return perpendicular(wanted, limb.along);
 }
 
+/// The way that leads farther from straight: in the plane of both, whatever the bend.
 std::optional<Vector3f> foldAtRest(const LimbStance& limb, const Vector3f& usual)
 {
-    const Vector3f deviation = limb.along - limb.along.dot(limb.above) * limb.above;
-    const float bend = limb.above.cross(limb.along).norm();
-    const bool rightWay = deviation.dot(usual) > 0.5f * deviation.norm();
-    const bool mayBeWrong = limb.part == BodyPart::Finger ||
-                            (limb.part != BodyPart::Lever && limb.upright && bend < STRONGLY_BENT);
-    if (bend <= BENT || (!rightWay && mayBeWrong)) return {};
-    return perpendicular(deviation, limb.along);
+    const float bend = limb.above.cross(limb.along).norm(), straight = limb.above.dot(limb.along);
+    if (bend <= BENT) return {};
+    const Vector3f fold = (straight * limb.along - limb.above).normalized();
+    const bool rightWay = fold.dot(usual) > 0.5f;
+    const bool slightly = bend < STRONGLY_BENT && straight > 0.0f;
+    const bool mayBeWrong = limb.part == BodyPart::Finger || (limb.part != BodyPart::Lever && limb.upright && slightly);
+    if (!rightWay && mayBeWrong) return {};
+    return fold;
 }
 
 std::optional<Vector3f> foldInClips(const LimbStance& limb, std::span<const Turns> clips)

@@ -208,6 +208,64 @@ const std::vector<Convention> CAPTURE = {
       "Hips > {}Hip=thigh > {}Knee=shin > {}Ankle=foot > {}Toe=toe"}},
 };
 
+const std::vector<Convention> SELDOM = {
+    {"Sides of two letters",
+     "le",
+     "ri",
+     {"tag_origin=control > j_mainroot=hips > j_spinelower=spine > j_spineupper=spine > j_neck=neck > j_head=head",
+      "j_spineupper > j_clavicle_{}=clavicle > j_shoulder_{}=upperArm > j_elbow_{}=forearm > j_wrist_{}=hand",
+      "j_mainroot > j_hip_{}=thigh > j_knee_{}=shin > j_ankle_{}=foot > j_ball_{}=toe"}},
+    {"Shoulders of a spine",
+     "Left",
+     "Right",
+     {"SpineBase=hips > SpineMid=spine > SpineShoulder=spine > Neck=neck > Head=head",
+      "SpineShoulder > Shoulder{}=upperArm > Elbow{}=forearm > Wrist{}=hand",
+      "SpineBase > Hip{}=thigh > Knee{}=shin > Ankle{}=foot > Foot{}=toe"}},
+    {"Centres",
+     "L",
+     "R",
+     {"hip_center=hips > spine=spine > shoulder_center=spine > neck=neck > head=head",
+      "shoulder_center > shoulder_{}=clavicle > arm_upper_{}=upperArm > arm_lower_{}=forearm > hand_{}=hand",
+      "hip_center > leg_upper_{}=thigh > leg_lower_{}=shin > foot_{}=foot"}},
+    {"Halves cut short",
+     "L",
+     "R",
+     {"origin=control > HIPS=hips > WAIST=spine > CHEST=spine > NECK=neck > HEAD=head",
+      "CHEST > {}CLAV=clavicle > {}UPARM=upperArm > {}LOARM=forearm > {}HAND=hand > handle_{}=attached",
+      "HIPS > {}UPLEG=thigh > {}LOLEG=shin > {}FOOT=foot > {}TOE=toe"}},
+    {"Numbers",
+     "L",
+     "R",
+     {"skeletal_3=control > torso_joint_1=hips > torso_joint_2=spine > torso_joint_3=spine",
+      "torso_joint_3 > neck_joint_1=neck > neck_joint_2=head",
+      "torso_joint_3 > arm_joint_{}__1=upperArm > arm_joint_{}__2=forearm > arm_joint_{}__3=hand",
+      "torso_joint_1 > leg_joint_{}__1=thigh > leg_joint_{}__2=shin > leg_joint_{}__3=foot > leg_joint_{}__5=toe"}},
+    {"Letters",
+     "L",
+     "R",
+     {"hips=hips > spine=spine > chest=spine > neck=neck > head=head",
+      "chest > armA_{}=upperArm > armB_{}=forearm > armC_{}=hand", "hips > legA_{}=thigh > legB_{}=shin > legC_{}=foot",
+      "hips > scabbard_{}=attached"}},
+    {"Muscles",
+     "L",
+     "R",
+     {"Hips=hips > Spine=spine > Chest=spine > Neck=neck > Head=head",
+      "Chest > Bicep_{}=upperArm > Forearm_{}=forearm > Hand_{}=hand",
+      "Hips > Quad_{}=thigh > Shin_{}=shin > Foot_{}=foot"}},
+    {"Japanese",
+     "左",
+     "右",
+     {"腰=hips > 背骨=spine > 首=neck > 頭=head", "背骨 > {}肩=clavicle > {}上腕=upperArm > {}前腕=forearm > {}手=hand",
+      "腰 > {}太もも=thigh > {}すね=shin > {}足=foot"}},
+    {"Rigify, limbs apart",
+     "L",
+     "R",
+     {"root=control > DEF-spine=hips > DEF-spine.001=spine > DEF-spine.002=spine > DEF-spine.003=spine",
+      "DEF-spine.003 > DEF-spine.004=neck > DEF-spine.006=head", "root > DEF-pelvis.{}=attached",
+      "root > DEF-shoulder.{}=clavicle", "root > DEF-upper_arm.{}=upperArm > DEF-forearm.{}=forearm > DEF-hand.{}=hand",
+      "root > DEF-thigh.{}=thigh > DEF-shin.{}=shin > DEF-foot.{}=foot > DEF-toe.{}=toe"}},
+};
+
 }  // namespace
 
 const std::vector<Convention>& conventions()
@@ -216,6 +274,7 @@ const std::vector<Convention>& conventions()
         std::vector<Convention> list = GAMES;
         list.insert(list.end(), STUDIOS.begin(), STUDIOS.end());
         list.insert(list.end(), CAPTURE.begin(), CAPTURE.end());
+        list.insert(list.end(), SELDOM.begin(), SELDOM.end());
         return list;
     }();
     return all;

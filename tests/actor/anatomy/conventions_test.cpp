@@ -45,6 +45,9 @@ TEST_P(Conventions, EveryBoneIsWhatItsNameSays)
             EXPECT_EQ(anatomy[b].source, AnatomySource::Name) << name;
         }
         ASSERT_LT(anatomy[b].owner, anatomy.size()) << name;
+        if (is == "attached" && rig.model.bones[b].name.find("pelvis") != std::string::npos) {
+            EXPECT_EQ(anatomy[anatomy[b].owner].part, BodyPart::Hips) << name;
+        }
         if (is == "twist") {
             EXPECT_EQ(rig.sides[anatomy[b].owner], rig.sides[b]) << name;
         }
@@ -62,6 +65,9 @@ TEST_P(Conventions, LimbsHangTogether)
     for (uint32_t b = 0; b < anatomy.size(); ++b) {
         if (anatomy[b].role != BoneRole::Limb) continue;
         ++counts[anatomy[b].part];
+        if (anatomy[b].part == BodyPart::UpperArm && counts.contains(BodyPart::Clavicle)) {
+            EXPECT_EQ(anatomy[anatomy[b].parent].part, BodyPart::Clavicle) << rig.model.bones[b].name;
+        }
         const auto wanted = above.find(anatomy[b].part);
         if (wanted == above.end()) continue;
         ASSERT_GE(anatomy[b].parent, 0) << rig.model.bones[b].name;

@@ -178,9 +178,10 @@ TEST(ShapeParts, WhatHasNoLegsHasNoParts)
 TEST(ShapeParts, NamesOfLimbsWinOverShape)
 {
     Nameless rig = humanoid(0, false, true);
-    rig.model.bones[1].name = "thigh.L";
+    rig.model.bones[1].name = "forearm.L";
     const std::vector<BoneAnatomy> anatomy = readAnatomy(rig.model);
     EXPECT_EQ(anatomy[1].source, AnatomySource::Name);
+    EXPECT_EQ(anatomy[1].part, BodyPart::Forearm);
     EXPECT_EQ(std::ranges::count(anatomy, AnatomySource::Shape, &BoneAnatomy::source), 0);
 }
 

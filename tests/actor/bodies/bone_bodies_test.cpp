@@ -180,5 +180,50 @@ TEST(BodiesOfBones, modelWithoutBonesIsOneRigidBody)
     EXPECT_TRUE(actor.joints.empty());
 }
 
+bool hasNote(const Actor& actor, const std::string& text)
+{
+    return std::ranges::any_of(actor.notes, [&](const std::string& note) { return note.find(text) != note.npos; });
+}
+
+TEST(BodiesOfBones, aLimbWithoutSkinIsNotSaidToBeTooSmall)
+{
+    Model model = twoBoneBox("tip");
+    for (const char* name : {"thigh.L", "shin.L", "foot.L"}) {
+        const auto parent = static_cast<int32_t>(model.bones.size() - 1);
+        model.bones.push_back({name, parent, model.bones.back().restPose});
+        model.bones.back().restPose(1, 3) -= 0.1f;
+    }
+    EXPECT_FALSE(hasNote(make(model, 0.1f), "--diameter"));
+    model.skin[9] = {{1, 2}, {0.9f, 0.1f}};
+    EXPECT_TRUE(hasNote(make(model, 0.1f), "--diameter"));
+}
+
+TEST(BodiesOfBones, whereNothingTellsWhichBonesAreLimbsTheRemedyIsNamed)
+{
+    Model model = twoBoneBox("tip");
+    const TriangleMesh box = boxMesh({0, 0, 0}, {0.2f, 0.2f, 0.2f});
+    for (int arm = 0; arm < 5; ++arm) {
+        const Vector3f middle(0.8f * static_cast<float>(arm - 2), 0.6f + 0.1f * static_cast<float>(arm), 0.5f);
+        const auto first = static_cast<uint32_t>(model.vertices.size());
+        for (const Triangle& t : box.triangles) model.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+        for (const Vector3f& v : box.vertices) {
+            model.vertices.push_back(v + middle);
+            model.skin.push_back({{static_cast<uint32_t>(model.bones.size())}, {1.0f}});
+        }
+        Bone bone{"x" + std::to_string(arm), 0};
+        bone.restPose.block<3, 1>(0, 3) = middle;
+        model.bones.push_back(bone);
+    }
+    const Actor actor = make(model, 0.1f);
+    EXPECT_TRUE(hasNote(actor, "--joints"));
+    EXPECT_FALSE(hasNote(actor, "--up z"));
+    for (Vector3f& vertex : model.vertices) vertex.y() *= 0.5f;
+    for (Bone& bone : model.bones) bone.restPose(1, 3) *= 0.5f;
+    EXPECT_TRUE(hasNote(make(model, 0.1f), "--up z"));
+    model.bones.back().name = "tail";
+    EXPECT_FALSE(hasNote(make(model, 0.1f), "--joints"));
+    EXPECT_FALSE(hasNote(make(twoBoneBox("tip"), 0.1f), "--joints"));
+}
+
 }  // namespace
 }  // namespace knuckle

@@ -65,6 +65,20 @@ TEST(Fold, ABendIsMeasuredTheWayThatALimbFolds)
     EXPECT_NEAR(restBend(limb, -axis), -40 * DEGREE, 1e-4f);
 }
 
+TEST(Fold, WhatIsBentFarAtRestFoldsFarther)
+{
+    for (const BodyPart part : {BodyPart::Shin, BodyPart::Forearm}) {
+        for (const float degrees : {60.0f, 90.0f, 100.0f, 130.0f, 160.0f}) {
+            for (const float way : {1.0f, -1.0f}) {
+                const LimbStance limb = bent(part, way * degrees, true);
+                const Vector3f axis = limb.along.cross(foldDirection(limb, {}));
+                EXPECT_LT((axis + way * Vector3f::UnitX()).norm(), 1e-4f) << way * degrees;
+                EXPECT_NEAR(restBend(limb, axis), degrees * DEGREE, 1e-4f) << way * degrees;
+            }
+        }
+    }
+}
+
 TEST(Fold, LeversTurnInTheirUprightPlane)
 {
     const Vector3f x(1, 0, 0);

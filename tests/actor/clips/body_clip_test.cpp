@@ -151,7 +151,7 @@ TEST(BodyClip, AClipOfTheSameSkeletonIsPlayedAsItIs)
 TEST(BodyClip, WhatNoBoneMovesGoesWithItsParentAndIsTold)
 {
     std::map<std::string, std::string> names = MIXAMO;
-    names["hand.L"] = "thing";
+    names["hand.L"] = "item";
     const Model other = disguised(names, 1.0f, 0.0f);
     const ActorClip made = foreignClip(actor(), other, other.clips.front());
     const auto hand = std::ranges::find(actor().bodies, "hand.L", &ActorBody::name) - actor().bodies.begin();

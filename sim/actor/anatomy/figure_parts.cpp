@@ -1,0 +1,213 @@
+#include "sim/actor/anatomy/figure_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/actor/anatomy/chain_parts.h"
+#include "sim/actor/anatomy/mirror_plane.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr float LOW = 0.25f;    // of a leg's height, its foot
+constexpr float TRUNK = 0.15f;  // of a figure's size its upright trunk at least
+
+class FigureParts {
+public:
+    FigureParts(const BoneTree& tree, const std::vector<BoneName>& names, std::vector<BoneAnatomy>& anatomy)
+        : tree_(tree), names_(names), anatomy_(anatomy)
+    {
+    }
+
+    void read()
+    {
+        callLevers();
+        callEnds();
+        callForeLegs();
+        findHips();
+        findHead();
+    }
+
+private:
+    BodyPart partAbove(uint32_t b) const { return knuckle::partAbove(tree_, anatomy_, b); }
+
+    /// Arms without a side of what has no legs and no head are a machine's.
+    void callLevers()
+    {
+        const auto isAnimals = [](const BoneAnatomy& bone) {
+            const bool arm = ofForeLeg(bone.part) == bone.part && isLimbPart(bone.part) && bone.part != BodyPart::Toe;
+            return bone.part == BodyPart::Hips || bone.part == BodyPart::Neck || bone.part == BodyPart::Head ||
+                   (isLimbPart(bone.part) && (bone.side != 0 || !arm));
+        };
+        if (std::ranges::any_of(anatomy_, isAnimals)) return;
+        for (BoneAnatomy& bone : anatomy_)
+            if (isLimbPart(bone.part)) bone.part = BodyPart::Lever;
+    }
+
+    /// Of a limb whose bones are numbered the third is its foot or hand where nothing is called so, of a creature's leg
+    /// only next to the ground.
+    void callEnds()
+    {
+        const bool upright = std::ranges::count(anatomy_, BodyPart::Thigh, &BoneAnatomy::part) <= 2;
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            const BodyPart part = anatomy_[b].part, above = partAbove(b);
+            const bool leg = part == BodyPart::Shin && names_[b].part == NamedPart::Leg;
+            const bool arm = part == BodyPart::Forearm && names_[b].part == NamedPart::Arm;
+            if ((!leg && !arm) || names_[b].isEnd || endsBelow(b)) continue;
+            const BodyPart end = leg ? BodyPart::Foot : BodyPart::Hand, tip = leg ? BodyPart::Toe : BodyPart::Finger;
+            if (above == end || above == tip) anatomy_[b].part = tip;
+            else if (above == part && (arm || upright || isLow(b))) anatomy_[b].part = end;
+        }
+    }
+
+    bool endsBelow(uint32_t b) const
+    {
+        return tree_.below(b, [&](uint32_t other) {
+            const BodyPart part = anatomy_[other].part;
+            return part == BodyPart::Foot || part == BodyPart::Hand || part == BodyPart::Toe;
+        }) >= 0;
+    }
+
+    /// Whether a bone of a leg begins in the lowest quarter of it.
+    bool isLow(uint32_t b) const
+    {
+        const int32_t thigh = tree_.above(b, [&](uint32_t other) { return anatomy_[other].part == BodyPart::Thigh; });
+        if (thigh < 0) return false;
+        float lowest = tree_.heads[b].y();
+        for (uint32_t other = b; other < tree_.size(); ++other)
+            if (tree_.isBelow(static_cast<int32_t>(other), b))
+                lowest = std::min({lowest, tree_.heads[other].y(), tree_.tips[other].y()});
+        return tree_.heads[b].y() - lowest < LOW * (tree_.heads[thigh].y() - lowest);
+    }
+
+    /// Four legs, of which the front ones are arms: what hangs on a shoulder, or of two on a side the one next to the
+    /// head.
+    void callForeLegs()
+    {
+        std::vector<uint32_t> thighs[2];
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            const BodyPart above = partAbove(b);
+            if (anatomy_[b].part == BodyPart::Foot && above == BodyPart::Forearm) callForeLeg(b);
+            if (anatomy_[b].part != BodyPart::Thigh || above == BodyPart::Thigh) continue;
+            if (above == BodyPart::Clavicle || above == BodyPart::UpperArm) callForeLeg(b);
+            else if (names_[b].side != 0) thighs[names_[b].side < 0].push_back(b);
+        }
+        const uint32_t head = std::min(firstOf(BodyPart::Head), firstOf(BodyPart::Neck));
+        const bool four = thighs[0].size() == 2 && thighs[1].size() == 2 && firstOf(BodyPart::UpperArm) == tree_.size();
+        if (!four || head == tree_.size()) return;
+        const auto away = [&](uint32_t b) { return (tree_.heads[b] - tree_.heads[head]).norm(); };
+        for (const std::vector<uint32_t>& side : thighs) callForeLeg(*std::ranges::min_element(side, {}, away));
+    }
+
+    void callForeLeg(uint32_t top)
+    {
+        for (uint32_t b = top; b < tree_.size(); ++b)
+            if (tree_.isBelow(static_cast<int32_t>(b), top)) anatomy_[b].part = ofForeLeg(anatomy_[b].part);
+    }
+
+    uint32_t firstOf(BodyPart part) const
+    {
+        const auto found = std::ranges::find(anatomy_, part, &BoneAnatomy::part);
+        return static_cast<uint32_t>(found - anatomy_.begin());
+    }
+
+    void call(uint32_t b, BodyPart part) { anatomy_[b].part = part, anatomy_[b].source = AnatomySource::Name; }
+
+    /// What carries the thighs, where nothing is called hips: a root, or the first of a spine. No spine is above them.
+    void findHips()
+    {
+        const uint32_t thigh = firstOf(BodyPart::Thigh);
+        uint32_t hips = firstOf(BodyPart::Hips);
+        if (hips == tree_.size() && thigh < tree_.size()) {
+            const int32_t carrier = tree_.above(
+                thigh, [&](uint32_t b) { return names_[b].side == 0 && !names_[b].isAttached && tree_.deforms[b]; });
+            hips = carrier < 0 ? lowestSpine(thigh) : static_cast<uint32_t>(carrier);
+            if (hips == tree_.size() || names_[hips].part == NamedPart::Head) return;
+            call(hips, BodyPart::Hips);
+        }
+        for (int32_t b = hips < tree_.size() ? tree_.parents[hips] : -1; b >= 0; b = tree_.parents[b])
+            if (anatomy_[b].part == BodyPart::Spine) anatomy_[b].part = BodyPart::Other;
+    }
+
+    /// The first bone of a spine, of several the one nearest to a thigh; beyond the last for none.
+    uint32_t lowestSpine(uint32_t thigh) const
+    {
+        uint32_t lowest = tree_.size();
+        const auto away = [&](uint32_t b) { return (tree_.heads[b] - tree_.heads[thigh]).norm(); };
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            const bool first = anatomy_[b].part == BodyPart::Spine && tree_.deforms[b] &&
+                               partAbove(b) == BodyPart::Other;
+            if (first && (lowest == tree_.size() || away(b) < away(lowest))) lowest = b;
+        }
+        return lowest;
+    }
+
+    /// Of a spine that does not carry the arms what begins above them is the neck, and the highest of it the head.
+    void findHeadAbove(uint32_t arm)
+    {
+        const auto height = [&](uint32_t b) { return tree_.heads[b].y(); };
+        const uint32_t hips = firstOf(BodyPart::Hips);
+        if (hips == tree_.size() || height(arm) < height(hips) + TRUNK * sizeOf(tree_)) return;
+        uint32_t highest = tree_.size();
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            if (anatomy_[b].part != BodyPart::Spine || !tree_.deforms[b] || height(b) <= height(arm)) continue;
+            call(b, BodyPart::Neck);
+            if (highest == tree_.size() || height(b) > height(highest)) highest = b;
+        }
+        if (highest < tree_.size()) call(highest, BodyPart::Head);
+    }
+
+    /// A spine that goes on past the shoulders, where nothing is called head: neck, and head at its end.
+    void findHead()
+    {
+        if (firstOf(BodyPart::Head) < tree_.size()) return;
+        const uint32_t arm = std::min(firstOf(BodyPart::Clavicle), firstOf(BodyPart::UpperArm));
+        if (arm == tree_.size()) return;
+        const auto isSpine = [&](uint32_t b) { return anatomy_[b].part == BodyPart::Spine; };
+        const auto goesOn = [&](uint32_t b) { return isSpine(b) || anatomy_[b].part == BodyPart::Neck; };
+        int32_t last = tree_.above(arm, isSpine);
+        if (last < 0) findHeadAbove(arm);
+        while (last >= 0) {
+            const auto next = std::ranges::find_if(tree_.children[last], goesOn);
+            if (next == tree_.children[last].end()) break;
+            last = static_cast<int32_t>(*next);
+            call(*next, BodyPart::Neck);
+        }
+        if (last >= 0 && anatomy_[last].part == BodyPart::Neck) call(static_cast<uint32_t>(last), BodyPart::Head);
+    }
+
+    const BoneTree& tree_;
+    const std::vector<BoneName>& names_;
+    std::vector<BoneAnatomy>& anatomy_;
+};
+
+}  // namespace
+
+BodyPart partAbove(const BoneTree& tree, const std::vector<BoneAnatomy>& anatomy, uint32_t bone)
+{
+    const int32_t above = tree.above(bone, [&](uint32_t other) {
+        return anatomy[other].part != BodyPart::Other && anatomy[other].side == anatomy[bone].side;
+    });
+    return above < 0 ? BodyPart::Other : anatomy[above].part;
+}
+
+int32_t spineAt(const BoneTree& tree, const std::vector<BoneAnatomy>& anatomy, uint32_t arm)
+{
+    int32_t nearest = -1, below = -1;
+    const auto away = [&](int32_t b) { return b < 0 ? INFINITY : (tree.heads[b] - tree.heads[arm]).norm(); };
+    for (uint32_t b = 0; b < tree.size(); ++b) {
+        if (anatomy[b].part != BodyPart::Spine || anatomy[b].role != BoneRole::Limb || !tree.deforms[b]) continue;
+        const auto spine = static_cast<int32_t>(b);
+        if (away(spine) < away(nearest)) nearest = spine;
+        if (tree.heads[b].y() < tree.heads[arm].y() && away(spine) < away(below)) below = spine;
+    }
+    return below < 0 ? nearest : below;
+}
+
+void readFigure(const BoneTree& tree, const std::vector<BoneName>& names, std::vector<BoneAnatomy>& anatomy)
+{
+    FigureParts(tree, names, anatomy).read();
+}
+
+}  // namespace knuckle
