@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "sim/actor/import/lowercase.h"
+#include "sim/actor/import/valid_text.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -88,8 +89,9 @@ std::optional<GltfSource> GltfSource::open(const std::string& path)
         source.jsonLength_ = numberAt(source.bytes_, HEADER);
         if (source.jsonLength_ > source.bytes_.size() - source.jsonStart_) return {};
     }
-    const auto start = source.bytes_.begin() + static_cast<std::ptrdiff_t>(source.jsonStart_);
-    source.root = Json::parse(start, start + static_cast<std::ptrdiff_t>(source.jsonLength_), nullptr, false);
+    const std::string_view json = std::string_view(source.bytes_).substr(source.jsonStart_, source.jsonLength_);
+    source.root = Json::parse(json, nullptr, false);
+    if (source.root.is_discarded()) source.root = Json::parse(validText(json), nullptr, false);
     if (!source.root.is_object()) return {};
     return source;
 }

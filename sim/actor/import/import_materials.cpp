@@ -244,7 +244,7 @@ std::vector<ConvertedMaterial> convertMaterials(const aiScene& scene, const Node
     std::set<const aiMesh*> taken;
     forEachMesh(scene, table, [&](const aiMesh& mesh, uint32_t) { taken.insert(&mesh); });
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-        if (table.isPicked && !taken.contains(scene.mMeshes[i])) continue;
+        if ((table.isPicked || !table.apart.empty()) && !taken.contains(scene.mMeshes[i])) continue;
         const unsigned m = scene.mMeshes[i]->mMaterialIndex;
         ConvertedMaterial& entry = converted.at(m);
         if (entry.index != NO_INDEX) continue;
