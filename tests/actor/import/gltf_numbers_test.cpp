@@ -182,6 +182,9 @@ TEST_F(GltfNumbers, BindMatricesMayBeLeftOut)
     for (const Vector3f& v : model.vertices) top = std::max(top, v.y());
     EXPECT_NEAR(top, 1.5f + 0.75f * 1.0f, 1e-3f);
 
+    glb.root["nodes"].push_back({{"name", nullptr}});
+    EXPECT_EQ(import(glb).bones.size(), 3u) << "whatever else is wrong";
+
     EditedGlb few = figure();
     few.root["accessors"].at(few.root["skins"][0]["inverseBindMatrices"].get<size_t>())["count"] = 2;
     EXPECT_NE(refusal(few).find("fewer bind matrices"), std::string::npos) << refusal(few);
