@@ -58,7 +58,7 @@ void supplyColors(GltfSource& source)
 
 PreparedGltf prepareGltf(const std::string& path)
 {
-    std::optional<GltfSource> source = GltfSource::open(path);
+    const std::unique_ptr<GltfSource> source = GltfSource::open(path);
     if (!source) return {};
     PreparedGltf prepared;
     const Json before = source->root;

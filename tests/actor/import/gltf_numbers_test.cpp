@@ -144,7 +144,7 @@ TEST_F(GltfNumbers, SparseOnesReplaceSome)
         {"indices", {{"bufferView", accessors[where]["bufferView"]}, {"componentType", UNSIGNED_SHORT}}},
         {"values", {{"bufferView", accessors[what]["bufferView"]}}}};
     const std::string path = folder_.write("sparse.glb", glb.bytes());
-    std::optional<GltfSource> source = GltfSource::open(path);
+    const std::unique_ptr<GltfSource> source = GltfSource::open(path);
     ASSERT_TRUE(source);
     EXPECT_EQ(readFloats(*source, base, false).values, (std::vector<float>{127, 0, -127, 64}));
     EXPECT_EQ(readFloats(*source, base, true).values, (std::vector<float>{1, 0, -1, 64.0f / 127.0f}));
