@@ -18,12 +18,14 @@ bool isTwoSided(const Skin& skin)
     return std::ranges::any_of(skin.mesh->materials, &SkinMaterial::twoSided);
 }
 
-/// Whether pixels of it need its materials: for pictures, or where some of it is seen from one side only.
+/// Whether pixels of it need its materials: for pictures, for what is not there, or where some of it is seen from one
+/// side only.
 bool needsMaterials(const Skin& skin)
 {
     const auto& materials = skin.mesh->materials;
-    return !skin.mesh->textures.empty() || std::ranges::adjacent_find(materials, std::ranges::not_equal_to(),
-                                                                      &SkinMaterial::twoSided) != materials.end();
+    return !skin.mesh->textures.empty() || hasCutOuts(skin) ||
+           std::ranges::adjacent_find(materials, std::ranges::not_equal_to(), &SkinMaterial::twoSided) !=
+               materials.end();
 }
 
 }  // namespace

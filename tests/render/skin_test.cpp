@@ -146,6 +146,17 @@ TEST(Skin, IsSeenFromBehindWhereItIsTwoSided)
     }
 }
 
+TEST(Skin, IsNotThereWhereNoAlphaReachesItsCutoff)
+{
+    SkinnedPair pair;
+    SkinMesh mesh = redSquare({0, 1, 0}, 0.2f);
+    for (const float cutoff : {0.5f, 2.0f}) {
+        mesh.materials[0].alphaCutoff = cutoff;
+        pair.wear(mesh);
+        EXPECT_EQ(redOf(drawn(pair.still.world, front())).count > 0, cutoff < 1.0f) << "without a picture alpha is 1";
+    }
+}
+
 TEST(Skin, APictureIsTheRightWayUpAndRepeats)
 {
     SkinnedPair pair;

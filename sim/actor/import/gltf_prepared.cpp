@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+#include <initializer_list>
 #include <utility>
 
 #include "sim/actor/import/gltf_floats.h"
@@ -56,22 +58,21 @@ void supplyColors(GltfSource& source)
 
 PreparedGltf prepareGltf(const std::string& path)
 {
-    std::optional<GltfSource> source = GltfSource::open(path);
+    const std::unique_ptr<GltfSource> source = GltfSource::open(path);
     if (!source) return {};
     PreparedGltf prepared;
-    try {
-        const Json before = source->root;
-        refuseCompressed(*source);
-        prepared.originals = nameJoints(source->root);
-        supplyBindMatrices(*source);
-        supplyLinearKeys(*source);
-        applyShapes(*source);
-        supplyFloats(*source);
-        supplyColors(*source);
-        if (source->root == before) return {};
-    } catch (const Json::exception&) {
-        return {};  // assimp says what is wrong
+    const Json before = source->root;
+    const auto name = [&](GltfSource& gltf) { prepared.originals = nameJoints(gltf.root); };
+    using Step = std::function<void(GltfSource&)>;
+    for (const Step& step : std::initializer_list<Step>{refuseCompressed, name, supplyBindMatrices, supplyLinearKeys,
+                                                        applyShapes, supplyFloats, supplyColors}) {
+        try {
+            step(*source);
+        } catch (const Json::exception&) {
+            // A field of another type or none: assimp says what is wrong, or needs it not.
+        }
     }
+    if (source->root == before) return {};
     prepared.bytes = source->bytes();
     prepared.added = source->added();
     return prepared;

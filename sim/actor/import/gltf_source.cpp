@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "sim/actor/import/lowercase.h"
+#include "sim/actor/import/valid_text.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -74,23 +75,23 @@ std::string decodedUri(std::string_view uri)
     return name;
 }
 
-std::optional<GltfSource> GltfSource::open(const std::string& path)
+std::unique_ptr<GltfSource> GltfSource::open(const std::string& path)
 {
     const std::string extension = lowercase(fs::path(path).extension().string());
     if (extension != ".glb" && extension != ".gltf") return {};
-    GltfSource source;
-    source.path_ = path;
-    source.bytes_ = wholeFile(path);
-    source.jsonLength_ = source.bytes_.size();
-    if (source.bytes_.starts_with("glTF")) {
-        source.jsonStart_ = HEADER + CHUNK_HEADER;
-        if (source.bytes_.size() < source.jsonStart_) return {};
-        source.jsonLength_ = numberAt(source.bytes_, HEADER);
-        if (source.jsonLength_ > source.bytes_.size() - source.jsonStart_) return {};
+    std::unique_ptr<GltfSource> source(new GltfSource(path));
+    source->bytes_ = wholeFile(path);
+    source->jsonLength_ = source->bytes_.size();
+    if (source->bytes_.starts_with("glTF")) {
+        source->jsonStart_ = HEADER + CHUNK_HEADER;
+        if (source->bytes_.size() < source->jsonStart_) return {};
+        source->jsonLength_ = numberAt(source->bytes_, HEADER);
+        if (source->jsonLength_ > source->bytes_.size() - source->jsonStart_) return {};
     }
-    const auto start = source.bytes_.begin() + static_cast<std::ptrdiff_t>(source.jsonStart_);
-    source.root = Json::parse(start, start + static_cast<std::ptrdiff_t>(source.jsonLength_), nullptr, false);
-    if (!source.root.is_object()) return {};
+    const std::string_view json = std::string_view(source->bytes_).substr(source->jsonStart_, source->jsonLength_);
+    source->root = Json::parse(json, nullptr, false);
+    if (source->root.is_discarded()) source->root = Json::parse(validText(json), nullptr, false);
+    if (!source->root.is_object()) return {};
     return source;
 }
 
@@ -129,7 +130,8 @@ std::string_view GltfSource::bufferBytes(size_t buffer)
 std::string_view GltfSource::viewBytes(size_t view)
 {
     const Json& views = list("bufferViews");
-    if (view >= views.size()) throw InputError(fmt::format("it names buffer view {}, it has {}", view, views.size()));
+    if (view >= views.size())
+        throw InputError(fmt::format("it names buffer view {}, it has {}: export the model again", view, views.size()));
     const std::string_view bytes = bufferBytes(views[view].at("buffer").get<size_t>());
     const auto offset = views[view].value("byteOffset", size_t{0}), length = views[view].value("byteLength", size_t{0});
     if (offset > bytes.size() || length > bytes.size() - offset)

@@ -2,10 +2,11 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace knuckle {
@@ -17,7 +18,10 @@ public:
     static constexpr const char* ADDED_FILE = "knuckle-added-floats.bin";
 
     /// @returns nothing for what is no glTF, or has no JSON that can be read.
-    static std::optional<GltfSource> open(const std::string& path);
+    static std::unique_ptr<GltfSource> open(const std::string& path);
+
+    GltfSource(const GltfSource&) = delete;
+    GltfSource& operator=(const GltfSource&) = delete;
 
     nlohmann::json root;
 
@@ -36,6 +40,7 @@ public:
     std::string added() const { return {reinterpret_cast<const char*>(added_.data()), added_.size() * sizeof(float)}; }
 
 private:
+    explicit GltfSource(std::string path) : path_(std::move(path)) {}
     std::string_view bufferBytes(size_t buffer);
 
     std::string path_, bytes_;

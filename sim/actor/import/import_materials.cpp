@@ -168,9 +168,8 @@ float alphaCutoffOf(const aiMaterial& material)
 /// What the alpha of the picture alone, 1 where there is none, must reach.
 float cutoffOf(const SkinMaterial& material, float alpha)
 {
-    if (material.alphaCutoff <= 0.0f || alpha >= 1.0f) return material.alphaCutoff;
-    if (!(alpha > 0.0f)) return NOTHING_LEFT;
-    const float cutoff = std::min(material.alphaCutoff / alpha, NOTHING_LEFT);
+    const float cutoff = alpha > 0.0f ? std::min(material.alphaCutoff / std::min(alpha, 1.0f), NOTHING_LEFT)
+                                      : (material.alphaCutoff > 0.0f ? NOTHING_LEFT : 0.0f);
     return material.texture == NO_INDEX && cutoff <= 1.0f ? 0.0f : cutoff;
 }
 
@@ -244,7 +243,7 @@ std::vector<ConvertedMaterial> convertMaterials(const aiScene& scene, const Node
     std::set<const aiMesh*> taken;
     forEachMesh(scene, table, [&](const aiMesh& mesh, uint32_t) { taken.insert(&mesh); });
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-        if (table.isPicked && !taken.contains(scene.mMeshes[i])) continue;
+        if ((table.isPicked || !table.apart.empty()) && !taken.contains(scene.mMeshes[i])) continue;
         const unsigned m = scene.mMeshes[i]->mMaterialIndex;
         ConvertedMaterial& entry = converted.at(m);
         if (entry.index != NO_INDEX) continue;

@@ -157,7 +157,7 @@ Model readScene(const std::string& path, bool surface, const ModelPick& pick)
     if (table.boneNodes.empty() && !table.isBare && !model.bones.empty())
         model.notes.push_back(fmt::format("No mesh has a skeleton: of what clips move {} bone{} made.",
                                           model.bones.size(), model.bones.size() == 1 ? " was" : "s were"));
-    leaveApart(*scene, table, model.notes);
+    if (pick.skeleton != ALL_SKELETONS) leaveApart(*scene, table, model.notes);
     convertMeshes(*scene, table, model);
     if (surface && !table.isBare) {
         convertSurface(*scene, table, path, model);

@@ -12,7 +12,8 @@ using Json = nlohmann::json;
 
 std::string nameOf(const Json& node)
 {
-    return node.value("name", std::string());
+    const auto name = node.find("name");
+    return name != node.end() && name->is_string() ? name->get<std::string>() : std::string();
 }
 
 /// The nodes whose names tell them apart.

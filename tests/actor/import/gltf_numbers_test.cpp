@@ -144,7 +144,7 @@ TEST_F(GltfNumbers, SparseOnesReplaceSome)
         {"indices", {{"bufferView", accessors[where]["bufferView"]}, {"componentType", UNSIGNED_SHORT}}},
         {"values", {{"bufferView", accessors[what]["bufferView"]}}}};
     const std::string path = folder_.write("sparse.glb", glb.bytes());
-    std::optional<GltfSource> source = GltfSource::open(path);
+    const std::unique_ptr<GltfSource> source = GltfSource::open(path);
     ASSERT_TRUE(source);
     EXPECT_EQ(readFloats(*source, base, false).values, (std::vector<float>{127, 0, -127, 64}));
     EXPECT_EQ(readFloats(*source, base, true).values, (std::vector<float>{1, 0, -1, 64.0f / 127.0f}));
@@ -181,6 +181,9 @@ TEST_F(GltfNumbers, BindMatricesMayBeLeftOut)
     float top = 0.0f;
     for (const Vector3f& v : model.vertices) top = std::max(top, v.y());
     EXPECT_NEAR(top, 1.5f + 0.75f * 1.0f, 1e-3f);
+
+    glb.root["nodes"].push_back({{"name", nullptr}});
+    EXPECT_EQ(import(glb).bones.size(), 3u) << "whatever else is wrong";
 
     EditedGlb few = figure();
     few.root["accessors"].at(few.root["skins"][0]["inverseBindMatrices"].get<size_t>())["count"] = 2;

@@ -113,6 +113,9 @@ TEST_F(GltfScenes, AFloorIsNoPartOfAFigure)
                                         "Mesh 'Pedestal' hangs on no bone and lies apart from the figure: left out."}));
     EXPECT_EQ(model.vertices.size(), size_t{8 * 5});
     EXPECT_NEAR(boundsOf(model).max().y(), 1.65f, 1e-5f);
+    ImportOptions all;
+    all.pick.skeleton = ALL_SKELETONS;
+    EXPECT_EQ(importModel(folder_.write("scene.glb", glb.bytes()), all).vertices.size(), size_t{8 * 7});
 }
 
 TEST_F(GltfScenes, PartsThatClipsMoveAreBones)
@@ -184,6 +187,15 @@ TEST_F(GltfScenes, ShapesInUseFromTheStartAreApplied)
     for (Json& node : glb.root["nodes"])
         if (node.contains("mesh")) node["weights"] = {0.25};
     EXPECT_NEAR(boundsOf(import(glb)).max().y(), 1.75f, 1e-5f);
+}
+
+TEST_F(GltfScenes, AFileWithOtherLettersIsChangedAsOthersAre)
+{
+    EditedGlb glb(toGlb(chain("hips", 3, 0)));
+    glb.root["skins"][0].erase("inverseBindMatrices");
+    std::string bytes = glb.bytes();
+    bytes[bytes.find("hips1") + 1] = '\xfc';
+    EXPECT_EQ(importModel(folder_.write("letters.glb", bytes)).bones.at(1).name, "h\xc3\xbcps1");
 }
 
 TEST_F(GltfScenes, NamesInOtherLettersBecomeText)

@@ -166,7 +166,7 @@ TEST_F(Surface, AlphaOfTheColorCountsForCutoffs)
     EXPECT_FLOAT_EQ(cutoff(blend, picture, "0.8"), 0.625f);
     EXPECT_GT(cutoff(blend, "", "0.4"), 1.0f);
     EXPECT_GT(cutoff(mask, "", "0"), 1.0f);
-    EXPECT_LE(cutoff(blend, "", "0.8"), 1.0f);
+    EXPECT_EQ(cutoff(blend, "", "0.8"), 0.0f);
     EXPECT_EQ(cutoff("\"OPAQUE\"", "", "0.1"), 0.0f);
 }
 
