@@ -63,6 +63,19 @@ Vector3f middleOf(const BoneTree& tree, const BoneChain& chain)
     return sum / static_cast<float>(chain.bones.size());
 }
 
+/// Whether a bone is of the trunk: next to the plane, with bones on both sides of it below.
+bool isCentral(const BoneTree& tree, const MirrorPlane& plane, float beside, uint32_t bone)
+{
+    if (std::abs(plane.distance(tree.heads[bone])) > beside) return false;
+    bool sides[2] = {false, false};
+    for (uint32_t b = bone; b < tree.size(); ++b) {
+        const float away = plane.distance(tree.heads[b]);
+        if (tree.carries[b] && std::abs(away) > beside && tree.isBelow(static_cast<int32_t>(b), bone))
+            sides[away < 0] = true;
+    }
+    return sides[0] && sides[1];
+}
+
 }  // namespace
 
 BoneChain chainFrom(const BoneTree& tree, uint32_t bone)
@@ -78,7 +91,7 @@ std::vector<LimbPair> findLimbPairs(const BoneTree& tree, const MirrorPlane& pla
     for (uint32_t base = 0; base < tree.size(); ++base) {
         std::vector<BoneChain> sides[2];
         for (const uint32_t child : tree.children[base]) {
-            if (!tree.carries[child]) continue;
+            if (!tree.carries[child] || isCentral(tree, plane, beside, child)) continue;
             BoneChain chain = chainAlong(tree, reach, child);
             const float away = plane.distance(middleOf(tree, chain));
             if (chain.bones.size() >= 2 && std::abs(away) > beside) sides[away < 0].push_back(std::move(chain));

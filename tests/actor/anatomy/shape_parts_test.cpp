@@ -165,6 +165,20 @@ TEST(ShapeParts, APairThatLeavesACreaturesTrunkAboveTheGroundIsWings)
     expectRead(rig);
 }
 
+TEST(ShapeParts, OfSeveralPairsOnAFiguresTrunkThoseAsLongAsArmsAreArms)
+{
+    const std::vector<std::string> arm = {"clavicle", "upperArm", "forearm", "hand"};
+    Nameless rig = humanoid(0, false, true);
+    const auto chest = uint32_t(rig.model.bones[std::ranges::find(rig.expected, "neck") - rig.expected.begin()].parent);
+    rig.limbs(chest, {{0.05f, 1.4f, -0.1f}, {0.5f, 1.7f, -0.3f}, {1.2f, 1.6f, -0.4f}}, {"wing", "wing", "wing"});
+    expectRead(rig);
+    // On the spine below the chest, whose own arms are longer ways down.
+    Nameless four = humanoid(0, false, true);
+    four.limbs(uint32_t(four.model.bones[chest].parent),
+               {{0.05f, 1.2f, 0}, {0.18f, 1.2f, 0}, {0.45f, 1.18f, 0}, {0.7f, 1.18f, 0}}, arm);
+    expectRead(four);
+}
+
 TEST(ShapeParts, WhatHasNoLegsHasNoParts)
 {
     Rig arm;
