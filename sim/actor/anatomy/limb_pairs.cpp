@@ -11,6 +11,9 @@ namespace {
 constexpr float ALIKE = 0.75f;  // the shorter of two that mirror each other is this share of the longer at least
 constexpr float OFF = 0.25f;    // the ends of two that do are this far off each other's images at most [length]
 
+constexpr float POSED = 0.2f;      // ... which counts as this far off where only their poses differ
+constexpr float POSED_OFF = 0.1f;  // of those, off each other's images at the first head, and of their bones [length]
+
 /// The longest way down from each bone [m].
 std::vector<float> reaches(const BoneTree& tree)
 {
@@ -48,12 +51,26 @@ BoneChain chainAlong(const BoneTree& tree, const std::vector<float>& reach, uint
     }
 }
 
+/// Whether two begin at each other's images and have as long bones: they do mirror each other, but for their pose.
+bool arePosed(const BoneTree& tree, const MirrorPlane& plane, const BoneChain& a, const BoneChain& b)
+{
+    const float apart = POSED_OFF * std::max(a.length, b.length);
+    const auto head = [&](const BoneChain& chain, size_t i) { return tree.heads[chain.bones[i]]; };
+    if (a.bones.size() != b.bones.size() || (plane.mirrored(head(a, 0)) - head(b, 0)).norm() > apart) return false;
+    for (size_t i = 1; i < a.bones.size(); ++i) {
+        const float own = (head(a, i) - head(a, i - 1)).norm(), other = (head(b, i) - head(b, i - 1)).norm();
+        if (std::abs(own - other) > apart) return false;
+    }
+    return true;
+}
+
 float mismatch(const BoneTree& tree, const MirrorPlane& plane, const BoneChain& a, const BoneChain& b)
 {
     const float longer = std::max(a.length, b.length), shorter = std::min(a.length, b.length);
     if (longer <= 0.0f || shorter < ALIKE * longer) return 1.0f;
     const Vector3f image = plane.mirrored(tree.heads[a.bones.back()]);
-    return (image - tree.heads[b.bones.back()]).norm() / longer;
+    const float most = arePosed(tree, plane, a, b) ? POSED : 1.0f;
+    return std::min(most, (image - tree.heads[b.bones.back()]).norm() / longer);
 }
 
 Vector3f middleOf(const BoneTree& tree, const BoneChain& chain)

@@ -61,7 +61,7 @@ private:
     {
         Eigen::AlignedBox3f box;
         for (uint32_t b = 0; b < tree_.size(); ++b)
-            if (tree_.carries[b]) box.extend(tree_.heads[b]).extend(tree_.tips[b]);
+            if (tree_.carries[b] && tree_.deforms[b]) box.extend(tree_.heads[b]).extend(tree_.tips[b]);
         for (LimbPair& pair : findLimbPairs(tree_, plane_)) {
             const bool inAnother = std::ranges::any_of(pair.chains, [&](const BoneChain& chain) {
                 return tree_.above(chain.bones.front(), [&](uint32_t b) { return inPair_[b] != 0; }) >= 0;
