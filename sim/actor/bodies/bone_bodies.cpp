@@ -26,7 +26,7 @@ namespace {
 constexpr float FINER = 0.8f;         // of a diameter that is too large, where nothing else is known
 constexpr double ISLAND_PART = 0.25;  // a cut-off part below this share of its body changes sides
 
-constexpr size_t FEW = 4;           // bodies that are told one by one
+constexpr size_t FEW = 6;           // bodies that are told one by one
 constexpr std::ptrdiff_t ENDS = 4;  // of bodies that may be a figure with arms and legs
 constexpr float LYING = 1.5f;       // of a figure's height its depth, if it lies
 
