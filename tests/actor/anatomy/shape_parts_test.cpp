@@ -207,6 +207,9 @@ TEST(ShapeParts, AFigureMayWalkSitAndCarrySomething)
         carries.sides.back() = 1;
     }
     expectRead(carries, 0, uint32_t(parent) - 7);
+    // ... also where nobody says what it is.
+    for (uint32_t b = 0; b < carries.model.bones.size(); ++b) carries.model.bones[b].name = "x" + std::to_string(b);
+    expectRead(carries, 0, uint32_t(parent) - 7);
 }
 
 TEST(ShapeParts, OfSeveralPairsOnAFiguresTrunkThoseAsLongAsArmsAreArms)
