@@ -58,8 +58,9 @@ struct BoneAnatomy {
 
 /// Reads names in the conventions of Mixamo, Biped, Rigify, MakeHuman, VRM, Unreal, Source, SMPL, Daz, Roblox, CMU,
 /// Character Creator, MikuMikuDance, Maya and Second Life, with the bones around them where a word means several
-/// things. Where no limb is named, the skeleton's shape decides: two chains down to the ground are legs, two above
-/// arms, the single one up neck and head; more legs make a creature. Of four legs the front ones are its arms.
+/// things. What names leave open of limbs the skeleton's shape decides, where it agrees with them: two chains down to
+/// the ground are legs, two above arms, the single one up neck and head; more legs make a creature. Of four legs the
+/// front ones are its arms. Limbs whose bones hang on none with skin hang on the part of the trunk that carries such.
 /// @param roles of bones, by index, that stand whatever names say.
 /// @returns one entry a bone. Parents lead to a bone without one, never in a ring.
 std::vector<BoneAnatomy> readAnatomy(const Model& model, const std::map<uint32_t, BoneRole>& roles = {});

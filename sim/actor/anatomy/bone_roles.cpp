@@ -154,16 +154,23 @@ private:
             const BoneAnatomy& bone = anatomy_[above];
             const int32_t limb = bone.role == BoneRole::Control ? standIn(static_cast<uint32_t>(above), b)
                                                                 : static_cast<int32_t>(bone.owner);
-            if (limb >= 0 && !tree_.isBelow(limb, b)) return limb;
+            if (limb >= 0 && !tree_.isBelow(limb, b) && !hangsOn(limb, b)) return limb;
         }
         return -1;
     }
 
-    /// What has a control's skin: a limb on it that begins where it does, other than the one that asks.
+    /// The limb that moves as a control does, for what hangs on that: it begins where the control does and is on it or
+    /// of its name. -1 for none, and where the one that asks begins there itself.
     int32_t standIn(uint32_t control, uint32_t asks) const
     {
-        for (const uint32_t child : tree_.children[control])
-            if (child != asks && isLimb(child) && apart(child, control) < SAME) return static_cast<int32_t>(child);
+        if (apart(asks, control) < SAME) return -1;
+        const BoneName& name = names_[control];
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            const bool alike = name.part != NamedPart::None && names_[b].part == name.part &&
+                               names_[b].side == name.side;
+            const bool onIt = tree_.parents[b] == static_cast<int32_t>(control);
+            if ((alike || onIt) && isLimb(b) && apart(b, control) < SAME) return static_cast<int32_t>(b);
+        }
         return -1;
     }
 
@@ -233,10 +240,33 @@ private:
     int32_t onTrunk(uint32_t b) const
     {
         const BoneAnatomy& own = anatomy_[b];
-        if (own.part == BodyPart::Thigh) return nearestOf(BodyPart::Hips, 0, b);
-        if (own.part != BodyPart::Clavicle && own.part != BodyPart::UpperArm) return -1;
-        const int32_t collar = own.part == BodyPart::UpperArm ? nearestOf(BodyPart::Clavicle, own.side, b) : -1;
-        return collar >= 0 ? collar : spineAt(tree_, anatomy_, b);
+        int32_t on = -1;
+        switch (own.part) {
+            case BodyPart::Thigh: return nearestOf(BodyPart::Hips, 0, b);
+            case BodyPart::Spine:
+            case BodyPart::Neck:
+            case BodyPart::Head: on = nearerToHips(b); break;
+            case BodyPart::UpperArm: on = nearestOf(BodyPart::Clavicle, own.side, b); [[fallthrough]];
+            case BodyPart::Clavicle: on = on < 0 ? spineAt(tree_, anatomy_, b) : on; break;
+            default: break;
+        }
+        return on >= 0 && hangsOn(on, b) ? -1 : on;
+    }
+
+    /// Of the trunk between a bone and the hips the nearest; -1 for none.
+    int32_t nearerToHips(uint32_t b) const
+    {
+        const int32_t hips = nearestOf(BodyPart::Hips, 0, b);
+        if (hips < 0) return -1;
+        const auto fromHips = [&](uint32_t bone) { return apart(bone, static_cast<uint32_t>(hips)); };
+        int32_t nearest = hips;
+        for (uint32_t other = 0; other < tree_.size(); ++other) {
+            const BodyPart part = anatomy_[other].part;
+            const bool trunk = isLimb(other) && (part == BodyPart::Spine || part == BodyPart::Neck);
+            if (trunk && fromHips(other) < fromHips(b) && apart(other, b) < apart(static_cast<uint32_t>(nearest), b))
+                nearest = static_cast<int32_t>(other);
+        }
+        return nearest;
     }
 
     const BoneTree& tree_;

@@ -10,8 +10,9 @@ namespace knuckle {
 
 namespace {
 
-constexpr float LOW = 0.25f;    // of a leg's height, its foot
-constexpr float TRUNK = 0.15f;  // of a figure's size its upright trunk at least
+constexpr float LOW = 0.25f;           // of a leg's height, its foot
+constexpr std::ptrdiff_t FINGERS = 3;  // of a hand at least
+constexpr float TRUNK = 0.15f;         // of a figure's size its upright trunk at least
 
 class FigureParts {
 public:
@@ -26,13 +27,14 @@ public:
         callEnds();
         callForeLegs();
         findHips();
+        closeSpine();
         findHead();
     }
 
 private:
     BodyPart partAbove(uint32_t b) const { return knuckle::partAbove(tree_, anatomy_, b); }
 
-    /// Arms without a side of what has no legs and no head are a machine's.
+    /// Arms without a side of what has no legs, no head and no hand of several fingers are a machine's.
     void callLevers()
     {
         const auto isAnimals = [](const BoneAnatomy& bone) {
@@ -40,7 +42,11 @@ private:
             return bone.part == BodyPart::Hips || bone.part == BodyPart::Neck || bone.part == BodyPart::Head ||
                    (isLimbPart(bone.part) && (bone.side != 0 || !arm));
         };
-        if (std::ranges::any_of(anatomy_, isAnimals)) return;
+        const auto isFinger = [&](uint32_t b) { return anatomy_[b].part == BodyPart::Finger; };
+        if (std::ranges::any_of(anatomy_, isAnimals) || std::ranges::any_of(tree_.children, [&](const auto& siblings) {
+                return std::ranges::count_if(siblings, isFinger) >= FINGERS;
+            }))
+            return;
         for (BoneAnatomy& bone : anatomy_)
             if (isLimbPart(bone.part)) bone.part = BodyPart::Lever;
     }
@@ -130,6 +136,24 @@ private:
             if (anatomy_[b].part == BodyPart::Spine) anatomy_[b].part = BodyPart::Other;
     }
 
+    /// What lies between hips and neck is spine, whatever it is called.
+    void closeSpine()
+    {
+        const auto isTrunk = [&](uint32_t b) {
+            const BodyPart part = anatomy_[b].part;
+            return part == BodyPart::Hips || part == BodyPart::Spine || part == BodyPart::Neck;
+        };
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            const int32_t parent = tree_.parents[b];
+            const bool open = anatomy_[b].part == BodyPart::Other && names_[b].side == 0 && tree_.deforms[b];
+            if (!open || parent < 0 || !isTrunk(static_cast<uint32_t>(parent))) continue;
+            const auto goesOn = [&](uint32_t other) {
+                return isTrunk(other) && anatomy_[other].part != BodyPart::Hips;
+            };
+            if (tree_.below(b, goesOn) >= 0) call(b, BodyPart::Spine);
+        }
+    }
+
     /// The first bone of a spine, of several the one nearest to a thigh; beyond the last for none.
     uint32_t lowestSpine(uint32_t thigh) const
     {
@@ -158,16 +182,22 @@ private:
         if (highest < tree_.size()) call(highest, BodyPart::Head);
     }
 
-    /// A spine that goes on past the shoulders, where nothing is called head: neck, and head at its end.
+    /// A spine that goes on past the last shoulders, where nothing is called head: neck, and head at its end.
     void findHead()
     {
         if (firstOf(BodyPart::Head) < tree_.size()) return;
-        const uint32_t arm = std::min(firstOf(BodyPart::Clavicle), firstOf(BodyPart::UpperArm));
-        if (arm == tree_.size()) return;
         const auto isSpine = [&](uint32_t b) { return anatomy_[b].part == BodyPart::Spine; };
         const auto goesOn = [&](uint32_t b) { return isSpine(b) || anatomy_[b].part == BodyPart::Neck; };
-        int32_t last = tree_.above(arm, isSpine);
-        if (last < 0) findHeadAbove(arm);
+        const std::vector<uint32_t> depths = tree_.depths();
+        uint32_t arm = tree_.size();
+        int32_t last = -1;
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            if (anatomy_[b].part != BodyPart::Clavicle && anatomy_[b].part != BodyPart::UpperArm) continue;
+            arm = std::min(arm, b);
+            const int32_t on = tree_.above(b, isSpine);
+            if (on >= 0 && (last < 0 || depths[on] > depths[last])) last = on;
+        }
+        if (arm < tree_.size() && last < 0) findHeadAbove(arm);
         while (last >= 0) {
             const auto next = std::ranges::find_if(tree_.children[last], goesOn);
             if (next == tree_.children[last].end()) break;

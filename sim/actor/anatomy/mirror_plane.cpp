@@ -29,20 +29,43 @@ uint32_t imagesIn(const BoneTree& tree, const std::vector<uint32_t>& depths, con
     return images;
 }
 
-/// The axes, and from each bone to what hangs on the same one.
-std::vector<Vector3f> guesses(const BoneTree& tree, float size)
+bool hasSkin(const BoneTree& tree, uint32_t b)
 {
-    std::vector<Vector3f> directions{Vector3f::UnitX(), Vector3f::UnitZ()};
+    return tree.carries[b] && tree.deforms[b];
+}
+
+Vector3f middleOf(const BoneTree& tree)
+{
+    Vector3f sum = Vector3f::Zero();
+    float count = 0.0f;
+    for (uint32_t b = 0; b < tree.size(); ++b) {
+        if (!hasSkin(tree, b)) continue;
+        sum += tree.heads[b];
+        count += 1.0f;
+    }
+    return sum / std::max(count, 1.0f);
+}
+
+/// Through the middle of all bones, across the axes and ways between bones on the same one; then halfway between these.
+std::vector<MirrorPlane> guesses(const BoneTree& tree, const Vector3f& middle, float size)
+{
+    std::vector<MirrorPlane> planes{{Vector3f::UnitX(), middle.x()}, {Vector3f::UnitZ(), middle.z()}};
+    std::vector<MirrorPlane> between;
     for (const std::vector<uint32_t>& siblings : tree.children) {
         for (size_t i = 0; i < siblings.size(); ++i) {
-            for (size_t j = i + 1; j < siblings.size() && directions.size() < MOST_GUESSES; ++j) {
-                Vector3f way = tree.heads[siblings[j]] - tree.heads[siblings[i]];
+            for (size_t j = i + 1; j < siblings.size() && planes.size() < MOST_GUESSES; ++j) {
+                const Vector3f &from = tree.heads[siblings[i]], &to = tree.heads[siblings[j]];
+                Vector3f way = to - from;
                 way.y() = 0.0f;
-                if (way.norm() > BESIDE * size) directions.push_back(way.normalized());
+                if (way.norm() < BESIDE * size) continue;
+                way.normalize();
+                planes.push_back({way, way.dot(middle)});
+                between.push_back({way, 0.5f * way.dot(from + to)});
             }
         }
     }
-    return directions;
+    planes.insert(planes.end(), between.begin(), between.end());
+    return planes;
 }
 
 }  // namespace
@@ -51,7 +74,7 @@ float sizeOf(const BoneTree& tree)
 {
     Eigen::AlignedBox3f box;
     for (uint32_t b = 0; b < tree.size(); ++b)
-        if (tree.carries[b]) box.extend(tree.heads[b]);
+        if (hasSkin(tree, b)) box.extend(tree.heads[b]);
     return box.isEmpty() ? 0.0f : box.sizes().maxCoeff();
 }
 
@@ -60,19 +83,14 @@ std::optional<MirrorPlane> findMirrorPlane(const BoneTree& tree)
     const float size = sizeOf(tree);
     if (size <= 0.0f) return {};
     const std::vector<uint32_t> depths = tree.depths();
-    Vector3f middle = Vector3f::Zero();
-    float count = 0.0f;
-    for (uint32_t b = 0; b < tree.size(); ++b) {
-        if (!tree.carries[b]) continue;
-        middle += tree.heads[b];
-        count += 1.0f;
-    }
+    const Vector3f middle = middleOf(tree);
     MirrorPlane best;
     uint32_t most = 0;
-    for (const Vector3f& across : guesses(tree, size)) {
-        const MirrorPlane plane{across, across.dot(middle) / count};
+    for (const MirrorPlane& plane : guesses(tree, middle, size)) {
         const uint32_t images = imagesIn(tree, depths, plane, size);
-        if (images <= most) continue;
+        // One off the middle, where much is on one side alone, has to be better by far.
+        const bool central = std::abs(plane.distance(middle)) < BESIDE * size;
+        if (images <= most || (!central && images < most + FEWEST_IMAGES)) continue;
         most = images;
         best = plane;
     }

@@ -110,13 +110,16 @@ private:
         return !any;
     }
 
-    /// Whether the shape says of no bone of such limbs something else than its name.
+    /// Whether the shape sees the long limbs of a region that are named, and says of no bone of it something else than
+    /// its name.
     bool agrees(Region region) const
     {
         using enum BodyPart;
         for (uint32_t b = 0; b < tree_.size(); ++b) {
             const BodyPart said = anatomy_[b].part, seen = shape_[b].part;
             const bool here = regionOf(said) == region || regionOf(seen) == region;
+            const bool unseen = regionOf(said) == region && isLongLimb(said) && !isLimbPart(seen) && tree_.deforms[b];
+            if (unseen) return false;
             if (!here || said == Other || seen == Other || said == seen) continue;
             const auto isEnd = [](BodyPart part) {
                 return part == Clavicle || part == Finger || part == Coxa || part == Toe;

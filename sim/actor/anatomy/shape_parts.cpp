@@ -1,6 +1,7 @@
 #include "sim/actor/anatomy/shape_parts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/actor/anatomy/chain_parts.h"
 #include "sim/actor/anatomy/limb_pairs.h"
@@ -16,6 +17,8 @@ constexpr float DOWN = 0.3f;       // ... and begin this far above their ends [l
 constexpr float FOOT = 0.2f;       // a foot begins this near to the ground [height of the leg]
 constexpr float SHORT = 0.45f;     // a first bone of a leg that is shorter is part of the hip [next one]
 constexpr size_t MOST_NECKS = 3;   // of a chain up to the head
+constexpr float ARM = 0.75f;       // the usual length of arms [length of legs]
+constexpr float ALIKE = 0.1f;      // logarithm of the ratio of two pairs' lengths that are both arms
 constexpr float LONG_WING = 0.2f;  // pairs that are shorter are feelers and ears [size]
 
 class ShapeParts {
@@ -58,7 +61,7 @@ private:
     {
         Eigen::AlignedBox3f box;
         for (uint32_t b = 0; b < tree_.size(); ++b)
-            if (tree_.carries[b]) box.extend(tree_.heads[b]).extend(tree_.tips[b]);
+            if (tree_.carries[b] && tree_.deforms[b]) box.extend(tree_.heads[b]).extend(tree_.tips[b]);
         for (LimbPair& pair : findLimbPairs(tree_, plane_)) {
             const bool inAnother = std::ranges::any_of(pair.chains, [&](const BoneChain& chain) {
                 return tree_.above(chain.bones.front(), [&](uint32_t b) { return inPair_[b] != 0; }) >= 0;
@@ -196,16 +199,24 @@ private:
         return away(pair) < away(other);
     }
 
+    /// How far from the length of arms.
+    float unlikeArms(const LimbPair& pair) const
+    {
+        return pair.length() <= 0.0f ? INFINITY : std::abs(std::log(pair.length() / (ARM * legs_.front().length())));
+    }
+
     void readPairs()
     {
         for (const LimbPair& pair : legs_)
             for (const BoneChain& chain : pair.chains) readLeg(pair, chain, isForeLeg(pair));
-        const auto longest = std::ranges::max_element(others_, {}, &LimbPair::length);
+        const auto arms = std::ranges::min_element(others_, {}, [&](const LimbPair& p) { return unlikeArms(p); });
         for (auto pair = others_.begin(); pair != others_.end(); ++pair) {
             const bool onTrunk = trunk_[pair->base] || pair->base == pelvis_;
             if (!onTrunk || pair->length() < LONG_WING * sizeOf(tree_)) continue;
             for (const BoneChain& chain : pair->chains) {
-                if (legs_.size() == 1 && pair == longest) readArm(chain);
+                const bool asArms = pair == arms || (pair->count() == arms->count() &&
+                                                     std::abs(unlikeArms(*pair) - unlikeArms(*arms)) < ALIKE);
+                if (legs_.size() == 1 && asArms) readArm(chain);
                 else
                     for (const uint32_t b : chain.bones) call(b, BodyPart::Wing);
             }

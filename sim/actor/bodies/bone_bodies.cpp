@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "sim/actor/anatomy/bone_tree.h"
+#include "sim/actor/anatomy/chain_parts.h"
 #include "sim/actor/bodies/body_tree.h"
 #include "sim/actor/bodies/bone_merge.h"
 #include "sim/actor/bodies/short_list.h"
@@ -25,6 +26,7 @@ namespace {
 constexpr float FINER = 0.8f;         // of a diameter that is too large, where nothing else is known
 constexpr double ISLAND_PART = 0.25;  // a cut-off part below this share of its body changes sides
 
+constexpr size_t FEW = 6;           // bodies that are told one by one
 constexpr std::ptrdiff_t ENDS = 4;  // of bodies that may be a figure with arms and legs
 constexpr float LYING = 1.5f;       // of a figure's height its depth, if it lies
 
@@ -138,16 +140,20 @@ void noteLost(const Model& model, const BoneTree& tree, std::span<const BoneAnat
 void noteReattached(const BoneTree& tree, std::span<const BoneAnatomy> anatomy, const std::vector<BodyDraft>& drafts,
                     std::vector<std::string>& notes)
 {
+    std::vector<std::string> names, each;
     for (const BodyDraft& draft : drafts) {
         if (draft.parent < 0) continue;
         const uint32_t parent = drafts[draft.parent].bone;
         const int32_t above = tree.above(
             draft.bone, [&](uint32_t b) { return std::ranges::count(drafts, anatomy[b].owner, &BodyDraft::bone) > 0; });
         const bool asBones = above >= 0 && anatomy[above].owner == parent;
-        if (!asBones && anatomy[draft.bone].source == AnatomySource::Name)
-            notes.push_back(fmt::format("{} is joined to {}, which its part of a body belongs to.", draft.name,
-                                        drafts[draft.parent].name));
+        if (asBones || anatomy[draft.bone].source != AnatomySource::Name) continue;
+        names.push_back(draft.name);
+        each.push_back(fmt::format("{} is joined to {}, which its part of a body belongs to.", draft.name,
+                                   drafts[draft.parent].name));
     }
+    if (each.size() <= FEW) notes.insert(notes.end(), each.begin(), each.end());
+    else notes.push_back(fmt::format("Joined to what their parts of a body belong to: {}.", shortList(names)));
 }
 
 /// Says what was not read from names.

@@ -26,6 +26,7 @@ Vector3f usualFold(const LimbStance& limb)
     if (limb.part == BodyPart::Lever) wanted = up;
     if (limb.part == BodyPart::Finger) wanted = -(up + limb.outward).normalized();
     if (std::abs(wanted.dot(limb.along)) >= ACROSS) wanted = limb.part == BodyPart::Lever ? limb.forward : up;
+    if (std::abs(wanted.dot(limb.along)) >= ACROSS) wanted = limb.forward;
     return perpendicular(wanted, limb.along);
 }
 

@@ -129,6 +129,40 @@ TEST(Creatures, FiguresOnTwoLegsAreUpright)
     EXPECT_TRUE(isUpright(rig.model, readAnatomy(rig.model)));
 }
 
+/// A creature's body with a figure's on its front: the spine goes on to the last shoulders.
+TEST(Creatures, ASpineReachesToTheShouldersFarthestFromTheHips)
+{
+    Rig rig = quadruped({"shoulder.{}", "front_thigh.{}", "front_shin.{}", "front_foot.{}"},
+                        {"thigh.{}", "shin.{}", "foot.{}"});
+    rig.model.bones[rig.find("neck")].name = "waist";
+    rig.model.bones[rig.find("head")].name = "spine.001";
+    const auto last = int32_t(rig.add("spine.002", int32_t(rig.find("spine.001")), {0, 0.9f, 0.5f}));
+    for (const int side : {1, -1}) {
+        const std::string end = side > 0 ? ".L" : ".R";
+        rig.add("forearm" + end, int32_t(rig.add("upper_arm" + end, last, {0.2f * float(side), 1, 0.5f}, "", side)),
+                {0.4f * float(side), 1, 0.5f}, "", side);
+    }
+    rig.add("spine.004", int32_t(rig.add("spine.003", last, {0, 1.1f, 0.5f})), {0, 1.2f, 0.5f});
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(rig.model);
+    for (const char* name : {"waist", "spine.001", "spine.002"})
+        EXPECT_EQ(anatomy[rig.find(name)].part, BodyPart::Spine) << name;
+    EXPECT_EQ(anatomy[rig.find("spine.003")].part, BodyPart::Neck);
+    EXPECT_EQ(anatomy[rig.find("spine.004")].part, BodyPart::Head);
+}
+
+TEST(Creatures, AHandAloneHasFingers)
+{
+    Rig rig;
+    const auto hand = int32_t(rig.add("hand", -1, {0, 0, 0}));
+    for (const char* finger : {"thumb", "index", "middle", "ring"})
+        rig.add(finger + std::string("_02"), int32_t(rig.add(finger + std::string("_01"), hand, {0, 0.1f, 0})),
+                {0, 0.2f, 0});
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(rig.model);
+    EXPECT_EQ(anatomy[rig.find("hand")].part, BodyPart::Hand);
+    EXPECT_EQ(anatomy[rig.find("thumb_02")].part, BodyPart::Finger);
+    EXPECT_EQ(anatomy[rig.find("ring_01")].part, BodyPart::Finger);
+}
+
 TEST(Creatures, ArmsWithoutASideOfWhatHasNoLegsAreAMachines)
 {
     const auto chain = [](const Names& names) {

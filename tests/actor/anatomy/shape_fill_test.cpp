@@ -92,4 +92,17 @@ TEST(ShapeFill, AShapeThatContradictsNamesSaysNothing)
     EXPECT_EQ(std::ranges::count(anatomy, AnatomySource::Shape, &BoneAnatomy::source), 0);
 }
 
+TEST(ShapeFill, AShapeThatMissesWhatIsNamedSaysNothing)
+{
+    // Too short for arms.
+    const Rig rig = makeRig(
+        {"",
+         "L",
+         "R",
+         {"b0=hips > b1=spine > b2=spine > b3=neck > b4=head", "b2 > thigh.{}=upperArm > shin.{}=forearm",
+          "b0 > d0.{}=thigh > d1.{}=shin > d2.{}=foot"}});
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(rig.model);
+    EXPECT_EQ(std::ranges::count(anatomy, AnatomySource::Shape, &BoneAnatomy::source), 0);
+}
+
 }  // namespace knuckle::test

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "sim/actor/anatomy/bone_tree.h"
 #include "tests/actor/anatomy/rigs.h"
 
 namespace knuckle::test {
@@ -84,10 +85,11 @@ const std::map<std::string, BodyPart> PARTS = {
     {"forearm", BodyPart::Forearm}, {"upperArm", BodyPart::UpperArm}, {"wing", BodyPart::Wing},
     {"finger", BodyPart::Finger},   {"coxa", BodyPart::Coxa}};
 
-void expectRead(const Rig& rig)
+/// @param first, end of the bones that are looked at.
+void expectRead(const Rig& rig, uint32_t first = 0, uint32_t end = NO_INDEX)
 {
     const std::vector<BoneAnatomy> anatomy = readAnatomy(rig.model);
-    for (uint32_t b = 0; b < anatomy.size(); ++b) {
+    for (uint32_t b = first; b < std::min<size_t>(anatomy.size(), end); ++b) {
         EXPECT_EQ(anatomy[b].part, PARTS.at(rig.expected[b])) << b << ", a " << rig.expected[b];
         EXPECT_EQ(anatomy[b].source, AnatomySource::Shape) << b;
         EXPECT_EQ(anatomy[b].role, BoneRole::Limb) << b;
@@ -163,6 +165,65 @@ TEST(ShapeParts, APairThatLeavesACreaturesTrunkAboveTheGroundIsWings)
     rig.limbs(uint32_t(rig.model.bones[shoulders].parent), {{0.1f, 0.7f, -0.1f}, {0.5f, 0.9f, -0.1f}, {0.9f, 0.8f, 0}},
               {"wing", "wing", "wing"});
     expectRead(rig);
+}
+
+TEST(ShapeParts, AFigureMayWalkSitAndCarrySomething)
+{
+    const auto moveBelow = [](Nameless& rig, const std::string& top, float side, const Vector3f& pivot, float angle) {
+        const BoneTree tree(rig.model);
+        for (uint32_t b = 0; b < tree.size(); ++b) {
+            const Vector3f head = tree.heads[b];
+            const int32_t on = rig.expected[b] == top
+                                   ? int32_t(b)
+                                   : tree.above(b, [&](uint32_t other) { return rig.expected[other] == top; });
+            if (on < 0 || head.x() * side < 0.0f) continue;
+            rig.model.bones[b].restPose.block<3, 1>(0, 3) = pivot + Eigen::AngleAxisf(angle, Vector3f::UnitX()) *
+                                                                        Vector3f(head - pivot);
+            rig.model.vertices[b] = rig.model.bones[b].restPose.block<3, 1>(0, 3);
+        }
+    };
+    Nameless walks = humanoid(0, false, true);
+    moveBelow(walks, "thigh", 1, {0, 0.9f, 0}, -0.5f);
+    moveBelow(walks, "thigh", -1, {0, 0.9f, 0}, 0.4f);
+    expectRead(walks);
+    // The scene's root, which has no skin, stays on the ground.
+    Nameless sits;
+    sits.node(-1, {0, 0, 0}, "control");
+    sits.model.skin[0].weights[0] = 0.0f;
+    const Nameless stands = humanoid(0, false, true);
+    for (uint32_t b = 0; b < stands.model.bones.size(); ++b)
+        sits.node(stands.model.bones[b].parent + 1, stands.model.bones[b].restPose.block<3, 1>(0, 3),
+                  stands.expected[b]);
+    for (const float side : {1.0f, -1.0f}) {
+        moveBelow(sits, "thigh", side, {0, 0.9f, 0}, -1.57f);
+        moveBelow(sits, "shin", side, {0, 0.9f, 0.4f}, 1.57f);
+    }
+    sits.expected[0] = "";
+    expectRead(sits, 1);
+    Nameless carries = humanoid(0, false, true);
+    auto parent = int32_t(std::ranges::find(carries.expected, "hand") - carries.expected.begin());
+    for (int i = 0; i < 8; ++i) {
+        parent = int32_t(carries.add("sword_" + std::to_string(i), parent, {0.9f + 0.2f * float(i), 1.4f, 0}));
+        carries.sides.back() = 1;
+    }
+    expectRead(carries, 0, uint32_t(parent) - 7);
+    // ... also where nobody says what it is.
+    for (uint32_t b = 0; b < carries.model.bones.size(); ++b) carries.model.bones[b].name = "x" + std::to_string(b);
+    expectRead(carries, 0, uint32_t(parent) - 7);
+}
+
+TEST(ShapeParts, OfSeveralPairsOnAFiguresTrunkThoseAsLongAsArmsAreArms)
+{
+    const std::vector<std::string> arm = {"clavicle", "upperArm", "forearm", "hand"};
+    Nameless rig = humanoid(0, false, true);
+    const auto chest = uint32_t(rig.model.bones[std::ranges::find(rig.expected, "neck") - rig.expected.begin()].parent);
+    rig.limbs(chest, {{0.05f, 1.4f, -0.1f}, {0.5f, 1.7f, -0.3f}, {1.2f, 1.6f, -0.4f}}, {"wing", "wing", "wing"});
+    expectRead(rig);
+    // On the spine below the chest, whose own arms are longer ways down.
+    Nameless four = humanoid(0, false, true);
+    four.limbs(uint32_t(four.model.bones[chest].parent),
+               {{0.05f, 1.2f, 0}, {0.18f, 1.2f, 0}, {0.45f, 1.18f, 0}, {0.7f, 1.18f, 0}}, arm);
+    expectRead(four);
 }
 
 TEST(ShapeParts, WhatHasNoLegsHasNoParts)

@@ -38,6 +38,8 @@ TEST(Fold, KneesFoldBackElbowsForwardAndFingersToThePalm)
     EXPECT_GT(foldDirection(level, {}).dot(DOWN), 0.99f);
     const LimbStance hanging{.part = BodyPart::Finger, .above = DOWN, .along = DOWN};
     EXPECT_LT(foldDirection(hanging, {}).x(), -0.99f);
+    const LimbStance raised{.part = BodyPart::Finger, .above = -DOWN, .along = -DOWN, .outward = {0, 0, 0}};
+    EXPECT_GT(foldDirection(raised, {}).dot(FORWARD), 0.99f) << "of a hand alone, which has no side";
 }
 
 TEST(Fold, AKneeThatIsBentForwardIsAnErrorUnlessItIsBentMuchOrACreatures)
