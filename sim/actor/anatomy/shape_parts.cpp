@@ -17,6 +17,7 @@ constexpr float DOWN = 0.3f;       // ... and begin this far above their ends [l
 constexpr float FOOT = 0.2f;       // a foot begins this near to the ground [height of the leg]
 constexpr float SHORT = 0.45f;     // a first bone of a leg that is shorter is part of the hip [next one]
 constexpr size_t MOST_NECKS = 3;   // of a chain up to the head
+constexpr size_t PONYTAIL = 2;     // its bones at least
 constexpr float ARM = 0.75f;       // the usual length of arms [length of legs]
 constexpr float ALIKE = 0.1f;      // logarithm of the ratio of two pairs' lengths that are both arms
 constexpr float LONG_WING = 0.2f;  // pairs that are shorter are feelers and ears [size]
@@ -109,10 +110,23 @@ private:
         }
     }
 
+    /// Above shoulders, the bone beside whose skin that of all further ones is small: these are a ponytail.
+    size_t crownOf(const BoneChain& chain, size_t last) const
+    {
+        const int32_t base = tree_.parents[chain.bones.front()];
+        float beyond = 0.0f;
+        for (size_t i = last + 1; i-- > 0 && base >= 0 && trunk_[base];) {
+            const float own = (tree_.tips[chain.bones[i]] - tree_.heads[chain.bones[i]]).norm();
+            if (last - i >= PONYTAIL && own > 2 * beyond && beyond > 0.0f) return i;
+            beyond = std::max(beyond, own);
+        }
+        return last;
+    }
+
     void readHead(const BoneChain& chain)
     {
         // Ears and jaws hang on the head.
-        size_t last = chain.fork;
+        size_t last = legs_.size() == 1 ? crownOf(chain, chain.fork) : chain.fork;
         for (const LimbPair& pair : others_)
             if (const auto at = std::ranges::find(chain.bones, pair.base); at != chain.bones.end())
                 last = std::min(last, static_cast<size_t>(at - chain.bones.begin()));
