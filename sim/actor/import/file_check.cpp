@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "sim/actor/import/gltf_source.h"
+#include "sim/actor/import/gltf/gltf_source.h"
 #include "sim/actor/import/lowercase.h"
 #include "sim/world/errors.h"
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/actor/import/gltf_prepared.h"
-#include "sim/actor/import/gltf_source.h"
+#include "sim/actor/import/gltf/gltf_prepared.h"
+#include "sim/actor/import/gltf/gltf_source.h"
 #include "sim/actor/import/import_scene.h"
 #include "sim/actor/import/lowercase.h"
 

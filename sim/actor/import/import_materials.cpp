@@ -10,7 +10,7 @@
 #include <optional>
 #include <set>
 
-#include "sim/actor/import/gltf_source.h"
+#include "sim/actor/import/gltf/gltf_source.h"
 #include "sim/actor/import/import_scene.h"
 #include "sim/actor/import/texture_decoder.h"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/actor/import/gltf_floats.h"
+#include "sim/actor/import/gltf/gltf_floats.h"
 #include "sim/actor/import/import.h"
 #include "tests/actor/import/chain.h"
 #include "tests/actor/import/edited_glb.h"

@@ -1,4 +1,4 @@
-#include "sim/actor/import/gltf_prepared.h"
+#include "sim/actor/import/gltf/gltf_prepared.h"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <initializer_list>
 #include <utility>
 
-#include "sim/actor/import/gltf_floats.h"
-#include "sim/actor/import/gltf_keys.h"
-#include "sim/actor/import/gltf_shapes.h"
-#include "sim/actor/import/gltf_source.h"
-#include "sim/actor/import/joint_names.h"
+#include "sim/actor/import/gltf/gltf_floats.h"
+#include "sim/actor/import/gltf/gltf_keys.h"
+#include "sim/actor/import/gltf/gltf_shapes.h"
+#include "sim/actor/import/gltf/gltf_source.h"
+#include "sim/actor/import/gltf/joint_names.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {

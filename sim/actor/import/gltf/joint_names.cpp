@@ -1,4 +1,4 @@
-#include "sim/actor/import/joint_names.h"
+#include "sim/actor/import/gltf/joint_names.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
-#include "sim/actor/import/gltf_keys.h"
+#include "sim/actor/import/gltf/gltf_keys.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "sim/actor/import/gltf_floats.h"
+#include "sim/actor/import/gltf/gltf_floats.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {

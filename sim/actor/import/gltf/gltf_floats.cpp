@@ -1,4 +1,4 @@
-#include "sim/actor/import/gltf_floats.h"
+#include "sim/actor/import/gltf/gltf_floats.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/actor/import/gltf_source.h"
+#include "sim/actor/import/gltf/gltf_source.h"
 
 namespace knuckle {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/actor/import/gltf_source.h"
+#include "sim/actor/import/gltf/gltf_source.h"
 
 namespace knuckle {
 

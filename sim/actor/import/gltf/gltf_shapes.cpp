@@ -1,9 +1,9 @@
-#include "sim/actor/import/gltf_shapes.h"
+#include "sim/actor/import/gltf/gltf_shapes.h"
 
 #include <algorithm>
 #include <set>
 
-#include "sim/actor/import/gltf_floats.h"
+#include "sim/actor/import/gltf/gltf_floats.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {

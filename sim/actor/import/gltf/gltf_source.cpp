@@ -1,4 +1,4 @@
-#include "sim/actor/import/gltf_source.h"
+#include "sim/actor/import/gltf/gltf_source.h"
 
 #include <fmt/format.h>
 
