@@ -8,12 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "sim/actor/gltf/component_types.h"
+
 namespace knuckle {
 
 using GltfJson = nlohmann::ordered_json;
 
-// Component types, buffer targets and modes of the glTF 2.0 specification.
-inline constexpr int GLTF_UNSIGNED_BYTE = 5121, GLTF_UNSIGNED_SHORT = 5123, GLTF_UNSIGNED_INT = 5125, GLTF_FLOAT = 5126;
+// Wrapping modes and buffer targets of the glTF 2.0 specification.
 inline constexpr int GLTF_CLAMP_TO_EDGE = 33071, GLTF_MIRRORED_REPEAT = 33648, GLTF_REPEAT = 10497;
 inline constexpr int GLTF_ARRAY_BUFFER = 34962, GLTF_ELEMENT_ARRAY_BUFFER = 34963, GLTF_NO_TARGET = 0;
 

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "sim/actor/gltf/component_types.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -18,15 +19,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Component types of the format.
-constexpr int BYTE = 5120, UNSIGNED_BYTE = 5121, SHORT = 5122, UNSIGNED_SHORT = 5123, UNSIGNED_INT = 5125, FLOAT = 5126;
 constexpr size_t COUNT_LIMIT = 100000000;  // of numbers in an accessor
 
 size_t sizeOf(int type)
 {
-    if (type == BYTE || type == UNSIGNED_BYTE) return 1;
-    if (type == SHORT || type == UNSIGNED_SHORT) return 2;
-    if (type == UNSIGNED_INT || type == FLOAT) return 4;
+    if (type == GLTF_BYTE || type == GLTF_UNSIGNED_BYTE) return 1;
+    if (type == GLTF_SHORT || type == GLTF_UNSIGNED_SHORT) return 2;
+    if (type == GLTF_UNSIGNED_INT || type == GLTF_FLOAT) return 4;
     throw InputError(
         fmt::format("it has numbers of a kind that glTF does not know ({}): export the model again", type));
 }
@@ -52,11 +51,11 @@ double numberAt(const char* place, bool isFraction)
 double numberAt(const char* place, int type, bool isFraction)
 {
     switch (type) {
-        case BYTE: return numberAt<int8_t>(place, isFraction);
-        case UNSIGNED_BYTE: return numberAt<uint8_t>(place, isFraction);
-        case SHORT: return numberAt<int16_t>(place, isFraction);
-        case UNSIGNED_SHORT: return numberAt<uint16_t>(place, isFraction);
-        case UNSIGNED_INT: return numberAt<uint32_t>(place, isFraction);
+        case GLTF_BYTE: return numberAt<int8_t>(place, isFraction);
+        case GLTF_UNSIGNED_BYTE: return numberAt<uint8_t>(place, isFraction);
+        case GLTF_SHORT: return numberAt<int16_t>(place, isFraction);
+        case GLTF_UNSIGNED_SHORT: return numberAt<uint16_t>(place, isFraction);
+        case GLTF_UNSIGNED_INT: return numberAt<uint32_t>(place, isFraction);
         default: return numberAt<float>(place, isFraction);
     }
 }
@@ -64,7 +63,7 @@ double numberAt(const char* place, int type, bool isFraction)
 /// Numbers in a view, element by element.
 struct Elements {
     std::string_view bytes;
-    int type = FLOAT;
+    int type = GLTF_FLOAT;
     size_t components = 1, stride = 0;
 
     double at(size_t element, size_t component, bool isFraction) const
@@ -114,7 +113,8 @@ public:
     {
         const auto accessor = reference.get<size_t>();
         const Json& accessors = source_.list("accessors");
-        if (accessor >= accessors.size() || accessors[accessor].value("componentType", FLOAT) == FLOAT) return;
+        if (accessor >= accessors.size() || accessors[accessor].value("componentType", GLTF_FLOAT) == GLTF_FLOAT)
+            return;
         const auto key = std::tuple{accessor, isFraction};
         if (!known_.contains(key)) {
             const GltfFloats floats = readFloats(source_, accessor, isFraction);

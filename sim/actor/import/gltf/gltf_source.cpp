@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "sim/actor/gltf/component_types.h"
 #include "sim/actor/import/lowercase.h"
 #include "sim/actor/import/valid_text.h"
 #include "sim/world/errors.h"
@@ -155,10 +156,9 @@ size_t GltfSource::addFloats(const std::vector<float>& values, size_t components
     const size_t view = append(
         "bufferViews",
         {{"buffer", addedBuffer_}, {"byteOffset", offset}, {"byteLength", values.size() * sizeof(float)}});
-    constexpr int FLOAT = 5126;
     return append(
         "accessors",
-        {{"bufferView", view}, {"componentType", FLOAT}, {"count", values.size() / components}, {"type", type}});
+        {{"bufferView", view}, {"componentType", GLTF_FLOAT}, {"count", values.size() / components}, {"type", type}});
 }
 
 std::string GltfSource::bytes() const
