@@ -211,6 +211,7 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     builder.setFluidSpacing(root["fluidSpacing"]);
     SceneContext context{path, builder, addMaterials(file, builder), std::move(known.actors), std::move(known.models)};
     context.notes = known.notes;
+    context.duration = scene.duration;
     for (size_t i = 0; i < root["colliders"].size(); ++i) {
         checkFriction(file, root["colliders"][i], fmt::format("/colliders/{}", i));
         addColliders(context, root["colliders"][i], i);
@@ -230,6 +231,9 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     }
     scene.notes = context.notes;
     scene.warnings = context.warnings;
+    if (settings.substeps > 0 && scene.world.settings.substeps > settings.substeps)
+        scene.warnings.push_back(fmt::format("/solver/substeps: {} are too few for fluid as deep as this: {} are taken",
+                                             settings.substeps, scene.world.settings.substeps));
     scene.actors = std::move(context.actorUses);
     scene.render = readRender(file, scene.world);
     return scene;

@@ -77,6 +77,8 @@
 
 // Of the multipliers of fluids: at 1 resting water boils.
 #define FLUID_RELAXATION 0.45f
+// Of its last move, what a fluid particle does again in the next pass before the first step. Above 0.95 it runs on.
+#define FLUID_MOMENTUM 0.9f
 // More than this of too much density is not taken back at a time: a limit that keeps momentum.
 #define MOST_FLUID_ERROR 1.0f
 // Among solids, fluid gets no faster than they and it were by more than this [m/s2].

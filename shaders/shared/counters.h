@@ -9,6 +9,7 @@
 #define PROBLEM_NAN 2u
 #define PROBLEM_PAIRS 4u
 #define PROBLEM_FLUID 8u
+#define PROBLEM_FLUID_ENERGY 16u
 
 #ifdef __cplusplus
 namespace knuckle::gpu {

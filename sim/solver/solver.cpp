@@ -102,6 +102,10 @@ void Solver::checkCounters(uint64_t frame)
         counters = impl_->stages.counters.download()[0];
     }
     impl_->kept.checked = true;
+    if (counters.problems & PROBLEM_FLUID_ENERGY)
+        throw RunError(fmt::format("frame {}: fluids have gained energy that nothing gave them; give them more room at "
+                                   "the start, lower their speeds, or raise solver.substeps",
+                                   frame));
     if (counters.problems & PROBLEM_NAN) {
         const Particle& particle = impl_->world.particles[counters.badParticle];
         const std::string owner = particle.body == NO_INDEX

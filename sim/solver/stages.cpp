@@ -91,6 +91,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
     if (SoftStage::isNeeded(world)) soft.emplace(setup_);
     if (DistanceStage::isNeeded(world)) distances.emplace(setup_);
     if (FluidStage::isNeeded(world)) fluids.emplace(setup_);
+    if (FluidWatchStage::isNeeded(world)) fluidWatch.emplace();
     if (EmitterStage::isNeeded(world)) emitters.emplace(setup_);
     if (world.settings.solver == SolverKind::Paper) paper.emplace(setup_);
     std::vector<Stage*> stages = all();
@@ -121,6 +122,7 @@ std::vector<Stage*> Stages::all()
     add(soft);
     add(distances);
     add(fluids);
+    add(fluidWatch);
     add(emitters);
     add(paper);
     return stages;

@@ -10,6 +10,7 @@
 #include "sim/solver/drive/drive_stage.h"
 #include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_stage.h"
+#include "sim/solver/fluid/fluid_watch_stage.h"
 #include "sim/solver/joint/joint_stage.h"
 #include "sim/solver/list_room.h"
 #include "sim/solver/paper/paper_stage.h"
@@ -83,6 +84,7 @@ public:
     std::optional<SoftStage> soft;
     std::optional<DistanceStage> distances;
     std::optional<FluidStage> fluids;
+    std::optional<FluidWatchStage> fluidWatch;
     std::optional<EmitterStage> emitters;
     std::optional<PaperStage> paper;
 };

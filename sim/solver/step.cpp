@@ -33,7 +33,8 @@
 //
 // A step ends with its particles where their bodies have them (particle_position); those that bodies share stand at the
 // mean of their goals, which is the joint (joint_position). Where there are emitters or drains, fluid particles then
-// leave the pools (emitter_update, pool_order, fluid_emit) or go back to them (fluid_drain).
+// leave the pools (emitter_update, pool_order, fluid_emit) or go back to them (fluid_drain). Where nothing drives
+// fluids, it is looked whether their energy has risen (fluid_energy, fluid_energy_limit).
 //
 // Freezing (Settings::freeze) is the same for each assembly by itself: freeze_mover, freeze_update at the end of a
 // step.
@@ -97,6 +98,7 @@ void impulseStep(const Stages& s, const Settings& settings, Recorder& recorder)
     s.bodies.placeParticles(recorder);
     s.joints.placeParticles(recorder);
     if (s.sleep) s.sleep->endStep(recorder);
+    if (s.fluidWatch) s.fluidWatch->watch(recorder);
     if (s.emitters) s.emitters->endStep(recorder);
 }
 
@@ -114,9 +116,10 @@ void paperStep(const Stages& s, const Settings& settings, Recorder& recorder)
 
 }  // namespace
 
-void recordStart(const Stages& stages, Recorder& recorder)
+void recordStart(Stages& stages, Recorder& recorder)
 {
     if (stages.fluids) stages.fluids->relax(recorder);
+    if (stages.fluidWatch) stages.fluidWatch->begin(recorder);
 }
 
 void recordStep(const Stages& stages, const Settings& settings, Recorder& recorder)

@@ -21,11 +21,27 @@ uint32_t automaticSubsteps(float diameter, float timeStep, SolverKind solver)
     return static_cast<uint32_t>(more * std::clamp(std::ceil(needed - 0.01f), 4.0f, 16.0f));
 }
 
+namespace {
+
+/// As many that fluid at rest is denser than asked by `error`, which is half of pressure / density (h / spacing)^2.
+float fluidSubsteps(float spacing, float pressure, float timeStep, float error)
+{
+    return 0.768f * timeStep / spacing * std::sqrt(pressure / error);
+}
+
+}  // namespace
+
 uint32_t automaticFluidSubsteps(float spacing, float pressure, float timeStep)
 {
-    const float highest = std::max(pressure, 9.81f * 20.0f * spacing);
-    const float needed = 0.128f * 60.0f * timeStep * std::sqrt(highest) / spacing;
-    return static_cast<uint32_t>(std::clamp(std::ceil(needed - 0.02f), 4.0f, 32.0f));
+    const float needed = fluidSubsteps(spacing, std::max(pressure, 9.81f * 20.0f * spacing), timeStep, 0.01f);
+    const auto chosen = static_cast<uint32_t>(std::clamp(std::ceil(needed - 0.02f), 4.0f, 32.0f));
+    return std::max(chosen, leastFluidSubsteps(spacing, pressure, timeStep));
+}
+
+uint32_t leastFluidSubsteps(float spacing, float pressure, float timeStep)
+{
+    const float needed = fluidSubsteps(spacing, pressure, timeStep, 0.06f);
+    return static_cast<uint32_t>(std::clamp(std::ceil(needed - 0.02f), 1.0f, 64.0f));
 }
 
 float cohesionPressure(float surfaceTension, float spacing)

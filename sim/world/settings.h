@@ -35,7 +35,8 @@ struct Settings {
     VelocityOrder velocityOrder = VelocityOrder::Second;
     Eigen::Vector3f gravity{0.0f, -9.81f, 0.0f};  ///< [m/s2]
     float timeStep = 1.0f / 60.0f;                ///< One step [s], 1e-4 ... 0.1. A frame is one or more steps.
-    uint32_t substeps = 0;                        ///< Per step, 1 ... 64; 0: automaticSubsteps().
+    uint32_t substeps = 0;                        ///< Per step, 1 ... 64; 0: automaticSubsteps(). Fluids have at least
+                                                  ///< leastFluidSubsteps().
     uint32_t iterations = 2;                      ///< Per substep, 1 ... 64.
     uint32_t stabilization = 0;                   ///< Stabilization iterations per substep, 0 ... 16 (paper, 3.3).
     float contactMargin = 0.2f;                   ///< Candidates within (1 + margin) diameters, 0.05 ... 1 (3.1: 0.2).
@@ -61,11 +62,15 @@ struct Settings {
 uint32_t automaticSubsteps(float diameter, float timeStep, SolverKind solver);
 
 /// The same for fluids: pressure goes about a particle far in a substep, so fluid at rest is denser than asked by about
-/// half of pressure / density (timeStep / (substeps spacing))^2; that stays below 1 %. 4 to 32.
+/// half of pressure / density (timeStep / (substeps spacing))^2; that stays below 1 %. 4 to 32, and leastFluidSubsteps().
 /// @param spacing of fluid particles [m]. @param pressure over density [m2/s2]; at least that of twenty layers is
 /// assumed.
 /// @param timeStep [s].
 uint32_t automaticFluidSubsteps(float spacing, float pressure, float timeStep);
+
+/// With fewer substeps fluid does not come to rest: pressure that stays behind by more than 6 % of the density makes it
+/// boil. 1 to 64. @param pressure over density at its floor [m2/s2].
+uint32_t leastFluidSubsteps(float spacing, float pressure, float timeStep);
 
 /// What the surface tension of a fluid presses it together with [Pa]: what pulls particles acts two rest distances far.
 float cohesionPressure(float surfaceTension, float spacing);

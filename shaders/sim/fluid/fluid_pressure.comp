@@ -1,6 +1,7 @@
 // One thread a slot: moves its fluid particle by the pressures around it (Macklin and Mueller 2013, eq. 12, with
 // masses: a pair exchanges the impulse (lambda_i + lambda_j) grad W, so momentum is kept), ends its substep, and
-// predicts where it comes to in the next. RELAX: moves it without making it any faster.
+// predicts where it comes to in the next. RELAX: moves it without making it any faster, a little on the way that it has
+// come in the passes before, so that what the walls press out of a column comes up it in few passes.
 #include "sim/common/kernel.glsl"
 #include "sim/common/nan_report.glsl"
 #include "sim/common/particles.glsl"
@@ -14,7 +15,11 @@ layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
 BUFFER(vec4, SlotPositions, newSlotPositions);
+#ifdef RELAX
+BUFFER(uint, FluidLargestPush, fluidLargestPush);
+#else
 BUFFER(Counters, CountersBlock, counters);
+#endif
 
 /// Out of the colliders, at least a quarter of the rest distance away from them.
 vec3 outside(uint k, vec3 x)
@@ -58,9 +63,14 @@ void main()
     push *= last.timeHeld > 0.0 ? 0.0 : min(1.0, 0.25 * sim.fluidReach / max(length(push), 1e-20));
     vec3 before = positions[i].xyz, x = outside(k, own.position + push);
 #ifdef RELAX
-    positions[i].xyz = newSlotPositions[k].xyz = x;
-    return;
-#endif
+    positions[i].xyz = x;
+    vec3 move = x - before;
+    // It stays among those neighbours and walls for which it has been listed, and between no solids that it would be
+    // squeezed out of in the first step.
+    move *= min(1.0, 0.1 * sim.fluidSpacing / max(length(move), 1e-20));
+    newSlotPositions[k].xyz = fetchCounts(k).solids > 0u ? x : x + FLUID_MOMENTUM * move;
+    atomicMax(fluidLargestPush[0], floatBitsToUint(length(push)));
+#else
     vec3 v = (x - before) * (sim.damping / sim.substepTime);
     float speed = length(v);
     if (isnan(speed) || isinf(speed)) {
@@ -71,4 +81,5 @@ void main()
     velocities[i] = pack(FluidVelocity(v, max(last.timeHeld - sim.substepTime, 0.0)));
     positions[i].xyz = x;
     newSlotPositions[k].xyz = predictedPosition(x, v);
+#endif
 }

@@ -1,42 +1,40 @@
-// What static colliders cover of the smoothing kernel.
+// What static colliders cover of the smoothing kernel. It is the gradient of one function of where walls are: else a
+// particle that goes round in a corner would gain energy each time.
 
 struct WallCover {
     vec3 gradient;   // of the fraction [1/m]
     float fraction;
 };
 
-/// Adds what a wall covers (fraction, slope) to what others do, less what both cover: the product of their fractions
-/// where they stand at right angles, the smaller where they are parallel, nothing where they face each other.
-WallCover addWall(WallCover others, vec3 normal, vec2 wall)
+struct Wall {
+    vec3 normal;
+    float fraction, slope;   // what it covers by itself, and how that changes along its normal [1/m]
+};
+
+Wall wallOf(uint index, vec3 x)
 {
-    float along = -dot(normal, others.gradient) / max(length(others.gradient), 1e-20), alike = max(along, 0.0);
-    float crossing = 1.0 - abs(along);
-    vec2 both = crossing * vec2(wall.x, others.fraction) +
-                alike * (others.fraction < wall.x ? vec2(1, 0) : vec2(0, 1));
-    float twice = crossing * others.fraction * wall.x + alike * min(others.fraction, wall.x);
-    return WallCover((1.0 - both.x) * others.gradient + (1.0 - both.y) * wall.y * normal,
-                     others.fraction + wall.x - twice);
+    ColliderSurface surface = colliderSurface(index, x);
+    vec2 covered = wallFraction(surface.distance);
+    return Wall(surface.normal, covered.x, covered.y);
 }
 
-/// Whether a wall is nearer than another. Distances of walls that coincide differ by rounding: the first is nearer.
-bool isNearer(uint index, ColliderSurface wall, uint otherIndex, ColliderSurface other)
-{
-    float rounding = 1e-3 * sim.fluidSpacing;
-    return wall.distance < other.distance + (index < otherIndex ? rounding : -rounding);
-}
+/// The share of what a wall covers that walls before it do not.
+struct Uncovered {
+    float share, byOwn;   // and how that changes with what the wall covers
+    vec3 byOthers;        // and with where they are [1/m]
+};
 
-/// The part of a wall that no nearer one stands in front of: 0 behind a parallel one, 1 where they differ by 11 degrees
-/// or more. Without it a second floor would count in corners, where what the others cover together leans.
-float inFront(uint slot, vec3 x, uint index, ColliderSurface wall)
+/// Takes away what another wall covers of it: of walls at right angles the product, of parallel ones the smaller, none
+/// of walls that face each other.
+Uncovered without(Uncovered left, Wall wall, Wall other)
 {
-    float part = 1.0;
-    for (NearColliders near = nearColliders(slot); nextCollider(near);) {
-        if (near.index == index) continue;
-        ColliderSurface other = colliderSurface(near.index, x);
-        if (isNearer(near.index, other, index, wall))
-            part *= clamp(50.0 * (1.0 - dot(other.normal, wall.normal)), 0.0, 1.0);
-    }
-    return part;
+    float along = dot(wall.normal, other.normal), alike = max(along, 0.0), crossing = 1.0 - abs(along);
+    bool behind = other.fraction < wall.fraction;
+    float inverse = 1.0 / max(wall.fraction, 1e-20), part = behind ? other.fraction * inverse : 1.0;
+    float share = max(1.0 - crossing * other.fraction - alike * part, 0.0);
+    float byOther = -crossing - (behind ? alike * inverse : 0.0), byWall = behind ? alike * part * inverse : 0.0;
+    return Uncovered(left.share * share, left.byOwn * share + left.share * byWall,
+                     left.byOthers * share + left.share * byOther * other.slope * other.normal);
 }
 
 /// What the colliders near a slot cover for a particle at x.
@@ -44,9 +42,16 @@ WallCover wallCover(uint slot, vec3 x)
 {
     WallCover sum = WallCover(vec3(0), 0.0);
     for (NearColliders near = nearColliders(slot); nextCollider(near);) {
-        ColliderSurface wall = colliderSurface(near.index, x);
-        vec2 covered = wallFraction(wall.distance);
-        if (covered.x > 0.0) sum = addWall(sum, wall.normal, inFront(slot, x, near.index, wall) * covered);
+        Wall wall = wallOf(near.index, x);
+        if (wall.fraction <= 0.0) continue;
+        Uncovered left = Uncovered(1.0, 0.0, vec3(0));
+        for (NearColliders before = nearColliders(slot); nextCollider(before) && before.index < near.index;) {
+            Wall other = wallOf(before.index, x);
+            if (other.fraction > 0.0) left = without(left, wall, other);
+        }
+        sum.fraction += wall.fraction * left.share;
+        sum.gradient += (left.share + wall.fraction * left.byOwn) * wall.slope * wall.normal +
+                        wall.fraction * left.byOthers;
     }
     return sum;
 }

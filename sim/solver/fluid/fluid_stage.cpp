@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_numbers.h"
@@ -13,7 +14,12 @@ namespace knuckle {
 
 namespace {
 
-constexpr int RELAXATIONS = 48;  // the pressure of the walls goes about a particle far in each
+/// Passes between two looks at what is left: the pressure of the walls goes about a particle far in each.
+constexpr int RELAXATIONS = 24;
+/// Where no way leads out, as in a closed box that is too full, more would not help.
+constexpr int MOST_LOOKS = 80;
+/// Fluid is at rest when none would start faster than this [m/s].
+constexpr float STARTS_WITH = 0.02f;
 
 bool hasTensionIn(const World& world)
 {
@@ -40,6 +46,7 @@ void FluidStage::upload(const StageSetup& setup)
     for (const Material& m : setup.world.materials)
         materials.push_back({smoothing(parameters_, m, settings.timeStep), tension(parameters_, m), 0, 0});
     fluidMaterials = {"fluidMaterials", std::span<const gpu::vec4>(materials)};
+    fluidLargestPush = {"fluidLargestPush", 1};
 }
 
 void FluidStage::makeLists(const Gpu& gpu)
@@ -84,7 +91,7 @@ void FluidStage::addBuffers(BufferTable& table)
     table.add(Lifetime::State, fluidCellCounts, fluidCellSums);  // they begin a search with zeros
     table.add(Lifetime::Scratch, fluidSearchPositions, fluidParticleCells, fluidCellStarts, fluidCellMembers,
               slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, slotMaterials, slotVelocities,
-              slotPositions, slotPressures, slotVorticities, slotWalls, slotSolids);
+              slotPositions, slotPressures, slotVorticities, slotWalls, slotSolids, fluidLargestPush);
     ElementType fourAtATime = elementType<uint32_t>();
     fourAtATime.texelBytes = 16;
     table.add("fluidSorted", fluidSorted, fourAtATime, Lifetime::Scratch);
@@ -121,14 +128,20 @@ void FluidStage::beginStep(Recorder& recorder) const
     perSlot(recorder, confinement_);
 }
 
-void FluidStage::relax(Recorder& recorder) const
+void FluidStage::relax(Recorder& recorder)
 {
-    list(recorder);
-    recorder.perElement(predictRelaxed_, parameters_.fluidCount);
-    recorder.perElement(predictSolidRelaxed_, parameters_.particleCount);
-    for (int k = 0; k < RELAXATIONS; ++k) {
-        perSlot(recorder, density_);
-        perSlot(recorder, pressureRelaxed_);
+    const float atRest = STARTS_WITH * parameters_.substepTime;
+    float largest = 2.0f * atRest;
+    for (int look = 0; look < MOST_LOOKS && largest > atRest; ++look) {
+        list(recorder);
+        recorder.perElement(predictRelaxed_, parameters_.fluidCount);
+        recorder.perElement(predictSolidRelaxed_, parameters_.particleCount);
+        for (int k = 0; k < RELAXATIONS; ++k) {
+            if (k + 1 == RELAXATIONS) fluidLargestPush.clear();
+            perSlot(recorder, density_);
+            perSlot(recorder, pressureRelaxed_);
+        }
+        largest = std::bit_cast<float>(fluidLargestPush.download()[0]);
     }
 }
 

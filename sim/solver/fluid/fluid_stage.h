@@ -20,8 +20,9 @@ public:
     /// Makes the buffers of slots anew, with the room that the parameters say. @throws DeviceError as the constructor.
     void makeLists(const Gpu& gpu) override;
     /// Once, before the first step: a lattice that fills a tank is too dense at its walls and at solids. Here it makes
-    /// room without gaining speed; within a step, the same displacement would become speed.
-    void relax(Recorder& recorder) const;
+    /// room without gaining speed; within a step, the same displacement would become speed. It goes on until nothing is
+    /// left that would, and stalls for the GPU to know.
+    void relax(Recorder& recorder);
     /// Once a step: who is whose neighbour; viscosity and vorticity confinement.
     void beginStep(Recorder& recorder) const;
     /// One iteration of pressures, after the movers have been predicted. Afterwards fluid particles are at their
@@ -46,6 +47,7 @@ public:
     Buffer<gpu::vec4> slotPositions;                ///< Predicted [m]; w: mass [kg].
     Buffer<gpu::vec4> slotPressures;                ///< Position; w: lambda [kg m2].
     Buffer<gpu::vec4> slotVorticities;              ///< [1/s]; w: its length.
+    Buffer<uint32_t> fluidLargestPush;              ///< One: of a pass before the first step [m], as bits of a float.
     Buffer<gpu::vec4> slotWalls, slotSolids;        ///< Gradients of what walls and solids add to the density.
 
 private:

@@ -103,10 +103,12 @@ void WorldBuilder::placeFluid()
     }
     world_.fluidCount = fluidCount() + world_.pooledCount();
     Settings& settings = world_.settings;
-    if (world_.fluidCount == 0 || !choosesSubsteps_) return;
+    if (world_.fluidCount == 0) return;
     const float spacing = world_.fluidSpacing, depth = depthOf(fluid_, settings.gravity.normalized(), spacing);
-    const float pressure = settings.gravity.norm() * depth + mostCohesion(world_.materials, spacing);
-    settings.substeps = std::max(settings.substeps, automaticFluidSubsteps(spacing, pressure, settings.timeStep));
+    const float weight = settings.gravity.norm() * depth, cohesion = mostCohesion(world_.materials, spacing);
+    const uint32_t needed = choosesSubsteps_ ? automaticFluidSubsteps(spacing, weight + cohesion, settings.timeStep)
+                                             : leastFluidSubsteps(spacing, weight, settings.timeStep);
+    settings.substeps = std::max(settings.substeps, needed);
 }
 
 }  // namespace knuckle

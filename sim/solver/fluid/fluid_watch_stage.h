@@ -1,0 +1,33 @@
+#pragma once
+
+#include "sim/solver/stage.h"
+
+namespace knuckle {
+
+/// Fluids that nothing drives only ever lose energy. Where theirs rises all the same, by more than solids can have given
+/// them, a kernel reports PROBLEM_FLUID_ENERGY.
+class FluidWatchStage : public Stage {
+public:
+    /// For worlds without emitters, drains, clips and moving colliders, which give fluids what they like.
+    static bool isNeeded(const World& world);
+    void upload(const StageSetup& setup) override;
+    void addBuffers(BufferTable& table) override;
+
+    /// Once, before the first step: notes how much energy there is.
+    void begin(Recorder& recorder) const;
+    /// Compares with it, at the end of a step.
+    void watch(Recorder& recorder) const;
+
+    Buffer<float> fluidEnergySums;    ///< Per GROUP_SIZE fluid particles: kinetic and potential energy [J].
+    Buffer<float> fluidEnergyLimits;  ///< What they may have in all [J], and of it what is not theirs at the start.
+
+private:
+    void sum(Recorder& recorder) const;
+
+    uint32_t fluidCount_ = 0;
+    Pass sum_{*this, "fluid/fluid_energy"};
+    Pass begin_{*this, "fluid/fluid_energy_limit", {{"START", "1"}}};
+    Pass watch_{*this, "fluid/fluid_energy_limit"};
+};
+
+}  // namespace knuckle
