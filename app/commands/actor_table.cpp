@@ -196,6 +196,9 @@ std::string actorTable(const Actor& actor, const Model& model, const Articulatio
     text += fmt::format("pose: {}\n", model.poseFrom.empty() ? "the file's rest pose" : model.poseFrom);
     text += clipText(model);
     for (const std::string& note : actor.notes) text += fmt::format("note: {}\n", note);
+    for (const Clip& clip : model.clips)
+        for (const std::string& note : clip.notes) text += fmt::format("note: {}\n", note);
+    for (const std::string& what : model.surface.missing) text += fmt::format("note: {}\n", what);
     for (const std::string& note : model.surface.notes) text += fmt::format("note: {}\n", note);
     return text;
 }

@@ -149,7 +149,7 @@ std::vector<Rig> everyRig(const Scene& scene)
         else addParticles(rigs.back(), scene.world, colors);
     }
     std::ranges::stable_sort(rigs, {}, &Rig::object);
-    for (Rig& rig : rigs) rig.model.clips = {{CLIP, 0.0, {}, {}}};
+    for (Rig& rig : rigs) rig.model.clips = {{CLIP, 0.0, {}, {}, {}}};
     return rigs;
 }
 

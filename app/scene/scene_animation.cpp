@@ -7,6 +7,7 @@
 #include "app/scene/scene_parts.h"
 #include "sim/actor/bodies/clip_ranges.h"
 #include "sim/actor/clips/body_clip.h"
+#include "sim/actor/clips/travel.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -85,27 +86,59 @@ private:
     std::string actorKey_;
 };
 
-ClipPlay readPlay(const Json& json, uint32_t clip)
+std::vector<Eigen::Vector2f> pathOf(const Json& json)
+{
+    std::vector<Eigen::Vector2f> path;
+    for (const Json& point : json.value("path", Json::array())) path.emplace_back(point[0], point[2]);
+    return path;
+}
+
+/// Has it go as the feet of its clip do, by a clip made for that.
+void travel(const ObjectEntry& entry, const Actor& actor, const Json& json, const std::string& where, ClipPlay& play)
+{
+    WorldBuilder& builder = entry.context.builder;
+    const BodyClip& clip = builder.world().clips[play.clip];
+    const std::vector<Eigen::Vector2f> path = pathOf(json);
+    try {
+        TravelClip made = travelOnFeet(actor, clip);
+        play.speed = json.contains("speed") ? play.speed / made.speed : 1.0f;
+        if (!path.empty()) {
+            const auto seconds = static_cast<float>(entry.context.duration) * play.speed;
+            made = travelAlong(actor, clip, path, play.start, seconds);
+            play.start = 0.0f;
+            play.loop = false;
+        }
+        play.clip = builder.addClip(std::move(made.clip));
+    } catch (const InputError& error) {
+        entry.fail(where + (path.empty() ? "/root" : "/path"), error.what());
+    }
+}
+
+ClipPlay readPlay(const ObjectEntry& entry, const Actor& actor, ClipReader& clips, const Json& json,
+                  const std::string& where)
 {
     ClipPlay play;
-    play.clip = clip;
+    play.clip = clips.read(json, where);
     play.start = json["start"];
-    play.speed = json["speed"];
+    play.speed = json.value("speed", 1.0f);
     play.loop = json["loop"];
     play.inPlace = json["root"] == "inPlace";
     play.at = json.value("at", 0.0f);
     play.fade = json.value("fade", 0.0f);
+    if (json["root"] == "travel") travel(entry, actor, json, where, play);
+    else if (!pathOf(json).empty())
+        entry.fail(where + "/path", "is for \"root\": \"travel\"; give that, or take it away");
     return play;
 }
 
-std::vector<ClipPlay> readPlays(const ObjectEntry& entry, ClipReader& clips)
+std::vector<ClipPlay> readPlays(const ObjectEntry& entry, const Actor& actor, ClipReader& clips)
 {
     const Json& json = entry.json["animation"];
-    std::vector<ClipPlay> plays{readPlay(json, clips.read(json, "/animation"))};
+    std::vector<ClipPlay> plays{readPlay(entry, actor, clips, json, "/animation")};
     const Json& then = json["then"];
     for (size_t i = 0; i < then.size(); ++i) {
         const std::string where = fmt::format("/animation/then/{}", i);
-        plays.push_back(readPlay(then[i], clips.read(then[i], where)));
+        plays.push_back(readPlay(entry, actor, clips, then[i], where));
         if (plays.back().at < plays[i].at) entry.fail(where + "/at", "must not be before that of the entry before");
     }
     return plays;
@@ -123,14 +156,14 @@ ClipPlay readPose(const ObjectEntry& entry, ClipReader& clips)
 }
 
 /// What an actor is caught in; where no clip is named, what it was let go in goes on.
-void addCaughtPlay(const ObjectEntry& entry, ClipReader& clips, std::vector<ClipPlay>& plays)
+void addCaughtPlay(const ObjectEntry& entry, const Actor& actor, ClipReader& clips, std::vector<ClipPlay>& plays)
 {
     const Json& json = entry.json["catch"];
     const float time = json["time"];
     if (time == 0.0f) return;
     if (plays.back().at >= time) entry.fail("/catch/time", "must be behind all changes of clip");
     if (!namesClip(json)) return;
-    plays.push_back(readPlay(json, clips.read(json, "/catch")));
+    plays.push_back(readPlay(entry, actor, clips, json, "/catch"));
     plays.back().at = time;
 }
 
@@ -160,8 +193,8 @@ std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor)
         entry.fail("/pose", "is where a limp actor begins; take it or `animation` away");
     if (!entry.velocity.isZero()) entry.fail("/velocity", "is what the clip says; take it away");
     ClipReader clips(entry, actor);
-    std::vector<ClipPlay> plays = limp ? std::vector{readPose(entry, clips)} : readPlays(entry, clips);
-    addCaughtPlay(entry, clips, plays);
+    std::vector<ClipPlay> plays = limp ? std::vector{readPose(entry, clips)} : readPlays(entry, actor, clips);
+    addCaughtPlay(entry, actor, clips, plays);
     for (const ClipPlay& play : plays) takeIn(actor, entry.context.builder.world().clips[play.clip]);
     return plays;
 }

@@ -41,6 +41,7 @@ struct SceneContext {
     std::map<std::string, Model> models = {};   ///< With clips, the same.
     std::map<std::string, std::shared_ptr<const SkinMesh>> skins = {};  ///< The same.
     std::map<std::string, uint32_t> clips = {};                         ///< Indices by actor, file and name.
+    double duration = 0.0;                                              ///< Of the film [s].
     std::vector<SceneActor> actorUses = {};
     std::vector<std::string> notes = {};     ///< For the user: what of the scene is not as it says.
     std::vector<std::string> warnings = {};  ///< Of that what a run tells, too: Scene::warnings.

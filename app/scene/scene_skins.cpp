@@ -39,6 +39,8 @@ std::shared_ptr<const SkinMesh> makeSkin(const ObjectEntry& entry, const Actor& 
     try {
         const Model& model = modelWithClips(context, actor.model, true);
         if (isAutomatic(entry) && model.surface.vertices.empty()) return nullptr;
+        for (const std::string& what : model.surface.missing)
+            context.warnings.push_back(fmt::format("{}/skin: {}", entry.pointer, what));
         for (const std::string& note : model.surface.notes)
             context.notes.push_back(fmt::format("{}/skin: {}", entry.pointer, note));
         return std::make_shared<const SkinMesh>(makeSkinMesh(actor, model));

@@ -37,7 +37,7 @@ struct ModelSurface {
     std::vector<SurfaceVertex> vertices;  ///< Per vertex of the model.
     std::vector<SkinMaterial> materials;
     std::vector<TexturePicture> textures;
-    std::vector<std::string> notes;  ///< What of the textures cannot be had or was made smaller, one sentence each.
+    std::vector<std::string> missing, notes;  ///< What of it cannot be had; what was made smaller: a sentence each.
 };
 
 /// A sampled clip: local poses per bone at keyTimes.
@@ -46,6 +46,7 @@ struct Clip {
     double duration = 0.0;                            ///< [s]
     std::vector<double> keyTimes;                     ///< [s], ascending
     std::vector<std::vector<Eigen::Matrix4f>> poses;  ///< [key][bone], bone to model.
+    std::vector<std::string> notes;                   ///< What of it is not played, one sentence each.
 };
 
 /// A clip of the file that cannot be played.

@@ -101,6 +101,7 @@ ActorClip convert(const Actor& actor, const Model& source, const Clip& clip, con
         turns.addKey(wanted, out.clip.turns);
     }
     out.notes = turns.notes(clip.name);
+    out.notes.insert(out.notes.end(), clip.notes.begin(), clip.notes.end());
     return out;
 }
 

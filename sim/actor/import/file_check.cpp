@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string_view>
 
 #include "sim/actor/import/gltf/gltf_source.h"
@@ -23,6 +26,53 @@ using Json = nlohmann::json;
 /// What assimp's readers say where a file ends too early.
 constexpr std::array CUT_OFF_WORDS{"end of file", "eof",       "out of range", "exceeds size",
                                    "too small",   "truncated", "keyword \"\"", "invalid number of"};
+
+/// What they say of files that are whole and hold no mesh.
+constexpr std::array NO_MESH_WORDS{"no root node",
+                                   "came out empty",
+                                   "unable to extract mesh",
+                                   "no valid vertices",
+                                   "no vertices",
+                                   "no objects dictionary",
+                                   "no meshes",
+                                   "no geometry",
+                                   "no valid geometry",
+                                   "obj-file is too small"};
+
+bool holdsAny(const std::string& text, std::span<const char* const> words)
+{
+    return std::ranges::any_of(words, [&](const char* word) { return text.find(word) != std::string::npos; });
+}
+
+/// The version that an FBX file says it has, 7400 for 7.4; 0 if it says none.
+uint32_t fbxVersion(const std::string& path)
+{
+    constexpr size_t BINARY_VERSION_AT = 23, LOOKED_THROUGH = 4096;
+    std::string start(LOOKED_THROUGH, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<size_t>(file.gcount()));
+    uint32_t version = 0;
+    if (start.starts_with("Kaydara FBX Binary") && start.size() >= BINARY_VERSION_AT + sizeof version) {
+        std::memcpy(&version, start.data() + BINARY_VERSION_AT, sizeof version);
+        return version;
+    }
+    constexpr std::string_view WORD = "FBXVersion:";
+    const size_t at = start.find(WORD);
+    return at == std::string::npos ? 0u
+                                   : static_cast<uint32_t>(std::strtoul(start.c_str() + at + WORD.size(), nullptr, 10));
+}
+
+void checkFbx(const std::string& path)
+{
+    constexpr uint32_t OLDEST = 7100;  // that assimp reads
+    const uint32_t version = fbxVersion(path);
+    if (version == 0 || version >= OLDEST) return;
+    throw InputError(
+        fmt::format("it is an FBX of version {}.{}, as programs wrote before 2011, which is not read: convert "
+                    "it to FBX 2011 or later, or to glTF",
+                    version / 1000, version / 100 % 10));
+}
 
 void checkBuffer(const fs::path& folder, const Json& buffer)
 {
@@ -84,6 +134,7 @@ void checkParts(const std::string& path)
     const std::string name = lowercase(fs::path(path).filename().string());
     if (name.ends_with(".skeleton") || name.ends_with(".skeleton.xml"))
         throw InputError("it is a skeleton of Ogre without its mesh: give the .mesh or .mesh.xml that goes with it");
+    if (name.ends_with(".fbx")) checkFbx(path);
     if (name.ends_with(".gltf")) checkGltf(path);
     if (name.ends_with(".glb")) checkGlb(path);
 }
@@ -91,7 +142,8 @@ void checkParts(const std::string& path)
 std::string unreadableBecause(const std::string& reason)
 {
     const std::string words = lowercase(reason);
-    if (std::ranges::any_of(CUT_OFF_WORDS, [&](const char* cut) { return words.find(cut) != std::string::npos; }))
+    if (holdsAny(words, NO_MESH_WORDS)) return NO_MESH;
+    if (holdsAny(words, CUT_OFF_WORDS))
         return fmt::format("it is cut off or damaged ({}); export the model again", reason);
     return fmt::format("it cannot be read as a model ({}); export it as glTF, FBX, Collada or BVH",
                        reason.empty() ? "it holds no scene" : reason);
@@ -108,7 +160,7 @@ void noteMissingMaterials(const std::string& path, ModelSurface& surface)
         name.erase(name.find_last_not_of(" \r\t") + 1);
         std::error_code error;
         if (!fs::is_regular_file(fs::path(path).parent_path() / name, error))
-            surface.notes.push_back(fmt::format("Material file '{}' is not beside the model: drawn plain.", name));
+            surface.missing.push_back(fmt::format("Material file '{}' is not beside the model: drawn plain.", name));
     }
 }
 

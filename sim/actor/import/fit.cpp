@@ -29,8 +29,10 @@ constexpr Unit UNITS[] = {{"metres", 1.0f}, {"centimetres", 0.01f}, {"millimetre
 // Motion capture comes in these; the last is the unit of the CMU library (an inch over 0.45).
 constexpr Unit CAPTURE_UNITS[] = {{"metres", 1.0f},
                                   {"centimetres", 0.01f},
-                                  {"inches", 0.0254f},
                                   {"millimetres", 0.001f},
+                                  {"decimetres", 0.1f},
+                                  {"inches", 0.0254f},
+                                  {"feet", 0.3048f},
                                   {"units of 56.4 mm", 0.0254f / 0.45f}};
 
 /// Around the mesh, or the bones' heads where there is none.

@@ -9,12 +9,15 @@
 #include <string_view>
 
 #include "sim/actor/import/child_process.h"
+#include "sim/actor/import/file_check.h"
 #include "sim/actor/import/fit.h"
 #include "sim/actor/import/import.h"
 #include "sim/actor/import/import_scene.h"
+#include "sim/actor/import/lowercase.h"
 #include "sim/actor/import/model_bytes.h"
 #include "sim/actor/import/rest_pose.h"
 #include "sim/actor/import/skeleton_body.h"
+#include "sim/actor/import/upright.h"
 #include "sim/actor/import/valid_text.h"
 #include "sim/world/errors.h"
 
@@ -32,25 +35,41 @@ void makeTextsValid(Model& model)
     fix(model.name);
     fix(model.poseFrom);
     for (Bone& bone : model.bones) fix(bone.name);
-    for (Clip& clip : model.clips) fix(clip.name);
+    for (Clip& clip : model.clips) {
+        fix(clip.name);
+        for (std::string& note : clip.notes) fix(note);
+    }
     for (SkinMaterial& material : model.surface.materials) fix(material.name);
     for (UnusableClip& clip : model.unusableClips) {
         fix(clip.name);
         fix(clip.why);
     }
-    for (auto* notes : {&model.notes, &model.surface.notes})
+    for (auto* notes : {&model.notes, &model.surface.notes, &model.surface.missing})
         for (std::string& note : *notes) fix(note);
+}
+
+/// Whether bones stand at more than one place: nodes of a scene without meshes may be cameras and groups.
+bool hasSkeleton(const Model& model)
+{
+    for (uint32_t b = 1; b < model.bones.size(); ++b) {
+        if (boneHead(model, b) != boneHead(model, 0)) return true;
+        for (const Clip& clip : model.clips)
+            if (!clip.poses[0][b].col(3).isApprox(clip.poses[0][0].col(3))) return true;
+    }
+    return false;
 }
 
 Model readWhole(const std::string& path, const ImportOptions& options)
 {
     Model model = readScene(path, options.surface, options.pick);
-    const bool bare = model.triangles.empty() && model.vertices.empty();
-    if (bare && model.bones.size() >= 2) {
+    const bool bare = model.triangles.empty() && model.vertices.empty() && hasSkeleton(model);
+    if (bare) {
+        const bool saysNoAxis = lowercase(std::filesystem::path(path).extension().string()) == ".bvh";
+        if (saysNoAxis && options.fit.up == UpAxis::Y) standUpright(model);
         chooseRestPose(model);
     }
-    if (model.triangles.empty() && !(bare && model.bones.size() >= 2)) {
-        throw InputError("it holds neither triangles nor a skeleton: export a mesh");
+    if (model.triangles.empty() && !bare) {
+        throw InputError(NO_MESH);
     }
     fitModel(model, options.fit);
     if (bare) {

@@ -22,9 +22,9 @@ Eigen::Vector4d placeOf(const aiMesh& mesh, unsigned vertex)
 Eigen::AlignedBox3d figureBounds(const aiScene& scene, const NodeTable& table)
 {
     Eigen::AlignedBox3d box;
-    forEachMesh(scene, table, [&](const aiMesh& mesh, uint32_t) {
+    forEachMesh(scene, table, [&](const aiMesh& mesh, uint32_t node) {
         if (mesh.mNumBones < FEWEST_SKINNED) return;
-        const std::vector<Eigen::Matrix4d> matrices = skinMatrices(mesh, table);
+        const std::vector<Eigen::Matrix4d> matrices = skinMatrices(mesh, node, table);
         for (size_t b = 0; b < matrices.size(); ++b)
             for (const aiVertexWeight& weight : std::span(mesh.mBones[b]->mWeights, mesh.mBones[b]->mNumWeights))
                 if (weight.mWeight > MOVES && weight.mVertexId < mesh.mNumVertices)

@@ -53,7 +53,7 @@ auto sampleKeys(const Key* keys, unsigned count, double time)
     return between(valueOf(before), valueOf(*next), span > 0.0 ? (time - before.mTime) / span : 0.0);
 }
 
-Matrix4d sampleChannel(const aiNodeAnim& channel, const Matrix4d& rest, double time)
+Matrix4d sampleChannel(const aiNodeAnim& channel, const Eigen::Matrix3d& correction, const Matrix4d& rest, double time)
 {
     Eigen::Affine3d restAffine(rest);
     Vector3d position = restAffine.translation();
@@ -67,7 +67,7 @@ Matrix4d sampleChannel(const aiNodeAnim& channel, const Matrix4d& rest, double t
         position = sampleKeys(channel.mPositionKeys, channel.mNumPositionKeys, time);
     }
     if (channel.mNumRotationKeys > 0) {
-        rotation = sampleKeys(channel.mRotationKeys, channel.mNumRotationKeys, time).toRotationMatrix();
+        rotation = sampleKeys(channel.mRotationKeys, channel.mNumRotationKeys, time).toRotationMatrix() * correction;
     }
     if (channel.mNumScalingKeys > 0) {
         scale = sampleKeys(channel.mScalingKeys, channel.mNumScalingKeys, time);
@@ -78,8 +78,15 @@ Matrix4d sampleChannel(const aiNodeAnim& channel, const Matrix4d& rest, double t
     return m;
 }
 
-// Per node its channel, if any. Where a mesh and a bone have the same name, the channel is the bone's.
-std::vector<const aiNodeAnim*> channelsByNode(const aiAnimation& animation, const NodeTable& table)
+/// What a clip does with a node.
+struct NodeMotion {
+    const aiNodeAnim* channel = nullptr;
+    Eigen::Matrix3d correction = Eigen::Matrix3d::Identity();  ///< FbxChannel::correction.
+    bool isContained = false;                                  ///< In the channel of a node below.
+};
+
+// Per node what moves it, if anything. Where a mesh and a bone have the same name, the channel is the bone's.
+std::vector<NodeMotion> motionsByNode(const aiAnimation& animation, const NodeTable& table)
 {
     std::map<std::string, uint32_t> nodeByName;
     for (uint32_t n = 0; n < table.nodes.size(); ++n) {
@@ -89,32 +96,35 @@ std::vector<const aiNodeAnim*> channelsByNode(const aiAnimation& animation, cons
             nodeByName[name] = n;
         }
     }
-    std::vector<const aiNodeAnim*> channels(table.nodes.size(), nullptr);
+    std::vector<NodeMotion> motions(table.nodes.size());
     for (unsigned c = 0; c < animation.mNumChannels; ++c) {
         const auto found = nodeByName.find(animation.mChannels[c]->mNodeName.C_Str());
-        if (found != nodeByName.end()) {
-            channels[found->second] = animation.mChannels[c];
-        }
+        if (found == nodeByName.end()) continue;
+        const FbxChannel channel = fbxChannel(*table.nodes[found->second]);
+        motions[found->second].channel = animation.mChannels[c];
+        motions[found->second].correction = channel.correction;
+        for (const aiNode* contained : channel.contained) motions[table.indices.at(contained)].isContained = true;
     }
-    return channels;
+    return motions;
 }
 
-std::vector<Eigen::Matrix4f> poseAt(const std::vector<const aiNodeAnim*>& channels, const NodeTable& table,
-                                    double ticks, size_t boneCount)
+std::vector<Eigen::Matrix4f> poseAt(const std::vector<NodeMotion>& motions, const NodeTable& table, double ticks,
+                                    size_t boneCount)
 {
-    std::vector<Matrix4d> globals(table.nodes.size());
-    std::vector<Eigen::Matrix4f> poses(boneCount);
-    for (size_t n = 0; n < table.nodes.size(); ++n) {
-        Matrix4d local = table.locals[n];
-        if (channels[n] != nullptr) {
-            local = sampleChannel(*channels[n], toEigen(table.nodes[n]->mTransformation), ticks);
-            local = table.parents[n] < 0 ? Matrix4d(table.upright * local) : local;
-        }
-        globals[n] = table.parents[n] < 0 ? local : Matrix4d(globals[table.parents[n]] * local);
-        if (table.boneOf[n] >= 0) {
-            poses[table.boneOf[n]] = bonePose(globals[n]);
-        }
+    std::vector<Matrix4d> locals = table.locals;
+    for (size_t n = 0; n < locals.size(); ++n) {
+        const NodeMotion& motion = motions[n];
+        if (motion.isContained) locals[n].setIdentity();
+        else if (motion.channel != nullptr)
+            locals[n] = sampleChannel(*motion.channel, motion.correction, toEigen(table.nodes[n]->mTransformation),
+                                      ticks);
+        else continue;
+        if (table.parents[n] < 0) locals[n] = table.upright * locals[n];
     }
+    const std::vector<Matrix4d> globals = table.fbx.place(locals, table.parents);
+    std::vector<Eigen::Matrix4f> poses(boneCount);
+    for (size_t n = 0; n < globals.size(); ++n)
+        if (table.boneOf[n] >= 0) poses[table.boneOf[n]] = bonePose(globals[n]);
     return poses;
 }
 
@@ -145,20 +155,60 @@ unsigned mostKeys(const aiAnimation& animation)
 }
 
 /// Whether any channel is of a bone.
-bool movesBones(const std::vector<const aiNodeAnim*>& channels, const NodeTable& table)
+bool movesBones(const std::vector<NodeMotion>& motions, const NodeTable& table)
 {
-    for (size_t n = 0; n < channels.size(); ++n)
-        if (channels[n] && table.boneOf[n] >= 0) return true;
+    for (size_t n = 0; n < motions.size(); ++n)
+        if (motions[n].channel && table.boneOf[n] >= 0) return true;
     return false;
+}
+
+/// Its name; of those of one name that come later with a number, as skeletons have.
+std::string nameOf(const aiAnimation& animation, const Model& model)
+{
+    const std::string name = animation.mName.length > 0
+                                 ? animation.mName.C_Str()
+                                 : fmt::format("clip {}", model.clips.size() + model.unusableClips.size());
+    const auto isTaken = [&](const std::string& wanted) {
+        return std::ranges::find(model.clips, wanted, &Clip::name) != model.clips.end() ||
+               std::ranges::find(model.unusableClips, wanted, &UnusableClip::name) != model.unusableClips.end();
+    };
+    std::string free = name;
+    for (int times = 2; isTaken(free); ++times) free = fmt::format("{}#{}", name, times);
+    return free;
+}
+
+/// Whether a channel makes anything larger or smaller than it is at rest.
+bool scales(const aiNodeAnim& channel, const Matrix4d& rest)
+{
+    constexpr double SAME = 0.01;  // of a scale
+    const Vector3d size = rest.topLeftCorner<3, 3>().colwise().norm();
+    return std::any_of(channel.mScalingKeys, channel.mScalingKeys + channel.mNumScalingKeys,
+                       [&](const aiVectorKey& key) {
+                           return !((valueOf(key).cwiseAbs() - size).cwiseAbs().maxCoeff() <= SAME * size.maxCoeff());
+                       });
+}
+
+void noteUnplayed(const aiAnimation& animation, const std::vector<NodeMotion>& motions, const NodeTable& table,
+                  Clip& clip)
+{
+    if (animation.mNumMorphMeshChannels > 0)
+        clip.notes.push_back(fmt::format("Clip '{}' changes shapes (morph weights): they stay as at rest.", clip.name));
+    for (size_t n = 0; n < motions.size(); ++n) {
+        if (motions[n].channel == nullptr || !scales(*motions[n].channel, toEigen(table.nodes[n]->mTransformation)))
+            continue;
+        clip.notes.push_back(fmt::format("Clip '{}' scales {}: bodies keep their size.", clip.name,
+                                         table.nameOf(static_cast<uint32_t>(n))));
+        return;
+    }
 }
 
 void convertClip(const aiAnimation& animation, const NodeTable& table, size_t keyLimit, Model& model)
 {
-    const std::vector<const aiNodeAnim*> channels = channelsByNode(animation, table);
-    if (table.isPicked && !movesBones(channels, table)) return;
+    const std::vector<NodeMotion> motions = motionsByNode(animation, table);
+    if (table.isPicked && !movesBones(motions, table)) return;
     Clip clip;
-    clip.name = animation.mName.length > 0 ? animation.mName.C_Str()
-                                           : fmt::format("clip {}", model.clips.size() + model.unusableClips.size());
+    clip.name = nameOf(animation, model);
+    noteUnplayed(animation, motions, table, clip);
     const auto refuse = [&](std::string why) { model.unusableClips.push_back({clip.name, std::move(why)}); };
     double ticksPerSecond = animation.mTicksPerSecond;
     if (!(ticksPerSecond > 0.0) || !std::isfinite(ticksPerSecond)) {
@@ -183,7 +233,7 @@ void convertClip(const aiAnimation& animation, const NodeTable& table, size_t ke
     for (size_t k = 0; k < count; ++k) {
         const double part = count > 1 ? static_cast<double>(k) / static_cast<double>(count - 1) : 0.0;
         clip.keyTimes.push_back(part * clip.duration);
-        clip.poses.push_back(poseAt(channels, table, first + part * (last - first), model.bones.size()));
+        clip.poses.push_back(poseAt(motions, table, first + part * (last - first), model.bones.size()));
         if (!std::ranges::all_of(clip.poses.back(), [](const auto& pose) { return pose.allFinite(); }))
             return refuse("has keys that are not numbers");
     }

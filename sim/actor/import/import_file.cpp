@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/actor/import/bvh/bvh_text.h"
 #include "sim/actor/import/gltf/gltf_prepared.h"
 #include "sim/actor/import/gltf/gltf_source.h"
 #include "sim/actor/import/import_scene.h"
@@ -16,8 +17,6 @@
 namespace knuckle {
 
 namespace {
-
-constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
 
 /// Gives the bytes of a changed glTF and of what was added to it; other files as they are, those that it names in the
 /// words of an URI by what these stand for.
@@ -51,21 +50,21 @@ private:
 
 }  // namespace
 
-const aiScene* readFile(Assimp::Importer& importer, const std::string& path, unsigned flags,
-                        std::map<std::string, std::string>& originals)
+const aiScene* readFile(Assimp::Importer& importer, const std::string& path, unsigned flags, const ModelPick& pick,
+                        FileNames& names)
 {
     const std::string extension = lowercase(std::filesystem::path(path).extension().string());
+    if (extension == ".bvh") {
+        std::ifstream file(path, std::ios::binary);
+        PreparedBvh prepared = prepareBvh({std::istreambuf_iterator<char>(file), {}}, pick.skeleton);
+        names = {std::move(prepared.originals), std::move(prepared.notes), {}};
+        return importer.ReadFileFromMemory(prepared.text.data(), prepared.text.size(), flags, "bvh");
+    }
     PreparedGltf prepared = prepareGltf(path);
-    originals = prepared.originals;
+    names = {prepared.originals, prepared.notes, prepared.missing};
     if (extension == ".gltf" || extension == ".glb")
         importer.SetIOHandler(new GltfFiles(path, std::move(prepared)));  // the importer owns it
-    // assimp takes a BVH file with a byte-order mark for none: it gets what follows the mark.
-    std::string start(BYTE_ORDER_MARK.size(), '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(start.data(), static_cast<std::streamsize>(start.size()));
-    if (extension != ".bvh" || start != BYTE_ORDER_MARK) return importer.ReadFile(path, flags);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    return importer.ReadFileFromMemory(text.data(), text.size(), flags, "bvh");
+    return importer.ReadFile(path, flags);
 }
 
 }  // namespace knuckle

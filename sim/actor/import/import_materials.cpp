@@ -62,7 +62,7 @@ private:
 
     uint32_t missing(const std::string& name, const std::string& why)
     {
-        model_.surface.notes.push_back(fmt::format("Texture '{}' {}: drawn plain.", name, why));
+        model_.surface.missing.push_back(fmt::format("Texture '{}' {}: drawn plain.", name, why));
         return NO_INDEX;
     }
 

@@ -129,7 +129,7 @@ void addTriangles(const aiMesh& mesh, size_t firstVertex, const std::vector<doub
 
 void addSkinned(const aiMesh& mesh, uint32_t node, const NodeTable& table, Model& model, SkinNotes& notes)
 {
-    const std::vector<Matrix4d> matrices = skinMatrices(mesh, table);
+    const std::vector<Matrix4d> matrices = skinMatrices(mesh, node, table);
     std::vector<std::vector<Influence>> influences = influencesOf(mesh, notes);
     std::vector<uint32_t> boneIndices;
     for (unsigned b = 0; b < mesh.mNumBones; ++b) {
@@ -185,13 +185,14 @@ void addRigid(const aiMesh& mesh, uint32_t node, const NodeTable& table, Model& 
 
 }  // namespace
 
-std::vector<Matrix4d> skinMatrices(const aiMesh& mesh, const NodeTable& table)
+std::vector<Matrix4d> skinMatrices(const aiMesh& mesh, uint32_t node, const NodeTable& table)
 {
+    const Matrix4d offset = geometricOffset(*table.nodes[node]);
     std::vector<Matrix4d> matrices;
     for (unsigned b = 0; b < mesh.mNumBones; ++b) {
         const aiBone& bone = *mesh.mBones[b];
         const Matrix4d bind = toEigen(bone.mOffsetMatrix);
-        const Matrix4d matrix = table.globals[table.boneNodes.at(&bone)] * bind;
+        const Matrix4d matrix = table.globals[table.boneNodes.at(&bone)] * bind * offset;
         bool moves = false;
         for (unsigned w = 0; w < bone.mNumWeights; ++w) {
             moves = moves || bone.mWeights[w].mWeight > 0.0f;

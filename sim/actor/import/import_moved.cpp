@@ -61,11 +61,6 @@ uint32_t commonNode(uint32_t a, uint32_t b, const NodeTable& table)
 
 }  // namespace
 
-bool isPivot(const std::string& name)
-{
-    return name.find("_$AssimpFbx$_") != std::string::npos;
-}
-
 std::vector<uint32_t> movedNodes(const aiScene& scene, const NodeTable& table)
 {
     const std::set<std::string> moved = movedNames(scene);

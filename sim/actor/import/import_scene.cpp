@@ -106,16 +106,17 @@ NodeTable listNodes(const aiScene& scene)
         table.nodes.push_back(visit.node);
         table.parents.push_back(visit.parent);
         table.locals.push_back(visit.parent < 0 ? Eigen::Matrix4d(table.upright * local) : local);
-        table.globals.push_back(visit.parent < 0 ? table.locals.back()
-                                                 : Eigen::Matrix4d(table.globals[visit.parent] * local));
         table.indices[visit.node] = index;
-        if (!table.globals.back().allFinite()) {
-            throw InputError(fmt::format("node '{}' has a transform that is not a number", visit.node->mName.C_Str()));
-        }
         for (unsigned c = visit.node->mNumChildren; c-- > 0;) {
             stack.push_back({visit.node->mChildren[c], static_cast<int32_t>(index), visit.depth + 1});
         }
     }
+    table.fbx = FbxNodes(table.nodes, table.parents);
+    table.globals = table.fbx.place(table.locals, table.parents);
+    for (size_t n = 0; n < table.nodes.size(); ++n)
+        if (!table.globals[n].allFinite())
+            throw InputError(
+                fmt::format("node '{}' has a transform that is not a number", table.nodes[n]->mName.C_Str()));
     table.boneOf.assign(table.nodes.size(), -1);
     return table;
 }
@@ -131,23 +132,27 @@ Model readScene(const std::string& path, bool surface, const ModelPick& pick)
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, looks | aiComponent_LIGHTS | aiComponent_CAMERAS);
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, CREASE);
     const unsigned normals = surface ? unsigned{aiProcess_GenSmoothNormals} : 0u;
-    std::map<std::string, std::string> originals;
+    FileNames names;
     const aiScene* scene = readFile(
-        importer, path, aiProcess_Triangulate | aiProcess_PopulateArmatureData | aiProcess_GlobalScale | normals,
-        originals);
+        importer, path, aiProcess_Triangulate | aiProcess_PopulateArmatureData | aiProcess_GlobalScale | normals, pick,
+        names);
     if (scene == nullptr || scene->mRootNode == nullptr) {
         const std::string reason = importer.GetErrorString();
         if (reason.find("bad_alloc") != std::string::npos) {
             throw std::bad_alloc();  // assimp caught it and made it a message; out of memory has a message of its own
         }
         std::string line = reason.substr(0, reason.find('\n'));
+        // A line of what was read from memory is none of the file.
+        constexpr std::string_view IN_MEMORY = "$$$___magic___$$$";
+        if (line.starts_with(IN_MEMORY) && line.find(" - ") != std::string::npos) line.erase(0, line.find(" - ") + 3);
         line.erase(line.find_last_not_of(". ") + 1);
         throw InputError(unreadableBecause(line));
     }
     Model model;
     model.name = std::filesystem::path(path).stem().string();
     NodeTable table = listNodes(*scene);
-    table.originals = std::move(originals);
+    table.originals = std::move(names.originals);
+    model.notes = std::move(names.notes);
     // Of an MD5 clip assimp makes a mesh of needles.
     const bool isClip = lowercase(std::filesystem::path(path).extension().string()) == ".md5anim";
     table.isBare = scene->mNumMeshes == 0 || isClip;
@@ -162,6 +167,7 @@ Model readScene(const std::string& path, bool surface, const ModelPick& pick)
     if (surface && !table.isBare) {
         convertSurface(*scene, table, path, model);
         noteMissingMaterials(path, model.surface);
+        model.surface.missing.insert(model.surface.missing.end(), names.missing.begin(), names.missing.end());
     }
     convertClips(*scene, table, model);
     if (pick.split) splitIntoParts(*scene, table, model);

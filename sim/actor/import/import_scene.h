@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/actor/import/fbx/fbx_nodes.h"
 #include "sim/actor/import/import.h"
 #include "sim/actor/model_source.h"
 
@@ -28,11 +29,12 @@ struct NodeTable {
     std::vector<const aiNode*> nodes;
     std::vector<int32_t> parents;
     std::vector<Eigen::Matrix4d> locals, globals;  ///< At rest.
+    FbxNodes fbx;                                  ///< How nodes to the world come of those to their parents.
     std::map<const aiNode*, uint32_t> indices;
     std::vector<int32_t> boneOf;                            ///< Index of the node's bone in Model::bones, or -1.
     Eigen::Matrix4d upright = Eigen::Matrix4d::Identity();  ///< Turns the file's up axis to +y; part of globals.
     std::map<const aiBone*, uint32_t> boneNodes;            ///< The node that moves with each bone of a mesh.
-    std::map<std::string, std::string> originals;           ///< PreparedGltf::originals.
+    std::map<std::string, std::string> originals;           ///< FileNames::originals.
     bool isBare = false;                                    ///< Whether the scene has no mesh but a skeleton.
     bool isPicked = false;                                  ///< Whether only what hangs on bones of the model is taken.
 
@@ -62,9 +64,6 @@ std::vector<uint32_t> bonesIn(const aiScene& scene, const NodeTable& table);
 /// Of a scene of rigid parts: the nodes that clips move and that meshes hang on, and one that leads to all where some
 /// parts stand still. None if no clip moves any part.
 std::vector<uint32_t> movedNodes(const aiScene& scene, const NodeTable& table);
-
-/// Whether assimp made a node of that name for a pivot of FBX.
-bool isPivot(const std::string& name);
 
 /// Whether a name is one that somebody gave, not one that importers make up.
 bool isGivenName(std::string_view name);
@@ -107,9 +106,9 @@ Eigen::Matrix4d toEigen(const aiMatrix4x4& m);
 void forEachMesh(const aiScene& scene, const NodeTable& table,
                  const std::function<void(const aiMesh&, uint32_t)>& visit);
 
-/// Per bone of a mesh: from the mesh's space to the model's in the rest pose of the nodes.
+/// Per bone of a mesh: from the mesh's space to the model's in the rest pose of the nodes. @param node shows the mesh.
 /// @throws InputError for a bind matrix that is singular or not a number.
-std::vector<Eigen::Matrix4d> skinMatrices(const aiMesh& mesh, const NodeTable& table);
+std::vector<Eigen::Matrix4d> skinMatrices(const aiMesh& mesh, uint32_t node, const NodeTable& table);
 
 /// Fills Model::surface for the vertices that convertMeshes() added. What of a texture cannot be had is a note.
 /// @param path of the model's file.
@@ -127,9 +126,15 @@ struct ConvertedMaterial {
 std::vector<ConvertedMaterial> convertMaterials(const aiScene& scene, const NodeTable& table, const std::string& path,
                                                 Model& model);
 
-/// Reads a file with assimp. @param originals gets the names that were changed, see PreparedGltf.
-const aiScene* readFile(Assimp::Importer& importer, const std::string& path, unsigned flags,
-                        std::map<std::string, std::string>& originals);
+/// What is to be known of a file that was changed for assimp.
+struct FileNames {
+    std::map<std::string, std::string> originals;  ///< Names of the file, by those that stand for them.
+    std::vector<std::string> notes, missing;       ///< For the model; for its surface.
+};
+
+/// Reads a file with assimp. @throws SkeletonError as pickSkeleton().
+const aiScene* readFile(Assimp::Importer& importer, const std::string& path, unsigned flags, const ModelPick& pick,
+                        FileNames& names);
 
 /// Reads and converts a file, in the file's own units. @param surface see ImportOptions. @throws InputError.
 Model readScene(const std::string& path, bool surface, const ModelPick& pick);

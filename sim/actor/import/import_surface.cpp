@@ -28,7 +28,7 @@ public:
     NormalTurner(const aiMesh& mesh, uint32_t node, const NodeTable& table) : rigid_(normalMatrix(table.globals[node]))
     {
         if (mesh.mNumBones == 0) return;
-        const std::vector<Matrix4d> matrices = skinMatrices(mesh, table);
+        const std::vector<Matrix4d> matrices = skinMatrices(mesh, node, table);
         rigid_ = normalMatrix(matrices[0]);
         for (unsigned b = 0; b < mesh.mNumBones; ++b) {
             const uint32_t bone = table.boneNodes.at(mesh.mBones[b]);

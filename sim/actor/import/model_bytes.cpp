@@ -116,6 +116,7 @@ void visitModel(Archive& archive, Any& model)
         archive.plain(picture.height);
         archive.block(picture.rgba);
     });
+    archive.list(model.surface.missing, [&](auto& what) { archive.text(what); });
     archive.list(model.surface.notes, [&](auto& note) { archive.text(note); });
     archive.list(model.bones, [&](auto& bone) {
         archive.text(bone.name);
@@ -128,6 +129,7 @@ void visitModel(Archive& archive, Any& model)
         archive.plain(clip.duration);
         archive.block(clip.keyTimes);
         archive.list(clip.poses, [&](auto& pose) { archive.block(pose); });
+        archive.list(clip.notes, [&](auto& note) { archive.text(note); });
     });
     archive.list(model.unusableClips, [&](auto& clip) {
         archive.text(clip.name);

@@ -1,17 +1,16 @@
 #include "sim/actor/import/gltf/gltf_prepared.h"
 
-#include <fmt/format.h>
-
 #include <functional>
 #include <initializer_list>
 #include <utility>
 
+#include "sim/actor/import/gltf/gltf_extensions.h"
 #include "sim/actor/import/gltf/gltf_floats.h"
 #include "sim/actor/import/gltf/gltf_keys.h"
+#include "sim/actor/import/gltf/gltf_meshopt.h"
 #include "sim/actor/import/gltf/gltf_shapes.h"
 #include "sim/actor/import/gltf/gltf_source.h"
 #include "sim/actor/import/gltf/joint_names.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 
@@ -22,22 +21,6 @@ using Json = nlohmann::json;
 Json extensionOf(const Json& entry, const char* name)
 {
     return entry.value("extensions", Json::object()).value(name, Json());
-}
-
-/// Views of compressed bytes may have plain ones as well.
-void refuseCompressed(const GltfSource& source)
-{
-    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
-        const Json& buffers = source.list("buffers");
-        for (const Json& view : source.list("bufferViews")) {
-            if (extensionOf(view, name).is_null()) continue;
-            const auto buffer = view.at("buffer").get<size_t>();
-            if (source.hasBuffer(buffer) && extensionOf(buffers[buffer], name).is_null()) continue;
-            throw InputError(fmt::format("its meshes are compressed with meshopt ({}), which is not read: export it "
-                                         "without compression (gltfpack: without -c)",
-                                         name));
-        }
-    }
 }
 
 /// What KHR_materials_pbrSpecularGlossiness calls diffuse is the colour where there is no other.
@@ -61,18 +44,20 @@ PreparedGltf prepareGltf(const std::string& path)
     const std::unique_ptr<GltfSource> source = GltfSource::open(path);
     if (!source) return {};
     PreparedGltf prepared;
+    prepared.notes = unreadExtensions(*source);
+    prepared.missing = unreadPictures(*source);
     const Json before = source->root;
     const auto name = [&](GltfSource& gltf) { prepared.originals = nameJoints(gltf.root); };
     using Step = std::function<void(GltfSource&)>;
-    for (const Step& step : std::initializer_list<Step>{refuseCompressed, name, supplyBindMatrices, supplyLinearKeys,
-                                                        applyShapes, supplyFloats, supplyColors}) {
+    for (const Step& step : std::initializer_list<Step>{decodeMeshopt, supplyPictures, name, supplyBindMatrices,
+                                                        supplyLinearKeys, applyShapes, supplyFloats, supplyColors}) {
         try {
             step(*source);
         } catch (const Json::exception&) {
             // A field of another type or none: assimp says what is wrong, or needs it not.
         }
     }
-    if (source->root == before) return {};
+    if (source->root == before) return prepared;
     prepared.bytes = source->bytes();
     prepared.added = source->added();
     return prepared;

@@ -113,6 +113,7 @@ bool GltfSource::hasBuffer(size_t buffer) const
 std::string_view GltfSource::bufferBytes(size_t buffer)
 {
     if (!hasBuffer(buffer)) return {};
+    if (!added_.empty() && buffer == addedBuffer_) return added_;
     const std::string uri = list("buffers")[buffer].value("uri", std::string());
     if (uri.empty()) return std::string_view(bytes_).substr(jsonStart_ + jsonLength_ + CHUNK_HEADER);
     const auto [known, isNew] = read_.try_emplace(buffer);
@@ -128,34 +129,47 @@ std::string_view GltfSource::bufferBytes(size_t buffer)
     return known->second;
 }
 
+std::string_view GltfSource::rangeBytes(const Json& range)
+{
+    const std::string_view bytes = bufferBytes(range.at("buffer").get<size_t>());
+    const auto offset = range.value("byteOffset", size_t{0}), length = range.value("byteLength", size_t{0});
+    if (offset > bytes.size() || length > bytes.size() - offset)
+        throw InputError(
+            fmt::format("its numbers reach past the end of their buffer, which has {} bytes: it is cut off or "
+                        "damaged; export the model again",
+                        bytes.size()));
+    return bytes.substr(offset, length);
+}
+
 std::string_view GltfSource::viewBytes(size_t view)
 {
     const Json& views = list("bufferViews");
     if (view >= views.size())
         throw InputError(fmt::format("it names buffer view {}, it has {}: export the model again", view, views.size()));
-    const std::string_view bytes = bufferBytes(views[view].at("buffer").get<size_t>());
-    const auto offset = views[view].value("byteOffset", size_t{0}), length = views[view].value("byteLength", size_t{0});
-    if (offset > bytes.size() || length > bytes.size() - offset)
-        throw InputError(fmt::format("buffer view {} reaches past the end of its buffer, which has {} bytes: it is cut "
-                                     "off or damaged; export the model again",
-                                     view, bytes.size()));
-    return bytes.substr(offset, length);
+    return rangeBytes(views[view]);
+}
+
+size_t GltfSource::append(const char* list, Json entry)
+{
+    if (!root.contains(list)) root[list] = Json::array();
+    root[list].push_back(std::move(entry));
+    return root[list].size() - 1;
+}
+
+size_t GltfSource::addView(std::string_view bytes)
+{
+    constexpr size_t ALIGNMENT = 4;
+    if (added_.empty()) addedBuffer_ = append("buffers", {{"uri", ADDED_FILE}});
+    const size_t offset = added_.size();
+    added_ += bytes;
+    added_.resize((added_.size() + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+    root["buffers"][addedBuffer_]["byteLength"] = added_.size();
+    return append("bufferViews", {{"buffer", addedBuffer_}, {"byteOffset", offset}, {"byteLength", bytes.size()}});
 }
 
 size_t GltfSource::addFloats(const std::vector<float>& values, size_t components, const std::string& type)
 {
-    const auto append = [&](const char* list, Json entry) {
-        if (!root.contains(list)) root[list] = Json::array();
-        root[list].push_back(std::move(entry));
-        return root[list].size() - 1;
-    };
-    if (added_.empty()) addedBuffer_ = append("buffers", {{"uri", ADDED_FILE}});
-    const size_t offset = added_.size() * sizeof(float);
-    added_.insert(added_.end(), values.begin(), values.end());
-    root["buffers"][addedBuffer_]["byteLength"] = added_.size() * sizeof(float);
-    const size_t view = append(
-        "bufferViews",
-        {{"buffer", addedBuffer_}, {"byteOffset", offset}, {"byteLength", values.size() * sizeof(float)}});
+    const size_t view = addView({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)});
     return append(
         "accessors",
         {{"bufferView", view}, {"componentType", GLTF_FLOAT}, {"count", values.size() / components}, {"type", type}});

@@ -14,7 +14,7 @@ namespace knuckle {
 /// A glTF file, of text or binary, that can be changed in memory before it is read.
 class GltfSource {
 public:
-    /// The name of a file that does not exist: what addFloats() adds.
+    /// The name of a file that does not exist: what is added.
     static constexpr const char* ADDED_FILE = "knuckle-added-floats.bin";
 
     /// @returns nothing for what is no glTF, or has no JSON that can be read.
@@ -29,24 +29,30 @@ public:
     const nlohmann::json& list(const char* name) const;
     /// The bytes that a view shows. @throws InputError where its buffer is not there or ends before it.
     std::string_view viewBytes(size_t view);
+    /// Those of a range, {"buffer", "byteOffset", "byteLength"}; they stay where they are until something is added.
+    /// @throws InputError likewise.
+    std::string_view rangeBytes(const nlohmann::json& range);
     /// Whether the file holds a buffer, or names another file for it.
     bool hasBuffer(size_t buffer) const;
+    /// Appends a view of bytes. @returns its index.
+    size_t addView(std::string_view bytes);
     /// Appends an accessor to floats. @param type "SCALAR", "VEC3", ... of so many components.
     size_t addFloats(const std::vector<float>& values, size_t components, const std::string& type);
 
     /// The whole file with its JSON as it is now.
     std::string bytes() const;
     /// What ADDED_FILE holds.
-    std::string added() const { return {reinterpret_cast<const char*>(added_.data()), added_.size() * sizeof(float)}; }
+    const std::string& added() const { return added_; }
 
 private:
     explicit GltfSource(std::string path) : path_(std::move(path)) {}
     std::string_view bufferBytes(size_t buffer);
+    size_t append(const char* list, nlohmann::json entry);
 
     std::string path_, bytes_;
     size_t jsonStart_ = 0, jsonLength_ = 0;
     std::map<size_t, std::string> read_;  ///< Buffers that are not in the file itself.
-    std::vector<float> added_;
+    std::string added_;
     size_t addedBuffer_ = 0;  ///< Its index, once there is something.
 };
 
