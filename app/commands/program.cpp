@@ -7,6 +7,7 @@
 #include <new>
 #include <system_error>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/run/interrupt.h"
 #include "sim/world/errors.h"
@@ -62,6 +63,7 @@ int parseAndRun(int argc, char** argv)
         if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
         throw InputError(fmt::format("{}; see knuckle --help", error.what()));
     }
+    refuseEmptyValues(program);
     return chosen();
 }
 
@@ -85,6 +87,7 @@ int endByBrokenPipe()
 int runProgram(int argc, char** argv)
 {
     std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is a write error, so that all is tidied up first
+    endOnSignals();
     try {
         const int code = parseAndRun(argc, argv);
         if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), STDOUT_FAILURE);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/files/output.h"
 #include "app/json/fields.h"
 #include "app/json/joint_limits.h"
 #include "app/json/json.h"
@@ -192,15 +191,22 @@ std::string actorText(const Actor& actor)
     return text;
 }
 
-void writeActor(const std::string& path, const Actor& actor)
+void writeActor(OutputFile& file, const std::string& path, const Actor& actor)
 {
     namespace fs = std::filesystem;
     Actor placed = actor;
-    if (std::string& file = placed.model.file; !file.empty())
-        file = fs::absolute(file).lexically_proximate(fs::absolute(path).parent_path()).generic_string();
-    OutputFile file(path);
+    // A stream has no folder: the program's own.
+    const fs::path folder = file.isStream() ? fs::current_path() : fs::absolute(path).parent_path();
+    if (std::string& model = placed.model.file; !model.empty())
+        model = fs::absolute(model).lexically_proximate(folder).generic_string();
     file.write(actorText(placed));
     file.commit();
+}
+
+void writeActor(const std::string& path, const Actor& actor)
+{
+    OutputFile file(path);
+    writeActor(file, path, actor);
 }
 
 Actor readActor(const std::string& path)

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 #include "sim/world/errors.h"
@@ -14,6 +16,14 @@ namespace {
 [[noreturn]] void fail(const Override& change, const std::string& message)
 {
     throw InputError(fmt::format("--set {}: {}", change.path, message));
+}
+
+/// Whether it is written like a number and is none, or one without end: nan, -inf, 1e999.
+bool isNoFiniteNumber(const std::string& value)
+{
+    char* end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    return !value.empty() && *end == '\0' && !std::isfinite(number);
 }
 
 Json& childOf(Json& parent, const std::string& key, const Override& change)
@@ -28,6 +38,14 @@ Json& childOf(Json& parent, const std::string& key, const Override& change)
     return parent[std::stoul(key)];
 }
 
+/// A key as it stands in a JSON pointer.
+void unescape(std::string& key)
+{
+    for (const auto& [escape, letter] : {std::pair{"~1", '/'}, std::pair{"~0", '~'}})
+        for (size_t at = 0; (at = key.find(escape, at)) != std::string::npos; ++at)
+            key.replace(at, 2, 1, letter);
+}
+
 }  // namespace
 
 Override parseOverride(const std::string& text)
@@ -37,16 +55,21 @@ Override parseOverride(const std::string& text)
         throw InputError(fmt::format("--set {}: must be path=value, for instance solver.substeps=8", text));
     }
     const std::string value = text.substr(equals + 1);
+    if (isNoFiniteNumber(value))
+        throw InputError(fmt::format("--set {}: {} is no finite number; give one, or a word in quotes", text, value));
     Json parsed = Json::parse(value, nullptr, false);
     return {text.substr(0, equals), parsed.is_discarded() ? Json(value) : parsed};
 }
 
 void applyOverride(Json& root, const Override& change)
 {
-    std::istringstream path(change.path);
+    // As errors tell a place, or as words.
+    const bool pointer = change.path.starts_with('/');
+    std::istringstream path(pointer ? change.path.substr(1) : change.path);
     std::string key;
     Json* place = &root;
-    while (std::getline(path, key, '.')) {
+    while (std::getline(path, key, pointer ? '/' : '.')) {
+        if (pointer) unescape(key);
         if (key.empty()) fail(change, "a part of the path is empty");
         place = &childOf(*place, key, change);
     }

@@ -7,13 +7,14 @@
 
 namespace knuckle {
 
-/// One `--set path=value`: a dotted path into a scene and the JSON value to put there.
+/// One `--set path=value`: a dotted path into a scene, or a JSON pointer, and the JSON value to put there.
 struct Override {
-    std::string path;  ///< "solver.substeps", "objects.0.velocity"
+    std::string path;  ///< "solver.substeps", "objects.0.velocity", "/colliders/2/size"
     Json value;
 };
 
-/// Reads "path=value"; a value that is not JSON is taken as a string. @throws InputError without "=" or a path.
+/// Reads "path=value"; a value that is not JSON is taken as a string. @throws InputError without "=" or a
+/// path, and for nan, inf, 1e999 and their like.
 Override parseOverride(const std::string& text);
 /// Puts the value in place; objects on the way are made when missing.
 /// @throws InputError for a path through something that is neither object nor array, or past an array's end.

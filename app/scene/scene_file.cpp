@@ -174,7 +174,8 @@ Settings loadSettings(const std::string& preset, const std::vector<std::string>&
     std::vector<Override> overrides;
     for (const std::string& change : changes) {
         overrides.push_back(parseOverride(change));
-        if (overrides.back().path.starts_with("solver.")) continue;
+        const std::string& path = overrides.back().path;
+        if (path.starts_with("solver.") || path.starts_with("/solver/")) continue;
         throw InputError(fmt::format("--set {}: only fields of the solver can be set here, for instance "
                                      "solver.iterations=8",
                                      change));
@@ -211,6 +212,7 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     builder.setFluidSpacing(root["fluidSpacing"]);
     SceneContext context{path, builder, addMaterials(file, builder), std::move(known.actors), std::move(known.models)};
     context.notes = known.notes;
+    context.files = known.files;
     for (size_t i = 0; i < root["colliders"].size(); ++i) {
         checkFriction(file, root["colliders"][i], fmt::format("/colliders/{}", i));
         addColliders(context, root["colliders"][i], i);
@@ -231,6 +233,11 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     scene.notes = context.notes;
     scene.warnings = context.warnings;
     scene.actors = std::move(context.actorUses);
+    scene.files = std::move(context.files);
+    for (const SceneActor& use : scene.actors)
+        if (!use.actor->model.file.empty()) scene.files.push_back(use.actor->model.file);
+    std::ranges::sort(scene.files);
+    scene.files.erase(std::ranges::unique(scene.files).begin(), scene.files.end());
     scene.render = readRender(file, scene.world);
     return scene;
 }

@@ -2,7 +2,7 @@
 
 #include "render/output/frame_sink.h"
 #include "render/output/task_thread.h"
-#include "render/temporary_file.h"
+#include "render/files/output_file.h"
 
 namespace knuckle {
 
