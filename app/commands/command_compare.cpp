@@ -24,7 +24,7 @@ int compare(const CompareOptions& options, bool quiet)
 {
     std::optional<OutputFile> difference;
     if (!options.difference.empty()) {
-        requireEnding("--difference", options.difference, "a picture", {".png"});
+        requireEnding("--difference ", options.difference, "a picture", {".png"});
         RunPaths paths;
         paths.reads(options.first);
         paths.reads(options.second);

@@ -54,10 +54,11 @@ void readExports(const std::vector<std::string>& exports, FilmOptions& film)
         if (kind == "gltf" && endingOf(path) == ".gltf")
             throw InputError(fmt::format("--export {}: it is written as binary glTF; name it {}", text,
                                          std::filesystem::path(path).replace_extension(".glb").string()));
-        const std::string option = fmt::format("--export {}:", kind);
+        const std::string option = fmt::format("--export {}=", kind);
         if (kind == "gltf") requireEnding(option, path, "a motion as glTF", {".glb"});
         else if (kind == "bvh") requireEnding(option, path, "a motion as BVH", {".bvh"});
-        else if (kind != "ply") requireEnding(option, path, "a table", {".csv", ".txt", ""});
+        else if (kind == "ply") requireFolder(option, path);
+        else requireEnding(option, path, "a table", {".csv", ".txt", ""});
         *found->second = path;
     }
 }
@@ -87,10 +88,10 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     std::vector<Override> overrides;
     for (const std::string& text : options.sets) overrides.push_back(parseOverride(text));
     if (!options.size.empty()) addSize(options.size, overrides);
-    if (!options.framesPerSecond.empty()) overrides.push_back({"fps", rateIn(options.framesPerSecond)});
+    if (!options.framesPerSecond.empty()) overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
     if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
     readExports(options.exports, film);
-    if (!film.stats.empty()) requireEnding("--stats", film.stats, "a run's figures", {".json", ".txt", ""});
+    if (!film.stats.empty()) requireEnding("--stats ", film.stats, "a file of figures", {".json", ".txt", ""});
     for (const std::string& path : options.outputs) isFilm(path);  // so that a wrong one is told at once
     const Scene scene = loadScene(options.scene, overrides);
     if (!common.quiet)

@@ -67,8 +67,8 @@ void requireOwnPaths(const VoxelizeOptions& options)
     RunPaths paths;
     paths.readsModel(options.model);
     if (!options.joints.empty()) paths.reads(options.joints);
-    if (!options.output.empty()) requireEnding("-o", options.output, "an actor", {".json"});
-    if (!options.preview.empty()) requireEnding("--preview", options.preview, "a picture", {".png"});
+    if (!options.output.empty()) requireEnding("-o ", options.output, "an actor", {".json"});
+    if (!options.preview.empty()) requireEnding("--preview ", options.preview, "a picture", {".png"});
     for (const std::string& path : {options.output, options.preview})
         if (!path.empty()) paths.writes(path);
     paths.check();

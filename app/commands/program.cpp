@@ -9,8 +9,10 @@
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
+#include "app/run/crash.h"
 #include "app/run/interrupt.h"
 #include "sim/world/errors.h"
+#include "sim/world/memory.h"
 
 namespace knuckle {
 
@@ -87,6 +89,8 @@ int endByBrokenPipe()
 int runProgram(int argc, char** argv)
 {
     std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is a write error, so that all is tidied up first
+    saveAddressSpace();
+    tellCrashesForWantOfMemory();
     endOnSignals();
     try {
         const int code = parseAndRun(argc, argv);
@@ -99,9 +103,12 @@ int runProgram(int argc, char** argv)
     } catch (const Interrupted&) {
         return tell("stopped; what was finished is kept", EXIT_INTERRUPTED);
     } catch (const std::bad_alloc&) {
-        return tell("out of memory; take fewer particles or smaller frames", EXIT_RUN);
+        return tell(memoryMessage(), EXIT_RUN);
     } catch (const std::system_error& error) {
-        return error.code() == std::errc::broken_pipe ? endByBrokenPipe() : tell(error.what(), EXIT_RUN);
+        // A thread that has no room.
+        const bool starved = error.code() == std::errc::resource_unavailable_try_again && isMemoryShort();
+        if (error.code() == std::errc::broken_pipe) return endByBrokenPipe();
+        return tell(starved ? memoryMessage() : error.what(), EXIT_RUN);
     } catch (const std::exception& error) {
         return tell(error.what(), EXIT_RUN);
     }

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include "sim/world/errors.h"
 
@@ -18,12 +20,20 @@ namespace {
     throw InputError(fmt::format("--set {}: {}", change.path, message));
 }
 
-/// Whether it is written like a number and is none, or one without end: nan, -inf, 1e999.
-bool isNoFiniteNumber(const std::string& value)
+/// The whole text as a number, which may be none or without end: nan, -inf, 1e999.
+std::optional<double> numberIn(const std::string& text)
 {
     char* end = nullptr;
-    const double number = std::strtod(value.c_str(), &end);
-    return !value.empty() && *end == '\0' && !std::isfinite(number);
+    const double number = std::strtod(text.c_str(), &end);
+    return text.empty() || *end != '\0' ? std::nullopt : std::optional(number);
+}
+
+/// The same of two numbers with a slash between them.
+std::optional<double> fractionIn(const std::string& text)
+{
+    const size_t slash = text.find('/');
+    const auto above = numberIn(text.substr(0, slash)), below = numberIn(text.substr(slash + 1));
+    return above && below ? std::optional(*above / *below) : std::nullopt;
 }
 
 Json& childOf(Json& parent, const std::string& key, const Override& change)
@@ -48,17 +58,21 @@ void unescape(std::string& key)
 
 }  // namespace
 
-Override parseOverride(const std::string& text)
+Override parseOverride(const std::string& text, const std::string& option)
 {
     const size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
-        throw InputError(fmt::format("--set {}: must be path=value, for instance solver.substeps=8", text));
+        throw InputError(fmt::format("{}{}: must be path=value, for instance solver.substeps=8", option, text));
     }
-    const std::string value = text.substr(equals + 1);
-    if (isNoFiniteNumber(value))
-        throw InputError(fmt::format("--set {}: {} is no finite number; give one, or a word in quotes", text, value));
+    const std::string path = text.substr(0, equals), value = text.substr(equals + 1);
+    const bool isRate = path == "fps" || path == "/fps";
+    const auto number = isRate && value.find('/') != std::string::npos ? fractionIn(value) : numberIn(value);
+    if (number && !std::isfinite(*number))
+        throw InputError(fmt::format("{}{}: {} is no finite number; give one{}", option, isRate ? value : text, value,
+                                     isRate ? ", as 25 or 24000/1001" : ", or a word in quotes"));
     Json parsed = Json::parse(value, nullptr, false);
-    return {text.substr(0, equals), parsed.is_discarded() ? Json(value) : parsed};
+    if (parsed.is_discarded()) parsed = isRate && number ? Json(*number) : Json(value);
+    return {path, parsed};
 }
 
 void applyOverride(Json& root, const Override& change)

@@ -124,7 +124,7 @@ void requireWritableFolder(const std::string& folder)
         throw InputError(fmt::format("folder {} cannot be {}: {}; choose another", place.given, what, why));
     };
     if (place.kind == OutputPlace::Kind::Stream)
-        throw InputError(fmt::format("{} is no folder, and a file a frame is to be written; choose one", place.given));
+        throw InputError(fmt::format("{} is no folder; choose one", place.given));
     std::error_code error;
     fs::create_directories(place.path, error);
     if (error && !fs::is_directory(place.path)) fail("made", error.message());

@@ -131,7 +131,10 @@ OutputPlace OutputPlace::of(const std::string& path)
         place.descriptor = descriptor;
         return place;
     };
-    if (path == "-") return stream(STDOUT_FILENO);
+    if (path == "-") {
+        place.given = "standard output";
+        return stream(STDOUT_FILENO);
+    }
     const bool asFolder = path.ends_with('/');
     fs::path next = path;
     for (int links = 0; links <= MOST_LINKS; ++links) {

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "sim/world/errors.h"
+#include "sim/world/memory.h"
 
 namespace knuckle::egl {
 
@@ -110,7 +111,7 @@ Context createSharing(const Context& other)
 {
     Context result{other.display, EGL_NO_CONTEXT};
     const std::string problem = makeCurrent(result, other.context);
-    if (!problem.empty()) throw DeviceError(fmt::format("no second OpenGL context beside the first: {}", problem));
+    if (!problem.empty()) failOnDevice(fmt::format("no second OpenGL context beside the first: {}", problem));
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/world/errors.h"
+#include "sim/world/memory.h"
 
 namespace knuckle {
 
@@ -43,7 +44,8 @@ Framebuffer::Framebuffer(std::string label, std::initializer_list<const Texture*
     glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
     glObjectLabel(GL_FRAMEBUFFER, id(), -1, label.c_str());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
-    throw DeviceError(
+    if (glGetError() == GL_OUT_OF_MEMORY) throw RunError(memoryMessage());
+    failOnDevice(
         fmt::format("the device cannot draw into {} at {}x{}; try a smaller --size", label, width_, height_));
 }
 

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace knuckle {
+
+/// Under a limit of the address space, software drivers may crash where an allocation of theirs fails. From now on that
+/// ends the program with one line and exit code 1, if memory is short; any other crash is one as before.
+void tellCrashesForWantOfMemory();
+
+}  // namespace knuckle
