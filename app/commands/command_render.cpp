@@ -8,6 +8,7 @@
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/run/film_outputs.h"
+#include "app/run/tell.h"
 #include "render/files/endings.h"
 #include "sim/world/errors.h"
 
@@ -96,7 +97,7 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     const Scene scene = loadScene(options.scene, overrides);
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
-            fmt::print(stderr, "knuckle: warning: {}: {}\n", options.scene, warning);
+            tellUser(fmt::format("knuckle: warning: {}: {}", options.scene, warning));
     film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
     requireOwnPaths(options.scene, scene, film, common);
     runFilm(scene, film, common);

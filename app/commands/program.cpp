@@ -11,6 +11,7 @@
 #include "app/commands/commands.h"
 #include "app/run/crash.h"
 #include "app/run/interrupt.h"
+#include "app/run/tell.h"
 #include "sim/world/errors.h"
 #include "sim/world/memory.h"
 
@@ -18,7 +19,6 @@ namespace knuckle {
 
 namespace {
 
-constexpr const char* STDOUT_FAILURE = "standard output cannot be written";
 constexpr const char* EXAMPLES =
     "Examples:\n"
     "  knuckle render assets/scenes/ragdoll.json               frames in out/ragdoll\n"
@@ -72,7 +72,10 @@ int parseAndRun(int argc, char** argv)
 /// Prints the error. Never throws: if stderr is closed, there is no way left to report that.
 int tell(const std::string& message, int code)
 {
-    std::fputs(("knuckle: " + message + "\n").c_str(), stderr);
+    try {
+        tellUser("knuckle: " + message);
+    } catch (const std::system_error&) {
+    }
     return code;
 }
 
@@ -94,7 +97,7 @@ int runProgram(int argc, char** argv)
     endOnSignals();
     try {
         const int code = parseAndRun(argc, argv);
-        if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), STDOUT_FAILURE);
+        flushStandardOutput();
         return code;
     } catch (const InputError& error) {
         return tell(error.what(), EXIT_INPUT);

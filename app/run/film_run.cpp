@@ -11,6 +11,7 @@
 #include "app/run/interrupt.h"
 #include "app/run/progress.h"
 #include "app/run/stopwatch.h"
+#include "app/run/tell.h"
 #include "sim/solver/workload.h"
 #include "sim/world/errors.h"
 
@@ -30,7 +31,7 @@ public:
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
         const std::vector<std::string> leftOut = GltfExport::leftOut(scene.world);
         if (outputs_.gltf && !common.quiet && !leftOut.empty())
-            fmt::print(stderr, "knuckle: note: {} leaves out {}\n", options.gltf, fmt::join(leftOut, ", "));
+            tellUser(fmt::format("knuckle: note: {} leaves out {}", options.gltf, fmt::join(leftOut, ", ")));
         figures_.device = gpu_->device().name;
         figures_.driverThreads = gpu_->threads();
     }

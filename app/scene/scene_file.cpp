@@ -63,6 +63,21 @@ void settleObjects(Json& root)
     if (root.is_object() && root.contains("emitters") && !root.contains("objects")) root["objects"] = Json::array();
 }
 
+/// Pointer to an `animation` or a `pose` that names no clip, which would be as if it were not there; empty for none.
+std::string emptyAnimation(const Json& root)
+{
+    if (!root.is_object() || !root.contains("objects") || !root["objects"].is_array()) return {};
+    const Json& objects = root["objects"];
+    for (size_t i = 0; i < objects.size(); ++i)
+        for (const char* key : {"animation", "pose"}) {
+            if (!objects[i].is_object() || !objects[i].contains(key) || !objects[i][key].is_object()) continue;
+            const Json& clip = objects[i][key];
+            if (clip.value("clip", Json("")) == "" && clip.value("file", Json("")) == "")
+                return fmt::format("/objects/{}/{}", i, key);
+        }
+    return {};
+}
+
 void applyOverrides(Json& root, const std::vector<Override>& overrides)
 {
     for (const Override& change : overrides) {
@@ -75,12 +90,16 @@ void applyOverrides(Json& root, const std::vector<Override>& overrides)
 JsonFile completed(JsonFile file)
 {
     static const Schema schema("scene.schema.json");
+    const std::string empty = emptyAnimation(file.root);
     expandSolver(file.root);
     fillPaperChoices(file.root);
     settleCamera(file.root);
     settleMaterials(file.root);
     settleObjects(file.root);
     schema.complete(file);
+    if (!empty.empty())
+        failAt(file.path, empty,
+               "names no clip; give its `clip` (`knuckle voxelize` lists them), or the `file` of another model");
     return file;
 }
 

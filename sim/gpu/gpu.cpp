@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <charconv>
 #include <cstdlib>
 
+#include "sim/gpu/driver_advice.h"
 #include "sim/gpu/egl.h"
 #include "sim/world/errors.h"
 #include "sim/world/memory.h"
@@ -58,11 +60,12 @@ void tuneSoftwareDriver()
 // What Mesa's software driver takes of the address space [bytes]: with less it crashes instead of failing.
 constexpr uint64_t DRIVER_SPACE = uint64_t{230} << 20, SHADER_SPACE = uint64_t{80} << 20;
 
-/// @throws RunError.
+/// Before the driver is loaded. @throws RunError.
 void requireSpace(uint64_t byteCount)
 {
+    static std::atomic<bool> isLoaded = false;
     const auto limit = addressSpaceLimit();
-    if (limit && *limit < addressSpaceInUse() + byteCount) throw RunError(memoryMessage());
+    if (!isLoaded.exchange(true) && limit && *limit < addressSpaceInUse() + byteCount) throw RunError(memoryMessage());
 }
 
 }  // namespace
@@ -178,10 +181,10 @@ void Gpu::makeContext(const DeviceChoice& choice)
         return;
     }
     const char* remedy = choice.kind == DeviceChoice::Kind::Gpu
-                             ? "; try --device software"
-                             : "; install libgl1-mesa-dri for Mesa's software device";
-    failOnDevice(fmt::format("no OpenGL 4.3 context can be made{}{}",
-                             problems.empty() ? ": EGL lists no such device" : problems, remedy));
+                             ? "try --device software"
+                             : "install libgl1-mesa-dri for Mesa's software device";
+    failOnDevice("no OpenGL 4.3 context can be made" + (problems.empty() ? ": EGL lists no such device" : problems),
+                 remedy);
 }
 
 void Gpu::readLimits()
@@ -193,9 +196,9 @@ void Gpu::readLimits()
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limits_.textureSize);
     glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &limits_.workGroupCountX);
     if (limits_.computeStorageBlocks < 8)
-        throw DeviceError(fmt::format("{}: {} storage buffers a compute kernel, and 8 are needed (OpenGL 4.3 promises "
-                                      "them); update the driver or choose another --device",
-                                      device_.name, limits_.computeStorageBlocks));
+        failOnDevice(fmt::format("{}: {} storage buffers a compute kernel, and 8 are needed (OpenGL 4.3 promises them)",
+                                 device_.name, limits_.computeStorageBlocks),
+                     "update the driver or choose another --device");
 }
 
 void Gpu::checkErrors()

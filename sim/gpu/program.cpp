@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "sim/world/memory.h"
+#include "sim/gpu/driver_advice.h"
 
 namespace knuckle {
 

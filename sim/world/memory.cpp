@@ -8,8 +8,6 @@
 
 #include <fstream>
 
-#include "sim/world/errors.h"
-
 namespace knuckle {
 
 namespace {
@@ -45,12 +43,6 @@ std::string memoryMessage()
     const auto limit = addressSpaceLimit();
     return "out of memory; take fewer particles or smaller frames" +
            (limit ? fmt::format(", or raise the limit of {} MiB (ulimit -v)", *limit >> 20) : "");
-}
-
-void failOnDevice(const std::string& message)
-{
-    if (isMemoryShort()) throw RunError(memoryMessage());
-    throw DeviceError(message);
 }
 
 void saveAddressSpace()

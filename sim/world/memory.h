@@ -16,9 +16,6 @@ bool isMemoryShort();
 /// What the user reads then, one line.
 std::string memoryMessage();
 
-/// @throws RunError with memoryMessage() where memory is short, which is why the device failed; else DeviceError.
-[[noreturn]] void failOnDevice(const std::string& message);
-
 /// Under a limit: has all threads share one heap. Each would reserve 128 MiB of address space for its own. To be called
 /// before the first thread.
 void saveAddressSpace();
