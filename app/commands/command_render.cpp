@@ -89,7 +89,8 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     std::vector<Override> overrides;
     for (const std::string& text : options.sets) overrides.push_back(parseOverride(text));
     if (!options.size.empty()) addSize(options.size, overrides);
-    if (!options.framesPerSecond.empty()) overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
+    if (!options.framesPerSecond.empty())
+        overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
     if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
     readExports(options.exports, film);
     if (!film.stats.empty()) requireEnding("--stats ", film.stats, "a file of figures", {".json", ".txt", ""});
@@ -137,7 +138,8 @@ void addRenderCommand(CommandLine line)
     const auto list = [command](const char* name, Words& values, const char* words, const char* type) {
         command->add_option(name, values, words)->type_name(type)->take_all()->allow_extra_args(false);
     };
-    list("-o,--output", options->outputs, "A folder for PNG frames, a film ending in .mp4, .mov or .mkv, or - for one on standard output "
+    list("-o,--output", options->outputs,
+         "A folder for PNG frames, a film ending in .mp4, .mov or .mkv, or - for one on standard output "
          "[out/NAME]",
          "DIR|film.mp4");
     command->add_option("--frames", options->frames, "First and last frame to draw [all]")->type_name("A:B");

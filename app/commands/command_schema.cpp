@@ -9,7 +9,8 @@ namespace knuckle {
 
 void addSchemaCommand(CommandLine line)
 {
-    auto* command = line.program.add_subcommand("schema", "Print the JSON Schema (draft 7) of scene, actor or joint files");
+    auto* command = line.program.add_subcommand("schema",
+                                                "Print the JSON Schema (draft 7) of scene, actor or joint files");
     command->fallthrough();
     command->footer("Examples:\n"
                     "  knuckle schema > scene.schema.json   for editors that complete and check as you type\n"

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <system_error>
 
 #include "app/json/fields.h"
 #include "app/json/joint_limits.h"
@@ -195,10 +196,11 @@ void writeActor(OutputFile& file, const std::string& path, const Actor& actor)
 {
     namespace fs = std::filesystem;
     Actor placed = actor;
-    // A stream has no folder: the program's own.
-    const fs::path folder = file.isStream() ? fs::current_path() : fs::absolute(path).parent_path();
-    if (std::string& model = placed.model.file; !model.empty())
-        model = fs::absolute(model).lexically_proximate(folder).generic_string();
+    // A stream has no folder: the program's own, if it is still there.
+    std::error_code gone;
+    const fs::path folder = file.isStream() ? fs::current_path(gone) : fs::absolute(path, gone).parent_path();
+    if (std::string& model = placed.model.file; !model.empty() && !gone)
+        model = fs::absolute(model, gone).lexically_proximate(folder).generic_string();
     file.write(actorText(placed));
     file.commit();
 }

@@ -118,8 +118,8 @@ void RunPaths::checkLinks(const Place& folder) const
         for (const Place& input : inputs_) refuseInput(frame, input);
         for (const Place& output : outputs_)
             if (&output != &folder && isSame(frame, output))
-                throw InputError(fmt::format("{} would be written twice; remove the link {}", output.path,
-                                             frame.given));
+                throw InputError(
+                    fmt::format("{} would be written twice; remove the link {}", output.path, frame.given));
     }
 }
 
@@ -130,8 +130,8 @@ void RunPaths::check() const
         for (const Place& input : inputs_) refuseInput(output, input);
         for (const Place& folder : folders_)
             if (output.exists && output.path.starts_with(folder.path + "/") && output.frames.empty())
-                throw InputError(fmt::format("{} is in {}, which is read; give the output another place",
-                                             output.given, folder.given));
+                throw InputError(fmt::format("{} is in {}, which is read; give the output another place", output.given,
+                                             folder.given));
         for (size_t k = 0; k < i; ++k) {
             const Place& other = outputs_[k];
             if (output.isStream && other.isStream) continue;

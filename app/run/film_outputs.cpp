@@ -40,9 +40,8 @@ void addOutputs(const FilmOptions& options, const Scene& scene, RunPaths& paths)
 FilmOutputs::FilmOutputs(const Scene& scene, const FilmOptions& options) : plyFolder(options.plyFolder)
 {
     for (const std::string& path : options.outputs)
-        sinks.push_back(isFilm(path)
-                            ? filmSink(path, scene.render.width, scene.render.height, scene.framesPerSecond)
-                            : pngSink(path));
+        sinks.push_back(isFilm(path) ? filmSink(path, scene.render.width, scene.render.height, scene.framesPerSecond)
+                                     : pngSink(path));
     if (!plyFolder.empty()) requireWritableFolder(plyFolder);
     if (!options.bodyTable.empty()) bodies.emplace(options.bodyTable);
     if (!options.measureTable.empty()) measures.emplace(options.measureTable);

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 
 #include "render/files/leftovers.h"
@@ -20,7 +21,7 @@ std::atomic<bool> graceful = false, signalled = false;
 void endAtOnce()
 {
     clearLeftovers();
-    const ssize_t ignored = write(STDERR_FILENO, MESSAGE, std::strlen(MESSAGE));
+    const ssize_t ignored = write(fileno(stderr), MESSAGE, std::strlen(MESSAGE));
     static_cast<void>(ignored);
     _exit(EXIT_CODE);
 }

@@ -27,7 +27,7 @@ double secondsOf(std::chrono::steady_clock::duration duration)
 }  // namespace
 
 Progress::Progress(std::string what, uint64_t total, bool quiet)
-    : what_(std::move(what)), total_(total), shown_(!quiet), terminal_(isatty(STDERR_FILENO) == 1)
+    : what_(std::move(what)), total_(total), shown_(!quiet), terminal_(isatty(fileno(stderr)) == 1)
 {
 }
 

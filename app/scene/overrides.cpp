@@ -52,8 +52,7 @@ Json& childOf(Json& parent, const std::string& key, const Override& change)
 void unescape(std::string& key)
 {
     for (const auto& [escape, letter] : {std::pair{"~1", '/'}, std::pair{"~0", '~'}})
-        for (size_t at = 0; (at = key.find(escape, at)) != std::string::npos; ++at)
-            key.replace(at, 2, 1, letter);
+        for (size_t at = 0; (at = key.find(escape, at)) != std::string::npos; ++at) key.replace(at, 2, 1, letter);
 }
 
 }  // namespace

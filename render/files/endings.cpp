@@ -35,8 +35,8 @@ void requireEnding(const std::string& option, const std::string& path, const cha
         if (candidate == ending) return;
         if (!candidate.empty()) known += fmt::format("{}{}", known.empty() ? "" : " or ", candidate);
     }
-    throw InputError(fmt::format("{}{}: {} is written as {}; name it so, or - for standard output", option,
-                                 place.given, what, known));
+    throw InputError(fmt::format("{}{}: {} is written as {}; name it so, or - for standard output", option, place.given,
+                                 what, known));
 }
 
 void requireFolder(const std::string& option, const std::string& path)
@@ -45,8 +45,8 @@ void requireFolder(const std::string& option, const std::string& path)
     if (place.kind == OutputPlace::Kind::Stream)
         throw InputError(fmt::format("{}{}: frames are written into a folder; name one", option, place.given));
     if (place.kind == OutputPlace::Kind::File && !endingOf(path).empty())
-        throw InputError(fmt::format("{0}{1}: frames are written into a folder; name one, or {1}/", option,
-                                     place.given));
+        throw InputError(
+            fmt::format("{0}{1}: frames are written into a folder; name one, or {1}/", option, place.given));
 }
 
 }  // namespace knuckle

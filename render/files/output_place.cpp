@@ -82,7 +82,7 @@ int takeStandardOutput()
     if (taken < 0) {
         std::fflush(stdout);
         taken = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-        if (taken >= 0 && dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+        if (taken >= 0 && dup2(fileno(stderr), STDOUT_FILENO) < 0) {
             const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
             dup2(nothing, STDOUT_FILENO);
             close(nothing);
@@ -164,8 +164,8 @@ OutputPlace OutputPlace::of(const std::string& path)
 int OutputPlace::open() const
 {
     const int file = path.empty() && descriptor == STDOUT_FILENO ? takeStandardOutput()
-                     : path.empty() ? fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
-                                    : openWithReader(path);
+                     : path.empty()                              ? fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
+                                                                 : openWithReader(path);
     if (file < 0) fail(given, errno);
     return file;
 }

@@ -180,9 +180,8 @@ void Gpu::makeContext(const DeviceChoice& choice)
             notice_ = fmt::format("no hardware device can be used: running on {}", device_.name);
         return;
     }
-    const char* remedy = choice.kind == DeviceChoice::Kind::Gpu
-                             ? "try --device software"
-                             : "install libgl1-mesa-dri for Mesa's software device";
+    const char* remedy = choice.kind == DeviceChoice::Kind::Gpu ? "try --device software"
+                                                                : "install libgl1-mesa-dri for Mesa's software device";
     failOnDevice("no OpenGL 4.3 context can be made" + (problems.empty() ? ": EGL lists no such device" : problems),
                  remedy);
 }
@@ -204,7 +203,8 @@ void Gpu::readLimits()
 void Gpu::checkErrors()
 {
     GLenum error = glGetError();
-    if (pendingError_.empty() && error != GL_NO_ERROR) pendingError_ = error == GL_OUT_OF_MEMORY ? "GL_OUT_OF_MEMORY" : fmt::format("error 0x{:04x}", error);
+    if (pendingError_.empty() && error != GL_NO_ERROR)
+        pendingError_ = error == GL_OUT_OF_MEMORY ? "GL_OUT_OF_MEMORY" : fmt::format("error 0x{:04x}", error);
     if (pendingError_.empty()) return;
     std::string text;
     text.swap(pendingError_);

@@ -46,7 +46,8 @@ Framebuffer::Framebuffer(std::string label, std::initializer_list<const Texture*
     glObjectLabel(GL_FRAMEBUFFER, id(), -1, label.c_str());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
     if (glGetError() == GL_OUT_OF_MEMORY) throw RunError(memoryMessage());
-    failOnDevice(fmt::format("the device cannot draw into {} at {}x{}", label, width_, height_), "try a smaller --size");
+    failOnDevice(fmt::format("the device cannot draw into {} at {}x{}", label, width_, height_),
+                 "try a smaller --size");
 }
 
 void Framebuffer::bind() const
