@@ -193,7 +193,7 @@ std::string actorTable(const Actor& actor, const Model& model, const Articulatio
     text += sizeText(model);
     const std::string share = std::isfinite(fill.volume)
                                   ? fmt::format("{:.0f} % of the mesh's volume", 100 * fill.volume)
-                                  : "the mesh is open and has no volume";
+                                  : "the mesh encloses no volume";
     text += fmt::format("fill: {}; its surface is {:.2f} diameters off the particles'\n", share, fill.surface);
     text += fmt::format("pose: {}\n", model.poseFrom.empty() ? "the file's rest pose" : model.poseFrom);
     text += clipText(model);

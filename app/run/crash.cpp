@@ -65,6 +65,8 @@ void onTerminate()
 void tellCrashesForWantOfMemory()
 {
     line = "knuckle: " + memoryMessage() + "\n";
+    // Without a way back through a driver that waits for what cannot be any more.
+    std::set_new_handler(end);
     std::set_terminate(onTerminate);
     if (!addressSpaceLimit()) return;
     silenceLibraries();

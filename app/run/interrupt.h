@@ -9,8 +9,8 @@ struct Interrupted {};
 /// files are removed, programs that it started are ended.
 void endOnSignals();
 
-/// While an object of this class exists, such a signal only sets a flag, so that the frame is finished. A second one, or
-/// GRACE_SECONDS, end the program as without.
+/// While an object of this class exists, such a signal only sets a flag, so that the frame is finished. A second one,
+/// or GRACE_SECONDS, end the program as without.
 class InterruptGuard {
 public:
     static constexpr unsigned GRACE_SECONDS = 5;  ///< A driver may hang; `docker stop` kills after 10.

@@ -73,6 +73,7 @@ bool writeAll(int file, const void* data, size_t size)
                             uint64_t addressSpace, int pipe)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    std::set_new_handler(nullptr);
     setLimits(limits, addressSpace);
     int code = 0;
     try {
