@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <filesystem>
 
 #include "tests/cli/cli_fixture.h"
@@ -86,6 +87,12 @@ TEST_F(Words, OfARateMayBeAFraction)
     }
     EXPECT_NE(run({"check", scene, "--set", "fps=24000/1001", "--set", "duration=10"}).out.find("(240 frames)"),
               std::string::npos);
+    if (std::system("command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null") == 0) {
+        ASSERT_EQ(run({"-q", "render", scene, "--fps", "24000/1001", "-o", "film.mp4"}).code, 0);
+        const std::string probe = "ffprobe -v error -show_entries stream=r_frame_rate -of csv=p=0 '" +
+                                  folder.path("film.mp4") + "' | grep -qx 24000/1001";
+        EXPECT_EQ(std::system(probe.c_str()), 0);
+    }
     for (const std::string rate : {"1/0", "0/0", "24000/", "/1001", "1/2/3", "nan/1", "5/1", "1e999/1"})
         EXPECT_EQ(run({"-q", "render", scene, "--fps", rate}).code, 2) << rate;
 }
@@ -125,6 +132,14 @@ TEST_F(Words, OfAnAnimationNameAClip)
                     scene + ": /objects/0/" + field +
                         ": names no clip; give its `clip` (`knuckle voxelize` lists them), or the `file` of another "
                         "model");
+}
+
+TEST_F(Words, OfAMeshWithoutAVolumeSaySo)
+{
+    folder.write("quad.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nf 1 3 4 2\n");
+    const RunResult result = run({"voxelize", "quad.obj"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("fill: the mesh encloses no volume; its surface is"), std::string::npos) << result.out;
 }
 
 }  // namespace
