@@ -146,7 +146,8 @@ void addRenderCommand(CommandLine line)
     command->add_option("--size", options->size, "Pixels of a frame [the scene's, 1280x720]")->type_name("WxH");
     command->add_option("--fps", options->framesPerSecond, "Frames per second, as 30 or 24000/1001 [the scene's, 60]")
         ->type_name("N");
-    list("--set", options->sets, "Change a field of the scene, for instance solver.substeps=8", "PATH=VALUE");
+    list("--set", options->sets,
+         "Change a field of the scene, as solver.substeps=8, or /solver/substeps=8 as errors tell it", "PATH=VALUE");
     command->add_option("--stats", options->film.stats, "Write figures of the run")->type_name("FILE");
     list("--export", options->exports, "Write particles, bodies or measures of each frame", "KIND=PATH");
     command->add_flag("--hash", options->film.hash, "Print the hash of the last state");

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "app/files/model_files.h"
 #include "render/files/output_place.h"
@@ -135,6 +136,10 @@ void RunPaths::check() const
         for (size_t k = 0; k < i; ++k) {
             const Place& other = outputs_[k];
             if (output.isStream && other.isStream) continue;
+            for (const auto& [file, inside] : {std::pair{&output, &other}, std::pair{&other, &output}})
+                if (!file->isStream && file->frames.empty() && inside->path.starts_with(file->path + "/"))
+                    throw InputError(fmt::format("{} is to be a file, and {} to lie in it; give one another name",
+                                                 file->given, inside->given));
             if (isSame(output, other) || isFrameOf(output, other) || isFrameOf(other, output))
                 throw InputError(fmt::format("{} would be written twice; give each output a name of its own",
                                              output.frames.empty() ? output.path : other.path));

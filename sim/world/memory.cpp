@@ -12,7 +12,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr size_t LARGE_BLOCK = size_t{64} << 20;
+constexpr size_t LARGE_BLOCK = size_t{128} << 20;
 
 }  // namespace
 

