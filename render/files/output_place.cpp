@@ -37,7 +37,7 @@ fs::path canonical(const fs::path& path, const std::string& given)
     std::error_code error;
     const fs::path absolute = fs::absolute(path, error);
     if (error) throw InputError(fmt::format("{}: the working folder is no longer there; go to another", given));
-    const fs::path result = fs::weakly_canonical(absolute, error);
+    fs::path result = fs::weakly_canonical(absolute, error);
     if (error) fail(given, error.value());
     return result;
 }
