@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -67,12 +68,13 @@ void settleObjects(Json& root)
 std::string emptyAnimation(const Json& root)
 {
     if (!root.is_object() || !root.contains("objects") || !root["objects"].is_array()) return {};
+    const Json nothing = "";
     const Json& objects = root["objects"];
     for (size_t i = 0; i < objects.size(); ++i)
         for (const char* key : {"animation", "pose"}) {
             if (!objects[i].is_object() || !objects[i].contains(key) || !objects[i][key].is_object()) continue;
             const Json& clip = objects[i][key];
-            if (clip.value("clip", Json("")) == "" && clip.value("file", Json("")) == "")
+            if (clip.value("clip", nothing) == nothing && clip.value("file", nothing) == nothing)
                 return fmt::format("/objects/{}/{}", i, key);
         }
     return {};
@@ -256,7 +258,7 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     for (const SceneActor& use : scene.actors)
         if (!use.actor->model.file.empty()) scene.files.push_back(use.actor->model.file);
     std::ranges::sort(scene.files);
-    scene.files.erase(std::ranges::unique(scene.files).begin(), scene.files.end());
+    scene.files.erase(std::unique(scene.files.begin(), scene.files.end()), scene.files.end());
     scene.render = readRender(file, scene.world);
     return scene;
 }
