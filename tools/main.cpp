@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "app/files/output.h"
+#include "render/files/output_file.h"
 #include "sim/actor/gltf/glb.h"
 #include "tools/crate/crate.h"
 #include "tools/dog/dog.h"

@@ -191,8 +191,10 @@ std::string actorTable(const Actor& actor, const Model& model, const Articulatio
                         counted(actor.bodies.size(), "body", "bodies"), counted(actor.joints.size(), "joint"),
                         counted(mergedCount, "bone"));
     text += sizeText(model);
-    text += fmt::format("fill: {:.0f} % of the mesh's volume; its surface is {:.2f} diameters off the particles'\n",
-                        100 * fill.volume, fill.surface);
+    const std::string share = std::isfinite(fill.volume)
+                                  ? fmt::format("{:.0f} % of the mesh's volume", 100 * fill.volume)
+                                  : "the mesh encloses no volume";
+    text += fmt::format("fill: {}; its surface is {:.2f} diameters off the particles'\n", share, fill.surface);
     text += fmt::format("pose: {}\n", model.poseFrom.empty() ? "the file's rest pose" : model.poseFrom);
     text += clipText(model);
     for (const std::string& note : actor.notes) text += fmt::format("note: {}\n", note);

@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.h"
 #include "app/run/counted.h"
+#include "app/run/tell.h"
 #include "app/scene/scene_file.h"
 #include "sim/solver/measure/animated_depths.h"
 #include "sim/world/errors.h"
@@ -38,7 +39,7 @@ int check(const std::vector<std::string>& paths, const std::vector<Override>& ov
                        counted(scene.frameCount(), "frame"));
         } catch (const InputError& error) {
             // Told here, so that one bad scene does not hide what is wrong with the next.
-            fmt::print(stderr, "knuckle: {}\n", error.what());
+            tellUser(fmt::format("knuckle: {}", error.what()));
             code = EXIT_INPUT;
         }
     }

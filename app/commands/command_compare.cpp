@@ -1,8 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
+#include "app/files/run_paths.h"
+#include "render/files/endings.h"
+#include "render/files/output_file.h"
 #include "render/picture/image.h"
 
 namespace knuckle {
@@ -17,10 +22,23 @@ struct CompareOptions {
 
 int compare(const CompareOptions& options, bool quiet)
 {
+    std::optional<OutputFile> difference;
+    if (!options.difference.empty()) {
+        requireEnding("--difference ", options.difference, "a picture", {".png"});
+        RunPaths paths;
+        paths.reads(options.first);
+        paths.reads(options.second);
+        paths.writes(options.difference);
+        paths.check();
+        difference.emplace(options.difference);
+    }
     const Image first = readImage(options.first), second = readImage(options.second);
     const ImageDifference result = compareImages(first, second, options.threshold);
     const bool different = result.changedFraction > options.maxChanged;
-    if (!options.difference.empty()) writePng(options.difference, result.picture);
+    if (difference) {
+        difference->write(pngOf(result.picture));
+        difference->commit();
+    }
     if (!quiet) {
         fmt::print("{}: {:.4f} % of the pixels differ by more than {} of 255 (allowed {:.4f} %), mean {:.4f}, "
                    "worst {}\n",
@@ -45,7 +63,7 @@ void addCompareCommand(CommandLine line)
         ->check(CLI::Range(0, 255))
         ->capture_default_str();
     command->add_option("--max-changed", options->maxChanged, "Share of changed pixels that still counts as equal, 0-1")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(numberBetween(0.0, 1.0))
         ->capture_default_str();
     command->add_option("--difference", options->difference, "Write a picture of the difference")->type_name("OUT.png");
     command->callback([=] { line.chosen = [=] { return compare(*options, line.common.quiet); }; });

@@ -5,8 +5,11 @@
 #include <filesystem>
 #include <map>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
-#include "app/run/film_run.h"
+#include "app/run/film_outputs.h"
+#include "app/run/tell.h"
+#include "render/files/endings.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -14,8 +17,7 @@ namespace knuckle {
 namespace {
 
 struct RenderOptions {
-    std::string scene, frames, size;
-    double framesPerSecond = 0.0;
+    std::string scene, frames, size, framesPerSecond;
     std::vector<std::string> outputs, sets, exports;
     FilmOptions film;
 };
@@ -50,31 +52,35 @@ void readExports(const std::vector<std::string>& exports, FilmOptions& film)
                 "--export {}: must be ply=FOLDER, bodies=FILE.csv, measures=FILE.csv, bvh=FILE.bvh or gltf=FILE.glb",
                 text));
         }
-        if (kind == "gltf" && std::filesystem::path(path).extension() == ".gltf")
+        if (kind == "gltf" && endingOf(path) == ".gltf")
             throw InputError(fmt::format("--export {}: it is written as binary glTF; name it {}", text,
                                          std::filesystem::path(path).replace_extension(".glb").string()));
+        const std::string option = fmt::format("--export {}=", kind);
+        if (kind == "gltf") requireEnding(option, path, "a motion as glTF", {".glb"});
+        else if (kind == "bvh") requireEnding(option, path, "a motion as BVH", {".bvh"});
+        else if (kind == "ply") requireFolder(option, path);
+        else requireEnding(option, path, "a table", {".csv", ".txt", ""});
         *found->second = path;
     }
-}
-
-/// Refuses what would be written over something else of the same run.
-void requireOwnPaths(const FilmOptions& film)
-{
-    std::vector<std::string> paths = film.outputs;
-    for (const std::string& path : {film.plyFolder, film.bodyTable, film.measureTable, film.bvh, film.gltf, film.stats})
-        if (!path.empty()) paths.push_back(path);
-    for (std::string& path : paths) path = std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
-    std::ranges::sort(paths);
-    const auto twice = std::ranges::adjacent_find(paths);
-    if (twice != paths.end() && std::filesystem::path(*twice).has_extension())
-        throw InputError(fmt::format("{} would be written twice; give each output a name of its own", *twice));
 }
 
 std::string defaultOutput(const Scene& scene)
 {
     std::string name = scene.name;
     std::replace(name.begin(), name.end(), '/', '_');
-    return "out/" + (name.starts_with('.') ? "scene" + name : name);
+    const std::string folder = "out/" + (name.starts_with('.') ? "scene" + name : name);
+    return endingOf(folder).empty() ? folder : folder + "/";  // no matter what it looks like
+}
+
+/// @throws InputError for outputs in the way of what is read or of each other.
+void requireOwnPaths(const std::string& file, const Scene& scene, const FilmOptions& film, const CommonOptions& common)
+{
+    RunPaths paths;
+    paths.reads(file);
+    for (const std::string& named : scene.files) paths.readsModel(named);
+    if (!common.shaderFolder.empty()) paths.readsFolder(common.shaderFolder);
+    addOutputs(film, scene, paths);
+    paths.check();
 }
 
 int renderScene(const RenderOptions& options, const CommonOptions& common)
@@ -83,15 +89,18 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     std::vector<Override> overrides;
     for (const std::string& text : options.sets) overrides.push_back(parseOverride(text));
     if (!options.size.empty()) addSize(options.size, overrides);
-    if (options.framesPerSecond != 0.0) overrides.push_back({"fps", options.framesPerSecond});
+    if (!options.framesPerSecond.empty())
+        overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
     if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
     readExports(options.exports, film);
+    if (!film.stats.empty()) requireEnding("--stats ", film.stats, "a file of figures", {".json", ".txt", ""});
+    for (const std::string& path : options.outputs) isFilm(path);  // so that a wrong one is told at once
     const Scene scene = loadScene(options.scene, overrides);
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
-            fmt::print(stderr, "knuckle: warning: {}: {}\n", options.scene, warning);
+            tellUser(fmt::format("knuckle: warning: {}: {}", options.scene, warning));
     film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
-    requireOwnPaths(film);
+    requireOwnPaths(options.scene, scene, film, common);
     runFilm(scene, film, common);
     return EXIT_FINE;
 }
@@ -129,14 +138,16 @@ void addRenderCommand(CommandLine line)
     const auto list = [command](const char* name, Words& values, const char* words, const char* type) {
         command->add_option(name, values, words)->type_name(type)->take_all()->allow_extra_args(false);
     };
-    list("-o,--output", options->outputs, "A folder for PNG frames, or a film ending in .mp4 [out/NAME]",
+    list("-o,--output", options->outputs,
+         "A folder for PNG frames, a film ending in .mp4, .mov or .mkv, or - for one on standard output "
+         "[out/NAME]",
          "DIR|film.mp4");
     command->add_option("--frames", options->frames, "First and last frame to draw [all]")->type_name("A:B");
     command->add_option("--size", options->size, "Pixels of a frame [the scene's, 1280x720]")->type_name("WxH");
-    command->add_option("--fps", options->framesPerSecond, "Frames per second [the scene's, 60]")
-        ->type_name("N")
-        ->check(CLI::Range(10.0, 480.0));
-    list("--set", options->sets, "Change a field of the scene, for instance solver.substeps=8", "PATH=VALUE");
+    command->add_option("--fps", options->framesPerSecond, "Frames per second, as 30 or 24000/1001 [the scene's, 60]")
+        ->type_name("N");
+    list("--set", options->sets,
+         "Change a field of the scene, as solver.substeps=8, or /solver/substeps=8 as errors tell it", "PATH=VALUE");
     command->add_option("--stats", options->film.stats, "Write figures of the run")->type_name("FILE");
     list("--export", options->exports, "Write particles, bodies or measures of each frame", "KIND=PATH");
     command->add_flag("--hash", options->film.hash, "Print the hash of the last state");

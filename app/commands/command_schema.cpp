@@ -9,8 +9,13 @@ namespace knuckle {
 
 void addSchemaCommand(CommandLine line)
 {
-    auto* command = line.program.add_subcommand("schema", "Print the JSON Schema (draft 7) of scene files");
+    auto* command = line.program.add_subcommand("schema",
+                                                "Print the JSON Schema (draft 7) of scene, actor or joint files");
     command->fallthrough();
+    command->footer("Examples:\n"
+                    "  knuckle schema > scene.schema.json   for editors that complete and check as you type\n"
+                    "  knuckle schema actor                 what `knuckle voxelize -o` writes\n"
+                    "  knuckle schema joints                what `knuckle voxelize --joints` reads");
     auto document = std::make_shared<std::string>("scene");
     auto markdown = std::make_shared<bool>(false);
     command->add_option("DOCUMENT", *document, "Which: scene, actor (actor files), joints (joint overrides)")

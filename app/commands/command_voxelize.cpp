@@ -2,14 +2,18 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
 
 #include "app/commands/actor_preview.h"
 #include "app/commands/actor_table.h"
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/files/actor_file.h"
 #include "app/files/joints_file.h"
-#include "app/files/output.h"
+#include "app/files/run_paths.h"
 #include "app/run/counted.h"
+#include "render/files/endings.h"
+#include "render/files/output_file.h"
 #include "sim/actor/bodies/make_actor.h"
 #include "sim/actor/limbs/fill_error.h"
 #include "sim/world/errors.h"
@@ -57,11 +61,25 @@ Model readModel(const std::string& path, const ImportOptions& options)
     }
 }
 
+/// @throws InputError for outputs of another kind, or in the way of what is read or of each other.
+void requireOwnPaths(const VoxelizeOptions& options)
+{
+    RunPaths paths;
+    paths.readsModel(options.model);
+    if (!options.joints.empty()) paths.reads(options.joints);
+    if (!options.output.empty()) requireEnding("-o ", options.output, "an actor", {".json"});
+    if (!options.preview.empty()) requireEnding("--preview ", options.preview, "a picture", {".png"});
+    for (const std::string& path : {options.output, options.preview})
+        if (!path.empty()) paths.writes(path);
+    paths.check();
+}
+
 int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
 {
-    for (const std::string& path : {options.output, options.preview}) {
-        if (!path.empty()) OutputFile probe(path);
-    }
+    requireOwnPaths(options);
+    std::optional<OutputFile> output, preview;
+    if (!options.output.empty()) output.emplace(options.output);
+    if (!options.preview.empty()) preview.emplace(options.preview);
     ImportOptions import;
     import.fit = options.fit;
     import.fit.up = options.up == "z" ? UpAxis::Z : UpAxis::Y;
@@ -83,8 +101,11 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
         const FillError error = fillError(actor, Solid(model.vertices, model.triangles));
         fmt::print("{}", actorTable(actor, model, actorOptions.articulation, error));
     }
-    if (!options.output.empty()) writeActor(options.output, actor);
-    if (!options.preview.empty()) writePng(options.preview, drawPreview(actor, model, common));
+    if (output) writeActor(*output, options.output, actor);
+    if (preview) {
+        preview->write(pngOf(drawPreview(actor, model, common)));
+        preview->commit();
+    }
     return EXIT_FINE;
 }
 
@@ -113,7 +134,7 @@ void addVoxelizeCommand(CommandLine line)
     command->add_option("MODEL", options->model, "The rigged model")->required();
     command->add_option("-o,--output", options->output, "Write the actor here")->type_name("actor.json");
     auto* diameter = command->add_option("--diameter", options->diameter, "Diameter of a particle [m]")
-                         ->check(CLI::Range(SMALLEST_DIAMETER, 10.0))
+                         ->check(numberBetween(SMALLEST_DIAMETER, 10.0))
                          ->type_name("M");
     command->add_option("--particles", options->particles, "As many particles as this, or nearly")
         ->check(CLI::Range(FEWEST_PARTICLES, MOST_PARTICLES))
@@ -130,11 +151,11 @@ void addVoxelizeCommand(CommandLine line)
         ->type_name("FILE")
         ->excludes(split);
     auto* height = command->add_option("--height", options->fit.height, "Height of the figure, instead of --scale [m]")
-                       ->check(CLI::Range(0.01, 100.0))
+                       ->check(numberBetween(0.01, 100.0))
                        ->type_name("M");
     command
         ->add_option("--scale", options->fit.scale, "Metres per unit of the model; 0: as the file says, else guessed")
-        ->check(CLI::Range(0.0, 1e6))
+        ->check(numberBetween(0.0, 1e6))
         ->capture_default_str()
         ->type_name("M")
         ->excludes(height);

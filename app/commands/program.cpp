@@ -7,15 +7,18 @@
 #include <new>
 #include <system_error>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
+#include "app/run/crash.h"
 #include "app/run/interrupt.h"
+#include "app/run/tell.h"
 #include "sim/world/errors.h"
+#include "sim/world/memory.h"
 
 namespace knuckle {
 
 namespace {
 
-constexpr const char* STDOUT_FAILURE = "standard output cannot be written";
 constexpr const char* EXAMPLES =
     "Examples:\n"
     "  knuckle render assets/scenes/ragdoll.json               frames in out/ragdoll\n"
@@ -62,13 +65,17 @@ int parseAndRun(int argc, char** argv)
         if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
         throw InputError(fmt::format("{}; see knuckle --help", error.what()));
     }
+    refuseEmptyValues(program);
     return chosen();
 }
 
 /// Prints the error. Never throws: if stderr is closed, there is no way left to report that.
 int tell(const std::string& message, int code)
 {
-    std::fputs(("knuckle: " + message + "\n").c_str(), stderr);
+    try {
+        tellUser("knuckle: " + message);
+    } catch (const std::system_error&) {
+    }
     return code;
 }
 
@@ -85,9 +92,12 @@ int endByBrokenPipe()
 int runProgram(int argc, char** argv)
 {
     std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is a write error, so that all is tidied up first
+    saveAddressSpace();
+    tellCrashesForWantOfMemory();
+    endOnSignals();
     try {
         const int code = parseAndRun(argc, argv);
-        if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), STDOUT_FAILURE);
+        flushStandardOutput();
         return code;
     } catch (const InputError& error) {
         return tell(error.what(), EXIT_INPUT);
@@ -96,9 +106,12 @@ int runProgram(int argc, char** argv)
     } catch (const Interrupted&) {
         return tell("stopped; what was finished is kept", EXIT_INTERRUPTED);
     } catch (const std::bad_alloc&) {
-        return tell("out of memory; take fewer particles or smaller frames", EXIT_RUN);
+        return tell(memoryMessage(), EXIT_RUN);
     } catch (const std::system_error& error) {
-        return error.code() == std::errc::broken_pipe ? endByBrokenPipe() : tell(error.what(), EXIT_RUN);
+        // A thread that has no room.
+        const bool starved = error.code() == std::errc::resource_unavailable_try_again && isMemoryShort();
+        if (error.code() == std::errc::broken_pipe) return endByBrokenPipe();
+        return tell(starved ? memoryMessage() : error.what(), EXIT_RUN);
     } catch (const std::exception& error) {
         return tell(error.what(), EXIT_RUN);
     }

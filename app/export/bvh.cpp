@@ -156,15 +156,23 @@ private:
     std::string text_;
 };
 
-/// The path of a file for each rig.
-std::vector<std::string> pathsFor(const std::string& path, const std::vector<Rig>& rigs)
+}  // namespace
+
+std::vector<std::string> bvhPaths(const std::string& path, const Scene& scene)
 {
-    if (rigs.size() == 1) return {path};
+    std::vector<uint32_t> objects;
+    for (const SceneActor& use : scene.actors) objects.insert(objects.end(), use.objects.begin(), use.objects.end());
+    std::ranges::sort(objects);
+    if (objects.size() < 2) return {path};
+    if (OutputPlace::of(path).kind == OutputPlace::Kind::Stream)
+        throw InputError(fmt::format("--export bvh={}: the scene has {} actors with a file each, of which a stream "
+                                     "takes one; name a file",
+                                     path, objects.size()));
     std::vector<std::string> paths;
     std::set<std::string> used;
     const std::filesystem::path whole(path);
-    for (const Rig& rig : rigs) {
-        std::string plain = rig.model.name;
+    for (const uint32_t object : objects) {
+        std::string plain = scene.world.objects[object].name;
         std::ranges::replace(plain, '/', '_');
         std::string name = plain;
         for (int times = 2; !used.insert(name).second; ++times) name = fmt::format("{}_{}", plain, times);
@@ -175,8 +183,6 @@ std::vector<std::string> pathsFor(const std::string& path, const std::vector<Rig
     return paths;
 }
 
-}  // namespace
-
 std::string bvhText(const Rig& rig, const Frames& frames, double framesPerSecond)
 {
     return BvhText(rig, frames).text(framesPerSecond);
@@ -186,7 +192,7 @@ BvhExport::BvhExport(const std::string& path, const Scene& scene) : rigs_(rigsOf
 {
     if (rigs_.empty())
         throw InputError(fmt::format("--export bvh={}: the scene has no actor, whose bones could be written", path));
-    for (const std::string& file : pathsFor(path, rigs_)) files_.push_back(std::make_unique<OutputFile>(file));
+    for (const std::string& file : bvhPaths(path, scene)) files_.push_back(std::make_unique<OutputFile>(file));
 }
 
 void BvhExport::add(const World& world, const std::vector<BodyState>& states)

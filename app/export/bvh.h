@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/export/rig.h"
-#include "app/files/output.h"
+#include "render/files/output_file.h"
 
 namespace knuckle {
 
@@ -25,6 +25,9 @@ private:
     std::vector<std::unique_ptr<OutputFile>> files_;
     std::vector<std::vector<std::vector<Eigen::Isometry3f>>> motions_;  ///< Per rig and frame, of each bone.
 };
+
+/// The files of `--export bvh=path`, one an actor. @throws InputError for several of them into a stream.
+std::vector<std::string> bvhPaths(const std::string& path, const Scene& scene);
 
 /// The text of a BVH file. @param frames how each bone has moved from the rest pose, in each frame.
 std::string bvhText(const Rig& rig, const std::vector<std::vector<Eigen::Isometry3f>>& frames, double framesPerSecond);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/export/rig.h"
-#include "app/files/output.h"
+#include "render/files/output_file.h"
 
 namespace knuckle {
 

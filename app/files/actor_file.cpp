@@ -5,8 +5,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <system_error>
 
-#include "app/files/output.h"
 #include "app/json/fields.h"
 #include "app/json/joint_limits.h"
 #include "app/json/json.h"
@@ -192,15 +192,23 @@ std::string actorText(const Actor& actor)
     return text;
 }
 
-void writeActor(const std::string& path, const Actor& actor)
+void writeActor(OutputFile& file, const std::string& path, const Actor& actor)
 {
     namespace fs = std::filesystem;
     Actor placed = actor;
-    if (std::string& file = placed.model.file; !file.empty())
-        file = fs::absolute(file).lexically_proximate(fs::absolute(path).parent_path()).generic_string();
-    OutputFile file(path);
+    // A stream has no folder: the program's own, if it is still there.
+    std::error_code gone;
+    const fs::path folder = file.isStream() ? fs::current_path(gone) : fs::absolute(path, gone).parent_path();
+    if (std::string& model = placed.model.file; !model.empty() && !gone)
+        model = fs::absolute(model, gone).lexically_proximate(folder).generic_string();
     file.write(actorText(placed));
     file.commit();
+}
+
+void writeActor(const std::string& path, const Actor& actor)
+{
+    OutputFile file(path);
+    writeActor(file, path, actor);
 }
 
 Actor readActor(const std::string& path)

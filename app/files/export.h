@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/output.h"
+#include "render/files/output_file.h"
 #include "sim/gpu/kernel.h"
 #include "sim/solver/solver.h"
 #include "sim/world/world.h"

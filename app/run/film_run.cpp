@@ -4,71 +4,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 
-#include "app/export/bvh.h"
-#include "app/export/gltf.h"
-#include "app/files/export.h"
 #include "app/run/counted.h"
-#include "app/run/frame_drawing.h"
+#include "app/run/film_outputs.h"
 #include "app/run/interrupt.h"
 #include "app/run/progress.h"
 #include "app/run/stopwatch.h"
-#include "render/temporary_file.h"
+#include "app/run/tell.h"
 #include "sim/solver/workload.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
 
 namespace {
-
-/// Everything that is written, opened before the first step so that nothing is simulated in vain.
-struct Outputs {
-    FrameSinks sinks;
-    std::optional<BodyTable> bodies;
-    std::optional<MeasureTable> measures;
-    std::optional<BvhExport> bvh;
-    std::optional<GltfExport> gltf;
-    std::optional<OutputFile> stats;
-    std::string plyFolder;
-
-    Outputs(const Scene& scene, const FilmOptions& options) : plyFolder(options.plyFolder)
-    {
-        for (const std::string& path : options.outputs) sinks.push_back(openSink(path, scene));
-        if (!plyFolder.empty()) requireWritableFolder(plyFolder);
-        if (!options.bodyTable.empty()) bodies.emplace(options.bodyTable);
-        if (!options.measureTable.empty()) measures.emplace(options.measureTable);
-        if (!options.bvh.empty()) bvh.emplace(options.bvh, scene);
-        if (!options.gltf.empty()) gltf.emplace(options.gltf, scene);
-        if (!options.stats.empty()) stats.emplace(options.stats);
-    }
-
-    bool wantBodies() const { return bodies || bvh || gltf; }
-
-    void addBodies(uint64_t frame, const World& world, const std::vector<BodyState>& states)
-    {
-        if (bodies) bodies->write(frame, world, states);
-        if (gltf) gltf->add(world, states);
-        if (bvh) bvh->add(world, states);
-    }
-
-    static std::unique_ptr<FrameSink> openSink(const std::string& path, const Scene& scene)
-    {
-        const std::string ending = std::filesystem::path(path).extension().string();
-        for (const char* film : {".mp4", ".mov", ".mkv"}) {
-            if (ending != film) continue;
-            return filmSink(path, scene.render.width, scene.render.height, scene.framesPerSecond);
-        }
-        for (const char* other : {".avi", ".webm", ".gif", ".mpg", ".png", ".jpg"}) {
-            if (ending != other) continue;
-            throw InputError(fmt::format("-o {}: films are written as .mp4, frames into a folder; name one of "
-                                         "them",
-                                         path));
-        }
-        return pngSink(path);
-    }
-};
 
 /// One run from the first step to the last frame.
 class FilmRun {
@@ -82,17 +31,20 @@ public:
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
         const std::vector<std::string> leftOut = GltfExport::leftOut(scene.world);
         if (outputs_.gltf && !common.quiet && !leftOut.empty())
-            fmt::print(stderr, "knuckle: note: {} leaves out {}\n", options.gltf, fmt::join(leftOut, ", "));
+            tellUser(fmt::format("knuckle: note: {} leaves out {}", options.gltf, fmt::join(leftOut, ", ")));
         figures_.device = gpu_->device().name;
         figures_.driverThreads = gpu_->threads();
     }
 
     RunFigures run()
     {
+        // Until the first frames are there shaders are compiled, and there is nothing to finish.
+        std::optional<InterruptGuard> interrupt;
         for (uint64_t frame = 1; frame <= range_.last; ++frame) {
             if (frame > 1) advance(frame);
             takeFrame(frame);
-            interrupt_.check();
+            if (frame == WARM_UP) interrupt.emplace();
+            if (interrupt) interrupt->check();
             progress_.update(frame);
         }
         if (drawing_) drawing_->wait();
@@ -108,6 +60,8 @@ public:
     uint64_t stateHash() { return solver_.stateHash(); }
 
 private:
+    static constexpr uint64_t WARM_UP = 2;
+
     static FrameRange clampRange(const Scene& scene, FrameRange range)
     {
         const uint64_t count = scene.frameCount();
@@ -179,10 +133,7 @@ private:
 
     void finishTables()
     {
-        if (outputs_.bodies) outputs_.bodies->finish();
-        if (outputs_.measures) outputs_.measures->finish();
-        if (outputs_.gltf) outputs_.gltf->finish(scene_.framesPerSecond);
-        if (outputs_.bvh) outputs_.bvh->finish(scene_.framesPerSecond);
+        outputs_.finishTables(scene_.framesPerSecond);
         if (!outputs_.stats) return;
         if (releases_) figures_.releases = releases_->figures();
         outputs_.stats->write(statsText(figures_, scene_.world, solver_));
@@ -192,8 +143,7 @@ private:
     const Scene& scene_;
     const FilmOptions& options_;
     FrameRange range_;
-    InterruptGuard interrupt_;
-    Outputs outputs_;
+    FilmOutputs outputs_;
     std::unique_ptr<Gpu> gpu_;
     Solver solver_;
     std::unique_ptr<FrameDrawing> drawing_;

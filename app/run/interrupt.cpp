@@ -1,33 +1,59 @@
 #include "app/run/interrupt.h"
 
+#include <unistd.h>
+
+#include <atomic>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
+
+#include "render/files/leftovers.h"
 
 namespace knuckle {
 
 namespace {
 
-volatile std::sig_atomic_t signalled = 0;
+constexpr int EXIT_CODE = 130;
+constexpr const char* MESSAGE = "knuckle: stopped; what was finished is kept\n";
 
-void handle(void (*handler)(int), int flags)
+std::atomic<bool> graceful = false, signalled = false;
+
+void endAtOnce()
 {
-    struct sigaction action = {};
-    action.sa_handler = handler;
-    action.sa_flags = flags;
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    clearLeftovers();
+    const ssize_t ignored = write(fileno(stderr), MESSAGE, std::strlen(MESSAGE));
+    static_cast<void>(ignored);
+    _exit(EXIT_CODE);
+}
+
+void onSignal(int signal)
+{
+    if (signal == SIGALRM || !graceful || signalled.exchange(true)) endAtOnce();
+    alarm(InterruptGuard::GRACE_SECONDS);
 }
 
 }  // namespace
 
+void endOnSignals()
+{
+    struct sigaction action = {};
+    action.sa_handler = onSignal;
+    action.sa_flags = SA_RESTART;
+    for (const int signal : {SIGINT, SIGTERM, SIGALRM}) sigaction(signal, &action, nullptr);
+    // nohup has it ignored.
+    struct sigaction before = {};
+    sigaction(SIGHUP, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+}
+
 InterruptGuard::InterruptGuard()
 {
-    signalled = 0;
-    handle([](int) { signalled = 1; }, static_cast<int>(SA_RESETHAND | SA_RESTART));
+    graceful = true;
 }
 
 InterruptGuard::~InterruptGuard()
 {
-    handle(SIG_DFL, 0);
+    graceful = false;
 }
 
 void InterruptGuard::check() const

@@ -5,10 +5,16 @@ namespace knuckle {
 /// Thrown when the user asked to stop. Ends the program with exit code 130.
 struct Interrupted {};
 
-/// While an object of this class exists, SIGINT and SIGTERM only set a flag, so that the frame is finished and
-/// temporary files are removed. A second signal ends the program at once.
+/// From now on SIGINT, SIGTERM and SIGHUP end the program at once, whatever it is doing, with exit code 130: temporary
+/// files are removed, programs that it started are ended.
+void endOnSignals();
+
+/// While an object of this class exists, such a signal only sets a flag, so that the frame is finished. A second one,
+/// or GRACE_SECONDS, end the program as without.
 class InterruptGuard {
 public:
+    static constexpr unsigned GRACE_SECONDS = 5;  ///< A driver may hang; `docker stop` kills after 10.
+
     InterruptGuard();
     ~InterruptGuard();
     InterruptGuard(const InterruptGuard&) = delete;

@@ -1,15 +1,13 @@
 #include "app/run/open_gpu.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
+#include "app/run/tell.h"
 
 namespace knuckle {
 
 std::unique_ptr<Gpu> openGpu(const CommonOptions& common, std::optional<FrameWork> work)
 {
     auto gpu = std::make_unique<Gpu>(DeviceChoice::parse(common.device), common.shaderFolder, work);
-    if (!gpu->notice().empty() && !common.quiet) fmt::print(stderr, "{}\n", gpu->notice());
+    if (!gpu->notice().empty() && !common.quiet) tellUser(gpu->notice());
     return gpu;
 }
 

@@ -7,12 +7,16 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/run/tell.h"
+
 namespace knuckle {
 
 namespace {
 
 using namespace std::chrono_literals;
 
+/// Frames that shaders are compiled in, which says nothing of those to come.
+constexpr uint64_t WARM_UP = 2;
 constexpr std::chrono::milliseconds TERMINAL_INTERVAL = 200ms, PLAIN_INTERVAL = 10s;
 
 double secondsOf(std::chrono::steady_clock::duration duration)
@@ -23,7 +27,7 @@ double secondsOf(std::chrono::steady_clock::duration duration)
 }  // namespace
 
 Progress::Progress(std::string what, uint64_t total, bool quiet)
-    : what_(std::move(what)), total_(total), shown_(!quiet), terminal_(isatty(STDERR_FILENO) == 1)
+    : what_(std::move(what)), total_(total), shown_(!quiet), terminal_(isatty(fileno(stderr)) == 1)
 {
 }
 
@@ -40,13 +44,20 @@ double Progress::seconds() const
 void Progress::update(uint64_t done)
 {
     const auto now = Clock::now();
+    if (done <= WARM_UP) {
+        rateStart_ = now;
+        rateDone_ = done;
+    }
     const bool due = now - last_ >= (terminal_ ? TERMINAL_INTERVAL : PLAIN_INTERVAL);
     if (!shown_ || (!due && !(terminal_ && done == total_))) return;
     last_ = now;
-    const double rate = static_cast<double>(done) / std::max(1e-9, secondsOf(now - start_));
-    const double left = static_cast<double>(total_ - done) / std::max(1e-9, rate);
-    const std::string line = fmt::format("{} {} of {}, {:.1f} frames/s, {} left", what_, done, total_, rate,
-                                         durationText(left));
+    std::string line = fmt::format("{} {} of {}", what_, done, total_);
+    if (done > rateDone_) {
+        const double rate = static_cast<double>(done - rateDone_) / std::max(1e-9, secondsOf(now - rateStart_));
+        const double left = static_cast<double>(total_ - done) / rate;
+        line += fmt::format(", {:.1f} frames/s, {} left", rate, durationText(left));
+    }
+    flushStandardOutput();
     if (terminal_) {
         fmt::print(stderr, "\r\033[K{}", line);
         dirty_ = true;

@@ -24,7 +24,8 @@ private:
     std::string what_;
     uint64_t total_;
     bool shown_, terminal_, dirty_ = false;
-    Clock::time_point start_ = Clock::now(), last_ = start_;
+    Clock::time_point start_ = Clock::now(), last_ = start_, rateStart_ = start_;
+    uint64_t rateDone_ = 0;  ///< At rateStart_.
 };
 
 /// "12 s", "3 min 05 s", "2 h 10 min".

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include "sim/world/errors.h"
 
@@ -14,6 +18,22 @@ namespace {
 [[noreturn]] void fail(const Override& change, const std::string& message)
 {
     throw InputError(fmt::format("--set {}: {}", change.path, message));
+}
+
+/// The whole text as a number, which may be none or without end: nan, -inf, 1e999.
+std::optional<double> numberIn(const std::string& text)
+{
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    return text.empty() || *end != '\0' ? std::nullopt : std::optional(number);
+}
+
+/// The same of two numbers with a slash between them.
+std::optional<double> fractionIn(const std::string& text)
+{
+    const size_t slash = text.find('/');
+    const auto above = numberIn(text.substr(0, slash)), below = numberIn(text.substr(slash + 1));
+    return above && below ? std::optional(*above / *below) : std::nullopt;
 }
 
 Json& childOf(Json& parent, const std::string& key, const Override& change)
@@ -28,25 +48,41 @@ Json& childOf(Json& parent, const std::string& key, const Override& change)
     return parent[std::stoul(key)];
 }
 
+/// A key as it stands in a JSON pointer.
+void unescape(std::string& key)
+{
+    for (const auto& [escape, letter] : {std::pair{"~1", '/'}, std::pair{"~0", '~'}})
+        for (size_t at = 0; (at = key.find(escape, at)) != std::string::npos; ++at) key.replace(at, 2, 1, letter);
+}
+
 }  // namespace
 
-Override parseOverride(const std::string& text)
+Override parseOverride(const std::string& text, const std::string& option)
 {
     const size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
-        throw InputError(fmt::format("--set {}: must be path=value, for instance solver.substeps=8", text));
+        throw InputError(fmt::format("{}{}: must be path=value, for instance solver.substeps=8", option, text));
     }
-    const std::string value = text.substr(equals + 1);
+    const std::string path = text.substr(0, equals), value = text.substr(equals + 1);
+    const bool isRate = path == "fps" || path == "/fps";
+    const auto number = isRate && value.find('/') != std::string::npos ? fractionIn(value) : numberIn(value);
+    if (number && !std::isfinite(*number))
+        throw InputError(fmt::format("{}{}: {} is no finite number; give one{}", option, isRate ? value : text, value,
+                                     isRate ? ", as 25 or 24000/1001" : ", or a word in quotes"));
     Json parsed = Json::parse(value, nullptr, false);
-    return {text.substr(0, equals), parsed.is_discarded() ? Json(value) : parsed};
+    if (parsed.is_discarded()) parsed = isRate && number ? Json(*number) : Json(value);
+    return {path, parsed};
 }
 
 void applyOverride(Json& root, const Override& change)
 {
-    std::istringstream path(change.path);
+    // As errors tell a place, or as words.
+    const bool pointer = change.path.starts_with('/');
+    std::istringstream path(pointer ? change.path.substr(1) : change.path);
     std::string key;
     Json* place = &root;
-    while (std::getline(path, key, '.')) {
+    while (std::getline(path, key, pointer ? '/' : '.')) {
+        if (pointer) unescape(key);
         if (key.empty()) fail(change, "a part of the path is empty");
         place = &childOf(*place, key, change);
     }

@@ -7,14 +7,16 @@
 
 namespace knuckle {
 
-/// One `--set path=value`: a dotted path into a scene and the JSON value to put there.
+/// One `--set path=value`: a dotted path into a scene, or a JSON pointer, and the JSON value to put there.
 struct Override {
-    std::string path;  ///< "solver.substeps", "objects.0.velocity"
+    std::string path;  ///< "solver.substeps", "objects.0.velocity", "/colliders/2/size"
     Json value;
 };
 
-/// Reads "path=value"; a value that is not JSON is taken as a string. @throws InputError without "=" or a path.
-Override parseOverride(const std::string& text);
+/// Reads "path=value"; a value that is not JSON is taken as a string, that of "fps" as a fraction like 24000/1001.
+/// @param option that errors name. @throws InputError without "=" or a
+/// path, and for nan, inf, 1e999 and their like.
+Override parseOverride(const std::string& text, const std::string& option = "--set ");
 /// Puts the value in place; objects on the way are made when missing.
 /// @throws InputError for a path through something that is neither object nor array, or past an array's end.
 void applyOverride(Json& root, const Override& change);

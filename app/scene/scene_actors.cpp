@@ -13,6 +13,7 @@
 #include "app/scene/scene_fill.h"
 #include "app/scene/scene_parts.h"
 #include "app/scene/scene_ropes.h"
+#include "render/files/endings.h"
 #include "sim/actor/bodies/make_actor.h"
 
 namespace knuckle {
@@ -81,7 +82,8 @@ Actor voxelizeModel(SceneContext& context, const Json& object, const std::string
         model.skin.clear();
     } else if (const std::string joints = object["joints"]; !joints.empty()) {
         if (model.isSplit) failAt(context.path, pointer + "/joints", "parts have none; take this or `split` away");
-        readJoints(besideScene(context, joints), options.articulation);
+        context.files.push_back(besideScene(context, joints));
+        readJoints(context.files.back(), options.articulation);
     }
     Actor actor = makeActor(model, options);
     actor.model = modelOf(object, file);
@@ -116,16 +118,17 @@ void freeHeldJoints(Actor& actor, const std::vector<uint32_t>& held)
 
 bool isActorFile(const std::string& file)
 {
-    return std::filesystem::path(file).extension() == ".json";
+    return endingOf(file) == ".json";
 }
 
 }  // namespace
 
-std::string existingFile(const SceneContext& context, const std::string& file, const std::string& pointer)
+std::string existingFile(SceneContext& context, const std::string& file, const std::string& pointer)
 {
     std::string path = besideScene(context, file);
     if (!std::filesystem::is_regular_file(path))
         failAt(context.path, pointer, fmt::format("there is no file {}; paths are relative to the scene", path));
+    context.files.push_back(path);
     return path;
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
+#include "render/files/endings.h"
 #include "sim/actor/bodies/clip_ranges.h"
 #include "sim/actor/clips/body_clip.h"
 #include "sim/actor/clips/travel.h"
@@ -57,7 +58,7 @@ private:
         const bool own = file.empty();
         const std::string path = own ? existingFile(entry_.context, entry_.json["file"], entry_.pointer + "/file")
                                      : existingFile(entry_.context, file, entry_.pointer + where + "/file");
-        if (path.ends_with(".json"))
+        if (endingOf(path) == ".json")
             entry_.fail(where + (own ? "/clip" : "/file"),
                         "an actor file has no clips; give the model that has them as its `file`");
         if (!own) return modelWithClips(entry_.context, {path, {}, {ALL_SKELETONS}});

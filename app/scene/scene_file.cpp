@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -63,6 +64,22 @@ void settleObjects(Json& root)
     if (root.is_object() && root.contains("emitters") && !root.contains("objects")) root["objects"] = Json::array();
 }
 
+/// Pointer to an `animation` or a `pose` that names no clip, which would be as if it were not there; empty for none.
+std::string emptyAnimation(const Json& root)
+{
+    if (!root.is_object() || !root.contains("objects") || !root["objects"].is_array()) return {};
+    const Json nothing = "";
+    const Json& objects = root["objects"];
+    for (size_t i = 0; i < objects.size(); ++i)
+        for (const char* key : {"animation", "pose"}) {
+            if (!objects[i].is_object() || !objects[i].contains(key) || !objects[i][key].is_object()) continue;
+            const Json& clip = objects[i][key];
+            if (clip.value("clip", nothing) == nothing && clip.value("file", nothing) == nothing)
+                return fmt::format("/objects/{}/{}", i, key);
+        }
+    return {};
+}
+
 void applyOverrides(Json& root, const std::vector<Override>& overrides)
 {
     for (const Override& change : overrides) {
@@ -75,12 +92,16 @@ void applyOverrides(Json& root, const std::vector<Override>& overrides)
 JsonFile completed(JsonFile file)
 {
     static const Schema schema("scene.schema.json");
+    const std::string empty = emptyAnimation(file.root);
     expandSolver(file.root);
     fillPaperChoices(file.root);
     settleCamera(file.root);
     settleMaterials(file.root);
     settleObjects(file.root);
     schema.complete(file);
+    if (!empty.empty())
+        failAt(file.path, empty,
+               "names no clip; give its `clip` (`knuckle voxelize` lists them), or the `file` of another model");
     return file;
 }
 
@@ -174,7 +195,8 @@ Settings loadSettings(const std::string& preset, const std::vector<std::string>&
     std::vector<Override> overrides;
     for (const std::string& change : changes) {
         overrides.push_back(parseOverride(change));
-        if (overrides.back().path.starts_with("solver.")) continue;
+        const std::string& path = overrides.back().path;
+        if (path.starts_with("solver.") || path.starts_with("/solver/")) continue;
         throw InputError(fmt::format("--set {}: only fields of the solver can be set here, for instance "
                                      "solver.iterations=8",
                                      change));
@@ -212,6 +234,7 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     SceneContext context{path, builder, addMaterials(file, builder), std::move(known.actors), std::move(known.models)};
     context.notes = known.notes;
     context.duration = scene.duration;
+    context.files = known.files;
     for (size_t i = 0; i < root["colliders"].size(); ++i) {
         checkFriction(file, root["colliders"][i], fmt::format("/colliders/{}", i));
         addColliders(context, root["colliders"][i], i);
@@ -235,6 +258,11 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
         scene.warnings.push_back(fmt::format("/solver/substeps: {} are too few for fluid as deep as this: {} are taken",
                                              settings.substeps, scene.world.settings.substeps));
     scene.actors = std::move(context.actorUses);
+    scene.files = std::move(context.files);
+    for (const SceneActor& use : scene.actors)
+        if (!use.actor->model.file.empty()) scene.files.push_back(use.actor->model.file);
+    std::ranges::sort(scene.files);
+    scene.files.erase(std::unique(scene.files.begin(), scene.files.end()), scene.files.end());
     scene.render = readRender(file, scene.world);
     return scene;
 }

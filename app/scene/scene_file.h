@@ -30,6 +30,7 @@ struct Scene {
     double framesPerSecond = 60.0;
     double duration = 0.0;  ///< [s]
     std::vector<SceneActor> actors;
+    std::vector<std::string> files;     ///< All that were read for it, but its own.
     std::vector<std::string> notes;     ///< What of it is not as the file says, one sentence each.
     std::vector<std::string> warnings;  ///< What of it is not drawn as the file says: a run tells these, too.
     uint32_t stepsPerFrame = 1;         ///< World::settings.timeStep is 1 / (framesPerSecond * stepsPerFrame).

@@ -50,7 +50,7 @@ Heights listedHeights(const SceneContext& context, const Json& json, const std::
     return heights;
 }
 
-Heights readHeights(const SceneContext& context, const Json& json, const std::string& pointer)
+Heights readHeights(SceneContext& context, const Json& json, const std::string& pointer)
 {
     const bool listed = !json["heights"].empty();
     const std::string file = json["file"];

@@ -43,6 +43,7 @@ struct SceneContext {
     std::map<std::string, uint32_t> clips = {};                         ///< Indices by actor, file and name.
     double duration = 0.0;                                              ///< Of the film [s].
     std::vector<SceneActor> actorUses = {};
+    std::vector<std::string> files = {};     ///< Read so far.
     std::vector<std::string> notes = {};     ///< For the user: what of the scene is not as it says.
     std::vector<std::string> warnings = {};  ///< Of that what a run tells, too: Scene::warnings.
     std::map<std::string, std::vector<ParticleRange>> particles = {};  ///< But fluids', by name of object or copy.
@@ -140,8 +141,8 @@ bool isAnimated(const Json& actor);
 /// Index of the material `name`. @throws InputError with `pointer` where there is none.
 uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer);
 
-/// `file` beside the scene. @throws InputError with `pointer` when there is none.
-std::string existingFile(const SceneContext& context, const std::string& file, const std::string& pointer);
+/// `file` beside the scene, noted as read. @throws InputError with `pointer` when there is none.
+std::string existingFile(SceneContext& context, const std::string& file, const std::string& pointer);
 
 /// Adds one entry of `colliders`, which may stand for several. @throws InputError.
 void addColliders(SceneContext& context, const Json& json, size_t index);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace knuckle {
 
@@ -178,6 +179,9 @@ void SchemaCheck::checkRange(const Json& node, const Json& value, const std::str
 {
     const std::string unit = node.contains("x-unit") ? fmt::format(" [{}]", node["x-unit"].get<std::string>()) : "";
     const double number = value.get<double>();
+    // What is read is kept in floats.
+    if (std::abs(number) > double{std::numeric_limits<float>::max()})
+        fail(pointer, fmt::format("{} is too large", shown(value)));
     const auto limit = [&](const char* key) { return node[key].get<double>(); };
     if (node.contains("minimum") && number < limit("minimum")) {
         fail(pointer, fmt::format("{} is below the minimum {}{}", shown(value), limit("minimum"), unit));

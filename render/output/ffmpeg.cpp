@@ -26,8 +26,12 @@ namespace {
 
 constexpr size_t MAX_MESSAGE = 400;
 
+struct Streams {
+    int input = -1, output = -1, log = -1;
+};
+
 /// Spawns without a shell; @returns an errno.
-int spawn(const std::string& program, std::vector<std::string>& arguments, int input, int log, pid_t& child)
+int spawn(const std::string& program, std::vector<std::string>& arguments, const Streams& streams, pid_t& child)
 {
     std::vector<char*> argv;
     argv.push_back(const_cast<char*>(program.c_str()));
@@ -36,9 +40,10 @@ int spawn(const std::string& program, std::vector<std::string>& arguments, int i
 
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&files, log, STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&files, streams.input, STDIN_FILENO);
+    if (streams.output >= 0) posix_spawn_file_actions_adddup2(&files, streams.output, STDOUT_FILENO);
+    else posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&files, streams.log, STDERR_FILENO);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t none;
@@ -66,7 +71,7 @@ std::string findProgram(const std::string& name)
     return {};
 }
 
-Ffmpeg::Ffmpeg(const std::string& program, std::vector<std::string> arguments, std::string purpose)
+Ffmpeg::Ffmpeg(const std::string& program, std::vector<std::string> arguments, int output, std::string purpose)
     : purpose_(std::move(purpose))
 {
     int ends[2] = {-1, -1};
@@ -74,10 +79,13 @@ Ffmpeg::Ffmpeg(const std::string& program, std::vector<std::string> arguments, s
     int error = log_ < 0 || pipe2(ends, O_CLOEXEC) != 0 ? errno : 0;
     if (error == 0) {
         input_ = ends[1];
-        error = spawn(program, arguments, ends[0], log_, child_);
+        error = spawn(program, arguments, {ends[0], output, log_}, child_);
         close(ends[0]);
     }
-    if (error == 0) return;
+    if (error == 0) {
+        leftover_.emplace(child_);
+        return;
+    }
     closeInput();
     if (log_ >= 0) close(log_);
     throw RunError(fmt::format("{}: {} cannot be started: {}", purpose_, program, std::strerror(error)));
@@ -87,6 +95,7 @@ Ffmpeg::~Ffmpeg()
 {
     closeInput();
     if (child_ > 0) {
+        leftover_.reset();
         kill(child_, SIGKILL);
         waitpid(child_, nullptr, 0);
     }
@@ -119,6 +128,10 @@ void Ffmpeg::finish()
     closeInput();
     if (child_ <= 0) return;
     int status = 0;
+    siginfo_t ended = {};
+    while (waitid(P_PID, static_cast<id_t>(child_), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
+    }
+    leftover_.reset();  // before its number may be another's
     while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
     }
     child_ = -1;

@@ -3,8 +3,11 @@
 #include <sys/types.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "render/files/leftovers.h"
 
 namespace knuckle {
 
@@ -14,9 +17,9 @@ std::string findProgram(const std::string& name);
 /// A running ffmpeg that reads its standard input from us. Killed when destroyed before finish().
 class Ffmpeg {
 public:
-    /// @param arguments without the program's own name. @param purpose names the film in messages.
-    /// @throws RunError when it cannot be started.
-    Ffmpeg(const std::string& program, std::vector<std::string> arguments, std::string purpose);
+    /// @param arguments without the program's own name. @param output a descriptor for its standard output, -1: none.
+    /// @param purpose names the film in messages. @throws RunError when it cannot be started.
+    Ffmpeg(const std::string& program, std::vector<std::string> arguments, int output, std::string purpose);
     ~Ffmpeg();
     Ffmpeg(const Ffmpeg&) = delete;
     Ffmpeg& operator=(const Ffmpeg&) = delete;
@@ -32,6 +35,7 @@ private:
 
     std::string purpose_;
     pid_t child_ = -1;
+    std::optional<Leftover> leftover_;
     int input_ = -1, log_ = -1;
 };
 

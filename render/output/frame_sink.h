@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -24,8 +25,12 @@ public:
 
 /// frame_0001.png ... in `folder`, made when missing. @throws InputError when it cannot be written to.
 std::unique_ptr<FrameSink> pngSink(const std::string& folder);
-/// H.264, yuv420p, through the ffmpeg program; written under a temporary name, renamed by finish().
-/// @throws InputError when ffmpeg is missing or the folder cannot be written to.
+/// Endings of films that can be written.
+inline constexpr std::array FILM_ENDINGS{".mp4", ".mov", ".mkv"};
+
+/// H.264, yuv420p, through the ffmpeg program; an OutputFile, complete with finish(). A stream gets what its name ends
+/// in, else MP4, in fragments that need no way back.
+/// @throws InputError when ffmpeg is missing or the film cannot be written to, and for another ending.
 std::unique_ptr<FrameSink> filmSink(const std::string& path, uint32_t width, uint32_t height, double framesPerSecond);
 
 }  // namespace knuckle

@@ -1,24 +1,38 @@
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <algorithm>
 
+#include "render/files/endings.h"
+#include "render/files/output_file.h"
 #include "render/output/ffmpeg.h"
 #include "render/output/frame_sink.h"
 #include "render/output/task_thread.h"
-#include "render/temporary_file.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
 
 namespace {
 
-bool hasMovieAtoms(const std::string& path)
+std::string formatOf(const std::string& path)
 {
-    return !path.ends_with(".mkv");
+    const std::string ending = endingOf(path);
+    return ending == ".mkv" ? "matroska" : ending == ".mov" ? "mov" : "mp4";
 }
 
-std::vector<std::string> encoderArguments(const std::string& path, const std::string& output, uint32_t width,
-                                          uint32_t height, double framesPerSecond)
+/// Where and as what ffmpeg writes.
+std::vector<std::string> outputArguments(const std::string& path, const OutputFile& file)
+{
+    const std::string format = formatOf(path);
+    std::vector<std::string> arguments{"-f", format};
+    if (format != "matroska") {
+        arguments.emplace_back("-movflags");
+        arguments.emplace_back(file.isStream() ? "frag_keyframe+empty_moov+default_base_moof" : "+faststart");
+    }
+    arguments.push_back(file.isStream() ? "pipe:1" : "file:" + file.temporaryName());
+    return arguments;
+}
+
+std::vector<std::string> encoderArguments(uint32_t width, uint32_t height, double framesPerSecond)
 {
     // Without -xerror ffmpeg calls a film that did not fit on the disk a success.
     std::vector<std::string> arguments = {"-hide_banner", "-loglevel",
@@ -36,9 +50,13 @@ std::vector<std::string> encoderArguments(const std::string& path, const std::st
     // Chroma at half the resolution wants even sizes.
     if (width % 2 != 0 || height % 2 != 0) add({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"});
     add({"-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "18", "-preset", "veryfast"});
-    if (hasMovieAtoms(path)) add({"-movflags", "+faststart"});
-    arguments.push_back("file:" + output);
     return arguments;
+}
+
+std::vector<std::string> joined(std::vector<std::string> list, const std::vector<std::string>& more)
+{
+    list.insert(list.end(), more.begin(), more.end());
+    return list;
 }
 
 class FilmSink : public FrameSink {
@@ -46,7 +64,8 @@ public:
     FilmSink(const std::string& ffmpeg, const std::string& path, uint32_t width, uint32_t height,
              double framesPerSecond)
         : width_(width), height_(height), file_(path),
-          ffmpeg_(ffmpeg, encoderArguments(path, file_.name(), width, height, framesPerSecond), path)
+          ffmpeg_(ffmpeg, joined(encoderArguments(width, height, framesPerSecond), outputArguments(path, file_)),
+                  file_.isStream() ? file_.descriptor() : -1, shownPath(path))
     {
     }
 
@@ -68,7 +87,7 @@ public:
 private:
     uint32_t width_, height_;
     // In this order: the thread ends first, then ffmpeg is stopped, then what it wrote is removed.
-    TemporaryFile file_;
+    OutputFile file_;
     Ffmpeg ffmpeg_;
     TaskThread writer_{MAX_UNWRITTEN};
 };
@@ -77,15 +96,13 @@ private:
 
 std::unique_ptr<FrameSink> filmSink(const std::string& path, uint32_t width, uint32_t height, double framesPerSecond)
 {
-    const std::string extension = std::filesystem::path(path).extension().string();
-    if (extension != ".mp4" && extension != ".mov" && extension != ".mkv")
-        throw InputError(fmt::format("film {}: its kind is not known; name it .mp4, .mov or .mkv", path));
+    if (OutputPlace::of(path).kind != OutputPlace::Kind::Stream && !std::ranges::count(FILM_ENDINGS, endingOf(path)))
+        throw InputError(fmt::format("film {}: its kind is not known; name it .mp4, .mov or .mkv", shownPath(path)));
     const std::string ffmpeg = findProgram("ffmpeg");
     if (ffmpeg.empty())
         throw InputError(fmt::format("film {}: the program ffmpeg is not in PATH; install it (apt install ffmpeg), or "
                                      "write PNG frames with -o FOLDER",
-                                     path));
-    requireWritableFolder(folderOf(path));
+                                     shownPath(path)));
     return std::make_unique<FilmSink>(ffmpeg, path, width, height, framesPerSecond);
 }
 

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "render/files/output_file.h"
 #include "render/output/frame_sink.h"
 #include "render/output/task_thread.h"
-#include "render/temporary_file.h"
 
 namespace knuckle {
 

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <memory>
 
-#include "render/temporary_file.h"
+#include "render/files/output_file.h"
 #include "sim/world/errors.h"
 
 // Not declared in stb's header, but meant to be called: the encoder behind stbi_write_png.
@@ -84,12 +84,14 @@ std::string encodePng(uint32_t width, uint32_t height, uint32_t channels, std::s
     return {reinterpret_cast<const char*>(bytes.get()), static_cast<size_t>(byteCount)};
 }
 
+std::string pngOf(const Image& image)
+{
+    return encodePng(image.width, image.height, CHANNELS, image.rgb);
+}
+
 void writePng(const std::string& path, const Image& image)
 {
-    const std::string bytes = encodePng(image.width, image.height, CHANNELS, image.rgb);
-    TemporaryFile file(path);
-    file.write(bytes.data(), bytes.size());
-    file.commit();
+    writeFile(path, pngOf(image));
 }
 
 ImageDifference compareImages(const Image& a, const Image& b, uint32_t threshold)

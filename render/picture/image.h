@@ -13,10 +13,12 @@ struct Image {
     std::vector<uint8_t> rgb;  ///< width * height * 3
 };
 
-/// @throws InputError (missing, not an image) or RunError (disk full, not writable: nothing is left half-written).
+/// @throws InputError (missing, not an image) or RunError (disk full; nothing is left half-written).
 Image readImage(const std::string& path);
 void writePng(const std::string& path, const Image& image);
-/// The bytes of a PNG file. @param channels 3: RGB, 4: with alpha. @param pixels width * height * channels, top row
+/// The bytes of a PNG file.
+std::string pngOf(const Image& image);
+/// The same. @param channels 3: RGB, 4: with alpha. @param pixels width * height * channels, top row
 /// first.
 std::string encodePng(uint32_t width, uint32_t height, uint32_t channels, std::span<const uint8_t> pixels);
 

@@ -51,11 +51,14 @@ std::vector<double> timesOfMotions(const World& world)
 
 void findGround(const World& world, SceneExtent& extent)
 {
+    bool seen = false;
     for (uint32_t i = 0; i < world.colliders.size(); ++i) {
         const Collider& collider = world.colliders[i];
         const bool level = (collider.orientation * Vector3f::UnitY()).y() > 0.9999f;
         if (collider.shape != ColliderShape::Plane || !level || moves(world, i)) continue;
-        if (extent.groundCollider != NO_INDEX && collider.position.y() <= extent.ground) continue;
+        const bool isHigher = extent.groundCollider == NO_INDEX || collider.position.y() > extent.ground;
+        if (collider.visible == seen ? !isHigher : seen) continue;
+        seen = collider.visible;
         extent.ground = collider.position.y();
         extent.groundCollider = i;
     }

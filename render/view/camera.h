@@ -15,7 +15,7 @@ struct SceneExtent {
     Eigen::AlignedBox3f solids;          ///< Visible finite colliders; empty without any.
     float size = 1.0f;                   ///< Largest side of the stage, > 0.
     float ground = 0.0f;                 ///< Height of the ground plane, or the stage's floor where there is none.
-    uint32_t groundCollider = NO_INDEX;  ///< The highest level plane.
+    uint32_t groundCollider = NO_INDEX;  ///< The highest level plane, of those that are seen where there are some.
 };
 
 SceneExtent sceneExtent(const World& world);

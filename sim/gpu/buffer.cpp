@@ -28,7 +28,7 @@ RawBuffer::RawBuffer(std::string label, size_t bytes, const void* data)
     glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes_), bytes >= 16 ? data : nullptr,
                  GL_DYNAMIC_COPY);
     if (glGetError() == GL_OUT_OF_MEMORY)
-        throw DeviceError(
+        throw RunError(
             fmt::format("the device has no memory for {} MiB of {}; use fewer particles", bytes_ >> 20, label_));
     if (bytes < 16) clear();
     if (bytes > 0 && bytes < 16 && data != nullptr) write(data, bytes);

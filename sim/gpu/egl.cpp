@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "sim/world/errors.h"
+#include "sim/gpu/driver_advice.h"
 
 namespace knuckle::egl {
 
@@ -72,8 +72,8 @@ std::vector<Device> devices()
 {
     const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!has(extensions, "EGL_EXT_device_enumeration") && !has(extensions, "EGL_EXT_device_base"))
-        throw DeviceError("EGL cannot list devices: no driver is installed; install libegl1 and libgl1-mesa-dri "
-                          "(Mesa), or the vendor's driver");
+        failOnDevice("EGL cannot list devices: no driver is found",
+                     "install libegl1 and libgl1-mesa-dri (Mesa), or the vendor's driver");
     EGLint count = 0;
     eglQueryDevicesEXT(0, nullptr, &count);
     std::vector<EGLDeviceEXT> handles(static_cast<size_t>(count));
@@ -110,7 +110,7 @@ Context createSharing(const Context& other)
 {
     Context result{other.display, EGL_NO_CONTEXT};
     const std::string problem = makeCurrent(result, other.context);
-    if (!problem.empty()) throw DeviceError(fmt::format("no second OpenGL context beside the first: {}", problem));
+    if (!problem.empty()) failOnDevice(fmt::format("no second OpenGL context beside the first: {}", problem));
     return result;
 }
 

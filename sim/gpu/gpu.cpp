@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <charconv>
 #include <cstdlib>
 
+#include "sim/gpu/driver_advice.h"
 #include "sim/gpu/egl.h"
 #include "sim/world/errors.h"
+#include "sim/world/memory.h"
 
 namespace knuckle {
 
@@ -49,7 +52,20 @@ void GLAPIENTRY onDebugMessage(GLenum, GLenum type, GLuint, GLenum severity, GLs
 /// compiles any fragment shader.
 void tuneSoftwareDriver()
 {
+    // What it says of a driver that cannot be loaded is told in our own line.
+    setenv("EGL_LOG_LEVEL", "fatal", 0);
     setenv("LP_NATIVE_VECTOR_WIDTH", "256", 0);
+}
+
+// What Mesa's software driver takes of the address space [bytes]: with less it crashes instead of failing.
+constexpr uint64_t DRIVER_SPACE = uint64_t{230} << 20, SHADER_SPACE = uint64_t{80} << 20;
+
+/// Before the driver is loaded. @throws RunError.
+void requireSpace(uint64_t byteCount)
+{
+    static std::atomic<bool> isLoaded = false;
+    const auto limit = addressSpaceLimit();
+    if (!isLoaded.exchange(true) && limit && *limit < addressSpaceInUse() + byteCount) throw RunError(memoryMessage());
 }
 
 }  // namespace
@@ -74,6 +90,7 @@ DeviceChoice DeviceChoice::parse(const std::string& text)
 
 std::vector<DeviceInfo> listDevices()
 {
+    requireSpace(DRIVER_SPACE);
     tuneSoftwareDriver();
     std::vector<DeviceInfo> infos;
     const auto devices = egl::devices();
@@ -98,6 +115,7 @@ Gpu::Gpu(const DeviceChoice& choice, std::string shaderFolder, std::optional<Fra
     : egl_(std::make_unique<Egl>()), shaders_(std::move(shaderFolder))
 {
     tuneSoftwareDriver();
+    requireSpace(DRIVER_SPACE + (work ? SHADER_SPACE : 0));
     if (work) threads_ = applyDriverThreads(*work);
     makeContext(choice);
     if (!device_.software) threads_ = {{}, false, "the device is no software renderer"};
@@ -162,11 +180,10 @@ void Gpu::makeContext(const DeviceChoice& choice)
             notice_ = fmt::format("no hardware device can be used: running on {}", device_.name);
         return;
     }
-    const char* remedy = choice.kind == DeviceChoice::Kind::Gpu
-                             ? "; try --device software"
-                             : "; install libgl1-mesa-dri for Mesa's software device";
-    throw DeviceError(fmt::format("no OpenGL 4.3 context can be made{}{}",
-                                  problems.empty() ? ": EGL lists no such device" : problems, remedy));
+    const char* remedy = choice.kind == DeviceChoice::Kind::Gpu ? "try --device software"
+                                                                : "install libgl1-mesa-dri for Mesa's software device";
+    failOnDevice("no OpenGL 4.3 context can be made" + (problems.empty() ? ": EGL lists no such device" : problems),
+                 remedy);
 }
 
 void Gpu::readLimits()
@@ -178,19 +195,21 @@ void Gpu::readLimits()
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limits_.textureSize);
     glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &limits_.workGroupCountX);
     if (limits_.computeStorageBlocks < 8)
-        throw DeviceError(fmt::format("{}: {} storage buffers a compute kernel, and 8 are needed (OpenGL 4.3 promises "
-                                      "them); update the driver or choose another --device",
-                                      device_.name, limits_.computeStorageBlocks));
+        failOnDevice(fmt::format("{}: {} storage buffers a compute kernel, and 8 are needed (OpenGL 4.3 promises them)",
+                                 device_.name, limits_.computeStorageBlocks),
+                     "update the driver or choose another --device");
 }
 
 void Gpu::checkErrors()
 {
     GLenum error = glGetError();
-    if (pendingError_.empty() && error != GL_NO_ERROR) pendingError_ = fmt::format("error 0x{:04x}", error);
+    if (pendingError_.empty() && error != GL_NO_ERROR)
+        pendingError_ = error == GL_OUT_OF_MEMORY ? "GL_OUT_OF_MEMORY" : fmt::format("error 0x{:04x}", error);
     if (pendingError_.empty()) return;
     std::string text;
     text.swap(pendingError_);
-    throw DeviceError(fmt::format("OpenGL on {}: {}", device_.name, text));
+    if (text.find("OUT_OF_MEMORY") != std::string::npos) throw RunError(memoryMessage());
+    failOnDevice(fmt::format("OpenGL on {}: {}", device_.name, text));
 }
 
 }  // namespace knuckle

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "sim/world/errors.h"
+#include "sim/gpu/driver_advice.h"
 
 namespace knuckle {
 
@@ -32,8 +32,8 @@ ShaderHandle compileShader(const Gpu& gpu, GLenum stage, const std::string& path
     GLint ok = 0;
     glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
     if (ok) return shader;
-    throw DeviceError(fmt::format("shader {} does not compile on {}: {}", path, gpu.device().name,
-                                  source.translate(infoLog(shader.id(), false))));
+    failOnDevice(fmt::format("shader {} does not compile on {}: {}", path, gpu.device().name,
+                             source.translate(infoLog(shader.id(), false))));
 }
 
 template <typename... Shaders>
@@ -45,7 +45,7 @@ ProgramHandle link(const Gpu& gpu, const std::string& name, const Shaders&... sh
     GLint ok = 0;
     glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
     if (!ok)
-        throw DeviceError(
+        failOnDevice(
             fmt::format("program {} does not link on {}: {}", name, gpu.device().name, infoLog(program.id(), true)));
     (glDetachShader(program.id(), shaders.id()), ...);
     glObjectLabel(GL_PROGRAM, program.id(), -1, name.c_str());

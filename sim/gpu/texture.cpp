@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "sim/gpu/driver_advice.h"
 #include "sim/world/errors.h"
+#include "sim/world/memory.h"
 
 namespace knuckle {
 
@@ -43,8 +45,9 @@ Framebuffer::Framebuffer(std::string label, std::initializer_list<const Texture*
     glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
     glObjectLabel(GL_FRAMEBUFFER, id(), -1, label.c_str());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
-    throw DeviceError(
-        fmt::format("the device cannot draw into {} at {}x{}; try a smaller --size", label, width_, height_));
+    if (glGetError() == GL_OUT_OF_MEMORY) throw RunError(memoryMessage());
+    failOnDevice(fmt::format("the device cannot draw into {} at {}x{}", label, width_, height_),
+                 "try a smaller --size");
 }
 
 void Framebuffer::bind() const

@@ -133,7 +133,7 @@ TEST_F(Failure, OfADeviceThatIsAlwaysFullIsToldToo)
 {
     const RunResult result = run({"render", scene, "-o", "out", "--quiet", "--stats", "/dev/full"});
     EXPECT_EQ(result.code, 1);
-    EXPECT_TRUE(result.err.starts_with("knuckle: /dev/full: cannot be written")) << result.err;
+    EXPECT_TRUE(result.err.starts_with("knuckle: /dev/full cannot be written")) << result.err;
 }
 
 TEST_F(Failure, OfOutputsThatAreInEachOthersWayComesBeforeTheRun)

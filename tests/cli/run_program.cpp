@@ -53,6 +53,10 @@ RunResult runKnuckle(const std::vector<std::string>& arguments, const RunOptions
     const pid_t child = fork();
     if (child == 0) startProgram(arguments, options, out, err);
     if (options.signalAfterFile != 0 && waitForFile(child, options.waitFor)) kill(child, options.signalAfterFile);
+    if (options.signalTwice) {
+        usleep(300000);
+        kill(child, options.signalAfterFile);
+    }
     int status = 0;
     waitpid(child, &status, 0);
     RunResult result;

@@ -13,6 +13,7 @@ struct RunOptions {
     std::string standardOutput = {};            ///< Empty: captured; else a file, such as /dev/full.
     int signalAfterFile = 0;                    ///< Sends this signal as soon as `waitFor` exists.
     std::string waitFor = {};
+    bool signalTwice = false;  ///< And once more 0.3 s later.
 };
 
 struct RunResult {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "render/view/camera.h"
 #include "tests/render/render_fixture.h"
 
 namespace knuckle::test {
@@ -129,6 +130,19 @@ TEST(Camera, AFollowingCameraSeesItsBodyTheSameWhereverItIs)
     // Only rounding of the larger coordinates and where the shadow map's texels fall differ.
     EXPECT_LT(compareImages(here, there, 24).changedFraction, 0.01);
     EXPECT_NE(pixelAt(here, SIZE / 2, SIZE / 2), pixelAt(here, 4, SIZE / 2));
+}
+
+TEST(Extent, HasAPlaneThatIsSeenAsItsGround)
+{
+    StillWorld still(0.1f);
+    still.addBody({Vector3f::Zero()}, {0, 1, 0});
+    still.addCollider(ColliderShape::Plane, {0, 0.1f, 0}).visible = false;
+    EXPECT_EQ(sceneExtent(still.world).groundCollider, 0u);
+    still.addCollider(ColliderShape::Plane, {0, -0.2f, 0});
+    still.addCollider(ColliderShape::Plane, {0, 0, 0});
+    still.addCollider(ColliderShape::Plane, {0, 0, 0}).visible = false;
+    EXPECT_EQ(sceneExtent(still.world).groundCollider, 2u);
+    EXPECT_EQ(sceneExtent(still.world).ground, 0.0f);
 }
 
 }  // namespace

@@ -12,10 +12,10 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <fstream>
 #include <new>
 
 #include "sim/world/errors.h"
+#include "sim/world/memory.h"
 
 namespace knuckle {
 
@@ -34,13 +34,6 @@ void limit(int resource, uint64_t value, uint64_t beyond = 0)
     const rlim_t wanted = std::min<rlim_t>(value, current.rlim_max);
     const rlimit lowered{wanted, std::min<rlim_t>(wanted + beyond, current.rlim_max)};
     setrlimit(static_cast<__rlimit_resource_t>(resource), &lowered);
-}
-
-uint64_t addressSpaceInUse()
-{
-    uint64_t pages = 0;
-    std::ifstream("/proc/self/statm") >> pages;
-    return pages * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 void setLimits(const ChildLimits& limits, uint64_t addressSpace)
@@ -80,6 +73,7 @@ bool writeAll(int file, const void* data, size_t size)
                             uint64_t addressSpace, int pipe)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    std::set_new_handler(nullptr);
     setLimits(limits, addressSpace);
     int code = 0;
     try {

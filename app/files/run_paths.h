@@ -1,0 +1,43 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace knuckle {
+
+/// What a command reads and writes. check() refuses an output that would be lost, or take an input with it: by what the
+/// files are, whatever their paths look like. Streams may be named as often as one likes.
+class RunPaths {
+public:
+    void reads(const std::string& file);
+    /// With the files that it names, as far as they are known: of glTF and OBJ.
+    void readsModel(const std::string& file);
+    void readsFolder(const std::string& folder);
+    /// @throws InputError as OutputPlace::of(), like writesFrames().
+    void writes(const std::string& file);
+    /// frame_0001 with this ending, and so on.
+    void writesFrames(const std::string& folder, const std::string& ending);
+    /// @throws InputError.
+    void check() const;
+
+private:
+    struct Place {
+        std::string given, path;  ///< `path`: absolute, without links.
+        bool exists = false, isStream = false;
+        dev_t device = 0;
+        ino_t inode = 0;
+        std::string frames = {};  ///< Ending of a folder's frames.
+    };
+    static Place outputAt(const std::string& path);
+    static Place inputAt(const std::string& path);
+    static bool isSame(const Place& a, const Place& b);
+    static bool isFrameOf(const Place& folder, const Place& file);
+    void refuseInput(const Place& output, const Place& input) const;
+    void checkLinks(const Place& folder) const;
+
+    std::vector<Place> inputs_, folders_, outputs_;
+};
+
+}  // namespace knuckle

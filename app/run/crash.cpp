@@ -1,0 +1,76 @@
+#include "app/run/crash.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "render/files/leftovers.h"
+#include "sim/world/memory.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr int EXIT_CODE = 1;
+std::string line;  // made before it is needed: there is no memory then
+
+[[noreturn]] void end()
+{
+    clearLeftovers();
+    const ssize_t ignored = write(fileno(stderr), line.data(), line.size());
+    static_cast<void>(ignored);
+    _exit(EXIT_CODE);
+}
+
+void onCrash(int signal)
+{
+    if (isMemoryShort()) end();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+/// LLVM and glibc say on the way down what the one line says, too.
+void silenceLibraries()
+{
+    const int own = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    FILE* file = own >= 0 ? fdopen(own, "w") : nullptr;
+    const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (file == nullptr || nothing < 0) return;
+    std::setvbuf(file, nullptr, _IONBF, 0);
+    stderr = file;
+    dup2(nothing, STDERR_FILENO);
+    close(nothing);
+}
+
+/// What is thrown where nobody can catch it, as on a thread of a library.
+void onTerminate()
+{
+    try {
+        if (std::current_exception()) throw;
+    } catch (const std::bad_alloc&) {
+        end();
+    } catch (...) {
+    }
+    std::abort();
+}
+
+}  // namespace
+
+void tellCrashesForWantOfMemory()
+{
+    line = "knuckle: " + memoryMessage() + "\n";
+    // Without a way back through a driver that waits for what cannot be any more.
+    std::set_new_handler(end);
+    std::set_terminate(onTerminate);
+    if (!addressSpaceLimit()) return;
+    silenceLibraries();
+    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT}) std::signal(signal, onCrash);
+}
+
+}  // namespace knuckle

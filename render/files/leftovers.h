@@ -1,0 +1,27 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+
+namespace knuckle {
+
+/// What must not outlive the program: a temporary file, or a program that was started. Known to clearLeftovers() until
+/// it is destroyed, which by itself removes and ends nothing.
+class Leftover {
+public:
+    /// @param temporaryFile an absolute path.
+    explicit Leftover(const std::string& temporaryFile);
+    explicit Leftover(pid_t child);
+    ~Leftover();
+    Leftover(const Leftover&) = delete;
+    Leftover& operator=(const Leftover&) = delete;
+
+private:
+    int place_ = -1;
+};
+
+/// Kills the programs and removes the files of all Leftovers; for a signal's handler that ends the program at once.
+void clearLeftovers();
+
+}  // namespace knuckle
