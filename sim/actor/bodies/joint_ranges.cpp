@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "sim/world/frames.h"
+
 namespace knuckle {
 
 namespace {
@@ -205,7 +207,7 @@ void takeIn(JointLimits& limits, JointType type, const Vector3f& axis, std::span
     if (type != JointType::Ball) return;
     const Vector3f middle = limits.cone.isZero() ? axis : limits.cone.normalized();
     // What is left of a turn when the axis has swung to the middle of its cone.
-    const Quaternionf lean = Quaternionf::FromTwoVectors(axis, middle);
+    const Quaternionf lean = turnBetween(axis, middle);
     std::vector<Quaternionf> twists;
     for (const Quaternionf& turn : turns) {
         twists.push_back(lean.conjugate() * turn);

@@ -10,6 +10,7 @@
 #include "sim/actor/clips/bone_match.h"
 #include "sim/actor/clips/clip_overlaps.h"
 #include "sim/actor/clips/joint_turns.h"
+#include "sim/world/frames.h"
 #include "sim/world/errors.h"
 
 namespace knuckle {
@@ -156,7 +157,7 @@ void alignLimbs(const Actor& actor, const Model& source, Mapping& map)
         limb.ours -= joint->anchor;
         limb.theirs = map.facing * (limb.theirs - headOf(source.bones[map.bones[body]].restPose));
         if (limb.ours.norm() > 0.0f && limb.theirs.norm() > 0.0f)
-            map.aligned[body] = Quaternionf::FromTwoVectors(limb.ours, limb.theirs);
+            map.aligned[body] = turnBetween(limb.ours, limb.theirs);
     }
 }
 
