@@ -154,14 +154,14 @@ private:
         }
     }
 
-    /// The first bone of a spine, of several the one nearest to a thigh; beyond the last for none.
+    /// The first bone of a spine that has skin, of several the one nearest to a thigh; beyond the last for none.
     uint32_t lowestSpine(uint32_t thigh) const
     {
         uint32_t lowest = tree_.size();
         const auto away = [&](uint32_t b) { return (tree_.heads[b] - tree_.heads[thigh]).norm(); };
+        const auto isSpine = [&](uint32_t b) { return anatomy_[b].part == BodyPart::Spine && tree_.deforms[b]; };
         for (uint32_t b = 0; b < tree_.size(); ++b) {
-            const bool first = anatomy_[b].part == BodyPart::Spine && tree_.deforms[b] &&
-                               partAbove(b) == BodyPart::Other;
+            const bool first = isSpine(b) && tree_.above(b, isSpine) < 0;
             if (first && (lowest == tree_.size() || away(b) < away(lowest))) lowest = b;
         }
         return lowest;
