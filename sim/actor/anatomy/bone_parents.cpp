@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "sim/actor/anatomy/chain_parts.h"
 #include "sim/actor/anatomy/figure_parts.h"
+#include "sim/actor/anatomy/limb_ends.h"
 
 namespace knuckle {
 
@@ -70,23 +72,37 @@ private:
     /// Feet and hands that hang on a control instead of their limb, fingers that hang beside their hand.
     void reattach(uint32_t b)
     {
+        using enum BodyPart;
         BoneAnatomy& own = anatomy_[b];
-        if (!isLimb(b) || own.side == 0 || own.source != AnatomySource::Name) return;
-        std::vector<BodyPart> wanted;
-        if (own.part == BodyPart::Foot) wanted = {BodyPart::Shin, BodyPart::Thigh};
-        if (own.part == BodyPart::Hand) wanted = {BodyPart::Forearm, BodyPart::UpperArm};
-        if (own.part == BodyPart::Finger) wanted = {BodyPart::Hand, BodyPart::Finger};
-        if (own.part == BodyPart::Shin) wanted = {BodyPart::Thigh};
-        if (own.part == BodyPart::Forearm) wanted = {BodyPart::UpperArm};
+        if (!isLimb(b) || own.side == 0 || !isEnd(b)) return;
+        const bool isFinger = own.part == Finger;
+        const BodyPart on = own.parent < 0 ? Other : anatomy_[own.parent].part;
         const bool onLimb = own.parent >= 0 && anatomy_[own.parent].side == own.side &&
-                            (own.part != BodyPart::Finger || std::ranges::count(wanted, anatomy_[own.parent].part));
+                            (!isFinger || on == Hand || on == Finger);
         if (onLimb) return;
-        for (const BodyPart part : wanted) {
-            const int32_t nearest = nearestOf(part, own.side, b);
-            if (nearest < 0) continue;
-            own.parent = nearest;
-            return;
+        int32_t limb = limbOfEnd(tree_, names_, anatomy_, hasBody_, b, own.part);
+        if (limb < 0 && isFinger) limb = nearestOf(Finger, own.side, b);
+        if (limb < 0 && own.part == Toe) {
+            limb = limbOfEnd(tree_, names_, anatomy_, hasBody_, b, Foot);
+            if (limb >= 0) own.part = Foot;
         }
+        if (limb < 0) return;
+        own.parent = limb;
+        const BodyPart part = anatomy_[limb].part;
+        if (own.part == Other) own.part = Foot, own.source = AnatomySource::Shape;
+        if (part == UpperArm || part == Forearm) own.part = ofForeLeg(own.part);
+    }
+
+    /// What has its place at the end of a limb, as its name says, or as a leaf that hangs on nothing may.
+    bool isEnd(uint32_t b) const
+    {
+        using enum BodyPart;
+        const BoneAnatomy& own = anatomy_[b];
+        if (own.part == Other)
+            return own.source == AnatomySource::None && isAdrift(b) &&
+                   std::ranges::count(anatomy_, static_cast<int32_t>(b), &BoneAnatomy::parent) == 0;
+        return own.source == AnatomySource::Name && (own.part == Foot || own.part == Hand || own.part == Finger ||
+                                                     own.part == Toe || own.part == Shin || own.part == Forearm);
     }
 
     /// The limb of a part and side nearest in space that does not hang on the bone itself; -1 for none.
