@@ -78,7 +78,7 @@ private:
         if ((part != Shin && part != Foot && part != Toe) || anatomy_[b].side == 0 || !tree_.deforms[b]) return false;
         // What nobody names may be the thigh.
         const bool unknown = parent >= 0 && tree_.deforms[parent] && anatomy_[parent].part == Other;
-        if (unknown || above == Thigh || above == Shin) return false;
+        if (unknown || (isLimbPart(above) && above != Coxa)) return false;
         const int32_t next = tree_.below(b, [&](uint32_t other) {
             return tree_.deforms[other] && isLimbPart(anatomy_[other].part) &&
                    anatomy_[other].side == anatomy_[b].side;
