@@ -9,6 +9,7 @@
 
 #include "sim/actor/anatomy/bone_tree.h"
 #include "sim/actor/anatomy/chain_parts.h"
+#include "sim/actor/anatomy/facing.h"
 #include "sim/actor/bodies/body_tree.h"
 #include "sim/actor/bodies/bone_merge.h"
 #include "sim/actor/bodies/short_list.h"
@@ -221,6 +222,7 @@ std::vector<BodyDraft> cutIntoBodies(const Model& model, const Solid& solid, std
     arrangeTree(drafts, tree, anatomy, voxels, notes);
     noteSources(model, anatomy, notes);
     noteUnknown(model, anatomy, drafts, notes);
+    if (std::string note = facingNote(model, anatomy); !note.empty()) notes.push_back(std::move(note));
     return drafts;
 }
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/actor/anatomy/anatomy.h"
 #include "sim/actor/clips/bone_match.h"
+#include "sim/actor/clips/clip_facing.h"
 #include "sim/actor/clips/clip_overlaps.h"
 #include "sim/actor/clips/joint_turns.h"
 #include "sim/world/frames.h"
@@ -161,12 +161,6 @@ void alignLimbs(const Actor& actor, const Model& source, Mapping& map)
     }
 }
 
-Quaternionf facingFrom(const Vector3f& theirLeft, const Vector3f& ourLeft)
-{
-    const float yaw = std::atan2(theirLeft.z(), theirLeft.x()) - std::atan2(ourLeft.z(), ourLeft.x());
-    return Quaternionf(Eigen::AngleAxisf(yaw, Vector3f::UnitY()));
-}
-
 /// Joints of the actor, and where the bones are that move what hangs on them, from the pivots of both at rest.
 struct JointPair {
     Vector3f ours, theirs;
@@ -227,8 +221,7 @@ Mapping mapForeign(const Actor& actor, const Model& source)
         throw InputError(fmt::format("none of its bones ({}) is one of the actor's ({})", firstNames(source.bones),
                                      firstNames(actor.joints)));
     }
-    const Model skeleton = skeletonOf(actor);
-    map.facing = facingFrom(leftOf(source, readAnatomy(source)), leftOf(skeleton, readAnatomy(skeleton)));
+    map.facing = facingOf(actor, source, map.bones);
     const Limb root = limbOf(actor, source, map, childrenOf(actor)[0]);
     map.pivot = root.count > 0 ? root.theirs
                                : headOf(source.bones[map.bones[0] == NO_INDEX ? 0 : map.bones[0]].restPose);
