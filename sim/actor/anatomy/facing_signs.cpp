@@ -79,8 +79,9 @@ private:
         if (!std::isfinite(says)) return;
         const float counts = weight * std::clamp(says, -1.0f, 1.0f);
         facing_.balance += counts;
+        if (std::abs(counts) < TOLD) return;
         facing_.against += std::max(-counts, 0.0f);
-        if (std::abs(counts) >= TOLD) (counts > 0 ? facing_.agree : facing_.disagree).emplace_back(name);
+        (counts > 0 ? facing_.agree : facing_.disagree).emplace_back(name);
     }
 
     /// Of where limbs of a part begin; not a number for none.
