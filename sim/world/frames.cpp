@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr float OPPOSITE = -0.99f;  // cosine below which floats have too few digits for a turn
-constexpr float STEEP = 0.999f;    // height of a direction beside which up says nothing
+constexpr float STEEP = 0.999f;     // height of a direction beside which up says nothing
 
 }  // namespace
 

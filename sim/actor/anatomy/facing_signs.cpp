@@ -16,16 +16,16 @@ using enum BodyPart;
 namespace {
 
 // How much signs say.
-constexpr float TOES = 1.5f, FACE = 1.5f, KNEES = 1.0f, ELBOWS = 0.75f, THUMBS = 0.75f, TAIL = 0.75f,
-                TRUNK = 2.0f, CLIP_KNEES = 1.5f, STEPS = 1.0f;
-constexpr float TOLD = 0.5f;        // a sign of less is not named
-constexpr float LONG_TOES = 0.3f;   // of a foot's length, by which its front is longer than its heel
-constexpr float BEFORE = 0.03f;     // of the figure's size: a face before its head
-constexpr float BENT = 0.04f;       // of a limb's length, its middle off the straight line
-constexpr float AHEAD = 0.25f;      // of the figure's size: a creature's head before its hips
-constexpr float STEP = 0.5f;        // of a leg's length, the way that steps go
-constexpr const char* FACE_WORDS[] = {"eye",   "brow",  "eyebrow", "eyelid", "nose",    "nostril", "mouth", "lip",
-                                      "chin",  "cheek", "tongue",  "tooth",  "teeth",   "beak",    "jaw",   "whisker"};
+constexpr float TOES = 1.5f, FACE = 1.5f, KNEES = 1.0f, ELBOWS = 0.75f, THUMBS = 0.75f, TAIL = 0.75f, TRUNK = 2.0f,
+                CLIP_KNEES = 1.5f, STEPS = 1.0f;
+constexpr float TOLD = 0.5f;       // a sign of less is not named
+constexpr float LONG_TOES = 0.3f;  // of a foot's length, by which its front is longer than its heel
+constexpr float BEFORE = 0.03f;    // of the figure's size: a face before its head
+constexpr float BENT = 0.04f;      // of a limb's length, its middle off the straight line
+constexpr float AHEAD = 0.25f;     // of the figure's size: a creature's head before its hips
+constexpr float STEP = 0.5f;       // of a leg's length, the way that steps go
+constexpr const char* FACE_WORDS[] = {"eye",  "brow",  "eyebrow", "eyelid", "nose",  "nostril", "mouth", "lip",
+                                      "chin", "cheek", "tongue",  "tooth",  "teeth", "beak",    "jaw",   "whisker"};
 
 Vector3f placeIn(const Matrix4f& pose)
 {
@@ -205,8 +205,9 @@ private:
     /// Where the figure looks in a pose.
     Vector3f forwardIn(const std::vector<Matrix4f>& pose, uint32_t hips) const
     {
-        const Eigen::Matrix3f turn = pose[hips].topLeftCorner<3, 3>().colwise().normalized() *
-                                     model_.bones[hips].restPose.topLeftCorner<3, 3>().colwise().normalized().transpose();
+        const Eigen::Matrix3f turn =
+            pose[hips].topLeftCorner<3, 3>().colwise().normalized() *
+            model_.bones[hips].restPose.topLeftCorner<3, 3>().colwise().normalized().transpose();
         Vector3f forward = turn * forward_;
         forward.y() = 0.0f;
         return forward.norm() > 0.3f ? Vector3f(forward.normalized()) : Vector3f(Vector3f::Zero());

@@ -80,8 +80,7 @@ private:
         const bool unknown = parent >= 0 && tree_.deforms[parent] && anatomy_[parent].part == Other;
         if (unknown || (isLimbPart(above) && above != Coxa)) return false;
         const int32_t next = tree_.below(b, [&](uint32_t other) {
-            return tree_.deforms[other] && isLimbPart(anatomy_[other].part) &&
-                   anatomy_[other].side == anatomy_[b].side;
+            return tree_.deforms[other] && isLimbPart(anatomy_[other].part) && anatomy_[other].side == anatomy_[b].side;
         });
         return next >= 0 && anatomy_[next].part == Shin;
     }

@@ -13,9 +13,9 @@ namespace {
 
 using enum BodyPart;
 
-constexpr float AT_END = 0.5f;       // of a limb's length: what is as near is at it
-constexpr float OTHER_KIND = 2.0f;   // a foot is this much farther from an arm than from a leg
-constexpr int CONTRADICTION = 2;     // front against back, in words that agree
+constexpr float AT_END = 0.5f;      // of a limb's length: what is as near is at it
+constexpr float OTHER_KIND = 2.0f;  // a foot is this much farther from an arm than from a leg
+constexpr int CONTRADICTION = 2;    // front against back, in words that agree
 constexpr std::array PLACES{"front", "back", "middle"};
 
 bool isPlace(const std::string& word)

@@ -8,9 +8,9 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float SAME_PLACE = 0.05f;    // a bone's mirror image is this near to another bone [size]
-constexpr float BESIDE = 0.01f;        // what is farther from the plane lies to a side of it [size]
-constexpr size_t MOST_GUESSES = 24;    // directions that are tried
+constexpr float SAME_PLACE = 0.05f;   // a bone's mirror image is this near to another bone [size]
+constexpr float BESIDE = 0.01f;       // what is farther from the plane lies to a side of it [size]
+constexpr size_t MOST_GUESSES = 24;   // directions that are tried
 constexpr int32_t FEWEST_IMAGES = 4;  // bones beside the plane that have an image
 
 /// How many bones beside a plane have an image, and how many have none.
@@ -27,8 +27,8 @@ Images imagesIn(const BoneTree& tree, const std::vector<uint32_t>& depths, const
         const Vector3f image = plane.mirrored(tree.heads[b]);
         bool found = false;
         for (uint32_t other = 0; other < tree.size() && !found; ++other)
-            found = other != b && tree.sides[other] == -tree.sides[b] && depths[other] == depths[b] && tree.carries[other] &&
-                    (tree.heads[other] - image).norm() < SAME_PLACE * size;
+            found = other != b && tree.sides[other] == -tree.sides[b] && depths[other] == depths[b] &&
+                    tree.carries[other] && (tree.heads[other] - image).norm() < SAME_PLACE * size;
         ++(found ? images.found : images.missing);
     }
     return images;

@@ -120,7 +120,8 @@ constexpr Words WORDS[] = {
     {WordUse::Part, NamedPart::Coxa, "coxa trochanter"},
     {WordUse::Part, NamedPart::Thigh, "thigh femur"},
     {WordUse::Part, NamedPart::Shin, "shin calf tibia fibula knee crus patella stifle"},
-    {WordUse::Part, NamedPart::Foot, "foot feet ankle metatarsal metatarsus tarsal tarsus paw hoof hooves hock cannon fetlock "
+    {WordUse::Part, NamedPart::Foot,
+     "foot feet ankle metatarsal metatarsus tarsal tarsus paw hoof hooves hock cannon fetlock "
      "pastern trotter talon"},
     {WordUse::Part, NamedPart::Toe, "toe ball"},
     {WordUse::Part, NamedPart::Tail, "tail"},

@@ -116,7 +116,8 @@ private:
         const BoneAnatomy &own = boneOf(body), &bone = boneOf(other);
         if (own.side != 0 && bone.side == -own.side) return 2;
         const bool isTrunk = bone.part == Hips || bone.part == Spine;
-        if (own.part == Thigh || own.part == Coxa || own.part == Clavicle || own.part == UpperArm) return isTrunk ? 0 : 1;
+        if (own.part == Thigh || own.part == Coxa || own.part == Clavicle || own.part == UpperArm)
+            return isTrunk ? 0 : 1;
         const bool ofTrunk = own.part == Hips || own.part == Spine || own.part == Neck || own.part == Head ||
                              own.part == Tail;
         return ofTrunk && bone.side != 0 ? 1 : 0;

@@ -10,8 +10,8 @@
 #include "sim/actor/clips/clip_facing.h"
 #include "sim/actor/clips/clip_overlaps.h"
 #include "sim/actor/clips/joint_turns.h"
-#include "sim/world/frames.h"
 #include "sim/world/errors.h"
+#include "sim/world/frames.h"
 
 namespace knuckle {
 

@@ -55,8 +55,9 @@ public:
             if (name.side != 0 && (isUpper(name.part) || isLower(name.part))) parts.emplace(name.part, name.side);
             chain = chain || (isLower(name.part) && hangsOnUpper(b));
         }
-        const auto pairs = std::ranges::count_if(
-            parts, [&](const auto& part) { return part.second > 0 && parts.contains({part.first, -1}); });
+        const auto pairs = std::ranges::count_if(parts, [&](const auto& part) {
+            return part.second > 0 && parts.contains({part.first, -1});
+        });
         return (trunk || chain) && static_cast<size_t>(pairs) >= FEWEST_PAIRS;
     }
 

@@ -166,10 +166,10 @@ Model readScene(const std::string& path, bool surface, const ModelPick& pick)
     takeBindPose(*scene, table, model.notes);
     convertBones(pickSkeleton(*scene, pick, table, model.notes), table, model);
     if (table.boneNodes.empty() && !table.isBare && !model.bones.empty())
-        model.notes.push_back(fmt::format("No mesh has a skeleton: of what {} {} bone{} made.",
-                                          movedNodes(*scene, table).empty() ? "is called after parts of a body"
-                                                                            : "clips move",
-                                          model.bones.size(), model.bones.size() == 1 ? " was" : "s were"));
+        model.notes.push_back(
+            fmt::format("No mesh has a skeleton: of what {} {} bone{} made.",
+                        movedNodes(*scene, table).empty() ? "is called after parts of a body" : "clips move",
+                        model.bones.size(), model.bones.size() == 1 ? " was" : "s were"));
     if (pick.skeleton != ALL_SKELETONS) leaveApart(*scene, table, model.notes);
     convertMeshes(*scene, table, model);
     if (surface && !table.isBare) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "sim/actor/anatomy/name_pattern.h"
+#include "sim/actor/gltf/glb.h"
 #include "sim/actor/import/import_scene.h"
 #include "sim/world/disjoint_sets.h"
 
@@ -124,7 +125,7 @@ bool isOwnExport(const aiScene& scene)
 {
     aiString generator;
     return scene.mMetaData != nullptr && scene.mMetaData->Get(AI_METADATA_SOURCE_GENERATOR, generator) &&
-           std::string_view(generator.C_Str()) == "knuckle";
+           std::string_view(generator.C_Str()) == GLB_OF_OBJECTS;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float GAP = 0.9f;      // d: the grid's particle stays where none is as near as this
+constexpr float GAP = 0.9f;  // d: the grid's particle stays where none is as near as this
 
 /// Particles so far, by place.
 class Crowd {

@@ -92,8 +92,8 @@ TEST(AdriftLimbs, OfASpiderWithoutABodyHangOnTheNearestSegmentAlike)
             for (const float z : {0.2f, 0.07f, -0.07f}) {
                 const std::string leg = z > 0.1f ? "FrontLeg" : z > 0 ? "MiddleLeg" : "BackLeg";
                 legs.push_back({leg + side, "Body", {0.18f * x, 0.5f, z}, {0.3f * x, 0.6f, z}, {0.12f, 0.1f, 0.04f}});
-                legs.push_back({leg + "Tip" + side, leg + side, {0.42f * x, 0.6f, z}, {0.45f * x, 0.3f, z},
-                                {0.04f, 0.3f, 0.04f}});
+                legs.push_back(
+                    {leg + "Tip" + side, leg + side, {0.42f * x, 0.6f, z}, {0.45f * x, 0.3f, z}, {0.04f, 0.3f, 0.04f}});
             }
         }
         for (const BoxBones& part : legsFirst ? std::vector{legs, trunk} : std::vector{trunk, legs})

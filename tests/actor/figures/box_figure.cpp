@@ -65,12 +65,12 @@ BoxBones boxPerson()
                    {"head", "spine", {0, 1.45f, 0}, {0, 1.58f, 0}, {0.1f, 0.13f, 0.11f}}};
     for (const auto& [side, x] : SIDES) {
         const auto add = [&, s = std::string(side)](const std::string& name, const std::string& parent,
-                                                     const Vector3f& head, const Vector3f& centre,
-                                                     const Vector3f& half) {
+                                                    const Vector3f& head, const Vector3f& centre,
+                                                    const Vector3f& half) {
             const bool trunk = parent == "hips" || parent == "spine";
             const Vector3f mirror(x, 1, 1);
-            bones.push_back({name + s, trunk ? parent : parent + s, head.cwiseProduct(mirror),
-                             centre.cwiseProduct(mirror), half});
+            bones.push_back(
+                {name + s, trunk ? parent : parent + s, head.cwiseProduct(mirror), centre.cwiseProduct(mirror), half});
         };
         add("thigh", "hips", {0.09f, 0.88f, 0}, {0.09f, 0.68f, 0}, {0.07f, 0.19f, 0.07f});
         add("shin", "thigh", {0.09f, 0.48f, 0}, {0.09f, 0.28f, 0}, {0.055f, 0.19f, 0.055f});
@@ -93,11 +93,17 @@ BoxBones boxDog()
         for (const bool front : {true, false}) {
             const std::string leg = front ? "Front" : "Back";
             const float z = front ? 0.34f : -0.34f, at = 0.1f * x;
-            bones.push_back({leg + "Leg" + side, front ? "Torso" : "Hips", {at, 0.5f, z}, {at, 0.4f, z},
-                             {0.05f, 0.1f, 0.06f}});
-            bones.push_back({leg + "LowLeg" + side, leg + "Leg" + side, {at, 0.3f, z - 0.02f}, {at, 0.18f, z - 0.02f},
+            bones.push_back(
+                {leg + "Leg" + side, front ? "Torso" : "Hips", {at, 0.5f, z}, {at, 0.4f, z}, {0.05f, 0.1f, 0.06f}});
+            bones.push_back({leg + "LowLeg" + side,
+                             leg + "Leg" + side,
+                             {at, 0.3f, z - 0.02f},
+                             {at, 0.18f, z - 0.02f},
                              {0.04f, 0.12f, 0.04f}});
-            bones.push_back({leg + "Foot" + side, leg + "LowLeg" + side, {at, 0.06f, z - 0.02f}, {at, 0.03f, z + 0.03f},
+            bones.push_back({leg + "Foot" + side,
+                             leg + "LowLeg" + side,
+                             {at, 0.06f, z - 0.02f},
+                             {at, 0.03f, z + 0.03f},
                              {0.045f, 0.03f, 0.08f}});
         }
     }

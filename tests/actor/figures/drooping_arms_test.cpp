@@ -11,7 +11,8 @@ Model drooping(float down, float ahead)
 {
     BoxBones bones = boxPerson();
     for (BoxBone& bone : bones) {
-        if (bone.name.find("forearm") == std::string::npos && bone.name.find("upper_arm") == std::string::npos) continue;
+        if (bone.name.find("forearm") == std::string::npos && bone.name.find("upper_arm") == std::string::npos)
+            continue;
         for (Vector3f* place : {&bone.head, &bone.centre}) {
             const float out = std::abs(place->x()) - 0.18f;
             *place += Vector3f(0, -down * out, ahead * out);
@@ -33,8 +34,8 @@ void expectBuilds(const Model& model)
 
 TEST(DroopingArms, HaveFramesAtEveryAngle)
 {
-    for (const float angle : {0.0f, 1e-8f, 1e-7f, 1e-6f, 1e-5f, 1e-4f, 1e-3f, 3e-3f, 4.5e-3f, 5e-3f, 5.5e-3f, 6e-3f,
-                              1e-2f, 3e-2f, 0.1f}) {
+    for (const float angle :
+         {0.0f, 1e-8f, 1e-7f, 1e-6f, 1e-5f, 1e-4f, 1e-3f, 3e-3f, 4.5e-3f, 5e-3f, 5.5e-3f, 6e-3f, 1e-2f, 3e-2f, 0.1f}) {
         expectBuilds(drooping(angle, 0));
         expectBuilds(drooping(-angle, angle));
         expectBuilds(drooping(0, -angle));

@@ -92,8 +92,7 @@ TEST(Facing, AFaceOrBentLimbsSayItToo)
             for (Vector3f* place : {&bone.head, &bone.centre}) place->z() += 0.08f;
         if (bone.name.starts_with("forearm"))
             for (Vector3f* place : {&bone.head, &bone.centre}) place->z() -= 0.05f;
-        if (bone.name.starts_with("forearm"))
-            bone.centre.z() += 0.02f;
+        if (bone.name.starts_with("forearm")) bone.centre.z() += 0.02f;
     }
     const std::vector<BoneAnatomy> anatomy = readAnatomy(boxFigure(bent));
     EXPECT_LT(readFacing(boxFigure(bent), anatomy).against, 1.3f);

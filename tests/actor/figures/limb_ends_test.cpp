@@ -28,8 +28,10 @@ BoxBones dogWithFeetAtRoot(const std::string& front, const std::string& back, bo
 
 TEST(LimbEnds, FeetAtTheRootGoWhereTheirWordsSay)
 {
-    const std::vector<std::pair<std::string, std::string>> names{
-        {"FrontFoot", "BackFoot"}, {"fore_paw", "hind_paw"}, {"Hoof_front", "Hoof_rear"}, {"IK_FrontPaw", "IK_BackPaw"}};
+    const std::vector<std::pair<std::string, std::string>> names{{"FrontFoot", "BackFoot"},
+                                                                 {"fore_paw", "hind_paw"},
+                                                                 {"Hoof_front", "Hoof_rear"},
+                                                                 {"IK_FrontPaw", "IK_BackPaw"}};
     for (const auto& [front, back] : names) {
         for (const bool reversed : {false, true}) {
             const Actor actor = made(dogWithFeetAtRoot(front, back, reversed));
@@ -75,13 +77,16 @@ TEST(LimbEnds, NumbersSayWhichLegAFootIsOf)
         for (int k = 1; k <= 3; ++k) {
             const float z = 0.6f - 0.3f * static_cast<float>(k);
             const std::string n = std::to_string(k);
-            bones.push_back({"Thigh" + n + side, "Hips", {0.2f * x, 0.4f, z}, {0.35f * x, 0.45f, z},
-                             {0.15f, 0.05f, 0.05f}});
-            bones.push_back({"Shin" + n + side, "Thigh" + n + side, {0.5f * x, 0.45f, z}, {0.5f * x, 0.28f, z},
+            bones.push_back(
+                {"Thigh" + n + side, "Hips", {0.2f * x, 0.4f, z}, {0.35f * x, 0.45f, z}, {0.15f, 0.05f, 0.05f}});
+            bones.push_back({"Shin" + n + side,
+                             "Thigh" + n + side,
+                             {0.5f * x, 0.45f, z},
+                             {0.5f * x, 0.28f, z},
                              {0.05f, 0.18f, 0.05f}});
             // Each begins at the leg before.
-            bones.push_back({"Foot" + n + side, "root", {0.5f * x, 0.1f, z + 0.25f}, {0.5f * x, 0.05f, z},
-                             {0.06f, 0.05f, 0.08f}});
+            bones.push_back(
+                {"Foot" + n + side, "root", {0.5f * x, 0.1f, z + 0.25f}, {0.5f * x, 0.05f, z}, {0.06f, 0.05f, 0.08f}});
         }
     }
     const Actor actor = made(bones);
@@ -159,14 +164,15 @@ TEST(LimbEnds, ADogsLegsThatAllSayLegAreFrontAndHindLegs)
     for (BoxBone& bone : bones) {
         for (std::string* name : {&bone.name, &bone.parent}) {
             if (const size_t at = name->find("LowLeg"); at != std::string::npos) name->replace(at, 6, "_Leg_Lower");
-            else if (const size_t foot = name->find("Foot"); foot != std::string::npos) name->replace(foot, 4, "_Leg_Foot");
+            else if (const size_t foot = name->find("Foot"); foot != std::string::npos)
+                name->replace(foot, 4, "_Leg_Foot");
         }
     }
     for (const std::string leg : {"Front_Leg_Foot.L", "Front_Leg_Foot.R", "Back_Leg_Foot.L", "Back_Leg_Foot.R"}) {
         const Vector3f head = boneOf(bones, leg).head + Vector3f(0, -0.03f, 0.12f);
         std::string tip = leg;
-        bones.push_back({tip.replace(tip.find("Foot"), 4, "Tip"), leg, head, head + Vector3f(0, 0, 0.05f),
-                         {0.045f, 0.03f, 0.05f}});
+        bones.push_back(
+            {tip.replace(tip.find("Foot"), 4, "Tip"), leg, head, head + Vector3f(0, 0, 0.05f), {0.045f, 0.03f, 0.05f}});
     }
     const Model model = boxFigure(bones);
     const std::vector<BoneAnatomy> anatomy = readAnatomy(model);

@@ -74,7 +74,7 @@ TEST(Seams, APieceThatHangsApartGoesToWhatItTouches)
     // A cuff at the end of the arm follows the trunk by mistake.
     BoxBones bones = blocks(0);
     Model model = boxFigure(bones);
-    const TriangleMesh cuff = boxMesh({0.35f, 0.45f, 0}, {0.05f, 0.18f, 0.1f});
+    const TriangleMesh cuff = boxMesh({0.35f, 0.4f, 0}, {0.05f, 0.23f, 0.1f});
     const auto first = static_cast<uint32_t>(model.vertices.size());
     for (const Vector3f& vertex : cuff.vertices) {
         model.vertices.push_back(vertex);
