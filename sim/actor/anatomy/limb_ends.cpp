@@ -118,7 +118,8 @@ private:
         return bone >= 0;
     }
 
-    /// What the names of a limb say besides what and on which side it is. Where none speaks of a place arms are in front.
+    /// What the names of a limb say besides what and on which side it is. Where none speaks of a place arms are in
+    /// front.
     std::vector<std::string> wordsOf(uint32_t limb) const
     {
         std::vector<std::string> words;

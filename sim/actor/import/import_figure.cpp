@@ -43,7 +43,8 @@ public:
         return static_cast<uint32_t>(isMesh && isAlike(parent, n) ? parent : n);
     }
 
-    /// Whether such bones are a figure's: limbs on both sides, with a head or hips or so that lower halves hang on upper
+    /// Whether such bones are a figure's: limbs on both sides, with a head or hips or so that lower halves hang on
+    /// upper
     /// ones.
     bool isFigure(const std::set<uint32_t>& bones) const
     {
