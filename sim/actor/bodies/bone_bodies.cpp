@@ -69,8 +69,7 @@ bool isApart(const Particles& part, const std::vector<Particles>& parts, const s
 }
 
 // Where the skin's weights cut a bone's particles into pieces, small ones and such as hang apart go to other bones
-// whose
-// particles they touch.
+// whose particles they touch.
 void moveIslands(std::vector<uint32_t>& bones, const Voxels& voxels)
 {
     const VoxelCells cells(voxels);
