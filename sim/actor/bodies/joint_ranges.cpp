@@ -19,7 +19,7 @@ constexpr float WIDEST = 175 * DEGREE;  // a limit's end, either way
 constexpr float ROUND = 330 * DEGREE;   // of a clip that goes all the way round
 constexpr float UNSURE = 0.35f;         // cosine of half the swing beyond which the turn about an axis says nothing
 constexpr float FAR = 20 * DEGREE;      // beyond a hinge's range, where a moment in a clip does not widen it
-constexpr float TOO_FAR = 45 * DEGREE;  // ... and where nothing does
+constexpr float TOO_FAR = 60 * DEGREE;  // ... and where nothing does
 constexpr float MOMENT = 0.1f;          // [s]
 constexpr float MORE = 15 * DEGREE;     // of a hinge than its clips show, beside SPARE
 

@@ -44,7 +44,7 @@ void lockNarrowRanges(JointPlan& plan);
 void leanTo(JointLimits& limits, const Vector3f& axis, std::span<const Quaternionf> turns);
 
 /// Of a hinge's turns in a clip those that its joint may be widened for: what goes beyond its range by more than 20
-/// degrees for less than a tenth of a second in all, or by more than 45 degrees, is left out.
+/// degrees for less than a tenth of a second in all, or by more than 60 degrees, is left out.
 /// @param rate of the turns [1/s]. @param farthest gets the angle farthest beyond that was left out [rad], if any was.
 std::vector<Quaternionf> lastingTurns(const TurnRange& range, const Vector3f& axis, std::span<const Quaternionf> turns,
                                       float rate, float& farthest);

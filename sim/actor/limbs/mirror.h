@@ -28,8 +28,7 @@ std::optional<Mirror> findMirror(const BoneTree& tree);
 /// normal the images of the other side's particles, and their bones.
 /// @param bones per particle.
 /// @param parents of bones: what lies on the plane belongs to a bone on it where this is next to it. What stands
-/// between
-/// two bones that are images of each other is left out elsewhere.
+/// between two bones that are images of each other is left out elsewhere.
 void mirrorParticles(const Solid& solid, const Mirror& mirror, const std::vector<int32_t>& parents, Voxels& voxels,
                      std::vector<uint32_t>& bones);
 

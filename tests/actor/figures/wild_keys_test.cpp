@@ -62,7 +62,7 @@ TEST(WildKeys, AMomentIsNotUnlessItIsNear)
 
 TEST(WildKeys, WhatIsFarBeyondABodysRangeIsToldNotTaken)
 {
-    const Actor actor = withBentElbow(86, 12, 100);
+    const Actor actor = withBentElbow(86, 12, 80);
     EXPECT_NEAR(backOf(actor, "forearm.L"), 5, 0.5f);
     EXPECT_TRUE(hasNote(actor));
 }
