@@ -36,7 +36,7 @@ struct VoxelizeOptions {
     bool grid = false, split = false;
 };
 
-/// Whether a scene can use it.
+/// Whether a scene can use it. @throws InputError, std::logic_error.
 void requireUsable(const std::string& file, const Actor& actor)
 {
     const size_t count = actor.particles.size();
@@ -49,6 +49,9 @@ void requireUsable(const std::string& file, const Actor& actor)
             fmt::format("{}: it would consist of particles of {:.3g} m, scenes have some of {:g} m or more; "
                         "make it larger by --height, or use fewer --particles",
                         file, actor.diameter, SMALLEST_DIAMETER));
+    WorldBuilder builder(0.5f * actor.diameter);
+    addActor(builder, actor, builder.addMaterial({}), {});
+    builder.build();
 }
 
 Model readModel(const std::string& path, const ImportOptions& options)

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/world/frames.h"
+
 namespace knuckle {
 
 namespace {
@@ -37,7 +39,7 @@ void addBenchBox(WorldBuilder& builder)
     for (const Vector3f& inward : {Vector3f(1, 0, 0), Vector3f(-1, 0, 0), Vector3f(0, 0, 1), Vector3f(0, 0, -1)}) {
         Collider wall;
         wall.position = -HALF_WIDTH * inward;
-        wall.orientation = Quaternionf::FromTwoVectors(Vector3f::UnitY(), inward);
+        wall.orientation = turnBetween(Vector3f::UnitY(), inward);
         wall.visible = false;
         builder.addCollider(wall);
     }

@@ -208,6 +208,7 @@ void GltfExport::finish(double framesPerSecond)
     GlbOptions options;
     options.shiftTolerance = SHIFT_TOLERANCE;
     options.turnTolerance = TURN_TOLERANCE;
+    options.apart = true;
     options.encode = encodePicture;
     file_.write(toGlb(models, options));
     file_.commit();

@@ -4,6 +4,7 @@
 
 #include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
+#include "sim/world/frames.h"
 
 namespace knuckle {
 
@@ -32,7 +33,7 @@ void addPlaneWalls(WorldBuilder& builder, const Collider& base, float width, flo
     for (const Vector3f& offset : offsets) {
         Collider wall = partAt(base, offset);
         wall.shape = ColliderShape::Plane;
-        wall.orientation = base.orientation * Quaternionf::FromTwoVectors(Vector3f::UnitY(), -offset);
+        wall.orientation = base.orientation * turnBetween(Vector3f::UnitY(), -offset);
         wall.visible = false;
         builder.addCollider(wall);
     }

@@ -141,7 +141,7 @@ void addJoined(const Entry& entry)
     if (std::isfinite(releaseTime(entry, json["hold"] != "none")) && json["hold"] == "both" && common.limits.any())
         entry.fail("/release", "a chain that is held at both ends and has limits is a loop, and cannot be let go; hold "
                                "one end, or take the limits away");
-    if (common.axis.cross(Vector3f::UnitX()).norm() < 1e-3f) {
+    if (common.axis.stableNormalized().cross(Vector3f::UnitX()).norm() < 1e-3f) {
         entry.fail("/axis", "must not be zero or along x, the chain's own direction; for instance [0, 0, 1]");
     }
     const std::string last = json["lastMaterial"];

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/world/frames.h"
+
 namespace knuckle {
 
 using Eigen::Array2f;
@@ -12,7 +14,7 @@ using Eigen::Vector3f;
 CameraSettings cameraThatFrames(const Framing& framing)
 {
     constexpr float HALF_DEGREE = std::numbers::pi_v<float> / 360.0f;
-    const Vector3f right = Vector3f::UnitY().cross(framing.back).normalized(), up = framing.back.cross(right);
+    const Vector3f right = levelRight(framing.back), up = framing.back.cross(right);
     const float half = framing.share * std::tan(HALF_DEGREE * framing.fieldOfView);
     const Array2f slope(half * framing.aspect, half);
     // Along each side of the view a point asks the camera to stand so far out or away.

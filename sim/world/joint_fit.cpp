@@ -4,6 +4,8 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "sim/world/frames.h"
+
 namespace knuckle {
 
 namespace {
@@ -67,13 +69,13 @@ JointFit fitJoint(const World& world, uint32_t body, uint32_t parent, const std:
     if (limited && !ball) x *= x.dot(axis) < 0 ? -1.0f : 1.0f;
     if (limited && ball) {
         x = axis;
-        leaning = Quaternionf::FromTwoVectors(axis, cone);
+        leaning = turnBetween(axis, cone);
     }
-    fit.body.frame = Quaternionf::FromTwoVectors(Vector3f::UnitX(), x);
+    fit.body.frame = turnBetween(Vector3f::UnitX(), x);
     fit.parent.frame = leaning * fit.body.frame;
     if (fit.type == JointType::Hinge) {
         const Vector3f along = own.back() - own.front(), parentAlong = others.back() - others.front();
-        fit.parent.frame = Quaternionf::FromTwoVectors(along, parentAlong) * fit.body.frame;
+        fit.parent.frame = turnBetween(along, parentAlong) * fit.body.frame;
     }
     if (fit.type == JointType::Stiff) fit.parent.frame = fitted(own, others) * fit.body.frame;
     return fit;

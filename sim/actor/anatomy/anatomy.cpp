@@ -6,6 +6,7 @@
 #include "sim/actor/anatomy/bone_roles.h"
 #include "sim/actor/anatomy/bone_tree.h"
 #include "sim/actor/anatomy/clip_hinges.h"
+#include "sim/actor/anatomy/facing.h"
 #include "sim/actor/anatomy/shape_fill.h"
 
 namespace knuckle {
@@ -62,6 +63,7 @@ std::vector<BoneAnatomy> readAnatomy(const Model& model, const std::map<uint32_t
     for (const Bone& bone : model.bones) names.push_back(readBoneName(bone.name));
     std::vector<BoneAnatomy> anatomy = readParts(tree, names);
     readRoles(tree, names, roles, anatomy);
+    settleSides(model, anatomy);
     readClipHinges(model, anatomy);
     return anatomy;
 }

@@ -80,6 +80,31 @@ NamedPart halved(NamedPart part, bool upper, bool lower, bool fore)
     }
 }
 
+/// Which of several limbs a word speaks of; empty for one that says nothing of it.
+std::string placeWord(const std::string& text)
+{
+    if (text == "front" || text == "fore" || text == "fl" || text == "fr") return "front";
+    if (text == "back" || text == "hind" || text == "rear" || text == "bl" || text == "br" || text == "hl" ||
+        text == "hr" || text == "rl" || text == "rr")
+        return "back";
+    if (text == "middle" || text == "mid") return "middle";
+    return findWord(text) ? "" : text;
+}
+
+/// Numbers without leading zeros.
+std::vector<std::string> numbersIn(std::string_view name)
+{
+    std::vector<std::string> numbers;
+    bool inNumber = false;
+    for (const char c : name) {
+        const bool isDigit = c >= '0' && c <= '9';
+        if (isDigit && !inNumber) numbers.emplace_back();
+        inNumber = isDigit;
+        if (isDigit && !(numbers.back().empty() && c == '0')) numbers.back() += c;
+    }
+    return numbers;
+}
+
 }  // namespace
 
 std::vector<std::string> wordsOf(std::string_view name)
@@ -121,7 +146,10 @@ BoneName readBoneName(std::string_view name)
             case WordUse::Filler: break;
         }
         trunk |= text == "torso" || text == "body";
+        if (std::string place = placeWord(text); !place.empty()) read.others.push_back(std::move(place));
     }
+    for (std::string& number : numbersIn(name)) read.others.push_back(std::move(number));
+    std::ranges::sort(read.others);
     // "LeftHandIndex1": behind a hand's word, a finger's is one.
     if (weak == NamedPart::MaybeFinger && read.part == NamedPart::Hand) read.part = NamedPart::Finger;
     // "back_trochantin.L": at a limb, back is a place.

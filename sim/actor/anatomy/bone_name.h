@@ -42,6 +42,9 @@ struct BoneName {
     bool isControl = false;   ///< A handle of the animator's: inverse kinematics, poles, trajectories.
     bool isAttached = false;  ///< Face, hair, clothes, props.
     bool isEnd = false;       ///< Says where a chain ends.
+    /// What else it says, in order: which of several such limbs it is of. "front", "back" and "middle" whatever words
+    /// stand for them, numbers, words that nobody knows.
+    std::vector<std::string> others;
 };
 
 /// Lower-case words of a name: namespaces (`mixamorig:`) and digits are dropped, camel case and compounds of known

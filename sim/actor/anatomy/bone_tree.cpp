@@ -1,5 +1,7 @@
 #include "sim/actor/anatomy/bone_tree.h"
 
+#include "sim/actor/anatomy/bone_name.h"
+
 namespace knuckle {
 
 BoneTree::BoneTree(const Model& model)
@@ -8,6 +10,7 @@ BoneTree::BoneTree(const Model& model)
     for (uint32_t b = 0; b < model.bones.size(); ++b) {
         const int32_t parent = model.bones[b].parent;
         parents.push_back(parent);
+        sides.push_back(readBoneName(model.bones[b].name).side);
         heads.emplace_back(model.bones[b].restPose.block<3, 1>(0, 3));
         if (parent >= 0) children[parent].push_back(b);
     }

@@ -18,6 +18,7 @@ struct BoneTree {
     std::vector<std::vector<uint32_t>> children;
     std::vector<Eigen::Vector3f> heads;  ///< At rest [m].
     std::vector<Eigen::Vector3f> tips;   ///< Of its own skin the farthest from its head, which it is without any [m].
+    std::vector<int> sides;              ///< As names say: +1 left, -1 right, 0 neither.
     bool hasSkin = false;
     std::vector<uint8_t> deforms;  ///< Has weights; everything does where the model has no skin.
     std::vector<uint8_t> carries;  ///< It or something below it has weights.

@@ -124,6 +124,7 @@ private:
     {
         const BodyPart above = partAbove(b);
         if (above == BodyPart::UpperArm || above == BodyPart::Forearm) return BodyPart::Forearm;
+        if (above == BodyPart::Foot || above == BodyPart::Toe || above == BodyPart::Hand) return BodyPart::Toe;
         return above == BodyPart::Thigh || above == BodyPart::Shin ? BodyPart::Shin : BodyPart::Thigh;
     }
 

@@ -24,6 +24,7 @@ public:
     void read()
     {
         callLevers();
+        orderChains();
         callEnds();
         callForeLegs();
         findHips();
@@ -49,6 +50,39 @@ private:
             return;
         for (BoneAnatomy& bone : anatomy_)
             if (isLimbPart(bone.part)) bone.part = BodyPart::Lever;
+    }
+
+    /// What is below a foot is a toe and above a shin a thigh, whatever their words: "Leg_Tip", "Leg_Knee".
+    void orderChains()
+    {
+        using enum BodyPart;
+        for (uint32_t b = 0; b < tree_.size(); ++b) {
+            const BodyPart part = anatomy_[b].part, above = partAbove(b);
+            const bool leg = part == Coxa || part == Thigh || part == Shin || part == Foot;
+            const bool arm = part == Clavicle || part == UpperArm || part == Forearm;
+            const bool inFoot = above == Foot || above == Toe, inHand = above == Hand || above == Finger;
+            if ((leg || arm) && inFoot) anatomy_[b].part = Toe;
+            else if ((leg || arm) && inHand) anatomy_[b].part = leg ? Toe : Finger;
+            else if ((part == Thigh || part == Coxa) && above == Shin) anatomy_[b].part = Shin;
+            else if ((part == UpperArm || part == Clavicle) && above == Forearm) anatomy_[b].part = Forearm;
+            else if (carriesShin(b)) anatomy_[b].part = Thigh;
+        }
+    }
+
+    /// Whether a limb that nothing of a leg is above goes on in a shin.
+    bool carriesShin(uint32_t b) const
+    {
+        using enum BodyPart;
+        const BodyPart part = anatomy_[b].part, above = partAbove(b);
+        const int32_t parent = tree_.parents[b];
+        if ((part != Shin && part != Foot && part != Toe) || anatomy_[b].side == 0 || !tree_.deforms[b]) return false;
+        // What nobody names may be the thigh.
+        const bool unknown = parent >= 0 && tree_.deforms[parent] && anatomy_[parent].part == Other;
+        if (unknown || (isLimbPart(above) && above != Coxa)) return false;
+        const int32_t next = tree_.below(b, [&](uint32_t other) {
+            return tree_.deforms[other] && isLimbPart(anatomy_[other].part) && anatomy_[other].side == anatomy_[b].side;
+        });
+        return next >= 0 && anatomy_[next].part == Shin;
     }
 
     /// Of a limb whose bones are numbered the third is its foot or hand where nothing is called so, of a creature's leg
@@ -154,14 +188,14 @@ private:
         }
     }
 
-    /// The first bone of a spine, of several the one nearest to a thigh; beyond the last for none.
+    /// The first bone of a spine that has skin, of several the one nearest to a thigh; beyond the last for none.
     uint32_t lowestSpine(uint32_t thigh) const
     {
         uint32_t lowest = tree_.size();
         const auto away = [&](uint32_t b) { return (tree_.heads[b] - tree_.heads[thigh]).norm(); };
+        const auto isSpine = [&](uint32_t b) { return anatomy_[b].part == BodyPart::Spine && tree_.deforms[b]; };
         for (uint32_t b = 0; b < tree_.size(); ++b) {
-            const bool first = anatomy_[b].part == BodyPart::Spine && tree_.deforms[b] &&
-                               partAbove(b) == BodyPart::Other;
+            const bool first = isSpine(b) && tree_.above(b, isSpine) < 0;
             if (first && (lowest == tree_.size() || away(b) < away(lowest))) lowest = b;
         }
         return lowest;

@@ -8,23 +8,28 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float SAME_PLACE = 0.05f;    // a bone's mirror image is this near to another bone [size]
-constexpr float BESIDE = 0.01f;        // what is farther from the plane lies to a side of it [size]
-constexpr size_t MOST_GUESSES = 24;    // directions that are tried
-constexpr uint32_t FEWEST_IMAGES = 4;  // bones beside the plane that have an image
+constexpr float SAME_PLACE = 0.05f;   // a bone's mirror image is this near to another bone [size]
+constexpr float BESIDE = 0.01f;       // what is farther from the plane lies to a side of it [size]
+constexpr size_t MOST_GUESSES = 24;   // directions that are tried
+constexpr int32_t FEWEST_IMAGES = 4;  // bones beside the plane that have an image
 
-/// Bones beside the plane whose image is another bone, as far from the root: a hind leg is none of a front leg.
-uint32_t imagesIn(const BoneTree& tree, const std::vector<uint32_t>& depths, const MirrorPlane& plane, float size)
+/// How many bones beside a plane have an image, and how many have none.
+struct Images {
+    int32_t found = 0, missing = 0;
+};
+
+/// A bone's image is another bone, as far from the root and of the other side: a hind leg is none of a front leg.
+Images imagesIn(const BoneTree& tree, const std::vector<uint32_t>& depths, const MirrorPlane& plane, float size)
 {
-    uint32_t images = 0;
+    Images images;
     for (uint32_t b = 0; b < tree.size(); ++b) {
         if (!tree.carries[b] || std::abs(plane.distance(tree.heads[b])) < BESIDE * size) continue;
         const Vector3f image = plane.mirrored(tree.heads[b]);
         bool found = false;
         for (uint32_t other = 0; other < tree.size() && !found; ++other)
-            found = other != b && depths[other] == depths[b] && tree.carries[other] &&
-                    (tree.heads[other] - image).norm() < SAME_PLACE * size;
-        images += found;
+            found = other != b && tree.sides[other] == -tree.sides[b] && depths[other] == depths[b] &&
+                    tree.carries[other] && (tree.heads[other] - image).norm() < SAME_PLACE * size;
+        ++(found ? images.found : images.missing);
     }
     return images;
 }
@@ -85,16 +90,18 @@ std::optional<MirrorPlane> findMirrorPlane(const BoneTree& tree)
     const std::vector<uint32_t> depths = tree.depths();
     const Vector3f middle = middleOf(tree);
     MirrorPlane best;
-    uint32_t most = 0;
+    int32_t most = 0, images = 0;
     for (const MirrorPlane& plane : guesses(tree, middle, size)) {
-        const uint32_t images = imagesIn(tree, depths, plane, size);
+        const auto [found, missing] = imagesIn(tree, depths, plane, size);
         // One off the middle, where much is on one side alone, has to be better by far.
         const bool central = std::abs(plane.distance(middle)) < BESIDE * size;
-        if (images <= most || (!central && images < most + FEWEST_IMAGES)) continue;
-        most = images;
+        const int32_t counts = found - missing;
+        if ((images > 0 && counts <= most) || (!central && counts < most + 2 * FEWEST_IMAGES)) continue;
+        most = counts;
+        images = found;
         best = plane;
     }
-    return most < FEWEST_IMAGES ? std::nullopt : std::optional(best);
+    return images < FEWEST_IMAGES ? std::nullopt : std::optional(best);
 }
 
 }  // namespace knuckle

@@ -74,8 +74,8 @@ struct Words {
 };
 
 constexpr Words WORDS[] = {
-    {WordUse::Left, NamedPart::None, "left l lt lf lft lh fl bl hl le sx izq izquierda izquierdo gauche links"},
-    {WordUse::Right, NamedPart::None, "right r rt rf rgt rh fr br hr ri dx der derecha derecho droite rechts"},
+    {WordUse::Left, NamedPart::None, "left l lt lf lft lh fl bl hl rl le sx izq izquierda izquierdo gauche links"},
+    {WordUse::Right, NamedPart::None, "right r rt rf rgt rh fr br hr rr ri dx der derecha derecho droite rechts"},
     {WordUse::Upper, NamedPart::None, "upper up"},
     {WordUse::Lower, NamedPart::None, "lower low lo"},
     {WordUse::Fore, NamedPart::None, "fore"},
@@ -120,7 +120,9 @@ constexpr Words WORDS[] = {
     {WordUse::Part, NamedPart::Coxa, "coxa trochanter"},
     {WordUse::Part, NamedPart::Thigh, "thigh femur"},
     {WordUse::Part, NamedPart::Shin, "shin calf tibia fibula knee crus patella stifle"},
-    {WordUse::Part, NamedPart::Foot, "foot feet ankle metatarsal metatarsus tarsal tarsus paw hoof hock cannon"},
+    {WordUse::Part, NamedPart::Foot,
+     "foot feet ankle metatarsal metatarsus tarsal tarsus paw hoof hooves hock cannon fetlock "
+     "pastern trotter talon"},
     {WordUse::Part, NamedPart::Toe, "toe ball"},
     {WordUse::Part, NamedPart::Tail, "tail"},
     {WordUse::Part, NamedPart::Wing, "wing fin flipper"},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace knuckle {
@@ -35,91 +36,128 @@ bool isBelow(const std::vector<BodyDraft>& drafts, int32_t body, int32_t ancesto
     return body == ancestor;
 }
 
-// The hips, where they are a root, else the parentless body that most particles hang from.
-int32_t mainRoot(const std::vector<BodyDraft>& drafts, std::span<const BoneAnatomy> anatomy)
-{
-    for (size_t b = 0; b < drafts.size(); ++b)
-        if (drafts[b].parent < 0 && anatomy[drafts[b].bone].part == BodyPart::Hips) return static_cast<int32_t>(b);
-    std::vector<size_t> weight(drafts.size(), 0);
-    int32_t best = 0;
-    for (size_t b = drafts.size(); b-- > 0;) {
-        weight[b] += drafts[b].particles.size();
-        if (drafts[b].parent >= 0) {
-            weight[drafts[b].parent] += weight[b];
+// Tells what hangs on what.
+class Roots {
+public:
+    Roots(std::vector<BodyDraft>& drafts, const BoneTree& tree, std::span<const BoneAnatomy> anatomy,
+          const Voxels& voxels)
+        : drafts_(drafts), tree_(tree), anatomy_(anatomy), voxels_(voxels), root_(mainRoot())
+    {
+    }
+
+    int32_t root() const { return root_; }
+
+    // Joins the trees of a skeleton with several roots: the trunk's first, then always the root next that is nearest to
+    // the main tree.
+    void join(std::vector<std::string>& notes)
+    {
+        while (true) {
+            Candidate best;
+            int32_t child = -1;
+            for (int32_t b = 0; b < count(); ++b) {
+                if (b == root_ || drafts_[b].parent >= 0) continue;
+                const Candidate found = nearestInSkeleton(b);
+                const std::tuple order(isSided(b), found.order()), first(child >= 0 && isSided(child), best.order());
+                if (child >= 0 && order >= first) continue;
+                best = found;
+                child = b;
+            }
+            if (child < 0) return;
+            // Of the main tree, which it is no part of yet.
+            const bool apart = best.contact.distance > LOOSE * voxels_.diameter;
+            const int32_t atHead = apart ? bodyAtHead(child, best.unfit) : -1;
+            drafts_[child].parent = atHead >= 0 ? atHead : best.body;
+            const char* why = atHead >= 0              ? "where its head is"
+                              : best.steps == NO_INDEX ? "the body nearest to it"
+                                                       : "next to it in the skeleton";
+            notes.push_back(
+                fmt::format("{} is joined to {}, {}.", drafts_[child].name, drafts_[drafts_[child].parent].name, why));
         }
     }
-    for (size_t b = 1; b < drafts.size(); ++b) {
-        if (drafts[b].parent < 0 && (drafts[best].parent >= 0 || weight[b] > weight[best])) {
-            best = static_cast<int32_t>(b);
+
+private:
+    // A body to hang on: how little it fits, how many bones away it is, how near its particles come.
+    struct Candidate {
+        int32_t body = -1;
+        int unfit = 0;
+        uint32_t steps = NO_INDEX;
+        Contact contact;
+
+        std::tuple<int, uint32_t, float> order() const { return {unfit, steps, contact.distance}; }
+    };
+
+    int32_t count() const { return static_cast<int32_t>(drafts_.size()); }
+    const BoneAnatomy& boneOf(int32_t body) const { return anatomy_[drafts_[body].bone]; }
+    bool isSided(int32_t body) const { return boneOf(body).side != 0; }
+
+    // The hips, where they are a root, else the parentless body that most particles hang from, of none but limbs one.
+    int32_t mainRoot() const
+    {
+        std::vector<size_t> weight(drafts_.size(), 0);
+        int32_t best = -1;
+        for (int32_t b = count(); b-- > 0;) {
+            weight[b] += drafts_[b].particles.size();
+            if (drafts_[b].parent >= 0) weight[drafts_[b].parent] += weight[b];
         }
+        for (int32_t b = 0; b < count(); ++b) {
+            if (drafts_[b].parent >= 0) continue;
+            if (boneOf(b).part == BodyPart::Hips) return b;
+            const std::tuple order(!isSided(b), weight[b]);
+            if (best < 0 || order > std::tuple(!isSided(best), weight[best])) best = b;
+        }
+        return best;
     }
-    return best;
-}
 
-// A body to hang on: how many bones away, how near its particles come.
-struct Candidate {
-    int32_t body = -1;
-    uint32_t steps = NO_INDEX;
-    Contact contact;
-};
-
-Candidate nearestInSkeleton(const std::vector<BodyDraft>& drafts, int32_t body, int32_t root, const BoneTree& tree,
-                            const Voxels& voxels)
-{
-    const std::vector<uint32_t> steps = tree.stepsFrom(drafts[body].bone);
-    Candidate best;
-    for (int32_t other = 0; other < static_cast<int32_t>(drafts.size()); ++other) {
-        const uint32_t away = steps[drafts[other].bone];
-        if (!isBelow(drafts, other, root) || (best.body >= 0 && away > best.steps)) continue;
-        const Contact contact = contactOf(drafts[body].particles, drafts[other].particles, voxels);
-        if (best.body < 0 || away < best.steps || contact.distance < best.contact.distance)
-            best = {other, away, contact};
+    // 0 for what a body may well hang on: a limb on the trunk, its ends on what is of its side. Never on the other
+    // side's, where anything else is there.
+    int unfitness(int32_t body, int32_t other) const
+    {
+        using enum BodyPart;
+        const BoneAnatomy &own = boneOf(body), &bone = boneOf(other);
+        if (own.side != 0 && bone.side == -own.side) return 2;
+        const bool isTrunk = bone.part == Hips || bone.part == Spine;
+        if (own.part == Thigh || own.part == Coxa || own.part == Clavicle || own.part == UpperArm)
+            return isTrunk ? 0 : 1;
+        const bool ofTrunk = own.part == Hips || own.part == Spine || own.part == Neck || own.part == Head ||
+                             own.part == Tail;
+        return ofTrunk && bone.side != 0 ? 1 : 0;
     }
-    return best;
-}
 
-// The body whose particles are at the bone's head; none where no body is that near.
-int32_t bodyAtHead(const std::vector<BodyDraft>& drafts, int32_t body, int32_t root, const Voxels& voxels)
-{
-    float nearest = TOUCH * voxels.diameter;
-    int32_t best = -1;
-    for (int32_t other = 0; other < static_cast<int32_t>(drafts.size()); ++other) {
-        if (!isBelow(drafts, other, root)) continue;
-        const float distance = distanceTo(drafts[body].anchor, drafts[other].particles, voxels);
-        if (distance < nearest) best = other;
-        nearest = std::min(nearest, distance);
-    }
-    return best;
-}
-
-// Joins the trees of a skeleton with several roots: always the root next that is nearest to the main tree.
-void joinRoots(std::vector<BodyDraft>& drafts, int32_t root, const BoneTree& tree, const Voxels& voxels,
-               std::vector<std::string>& notes)
-{
-    while (true) {
+    Candidate nearestInSkeleton(int32_t body) const
+    {
+        const std::vector<uint32_t> steps = tree_.stepsFrom(drafts_[body].bone);
         Candidate best;
-        int32_t child = -1;
-        for (int32_t b = 0; b < static_cast<int32_t>(drafts.size()); ++b) {
-            if (b == root || drafts[b].parent >= 0) continue;
-            const Candidate found = nearestInSkeleton(drafts, b, root, tree, voxels);
-            const bool nearer = found.steps < best.steps ||
-                                (found.steps == best.steps && found.contact.distance < best.contact.distance);
-            if (child >= 0 && !nearer) continue;
-            best = found;
-            child = b;
+        for (int32_t other = 0; other < count(); ++other) {
+            Candidate found{other, unfitness(body, other), steps[drafts_[other].bone], {}};
+            const std::tuple order(found.unfit, found.steps);
+            if (!isBelow(drafts_, other, root_) || (best.body >= 0 && order > std::tuple(best.unfit, best.steps)))
+                continue;
+            found.contact = contactOf(drafts_[body].particles, drafts_[other].particles, voxels_);
+            if (best.body < 0 || found.order() < best.order()) best = found;
         }
-        if (child < 0) return;
-        // Of the main tree, which it is no part of yet.
-        const bool apart = best.contact.distance > LOOSE * voxels.diameter;
-        const int32_t atHead = apart ? bodyAtHead(drafts, child, root, voxels) : -1;
-        drafts[child].parent = atHead >= 0 ? atHead : best.body;
-        const char* why = atHead >= 0              ? "where its head is"
-                          : best.steps == NO_INDEX ? "the body nearest to it"
-                                                   : "next to it in the skeleton";
-        notes.push_back(
-            fmt::format("{} is joined to {}, {}.", drafts[child].name, drafts[drafts[child].parent].name, why));
+        return best;
     }
-}
+
+    // The body whose particles are at the bone's head; none where no body that fits as well is that near.
+    int32_t bodyAtHead(int32_t body, int unfit) const
+    {
+        float nearest = TOUCH * voxels_.diameter;
+        int32_t best = -1;
+        for (int32_t other = 0; other < count(); ++other) {
+            if (!isBelow(drafts_, other, root_) || unfitness(body, other) > unfit) continue;
+            const float distance = distanceTo(drafts_[body].anchor, drafts_[other].particles, voxels_);
+            if (distance < nearest) best = other;
+            nearest = std::min(nearest, distance);
+        }
+        return best;
+    }
+
+    std::vector<BodyDraft>& drafts_;
+    const BoneTree& tree_;
+    std::span<const BoneAnatomy> anatomy_;
+    const Voxels& voxels_;
+    int32_t root_;
+};
 
 // Joints move to where the bodies meet if the bone's head is away from there.
 void tightenJoints(std::vector<BodyDraft>& drafts, int32_t root, const Voxels& voxels, std::vector<std::string>& notes)
@@ -189,9 +227,9 @@ Contact contactOf(const Particles& a, const Particles& b, const Voxels& voxels)
 void arrangeTree(std::vector<BodyDraft>& drafts, const BoneTree& tree, std::span<const BoneAnatomy> anatomy,
                  const Voxels& voxels, std::vector<std::string>& notes)
 {
-    const int32_t root = mainRoot(drafts, anatomy);
-    joinRoots(drafts, root, tree, voxels, notes);
-    tightenJoints(drafts, root, voxels, notes);
+    Roots roots(drafts, tree, anatomy, voxels);
+    roots.join(notes);
+    tightenJoints(drafts, roots.root(), voxels, notes);
     drafts = parentsFirst(std::move(drafts));
 }
 

@@ -9,6 +9,7 @@
 
 #include "sim/actor/anatomy/bone_tree.h"
 #include "sim/actor/anatomy/chain_parts.h"
+#include "sim/actor/anatomy/facing.h"
 #include "sim/actor/bodies/body_tree.h"
 #include "sim/actor/bodies/bone_merge.h"
 #include "sim/actor/bodies/short_list.h"
@@ -25,6 +26,8 @@ namespace {
 
 constexpr float FINER = 0.8f;         // of a diameter that is too large, where nothing else is known
 constexpr double ISLAND_PART = 0.25;  // a cut-off part below this share of its body changes sides
+constexpr double APART_PART = 0.9;    // one that hangs apart below this share of the largest
+constexpr float LOOSE = 2.6f;         // d: from all else of its body
 
 constexpr size_t FEW = 6;           // bodies that are told one by one
 constexpr std::ptrdiff_t ENDS = 4;  // of bodies that may be a figure with arms and legs
@@ -55,16 +58,25 @@ private:
     Cells cells_;
 };
 
-// Where the skin's weights cut a bone's particles into pieces, a small piece goes to another bone whose particles it
-// touches.
+/// Whether a piece is away from all others of its bone.
+bool isApart(const Particles& part, const std::vector<Particles>& parts, const std::vector<uint32_t>& bones,
+             const Voxels& voxels)
+{
+    return std::ranges::none_of(parts, [&](const Particles& other) {
+        return &other != &part && bones[other.front()] == bones[part.front()] &&
+               contactOf(part, other, voxels).distance < LOOSE * voxels.diameter;
+    });
+}
+
+// Where the skin's weights cut a bone's particles into pieces, small ones and such as hang apart go to other bones
+// whose particles they touch.
 void moveIslands(std::vector<uint32_t>& bones, const Voxels& voxels)
 {
     const VoxelCells cells(voxels);
     std::vector<Particles> parts;
     std::vector<uint8_t> seen(bones.size(), 0);
-    std::map<uint32_t, size_t> sizes;
+    std::map<uint32_t, size_t> sizes, largest;
     for (uint32_t seed = 0; seed < bones.size(); ++seed) {
-        ++sizes[bones[seed]];
         if (seen[seed]) {
             continue;
         }
@@ -78,14 +90,17 @@ void moveIslands(std::vector<uint32_t>& bones, const Voxels& voxels)
                 }
             });
         }
+        sizes[bones[seed]] += part.size();
+        largest[bones[seed]] = std::max(largest[bones[seed]], part.size());
         parts.push_back(std::move(part));
     }
     const std::vector<uint32_t> before = bones;
     for (const Particles& part : parts) {
         const uint32_t own = before[part.front()];
-        if (static_cast<double>(part.size()) >= ISLAND_PART * static_cast<double>(sizes[own])) {
-            continue;
-        }
+        const auto size = static_cast<double>(part.size());
+        const bool isSmall = size < ISLAND_PART * static_cast<double>(sizes[own]);
+        const bool isOther = size < APART_PART * static_cast<double>(largest[own]);
+        if (!isSmall && !(isOther && isApart(part, parts, before, voxels))) continue;
         std::map<uint32_t, size_t> touching;
         for (uint32_t particle : part) {
             cells.forEachAround(particle, [&](uint32_t other) { touching[before[other]] += before[other] != own; });
@@ -209,7 +224,7 @@ std::vector<BodyDraft> cutIntoBodies(const Model& model, const Solid& solid, std
     }
     LimbOwner owner(model, anatomy);
     std::vector<uint32_t> bones;
-    for (const SurfacePoint& point : voxels.nearest) bones.push_back(owner.at(point));
+    for (const Vector3f& place : voxels.positions) bones.push_back(owner.at(solid.tree().nearestAround(place)));
     moveIslands(bones, voxels);
     const BoneTree tree(model);
     if (mirror) mirrorParticles(solid, *mirror, tree.parents, voxels, bones);
@@ -221,6 +236,7 @@ std::vector<BodyDraft> cutIntoBodies(const Model& model, const Solid& solid, std
     arrangeTree(drafts, tree, anatomy, voxels, notes);
     noteSources(model, anatomy, notes);
     noteUnknown(model, anatomy, drafts, notes);
+    if (std::string note = facingNote(model, anatomy); !note.empty()) notes.push_back(std::move(note));
     return drafts;
 }
 

@@ -1,13 +1,19 @@
 #include "sim/actor/bodies/clip_ranges.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/actor/anatomy/clip_turns.h"
 #include "sim/actor/anatomy/name_pattern.h"
 #include "sim/actor/bodies/joint_ranges.h"
+#include "sim/actor/bodies/short_list.h"
 #include "sim/actor/clips/body_clip.h"
 #include "sim/actor/clips/clip_overlaps.h"
 #include "sim/actor/limbs/mirror.h"
@@ -37,6 +43,20 @@ std::vector<uint32_t> oppositeJoints(const Model& model, const std::optional<Mir
     return opposite;
 }
 
+/// Tells which hinges clips turn farther than their limits go.
+void noteLeftOut(const Actor& actor, const std::vector<float>& farthest, std::vector<std::string>& notes)
+{
+    std::vector<std::string> joints;
+    for (size_t j = 0; j < farthest.size(); ++j)
+        if (farthest[j] != 0.0f)
+            joints.push_back(fmt::format("{} by {:.0f} degrees", actor.joints[j].name,
+                                         std::abs(farthest[j]) * 180.0f / std::numbers::pi_v<float>));
+    if (!joints.empty())
+        notes.push_back(fmt::format("Clips turn joints beyond what a body's do, for a moment or by far, which their "
+                                    "limits do not take in: {}.",
+                                    shortList(joints)));
+}
+
 }  // namespace
 
 void takeInClips(const Model& model, const ArticulationOptions& options, Actor& actor)
@@ -46,21 +66,28 @@ void takeInClips(const Model& model, const ArticulationOptions& options, Actor& 
     const std::vector<uint32_t> opposite = oppositeJoints(model, mirror, actor);
     std::vector<BodyClip> clips;
     for (const Clip& clip : model.clips) clips.push_back(ownClip(actor, model, clip).clip);
+    std::vector<float> farthest(actor.joints.size(), 0.0f);
     for (uint32_t j = 0; j < actor.joints.size(); ++j) {
         ActorJoint& joint = actor.joints[j];
         if (!joint.limits.any() || findByPattern(options.limits, joint.name)) continue;
         std::vector<Turns> turns;
+        const auto add = [&](Turns clip, float rate) {
+            const bool bends = joint.type == JointType::Hinge && joint.limits.bend.bounded();
+            turns.push_back(bends ? lastingTurns(joint.limits.bend, joint.axis, clip, rate, farthest[j])
+                                  : std::move(clip));
+        };
         for (const BodyClip& clip : clips) {
-            turns.push_back(turnsOf(clip, joint.child));
+            add(turnsOf(clip, joint.child), clip.rate);
             if (opposite[j] == NO_INDEX) continue;
             const Turns others = turnsOf(clip, actor.joints[opposite[j]].child);
-            turns.push_back(mirrored(others, mirror->plane.across));
+            add(mirrored(others, mirror->plane.across), clip.rate);
         }
         // A turn about the limb is measured from the middle of its cone, so that comes first.
         for (const Turns& clip : turns)
             if (joint.type == JointType::Ball) leanTo(joint.limits, joint.axis, clip);
         for (const Turns& clip : turns) takeIn(joint.limits, joint.type, joint.axis, clip);
     }
+    noteLeftOut(actor, farthest, actor.notes);
 }
 
 void takeIn(Actor& actor, const BodyClip& clip)

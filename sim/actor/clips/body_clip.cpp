@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/actor/anatomy/anatomy.h"
 #include "sim/actor/clips/bone_match.h"
+#include "sim/actor/clips/clip_facing.h"
 #include "sim/actor/clips/clip_overlaps.h"
 #include "sim/actor/clips/joint_turns.h"
 #include "sim/world/errors.h"
+#include "sim/world/frames.h"
 
 namespace knuckle {
 
@@ -157,14 +158,8 @@ void alignLimbs(const Actor& actor, const Model& source, Mapping& map)
         limb.ours -= joint->anchor;
         limb.theirs = map.facing * (limb.theirs - headOf(source.bones[map.bones[body]].restPose));
         if (limb.ours.norm() > 0.0f && limb.theirs.norm() > 0.0f)
-            map.aligned[body] = Quaternionf::FromTwoVectors(limb.ours, limb.theirs);
+            map.aligned[body] = turnBetween(limb.ours, limb.theirs);
     }
-}
-
-Quaternionf facingFrom(const Vector3f& theirLeft, const Vector3f& ourLeft)
-{
-    const float yaw = std::atan2(theirLeft.z(), theirLeft.x()) - std::atan2(ourLeft.z(), ourLeft.x());
-    return Quaternionf(Eigen::AngleAxisf(yaw, Vector3f::UnitY()));
 }
 
 /// Joints of the actor, and where the bones are that move what hangs on them, from the pivots of both at rest.
@@ -227,8 +222,7 @@ Mapping mapForeign(const Actor& actor, const Model& source)
         throw InputError(fmt::format("none of its bones ({}) is one of the actor's ({})", firstNames(source.bones),
                                      firstNames(actor.joints)));
     }
-    const Model skeleton = skeletonOf(actor);
-    map.facing = facingFrom(leftOf(source, readAnatomy(source)), leftOf(skeleton, readAnatomy(skeleton)));
+    map.facing = facingOf(actor, source, map.bones);
     const Limb root = limbOf(actor, source, map, childrenOf(actor)[0]);
     map.pivot = root.count > 0 ? root.theirs
                                : headOf(source.bones[map.bones[0] == NO_INDEX ? 0 : map.bones[0]].restPose);

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "sim/actor/anatomy/anatomy.h"
+#include "sim/actor/anatomy/facing.h"
 #include "sim/actor/clips/body_clip.h"
 
 namespace knuckle {
@@ -24,10 +25,9 @@ std::string plainName(const std::string& name)
 using PartKey = std::pair<BodyPart, int>;
 
 /// Of each part, in order from the root: several of a spine.
-std::map<PartKey, std::vector<uint32_t>> partsOf(const Model& skeleton)
+std::map<PartKey, std::vector<uint32_t>> partsOf(const std::vector<BoneAnatomy>& anatomy)
 {
     std::map<PartKey, std::vector<uint32_t>> parts;
-    const std::vector<BoneAnatomy> anatomy = readAnatomy(skeleton);
     for (uint32_t b = 0; b < anatomy.size(); ++b) {
         const BoneAnatomy& bone = anatomy[b];
         const bool known = bone.part != BodyPart::Other && bone.part != BodyPart::Finger;
@@ -51,6 +51,20 @@ Model skeletonOf(const Actor& actor)
     return skeleton;
 }
 
+ActorAnatomy anatomyOf(const Actor& actor)
+{
+    Model skeleton = skeletonOf(actor);
+    std::vector<BoneAnatomy> anatomy = readAnatomy(skeleton);
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
+        for (const uint32_t particle : actor.bodies[b].particles) {
+            skeleton.vertices.push_back(actor.particles[particle]);
+            skeleton.skin.push_back({{b}, {1.0f}});
+        }
+    }
+    settleSides(skeleton, anatomy);
+    return {anatomy, isFacingKnown(skeleton, anatomy)};
+}
+
 std::vector<uint32_t> matchBones(const Actor& actor, const Model& source)
 {
     std::map<std::string, uint32_t> byName;
@@ -62,8 +76,8 @@ std::vector<uint32_t> matchBones(const Actor& actor, const Model& source)
         if (const auto found = byName.find(plainName(name)); found != byName.end() && !name.empty())
             match[b] = found->second;
     }
-    const auto theirs = partsOf(source);
-    for (const auto& [part, ours] : partsOf(skeleton)) {
+    const auto theirs = partsOf(readAnatomy(source));
+    for (const auto& [part, ours] : partsOf(anatomyOf(actor).bones)) {
         const auto found = theirs.find(part);
         if (found == theirs.end()) continue;
         // The last of both are alike: the chest, the wrist.

@@ -1,12 +1,23 @@
 #pragma once
 
+#include <vector>
+
 #include "sim/actor/actor.h"
-#include "sim/actor/model.h"
+#include "sim/actor/anatomy/anatomy.h"
 
 namespace knuckle {
 
 /// The actor's bodies as bones, index for index, at their joints; crosses have no name and nothing hangs on them.
 Model skeletonOf(const Actor& actor);
+
+/// What an actor's bodies are.
+struct ActorAnatomy {
+    std::vector<BoneAnatomy> bones;
+    bool isFacingKnown = false;  ///< As of isFacingKnown().
+};
+
+/// With the sides that it has as its particles show where it looks.
+ActorAnatomy anatomyOf(const Actor& actor);
 
 /// Per body of the actor the bone of another skeleton that moves it, NO_INDEX for none.
 std::vector<uint32_t> matchBones(const Actor& actor, const Model& source);

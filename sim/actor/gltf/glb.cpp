@@ -41,6 +41,7 @@ std::string toGlb(std::span<const Model> models, const GlbOptions& options)
 {
     GltfFile file;
     GltfJson roots = GltfJson::array();
+    if (options.apart) file.root["asset"]["generator"] = GLB_OF_OBJECTS;
     file.root["scene"] = 0;
     file.root["scenes"] = GltfJson::array({GltfJson::object()});
     for (const Model& model : models) {

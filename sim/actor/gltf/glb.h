@@ -8,10 +8,14 @@
 
 namespace knuckle {
 
+/// The generator of a file in which each skeleton is an object of its own, not a prop of a figure beside it.
+constexpr const char* GLB_OF_OBJECTS = "knuckle, of objects";
+
 struct GlbOptions {
     /// How far keys may be from what they stand for; 0: all of them are kept.
     float shiftTolerance = 0.0f;  ///< [m]
     float turnTolerance = 0.0f;   ///< [rad]
+    bool apart = false;           ///< Each model is an object, also where it has a single bone: GLB_OF_OBJECTS.
     /// Makes a PNG file of a picture; without, textures are left out.
     std::function<std::string(const TexturePicture&)> encode = {};
 };

@@ -158,7 +158,10 @@ std::vector<uint32_t> bonesIn(const aiScene& scene, const NodeTable& table)
     if (table.isBare) return bareBones(scene, table);
     std::set<uint32_t> bones;
     for (const auto& [bone, node] : table.boneNodes) bones.insert(node);
-    if (bones.empty() && table.isOfParts) return movedNodes(scene, table);
+    if (bones.empty() && table.isOfParts) {
+        const std::vector<uint32_t> moved = movedNodes(scene, table);
+        return moved.empty() ? figureNodes(table) : moved;
+    }
     return {bones.begin(), bones.end()};
 }
 

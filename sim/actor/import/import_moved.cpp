@@ -48,17 +48,6 @@ uint32_t moverOf(uint32_t node, const NodeTable& table, const std::set<std::stri
     return NO_INDEX;
 }
 
-/// The lowest node that leads to both.
-uint32_t commonNode(uint32_t a, uint32_t b, const NodeTable& table)
-{
-    // Parents come first.
-    while (a != b) {
-        uint32_t& lower = a > b ? a : b;
-        lower = static_cast<uint32_t>(table.parents[lower]);
-    }
-    return a;
-}
-
 }  // namespace
 
 std::vector<uint32_t> movedNodes(const aiScene& scene, const NodeTable& table)
@@ -69,7 +58,7 @@ std::vector<uint32_t> movedNodes(const aiScene& scene, const NodeTable& table)
     bool isAnyStill = false;
     for (uint32_t n = 0; n < table.nodes.size(); ++n) {
         if (table.nodes[n]->mNumMeshes == 0) continue;
-        common = common == NO_INDEX ? n : commonNode(common, n, table);
+        common = common == NO_INDEX ? n : table.commonNode(common, n);
         const uint32_t mover = moverOf(n, table, moved);
         if (mover == NO_INDEX) isAnyStill = true;
         else bones.insert(mover);

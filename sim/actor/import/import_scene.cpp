@@ -77,6 +77,16 @@ size_t NodeTable::sharedDepth(uint32_t a, uint32_t b) const
     return depthX;
 }
 
+uint32_t NodeTable::commonNode(uint32_t a, uint32_t b) const
+{
+    // Parents come first.
+    while (a != b) {
+        uint32_t& lower = a > b ? a : b;
+        lower = static_cast<uint32_t>(parents[lower]);
+    }
+    return a;
+}
+
 std::string NodeTable::nameOf(uint32_t node) const
 {
     const std::string name = nodes[node]->mName.C_Str();
@@ -158,10 +168,13 @@ Model readScene(const std::string& path, bool surface, const ModelPick& pick)
     table.isBare = scene->mNumMeshes == 0 || isClip;
     table.isOfParts = !pick.split;
     findBoneNodes(*scene, table);
+    takeBindPose(*scene, table, model.notes);
     convertBones(pickSkeleton(*scene, pick, table, model.notes), table, model);
     if (table.boneNodes.empty() && !table.isBare && !model.bones.empty())
-        model.notes.push_back(fmt::format("No mesh has a skeleton: of what clips move {} bone{} made.",
-                                          model.bones.size(), model.bones.size() == 1 ? " was" : "s were"));
+        model.notes.push_back(
+            fmt::format("No mesh has a skeleton: of what {} {} bone{} made.",
+                        movedNodes(*scene, table).empty() ? "is called after parts of a body" : "clips move",
+                        model.bones.size(), model.bones.size() == 1 ? " was" : "s were"));
     if (pick.skeleton != ALL_SKELETONS) leaveApart(*scene, table, model.notes);
     convertMeshes(*scene, table, model);
     if (surface && !table.isBare) {

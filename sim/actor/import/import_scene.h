@@ -38,13 +38,15 @@ struct NodeTable {
     bool isBare = false;                                    ///< Whether the scene has no mesh but a skeleton.
     bool isPicked = false;                                  ///< Whether only what hangs on bones of the model is taken.
 
-    bool isOfParts = false;                              ///< Whether nodes that clips move may be bones.
+    bool isOfParts = false;                              ///< Whether nodes that meshes hang on may be bones.
     std::set<std::pair<const aiMesh*, uint32_t>> apart;  ///< By node: meshes that are no part of the figure.
 
     /// The bone of the node or of the nearest ancestor that has one, or -1.
     int32_t boneAbove(uint32_t node) const;
     /// How many nodes lead to both, themselves among them.
     size_t sharedDepth(uint32_t a, uint32_t b) const;
+    /// The lowest node that leads to both.
+    uint32_t commonNode(uint32_t a, uint32_t b) const;
     /// What the file calls a node.
     std::string nameOf(uint32_t node) const;
     /// Whether a mesh that is skinned to bones, or hangs on the node, is part of the model.
@@ -57,13 +59,21 @@ NodeTable listNodes(const aiScene& scene);
 /// Fills NodeTable::boneNodes. @throws InputError for a bone without a node.
 void findBoneNodes(const aiScene& scene, NodeTable& table);
 
+/// Where nodes stand in a frame of a clip, gives bones the pose in which meshes are bound to them (NodeTable::globals),
+/// unless their bind matrices are none. Which is a note.
+void takeBindPose(const aiScene& scene, NodeTable& table, std::vector<std::string>& notes);
+
 /// The nodes that bones of meshes name, ascending. If there are no meshes, all of the skeleton, without what only holds
-/// it, cameras and lights. If no mesh has bones, movedNodes().
+/// it, cameras and lights. If no mesh has bones, movedNodes() or figureNodes().
 std::vector<uint32_t> bonesIn(const aiScene& scene, const NodeTable& table);
 
 /// Of a scene of rigid parts: the nodes that clips move and that meshes hang on, and one that leads to all where some
 /// parts stand still. None if no clip moves any part.
 std::vector<uint32_t> movedNodes(const aiScene& scene, const NodeTable& table);
+
+/// Of a scene of rigid parts that no clip moves: the nodes that names call parts of a body and that meshes hang on, and
+/// one that leads to all where some parts hang on none. None where they are no figure.
+std::vector<uint32_t> figureNodes(const NodeTable& table);
 
 /// Whether a name is one that somebody gave, not one that importers make up.
 bool isGivenName(std::string_view name);
@@ -81,7 +91,8 @@ std::vector<std::string> boneNames(const NodeTable& table, const std::vector<uin
 
 /// The nodes that become bones: of a file with several skeletons those of the one that is picked.
 /// Several skeletons are what has a mesh each, skinned to three of its bones or more, where no mesh is skinned to
-/// bones of two. @throws SkeletonError where that is not said, or where there is none of the name.
+/// bones of two; in an export of a run what else stands beside a single figure is left out, too.
+/// @throws SkeletonError where that is not said, or where there is none of the name.
 std::vector<uint32_t> pickSkeleton(const aiScene& scene, const ModelPick& pick, NodeTable& table,
                                    std::vector<std::string>& notes);
 

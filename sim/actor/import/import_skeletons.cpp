@@ -1,16 +1,21 @@
+#include <assimp/commonMetaData.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <span>
+#include <string_view>
 
 #include "sim/actor/anatomy/name_pattern.h"
+#include "sim/actor/gltf/glb.h"
 #include "sim/actor/import/import_scene.h"
 #include "sim/world/disjoint_sets.h"
 
 namespace knuckle {
 
 namespace {
+
+constexpr size_t FEWEST_OWN = 2;  // bones of a figure in an export of a run, where each object has a skeleton
 
 /// Bones below one root, or below several that a mesh connects.
 struct Skeleton {
@@ -115,6 +120,14 @@ void giveAway(const std::vector<Skeleton>& others, const NodeTable& table, std::
     }
 }
 
+/// Whether the file is an export of a run, in which each object has a skeleton of its own, of one bone or more.
+bool isOwnExport(const aiScene& scene)
+{
+    aiString generator;
+    return scene.mMetaData != nullptr && scene.mMetaData->Get(AI_METADATA_SOURCE_GENERATOR, generator) &&
+           std::string_view(generator.C_Str()) == GLB_OF_OBJECTS;
+}
+
 }  // namespace
 
 bool NodeTable::takes(const aiMesh& mesh, uint32_t node) const
@@ -132,10 +145,15 @@ std::vector<uint32_t> pickSkeleton(const aiScene& scene, const ModelPick& pick, 
     std::vector<uint32_t> all = bonesIn(scene, table);
     if (pick.skeleton == ALL_SKELETONS || (table.isBare && pick.skeleton.empty())) return all;
     const std::vector<Skeleton> skeletons = SkeletonFinder(scene, table).find();
+    const bool isOwn = isOwnExport(scene) && !table.isBare;
     std::vector<Skeleton> figures, others;
     for (const Skeleton& skeleton : skeletons)
-        (table.isBare || skeleton.skinned >= FEWEST_SKINNED ? figures : others).push_back(skeleton);
-    if (figures.size() < 2) {
+        (table.isBare || skeleton.skinned >= (isOwn ? FEWEST_OWN : FEWEST_SKINNED) ? figures : others)
+            .push_back(skeleton);
+    const bool isBeside = isOwn && !figures.empty() && !others.empty();
+    if (isBeside && !pick.skeleton.empty()) figures = skeletons;
+    if (isBeside) others.clear();
+    if (figures.size() < 2 && !isBeside) {
         const bool known = std::ranges::any_of(skeletons,
                                                [&](const Skeleton& s) { return isWanted(s, pick.skeleton); });
         if (pick.skeleton.empty() || known) return all;
@@ -143,21 +161,22 @@ std::vector<uint32_t> pickSkeleton(const aiScene& scene, const ModelPick& pick, 
                                               : fmt::format("it has no skeleton '{}', but one: {}", pick.skeleton,
                                                             listed(std::span(skeletons).first(1))));
     }
-    if (pick.skeleton.empty())
+    if (pick.skeleton.empty() && figures.size() > 1)
         throw SkeletonError(fmt::format("it holds {} skeletons: {}", figures.size(), listed(figures)));
     const std::string choice = listed(figures);
     giveAway(others, table, figures);
     std::vector<uint32_t> nodes;
     std::vector<std::string> taken;
     for (const Skeleton& figure : figures) {
-        if (!isWanted(figure, pick.skeleton)) continue;
+        if (!pick.skeleton.empty() && !isWanted(figure, pick.skeleton)) continue;
         nodes.insert(nodes.end(), figure.nodes.begin(), figure.nodes.end());
         taken.push_back(figure.name);
     }
     if (taken.empty()) throw SkeletonError(fmt::format("it has no skeleton '{}', but {}", pick.skeleton, choice));
     std::ranges::sort(nodes);
     table.isPicked = true;
-    notes.push_back(fmt::format("Of {} skeletons only {} was taken.", figures.size(), fmt::join(taken, ", ")));
+    notes.push_back(fmt::format("Of {} skeletons only {} was taken.", isBeside ? skeletons.size() : figures.size(),
+                                fmt::join(taken, ", ")));
     return nodes;
 }
 

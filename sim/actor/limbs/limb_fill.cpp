@@ -65,7 +65,7 @@ public:
         cells_.forEachAround(place, [&](uint32_t p) {
             beside = beside || (ofParticle_[p] == body && (voxels_.positions[p] - place).norm() < voxels_.diameter);
         });
-        return beside && ofBone_[owner_.at(solid_.tree().nearest(place))] == body && solid_.inside(place);
+        return beside && ofBone_[owner_.at(solid_.tree().nearestAround(place))] == body && solid_.inside(place);
     }
 
 private:
@@ -117,6 +117,14 @@ Places bestPlaces(const LimbFrame& frame, const Places& grid, const Places& surf
         best = std::move(places);
     }
     return best;
+}
+
+/// On which side of a plane all of a limb is: 1, -1; 0 where it is on both.
+float sideOf(const Places& grid, const MirrorPlane& plane)
+{
+    const auto isLeft = [&](const Vector3f& place) { return plane.distance(place) > 0.0f; };
+    const auto left = std::ranges::count_if(grid, isLeft);
+    return left == std::ssize(grid) ? 1.0f : left == 0 ? -1.0f : 0.0f;
 }
 
 /// The images of places, if they fit there as these do here.
@@ -171,9 +179,12 @@ void fillAlongBones(const Model& model, const Solid& solid, std::span<const Bone
         if (!frame) continue;
         Places grid;
         for (const uint32_t p : drafts[b].particles) grid.push_back(voxels.positions[p]);
-        places[b] = bestPlaces(*frame, grid, between(*frame, surface[b], d), d,
-                               [&](const Vector3f& place) { return bodies.holds(b, place); });
         const uint32_t image = mirror ? mirror->images[drafts[b].bone] : NO_INDEX;
+        const float side = image == NO_INDEX || image == drafts[b].bone ? 0.0f : sideOf(grid, mirror->plane);
+        places[b] = bestPlaces(*frame, grid, between(*frame, surface[b], d), d, [&](const Vector3f& place) {
+            const bool beyond = side != 0.0f && side * mirror->plane.distance(place) < 0.5f * CROWDED * d;
+            return !beyond && bodies.holds(b, place);
+        });
         const uint32_t other = bodies.ofBone(image);
         if (other == NO_INDEX || other == b || drafts[other].bone != image) continue;
         const Places images = imagesOf(places[b].empty() ? grid : places[b], *mirror, solid, d);

@@ -16,6 +16,7 @@ constexpr float ON_PLANE = 0.25f;    // d
 constexpr float SAME_POINT = 0.1f;   // d: a particle's image and the particle there
 constexpr float ALIKE = 0.5f;        // d: distances to the surface at a particle and at its image
 constexpr float LEVEL = 0.9999f;     // cosine of a plane's normal with an axis
+constexpr float NEXT = 1.2f;         // d: face to face on the lattice
 
 std::vector<uint32_t> nearestImages(const BoneTree& tree, const MirrorPlane& plane)
 {
@@ -57,6 +58,50 @@ private:
     Cells cells_;
 };
 
+/// What lies on the plane and is of a bone beside it. Between two bones that are each other's images it belongs to the
+/// trunk where this is next to it, else to neither, as on the seam of two legs that touch.
+class Seam {
+public:
+    Seam(const Mirror& mirror, const std::vector<int32_t>& parents, const Voxels& voxels,
+         const std::vector<uint32_t>& bones)
+        : mirror_(mirror), parents_(parents), voxels_(voxels), bones_(bones), cells_(NEXT * voxels.diameter)
+    {
+        for (uint32_t p = 0; p < bones.size(); ++p) cells_.add(voxels.positions[p], p);
+    }
+
+    bool isOn(uint32_t particle) const { return std::abs(distance(particle)) < ON_PLANE * voxels_.diameter; }
+
+    /// The bone of a particle on the plane; NO_INDEX: it belongs to none.
+    uint32_t boneOf(uint32_t particle) const
+    {
+        const uint32_t own = bones_[particle], image = mirror_.images[own];
+        auto above = static_cast<int32_t>(own);
+        while (above >= 0 && mirror_.images[above] != static_cast<uint32_t>(above)) above = parents_[above];
+        if (above < 0 || image == own) return own;
+        bool atTrunk = false, left[2] = {false, false}, right[2] = {false, false};
+        cells_.forEachAround(voxels_.positions[particle], [&](uint32_t other) {
+            if ((voxels_.positions[other] - voxels_.positions[particle]).norm() > NEXT * voxels_.diameter) return;
+            const bool isMinus = distance(other) < 0.0f;
+            atTrunk = atTrunk || bones_[other] == static_cast<uint32_t>(above);
+            if (isOn(other)) return;
+            left[isMinus] = left[isMinus] || bones_[other] == own;
+            right[isMinus] = right[isMinus] || bones_[other] == image;
+        });
+        if (atTrunk) return static_cast<uint32_t>(above);
+        const bool between = (left[0] && right[1]) || (left[1] && right[0]);
+        return between ? NO_INDEX : own;
+    }
+
+private:
+    float distance(uint32_t particle) const { return mirror_.plane.distance(voxels_.positions[particle]); }
+
+    const Mirror& mirror_;
+    const std::vector<int32_t>& parents_;
+    const Voxels& voxels_;
+    const std::vector<uint32_t>& bones_;
+    Cells cells_;
+};
+
 }  // namespace
 
 int Mirror::axis() const
@@ -93,6 +138,7 @@ void mirrorParticles(const Solid& solid, const Mirror& mirror, const std::vector
                      std::vector<uint32_t>& bones)
 {
     const Places places(voxels);
+    const Seam seam(mirror, parents, voxels, bones);
     const float d = voxels.diameter;
     std::vector<uint32_t> kept, keptBones;
     const uint32_t count = static_cast<uint32_t>(voxels.positions.size());
@@ -101,10 +147,9 @@ void mirrorParticles(const Solid& solid, const Mirror& mirror, const std::vector
         const float side = mirror.plane.distance(voxels.positions[p]);
         const uint32_t other = places.at(image);
         uint32_t bone = bones[p];
-        if (std::abs(side) < ON_PLANE * d) {
-            int32_t above = static_cast<int32_t>(bone);
-            while (above >= 0 && mirror.images[above] != static_cast<uint32_t>(above)) above = parents[above];
-            if (above >= 0) bone = static_cast<uint32_t>(above);
+        if (seam.isOn(p)) {
+            bone = seam.boneOf(p);
+            if (bone == NO_INDEX) continue;
         } else if (other != NO_INDEX) {
             const uint32_t mirrored = mirror.images[bones[other]];
             if (side < 0.0f && mirrored != NO_INDEX) bone = mirrored;

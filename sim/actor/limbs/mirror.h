@@ -27,7 +27,8 @@ std::optional<Mirror> findMirror(const BoneTree& tree);
 /// Where the solid is its own image within half a particle's diameter, gives the side of the plane that looks down its
 /// normal the images of the other side's particles, and their bones.
 /// @param bones per particle.
-/// @param parents of bones: what lies on the plane belongs to a bone on it.
+/// @param parents of bones: what lies on the plane belongs to a bone on it where this is next to it. What stands
+/// between two bones that are images of each other is left out elsewhere.
 void mirrorParticles(const Solid& solid, const Mirror& mirror, const std::vector<int32_t>& parents, Voxels& voxels,
                      std::vector<uint32_t>& bones);
 

@@ -8,8 +8,7 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float CROWDED = 0.7f;  // d: of two bodies' particles nearer than this one gives way
-constexpr float GAP = 0.9f;      // d: the grid's particle stays where none is as near as this
+constexpr float GAP = 0.9f;  // d: the grid's particle stays where none is as near as this
 
 /// Particles so far, by place.
 class Crowd {

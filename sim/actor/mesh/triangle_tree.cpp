@@ -17,6 +17,7 @@ constexpr uint32_t LEAF_SIZE = 6;
 // A cluster counts as one dipole from this many times its reach on (Barill et al. 2018).
 constexpr float FAR_FACTOR = 2.0f;
 constexpr uint32_t STACK_DEPTH = 64;
+constexpr float COINCIDENT = 1.0001f;  // distances of surfaces that lie on each other
 
 float boxDistanceSquared(const Vector3f& low, const Vector3f& high, const Vector3f& point)
 {
@@ -179,10 +180,11 @@ bool TriangleTree::inside(const Vector3f& point) const
     return std::abs(windingNumber(point)) > 0.5;
 }
 
-SurfacePoint TriangleTree::nearest(const Vector3f& point) const
+template <typename Accept>
+SurfacePoint TriangleTree::search(const Vector3f& point, float reach, Accept accept) const
 {
     SurfacePoint best;
-    float bestSquared = std::numeric_limits<float>::infinity();
+    float bestSquared = reach * reach;
     std::array<uint32_t, STACK_DEPTH> stack;
     uint32_t size = 0;
     stack[size++] = 0;
@@ -194,6 +196,7 @@ SurfacePoint TriangleTree::nearest(const Vector3f& point) const
         }
         for (uint32_t i = node.first; i < node.first + node.count; ++i) {
             const auto c = corners(order_[i]);
+            if (!accept(c)) continue;
             const Vector3f weights = nearestInTriangle(c, point);
             const Vector3f position = weights[0] * c[0] + weights[1] * c[1] + weights[2] * c[2];
             const float squared = (position - point).squaredNorm();
@@ -213,6 +216,24 @@ SurfacePoint TriangleTree::nearest(const Vector3f& point) const
     }
     best.distance = std::sqrt(bestSquared);
     return best;
+}
+
+SurfacePoint TriangleTree::nearest(const Vector3f& point) const
+{
+    return search(point, std::numeric_limits<float>::infinity(), [](const auto&) { return true; });
+}
+
+SurfacePoint TriangleTree::nearestAround(const Vector3f& point) const
+{
+    const SurfacePoint first = nearest(point);
+    const double winding = windingNumber(point);
+    if (std::abs(winding) <= 0.5) return first;
+    const auto behind = [&](const std::array<Vector3f, 3>& c) {
+        return winding * static_cast<double>((c[1] - c[0]).cross(c[2] - c[0]).dot(point - c[0])) < 0.0;
+    };
+    if (behind(corners(first.triangle))) return first;
+    const SurfacePoint around = search(point, first.distance * COINCIDENT, behind);
+    return around.triangle == NO_INDEX ? first : around;
 }
 
 }  // namespace knuckle

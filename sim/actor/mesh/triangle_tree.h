@@ -41,6 +41,8 @@ public:
     bool inside(const Eigen::Vector3f& point) const;
     /// The nearest point of the surface. The tree must not be empty. Ties go to the triangle met first.
     SurfacePoint nearest(const Eigen::Vector3f& point) const;
+    /// The same, of surfaces that lie on each other that of what the point is inside of.
+    SurfacePoint nearestAround(const Eigen::Vector3f& point) const;
 
 private:
     struct Node {
@@ -55,6 +57,9 @@ private:
     uint32_t build(uint32_t first, uint32_t count);
     void summarize(Node& node, uint32_t first, uint32_t count) const;
     std::array<Eigen::Vector3f, 3> corners(uint32_t triangle) const;
+    /// The nearest point of triangles that are accepted, nearer than `reach`; NO_INDEX for none.
+    template <typename Accept>
+    SurfacePoint search(const Eigen::Vector3f& point, float reach, Accept accept) const;
 
     std::span<const Eigen::Vector3f> vertices_;
     std::span<const Triangle> triangles_;
