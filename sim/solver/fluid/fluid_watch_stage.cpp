@@ -8,8 +8,8 @@ namespace knuckle {
 
 namespace {
 
-/// What fluid may gain as its lattice gives way and by rounding: that of one that moves so fast [m/s], and this share of
-/// what it would have if all of it fell to its lowest particle.
+/// What fluid may gain as its lattice gives way and by rounding: that of one that moves so fast [m/s], and this share
+/// of what it would have if all of it fell to its lowest particle.
 constexpr float SPEED_FROM_NOTHING = 1.0f, SHARE_FROM_NOTHING = 0.1f;
 
 /// An upper bound of what fluids may gain: from solids that fall to their floor or are already moving, from the pull

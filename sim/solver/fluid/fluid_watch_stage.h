@@ -4,8 +4,8 @@
 
 namespace knuckle {
 
-/// Fluids that nothing drives only ever lose energy. Where theirs rises all the same, by more than solids can have given
-/// them, a kernel reports PROBLEM_FLUID_ENERGY.
+/// Fluids that nothing drives only ever lose energy. Where theirs rises all the same, by more than solids can have
+/// given them, a kernel reports PROBLEM_FLUID_ENERGY.
 class FluidWatchStage : public Stage {
 public:
     /// For worlds without emitters, drains, clips and moving colliders, which give fluids what they like.

@@ -13,8 +13,8 @@ struct Basin {
     bool isCut = false;      ///< Two upright walls at 45 degrees make a corner of it.
 };
 
-// A lattice that fills them stands too near to their walls: in narrow ones nearly all of it, so that it has to rise by a
-// tenth of its height.
+// A lattice that fills them stands too near to their walls: in narrow ones nearly all of it, so that it has to rise by
+// a tenth of its height.
 constexpr Basin BASINS[] = {{"wide", 12, 3, 12},   {"narrow", 3, 16, 4},        {"tall", 4, 24, 3},
                             {"shallow", 12, 2, 8}, {"corner", 10, 6, 10, true}, {"pipe", 24, 3, 3}};
 

@@ -9,8 +9,8 @@
 
 // What assimp makes of FBX's nodes. A node of FBX places itself by
 //   T Roff Rp Rpre R Rpost^-1 Rp^-1 Soff Sp S Sp^-1, and what hangs on it alone by G besides
-// (FBX SDK, "Computing transformation matrices"); of those parts that are not 1 assimp makes a row of nodes, "Hips" after
-// "Hips_$AssimpFbx$_PreRotation" and so on.
+// (FBX SDK, "Computing transformation matrices"); of those parts that are not 1 assimp makes a row of nodes, "Hips"
+// after "Hips_$AssimpFbx$_PreRotation" and so on.
 namespace knuckle {
 
 /// Whether assimp made a node of that name for a part of an FBX node's transform.
