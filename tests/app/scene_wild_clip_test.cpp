@@ -6,7 +6,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// A hip and a leg that stand still for two seconds, but for a knee that bends over its toes for three frames.
+/// Hips and legs that stand still for two seconds, but for a left knee, which bends first, and then over its toes for three frames.
 std::string kickedKnee()
 {
     std::string text = R"(HIERARCHY
@@ -28,12 +28,27 @@ ROOT Hips
       }
     }
   }
+  JOINT RightUpLeg
+  {
+    OFFSET -0.1 0 0
+    CHANNELS 3 Zrotation Xrotation Yrotation
+    JOINT RightLeg
+    {
+      OFFSET 0 -0.45 0
+      CHANNELS 3 Zrotation Xrotation Yrotation
+      End Site
+      {
+        OFFSET 0 -0.45 0
+      }
+    }
+  }
 }
 MOTION
 Frames: 121
 Frame Time: 0.0166667
 )";
-    for (int k = 0; k <= 120; ++k) text += fmt::format("0 1 0 0 0 0 0 0 0 0 {} 0\n", k >= 60 && k < 63 ? -90 : 0);
+    for (int k = 0; k <= 120; ++k)
+        text += fmt::format("0 1 0 0 0 0 0 0 0 0 {} 0 0 0 0 0 0 0\n", k < 40 ? 40 : k >= 60 && k < 63 ? -90 : 0);
     return text;
 }
 
