@@ -60,7 +60,7 @@ TurnParts TurnReader::read(const Quaternionf& turn)
 
 Quaternionf TurnReader::turnOf(const TurnParts& parts) const
 {
-    const Quaternionf twist(Eigen::AngleAxisf(parts.twist, axis_));
+    Quaternionf twist(Eigen::AngleAxisf(parts.twist, axis_));
     if (!isBall_) return twist;
     return lean_ * Quaternionf(Eigen::AngleAxisf(parts.swing, parts.about)) * twist;
 }

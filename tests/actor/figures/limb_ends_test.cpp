@@ -4,13 +4,6 @@
 namespace knuckle::test {
 namespace {
 
-/// The bone that one is found to belong to, which the bodies' tree then has.
-std::string ownerOf(const Model& model, const std::string& bone)
-{
-    const int32_t owner = readAnatomy(model)[indexOf(model, bone)].parent;
-    return owner < 0 ? "nothing" : model.bones[static_cast<size_t>(owner)].name;
-}
-
 Actor made(const BoxBones& bones)
 {
     const Actor actor = make(boxFigure(bones), 0.035f);
