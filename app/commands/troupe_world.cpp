@@ -36,6 +36,7 @@ Figure figureOf(const Model& model, const std::string& file, const ActorOptions&
         throw InputError(fmt::format("{}: has no clip \"{}\"; give another --model", file, CLIP));
     Actor actor = makeActor(model, options);
     BodyClip motion = ownClip(actor, model, *clip).clip;
+    holdWithinLimits(actor, motion);
     takeIn(actor, motion);
     return {std::move(actor), std::move(motion)};
 }

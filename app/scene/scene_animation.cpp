@@ -45,6 +45,8 @@ private:
         const Clip& clip = find(model, name, where);
         try {
             ActorClip fitted = file.empty() ? ownClip(actor_, model, clip) : foreignClip(actor_, model, clip);
+            if (std::string note = holdWithinLimits(actor_, fitted.clip); !note.empty())
+                fitted.notes.push_back(std::move(note));
             for (std::string& note : fitted.notes)
                 entry_.context.notes.push_back(fmt::format("{}{}: {}", entry_.pointer, where, note));
             return entry_.context.builder.addClip(std::move(fitted.clip));

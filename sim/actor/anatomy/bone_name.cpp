@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <optional>
 
 #include "sim/actor/anatomy/vocabulary.h"
@@ -80,13 +81,28 @@ NamedPart halved(NamedPart part, bool upper, bool lower, bool fore)
     }
 }
 
+/// A corner of what stands on four legs.
+struct Corner {
+    std::string_view word;
+    const char* place;
+    int side;
+};
+constexpr Corner CORNERS[] = {{"fl", "front", 1}, {"fr", "front", -1}, {"lf", "front", 1}, {"rf", "front", -1},
+                              {"bl", "back", 1},  {"br", "back", -1},  {"lb", "back", 1},  {"rb", "back", -1},
+                              {"hl", "back", 1},  {"hr", "back", -1},  {"rl", "back", 1},  {"rr", "back", -1}};
+
+const Corner* cornerOf(const std::string& text)
+{
+    const auto* const corner = std::ranges::find(CORNERS, std::string_view(text), &Corner::word);
+    return corner == std::end(CORNERS) ? nullptr : corner;
+}
+
 /// Which of several limbs a word speaks of; empty for one that says nothing of it.
 std::string placeWord(const std::string& text)
 {
-    if (text == "front" || text == "fore" || text == "fl" || text == "fr") return "front";
-    if (text == "back" || text == "hind" || text == "rear" || text == "bl" || text == "br" || text == "hl" ||
-        text == "hr" || text == "rl" || text == "rr")
-        return "back";
+    if (const Corner* corner = cornerOf(text)) return corner->place;
+    if (text == "front" || text == "fore") return "front";
+    if (text == "back" || text == "hind" || text == "rear") return "back";
     if (text == "middle" || text == "mid") return "middle";
     return findWord(text) ? "" : text;
 }
@@ -119,7 +135,8 @@ BoneName readBoneName(std::string_view name)
 {
     BoneName read;
     NamedPart weak = NamedPart::None, muscle = NamedPart::None;
-    bool upper = false, lower = false, fore = false, trunk = false, foot = false, piece = false, unknown = false;
+    bool upper = false, lower = false, fore = false, trunk = false, foot = false, piece = false, unknown = false,
+         corner = false;
     for (const std::string& text : wordsOf(name)) {
         const std::optional<Word> found = findWord(text);
         const Word word = found.value_or(Word{});
@@ -145,6 +162,10 @@ BoneName readBoneName(std::string_view name)
             case WordUse::WeakPart: weak = word.part; break;
             case WordUse::Filler: break;
         }
+        if (const Corner* at = cornerOf(text)) {
+            corner = true;
+            read.side = read.side == 0 ? at->side : read.side;
+        }
         trunk |= text == "torso" || text == "body";
         if (std::string place = placeWord(text); !place.empty()) read.others.push_back(std::move(place));
     }
@@ -155,6 +176,8 @@ BoneName readBoneName(std::string_view name)
     // "back_trochantin.L": at a limb, back is a place.
     if (weak == NamedPart::Spine && unknown && read.side != 0) weak = NamedPart::None;
     if (read.part == NamedPart::None) read.part = weak != NamedPart::None ? weak : muscle;
+    // "FL_upper"
+    if (corner && (upper || lower) && read.part == NamedPart::None) read.part = NamedPart::Leg;
     if (foot && read.part == NamedPart::Finger) read.part = NamedPart::Toe;
     read.part = halved(read.part, upper, lower, fore);
     if (read.part == NamedPart::Spine && trunk && lower) read.part = NamedPart::Hips;

@@ -3,16 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "sim/actor/anatomy/anatomy.h"
 #include "sim/actor/anatomy/clip_turns.h"
 #include "sim/actor/anatomy/name_pattern.h"
+#include "sim/actor/bodies/bone_options.h"
 #include "sim/actor/bodies/joint_ranges.h"
+#include "sim/actor/bodies/lasting_turns.h"
 #include "sim/actor/bodies/short_list.h"
 #include "sim/actor/clips/body_clip.h"
 #include "sim/actor/clips/clip_overlaps.h"
@@ -43,18 +46,56 @@ std::vector<uint32_t> oppositeJoints(const Model& model, const std::optional<Mir
     return opposite;
 }
 
-/// Tells which hinges clips turn farther than their limits go.
-void noteLeftOut(const Actor& actor, const std::vector<float>& farthest, std::vector<std::string>& notes)
+/// Which joints turn farther than their limits go, and how far: "forearm.L by 81 degrees".
+/// @param leftOut per joint [rad]. @returns empty where none does.
+std::string farJoints(const Actor& actor, const std::vector<float>& leftOut)
 {
     std::vector<std::string> joints;
-    for (size_t j = 0; j < farthest.size(); ++j)
-        if (farthest[j] != 0.0f)
+    for (size_t j = 0; j < leftOut.size(); ++j)
+        if (leftOut[j] > 0.0f)
             joints.push_back(fmt::format("{} by {:.0f} degrees", actor.joints[j].name,
-                                         std::abs(farthest[j]) * 180.0f / std::numbers::pi_v<float>));
-    if (!joints.empty())
-        notes.push_back(fmt::format("Clips turn joints beyond what a body's do, for a moment or by far, which their "
-                                    "limits do not take in: {}.",
-                                    shortList(joints)));
+                                         leftOut[j] * 180 / std::numbers::pi_v<float>));
+    return joints.empty() ? "" : shortList(joints);
+}
+
+/// Per joint what clips may do beyond its limits.
+std::vector<Leeway> leeways(const Model& model, const ArticulationOptions& options, const Actor& actor)
+{
+    const std::vector<BoneAnatomy> anatomy = readAnatomy(model, rolesWanted(model, options));
+    const bool upright = isUpright(model, anatomy);
+    std::vector<Leeway> leeways;
+    for (const ActorJoint& joint : actor.joints) {
+        const uint32_t bone = boneOf(model, joint.name);
+        using enum BodyPart;
+        constexpr std::array NO_PERSONS{Other, Hips, Tail, Wing, Coxa, Lever};
+        const bool known = upright && bone != NO_INDEX && std::ranges::count(NO_PERSONS, anatomy[bone].part) == 0;
+        leeways.push_back(known ? Leeway() : GUESSED);
+    }
+    return leeways;
+}
+
+/// A universal joint's halves are hinges.
+JointType halfType(JointType type)
+{
+    return type == JointType::Universal ? JointType::Hinge : type;
+}
+
+/// The limits as takeIn() makes them of what lasts.
+JointLimits widened(const ActorJoint& joint, const LastingTurns& lasting)
+{
+    JointLimits limits = joint.limits;
+    for (const Turns& part : lasting.parts) takeIn(limits, halfType(joint.type), joint.axis, part);
+    return limits;
+}
+
+/// Puts a body's turns into a clip, neighbours in time on one side of the sphere.
+void putTurns(BodyClip& clip, uint32_t body, const Turns& turns)
+{
+    for (size_t key = 0; key < turns.size(); ++key) {
+        Quaternionf& turn = clip.turns[key * clip.bodyCount + body];
+        turn = turns[key];
+        if (key > 0 && turn.dot(clip.turns[(key - 1) * clip.bodyCount + body]) < 0.0f) turn.coeffs() = -turn.coeffs();
+    }
 }
 
 }  // namespace
@@ -64,38 +105,63 @@ void takeInClips(const Model& model, const ArticulationOptions& options, Actor& 
     if (model.clips.empty() || actor.joints.empty()) return;
     const std::optional<Mirror> mirror = findMirror(BoneTree(model));
     const std::vector<uint32_t> opposite = oppositeJoints(model, mirror, actor);
+    const std::vector<Leeway> leeway = leeways(model, options, actor);
     std::vector<BodyClip> clips;
     for (const Clip& clip : model.clips) clips.push_back(ownClip(actor, model, clip).clip);
-    std::vector<float> farthest(actor.joints.size(), 0.0f);
+    std::vector<float> leftOut(actor.joints.size(), 0.0f);
     for (uint32_t j = 0; j < actor.joints.size(); ++j) {
         ActorJoint& joint = actor.joints[j];
-        if (!joint.limits.any() || findByPattern(options.limits, joint.name)) continue;
+        const bool hasRange = joint.type == JointType::Hinge || joint.type == JointType::Ball;
+        if (!hasRange || !joint.limits.any() || findByPattern(options.limits, joint.name)) continue;
         std::vector<Turns> turns;
-        const auto add = [&](Turns clip, float rate) {
-            const bool bends = joint.type == JointType::Hinge && joint.limits.bend.bounded();
-            turns.push_back(bends ? lastingTurns(joint.limits.bend, joint.axis, clip, rate, farthest[j])
-                                  : std::move(clip));
+        const auto add = [&](const Turns& clip, float rate, float& most) {
+            LastingTurns lasting = lastingTurns(joint.limits, joint.type, joint.axis, clip, rate, leeway[j]);
+            most = std::max(most, lasting.leftOut);
+            for (Turns& part : lasting.parts) turns.push_back(std::move(part));
         };
+        float elsewhere = 0.0f;  // what the other side leaves out is told there
         for (const BodyClip& clip : clips) {
-            add(turnsOf(clip, joint.child), clip.rate);
+            add(turnsOf(clip, joint.child), clip.rate, leftOut[j]);
             if (opposite[j] == NO_INDEX) continue;
             const Turns others = turnsOf(clip, actor.joints[opposite[j]].child);
-            add(mirrored(others, mirror->plane.across), clip.rate);
+            add(mirrored(others, mirror->plane.across), clip.rate, elsewhere);
         }
         // A turn about the limb is measured from the middle of its cone, so that comes first.
         for (const Turns& clip : turns)
             if (joint.type == JointType::Ball) leanTo(joint.limits, joint.axis, clip);
         for (const Turns& clip : turns) takeIn(joint.limits, joint.type, joint.axis, clip);
     }
-    noteLeftOut(actor, farthest, actor.notes);
+    if (const std::string joints = farJoints(actor, leftOut); !joints.empty())
+        actor.notes.push_back(
+            "Clips turn joints beyond what a body's do, for a moment or by far, which their limits do "
+            "not take in: " +
+            joints + ".");
+}
+
+std::string holdWithinLimits(const Actor& actor, BodyClip& clip)
+{
+    std::vector<float> leftOut(actor.joints.size(), 0.0f);
+    for (size_t j = 0; j < actor.joints.size(); ++j) {
+        const ActorJoint& joint = actor.joints[j];
+        const JointType type = halfType(joint.type);
+        if (!joint.limits.any() || type == JointType::Stiff) continue;
+        const Turns turns = turnsOf(clip, joint.child);
+        const LastingTurns lasting = lastingTurns(joint.limits, type, joint.axis, turns, clip.rate);
+        leftOut[j] = lasting.leftOut;
+        if (leftOut[j] > 0.0f)
+            putTurns(clip, joint.child, heldTurns(widened(joint, lasting), type, joint.axis, turns, clip.rate));
+    }
+    const std::string joints = farJoints(actor, leftOut);
+    if (joints.empty()) return {};
+    return fmt::format("Clip '{}' turns joints beyond what a body's do, for a moment or by far, and is held at their "
+                       "limits: {}.",
+                       clip.name, joints);
 }
 
 void takeIn(Actor& actor, const BodyClip& clip)
 {
-    for (ActorJoint& joint : actor.joints) {
-        const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
-        takeIn(joint.limits, type, joint.axis, turnsOf(clip, joint.child));
-    }
+    for (ActorJoint& joint : actor.joints)
+        takeIn(joint.limits, halfType(joint.type), joint.axis, turnsOf(clip, joint.child));
     for (const auto& pair : overlapsIn(actor, clip)) actor.passes.push_back(pair);
 }
 

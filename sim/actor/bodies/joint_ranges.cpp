@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/actor/bodies/turn_parts.h"
 #include "sim/world/frames.h"
 
 namespace knuckle {
@@ -14,13 +15,9 @@ namespace knuckle {
 namespace {
 
 constexpr float DEGREE = std::numbers::pi_v<float> / 180;
-constexpr float SPARE = 5 * DEGREE;
+constexpr float SPARE = LIMIT_SPARE;
 constexpr float WIDEST = 175 * DEGREE;  // a limit's end, either way
 constexpr float ROUND = 330 * DEGREE;   // of a clip that goes all the way round
-constexpr float UNSURE = 0.35f;         // cosine of half the swing beyond which the turn about an axis says nothing
-constexpr float FAR = 20 * DEGREE;      // beyond a hinge's range, where a moment in a clip does not widen it
-constexpr float TOO_FAR = 60 * DEGREE;  // ... and where nothing does
-constexpr float MOMENT = 0.1f;          // [s]
 constexpr float MORE = 15 * DEGREE;     // of a hinge than its clips show, beside SPARE
 
 /// A range as tables have it: from straight, the way that it bends.
@@ -93,17 +90,12 @@ JointLimits ofPart(const LimbStance& s)
     }
 }
 
-float turnAbout(const Vector3f& axis, const Quaternionf& turn)
-{
-    return std::remainder(2 * std::atan2(turn.vec().dot(axis), turn.w()), 2 * std::numbers::pi_v<float>);
-}
-
 /// The angles about an axis of turns that follow each other, which may be beyond half a turn. @param near the first.
 std::optional<TurnRange> anglesOf(const Vector3f& axis, std::span<const Quaternionf> turns, float near)
 {
     std::optional<TurnRange> range;
     for (const Quaternionf& turn : turns) {
-        if (std::hypot(turn.w(), turn.vec().dot(axis)) < UNSURE) continue;
+        if (!isSureAbout(axis, turn)) continue;
         near += std::remainder(turnAbout(axis, turn) - near, 2 * std::numbers::pi_v<float>);
         if (!range) range = {near, near};
         range->lowest = std::min(range->lowest, near);
@@ -201,29 +193,6 @@ void lockNarrowRanges(JointPlan& plan)
             return;
         case JointType::Stiff: return;
     }
-}
-
-std::vector<Quaternionf> lastingTurns(const TurnRange& range, const Vector3f& axis, std::span<const Quaternionf> turns,
-                                      float rate, float& farthest)
-{
-    std::vector<float> beyond;
-    float angle = 0.5f * (range.lowest + range.highest), above = 0.0f, below = 0.0f;
-    for (const Quaternionf& turn : turns) {
-        angle += std::remainder(turnAbout(axis, turn) - angle, 2 * std::numbers::pi_v<float>);
-        const bool isSure = std::hypot(turn.w(), turn.vec().dot(axis)) >= UNSURE;
-        beyond.push_back(!isSure                 ? 0.0f
-                         : angle > range.highest ? angle - range.highest
-                                                 : std::min(angle - range.lowest, 0.0f));
-        above += beyond.back() > FAR ? 1.0f : 0.0f;
-        below += beyond.back() < -FAR ? 1.0f : 0.0f;
-    }
-    std::vector<Quaternionf> lasting;
-    for (size_t i = 0; i < turns.size(); ++i) {
-        const float off = std::abs(beyond[i]), keys = beyond[i] > 0.0f ? above : below;
-        if (off <= FAR || (off <= TOO_FAR && keys >= MOMENT * rate)) lasting.push_back(turns[i]);
-        else if (off > std::abs(farthest)) farthest = beyond[i];
-    }
-    return lasting;
 }
 
 void takeIn(JointLimits& limits, JointType type, const Vector3f& axis, std::span<const Quaternionf> turns)

@@ -43,12 +43,6 @@ void lockNarrowRanges(JointPlan& plan);
 /// the clip goes.
 void leanTo(JointLimits& limits, const Vector3f& axis, std::span<const Quaternionf> turns);
 
-/// Of a hinge's turns in a clip those that its joint may be widened for: what goes beyond its range by more than 20
-/// degrees for less than a tenth of a second in all, or by more than 60 degrees, is left out.
-/// @param rate of the turns [1/s]. @param farthest gets the angle farthest beyond that was left out [rad], if any was.
-std::vector<Quaternionf> lastingTurns(const TurnRange& range, const Vector3f& axis, std::span<const Quaternionf> turns,
-                                      float rate, float& farthest);
-
 /// Widens limits so that they take in every turn of a clip with 5 degrees to spare, 175 degrees at most. A hinge that
 /// goes round in it, and a ball whose axis does, has none any more.
 /// @param turns of the child against its parent, key by key.

@@ -120,6 +120,12 @@ uint32_t indexOf(const Model& model, const std::string& bone)
     return static_cast<uint32_t>(&named(model.bones, bone, &Bone::name) - model.bones.data());
 }
 
+std::string ownerOf(const Model& model, const std::string& bone)
+{
+    const int32_t owner = readAnatomy(model)[indexOf(model, bone)].parent;
+    return owner < 0 ? "nothing" : model.bones[static_cast<size_t>(owner)].name;
+}
+
 std::string parentOf(const Actor& actor, const std::string& body)
 {
     const auto found = std::ranges::find(actor.bodies, body, &ActorBody::name);

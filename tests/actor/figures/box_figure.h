@@ -28,6 +28,8 @@ BoxBones boxDog();
 /// The bone of a name. @throws std::out_of_range.
 BoxBone& boneOf(BoxBones& bones, const std::string& name);
 uint32_t indexOf(const Model& model, const std::string& bone);
+/// The bone that a limb belongs to, as readAnatomy() says before bodies are joined; "nothing" for none.
+std::string ownerOf(const Model& model, const std::string& bone);
 /// The body that a body hangs on: "none" of the first one, "no body" where there is none of the name.
 std::string parentOf(const Actor& actor, const std::string& body);
 const ActorJoint& jointOf(const Actor& actor, const std::string& name);

@@ -34,8 +34,12 @@ TEST(LimbEnds, FeetAtTheRootGoWhereTheirWordsSay)
                                                                  {"IK_FrontPaw", "IK_BackPaw"}};
     for (const auto& [front, back] : names) {
         for (const bool reversed : {false, true}) {
-            const Actor actor = made(dogWithFeetAtRoot(front, back, reversed));
+            const BoxBones bones = dogWithFeetAtRoot(front, back, reversed);
+            const Model model = boxFigure(bones);
+            const Actor actor = made(bones);
             for (const std::string side : {".L", ".R"}) {
+                EXPECT_EQ(ownerOf(model, front + side), "FrontLowLeg" + side);
+                EXPECT_EQ(ownerOf(model, back + side), "BackLowLeg" + side);
                 EXPECT_EQ(parentOf(actor, front + side), "FrontLowLeg" + side);
                 EXPECT_EQ(parentOf(actor, back + side), "BackLowLeg" + side);
             }
@@ -46,8 +50,12 @@ TEST(LimbEnds, FeetAtTheRootGoWhereTheirWordsSay)
 TEST(LimbEnds, FeetThatDoNotSayWhichTheyAreGoWhereTheyStand)
 {
     for (const auto& [front, back] : {std::pair("Paw1", "Paw2"), {"Flurb", "Glonk"}}) {
-        const Actor actor = made(dogWithFeetAtRoot(front, back, false));
+        const BoxBones bones = dogWithFeetAtRoot(front, back, false);
+        const Model model = boxFigure(bones);
+        const Actor actor = made(bones);
         for (const std::string side : {".L", ".R"}) {
+            EXPECT_EQ(ownerOf(model, front + side), "FrontLowLeg" + side);
+            EXPECT_EQ(ownerOf(model, back + side), "BackLowLeg" + side);
             EXPECT_EQ(parentOf(actor, front + side), "FrontLowLeg" + side);
             EXPECT_EQ(parentOf(actor, back + side), "BackLowLeg" + side);
         }
@@ -106,8 +114,42 @@ TEST(LimbEnds, HandsAtTheRootGoOnArmsAndFeetOnLegs)
     }
     const Actor actor = made(bones);
     for (const std::string side : {".L", ".R"}) {
+        EXPECT_EQ(ownerOf(boxFigure(bones), "foot" + side), "shin" + side);
+        EXPECT_EQ(ownerOf(boxFigure(bones), "wrist" + side), "forearm" + side);
         EXPECT_EQ(parentOf(actor, "foot" + side), "shin" + side);
         EXPECT_EQ(parentOf(actor, "wrist" + side), "forearm" + side);
+    }
+}
+
+TEST(LimbEnds, CornersOfAQuadrupedAreSidesToo)
+{
+    for (const auto& [front, back, leg] : {std::tuple("F?", "B?", "_leg"),
+                                           {"?F", "?B", "_leg"},
+                                           {"F?", "H?", "_leg"},
+                                           {"F?", "R?", "_leg"},
+                                           {"F?", "B?", ""}}) {
+        const std::string lowerLeg = std::string("_lower") + leg, upperLeg = std::string("_upper") + leg;
+        BoxBones bones = boxDog();
+        for (BoxBone& bone : bones) {
+            for (std::string* name : {&bone.name, &bone.parent}) {
+                if (!name->ends_with(".L") && !name->ends_with(".R")) continue;
+                std::string corner = name->starts_with("Front") ? front : back;
+                corner[corner.find('?')] = name->back();
+                const bool lower = name->find("LowLeg") != name->npos, foot = name->find("Foot") != name->npos;
+                *name = corner + (lower ? lowerLeg : foot ? "_paw" : upperLeg);
+            }
+            if (bone.name.ends_with("_paw")) bone.parent = "root";
+        }
+        const Model model = boxFigure(bones);
+        const Actor actor = made(bones);
+        for (const ActorBody& body : actor.bodies) {
+            if (!body.name.ends_with("_paw")) continue;
+            const std::string corner = body.name.substr(0, 2);
+            EXPECT_EQ(ownerOf(model, body.name), corner + lowerLeg);
+            EXPECT_EQ(parentOf(actor, body.name), corner + lowerLeg);
+            EXPECT_EQ(jointOf(actor, corner + lowerLeg).type, JointType::Hinge);
+        }
+        EXPECT_EQ(std::ranges::count_if(actor.bodies, [](const auto& body) { return body.name.ends_with("_paw"); }), 4);
     }
 }
 
