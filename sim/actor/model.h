@@ -46,7 +46,7 @@ struct Clip {
     double duration = 0.0;                            ///< [s]
     std::vector<double> keyTimes;                     ///< [s], ascending
     std::vector<std::vector<Eigen::Matrix4f>> poses;  ///< [key][bone], bone to model.
-    std::vector<std::string> notes;                   ///< What of it is not played, one sentence each.
+    std::vector<std::string> notes = {};              ///< What of it is not played, one sentence each.
 };
 
 /// A clip of the file that cannot be played.
