@@ -18,7 +18,8 @@ protected:
     {
         folder.write("figure.glb", glb.bytes());
         folder.write("stage.json", R"({ "diameter": 0.08, "duration": 0.02, "render": { "width": 64, "height": 36 },
-            "objects": [{ "type": "actor", "file": "figure.glb", "position": [0, 0, 0], )" + fields + "}] }");
+            "objects": [{ "type": "actor", "file": "figure.glb", "position": [0, 0, 0], )" +
+                                       fields + "}] }");
     }
     /// Gives a clip a channel of values that go from nothing to one. @param size of a value.
     static void animate(EditedGlb& glb, size_t clip, const Json& target, size_t size, const std::string& type)
@@ -64,8 +65,7 @@ TEST_F(LeftOut, Ktx2PicturesAreWarnedOf)
         {{{"bufferView", glb.root["bufferViews"].size() - 1}, {"mimeType", "image/ktx2"}}});
     glb.root["textures"] = Json::array({{{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}});
     glb.root["extensionsRequired"] = {"KHR_texture_basisu"};
-    for (Json& material : glb.root["materials"])
-        material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    for (Json& material : glb.root["materials"]) material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
     write(glb, R"("skin": "mesh")");
     const std::string warning = "warning: stage.json: /objects/0/skin: Texture 0 is a KTX2 picture, which is not read: "
                                 "drawn plain.";

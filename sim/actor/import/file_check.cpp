@@ -28,18 +28,10 @@ constexpr std::array CUT_OFF_WORDS{"end of file", "eof",          "out of range"
                                    "truncated",   "keyword \"\"", "invalid number of", "malformed xml"};
 
 /// What they say of files that are whole and hold no mesh.
-constexpr std::array NO_MESH_WORDS{"no root node",
-                                   "came out empty",
-                                   "unable to extract mesh",
-                                   "no valid vertices",
-                                   "no vertices",
-                                   "no objects dictionary",
-                                   "no meshes",
-                                   "no geometry",
-                                   "no valid geometry",
-                                   "no facets",
-                                   "gltf: no scene",
-                                   "obj-file is too small"};
+constexpr std::array NO_MESH_WORDS{"no root node",      "came out empty", "unable to extract mesh",
+                                   "no valid vertices", "no vertices",    "no objects dictionary",
+                                   "no meshes",         "no geometry",    "no valid geometry",
+                                   "no facets",         "gltf: no scene", "obj-file is too small"};
 
 bool holdsAny(const std::string& text, std::span<const char* const> words)
 {

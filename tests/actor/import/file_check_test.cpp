@@ -45,9 +45,10 @@ TEST_F(FileCheck, NamesTheFileThatAGltfNeeds)
 
 TEST_F(FileCheck, TellsWhatIsCutOff)
 {
-    for (const auto& [name, text] : {std::pair<const char*, std::string>{"half.gltf", gltf("a.bin").substr(0, 40)},
-                                     {"half.bvh", "HIERARCHY\nROOT Hips\n{\n OFFSET 0 90"},
-                                     {"half.dae", "<?xml version=\"1.0\"?>\n<COLLADA version=\"1.4.1\"><asset><up_a"}}) {
+    for (const auto& [name, text] :
+         {std::pair<const char*, std::string>{"half.gltf", gltf("a.bin").substr(0, 40)},
+          {"half.bvh", "HIERARCHY\nROOT Hips\n{\n OFFSET 0 90"},
+          {"half.dae", "<?xml version=\"1.0\"?>\n<COLLADA version=\"1.4.1\"><asset><up_a"}}) {
         const std::string message = refusal(name, text);
         EXPECT_TRUE(message.starts_with("it is cut off or damaged (")) << message;
         EXPECT_TRUE(message.ends_with("); export the model again")) << message;

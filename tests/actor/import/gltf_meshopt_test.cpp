@@ -105,10 +105,15 @@ protected:
         if (glb.root["buffers"].size() == 1)
             glb.root["buffers"].push_back({{"byteLength", ROOM}, {"extensions", {{EXTENSION, {{"fallback", true}}}}}});
         glb.buffer.resize((glb.buffer.size() + 3) / 4 * 4, '\0');
-        Json packed{{"buffer", 0},         {"byteOffset", glb.buffer.size()}, {"byteLength", stream.size()},
-                    {"byteStride", stride}, {"count", count},                 {"mode", mode}};
+        Json packed{{"buffer", 0},
+                    {"byteOffset", glb.buffer.size()},
+                    {"byteLength", stream.size()},
+                    {"byteStride", stride},
+                    {"count", count},
+                    {"mode", mode}};
         if (!filter.empty()) packed["filter"] = filter;
-        Json view{{"buffer", 1}, {"byteOffset", 0}, {"byteLength", count * stride}, {"extensions", {{EXTENSION, packed}}}};
+        Json view{
+            {"buffer", 1}, {"byteOffset", 0}, {"byteLength", count * stride}, {"extensions", {{EXTENSION, packed}}}};
         if (mode == "ATTRIBUTES") view["byteStride"] = stride;
         glb.buffer += stream;
         accessor["bufferView"] = glb.root["bufferViews"].size();
@@ -155,7 +160,8 @@ TEST_F(Meshopt, AttributesAreReadAndWhatFiltersDidToThem)
     Json& normals = accessorOf(packed, "NORMAL");
     values = floats(packed, normals, 3);
     std::vector<float> four;
-    for (size_t v = 0; v < count; ++v) four.insert(four.end(), {values[3 * v], values[3 * v + 1], values[3 * v + 2], 0});
+    for (size_t v = 0; v < count; ++v)
+        four.insert(four.end(), {values[3 * v], values[3 * v + 1], values[3 * v + 2], 0});
     std::vector<int8_t> octahedral(4 * count);
     meshopt_encodeFilterOct(octahedral.data(), count, 4, 8, four.data());
     normals["componentType"] = BYTE;
@@ -163,7 +169,8 @@ TEST_F(Meshopt, AttributesAreReadAndWhatFiltersDidToThem)
     compress(packed, normals, attributeStream(elements(octahedral, 4)), count, 4, "ATTRIBUTES", "OCTAHEDRAL");
 
     Json& weights = accessorOf(packed, "WEIGHTS_0");
-    compress(packed, weights, attributeStream(elements(floats(packed, weights, 4), 4)), count, 16, "ATTRIBUTES", "NONE");
+    compress(packed, weights, attributeStream(elements(floats(packed, weights, 4), 4)), count, 16, "ATTRIBUTES",
+             "NONE");
 
     Json& turns = turnsOfClip(packed);
     values = floats(packed, turns, 4);
@@ -171,7 +178,8 @@ TEST_F(Meshopt, AttributesAreReadAndWhatFiltersDidToThem)
     meshopt_encodeFilterQuat(quaternions.data(), values.size() / 4, 8, 16, values.data());
     turns["componentType"] = SHORT;
     turns["normalized"] = true;
-    compress(packed, turns, attributeStream(elements(quaternions, 4)), values.size() / 4, 8, "ATTRIBUTES", "QUATERNION");
+    compress(packed, turns, attributeStream(elements(quaternions, 4)), values.size() / 4, 8, "ATTRIBUTES",
+             "QUATERNION");
     expectAlike(import(packed), import(plain));
 }
 

@@ -187,8 +187,9 @@ TEST_F(Surface, ADamagedTextureIsANoteAndItsMaterialPlain)
     EXPECT_TRUE(model.surface.textures.empty());
     EXPECT_EQ(model.surface.materials[0].texture, NO_INDEX);
     EXPECT_EQ(model.surface.materials[0].color, Eigen::Vector3f(1, 0, 0));
-    EXPECT_TRUE(isMissing(model, "Texture 'paint.tga' is damaged or of a kind that is not read (PNG, JPEG, WebP, TGA, BMP "
-                             "and PSD are): drawn plain."));
+    EXPECT_TRUE(isMissing(model,
+                          "Texture 'paint.tga' is damaged or of a kind that is not read (PNG, JPEG, WebP, TGA, BMP "
+                          "and PSD are): drawn plain."));
 }
 
 TEST_F(Surface, AMissingTextureIsANote)

@@ -63,8 +63,9 @@ PreparedGltf prepareGltf(const std::string& path)
     const Json before = source->root;
     const auto name = [&](GltfSource& gltf) { prepared.originals = nameJoints(gltf.root); };
     using Step = std::function<void(GltfSource&)>;
-    for (const Step& step : std::initializer_list<Step>{supplyScene, decodeMeshopt, supplyPictures, name, supplyBindMatrices,
-                                                        supplyLinearKeys, applyShapes, supplyFloats, supplyColors}) {
+    for (const Step& step :
+         std::initializer_list<Step>{supplyScene, decodeMeshopt, supplyPictures, name, supplyBindMatrices,
+                                     supplyLinearKeys, applyShapes, supplyFloats, supplyColors}) {
         try {
             step(*source);
         } catch (const Json::exception&) {
