@@ -37,7 +37,7 @@ gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, c
     gpu::FrameInput input{};
     const LightSettings& light = settings.light;
     input.keyDirection = vec4Of(light.direction.normalized(), std::tan(light.softness * DEGREE));
-    input.keyColor = vec4Of(KEY_TINT * light.intensity);
+    input.keyColor = vec4Of(KEY_TINT * light.intensity, settings.skinError);
     input.skyColor = vec4Of(light.skyColor);
     input.groundColor = vec4Of(light.groundColor, settings.exposure);
     input.groundAlbedo = vec4Of(GROUND_ALBEDO, extent.ground);

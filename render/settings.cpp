@@ -22,6 +22,7 @@ void checkSettings(const RenderSettings& settings)
     requireRange(settings.height, 16, 8192, "render.height");
     requireRange(settings.antialiasing, 1, 4, "render.antialiasing");
     requireRange(settings.skinOpacity, 0, 1, "render.skinOpacity");
+    requireRange(settings.skinError, 0, 100, "render.skinError");
     requireRange(settings.exposure, 0.01, 100, "render.exposure");
     requireRange(settings.speedScale, 1e-6, 1e6, "render.speedScale");
     requireRange(settings.light.intensity, 0, 20, "light.intensity");

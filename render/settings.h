@@ -37,6 +37,7 @@ struct RenderSettings {
     bool markJoints = false;       ///< Joints and their limits over everything (jointMarks()).
     bool legend = false;           ///< Says which of those marks is what.
     float skinOpacity = 1.0f;      ///< 0 ... 1; below 1 skins are a veil over particles that they do not hide.
+    float skinError = 0.65f;       ///< That far-off skins may be drawn with [pixels], 0 ... 100; 0: with all triangles.
     float speedScale = 5.0f;       ///< ColorBy::Speed: the speed [m/s] at the end of the colour scale.
     float exposure = 1.0f;         ///< Linear factor before tone mapping, 0.01 ... 100.
     uint32_t antialiasing = 1;     ///< Samples an axis and pixel, 1 ... 4. Edges are always filtered;

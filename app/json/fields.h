@@ -186,6 +186,7 @@ void visitFields(RenderSettings& r, Visitor&& visit)
     visit("colorBy", r.colorBy);
     visit("highlightJoints", r.highlightJoints);
     visit("speedScale", r.speedScale);
+    visit("skinError", r.skinError);
     visit("exposure", r.exposure);
     visit("antialiasing", r.antialiasing);
 }

@@ -11,9 +11,8 @@ namespace knuckle::gpu {
 // Vertices of a wearer's skin that a group of threads poses, each some of them; a wearer's begin with a group of their
 // own.
 #define SKIN_GROUP_SIZE 512u
-// How far the surface of a level of detail may be off: in pixels of the picture, and in texels of the shadow map.
-#define SKIN_PIXELS_OFF 0.65f
-#define SKIN_TEXELS_OFF 1.0f
+// Texels of the shadow map that the surface of a level of detail may be off for each pixel of the picture.
+#define SKIN_TEXELS_A_PIXEL 1.5f
 
 // Of a corner of a mark: place from the centre of its body, w: body; place of the other end of its stroke; how far it
 // is moved along the stroke and across it, in heights of the picture; colour, as displayed.

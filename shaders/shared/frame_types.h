@@ -33,7 +33,7 @@ struct FrameInput {
     vec4 cameraPosition;        // xyz [m]; CAMERA_FOLLOWS: from the object; CAMERA_FRAMES: only its direction counts
     vec4 cameraTarget;          // xyz [m]
     vec4 keyDirection;          // xyz towards the light, unit; w: tangent of its angular radius
-    vec4 keyColor;              // rgb
+    vec4 keyColor;              // rgb; w: how far the surface of a skin's level of detail may be off [pixels]
     vec4 skyColor;              // rgb
     vec4 groundColor;           // rgb: light from below; w: exposure
     vec4 groundAlbedo;          // rgb; w: height of the ground [m]

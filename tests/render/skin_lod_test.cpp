@@ -157,8 +157,9 @@ protected:
         still.world.skins = {{mesh, wearers, SkinUse::Hide}};
     }
 
-    void pose()
+    void pose(float skinError = RenderSettings{}.skinError)
     {
+        frameInput.keyColor.w = skinError;
         frameInput.width = frameInput.height = 100;
         frameInput.tanHalfFov = 0.5f;
         frameInput.resolveFactor = 1;
@@ -221,9 +222,9 @@ TEST_F(SkinKernels, EachIsDrawnAsCoarselyAsAPixelAllows)
         // A pixel is a hundredth of what is seen at the nearest point of the ball, which is a metre before its centre.
         const float depth = -places[i].z() - 1.0f;
         const bool inSight = i < 4;
-        EXPECT_EQ(draws[i].count, inSight ? indicesWithin(SKIN_PIXELS_OFF * depth / 100) : 0u) << i;
+        EXPECT_EQ(draws[i].count, inSight ? indicesWithin(RenderSettings{}.skinError * depth / 100) : 0u) << i;
         // 40 m over 100 texels.
-        EXPECT_EQ(draws[count + i].count, indicesWithin(0.4f)) << i;
+        EXPECT_EQ(draws[count + i].count, indicesWithin(0.4f * SKIN_TEXELS_A_PIXEL * RenderSettings{}.skinError)) << i;
         for (const uint32_t k : {i, count + i}) {
             EXPECT_EQ(draws[k].instanceCount, 1u);
             EXPECT_EQ(draws[k].baseVertex % SKIN_GROUP_SIZE, 0u);
@@ -237,6 +238,14 @@ TEST_F(SkinKernels, EachIsDrawnAsCoarselyAsAPixelAllows)
     EXPECT_GT(draws[0].count, draws[1].count);
     EXPECT_GT(draws[1].count, draws[2].count);
     EXPECT_GT(draws[2].count, draws[3].count);
+}
+
+TEST_F(SkinKernels, AllTrianglesAreDrawnWhereNoneMayBeOff)
+{
+    put({{0, 0, -16}, {0, 0, -301}});
+    pose(0.0f);
+    for (const gpu::DrawElementsArguments& draw : skins.draws.download())
+        EXPECT_EQ(draw.count, lods.levels.front().indexCount);
 }
 
 TEST_F(SkinKernels, VerticesAreWhereTheirBodiesHaveThem)

@@ -52,8 +52,8 @@ void main()
     float depth = nearestInSight(wearer);
     float pixel = 2.0 * frame.tanHalfFov * max(depth, 0.0) * float(frame.resolveFactor) / float(frame.height);
     float texel = 2.0 * view.lightCentre.w / frame.shadowSize;
-    GpuSkinLod seen = lods[coarsestWithin(wearer, SKIN_PIXELS_OFF * pixel)];
-    GpuSkinLod shading = lods[coarsestWithin(wearer, SKIN_TEXELS_OFF * texel)];
+    GpuSkinLod seen = lods[coarsestWithin(wearer, frame.keyColor.w * pixel)];
+    GpuSkinLod shading = lods[coarsestWithin(wearer, SKIN_TEXELS_A_PIXEL * frame.keyColor.w * texel)];
     if (depth < 0.0) seen.indexCount = seen.vertexCount = 0u;
     draws[index] = drawOf(wearer, seen);
     draws[count + index] = drawOf(wearer, shading);
