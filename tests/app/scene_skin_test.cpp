@@ -127,14 +127,14 @@ TEST(SceneSkin, OfTwoFiguresInAFileASceneTakesOne)
     EXPECT_EQ(world.skins[2].mesh->triangles.size(), 2 * model.triangles.size());
 }
 
-TEST(SceneSkin, WhatOfATextureCannotBeHadIsANote)
+TEST(SceneSkin, WhatOfATextureCannotBeHadIsAWarning)
 {
     const TempFolder folder;
     folder.write("cube.obj", CUBE);
     folder.write("cube.mtl", "newmtl paint\nmap_Kd paint.png\n");
     const Scene scene = loadScene(folder.write("scene.json", actorOf("cube.obj", "mesh")));
-    ASSERT_EQ(scene.notes.size(), 1u);
-    EXPECT_EQ(scene.notes[0], "/objects/0/skin: Texture 'paint.png' is not there: drawn plain.");
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_EQ(scene.warnings[0], "/objects/0/skin: Texture 'paint.png' is not there: drawn plain.");
 }
 
 TEST(SceneSkin, ASkeletonAloneHasNone)

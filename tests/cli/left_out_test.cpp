@@ -78,6 +78,24 @@ TEST_F(LeftOut, Ktx2PicturesAreWarnedOf)
     EXPECT_NE(render.err.find(warning), std::string::npos) << render.err;
 }
 
+TEST_F(LeftOut, ExtensionsThatAFileRequiresAreWarnedOf)
+{
+    EditedGlb glb = figure();
+    glb.root["extensionsRequired"] = {"VENDOR_rays"};
+    write(glb, R"("skin": "mesh")");
+    const std::string note = "The file requires 'VENDOR_rays', which is not known here: what it stands for is missing.";
+    const std::string table = run({"voxelize", "figure.glb", "--diameter", "0.08"}).out;
+    const size_t told = table.find("\nnote: " + note + "\n");
+    EXPECT_NE(told, std::string::npos) << table;
+    EXPECT_EQ(table.find(note, told + note.size()), std::string::npos) << "once";
+    for (const RunResult& result : {run({"check", "stage.json"}), run({"render", "stage.json"})}) {
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_NE((result.out + result.err).find("warning: "), std::string::npos) << result.out << result.err;
+        EXPECT_NE((result.out + result.err).find("/objects/0/skin: " + note), std::string::npos)
+            << result.out << result.err;
+    }
+}
+
 TEST_F(LeftOut, MorphWeightsOfAClip)
 {
     EditedGlb glb = figure();
