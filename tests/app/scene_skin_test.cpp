@@ -133,6 +133,7 @@ TEST(SceneSkin, WhatOfATextureCannotBeHadIsAWarning)
     folder.write("cube.obj", CUBE);
     folder.write("cube.mtl", "newmtl paint\nmap_Kd paint.png\n");
     const Scene scene = loadScene(folder.write("scene.json", actorOf("cube.obj", "mesh")));
+    EXPECT_TRUE(scene.notes.empty());
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_EQ(scene.warnings[0], "/objects/0/skin: Texture 'paint.png' is not there: drawn plain.");
 }
