@@ -24,20 +24,14 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /// What assimp's readers say where a file ends too early.
-constexpr std::array CUT_OFF_WORDS{"end of file", "eof",       "out of range", "exceeds size",
-                                   "too small",   "truncated", "keyword \"\"", "invalid number of"};
+constexpr std::array CUT_OFF_WORDS{"end of file", "eof",          "out of range",      "exceeds size", "too small",
+                                   "truncated",   "keyword \"\"", "invalid number of", "malformed xml"};
 
 /// What they say of files that are whole and hold no mesh.
-constexpr std::array NO_MESH_WORDS{"no root node",
-                                   "came out empty",
-                                   "unable to extract mesh",
-                                   "no valid vertices",
-                                   "no vertices",
-                                   "no objects dictionary",
-                                   "no meshes",
-                                   "no geometry",
-                                   "no valid geometry",
-                                   "obj-file is too small"};
+constexpr std::array NO_MESH_WORDS{"no root node",      "came out empty", "unable to extract mesh",
+                                   "no valid vertices", "no vertices",    "no objects dictionary",
+                                   "no meshes",         "no geometry",    "no valid geometry",
+                                   "no facets",         "gltf: no scene", "obj-file is too small"};
 
 bool holdsAny(const std::string& text, std::span<const char* const> words)
 {

@@ -198,6 +198,16 @@ void noteUnplayed(const aiAnimation& animation, const std::vector<NodeMotion>& m
             continue;
         clip.notes.push_back(fmt::format("Clip '{}' scales {}: bodies keep their size.", clip.name,
                                          table.nameOf(static_cast<uint32_t>(n))));
+        break;
+    }
+    for (size_t n = 0; n < motions.size(); ++n) {
+        const std::string axis = motions[n].channel == nullptr ? ""
+                                                               : axisWithoutKeys(*table.nodes[n], *motions[n].channel);
+        if (axis.empty()) continue;
+        clip.notes.push_back(
+            fmt::format("Clip '{}' has no keys for {}, or nothing but the default, which is played; the "
+                        "node says otherwise. Bake all axes if that is not meant.",
+                        clip.name, axis));
         return;
     }
 }

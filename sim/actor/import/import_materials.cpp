@@ -44,7 +44,7 @@ public:
 private:
     uint32_t add(const std::string& name)
     {
-        std::string why = "is damaged or of a kind that is not read (PNG, JPEG, TGA, BMP and PSD are)";
+        std::string why = "is damaged or of a kind that is not read (PNG, JPEG, WebP, TGA, BMP and PSD are)";
         std::optional<TexturePicture> picture = find(name, why);
         if (!picture) return missing(name, why);
         const uint32_t width = picture->width, height = picture->height;

@@ -162,11 +162,12 @@ Model readScene(const std::string& path, bool surface, const ModelPick& pick)
     model.name = std::filesystem::path(path).stem().string();
     NodeTable table = listNodes(*scene);
     table.originals = std::move(names.originals);
-    model.notes = std::move(names.notes);
     // Of an MD5 clip assimp makes a mesh of needles.
     const bool isClip = lowercase(std::filesystem::path(path).extension().string()) == ".md5anim";
     table.isBare = scene->mNumMeshes == 0 || isClip;
     table.isOfParts = !pick.split;
+    const bool isDrawn = surface && !table.isBare;
+    if (!isDrawn) model.notes = std::move(names.notes);
     findBoneNodes(*scene, table);
     takeBindPose(*scene, table, model.notes);
     convertBones(pickSkeleton(*scene, pick, table, model.notes), table, model);
@@ -177,10 +178,11 @@ Model readScene(const std::string& path, bool surface, const ModelPick& pick)
                         model.bones.size(), model.bones.size() == 1 ? " was" : "s were"));
     if (pick.skeleton != ALL_SKELETONS) leaveApart(*scene, table, model.notes);
     convertMeshes(*scene, table, model);
-    if (surface && !table.isBare) {
+    if (isDrawn) {
         convertSurface(*scene, table, path, model);
         noteMissingMaterials(path, model.surface);
-        model.surface.missing.insert(model.surface.missing.end(), names.missing.begin(), names.missing.end());
+        for (const auto* notes : {&names.notes, &names.missing})
+            model.surface.missing.insert(model.surface.missing.end(), notes->begin(), notes->end());
     }
     convertClips(*scene, table, model);
     if (pick.split) splitIntoParts(*scene, table, model);

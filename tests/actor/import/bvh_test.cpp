@@ -211,6 +211,23 @@ TEST(Bvh, OfSeveralRootsOneIsTaken)
     EXPECT_EQ(import(text, {.pick = {.skeleton = "A#2"}}).bones.size(), alone.bones.size());
 }
 
+TEST(Bvh, AllOfSeveralRootsAreOneWhereThatIsAskedFor)
+{
+    const std::string text = bvh({{.name = "A"}, {.name = "B", .lies = {0, 0, 40}}});
+    const Model all = import(text, {.pick = {.skeleton = "*"}}), first = import(bvh({{.name = "A"}})),
+                second = import(bvh({{.name = "B", .lies = {0, 0, 40}}}));
+    ASSERT_EQ(all.bones.size(), 1 + first.bones.size() + second.bones.size());
+    // Joints of one name move each as their columns say.
+    for (const Model* one : {&first, &second}) {
+        const size_t from = 1 + (one == &second ? first.bones.size() : 0);
+        for (size_t b = 0; b < one->bones.size(); ++b) {
+            EXPECT_TRUE(all.bones[from + b].name.starts_with(one->bones[b].name)) << all.bones[from + b].name;
+            EXPECT_TRUE(all.clips.at(0).poses[1][from + b].isApprox(one->clips.at(0).poses[1][b], 1e-4f))
+                << one->bones[b].name;
+        }
+    }
+}
+
 TEST(Bvh, WhatIsNoneIsLeftToTheReader)
 {
     for (const std::string text :

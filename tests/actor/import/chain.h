@@ -42,4 +42,18 @@ inline Clip clipOf(const Model& model, const std::string& name, float angle)
     return clip;
 }
 
+/// One of three bones with a material, a clip, and vertices of two bones.
+inline Model paintedChain()
+{
+    Model model = chain("hips", 3, 0);
+    model.surface.materials = {{.name = "paint"}};
+    model.surface.vertices.resize(model.vertices.size());
+    for (SkinWeights& skin : model.skin) {
+        skin.bones[1] = (skin.bones[0] + 1) % 3;
+        skin.weights = {0.75f, 0.25f};
+    }
+    model.clips = {clipOf(model, "nod", 0.5f)};
+    return model;
+}
+
 }  // namespace knuckle

@@ -123,6 +123,32 @@ TEST(Fbx, AllRotationOrders)
     }
 }
 
+TEST(Fbx, AxesWithoutCurvesAreWhatTheNodeSaysOrTold)
+{
+    std::vector<FbxJoint> joints = figure();
+    FbxJoint& thigh = joints[1];
+    thigh.rotation = Vector3d(5, 10, 20);
+    thigh.turns = {{-20, 10, 20}, {20, 10, 20}, {-20, 10, 20}};
+    thigh.turnAxes = "x";
+    thigh.moves = {{0.09, -0.05, 0}, {0.09, 0.02, 0}, {0.09, -0.05, 0}};
+    thigh.moveAxes = "y";
+    thigh.preRotation = Vector3d(0, 0, 180);
+    expectPosed(joints, "no pivots");
+    const auto notes = [&] { return import(joints).clips.at(0).notes; };
+    EXPECT_TRUE(notes().empty());
+    // Of a node with pivots assimp does not say which axes have curves.
+    thigh.rotationPivot = Vector3d(0.05, -0.1, 0.02);
+    const std::string end = ", or nothing but the default, which is played; the node says otherwise. Bake all axes if "
+                            "that is not meant.",
+                      start = "Clip 'clip' has no keys for Lcl ";
+    EXPECT_EQ(notes(), std::vector{start + "Translation of LeftUpLeg along x" + end});
+    thigh.moveAxes = "xyz";
+    EXPECT_EQ(notes(), std::vector{start + "Rotation of LeftUpLeg along y" + end});
+    thigh.turnAxes = "xyz";
+    EXPECT_TRUE(notes().empty());
+    expectPosed(joints, "pivots, all axes");
+}
+
 TEST(Fbx, ScaleIsInheritedAsTheNodeSays)
 {
     for (int type = 0; type < 3; ++type) {

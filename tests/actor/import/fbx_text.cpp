@@ -50,7 +50,9 @@ struct Curves {
     std::string objects, connections;
     size_t next = 6000;
 
-    void add(const std::vector<Vector3d>& keys, size_t owner, const char* letter, const char* target)
+    /// @param axes for which there are curves.
+    void add(const std::vector<Vector3d>& keys, const std::string& axes, size_t owner, const char* letter,
+             const char* target)
     {
         if (keys.empty()) return;
         const size_t node = next++;
@@ -61,6 +63,7 @@ struct Curves {
         objects += "}\n}\n";
         connections += fmt::format("C: \"OO\",{},5001\nC: \"OP\",{},{}, \"{}\"\n", node, node, owner, target);
         for (int axis = 0; axis < 3; ++axis) {
+            if (axes.find("xyz"[axis]) == std::string::npos) continue;
             std::string times, values;
             for (size_t k = 0; k < keys.size(); ++k) {
                 times += fmt::format("{}{}", k > 0 ? "," : "", static_cast<long long>(k) * SECOND / 2);
@@ -112,8 +115,8 @@ std::string fbxText(const std::vector<FbxJoint>& joints)
         objects += model(j, id);
         connections += fmt::format("C: \"OO\",{},{}\nC: \"OO\",{},{}\n", 1000 + id, j.parent < 0 ? 0 : 1000 + j.parent,
                                    2000 + id, 1000 + id);
-        curves.add(j.turns, 1000 + id, "R", "Lcl Rotation");
-        curves.add(j.moves, 1000 + id, "T", "Lcl Translation");
+        curves.add(j.turns, j.turnAxes, 1000 + id, "R", "Lcl Rotation");
+        curves.add(j.moves, j.moveAxes, 1000 + id, "T", "Lcl Translation");
     }
     return "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\nFBXHeaderVersion: 1003\nFBXVersion: 7400\n}\n"
            "GlobalSettings:  {\nVersion: 1000\nProperties70:  {\nP: \"UpAxis\", \"int\", \"Integer\", \"\",1\n"

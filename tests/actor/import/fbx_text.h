@@ -14,9 +14,10 @@ struct FbxJoint {
     Eigen::Vector3d translation{0, 0, 0};
     std::optional<Eigen::Vector3d> rotation, scaling, preRotation, postRotation, rotationPivot, rotationOffset,
         scalingPivot, scalingOffset;
-    std::optional<int> order;                   ///< 0 XYZ, 1 XZY, 2 YZX, 3 YXZ, 4 ZXY, 5 ZYX.
-    std::optional<int> inherit;                 ///< "InheritType".
-    std::vector<Eigen::Vector3d> turns, moves;  ///< Keys of Lcl Rotation and Lcl Translation, half a second apart.
+    std::optional<int> order;                        ///< 0 XYZ, 1 XZY, 2 YZX, 3 YXZ, 4 ZXY, 5 ZYX.
+    std::optional<int> inherit;                      ///< "InheritType".
+    std::vector<Eigen::Vector3d> turns, moves;       ///< Keys of Lcl Rotation and Lcl Translation, half a second apart.
+    std::string turnAxes = "xyz", moveAxes = "xyz";  ///< For which there are curves.
 };
 
 /// An ASCII FBX 7.4 file of joints without a mesh, in metres, with one clip.

@@ -45,13 +45,62 @@ TEST_F(FileCheck, NamesTheFileThatAGltfNeeds)
 
 TEST_F(FileCheck, TellsWhatIsCutOff)
 {
-    for (const auto& [name, text] : {std::pair<const char*, std::string>{"half.gltf", gltf("a.bin").substr(0, 40)},
-                                     {"half.bvh", "HIERARCHY\nROOT Hips\n{\n OFFSET 0 90"},
-                                     {"empty.obj", "# nothing\n"}}) {
+    for (const auto& [name, text] :
+         {std::pair<const char*, std::string>{"half.gltf", gltf("a.bin").substr(0, 40)},
+          {"half.bvh", "HIERARCHY\nROOT Hips\n{\n OFFSET 0 90"},
+          {"half.dae", "<?xml version=\"1.0\"?>\n<COLLADA version=\"1.4.1\"><asset><up_a"}}) {
         const std::string message = refusal(name, text);
         EXPECT_TRUE(message.starts_with("it is cut off or damaged (")) << message;
         EXPECT_TRUE(message.ends_with("); export the model again")) << message;
     }
+}
+
+TEST_F(FileCheck, SaysWhatAnOldFbxIs)
+{
+    const std::string binary = "Kaydara FBX Binary  ";
+    for (const auto& [version, text] :
+         {std::pair<const char*, std::string>{
+              "6.1", "; FBX 6.1.0 project file\n; ----\n\nFBXHeaderExtension:  {\n    FBXHeaderVersion: 1003\n    "
+                     "FBXVersion: 6100\n}\nObjects:  {\n}\n"},
+          {"6.1", binary + std::string("\0\x1a\0\xd4\x17\0\0", 7) + std::string(200, '\0')},
+          {"5.0", "; FBX 5.0 project file\nFBXHeaderExtension:  {\nFBXVersion: 5000\n}\n"}})
+        EXPECT_EQ(refusal("old.fbx", text), std::string("it is an FBX of version ") + version +
+                                                ", as programs wrote before 2011, which is not read: convert it to FBX "
+                                                "2011 or later, or to glTF");
+}
+
+TEST_F(FileCheck, SaysOfAFileWithoutAMeshThatItHasNone)
+{
+    const std::string fbx = "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\nFBXHeaderVersion: 1003\n"
+                            "FBXVersion: 7400\n}\n",
+                      dae = "<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+                            "version=\"1.4.1\"><asset/>",
+                      ply = "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+                            "property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string json = R"({"asset":{"version":"2.0"}} )";
+    const std::string glb = std::string("glTF\2\0\0\0\60\0\0\0\34\0\0\0JSON", 20) + json;
+    const std::string camera = R"({ "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }],
+        "nodes": [{ "camera": 0 }],
+        "cameras": [{ "type": "perspective", "perspective": { "yfov": 1, "znear": 0.1 } }] })";
+    for (const auto& [name, text] :
+         {std::pair<const char*, std::string>{"json.glb", glb},
+          {"json.gltf", json},
+          {"camera.gltf", camera},
+          {"empty.obj", "# nothing\n"},
+          {"points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"},
+          {"header.fbx", fbx},
+          {"empty.fbx", fbx + "Objects:  {\n}\nConnections:  {\n}\n"},
+          {"camera.fbx", fbx + "Objects:  {\nNodeAttribute: 1, \"NodeAttribute::\", \"Camera\" {\n}\nModel: 2, "
+                               "\"Model::Camera\", \"Camera\" {\nVersion: 232\n}\n}\nConnections:  {\n"
+                               "C: \"OO\",2,0\nC: \"OO\",1,2\n}\n"},
+          {"bare.dae", dae + "</COLLADA>\n"},
+          {"node.dae", dae + "<library_visual_scenes><visual_scene id=\"s\"><node id=\"a\"/></visual_scene>"
+                             "</library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>\n"},
+          {"empty.ply", ply},
+          {"empty.stl", "solid a\nendsolid a\n"},
+          {"binary.stl", std::string(84, '\0')},
+          {"empty.off", "OFF\n0 0 0\n"}})
+        EXPECT_EQ(refusal(name, text), "it holds neither triangles nor a skeleton: export a mesh") << name;
 }
 
 TEST_F(FileCheck, SaysWhichFileToGiveInsteadOfASkeletonOfOgre)
@@ -73,11 +122,11 @@ TEST_F(FileCheck, NotesAMissingMaterialFileWhereItWouldBeSeen)
 {
     const std::string path = folder.write("box.obj", std::string("mtllib gone.mtl\r\nusemtl a\n") + TETRAHEDRON);
     const Model drawn = importModel(path, {.surface = true});
-    ASSERT_EQ(drawn.surface.notes.size(), 1u);
-    EXPECT_EQ(drawn.surface.notes[0], "Material file 'gone.mtl' is not beside the model: drawn plain.");
-    EXPECT_TRUE(importModel(path).surface.notes.empty());
+    ASSERT_EQ(drawn.surface.missing.size(), 1u);
+    EXPECT_EQ(drawn.surface.missing[0], "Material file 'gone.mtl' is not beside the model: drawn plain.");
+    EXPECT_TRUE(importModel(path).surface.missing.empty());
     folder.write("gone.mtl", "newmtl a\n");
-    EXPECT_TRUE(importModel(path, {.surface = true}).surface.notes.empty());
+    EXPECT_TRUE(importModel(path, {.surface = true}).surface.missing.empty());
 }
 
 TEST_F(FileCheck, NotesAMeshWithoutTriangles)

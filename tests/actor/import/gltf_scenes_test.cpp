@@ -68,6 +68,17 @@ protected:
     test::TempFolder folder_;
 };
 
+TEST_F(GltfScenes, AFileWithoutASceneShowsAllOfItsNodes)
+{
+    EditedGlb glb(toGlb(nodding()));
+    const Model wanted = import(glb);
+    glb.root.erase("scene");
+    glb.root.erase("scenes");
+    const Model model = import(glb);
+    EXPECT_EQ(model.vertices, wanted.vertices);
+    EXPECT_EQ(model.bones.size(), 3u);
+}
+
 TEST_F(GltfScenes, AMirroredFigureLooksAndMovesAsItsImage)
 {
     EditedGlb plain(toGlb(nodding())), turned(toGlb(nodding()));

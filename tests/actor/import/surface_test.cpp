@@ -51,9 +51,9 @@ protected:
         options.surface = true;
         return importModel(folder_.path("shifted.gltf"), options).surface.materials.at(0);
     }
-    static bool notes(const Model& model, const std::string& text)
+    static bool isMissing(const Model& model, const std::string& text)
     {
-        return std::ranges::find(model.surface.notes, text) != model.surface.notes.end();
+        return std::ranges::find(model.surface.missing, text) != model.surface.missing.end();
     }
     test::TempFolder folder_;
 };
@@ -187,15 +187,16 @@ TEST_F(Surface, ADamagedTextureIsANoteAndItsMaterialPlain)
     EXPECT_TRUE(model.surface.textures.empty());
     EXPECT_EQ(model.surface.materials[0].texture, NO_INDEX);
     EXPECT_EQ(model.surface.materials[0].color, Eigen::Vector3f(1, 0, 0));
-    EXPECT_TRUE(notes(model, "Texture 'paint.tga' is damaged or of a kind that is not read (PNG, JPEG, TGA, BMP and "
-                             "PSD are): drawn plain."));
+    EXPECT_TRUE(isMissing(model,
+                          "Texture 'paint.tga' is damaged or of a kind that is not read (PNG, JPEG, WebP, TGA, BMP "
+                          "and PSD are): drawn plain."));
 }
 
 TEST_F(Surface, AMissingTextureIsANote)
 {
     const Model model = square("map_Kd paint.tga\n");
     EXPECT_EQ(model.surface.materials[0].texture, NO_INDEX);
-    EXPECT_TRUE(notes(model, "Texture 'paint.tga' is not there: drawn plain."));
+    EXPECT_TRUE(isMissing(model, "Texture 'paint.tga' is not there: drawn plain."));
 }
 
 TEST_F(Surface, NobodyAsksNobodyReads)
@@ -204,6 +205,7 @@ TEST_F(Surface, NobodyAsksNobodyReads)
     const Model model = importModel(folder_.path("square.obj"));
     EXPECT_TRUE(model.surface.vertices.empty());
     EXPECT_TRUE(model.surface.notes.empty());
+    EXPECT_TRUE(model.surface.missing.empty());
 }
 
 TEST_F(Surface, BytesWithATextureOfAnotherSizeAreNoModel)

@@ -132,10 +132,8 @@ private:
         std::string word = name;
         for (char& c : word)
             if (SPACES.find(c) != std::string_view::npos) c = '_';
-        if (word != name) {
-            while (used_.contains(word)) word += "_";
-            originals[word] = name;
-        }
+        while (used_.contains(word)) word += "_";
+        if (word != name) originals[word] = name;
         used_.insert(word);
         return word;
     }
@@ -172,10 +170,19 @@ std::string motion(Words& words, size_t first, size_t count, size_t all)
     return text;
 }
 
+/// All hierarchies as one that hangs on a root without channels.
+std::string joinedText(const std::vector<Hierarchy>& roots)
+{
+    constexpr size_t WORD = std::string_view("ROOT").size();
+    std::string text = "ROOT skeletons\n{\nOFFSET 0 0 0\nCHANNELS 0\n";
+    for (const Hierarchy& root : roots) text += "JOINT" + root.text.substr(WORD);
+    return text + "}\n";
+}
+
 /// Which of several hierarchies is asked for.
 size_t pick(const std::vector<Hierarchy>& roots, const std::string& skeleton, std::vector<std::string>& notes)
 {
-    if (roots.size() == 1 || skeleton == ALL_SKELETONS) return 0;
+    if (roots.size() == 1) return 0;
     std::vector<std::string> choice;
     for (const Hierarchy& root : roots) choice.push_back(fmt::format("{} ({} bones)", root.name, root.joints));
     if (skeleton.empty())
@@ -206,14 +213,16 @@ PreparedBvh prepareBvh(std::string text, const std::string& skeleton)
         roots.push_back(std::move(*root));
     }
     if (roots.empty() || (!word.empty() && word != "motion")) return prepared;
-    const size_t taken = pick(roots, skeleton, prepared.notes);
+    const bool areJoined = roots.size() > 1 && skeleton == ALL_SKELETONS;
+    const size_t taken = areJoined ? 0 : pick(roots, skeleton, prepared.notes);
     size_t before = 0, all = 0;
     for (size_t r = 0; r < roots.size(); ++r) {
         if (r < taken) before += roots[r].channels;
         all += roots[r].channels;
     }
-    prepared.text = "HIERARCHY\n" + roots[taken].text;
-    prepared.text += word == "motion" ? motion(words, before, roots[taken].channels, all)
+    const size_t columns = areJoined ? all : roots[taken].channels;
+    prepared.text = "HIERARCHY\n" + (areJoined ? joinedText(roots) : roots[taken].text);
+    prepared.text += word == "motion" ? motion(words, before, columns, all)
                                       : "MOTION\nFrames: 0\nFrame Time: 1\n";  // assimp asks for one
     prepared.originals = std::move(reader.originals);
     return prepared;

@@ -1,5 +1,8 @@
 #include "sim/actor/import/fbx/fbx_nodes.h"
 
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -72,6 +75,18 @@ struct Standing {
     Matrix3d scale = Matrix3d::Identity();  ///< What all scales came to, before the turn.
     Vector3d own = Vector3d::Ones();        ///< The node's own scale.
 };
+
+/// The axis of which all keys are `missing` though the node has something else; -1: none.
+template <typename Key, typename Value>
+int axisOf(const Key* keys, unsigned count, const Vector3d& own, double missing, const Value& valueOf)
+{
+    constexpr double ZERO = 1e-5;  // what floats make of a rotation of none
+    for (int axis = 0; axis < 3; ++axis)
+        if (count > 0 && std::abs(own[axis] - missing) > ZERO &&
+            std::all_of(keys, keys + count, [&](const Key& key) { return double(valueOf(key)[axis]) == missing; }))
+            return axis;
+    return -1;
+}
 
 Standing standingIn(const Standing& parent, FbxInherit inherit, const Matrix3d& linear)
 {
@@ -170,6 +185,24 @@ FbxChannel fbxChannel(const aiNode& node)
         if (partName(*part) == "PostRotation") channel.correction = inverse * inverse;
     }
     return channel;
+}
+
+std::string axisWithoutKeys(const aiNode& node, const aiNodeAnim& channel)
+{
+    const std::string_view part = partName(node);
+    const Matrix4d own = toEigen(node.mTransformation);
+    const auto vector = [](const aiVectorKey& key) { return Vector3d(key.mValue.x, key.mValue.y, key.mValue.z); };
+    const auto turn = [](const aiQuatKey& key) { return Vector3d(key.mValue.x, key.mValue.y, key.mValue.z); };
+    int axis = -1;
+    if (part == "Translation")
+        axis = axisOf(channel.mPositionKeys, channel.mNumPositionKeys, own.topRightCorner<3, 1>(), 0.0, vector);
+    if (part == "Rotation") {
+        const Eigen::Quaterniond rotation(Matrix3d(own.topLeftCorner<3, 3>()));
+        axis = axisOf(channel.mRotationKeys, channel.mNumRotationKeys, rotation.vec(), 0.0, turn);
+    }
+    if (part == "Scaling")
+        axis = axisOf(channel.mScalingKeys, channel.mNumScalingKeys, own.topLeftCorner<3, 3>().diagonal(), 1.0, vector);
+    return axis < 0 ? "" : fmt::format("Lcl {} of {} along {}", part, ownName(node), "xyz"[axis]);
 }
 
 }  // namespace knuckle

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <assimp/anim.h>
 #include <assimp/scene.h>
 
 #include <Eigen/Core>
@@ -57,5 +58,10 @@ struct FbxChannel {
     Eigen::Matrix3d correction = Eigen::Matrix3d::Identity();
 };
 FbxChannel fbxChannel(const aiNode& node);
+
+/// Where a clip has no curve for an axis of a part T, R or S that stands in a row, assimp takes 0 (1 of scale) instead
+/// of what the node says. @returns the axes of whose keys that may be said, as "Lcl Translation of Hips along y"; empty
+/// where there are none.
+std::string axisWithoutKeys(const aiNode& node, const aiNodeAnim& channel);
 
 }  // namespace knuckle

@@ -83,8 +83,8 @@ void decodeMeshopt(GltfSource& source)
             if (!bytes && isPlain(source, view, extension)) continue;
             if (!bytes)
                 throw InputError(
-                    fmt::format("its buffer view {} is compressed with meshopt ({}) and damaged: export the "
-                                "model again",
+                    fmt::format("its buffer view {} is compressed with meshopt ({}) and damaged, or in a way that is "
+                                "not read: export the model without that compression",
                                 v, extension));
             Json plain = source.list("bufferViews")[source.addView(*bytes)];
             if (view.contains("target")) plain["target"] = view["target"];

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <set>
 #include <utility>
 
 #include "sim/actor/import/gltf/gltf_extensions.h"
@@ -37,6 +38,19 @@ void supplyColors(GltfSource& source)
     }
 }
 
+/// Where a file has no scene all of its nodes are one.
+void supplyScene(GltfSource& source)
+{
+    const Json& nodes = source.list("nodes");
+    if (!source.list("scenes").empty() || nodes.empty()) return;
+    std::set<size_t> roots;
+    for (size_t n = 0; n < nodes.size(); ++n) roots.insert(n);
+    for (const Json& node : nodes)
+        for (const Json& child : node.value("children", Json::array())) roots.erase(child.get<size_t>());
+    source.root["scenes"] = Json::array({{{"nodes", roots}}});
+    source.root["scene"] = 0;
+}
+
 }  // namespace
 
 PreparedGltf prepareGltf(const std::string& path)
@@ -49,8 +63,9 @@ PreparedGltf prepareGltf(const std::string& path)
     const Json before = source->root;
     const auto name = [&](GltfSource& gltf) { prepared.originals = nameJoints(gltf.root); };
     using Step = std::function<void(GltfSource&)>;
-    for (const Step& step : std::initializer_list<Step>{decodeMeshopt, supplyPictures, name, supplyBindMatrices,
-                                                        supplyLinearKeys, applyShapes, supplyFloats, supplyColors}) {
+    for (const Step& step :
+         std::initializer_list<Step>{supplyScene, decodeMeshopt, supplyPictures, name, supplyBindMatrices,
+                                     supplyLinearKeys, applyShapes, supplyFloats, supplyColors}) {
         try {
             step(*source);
         } catch (const Json::exception&) {
