@@ -173,7 +173,11 @@ void TrafficOf::expectPicturesOnly()
         switch (t.way) {
             case Way::Upload: ASSERT_LE(t.bytes, KIB) << place; break;
             case Way::Picture: ASSERT_EQ(t.bytes, size_t{4} * WIDTH * HEIGHT) << place; break;
-            case Way::Read: ASSERT_EQ(t.bytes, sizeof(gpu::Counters)) << place; break;
+            case Way::Read:
+                // Before the first step it is asked for whether fluids have come to rest.
+                if (t.frame == 1 && t.bytes == sizeof(uint32_t)) break;
+                ASSERT_EQ(t.bytes, sizeof(gpu::Counters)) << place;
+                break;
         }
     }
 }

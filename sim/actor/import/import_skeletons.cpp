@@ -15,7 +15,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr size_t FEWEST_OWN = 2;  // bones of a figure in an export of a run, where each object has a skeleton
+constexpr size_t FEWEST_OWN = 2;  // bones of a figure in an export of a run that has no larger one
 
 /// Bones below one root, or below several that a mesh connects.
 struct Skeleton {
@@ -146,10 +146,12 @@ std::vector<uint32_t> pickSkeleton(const aiScene& scene, const ModelPick& pick, 
     if (pick.skeleton == ALL_SKELETONS || (table.isBare && pick.skeleton.empty())) return all;
     const std::vector<Skeleton> skeletons = SkeletonFinder(scene, table).find();
     const bool isOwn = isOwnExport(scene) && !table.isBare;
+    // Pairs that stand in an export beside a figure are none.
+    const auto isFigure = [](const Skeleton& s) { return s.skinned >= FEWEST_SKINNED; };
+    const size_t fewest = isOwn && std::ranges::none_of(skeletons, isFigure) ? FEWEST_OWN : FEWEST_SKINNED;
     std::vector<Skeleton> figures, others;
     for (const Skeleton& skeleton : skeletons)
-        (table.isBare || skeleton.skinned >= (isOwn ? FEWEST_OWN : FEWEST_SKINNED) ? figures : others)
-            .push_back(skeleton);
+        (table.isBare || skeleton.skinned >= fewest ? figures : others).push_back(skeleton);
     const bool isBeside = isOwn && !figures.empty() && !others.empty();
     if (isBeside && !pick.skeleton.empty()) figures = skeletons;
     if (isBeside) others.clear();
