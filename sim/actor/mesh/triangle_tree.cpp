@@ -225,7 +225,7 @@ SurfacePoint TriangleTree::nearest(const Vector3f& point) const
 
 SurfacePoint TriangleTree::nearestAround(const Vector3f& point) const
 {
-    const SurfacePoint first = nearest(point);
+    SurfacePoint first = nearest(point);
     const double winding = windingNumber(point);
     if (std::abs(winding) <= 0.5) return first;
     const auto behind = [&](const std::array<Vector3f, 3>& c) {
