@@ -104,7 +104,7 @@ BodyClip emptyCopy(const BodyClip& clip)
 /// What a key to the next moves by while no foot is down: as between the last two that had one down.
 class Gait {
 public:
-    Gait(const Actor& actor, const BodyClip& clip) : clip_(clip), contacts_(groundContacts(actor, clip))
+    Gait(const Actor& actor, const BodyClip& clip) : contacts_(groundContacts(actor, clip))
     {
         Ground last(0, 0);
         for (int round = 0; round < 2; ++round)  // what comes before the first contact goes as the round's end
@@ -127,16 +127,12 @@ public:
     }
 
 private:
-    const BodyClip& clip_;
     std::vector<GroundContact> contacts_;
     bool isAnyThere_ = false;
 };
 
-}  // namespace
-
-TravelClip travelOnFeet(const Actor& actor, const BodyClip& clip)
+TravelClip straightOn(const Gait& gait, const BodyClip& clip)
 {
-    const Gait gait(actor, clip);
     TravelClip travel{emptyCopy(clip), 0.0f};
     Frame frame;
     for (uint32_t k = 0; k < clip.keyCount(); ++k) {
@@ -151,11 +147,18 @@ TravelClip travelOnFeet(const Actor& actor, const BodyClip& clip)
     return travel;
 }
 
+}  // namespace
+
+TravelClip travelOnFeet(const Actor& actor, const BodyClip& clip)
+{
+    return straightOn(Gait(actor, clip), clip);
+}
+
 TravelClip travelAlong(const Actor& actor, const BodyClip& clip, const std::vector<Eigen::Vector2f>& path, float start,
                        float duration)
 {
-    const TravelClip straight = travelOnFeet(actor, clip);
     const Gait gait(actor, clip);
+    const TravelClip straight = straightOn(gait, clip);
     const Ground origin = groundOf(clip.roots.front());
     Path line(origin);
     for (const Ground& point : path) line.add(origin + point);

@@ -26,6 +26,20 @@ BoxBones dogWithFeetAtRoot(const std::string& front, const std::string& back, bo
     return bones;
 }
 
+/// Of a dog whose feet hang on its root, by these names: each goes to the leg of its end and side.
+void expectFeetOnTheirLegs(const std::string& front, const std::string& back, bool reversed)
+{
+    const BoxBones bones = dogWithFeetAtRoot(front, back, reversed);
+    const Model model = boxFigure(bones);
+    const Actor actor = made(bones);
+    for (const std::string side : {".L", ".R"}) {
+        EXPECT_EQ(ownerOf(model, front + side), "FrontLowLeg" + side);
+        EXPECT_EQ(ownerOf(model, back + side), "BackLowLeg" + side);
+        EXPECT_EQ(parentOf(actor, front + side), "FrontLowLeg" + side);
+        EXPECT_EQ(parentOf(actor, back + side), "BackLowLeg" + side);
+    }
+}
+
 TEST(LimbEnds, FeetAtTheRootGoWhereTheirWordsSay)
 {
     const std::vector<std::pair<std::string, std::string>> names{{"FrontFoot", "BackFoot"},
@@ -33,32 +47,14 @@ TEST(LimbEnds, FeetAtTheRootGoWhereTheirWordsSay)
                                                                  {"Hoof_front", "Hoof_rear"},
                                                                  {"IK_FrontPaw", "IK_BackPaw"}};
     for (const auto& [front, back] : names) {
-        for (const bool reversed : {false, true}) {
-            const BoxBones bones = dogWithFeetAtRoot(front, back, reversed);
-            const Model model = boxFigure(bones);
-            const Actor actor = made(bones);
-            for (const std::string side : {".L", ".R"}) {
-                EXPECT_EQ(ownerOf(model, front + side), "FrontLowLeg" + side);
-                EXPECT_EQ(ownerOf(model, back + side), "BackLowLeg" + side);
-                EXPECT_EQ(parentOf(actor, front + side), "FrontLowLeg" + side);
-                EXPECT_EQ(parentOf(actor, back + side), "BackLowLeg" + side);
-            }
-        }
+        for (const bool reversed : {false, true}) expectFeetOnTheirLegs(front, back, reversed);
     }
 }
 
 TEST(LimbEnds, FeetThatDoNotSayWhichTheyAreGoWhereTheyStand)
 {
     for (const auto& [front, back] : {std::pair("Paw1", "Paw2"), {"Flurb", "Glonk"}}) {
-        const BoxBones bones = dogWithFeetAtRoot(front, back, false);
-        const Model model = boxFigure(bones);
-        const Actor actor = made(bones);
-        for (const std::string side : {".L", ".R"}) {
-            EXPECT_EQ(ownerOf(model, front + side), "FrontLowLeg" + side);
-            EXPECT_EQ(ownerOf(model, back + side), "BackLowLeg" + side);
-            EXPECT_EQ(parentOf(actor, front + side), "FrontLowLeg" + side);
-            EXPECT_EQ(parentOf(actor, back + side), "BackLowLeg" + side);
-        }
+        expectFeetOnTheirLegs(front, back, false);
     }
 }
 
