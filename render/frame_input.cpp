@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "render/picture/render_targets.h"
 #include "render/spheres/sphere_pass.h"
+#include "sim/base/angles.h"
 
 namespace knuckle {
 
 namespace {
 
-constexpr float DEGREE = std::numbers::pi_v<float> / 180.0f;
 /// View depth of the depth buffer's 1 [m]; depth is linear in floats, so it can be generous.
 constexpr float FAR_DEPTH = 20000.0f;
 const Vector3f KEY_TINT{1.0f, 0.955f, 0.89f};

@@ -13,7 +13,7 @@
 #include "render/skins/skin_pass.h"
 #include "render/spheres/sphere_pass.h"
 #include "render/view/view_passes.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 

@@ -16,15 +16,17 @@ refuse() {
   fi
 }
 
-refuse sim/world 'sim/(gpu|solver|actor)/|render/|app/'
-refuse sim/gpu 'sim/(solver|actor)/|render/|app/'
-refuse sim/actor 'sim/(gpu|solver)/|render/|app/'
-refuse sim/solver 'sim/actor/|render/|app/'
+refuse sim/base 'sim/(world|gpu|solver|rig)/|render/|app/|shared/'
+refuse sim/world 'sim/(gpu|solver|rig)/|render/|app/'
+refuse sim/gpu 'sim/(solver|rig)/|render/|app/'
+refuse sim/rig 'sim/(gpu|solver)/|render/|app/'
+refuse sim/solver 'sim/rig/|render/|app/'
 refuse sim/solver/layout 'sim/(gpu|solver/[a-km-z])'
 refuse sim/solver/measure 'sim/(gpu|solver/[a-kn-z])'
-refuse render 'sim/actor/|app/'
+refuse render 'sim/rig/|app/'
 refuse render/picture 'render/(spheres|colliders|view|output)/'
 refuse render/view 'render/(spheres|colliders|picture|output)/'
+refuse render/skins 'render/(spheres|colliders|view|output)/'
 refuse render/output 'render/(spheres|colliders|view)/'
 refuse app/run 'app/commands/'
 refuse app/scene 'app/(commands|run)/'

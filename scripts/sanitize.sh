@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-suites=(world actor app tools)
+suites=(world rig app tools)
 bash scripts/install.sh
 cmake --preset asan >/dev/null
 cmake --build --preset asan --target "${suites[@]/#/test_}"

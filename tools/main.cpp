@@ -3,8 +3,8 @@
 #include <map>
 #include <string>
 
-#include "render/files/output_file.h"
-#include "sim/actor/gltf/glb.h"
+#include "sim/base/files/output_file.h"
+#include "sim/rig/gltf/glb.h"
 #include "tools/crate/crate.h"
 #include "tools/dog/dog.h"
 #include "tools/humanoid/humanoid.h"

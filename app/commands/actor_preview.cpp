@@ -6,8 +6,7 @@
 
 #include "render/renderer.h"
 #include "render/view/framing.h"
-#include "sim/actor/anatomy/anatomy.h"
-#include "sim/actor/skin/skin_mesh.h"
+#include "sim/rig/skin/skin_mesh.h"
 #include "sim/solver/solver.h"
 
 namespace knuckle {
@@ -74,14 +73,13 @@ void place(const Image& view, uint32_t index, Image& picture)
 
 }  // namespace
 
-Image drawPreview(const Actor& actor, const Model& model, const CommonOptions& common)
+Image drawPreview(const Actor& actor, const Figure& figure, const CommonOptions& common)
 {
-    const World world = previewWorld(actor, model);
-    const std::vector<Vector3f> points = shownPoints(actor, model);
-    const Vector3f left = model.isSplit ? Vector3f::UnitX() : leftOf(model, readAnatomy(model)),
-                   front = left.cross(Vector3f::UnitY());
+    const World world = previewWorld(actor, figure.model);
+    const std::vector<Vector3f> points = shownPoints(actor, figure.model);
     const float radius = 0.5f * actor.diameter;
-    const std::array sides{viewFrom(front, points, radius, true), viewFrom(left, points, radius, false)};
+    const std::array sides{viewFrom(figure.forward, points, radius, true),
+                           viewFrom(figure.left, points, radius, false)};
     const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(sides.front())});
     Solver solver(*gpu, world);
     Image picture{VIEWS * WIDTH, HEIGHT, std::vector<uint8_t>(size_t{3} * VIEWS * WIDTH * HEIGHT)};

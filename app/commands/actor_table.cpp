@@ -7,14 +7,12 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
 #include "app/json/fields.h"
 #include "app/run/counted.h"
-#include "sim/actor/anatomy/anatomy.h"
-#include "sim/actor/anatomy/name_pattern.h"
-#include "sim/actor/bodies/bone_options.h"
+#include "sim/base/angles.h"
+#include "sim/rig/anatomy/names/name_pattern.h"
 
 namespace knuckle {
 
@@ -35,14 +33,13 @@ constexpr size_t COLUMNS = 7;
 using Row = std::array<std::string, COLUMNS>;
 using Names = std::vector<std::string>;
 
-/// What a table says of a model's bones, by their names.
+/// What a table says of a figure's bones, by their names.
 class BoneFacts {
 public:
-    BoneFacts(const Model& model, const ArticulationOptions& options)
-        : options_(options), wanted_(rolesWanted(model, options)), isSplit_(model.isSplit),
-          anatomy_(model.isSplit ? std::vector<BoneAnatomy>(model.bones.size()) : readAnatomy(model, wanted_))
+    BoneFacts(const Figure& figure, const ArticulationOptions& options) : options_(options), figure_(figure)
     {
-        for (uint32_t b = 0; b < model.bones.size(); ++b) bones_.try_emplace(model.bones[b].name, b);
+        const std::vector<Bone>& bones = figure.model.bones;
+        for (uint32_t b = 0; b < bones.size(); ++b) bones_.try_emplace(bones[b].name, b);
     }
 
     /// "upper arm, left (name)"
@@ -50,12 +47,12 @@ public:
     {
         const auto bone = find(name);
         if (!bone) return {};
-        if (isSplit_) return "part";
-        const BoneAnatomy& anatomy = anatomy_[*bone];
+        if (figure_.model.isSplit) return "part";
+        const BoneAnatomy& anatomy = figure_.anatomy[*bone];
         const char* side = anatomy.side > 0 ? ", left" : anatomy.side < 0 ? ", right" : "";
         Names by;
         if (anatomy.source != AnatomySource::None) by.push_back(wordOf(anatomy.source));
-        if (wanted_.contains(*bone)) by.push_back("--keep");
+        if (figure_.wanted.contains(*bone)) by.push_back("--keep");
         if (isOverridden(name)) by.push_back("--joints");
         return wordOf(anatomy.part) + side + (by.empty() ? "" : fmt::format(" ({})", fmt::join(by, ", ")));
     }
@@ -73,15 +70,13 @@ private:
     }
 
     const ArticulationOptions& options_;
-    std::map<uint32_t, BoneRole> wanted_;
-    bool isSplit_;
-    std::vector<BoneAnatomy> anatomy_;
+    const Figure& figure_;
     std::map<std::string, uint32_t> bones_;
 };
 
 long degrees(float radians)
 {
-    return std::lround(180.0 * static_cast<double>(radians) / std::numbers::pi);
+    return std::lround(degreesOf(radians));
 }
 
 std::string rangeText(const TurnRange& range)
@@ -111,7 +106,7 @@ std::string turnText(const ActorJoint& joint)
             break;
         case JointType::Ball:
             if (!limits.any()) return "any way";
-            text = limits.swing < std::numbers::pi_v<float> ? fmt::format("cone {}", degrees(limits.swing)) : "any way";
+            text = limits.swing < HALF_TURN ? fmt::format("cone {}", degrees(limits.swing)) : "any way";
             text += ", twist " + rangeText(limits.twist);
     }
     if (std::isfinite(limits.stiffness)) text += fmt::format(", spring {:.3g} N m/rad", limits.stiffness);
@@ -175,10 +170,11 @@ std::string clipText(const Model& model)
 
 }  // namespace
 
-std::string actorTable(const Actor& actor, const Model& model, const ArticulationOptions& options,
+std::string actorTable(const Actor& actor, const Figure& figure, const ArticulationOptions& options,
                        const FillError& fill)
 {
-    const BoneFacts facts(model, options);
+    const Model& model = figure.model;
+    const BoneFacts facts(figure, options);
     std::vector<Row> rows{{"body", "parent", "particles", "joint", "shared", "turns, degrees", "taken for (by)"}};
     size_t mergedCount = 0;
     for (uint32_t b = 0; b < actor.bodies.size(); ++b) {

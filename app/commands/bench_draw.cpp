@@ -6,8 +6,8 @@
 #include "app/commands/bench_run.h"
 #include "app/commands/troupe_world.h"
 #include "render/renderer.h"
+#include "sim/base/errors.h"
 #include "sim/solver/workload.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 

@@ -6,8 +6,8 @@
 #include "app/run/counted.h"
 #include "app/run/tell.h"
 #include "app/scene/scene_file.h"
+#include "sim/base/errors.h"
 #include "sim/solver/measure/animated_depths.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 

@@ -6,9 +6,9 @@
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/files/run_paths.h"
-#include "render/files/endings.h"
-#include "render/files/output_file.h"
 #include "render/picture/image.h"
+#include "sim/base/files/endings.h"
+#include "sim/base/files/output_file.h"
 
 namespace knuckle {
 

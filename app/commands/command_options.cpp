@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 

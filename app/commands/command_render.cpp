@@ -9,8 +9,8 @@
 #include "app/commands/commands.h"
 #include "app/run/film_outputs.h"
 #include "app/run/tell.h"
-#include "render/files/endings.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
+#include "sim/base/files/endings.h"
 
 namespace knuckle {
 
@@ -95,7 +95,7 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     readExports(options.exports, film);
     if (!film.stats.empty()) requireEnding("--stats ", film.stats, "a file of figures", {".json", ".txt", ""});
     for (const std::string& path : options.outputs) isFilm(path);  // so that a wrong one is told at once
-    const Scene scene = loadScene(options.scene, overrides);
+    const Scene scene = loadScene(options.scene, overrides, !film.gltf.empty());
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", options.scene, warning));

@@ -12,11 +12,13 @@
 #include "app/files/joints_file.h"
 #include "app/files/run_paths.h"
 #include "app/run/counted.h"
-#include "render/files/endings.h"
-#include "render/files/output_file.h"
-#include "sim/actor/bodies/make_actor.h"
-#include "sim/actor/limbs/fill_error.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
+#include "sim/base/files/endings.h"
+#include "sim/base/files/output_file.h"
+#include "sim/rig/bodies/bone_options.h"
+#include "sim/rig/bodies/make_actor.h"
+#include "sim/rig/import/import.h"
+#include "sim/rig/limbs/fill_error.h"
 
 namespace knuckle {
 
@@ -97,16 +99,17 @@ int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
     if (!options.joints.empty()) readJoints(options.joints, actorOptions.articulation);
     import.pick = {options.skeleton, options.split};
     const Model model = readModel(options.model, import);
-    Actor actor = makeActor(model, actorOptions);
+    const Figure figure = readFigure(model, rolesWanted(model, actorOptions.articulation));
+    Actor actor = makeActor(figure, actorOptions);
     actor.model = {options.model, import.fit, import.pick};
     requireUsable(options.model, actor);
     if (!common.quiet) {
         const FillError error = fillError(actor, Solid(model.vertices, model.triangles));
-        fmt::print("{}", actorTable(actor, model, actorOptions.articulation, error));
+        fmt::print("{}", actorTable(actor, figure, actorOptions.articulation, error));
     }
     if (output) writeActor(*output, options.output, actor);
     if (preview) {
-        preview->write(pngOf(drawPreview(actor, model, common)));
+        preview->write(pngOf(drawPreview(actor, figure, common)));
         preview->commit();
     }
     return EXIT_FINE;

@@ -12,8 +12,8 @@
 #include "app/run/crash.h"
 #include "app/run/interrupt.h"
 #include "app/run/tell.h"
-#include "sim/world/errors.h"
-#include "sim/world/memory.h"
+#include "sim/base/errors.h"
+#include "sim/base/memory.h"
 
 namespace knuckle {
 

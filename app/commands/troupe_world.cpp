@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "app/commands/table2_world.h"
-#include "sim/actor/bodies/clip_ranges.h"
-#include "sim/actor/bodies/make_actor.h"
-#include "sim/actor/clips/body_clip.h"
-#include "sim/actor/skin/skin_mesh.h"
+#include "sim/base/errors.h"
+#include "sim/rig/bodies/make_actor.h"
+#include "sim/rig/clips/body_clip.h"
+#include "sim/rig/clips/clip_ranges.h"
+#include "sim/rig/skin/skin_mesh.h"
 #include "sim/world/builder/builder.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 
@@ -24,12 +24,12 @@ const char* const CLIP = "walk";
 constexpr float CROWD_SPACING = 1.3f;  // [m]
 
 /// An actor with the clip that it plays.
-struct Figure {
+struct Performer {
     Actor actor;
     BodyClip motion;
 };
 
-Figure figureOf(const Model& model, const std::string& file, const ActorOptions& options)
+Performer performerOf(const Model& model, const std::string& file, const ActorOptions& options)
 {
     const auto clip = std::ranges::find(model.clips, CLIP, &Clip::name);
     if (clip == model.clips.end())
@@ -37,7 +37,7 @@ Figure figureOf(const Model& model, const std::string& file, const ActorOptions&
     Actor actor = makeActor(model, options);
     BodyClip motion = ownClip(actor, model, *clip).clip;
     holdWithinLimits(actor, motion);
-    takeIn(actor, motion);
+    allow(actor, needsOf(actor, motion));
     return {std::move(actor), std::move(motion)};
 }
 
@@ -74,7 +74,7 @@ World troupeWorld(uint32_t actorCount, float releaseTime, const std::string& fil
     ActorOptions options;
     options.voxels.diameter = DIAMETER;
     options.articulation.limited = settings.solver == SolverKind::Impulse;
-    auto [actor, motion] = figureOf(importModel(file, {}), file, options);
+    auto [actor, motion] = performerOf(importModel(file, {}), file, options);
     WorldBuilder builder(DIAMETER / 2, settings);
     const uint32_t material = addFigureMaterial(builder);
     addBenchBox(builder);
@@ -94,7 +94,7 @@ World troupeWorld(uint32_t actorCount, float releaseTime, const std::string& fil
 World crowdWorld(uint32_t actorCount, const std::string& file)
 {
     const Model model = importModel(file, {.surface = true});
-    auto [actor, motion] = figureOf(model, file, {});
+    auto [actor, motion] = performerOf(model, file, {});
     const auto skin = std::make_shared<const SkinMesh>(makeSkinMesh(actor, model));
     WorldBuilder builder(actor.diameter / 2);
     const uint32_t material = addFigureMaterial(builder);

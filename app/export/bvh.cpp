@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <set>
 
-#include "sim/actor/bodies/bone_bodies.h"
-#include "sim/world/errors.h"
+#include "sim/base/angles.h"
+#include "sim/base/errors.h"
+#include "sim/rig/bodies/bone_bodies.h"
 
 namespace knuckle {
 
@@ -18,8 +18,7 @@ namespace {
 using Eigen::Isometry3f;
 using Frames = std::vector<std::vector<Isometry3f>>;
 
-constexpr float CENTIMETRES = 100.0f;  // a metre
-constexpr float DEGREES = 180.0f / std::numbers::pi_v<float>;
+constexpr float CENTIMETRES = 100.0f;   // a metre
 constexpr float AWAY = 0.001f;          // from where its parent has it [m]: a joint that needs a position
 constexpr float STRAIGHT_UP = 0.9999f;  // sine of the turn about x, above which those about z and y are one
 
@@ -45,7 +44,7 @@ Vector3f anglesOf(const Eigen::Matrix3f& r, const Vector3f& last)
     Vector3f angles;
     if (std::abs(sine) > STRAIGHT_UP) angles = {std::atan2(r(1, 0), r(0, 0)), std::asin(sine), 0.0f};
     else angles = {std::atan2(-r(0, 1), r(1, 1)), std::asin(sine), std::atan2(-r(2, 0), r(2, 2))};
-    angles *= DEGREES;
+    angles *= 180.0f / HALF_TURN;
     // The same rotation, the other way about x.
     const Vector3f other(angles[0] + 180.0f, 180.0f - angles[1], angles[2] + 180.0f);
     const auto near = [&](const Vector3f& a) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/export/rig.h"
-#include "render/files/output_file.h"
+#include "sim/base/files/output_file.h"
 
 namespace knuckle {
 

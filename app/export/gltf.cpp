@@ -6,11 +6,12 @@
 #include <map>
 #include <utility>
 
+#include "render/color_word.h"
 #include "render/picture/image.h"
 #include "render/spheres/palette.h"
-#include "sim/actor/gltf/glb.h"
-#include "sim/actor/skin/skin_mesh.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
+#include "sim/rig/gltf/glb.h"
+#include "sim/rig/skin/skin_mesh.h"
 
 namespace knuckle {
 

@@ -3,21 +3,22 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "sim/actor/import/import.h"
-#include "sim/actor/skin/skin_mesh.h"
+#include "sim/rig/import/imports.h"
+#include "sim/rig/skin/skin_mesh.h"
 
 namespace knuckle {
 
 namespace {
 
-Model readModel(const SceneActor& use, bool surface)
+/// @param surface whether it is wanted with how it looks. @returns it without clips.
+Model readModel(Imports& imports, const SceneActor& use, bool surface)
 {
-    ImportOptions options;
-    options.fit = use.actor->model.fit;
-    options.pick = use.actor->model.pick;
-    options.clips = false;
-    options.surface = surface;
-    return importModel(use.actor->model.file, options);
+    const ModelSource& source = use.actor->model;
+    Model model = *imports.read(source.file,
+                                {.fit = source.fit, .clips = false, .surface = surface, .pick = source.pick});
+    model.clips.clear();
+    model.unusableClips.clear();
+    return model;
 }
 
 /// A body's joint with what it hangs on; of the first one the middle of its particles.
@@ -65,7 +66,7 @@ std::vector<Rig> rigsOf(const Scene& scene, bool surface)
     for (const SceneActor& use : scene.actors) {
         Rig rig;
         if (std::filesystem::is_regular_file(use.actor->model.file)) {
-            rig.model = readModel(use, surface);
+            rig.model = readModel(*scene.imports, use, surface);
             rig.bodies = bodiesOfBones(*use.actor, rig.model);
         }
         if (rig.model.bones.empty()) giveBodies(*use.actor, rig);

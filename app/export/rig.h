@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/scene/scene_file.h"
-#include "sim/actor/import/import.h"
+#include "sim/rig/import/import.h"
 #include "sim/solver/measure/state.h"
 
 namespace knuckle {

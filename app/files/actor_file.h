@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "render/files/output_file.h"
-#include "sim/actor/actor.h"
+#include "sim/base/files/output_file.h"
+#include "sim/rig/actor.h"
 
 namespace knuckle {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/files/output_file.h"
+#include "sim/base/files/output_file.h"
 #include "sim/gpu/kernel.h"
 #include "sim/solver/solver.h"
 #include "sim/world/world.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sim/actor/bodies/articulate.h"
+#include "sim/rig/actor_options.h"
 
 namespace knuckle {
 

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "render/files/endings.h"
-#include "sim/actor/import/gltf/gltf_source.h"
+#include "sim/base/files/endings.h"
+#include "sim/rig/import/gltf/gltf_source.h"
 
 namespace knuckle {
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/files/model_files.h"
-#include "render/files/output_place.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
+#include "sim/base/files/output_place.h"
 
 namespace knuckle {
 

@@ -8,22 +8,16 @@
 #include <cmath>
 
 #include "app/json/fields.h"
+#include "sim/base/angles.h"
 
 namespace knuckle {
 
 namespace {
 
-constexpr float HALF_TURN = 180.0f;
-
-float radians(float degrees)
-{
-    return degrees / HALF_TURN * std::numbers::pi_v<float>;
-}
-
 /// To a ten-thousandth, which is as far as they were given.
-double degrees(float radians)
+double roundedDegrees(float radians)
 {
-    return std::round(double{radians} / std::numbers::pi * HALF_TURN * 1e4) / 1e4;
+    return std::round(degreesOf(radians) * 1e4) / 1e4;
 }
 
 /// Which field is which range.
@@ -35,9 +29,9 @@ constexpr std::array RANGES{std::pair{"twist", &JointLimits::twist}, std::pair{"
 JointLimits readLimits(const Json& json)
 {
     JointLimits limits;
-    limits.swing = radians(json["swing"]);
+    limits.swing = radiansOf(json["swing"]);
     readValue(json["cone"], limits.cone);
-    for (const auto& [key, range] : RANGES) limits.*range = {radians(json[key][0]), radians(json[key][1])};
+    for (const auto& [key, range] : RANGES) limits.*range = {radiansOf(json[key][0]), radiansOf(json[key][1])};
     limits.stiffness = readUnlessZero(json["stiffness"]);
     return limits;
 }
@@ -67,9 +61,9 @@ void requireLimits(const std::string& path, const std::string& pointer, const Jo
 
 Json writeLimits(const JointLimits& limits)
 {
-    Json json = {{"swing", degrees(limits.swing)}, {"cone", writeValue(limits.cone)}};
+    Json json = {{"swing", roundedDegrees(limits.swing)}, {"cone", writeValue(limits.cone)}};
     for (const auto& [key, range] : RANGES)
-        json[key] = {degrees((limits.*range).lowest), degrees((limits.*range).highest)};
+        json[key] = {roundedDegrees((limits.*range).lowest), roundedDegrees((limits.*range).highest)};
     json["stiffness"] = std::isinf(limits.stiffness) ? 0.0f : limits.stiffness;
     return json;
 }

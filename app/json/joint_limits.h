@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/json/json.h"
-#include "sim/world/joint.h"
+#include "sim/world/joint/joint.h"
 
 namespace knuckle {
 

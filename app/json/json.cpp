@@ -12,7 +12,7 @@
 #include <set>
 #include <sstream>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 

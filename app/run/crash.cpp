@@ -10,8 +10,8 @@
 #include <new>
 #include <string>
 
-#include "render/files/leftovers.h"
-#include "sim/world/memory.h"
+#include "sim/base/files/leftovers.h"
+#include "sim/base/memory.h"
 
 namespace knuckle {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "render/files/endings.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
+#include "sim/base/files/endings.h"
 
 namespace knuckle {
 

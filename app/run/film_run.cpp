@@ -12,8 +12,8 @@
 #include "app/run/progress.h"
 #include "app/run/stopwatch.h"
 #include "app/run/tell.h"
+#include "sim/base/errors.h"
 #include "sim/solver/workload.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "render/files/leftovers.h"
+#include "sim/base/files/leftovers.h"
 
 namespace knuckle {
 

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 

@@ -13,17 +13,12 @@
 #include "app/scene/scene_fill.h"
 #include "app/scene/scene_parts.h"
 #include "app/scene/scene_ropes.h"
-#include "render/files/endings.h"
-#include "sim/actor/bodies/make_actor.h"
+#include "sim/base/files/endings.h"
+#include "sim/rig/bodies/make_actor.h"
 
 namespace knuckle {
 
 namespace {
-
-std::string besideScene(const SceneContext& context, const std::string& file)
-{
-    return (std::filesystem::path(context.path).parent_path() / file).lexically_normal().string();
-}
 
 bool isLimited(const SceneContext& context, const Json& actor)
 {
@@ -52,32 +47,17 @@ Actor loadActor(SceneContext& context, const Json& object, const std::string& fi
     return actor;
 }
 
-ImportOptions optionsFor(const ModelSource& source)
-{
-    ImportOptions options;
-    options.fit = source.fit;
-    options.pick = source.pick;
-    return options;
-}
-
-Model readModel(const Json& object, const std::string& file)
-{
-    ImportOptions options = optionsFor(modelOf(object, file));
-    options.clips = object["type"] == "actor";  // they show how joints turn
-    return importModel(file, options);
-}
-
 /// @param diameter of its particles [m]; 0: what fits it.
 Actor voxelizeModel(SceneContext& context, const Json& object, const std::string& file, const std::string& pointer,
                     float diameter)
 {
-    const bool kept = playsOwnClips(object) || showsSkin(object);
-    Model model = kept ? modelWithClips(context, modelOf(object, file), showsSkin(object)) : readModel(object, file);
+    const bool isActor = object["type"] == "actor";
+    Model model = *readModel(context, modelOf(object, file), isActor);  // clips show how joints turn
     ActorOptions options;
     options.voxels.diameter = diameter;
     options.voxels.particleLimit = MAX_PARTICLES;
     options.articulation.limited = isLimited(context, object);
-    if (object["type"] != "actor") {
+    if (!isActor) {
         model.bones.clear();
         model.skin.clear();
     } else if (const std::string joints = object["joints"]; !joints.empty()) {
@@ -123,6 +103,11 @@ bool isActorFile(const std::string& file)
 
 }  // namespace
 
+std::string besideScene(const SceneContext& context, const std::string& file)
+{
+    return (std::filesystem::path(context.path).parent_path() / file).lexically_normal().string();
+}
+
 std::string existingFile(SceneContext& context, const std::string& file, const std::string& pointer)
 {
     std::string path = besideScene(context, file);
@@ -132,9 +117,9 @@ std::string existingFile(SceneContext& context, const std::string& file, const s
     return path;
 }
 
-Model readClothModel(SceneContext& context, const Json& object, const std::string& pointer)
+std::shared_ptr<const Model> readClothModel(SceneContext& context, const Json& object, const std::string& pointer)
 {
-    return readModel(object, existingFile(context, object["file"], pointer + "/file"));
+    return readModel(context, modelOf(object, existingFile(context, object["file"], pointer + "/file")), false);
 }
 
 ModelSource modelOf(const Json& object, const std::string& file)
@@ -157,17 +142,11 @@ std::string actorKey(const SceneContext& context, const Json& object, const std:
         .dump();
 }
 
-const Model& modelWithClips(SceneContext& context, const ModelSource& source, bool surface)
+std::shared_ptr<const Model> readModel(SceneContext& context, const ModelSource& source, bool clips)
 {
-    const ModelFit& fit = source.fit;
-    const std::string key = Json{source.file,          fit.scale,         fit.height, fit.up, fit.centering,
-                                 source.pick.skeleton, source.pick.split, surface}
-                                .dump();
-    const auto found = context.models.find(key);
-    if (found != context.models.end()) return found->second;
-    ImportOptions options = optionsFor(source);
-    options.surface = surface;
-    return context.models.emplace(key, importModel(source.file, options)).first->second;
+    return context.imports->read(
+        source.file,
+        {.fit = source.fit, .clips = clips, .surface = context.drawnFiles.contains(source.file), .pick = source.pick});
 }
 
 const Actor& findActor(SceneContext& context, const Json& object, const std::string& pointer, float diameter)
@@ -229,7 +208,11 @@ void addActors(const ObjectEntry& entry)
     freeHeldJoints(actor, held);
     const bool animated = isAnimated(entry.json);
     if (animated && !held.empty()) entry.fail("/animation", "is for what is not held; take `fixed` and `hold` away");
-    const std::vector<ClipPlay> plays = animated ? readClips(entry, actor) : std::vector<ClipPlay>();
+    PlayedClips clips;
+    if (animated) {
+        clips = readClips(entry, actor);
+        allow(actor, clips.needs);
+    }
     std::vector<uint32_t> objects;
     WorldBuilder& builder = entry.context.builder;
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
@@ -238,7 +221,7 @@ void addActors(const ObjectEntry& entry)
         for (const uint32_t body : held) builder.holdBody(builder.world().objects[objects.back()].bodyStart + body);
     }
     entry.context.actorUses.push_back({std::make_shared<const Actor>(actor), objects});
-    if (animated) animateActors(entry, actor, objects, plays);
+    if (animated) animateActors(entry, actor, objects, clips.plays);
     driveActors(entry, actor, objects);
     releaseActors(entry, actor, objects);
     if (showsSkin(entry.json)) wearSkin(entry, actor, objects);

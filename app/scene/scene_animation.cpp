@@ -5,11 +5,11 @@
 
 #include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
-#include "render/files/endings.h"
-#include "sim/actor/bodies/clip_ranges.h"
-#include "sim/actor/clips/body_clip.h"
-#include "sim/actor/clips/travel.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
+#include "sim/base/files/endings.h"
+#include "sim/rig/clips/body_clip.h"
+#include "sim/rig/clips/clip_ranges.h"
+#include "sim/rig/clips/travel.h"
 
 namespace knuckle {
 
@@ -41,10 +41,12 @@ public:
 private:
     uint32_t make(const std::string& file, const std::string& name, const std::string& where)
     {
-        const Model& model = modelOf(file, where);
+        const std::shared_ptr<const Model> source = modelOf(file, where);
+        const Model& model = *source;
         const Clip& clip = find(model, name, where);
         try {
-            ActorClip fitted = file.empty() ? ownClip(actor_, model, clip) : foreignClip(actor_, model, clip);
+            ActorClip fitted = file.empty() ? ownClip(actor_, model, clip)
+                                            : foreignClip(actor_, readFigure(model), clip);
             if (std::string note = holdWithinLimits(actor_, fitted.clip); !note.empty())
                 fitted.notes.push_back(std::move(note));
             for (std::string& note : fitted.notes)
@@ -55,7 +57,7 @@ private:
         }
     }
 
-    const Model& modelOf(const std::string& file, const std::string& where)
+    std::shared_ptr<const Model> modelOf(const std::string& file, const std::string& where)
     {
         const bool own = file.empty();
         const std::string path = own ? existingFile(entry_.context, entry_.json["file"], entry_.pointer + "/file")
@@ -63,8 +65,8 @@ private:
         if (endingOf(path) == ".json")
             entry_.fail(where + (own ? "/clip" : "/file"),
                         "an actor file has no clips; give the model that has them as its `file`");
-        if (!own) return modelWithClips(entry_.context, {path, {}, {ALL_SKELETONS}});
-        return modelWithClips(entry_.context, knuckle::modelOf(entry_.json, path), showsSkin(entry_.json));
+        if (!own) return readModel(entry_.context, {path, {}, {ALL_SKELETONS}});
+        return readModel(entry_.context, knuckle::modelOf(entry_.json, path));
     }
 
     const Clip& find(const Model& model, const std::string& name, const std::string& where) const
@@ -177,19 +179,12 @@ bool namesClip(const Json& clip)
     return !clip["clip"].get<std::string>().empty() || !clip["file"].get<std::string>().empty();
 }
 
-bool playsOwnClips(const Json& object)
-{
-    const auto own = [](const Json& clip) { return namesClip(clip) && clip["file"].get<std::string>().empty(); };
-    if (object["type"] != "actor") return false;
-    return own(object["animation"]) || own(object["pose"]);
-}
-
 bool isAnimated(const Json& actor)
 {
     return namesClip(actor["animation"]) || namesClip(actor["pose"]);
 }
 
-std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor)
+PlayedClips readClips(const ObjectEntry& entry, const Actor& actor)
 {
     const bool limp = namesClip(entry.json["pose"]);
     if (limp && namesClip(entry.json["animation"]))
@@ -198,8 +193,9 @@ std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor)
     ClipReader clips(entry, actor);
     std::vector<ClipPlay> plays = limp ? std::vector{readPose(entry, clips)} : readPlays(entry, actor, clips);
     addCaughtPlay(entry, actor, clips, plays);
-    for (const ClipPlay& play : plays) takeIn(actor, entry.context.builder.world().clips[play.clip]);
-    return plays;
+    std::vector<const BodyClip*> played;
+    for (const ClipPlay& play : plays) played.push_back(&entry.context.builder.world().clips[play.clip]);
+    return {std::move(plays), needsOf(actor, played)};
 }
 
 void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects,

@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
+#include "sim/base/angles.h"
 #include "sim/world/frames.h"
 
 namespace knuckle {
@@ -97,7 +96,7 @@ void addShapes(const SceneEntry& entry, Collider collider)
 
 Quaternionf rotationOf(const Vector3f& degrees)
 {
-    const Vector3f angles = degrees * (std::numbers::pi_v<float> / 180.0f);
+    const Vector3f angles = degrees * DEGREE;
     return Quaternionf(Eigen::AngleAxisf(angles.z(), Vector3f::UnitZ()) *
                        Eigen::AngleAxisf(angles.y(), Vector3f::UnitY()) *
                        Eigen::AngleAxisf(angles.x(), Vector3f::UnitX()));

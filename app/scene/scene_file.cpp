@@ -12,7 +12,7 @@
 #include "app/scene/scene_parts.h"
 #include "app/scene/scene_ropes.h"
 #include "app/schema/schema.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 
@@ -157,6 +157,15 @@ void settleDiameter(JsonFile& file, SceneContext& context)
     context.notes.push_back(fmt::format("/diameter is {:.3g} m, as fits {}.", finest.second, asked));
 }
 
+/// The files of which models are drawn by their meshes. @param all of them.
+std::set<std::string> drawnFiles(const SceneContext& context, const Json& objects, bool all)
+{
+    std::set<std::string> files;
+    for (const Json& object : objects)
+        if (object.contains("file") && (all || showsSkin(object))) files.insert(besideScene(context, object["file"]));
+    return files;
+}
+
 RenderSettings readRender(const JsonFile& file, const World& world)
 {
     RenderSettings render = readFields<RenderSettings>(file.root["render"]);
@@ -208,7 +217,7 @@ Settings loadSettings(const std::string& preset, const std::vector<std::string>&
     return readFields<Settings>(file.root["solver"]);
 }
 
-Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
+Scene loadScene(const std::string& path, const std::vector<Override>& overrides, bool drawn)
 {
     JsonFile file = readJsonFile(path);
     applyOverrides(file.root, overrides);
@@ -228,10 +237,12 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
     // What its actors ask for is known only when they are read.
     WorldBuilder trial(0.5f * root["diameter"].get<float>(), settings);
     SceneContext known{path, trial, {}};
+    known.drawnFiles = drawnFiles(known, root["objects"], drawn);
     if (!givesDiameter) settleDiameter(file, known);
     WorldBuilder builder(0.5f * root["diameter"].get<float>(), settings);
     builder.setFluidSpacing(root["fluidSpacing"]);
-    SceneContext context{path, builder, addMaterials(file, builder), std::move(known.actors), std::move(known.models)};
+    SceneContext context{path,          builder,         addMaterials(file, builder), std::move(known.actors),
+                         known.imports, known.drawnFiles};
     context.notes = known.notes;
     context.duration = scene.duration;
     context.files = known.files;
@@ -258,6 +269,7 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides)
         scene.warnings.push_back(fmt::format("/solver/substeps: {} are too few for fluid as deep as this: {} are taken",
                                              settings.substeps, scene.world.settings.substeps));
     scene.actors = std::move(context.actorUses);
+    scene.imports = context.imports;
     scene.files = std::move(context.files);
     for (const SceneActor& use : scene.actors)
         if (!use.actor->model.file.empty()) scene.files.push_back(use.actor->model.file);

@@ -7,7 +7,8 @@
 
 #include "app/scene/overrides.h"
 #include "render/settings.h"
-#include "sim/actor/actor.h"
+#include "sim/rig/actor.h"
+#include "sim/rig/import/imports.h"
 #include "sim/world/world.h"
 
 namespace knuckle {
@@ -30,6 +31,7 @@ struct Scene {
     double framesPerSecond = 60.0;
     double duration = 0.0;  ///< [s]
     std::vector<SceneActor> actors;
+    std::shared_ptr<Imports> imports;   ///< The models that were read for it.
     std::vector<std::string> files;     ///< All that were read for it, but its own.
     std::vector<std::string> notes;     ///< What of it is not as the file says, one sentence each.
     std::vector<std::string> warnings;  ///< What of it is not drawn as the file says: a run tells these, too.
@@ -41,7 +43,8 @@ struct Scene {
 
 /// Reads, checks and builds a scene. Needs no GPU; models are imported and filled with particles.
 /// @throws InputError, one line with the file and the JSON pointer of what is wrong.
-Scene loadScene(const std::string& path, const std::vector<Override>& overrides = {});
+/// @param drawn whether all models are read with how they look, for somebody who draws them later.
+Scene loadScene(const std::string& path, const std::vector<Override>& overrides = {}, bool drawn = false);
 
 /// The solver's settings by a preset's name and changes of its fields, as a scene's `solver` would give them.
 /// @throws InputError as loadScene(), and for a change of anything else.

@@ -6,9 +6,8 @@
 #include "app/json/fields.h"
 #include "app/scene/scene_parts.h"
 #include "render/picture/image.h"
-#include "sim/actor/import/import.h"
-#include "sim/actor/mesh/distance_grid.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
+#include "sim/rig/mesh/distance_grid.h"
 
 namespace knuckle {
 
@@ -69,13 +68,9 @@ void addMeshGrid(SceneContext& context, const Json& json, const std::string& poi
 {
     const std::string file = existingFile(context, json["file"], pointer + "/file");
     const float given = json["cell"], cell = given > 0.0f ? given : context.builder.diameter();
-    ImportOptions import;
-    import.fit.scale = json["scale"];
-    import.clips = false;
-    import.pick.skeleton = ALL_SKELETONS;
     atPointer(context, pointer, [&] {
-        const Model model = importModel(file, import);
-        collider.grid = context.builder.addColliderGrid(makeDistanceGrid(model.vertices, model.triangles, cell));
+        const auto model = readModel(context, modelOf(json, file), false);
+        collider.grid = context.builder.addColliderGrid(makeDistanceGrid(model->vertices, model->triangles, cell));
     });
     collider.shape = ColliderShape::Mesh;
 }

@@ -10,7 +10,7 @@
 #include "app/scene/scene_fill.h"
 #include "app/scene/scene_parts.h"
 #include "app/scene/scene_ropes.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 

@@ -4,13 +4,15 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "app/json/json.h"
 #include "app/scene/scene_file.h"
-#include "sim/actor/actor.h"
-#include "sim/actor/import/import.h"
+#include "sim/rig/actor.h"
+#include "sim/rig/clips/clip_ranges.h"
+#include "sim/rig/import/imports.h"
 #include "sim/world/builder/builder.h"
 
 /// The parts of a scene file, from documents that the schema has completed.
@@ -38,7 +40,8 @@ struct SceneContext {
     WorldBuilder& builder;
     std::map<std::string, uint32_t> materials;  ///< Indices by name.
     std::map<std::string, Actor> actors = {};   ///< Read or made already, by what was asked for.
-    std::map<std::string, Model> models = {};   ///< With clips, the same.
+    std::shared_ptr<Imports> imports = std::make_shared<Imports>();
+    std::set<std::string> drawnFiles = {};                              ///< Of which models are drawn by their meshes.
     std::map<std::string, std::shared_ptr<const SkinMesh>> skins = {};  ///< The same.
     std::map<std::string, uint32_t> clips = {};                         ///< Indices by actor, file and name.
     double duration = 0.0;                                              ///< Of the film [s].
@@ -83,9 +86,13 @@ std::vector<std::string> bodyNames(const Actor& actor);
 /// Index of an actor's body. @param where in the entry its name stands. @throws InputError where there is none.
 uint32_t bodyNamed(const ObjectEntry& entry, const Actor& actor, const std::string& name, const std::string& where);
 
-/// Adds the clips of an actor's `animation` or `pose`, and has its limits take them in. @returns how they are played.
-/// @throws InputError for clips that are not there or do not fit.
-std::vector<ClipPlay> readClips(const ObjectEntry& entry, Actor& actor);
+/// How an actor's clips are played, and what it has to allow for them.
+struct PlayedClips {
+    std::vector<ClipPlay> plays;
+    ClipNeeds needs;
+};
+/// Adds the clips of an actor's `animation` or `pose`. @throws InputError for clips that are not there or do not fit.
+PlayedClips readClips(const ObjectEntry& entry, const Actor& actor);
 
 /// Has the copies of an actor move as their clips say. @param objects of the world, a copy each.
 void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects,
@@ -120,17 +127,14 @@ std::string actorKey(const SceneContext& context, const Json& object, const std:
 /// The model in a file as an object wants it: an actor one skeleton of it, anything else all that there is.
 ModelSource modelOf(const Json& object, const std::string& file);
 
-/// A model with its clips, read at most once. @param surface see ImportOptions.
-const Model& modelWithClips(SceneContext& context, const ModelSource& source, bool surface = false);
+/// A model, with how it looks where anything draws that. @param clips whether it is wanted with its clips.
+std::shared_ptr<const Model> readModel(SceneContext& context, const ModelSource& source, bool clips = true);
 
 /// Whether an object is to be drawn by its mesh.
 bool showsSkin(const Json& object);
 /// Has the copies of an actor or of a rigid mesh wear the mesh that it was made from. @param objects of the world, a
 /// copy each. @throws InputError where there is none.
 void wearSkin(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);
-
-/// Whether an object is an actor whose first clip is of its own model.
-bool playsOwnClips(const Json& object);
 
 /// Whether an `animation`, a `pose` or a change names a clip.
 bool namesClip(const Json& clip);
@@ -140,6 +144,9 @@ bool isAnimated(const Json& actor);
 
 /// Index of the material `name`. @throws InputError with `pointer` where there is none.
 uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer);
+
+/// A path of the scene, from where the program runs.
+std::string besideScene(const SceneContext& context, const std::string& file);
 
 /// `file` beside the scene, noted as read. @throws InputError with `pointer` when there is none.
 std::string existingFile(SceneContext& context, const std::string& file, const std::string& pointer);

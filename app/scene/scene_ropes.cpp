@@ -8,9 +8,9 @@
 #include "app/json/fields.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_fill.h"
+#include "sim/base/errors.h"
 #include "sim/world/builder/cloth.h"
 #include "sim/world/builder/rope.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 
@@ -149,8 +149,8 @@ void addCloths(const RopeEntry& entry)
     spec.material = entry.material;
     if (!json["file"].get<std::string>().empty()) {
         if (!json["hold"].empty()) entry.fail("/hold", "a model has no edges by these names; use pins instead");
-        const Model model = readClothModel(entry.context, json, entry.pointer);
-        const ClothSheet sheet = meshSheet(model.vertices, model.triangles, diameter, spec, MAX_PARTICLES);
+        const auto model = readClothModel(entry.context, json, entry.pointer);
+        const ClothSheet sheet = meshSheet(model->vertices, model->triangles, diameter, spec, MAX_PARTICLES);
         limitParticles(entry.context, entry.json, entry.pointer, static_cast<double>(sheet.nodes.size()));
         placeCloth(entry, sheet, spec, {});
         return;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/scene/scene_parts.h"
-#include "sim/actor/model.h"
+#include "sim/rig/model.h"
 
 namespace knuckle {
 
@@ -22,6 +22,6 @@ bool isRopeObject(const Json& json);
 void addRopeObject(const RopeEntry& entry);
 
 /// The actor's model, as it is read for cloth: triangles without a skeleton.
-Model readClothModel(SceneContext& context, const Json& object, const std::string& pointer);
+std::shared_ptr<const Model> readClothModel(SceneContext& context, const Json& object, const std::string& pointer);
 
 }  // namespace knuckle

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "app/scene/scene_parts.h"
-#include "sim/actor/skin/skin_mesh.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
+#include "sim/rig/skin/skin_mesh.h"
 
 namespace knuckle {
 
@@ -37,7 +37,9 @@ std::shared_ptr<const SkinMesh> makeSkin(const ObjectEntry& entry, const Actor& 
     if (const std::string why = whyNoMesh(actor); !why.empty())
         return without(existingFile(context, entry.json["file"], entry.pointer + "/file") + why);
     try {
-        const Model& model = modelWithClips(context, actor.model, true);
+        const std::shared_ptr<const Model> source = context.imports->read(
+            actor.model.file, {.fit = actor.model.fit, .clips = false, .surface = true, .pick = actor.model.pick});
+        const Model& model = *source;
         if (isAutomatic(entry) && model.surface.vertices.empty()) return nullptr;
         for (const std::string& what : model.surface.missing)
             context.warnings.push_back(fmt::format("{}/skin: {}", entry.pointer, what));

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "render/marks/mark_pen.h"
+#include "sim/base/angles.h"
 #include "sim/world/bounds.h"
 #include "sim/world/builder/joints.h"
 
@@ -14,7 +14,6 @@ namespace knuckle {
 
 namespace {
 
-constexpr float FULL_TURN = 2.0f * std::numbers::pi_v<float>;
 // Heights of the picture.
 constexpr float LINE = 0.0022f, RIB = 0.0015f, AXIS = 0.0065f, DOT = 0.0085f, HUB = 0.006f;
 constexpr float LARGEST_FAN = 0.075f;  // of the longest side of what is shown
@@ -56,7 +55,7 @@ float fanRadius(const World& world, const Body& moved, const Vector3f& joint, fl
 void drawSector(MarkPen& pen, const Vector3f& at, const Vector3f& axis, const Vector3f& from, const TurnRange& range)
 {
     const float width = range.highest - range.lowest;
-    const int parts = std::max(2, static_cast<int>(std::lround(ARC_PARTS * width / FULL_TURN)));
+    const int parts = std::max(2, static_cast<int>(std::lround(ARC_PARTS * width / WHOLE_TURN)));
     const auto rim = [&](int k) {
         const float angle = range.lowest + width * static_cast<float>(k) / static_cast<float>(parts);
         return Vector3f(at + Eigen::AngleAxisf(angle, axis) * from);
@@ -73,7 +72,7 @@ void drawSector(MarkPen& pen, const Vector3f& at, const Vector3f& axis, const Ve
 void drawCone(MarkPen& pen, const Vector3f& at, const Quaternionf& axes, float radius, float swing)
 {
     const auto rim = [&](int k) {
-        const float angle = FULL_TURN * static_cast<float>(k) / ARC_PARTS;
+        const float angle = WHOLE_TURN * static_cast<float>(k) / ARC_PARTS;
         const Vector3f way(std::cos(swing), std::sin(swing) * std::cos(angle), std::sin(swing) * std::sin(angle));
         return Vector3f(at + radius * (axes * way));
     };
@@ -104,7 +103,7 @@ void drawJoint(const World& world, const Joint& joint, MarkPen& pen, JointType t
     const bool turns = joint.type == JointType::Hinge && joint.limits.twist.bounded();
     if (turns && across.norm() > 1e-3f * radius)
         drawSector(pen, at, axis, radius * across.normalized(), joint.limits.twist);
-    if (joint.type == JointType::Ball && joint.limits.swing < 0.5f * FULL_TURN)
+    if (joint.type == JointType::Ball && joint.limits.swing < 0.5f * WHOLE_TURN)
         drawCone(pen, at, joint.parentSide.frame, radius, joint.limits.swing);
     drawSymbol(pen, type, at, AXIS_PART * radius * axis);
 }

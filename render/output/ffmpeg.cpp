@@ -16,7 +16,7 @@
 #include <sstream>
 #include <utility>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 extern char** environ;
 

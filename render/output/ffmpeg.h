@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "render/files/leftovers.h"
+#include "sim/base/files/leftovers.h"
 
 namespace knuckle {
 

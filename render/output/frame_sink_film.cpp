@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "render/files/endings.h"
-#include "render/files/output_file.h"
 #include "render/output/ffmpeg.h"
 #include "render/output/frame_sink.h"
 #include "render/output/task_thread.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
+#include "sim/base/files/endings.h"
+#include "sim/base/files/output_file.h"
 
 namespace knuckle {
 

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "render/files/output_file.h"
 #include "render/output/frame_sink.h"
 #include "render/output/task_thread.h"
+#include "sim/base/files/output_file.h"
 
 namespace knuckle {
 

@@ -11,8 +11,8 @@
 #include <cstring>
 #include <memory>
 
-#include "render/files/output_file.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
+#include "sim/base/files/output_file.h"
 
 // Not declared in stb's header, but meant to be called: the encoder behind stbi_write_png.
 extern "C" unsigned char* stbi_write_png_to_mem(const unsigned char* pixels, int strideBytes, int width, int height,

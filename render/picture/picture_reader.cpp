@@ -1,6 +1,6 @@
 #include "render/picture/picture_reader.h"
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/color_word.h"
 #include "render/skins/skin_lods.h"
 #include "render/skins/skin_looks.h"
-#include "render/spheres/palette.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 

@@ -4,8 +4,7 @@
 #include <array>
 #include <map>
 
-#include "render/skins/skin_looks.h"
-#include "render/spheres/palette.h"
+#include "render/color_word.h"
 
 namespace knuckle {
 
@@ -33,8 +32,7 @@ Vector3f colorAt(const TexturePicture& picture, const Eigen::Vector2f& uv, const
     const uint32_t column = pixel(wrapped(uv.x(), wrap[0]), picture.width);
     const uint32_t row = pixel(wrapped(uv.y(), wrap[1]), picture.height);
     const size_t index = size_t{row} * picture.width + column;
-    const uint8_t* p = &picture.rgba[4 * index];
-    return unpackColor(rootOfLight(p[0]) | rootOfLight(p[1]) << 8 | rootOfLight(p[2]) << 16);
+    return unpackColor(packPixel(&picture.rgba[4 * index]));
 }
 
 /// Vertices by the body that moves them most, within the object.

@@ -1,33 +1,14 @@
 #include "render/skins/skin_looks.h"
 
-#include <array>
-#include <cmath>
+#include "render/color_word.h"
 
 namespace knuckle {
-
-uint8_t rootOfLight(uint8_t value)
-{
-    static const std::array<uint8_t, 256> ROOTS = [] {
-        std::array<uint8_t, 256> roots;
-        for (size_t i = 0; i < roots.size(); ++i) {
-            const double part = static_cast<double>(i) / 255.0;
-            const double light = part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
-            roots[i] = static_cast<uint8_t>(std::lround(255.0 * std::sqrt(light)));
-        }
-        return roots;
-    }();
-    return ROOTS[value];
-}
 
 void SkinLooks::addPicture(TexturePicture picture)
 {
     for (bool isLast = false; !isLast;) {
         levels.push_back({picture.width, picture.height, static_cast<uint32_t>(texels.size()), 0});
-        for (size_t i = 0; i < picture.rgba.size(); i += 4) {
-            const uint8_t* p = &picture.rgba[i];
-            texels.push_back(rootOfLight(p[0]) | rootOfLight(p[1]) << 8 | rootOfLight(p[2]) << 16 |
-                             uint32_t{p[3]} << 24);
-        }
+        for (size_t i = 0; i < picture.rgba.size(); i += 4) texels.push_back(packPixel(&picture.rgba[i]));
         isLast = picture.width == 1 && picture.height == 1;
         picture = halved(picture);
     }

@@ -7,9 +7,6 @@
 
 namespace knuckle {
 
-/// Of a byte of sRGB, the square root of the light that it stands for, as packColor() has it, 0 ... 255.
-uint8_t rootOfLight(uint8_t value);
-
 /// The materials and pictures of all skins, as shaders/render/skins/skin_looks.glsl reads them.
 struct SkinLooks {
     std::vector<gpu::vec4> materials;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/color_word.h"
 #include "render/skins/skin_colors.h"
 
 namespace knuckle {
@@ -63,22 +64,6 @@ std::vector<uint32_t> particleColors(const World& world, const RenderSettings& s
         for (uint32_t i = 0; i < colors.size(); ++i)
             if (world.particles[i].bodyCount > 1) colors[i] = packColor(JOINT_COLOR);
     return colors;
-}
-
-uint32_t packColor(const Vector3f& color)
-{
-    const Eigen::Array3f root = (color.array().max(0.0f).min(1.0f).sqrt() * 255.0f).round();
-    return static_cast<uint32_t>(root.x()) | static_cast<uint32_t>(root.y()) << 8 |
-           static_cast<uint32_t>(root.z()) << 16 | 0xff000000u;
-}
-
-Vector3f unpackColor(uint32_t word)
-{
-    const auto light = [](uint32_t byte) {
-        const float root = static_cast<float>(byte & 255u) / 255.0f;
-        return root * root;
-    };
-    return {light(word), light(word >> 8), light(word >> 16)};
 }
 
 }  // namespace knuckle

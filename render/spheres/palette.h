@@ -15,11 +15,7 @@ Vector3f fromOklch(float lightness, float chroma, float hue);
 /// The colour number `index` of an endless palette whose neighbours differ: hues a golden section apart.
 Vector3f paletteColor(uint32_t index);
 
-/// A colour, linear RGB of 0 ... 1, in a word, as packAlbedo() of shaders/render/common/surface.glsl has it.
-uint32_t packColor(const Vector3f& color);
-Vector3f unpackColor(uint32_t word);
-
-/// One such word per particle; 0 where the GPU makes it from the speed.
+/// A word of packColor() per particle; 0 where the GPU makes it from the speed.
 std::vector<uint32_t> particleColors(const World& world, const RenderSettings& settings);
 
 }  // namespace knuckle

@@ -8,8 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/angles.h"
+#include "sim/base/errors.h"
 #include "sim/world/bounds.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 
@@ -17,7 +18,6 @@ namespace {
 
 using Eigen::AlignedBox3f;
 
-constexpr float DEGREE = std::numbers::pi_v<float> / 180.0f;
 /// From where a scene looks best: a little to the right, a little from above.
 constexpr float PLEASANT_AZIMUTH = 28.0f * DEGREE;
 constexpr float PLEASANT_ELEVATION = 17.0f * DEGREE;

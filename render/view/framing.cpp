@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "sim/base/angles.h"
 #include "sim/world/frames.h"
 
 namespace knuckle {
@@ -13,9 +13,8 @@ using Eigen::Vector3f;
 
 CameraSettings cameraThatFrames(const Framing& framing)
 {
-    constexpr float HALF_DEGREE = std::numbers::pi_v<float> / 360.0f;
     const Vector3f right = levelRight(framing.back), up = framing.back.cross(right);
-    const float half = framing.share * std::tan(HALF_DEGREE * framing.fieldOfView);
+    const float half = framing.share * std::tan(0.5f * DEGREE * framing.fieldOfView);
     const Array2f slope(half * framing.aspect, half);
     // Along each side of the view a point asks the camera to stand so far out or away.
     Array2f most = Array2f::Constant(-1e30f), least = Array2f::Constant(1e30f);

@@ -4,7 +4,7 @@
 
 #include <cctype>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 

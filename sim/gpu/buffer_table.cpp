@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 

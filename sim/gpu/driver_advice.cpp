@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "sim/world/errors.h"
-#include "sim/world/memory.h"
+#include "sim/base/errors.h"
+#include "sim/base/memory.h"
 
 namespace knuckle {
 

@@ -6,10 +6,10 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "sim/base/errors.h"
+#include "sim/base/memory.h"
 #include "sim/gpu/driver_advice.h"
 #include "sim/gpu/egl.h"
-#include "sim/world/errors.h"
-#include "sim/world/memory.h"
 
 namespace knuckle {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "shared/gpu_types.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 

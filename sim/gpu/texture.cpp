@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/errors.h"
+#include "sim/base/memory.h"
 #include "sim/gpu/driver_advice.h"
-#include "sim/world/errors.h"
-#include "sim/world/memory.h"
 
 namespace knuckle {
 

@@ -4,10 +4,10 @@
 
 #include <bit>
 
+#include "sim/base/errors.h"
 #include "sim/solver/measure/measure.h"
 #include "sim/solver/state_copy.h"
 #include "sim/solver/step.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/world/no_index.h"
+#include "sim/base/no_index.h"
 
 namespace knuckle {
 

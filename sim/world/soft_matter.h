@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/world/no_index.h"
+#include "sim/base/no_index.h"
 
 namespace knuckle {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/world/disjoint_sets.h"
-#include "sim/world/errors.h"
+#include "sim/base/disjoint_sets.h"
+#include "sim/base/errors.h"
 #include "sim/world/world.h"
 
 namespace knuckle {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 #include "sim/world/world.h"
 
 namespace knuckle {

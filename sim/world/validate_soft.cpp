@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 #include "sim/world/world.h"
 
 namespace knuckle {

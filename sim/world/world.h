@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/no_index.h"
 #include "sim/world/animation/animation.h"
 #include "sim/world/animation/collider_motion.h"
 #include "sim/world/collider_grid.h"
 #include "sim/world/drive/puppet.h"
 #include "sim/world/emitter.h"
-#include "sim/world/joint.h"
-#include "sim/world/no_index.h"
+#include "sim/world/joint/joint.h"
 #include "sim/world/settings.h"
 #include "sim/world/skin.h"
 #include "sim/world/soft_matter.h"

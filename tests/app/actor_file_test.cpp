@@ -10,7 +10,7 @@
 #include "app/commands/actor_table.h"
 #include "app/files/joints_file.h"
 #include "app/scene/scene_file.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {
@@ -183,7 +183,7 @@ TEST(ActorTable, TellsBodiesJointsAndWhatWasMerged)
     ArticulationOptions options;
     options.merge = {"pelvis"};
     options.limits["l*g"] = {};
-    EXPECT_EQ(actorTable(actor, model, options, {1.014, 0.25}),
+    EXPECT_EQ(actorTable(actor, readFigure(model), options, {1.014, 0.25}),
               "body  parent  particles  joint  shared  turns, degrees                                          "
               "taken for (by)\n"
               "hip   -            1200  -           -  -                                                       "

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/scene/scene_file.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 #include "tests/message_of.h"
 #include "tests/places.h"
 #include "tests/temp_folder.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/scene/scene_file.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {

@@ -1,7 +1,7 @@
 #include "app/files/actor_file.h"
-#include "sim/actor/bodies/make_actor.h"
-#include "sim/actor/gltf/glb.h"
-#include "sim/actor/import/import.h"
+#include "sim/rig/bodies/make_actor.h"
+#include "sim/rig/gltf/glb.h"
+#include "sim/rig/import/import.h"
 #include "tests/app/one_object_scene.h"
 
 namespace knuckle::test {

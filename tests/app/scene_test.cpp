@@ -6,7 +6,7 @@
 #include "app/files/actor_file.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_parts.h"
-#include "sim/actor/bodies/make_actor.h"
+#include "sim/rig/bodies/make_actor.h"
 #include "tests/places.h"
 #include "tests/temp_folder.h"
 

@@ -1,6 +1,6 @@
-#include "tests/actor/import/edited_glb.h"
 #include "tests/cli/cli_fixture.h"
 #include "tests/places.h"
+#include "tests/rig/import/edited_glb.h"
 
 namespace knuckle {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "app/json/json.h"
 #include "render/picture/image.h"
-#include "sim/actor/gltf/glb.h"
-#include "sim/actor/import/import.h"
+#include "sim/rig/gltf/glb.h"
+#include "sim/rig/import/import.h"
 #include "tests/cli/cli_fixture.h"
 #include "tests/places.h"
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "sim/actor/mesh/distance_grid.h"
+#include "sim/rig/mesh/distance_grid.h"
 #include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {

@@ -1,7 +1,7 @@
 #include "render/draw_pass.h"
 
 #include "shared/frame_types.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 #include "tests/render/render_fixture.h"
 
 namespace knuckle::test {

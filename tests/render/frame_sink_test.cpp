@@ -11,7 +11,7 @@
 #include <fstream>
 
 #include "render/output/ffmpeg.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle::test {
 namespace {

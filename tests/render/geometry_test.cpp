@@ -2,7 +2,7 @@
 #include <numbers>
 #include <optional>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 #include "tests/render/render_fixture.h"
 
 namespace knuckle::test {

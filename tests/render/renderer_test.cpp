@@ -6,8 +6,8 @@
 
 #include "render/spheres/palette.h"
 #include "shared/frame_types.h"
+#include "sim/base/errors.h"
 #include "sim/gpu/program.h"
-#include "sim/world/errors.h"
 #include "tests/render/render_fixture.h"
 
 namespace knuckle::test {

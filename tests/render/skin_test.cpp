@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "render/color_word.h"
 #include "render/spheres/palette.h"
 #include "tests/render/golden.h"
 #include "tests/render/render_fixture.h"

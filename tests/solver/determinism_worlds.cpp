@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/commands/table2_world.h"
-#include "sim/actor/mesh/distance_grid.h"
+#include "sim/rig/mesh/distance_grid.h"
 #include "tests/pair_fixture.h"
 #include "tests/solver/solver_test.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "sim/base/errors.h"
 #include "sim/gpu/program.h"
-#include "sim/world/errors.h"
 #include "tests/solver/solver_test.h"
 
 namespace knuckle::test {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/actor/mesh/voxelize.h"
+#include "sim/rig/mesh/voxelize.h"
 #include "tests/tools/model_checks.h"
 #include "tools/crate/crate.h"
 

@@ -1,5 +1,5 @@
 #include "tools/humanoid/humanoid.h"
-#include "sim/actor/import/import.h"
+#include "sim/rig/import/import.h"
 #include "tests/places.h"
 #include "tests/tools/model_checks.h"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "sim/actor/gltf/glb.h"
-#include "sim/actor/model.h"
+#include "sim/rig/gltf/glb.h"
+#include "sim/rig/model.h"
 #include "tests/places.h"
 
 namespace knuckle::test {

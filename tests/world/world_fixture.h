@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/base/errors.h"
 #include "sim/world/builder/builder.h"
 #include "sim/world/builder/joints.h"
-#include "sim/world/errors.h"
 #include "tests/message_of.h"
 #include "tests/pair_fixture.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/actor/model.h"
+#include "sim/rig/model.h"
 
 namespace knuckle {
 

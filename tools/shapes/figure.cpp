@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "sim/base/colors.h"
+
 namespace knuckle {
 
 using Eigen::Vector3d;
@@ -145,10 +147,7 @@ Model makeModel(const std::string& name, const Skeleton& skeleton, std::span<con
 
 Vector3f screenColor(int red, int green, int blue)
 {
-    const auto linear = [](int c) {
-        const double s = c / 255.0;
-        return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-    };
+    const auto linear = [](int c) { return static_cast<float>(linearOfSrgb(c / 255.0)); };
     return {linear(red), linear(green), linear(blue)};
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "sim/actor/model.h"
+#include "sim/rig/model.h"
 #include "tools/shapes/distance.h"
 #include "tools/shapes/skeleton.h"
 #include "tools/shapes/surface_nets.h"

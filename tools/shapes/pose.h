@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/actor/model.h"
+#include "sim/rig/model.h"
 
 /// How figures are posed for their clips: feet are placed first, what is above them follows by two-bone inverse
 /// kinematics.

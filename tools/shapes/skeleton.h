@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/actor/model.h"
+#include "sim/rig/model.h"
 
 namespace knuckle {
 

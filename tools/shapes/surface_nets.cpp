@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "sim/world/no_index.h"
+#include "sim/base/no_index.h"
 
 namespace knuckle {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "sim/actor/mesh/triangle_tree.h"
+#include "sim/rig/mesh/triangle_tree.h"
 #include "tools/shapes/distance.h"
 
 namespace knuckle {

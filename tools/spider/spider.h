@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "sim/actor/model.h"
+#include "sim/rig/model.h"
 
 namespace knuckle {
 

@@ -6,9 +6,9 @@
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"
 #include "sim/fluid/fluid.glsl"
-#include "sim/fluid/fluid_colliders.glsl"
-#include "sim/fluid/solid_cover.glsl"
-#include "sim/fluid/wall_cover.glsl"
+#include "sim/fluid/walls/fluid_colliders.glsl"
+#include "sim/fluid/walls/solid_cover.glsl"
+#include "sim/fluid/walls/wall_cover.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, SlotPressures, newSlotPressures);

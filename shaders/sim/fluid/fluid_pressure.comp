@@ -8,7 +8,7 @@
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"
 #include "sim/fluid/fluid.glsl"
-#include "sim/fluid/fluid_colliders.glsl"
+#include "sim/fluid/walls/fluid_colliders.glsl"
 #include "sim/fluid/pressure_impulses.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

@@ -1,7 +1,7 @@
 // What the kernels of fluids know of the particle in each slot (sim/fluid/fluid_slots.glsl): fetch...() reads a struct,
 // pack() makes of it what to store. Here the samplers have the buffers' names, so a kernel that stores into one of them
 // calls its block new...
-#include "sim/fluid/slot_covers.glsl"
+#include "sim/fluid/walls/slot_covers.glsl"
 
 uniform samplerBuffer slotPositions;
 uniform samplerBuffer slotVelocities;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "sim/base/errors.h"
 #include "sim/solver/pack.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <bit>
 
+#include "sim/base/errors.h"
 #include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_numbers.h"
 #include "sim/solver/scan.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 

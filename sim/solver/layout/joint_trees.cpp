@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "shared/constants.h"
-#include "sim/world/joint_fit.h"
-#include "sim/world/joint_order.h"
+#include "sim/world/joint/joint_fit.h"
+#include "sim/world/joint/joint_order.h"
 
 namespace knuckle {
 

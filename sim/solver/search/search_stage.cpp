@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "sim/base/errors.h"
 #include "sim/solver/scan.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sim/base/angles.h"
 #include "sim/world/animation/clip_time.h"
 #include "sim/world/world.h"
 
@@ -28,7 +29,7 @@ Quaternionf aboutY(float yaw)
 GroundMotion motionBetween(const Pose& from, const Pose& to)
 {
     GroundMotion motion;
-    motion.yaw = std::remainder(yawOf(to.rotation) - yawOf(from.rotation), 2.0f * static_cast<float>(M_PI));
+    motion.yaw = std::remainder(yawOf(to.rotation) - yawOf(from.rotation), WHOLE_TURN);
     if (std::abs(motion.yaw) < LEAST_YAW) motion.yaw = 0.0f;
     motion.shift = to.translation - aboutY(motion.yaw) * from.translation;
     motion.shift.y() = 0.0f;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/world/no_index.h"
+#include "sim/base/no_index.h"
 #include "sim/world/pose.h"
 
 namespace knuckle {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sim/base/errors.h"
 #include "sim/world/animation/animation.h"
-#include "sim/world/errors.h"
 #include "sim/world/world.h"
 
 namespace knuckle {

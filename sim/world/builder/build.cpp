@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "sim/base/disjoint_sets.h"
 #include "sim/world/builder/builder.h"
 #include "sim/world/builder/clusters.h"
 #include "sim/world/builder/substeps.h"
-#include "sim/world/disjoint_sets.h"
 
 namespace knuckle {
 

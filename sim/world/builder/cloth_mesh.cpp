@@ -4,8 +4,8 @@
 #include <array>
 #include <map>
 
+#include "sim/base/errors.h"
 #include "sim/world/builder/cloth.h"
-#include "sim/world/errors.h"
 
 namespace knuckle {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include "sim/base/disjoint_sets.h"
 #include "sim/world/builder/builder.h"
 #include "sim/world/cells.h"
-#include "sim/world/disjoint_sets.h"
 
 namespace knuckle {
 

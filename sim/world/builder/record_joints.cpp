@@ -1,8 +1,8 @@
 #include <map>
 
 #include "sim/world/builder/builder.h"
-#include "sim/world/joint_fit.h"
-#include "sim/world/joint_order.h"
+#include "sim/world/joint/joint_fit.h"
+#include "sim/world/joint/joint_order.h"
 
 namespace knuckle {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/world/no_index.h"
+#include "sim/base/no_index.h"
 
 namespace knuckle {
 

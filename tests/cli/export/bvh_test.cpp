@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <random>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 #include "tests/message_of.h"
 #include "tests/places.h"
 #include "tests/temp_folder.h"

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "sim/actor/gltf/key_reduction.h"
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
+#include "sim/rig/gltf/key_reduction.h"
 #include "tests/message_of.h"
 #include "tests/places.h"
 #include "tests/temp_folder.h"

@@ -1,10 +1,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/actor/bodies/clip_ranges.h"
-#include "sim/actor/bodies/make_actor.h"
-#include "sim/actor/bodies/turn_parts.h"
-#include "sim/actor/clips/body_clip.h"
+#include "sim/rig/bodies/make_actor.h"
+#include "sim/rig/clips/body_clip.h"
+#include "sim/rig/clips/clip_ranges.h"
+#include "sim/rig/joints/turn_parts.h"
 #include "tests/physics/physics_fixture.h"
 #include "tools/humanoid/humanoid.h"
 
@@ -65,7 +65,7 @@ TEST(WildClip, LetGoInTheMidstOfAWildMomentItIsWithinLimitsAndGainsNoEnergy)
         const JointLimits limits = joint->limits;
         BodyClip clip = wildClip(actor, *joint, way);
         EXPECT_FALSE(holdWithinLimits(actor, clip).empty());
-        takeIn(actor, clip);
+        allow(actor, needsOf(actor, clip));
         EXPECT_NEAR(joint->limits.bend.lowest, limits.bend.lowest, 1e-3f) << name;
         EXPECT_NEAR(joint->limits.swing, limits.swing, 1e-3f) << name;
         EXPECT_NEAR(joint->limits.twist.highest, limits.twist.highest, 1e-3f) << name;

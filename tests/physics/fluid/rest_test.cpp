@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/world/errors.h"
+#include "sim/base/errors.h"
 #include "tests/physics/fluid/tank.h"
 
 namespace knuckle::test {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// A colour, linear RGB of 0 to 1, in a word of square roots, as packAlbedo() of shaders/render/common/surface.glsl
+/// has it; opaque.
+uint32_t packColor(const Vector3f& color);
+Vector3f unpackColor(uint32_t word);
+
+/// The word of a pixel. @param srgba its bytes: sRGB, alpha.
+uint32_t packPixel(const uint8_t* srgba);
+
+}  // namespace knuckle

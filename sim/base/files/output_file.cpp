@@ -1,0 +1,139 @@
+#include "sim/base/files/output_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "sim/base/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t BLOCK = size_t{1} << 16;  // bytes that are written at once
+
+/// Short whatever the name that it will have: that may be as long as the file system takes. Unique to this process.
+std::string temporaryNameIn(const std::string& folder)
+{
+    static std::atomic<uint32_t> count = 0;
+    return fmt::format("{}/.knuckle.{}.{}", folder, getpid(), ++count);
+}
+
+int create(const std::string& path)
+{
+    return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(OutputPlace place) : place_(std::move(place))
+{
+    if (place_.kind == OutputPlace::Kind::Folder)
+        throw InputError(fmt::format("{}: is a folder; name a file", place_.given));
+    file_ = isStream() ? place_.open() : openBeside();
+}
+
+int OutputFile::openBeside()
+{
+    const std::string folder = folderOf(place_.path);
+    std::error_code failure;
+    // The folder of what a link names is not ours to make.
+    if (!place_.linked) fs::create_directories(folder, failure);
+    int file = -1;
+    do {
+        temporary_ = temporaryNameIn(folder);
+        file = create(temporary_);
+    } while (file < 0 && errno == EEXIST);
+    if (file < 0) {
+        const int own = errno, error = failure && !fs::is_directory(folder) ? failure.value() : own;
+        temporary_.clear();
+        throw InputError(
+            fmt::format("{} cannot be written: {}; choose another place", place_.given, std::strerror(error)));
+    }
+    leftover_.emplace(temporary_);
+    return file;
+}
+
+OutputFile::~OutputFile()
+{
+    if (file_ >= 0) close(file_);
+    if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void OutputFile::write(std::string_view bytes)
+{
+    unwritten_ += bytes;
+    if (unwritten_.size() >= BLOCK) flush();
+}
+
+void OutputFile::flush()
+{
+    // What is mounted by itself is written over in place.
+    if (!std::exchange(emptied_, true) && isStream() && !place_.path.empty()) {
+        struct stat facts = {};
+        if (fstat(file_, &facts) == 0 && S_ISREG(facts.st_mode) && ftruncate(file_, 0) != 0) failWriting(errno);
+    }
+    for (std::string_view left = unwritten_; !left.empty();) {
+        const ssize_t written = ::write(file_, left.data(), left.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) failWriting(written < 0 ? errno : ENOSPC);
+        left.remove_prefix(static_cast<size_t>(written));
+    }
+    unwritten_.clear();
+}
+
+void OutputFile::commit()
+{
+    flush();
+    if (close(std::exchange(file_, -1)) != 0) failWriting(errno);
+    if (temporary_.empty()) return;
+    if (std::rename(temporary_.c_str(), place_.path.c_str()) != 0) failWriting(errno);
+    temporary_.clear();
+    leftover_.reset();
+}
+
+void OutputFile::failWriting(int error) const
+{
+    if (error == EPIPE) throw RunError(fmt::format("{} cannot be written: its reader has gone", place_.given));
+    throw RunError(fmt::format("{} cannot be written: {}", place_.given, std::strerror(error)));
+}
+
+void writeFile(const std::string& path, std::string_view bytes)
+{
+    OutputFile file(path);
+    file.write(bytes);
+    file.commit();
+}
+
+void requireWritableFolder(const std::string& folder)
+{
+    const OutputPlace place = OutputPlace::of(folder);
+    const auto fail = [&](const char* what, const std::string& why) {
+        throw InputError(fmt::format("folder {} cannot be {}: {}; choose another", place.given, what, why));
+    };
+    if (place.kind == OutputPlace::Kind::Stream)
+        throw InputError(fmt::format("{} is no folder; choose one", place.given));
+    std::error_code error;
+    fs::create_directories(place.path, error);
+    if (error && !fs::is_directory(place.path)) fail("made", error.message());
+    // Asking for the permission bits would not notice a read-only file system.
+    const std::string probe = temporaryNameIn(place.path);
+    const int file = create(probe);
+    if (file < 0) fail("written to", std::strerror(errno));
+    close(file);
+    unlink(probe.c_str());
+}
+
+}  // namespace knuckle

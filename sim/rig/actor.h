@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/rig/model_source.h"
+#include "sim/world/builder/builder.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// A particle ragdoll in its rest pose: what `knuckle voxelize` writes and a scene loads. SI units, +Y up.
+struct ActorBody {
+    std::string name;                      ///< The bone's.
+    std::vector<uint32_t> particles;       ///< Into Actor::particles. A shared one stands in several bodies.
+    int32_t parent = -1;                   ///< Into Actor::bodies.
+    std::vector<std::string> mergedBones;  ///< Bones too small for a body of their own.
+    bool isCross = false;                  ///< The flat middle body of a universal joint.
+};
+
+struct ActorJoint {
+    std::string name;                  ///< The child bone's.
+    JointType type = JointType::Ball;  ///< Of a universal joint each of its two hinges says so.
+    uint32_t parent = 0, child = 0;    ///< Into Actor::bodies.
+    Vector3f anchor{0, 0, 0};          ///< The bone's head [m].
+    Vector3f axis{0, 0, 1};            ///< Unit; of a ball the child's, which its limits are about.
+    std::vector<uint32_t> sharedParticles;
+    JointLimits limits = {};  ///< Each half of a universal joint has its `bend`.
+    JointStrength strength = {};
+};
+
+struct Actor {
+    std::string name;
+    float diameter = 0.05f;              ///< Particle diameter [m].
+    std::vector<Vector3f> particles;     ///< Rest positions [m].
+    std::vector<float> signedDistances;  ///< Per particle: distance to the surface [m], negative inside; or none.
+    std::vector<Vector3f> outward;       ///< Per particle: SurfaceDistance::outward; or none.
+    std::vector<ActorBody> bodies;
+    std::vector<ActorJoint> joints;
+    /// Pairs of bodies that never touch, beside those that a joint with limits connects.
+    std::vector<std::array<uint32_t, 2>> passes = {};
+    ModelSource model = {};          ///< What it was made from.
+    std::vector<std::string> notes;  ///< What was merged, dropped or assumed, one sentence each.
+};
+
+/// The body that one hangs on, past the cross of a universal joint; -1 of the first.
+int32_t parentBody(const Actor& actor, uint32_t body);
+
+/// Numbers the particles as addActor() adds them, so that those of an actor file are those of what a run exports.
+/// Particles of no body are left out.
+void numberAsAdded(Actor& actor);
+
+/// What contacts need to know of a particle's place in the skin; empty where the actor does not say.
+SurfaceDistance surfaceOf(const Actor& actor, uint32_t particle);
+
+/// Whether two particles are so near each other at rest that they never touch.
+bool touchAtRest(const Actor& actor, uint32_t particle, uint32_t other);
+/// Whether two bodies never touch: Actor::passes, or limits at a joint between them.
+bool neverTouch(const Actor& actor, uint32_t body, uint32_t other);
+
+/// Adds the actor as one object, placed at `pose`. @returns the object's index.
+uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, const Pose& pose,
+                  const Vector3f& velocity = {0, 0, 0});
+
+}  // namespace knuckle

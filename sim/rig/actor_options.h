@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/rig/mesh/voxelize.h"
+#include "sim/world/joint/joint.h"
+
+namespace knuckle {
+
+/// Bones are named as they are, or by patterns in which `*` stands for any letters and `?` for one (name_pattern.h).
+struct ArticulationOptions {
+    std::map<std::string, JointType> types;     ///< By the name of the child bone; wins over anatomy.
+    std::map<std::string, Vector3f> axes;       ///< Hinge or universal axis, not zero, by the name of the child bone.
+    std::map<std::string, JointLimits> limits;  ///< By the name of the child bone.
+    std::map<std::string, JointStrength> strengths;  ///< The same.
+    std::vector<std::string> keep;   ///< Bones that get bodies of their own, where they have particles enough.
+    std::vector<std::string> merge;  ///< Bones that are part of the body that they hang on; wins over `keep`.
+    /// Joints that nobody says anything about have the limits of a human body's. Spine, neck and collar bones then give
+    /// a little; without, they are stiff.
+    bool limited = true;
+    /// Leave one layer of a ball or hinge joint's child out where it would touch the parent, so that the joint can
+    /// turn before the two sides meet. Joints with limits need no such room: their bodies never touch.
+    bool clearJoints = true;
+};
+
+struct ActorOptions {
+    std::string name;  ///< Empty: the model's.
+    VoxelOptions voxels;
+    uint32_t particleCount = 0;  ///< Of the actor that makeActor() makes; 0: by the diameter.
+    ArticulationOptions articulation;
+    bool alongBones = true;  ///< Long limbs stand on lattices of their own (fillAlongBones()), not all on one.
+};
+
+}  // namespace knuckle

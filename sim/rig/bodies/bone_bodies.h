@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/rig/figure.h"
+#include "sim/rig/limbs/body_draft.h"
+#include "sim/rig/mesh/voxelize.h"
+
+namespace knuckle {
+
+/// Cuts the particles into one body per limb that is large enough, arranged as a tree with one root. `notes` gets a
+/// sentence for whatever was joined elsewhere than the skeleton says. Of a figure with symmetry both sides are cut
+/// alike, and may get or lose particles.
+std::vector<BodyDraft> cutIntoBodies(const Figure& figure, const Solid& solid, Voxels& voxels,
+                                     std::vector<std::string>& notes);
+
+}  // namespace knuckle

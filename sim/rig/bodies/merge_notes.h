@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/rig/figure.h"
+#include "sim/rig/limbs/body_draft.h"
+
+namespace knuckle {
+
+/// Says which bones have no body of their own, and why: a sentence for each body and reason. Fingers and other rows of
+/// bones are counted, of other names the first few are told; ActorBody::mergedBones has all of them.
+void noteMerged(const Figure& figure, const std::vector<BodyDraft>& drafts, std::vector<std::string>& notes);
+
+}  // namespace knuckle

@@ -1,0 +1,124 @@
+#include "sim/rig/bodies/part_bodies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "sim/rig/bodies/bone_bodies.h"
+#include "sim/rig/bodies/short_list.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr size_t FEWEST = 12;  // particles of a part that is a body
+
+using Particles = std::vector<uint32_t>;
+
+/// Tells whose a particle is: of the part that it is inside of, else of the one whose surface is nearest. Where two
+/// touch their surfaces are equally near.
+class PartFinder {
+public:
+    explicit PartFinder(const Model& model) : model_(model), triangles_(model.bones.size())
+    {
+        for (const Triangle& triangle : model.triangles) triangles_[partOf(triangle)].push_back(triangle);
+        for (const std::vector<Triangle>& triangles : triangles_) {
+            Eigen::AlignedBox3f& bounds = bounds_.emplace_back();
+            for (const Triangle& triangle : triangles)
+                for (const uint32_t corner : triangle) bounds.extend(model.vertices[corner]);
+            trees_.emplace_back(model.vertices, triangles);
+        }
+    }
+
+    uint32_t at(const Vector3f& position, const SurfacePoint& nearest) const
+    {
+        uint32_t found = NO_INDEX;
+        for (uint32_t part = 0; part < trees_.size(); ++part) {
+            if (!bounds_[part].contains(position) || !trees_[part].inside(position)) continue;
+            if (found != NO_INDEX) return partOf(model_.triangles[nearest.triangle]);
+            found = part;
+        }
+        return found != NO_INDEX ? found : partOf(model_.triangles[nearest.triangle]);
+    }
+
+private:
+    uint32_t partOf(const Triangle& triangle) const { return model_.skin[triangle[0]].bones[0]; }
+
+    const Model& model_;
+    std::vector<std::vector<Triangle>> triangles_;  ///< Per part, as all that follow.
+    std::vector<Eigen::AlignedBox3f> bounds_;
+    std::vector<TriangleTree> trees_;
+};
+
+/// The parts that are bodies: all that have particles enough, or of none the one that has the most.
+std::vector<uint32_t> largeParts(const std::vector<Particles>& particles)
+{
+    std::vector<uint32_t> large;
+    for (uint32_t p = 0; p < particles.size(); ++p)
+        if (particles[p].size() >= FEWEST) large.push_back(p);
+    if (large.empty()) {
+        const auto most = std::ranges::max_element(particles, {}, &Particles::size);
+        large.push_back(static_cast<uint32_t>(most - particles.begin()));
+    }
+    return large;
+}
+
+/// The one of some parts that has the particle nearest to a point.
+uint32_t nearestPart(const std::vector<uint32_t>& parts, const std::vector<Particles>& particles, const Voxels& voxels,
+                     const Vector3f& point)
+{
+    float nearest = std::numeric_limits<float>::infinity();
+    uint32_t found = parts.front();
+    for (const uint32_t part : parts) {
+        for (const uint32_t particle : particles[part]) {
+            const float distance = (voxels.positions[particle] - point).squaredNorm();
+            if (distance < nearest) found = part;
+            nearest = std::min(nearest, distance);
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+Actor partBodies(const Model& model, const Solid& solid, const ActorOptions& options)
+{
+    const Voxels voxels = voxelize(solid, options.voxels);
+    Actor actor;
+    actor.name = options.name.empty() ? model.name : options.name;
+    actor.diameter = voxels.diameter;
+    actor.particles = voxels.positions;
+    actor.signedDistances = voxels.signedDistances;
+    actor.outward = voxels.outward;
+    actor.notes = model.notes;
+    std::vector<Particles> particles(model.bones.size());
+    const PartFinder finder(model);
+    for (uint32_t p = 0; p < voxels.positions.size(); ++p)
+        particles[finder.at(voxels.positions[p], voxels.nearest[p])].push_back(p);
+    const std::vector<uint32_t> large = largeParts(particles);
+    std::vector<uint32_t> owner(particles.size());
+    std::vector<std::string> small;
+    for (uint32_t p = 0; p < particles.size(); ++p) {
+        const bool isLarge = std::ranges::binary_search(large, p);
+        owner[p] = isLarge ? p : nearestPart(large, particles, voxels, boneHead(model, p));
+        if (!isLarge) small.push_back(model.bones[p].name);
+    }
+    for (const uint32_t part : large) {
+        ActorBody body{model.bones[part].name, {}, -1, {}};
+        for (uint32_t p = 0; p < particles.size(); ++p) {
+            if (owner[p] != part) continue;
+            body.particles.insert(body.particles.end(), particles[p].begin(), particles[p].end());
+            if (p != part) body.mergedBones.push_back(model.bones[p].name);
+        }
+        std::ranges::sort(body.particles);
+        actor.bodies.push_back(std::move(body));
+    }
+    if (!small.empty())
+        actor.notes.push_back(
+            fmt::format("Parts of less than {} particles went to the nearest: {}.", FEWEST, shortList(small)));
+    numberAsAdded(actor);
+    return actor;
+}
+
+}  // namespace knuckle

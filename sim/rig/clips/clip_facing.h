@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/rig/clips/bone_match.h"
+
+namespace knuckle {
+
+/// The turn about the vertical from where another skeleton looks at rest to where the actor does.
+/// @param bones of matchBones().
+Quaternionf facingOf(const ActorAnatomy& actor, const Figure& source, const std::vector<uint32_t>& bones);
+
+}  // namespace knuckle

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <string>
+
+#include "sim/rig/import/assimp/nodes/node_table.h"
+
+namespace knuckle {
+
+/// Fills Model::surface for the vertices that convertMeshes() added. What of a texture cannot be had is a note.
+/// @param path of the model's file.
+void convertSurface(const aiScene& scene, const NodeTable& table, const std::string& path, Model& model);
+
+}  // namespace knuckle

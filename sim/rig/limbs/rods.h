@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/rig/figure.h"
+#include "sim/rig/mesh/voxelize.h"
+
+namespace knuckle {
+
+/// The fewest particles along a rod: those that can span space.
+inline constexpr int ROD_PARTICLES = 4;
+
+/// Makes bodies of limbs so thin that the grid has no body in them: as many particles along their bones as these are
+/// diameters long, wound about them, since a straight row has no turn. Limbs shorter than that stay as they are.
+/// @param bones per particle its limb.
+void windRods(const Figure& figure, const Solid& solid, Voxels& voxels, std::vector<uint32_t>& bones);
+
+}  // namespace knuckle
