@@ -5,7 +5,7 @@
 
 #include "app/commands/bench_run.h"
 #include "app/commands/table2_world.h"
-#include "app/scene/scene_file.h"
+#include "app/scene/scene_document.h"
 #include "render/renderer.h"
 #include "sim/solver/workload.h"
 

@@ -48,6 +48,15 @@ struct EnumWords<ColorBy> {
     static constexpr std::array WORDS{"body", "material", "particle", "speed"};
 };
 
+template <>
+struct EnumWords<FieldKind> {
+    static constexpr std::array WORDS{"pull", "push", "swirl", "blow"};
+};
+template <>
+struct EnumWords<FieldFalloff> {
+    static constexpr std::array WORDS{"none", "linear", "inverseSquare"};
+};
+
 template <typename T>
 std::string wordOf(T value)
 {
@@ -144,7 +153,27 @@ void visitFields(Material& m, Visitor&& visit)
     visit("maxDeformation", m.elasticity.maxDeformation);
 }
 
-/// What every shape of collider has; the shapes' own fields are in app/scene/scene_colliders.cpp.
+template <typename Visitor>
+void visitFields(Wind& w, Visitor&& visit)
+{
+    visit("velocity", w.velocity);
+    visit("density", w.density);
+    visit("gusts", w.gusts);
+    visit("gustSize", w.gustSize);
+    visit("seed", w.seed);
+}
+
+/// All but the region and the end.
+template <typename Visitor>
+void visitFields(ForceField& f, Visitor&& visit)
+{
+    visit("kind", f.kind);
+    visit("falloff", f.falloff);
+    visit("strength", f.strength);
+    visit("start", f.start);
+}
+
+/// What every shape of collider has; the shapes' own fields are in app/scene/colliders/scene_colliders.cpp.
 template <typename Visitor>
 void visitFields(Collider& c, Visitor&& visit)
 {

@@ -13,9 +13,6 @@
 
 namespace knuckle {
 
-/// More particles than this are refused.
-inline constexpr uint64_t MAX_PARTICLES = 1'000'000;
-
 /// An actor of the scene, and what it was made of.
 struct SceneActor {
     std::shared_ptr<const Actor> actor;
@@ -45,10 +42,6 @@ struct Scene {
 /// @throws InputError, one line with the file and the JSON pointer of what is wrong.
 /// @param drawn whether all models are read with how they look, for somebody who draws them later.
 Scene loadScene(const std::string& path, const std::vector<Override>& overrides = {}, bool drawn = false);
-
-/// The solver's settings by a preset's name and changes of its fields, as a scene's `solver` would give them.
-/// @throws InputError as loadScene(), and for a change of anything else.
-Settings loadSettings(const std::string& preset, const std::vector<std::string>& changes);
 
 /// Steps a frame so that 1 / (framesPerSecond * steps) is as near to `timeStep` [s] as can be.
 uint32_t stepsForFrame(double framesPerSecond, double timeStep);

@@ -1,3 +1,5 @@
+#include "app/scene/scene_objects.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,10 +8,17 @@
 
 #include "app/json/fields.h"
 #include "app/json/joint_limits.h"
-#include "app/scene/scene_file.h"
-#include "app/scene/scene_fill.h"
-#include "app/scene/scene_parts.h"
-#include "app/scene/scene_ropes.h"
+#include "app/scene/actors/scene_actors.h"
+#include "app/scene/actors/scene_releases.h"
+#include "app/scene/actors/scene_skins.h"
+#include "app/scene/colliders/scene_motion.h"
+#include "app/scene/matter/scene_fill.h"
+#include "app/scene/matter/scene_fluid.h"
+#include "app/scene/matter/scene_grains.h"
+#include "app/scene/matter/scene_ropes.h"
+#include "app/scene/scene_limits.h"
+#include "app/scene/scene_materials.h"
+#include "app/scene/scene_repeat.h"
 #include "sim/base/errors.h"
 
 namespace knuckle {
@@ -17,11 +26,6 @@ namespace knuckle {
 namespace {
 
 using Entry = ObjectEntry;
-
-void limitParticles(const Entry& entry, double count)
-{
-    limitParticles(entry.context, entry.json, entry.pointer, count);
-}
 
 /// The distance of each particle of a rigid body to its surface, and the exit direction; empty for a box, whose lattice
 /// gives the builder both.
@@ -31,7 +35,7 @@ std::vector<SurfaceDistance> surfaceOf(const Entry& entry, const std::vector<Vec
     std::vector<SurfaceDistance> surface;
     if (shape == "box") return surface;
     if (shape == "mesh") {
-        const Actor& actor = findActor(entry.context, entry.json, entry.pointer);
+        const Actor& actor = entry.actor();
         for (uint32_t i = 0; i < actor.particles.size(); ++i) surface.push_back(surfaceOf(actor, i));
         return surface;
     }
@@ -66,7 +70,7 @@ void addRigidOrSoft(const Entry& entry)
     const bool soft = entry.json["type"] == "soft";
     if (soft && entry.json["fixed"].get<bool>())
         entry.fail("/fixed", "a soft body cannot be fixed; use type \"rigid\", or pins");
-    const std::vector<Vector3f> positions = fillRegion(entry.context, entry.json, entry.pointer, builder.diameter());
+    const std::vector<Vector3f> positions = fillRegion(entry, builder.diameter());
     const std::vector<SurfaceDistance> surface = soft ? std::vector<SurfaceDistance>() : surfaceOf(entry, positions);
     const std::vector<uint32_t> pinned = soft ? pinnedPoints(entry, positions) : std::vector<uint32_t>();
     const bool held = entry.json["fixed"];
@@ -89,7 +93,7 @@ void addRigidOrSoft(const Entry& entry)
         builder.animate({object, entry.poses[copy], {0, 0, 0}, delayed(builder.world(), {motion}, delay)});
         builder.releaseBody(builder.world().objects[object].bodyStart, time + delay);
     }
-    if (showsSkin(entry.json)) wearSkin(entry, findActor(entry.context, entry.json, entry.pointer), objects);
+    if (showsSkin(entry.json)) wearSkin(entry, entry.actor(), objects);
 }
 
 /// Adds the boxes and joints of one chain; the object is open.
@@ -154,44 +158,11 @@ void addJoined(const Entry& entry)
     }
 }
 
-void addStrands(const Entry& entry)
+/// Adds one entry with its copies.
+void addObject(SceneContext& context, const Json& json, size_t index)
 {
-    RopeEntry rows{entry, {}, entry.poses, entry.material, entry.velocity};
-    for (size_t copy = 0; copy < entry.poses.size(); ++copy) rows.names.push_back(entry.copyName(copy));
-    addRopeObject(rows);
-}
-
-void addFluid(const Entry& entry)
-{
-    addFluid(entry.context, entry.json, entry.pointer, {entry.material, entry.velocity}, entry.poses);
-}
-
-void addGrains(const Entry& entry)
-{
-    addGrains(entry.context, entry.json, entry.pointer, {entry.material, entry.velocity}, entry.poses);
-}
-
-}  // namespace
-
-std::string ObjectEntry::copyName(size_t copy) const
-{
-    return poses.size() == 1 ? name : fmt::format("{}_{}", name, copy + 1);
-}
-
-uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer)
-{
-    const auto found = context.materials.find(name);
-    if (found != context.materials.end()) return found->second;
-    std::vector<std::string> names;
-    for (const auto& [known, index] : context.materials) names.push_back(known);
-    failAt(context.path, pointer, fmt::format("there is no material \"{}\"; {}", name, suggestion(name, names)));
-}
-
-void addObjects(SceneContext& context, const Json& json, size_t index)
-{
-    const std::string given = json["name"];
-    Entry entry{{context, json, fmt::format("/objects/{}", index)},
-                given.empty() ? fmt::format("object_{}", index + 1) : given};
+    Entry entry{{context, json, fmt::format("/objects/{}", index)}, json["name"]};
+    if (entry.name.empty()) entry.name = fmt::format("object_{}", index + 1);
     entry.material = findMaterial(context, json["material"], entry.pointer + "/material");
     readValue(json["velocity"], entry.velocity);
     if (json.contains("spin")) readValue(json["spin"], entry.spin);
@@ -204,14 +175,8 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
         entry.fail("/repeat/delay", "is for what is moved or let go; take it away");
     const std::string type = json["type"];
     static const std::map<std::string, std::function<void(const Entry&)>> KINDS = {
-        {"rigid", addRigidOrSoft},
-        {"soft", addRigidOrSoft},
-        {"joined", addJoined},
-        {"actor", addActors},
-        {"grains", [](const Entry& grains) { addGrains(grains); }},
-        {"rope", addStrands},
-        {"cloth", addStrands},
-        {"fluid", [](const Entry& fluid) { addFluid(fluid); }}};
+        {"rigid", addRigidOrSoft}, {"soft", addRigidOrSoft}, {"joined", addJoined},    {"actor", addActors},
+        {"grains", addGrains},     {"rope", addRopeObject},  {"cloth", addRopeObject}, {"fluid", addFluid}};
     const uint32_t first = context.builder.particleCount();
     try {
         KINDS.at(type)(entry);
@@ -222,6 +187,16 @@ void addObjects(SceneContext& context, const Json& json, size_t index)
         throw text.starts_with(context.path) ? error
                                              : InputError(fmt::format("{}: {}: {}", context.path, entry.pointer, text));
     }
+}
+
+}  // namespace
+
+void addObjects(SceneContext& context, const Json& objects)
+{
+    for (const bool rows : {false, true})
+        for (size_t i = 0; i < objects.size(); ++i)
+            if (isRopeObject(objects[i]) == rows) addObject(context, objects[i], i);
+    addTouches(context);
 }
 
 }  // namespace knuckle

@@ -1,9 +1,11 @@
+#include "app/scene/scene_repeat.h"
+
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "app/json/fields.h"
-#include "app/scene/scene_parts.h"
+#include "app/scene/scene_places.h"
+#include "sim/base/angles.h"
 
 namespace knuckle {
 
@@ -13,8 +15,8 @@ namespace {
 Quaternionf randomRotation(std::mt19937& random)
 {
     const float share = uniformFraction(random);
-    const float first = 2.0f * std::numbers::pi_v<float> * uniformFraction(random);
-    const float second = 2.0f * std::numbers::pi_v<float> * uniformFraction(random);
+    const float first = WHOLE_TURN * uniformFraction(random);
+    const float second = WHOLE_TURN * uniformFraction(random);
     const float a = std::sqrt(1.0f - share), b = std::sqrt(share);
     return Quaternionf(b * std::cos(second), a * std::sin(first), a * std::cos(first), b * std::sin(second));
 }

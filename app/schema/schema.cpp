@@ -17,6 +17,13 @@ const Json& Schema::resolve(const Json& node) const
     return root_.at(Json::json_pointer(node["$ref"].get<std::string>().substr(1)));
 }
 
+void Schema::expand(Json& root) const
+{
+    if (!root.is_object()) return;
+    for (auto& [key, value] : root.items())
+        if (root_["properties"].contains(key)) SchemaCheck::expandString(root_["properties"][key], value);
+}
+
 void Schema::complete(JsonFile& file) const
 {
     SchemaCheck(*this, file.path).complete(root_, file.root, "");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,27 @@ std::string escaped(const std::string& key)
     return out;
 }
 
+/// Whether a rule of `x-defaults-if` is for this object.
+bool applies(const Json& rule, const Json& object)
+{
+    const auto isGiven = [&](const Json& key) { return object.contains(key.get<std::string>()); };
+    if (rule.contains("given") && std::ranges::none_of(rule["given"], isGiven)) return false;
+    if (!rule.contains("equal")) return true;
+    const auto& equal = rule["equal"].items();
+    return std::all_of(equal.begin(), equal.end(),
+                       [&](const auto& field) { return object.value(field.key(), Json()) == field.value(); });
+}
+
+void fillDefaultsIf(const Json& node, Json& object)
+{
+    if (!node.contains("x-defaults-if")) return;
+    for (const Json& rule : node["x-defaults-if"]) {
+        if (!applies(rule, object)) continue;
+        for (const auto& [key, value] : rule["defaults"].items())
+            if (!object.contains(key)) object[key] = value;
+    }
+}
+
 }  // namespace
 
 std::string kindOf(const Json& value)
@@ -65,9 +87,16 @@ std::string kindOf(const Json& value)
     return fmt::format("{} {}", shown(value), value.is_string() ? "(a string)" : value.is_number() ? "(a number)" : "");
 }
 
+void SchemaCheck::expandString(const Json& node, Json& value)
+{
+    if (value.is_string() && node.contains("x-string-means")) value = Json{{node["x-string-means"], value}};
+}
+
 void SchemaCheck::complete(const Json& schemaNode, Json& value, const std::string& pointer) const
 {
-    const Json& node = choose(schema_.resolve(schemaNode), value, pointer);
+    const Json& given = schema_.resolve(schemaNode);
+    expandString(given, value);
+    const Json& node = choose(given, value, pointer);
     if (node.contains("const")) return;  // chosen by it
     checkType(node, value, pointer);
     if (value.is_object()) completeObject(node, value, pointer);
@@ -126,12 +155,30 @@ void SchemaCheck::checkType(const Json& node, Json& value, const std::string& po
 
 void SchemaCheck::completeObject(const Json& node, Json& value, const std::string& pointer) const
 {
+    const Json& properties = node.contains("properties") ? node["properties"] : Json::object();
+    requireOneOf(properties, value, pointer);
+    fillDefaultsIf(node, value);
     checkKeys(node, value, pointer);
     fillDefaults(node, value);
-    const Json& properties = node.contains("properties") ? node["properties"] : Json::object();
     for (auto& [key, child] : value.items()) {
         const Json& childNode = properties.contains(key) ? properties[key] : node["additionalProperties"];
         complete(childNode, child, fmt::format("{}/{}", pointer, escaped(key)));
+    }
+}
+
+/// Of the fields that the document has itself: those that defaults fill in may be empty.
+void SchemaCheck::requireOneOf(const Json& properties, const Json& value, const std::string& pointer) const
+{
+    for (const auto& [key, child] : value.items()) {
+        if (!child.is_object() || !properties.contains(key)) continue;
+        const Json& node = schema_.resolve(properties[key]);
+        if (!node.contains("x-needs-one-of")) continue;
+        const auto isGiven = [&](const Json& field) {
+            const auto found = child.find(field.get<std::string>());
+            return found != child.end() && *found != "";
+        };
+        if (std::ranges::none_of(node["x-needs-one-of"], isGiven))
+            fail(fmt::format("{}/{}", pointer, escaped(key)), node["x-remedy"]);
     }
 }
 

@@ -15,9 +15,13 @@ public:
     /// Checks `value`, found at the JSON pointer `pointer`, against `node`. @throws InputError for the first fault.
     void complete(const Json& node, Json& value, const std::string& pointer) const;
 
+    /// Makes an object of a string where the node says of which field it is (`x-string-means`).
+    static void expandString(const Json& node, Json& value);
+
 private:
     void completeObject(const Json& node, Json& value, const std::string& pointer) const;
     void fillDefaults(const Json& node, Json& value) const;
+    void requireOneOf(const Json& properties, const Json& value, const std::string& pointer) const;
     void checkKeys(const Json& node, const Json& value, const std::string& pointer) const;
     void completeArray(const Json& node, Json& value, const std::string& pointer) const;
     void checkType(const Json& node, Json& value, const std::string& pointer) const;

@@ -8,7 +8,7 @@
 #include "render/marks/mark_pen.h"
 #include "sim/base/angles.h"
 #include "sim/world/bounds.h"
-#include "sim/world/builder/joints.h"
+#include "sim/world/builder/parts/joints.h"
 
 namespace knuckle {
 

@@ -13,6 +13,7 @@ namespace knuckle::gpu {
 struct StepParameters {
     // The world.
     vec4 gravity;                   // xyz [m/s2]
+    vec4 wind;                      // xyz its mean velocity [m/s], w the density of the air [kg/m3]
     uint particleCount;             // solid particles
     uint fluidCount;                // fluid particles, which come behind them
     uint bodyCount;
@@ -41,6 +42,10 @@ struct StepParameters {
     float virtualParticles;         // c of eq. 18
     uint rotationIterations;
     float massScaling;              // k of m exp(-k height) [1/m]
+    // Wind and force fields.
+    uint forceFieldCount;
+    uint gustWaveCount;
+    float dropDrag;                 // half of drag coefficient times area of a fluid particle that is a drop [m2]
     // The search for contacts.
     float contactReach;            // candidates are nearer than this [m]
     float plainReach;              // the same where neither is of a ball or capsule [m]

@@ -10,9 +10,10 @@ namespace knuckle {
 
 namespace {
 
-/// NVIDIA's driver 580 loses what glBufferSubData writes right after a copy or a clear: it comes first. Both are rare,
-/// so they wait.
-void waitBeforeTheNextWrite()
+/// NVIDIA's driver 580 loses what glBufferSubData writes right after a copy or a clear: it comes first. Zink of Mesa 25
+/// does both before a kernel that was dispatched earlier has read the buffer. They are rare, so they wait before and
+/// after.
+void waitForAll()
 {
     glFinish();
 }
@@ -74,19 +75,21 @@ void RawBuffer::copy(const RawBuffer& from, size_t byteCount, size_t fromOffset,
 {
     if (byteCount == 0) return;
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    waitForAll();
     glBindBuffer(GL_COPY_READ_BUFFER, from.id());
     glBindBuffer(GL_COPY_WRITE_BUFFER, id());
     glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(fromOffset),
                         static_cast<GLintptr>(toOffset), static_cast<GLsizeiptr>(byteCount));
-    waitBeforeTheNextWrite();
+    waitForAll();
 }
 
 void RawBuffer::clear()
 {
     const uint32_t zero = 0;
+    waitForAll();
     glBindBuffer(GL_COPY_WRITE_BUFFER, id());
     glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
-    waitBeforeTheNextWrite();
+    waitForAll();
 }
 
 }  // namespace knuckle

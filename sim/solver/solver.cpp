@@ -36,7 +36,7 @@ struct Solver::Impl {
     }
 
     Gpu& gpu;
-    World world;
+    const World& world;
     Stages stages;
     bool started = false;
     KernelTimer timer;

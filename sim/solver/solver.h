@@ -33,8 +33,9 @@ struct SolverState {
 class Solver {
 public:
     /// Uploads the world once. @throws DeviceError when the device's limits are too small for it, with the number.
-    /// @param room that lists begin with, for tests: bits do not depend on it.
+    /// @param world must outlive it. @param room that lists begin with, for tests: bits do not depend on it.
     Solver(Gpu& gpu, const World& world, const std::optional<ListRoom>& room = {});
+    Solver(Gpu& gpu, World&& world, const std::optional<ListRoom>& room = {}) = delete;
     ~Solver();
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;

@@ -85,6 +85,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
 {
     if (AnimationStage::isNeeded(world)) animations.emplace(setup_);
     if (DriveStage::isNeeded(world)) drives.emplace(setup_);
+    if (ForceStage::isNeeded(world)) forces.emplace(setup_);
     if (ReleaseStage::isNeeded(world)) releases.emplace(setup_);
     if (RestitutionStage::isNeeded(world)) restitution.emplace(setup_);
     if (SleepStage::isNeeded(world.settings)) sleep.emplace(setup_);
@@ -116,6 +117,7 @@ std::vector<Stage*> Stages::all()
     };
     add(animations);
     add(drives);
+    add(forces);
     add(releases);
     add(restitution);
     add(sleep);
@@ -149,6 +151,7 @@ Defines Stages::worldDefines() const
                       {"PUPPETS", drives.has_value()},
                       {"TOUCHES", std::ranges::any_of(world_.releases, isByTouch)},
                       {"POOL", emitters.has_value()},
+                      {"FORCES", forces.has_value()},
                       {"GRIDS", layout.hasGrids},
                       {"MOVING", !world_.colliderMotions.empty()},
                       {"RELEASES", releases.has_value()},

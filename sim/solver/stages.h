@@ -11,6 +11,7 @@
 #include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_stage.h"
 #include "sim/solver/fluid/fluid_watch_stage.h"
+#include "sim/solver/forces/force_stage.h"
 #include "sim/solver/joint/joint_stage.h"
 #include "sim/solver/list_room.h"
 #include "sim/solver/paper/paper_stage.h"
@@ -78,6 +79,7 @@ public:
     JointStage joints;
     std::optional<AnimationStage> animations;
     std::optional<DriveStage> drives;
+    std::optional<ForceStage> forces;
     std::optional<ReleaseStage> releases;
     std::optional<RestitutionStage> restitution;
     std::optional<SleepStage> sleep;

@@ -50,6 +50,7 @@ namespace {
 
 void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorder, bool first)
 {
+    if (s.forces) s.forces->find(recorder);
     if (s.drives) s.drives->catchAgain(recorder);
     if (s.releases) s.releases->noteBefore(recorder);
     s.bodies.predict(recorder);
@@ -61,6 +62,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     if (s.sleep) s.sleep->wake(recorder);
     s.bodies.warmStart(recorder);
     if (s.fluids) s.fluids->substep(recorder, first);
+    if (s.forces) s.forces->actOnFluids(recorder);
     s.joints.factor(recorder);
     s.joints.solve(recorder, true);
     for (uint32_t i = 0; i < settings.iterations; ++i) {
@@ -86,6 +88,7 @@ void fluidSubstep(const Stages& s, Recorder& recorder, bool first)
     if (s.animations) s.animations->animate(recorder);
     s.search.count(recorder);
     s.fluids->substep(recorder, first);
+    if (s.forces) s.forces->actOnFluids(recorder);
 }
 
 void impulseStep(const Stages& s, const Settings& settings, Recorder& recorder)

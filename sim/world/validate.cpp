@@ -115,7 +115,7 @@ void validateEmitters(const World& world)
         require(e.pool >= layer, "emitter {}: its pool of {} is smaller than a layer of {} particles", i, e.pool,
                 layer);
     }
-    for (const Collider& drain : world.drains)
+    for (const Region& drain : world.drains)
         require(drain.shape <= ColliderShape::Capsule, "a drain is a plane, a box, a sphere or a capsule");
 }
 
@@ -229,6 +229,7 @@ void validate(const World& world)
     validateReleases(world);
     validateColliders(world);
     validateColliderMotions(world);
+    validateForces(world);
     validateSoftBodies(world);
     validateStrands(world);
     validateGrids(world);

@@ -3,8 +3,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +16,9 @@
 #include "sim/world/collider_grid.h"
 #include "sim/world/drive/puppet.h"
 #include "sim/world/emitter.h"
+#include "sim/world/forces/forces.h"
 #include "sim/world/joint/joint.h"
+#include "sim/world/region.h"
 #include "sim/world/settings.h"
 #include "sim/world/skin.h"
 #include "sim/world/soft_matter.h"
@@ -122,17 +126,9 @@ struct Object {
     bool has(uint32_t body) const { return body >= bodyStart && body < bodyEnd(); }
 };
 
-enum class ColliderShape : uint32_t { Plane, Box, Sphere, Capsule, Mesh, Heightfield };
-
 /// An obstacle: it stays where it is, or moves as World::colliderMotions say, and answers to nothing.
-struct Collider {
-    ColliderShape shape = ColliderShape::Plane;
-    Vector3f position{0, 0, 0};              ///< A point of the plane, a grid's origin, else the centre [m].
-    Quaternionf orientation{1, 0, 0, 0};     ///< A plane's normal, a capsule's axis are its +Y (Eigen ctor is wxyz).
-    Vector3f halfExtents{0.5f, 0.5f, 0.5f};  ///< Box only [m].
-    float radius = 0.5f;                     ///< Sphere and capsule [m].
-    float halfHeight = 0.5f;                 ///< Capsule: half the distance between its two sphere centres [m].
-    uint32_t grid = NO_INDEX;                ///< Mesh and heightfield: index into World::colliderGrids.
+struct Collider : Region {
+    uint32_t grid = NO_INDEX;  ///< Mesh and heightfield: index into World::colliderGrids.
     float staticFriction = 0.5f;
     float kineticFriction = 0.5f;
     Vector3f color{0.45f, 0.47f, 0.5f};
@@ -148,7 +144,7 @@ struct Release {
     float impulse = 0.0f;          ///< Impulse: that contacts give to one of them in a step [N s], > 0.
     uint32_t firstParticle = 0, endParticle = 0;  ///< Touch: of these particles.
     bool driven = false;                          ///< A puppet's bodies are driven from then on, not limp.
-    Collider region;  ///< Region: one of their particles has its centre in it; box, sphere or capsule.
+    Region region;  ///< Region: one of their particles has its centre in it; box, sphere or capsule.
 };
 
 struct World {
@@ -167,9 +163,10 @@ struct World {
     std::vector<Collider> colliders;              ///< Where they begin.
     std::vector<ColliderMotion> colliderMotions;  ///< In the order of colliders.
     std::vector<SoftBody> softBodies;
-    std::vector<Cluster> clusters;   ///< Grouped by soft body.
-    std::vector<Link> clusterLinks;  ///< Grouped by cluster, which is what Link::body says here.
-    std::vector<Strand> strands;     ///< Ropes and cloth.
+    std::vector<Cluster> clusters;                        ///< Grouped by soft body.
+    std::vector<Link> clusterLinks;                       ///< Grouped by cluster, which is what Link::body says here.
+    std::vector<Strand> strands;                          ///< Ropes and cloth.
+    std::vector<std::array<uint32_t, 3>> clothTriangles;  ///< Particles of cloth between which the air finds it.
     std::vector<ColliderGrid> colliderGrids;
     std::vector<Skin> skins;  ///< Only drawn.
     uint32_t assemblyCount = 0;
@@ -178,7 +175,9 @@ struct World {
     uint32_t fluidCount = 0;  ///< Fluid particles; they stand behind all others in `particles`.
     /// Their pools are the last of the fluid particles, in this order; what is in a pool is nowhere yet.
     std::vector<Emitter> emitters;
-    std::vector<Collider> drains;  ///< Fluids vanish in them; only shape, place and size count.
+    std::vector<Region> drains;  ///< Fluids vanish in them; planes, boxes, spheres, capsules.
+    std::optional<Wind> wind;    ///< None: no air.
+    std::vector<ForceField> forceFields;
 
     /// Particles in the pools at the start.
     uint32_t pooledCount() const;

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "sim/world/builder/cloth.h"
+#include "sim/world/builder/parts/cloth.h"
 #include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {

@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "app/commands/table2_world.h"
-#include "sim/world/builder/joints.h"
+#include "sim/world/builder/parts/joints.h"
 #include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {

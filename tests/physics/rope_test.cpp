@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/world/builder/rope.h"
+#include "sim/world/builder/parts/rope.h"
 #include "tests/physics/physics_fixture.h"
 
 namespace knuckle::test {

@@ -85,7 +85,9 @@ TEST_F(BufferOrder, AKernelSeesNothingOfWhatIsWrittenAfterIt)
     for (uint32_t round = 1; round <= 5; ++round) {
         Buffer<uint32_t> given("given", std::span<const uint32_t>(numbers(round)));
         ASSERT_EQ(found(given, [&] { given.upload(std::span<const uint32_t>(numbers(0))); }), numbers(round)) << round;
-        ASSERT_EQ(found(given, [&] { given.clear(); }), numbers(0)) << round;
+        const Buffer<uint32_t> other("other", std::span<const uint32_t>(numbers(9)));
+        ASSERT_EQ(found(given, [&] { given.copy(other, SIZE * sizeof(uint32_t), 0, 0); }), numbers(0)) << round;
+        ASSERT_EQ(found(given, [&] { given.clear(); }), numbers(9)) << round;
         ASSERT_EQ(found(given), std::vector<uint32_t>(SIZE, 0)) << round;
     }
 }

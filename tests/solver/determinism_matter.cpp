@@ -1,7 +1,7 @@
 #include <functional>
 
-#include "sim/world/builder/cloth.h"
-#include "sim/world/builder/rope.h"
+#include "sim/world/builder/parts/cloth.h"
+#include "sim/world/builder/parts/rope.h"
 #include "tests/solver/determinism_worlds.h"
 #include "tests/solver/solver_test.h"
 

@@ -52,6 +52,10 @@ void expectArray(const Kernel& kernel, const std::string& block, const std::stri
 }
 
 const std::vector<Member> STEP_PARAMETERS = {MEMBER(StepParameters, gravity),
+                                             MEMBER(StepParameters, wind),
+                                             MEMBER(StepParameters, forceFieldCount),
+                                             MEMBER(StepParameters, gustWaveCount),
+                                             MEMBER(StepParameters, dropDrag),
                                              MEMBER(StepParameters, particleCount),
                                              MEMBER(StepParameters, bodyCount),
                                              MEMBER(StepParameters, freeBodyCount),

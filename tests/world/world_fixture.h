@@ -7,7 +7,7 @@
 
 #include "sim/base/errors.h"
 #include "sim/world/builder/builder.h"
-#include "sim/world/builder/joints.h"
+#include "sim/world/builder/parts/joints.h"
 #include "tests/message_of.h"
 #include "tests/pair_fixture.h"
 

@@ -6,6 +6,7 @@
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/bodies/fields.glsl"
 #include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/outside.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer bodyReleases;     // body, and the substep that it responds in first; NO_SUBSTEP: not yet known
@@ -26,10 +27,10 @@ void main()
     uvec2 release = texelFetch(bodyReleases, int(k)).xy;
     if (release.y != counters[0].substep) return;
     uint assembly = fetchMover(release.x).assembly;
-    // Of first order, where nothing led up to it; else as if gravity had led up to how it moves.
+    // Of first order, where nothing led up to it; else as if what acts from outside had led up to how it moves.
     if (newMoverStates[release.x] == MOVER_FIXED) assemblies[assembly].lastContact = counters[0].substep - 1u;
     else oldMoverVelocities[fieldStart(release.x)].xyz = fetchField(moverVelocities, release.x).t -
-                                                         sim.substepTime * sim.gravity.xyz;
+                                                         sim.substepTime * outsideAcceleration(release.x);
     newMoverStates[release.x] = MOVER_DYNAMIC;
     moverMoves[release.x].w = JUST_LET_GO;
 #ifdef SLEEP

@@ -5,6 +5,7 @@
 #include "sim/common/bodies/mass_scaling.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
+#include "sim/common/outside.glsl"
 
 uniform samplerBuffer moverVelocities;
 uniform samplerBuffer oldMoverVelocities;
@@ -60,12 +61,13 @@ float chordScale(mat3 chord)
 Field predictedMove(uint m, bool second, bool keepsTurning)
 {
     float h = sim.substepTime;
+    vec3 outside = outsideAcceleration(m);
     Field v = fetchField(moverVelocities, m);
     if (!second) {
         if (keepsTurning) v.f *= chordScale(h * v.f);
-        return Field(h * (v.t + h * sim.gravity.xyz), h * v.f);
+        return Field(h * (v.t + h * outside), h * v.f);
     }
     Field move = fetchField(oldMoverMoves, m), last = fetchField(oldMoverVelocities, m);
-    return Field(move.t / 3.0 + h * (8.0 * v.t - 2.0 * last.t + 4.0 * h * sim.gravity.xyz) / 9.0,
+    return Field(move.t / 3.0 + h * (8.0 * v.t - 2.0 * last.t + 4.0 * h * outside) / 9.0,
                  move.f / 3.0 + h * (8.0 * v.f - 2.0 * last.f) / 9.0);
 }

@@ -1,10 +1,11 @@
 // One thread a body that may be let go: of one that is in this substep, how its velocity changes. BEFORE: at the start
-// of the substep, what it is. After that, by how much it has changed beyond what gravity and contacts (fluids and
-// ropes, too) give, which part of that its joints did, and how much contacts gave.
+// of the substep, what it is. After that, by how much it has changed beyond what gravity, wind, fields and contacts
+// (fluids and ropes, too) give, which part of that its joints did, and how much contacts gave.
 #define BODIES
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_rows.glsl"
 #include "sim/common/bodies/mover_info.glsl"
+#include "sim/common/outside.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer bodyReleases;
@@ -32,7 +33,7 @@ void main()
     // What an impulse of one kg m does to the velocity of the body: BDF2's is that of one and a half moves.
     float response = (second ? 1.5 : 1.0) * body.inverseMass / sim.substepTime;
     vec3 contacts = response * fetchField(bodyPushes, release.x).t;
-    vec3 given = sim.substepTime * sim.gravity.xyz + contacts;
+    vec3 given = sim.substepTime * outsideAcceleration(release.x) + contacts;
     vec3 joints = response * rowSum(release.x, vec4(0, 0, 0, 1)).t;
     releaseNotes[3u * k + 1u] = vec4(velocity - releaseNotes[3u * k].xyz - given, 0);
     releaseNotes[3u * k + 2u] = vec4(joints, length(contacts));

@@ -1,6 +1,7 @@
 // How fast points of movers are, now and when they met.
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_state.glsl"
+#include "sim/common/outside.glsl"
 
 uniform samplerBuffer oldMoverMoves;
 uniform samplerBuffer oldMoverVelocities;
@@ -46,10 +47,10 @@ Arrival arrivalOf(uint mover, vec3 r)
     if (!moves(mover)) return Arrival(vec3(0), vec3(0), vec3(0));
     Field move = fetchField(oldMoverMoves, mover);
     return Arrival(pointVelocity(fetchField(oldMoverVelocities, mover), mover, r), move.t + move.f * r,
-                   responds(mover) ? sim.gravity.xyz : vec3(0));
+                   responds(mover) ? outsideAcceleration(mover) : vec3(0));
 }
 
-/// The speed at which two meet [m/s]: gravity speeds them up on their way there, v^2 = v0^2 + 2 g s.
+/// The speed at which two meet [m/s]: what pulls speeds them up on their way there, v^2 = v0^2 + 2 g s.
 float approachOf(Arrival a, Arrival b, vec3 normal)
 {
     float speed = -dot(normal, a.velocity - b.velocity);

@@ -5,6 +5,7 @@
 #include "sim/common/bodies/fields.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/contacts/list_ranges.glsl"
+#include "sim/common/outside.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer oldMoverMoves;
@@ -65,9 +66,9 @@ void main()
     float mass = 1.0 / mover.inverseMass;
     Field before = fetchField(oldMoverVelocities, m), solved = fetchField(moverSolvedVelocities, m);
     float budget = energyOf(m, mass, before) - energyOf(m, mass, solved) + ledger.z +
-                   mass * dot(sim.gravity.xyz, fetchField(oldMoverMoves, m).t);
+                   mass * dot(outsideAcceleration(m), fetchField(oldMoverMoves, m).t);
     // Scaled by s, the solver's impulses cost s budget + (s - s^2) push.
-    vec3 pull = sim.substepTime * sim.gravity.xyz;
+    vec3 pull = sim.substepTime * outsideAcceleration(m);
     float push = energyOf(m, mass, Field(solved.t - before.t - pull, solved.f - before.f));
     moverRestitutionShares[m] = vec4(affordable(ledger.xy, max(budget, 0.0)),
                                      clamp(1.0 + budget / max(push, 1e-20), 0.0, 1.0), 0, 0);

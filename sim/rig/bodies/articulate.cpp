@@ -41,9 +41,7 @@ void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointP
     }
     actor.bodies.push_back({name + "/cross", {}, static_cast<int32_t>(plan.parent), {}, true});
     actor.bodies[plan.child].parent = static_cast<int32_t>(crossBody);
-    JointLimits first = plan.limits, second = plan.limits;
-    second.bend = plan.limits.secondBend;
-    first.secondBend = second.secondBend = {};
+    const auto [first, second] = hingeLimits(plan.limits);
     const Vector3f secondAxis = plan.along.cross(plan.axis).normalized();
     actor.joints.push_back({name + "/cross",
                             plan.type,

@@ -11,7 +11,7 @@
 #include "sim/rig/anatomy/names/name_pattern.h"
 #include "sim/rig/joints/fold.h"
 #include "sim/rig/joints/joint_ranges.h"
-#include "sim/world/builder/joints.h"
+#include "sim/world/builder/parts/joints.h"
 
 namespace knuckle {
 

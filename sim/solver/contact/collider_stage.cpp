@@ -61,8 +61,9 @@ void ColliderStage::upload(const StageSetup& setup)
         places.push_back(pack(c.orientation));
     };
     for (const Collider& c : world.colliders) add(c);
-    for (const Collider& c : world.drains) add(c);
-    for (const Release& release : world.releases) add(release.region);
+    const auto addRegion = [&](const Region& region) { add({region}); };
+    for (const Region& drain : world.drains) addRegion(drain);
+    for (const Release& release : world.releases) addRegion(release.region);
     colliders = {"colliders", std::span<const gpu::GpuCollider>(all)};
     colliderPlaces = {"colliderPlaces", std::span<const gpu::vec4>(places)};
     gridValues = {"gridValues", std::span<const float>(values)};

@@ -37,8 +37,8 @@ float mostGain(const World& world)
 
 bool FluidWatchStage::isNeeded(const World& world)
 {
-    return world.fluidCount > 0 && world.emitters.empty() && world.drains.empty() && world.animations.empty() &&
-           world.colliderMotions.empty() && world.settings.vorticity == 0.0f;
+    return world.fluidCount > 0 && !hasForces(world) && world.emitters.empty() && world.drains.empty() &&
+           world.animations.empty() && world.colliderMotions.empty() && world.settings.vorticity == 0.0f;
 }
 
 void FluidWatchStage::upload(const StageSetup& setup)

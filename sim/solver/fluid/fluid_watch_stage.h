@@ -8,7 +8,7 @@ namespace knuckle {
 /// given them, a kernel reports PROBLEM_FLUID_ENERGY.
 class FluidWatchStage : public Stage {
 public:
-    /// For worlds without emitters, drains, clips and moving colliders, which give fluids what they like.
+    /// For worlds without emitters, drains, clips, moving colliders, wind and fields, which give fluids what they like.
     static bool isNeeded(const World& world);
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;

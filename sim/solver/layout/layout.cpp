@@ -70,7 +70,7 @@ uint32_t Layout::heldIndex(uint32_t body) const
 void Layout::findShapes(const World& world)
 {
     colliderCount = static_cast<uint32_t>(world.colliders.size());
-    hasGrids = std::ranges::any_of(world.colliders, isGrid) || std::ranges::any_of(world.drains, isGrid);
+    hasGrids = std::ranges::any_of(world.colliders, isGrid);
     latticeEnds = latticeEndsOf(world);
     hasFlatFaces = std::ranges::any_of(latticeEnds, [](uint32_t end) { return end != ALL_ENDS; });
     markRounds(world, latticeEnds);

@@ -26,7 +26,7 @@ struct Layout {
     /// Where a body stands in heldBodies; NO_INDEX where it does not.
     uint32_t heldIndex(uint32_t body) const;
     uint32_t colliderCount = 0;  ///< Drains stand behind them.
-    bool hasGrids = false;       ///< Whether any collider or drain is a grid.
+    bool hasGrids = false;       ///< Whether any collider is a grid.
     bool hasRounds = false;      ///< Whether any body is a ball or a capsule.
     bool hasFlatFaces = false;   ///< Whether any particle's lattice ends are known.
 

@@ -137,19 +137,9 @@ bool mayTouch(const World& world, uint32_t a, uint32_t b)
 float colliderDistance(const World& world, const Collider& c, const Vector3f& point)
 {
     const Vector3f p = c.orientation.conjugate() * (point - c.position);
-    switch (c.shape) {
-        case ColliderShape::Plane: return p.y();
-        case ColliderShape::Box: {
-            const Vector3f q = p.cwiseAbs() - c.halfExtents;
-            return q.cwiseMax(0.0f).norm() + std::min(q.maxCoeff(), 0.0f);
-        }
-        case ColliderShape::Sphere: return p.norm() - c.radius;
-        case ColliderShape::Capsule:
-            return (p - Vector3f(0, std::clamp(p.y(), -c.halfHeight, c.halfHeight), 0)).norm() - c.radius;
-        case ColliderShape::Mesh: return meshDistance(world.colliderGrids[c.grid], p);
-        case ColliderShape::Heightfield: return heightfieldDistance(world.colliderGrids[c.grid], p);
-    }
-    return 0.0f;
+    if (c.shape == ColliderShape::Mesh) return meshDistance(world.colliderGrids[c.grid], p);
+    if (c.shape == ColliderShape::Heightfield) return heightfieldDistance(world.colliderGrids[c.grid], p);
+    return regionDistance(c, point);
 }
 
 BodyState bodyState(const World& world, const Body& body, const ParticleState& particles, const Vector3f& centre,

@@ -3,8 +3,8 @@
 
 #include "sim/base/disjoint_sets.h"
 #include "sim/world/builder/builder.h"
-#include "sim/world/builder/clusters.h"
-#include "sim/world/builder/substeps.h"
+#include "sim/world/builder/parts/clusters.h"
+#include "sim/world/builder/parts/substeps.h"
 
 namespace knuckle {
 

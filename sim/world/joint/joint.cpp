@@ -82,6 +82,14 @@ void validateCover(const World& world)
 
 }  // namespace
 
+std::pair<JointLimits, JointLimits> hingeLimits(const JointLimits& universal)
+{
+    JointLimits first = universal, second = universal;
+    second.bend = universal.secondBend;
+    first.secondBend = second.secondBend = {};
+    return {first, second};
+}
+
 bool JointLimits::any() const
 {
     return swing < FREE || twist.bounded() || bend.bounded() || secondBend.bounded();

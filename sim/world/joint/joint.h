@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/base/angles.h"
@@ -41,6 +42,9 @@ struct JointLimits {
     /// The limits that are set and that a joint of this type does not have: "swing".
     std::vector<std::string> misplacedIn(JointType type) const;
 };
+
+/// Of a universal joint those of its two hinges, at the parent and at the child.
+std::pair<JointLimits, JointLimits> hingeLimits(const JointLimits& universal);
 
 /// The same of any joint, as the solver takes it: how far x of the child's frame may leave x of the parent's, and how
 /// far the child may turn about it (a swing to the axis and a twist about it make every turn). Of a hinge the twist

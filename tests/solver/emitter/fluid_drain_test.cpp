@@ -10,7 +10,7 @@ protected:
     double depth(const gpu::vec4& place) const
     {
         double deepest = -1e9;
-        for (const Collider& drain : fixture.world.drains) {
+        for (const Region& drain : fixture.world.drains) {
             const Vector3d p = drain.orientation.conjugate().cast<double>() *
                                (vec3(place) - drain.position).cast<double>();
             const Vector3d outside = p.cwiseAbs() - drain.halfExtents.cast<double>();

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "sim/world/builder/cloth.h"
-#include "sim/world/builder/rope.h"
+#include "sim/world/builder/parts/cloth.h"
+#include "sim/world/builder/parts/rope.h"
 #include "tests/solver/solver_test.h"
 
 namespace knuckle::test {

@@ -1,4 +1,4 @@
-#include "sim/world/builder/clusters.h"
+#include "sim/world/builder/parts/clusters.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/json/json.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_files.h"
+#include "sim/world/builder/builder.h"
+
+// What the parts of a scene file know of each other. All read documents that the schema has completed.
+namespace knuckle {
+
+/// Particles of an object, or of one of its copies: from the first to before the end.
+struct ParticleRange {
+    uint32_t first = 0, end = 0;
+};
+
+/// A release by touch, until all objects are there that it may name.
+struct PendingTouch {
+    std::string pointer, name;
+    Release release;
+};
+
+/// What objects need to know about the scene that they stand in.
+struct SceneContext {
+    std::string path;  ///< Of the scene file.
+    WorldBuilder& builder;
+    SceneFiles& files;
+    double duration = 0.0;                                              ///< Of the film [s].
+    std::map<std::string, uint32_t> materials = {};                     ///< Indices by name.
+    std::map<std::string, std::shared_ptr<const SkinMesh>> skins = {};  ///< By SceneFiles::actorKey().
+    std::map<std::string, uint32_t> clips = {};                         ///< Indices by actor, file and name.
+    std::vector<SceneActor> actors = {};
+    std::vector<std::string> notes = {};     ///< For the user: what of the scene is not as it says.
+    std::vector<std::string> warnings = {};  ///< Of that what a run tells, too: Scene::warnings.
+    std::map<std::string, std::vector<ParticleRange>> particles = {};  ///< But fluids', by name of object or copy.
+    std::vector<std::string> objectNames = {};                         ///< Without those of copies.
+    std::vector<PendingTouch> touches = {};
+    std::vector<size_t> colliderEntries = {};  ///< Per collider of the world: the entry of `colliders` that it is of.
+};
+
+/// One entry of a list of the scene (objects, colliders, ...) while it is being built.
+struct SceneEntry {
+    SceneContext& context;
+    const Json& json;
+    std::string pointer;  ///< JSON path of the entry.
+
+    /// @throws InputError at a field of the entry.
+    [[noreturn]] void fail(const std::string& field, const std::string& message) const
+    {
+        failAt(context.path, pointer + field, message);
+    }
+    /// The actor that it is, or that its shape is; see SceneFiles::actor(). @param diameter 0: the scene's [m].
+    const Actor& actor(float diameter = 0.0f) const
+    {
+        return context.files.actor(json, pointer, diameter > 0.0f ? diameter : context.builder.diameter());
+    }
+};
+
+/// One entry of `objects` while its copies are made.
+struct ObjectEntry : SceneEntry {
+    std::string name = {};
+    uint32_t material = 0;
+    Vector3f velocity{0, 0, 0}, spin{0, 0, 0};
+    std::vector<Pose> poses = {};  ///< Of its copies.
+
+    std::string copyName(size_t copy) const { return poses.size() == 1 ? name : name + "_" + std::to_string(copy + 1); }
+};
+
+}  // namespace knuckle

@@ -1,0 +1,54 @@
+#include "app/scene/scene_document.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/json/fields.h"
+#include "app/schema/schema.h"
+#include "sim/base/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+SceneDocument completed(JsonFile file, const std::vector<Override>& overrides)
+{
+    static const Schema schema("scene.schema.json");
+    for (const Override& change : overrides) {
+        schema.expand(file.root);  // a change may be of a field of what is a string
+        applyOverride(file.root, change);
+    }
+    SceneDocument document{std::move(file)};
+    document.givesDiameter = document.file.root.is_object() && document.file.root.contains("diameter");
+    schema.complete(document.file);
+    const Json& root = document.file.root;
+    if (root["objects"].empty() && root["emitters"].empty())
+        failAt(document.file.path, "/objects", "is an array of 0, must be at least 1");
+    return document;
+}
+
+}  // namespace
+
+SceneDocument readSceneDocument(const std::string& path, const std::vector<Override>& overrides)
+{
+    return completed(readJsonFile(path), overrides);
+}
+
+Settings loadSettings(const std::string& preset, const std::vector<std::string>& changes)
+{
+    std::vector<Override> overrides;
+    for (const std::string& change : changes) {
+        overrides.push_back(parseOverride(change));
+        const std::string& path = overrides.back().path;
+        if (path.starts_with("solver.") || path.starts_with("/solver/")) continue;
+        throw InputError(fmt::format("--set {}: only fields of the solver can be set here, for instance "
+                                     "solver.iterations=8",
+                                     change));
+    }
+    const Json anything = Json::array({{{"type", "rigid"}, {"shape", "box"}}});
+    const SceneDocument document = completed({"--set", {{"solver", preset}, {"objects", anything}}}, overrides);
+    return readFields<Settings>(document.file.root["solver"]);
+}
+
+}  // namespace knuckle

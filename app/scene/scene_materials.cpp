@@ -1,0 +1,44 @@
+#include "app/scene/scene_materials.h"
+
+#include <fmt/format.h>
+
+#include "app/json/fields.h"
+
+namespace knuckle {
+
+void checkFriction(const SceneEntry& entry)
+{
+    const double staticFriction = entry.json.at("staticFriction"), kineticFriction = entry.json.at("kineticFriction");
+    if (kineticFriction <= staticFriction) return;
+    entry.fail("/kineticFriction", fmt::format("{} is above staticFriction, {}; lower it or raise the other",
+                                               kineticFriction, staticFriction));
+}
+
+void addMaterials(SceneContext& context, const Json& materials)
+{
+    for (const auto& [name, json] : materials.items()) {
+        checkFriction({context, json, "/materials/" + name});
+        Material material = readFields<Material>(json);
+        material.name = name;
+        context.materials[name] = context.builder.addMaterial(material);
+    }
+}
+
+uint32_t findMaterial(const SceneContext& context, const std::string& name, const std::string& pointer)
+{
+    const auto found = context.materials.find(name);
+    if (found != context.materials.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [known, index] : context.materials) names.push_back(known);
+    failAt(context.path, pointer, fmt::format("there is no material \"{}\"; {}", name, suggestion(name, names)));
+}
+
+void requireFluid(const SceneContext& context, uint32_t material, const std::string& pointer)
+{
+    const Material& found = context.builder.material(material);
+    if (!found.fluid)
+        failAt(context.path, pointer,
+               fmt::format("\"{}\" is not a fluid; give that material \"fluid\": true, or take another", found.name));
+}
+
+}  // namespace knuckle

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "app/json/json.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// Places of an object's copies. Deterministic: the same seed gives the same places everywhere.
+std::vector<Pose> repeatedPoses(const Json& object);
+/// How much later than the first one a copy is moved and let go [s].
+float delayOf(const Json& object, size_t copy);
+/// What is played, begun later; until then a clip that does not loop is held at its start.
+std::vector<ClipPlay> delayed(const World& world, std::vector<ClipPlay> plays, float delay);
+/// Product of repeat.counts, exact up to 1e18.
+uint64_t copyCount(const Json& object);
+
+/// Uniform in 0 ... 1, made from the generator's raw numbers: those are the same everywhere, unlike those of the
+/// standard library's distributions.
+inline float uniformFraction(std::mt19937& random)
+{
+    return static_cast<float>(static_cast<double>(random()) / 4294967296.0);
+}
+
+}  // namespace knuckle

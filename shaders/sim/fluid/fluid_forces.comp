@@ -1,0 +1,36 @@
+// One thread a slot: a fluid particle becomes faster by what force fields and the air do to it in the substep; gravity
+// is part of where it is predicted to be. The air drags at drops and surfaces, not at what is inside.
+#include "sim/common/kernel.glsl"
+#include "sim/common/particles.glsl"
+#include "sim/fluid/fluid_slots.glsl"
+#include "sim/fluid/slot_values.glsl"
+#include "sim/common/force_fields.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform samplerBuffer positions;
+BUFFER(vec4, Velocities, velocities);
+BUFFER(vec4, SlotPositions, newSlotPositions);
+
+/// Which part of a particle the air reaches, by the density around it.
+float exposure(uint k)
+{
+    return 1.0 - smoothstep(ALONE_DENSITY, SURFACE_DENSITY, fetchSlotWalls(k).density);
+}
+
+void main()
+{
+    uint k = gl_GlobalInvocationID.x;
+    if (k >= slotCount()) return;
+    uint i = fetchSlotParticle(k);
+    if (!isFluid(i)) return;
+    FluidVelocity own = fluidVelocity(velocities[i]);
+    if (own.timeHeld > 0.0) return;
+    vec3 x = texelFetch(positions, int(i)).xyz;
+    FieldSum fields = fieldsAt(x);
+    vec3 wind = airVelocity(x) + fields.blown - own.velocity;
+    // A drop as large as the particle is a sphere of its volume.
+    float drag = sim.dropDrag * sim.wind.w * fetchMass(i).inverseMass * exposure(k);
+    vec3 gained = sim.substepTime * (fields.acceleration + dragAcceleration(wind, vec3(drag)));
+    velocities[i] = pack(FluidVelocity(own.velocity + gained, 0.0));
+    newSlotPositions[k].xyz += sim.substepTime * gained;
+}

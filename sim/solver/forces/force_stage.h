@@ -1,0 +1,38 @@
+#pragma once
+
+#include "shared/force_types.h"
+#include "sim/solver/stage.h"
+
+namespace knuckle {
+
+/// What accelerates from outside beside gravity: wind and force fields (World::wind, World::forceFields). Whatever asks
+/// how a mover is accelerated asks outsideAcceleration() (shaders/sim/common/outside.glsl).
+class ForceStage : public Stage {
+public:
+    static bool isNeeded(const World& world) { return hasForces(world); }
+    explicit ForceStage(const StageSetup& setup);
+    void upload(const StageSetup& setup) override;
+    void addBuffers(BufferTable& table) override;
+
+    /// At the start of a substep: how movers are accelerated in it.
+    void find(Recorder& recorder) const;
+    /// At its end: makes fluids faster by what acts on them.
+    void actOnFluids(Recorder& recorder) const;
+
+    Buffer<gpu::GpuForceField> forceFields;
+    Buffer<gpu::GpuGustWave> gustWaves;
+    Buffer<gpu::vec4> moverDrags;          ///< Of dragsOf() [1/m].
+    Buffer<gpu::uvec2> clothRanges;        ///< Per loose mover, where there is cloth: its first triangle, how many.
+    Buffer<gpu::uvec4> clothTriangles;     ///< Particles of its corners, once for each corner that moves by itself.
+    Buffer<gpu::vec4> moverAccelerations;  ///< Gravity's, fields' and the air's in this substep [m/s2].
+
+private:
+    void uploadCloth(const StageSetup& setup);
+
+    const gpu::StepParameters& parameters_;
+    bool hasMovers_, hasFluids_, hasCloth_;
+    Pass movers_{*this, "forces/mover_forces", definesOf({{"CLOTH", hasCloth_}}), hasMovers_};
+    Pass fluids_{*this, "fluid/fluid_forces", {}, hasFluids_};
+};
+
+}  // namespace knuckle

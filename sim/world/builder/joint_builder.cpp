@@ -1,0 +1,87 @@
+#include "sim/world/builder/joint_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "sim/world/builder/parts/joints.h"
+
+namespace knuckle {
+
+void JointBuilder::addJoint(uint32_t parent, uint32_t child, const JointSpec& spec)
+{
+    requireObject("addJoint");
+    if (parent == child || std::max(parent, child) >= world_.bodies.size())
+        throw std::logic_error(fmt::format("joint \"{}\": needs two different bodies that exist", spec.name));
+    if (spec.type == JointType::Universal) return addUniversal(parent, child, spec);
+    const JointPlaces places = jointPlaces(spec, world_.diameter());
+    shareAt(places.shared, parent, child);
+    for (const Vector3f& place : places.limits)
+        shareParticle(newParticle(place, world_.bodies[parent].material), parent);
+    JointDraft draft{{spec.name, spec.type, parent, child}};
+    draft.joint.strength = spec.strength;
+    setLimits(draft, spec.limits, spec.type == JointType::Ball ? alongOf(spec) : spec.axis.normalized());
+    describeJoint(std::move(draft));
+}
+
+void JointBuilder::addUniversal(uint32_t parent, uint32_t child, const JointSpec& spec)
+{
+    const JointPlaces places = jointPlaces(spec, world_.diameter());
+    const uint32_t cross = addBody(spec.name + ".cross", places.middle, world_.bodies[parent].material);
+    // Where the axes cross, all three bodies share a particle: it carries the load, the light cross only the twist.
+    shareAt(places.middle, parent, cross);
+    shareParticle(bodyParticles_[cross].front(), child);
+    shareAt(places.sharedWithParent, parent, cross);
+    shareAt(places.sharedWithChild, child, cross);
+    markCross(cross);
+    JointDraft first{{spec.name + ".cross", JointType::Hinge, parent, cross}};
+    JointDraft second{{spec.name, JointType::Hinge, cross, child}};
+    first.joint.strength = second.joint.strength = spec.strength;
+    const Vector3f axis = spec.axis.normalized();
+    const auto [atParent, atChild] = hingeLimits(spec.limits);
+    setLimits(first, atParent, axis);
+    setLimits(second, atChild, alongOf(spec).cross(axis));
+    describeJoint(std::move(first));
+    describeJoint(std::move(second));
+}
+
+void JointBuilder::shareParticle(uint32_t particle, uint32_t body)
+{
+    auto& members = bodyParticles_.at(body);
+    if (std::find(members.begin(), members.end(), particle) == members.end()) members.push_back(particle);
+}
+
+void JointBuilder::describeJoint(JointDraft draft)
+{
+    requireObject("describeJoint");
+    joints_.push_back(std::move(draft));
+}
+
+uint32_t JointBuilder::findOrCreate(const Vector3f& position, uint32_t bodyA, uint32_t bodyB)
+{
+    // Just under half a diameter: a place midway between two lattice points gets a particle of its own.
+    float nearest = 0.49f * world_.diameter();
+    uint32_t found = NO_INDEX;
+    for (uint32_t body : {bodyA, bodyB})
+        for (uint32_t particle : bodyParticles_[body]) {
+            const float distance = (world_.particles[particle].position - position).norm();
+            if (distance < nearest) {
+                nearest = distance;
+                found = particle;
+            }
+        }
+    return found != NO_INDEX ? found : newParticle(position, world_.bodies[bodyA].material);
+}
+
+void JointBuilder::shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB)
+{
+    for (const Vector3f& place : places) {
+        const uint32_t particle = findOrCreate(place, bodyA, bodyB);
+        shareParticle(particle, bodyA);
+        shareParticle(particle, bodyB);
+    }
+}
+
+}  // namespace knuckle

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/world/builder/body_builder.h"
+
+namespace knuckle {
+
+/// How the two bodies of a joint meet. All positions in the frame in which the bodies were added (the rest pose).
+struct JointSpec {
+    JointType type = JointType::Ball;
+    std::string name;
+    Vector3f anchor{0, 0, 0};  ///< Where the joint sits [m].
+    Vector3f axis{0, 0, 1};    ///< Hinge: its axis. Universal: the axis of the hinge at the parent.
+    Vector3f along{1, 0, 0};   ///< From parent to child, perpendicular to axis; fixed up if it is not.
+    /// Hinge: which side of the plane of axis and `along` is blocked by limiting particles: +1 (the side of
+    /// along x axis), -1 (the other) or 0 (free on both sides).
+    int limitSide = 0;
+    JointLimits limits;
+    JointStrength strength;
+};
+
+/// Joints between bodies, by sharing particles (paper, section 4).
+class JointBuilder : public BodyBuilder {
+public:
+    /// Joins two bodies by particles shared between them. Particles of either within half a diameter of a place the
+    /// joint needs become the shared ones; elsewhere new particles are made.
+    void addJoint(uint32_t parent, uint32_t child, const JointSpec& spec);
+    /// Makes an existing particle part of one more body: the paper's joint itself.
+    void shareParticle(uint32_t particle, uint32_t body);
+    /// Says what is known of a joint that is made by shareParticle(); build() finds its particles and frames.
+    void describeJoint(JointDraft draft);
+
+private:
+    uint32_t findOrCreate(const Vector3f& position, uint32_t bodyA, uint32_t bodyB);
+    void shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB);
+    void addUniversal(uint32_t parent, uint32_t child, const JointSpec& spec);
+};
+
+}  // namespace knuckle

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+
+#include "sim/world/builder/world_draft.h"
+
+namespace knuckle {
+
+/// What is no rigid body: grains, soft bodies, and the distances of ropes and cloth.
+class LooseBuilder : public virtual WorldDraft {
+public:
+    /// A particle of no body: a grain. @returns its index.
+    uint32_t addLooseParticle(const Particle& particle);
+    /// A soft body of particles at `positions` (rest pose of the object) [m], as elastic as its material.
+    /// @param pinned indices into `positions`: these particles stay where they are put.
+    /// @returns the soft body's index. @throws std::logic_error for an empty span or a position that is not finite.
+    uint32_t addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
+                         std::span<const uint32_t> pinned = {});
+    /// Distances between particles that exist: see addRope() and addCloth().
+    void addStrand(Strand row);
+    /// A triangle of cloth, for the air. @param corners particles.
+    void addClothTriangle(const std::array<uint32_t, 3>& corners) { world_.clothTriangles.push_back(corners); }
+};
+
+}  // namespace knuckle

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "sim/world/builder/world_draft.h"
+
+namespace knuckle {
+
+/// Clips, and what moves by them, is driven to them and is let go.
+class MotionBuilder : public virtual WorldDraft {
+public:
+    /// @returns its index, for ClipPlay::clip.
+    uint32_t addClip(BodyClip clip);
+    /// From the start the bodies of an object that is there move as its clips say. Their joints form a tree.
+    void animate(Animation animation);
+    /// Drives an animated object to its clips while it responds.
+    void drive(Puppet puppet) { world_.puppets.push_back(std::move(puppet)); }
+    /// Lets go of a body at a time [s], once more if that is after it was caught. @param driven whether a puppet's is
+    /// driven from then on, or limp.
+    void letGo(uint32_t body, float time, bool driven);
+    /// Lets go of a body that is held or animated at a time [s].
+    void releaseBody(uint32_t body, float time);
+    /// Lets go of bodies that are held or animated when something happens to them.
+    void addRelease(Release release);
+
+private:
+    /// Puts what is animated where its clips begin, with the velocity that they have there.
+    void poseAnimated(const Animation& animation);
+    /// As linksOf(), before build() records the joints.
+    std::vector<AnimatedLink> draftedLinks(const Animation& animation) const;
+};
+
+}  // namespace knuckle

@@ -1,0 +1,82 @@
+#include "sim/world/builder/parts/substeps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace knuckle {
+
+namespace {
+
+constexpr float MOST_SUBSTEPS = 64.0f;
+
+/// The loose particles in which threads of cloth cross.
+std::vector<bool> crossings(const World& world)
+{
+    std::vector<uint32_t> threads(world.particles.size());
+    for (const Strand& row : world.strands)
+        for (uint32_t p : row.particles) threads[p] += row.kind == DistanceKind::Stretch ? 1 : 0;
+    std::vector<bool> out;
+    for (size_t p = 0; p < threads.size(); ++p)
+        out.push_back(threads[p] > 1 && !isFixedForEver(world, world.particles[p]));
+    return out;
+}
+
+/// The speed at which something may meet the cloth of a world: what it has, and what it gains as it falls to the lowest
+/// of the cloth [m/s]. 0 where there is no cloth.
+float clothImpactSpeed(const World& world)
+{
+    const Vector3f& gravity = world.settings.gravity;
+    const std::vector<bool> cloth = crossings(world);
+    float lowest = -std::numeric_limits<float>::infinity(), fastest = 0.0f;  // gravity times height below the origin
+    for (uint32_t p = 0; p < world.solidCount(); ++p)
+        if (cloth[p]) lowest = std::max(lowest, gravity.dot(world.particles[p].position));
+    if (std::isinf(lowest)) return 0.0f;
+    for (uint32_t p = 0; p < world.solidCount(); ++p) {
+        const Particle& particle = world.particles[p];
+        if (isFixedForEver(world, particle)) continue;
+        const float fall = cloth[p] ? 0.0f : std::max(lowest - gravity.dot(particle.position), 0.0f);
+        fastest = std::max(fastest, particle.velocity.squaredNorm() + 2.0f * fall);
+    }
+    return std::sqrt(fastest);
+}
+
+/// The longest substep in which n iterations follow the pull of a material [s]: h (h + damping) k = 3/4 n^2, k being
+/// the steepest pull of a cluster of 3 x 3 x 3 particles per mass and displacement.
+float longestSubstep(const World& world, const Material& material)
+{
+    const Elasticity& e = material.elasticity;
+    const float n = static_cast<float>(world.settings.iterations), d = world.diameter();
+    const float k = 1.5f * e.stiffness / ((1.0f - 2.0f * e.poissonRatio) * material.density * d * d);
+    return 2.0f * 0.75f * n * n / (k * (e.damping + std::sqrt(e.damping * e.damping + 3.0f * n * n / k)));
+}
+
+bool isPinned(const World& world, const SoftBody& soft)
+{
+    const auto first = world.particles.begin() + soft.particleStart;
+    return std::any_of(first, first + soft.particleCount, [](const Particle& p) { return p.pinned; });
+}
+
+uint32_t wholeSubsteps(float needed)
+{
+    return static_cast<uint32_t>(std::min(std::ceil(needed - 0.01f), MOST_SUBSTEPS));
+}
+
+}  // namespace
+
+uint32_t clothSubsteps(const World& world)
+{
+    return wholeSubsteps(5.0f * clothImpactSpeed(world) * world.settings.timeStep / world.diameter());
+}
+
+uint32_t softSubsteps(const World& world)
+{
+    float needed = 0.0f;
+    for (const SoftBody& soft : world.softBodies)
+        if (isPinned(world, soft))
+            needed = std::max(needed, world.settings.timeStep / longestSubstep(world, world.materials[soft.material]));
+    return wholeSubsteps(needed);
+}
+
+}  // namespace knuckle

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// A World in the making, which the builders of all kinds of matter share.
+class WorldDraft {
+public:
+    uint32_t addMaterial(Material material);
+    const Material& material(uint32_t index) const { return world_.materials.at(index); }
+    uint32_t particleCount() const { return static_cast<uint32_t>(world_.particles.size()); }
+    float diameter() const { return world_.diameter(); }
+    /// What a particle of a material weighs: density times diameter cubed [kg].
+    float particleMass(uint32_t material) const;
+    /// The world built so far: particles are placed, links and assemblies are not made before build().
+    const World& world() const { return world_; }
+
+protected:
+    WorldDraft() = default;  // never of a draft that is built: WorldBuilder gives the arguments
+    WorldDraft(float particleRadius, const Settings& settings);
+    ~WorldDraft() = default;
+    WorldDraft(WorldDraft&&) = default;
+
+    uint32_t newParticle(const Vector3f& position, uint32_t material);
+    /// As newParticle for each. @throws std::logic_error for what addBody() and addSoftBody() refuse.
+    std::vector<uint32_t> newParticles(const std::string& name, std::span<const Vector3f> positions, uint32_t material);
+    void requireObject(const char* what) const;
+
+    World world_;
+    std::vector<std::vector<uint32_t>> bodyParticles_;  ///< Per body, the particles in its block, in order.
+    std::vector<std::vector<uint32_t>> owners_;         ///< Per particle, its bodies.
+    std::vector<JointDraft> joints_;
+    bool choosesSubsteps_ = false;  ///< Settings::substeps was 0.
+    std::vector<Particle> fluid_;
+    bool objectOpen_ = false;
+    uint32_t objectFirstParticle_ = 0;
+};
+
+}  // namespace knuckle
