@@ -170,29 +170,14 @@ void Stages::load()
 
 StagesState Stages::save()
 {
-    StagesState state{parameters, {}};
-    const BufferTable buffers = table();
-    for (const auto& [name, entry] : buffers.entries()) {
-        if (entry.lifetime != Lifetime::State) continue;
-        std::vector<std::byte>& bytes = state.buffers[name];
-        bytes.resize(entry.buffer->bytes());
-        if (!bytes.empty()) entry.buffer->read(bytes.data(), bytes.size());
-    }
-    return state;
+    return {parameters, table().saveState()};
 }
 
 void Stages::load(const StagesState& state)
 {
     parameters = state.parameters;
     for (Stage* stage : all()) stage->makeLists(gpu_);
-    const BufferTable buffers = table();
-    for (const auto& [name, bytes] : state.buffers) {
-        RawBuffer& buffer = *buffers.find(name, "the state").buffer;
-        if (buffer.bytes() != bytes.size())
-            throw std::logic_error(
-                fmt::format("the state has {} bytes of \"{}\", and this world {}", bytes.size(), name, buffer.bytes()));
-        if (!bytes.empty()) buffer.write(bytes.data(), bytes.size());
-    }
+    table().loadState(state.buffers);
 }
 
 void Stages::grow(const gpu::Counters& c)
