@@ -19,6 +19,8 @@ refuse() {
 refuse sim/base 'sim/(world|gpu|solver|rig)/|render/|app/|shared/'
 refuse sim/world 'sim/(gpu|solver|rig)/|render/|app/'
 refuse sim/gpu 'sim/(solver|rig)/|render/|app/'
+# Of what shaders share with the host, numbers and vectors; structs are the solver's and the renderer's.
+refuse sim/gpu "shared/($(cd shaders/shared && ls | grep -vxE '(constants|vector_types)\.h' | paste -sd'|'))"
 refuse sim/rig 'sim/(gpu|solver)/|render/|app/'
 refuse sim/solver 'sim/rig/|render/|app/'
 refuse sim/solver/layout 'sim/(gpu|solver/[a-km-z])'

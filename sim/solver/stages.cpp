@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <stdexcept>
 
 #include "sim/solver/drive/drive_upload.h"
+#include "sim/solver/fluid/fluid_grid.h"
 #include "sim/solver/pack.h"
 
 namespace knuckle {
@@ -163,7 +163,8 @@ void Stages::load()
     const LoadKernel load = [&](const char* path, const Defines& variant) {
         Defines defines = common;
         defines.insert(defines.end(), variant.begin(), variant.end());
-        return Kernel(gpu_, buffers, std::string("sim/") + path + ".comp", defines, variantName(variant));
+        return Kernel(gpu_, buffers, std::string("sim/") + path + ".comp", defines, variantName(variant),
+                      gridRenames(variant));
     };
     for (Stage* stage : all()) stage->load(load);
 }
