@@ -167,6 +167,17 @@ Image Renderer::readImage()
     return impl_->reader.last();
 }
 
+RendererState Renderer::saveState() const
+{
+    return {impl_->lookedAt, impl_->table.saveState()};
+}
+
+void Renderer::loadState(const RendererState& state)
+{
+    impl_->table.loadState(state.buffers);
+    impl_->lookedAt = state.lookedAt;
+}
+
 KernelTimer& Renderer::timer()
 {
     return impl_->timer;

@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
-#include <map>
+#include <utility>
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
+#include "app/export/exporters.h"
 #include "app/run/film_outputs.h"
 #include "app/run/tell.h"
 #include "sim/base/errors.h"
@@ -35,35 +35,6 @@ void addSize(const std::string& text, std::vector<Override>& overrides)
     overrides.push_back({"render.height", std::stoul(height)});
 }
 
-void readExports(const std::vector<std::string>& exports, FilmOptions& film)
-{
-    const std::map<std::string, std::string*> kinds{{"ply", &film.plyFolder},
-                                                    {"bodies", &film.bodyTable},
-                                                    {"measures", &film.measureTable},
-                                                    {"bvh", &film.bvh},
-                                                    {"gltf", &film.gltf}};
-    for (const std::string& text : exports) {
-        const size_t equals = text.find('=');
-        const std::string kind = text.substr(0, equals);
-        const std::string path = equals == std::string::npos ? "" : text.substr(equals + 1);
-        const auto found = kinds.find(kind);
-        if (path.empty() || found == kinds.end()) {
-            throw InputError(fmt::format(
-                "--export {}: must be ply=FOLDER, bodies=FILE.csv, measures=FILE.csv, bvh=FILE.bvh or gltf=FILE.glb",
-                text));
-        }
-        if (kind == "gltf" && endingOf(path) == ".gltf")
-            throw InputError(fmt::format("--export {}: it is written as binary glTF; name it {}", text,
-                                         std::filesystem::path(path).replace_extension(".glb").string()));
-        const std::string option = fmt::format("--export {}=", kind);
-        if (kind == "gltf") requireEnding(option, path, "a motion as glTF", {".glb"});
-        else if (kind == "bvh") requireEnding(option, path, "a motion as BVH", {".bvh"});
-        else if (kind == "ply") requireFolder(option, path);
-        else requireEnding(option, path, "a table", {".csv", ".txt", ""});
-        *found->second = path;
-    }
-}
-
 std::string defaultOutput(const Scene& scene)
 {
     std::string name = scene.name;
@@ -73,13 +44,14 @@ std::string defaultOutput(const Scene& scene)
 }
 
 /// @throws InputError for outputs in the way of what is read or of each other.
-void requireOwnPaths(const std::string& file, const Scene& scene, const FilmOptions& film, const CommonOptions& common)
+void requireOwnPaths(const std::string& file, const Scene& scene, const FilmOptions& film, const Exporters& exporters,
+                     const CommonOptions& common)
 {
     RunPaths paths;
     paths.reads(file);
     for (const std::string& named : scene.files) paths.readsModel(named);
     if (!common.shaderFolder.empty()) paths.readsFolder(common.shaderFolder);
-    addOutputs(film, scene, paths);
+    addOutputs(film, exporters, scene, paths);
     paths.check();
 }
 
@@ -92,16 +64,16 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     if (!options.framesPerSecond.empty())
         overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
     if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
-    readExports(options.exports, film);
+    Exporters exporters = makeExporters(options.exports);
     if (!film.stats.empty()) requireEnding("--stats ", film.stats, "a file of figures", {".json", ".txt", ""});
     for (const std::string& path : options.outputs) isFilm(path);  // so that a wrong one is told at once
-    const Scene scene = loadScene(options.scene, overrides, !film.gltf.empty());
+    const Scene scene = loadScene(options.scene, overrides, needsOf(exporters).surfaces);
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", options.scene, warning));
     film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
-    requireOwnPaths(options.scene, scene, film, common);
-    runFilm(scene, film, common);
+    requireOwnPaths(options.scene, scene, film, exporters, common);
+    runFilm(scene, film, common, std::move(exporters));
     return EXIT_FINE;
 }
 
@@ -109,15 +81,11 @@ constexpr const char* NOTES =
     "Frame 1 shows time 0. --frames 100:120 simulates up to frame 100 without drawing. -o may be given more than\n"
     "once, for frames and a film of the same run; a film needs the program ffmpeg.\n"
     "Ctrl-C finishes the frame and stops: frames and PLY files are kept, films and other exports, which are not\n"
-    "finished, are not.\n\n"
-    "--export ply=DIR        per frame: id, position, velocity, body and material of each particle, binary PLY\n"
-    "--export bodies=FILE    frame, body, object, name, position, quaternion, velocity, angular velocity, CSV\n"
-    "--export bvh=FILE       motion of an actor's bones, BVH; of several actors a file each, FILE_NAME.bvh\n"
-    "--export gltf=FILE      the motion as one clip: actors with skeleton and mesh, other bodies as nodes, glTF 2.0 "
-    "binary\n"
-    "--export measures=FILE  per frame: contacts, penetration, joint gaps, rigidity, strain, density, energy, CSV\n"
-    "--stats FILE            JSON: device, passes with ms, particles, how deep contacts are, how far joints gape,\n"
-    "                        density of fluids, strain of soft bodies, stretch of ropes and cloth, energy\n"
+    "finished, are not.\n\n";
+
+constexpr const char* MORE_NOTES =
+    "--stats FILE                  JSON: device, passes with ms, particles, how deep contacts are, how far joints\n"
+    "                              gape, density of fluids, strain of soft bodies, stretch of ropes and cloth, energy\n"
     "docs/output.md has every property, column and key.\n\n"
     "Examples:\n"
     "  knuckle render assets/scenes/hello.json --size 640x360\n"
@@ -130,7 +98,7 @@ void addRenderCommand(CommandLine line)
 {
     auto* command = line.program.add_subcommand("render", "Simulate a scene and write its frames or a film");
     command->fallthrough();
-    command->footer(NOTES);
+    command->footer(NOTES + exportHelp() + MORE_NOTES);
     auto options = std::make_shared<RenderOptions>();
     command->add_option("SCENE", options->scene, "A scene file, see docs/scene.md")->required();
     // One value for each time the option is given, so that the scene may follow it.

@@ -187,26 +187,35 @@ std::string bvhText(const Rig& rig, const Frames& frames, double framesPerSecond
     return BvhText(rig, frames).text(framesPerSecond);
 }
 
-BvhExport::BvhExport(const std::string& path, const Scene& scene) : rigs_(rigsOf(scene, false)), motions_(rigs_.size())
+void BvhExport::addPaths(const Scene& scene, RunPaths& paths) const
 {
-    if (rigs_.empty())
-        throw InputError(fmt::format("--export bvh={}: the scene has no actor, whose bones could be written", path));
-    for (const std::string& file : bvhPaths(path, scene)) files_.push_back(std::make_unique<OutputFile>(file));
+    for (const std::string& file : bvhPaths(path(), scene)) paths.writes(file);
 }
 
-void BvhExport::add(const World& world, const std::vector<BodyState>& states)
+void BvhExport::begin(const Scene& scene)
+{
+    framesPerSecond_ = scene.framesPerSecond;
+    rigs_ = rigsOf(scene, false);
+    motions_.resize(rigs_.size());
+    if (rigs_.empty())
+        throw InputError(fmt::format("--export bvh={}: the scene has no actor, whose bones could be written", path()));
+    for (const std::string& file : bvhPaths(path(), scene)) files_.push_back(std::make_unique<OutputFile>(file));
+}
+
+void BvhExport::frame(const ExportFrame& frame)
 {
     for (size_t r = 0; r < rigs_.size(); ++r) {
-        std::vector<Isometry3f> frame;
-        for (const uint32_t body : rigs_[r].bodies) frame.push_back(motionOf(world.bodies[body], states[body]));
-        motions_[r].push_back(std::move(frame));
+        std::vector<Isometry3f> bones;
+        for (const uint32_t body : rigs_[r].bodies)
+            bones.push_back(motionOf(frame.world.bodies[body], (*frame.bodies)[body]));
+        motions_[r].push_back(std::move(bones));
     }
 }
 
-void BvhExport::finish(double framesPerSecond)
+void BvhExport::finish()
 {
     for (size_t r = 0; r < rigs_.size(); ++r) {
-        files_[r]->write(bvhText(rigs_[r], motions_[r], framesPerSecond));
+        files_[r]->write(bvhText(rigs_[r], motions_[r], framesPerSecond_));
         files_[r]->commit();
     }
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "app/export/exporter.h"
 #include "app/export/rig.h"
 #include "sim/base/files/output_file.h"
 
@@ -10,17 +12,19 @@ namespace knuckle {
 
 /// Motions of actors as BVH files, one an actor: the rest pose as OFFSETs in centimetres, rotations in the order Z, X,
 /// Y in degrees, the position of the root. A joint that does not stay where its parent has it has a position as well.
-class BvhExport {
+class BvhExport : public Exporter {
 public:
     /// @param path of the file of a single actor; of several, names of their objects are put before its ending.
-    /// @throws InputError for a scene without actors, and for files that cannot be written.
-    BvhExport(const std::string& path, const Scene& scene);
-    /// Of the next frame.
-    void add(const World& world, const std::vector<BodyState>& states);
-    /// @param framesPerSecond of what was added. @throws RunError from a full disk.
-    void finish(double framesPerSecond);
+    using Exporter::Exporter;
+    ExportNeeds needs() const override { return {.bodies = true}; }
+    void addPaths(const Scene& scene, RunPaths& paths) const override;
+    /// @throws InputError for a scene without actors as well.
+    void begin(const Scene& scene) override;
+    void frame(const ExportFrame& frame) override;
+    void finish() override;
 
 private:
+    double framesPerSecond_ = 0.0;
     std::vector<Rig> rigs_;
     std::vector<std::unique_ptr<OutputFile>> files_;
     std::vector<std::vector<std::vector<Eigen::Isometry3f>>> motions_;  ///< Per rig and frame, of each bone.

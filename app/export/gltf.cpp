@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "render/picture/image.h"
 #include "render/spheres/palette.h"
 #include "sim/base/errors.h"
+#include "sim/base/files/endings.h"
 #include "sim/rig/gltf/glb.h"
 #include "sim/rig/skin/skin_mesh.h"
 
@@ -161,13 +163,23 @@ std::string encodePicture(const TexturePicture& picture)
 
 }  // namespace
 
-GltfExport::GltfExport(const std::string& path, const Scene& scene) : rigs_(everyRig(scene)), file_(path)
+GltfExport::GltfExport(const std::string& path) : Exporter(path)
 {
-    if (rigs_.empty())
-        throw InputError(fmt::format("--export gltf={}: the scene has no bodies, which could be written", path));
+    if (endingOf(path) == ".gltf")
+        throw InputError(fmt::format("--export gltf={}: it is written as binary glTF; name it {}", path,
+                                     std::filesystem::path(path).replace_extension(".glb").string()));
 }
 
-std::vector<std::string> GltfExport::leftOut(const World& world)
+void GltfExport::begin(const Scene& scene)
+{
+    framesPerSecond_ = scene.framesPerSecond;
+    rigs_ = everyRig(scene);
+    file_.emplace(path());
+    if (rigs_.empty())
+        throw InputError(fmt::format("--export gltf={}: the scene has no bodies, which could be written", path()));
+}
+
+std::vector<std::string> GltfExport::leftOut(const World& world) const
 {
     std::vector<bool> isTied(world.particles.size(), false);
     for (const Strand& strand : world.strands)
@@ -186,24 +198,26 @@ std::vector<std::string> GltfExport::leftOut(const World& world)
     return names;
 }
 
-void GltfExport::add(const World& world, const std::vector<BodyState>& states)
+void GltfExport::frame(const ExportFrame& frame)
 {
     for (Rig& rig : rigs_) {
         std::vector<Eigen::Matrix4f> poses;
-        for (size_t b = 0; b < rig.bodies.size(); ++b)
-            poses.push_back(motionOf(world.bodies[rig.bodies[b]], states[rig.bodies[b]]).matrix() *
+        for (size_t b = 0; b < rig.bodies.size(); ++b) {
+            const uint32_t body = rig.bodies[b];
+            poses.push_back(motionOf(frame.world.bodies[body], (*frame.bodies)[body]).matrix() *
                             rig.model.bones[b].restPose);
+        }
         rig.model.clips[0].poses.push_back(std::move(poses));
     }
 }
 
-void GltfExport::finish(double framesPerSecond)
+void GltfExport::finish()
 {
     std::vector<Model> models;
     for (Rig& rig : rigs_) {
         Clip& clip = rig.model.clips[0];
         for (size_t k = 0; k < clip.poses.size(); ++k)
-            clip.keyTimes.push_back(static_cast<double>(k) / framesPerSecond);
+            clip.keyTimes.push_back(static_cast<double>(k) / framesPerSecond_);
         models.push_back(std::move(rig.model));
     }
     GlbOptions options;
@@ -211,8 +225,8 @@ void GltfExport::finish(double framesPerSecond)
     options.turnTolerance = TURN_TOLERANCE;
     options.apart = true;
     options.encode = encodePicture;
-    file_.write(toGlb(models, options));
-    file_.commit();
+    file_->write(toGlb(models, options));
+    file_->commit();
 }
 
 }  // namespace knuckle

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/export/exporter.h"
 #include "app/export/rig.h"
 #include "sim/base/files/output_file.h"
 
@@ -10,21 +12,22 @@ namespace knuckle {
 
 /// The simulated motion as one clip of a binary glTF file: actors with their own skeletons, meshes and materials, other
 /// bodies as nodes with their particles. What does not consist of bodies is left out.
-class GltfExport {
+class GltfExport : public Exporter {
 public:
-    /// @throws InputError for a scene without bodies, and for a file that cannot be written.
-    GltfExport(const std::string& path, const Scene& scene);
-    /// Of the next frame.
-    void add(const World& world, const std::vector<BodyState>& states);
-    /// @param framesPerSecond of what was added. @throws RunError from a full disk.
-    void finish(double framesPerSecond);
-
-    /// What of a world has no place in the file: "colliders", "fluids", ...
-    static std::vector<std::string> leftOut(const World& world);
+    /// @throws InputError for a path that ends in .gltf.
+    explicit GltfExport(const std::string& path);
+    ExportNeeds needs() const override { return {.surfaces = true, .bodies = true}; }
+    /// "colliders", "fluids", ...
+    std::vector<std::string> leftOut(const World& world) const override;
+    /// @throws InputError for a scene without bodies as well.
+    void begin(const Scene& scene) override;
+    void frame(const ExportFrame& frame) override;
+    void finish() override;
 
 private:
+    double framesPerSecond_ = 0.0;
     std::vector<Rig> rigs_;
-    OutputFile file_;
+    std::optional<OutputFile> file_;
 };
 
 }  // namespace knuckle

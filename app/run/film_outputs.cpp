@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
@@ -24,45 +25,24 @@ bool isFilm(const std::string& path)
                                  place.given));
 }
 
-void addOutputs(const FilmOptions& options, const Scene& scene, RunPaths& paths)
+void addOutputs(const FilmOptions& options, const Exporters& exporters, const Scene& scene, RunPaths& paths)
 {
     for (const std::string& path : options.outputs) {
         if (isFilm(path)) paths.writes(path);
         else paths.writesFrames(path, ".png");
     }
-    if (!options.plyFolder.empty()) paths.writesFrames(options.plyFolder, ".ply");
-    for (const std::string& path : {options.bodyTable, options.measureTable, options.gltf, options.stats})
-        if (!path.empty()) paths.writes(path);
-    if (options.bvh.empty()) return;
-    for (const std::string& path : bvhPaths(options.bvh, scene)) paths.writes(path);
+    for (const auto& exporter : exporters) exporter->addPaths(scene, paths);
+    if (!options.stats.empty()) paths.writes(options.stats);
 }
 
-FilmOutputs::FilmOutputs(const Scene& scene, const FilmOptions& options) : plyFolder(options.plyFolder)
+FilmOutputs::FilmOutputs(const Scene& scene, const FilmOptions& options, Exporters chosen)
+    : exporters(std::move(chosen)), needs(needsOf(exporters))
 {
     for (const std::string& path : options.outputs)
         sinks.push_back(isFilm(path) ? filmSink(path, scene.render.width, scene.render.height, scene.framesPerSecond)
                                      : pngSink(path));
-    if (!plyFolder.empty()) requireWritableFolder(plyFolder);
-    if (!options.bodyTable.empty()) bodies.emplace(options.bodyTable);
-    if (!options.measureTable.empty()) measures.emplace(options.measureTable);
-    if (!options.bvh.empty()) bvh.emplace(options.bvh, scene);
-    if (!options.gltf.empty()) gltf.emplace(options.gltf, scene);
+    for (const auto& exporter : exporters) exporter->begin(scene);
     if (!options.stats.empty()) stats.emplace(options.stats);
-}
-
-void FilmOutputs::addBodies(uint64_t frame, const World& world, const std::vector<BodyState>& states)
-{
-    if (bodies) bodies->write(frame, world, states);
-    if (gltf) gltf->add(world, states);
-    if (bvh) bvh->add(world, states);
-}
-
-void FilmOutputs::finishTables(double framesPerSecond)
-{
-    if (bodies) bodies->finish();
-    if (measures) measures->finish();
-    if (gltf) gltf->finish(framesPerSecond);
-    if (bvh) bvh->finish(framesPerSecond);
 }
 
 }  // namespace knuckle

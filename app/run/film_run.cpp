@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "app/run/counted.h"
 #include "app/run/film_outputs.h"
 #include "app/run/interrupt.h"
 #include "app/run/progress.h"
+#include "app/run/run_figures.h"
 #include "app/run/stopwatch.h"
 #include "app/run/tell.h"
 #include "sim/base/errors.h"
@@ -22,16 +24,15 @@ namespace {
 /// One run from the first step to the last frame.
 class FilmRun {
 public:
-    FilmRun(const Scene& scene, const FilmOptions& options, const CommonOptions& common)
-        : scene_(scene), options_(options), range_(clampRange(scene, options.frames)), outputs_(scene, options),
-          gpu_(openGpu(common, work())), solver_(*gpu_, scene.world), progress_("frame", range_.last, common.quiet)
+    FilmRun(const Scene& scene, const FilmOptions& options, const CommonOptions& common, Exporters exporters)
+        : scene_(scene), options_(options), range_(clampRange(scene, options.frames)),
+          outputs_(scene, options, std::move(exporters)), gpu_(openGpu(common, work())), solver_(*gpu_, scene.world),
+          progress_("frame", range_.last, common.quiet)
     {
         const bool timed = outputs_.stats.has_value();
         if (timed) noteFigures();
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
-        const std::vector<std::string> leftOut = GltfExport::leftOut(scene.world);
-        if (outputs_.gltf && !common.quiet && !leftOut.empty())
-            tellUser(fmt::format("knuckle: note: {} leaves out {}", options.gltf, fmt::join(leftOut, ", ")));
+        if (!common.quiet) tellLeftOut();
         figures_.device = gpu_->device().name;
         figures_.driverThreads = gpu_->threads();
     }
@@ -53,7 +54,8 @@ public:
         figures_.frames = range_.last;
         figures_.totalSeconds = progress_.seconds();
         if (drawing_) figures_.drawing = drawing_->figures();
-        finishTables();
+        for (const auto& exporter : outputs_.exporters) exporter->finish();
+        finishStats();
         return figures_;
     }
 
@@ -103,6 +105,15 @@ private:
         figures_.steps += scene_.stepsPerFrame;
     }
 
+    void tellLeftOut() const
+    {
+        for (const auto& exporter : outputs_.exporters) {
+            const std::vector<std::string> names = exporter->leftOut(scene_.world);
+            if (names.empty()) continue;
+            tellUser(fmt::format("knuckle: note: {} leaves out {}", exporter->path(), fmt::join(names, ", ")));
+        }
+    }
+
     void noteFigures()
     {
         solver_.timePasses();
@@ -126,14 +137,23 @@ private:
         const double time = static_cast<double>(frame - 1) / scene_.framesPerSecond;
         if (drawing_) drawing_->take(solver_.view(), {frame, time, wanted});
         if (!wanted) return;
-        if (!outputs_.plyFolder.empty()) writePly(outputs_.plyFolder, frame, scene_.world, solver_.readParticles());
-        if (outputs_.wantBodies()) outputs_.addBodies(frame, scene_.world, solver_.readBodies());
-        if (outputs_.measures) outputs_.measures->write(frame, solver_.measure());
+        exportFrame(frame);
     }
 
-    void finishTables()
+    void exportFrame(uint64_t number)
     {
-        outputs_.finishTables(scene_.framesPerSecond);
+        ParticleState particles;
+        std::vector<BodyState> bodies;
+        Measures measures;
+        ExportFrame frame{.number = number, .world = scene_.world};
+        if (outputs_.needs.particles) frame.particles = &(particles = solver_.readParticles());
+        if (outputs_.needs.bodies) frame.bodies = &(bodies = solver_.readBodies());
+        if (outputs_.needs.measures) frame.measures = &(measures = solver_.measure());
+        for (const auto& exporter : outputs_.exporters) exporter->frame(frame);
+    }
+
+    void finishStats()
+    {
         if (!outputs_.stats) return;
         if (releases_) figures_.releases = releases_->figures();
         outputs_.stats->write(statsText(figures_, scene_.world, solver_));
@@ -173,9 +193,9 @@ FrameRange FrameRange::parse(const std::string& text)
     return range;
 }
 
-void runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions& common)
+void runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions& common, Exporters exporters)
 {
-    FilmRun run(scene, options, common);
+    FilmRun run(scene, options, common, std::move(exporters));
     const RunFigures figures = run.run();
     if (!common.quiet) {
         fmt::print("{}, {} of them drawn, in {} ({:.1f} frames/s): {}\n", counted(figures.frames, "frame"),

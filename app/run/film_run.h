@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/export/exporters.h"
 #include "app/run/open_gpu.h"
 #include "app/scene/scene_file.h"
 
@@ -22,14 +23,13 @@ struct FrameRange {
 struct FilmOptions {
     std::vector<std::string> outputs;  ///< Folders for PNG frames, and .mp4 films.
     FrameRange frames;
-    std::string stats;  ///< Empty: none, as below.
-    std::string plyFolder, bodyTable, measureTable, bvh, gltf;
+    std::string stats;  ///< Empty: none.
     bool hash = false;
     std::optional<bool> drawAside;  ///< On a thread of its own; none: where that is faster.
 };
 
 /// Simulates the scene and writes its frames, and what else was asked for. Every output is checked first.
 /// @throws InputError, DeviceError, RunError, Interrupted.
-void runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions& common);
+void runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions& common, Exporters exporters = {});
 
 }  // namespace knuckle

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/files/export.h"
+#include "app/run/run_figures.h"
 #include "app/scene/scene_file.h"
 #include "render/frame_snapshot.h"
 #include "render/output/frame_sink.h"

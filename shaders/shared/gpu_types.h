@@ -4,14 +4,10 @@
 #define KNUCKLE_GPU_TYPES_H
 
 #include "shared/constants.h"
+#include "shared/vector_types.h"
 
 #ifdef __cplusplus
-#include <cstdint>
 namespace knuckle::gpu {
-using uint = std::uint32_t;
-struct alignas(16) vec4 { float x, y, z, w; };
-struct alignas(16) uvec4 { uint x, y, z, w; };
-struct alignas(8) uvec2 { uint x, y; };
 #endif
 
 // The paper's listing 1, with the mass that the particle has in this body. Links are grouped by body.

@@ -12,15 +12,6 @@ namespace {
 
 using Scalar = ElementType::Scalar;
 
-/// Blocks begin with a capital in shaders, and nothing does in the table.
-std::string resourceName(GLuint program, GLenum interface, GLuint index)
-{
-    char name[128] = "";
-    glGetProgramResourceName(program, interface, index, sizeof name, nullptr, name);
-    name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
-    return name;
-}
-
 GLuint resourceCount(GLuint program, GLenum interface)
 {
     GLint count = 0;
@@ -79,7 +70,8 @@ void checkBlock(GLuint program, GLuint block, const std::string& name, const Ele
 
 }  // namespace
 
-Bindings::Bindings(const Program& program, const BufferTable& table, const std::string& user) : program_(program.id())
+Bindings::Bindings(const Program& program, const BufferTable& table, const std::string& user, Renames renames)
+    : program_(program.id()), renames_(std::move(renames))
 {
     findStorage(table, user);
     findUniforms(table, user);
@@ -87,10 +79,26 @@ Bindings::Bindings(const Program& program, const BufferTable& table, const std::
     findImages(table, user);
 }
 
+/// Blocks begin with a capital in shaders, and nothing does in the table.
+std::string Bindings::resourceName(GLenum interface, GLuint index) const
+{
+    char declared[128] = "";
+    glGetProgramResourceName(program_, interface, index, sizeof declared, nullptr, declared);
+    std::string name = declared;
+    if (!name.empty()) name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+    for (const auto& [from, to] : renames_) {
+        const bool isWord = name.size() == from.size() ||
+                            (name.size() > from.size() &&
+                             std::isupper(static_cast<unsigned char>(name[from.size()])) != 0);
+        if (isWord && name.starts_with(from)) return to + name.substr(from.size());
+    }
+    return name;
+}
+
 void Bindings::findStorage(const BufferTable& table, const std::string& user)
 {
     for (GLuint i = 0; i < resourceCount(program_, GL_SHADER_STORAGE_BLOCK); ++i) {
-        const std::string block = resourceName(program_, GL_SHADER_STORAGE_BLOCK, i);
+        const std::string block = resourceName(GL_SHADER_STORAGE_BLOCK, i);
         const BufferTable::Entry& entry = table.find(block, user);
         checkBlock(program_, i, block, entry.element, user);
         glShaderStorageBlockBinding(program_, i, static_cast<GLuint>(storage_.size()));
@@ -102,7 +110,7 @@ void Bindings::findUniforms(const BufferTable& table, const std::string& user)
 {
     for (GLuint i = 0; i < resourceCount(program_, GL_UNIFORM_BLOCK); ++i) {
         glUniformBlockBinding(program_, i, static_cast<GLuint>(uniforms_.size()));
-        uniforms_.push_back(table.find(resourceName(program_, GL_UNIFORM_BLOCK, i), user).buffer);
+        uniforms_.push_back(table.find(resourceName(GL_UNIFORM_BLOCK, i), user).buffer);
     }
 }
 
@@ -113,7 +121,7 @@ void Bindings::findSamplers(const BufferTable& table, const std::string& user)
         const bool isPicture = type == GL_SAMPLER_2D || type == GL_UNSIGNED_INT_SAMPLER_2D;
         const bool isFloat = type == GL_SAMPLER_BUFFER;
         if (!isPicture && !isFloat && type != GL_UNSIGNED_INT_SAMPLER_BUFFER) continue;
-        const std::string sampler = resourceName(program_, GL_UNIFORM, i);
+        const std::string sampler = resourceName(GL_UNIFORM, i);
         glProgramUniform1i(program_, property(program_, GL_UNIFORM, i, GL_LOCATION),
                            static_cast<GLint>(samplers_.size()));
         if (isPicture) {
@@ -132,7 +140,7 @@ void Bindings::findImages(const BufferTable& table, const std::string& user)
 {
     for (GLuint i = 0; i < resourceCount(program_, GL_UNIFORM); ++i) {
         if (property(program_, GL_UNIFORM, i, GL_TYPE) != GL_IMAGE_BUFFER) continue;
-        const std::string image = resourceName(program_, GL_UNIFORM, i);
+        const std::string image = resourceName(GL_UNIFORM, i);
         const BufferTable::Entry& entry = table.find(image, user);
         if (entry.element.scalar != Scalar::Float)
             throw DeviceError(fmt::format("{} declares \"{}\" as an imageBuffer, which the host's buffer does not hold",

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/gpu/buffer_table.h"
 #include "sim/gpu/program.h"
 
 namespace knuckle {
+
+/// {"cell", "fluidCell"}: a program that declares "cellStarts" is given "fluidCellStarts". One name for kernels that
+/// work on buffers of either of two kinds.
+using Renames = std::vector<std::pair<std::string, std::string>>;
 
 /// What a program reads and writes: its storage blocks, uniform blocks, samplers and images of buffers, each found in a
 /// table by its name.
@@ -16,7 +21,7 @@ public:
     Bindings() = default;
     /// @param user names the kernel or pass in errors.
     /// @throws DeviceError for a block or sampler that the table does not have, or has with another type of element.
-    Bindings(const Program& program, const BufferTable& table, const std::string& user);
+    Bindings(const Program& program, const BufferTable& table, const std::string& user, Renames renames = {});
 
     size_t storageCount() const { return storage_.size(); }
     size_t textureCount() const { return samplers_.size(); }
@@ -35,7 +40,11 @@ private:
     void findSamplers(const BufferTable& table, const std::string& user);
     void findImages(const BufferTable& table, const std::string& user);
 
+    /// In the table, of an active resource.
+    std::string resourceName(GLenum interface, GLuint index) const;
+
     GLuint program_ = 0;
+    Renames renames_;
     std::vector<const RawBuffer*> storage_, uniforms_;  ///< Position is binding point, as in samplers_.
     std::vector<Sampled> samplers_, images_;
 };

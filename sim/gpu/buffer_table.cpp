@@ -65,4 +65,37 @@ BufferTable BufferTable::only(std::initializer_list<std::string> names, const st
     return part;
 }
 
+BufferState BufferTable::saveState() const
+{
+    BufferState state;
+    for (const auto& [name, entry] : entries_) {
+        if (entry.lifetime != Lifetime::State) continue;
+        std::vector<std::byte>& bytes = state[name];
+        bytes.resize(entry.buffer->bytes());
+        if (!bytes.empty()) entry.buffer->read(bytes.data(), bytes.size());
+    }
+    return state;
+}
+
+void BufferTable::loadState(const BufferState& state) const
+{
+    const auto refuse = [](const std::string& why) {
+        throw std::logic_error(why + "; take one of the same world and settings");
+    };
+    size_t found = 0;
+    for (const auto& [name, entry] : entries_) {
+        if (entry.lifetime != Lifetime::State) continue;
+        const auto saved = state.find(name);
+        if (saved == state.end()) return refuse(fmt::format("the state has no \"{}\", which is carried on here", name));
+        if (saved->second.size() != entry.buffer->bytes())
+            return refuse(fmt::format("the state has {} bytes of \"{}\", and there are {} here", saved->second.size(),
+                                      name, entry.buffer->bytes()));
+        ++found;
+    }
+    if (found != state.size())
+        return refuse(fmt::format("the state is of {} buffers, of which {} are carried on here", state.size(), found));
+    for (const auto& [name, bytes] : state)
+        if (!bytes.empty()) entries_.at(name).buffer->write(bytes.data(), bytes.size());
+}
+
 }  // namespace knuckle

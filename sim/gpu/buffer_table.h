@@ -2,13 +2,15 @@
 
 #include <epoxy/gl.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <map>
 #include <string>
 #include <type_traits>
+#include <vector>
 
-#include "shared/gpu_types.h"
+#include "shared/vector_types.h"
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/texture.h"
 
@@ -24,8 +26,7 @@ struct ElementType {
     GLenum glType = GL_NONE;        ///< GL_FLOAT_VEC4, GL_UNSIGNED_INT, ...; GL_NONE for structs.
 };
 
-/// The ElementType of T: float, uint32_t, the vectors of gpu_types.h, or a struct. Structs count as mixed but those
-/// that are listed here.
+/// The ElementType of T: float, uint32_t, the vectors of vector_types.h, or a struct, which counts as mixed.
 template <typename T>
 constexpr ElementType elementType()
 {
@@ -36,10 +37,18 @@ constexpr ElementType elementType()
     if (std::is_same_v<T, uint32_t>) return {bytes, texel, Scalar::Unsigned, GL_UNSIGNED_INT};
     if (std::is_same_v<T, gpu::uvec2>) return {bytes, texel, Scalar::Unsigned, GL_UNSIGNED_INT_VEC2};
     if (std::is_same_v<T, gpu::uvec4>) return {bytes, texel, Scalar::Unsigned, GL_UNSIGNED_INT_VEC4};
-    if (std::is_same_v<T, gpu::JointLimits>) return {bytes, texel, Scalar::Float, GL_NONE};
-    if (std::is_same_v<T, gpu::GpuSoftMatter>) return {bytes, texel, Scalar::Float, GL_NONE};
     return {bytes, texel, Scalar::Mixed, GL_NONE};
 }
+
+/// Of a struct that holds floats alone, which kernels read as such.
+template <typename T>
+constexpr ElementType floatStructType()
+{
+    return {sizeof(T), elementType<T>().texelBytes, ElementType::Scalar::Float, GL_NONE};
+}
+
+/// What the buffers of a table hold that are of Lifetime::State, by their names.
+using BufferState = std::map<std::string, std::vector<std::byte>>;
 
 /// For how long what is in a buffer matters. A step that begins with the same state in all of them ends with the same.
 enum class Lifetime {
@@ -67,6 +76,12 @@ public:
     {
         (add(buffers.label(), buffers, elementType<T>(), lifetime), ...);
     }
+    /// The same of structs that hold floats alone.
+    template <typename... T>
+    void addFloatStructs(Lifetime lifetime, Buffer<T>&... buffers)
+    {
+        (add(buffers.label(), buffers, floatStructType<T>(), lifetime), ...);
+    }
     /// Each under its label, for samplers of pictures.
     template <typename... T>
     void add(const Texture& texture, const T&... others)
@@ -79,6 +94,11 @@ public:
     const Texture& findTexture(const std::string& name, const std::string& user) const;
     /// What is named, buffers and textures, for a pass that uses nothing else.
     BufferTable only(std::initializer_list<std::string> names, const std::string& user) const;
+    /// Stalls until the GPU is done.
+    BufferState saveState() const;
+    /// Writes nothing where it throws. @throws std::logic_error where the state is not of the same buffers, or of other
+    /// sizes.
+    void loadState(const BufferState& state) const;
     const std::map<std::string, Entry>& entries() const& { return entries_; }
     const std::map<std::string, Entry>& entries() && = delete;  // would outlive the table
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "shared/gpu_types.h"
+#include "shared/constants.h"
 #include "sim/base/errors.h"
 
 namespace knuckle {
@@ -49,9 +49,9 @@ void KernelTimer::collect()
 }
 
 Kernel::Kernel(const Gpu& gpu, const BufferTable& buffers, const std::string& path, const Defines& defines,
-               const std::string& variant)
+               const std::string& variant, const Renames& renames)
     : program_(Program::compute(gpu, path, defines)), name_(program_.name() + variant),
-      bindings_(program_, buffers, "kernel " + name_)
+      bindings_(program_, buffers, "kernel " + name_, renames)
 {
     const auto check = [&](size_t used, size_t promised, const char* what) {
         if (used > promised)

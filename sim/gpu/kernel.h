@@ -49,9 +49,10 @@ public:
     /// @param path below shaders/. Every storage block, sampler and uniform block in it must be in the table, with the
     /// type of element that the host gave the buffer.
     /// @param variant names the kernel apart from others of the same file, in times and labels; may be empty.
+    /// @param renames which buffers it is given for those that it declares.
     /// @throws DeviceError naming the kernel and what it declares otherwise.
     Kernel(const Gpu& gpu, const BufferTable& buffers, const std::string& path, const Defines& defines = {},
-           const std::string& variant = {});
+           const std::string& variant = {}, const Renames& renames = {});
 
     const std::string& name() const { return name_; }
     GLuint program() const { return program_.id(); }

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "sim/base/errors.h"
+#include "sim/base/fnv_hash.h"
 #include "sim/solver/measure/measure.h"
 #include "sim/solver/state_copy.h"
 #include "sim/solver/step.h"
@@ -187,13 +188,11 @@ Measures Solver::measure()
 
 uint64_t Solver::stateHash()
 {
-    uint64_t hash = 0xcbf29ce484222325ull;
+    FnvHash hash;
     for (const auto* buffer : {&impl_->stages.particles.positions, &impl_->stages.particles.velocities})
         for (const gpu::vec4& v : buffer->download())
-            for (float value : {v.x, v.y, v.z})
-                for (uint32_t bits = std::bit_cast<uint32_t>(value), k = 0; k < 4; ++k)
-                    hash = (hash ^ (bits >> (8 * k) & 0xffu)) * 0x100000001b3ull;
-    return hash;
+            for (const float value : {v.x, v.y, v.z}) hash.add(std::bit_cast<uint32_t>(value));
+    return hash.value();
 }
 
 SolverState Solver::saveState() const

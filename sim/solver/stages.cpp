@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <stdexcept>
 
 #include "sim/solver/drive/drive_upload.h"
+#include "sim/solver/fluid/fluid_grid.h"
 #include "sim/solver/pack.h"
 
 namespace knuckle {
@@ -166,36 +166,22 @@ void Stages::load()
     const LoadKernel load = [&](const char* path, const Defines& variant) {
         Defines defines = common;
         defines.insert(defines.end(), variant.begin(), variant.end());
-        return Kernel(gpu_, buffers, std::string("sim/") + path + ".comp", defines, variantName(variant));
+        return Kernel(gpu_, buffers, std::string("sim/") + path + ".comp", defines, variantName(variant),
+                      gridRenames(variant));
     };
     for (Stage* stage : all()) stage->load(load);
 }
 
 StagesState Stages::save()
 {
-    StagesState state{parameters, {}};
-    const BufferTable buffers = table();
-    for (const auto& [name, entry] : buffers.entries()) {
-        if (entry.lifetime != Lifetime::State) continue;
-        std::vector<std::byte>& bytes = state.buffers[name];
-        bytes.resize(entry.buffer->bytes());
-        if (!bytes.empty()) entry.buffer->read(bytes.data(), bytes.size());
-    }
-    return state;
+    return {parameters, table().saveState()};
 }
 
 void Stages::load(const StagesState& state)
 {
     parameters = state.parameters;
     for (Stage* stage : all()) stage->makeLists(gpu_);
-    const BufferTable buffers = table();
-    for (const auto& [name, bytes] : state.buffers) {
-        RawBuffer& buffer = *buffers.find(name, "the state").buffer;
-        if (buffer.bytes() != bytes.size())
-            throw std::logic_error(
-                fmt::format("the state has {} bytes of \"{}\", and this world {}", bytes.size(), name, buffer.bytes()));
-        if (!bytes.empty()) buffer.write(bytes.data(), bytes.size());
-    }
+    table().loadState(state.buffers);
 }
 
 void Stages::grow(const gpu::Counters& c)

@@ -1,19 +1,14 @@
 #pragma once
 
-#include <cstddef>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "shared/step_parameters.h"
+#include "sim/gpu/buffer_table.h"
 
 namespace knuckle {
 
-/// What all buffers hold that are added as Lifetime::State, by their names; and the parameters, which say how much room
-/// their lists have.
+/// What all buffers hold that are carried on; and the parameters, which say how much room their lists have.
 struct StagesState {
     gpu::StepParameters parameters{};
-    std::map<std::string, std::vector<std::byte>> buffers;
+    BufferState buffers;
 };
 
 }  // namespace knuckle

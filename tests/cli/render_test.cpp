@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
@@ -170,6 +171,19 @@ TEST_F(Render, ExportsBodies)
     size_t rows = 1;
     while (std::getline(table, line)) ++rows;
     EXPECT_EQ(rows, 4u * 2u);
+}
+
+TEST_F(Render, ExportsAsOftenAsItIsAskedTo)
+{
+    ASSERT_EQ(run({"render", scene, "-o", "out", "--export", "bodies=one.csv", "--export", "ply=ply", "--export",
+                   "bodies=two.csv", "--export", "measures=m.csv"})
+                  .code,
+              0);
+    const std::string one = test::readText(folder.path("one.csv"));
+    EXPECT_EQ(std::ranges::count(one, '\n'), 1 + 4 * 2);
+    EXPECT_EQ(test::readText(folder.path("two.csv")), one);
+    EXPECT_TRUE(std::filesystem::exists(folder.path("ply/frame_0004.ply")));
+    EXPECT_EQ(std::ranges::count(test::readText(folder.path("m.csv")), '\n'), 1 + 4);
 }
 
 TEST_F(Render, ExportsMeasuresOfEachFrameAsStatsOfTheLast)

@@ -32,6 +32,10 @@ TEST_F(Words, OfAnotherKindOfFileAreRefusedWithTheListOfWhatIsKnown)
         {{"render", scene, "--export", "bvh=a.glb"}, "--export bvh=a.glb: a motion as BVH is written as .bvh"},
         {{"render", scene, "--export", "bodies=a.glb"}, "--export bodies=a.glb: a table is written as .csv or .txt"},
         {{"render", scene, "--export", "ply=a.ply"}, "--export ply=a.ply: frames are written into a folder"},
+        {{"render", scene, "--export", "gltf=a.gltf"},
+         "--export gltf=a.gltf: it is written as binary glTF; name it a.glb"},
+        {{"render", scene, "--export", "obj=x"},
+         "--export obj=x: must be ply=FOLDER, bodies=FILE.csv, measures=FILE.csv, bvh=FILE.bvh or gltf=FILE.glb"},
         {{"render", scene, "--stats", "a.csv"}, "--stats a.csv: a file of figures is written as .json or .txt"},
     };
     for (const auto& entry : cases) {

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <functional>
 
 #include "render/view/camera.h"
+#include "tests/message_of.h"
 #include "tests/render/render_fixture.h"
 
 namespace knuckle::test {
@@ -109,6 +111,58 @@ TEST(Camera, MovesToWhatMovedSmoothly)
         EXPECT_NEAR(late.left, Framing(start).left, 2);
         EXPECT_NEAR(late.right, Framing(start).right, 2);
     }
+}
+
+/// A camera on its way from a body to where that has jumped, of each kind that remembers where it was.
+TEST(Camera, AnotherRendererGoesOnFromTheState)
+{
+    const World here = redBody(cubeLattice(3, 0.2f), {0, 0, 0}), there = redBody(cubeLattice(3, 0.2f), {0.3f, 0, 0});
+    const StillBuffers before(here), after(there);
+    for (const CameraKind kind : {CameraKind::Fixed, CameraKind::Orbit, CameraKind::Follow}) {
+        RenderSettings settings = automatic();
+        settings.camera.kind = kind;
+        settings.camera.follow = "body 0";
+        Renderer whole(sharedGpu(), here, settings), second(sharedGpu(), here, settings);
+        const auto look = [&](Renderer& renderer, double time) {
+            renderer.draw(after.view(), time);
+            return renderer.readImage().rgb;
+        };
+        whole.draw(before.view(), 0.0);
+        whole.look(after.view(), 0.1);
+        second.loadState(whole.saveState());
+        for (const double time : {0.2, 0.3})
+            EXPECT_TRUE(look(second, time) == look(whole, time)) << int(kind) << " at " << time;
+        Renderer fresh(sharedGpu(), here, settings);
+        EXPECT_FALSE(look(fresh, 0.3) == look(whole, 0.3)) << int(kind) << ": nothing to remember";
+    }
+}
+
+TEST(Camera, AStateThatDoesNotFitIsRefused)
+{
+    const World world = redBody(cubeLattice(3, 0.2f), {0, 0, 0});
+    const StillBuffers buffers(world);
+    Renderer renderer(sharedGpu(), world, automatic());
+    renderer.draw(buffers.view(), 0.0);
+    const RendererState good = renderer.saveState();
+    ASSERT_EQ(good.buffers.size(), 1u);
+    const auto complaint = [&](const std::function<void(RendererState&)>& spoil) {
+        RendererState bad = good;
+        bad.lookedAt = 7.0;
+        spoil(bad);
+        const std::string message = messageOf<std::logic_error>([&] { renderer.loadState(bad); });
+        EXPECT_TRUE(renderer.saveState().buffers == good.buffers && renderer.saveState().lookedAt == good.lookedAt);
+        return message;
+    };
+    const std::string advice = "; take one of the same world and settings",
+                      bytes = std::to_string(sizeof(gpu::FrameView));
+    for (const size_t size : {size_t{0}, sizeof(gpu::FrameView) - 1, sizeof(gpu::FrameView) + 16})
+        EXPECT_EQ(
+            complaint([&](RendererState& s) { s.buffers.at("view").resize(size); }),
+            "the state has " + std::to_string(size) + " bytes of \"view\", and there are " + bytes + " here" + advice);
+    EXPECT_EQ(complaint([](RendererState& s) { s.buffers.clear(); }),
+              "the state has no \"view\", which is carried on here" + advice);
+    EXPECT_EQ(complaint([](RendererState& s) { s.buffers["positions"].resize(16); }),
+              "the state is of 2 buffers, of which 1 are carried on here" + advice);
 }
 
 TEST(Camera, AFollowingCameraSeesItsBodyTheSameWhereverItIs)

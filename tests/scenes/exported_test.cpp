@@ -8,6 +8,7 @@
 #include "app/export/bvh.h"
 #include "app/export/gltf.h"
 #include "app/json/json.h"
+#include "tests/cli/export/add_frame.h"
 #include "tests/places.h"
 #include "tests/scenes/scene_watch.h"
 #include "tests/temp_folder.h"
@@ -78,17 +79,19 @@ protected:
                                              inSource("assets/models/humanoid.glb") + R"(",
               "animation": { "clip": "dance", "start": 5 }, "release": { "time": 0.4 } }] })")))
     {
-        GltfExport gltf(folder.path("out.glb"), scene);
-        BvhExport bvh(folder.path("out.bvh"), scene);
+        GltfExport gltf(folder.path("out.glb"));
+        BvhExport bvh(folder.path("out.bvh"));
+        gltf.begin(scene);
+        bvh.begin(scene);
         Solver solver(gpu(), scene.world);
         for (uint32_t frame = 0; frame < 72; ++frame) {
             states.push_back(solver.readBodies());
-            gltf.add(scene.world, states.back());
-            bvh.add(scene.world, states.back());
+            addFrame(gltf, scene.world, states.back());
+            addFrame(bvh, scene.world, states.back());
             for (uint32_t step = 0; step < scene.stepsPerFrame; ++step) solver.step();
         }
-        gltf.finish(RATE);
-        bvh.finish(RATE);
+        gltf.finish();
+        bvh.finish();
     }
 
     /// Poses by the bones' names at frames of the film, without those between.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "sim/base/errors.h"
 #include "sim/gpu/program.h"
@@ -124,6 +125,41 @@ TEST(Kernel, ABufferThatTheSolverDoesNotHaveIsNamedWithItsKernel)
               "kernel stores declares \"marbles\", which is not among what it is given");
     EXPECT_EQ(messageOf<DeviceError>([&] { fixture.load("reads"); }),
               "kernel reads declares \"pebbles\", which is not among what it is given");
+}
+
+TEST(Kernel, IsGivenWhatItsNamesAreRenamedTo)
+{
+    std::filesystem::create_directories(shaderFolder().path("sim"));
+    shaderFolder().write("sim/renamed.comp", "layout(local_size_x = 1) in;\n"
+                                             "layout(std430) buffer Cells { uint cells[]; };\n"
+                                             "layout(std430) buffer CellCounts { uint cellCounts[]; };\n"
+                                             "layout(std430) buffer Cellars { uint cellars[]; };\n"
+                                             "uniform usamplerBuffer cellStarts;\n"
+                                             "void main()\n{\n    cells[0] = cellCounts[0] = cellars[0] = 7u + "
+                                             "texelFetch(cellStarts, 0).x;\n}\n");
+    std::map<std::string, Buffer<uint32_t>> buffers;
+    BufferTable table;
+    for (const char* name :
+         {"cells", "cellCounts", "cellars", "cellStarts", "fluidCellCounts", "fluidCellars", "fluidCellStarts"}) {
+        Buffer<uint32_t>& buffer = buffers[name] = Buffer<uint32_t>(name, 1);
+        table.add(Lifetime::Scratch, buffer);
+    }
+    const uint32_t two = 2;
+    buffers["fluidCellStarts"].upload({&two, 1});
+    const Renames renames{{"cell", "fluidCell"}};
+    KernelTimer timer;
+    Kernel(gpu(), table, "sim/renamed.comp", {}, {}, renames).dispatch(timer, 1);
+    const auto valueOf = [&](const char* name) { return buffers[name].download()[0]; };
+    EXPECT_EQ(valueOf("fluidCellCounts"), 9u) << "by a sampler and a block that are renamed";
+    EXPECT_EQ(valueOf("cellCounts"), 0u);
+    EXPECT_EQ(valueOf("cells"), 9u) << "another word";
+    EXPECT_EQ(valueOf("cellars"), 9u) << "another word";
+    EXPECT_EQ(valueOf("fluidCellars"), 0u);
+    EXPECT_EQ(messageOf<DeviceError>([&] {
+                  Kernel(gpu(), table.only({"cells", "cellCounts", "cellars", "cellStarts"}, "test"),
+                         "sim/renamed.comp", {}, {}, renames);
+              }),
+              "kernel renamed declares \"fluidCellCounts\", which is not among what it is given");
 }
 
 TEST(Kernel, GroupsCoverTheThreads)

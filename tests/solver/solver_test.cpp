@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/solver/fluid/fluid_grid.h"
 #include "tests/pair_fixture.h"
 
 namespace knuckle::test {
@@ -92,7 +93,7 @@ Settings byThePaper()
 
 Kernel KernelFixture::load(const std::string& name, const Defines& defines)
 {
-    return Kernel(gpu(), stages.table(), "sim/" + name + ".comp", defines);
+    return Kernel(gpu(), stages.table(), "sim/" + name + ".comp", defines, {}, gridRenames(defines));
 }
 
 void KernelFixture::run(const std::string& name, uint64_t threads, const Defines& defines)

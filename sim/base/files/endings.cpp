@@ -25,7 +25,7 @@ std::string endingOf(const std::string& path)
 }
 
 void requireEnding(const std::string& option, const std::string& path, const char* what,
-                   std::initializer_list<const char*> endings)
+                   const std::vector<const char*>& endings)
 {
     const OutputPlace place = OutputPlace::of(path);
     if (place.kind == OutputPlace::Kind::Stream) return;

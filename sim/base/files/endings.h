@@ -1,7 +1,7 @@
 #pragma once
 
-#include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace knuckle {
 
@@ -14,7 +14,7 @@ std::string endingOf(const std::string& path);
 /// of which is advised; an empty one: without an ending as well.
 /// @throws InputError with the list of what is known.
 void requireEnding(const std::string& option, const std::string& path, const char* what,
-                   std::initializer_list<const char*> endings);
+                   const std::vector<const char*>& endings);
 
 /// Refuses what is to be a folder and ends as a file does, unless there is one or the name has a slash at its end.
 /// @throws InputError.

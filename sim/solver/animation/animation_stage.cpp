@@ -1,7 +1,6 @@
 #include "sim/solver/animation/animation_stage.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "shared/contact_constants.h"
 #include "sim/solver/pack.h"
@@ -9,17 +8,6 @@
 namespace knuckle {
 
 namespace {
-
-/// The point that a motion over the ground turns about.
-Vector3f centreOf(const GroundMotion& motion)
-{
-    // c = R c + s, that is (1 - R) c = s, in the plane of x and z.
-    const float c = std::cos(motion.yaw), s = std::sin(motion.yaw);
-    Eigen::Matrix2f left;
-    left << 1 - c, -s, s, 1 - c;
-    const Eigen::Vector2f centre = left.inverse() * Eigen::Vector2f(motion.shift.x(), motion.shift.z());
-    return {centre.x(), 0, centre.y()};
-}
 
 /// Where each clip's keys begin.
 struct Starts {
@@ -47,7 +35,7 @@ void addPlays(std::vector<gpu::GpuClipPlay>& out, const World& world, const Anim
         p.yaw = start.yaw;
         p.roundYaw = round.yaw;
         p.shift = pack(start.shift, 0);
-        p.roundShift = pack(round.yaw == 0.0f ? round.shift : centreOf(round), 0);
+        p.roundShift = pack(round.yaw == 0.0f ? round.shift : round.centre(), 0);
         out.push_back(p);
     }
 }

@@ -197,8 +197,9 @@ void JointStage::uploadStrengths(const StageSetup& setup)
 
 void JointStage::addBuffers(BufferTable& table)
 {
-    table.add(Lifetime::Constant, sharedParticles, jointTrees, jointInfo, jointPlaces, jointLimits, jointStrengths,
-              jointParticles, jointPasses);
+    table.addFloatStructs(Lifetime::Constant, jointLimits);
+    table.add(Lifetime::Constant, sharedParticles, jointTrees, jointInfo, jointPlaces, jointStrengths, jointParticles,
+              jointPasses);
     table.add(Lifetime::State, jointFreedoms, jointStops, jointLoads, bodyResponses);
     table.add(Lifetime::Scratch, jointFactors, rootFactors, treeTurns, jointPassed, jointSweeps, loopFactors);
 }

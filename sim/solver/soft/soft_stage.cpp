@@ -136,7 +136,8 @@ void SoftStage::uploadParticles(const StageSetup& setup)
 
 void SoftStage::addBuffers(BufferTable& table)
 {
-    table.add(Lifetime::Constant, clusterInfo, clusterMoments, softMatter, softParticles, softLinks);
+    table.add(Lifetime::Constant, clusterInfo, clusterMoments, softParticles, softLinks);
+    table.addFloatStructs(Lifetime::Constant, softMatter);
     table.add(Lifetime::State, clusterRotations, clusterRests);
     table.add(Lifetime::Scratch, clusterPulls, softImpulses);
 }

@@ -88,6 +88,16 @@ Vector3f GroundMotion::apply(const Vector3f& p) const
     return aboutY(yaw) * p + shift;
 }
 
+Vector3f GroundMotion::centre() const
+{
+    // c = R c + s, that is (1 - R) c = s, in the plane of x and z.
+    const float c = std::cos(yaw), s = std::sin(yaw);
+    Eigen::Matrix2f left;
+    left << 1 - c, -s, s, 1 - c;
+    const Eigen::Vector2f centre = left.inverse() * Eigen::Vector2f(shift.x(), shift.z());
+    return {centre.x(), 0, centre.y()};
+}
+
 std::vector<AnimatedLink> linksOf(const World& world, const Animation& animation)
 {
     const Object& object = world.objects.at(animation.object);

@@ -59,6 +59,8 @@ struct GroundMotion {
     float yaw = 0.0f;         ///< [rad]
     Vector3f shift{0, 0, 0};  ///< [m]; y is 0.
     Vector3f apply(const Vector3f& p) const;
+    /// The point that it turns about; only where the yaw is not 0.
+    Vector3f centre() const;
 };
 
 /// Where the clips of an animation are put: each goes on where the one before leaves off, in place and in direction.

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "sim/base/errors.h"
+#include "tests/cli/export/add_frame.h"
 #include "tests/message_of.h"
 #include "tests/places.h"
 #include "tests/temp_folder.h"
@@ -113,13 +114,14 @@ TEST(Bvh, OfSeveralActorsEachHasAFile)
                                                                  R"(" },
         { "type": "actor", "name": "b", "file": ")" + figureFile +
                                                                  R"(", "position": [2, 0, 0] }] })"));
-    BvhExport both(folder.path("out.bvh"), scene);
-    both.add(scene.world, std::vector<BodyState>(scene.world.bodies.size()));
-    both.finish(60.0);
+    BvhExport both(folder.path("out.bvh"));
+    both.begin(scene);
+    addFrame(both, scene.world, std::vector<BodyState>(scene.world.bodies.size()));
+    both.finish();
     EXPECT_TRUE(std::filesystem::exists(folder.path("out_a.bvh")));
     EXPECT_TRUE(std::filesystem::exists(folder.path("out_b.bvh")));
     const Scene bare = loadScene(folder.write("bare.json", R"({ "objects": [{ "type": "joined" }] })"));
-    EXPECT_EQ(messageOf<InputError>([&] { BvhExport none(folder.path("none.bvh"), bare); }),
+    EXPECT_EQ(messageOf<InputError>([&] { BvhExport(folder.path("none.bvh")).begin(bare); }),
               "--export bvh=" + folder.path("none.bvh") + ": the scene has no actor, whose bones could be written");
     EXPECT_FALSE(std::filesystem::exists(folder.path("none.bvh")));
 }
@@ -132,10 +134,10 @@ TEST(Bvh, EachActorHasAFileOfItsOwn)
         objects += std::string(objects.empty() ? "" : ", ") + R"({ "type": "actor", "name": ")" + name +
                    R"(", "file": ")" + inSource("assets/models/humanoid.glb") + "\" }";
     const Scene scene = loadScene(folder.write("scene.json", R"({ "diameter": 0.08, "objects": [)" + objects + "] }"));
-    BvhExport out(folder.path("out.bvh"), scene);
-    std::vector<BodyState> states(scene.world.bodies.size());
-    out.add(scene.world, states);
-    out.finish(60.0);
+    BvhExport out(folder.path("out.bvh"));
+    out.begin(scene);
+    addFrame(out, scene.world, std::vector<BodyState>(scene.world.bodies.size()));
+    out.finish();
     for (const char* name : {"a", "a_2", "a_2_2", "b_c", "b_c_2"})
         EXPECT_TRUE(std::filesystem::exists(folder.path(std::string("out_") + name + ".bvh"))) << name;
 }

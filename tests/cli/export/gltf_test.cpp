@@ -6,6 +6,7 @@
 
 #include "sim/base/errors.h"
 #include "sim/rig/gltf/key_reduction.h"
+#include "tests/cli/export/add_frame.h"
 #include "tests/message_of.h"
 #include "tests/places.h"
 #include "tests/temp_folder.h"
@@ -30,16 +31,17 @@ std::vector<BodyState> turned(const World& world, float angle)
 TEST(GltfExport, ReadBackTheSkeletonMovesAsTheBodiesDid)
 {
     const TempFolder folder;
-    const Scene scene = loadScene(folder.write("scene.json", R"({ "diameter": 0.08, "objects": [
+    const Scene scene = loadScene(folder.write("scene.json", R"({ "fps": 30, "diameter": 0.08, "objects": [
         { "type": "actor", "name": "figure", "file": ")" + inSource("assets/models/humanoid.glb") +
                                                                  R"(" },
         { "type": "joined", "name": "pair", "position": [3, 0, 0] }] })"));
     const std::string path = folder.path("out.glb");
-    GltfExport out(path, scene);
+    GltfExport out(path);
+    out.begin(scene);
     constexpr int FRAMES = 31;
     const auto angleAt = [](int frame) { return 0.1f * static_cast<float>(frame); };
-    for (int f = 0; f < FRAMES; ++f) out.add(scene.world, turned(scene.world, angleAt(f)));
-    out.finish(30.0);
+    for (int f = 0; f < FRAMES; ++f) addFrame(out, scene.world, turned(scene.world, angleAt(f)));
+    out.finish();
 
     const Model before = importModel(inSource("assets/models/humanoid.glb"), {.clips = false});
     const Model after = importModel(path, {.fit = {.scale = 1.0}, .surface = true});
@@ -80,9 +82,10 @@ TEST(GltfExport, CopiesShareTheirMesh)
                                            inSource("assets/models/humanoid.glb") + R"(", "repeat": { "counts": [)" +
                                            std::to_string(copies) + R"(, 1, 1], "spacing": [2, 2, 2] } }] })"));
         const std::string path = folder.path("out.glb");
-        GltfExport out(path, scene);
-        out.add(scene.world, turned(scene.world, 0.0f));
-        out.finish(30.0);
+        GltfExport out(path);
+        out.begin(scene);
+        addFrame(out, scene.world, turned(scene.world, 0.0f));
+        out.finish();
         EXPECT_FALSE(importModel(path, {.fit = {.scale = 1.0}, .pick = {.skeleton = ALL_SKELETONS}}).vertices.empty());
         return readText(path).size();
     };
@@ -99,9 +102,10 @@ TEST(GltfExport, WhatHasNoSkeletonKeepsItsMesh)
          {R"("type": "actor", "skin": "particles")", R"("type": "rigid", "shape": "mesh", "skin": "mesh")"}) {
         const Scene scene = loadScene(folder.write("scene.json", R"({ "diameter": 0.1, "objects": [{ "file": ")" +
                                                                      crate + "\", " + std::string(object) + " }] }"));
-        GltfExport out(folder.path("out.glb"), scene);
-        out.add(scene.world, turned(scene.world, 0.0f));
-        out.finish(30.0);
+        GltfExport out(folder.path("out.glb"));
+        out.begin(scene);
+        addFrame(out, scene.world, turned(scene.world, 0.0f));
+        out.finish();
         const Model after = importModel(folder.path("out.glb"), {.fit = {.scale = 1.0}, .surface = true});
         EXPECT_EQ(after.triangles.size(), before.triangles.size()) << object;
         EXPECT_EQ(after.surface.materials.size(), before.surface.materials.size()) << object;
@@ -116,9 +120,10 @@ TEST(GltfExport, JointsOfASkinHaveOneRoot)
     const Scene scene = loadScene(
         folder.write("pair.json", R"({ "objects": [{ "type": "joined", "name": "pair" }] })"));
     const std::string path = folder.path("pair.glb");
-    GltfExport out(path, scene);
-    out.add(scene.world, turned(scene.world, 0.0f));
-    out.finish(30.0);
+    GltfExport out(path);
+    out.begin(scene);
+    addFrame(out, scene.world, turned(scene.world, 0.0f));
+    out.finish();
     const std::string bytes = readText(path);
     EXPECT_NE(bytes.find(R"("name":"pair root","children":[0,1])"), std::string::npos);
 }
@@ -127,7 +132,7 @@ TEST(GltfExport, TellsWhatItLeavesOut)
 {
     const TempFolder folder;
     const auto leftOut = [&](const std::string& more) {
-        return GltfExport::leftOut(
+        return GltfExport("out.glb").leftOut(
             loadScene(folder.write("scene.json", R"({ "objects": [{ "type": "joined" })" + more + " }")).world);
     };
     using Names = std::vector<std::string>;
@@ -145,7 +150,7 @@ TEST(GltfExport, ASceneWithoutBodiesIsRefused)
     const TempFolder folder;
     const Scene scene = loadScene(folder.write("water.json", R"({ "materials": { "water": { "fluid": true } },
         "objects": [{ "type": "fluid", "shape": "box", "size": [0.5, 0.5, 0.5], "material": "water" }] })"));
-    EXPECT_EQ(messageOf<InputError>([&] { GltfExport out(folder.path("out.glb"), scene); }),
+    EXPECT_EQ(messageOf<InputError>([&] { GltfExport(folder.path("out.glb")).begin(scene); }),
               "--export gltf=" + folder.path("out.glb") + ": the scene has no bodies, which could be written");
     EXPECT_FALSE(std::filesystem::exists(folder.path("out.glb")));
 }

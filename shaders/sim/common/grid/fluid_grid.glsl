@@ -1,20 +1,9 @@
 // FLUIDS: the same passes over the neighbour grid of fluids, which holds all active particles. It is always a
-// lattice, and finer along x.
+// lattice, and finer along x. The host gives these kernels that grid's buffers.
 
 #ifdef FLUIDS
 #undef GRID_HASH
 #include "sim/common/grid/fluid_living.glsl"
-#define cellCounts fluidCellCounts
-#define CellCounts FluidCellCounts
-#define cellSums fluidCellSums
-#define CellSums FluidCellSums
-#define cellStarts fluidCellStarts
-#define CellStarts FluidCellStarts
-#define cellMembers fluidCellMembers
-#define CellMembers FluidCellMembers
-#define particleCells fluidParticleCells
-#define ParticleCells FluidParticleCells
-#define searchPositions fluidSearchPositions
 uint gridParticles() { return slotCapacity(); }
 uint gridMembers() { return slotCount(); }
 uint gridMask() { return sim.fluidCellMask; }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/export/exporter.h"
+
+namespace knuckle {
+
+/// Writes frame_0001.ply and so on into a folder: binary PLY with id, position [m], velocity [m/s], body (-1: none) and
+/// material (index; its comments have their names), of all particles but the fluid ones that are in pools of emitters
+/// or went into drains: ids may have gaps.
+class PlyExport : public Exporter {
+public:
+    using Exporter::Exporter;
+    ExportNeeds needs() const override { return {.particles = true}; }
+    void addPaths(const Scene& scene, RunPaths& paths) const override;
+    void begin(const Scene& scene) override;
+    void frame(const ExportFrame& frame) override;
+    void finish() override {}
+};
+
+}  // namespace knuckle
