@@ -123,7 +123,7 @@ Eigen::Vector3f plainColor(const aiColor4D& color, bool isLinear)
     Eigen::Vector3f rgb(color.r, color.g, color.b);
     if (!rgb.allFinite()) return {0.8f, 0.8f, 0.8f};
     rgb = rgb.cwiseMax(0.0f).cwiseMin(1.0f);
-    return isLinear ? rgb : Eigen::Vector3f(rgb.unaryExpr(&linearOf));
+    return isLinear ? rgb : Eigen::Vector3f(rgb.unaryExpr(&linearOfSrgb<float>));
 }
 
 /// The color that its picture is multiplied by. What is black and glows has that of its glow.
