@@ -64,7 +64,7 @@ private:
     Pass scatter_{*this, "common/grid/grid_scatter", {{"FLUIDS", "1"}}};
     Pass order_{*this, "fluid/fluid_order", {{"FLUIDS", "1"}}};
     Pass find_{*this, "fluid/fluid_find", {{"FLUIDS", "1"}}};
-    Pass colliderNear_{*this, "fluid/fluid_collider_near"};
+    Pass colliderNear_{*this, "fluid/walls/fluid_collider_near"};
     Pass gather_{*this, "fluid/fluid_gather"};
     Pass viscosity_{*this, "fluid/fluid_viscosity"};
     Pass vorticity_{*this, "fluid/fluid_vorticity", {}, confines_};
