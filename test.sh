@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds Knuckle and runs its tests. KNUCKLE_PRESET=ci treats warnings as errors; debug and asan are the others.
-# Arguments go to ctest: -R physics.
+# Arguments go to ctest: -R physics; -L quick leaves out what takes minutes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 

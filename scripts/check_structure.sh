@@ -5,6 +5,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 failed=0
+documents=(README.md CONTRIBUTING.md CHANGELOG.md docs/*.md docs/decisions/*.md)
 
 # Files of the first folder that include anything that the pattern matches.
 refuse() {
@@ -25,6 +26,10 @@ refuse sim/rig 'sim/(gpu|solver)/|render/|app/'
 refuse sim/solver 'sim/rig/|render/|app/'
 refuse sim/solver/layout 'sim/(gpu|solver/[a-km-z])'
 refuse sim/solver/measure 'sim/(gpu|solver/[a-kn-z])'
+refuse sim/api 'render/|app/|sim/rig/(anatomy|clips|gltf|joints|limbs|mesh|skin)/'
+for part in sim/base sim/world sim/gpu sim/solver sim/rig render app/commands app/run app/scene; do
+  refuse $part '(sim|app)/api/'
+done
 refuse render 'sim/rig/|app/'
 refuse render/picture 'render/(spheres|colliders|view|output)/'
 refuse render/view 'render/(spheres|colliders|picture|output)/'
@@ -59,13 +64,15 @@ done < <(find sim render app tools tests -name '*.cpp' | sort)
 bash scripts/buffer_table.sh --check || failed=1
 bash scripts/performance.sh --check || failed=1
 
-# What may stand at the top of what is committed.
+# What may stand at the top of what is committed. Where others look for them: VERSION (CMake, packagers), CHANGELOG.md
+# and CONTRIBUTING.md (readers, GitHub), .editorconfig (editors), .github (GitHub's own CI).
 while read -r name; do
   echo "$name stands at the top of the tree; move it, or list it in scripts/check_structure.sh" >&2
   failed=1
 done < <(git ls-files 2>/dev/null | cut -d/ -f1 | sort -u |
          grep -vxE -e '\.(ci|clang-format|clang-tidy|gitignore)|CMake(Lists\.txt|Presets\.json)|LICENSE|README\.md' \
-             -e '(demo|test)\.sh|app|assets|cmake|docs|render|scripts|shaders|sim|tests|tools')
+             -e '(demo|test)\.sh|app|assets|cmake|docs|render|scripts|shaders|sim|tests|tools' \
+             -e 'CHANGELOG\.md|CONTRIBUTING\.md|VERSION|\.editorconfig|\.github')
 
 # Every file that a document names is there, but for those of examples.
 while IFS=: read -r document name; do
@@ -73,14 +80,14 @@ while IFS=: read -r document name; do
     echo "$document names $name, which is not there" >&2
     failed=1
   fi
-done < <(grep -oHE '`(app|assets|docs|render|scripts|shaders|sim|tests|tools)/[A-Za-z0-9_/.]+\.[a-z]+`' README.md docs/*.md |
-         tr -d '`' | grep -vE ':(sim/common/|assets/scenes/name|tests/FOLDER/|shaders/sim/room/)')
+done < <(grep -oHE '`(app|assets|cmake|docs|render|scripts|shaders|sim|tests|tools)/[A-Za-z0-9_/.]+\.[a-z]+`' "${documents[@]}" |
+         tr -d '`' | grep -vE ':(sim/common/|assets/scenes/name|app/export/name|tests/FOLDER/|shaders/sim/room/)')
 while IFS=: read -r document name; do
   if [[ ! -e $(dirname "$document")/$name ]]; then
     echo "$document links to $name, which is not there" >&2
     failed=1
   fi
-done < <(grep -oHE '\]\([A-Za-z0-9_/.-]+' README.md docs/*.md | sed 's/\](//' | grep -v ':http')
+done < <(grep -oHE '\]\([A-Za-z0-9_/.-]+' "${documents[@]}" | sed 's/\](//' | grep -v ':http')
 
 # Below, names that documents cite. What stands in their examples, indented by four, is not looked at.
 folders=(app assets cmake render scripts shaders sim tests tools)
@@ -95,10 +102,10 @@ lists=$(mktemp -d)
 trap 'rm -rf "$lists"' EXIT
 export LC_ALL=C
 find "${folders[@]}" -type f | sed 's#.*/##' | sort -u >"$lists/files"
-# Stems of all files and targets of the build; and words of others that look like kernels: of GLSL, C++, stb, and of
-# Macklin and Müller 2013.
+# Stems of all files and targets of the build; and words of others that look like kernels: of GLSL, C++, CMake, stb, and
+# of Macklin and Müller 2013.
 { sed 's/\..*//' "$lists/files"; grep -rhoE '\b(knuckle|make)_[a-z_]+' --include=CMakeLists.txt "${folders[@]}"
-  printf '%s\n' local_size_x uint32_t stb_image_write s_corr; } | sort -u >"$lists/stems"
+  printf '%s\n' local_size_x uint32_t stb_image_write s_corr find_package add_subdirectory; } | sort -u >"$lists/stems"
 grep -rhoE '^TEST(_F|_P)?\([A-Za-z0-9]+, *[A-Za-z0-9]+' --include='*.cpp' tests |
     sed -E 's/^TEST(_F|_P)?\(//; s/, */./' | sort -u >"$lists/tests"
 find app render shaders sim tests tools -name '*.cpp' -o -name '*.h' -o -name '*.glsl' -o -name '*.comp' \
@@ -108,7 +115,7 @@ xargs cat <"$lists/sources" | grep -oE '[A-Za-z0-9_]+' | sort -u >"$lists/identi
 { grep -v '^tests/' "$lists/sources" | xargs cat; cat "$lists/files"; } | sed -E 's/([a-z0-9])([A-Z])/\1 \2/g' |
     tr -cs 'A-Za-z0-9' '\n' | tr 'A-Z' 'a-z' | sort -u >"$lists/words"
 
-for document in README.md docs/*.md; do
+for document in "${documents[@]}"; do
   # Kernels, by how their names look: in backticks or not.
   prose "$document" | grep -oE '(^|[^A-Za-z0-9_./:"-])[a-z][a-z0-9]*(_[a-z0-9]+)*_([a-z0-9]+|\*)' | sed -E 's/^[^a-z]//' |
       sort -u >"$lists/cited" || true

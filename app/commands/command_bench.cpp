@@ -5,6 +5,7 @@
 
 #include "app/commands/bench_run.h"
 #include "app/commands/table2_world.h"
+#include "app/files/assets.h"
 #include "app/scene/scene_document.h"
 #include "render/renderer.h"
 #include "sim/solver/workload.h"
@@ -136,6 +137,7 @@ int benchTable2(const BenchOptions& options, const std::vector<Preset>& presets,
 
 int bench(BenchOptions options, const CommonOptions& common)
 {
+    options.model = findAsset(options.model);
     const bool troupe = options.name == "troupe", draw = options.name == "draw";
     if (options.objects.empty() && draw) options.objects = {25};
     if (options.objects.empty() && troupe) options.objects = {100};

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.h"
+#include "app/files/assets.h"
 #include "app/run/counted.h"
 #include "app/run/tell.h"
 #include "app/scene/scene_file.h"
@@ -26,7 +27,7 @@ int check(const std::vector<std::string>& paths, const std::vector<Override>& ov
     int code = EXIT_FINE;
     for (const std::string& path : paths) {
         try {
-            const Scene scene = loadScene(path, overrides);
+            const Scene scene = loadScene(findAsset(path), overrides);
             if (quiet) continue;
             for (const std::string& note : scene.notes) fmt::print("{}: note: {}\n", path, note);
             for (const std::string& warning : scene.warnings) fmt::print("{}: warning: {}\n", path, warning);

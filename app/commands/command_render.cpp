@@ -7,6 +7,7 @@
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/export/exporters.h"
+#include "app/files/assets.h"
 #include "app/run/film_outputs.h"
 #include "app/run/tell.h"
 #include "sim/base/errors.h"
@@ -57,6 +58,7 @@ void requireOwnPaths(const std::string& file, const Scene& scene, const FilmOpti
 
 int renderScene(const RenderOptions& options, const CommonOptions& common)
 {
+    const std::string file = findAsset(options.scene);
     FilmOptions film = options.film;
     std::vector<Override> overrides;
     for (const std::string& text : options.sets) overrides.push_back(parseOverride(text));
@@ -67,12 +69,12 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     Exporters exporters = makeExporters(options.exports);
     if (!film.stats.empty()) requireEnding("--stats ", film.stats, "a file of figures", {".json", ".txt", ""});
     for (const std::string& path : options.outputs) isFilm(path);  // so that a wrong one is told at once
-    const Scene scene = loadScene(options.scene, overrides, needsOf(exporters).surfaces);
+    const Scene scene = loadScene(file, overrides, needsOf(exporters).surfaces);
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", options.scene, warning));
     film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
-    requireOwnPaths(options.scene, scene, film, exporters, common);
+    requireOwnPaths(file, scene, film, exporters, common);
     runFilm(scene, film, common, std::move(exporters));
     return EXIT_FINE;
 }

@@ -9,6 +9,7 @@
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/files/actor_file.h"
+#include "app/files/assets.h"
 #include "app/files/joints_file.h"
 #include "app/files/run_paths.h"
 #include "app/run/counted.h"
@@ -79,8 +80,9 @@ void requireOwnPaths(const VoxelizeOptions& options)
     paths.check();
 }
 
-int voxelizeFile(const VoxelizeOptions& options, const CommonOptions& common)
+int voxelizeFile(VoxelizeOptions options, const CommonOptions& common)
 {
+    options.model = findAsset(options.model);
     requireOwnPaths(options);
     std::optional<OutputFile> output, preview;
     if (!options.output.empty()) output.emplace(options.output);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/world/frames.h"
+#include "sim/world/space/frames.h"
 
 namespace knuckle {
 

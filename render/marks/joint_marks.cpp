@@ -7,8 +7,8 @@
 
 #include "render/marks/mark_pen.h"
 #include "sim/base/angles.h"
-#include "sim/world/bounds.h"
 #include "sim/world/builder/parts/joints.h"
+#include "sim/world/space/bounds.h"
 
 namespace knuckle {
 

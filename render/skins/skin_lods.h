@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/world/skin.h"
+#include "sim/world/matter/skin.h"
 
 namespace knuckle {
 

@@ -10,7 +10,7 @@
 
 #include "sim/base/angles.h"
 #include "sim/base/errors.h"
-#include "sim/world/bounds.h"
+#include "sim/world/space/bounds.h"
 
 namespace knuckle {
 

@@ -25,7 +25,7 @@
 #define COLLIDER_MESH 4u
 #define COLLIDER_HEIGHTFIELD 5u
 
-// TextureWrap of sim/world/skin.h.
+// TextureWrap of sim/world/matter/skin.h.
 #define TEXTURE_REPEAT 0
 #define TEXTURE_MIRROR 1
 #define TEXTURE_CLAMP 2

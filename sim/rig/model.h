@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/world/skin.h"
+#include "sim/world/matter/skin.h"
 
 namespace knuckle {
 

@@ -7,7 +7,7 @@ namespace knuckle {
 
 namespace {
 
-// What a particle costs in a substep [us], on one core of 2.6 GHz: docs/performance.md.
+// What a particle costs in a substep [us], on one core of 2.6 GHz: docs/decisions.
 constexpr double BODY_MICROSECONDS = 0.15;
 constexpr double LOOSE_MICROSECONDS = 2.0;  // grains, cloth, soft bodies
 constexpr double FLUID_MICROSECONDS = 0.75;

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/scene/scene_file.h"
-#include "sim/world/fingerprint.h"
+#include "sim/world/fingerprint/fingerprint.h"
 #include "tests/places.h"
 #include "tests/temp_folder.h"
 

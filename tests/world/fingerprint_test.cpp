@@ -1,8 +1,7 @@
-#include "sim/world/fingerprint.h"
+#include "sim/world/fingerprint/fingerprint.h"
 
 #include <map>
 
-#include "sim/base/fnv_hash.h"
 #include "tests/world/world_fields.h"
 #include "tests/world/world_fixture.h"
 
@@ -286,17 +285,6 @@ TEST(Fingerprint, OfTwoOfAKindIsOne)
 {
     EXPECT_EQ(fingerprint(jointedCubes({})), fingerprint(jointedCubes({})));
     EXPECT_NE(fingerprint(jointedCubes({})), fingerprint(jointedCubes({}, {}, Motion::Fixed)));
-}
-
-/// By the value that is published for "foobar".
-TEST(FnvHash, TakesWordsFromTheLeastSignificantByteOn)
-{
-    FnvHash bytes, words;
-    for (const char letter : std::string("foobar")) bytes.add(static_cast<uint8_t>(letter));
-    words.add(uint32_t{0x626f6f66});
-    words.add(uint16_t{0x7261});
-    EXPECT_EQ(bytes.value(), 0x85944171f73967e8u);
-    EXPECT_EQ(words.value(), 0x85944171f73967e8u);
 }
 
 }  // namespace knuckle::test

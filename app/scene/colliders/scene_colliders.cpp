@@ -7,7 +7,7 @@
 #include "app/scene/colliders/scene_motion.h"
 #include "app/scene/scene_materials.h"
 #include "app/scene/scene_places.h"
-#include "sim/world/frames.h"
+#include "sim/world/space/frames.h"
 
 namespace knuckle {
 

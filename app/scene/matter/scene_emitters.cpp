@@ -11,7 +11,7 @@
 #include "app/scene/scene_materials.h"
 #include "app/scene/scene_places.h"
 #include "sim/solver/measure/measure.h"
-#include "sim/world/cells.h"
+#include "sim/world/space/cells.h"
 
 namespace knuckle {
 

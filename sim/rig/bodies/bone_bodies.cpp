@@ -15,7 +15,7 @@
 #include "sim/rig/limbs/limb_owner.h"
 #include "sim/rig/limbs/mirror_particles.h"
 #include "sim/rig/limbs/rods.h"
-#include "sim/world/cells.h"
+#include "sim/world/space/cells.h"
 
 namespace knuckle {
 

@@ -11,7 +11,7 @@
 #include "sim/rig/clips/clip_facing.h"
 #include "sim/rig/clips/clip_overlaps.h"
 #include "sim/rig/clips/joint_turns.h"
-#include "sim/world/frames.h"
+#include "sim/world/space/frames.h"
 
 namespace knuckle {
 

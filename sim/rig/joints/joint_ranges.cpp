@@ -8,7 +8,7 @@
 
 #include "sim/base/angles.h"
 #include "sim/rig/joints/turn_parts.h"
-#include "sim/world/frames.h"
+#include "sim/world/space/frames.h"
 
 namespace knuckle {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "sim/base/angles.h"
-#include "sim/world/frames.h"
+#include "sim/world/space/frames.h"
 
 namespace knuckle {
 

@@ -2,7 +2,7 @@
 
 #include "sim/base/angles.h"
 #include "sim/world/joint/joint.h"
-#include "sim/world/pose.h"
+#include "sim/world/space/pose.h"
 
 namespace knuckle {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/world/cells.h"
+#include "sim/world/space/cells.h"
 
 namespace knuckle {
 

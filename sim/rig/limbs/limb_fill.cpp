@@ -7,7 +7,7 @@
 #include "sim/rig/limbs/limb_frame.h"
 #include "sim/rig/limbs/limb_owner.h"
 #include "sim/rig/limbs/seams.h"
-#include "sim/world/cells.h"
+#include "sim/world/space/cells.h"
 
 namespace knuckle {
 

@@ -1,6 +1,6 @@
 #include "sim/rig/limbs/seams.h"
 
-#include "sim/world/cells.h"
+#include "sim/world/space/cells.h"
 
 namespace knuckle {
 

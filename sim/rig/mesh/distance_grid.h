@@ -3,7 +3,7 @@
 #include <span>
 
 #include "sim/rig/mesh/triangle_tree.h"
-#include "sim/world/collider_grid.h"
+#include "sim/world/space/collider_grid.h"
 
 namespace knuckle {
 

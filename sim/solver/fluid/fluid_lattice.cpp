@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "shared/constants.h"
-#include "sim/world/bounds.h"
+#include "sim/world/space/bounds.h"
 
 namespace knuckle {
 

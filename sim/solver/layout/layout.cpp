@@ -9,7 +9,7 @@ namespace knuckle {
 
 namespace {
 
-/// Per particle: where its body's lattice ends. Bodies with joints are not flat (docs/trials.md), nor is any in
+/// Per particle: where its body's lattice ends. Bodies with joints are not flat (docs/decisions), nor is any in
 /// the paper's solver.
 std::vector<uint32_t> latticeEndsOf(const World& world)
 {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "sim/world/cells.h"
+#include "sim/world/space/cells.h"
 
 namespace knuckle {
 

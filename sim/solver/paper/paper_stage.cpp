@@ -38,7 +38,7 @@ std::vector<float> linkGainsOf(const World& world, const Layout& layout)
 
 ReductionKind chosenReduction(const StageSetup& setup)
 {
-    // Group reductions cost llvmpipe twelve times the plain loop; a GPU gains by them (docs/performance.md).
+    // Group reductions cost llvmpipe twelve times the plain loop; a GPU gains by them (docs/decisions).
     const ReductionKind asked = setup.world.settings.reduction;
     if (asked != ReductionKind::Auto) return asked;
     return setup.gpu.device().software ? ReductionKind::Thread : ReductionKind::Group;

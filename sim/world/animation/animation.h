@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/base/no_index.h"
-#include "sim/world/pose.h"
+#include "sim/world/space/pose.h"
 
 namespace knuckle {
 

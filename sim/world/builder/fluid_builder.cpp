@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "sim/world/cells.h"
+#include "sim/world/space/cells.h"
 
 namespace knuckle {
 

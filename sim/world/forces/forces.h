@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/world/region.h"
+#include "sim/world/space/region.h"
 
 namespace knuckle {
 

@@ -4,7 +4,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
-#include "sim/world/frames.h"
+#include "sim/world/space/frames.h"
 
 namespace knuckle {
 

@@ -1,4 +1,4 @@
-// Colliders that are made of grids (sim/world/collider_grid.h), in their own frames.
+// Colliders that are made of grids (sim/world/space/collider_grid.h), in their own frames.
 
 uniform samplerBuffer gridValues;
 

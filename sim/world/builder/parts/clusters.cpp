@@ -6,7 +6,7 @@
 
 #include "sim/base/disjoint_sets.h"
 #include "sim/world/builder/builder.h"
-#include "sim/world/cells.h"
+#include "sim/world/space/cells.h"
 
 namespace knuckle {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "sim/world/skin.h"
+#include "sim/world/matter/skin.h"
 
 namespace knuckle {
 

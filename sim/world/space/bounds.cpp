@@ -1,4 +1,4 @@
-#include "sim/world/bounds.h"
+#include "sim/world/space/bounds.h"
 
 namespace knuckle {
 

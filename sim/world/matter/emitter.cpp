@@ -1,4 +1,4 @@
-#include "sim/world/emitter.h"
+#include "sim/world/matter/emitter.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

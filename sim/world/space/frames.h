@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/world/pose.h"
+#include "sim/world/space/pose.h"
 
 namespace knuckle {
 

@@ -1,4 +1,4 @@
-#include "sim/world/frames.h"
+#include "sim/world/space/frames.h"
 
 #include <cmath>
 

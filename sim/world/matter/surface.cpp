@@ -1,4 +1,4 @@
-#include "sim/world/surface.h"
+#include "sim/world/matter/surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sim/world/region.h"
+#include "sim/world/space/region.h"
 
 #include <algorithm>
 #include <stdexcept>

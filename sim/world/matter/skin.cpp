@@ -1,4 +1,4 @@
-#include "sim/world/skin.h"
+#include "sim/world/matter/skin.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "sim/world/strand.h"
+#include "sim/world/matter/strand.h"
 
 #include <fmt/format.h>
 

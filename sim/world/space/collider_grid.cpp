@@ -1,4 +1,4 @@
-#include "sim/world/collider_grid.h"
+#include "sim/world/space/collider_grid.h"
 
 #include <algorithm>
 #include <cmath>

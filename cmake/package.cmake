@@ -1,0 +1,49 @@
+# What other projects see, whether they find what is installed or add this folder as one of theirs: knuckle::simulation,
+# worlds and their steps; knuckle::knuckle, models and scene files as well. Their headers are in build/include, which
+# stage_headers.cmake makes from ours.
+set(headers ${PROJECT_BINARY_DIR}/include)
+file(GLOB_RECURSE ourHeaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/sim/*.h ${PROJECT_SOURCE_DIR}/app/*.h
+  ${PROJECT_SOURCE_DIR}/render/*.h)
+add_custom_command(OUTPUT ${headers}/staged
+  COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -DOUTPUT=${headers}
+    -P ${PROJECT_SOURCE_DIR}/cmake/stage_headers.cmake
+  COMMAND ${CMAKE_COMMAND} -E touch ${headers}/staged
+  DEPENDS ${ourHeaders} ${PROJECT_SOURCE_DIR}/cmake/stage_headers.cmake
+  COMMENT "Laying out the public headers")
+add_custom_target(knuckle_headers ALL DEPENDS ${headers}/staged)
+
+# knuckle_public(NAME library...): knuckle::NAME, for which the libraries are linked and nothing of theirs is compiled with.
+function(knuckle_public name)
+  add_library(knuckle_public_${name} INTERFACE)
+  add_library(knuckle::${name} ALIAS knuckle_public_${name})
+  add_dependencies(knuckle_public_${name} knuckle_headers)
+  list(TRANSFORM ARGN REPLACE "(.+)" "$<LINK_ONLY:\\1>" OUTPUT_VARIABLE libraries)
+  target_link_libraries(knuckle_public_${name} INTERFACE ${libraries} Eigen3::Eigen)
+  target_compile_features(knuckle_public_${name} INTERFACE cxx_std_20)
+  target_include_directories(knuckle_public_${name} INTERFACE
+    $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:include>)
+  set_target_properties(knuckle_public_${name} PROPERTIES EXPORT_NAME ${name})
+endfunction()
+knuckle_public(simulation knuckle_simulation)
+knuckle_public(knuckle knuckle_simulation knuckle_scene knuckle_rig)
+
+if(NOT KNUCKLE_INSTALL)
+  return()
+endif()
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(packageFolder ${CMAKE_INSTALL_LIBDIR}/cmake/knuckle)
+set(assets ${CMAKE_INSTALL_DATADIR}/knuckle/assets)   # app/files/assets.cpp looks there
+install(TARGETS knuckle RUNTIME)
+install(TARGETS knuckle_public_knuckle knuckle_public_simulation knuckle_simulation knuckle_scene knuckle_rig
+  knuckle_solver knuckle_layout knuckle_gpu knuckle_shaders knuckle_image knuckle_world knuckle_base
+  knuckle_precompiled knuckle_flags EXPORT knuckle ARCHIVE)
+install(EXPORT knuckle FILE knuckle-targets.cmake NAMESPACE knuckle:: DESTINATION ${packageFolder})
+install(DIRECTORY ${headers}/knuckle TYPE INCLUDE)
+install(DIRECTORY assets/scenes assets/models assets/schema DESTINATION ${assets})
+install(FILES LICENSE README.md CHANGELOG.md TYPE DOC)
+configure_package_config_file(cmake/knuckle-config.cmake.in ${PROJECT_BINARY_DIR}/knuckle-config.cmake
+  INSTALL_DESTINATION ${packageFolder})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/knuckle-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/knuckle-config.cmake ${PROJECT_BINARY_DIR}/knuckle-config-version.cmake
+  DESTINATION ${packageFolder})
