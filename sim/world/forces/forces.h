@@ -71,8 +71,8 @@ bool hasForces(const World& world);
 void validateForces(const World& world);
 
 /// Per mover (bodies, then loose particles) half of density times drag coefficient times area over its mass, along the
-/// axes of the body at rest [1/m]; 0 without Wind. A body's area is what its particles cover seen along an axis; of soft
-/// bodies each particle at the surface has its share. Of cloth none: the air acts on its triangles.
+/// axes of the body at rest [1/m]; 0 without Wind. A body's area is what its particles cover seen along an axis; of
+/// soft bodies each particle at the surface has its share. Of cloth none: the air acts on its triangles.
 std::vector<Eigen::Vector3f> dragsOf(const World& world);
 
 }  // namespace knuckle
