@@ -23,6 +23,12 @@ refuse sim/gpu 'sim/(solver|rig)/|render/|app/'
 # Of what shaders share with the host, numbers and vectors; structs are the solver's and the renderer's.
 refuse sim/gpu "shared/($(cd shaders/shared && ls | grep -vxE '(constants|vector_types)\.h' | paste -sd'|'))"
 refuse sim/rig 'sim/(gpu|solver)/|render/|app/'
+# In the house for figures each room uses those before it.
+rooms=(mesh anatomy gltf import limbs joints clips bodies)
+for i in "${!rooms[@]}"; do
+  later=$(printf '%s\n' "${rooms[@]:i+1}" skin | paste -sd'|')
+  refuse "sim/rig/${rooms[i]}" "sim/rig/($later)/"
+done
 refuse sim/solver 'sim/rig/|render/|app/'
 refuse sim/solver/layout 'sim/(gpu|solver/[a-km-z])'
 refuse sim/solver/measure 'sim/(gpu|solver/[a-kn-z])'
@@ -35,7 +41,8 @@ refuse render/picture 'render/(spheres|colliders|view|output)/'
 refuse render/view 'render/(spheres|colliders|picture|output)/'
 refuse render/skins 'render/(spheres|colliders|view|output)/'
 refuse render/output 'render/(spheres|colliders|view)/'
-refuse app/run 'app/commands/'
+refuse app/run 'app/(commands|bench)/'
+refuse app/bench 'app/commands/'
 refuse app/export 'app/(commands|run)/'
 refuse app/scene 'app/(commands|run|export)/'
 refuse app/files 'app/(commands|run|scene|export)/'
@@ -161,4 +168,12 @@ while read -r count file; do
     failed=1
   fi
 done < <(xargs wc -l <"$lists/sources" | grep -v ' total$')
+
+# A room is looked over at a glance: 24 files at most.
+while read -r count folder; do
+  if (( count > 24 )); then
+    echo "$folder has $count files, more than 24: give some of them a room of their own" >&2
+    failed=1
+  fi
+done < <(find app render shaders sim tests tools -type f ! -name CMakeLists.txt -printf '%h\n' | sort | uniq -c)
 exit $failed

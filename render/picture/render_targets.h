@@ -6,7 +6,7 @@
 
 namespace knuckle {
 
-/// Everything that a frame is drawn into. Passes read the textures by their labels.
+/// Everything that a frame is drawn into. Filters read the textures by their labels.
 struct RenderTargets {
     /// @param factor samples an axis and pixel.
     RenderTargets(uint32_t width, uint32_t height, uint32_t factor);

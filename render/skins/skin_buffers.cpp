@@ -44,9 +44,9 @@ struct SkinArrays {
     void add(const Skin& skin, const World& world);
 
     std::vector<uint32_t> indices;
-    std::vector<gpu::GpuSkinVertex> vertices;
+    std::vector<gpu::SkinVertex> vertices;
     std::vector<gpu::vec4> vertexLooks, centres;
-    std::vector<gpu::GpuSkinLod> lods;
+    std::vector<gpu::SkinLod> lods;
     std::vector<gpu::SkinWearer> wearers;
     std::vector<gpu::uvec4> groups;
     SkinLooks looks;

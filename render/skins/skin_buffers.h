@@ -17,9 +17,9 @@ struct SkinBuffers {
     uint32_t wearerCount = 0, oneSidedCount = 0;
     uint32_t groupCount = 0;  ///< Of SKIN_GROUP_SIZE vertices, of all wearers.
     Buffer<uint32_t> indices;
-    Buffer<gpu::GpuSkinVertex> vertices;
+    Buffer<gpu::SkinVertex> vertices;
     Buffer<gpu::vec4> vertexLooks;  ///< Per vertex: uv, colour as a number, material.
-    Buffer<gpu::GpuSkinLod> lods;
+    Buffer<gpu::SkinLod> lods;
     Buffer<gpu::SkinWearer> wearers;
     Buffer<gpu::uvec4> groups;    ///< Wearer, first vertex, how many of the wearer's vertices come before.
     Buffer<gpu::vec4> centres;    ///< Per body: its mass centre at rest; w: how far its skin reaches, -1: it has none.

@@ -28,7 +28,7 @@ struct MovingCollider {
     vec4 orientation;
 };
 
-struct GpuAnimation {
+struct Animation {
     vec4 position;                  // xyz: of the object's rest pose in the world [m]
     vec4 rotation;
     uint firstPlay;
@@ -38,7 +38,7 @@ struct GpuAnimation {
 };
 
 // A clip as it is played.
-struct GpuClipPlay {
+struct ClipPlay {
     uint firstTurn;                 // of its first key, among all clips' turns
     uint firstRoot;
     uint keyCount;

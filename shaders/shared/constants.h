@@ -51,7 +51,7 @@
 // A substep that no other follows.
 #define NO_SUBSTEP 0x7fffffffu
 
-// ParticleInfo::body of a fluid particle.
+// Particle::body of a fluid particle.
 #define IN_FLUID 0xfffffffeu
 
 // Dispatches whose sizes the GPU decides (Stages::dispatches).
@@ -70,7 +70,7 @@
 #define DISPATCH_COUNT 12
 
 // By how much longer contacts are to stay good where few things are fast.
-#define CALM 3.0f
+#define FAR_SIGHT 3.0f
 
 // A body that turns by more than half a radian in a substep (4 (1 - cos 0.5)) loses some of its spin.
 #define LONGEST_CHORD 0.49f

@@ -33,10 +33,10 @@ struct Counters {
     uint colliderPairCount;         // contacts with colliders
     uint fastCount;                 // particles of movers that will soon leave their margin
     uint fastListed;                // those of them that look further for contacts
-    uint fastLater;                 // particles of movers that will leave it in CALM times as long
+    uint fastLater;                 // particles of movers that will leave it in FAR_SIGHT times as long
     uint candidateCount;            // contacts of all kinds that this search has found
-    uint heard;                     // something is neither animated nor fixed; only where anything is animated
-    uint calm;                      // 1: so few in the last search that contacts are found for as long as that
+    uint freeMoved;                     // something is neither animated nor fixed; only where anything is animated
+    uint farSighted;                    // 1: so few in the last search that contacts are found for as long as that
 };
 
 #ifdef __cplusplus

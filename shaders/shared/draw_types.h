@@ -49,7 +49,7 @@ struct DrawElementsArguments {
 };
 
 // What of a vertex of a skin moves. Bodies are those within the object, heaviest first.
-struct GpuSkinVertex {
+struct SkinVertex {
     float placeX;               // in the rest pose of its object [m]
     float placeY;
     float placeZ;
@@ -61,7 +61,7 @@ struct GpuSkinVertex {
 };
 
 // A level of detail, from the finest to the coarsest.
-struct GpuSkinLod {
+struct SkinLod {
     uint firstIndex;
     uint indexCount;
     uint vertexCount;           // it uses the first so many vertices of the skin

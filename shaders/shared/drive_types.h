@@ -29,7 +29,7 @@ namespace knuckle::gpu {
 #define CATCH_SETTLE 0.3      // for how long it goes on to where its clip has it, once it is near [s]
 
 // A joint that is driven to a clip.
-struct GpuJointDrive {
+struct JointDrive {
     vec4 axis;                      // xyz: of a hinge, in its body's axes; w: 1 of a hinge, else 0
     float stiffness;                // times the inertia that it turns [1/s2], or by itself [N m/rad]
     float damping;                  // the same [1/s], [N m s/rad]
@@ -46,7 +46,7 @@ struct GpuJointDrive {
 };
 
 // What holds a body where its clip has it in the world.
-struct GpuPin {
+struct Pin {
     float stiffness;                // times the mass or inertia that it holds [1/s2]
     float damping;                  // the same [1/s]
     float greatestForce;            // [N]
@@ -58,7 +58,7 @@ struct GpuPin {
 };
 
 // An animated object that is driven.
-struct GpuPuppet {
+struct Puppet {
     uint firstBody;                 // among animated bodies
     uint bodyCount;
     uint firstKey;                  // of its strength

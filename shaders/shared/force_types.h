@@ -29,7 +29,7 @@ namespace knuckle::gpu {
 #define ALONE_DENSITY 0.3
 #define SURFACE_DENSITY 0.9
 
-struct GpuForceField {
+struct ForceField {
     vec4 place;   // xyz its middle [m], w its strength [m/s2], of FIELD_BLOW [m/s]
     vec4 turn;    // quaternion
     vec4 size;    // box: half extents; else radius and half height [m]; w how far it goes from its middle [m]
@@ -37,7 +37,7 @@ struct GpuForceField {
     vec4 times;   // from, until [s]
 };
 
-struct GpuGustWave {
+struct GustWave {
     vec4 wave;        // xyz [rad/m], w phase [rad]
     vec4 amplitude;   // xyz [m/s], w rate [rad/s] as a place at rest sees it
 };

@@ -23,7 +23,7 @@ struct ParticleRigidBodyLink {
 };
 
 // What never changes about a particle.
-struct ParticleInfo {
+struct Particle {
     uint body;                      // first body, NO_INDEX for loose particles
     uint bodyCount;                 // 0 loose, 1 ordinary, 2 or more: a joint
     uint assembly;                  // bodies connected by joints; a loose particle is an assembly of its own
@@ -37,7 +37,7 @@ struct ParticleRank {
 };
 
 // What never changes about a body.
-struct BodyInfo {
+struct Body {
     uint linkStart;                 // its block of links; shared particles come last in it
     uint linkCount;
     uint ownCount;                  // links before the first shared particle
@@ -45,7 +45,7 @@ struct BodyInfo {
 };
 
 // What never changes about a mover: a body, or a loose particle, which is a body that cannot turn. Bodies come first.
-struct MoverInfo {
+struct Mover {
     uint firstRank;                 // its particles in the order of contact lists
     uint rankCount;
     uint assembly;
@@ -53,7 +53,7 @@ struct MoverInfo {
 };
 
 // What never changes about a joint of a tree, or one that closes a loop; its body is the one further from the root.
-struct JointInfo {
+struct Joint {
     uint body;
     uint parent;                    // NO_INDEX of a root that nothing holds
     uint bodyJoint;                 // the body's own joint in its tree, of a loop too
@@ -65,7 +65,7 @@ struct JointInfo {
 };
 
 // How far a joint turns.
-struct JointLimits {
+struct JointRange {
     float swing;                    // of its x axes against each other [rad]; more than half a turn: no limit
     float lowest;                   // turns about x [rad]
     float highest;
@@ -73,7 +73,7 @@ struct JointLimits {
 };
 
 // What never changes about a cluster of a soft body.
-struct ClusterInfo {
+struct Cluster {
     uint linkStart;                 // its block of links, behind those of all bodies; their rbIndex is the cluster
     uint linkCount;
     uint softBody;
@@ -81,7 +81,7 @@ struct ClusterInfo {
 };
 
 // What a soft body is made of; moduli over its density.
-struct GpuSoftMatter {
+struct SoftMatter {
     float shear;                    // twice the shear modulus (Lame's mu) [m2/s2]
     float dilation;                 // Lame's lambda [m2/s2]
     float damping;                  // [s]
@@ -93,7 +93,7 @@ struct GpuSoftMatter {
 };
 
 // What never changes about a collider; colliderPlaces says where it is.
-struct GpuCollider {
+struct Collider {
     vec4 size;                      // box: half extents; sphere, capsule: radius, half height; grids: a cell [m];
                                     // w: COLLIDER_*, as a float
     vec4 friction;                  // static, kinetic
@@ -102,7 +102,7 @@ struct GpuCollider {
 };
 
 // What never changes about an emitter.
-struct GpuEmitter {
+struct Emitter {
     vec4 velocity;                  // of what leaves it [m/s]; w: fluid nearer than this is in the way [m]
     uvec4 clock;                    // layers that are past at startStep and a step, both 64 bits of 2^-32, low first
     uint startStep;                 // layers leave at the end of this step at the earliest
@@ -128,7 +128,7 @@ struct EmitterState {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ParticleRigidBodyLink) == 32 && sizeof(GpuCollider) == 64);
+static_assert(sizeof(ParticleRigidBodyLink) == 32 && sizeof(Collider) == 64);
 }  // namespace knuckle::gpu
 #endif
 #endif

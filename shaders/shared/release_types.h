@@ -9,7 +9,7 @@ namespace knuckle::gpu {
 #endif
 
 // What lets go of bodies when something happens to one of them.
-struct GpuRelease {
+struct Release {
     uint firstEntry;                // of those that it lets go, in releaseEntries
     uint entryEnd;
     uint firstBody;                 // of their object, whose bodies do nothing to each other

@@ -65,7 +65,7 @@ struct StepParameters {
     float correction;               // fraction of a penetration that one substep takes back
     float maxCorrection;            // of a penetration per substep, with speed [m]
     float warmStart;                // fraction of a normal impulse that an iteration keeps
-    float calming;                  // fraction of what differs from its mean that an iteration takes from it
+    float impulseDamping;                  // fraction of what differs from its mean that an iteration takes from it
     float meanRate;                 // fraction of the way to the impulse that its mean goes in an iteration
     float restitutionThreshold;     // what meets more slowly does not bounce [m/s]
     // Joints.

@@ -11,7 +11,7 @@ inline constexpr const char* DRIVER_THREADS_VARIABLE = "LP_NUM_THREADS";
 
 /// What a run asks of a software driver, say for one frame.
 struct Workload {
-    double dispatches = 0.0;    ///< Passes, each of which wakes the driver's threads and waits for them.
+    double dispatches = 0.0;    ///< Filters, each of which wakes the driver's threads and waits for them.
     double milliseconds = 0.0;  ///< What they compute, on one thread.
 
     Workload operator+(const Workload& other) const

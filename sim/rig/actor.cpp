@@ -72,7 +72,8 @@ bool neverTouch(const Actor& actor, uint32_t body, uint32_t other)
                ((joint.child == body && parent == other) || (joint.child == other && parent == body));
     };
     const std::array pair{std::min(body, other), std::max(body, other)};
-    return std::ranges::any_of(actor.joints, limited) || std::ranges::find(actor.passes, pair) != actor.passes.end();
+    return std::ranges::any_of(actor.joints, limited) ||
+           std::ranges::find(actor.filtered, pair) != actor.filtered.end();
 }
 
 void numberAsAdded(Actor& actor)
@@ -125,9 +126,9 @@ uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, 
         draft.joint.strength = joint.strength;
         setLimits(draft, joint.limits, joint.axis.normalized());
         builder.describeJoint(std::move(draft));
-        if (joint.limits.any()) builder.passThrough(bodies[joint.child], bodies[parentBody(actor, joint.child)]);
+        if (joint.limits.any()) builder.filterPair(bodies[joint.child], bodies[parentBody(actor, joint.child)]);
     }
-    for (const auto& [body, other] : actor.passes) builder.passThrough(bodies[body], bodies[other]);
+    for (const auto& [body, other] : actor.filtered) builder.filterPair(bodies[body], bodies[other]);
     builder.setSelfMargin(SELF_MARGIN);
     for (uint32_t b = 0; b < bodies.size(); ++b)
         if (actor.bodies[b].isCross) builder.markCross(bodies[b]);

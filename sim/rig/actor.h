@@ -42,7 +42,7 @@ struct Actor {
     std::vector<ActorBody> bodies;
     std::vector<ActorJoint> joints;
     /// Pairs of bodies that never touch, beside those that a joint with limits connects.
-    std::vector<std::array<uint32_t, 2>> passes = {};
+    std::vector<std::array<uint32_t, 2>> filtered = {};
     ModelSource model = {};          ///< What it was made from.
     std::vector<std::string> notes;  ///< What was merged, dropped or assumed, one sentence each.
 };
@@ -59,7 +59,7 @@ SurfaceDistance surfaceOf(const Actor& actor, uint32_t particle);
 
 /// Whether two particles are so near each other at rest that they never touch.
 bool touchAtRest(const Actor& actor, uint32_t particle, uint32_t other);
-/// Whether two bodies never touch: Actor::passes, or limits at a joint between them.
+/// Whether two bodies never touch: Actor::filtered, or limits at a joint between them.
 bool neverTouch(const Actor& actor, uint32_t body, uint32_t other);
 
 /// Adds the actor as one object, placed at `pose`. @returns the object's index.

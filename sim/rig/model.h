@@ -71,10 +71,15 @@ struct Model {
     std::vector<std::string> notes;  ///< What import repaired or assumed, one sentence each.
 };
 
-/// The bone's head in the rest pose [m].
+/// Where a bone's head is in a pose of it [m].
+inline Eigen::Vector3f headIn(const Eigen::Matrix4f& pose)
+{
+    return pose.topRightCorner<3, 1>();
+}
+/// The same in the rest pose.
 inline Eigen::Vector3f boneHead(const Model& model, uint32_t bone)
 {
-    return model.bones[bone].restPose.topRightCorner<3, 1>();
+    return headIn(model.bones[bone].restPose);
 }
 
 }  // namespace knuckle

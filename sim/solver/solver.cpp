@@ -179,7 +179,7 @@ Measures Solver::measure()
     Measures measures = measureState(impl_->world, readColliders(), particles, readBodies());
     const Stages& s = impl_->stages;
     measures.fluidCount = s.parameters.fluidCount;
-    if (s.distances) s.distances->measure(measures, impl_->world, particles);
+    if (s.strands) s.strands->measure(measures, impl_->world, particles);
     if (s.fluids) measureFluids(measures, s.fluids->densities());
     if (s.emitters) s.emitters->measure(measures);
     if (s.drives) s.drives->measure(measures);

@@ -42,7 +42,7 @@ gpu::StepParameters commonParameters(const World& world, const Layout& layout)
 
 bool actsOnParticles(const World& world)
 {
-    return FluidStage::isNeeded(world) || DistanceStage::isNeeded(world) || SoftStage::isNeeded(world);
+    return FluidStage::isNeeded(world) || StrandStage::isNeeded(world) || SoftStage::isNeeded(world);
 }
 
 bool isByTouch(const Release& release)
@@ -50,9 +50,9 @@ bool isByTouch(const Release& release)
     return release.cause == ReleaseCause::Touch;
 }
 
-bool passesAny(const Body& body)
+bool filtersAny(const Body& body)
 {
-    return !body.passes.empty();
+    return !body.filtered.empty();
 }
 
 /// Of all kinds of constraints that act on bodies through the channel.
@@ -90,7 +90,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
     if (RestitutionStage::isNeeded(world)) restitution.emplace(setup_);
     if (SleepStage::isNeeded(world.settings)) sleep.emplace(setup_);
     if (SoftStage::isNeeded(world)) soft.emplace(setup_);
-    if (DistanceStage::isNeeded(world)) distances.emplace(setup_);
+    if (StrandStage::isNeeded(world)) strands.emplace(setup_);
     if (FluidStage::isNeeded(world)) fluids.emplace(setup_);
     if (FluidWatchStage::isNeeded(world)) fluidWatch.emplace();
     if (EmitterStage::isNeeded(world)) emitters.emplace(setup_);
@@ -122,7 +122,7 @@ std::vector<Stage*> Stages::all()
     add(restitution);
     add(sleep);
     add(soft);
-    add(distances);
+    add(strands);
     add(fluids);
     add(fluidWatch);
     add(emitters);
@@ -155,7 +155,7 @@ Defines Stages::worldDefines() const
                       {"GRIDS", layout.hasGrids},
                       {"MOVING", !world_.colliderMotions.empty()},
                       {"RELEASES", releases.has_value()},
-                      {"PASSES", std::ranges::any_of(world_.bodies, passesAny)},
+                      {"FILTERS", std::ranges::any_of(world_.bodies, filtersAny)},
                       {"GRID_HASH", s.grid == GridKind::Hash}});
 }
 

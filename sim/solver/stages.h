@@ -18,11 +18,11 @@
 #include "sim/solver/particle/particle_stage.h"
 #include "sim/solver/release/release_stage.h"
 #include "sim/solver/restitution/restitution_stage.h"
-#include "sim/solver/rope/distance_stage.h"
 #include "sim/solver/search/search_stage.h"
 #include "sim/solver/sleep/sleep_stage.h"
 #include "sim/solver/soft/soft_stage.h"
 #include "sim/solver/stages_state.h"
+#include "sim/solver/strand/strand_stage.h"
 
 namespace knuckle {
 
@@ -84,7 +84,7 @@ public:
     std::optional<RestitutionStage> restitution;
     std::optional<SleepStage> sleep;
     std::optional<SoftStage> soft;
-    std::optional<DistanceStage> distances;
+    std::optional<StrandStage> strands;
     std::optional<FluidStage> fluids;
     std::optional<FluidWatchStage> fluidWatch;
     std::optional<EmitterStage> emitters;

@@ -16,7 +16,7 @@
 //     fast ones: contact_find_far) and for colliders (collider_*); a prefix sum says where each list begins (scan_*,
 //     list_start, pair_list), and each contact learns what it is made of (contact_prepare, collider_prepare);
 //   moves fluids by their pressures (fluid_*), once;
-//   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, distance_solve moves ropes
+//   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, strand_solve moves ropes
 //     and cloth, colour by colour; contact_solve and collider_solve work out impulses, each contact by itself, from
 //     where the movers are, and drive_* the pull of springs towards clips; impulse_sum adds them up for each
 //     body, and body_solve matches it (eqs. 8-9, 11-17) to where they bring its particles, as loose_solve does for
@@ -67,7 +67,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     s.joints.solve(recorder, true);
     for (uint32_t i = 0; i < settings.iterations; ++i) {
         if (s.soft) s.soft->solve(recorder, i, settings.iterations);
-        if (s.distances) s.distances->solve(recorder, i == 0);
+        if (s.strands) s.strands->solve(recorder, i == 0);
         s.contacts.solve(recorder);
         if (s.drives) s.drives->pull(recorder);
         s.bodies.solve(recorder);

@@ -150,9 +150,9 @@ void validateLinks(const World& world)
     }
     require(next == world.links.size(), "there are links of no body");
     for (uint32_t b = 0; b < world.bodies.size(); ++b)
-        for (const uint32_t other : world.bodies[b].passes)
+        for (const uint32_t other : world.bodies[b].filtered)
             require(other < world.bodies.size() && world.bodies[b].object < world.objects.size() &&
-                        world.objects[world.bodies[b].object].has(other) && passes(world, other, b),
+                        world.objects[world.bodies[b].object].has(other) && areFiltered(world, other, b),
                     "body \"{}\" passes through one that is not of its object, or does not say so of it",
                     world.bodies[b].name);
     for (size_t i = 0; i < bodiesOf.size(); ++i)

@@ -110,7 +110,7 @@ struct Body {
     bool isCross = false;        ///< The flat middle body of a universal joint.
     /// Bodies of its object that it never touches, and that say the same of it: what it hangs on where limits hold it,
     /// and what it overlaps in most of a clip.
-    std::vector<uint32_t> passes;
+    std::vector<uint32_t> filtered;
     float mass = 0.0f;                 ///< Sum of its particles' shares of mass [kg].
     Vector3f restCentre{0, 0, 0};      ///< Mass centre in the object's rest pose [m].
     Vector3f position{0, 0, 0};        ///< Where restCentre starts [m].
@@ -202,10 +202,10 @@ inline const Object& objectOf(const World& world, const Puppet& puppet)
     return objectOf(world, world.animations[puppet.animation]);
 }
 
-/// Whether two bodies never touch (Body::passes).
-inline bool passes(const World& world, uint32_t body, uint32_t other)
+/// Whether two bodies never touch (Body::filtered).
+inline bool areFiltered(const World& world, uint32_t body, uint32_t other)
 {
-    return std::ranges::find(world.bodies[body].passes, other) != world.bodies[body].passes.end();
+    return std::ranges::find(world.bodies[body].filtered, other) != world.bodies[body].filtered.end();
 }
 
 /// Whether something lets go of a body that is held or animated, or may.

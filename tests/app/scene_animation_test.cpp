@@ -92,7 +92,7 @@ TEST(SceneAnimation, LimitsTakeInTheRestPoseAndEveryPoseOfAClip)
 TEST(SceneAnimation, LimitsCanBeLeftOutAndAreWhereAFigureIsHeldTwice)
 {
     for (const Joint& joint : worldOf(figure(R"(, "limits": false)")).joints) EXPECT_FALSE(joint.limits.any());
-    for (const Body& body : worldOf(figure(R"(, "limits": false)")).bodies) EXPECT_TRUE(body.passes.empty());
+    for (const Body& body : worldOf(figure(R"(, "limits": false)")).bodies) EXPECT_TRUE(body.filtered.empty());
     for (const Joint& joint : worldOf(figure(R"(, "hold": ["hand.L", "hand.R"])")).joints)
         EXPECT_EQ(joint.limits.any(), joint.name != "hand.R") << joint.name;
     for (const Joint& joint : worldOf(figure(""), R"("solver": "paper", )").joints) EXPECT_FALSE(joint.limits.any());

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/commands/table2_world.h"
+#include "app/bench/table2_world.h"
 #include "sim/solver/solver.h"
 #include "tests/solver/determinism_worlds.h"
 #include "tests/solver/solver_test.h"

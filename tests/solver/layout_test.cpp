@@ -83,7 +83,7 @@ const std::vector<Member> STEP_PARAMETERS = {MEMBER(StepParameters, gravity),
                                              MEMBER(StepParameters, substepTime),
                                              MEMBER(StepParameters, correction),
                                              MEMBER(StepParameters, warmStart),
-                                             MEMBER(StepParameters, calming),
+                                             MEMBER(StepParameters, impulseDamping),
                                              MEMBER(StepParameters, meanRate),
                                              MEMBER(StepParameters, virtualParticles),
                                              MEMBER(StepParameters, freeze),
@@ -131,22 +131,19 @@ const std::vector<Member> STEP_PARAMETERS = {MEMBER(StepParameters, gravity),
                                              MEMBER(StepParameters, fluidFilled),
                                              MEMBER(StepParameters, poolCapacity),
                                              MEMBER(StepParameters, drainCount)};
-const std::vector<Member> COUNTERS = {MEMBER(Counters, problems),       MEMBER(Counters, wantedCandidates),
-                                      MEMBER(Counters, candidateCount), MEMBER(Counters, badParticle),
-                                      MEMBER(Counters, substep),        MEMBER(Counters, due),
-                                      MEMBER(Counters, listParity),     MEMBER(Counters, searchCount),
-                                      MEMBER(Counters, pairCount),      MEMBER(Counters, colliderPairCount),
-                                      MEMBER(Counters, wantedPairs),    MEMBER(Counters, wantedColliderPairs),
-                                      MEMBER(Counters, fastCount),      MEMBER(Counters, fastListed),
-                                      MEMBER(Counters, fastLater),      MEMBER(Counters, heard),
-                                      MEMBER(Counters, calm),           MEMBER(Counters, wantedNeighbours)};
-const std::vector<Member> COLLIDER = {MEMBER(GpuCollider, size), MEMBER(GpuCollider, friction),
-                                      MEMBER(GpuCollider, gridLow), MEMBER(GpuCollider, grid)};
-const std::vector<Member> EMITTER = {MEMBER(GpuEmitter, velocity),    MEMBER(GpuEmitter, clock),
-                                     MEMBER(GpuEmitter, startStep),   MEMBER(GpuEmitter, layerLimit),
-                                     MEMBER(GpuEmitter, firstPoint),  MEMBER(GpuEmitter, pointCount),
-                                     MEMBER(GpuEmitter, poolStart),   MEMBER(GpuEmitter, poolCount),
-                                     MEMBER(GpuEmitter, takesOldest), MEMBER(GpuEmitter, interval)};
+const std::vector<Member> COUNTERS = {
+    MEMBER(Counters, problems),          MEMBER(Counters, wantedCandidates), MEMBER(Counters, candidateCount),
+    MEMBER(Counters, badParticle),       MEMBER(Counters, substep),          MEMBER(Counters, due),
+    MEMBER(Counters, listParity),        MEMBER(Counters, searchCount),      MEMBER(Counters, pairCount),
+    MEMBER(Counters, colliderPairCount), MEMBER(Counters, wantedPairs),      MEMBER(Counters, wantedColliderPairs),
+    MEMBER(Counters, fastCount),         MEMBER(Counters, fastListed),       MEMBER(Counters, fastLater),
+    MEMBER(Counters, freeMoved),         MEMBER(Counters, farSighted),       MEMBER(Counters, wantedNeighbours)};
+const std::vector<Member> COLLIDER = {MEMBER(Collider, size), MEMBER(Collider, friction), MEMBER(Collider, gridLow),
+                                      MEMBER(Collider, grid)};
+const std::vector<Member> EMITTER = {
+    MEMBER(Emitter, velocity),    MEMBER(Emitter, clock),      MEMBER(Emitter, startStep), MEMBER(Emitter, layerLimit),
+    MEMBER(Emitter, firstPoint),  MEMBER(Emitter, pointCount), MEMBER(Emitter, poolStart), MEMBER(Emitter, poolCount),
+    MEMBER(Emitter, takesOldest), MEMBER(Emitter, interval)};
 const std::vector<Member> EMITTER_STATE = {MEMBER(EmitterState, taken),          MEMBER(EmitterState, retired),
                                            MEMBER(EmitterState, inactive),       MEMBER(EmitterState, age),
                                            MEMBER(EmitterState, firstCandidate), MEMBER(EmitterState, unused0),
@@ -157,44 +154,42 @@ const std::vector<Member> ANIMATED_BODY = {MEMBER(AnimatedBody, mover),     MEMB
 const std::vector<Member> MOVING_COLLIDER = {MEMBER(MovingCollider, collider), MEMBER(MovingCollider, animation),
                                              MEMBER(MovingCollider, reach),    MEMBER(MovingCollider, unused0),
                                              MEMBER(MovingCollider, position), MEMBER(MovingCollider, orientation)};
-const std::vector<Member> ANIMATION = {MEMBER(GpuAnimation, position),  MEMBER(GpuAnimation, rotation),
-                                       MEMBER(GpuAnimation, firstPlay), MEMBER(GpuAnimation, playCount),
-                                       MEMBER(GpuAnimation, puppet),    MEMBER(GpuAnimation, unused1)};
+const std::vector<Member> ANIMATION = {MEMBER(Animation, position),  MEMBER(Animation, rotation),
+                                       MEMBER(Animation, firstPlay), MEMBER(Animation, playCount),
+                                       MEMBER(Animation, puppet),    MEMBER(Animation, unused1)};
 const std::vector<Member> CLIP_PLAY = {
-    MEMBER(GpuClipPlay, firstTurn), MEMBER(GpuClipPlay, firstRoot), MEMBER(GpuClipPlay, keyCount),
-    MEMBER(GpuClipPlay, bodyCount), MEMBER(GpuClipPlay, at),        MEMBER(GpuClipPlay, firstKey),
-    MEMBER(GpuClipPlay, keyRate),   MEMBER(GpuClipPlay, fade),      MEMBER(GpuClipPlay, loop),
-    MEMBER(GpuClipPlay, inPlace),   MEMBER(GpuClipPlay, yaw),       MEMBER(GpuClipPlay, roundYaw),
-    MEMBER(GpuClipPlay, shift),     MEMBER(GpuClipPlay, roundShift)};
+    MEMBER(ClipPlay, firstTurn), MEMBER(ClipPlay, firstRoot), MEMBER(ClipPlay, keyCount), MEMBER(ClipPlay, bodyCount),
+    MEMBER(ClipPlay, at),        MEMBER(ClipPlay, firstKey),  MEMBER(ClipPlay, keyRate),  MEMBER(ClipPlay, fade),
+    MEMBER(ClipPlay, loop),      MEMBER(ClipPlay, inPlace),   MEMBER(ClipPlay, yaw),      MEMBER(ClipPlay, roundYaw),
+    MEMBER(ClipPlay, shift),     MEMBER(ClipPlay, roundShift)};
 const std::vector<Member> PUPPET = {
-    MEMBER(GpuPuppet, firstBody),    MEMBER(GpuPuppet, bodyCount),     MEMBER(GpuPuppet, firstKey),
-    MEMBER(GpuPuppet, keyCount),     MEMBER(GpuPuppet, isHeld),        MEMBER(GpuPuppet, mass),
-    MEMBER(GpuPuppet, hitImpulse),   MEMBER(GpuPuppet, hitFalloff),    MEMBER(GpuPuppet, hitHold),
-    MEMBER(GpuPuppet, hitRecover),   MEMBER(GpuPuppet, knockDistance), MEMBER(GpuPuppet, knockTime),
-    MEMBER(GpuPuppet, catchSubstep), MEMBER(GpuPuppet, catchHere),     MEMBER(GpuPuppet, catchOtherwise),
-    MEMBER(GpuPuppet, catchBlend),   MEMBER(GpuPuppet, catchNear),     MEMBER(GpuPuppet, catchWithin),
-    MEMBER(GpuPuppet, unused1),      MEMBER(GpuPuppet, unused2)};
-const std::vector<Member> JOINT_DRIVE = {MEMBER(GpuJointDrive, axis),           MEMBER(GpuJointDrive, stiffness),
-                                         MEMBER(GpuJointDrive, damping),        MEMBER(GpuJointDrive, isGiven),
-                                         MEMBER(GpuJointDrive, greatestTorque), MEMBER(GpuJointDrive, body),
-                                         MEMBER(GpuJointDrive, joint),          MEMBER(GpuJointDrive, row),
-                                         MEMBER(GpuJointDrive, parentRow),      MEMBER(GpuJointDrive, puppet),
-                                         MEMBER(GpuJointDrive, unused1),        MEMBER(GpuJointDrive, unused2),
-                                         MEMBER(GpuJointDrive, unused3)};
+    MEMBER(Puppet, firstBody),    MEMBER(Puppet, bodyCount),     MEMBER(Puppet, firstKey),
+    MEMBER(Puppet, keyCount),     MEMBER(Puppet, isHeld),        MEMBER(Puppet, mass),
+    MEMBER(Puppet, hitImpulse),   MEMBER(Puppet, hitFalloff),    MEMBER(Puppet, hitHold),
+    MEMBER(Puppet, hitRecover),   MEMBER(Puppet, knockDistance), MEMBER(Puppet, knockTime),
+    MEMBER(Puppet, catchSubstep), MEMBER(Puppet, catchHere),     MEMBER(Puppet, catchOtherwise),
+    MEMBER(Puppet, catchBlend),   MEMBER(Puppet, catchNear),     MEMBER(Puppet, catchWithin),
+    MEMBER(Puppet, unused1),      MEMBER(Puppet, unused2)};
+const std::vector<Member> JOINT_DRIVE = {MEMBER(JointDrive, axis),           MEMBER(JointDrive, stiffness),
+                                         MEMBER(JointDrive, damping),        MEMBER(JointDrive, isGiven),
+                                         MEMBER(JointDrive, greatestTorque), MEMBER(JointDrive, body),
+                                         MEMBER(JointDrive, joint),          MEMBER(JointDrive, row),
+                                         MEMBER(JointDrive, parentRow),      MEMBER(JointDrive, puppet),
+                                         MEMBER(JointDrive, unused1),        MEMBER(JointDrive, unused2),
+                                         MEMBER(JointDrive, unused3)};
 const std::vector<Member> PIN = {
-    MEMBER(GpuPin, stiffness), MEMBER(GpuPin, damping), MEMBER(GpuPin, greatestForce), MEMBER(GpuPin, greatestTorque),
-    MEMBER(GpuPin, body),      MEMBER(GpuPin, joint),   MEMBER(GpuPin, row),           MEMBER(GpuPin, unused1)};
+    MEMBER(Pin, stiffness), MEMBER(Pin, damping), MEMBER(Pin, greatestForce), MEMBER(Pin, greatestTorque),
+    MEMBER(Pin, body),      MEMBER(Pin, joint),   MEMBER(Pin, row),           MEMBER(Pin, unused1)};
 const std::vector<Member> RELEASE = {
-    MEMBER(GpuRelease, firstEntry), MEMBER(GpuRelease, entryEnd),      MEMBER(GpuRelease, firstBody),
-    MEMBER(GpuRelease, bodyEnd),    MEMBER(GpuRelease, firstParticle), MEMBER(GpuRelease, particleEnd),
-    MEMBER(GpuRelease, impulse),    MEMBER(GpuRelease, region),        MEMBER(GpuRelease, firstLimp),
-    MEMBER(GpuRelease, limpEnd),    MEMBER(GpuRelease, unused1),       MEMBER(GpuRelease, unused2)};
-const std::vector<Member> BODY_INFO = {MEMBER(BodyInfo, linkStart), MEMBER(BodyInfo, linkCount),
-                                       MEMBER(BodyInfo, ownCount), MEMBER(BodyInfo, jointCount)};
-const std::vector<Member> MOVER_INFO = {MEMBER(MoverInfo, firstRank), MEMBER(MoverInfo, rankCount),
-                                        MEMBER(MoverInfo, assembly), MEMBER(MoverInfo, inverseMass)};
-const std::vector<Member> PARTICLE_INFO = {MEMBER(ParticleInfo, body), MEMBER(ParticleInfo, bodyCount),
-                                           MEMBER(ParticleInfo, assembly), MEMBER(ParticleInfo, material)};
+    MEMBER(Release, firstEntry),    MEMBER(Release, entryEnd),    MEMBER(Release, firstBody), MEMBER(Release, bodyEnd),
+    MEMBER(Release, firstParticle), MEMBER(Release, particleEnd), MEMBER(Release, impulse),   MEMBER(Release, region),
+    MEMBER(Release, firstLimp),     MEMBER(Release, limpEnd),     MEMBER(Release, unused1),   MEMBER(Release, unused2)};
+const std::vector<Member> BODY_INFO = {MEMBER(Body, linkStart), MEMBER(Body, linkCount), MEMBER(Body, ownCount),
+                                       MEMBER(Body, jointCount)};
+const std::vector<Member> MOVER_INFO = {MEMBER(Mover, firstRank), MEMBER(Mover, rankCount), MEMBER(Mover, assembly),
+                                        MEMBER(Mover, inverseMass)};
+const std::vector<Member> PARTICLE_INFO = {MEMBER(Particle, body), MEMBER(Particle, bodyCount),
+                                           MEMBER(Particle, assembly), MEMBER(Particle, material)};
 const std::vector<Member> LINK = {
     MEMBER(ParticleRigidBodyLink, particleIndex),           MEMBER(ParticleRigidBodyLink, rbIndex),
     MEMBER(ParticleRigidBodyLink, posInRigidBodyX),         MEMBER(ParticleRigidBodyLink, posInRigidBodyY),
@@ -226,7 +221,7 @@ TEST(Layout, EmittersAreTheHostsStructs)
     builder.addDrain(Collider{});
     KernelFixture fixture(builder.build());
     const Kernel kernel = fixture.load("emitter/emitter_update", {{"POOL", "1"}});
-    expectArray(kernel, "Emitters", "emitters", sizeof(gpu::GpuEmitter), EMITTER);
+    expectArray(kernel, "Emitters", "emitters", sizeof(gpu::Emitter), EMITTER);
     expectArray(kernel, "EmitterStates", "newStates", sizeof(gpu::EmitterState), EMITTER_STATE);
 }
 
@@ -242,19 +237,18 @@ TEST(Layout, AnimationsAndReleasesAreTheHostsStructs)
     KernelFixture fixture(animatedWorld());
     const Kernel kernel = fixture.load("animation/animate");
     expectArray(kernel, "AnimatedBodies", "animatedBodies", sizeof(gpu::AnimatedBody), ANIMATED_BODY);
-    expectArray(kernel, "Animations", "animations", sizeof(gpu::GpuAnimation), ANIMATION);
-    expectArray(kernel, "ClipPlays", "clipPlays", sizeof(gpu::GpuClipPlay), CLIP_PLAY);
+    expectArray(kernel, "Animations", "animations", sizeof(gpu::Animation), ANIMATION);
+    expectArray(kernel, "ClipPlays", "clipPlays", sizeof(gpu::ClipPlay), CLIP_PLAY);
     const Kernel region = fixture.load("release/release_region");
-    expectArray(region, "Releases", "releases", sizeof(gpu::GpuRelease), RELEASE);
+    expectArray(region, "Releases", "releases", sizeof(gpu::Release), RELEASE);
 }
 
 TEST(Layout, DrivesAreTheHostsStructs)
 {
     KernelFixture fixture(drivenWorld());
-    expectArray(fixture.load("drive/drive_strength"), "Puppets", "puppets", sizeof(gpu::GpuPuppet), PUPPET);
-    expectArray(fixture.load("drive/drive_joint"), "JointDrives", "jointDrives", sizeof(gpu::GpuJointDrive),
-                JOINT_DRIVE);
-    expectArray(fixture.load("drive/drive_pin"), "Pins", "pins", sizeof(gpu::GpuPin), PIN);
+    expectArray(fixture.load("drive/drive_strength"), "Puppets", "puppets", sizeof(gpu::Puppet), PUPPET);
+    expectArray(fixture.load("drive/drive_joint"), "JointDrives", "jointDrives", sizeof(gpu::JointDrive), JOINT_DRIVE);
+    expectArray(fixture.load("drive/drive_pin"), "Pins", "pins", sizeof(gpu::Pin), PIN);
 }
 
 TEST(Layout, StructsThatKernelsReadAsTexelsAreTheHostsStructs)
@@ -264,10 +258,10 @@ TEST(Layout, StructsThatKernelsReadAsTexelsAreTheHostsStructs)
     shaderFolder().write("sim/test_layout.comp", R"(#include "sim/common/kernel.glsl"
 layout(local_size_x = 1) in;
 BUFFER(ParticleRigidBodyLink, Links, links);
-BUFFER(ParticleInfo, ParticleInfos, infos);
-BUFFER(BodyInfo, BodyInfos, bodies);
-BUFFER(MoverInfo, MoverInfos, movers);
-BUFFER(GpuCollider, ColliderStructs, colliders);
+BUFFER(Particle, ParticleInfos, infos);
+BUFFER(Body, BodyInfos, bodies);
+BUFFER(Mover, MoverInfos, movers);
+BUFFER(Collider, ColliderStructs, colliders);
 void main()
 {
     links[0].mass = float(infos[0].material + bodies[0].jointCount + movers[0].rankCount + sim.particleCount);
@@ -286,10 +280,10 @@ void main()
               elementType<decltype(fixture.stages.colliders.colliders)::Element>(), Lifetime::Constant);
     const Kernel kernel(gpu(), table, "sim/test_layout.comp");
     expectArray(kernel, "Links", "links", sizeof(gpu::ParticleRigidBodyLink), LINK);
-    expectArray(kernel, "ParticleInfos", "infos", sizeof(gpu::ParticleInfo), PARTICLE_INFO);
-    expectArray(kernel, "BodyInfos", "bodies", sizeof(gpu::BodyInfo), BODY_INFO);
-    expectArray(kernel, "MoverInfos", "movers", sizeof(gpu::MoverInfo), MOVER_INFO);
-    expectArray(kernel, "ColliderStructs", "colliders", sizeof(gpu::GpuCollider), COLLIDER);
+    expectArray(kernel, "ParticleInfos", "infos", sizeof(gpu::Particle), PARTICLE_INFO);
+    expectArray(kernel, "BodyInfos", "bodies", sizeof(gpu::Body), BODY_INFO);
+    expectArray(kernel, "MoverInfos", "movers", sizeof(gpu::Mover), MOVER_INFO);
+    expectArray(kernel, "ColliderStructs", "colliders", sizeof(gpu::Collider), COLLIDER);
 }
 
 }  // namespace knuckle::test

@@ -3,7 +3,7 @@
 #include <map>
 #include <random>
 
-#include "app/commands/table2_world.h"
+#include "app/bench/table2_world.h"
 #include "sim/solver/step.h"
 #include "tests/solver/determinism_worlds.h"
 #include "tests/solver/solver_test.h"

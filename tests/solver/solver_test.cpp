@@ -144,8 +144,8 @@ void KernelFixture::findPairs(GridKind grid)
 {
     Defines defines = gridDefines(grid);
     fillGrid(defines);
-    if (std::ranges::any_of(world.bodies, [](const Body& body) { return !body.passes.empty(); }))
-        defines.push_back({"PASSES", "1"});
+    if (std::ranges::any_of(world.bodies, [](const Body& body) { return !body.filtered.empty(); }))
+        defines.push_back({"FILTERS", "1"});
     forParticles("search/contact_find", defines);
     run("search/contact_find_far", counters().fastListed, defines);
 }

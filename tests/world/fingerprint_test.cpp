@@ -97,7 +97,7 @@ const std::vector<Field>& fields()
                                          FIELD(bodies[0].round.radius),
                                          FIELD(bodies[0].round.halfHeight),
                                          FIELD(bodies[0].isCross),
-                                         FIELD(bodies[0].passes),
+                                         FIELD(bodies[0].filtered),
                                          FIELD(bodies[0].mass),
                                          FIELD(bodies[0].restCentre.x()),
                                          FIELD(bodies[0].position.x()),

@@ -5,7 +5,7 @@
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
 layout(std430) readonly buffer SkinWearers { SkinWearer wearers[]; };
-layout(std430) readonly buffer SkinLods { GpuSkinLod lods[]; };
+layout(std430) readonly buffer SkinLods { SkinLod lods[]; };
 layout(std430) writeonly buffer SkinDraws { DrawElementsArguments draws[]; };   // the camera's, then the light's
 layout(std430) writeonly buffer SkinPlaceCounts { uint placeCounts[]; };
 uniform samplerBuffer skinCentres;          // of each body, its mass centre at rest; w: how far its skin reaches
@@ -39,7 +39,7 @@ uint coarsestWithin(SkinWearer wearer, float error)
     return wearer.firstLod + chosen;
 }
 
-DrawElementsArguments drawOf(SkinWearer wearer, GpuSkinLod lod)
+DrawElementsArguments drawOf(SkinWearer wearer, SkinLod lod)
 {
     return DrawElementsArguments(lod.indexCount, 1u, lod.firstIndex, wearer.firstPlace, 0u);
 }
@@ -52,8 +52,8 @@ void main()
     float depth = nearestInSight(wearer);
     float pixel = 2.0 * frame.tanHalfFov * max(depth, 0.0) * float(frame.resolveFactor) / float(frame.height);
     float texel = 2.0 * view.lightCentre.w / frame.shadowSize;
-    GpuSkinLod seen = lods[coarsestWithin(wearer, frame.keyColor.w * pixel)];
-    GpuSkinLod shading = lods[coarsestWithin(wearer, SKIN_TEXELS_A_PIXEL * frame.keyColor.w * texel)];
+    SkinLod seen = lods[coarsestWithin(wearer, frame.keyColor.w * pixel)];
+    SkinLod shading = lods[coarsestWithin(wearer, SKIN_TEXELS_A_PIXEL * frame.keyColor.w * texel)];
     if (depth < 0.0) seen.indexCount = seen.vertexCount = 0u;
     draws[index] = drawOf(wearer, seen);
     draws[count + index] = drawOf(wearer, shading);

@@ -8,13 +8,13 @@ layout(local_size_x = RENDER_GROUP_SIZE) in;
 layout(std430) readonly buffer SkinWearers { SkinWearer wearers[]; };
 layout(std430) readonly buffer SkinPlaceCounts { uint placeCounts[]; };
 layout(std430) readonly buffer SkinGroups { uvec4 groups[]; };      // as skin.vert has them
-layout(std430) readonly buffer SkinVertices { GpuSkinVertex vertices[]; };
+layout(std430) readonly buffer SkinVertices { SkinVertex vertices[]; };
 layout(std430) writeonly buffer SkinPlaces { uvec4 places[]; };     // place [m] and normal
 uniform samplerBuffer skinCentres;          // of each body, its mass centre at rest
 uniform samplerBuffer bodyCentres;
 uniform samplerBuffer bodyRotations;
 
-uvec4 posed(GpuSkinVertex vertex, uint firstBody)
+uvec4 posed(SkinVertex vertex, uint firstBody)
 {
     vec3 rest = vec3(vertex.placeX, vertex.placeY, vertex.placeZ);
     vec3 restNormal = vec3(unpackSnorm2x16(vertex.normalXY), unpackSnorm2x16(vertex.normalZWeight3).x);

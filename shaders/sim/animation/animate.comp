@@ -8,8 +8,8 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
-READ_BUFFER(GpuAnimation, Animations, animations);
-READ_BUFFER(GpuClipPlay, ClipPlays, clipPlays);
+READ_BUFFER(Animation, Animations, animations);
+READ_BUFFER(ClipPlay, ClipPlays, clipPlays);
 #include "sim/animation/clip_mix.glsl"
 READ_BUFFER(Counters, CountersBlock, counters);
 BUFFER(vec4, MoverMoves, moverMoves);
@@ -30,7 +30,7 @@ void main()
 #ifndef PUPPETS
     if (!animated) return;
 #endif
-    GpuAnimation animation = animations[body.animation];
+    Animation animation = animations[body.animation];
     Mix mixed = mixAt(animation, double(counters[0].substep + 1u) * double(sim.substepTime));
 #ifdef PUPPETS
     PuppetState puppet = PuppetState(PUPPET_FIRST, 0u, 0u, vec3(0), 0.0);

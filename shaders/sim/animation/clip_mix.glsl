@@ -1,21 +1,21 @@
 // What an animation says at a moment: one clip, or two while the earlier one fades out. A kernel declares
-// READ_BUFFER(GpuClipPlay, ClipPlays, clipPlays).
+// READ_BUFFER(ClipPlay, ClipPlays, clipPlays).
 #include "sim/animation/clip_play.glsl"
 
 /// Two plays at a moment, and how much the later one counts.
 struct Mix {
-    GpuClipPlay before, now;
+    ClipPlay before, now;
     Moment beforeAt, nowAt;
     float part;
 };
 
-Mix mixAt(GpuAnimation animation, double time)
+Mix mixAt(Animation animation, double time)
 {
     uint now = animation.firstPlay;
     while (now + 1u < animation.firstPlay + animation.playCount && double(clipPlays[now + 1u].at) <= time) ++now;
-    GpuClipPlay play = clipPlays[now];
+    ClipPlay play = clipPlays[now];
     bool fades = now > animation.firstPlay && time < double(play.at) + double(play.fade);
-    GpuClipPlay before = clipPlays[fades ? now - 1u : now];
+    ClipPlay before = clipPlays[fades ? now - 1u : now];
     float way = fades ? float((time - double(play.at)) / double(play.fade)) : 1.0;
     return Mix(before, play, momentOf(before, time), momentOf(play, time), way * way * (3.0 - 2.0 * way));
 }
@@ -26,7 +26,7 @@ struct Placed {
     vec4 turned;
 };
 
-Placed placedIn(GpuAnimation animation, Placed p)
+Placed placedIn(Animation animation, Placed p)
 {
     return Placed(rotate(animation.rotation, p.place) + animation.position.xyz,
                   quaternionProduct(animation.rotation, p.turned));

@@ -13,7 +13,7 @@ struct Moment {
 };
 
 /// @param time since the start of the simulation [s]: in double precision, or what moves slowly would judder.
-Moment momentOf(GpuClipPlay play, double time)
+Moment momentOf(ClipPlay play, double time)
 {
     if (play.keyCount < 2u) return Moment(0u, 0.0, 0.0);
     double last = double(play.keyCount - 1u);
@@ -31,7 +31,7 @@ vec4 spline(vec4 a, vec4 b, vec4 c, vec4 d, float t)
 }
 
 /// @param first texel of the first key. @param stride from key to key.
-vec4 sampleKeys(samplerBuffer keys, GpuClipPlay play, Moment at, uint first, uint stride)
+vec4 sampleKeys(samplerBuffer keys, ClipPlay play, Moment at, uint first, uint stride)
 {
     int place = int(first + at.key * stride), step = int(stride);
     vec4 b = texelFetch(keys, place), c = play.keyCount > 1u ? texelFetch(keys, place + step) : b;
@@ -40,7 +40,7 @@ vec4 sampleKeys(samplerBuffer keys, GpuClipPlay play, Moment at, uint first, uin
     return spline(a, b, c, d, at.part);
 }
 
-vec4 sampleTurn(GpuClipPlay play, Moment at, uint turn)
+vec4 sampleTurn(ClipPlay play, Moment at, uint turn)
 {
     return normalize(sampleKeys(clipTurns, play, at, play.firstTurn + turn, play.bodyCount));
 }
@@ -51,12 +51,12 @@ vec4 aboutY(float yaw)
 }
 
 /// How far the first body has turned about y, beyond what its keys say.
-float yawOf(GpuClipPlay play, Moment at)
+float yawOf(ClipPlay play, Moment at)
 {
     return play.yaw + at.rounds * play.roundYaw;
 }
 
-vec3 pivotOf(GpuClipPlay play, Moment at)
+vec3 pivotOf(ClipPlay play, Moment at)
 {
     vec3 root = sampleKeys(clipRoots, play, at, play.firstRoot, 1u).xyz;
     if (play.inPlace == 1u) root.xz = texelFetch(clipRoots, int(play.firstRoot)).xz;

@@ -7,8 +7,8 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 READ_BUFFER(MovingCollider, MovingColliders, movingColliders);
-READ_BUFFER(GpuAnimation, Animations, animations);
-READ_BUFFER(GpuClipPlay, ClipPlays, clipPlays);
+READ_BUFFER(Animation, Animations, animations);
+READ_BUFFER(ClipPlay, ClipPlays, clipPlays);
 #include "sim/animation/clip_mix.glsl"
 BUFFER(Counters, CountersBlock, counters);
 #ifdef AHEAD
@@ -23,7 +23,7 @@ BUFFER(vec4, ColliderFounds, colliderFounds);   // two a thread: as colliderPlac
 /// Where a clip has a collider after so many substeps.
 Placed placeAfter(MovingCollider moving, uint substeps)
 {
-    GpuAnimation animation = animations[moving.animation];
+    Animation animation = animations[moving.animation];
     Mix mixed = mixAt(animation, double(substeps) * double(sim.substepTime));
     vec4 turn = turnOf(mixed, AnimatedBody(0u, NONE, 0u, 0u, vec4(0), vec4(0)));
     vec3 place = rotate(turn, moving.position.xyz) + pivotAt(mixed);

@@ -46,7 +46,7 @@ struct ContactResponse {
 };
 
 /// Sums and stores. @param others impulses over which its mass is split, too.
-ContactResponse contactResponse(uint m, MoverInfo mover, float others)
+ContactResponse contactResponse(uint m, Mover mover, float others)
 {
     Sum contacts = contactSum(mover, counters[0].listParity);
     float relaxed = relaxation(m, contacts.impulse, contacts.acting);

@@ -17,7 +17,7 @@ void main()
 {
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.bodyCount || !responds(m)) return;
-    MoverInfo mover = fetchMover(m);
+    Mover mover = fetchMover(m);
     float others = 0.0;
 #ifdef WARM_START
     // Before the first solve no joint has said with what it holds: each counts as an impulse on the body.

@@ -57,7 +57,7 @@ Motions motionsOf(uint m, Assembly assembly)
 }
 
 /// Limits its speed and stores where it is and how it moves.
-void finish(uint m, MoverInfo mover, Motions s)
+void finish(uint m, Mover mover, Motions s)
 {
     float speed = fastestOf(s.next, IS_BODY(m) ? bodyRadius(m) : 0.0);
     float slow = min(1.0, sim.maxSpeed / max(speed, 1e-20));

@@ -22,7 +22,7 @@ void main()
         rest(m);
         return;
     }
-    MoverInfo mover = fetchMover(m);
+    Mover mover = fetchMover(m);
     Motions motions = motionsOf(m, fetchAssembly(mover.assembly));
     motions.next.f *= followedPart(motions.next.f);
     finish(m, mover, motions);

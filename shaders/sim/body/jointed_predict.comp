@@ -17,7 +17,7 @@ void main()
     if (gl_GlobalInvocationID.x >= THREAD_COUNT) return;
     uint m = moverOfThread(gl_GlobalInvocationID.x);
     if (moves(m) && !responds(m)) return;   // somebody else says how it moves
-    MoverInfo mover = fetchMover(m);
+    Mover mover = fetchMover(m);
     bool second = beginOrder(m, mover.assembly);
 
     mat3 moments = fetchMoments(m);

@@ -15,7 +15,7 @@ void main()
     if (gl_GlobalInvocationID.x >= THREAD_COUNT) return;
     uint m = moverOfThread(gl_GlobalInvocationID.x);
     if (!responds(m)) return;
-    MoverInfo mover = fetchMover(m);
+    Mover mover = fetchMover(m);
     ContactResponse contacts = contactResponse(m, mover, 0.0);
     vec3 impulse = contacts.impulse.t + particleSum(mover).t;
     vec3 move = fetchField(moverPredictions, m).t + mover.inverseMass * impulse;

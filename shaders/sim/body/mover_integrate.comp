@@ -13,6 +13,6 @@ void main()
         rest(m);
         return;
     }
-    MoverInfo mover = fetchMover(m);
+    Mover mover = fetchMover(m);
     finish(m, mover, motionsOf(m, fetchAssembly(mover.assembly)));
 }

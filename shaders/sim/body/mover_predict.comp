@@ -13,7 +13,7 @@ void main()
     if (gl_GlobalInvocationID.x >= THREAD_COUNT) return;
     uint m = moverOfThread(gl_GlobalInvocationID.x);
     if (moves(m) && !responds(m)) return;   // somebody else says how it moves
-    MoverInfo mover = fetchMover(m);
+    Mover mover = fetchMover(m);
     bool second = beginOrder(m, mover.assembly);
 
     vec4 rotation = fetchRotation(m), delta = vec4(0, 0, 0, 1);

@@ -2,8 +2,8 @@
 #include "math/quaternion.glsl"
 #include "shared/force_types.h"
 
-READ_BUFFER(GpuForceField, ForceFields, forceFields);
-READ_BUFFER(GpuGustWave, GustWaves, gustWaves);
+READ_BUFFER(ForceField, ForceFields, forceFields);
+READ_BUFFER(GustWave, GustWaves, gustWaves);
 READ_BUFFER(Counters, CountersBlock, counters);
 
 /// When the substep begins [s].
@@ -12,7 +12,7 @@ float timeNow()
     return float(counters[0].substep) * sim.substepTime;
 }
 
-bool isInside(GpuForceField field, vec3 p)
+bool isInside(ForceField field, vec3 p)
 {
     if (field.kind.x == COLLIDER_PLANE) return p.y <= 0.0;
     if (field.kind.x == COLLIDER_BOX) return all(lessThanEqual(abs(p), field.size.xyz));
@@ -20,7 +20,7 @@ bool isInside(GpuForceField field, vec3 p)
     return length(p - vec3(0, clamp(p.y, -halfHeight, halfHeight), 0)) <= field.size.x;
 }
 
-float falloffAt(GpuForceField field, float distance)
+float falloffAt(ForceField field, float distance)
 {
     if (field.kind.z == FALLOFF_NONE) return 1.0;
     if (field.kind.z == FALLOFF_LINEAR) return max(1.0 - distance / field.size.w, 0.0);
@@ -29,7 +29,7 @@ float falloffAt(GpuForceField field, float distance)
 }
 
 /// What a field adds while it acts: to accelerations [m/s2], FIELD_BLOW to the air's velocity [m/s].
-vec3 fieldAt(GpuForceField field, vec3 x)
+vec3 fieldAt(ForceField field, vec3 x)
 {
     vec3 from = rotate(conjugate(field.turn), x - field.place.xyz);
     if (!isInside(field, from)) return vec3(0);
@@ -60,7 +60,7 @@ FieldSum fieldsAt(vec3 x)
     FieldSum sum = FieldSum(vec3(0), vec3(0));
     float now = timeNow();
     for (uint f = 0u; f < sim.forceFieldCount; ++f) {
-        GpuForceField field = forceFields[f];
+        ForceField field = forceFields[f];
         if (now < field.times.x || now >= field.times.y) continue;
         vec3 added = fieldAt(field, x);
         if (field.kind.y == FIELD_BLOW) sum.blown += added;
@@ -75,7 +75,7 @@ vec3 airVelocity(vec3 x)
     vec3 velocity = sim.wind.xyz;
     float now = timeNow();
     for (uint w = 0u; w < sim.gustWaveCount; ++w) {
-        GpuGustWave wave = gustWaves[w];
+        GustWave wave = gustWaves[w];
         velocity += cos(dot(wave.wave.xyz, x) + wave.amplitude.w * now + wave.wave.w) * wave.amplitude.xyz;
     }
     return velocity;

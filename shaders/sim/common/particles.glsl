@@ -6,10 +6,10 @@ uniform usamplerBuffer rankedParticles;  // by rank: the particle
 uniform samplerBuffer masses;
 uniform samplerBuffer restOffsets;
 
-ParticleInfo fetchParticle(uint i)
+Particle fetchParticle(uint i)
 {
     uvec4 t = texelFetch(particleInfo, int(i));
-    return ParticleInfo(t.x, t.y, t.z, t.w);
+    return Particle(t.x, t.y, t.z, t.w);
 }
 
 ParticleRank fetchRank(uint i)

@@ -44,7 +44,8 @@ Impulse solveContact(Contact c, Impulse impulse, inout float mean)
     if (c.sameAssembly) last = min(last, max(dot(impulse.whole, c.normal), 0.0));
     mean += (last < mean ? MEAN_FALL : 1.0) * sim.meanRate * (max(last, 0.0) - mean);
     float wave = c.sameAssembly || last <= 0.0 ? 0.0 : min(last - mean, SHOCK * mean);
-    float whole = max((c.sameAssembly ? LIMB_MEMORY : sim.warmStart) * (last - sim.calming * wave) - push, -most);
+    float kept = (c.sameAssembly ? LIMB_MEMORY : sim.warmStart) * (last - sim.impulseDamping * wave);
+    float whole = max(kept - push, -most);
     float normal = max(whole, 0.0), bound = max(whole, SUNK_GRIP * most);
     vec3 tangent = impulse.whole - (acts ? 1.0 / c.worstInverseMass : 0.0) * c.slide;
     tangent -= c.normal * dot(c.normal, tangent);

@@ -27,7 +27,7 @@ Place ownPlace(uint k)
 /// The height of a body's lowest particle [m].
 float lowestOf(uint k, Place at)
 {
-    BodyInfo body = fetchBody(animatedBodies[k].mover);
+    Body body = fetchBody(animatedBodies[k].mover);
     float lowest = 1e30;
     for (uint l = body.linkStart; l < body.linkStart + body.linkCount; ++l)
         lowest = min(lowest, at.centre.y + rotate(at.rotation, fetchLink(l).r).y);
@@ -35,7 +35,7 @@ float lowestOf(uint k, Place at)
 }
 
 /// Turns its clips to where it looks and puts them under its first body, on what it stands or lies on.
-void putHere(GpuPuppet puppet, uint root, inout PuppetState s)
+void putHere(Puppet puppet, uint root, inout PuppetState s)
 {
     Place is = ownPlace(root), clip = clipPlace(root);
     vec4 turn = quaternionProduct(is.rotation, conjugate(clip.rotation));

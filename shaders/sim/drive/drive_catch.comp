@@ -8,7 +8,7 @@
 #include "shared/animation_types.h"
 
 layout(local_size_x = GROUP_SIZE) in;
-READ_BUFFER(GpuPuppet, Puppets, puppets);
+READ_BUFFER(Puppet, Puppets, puppets);
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
 READ_BUFFER(Counters, CountersBlock, counters);
 BUFFER(uvec4, PuppetStates, puppetStates);
@@ -21,7 +21,7 @@ uniform usamplerBuffer puppetOrder;      // of animated bodies, parents before w
 uniform samplerBuffer clipBodyTurns;
 #include "sim/drive/catch_place.glsl"
 
-bool isNear(GpuPuppet puppet)
+bool isNear(Puppet puppet)
 {
     for (uint k = puppet.firstBody; k < puppet.firstBody + puppet.bodyCount; ++k)
         if (distance(ownPlace(k).centre, clipPlace(k).centre) > puppet.catchNear) return false;
@@ -29,7 +29,7 @@ bool isNear(GpuPuppet puppet)
 }
 
 /// Animated from now on; what it differs from its clip by goes away by and by.
-void take(GpuPuppet puppet)
+void take(Puppet puppet)
 {
     for (uint k = puppet.firstBody; k < puppet.firstBody + puppet.bodyCount; ++k) {
         AnimatedBody at = animatedBodies[k];
@@ -49,7 +49,7 @@ void main()
 {
     uint p = gl_GlobalInvocationID.x;
     if (p >= sim.puppetCount) return;
-    GpuPuppet puppet = puppets[p];
+    Puppet puppet = puppets[p];
     PuppetState s = PUPPET_STATE_FROM(puppetStates[2u * p], puppetStates[2u * p + 1u]);
     uint substep = counters[0].substep, root = texelFetch(puppetOrder, int(puppet.firstBody)).x;
     uint phase = s.phase;

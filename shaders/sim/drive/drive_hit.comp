@@ -7,9 +7,9 @@
 #include "shared/drive_types.h"
 
 layout(local_size_x = GROUP_SIZE) in;
-READ_BUFFER(GpuPuppet, Puppets, puppets);
+READ_BUFFER(Puppet, Puppets, puppets);
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
-READ_BUFFER(GpuAnimation, Animations, animations);
+READ_BUFFER(Animation, Animations, animations);
 uniform samplerBuffer bodyPushes;
 BUFFER(vec4, DriveHits, driveHits);      // what is taken, 0 ... 1; for how long ago the last blow was [s]
 
@@ -19,7 +19,7 @@ void main()
     if (k >= sim.animatedCount) return;
     uint p = animations[animatedBodies[k].animation].puppet, m = animatedBodies[k].mover;
     if (p == NONE || !responds(m)) return;
-    GpuPuppet puppet = puppets[p];
+    Puppet puppet = puppets[p];
     float impulse = length(fetchField(bodyPushes, m).t) / sim.substepTime;
     float blow = (impulse - 3.0 * puppet.mass * length(sim.gravity.xyz) * sim.substepTime) / puppet.hitImpulse;
     float taken = driveHits[k].x, since = driveHits[k].y + sim.substepTime;

@@ -9,7 +9,7 @@
 #include "sim/drive/composite.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-READ_BUFFER(GpuPuppet, Puppets, puppets);
+READ_BUFFER(Puppet, Puppets, puppets);
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
 uniform usamplerBuffer puppetOrder;      // of animated bodies, parents before what hangs on them; 1: pinned
 BUFFER(vec4, Composites, composites);    // of each body and all that hangs on it
@@ -59,7 +59,7 @@ void main()
 {
     uint p = gl_GlobalInvocationID.x;
     if (p >= sim.puppetCount) return;
-    GpuPuppet puppet = puppets[p];
+    Puppet puppet = puppets[p];
     uint first = puppet.firstBody, end = first + puppet.bodyCount;
     for (uint k = first; k < end; ++k) {
         Composite own = ownOf(animatedBodies[k].mover);

@@ -4,14 +4,14 @@
 #include "sim/drive/drive_spring.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-READ_BUFFER(GpuJointDrive, JointDrives, jointDrives);
+READ_BUFFER(JointDrive, JointDrives, jointDrives);
 uniform usamplerBuffer jointFreedoms;
 BUFFER(vec4, DriveStates, driveStates);
 BUFFER(vec4, DriveStiffness, driveStiffness);
 BUFFER(vec4, RowAngularImpulses, newRowAngularImpulses);
 
 /// What a spring turns about the axes that are free; of one that is given, nothing but those axes.
-mat3 springInertia(GpuJointDrive drive, vec4 rotation)
+mat3 springInertia(JointDrive drive, vec4 rotation)
 {
     mat3 inertia = drive.isGiven == 1u ? mat3(1) : fetchInertia(drive.body, 0u);
     vec3 axis = rotate(rotation, drive.axis.xyz);
@@ -19,7 +19,7 @@ mat3 springInertia(GpuJointDrive drive, vec4 rotation)
 }
 
 /// @param torque on the body [kg m2]; its parent gets the opposite.
-void storeTorque(GpuJointDrive drive, vec3 torque, mat3 block)
+void storeTorque(JointDrive drive, vec3 torque, mat3 block)
 {
     uint first = DRIVE_STIFFNESS_TEXELS * drive.joint;
     vec3 diagonal = diagonalOf(block);
@@ -33,7 +33,7 @@ void main()
 {
     uint j = gl_GlobalInvocationID.x;
     if (j >= sim.jointDriveCount) return;
-    GpuJointDrive drive = jointDrives[j];
+    JointDrive drive = jointDrives[j];
     AnimatedBody at = animatedBodies[drive.body];
     float level = texelFetch(driveLevels, int(drive.body)).x;
     uint state = DRIVE_STATE_TEXELS * j;

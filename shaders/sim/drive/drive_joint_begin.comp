@@ -7,18 +7,18 @@
 #include "shared/animation_types.h"
 
 layout(local_size_x = GROUP_SIZE) in;
-READ_BUFFER(GpuJointDrive, JointDrives, jointDrives);
+READ_BUFFER(JointDrive, JointDrives, jointDrives);
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
 uniform samplerBuffer clipBodyTurns;
 BUFFER(vec4, DriveStates, driveStates);
-READ_BUFFER(GpuPuppet, Puppets, puppets);
+READ_BUFFER(Puppet, Puppets, puppets);
 BUFFER(uvec4, PuppetStates, newPuppetStates);
 
 void main()
 {
     uint j = gl_GlobalInvocationID.x;
     if (j >= sim.jointDriveCount) return;
-    GpuJointDrive drive = jointDrives[j];
+    JointDrive drive = jointDrives[j];
     AnimatedBody at = animatedBodies[drive.body];
     uint state = DRIVE_STATE_TEXELS * j;
     vec4 parent = fetchRotation(animatedBodies[at.parent].mover);

@@ -4,7 +4,7 @@
 #include "sim/drive/drive_spring.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-READ_BUFFER(GpuPin, Pins, pins);
+READ_BUFFER(Pin, Pins, pins);
 BUFFER(vec4, PinStates, pinStates);
 BUFFER(vec4, PinsGiven, pinsGiven);
 BUFFER(vec4, DriveStiffness, driveStiffness);
@@ -18,7 +18,7 @@ struct Pull {
     mat3 turn;            // ... and to turns [kg m2]
 };
 
-void storePull(uint p, GpuPin pin, Pull pull)
+void storePull(uint p, Pin pin, Pull pull)
 {
     uint first = DRIVE_STIFFNESS_TEXELS * pin.joint + 2u, given = PIN_GIVEN_TEXELS * p;
     vec4 before = driveStiffness[first];
@@ -36,7 +36,7 @@ void main()
 {
     uint p = gl_GlobalInvocationID.x;
     if (p >= sim.pinCount) return;
-    GpuPin pin = pins[p];
+    Pin pin = pins[p];
     uint body = animatedBodies[pin.body].mover, state = PIN_STATE_TEXELS * p;
     float level = texelFetch(driveLevels, int(pin.body)).x;
     if (level == 0.0 || !responds(body)) {

@@ -8,7 +8,7 @@
 #include "shared/animation_types.h"
 
 layout(local_size_x = GROUP_SIZE) in;
-READ_BUFFER(GpuPin, Pins, pins);
+READ_BUFFER(Pin, Pins, pins);
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
 uniform samplerBuffer clipBodyPlaces;   // centre, rotation
 uniform samplerBuffer moverVelocities;
@@ -19,7 +19,7 @@ void main()
 {
     uint p = gl_GlobalInvocationID.x;
     if (p >= sim.pinCount) return;
-    GpuPin pin = pins[p];
+    Pin pin = pins[p];
     uint body = animatedBodies[pin.body].mover, state = PIN_STATE_TEXELS * p, given = PIN_GIVEN_TEXELS * p;
     vec4 turn = quaternionProduct(fetchRotation(body), conjugate(pinStates[state + PIN_TARGET_TURN]));
     pinStates[state + PIN_TURNED].xyz = turnBetween(pinStates[state + PIN_TURN], turn);

@@ -6,7 +6,7 @@
 #include "shared/animation_types.h"
 
 layout(local_size_x = GROUP_SIZE) in;
-READ_BUFFER(GpuPuppet, Puppets, puppets);
+READ_BUFFER(Puppet, Puppets, puppets);
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
 READ_BUFFER(Counters, CountersBlock, counters);
 uniform samplerBuffer strengthKeys;      // time [s], strength; 1: smooth
@@ -21,7 +21,7 @@ BUFFER(uvec2, AssemblyCalm, assemblyCalm);   // steps, island
 #endif
 
 /// What its keys say.
-float strengthAt(GpuPuppet puppet, float time)
+float strengthAt(Puppet puppet, float time)
 {
     if (puppet.keyCount == 0u) return 1.0;
     uint k = puppet.firstKey, last = k + puppet.keyCount - 1u;
@@ -33,7 +33,7 @@ float strengthAt(GpuPuppet puppet, float time)
 }
 
 /// Stores what blows have taken of each body, and of its neighbours by a falloff.
-void spreadHits(GpuPuppet puppet)
+void spreadHits(Puppet puppet)
 {
     uint first = puppet.firstBody, end = first + puppet.bodyCount;
     for (uint k = first; k < end; ++k) driveLevels[k] = texelFetch(driveHits, int(k)).x;
@@ -48,7 +48,7 @@ void spreadHits(GpuPuppet puppet)
 }
 
 /// Whether its first body is too far from its clip while it is driven.
-bool isTornAway(GpuPuppet puppet, PuppetState s, uint root, bool limp)
+bool isTornAway(Puppet puppet, PuppetState s, uint root, bool limp)
 {
     uint m = animatedBodies[root].mover;
     if (limp || s.phase == PUPPET_FOUND || s.phase == PUPPET_CATCHING || !responds(m)) return false;
@@ -59,7 +59,7 @@ void main()
 {
     uint p = gl_GlobalInvocationID.x;
     if (p >= sim.puppetCount) return;
-    GpuPuppet puppet = puppets[p];
+    Puppet puppet = puppets[p];
     PuppetState s = PUPPET_STATE_FROM(puppetStates[2u * p], puppetStates[2u * p + 1u]);
     uint substep = counters[0].substep, root = texelFetch(puppetOrder, int(puppet.firstBody)).x;
     bool caught = s.phase != PUPPET_FIRST;

@@ -11,7 +11,7 @@ BUFFER(EmitterState, EmitterStates, newStates);
 BUFFER(uvec4, Dispatches, dispatches);
 
 /// Layers since the first, whole and in 2^-32. Before the first: layer -1.
-uvec2 layerTime(GpuEmitter e, uint steps)
+uvec2 layerTime(Emitter e, uint steps)
 {
     if (steps < e.startStep) return uvec2(-1, 0);
     // 64-bit numbers, low half first.
@@ -23,7 +23,7 @@ uvec2 layerTime(GpuEmitter e, uint steps)
 }
 
 /// How many layers have left after so many steps.
-uint layersAt(GpuEmitter e, uint steps)
+uint layersAt(Emitter e, uint steps)
 {
     return min(layerTime(e, steps).x + 1u, e.layerLimit);
 }
@@ -32,7 +32,7 @@ void main()
 {
     uint steps = stepsDone(counters[0].substep), candidates = 0u;
     for (uint k = 0u; k < uint(emitters.length()); ++k) {
-        GpuEmitter e = emitters[k];
+        Emitter e = emitters[k];
         uint chunk = e.poolStart / SCAN_CHUNK, chunks = (e.poolCount + SCAN_CHUNK - 1u) / SCAN_CHUNK;
         uint inactive = inactiveBefore(chunk + chunks) - inactiveBefore(chunk);
         uvec2 now = layerTime(e, steps);

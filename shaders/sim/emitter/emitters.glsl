@@ -8,7 +8,7 @@
 // 0 jets that slow down burst, and at 2 those that are pressed into fluid at rest do.
 #define HELD_LAYERS 1.0
 
-READ_BUFFER(GpuEmitter, Emitters, emitters);
+READ_BUFFER(Emitter, Emitters, emitters);
 uniform usamplerBuffer emitterStates;    // two texels an emitter
 uniform usamplerBuffer poolSums;
 
@@ -19,7 +19,7 @@ EmitterState fetchEmitterState(uint k)
 }
 
 /// Fluid nearer than this is in the way of a particle that leaves the nozzle [m].
-float clearanceOf(GpuEmitter e)
+float clearanceOf(Emitter e)
 {
     return e.velocity.w;
 }

@@ -44,7 +44,7 @@ void main()
     while (candidate >= state.firstCandidate + state.taken && k < last) state = fetchEmitterState(++k);
     uint q = candidate - state.firstCandidate;
     if (q >= state.taken) return;
-    GpuEmitter e = emitters[k];
+    Emitter e = emitters[k];
     uint laterLayers = state.taken / e.pointCount - 1u - q / e.pointCount;
     float t = state.age + float(laterLayers) * e.interval;   // since it left the nozzle
     // As the solver's steps would have brought it here.

@@ -3,7 +3,7 @@
 #include "sim/joint/joint_info.glsl"
 
 /// What a joint passes on of all that it holds, seen from there. @param stops what its limits add to d.
-Inertia passedBy(inout JointFactor f, uint freedom, mat3 stops)
+Inertia handedOnBy(inout JointFactor f, uint freedom, mat3 stops)
 {
     Inertia m = f.inertia;
     Inertia passed = m;

@@ -6,7 +6,7 @@ BUFFER(vec4, MoverRotationDeltas, newMoverRotationDeltas);
 
 Motion errorBeyond(uint k, Motion kept)
 {
-    JointInfo joint = fetchJoint(k);
+    Joint joint = fetchJoint(k);
     Motion error = errorNow(jointSide(k, 0u, joint.body), jointSide(k, 1u, joint.parent), fetchFreedom(k));
     return Motion(error.t - kept.t, error.r - kept.r);
 }

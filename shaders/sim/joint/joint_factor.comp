@@ -12,15 +12,15 @@
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
 #ifdef LIMITS
-#include "sim/joint/stops/joint_stop_update.glsl"
+#include "sim/joint/limits/joint_limit_update.glsl"
 #endif
 #ifdef DRIVES
 #include "sim/joint/joint_drives.glsl"
 #endif
 BUFFER(vec4, JointFactors, jointFactors);
 BUFFER(vec4, RootFactors, rootFactors);
-BUFFER(vec4, JointPassed, jointPassed);
-#include "sim/joint/joint_passed.glsl"
+BUFFER(vec4, JointInertias, jointInertias);
+#include "sim/joint/joint_inertias.glsl"
 #ifdef AGAIN
 #include "sim/joint/joint_again.glsl"
 #endif
@@ -28,11 +28,11 @@ BUFFER(vec4, JointPassed, jointPassed);
 /// What hangs on a body that does not respond is held by it.
 void factor(uint k)
 {
-    JointInfo joint = fetchJoint(k);
+    Joint joint = fetchJoint(k);
     uint freedom = fetchFreedom(k);
     bool free = responds(joint.body);
     Inertia m = Inertia(mat3(moverMass(joint.body)), mat3(0), fetchBodyLoad(joint.body).hessian);
-    for (uint child = joint.firstChild; child < joint.childEnd; ++child) m = add(m, loadPassed(child));
+    for (uint child = joint.firstChild; child < joint.childEnd; ++child) m = add(m, loadInertia(child));
 #ifdef DRIVES
     m = add(m, pinStiffness(k));
 #endif
@@ -51,15 +51,15 @@ void factor(uint k)
                                     rotate(body.frame, vec3(1, 0, 0)), kept);
         mat3 stops = mat3(0);
 #ifdef LIMITS
-        stops = stopStiffness(k, f.inertia);
+        stops = limitStiffness(k, f.inertia);
 #endif
 #ifdef DRIVES
         stops += drivenStiffness(k);
 #endif
-        passed = shifted(passedBy(f, freedom, stops), -parent.arm);
+        passed = shifted(handedOnBy(f, freedom, stops), -parent.arm);
         STORE_JOINT_FACTOR(jointFactors, k, f)
     }
-    storePassed(k, passed);
+    storeInertia(k, passed);
 }
 
 #ifdef RESPONSES
@@ -79,10 +79,10 @@ void main()
     due = drivesChanged(tree) || due;
 #endif
 #ifdef LIMITS
-    due = updateStops(tree) || due;
+    due = updateLimits(tree) || due;
 #endif
 #elif defined(LIMITS)
-    updateStops(tree);
+    updateLimits(tree);
 #endif
     if (!due) return;
     for (uint k = tree.end; k-- > tree.first;) factor(k);

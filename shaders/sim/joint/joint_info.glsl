@@ -20,10 +20,10 @@ JointTree fetchJointTree(uint tree)
     return JointTree(t.x, t.y, t.z, t.w);
 }
 
-JointInfo fetchJoint(uint joint)
+Joint fetchJoint(uint joint)
 {
     uvec4 a = texelFetch(jointInfo, int(2u * joint)), b = texelFetch(jointInfo, int(2u * joint + 1u));
-    return JointInfo(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
+    return Joint(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
 }
 
 uint fetchFreedom(uint joint)

@@ -37,7 +37,7 @@ mat3 freeTurns(JointFactor f, uint freedom, mat3 torques)
 
 void respond(uint k)
 {
-    JointInfo joint = fetchJoint(k);
+    Joint joint = fetchJoint(k);
     Response w = Response(mat3(0), mat3(0), mat3(0));
     uint freedom = fetchFreedom(k);
     bool free = responds(joint.body), isRoot = freedom == JOINT_NONE;

@@ -36,7 +36,7 @@ void clearRow(uint row)
 }
 
 /// It holds nothing any more.
-void clearRows(JointInfo joint)
+void clearRows(Joint joint)
 {
     clearRow(joint.row);
     clearRow(joint.parentRow);
@@ -45,7 +45,7 @@ void clearRows(JointInfo joint)
 /// @param held on the body; its parent gets the opposite.
 void pushBoth(uint k, Force held)
 {
-    JointInfo joint = fetchJoint(k);
+    Joint joint = fetchJoint(k);
     push(joint.row, held);
     push(joint.parentRow, Force(-held.t, -held.r));
 }

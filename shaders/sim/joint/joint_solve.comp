@@ -8,7 +8,7 @@
 #include "sim/joint/joint_rows.glsl"
 #include "sim/joint/joint_sweeps.glsl"
 #ifdef LIMITS
-#include "sim/joint/stops/joint_stop_solve.glsl"
+#include "sim/joint/limits/joint_limit_solve.glsl"
 #endif
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
@@ -25,7 +25,7 @@ vec3 strayTorque(uint k)
     if (fetchFreedom(k) == JOINT_HINGE) {
         vec3 held = ROW(RowAngularImpulses, fetchJoint(k).row), axis = fetchJointFactor(k).axis;
 #ifdef LIMITS
-        held -= oldStopTorque(k);
+        held -= oldLimitTorque(k);
 #endif
         stray = -axis * dot(axis, held);
     }
@@ -36,14 +36,14 @@ vec3 strayTorque(uint k)
 /// What a body and its joint ask for.
 void ask(uint k)
 {
-    JointInfo joint = fetchJoint(k);
+    Joint joint = fetchJoint(k);
     BodyLoad load = fetchBodyLoad(joint.body);
     Motion error = Motion(vec3(0), vec3(0));
     vec3 stop = vec3(0);
     if (fetchFreedom(k) != JOINT_NONE && responds(joint.body)) {
         error = errorBeyond(k, fetchJointKept(k));
 #ifdef LIMITS
-        stop = stopTorque(k);
+        stop = limitTorque(k);
 #endif
         stop += strayTorque(k);
     }
@@ -57,7 +57,7 @@ void take(uint k, Answer answer, float part)
     Motion motion = scaled(answer.motion, part);
     held.r += strayTorque(k);
 #ifdef LIMITS
-    held.r += stopTorqueOf(k, answer, part);
+    held.r += limitTorqueOf(k, answer, part);
 #endif
     pushBoth(k, held);
 #ifdef LOOPS

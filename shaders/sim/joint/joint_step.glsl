@@ -7,12 +7,12 @@ BUFFER(float, TreeTurns, treeTurns);
 /// What was passed to the parent has been made use of when the parent answers: the force at the joint takes its place.
 void storeAnswer(uint k, Answer answer)
 {
-    storePassedForce(k, answer.held);
+    storeHandedForce(k, answer.held);
 }
 
 Answer loadAnswer(uint k)
 {
-    return Answer(loadMotion(k, SWEEP_MOTION), loadPassedForce(k));
+    return Answer(loadMotion(k, SWEEP_MOTION), loadHandedForce(k));
 }
 
 /// Stores the answers of all bodies of a tree, and how far it turns. @returns the part of them that it takes, so that

@@ -37,13 +37,13 @@ Asked loadAsked(uint joint)
     return Asked(Force(a.xyz, b.xyz), Motion(vec3(a.w, b.w, c.w), c.xyz));
 }
 
-Force loadPassedForce(uint joint)
+Force loadHandedForce(uint joint)
 {
     int first = int(sweepEntry(joint, SWEEP_PASSED));
     return Force(imageLoad(jointSweeps, first).xyz, imageLoad(jointSweeps, first + 1).xyz);
 }
 
-void storePassedForce(uint joint, Force f)
+void storeHandedForce(uint joint, Force f)
 {
     int first = int(sweepEntry(joint, SWEEP_PASSED));
     imageStore(jointSweeps, first, vec4(f.t, 0));

@@ -53,8 +53,8 @@ Answer answerTo(JointFactor factor, uint freedom, Motion given, Force f)
 /// @param stop the torque of the joint's limits.
 void passForce(uint k, Force own, Motion error, vec3 stop)
 {
-    JointInfo joint = fetchJoint(k);
-    for (uint child = joint.firstChild; child < joint.childEnd; ++child) own = add(own, loadPassedForce(child));
+    Joint joint = fetchJoint(k);
+    for (uint child = joint.firstChild; child < joint.childEnd; ++child) own = add(own, loadHandedForce(child));
     Force passed = Force(vec3(0), vec3(0));
     uint freedom = fetchFreedom(k);
     if (responds(joint.body) && freedom != JOINT_NONE) {
@@ -64,14 +64,14 @@ void passForce(uint k, Force own, Motion error, vec3 stop)
         Force held = answerTo(factor, freedom, Motion(-error.t, -error.r), own).held;
         passed = shifted(Force(-held.t, -held.r - stop), -factor.parentArm);
     }
-    storePassedForce(k, passed);
+    storeHandedForce(k, passed);
     storeAsked(k, Asked(own, error));
 }
 
 /// The force at a joint, but for that of its limits, and the motion of its body, whose parent has moved already.
 Answer follow(uint k)
 {
-    JointInfo joint = fetchJoint(k);
+    Joint joint = fetchJoint(k);
     uint freedom = fetchFreedom(k);
     Answer answer = Answer(Motion(vec3(0), vec3(0)), Force(vec3(0), vec3(0)));
     bool free = responds(joint.body);

@@ -11,15 +11,15 @@ uniform usamplerBuffer jointParticles;
 BUFFER(uint, JointFreedoms, newJointFreedoms);
 BUFFER(vec4, JointLoads, jointLoads);
 BUFFER(uvec2, ParticleLinks, newParticleLinks);
-#ifdef PASSES
-#include "sim/common/bodies/body_passes.glsl"
-uniform usamplerBuffer jointPasses;      // two bodies each, which no longer pass each other when it tears
-BUFFER(uint, PassBits, newPassBits);
+#ifdef FILTERS
+#include "sim/common/bodies/body_filters.glsl"
+uniform usamplerBuffer jointFilters;      // two bodies each, which no longer pass each other when it tears
+BUFFER(uint, FilterBits, newFilterBits);
 
 void forbid(uint body, uint other)
 {
     uint bit = passBit(body, other);
-    if (bit != NONE) atomicAnd(newPassBits[bit >> 5], ~(1u << (bit & 31u)));
+    if (bit != NONE) atomicAnd(newFilterBits[bit >> 5], ~(1u << (bit & 31u)));
 }
 #endif
 
@@ -46,7 +46,7 @@ vec3 meanLoad(uint entry, vec3 load)
 /// How much of what a joint can bear it bears, 0 for one that is torn.
 float loadOf(uint k, float squaredTime)
 {
-    JointInfo joint = fetchJoint(k);
+    Joint joint = fetchJoint(k);
     if (fetchFreedom(k) == JOINT_NONE || !responds(joint.body)) return 0.0;
     uint row = joint.row;
     JointStrength strength = fetchJointStrength(k);
@@ -60,13 +60,13 @@ float loadOf(uint k, float squaredTime)
 
 void tear(uint k)
 {
-    JointInfo joint = fetchJoint(k);
+    Joint joint = fetchJoint(k);
     JointStrength strength = fetchJointStrength(k);
     newJointFreedoms[k] = JOINT_NONE;
     clearRows(joint);
     for (uint i = strength.first; i < strength.end; ++i) newParticleLinks[texelFetch(jointParticles, int(i)).x].y = 1u;
-#ifdef PASSES
-    uvec2 apart = texelFetch(jointPasses, int(k)).xy;
+#ifdef FILTERS
+    uvec2 apart = texelFetch(jointFilters, int(k)).xy;
     forbid(apart.x, apart.y);
     forbid(apart.y, apart.x);
 #endif

@@ -13,7 +13,7 @@ void main()
 {
     uint b = gl_GlobalInvocationID.x;
     if (b >= sim.bodyCount) return;
-    BodyInfo body = fetchBody(b);
+    Body body = fetchBody(b);
     vec3 last = moverMoves[b].xyz;
     BodySum sum = BodySum(vec4(0), mat3(0));
     for (uint k = 0u; k < body.linkCount; ++k) addLink(sum, body, k, last);

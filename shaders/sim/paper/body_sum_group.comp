@@ -14,7 +14,7 @@ void main()
 {
     uint b = gl_WorkGroupID.x;
     uint t = gl_LocalInvocationID.x;
-    BodyInfo body = fetchBody(b);
+    Body body = fetchBody(b);
     vec3 last = moverMoves[b].xyz;
     BodySum sum = BodySum(vec4(0), mat3(0));
     for (uint k = t; k < body.linkCount; k += BODY_GROUP_SIZE) addLink(sum, body, k, last);

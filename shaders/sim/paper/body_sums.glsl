@@ -7,7 +7,7 @@ struct BodySum {
     mat3 a;           // [kg m2]
 };
 
-void addLink(inout BodySum sum, BodyInfo body, uint k, vec3 last)
+void addLink(inout BodySum sum, Body body, uint k, vec3 last)
 {
     LinkValues link = fetchLink(body.linkStart + k);
     LinkPosition position = linkPosition(body.linkStart + k, link, k >= body.ownCount);

@@ -34,7 +34,7 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.particleCount) return;
-    ParticleInfo info = fetchParticle(i);
+    Particle info = fetchParticle(i);
     if (!responds(fetchRank(i).mover)) {
         moved[i] = vec4(0);
         return;

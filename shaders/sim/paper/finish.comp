@@ -27,7 +27,7 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.particleCount) return;
-    ParticleInfo info = fetchParticle(i);
+    Particle info = fetchParticle(i);
     if (!moves(fetchRank(i).mover)) {
         setVelocity(i, vec3(0), vec3(0));
         return;

@@ -17,7 +17,7 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.particleCount) return;
-    ParticleInfo info = fetchParticle(i);
+    Particle info = fetchParticle(i);
     if (info.bodyCount > 1u) return;
     bool matched = info.bodyCount == 1u && responds(info.body);
     vec3 goal = matched ? goalMove(info.body, fetchArm(i).r) : texelFetch(moved, int(i)).xyz;

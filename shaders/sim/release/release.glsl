@@ -5,7 +5,7 @@
 
 uniform usamplerBuffer releaseWatches;   // release, body
 uniform usamplerBuffer releaseEntries;   // which of bodyReleases each release lets go
-READ_BUFFER(GpuRelease, Releases, releases);
+READ_BUFFER(Release, Releases, releases);
 BUFFER(uvec2, BodyReleases, bodyReleases);
 #ifdef PUPPETS
 uniform usamplerBuffer releaseLimps;     // animated bodies
@@ -25,7 +25,7 @@ ReleaseWatch fetchReleaseWatch(uint index)
 }
 
 /// Lets go of a release's bodies in the next substep, where they still are held or animated.
-void letGo(GpuRelease release)
+void letGo(Release release)
 {
     // The least counts, whoever says it first.
     for (uint k = release.firstEntry; k < release.entryEnd; ++k)
@@ -40,7 +40,7 @@ void letGo(GpuRelease release)
 }
 
 /// The same of what something touches: it begins by first order, as what is touched does.
-void letGoTouched(GpuRelease release, uint assembly)
+void letGoTouched(Release release, uint assembly)
 {
     letGo(release);
     assemblies[assembly].lastContact = counters[0].substep - 1u;

@@ -35,8 +35,8 @@ void main()
     uint w = gl_GlobalInvocationID.x;
     if (w >= sim.impulseWatchCount) return;
     ReleaseWatch watched = fetchReleaseWatch(w);
-    GpuRelease release = releases[watched.release];
-    MoverInfo body = fetchMover(watched.body);
+    Release release = releases[watched.release];
+    Mover body = fetchMover(watched.body);
     uint parity = counters[0].listParity;
     vec3 sum = vec3(0);
     BodyPairs list = pairsOf(body, parity);

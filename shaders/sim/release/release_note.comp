@@ -27,7 +27,7 @@ void main()
     if (release.y == counters[0].substep) releaseNotes[3u * k] = vec4(velocity, 0);
 #else
     if (release.y + 1u != counters[0].substep) return;
-    MoverInfo body = fetchMover(release.x);
+    Mover body = fetchMover(release.x);
     Assembly assembly = fetchAssembly(body.assembly);
     bool second = assembly.order == 2u && assembly.lastContact + 1u != counters[0].substep;
     // What an impulse of one kg m does to the velocity of the body: BDF2's is that of one and a half moves.

@@ -12,7 +12,7 @@ struct BodyPairs {
     uint count;
 };
 
-BodyPairs pairsOf(MoverInfo body, uint parity)
+BodyPairs pairsOf(Mover body, uint parity)
 {
     uvec2 first = listRange(parity, LIST_AS_FIRST, body.firstRank, body.rankCount);
     uvec2 second = listRange(parity, LIST_AS_SECOND, body.firstRank, body.rankCount);
@@ -39,7 +39,7 @@ BodyPair pairAt(BodyPairs list, uint k, uint parity)
 }
 
 /// Whether a mover is of another object than the body that a release watches.
-bool isAnother(GpuRelease release, uint mover)
+bool isAnother(Release release, uint mover)
 {
     return mover < release.firstBody || mover >= release.bodyEnd;
 }

@@ -13,8 +13,8 @@ void main()
     uint thread = gl_GlobalInvocationID.x;
     if (thread >= sim.regionWatchCount) return;
     ReleaseWatch watched = fetchReleaseWatch(sim.impulseWatchCount + sim.touchWatchCount + thread);
-    GpuRelease release = releases[watched.release];
-    MoverInfo body = fetchMover(watched.body);
+    Release release = releases[watched.release];
+    Mover body = fetchMover(watched.body);
     vec3 centre = fetchCentre(watched.body);
     vec4 rotation = fetchRotation(watched.body);
     bool inside = false;

@@ -26,8 +26,8 @@ void main()
     uint thread = gl_GlobalInvocationID.x;
     if (thread >= sim.touchWatchCount) return;
     ReleaseWatch watched = fetchReleaseWatch(sim.impulseWatchCount + thread);
-    GpuRelease release = releases[watched.release];
-    MoverInfo body = fetchMover(watched.body);
+    Release release = releases[watched.release];
+    Mover body = fetchMover(watched.body);
     uint parity = counters[0].listParity;
     BodyPairs list = pairsOf(body, parity);
     bool touched = false;

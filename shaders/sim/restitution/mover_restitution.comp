@@ -32,7 +32,7 @@ void main()
 {
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
-    MoverInfo mover = fetchMover(m);
+    Mover mover = fetchMover(m);
     Field v = fetchField(lastMoverVelocities, m);
 #ifdef DETECT
     moverRestitutionSplits[m] = responds(m) ? contactSum(mover, counters[0].listParity).acting : 0.0;

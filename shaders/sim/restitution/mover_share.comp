@@ -29,7 +29,7 @@ float energyOf(uint m, float mass, Field v)
 }
 
 /// Gains of a mover's contacts, and what it may give back beyond its own loss [J].
-vec3 ledgerSum(MoverInfo mover, uint parity)
+vec3 ledgerSum(Mover mover, uint parity)
 {
     vec3 sum = vec3(0);
     uvec2 range = listRange(parity, LIST_AS_FIRST, mover.firstRank, mover.rankCount);
@@ -58,7 +58,7 @@ void main()
 {
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount || !responds(m)) return;
-    MoverInfo mover = fetchMover(m);
+    Mover mover = fetchMover(m);
     moverRestitutionShares[m] = vec4(1);
     if (texelFetch(moverRestitutionSplits, int(m)).x == 0.0) return;
     if (IS_BODY(m) && hasJoints(m)) return;

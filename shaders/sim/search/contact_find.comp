@@ -6,7 +6,7 @@
 #include "sim/common/grid/grid.glsl"
 #include "sim/common/groups.glsl"
 #include "sim/search/contact_search.glsl"
-#include "sim/search/pass_window.glsl"
+#include "sim/search/filter_window.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(uvec4, Dispatches, dispatches);
@@ -48,7 +48,7 @@ uint indexOf(Sequence s, uint c, out int range)
 
 /// Which of the 32 particles from the sequence's `first` on are nearer than sim.contactReach and outside a window, as
 /// bits: branch-free, the few hits are visited afterwards.
-uint hitsFrom(Sequence s, uint first, vec3 position, PassWindow window)
+uint hitsFrom(Sequence s, uint first, vec3 position, FilterWindow window)
 {
     uint hits = 0u, n = min(s.count - min(s.count, first), 32u);
     int range;
@@ -80,7 +80,7 @@ void main()
     SortedPosition own = fetchSortedPosition(k);
     ivec3 cell = cellOf(own.position);
     Sequence ahead = sequenceAhead(cell, k);
-    PassWindow window = windowAround(own.mover);
+    FilterWindow window = windowAround(own.mover);
     uint count = 0u, first = 0u;
     do {
         uvec2 hits;

@@ -6,7 +6,7 @@
 #include "sim/common/particles.glsl"
 #include "sim/common/contacts/search_margin.glsl"
 #include "sim/search/contact_search.glsl"
-#include "sim/search/pass_window.glsl"
+#include "sim/search/filter_window.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer fastParticles;
@@ -39,7 +39,7 @@ uvec2 blockOf(ivec3 cell, int row, uint block)
 }
 
 /// Which of the first 32 particles of a range are nearer than `farthest` to x and outside a window, as bits.
-uint hitsIn(uvec2 range, vec3 x, float farthest, PassWindow window)
+uint hitsIn(uvec2 range, vec3 x, float farthest, FilterWindow window)
 {
     uint hits = 0u, n = min(range.y - range.x, 32u);
     for (uint b = 0u; b < n; ++b) {
@@ -56,7 +56,7 @@ struct Seeker {
     vec3 position;       // [m]
     ivec3 cell;
     float reach;         // reachOf()
-    PassWindow window;
+    FilterWindow window;
 };
 
 /// Notes the contacts in one block of the rows from `start` on. @returns whether any row has more.
@@ -90,7 +90,7 @@ void main()
     if (k >= counters[0].fastListed) return;
     FastParticle fast = unpackFastParticle(texelFetch(fastParticles, int(k)).x);
     vec3 position = texelFetch(searchPositions, int(fast.particle)).xyz;
-    PassWindow window = windowAround(sortedMover(fetchRank(fast.particle).mover, fast.told));
+    FilterWindow window = windowAround(sortedMover(fetchRank(fast.particle).mover, fast.told));
     Seeker own = Seeker(fast.particle, position, cellOf(position), reachOf(fast.particle), window);
     uint count = 0u;
     for (int row = 0; row < FAR_RANGES; row += ROWS)

@@ -22,7 +22,7 @@ void main()
 {
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
-    if (sim.animatedCount > 0u && !isTold(m)) counters[0].heard = 1u;
+    if (sim.animatedCount > 0u && !isTold(m)) counters[0].freeMoved = 1u;
     if (!moves(m)) return;
     vec3 centre = fetchCentre(m) + fetchMove(m).shift;
     vec4 rotation = quaternionProduct(fetchRotationDelta(m), fetchRotation(m));

@@ -18,11 +18,11 @@ void main()
     // Rotations are not looked ahead of.
     float path = length(fetchMove(m).shift) / 1.75 +
                  2.0 * length(fetchRotationDelta(m).xyz) * radius;
-    bool calm = counters[0].calm == 1u;
-    float missing = (calm ? CALM : 1.0) * sim.horizon * path - sim.drift;
+    bool farSighted = counters[0].farSighted == 1u;
+    float missing = (farSighted ? FAR_SIGHT : 1.0) * sim.horizon * path - sim.drift;
     float reach = clamp(missing, 0.0, sim.farReach);
     moverReaches[m] = reach;
     uint particles = fetchMover(m).rankCount;
     if (reach > 0.0) atomicAdd(counters[0].fastCount, particles);
-    if (CALM * sim.horizon * path > sim.drift) atomicAdd(counters[0].fastLater, particles);
+    if (FAR_SIGHT * sim.horizon * path > sim.drift) atomicAdd(counters[0].fastLater, particles);
 }

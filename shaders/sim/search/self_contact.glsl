@@ -17,14 +17,14 @@ RestPosition fetchRestPosition(uint i)
     return RestPosition(t.xyz, t.w);
 }
 
-#ifdef PASSES
-#include "sim/search/pass_bits.glsl"
+#ifdef FILTERS
+#include "sim/search/filter_bits.glsl"
 
 /// Whether two bodies of an assembly never touch.
 bool passEachOther(uint a, uint b)
 {
     uint bit = passBit(a, b);
-    return bit != NONE && (passBits[bit >> 5] >> (bit & 31u) & 1u) != 0u;
+    return bit != NONE && (filterBits[bit >> 5] >> (bit & 31u) & 1u) != 0u;
 }
 #else
 bool passEachOther(uint a, uint b)

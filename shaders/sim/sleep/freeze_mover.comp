@@ -17,7 +17,7 @@ void main()
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
     if (!mayRest(m)) return;
-    MoverInfo mover = fetchMover(m);
+    Mover mover = fetchMover(m);
     bool body = m < sim.bodyCount;
     vec3 centre = body ? fetchCentre(m) : texelFetch(positions, int(fetchRankedParticle(mover.firstRank))).xyz;
     vec4 rotation = fetchRotation(m);

@@ -39,7 +39,7 @@ void main()
 {
     uint c = gl_GlobalInvocationID.x;
     if (c >= sim.clusterCount) return;
-    ClusterInfo info = fetchCluster(c);
+    Cluster info = fetchCluster(c);
     // Positions are from the first particle, so that rounding is as small as the cluster is.
     uint first = fetchRank(fetchLink(info.linkStart).particle).mover;
     vec3 origin = texelFetch(moverCentres, int(first)).xyz, centre = vec3(0);
@@ -52,7 +52,7 @@ void main()
         before += outerProduct(link.mass * start, link.r);
         now += outerProduct(link.mass * (start + move), link.r);
     }
-    GpuSoftMatter matter = fetchSoftMatter(info.softBody);
+    SoftMatter matter = fetchSoftMatter(info.softBody);
     ClusterMoments moments = fetchClusterMoments(c);
     mat3 map = now * moments.inverse, mapBefore = before * moments.inverse, rest = restOf(c), strain;
     mat3 rotation = rotationOf(c, map, rest, moments.empty, strain);

@@ -11,14 +11,14 @@ float squaredNorm(mat3 m)
 }
 
 /// Hooke's law: twice the shear modulus and Lame's lambda, over the density.
-mat3 hooke(GpuSoftMatter matter, mat3 strain)
+mat3 hooke(SoftMatter matter, mat3 strain)
 {
     return matter.shear * strain + mat3(matter.dilation * trace(strain));
 }
 
 /// Viscous stress times the substep, in the axes at rest: of Green's strain, which rotations leave alone. It does not
 /// grow with how far the cluster is drawn out, so that it stays stable.
-mat3 viscousStress(GpuSoftMatter matter, mat3 map, mat3 mapBefore)
+mat3 viscousStress(SoftMatter matter, mat3 map, mat3 mapBefore)
 {
     mat3 change = 0.5 * (transpose(map) * map - transpose(mapBefore) * mapBefore);
     return (matter.damping / max(1.0, squaredNorm(map) / 3.0)) * hooke(matter, change);
@@ -26,7 +26,7 @@ mat3 viscousStress(GpuSoftMatter matter, mat3 map, mat3 mapBefore)
 
 /// What a cluster has flowed by after a substep, from before (Mueller et al. 2005, section 4.3): by a fraction
 /// of the strain beyond `yield`, at constant volume.
-mat3 flowed(GpuSoftMatter matter, mat3 rest, mat3 strain)
+mat3 flowed(SoftMatter matter, mat3 rest, mat3 strain)
 {
     float size = sqrt(squaredNorm(strain));
     float fraction = (1.0 - exp(-matter.creep * sim.substepTime)) * max(1.0 - matter.yield / max(size, 1e-20), 0.0);

@@ -6,10 +6,10 @@ uniform samplerBuffer clusterMoments;
 uniform samplerBuffer softMatter;
 uniform samplerBuffer clusterPulls;
 
-ClusterInfo fetchCluster(uint c)
+Cluster fetchCluster(uint c)
 {
     uvec4 t = texelFetch(clusterInfo, int(c));
-    return ClusterInfo(t.x, t.y, t.z, t.w);
+    return Cluster(t.x, t.y, t.z, t.w);
 }
 
 /// How the masses of a cluster lie at rest.
@@ -28,10 +28,10 @@ ClusterMoments fetchClusterMoments(uint c)
     return ClusterMoments(symmetricMatrix(diagonal.xyz, offDiagonal.xyz), empty, diagonal.w, offDiagonal.w);
 }
 
-GpuSoftMatter fetchSoftMatter(uint softBody)
+SoftMatter fetchSoftMatter(uint softBody)
 {
     vec4 a = texelFetch(softMatter, int(2u * softBody)), b = texelFetch(softMatter, int(2u * softBody + 1u));
-    return GpuSoftMatter(a.x, a.y, a.z, a.w, b.x, b.y, b.z, 0.0);
+    return SoftMatter(a.x, a.y, a.z, a.w, b.x, b.y, b.z, 0.0);
 }
 
 /// The impulse that a cluster gives a particle of mass m that is at x: m (pull r - grip (x - centre)).

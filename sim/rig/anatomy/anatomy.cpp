@@ -24,7 +24,7 @@ std::vector<Vector3f> placesOf(const Model& model, std::span<const BoneAnatomy> 
     std::vector<Vector3f> places;
     for (size_t b = 0; b < anatomy.size(); ++b) {
         if (anatomy[b].role != BoneRole::Limb || anatomy[b].part != part) continue;
-        const Vector3f head = model.bones[b].restPose.block<3, 1>(0, 3);
+        const Vector3f head = headIn(model.bones[b].restPose);
         if (std::ranges::none_of(places, [&](const Vector3f& place) { return (place - head).norm() < APART; }))
             places.push_back(head);
     }

@@ -11,7 +11,7 @@ BoneTree::BoneTree(const Model& model)
         const int32_t parent = model.bones[b].parent;
         parents.push_back(parent);
         sides.push_back(readBoneName(model.bones[b].name).side);
-        heads.emplace_back(model.bones[b].restPose.block<3, 1>(0, 3));
+        heads.push_back(boneHead(model, b));
         if (parent >= 0) children[parent].push_back(b);
     }
     tips = heads;

@@ -27,11 +27,6 @@ constexpr float STEP = 0.5f;       // of a leg's length, the way that steps go
 constexpr const char* FACE_WORDS[] = {"eye",  "brow",  "eyebrow", "eyelid", "nose",  "nostril", "mouth", "lip",
                                       "chin", "cheek", "tongue",  "tooth",  "teeth", "beak",    "jaw",   "whisker"};
 
-Vector3f placeIn(const Matrix4f& pose)
-{
-    return pose.block<3, 1>(0, 3);
-}
-
 class Signs {
 public:
     Signs(const Model& model, std::span<const BoneAnatomy> anatomy)
@@ -222,7 +217,7 @@ private:
             if (end < 0 || hips < 0) continue;
             for (const Clip& clip : model_.clips) {
                 for (const std::vector<Matrix4f>& pose : clip.poses) {
-                    sum += offset(placeIn(pose[top]), placeIn(pose[b]), placeIn(pose[end]),
+                    sum += offset(headIn(pose[top]), headIn(pose[b]), headIn(pose[end]),
                                   forwardIn(pose, static_cast<uint32_t>(hips)));
                     count += 1.0f;
                 }
@@ -245,10 +240,10 @@ private:
         for (const Clip& clip : model_.clips) {
             for (size_t k = 1; k < clip.poses.size(); ++k) {
                 const auto &before = clip.poses[k - 1], &now = clip.poses[k];
-                const auto height = [&](uint32_t foot) { return placeIn(now[foot]).y(); };
+                const auto height = [&](uint32_t foot) { return headIn(now[foot]).y(); };
                 const uint32_t stands = height(feet[0]) < height(feet[1]) ? feet[0] : feet[1];
-                const Vector3f moved = placeIn(now[stands]) - placeIn(before[stands]) - placeIn(now[root]) +
-                                       placeIn(before[root]);
+                const Vector3f moved = headIn(now[stands]) - headIn(before[stands]) - headIn(now[root]) +
+                                       headIn(before[root]);
                 way -= moved.dot(forwardIn(now, root));
             }
         }

@@ -75,8 +75,8 @@ void passShortBodies(Actor& actor)
             return (actor.particles[p] - joint.anchor).norm() < IN_BODY * actor.diameter;
         };
         if (std::ranges::any_of(actor.bodies[above].particles, isNear))
-            actor.passes.push_back({std::min(joint.child, static_cast<uint32_t>(above)),
-                                    std::max(joint.child, static_cast<uint32_t>(above))});
+            actor.filtered.push_back({std::min(joint.child, static_cast<uint32_t>(above)),
+                                      std::max(joint.child, static_cast<uint32_t>(above))});
     }
 }
 

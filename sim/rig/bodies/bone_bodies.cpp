@@ -7,11 +7,11 @@
 #include <map>
 #include <numeric>
 
+#include "sim/base/short_list.h"
 #include "sim/rig/anatomy/chain_parts.h"
 #include "sim/rig/anatomy/facing.h"
 #include "sim/rig/bodies/body_tree.h"
 #include "sim/rig/bodies/bone_merge.h"
-#include "sim/rig/bodies/short_list.h"
 #include "sim/rig/limbs/limb_owner.h"
 #include "sim/rig/limbs/mirror_particles.h"
 #include "sim/rig/limbs/rods.h"

@@ -9,11 +9,11 @@
 #include <stdexcept>
 
 #include "sim/base/errors.h"
+#include "sim/base/short_list.h"
 #include "sim/rig/bodies/articulate.h"
 #include "sim/rig/bodies/bone_options.h"
 #include "sim/rig/bodies/part_bodies.h"
 #include "sim/rig/bodies/resolution.h"
-#include "sim/rig/bodies/short_list.h"
 #include "sim/rig/clips/clip_ranges.h"
 
 namespace knuckle {

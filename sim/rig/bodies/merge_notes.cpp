@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "sim/rig/bodies/short_list.h"
+#include "sim/base/short_list.h"
 
 namespace knuckle {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/base/short_list.h"
 #include "sim/rig/bodies/bone_bodies.h"
-#include "sim/rig/bodies/short_list.h"
 
 namespace knuckle {
 

@@ -29,11 +29,6 @@ Quaternionf turnOf(const Matrix4f& pose)
     return Quaternionf(m).normalized();
 }
 
-Vector3f headOf(const Matrix4f& pose)
-{
-    return pose.block<3, 1>(0, 3);
-}
-
 /// How a skeleton's motion becomes an actor's.
 struct Mapping {
     std::vector<uint32_t> bones;       ///< Per body the one that moves it, or NO_INDEX.
@@ -55,8 +50,8 @@ Quaternionf turnBy(const Mapping& map, uint32_t body, const Model& source, const
 
 float lowestOf(const Model& model)
 {
-    float low = headOf(model.bones[0].restPose).y();
-    for (const Bone& bone : model.bones) low = std::min(low, headOf(bone.restPose).y());
+    float low = headIn(model.bones[0].restPose).y();
+    for (const Bone& bone : model.bones) low = std::min(low, headIn(bone.restPose).y());
     return low;
 }
 
@@ -65,7 +60,7 @@ float groundOf(const Clip& clip)
 {
     float low = std::numeric_limits<float>::max();
     for (const std::vector<Matrix4f>& poses : clip.poses)
-        for (const Matrix4f& pose : poses) low = std::min(low, headOf(pose).y());
+        for (const Matrix4f& pose : poses) low = std::min(low, headIn(pose).y());
     return low;
 }
 
@@ -130,7 +125,7 @@ Limb limbOf(const Actor& actor, const Model& source, const Mapping& map, const s
         const uint32_t bone = map.bones[actor.joints[j].child];
         if (bone == NO_INDEX) continue;
         limb.ours += actor.joints[j].anchor;
-        limb.theirs += headOf(source.bones[bone].restPose);
+        limb.theirs += headIn(source.bones[bone].restPose);
         ++limb.count;
     }
     if (limb.count > 0) {
@@ -156,7 +151,7 @@ void alignLimbs(const Actor& actor, const Model& source, Mapping& map)
         Limb limb = limbOf(actor, source, map, children[body]);
         if (limb.count == 0) continue;
         limb.ours -= joint->anchor;
-        limb.theirs = map.facing * (limb.theirs - headOf(source.bones[map.bones[body]].restPose));
+        limb.theirs = map.facing * (limb.theirs - headIn(source.bones[map.bones[body]].restPose));
         if (limb.ours.norm() > 0.0f && limb.theirs.norm() > 0.0f)
             map.aligned[body] = turnBetween(limb.ours, limb.theirs);
     }
@@ -174,7 +169,7 @@ std::vector<JointPair> jointPairs(const Actor& actor, const Model& source, const
     for (const ActorJoint& joint : actor.joints) {
         const uint32_t bone = map.bones[joint.child];
         if (bone == NO_INDEX || actor.bodies[joint.child].isCross) continue;
-        pairs.push_back({joint.anchor - pivot, map.facing * (headOf(source.bones[bone].restPose) - map.pivot)});
+        pairs.push_back({joint.anchor - pivot, map.facing * (headIn(source.bones[bone].restPose) - map.pivot)});
     }
     return pairs;
 }
@@ -227,7 +222,7 @@ Mapping mapForeign(const Actor& actor, const Figure& figure)
     map.facing = facingOf(anatomy, figure, map.bones);
     const Limb root = limbOf(actor, source, map, childrenOf(actor)[0]);
     map.pivot = root.count > 0 ? root.theirs
-                               : headOf(source.bones[map.bones[0] == NO_INDEX ? 0 : map.bones[0]].restPose);
+                               : headIn(source.bones[map.bones[0] == NO_INDEX ? 0 : map.bones[0]].restPose);
     const std::vector<JointPair> pairs = jointPairs(actor, source, map);
     map.scale = scaleOf(pairs);
     map.stands = standsAlike(actor, pairs, map);

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "sim/base/angles.h"
+#include "sim/base/short_list.h"
 #include "sim/rig/anatomy/clip_turns.h"
 #include "sim/rig/anatomy/names/name_pattern.h"
-#include "sim/rig/bodies/short_list.h"
 #include "sim/rig/clips/body_clip.h"
 #include "sim/rig/clips/clip_overlaps.h"
 #include "sim/rig/joints/joint_ranges.h"
@@ -164,18 +164,18 @@ ClipNeeds needsOf(const Actor& actor, std::span<const BodyClip* const> clips)
     for (const BodyClip* clip : clips) {
         for (ActorJoint& joint : widened.joints)
             takeIn(joint.limits, halfType(joint.type), joint.axis, turnsOf(*clip, joint.child));
-        for (const auto& pair : overlapsIn(widened, *clip)) widened.passes.push_back(pair);
+        for (const auto& pair : overlapsIn(widened, *clip)) widened.filtered.push_back(pair);
     }
     ClipNeeds needs;
     for (const ActorJoint& joint : widened.joints) needs.limits.push_back(joint.limits);
-    needs.passes.assign(widened.passes.begin() + std::ssize(actor.passes), widened.passes.end());
+    needs.filtered.assign(widened.filtered.begin() + std::ssize(actor.filtered), widened.filtered.end());
     return needs;
 }
 
 void allow(Actor& actor, const ClipNeeds& needs)
 {
     for (size_t j = 0; j < actor.joints.size(); ++j) actor.joints[j].limits = needs.limits[j];
-    actor.passes.insert(actor.passes.end(), needs.passes.begin(), needs.passes.end());
+    actor.filtered.insert(actor.filtered.end(), needs.filtered.begin(), needs.filtered.end());
     actor.notes.insert(actor.notes.end(), needs.notes.begin(), needs.notes.end());
 }
 

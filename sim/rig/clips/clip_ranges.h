@@ -14,9 +14,9 @@ namespace knuckle {
 
 /// What an actor's joints and bodies have to allow so that clips can be played.
 struct ClipNeeds {
-    std::vector<JointLimits> limits;              ///< Per joint: its own, widened.
-    std::vector<std::array<uint32_t, 2>> passes;  ///< Pairs of bodies that must never touch.
-    std::vector<std::string> notes;               ///< What is not allowed, one sentence each.
+    std::vector<JointLimits> limits;                ///< Per joint: its own, widened.
+    std::vector<std::array<uint32_t, 2>> filtered;  ///< Pairs of bodies that must never touch.
+    std::vector<std::string> notes;                 ///< What is not allowed, one sentence each.
 };
 
 /// Of the model's own clips: limits that take in every turn with 5 degrees to spare, those of both sides alike, but for

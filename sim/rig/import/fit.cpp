@@ -41,7 +41,7 @@ Eigen::AlignedBox3f boundsOf(const Model& model)
     Eigen::AlignedBox3f bounds;
     for (const Vector3f& vertex : model.vertices) bounds.extend(vertex);
     if (model.vertices.empty())
-        for (const Bone& bone : model.bones) bounds.extend(Vector3f(bone.restPose.block<3, 1>(0, 3)));
+        for (const Bone& bone : model.bones) bounds.extend(headIn(bone.restPose));
     return bounds;
 }
 

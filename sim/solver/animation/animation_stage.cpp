@@ -14,14 +14,14 @@ struct Starts {
     std::vector<uint32_t> turns, roots;
 };
 
-void addPlays(std::vector<gpu::GpuClipPlay>& out, const World& world, const Animation& animation, const Starts& starts)
+void addPlays(std::vector<gpu::ClipPlay>& out, const World& world, const Animation& animation, const Starts& starts)
 {
     const PlayPlaces places = placePlays(world, animation);
     for (size_t i = 0; i < animation.plays.size(); ++i) {
         const ClipPlay& play = animation.plays[i];
         const BodyClip& clip = world.clips[play.clip];
         const GroundMotion &start = places.starts[i], &round = places.loops[i];
-        gpu::GpuClipPlay p{};
+        gpu::ClipPlay p{};
         p.firstTurn = starts.turns[play.clip];
         p.firstRoot = starts.roots[play.clip];
         p.keyCount = clip.keyCount();
@@ -82,8 +82,8 @@ void AnimationStage::upload(const StageSetup& setup)
         for (const Quaternionf& turn : clip.turns) turns.push_back(pack(turn));
         for (const Vector3f& root : clip.roots) roots.push_back(pack(root, 0));
     }
-    std::vector<gpu::GpuAnimation> placed;
-    std::vector<gpu::GpuClipPlay> plays;
+    std::vector<gpu::Animation> placed;
+    std::vector<gpu::ClipPlay> plays;
     const auto add = [&](const Animation& animation, uint32_t puppet) {
         placed.push_back({pack(animation.pose.translation, 0), pack(animation.pose.rotation),
                           static_cast<uint32_t>(plays.size()), static_cast<uint32_t>(animation.plays.size()), puppet,
@@ -94,8 +94,8 @@ void AnimationStage::upload(const StageSetup& setup)
     for (const ColliderMotion& motion : world.colliderMotions) add(animationOf(motion), NO_INDEX);
     clipTurns = {"clipTurns", std::span<const gpu::vec4>(turns)};
     clipRoots = {"clipRoots", std::span<const gpu::vec4>(roots)};
-    animations = {"animations", std::span<const gpu::GpuAnimation>(placed)};
-    clipPlays = {"clipPlays", std::span<const gpu::GpuClipPlay>(plays)};
+    animations = {"animations", std::span<const gpu::Animation>(placed)};
+    clipPlays = {"clipPlays", std::span<const gpu::ClipPlay>(plays)};
     addBodies(setup);
     addColliders(setup);
 }

@@ -22,9 +22,9 @@ public:
     Buffer<gpu::vec4> clipTurns;               ///< Per clip, key and body: its turn.
     Buffer<gpu::vec4> clipRoots;               ///< Per clip and key: where the pivot is [m].
     Buffer<gpu::AnimatedBody> animatedBodies;  ///< Grouped by animation, in the order of its object's bodies.
-    Buffer<gpu::GpuAnimation> animations;      ///< Where its object stands, and its plays; then those
+    Buffer<gpu::Animation> animations;         ///< Where its object stands, and its plays; then those
                                                ///< of colliders.
-    Buffer<gpu::GpuClipPlay> clipPlays;        ///< Per animation in order of time.
+    Buffer<gpu::ClipPlay> clipPlays;           ///< Per animation in order of time.
     Buffer<gpu::vec4> clipBodyTurns;   ///< Per animated body, where any is driven: its turn at the substep's end.
     Buffer<gpu::vec4> clipBodyPlaces;  ///< The same: where its centre is then [m], and its rotation.
     Buffer<gpu::MovingCollider> movingColliders;  ///< Where each stands in the frame that moves.

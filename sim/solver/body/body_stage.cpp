@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 
 /// Arrays per mover, bodies first.
 struct Movers {
-    std::vector<gpu::MoverInfo> infos;
+    std::vector<gpu::Mover> infos;
     std::vector<uint32_t> states;
     std::vector<gpu::vec4> centres, rotations, velocities;  ///< The last: fields.
     std::vector<gpu::vec4> moments, inertias, rounds;       ///< Of bodies.
@@ -144,7 +144,7 @@ void BodyStage::uploadLinks(const StageSetup& setup)
         ranges.push_back({static_cast<uint32_t>(inverse.size()), static_cast<uint32_t>(owned.size())});
         for (const Layout::Owner& owner : owned) inverse.push_back({owner.link, owner.body});
     }
-    std::vector<gpu::BodyInfo> infos;
+    std::vector<gpu::Body> infos;
     for (const Body& body : world.bodies) {
         const uint32_t own = layout.ownLinkCounts[infos.size()];
         infos.push_back({body.linkStart, body.linkCount, own, body.linkCount - own});
@@ -155,7 +155,7 @@ void BodyStage::uploadLinks(const StageSetup& setup)
     links = {"links", std::span<const gpu::ParticleRigidBodyLink>(all)};
     particleLinks = {"particleLinks", std::span<const gpu::uvec2>(ranges)};
     linksOfParticle = {"linksOfParticle", std::span<const gpu::uvec2>(inverse)};
-    bodyInfo = {"bodyInfo", std::span<const gpu::BodyInfo>(infos)};
+    bodyInfo = {"bodyInfo", std::span<const gpu::Body>(infos)};
 }
 
 void BodyStage::uploadMovers(const StageSetup& setup)
@@ -164,7 +164,7 @@ void BodyStage::uploadMovers(const StageSetup& setup)
     const size_t count = movers.infos.size(), fields = movers.velocities.size();
     const std::vector<gpu::vec4> unturned(count, gpu::vec4{0, 0, 0, 1});
     const std::vector<gpu::vec4> changes(fields, gpu::vec4{0, 0, 0, INITIAL_RELAXATION});
-    moverInfo = {"moverInfo", std::span<const gpu::MoverInfo>(movers.infos)};
+    moverInfo = {"moverInfo", std::span<const gpu::Mover>(movers.infos)};
     std::vector<gpu::uvec2> releases;
     for (const uint32_t b : setup.layout.heldBodies)
         releases.push_back({b, releaseOf(setup.world, setup.world.bodies[b])});

@@ -26,13 +26,13 @@ public:
     Buffer<gpu::ParticleRigidBodyLink> links;  ///< The paper's listing 1, of bodies and then of clusters.
     Buffer<gpu::uvec2> particleLinks;          ///< Per particle: first entry and count in linksOfParticle.
     Buffer<gpu::uvec2> linksOfParticle;        ///< Per link, grouped by particle: link, body.
-    Buffer<gpu::BodyInfo> bodyInfo;            ///< Per body.
+    Buffer<gpu::Body> bodyInfo;                ///< Per body.
     Buffer<uint32_t> bodyOrder;                ///< Bodies that may respond: those without joints, then those with.
-    Buffer<gpu::vec4> bodyMoments;     ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
-    Buffer<gpu::vec4> bodyInertias;    ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
-    Buffer<gpu::vec4> bodyRounds;      ///< Per body, two: ends of its centre line [m]; w: radius, rolling friction.
-    Buffer<gpu::MoverInfo> moverInfo;  ///< Per mover.
-    Buffer<gpu::uvec2> bodyReleases;   ///< Bodies that may be let go: body, substep that it responds in first.
+    Buffer<gpu::vec4> bodyMoments;    ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
+    Buffer<gpu::vec4> bodyInertias;   ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
+    Buffer<gpu::vec4> bodyRounds;     ///< Per body, two: ends of its centre line [m]; w: radius, rolling friction.
+    Buffer<gpu::Mover> moverInfo;     ///< Per mover.
+    Buffer<gpu::uvec2> bodyReleases;  ///< Bodies that may be let go: body, substep that it responds in first.
     // State, per mover.
     Buffer<uint32_t> moverStates;                           ///< MOVER_*.
     Buffer<gpu::vec4> moverCentres, moverRotations;         ///< c and Q: when a substep begins, or (paper) now.

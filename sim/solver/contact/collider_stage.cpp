@@ -25,11 +25,11 @@ std::vector<uint32_t> gridStarts(const World& world)
     return starts;
 }
 
-gpu::GpuCollider packCollider(const World& world, const Collider& c, const std::vector<uint32_t>& starts)
+gpu::Collider packCollider(const World& world, const Collider& c, const std::vector<uint32_t>& starts)
 {
     const Vector3f size = c.shape == ColliderShape::Box ? c.halfExtents : Vector3f(c.radius, c.halfHeight, 0);
     const auto shape = static_cast<float>(c.shape);
-    gpu::GpuCollider collider{pack(size, shape), {c.staticFriction, c.kineticFriction, 0, 0}, {}, {}};
+    gpu::Collider collider{pack(size, shape), {c.staticFriction, c.kineticFriction, 0, 0}, {}, {}};
     if (!hasGrid(c)) return collider;
     const ColliderGrid& grid = world.colliderGrids[c.grid];
     const Eigen::Vector3<uint32_t> counts = grid.counts.cast<uint32_t>();
@@ -53,7 +53,7 @@ void ColliderStage::upload(const StageSetup& setup)
     std::vector<float> values;
     for (const ColliderGrid& grid : world.colliderGrids)
         values.insert(values.end(), grid.values.begin(), grid.values.end());
-    std::vector<gpu::GpuCollider> all;
+    std::vector<gpu::Collider> all;
     std::vector<gpu::vec4> places;
     const auto add = [&](const Collider& c) {
         all.push_back(packCollider(world, c, starts));
@@ -64,7 +64,7 @@ void ColliderStage::upload(const StageSetup& setup)
     const auto addRegion = [&](const Region& region) { add({region}); };
     for (const Region& drain : world.drains) addRegion(drain);
     for (const Release& release : world.releases) addRegion(release.region);
-    colliders = {"colliders", std::span<const gpu::GpuCollider>(all)};
+    colliders = {"colliders", std::span<const gpu::Collider>(all)};
     colliderPlaces = {"colliderPlaces", std::span<const gpu::vec4>(places)};
     gridValues = {"gridValues", std::span<const float>(values)};
     std::vector<gpu::vec4> still;

@@ -13,12 +13,12 @@ public:
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
-    Buffer<gpu::GpuCollider> colliders;  ///< Colliders, drains, regions of releases.
-    Buffer<gpu::vec4> colliderPlaces;    ///< Of each its position [m] and orientation.
-    Buffer<float> gridValues;            ///< Of all ColliderGrids, one after another.
-    Buffer<gpu::vec4> colliderMoves;     ///< Per collider, where any moves: how far its place and its farthest point
-                                         ///< come in the substep [m]; its turn.
-    Buffer<float> colliderAheads;        ///< The same: how far its farthest point comes in the step [m].
+    Buffer<gpu::Collider> colliders;   ///< Colliders, drains, regions of releases.
+    Buffer<gpu::vec4> colliderPlaces;  ///< Of each its position [m] and orientation.
+    Buffer<float> gridValues;          ///< Of all ColliderGrids, one after another.
+    Buffer<gpu::vec4> colliderMoves;   ///< Per collider, where any moves: how far its place and its farthest point
+                                       ///< come in the substep [m]; its turn.
+    Buffer<float> colliderAheads;      ///< The same: how far its farthest point comes in the step [m].
 };
 
 }  // namespace knuckle

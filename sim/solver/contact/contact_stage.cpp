@@ -25,7 +25,7 @@ void ContactStage::setParameters(const StageSetup& setup)
     // What a substep keeps of an impulse, of what it differs by from its mean, and of the mean.
     const float iterations = static_cast<float>(s.iterations);
     p.warmStart = std::pow(0.985f, 1.0f / iterations);
-    p.calming = 1.0f - std::pow(0.95f, 1.0f / iterations);
+    p.impulseDamping = 1.0f - std::pow(0.95f, 1.0f / iterations);
     p.meanRate = 1.0f - std::pow(0.9975f, 1.0f / iterations);
     p.massScaling = s.massScaling;
 }

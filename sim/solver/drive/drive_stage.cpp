@@ -21,9 +21,9 @@ void DriveStage::upload(const StageSetup& setup)
     setup.parameters.puppetCount = static_cast<uint32_t>(out.puppets.size());
     setup.parameters.jointDriveCount = static_cast<uint32_t>(out.drives.size());
     setup.parameters.pinCount = static_cast<uint32_t>(out.pins.size());
-    puppets = {"puppets", std::span<const gpu::GpuPuppet>(out.puppets)};
-    jointDrives = {"jointDrives", std::span<const gpu::GpuJointDrive>(out.drives)};
-    pins = {"pins", std::span<const gpu::GpuPin>(out.pins)};
+    puppets = {"puppets", std::span<const gpu::Puppet>(out.puppets)};
+    jointDrives = {"jointDrives", std::span<const gpu::JointDrive>(out.drives)};
+    pins = {"pins", std::span<const gpu::Pin>(out.pins)};
     strengthKeys = {"strengthKeys", std::span<const gpu::vec4>(out.keys)};
     puppetOrder = {"puppetOrder", std::span<const gpu::uvec2>(out.order)};
     limpSubsteps = {"limpSubsteps", std::span<const gpu::uvec4>(out.limp)};

@@ -31,9 +31,9 @@ public:
     /// What pins give, and what has become of puppets. Stalls until the GPU is done.
     void measure(Measures& out) const;
 
-    Buffer<gpu::GpuPuppet> puppets;  ///< Its bodies, the keys of its strength.
-    Buffer<gpu::GpuJointDrive> jointDrives;
-    Buffer<gpu::GpuPin> pins;
+    Buffer<gpu::Puppet> puppets;  ///< Its bodies, the keys of its strength.
+    Buffer<gpu::JointDrive> jointDrives;
+    Buffer<gpu::Pin> pins;
     Buffer<gpu::vec4> strengthKeys;     ///< Per puppet: time [s], strength; 1: smooth.
     Buffer<gpu::uvec2> puppetOrder;     ///< Animated bodies, parents before what hangs on them; 1: pinned.
     Buffer<gpu::uvec2> caughtReleases;  ///< Per animated body: its place in bodyReleases, when it is let go again.

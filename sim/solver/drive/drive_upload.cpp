@@ -63,9 +63,9 @@ float bounded(float greatest)
     return std::min(greatest, std::numeric_limits<float>::max());
 }
 
-gpu::GpuJointDrive packDrive(const DriveSpring& spring, const JointSide& side, bool hinge)
+gpu::JointDrive packDrive(const DriveSpring& spring, const JointSide& side, bool hinge)
 {
-    gpu::GpuJointDrive drive{};
+    gpu::JointDrive drive{};
     const Spring s = spring.isGiven() ? Spring{spring.stiffness, spring.damping} : springOf(spring);
     drive.axis = pack(side.frame * Vector3f::UnitX(), hinge ? 1.0f : 0.0f);
     drive.stiffness = s.stiffness;
@@ -75,9 +75,9 @@ gpu::GpuJointDrive packDrive(const DriveSpring& spring, const JointSide& side, b
     return drive;
 }
 
-gpu::GpuPin packPin(const DriveSpring& spring)
+gpu::Pin packPin(const DriveSpring& spring)
 {
-    gpu::GpuPin pin{};
+    gpu::Pin pin{};
     const Spring s = springOf(spring);
     pin.stiffness = s.stiffness;
     pin.damping = s.damping;
@@ -95,10 +95,10 @@ bool isHeld(const World& world, const Object& object)
     });
 }
 
-gpu::GpuPuppet packPuppet(const World& world, const Puppet& puppet, uint32_t firstBody, size_t firstKey)
+gpu::Puppet packPuppet(const World& world, const Puppet& puppet, uint32_t firstBody, size_t firstKey)
 {
     const Object& object = objectOf(world, puppet);
-    gpu::GpuPuppet p{};
+    gpu::Puppet p{};
     p.firstBody = firstBody;
     p.bodyCount = object.bodyCount;
     p.firstKey = static_cast<uint32_t>(firstKey);
@@ -147,9 +147,9 @@ void addJoints(DriveUpload& out, const StageSetup& setup, const Puppet& puppet, 
     for (const Driven& driven : drivenJoints(world, puppet)) {
         const uint32_t body = object.bodyStart + driven.body, parent = object.bodyStart + driven.parent;
         const Joint& joint = *driven.joint;
-        gpu::GpuJointDrive drive = packDrive(puppet.joints[driven.body],
-                                             joint.child == body ? joint.childSide : joint.parentSide,
-                                             joint.type == JointType::Hinge);
+        gpu::JointDrive drive = packDrive(puppet.joints[driven.body],
+                                          joint.child == body ? joint.childSide : joint.parentSide,
+                                          joint.type == JointType::Hinge);
         drive.body = firstBody + driven.body;
         drive.joint = treeJointOf(setup.layout.jointTrees, body, parent);
         drive.row = rows[2 * out.drives.size()];
@@ -170,7 +170,7 @@ void addPins(DriveUpload& out, const StageSetup& setup, const Puppet& puppet, ui
     const Object& object = objectOf(world, puppet);
     for (const Pin& wanted : puppet.pins) {
         const Body& body = world.bodies[object.bodyStart + wanted.body];
-        gpu::GpuPin pin = packPin(wanted.spring);
+        gpu::Pin pin = packPin(wanted.spring);
         pin.body = firstBody + wanted.body;
         pin.joint = treeJointOf(setup.layout.jointTrees, object.bodyStart + wanted.body);
         pin.row = rows[out.pins.size()];

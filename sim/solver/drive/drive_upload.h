@@ -9,9 +9,9 @@ namespace knuckle {
 
 /// What the buffers of the same meaning in DriveStage begin with.
 struct DriveUpload {
-    std::vector<gpu::GpuPuppet> puppets;
-    std::vector<gpu::GpuJointDrive> drives;
-    std::vector<gpu::GpuPin> pins;
+    std::vector<gpu::Puppet> puppets;
+    std::vector<gpu::JointDrive> drives;
+    std::vector<gpu::Pin> pins;
     std::vector<gpu::vec4> keys, driveStates, pinStates;
     std::vector<gpu::uvec2> order, again;  ///< Per animated body.
     std::vector<gpu::uvec4> limp;          ///< Per animated body.

@@ -27,13 +27,13 @@ struct Fixed {
     uint64_t bits;
 };
 
-gpu::GpuEmitter packEmitter(const Emitter& e, const World& world)
+gpu::Emitter packEmitter(const Emitter& e, const World& world)
 {
     const double step = world.settings.timeStep, rate = 1.0 / e.interval();
     // Emitters work at the end of a step: nothing can leave before the end of the first.
     const double first = std::max(1.0, std::ceil(e.start / step));
     const Fixed past((first * step - e.start) * rate), perStep(step * rate);
-    gpu::GpuEmitter out{};
+    gpu::Emitter out{};
     out.velocity = pack(e.velocity, ROOM * std::min({e.nozzle.pitch, e.nozzle.layerSpacing, world.fluidSpacing}));
     out.clock = {past.low(), past.high(), perStep.low(), perStep.high()};
     out.startStep = static_cast<uint32_t>(first);
@@ -62,12 +62,12 @@ void EmitterStage::upload(const StageSetup& setup)
 void EmitterStage::uploadPools(const StageSetup& setup)
 {
     gpu::StepParameters& p = setup.parameters;
-    std::vector<gpu::GpuEmitter> all;
+    std::vector<gpu::Emitter> all;
     std::vector<gpu::vec4> points;
     std::vector<uint32_t> order, inactive, chunks;
     uint32_t particle = p.particleCount + p.fluidFilled;
     for (const Emitter& e : setup.world.emitters) {
-        gpu::GpuEmitter emitter = packEmitter(e, setup.world);
+        gpu::Emitter emitter = packEmitter(e, setup.world);
         emitter.firstPoint = static_cast<uint32_t>(points.size());
         emitter.poolStart = static_cast<uint32_t>(order.size());
         for (const Vector3f& point : e.nozzle.points) points.push_back(pack(point, 0));
@@ -83,7 +83,7 @@ void EmitterStage::uploadPools(const StageSetup& setup)
     order.resize(p.poolCapacity, NO_INDEX);
     inactive.resize(p.poolCapacity, 0);
     order.insert(order.end(), order.begin(), order.end());  // two halves
-    emitters = {"emitters", std::span<const gpu::GpuEmitter>(all)};
+    emitters = {"emitters", std::span<const gpu::Emitter>(all)};
     emitterStates = {"emitterStates", all.size()};
     nozzlePoints = {"nozzlePoints", std::span<const gpu::vec4>(points)};
     poolOrder = {"poolOrder", std::span<const uint32_t>(order)};

@@ -21,7 +21,7 @@ public:
     /// Fluid particles that are there, that came and that left since the start. Stalls until the GPU is done.
     void measure(Measures& out) const;
 
-    Buffer<gpu::GpuEmitter> emitters;         ///< What never changes about each.
+    Buffer<gpu::Emitter> emitters;            ///< What never changes about each.
     Buffer<gpu::EmitterState> emitterStates;  ///< Per emitter, within a step.
     Buffer<gpu::vec4> nozzlePoints;           ///< Where layers leave [m].
     Buffer<uint32_t> poolOrder;               ///< Halves: the particles of each pool, whose turn it is first.

@@ -16,7 +16,7 @@ using Eigen::AlignedBox3f;
 constexpr float INF = std::numeric_limits<float>::infinity();
 
 /// Moves a face of `limits` inwards to a plane that looks along an axis.
-void stopAt(AlignedBox3f& limits, const Collider& plane)
+void limitAt(AlignedBox3f& limits, const Collider& plane)
 {
     const Vector3f normal = plane.orientation * Vector3f::UnitY();
     for (int axis = 0; axis < 3; ++axis) {
@@ -26,7 +26,7 @@ void stopAt(AlignedBox3f& limits, const Collider& plane)
 }
 
 /// The same for a box collider that covers at least half of a face of `limits`: a wall, up to its far side.
-void stopAt(AlignedBox3f& limits, const AlignedBox3f& box, const AlignedBox3f& wall)
+void limitAt(AlignedBox3f& limits, const AlignedBox3f& box, const AlignedBox3f& wall)
 {
     const Vector3f common = box.intersection(wall).sizes();
     for (int axis = 0; axis < 3; ++axis) {
@@ -42,8 +42,8 @@ AlignedBox3f limitsOf(const World& world, const AlignedBox3f& box, float margin)
 {
     AlignedBox3f limits(Vector3f::Constant(-INF), Vector3f::Constant(INF));
     for (const Collider& collider : world.colliders)
-        if (collider.shape == ColliderShape::Plane) stopAt(limits, collider);
-        else stopAt(limits, box, colliderBounds(world, collider));
+        if (collider.shape == ColliderShape::Plane) limitAt(limits, collider);
+        else limitAt(limits, box, colliderBounds(world, collider));
     const AlignedBox3f all = limits.merged(box);  // nothing ends behind the particles themselves
     return {all.min() - Vector3f::Constant(margin), all.max() + Vector3f::Constant(margin)};
 }

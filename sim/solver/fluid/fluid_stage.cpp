@@ -14,7 +14,7 @@ namespace knuckle {
 
 namespace {
 
-/// Passes between two looks at what is left: the pressure of the walls goes about a particle far in each.
+/// Filters between two looks at what is left: the pressure of the walls goes about a particle far in each.
 constexpr int RELAXATIONS = 24;
 /// Where no way leads out, as in a closed box that is too full, more would not help.
 constexpr int MOST_LOOKS = 80;

@@ -12,7 +12,7 @@ namespace {
 static_assert(static_cast<uint32_t>(FieldKind::Blow) == FIELD_BLOW);
 static_assert(static_cast<uint32_t>(FieldFalloff::Linear) == FALLOFF_LINEAR);
 
-gpu::GpuForceField packField(const ForceField& field)
+gpu::ForceField packField(const ForceField& field)
 {
     const Region& region = field.region;
     const bool isBox = region.shape == ColliderShape::Box;
@@ -46,17 +46,17 @@ void ForceStage::upload(const StageSetup& setup)
     const Wind wind = world.wind.value_or(Wind{.density = 0.0f});
     setup.parameters.wind = pack(wind.velocity, wind.density);
     setup.parameters.dropDrag = dropDrag(world.fluidSpacing);
-    std::vector<gpu::GpuForceField> fields;
+    std::vector<gpu::ForceField> fields;
     for (const ForceField& field : world.forceFields) fields.push_back(packField(field));
-    std::vector<gpu::GpuGustWave> waves;
+    std::vector<gpu::GustWave> waves;
     for (const GustWave& w : knuckle::gustWaves(wind))
         waves.push_back({pack(w.wave, w.phase), pack(w.amplitude, w.rate - w.wave.dot(wind.velocity))});
     setup.parameters.forceFieldCount = static_cast<uint32_t>(fields.size());
     setup.parameters.gustWaveCount = static_cast<uint32_t>(waves.size());
     std::vector<gpu::vec4> drags;
     for (const Vector3f& drag : dragsOf(world)) drags.push_back(pack(drag, 0));
-    forceFields = {"forceFields", std::span<const gpu::GpuForceField>(fields)};
-    gustWaves = {"gustWaves", std::span<const gpu::GpuGustWave>(waves)};
+    forceFields = {"forceFields", std::span<const gpu::ForceField>(fields)};
+    gustWaves = {"gustWaves", std::span<const gpu::GustWave>(waves)};
     moverDrags = {"moverDrags", std::span<const gpu::vec4>(drags)};
     moverAccelerations = {"moverAccelerations", drags.size()};
     uploadCloth(setup);

@@ -19,8 +19,8 @@ public:
     /// At its end: makes fluids faster by what acts on them.
     void actOnFluids(Recorder& recorder) const;
 
-    Buffer<gpu::GpuForceField> forceFields;
-    Buffer<gpu::GpuGustWave> gustWaves;
+    Buffer<gpu::ForceField> forceFields;
+    Buffer<gpu::GustWave> gustWaves;
     Buffer<gpu::vec4> moverDrags;          ///< Of dragsOf() [1/m].
     Buffer<gpu::uvec2> clothRanges;        ///< Per loose mover, where there is cloth: its first triangle, how many.
     Buffer<gpu::uvec4> clothTriangles;     ///< Particles of its corners, once for each corner that moves by itself.

@@ -121,7 +121,7 @@ void JointStage::uploadTrees(const StageSetup& setup)
     const std::vector<uint32_t> reserved = setup.rows.rowsOf(KIND);
     size_t next = 0;
     std::vector<gpu::uvec4> ranges;
-    std::vector<gpu::JointInfo> infos;
+    std::vector<gpu::Joint> infos;
     std::vector<uint32_t> freedoms;
     const auto loops = static_cast<uint32_t>(trees.joints.size());
     std::vector<gpu::vec4> places;
@@ -140,13 +140,13 @@ void JointStage::uploadTrees(const StageSetup& setup)
         places.push_back(pack(joint.parentSide.frame));
     }
     jointTrees = {"jointTrees", std::span<const gpu::uvec4>(ranges)};
-    jointInfo = {"jointInfo", std::span<const gpu::JointInfo>(infos)};
+    jointInfo = {"jointInfo", std::span<const gpu::Joint>(infos)};
     jointFreedoms = {"jointFreedoms", std::span<const uint32_t>(freedoms)};
     jointPlaces = {"jointPlaces", std::span<const gpu::vec4>(places)};
     jointFactors = {"jointFactors", JOINT_FACTOR_TEXELS * trees.joints.size()};
     rootFactors = {"rootFactors", ROOT_FACTOR_TEXELS * trees.joints.size()};
     treeTurns = {"treeTurns", trees.trees.size()};
-    jointPassed = {"jointPassed", JOINT_PASSED_TEXELS * trees.joints.size()};
+    jointInertias = {"jointInertias", JOINT_INERTIA_TEXELS * trees.joints.size()};
     jointSweeps = {"jointSweeps", JOINT_SWEEP_TEXELS * trees.joints.size()};
     loopFactors = {"loopFactors", LOOP_FACTOR_TEXELS * trees.loops.size()};
     bodyResponses = {"bodyResponses", BODY_RESPONSE_TEXELS * size_t{setup.layout.bodyCount}};
@@ -158,7 +158,7 @@ void JointStage::uploadTrees(const StageSetup& setup)
 void JointStage::uploadLimits(const StageSetup& setup)
 {
     constexpr float NONE = 4.0f;  // more than half a turn
-    std::vector<gpu::JointLimits> limits;
+    std::vector<gpu::JointRange> limits;
     if (hasLimits_) {
         for (const JointTrees::Joint& joint : setup.layout.jointTrees.all()) {
             const TurnLimits l = joint.joint == NO_INDEX ? TurnLimits{} : setup.world.joints[joint.joint].limits;
@@ -167,9 +167,9 @@ void JointStage::uploadLimits(const StageSetup& setup)
                               std::isinf(l.stiffness) ? 0.0f : l.stiffness});
         }
     }
-    jointLimits = {"jointLimits", std::span<const gpu::JointLimits>(limits)};
-    jointStops = {"jointStops", JOINT_STOP_TEXELS * limits.size()};
-    jointStops.clear();
+    jointLimits = {"jointLimits", std::span<const gpu::JointRange>(limits)};
+    jointLimitStates = {"jointLimitStates", JOINT_LIMIT_TEXELS * limits.size()};
+    jointLimitStates.clear();
 }
 
 void JointStage::uploadStrengths(const StageSetup& setup)
@@ -189,7 +189,7 @@ void JointStage::uploadStrengths(const StageSetup& setup)
         }
     }
     jointStrengths = {"jointStrengths", std::span<const gpu::uvec4>(strengths)};
-    jointPasses = {"jointPasses", std::span<const gpu::uvec2>(parted)};
+    jointFilters = {"jointFilters", std::span<const gpu::uvec2>(parted)};
     jointParticles = {"jointParticles", std::span<const uint32_t>(particles)};
     jointLoads = {"jointLoads", JOINT_LOAD_TEXELS * strengths.size()};
     jointLoads.clear();
@@ -199,9 +199,9 @@ void JointStage::addBuffers(BufferTable& table)
 {
     table.addFloatStructs(Lifetime::Constant, jointLimits);
     table.add(Lifetime::Constant, sharedParticles, jointTrees, jointInfo, jointPlaces, jointStrengths, jointParticles,
-              jointPasses);
-    table.add(Lifetime::State, jointFreedoms, jointStops, jointLoads, bodyResponses);
-    table.add(Lifetime::Scratch, jointFactors, rootFactors, treeTurns, jointPassed, jointSweeps, loopFactors);
+              jointFilters);
+    table.add(Lifetime::State, jointFreedoms, jointLimitStates, jointLoads, bodyResponses);
+    table.add(Lifetime::Scratch, jointFactors, rootFactors, treeTurns, jointInertias, jointSweeps, loopFactors);
 }
 
 void JointStage::factor(Recorder& recorder) const

@@ -17,16 +17,16 @@ namespace knuckle {
 ///
 ///       root    <- bodyLoads (4)                      root    <- bodyLoads        root    -> its motion, by
 ///         |        rootFactors (6) ->                 |                           |        rootFactors
-///         |  ^ jointPassed (6): inertia that            |  ^ passed force           |  v motion of the parent
+///         |  ^ jointInertias (6): inertia that            |  ^ passed force           |  v motion of the parent
 ///         |    the parent sees                          |    (jointSweeps, 9)       |
 ///       body    <- bodyLoads                          body    <- bodyLoads,       body    -> its motion, by
 ///         |        jointFactors (11) ->                 |        joint's error      |        jointFactors; to rows,
-///         |  ^ jointPassed                              |  ^ passed force           |  v     the force that holds
+///         |  ^ jointInertias                              |  ^ passed force           |  v     the force that holds
 ///       body    <- bodyLoads                          body                        body
 ///
 /// A joint that closes a loop is a force between two bodies of the tree: joint_loop_factor tries how far each unit of
 /// it moves them apart (loopFactors, 10), joint_loop_solve takes back what is left of its error. With limits,
-/// jointStops (4) are springs that only push, in the same blocks. joint_factor runs again where others hold than
+/// jointLimitStates (4) are springs that only push, in the same blocks. joint_factor runs again where others hold than
 /// before, or bodies have turned (treeTurns). Where something asks how bodies answer to forces with all that hangs on
 /// them, joint_factor leaves bodyResponses (9). joint_tear compares jointLoads (2) with what joints bear.
 class JointStage : public Stage {
@@ -54,23 +54,23 @@ public:
 
     Buffer<uint32_t> sharedParticles;  ///< The particles of two or more bodies.
     // Of the trees (layout/joint_trees.h).
-    Buffer<gpu::uvec4> jointTrees;         ///< First joint, end; first loop, end.
-    Buffer<gpu::JointInfo> jointInfo;      ///< Per joint, those that close loops last.
-    Buffer<uint32_t> jointFreedoms;        ///< Per joint: JOINT_*; of a torn one JOINT_NONE.
-    Buffer<gpu::vec4> jointPlaces;         ///< Per joint: arms in the two bodies [m], axes in the two.
-    Buffer<gpu::vec4> jointFactors;        ///< Per joint of a tree: what its body and all that hangs on it add up to.
-    Buffer<gpu::vec4> rootFactors;         ///< Per joint of a tree: how its body answers where nothing holds it.
-    Buffer<float> treeTurns;               ///< Per tree: the largest turn of a body in the last solve [rad], squared.
-    Buffer<gpu::vec4> jointPassed;         ///< Per joint of a tree: what of its body its parent sees.
-    Buffer<gpu::vec4> jointSweeps;         ///< Per joint of a tree: what the sweeps leave for each other.
-    Buffer<gpu::vec4> loopFactors;         ///< Per joint that closes a loop: how its ends move apart.
-    Buffer<gpu::JointLimits> jointLimits;  ///< Per joint, where any has limits.
-    Buffer<gpu::vec4> jointStops;          ///< Per joint: where its limits stop it, and how hard.
-    Buffer<gpu::uvec4> jointStrengths;  ///< Per joint: bits of force [N], torque [N m]; first of jointParticles, end.
-    Buffer<gpu::uvec2> jointPasses;     ///< Bodies that touch each other once it is torn; of a world where joints tear.
-    Buffer<uint32_t> jointParticles;    ///< Those that its bodies share; of a world where joints tear.
-    Buffer<gpu::vec4> jointLoads;       ///< Per joint: what it bore in the substep before [N], [N m].
-    Buffer<gpu::vec4> bodyResponses;    ///< Per body: how it answers to forces with what its joints move along.
+    Buffer<gpu::uvec4> jointTrees;        ///< First joint, end; first loop, end.
+    Buffer<gpu::Joint> jointInfo;         ///< Per joint, those that close loops last.
+    Buffer<uint32_t> jointFreedoms;       ///< Per joint: JOINT_*; of a torn one JOINT_NONE.
+    Buffer<gpu::vec4> jointPlaces;        ///< Per joint: arms in the two bodies [m], axes in the two.
+    Buffer<gpu::vec4> jointFactors;       ///< Per joint of a tree: what its body and all that hangs on it add up to.
+    Buffer<gpu::vec4> rootFactors;        ///< Per joint of a tree: how its body answers where nothing holds it.
+    Buffer<float> treeTurns;              ///< Per tree: the largest turn of a body in the last solve [rad], squared.
+    Buffer<gpu::vec4> jointInertias;      ///< Per joint of a tree: what of its body its parent sees.
+    Buffer<gpu::vec4> jointSweeps;        ///< Per joint of a tree: what the sweeps leave for each other.
+    Buffer<gpu::vec4> loopFactors;        ///< Per joint that closes a loop: how its ends move apart.
+    Buffer<gpu::JointRange> jointLimits;  ///< Per joint, where any has limits.
+    Buffer<gpu::vec4> jointLimitStates;   ///< Per joint: where its limits stop it, and how hard.
+    Buffer<gpu::uvec4> jointStrengths;    ///< Per joint: bits of force [N], torque [N m]; first of jointParticles, end.
+    Buffer<gpu::uvec2> jointFilters;  ///< Bodies that touch each other once it is torn; of a world where joints tear.
+    Buffer<uint32_t> jointParticles;  ///< Those that its bodies share; of a world where joints tear.
+    Buffer<gpu::vec4> jointLoads;     ///< Per joint: what it bore in the substep before [N], [N m].
+    Buffer<gpu::vec4> bodyResponses;  ///< Per body: how it answers to forces with what its joints move along.
 
 private:
     void uploadTrees(const StageSetup& setup);

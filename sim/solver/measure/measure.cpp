@@ -123,12 +123,12 @@ bool mayTouch(const World& world, uint32_t a, uint32_t b)
     const float near = 0.99f + std::max(first.selfMargin, second.selfMargin);
     if ((first.restPosition - second.restPosition).norm() <= near * world.diameter()) return false;
     if (first.body == NO_INDEX || second.body == NO_INDEX) return true;
-    if (first.bodyCount < 2 && second.bodyCount < 2) return !passes(world, first.body, second.body);
+    if (first.bodyCount < 2 && second.bodyCount < 2) return !areFiltered(world, first.body, second.body);
     for (uint32_t body = 0; body < world.bodies.size(); ++body) {
         if (world.bodies[body].assembly != first.assembly) continue;
         const bool hasFirst = inBody(world, a, body), hasSecond = inBody(world, b, body);
         if (hasFirst && hasSecond) return false;
-        for (const uint32_t other : world.bodies[body].passes)
+        for (const uint32_t other : world.bodies[body].filtered)
             if ((hasFirst && inBody(world, b, other)) || (hasSecond && inBody(world, a, other))) return false;
     }
     return true;

@@ -33,7 +33,7 @@ void ParticleStage::uploadConstants(const StageSetup& setup)
 {
     const World& world = setup.world;
     std::vector<gpu::vec4> rest, mass, surfaces;
-    std::vector<gpu::ParticleInfo> infos;
+    std::vector<gpu::Particle> infos;
     for (const Particle& p : world.particles) {
         const Material& material = world.materials[p.material];
         surfaces.push_back(p.bodyCount == 1 ? pack(p.surface.outward, p.surface.distance) : gpu::vec4{});
@@ -47,7 +47,7 @@ void ParticleStage::uploadConstants(const StageSetup& setup)
     restPositions = {"restPositions", std::span<const gpu::vec4>(rest)};
     masses = {"masses", std::span<const gpu::vec4>(mass)};
     particleSurfaces = {"particleSurfaces", std::span<const gpu::vec4>(surfaces)};
-    particleInfo = {"particleInfo", std::span<const gpu::ParticleInfo>(infos)};
+    particleInfo = {"particleInfo", std::span<const gpu::Particle>(infos)};
     particleRanks = {"particleRanks", std::span<const gpu::uvec2>(ranks)};
     rankedParticles = {"rankedParticles", std::span<const uint32_t>(setup.layout.rankedParticles)};
     latticeEnds = {"latticeEnds", std::span<const uint32_t>(setup.layout.latticeEnds)};

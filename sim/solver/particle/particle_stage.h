@@ -12,7 +12,7 @@ public:
     void addBuffers(BufferTable& table) override;
 
     Buffer<gpu::vec4> positions, velocities;  ///< At the end of the last step [m], [m/s]; w: 1 if inactive.
-    Buffer<gpu::ParticleInfo> particleInfo;   ///< What never changes about each.
+    Buffer<gpu::Particle> particleInfo;       ///< What never changes about each.
     Buffer<gpu::uvec2> particleRanks;         ///< gpu::ParticleRank, of solid particles.
     Buffer<uint32_t> rankedParticles;         ///< Per rank: the particle.
     Buffer<gpu::vec4> masses;                 ///< Inverse mass [1/kg], restitution, static, kinetic friction.

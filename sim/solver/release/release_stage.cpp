@@ -44,7 +44,7 @@ void ReleaseStage::upload(const StageSetup& setup)
 {
     const World& world = setup.world;
     const auto firstRegion = static_cast<uint32_t>(world.colliders.size() + world.drains.size());
-    std::vector<gpu::GpuRelease> all;
+    std::vector<gpu::Release> all;
     std::vector<uint32_t> entries, limps;
     for (const Release& release : world.releases) {
         const Object& object = world.objects[world.bodies[release.bodies[0]].object];
@@ -68,7 +68,7 @@ void ReleaseStage::upload(const StageSetup& setup)
     setup.parameters.impulseWatchCount = addWatches(ReleaseCause::Impulse);
     setup.parameters.touchWatchCount = addWatches(ReleaseCause::Touch);
     setup.parameters.regionWatchCount = addWatches(ReleaseCause::Region);
-    releases = {"releases", std::span<const gpu::GpuRelease>(all)};
+    releases = {"releases", std::span<const gpu::Release>(all)};
     releaseEntries = {"releaseEntries", std::span<const uint32_t>(entries)};
     releaseLimps = {"releaseLimps", std::span<const uint32_t>(limps)};
     releaseWatches = {"releaseWatches", std::span<const gpu::uvec2>(watches)};

@@ -25,7 +25,7 @@ public:
     /// Of all bodies that were let go so far, but for those that never were held. @param substep done so far.
     std::vector<LetGo> letGo(const std::vector<gpu::uvec2>& bodyReleases, uint32_t substep) const;
 
-    Buffer<gpu::GpuRelease> releases;   ///< World::releases.
+    Buffer<gpu::Release> releases;      ///< World::releases.
     Buffer<uint32_t> releaseEntries;    ///< Per release: which of bodyReleases it lets go.
     Buffer<uint32_t> releaseLimps;      ///< Per release: what of puppets it makes limp, among all that clips move.
     Buffer<gpu::uvec2> releaseWatches;  ///< Release and body, a thread each: by impulse, by touch, by region.

@@ -6,8 +6,9 @@ namespace knuckle {
 
 namespace {
 
-// Rounds of two iterations of the impulses that make collisions bounce.
-constexpr uint32_t RESTITUTION_ROUNDS = 2;
+// Solves, each a plain round and an eager one. With finding collisions, the energy ledger and the shares that leaves
+// seven rounds.
+constexpr uint32_t SOLVES = 2;
 
 }  // namespace
 
@@ -57,7 +58,7 @@ void RestitutionStage::iterate(Recorder& recorder, const Kernel& pairs, const Ke
 void RestitutionStage::apply(Recorder& recorder) const
 {
     iterate(recorder, detectPairs_, detectColliders_, countMovers_);
-    for (uint32_t i = 0; i < RESTITUTION_ROUNDS; ++i) {
+    for (uint32_t i = 0; i < SOLVES; ++i) {
         iterate(recorder, solvePairs_, solveColliders_, moveMovers_);
         iterate(recorder, solvePairsEagerly_, solveCollidersEagerly_, moveMovers_);
     }

@@ -31,7 +31,7 @@ void SearchStage::upload(const StageSetup& setup)
 {
     setParameters(setup);
     makeGrid(setup.parameters);
-    uploadPasses(setup.world);
+    uploadFilters(setup.world);
     const uint32_t movers = setup.layout.moverCount();
     const std::vector<gpu::vec4> unturned(movers, gpu::vec4{0, 0, 0, 1});
     // All of them, for a solver that does not look which are near.
@@ -44,26 +44,26 @@ void SearchStage::upload(const StageSetup& setup)
     moverColliders = {"moverColliders", std::span<const uint32_t>(all)};
 }
 
-void SearchStage::uploadPasses(const World& world)
+void SearchStage::uploadFilters(const World& world)
 {
     std::vector<gpu::uvec4> ranges;
     std::vector<uint32_t> words;
     for (const Body& body : world.bodies) {
         const auto firstWord = static_cast<uint32_t>(words.size());
-        if (body.passes.empty()) {
+        if (body.filtered.empty()) {
             ranges.push_back({0, 0, 0, 0});
             continue;
         }
         const Object& object = world.objects[body.object];
         ranges.push_back({32 * firstWord, object.bodyStart, object.bodyEnd(), 0});
         words.resize(firstWord + (object.bodyCount + 31) / 32);
-        for (const uint32_t other : body.passes) {
+        for (const uint32_t other : body.filtered) {
             const uint32_t bit = other - object.bodyStart;
             words[firstWord + bit / 32] |= 1u << bit % 32;
         }
     }
-    bodyPasses = {"bodyPasses", std::span<const gpu::uvec4>(ranges)};
-    passBits = {"passBits", std::span<const uint32_t>(words)};
+    bodyFilters = {"bodyFilters", std::span<const gpu::uvec4>(ranges)};
+    filterBits = {"filterBits", std::span<const uint32_t>(words)};
 }
 
 /// How far contacts are looked for, and for how long they stay good. Neighbours rarely use up their margins both and
@@ -136,8 +136,8 @@ void SearchStage::reserve(gpu::StepParameters& p, const gpu::Counters& counters)
 
 void SearchStage::addBuffers(BufferTable& table)
 {
-    table.add(Lifetime::Constant, bodyPasses);
-    table.add(Lifetime::State, passBits, searchPositions, searchCentres, searchRotations, listStarts, pairs,
+    table.add(Lifetime::Constant, bodyFilters);
+    table.add(Lifetime::State, filterBits, searchPositions, searchCentres, searchRotations, listStarts, pairs,
               pairReferences, colliderPairs);
     table.add(Lifetime::State, cellCounts, cellSums, listCounts, listSums);  // they begin a search with zeros
     table.add(Lifetime::Scratch, moverReaches, fastParticles, moverColliders, particleCells, cellStarts, cellMembers,

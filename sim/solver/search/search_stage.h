@@ -35,11 +35,12 @@ public:
     Buffer<gpu::uvec2> pairs;                           ///< Halves of pairCapacity: first and second particle.
     Buffer<uint32_t> pairArrivals, pairReferences;      ///< Pairs by their second particle; the latter in order.
     Buffer<gpu::uvec2> colliderPairs;                   ///< Halves of colliderPairCapacity: particle, collider.
-    Buffer<gpu::uvec4> bodyPasses;  ///< Per body: its first bit in passBits; its object's first body, the last's end.
-    Buffer<uint32_t> passBits;      ///< A bit a body and body of its object: they never touch (Body::passes).
+    Buffer<gpu::uvec4>
+        bodyFilters;              ///< Per body: its first bit in filterBits; its object's first body, the last's end.
+    Buffer<uint32_t> filterBits;  ///< A bit a body and body of its object: they never touch (Body::filtered).
 
 private:
-    void uploadPasses(const World& world);
+    void uploadFilters(const World& world);
     void setParameters(const StageSetup& setup);
     void makeGrid(gpu::StepParameters& parameters);
 

@@ -16,12 +16,12 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Lame's two over the density, and what is worked out of them.
-gpu::GpuSoftMatter matterOf(const World& world, const SoftBody& soft)
+gpu::SoftMatter matterOf(const World& world, const SoftBody& soft)
 {
     const Material& material = world.materials[soft.material];
     const Elasticity& e = material.elasticity;
     const float ratio = e.stiffness / material.density, nu = e.poissonRatio;
-    gpu::GpuSoftMatter out{};
+    gpu::SoftMatter out{};
     out.shear = ratio / (1.0f + nu);
     out.dilation = ratio * nu / ((1.0f + nu) * (1.0f - 2.0f * nu));
     out.damping = e.damping;
@@ -32,7 +32,7 @@ gpu::GpuSoftMatter matterOf(const World& world, const SoftBody& soft)
 }
 
 /// The most that a cluster's pull on a particle grows by with its displacement, per mass [1/s2].
-double steepness(const gpu::GpuSoftMatter& matter, const ClusterMoments& moments)
+double steepness(const gpu::SoftMatter& matter, const ClusterMoments& moments)
 {
     const double hardest = moments.mass * moments.inverse.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff();
     const double flowed = matter.creep > 0.0f ? 1.0 + matter.maxDeformation : 1.0;
@@ -79,9 +79,9 @@ void SoftStage::upload(const StageSetup& setup)
 void SoftStage::uploadClusters(const StageSetup& setup)
 {
     const World& world = setup.world;
-    std::vector<gpu::ClusterInfo> infos;
+    std::vector<gpu::Cluster> infos;
     std::vector<gpu::vec4> moments, rests, rotations;
-    std::vector<gpu::GpuSoftMatter> matter;
+    std::vector<gpu::SoftMatter> matter;
     for (const SoftBody& soft : world.softBodies) {
         matter.push_back(matterOf(world, soft));
         std::vector<double> steep(soft.particleCount);  // of each particle, by the fractions of its mass
@@ -104,11 +104,11 @@ void SoftStage::uploadClusters(const StageSetup& setup)
         const Quaternionf q = world.softBodies[cluster.softBody].rotation;
         rotations.push_back(pack(q));
     }
-    clusterInfo = {"clusterInfo", std::span<const gpu::ClusterInfo>(infos)};
+    clusterInfo = {"clusterInfo", std::span<const gpu::Cluster>(infos)};
     clusterMoments = {"clusterMoments", std::span<const gpu::vec4>(moments)};
     clusterRests = {"clusterRests", std::span<const gpu::vec4>(rests)};
     clusterRotations = {"clusterRotations", std::span<const gpu::vec4>(rotations)};
-    softMatter = {"softMatter", std::span<const gpu::GpuSoftMatter>(matter)};
+    softMatter = {"softMatter", std::span<const gpu::SoftMatter>(matter)};
     clusterPulls = {"clusterPulls", 5 * infos.size()};
     setup.parameters.clusterCount = static_cast<uint32_t>(infos.size());
 }

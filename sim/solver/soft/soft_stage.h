@@ -16,15 +16,15 @@ public:
     /// @param iteration of `count` in the substep, from 0 on.
     void solve(Recorder& recorder, uint32_t iteration, uint32_t count) const;
 
-    Buffer<gpu::ClusterInfo> clusterInfo;   ///< Per cluster.
-    Buffer<gpu::vec4> clusterMoments;       ///< Per cluster, four: inverse moments; directions without particles.
-    Buffer<gpu::GpuSoftMatter> softMatter;  ///< Per soft body.
-    Buffer<gpu::uvec4> softParticles;       ///< Per soft particle: mover, rank, first entry and count in softLinks.
-    Buffer<uint32_t> softLinks;             ///< Links of soft particles, grouped by particle.
-    Buffer<gpu::vec4> clusterRotations;     ///< Per cluster: quaternion.
-    Buffer<gpu::vec4> clusterRests;         ///< Per cluster: three columns of what it has flowed by.
-    Buffer<gpu::vec4> clusterPulls;         ///< Per cluster, five: what pulls its particles (cluster_match.comp).
-    Buffer<gpu::vec4> softImpulses;         ///< Per soft particle: from its clusters, in this substep [kg m].
+    Buffer<gpu::Cluster> clusterInfo;    ///< Per cluster.
+    Buffer<gpu::vec4> clusterMoments;    ///< Per cluster, four: inverse moments; directions without particles.
+    Buffer<gpu::SoftMatter> softMatter;  ///< Per soft body.
+    Buffer<gpu::uvec4> softParticles;    ///< Per soft particle: mover, rank, first entry and count in softLinks.
+    Buffer<uint32_t> softLinks;          ///< Links of soft particles, grouped by particle.
+    Buffer<gpu::vec4> clusterRotations;  ///< Per cluster: quaternion.
+    Buffer<gpu::vec4> clusterRests;      ///< Per cluster: three columns of what it has flowed by.
+    Buffer<gpu::vec4> clusterPulls;      ///< Per cluster, five: what pulls its particles (cluster_match.comp).
+    Buffer<gpu::vec4> softImpulses;      ///< Per soft particle: from its clusters, in this substep [kg m].
 
 private:
     void uploadClusters(const StageSetup& setup);

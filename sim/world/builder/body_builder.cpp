@@ -68,11 +68,11 @@ void BodyBuilder::markCross(uint32_t body)
     world_.bodies[body].isCross = true;
 }
 
-void BodyBuilder::passThrough(uint32_t body, uint32_t other)
+void BodyBuilder::filterPair(uint32_t body, uint32_t other)
 {
     const auto add = [&](uint32_t a, uint32_t b) {
-        std::vector<uint32_t>& passes = world_.bodies.at(a).passes;
-        if (std::ranges::find(passes, b) == passes.end()) passes.push_back(b);
+        std::vector<uint32_t>& filtered = world_.bodies.at(a).filtered;
+        if (std::ranges::find(filtered, b) == filtered.end()) filtered.push_back(b);
     };
     add(body, other);
     add(other, body);

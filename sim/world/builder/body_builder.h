@@ -29,8 +29,8 @@ public:
     /// The body is the cross of a universal joint: its particles touch no other of their assembly, and it has most of
     /// the mass of those that it shares.
     void markCross(uint32_t body);
-    /// Two bodies of one object never touch (Body::passes).
-    void passThrough(uint32_t body, uint32_t other);
+    /// Two bodies of one object never touch (Body::filtered).
+    void filterPair(uint32_t body, uint32_t other);
     /// Places the open object; `velocity` [m/s] and `spin` [rad/s] about its mass centre. @returns the object's index.
     uint32_t endObject(const Pose& pose = {}, const Vector3f& velocity = {0, 0, 0}, const Vector3f& spin = {0, 0, 0});
     /// The particles that a body was given so far and shares with no other.

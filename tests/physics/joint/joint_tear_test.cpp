@@ -139,7 +139,7 @@ TEST(JointTear, WhatPassedEachOtherTouchesOnceItIsTorn)
         spec.strength.force = tears ? 1.0f : 1e6f;
         WorldBuilder builder = makeBuilder();
         addChain(builder, spec);
-        builder.passThrough(0, 1);
+        builder.filterPair(0, 1);
         const World world = builder.build();
         Solver solver(gpu(), world);
         run(solver, world, 1.5);

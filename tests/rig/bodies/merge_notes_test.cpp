@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/rig/bodies/short_list.h"
+#include "sim/base/short_list.h"
 
 namespace knuckle {
 namespace {

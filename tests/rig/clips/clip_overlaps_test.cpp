@@ -50,19 +50,19 @@ TEST(ClipOverlaps, BodiesThatLieInEachOtherInMostOfAClipNeverTouch)
     EXPECT_TRUE(neverTouch(actor, arm, chest));
     // Its shins are as far from each other as they were, and limits are there already between a shin and its thigh.
     EXPECT_FALSE(neverTouch(actor, bodyNamed(actor, "shin.L"), bodyNamed(actor, "shin.R")));
-    for (const auto& [a, b] : actor.passes) {
+    for (const auto& [a, b] : actor.filtered) {
         EXPECT_LT(a, b);
         EXPECT_NE(parentBody(actor, b), static_cast<int32_t>(a));
     }
-    const size_t found = actor.passes.size();
+    const size_t found = actor.filtered.size();
     allow(actor, needsOf(actor, throughTheChest(actor, KEYS)));
-    EXPECT_EQ(actor.passes.size(), found) << "a pair is named twice";
+    EXPECT_EQ(actor.filtered.size(), found) << "a pair is named twice";
 
     WorldBuilder builder(actor.diameter / 2);
     const uint32_t object = addActor(builder, actor, builder.addMaterial({}), {});
     const World world = builder.build();
     const uint32_t first = world.objects[object].bodyStart;
-    EXPECT_TRUE(passes(world, first + arm, first + chest) && passes(world, first + chest, first + arm));
+    EXPECT_TRUE(areFiltered(world, first + arm, first + chest) && areFiltered(world, first + chest, first + arm));
 }
 
 TEST(ClipOverlaps, BodiesThatLieInEachOtherNowAndThenTouch)

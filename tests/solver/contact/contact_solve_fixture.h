@@ -205,7 +205,7 @@ protected:
         const double rate = last < static_cast<double>(c.mean) ? MEAN_FALL * step().meanRate : step().meanRate;
         out.mean = c.mean + rate * (std::max(last, 0.0) - c.mean);
         const double wave = s.kin || last <= 0.0 ? 0.0 : std::min(last - out.mean, SHOCK * out.mean);
-        double normal = (s.kin ? double(LIMB_MEMORY) : step().warmStart) * (last - step().calming * wave);
+        double normal = (s.kin ? double(LIMB_MEMORY) : step().warmStart) * (last - step().impulseDamping * wave);
         Vector3d tangent = old;
         if (acts) {
             normal -= (s.gap + allowed) / s.inverseMass;

@@ -41,7 +41,7 @@ public:
     std::vector<gpu::vec4> positions, velocities;
 
 private:
-    std::vector<gpu::GpuEmitter> emitters_;
+    std::vector<gpu::Emitter> emitters_;
     uint32_t steps_ = 0;
 };
 

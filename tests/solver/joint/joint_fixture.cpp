@@ -190,7 +190,7 @@ JointFixture::Solution JointFixture::solution() const
 std::vector<Vector3d> JointFixture::strayTorques() const
 {
     const auto joints = trees().all();
-    const std::vector<gpu::JointInfo> infos = stages.joints.jointInfo.download();
+    const std::vector<gpu::Joint> infos = stages.joints.jointInfo.download();
     std::vector<Vector3d> strays(joints.size(), Vector3d::Zero());
     for (size_t j = 0; j < joints.size(); ++j) {
         if (joints[j].freedom != JOINT_HINGE) continue;

@@ -68,7 +68,7 @@ protected:
     JointFixture fixture;
     JointFixture::Solution wanted;
     std::vector<gpu::vec4> rows, angularRows;
-    std::vector<gpu::JointInfo> jointInfo;
+    std::vector<gpu::Joint> jointInfo;
 };
 
 TEST_P(JointSolve, BodiesMoveAsADenseSolveOfAllTheirJointsSays)
@@ -109,7 +109,7 @@ TEST_P(JointSolve, WhatABodyGainsItsParentLoses)
 {
     const auto joints = fixture.trees().all();
     for (size_t j = 0; j < joints.size(); ++j) {
-        const gpu::JointInfo own = jointInfo[j];
+        const gpu::Joint own = jointInfo[j];
         if (joints[j].freedom == JOINT_NONE || own.parentRow == NO_INDEX) continue;
         // Each was added to what stood there.
         const double size = vec3(rows[own.row]).norm() + vec3(rows[own.parentRow]).norm() + 0.2;

@@ -38,9 +38,9 @@ struct Excess {
     Vector3d swingAxis = Vector3d::Zero(), turnAxis = Vector3d::Zero();
 };
 
-class JointStops : public testing::Test {
+class JointLimitStates : public testing::Test {
 protected:
-    JointStops() : fixture(limitedPairs()), joints(fixture.trees().joints)
+    JointLimitStates() : fixture(limitedPairs()), joints(fixture.trees().joints)
     {
         // Each body turned about its joint, from the rest pose, at the start of the substep; nothing has moved since.
         Random random(61);
@@ -103,7 +103,7 @@ protected:
         fixture.dispatch(fixture.load("joint/joint_factor", variant),
                          (fixture.stages.parameters.jointTreeCount + TREE_GROUP_SIZE - 1) / TREE_GROUP_SIZE);
         gpu().checkErrors();
-        stops = fixture.stages.joints.jointStops.download();
+        stops = fixture.stages.joints.jointLimitStates.download();
     }
     /// All hinges to where they exceed their upper limit by so much, at the start of the substep. The others stay.
     void turnHingesTo(float excess)
@@ -120,13 +120,13 @@ protected:
     /// As if a substep before had left all stops holding as hard.
     void holdAll()
     {
-        stops.assign(JOINT_STOP_TEXELS * joints.size(), {0, 0, 0, 0});
+        stops.assign(JOINT_LIMIT_TEXELS * joints.size(), {0, 0, 0, 0});
         for (size_t j = 0; j < joints.size(); ++j) {
-            stops[JOINT_STOP_TEXELS * j] = stops[JOINT_STOP_TEXELS * j + 1] = {1, 0, 0, 7};
-            stops[JOINT_STOP_TEXELS * j + 2] = {3, 3, 0, 0};
-            stops[JOINT_STOP_TEXELS * j + 3] = {0, 0, 0, memory(j)};
+            stops[JOINT_LIMIT_TEXELS * j] = stops[JOINT_LIMIT_TEXELS * j + 1] = {1, 0, 0, 7};
+            stops[JOINT_LIMIT_TEXELS * j + 2] = {3, 3, 0, 0};
+            stops[JOINT_LIMIT_TEXELS * j + 3] = {0, 0, 0, memory(j)};
         }
-        fill(fixture.stages.joints.jointStops, stops);
+        fill(fixture.stages.joints.jointLimitStates, stops);
     }
     /// @returns how many rigid hinges' stops hold, and how many soft ones'.
     std::pair<uint32_t, uint32_t> countHolding() const
@@ -137,14 +137,14 @@ protected:
                 ++(isSoft(joints[j]) ? count.second : count.first);
         return count;
     }
-    gpu::vec4 stop(size_t joint, uint32_t part) const { return stops[JOINT_STOP_TEXELS * joint + part]; }
+    gpu::vec4 stop(size_t joint, uint32_t part) const { return stops[JOINT_LIMIT_TEXELS * joint + part]; }
 
     JointFixture fixture;
     std::vector<JointTrees::Joint> joints;
     std::vector<gpu::vec4> stops;
 };
 
-TEST_F(JointStops, HoldWhatExceedsALimitAndNothingElse)
+TEST_F(JointLimitStates, HoldWhatExceedsALimitAndNothingElse)
 {
     factor();
     uint32_t holding = 0, free = 0;
@@ -175,7 +175,7 @@ TEST_F(JointStops, HoldWhatExceedsALimitAndNothingElse)
     EXPECT_GT(free, 20u);
 }
 
-TEST_F(JointStops, WhereTheSameOnesHoldNothingIsDoneAgain)
+TEST_F(JointLimitStates, WhereTheSameOnesHoldNothingIsDoneAgain)
 {
     factor();
     const auto factors = fixture.stages.joints.jointFactors.download(), before = stops;
@@ -186,7 +186,7 @@ TEST_F(JointStops, WhereTheSameOnesHoldNothingIsDoneAgain)
     for (size_t k = 0; k < before.size(); ++k) EXPECT_EQ(stops[k].w, before[k].w);
 }
 
-TEST_F(JointStops, ARigidOneThatHeldGoesOnFromWhereItIs)
+TEST_F(JointLimitStates, ARigidOneThatHeldGoesOnFromWhereItIs)
 {
     for (float excess : {-0.004f, -0.006f}) {
         SCOPED_TRACE(excess);
@@ -204,7 +204,7 @@ TEST_F(JointStops, ARigidOneThatHeldGoesOnFromWhereItIs)
     }
 }
 
-TEST_F(JointStops, WhatPullsLetsGoButARigidOneNotInTheLastIteration)
+TEST_F(JointLimitStates, WhatPullsLetsGoButARigidOneNotInTheLastIteration)
 {
     for (bool last : {false, true}) {
         SCOPED_TRACE(last);
@@ -224,7 +224,7 @@ TEST_F(JointStops, WhatPullsLetsGoButARigidOneNotInTheLastIteration)
     }
 }
 
-TEST_F(JointStops, WhatTurnedOntoAStopInTheSubstepIsOfFirstOrder)
+TEST_F(JointLimitStates, WhatTurnedOntoAStopInTheSubstepIsOfFirstOrder)
 {
     fixture.setAssemblies(0, 2);
     // All bodies come from the rest pose in this substep, to where they stood in the others.

@@ -87,7 +87,7 @@ struct LoadedJoints {
 
     JointFixture fixture;
     std::vector<JointTrees::Joint> joints;
-    std::vector<gpu::JointInfo> infos;
+    std::vector<gpu::Joint> infos;
     std::vector<gpu::vec4> lastLoads;
 };
 

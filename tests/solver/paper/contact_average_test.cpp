@@ -216,7 +216,7 @@ TEST_P(ContactAverage, ABodyKnowsHowMuchOfItIsPushed)
     EXPECT_GT(most, 0.3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Passes, ContactAverage, testing::Values(Pass::Stabilize, Pass::Solve),
+INSTANTIATE_TEST_SUITE_P(Filters, ContactAverage, testing::Values(Pass::Stabilize, Pass::Solve),
                          [](const auto& test) { return test.param == Pass::Stabilize ? "Stabilize" : "Solve"; });
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "app/commands/table2_world.h"
+#include "app/bench/table2_world.h"
 #include "sim/solver/solver.h"
 #include "tests/solver/solver_test.h"
 

@@ -149,7 +149,7 @@ TEST_P(ContactFind, TheRulesOfWhatTouchesAllMatterHere)
             crosses += cross && !overlap;
             overlaps += overlap && !cross && restDistance(a, b) <= 0.99f * DIAMETER;
             margins += overlap && !cross && restDistance(a, b) > DIAMETER;
-            const bool neighbour = passes(fixture.world, a.body, b.body);
+            const bool neighbour = areFiltered(fixture.world, a.body, b.body);
             neighbours += neighbour && !overlap && !cross;
             shared += !neighbour && !overlap && !cross && !fixture.mayTouch(i, j);
         }

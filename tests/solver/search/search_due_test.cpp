@@ -25,7 +25,7 @@ protected:
         counters.searchCount = 7;
         counters.fastCount = 3;
         counters.fastLater = fixture.stages.parameters.fastLimit + 1;
-        counters.calm = 1;
+        counters.farSighted = 1;
         counters.fastListed = 2;
         counters.candidateCount = 3;
         counters.pairCount = 55;
@@ -66,7 +66,7 @@ protected:
         EXPECT_EQ(counters.fastListed, 0u);
         EXPECT_EQ(counters.candidateCount, 0u);
         EXPECT_EQ(counters.fastLater, found ? 0u : fixture.stages.parameters.fastLimit + 1u);
-        EXPECT_EQ(counters.calm, found ? 0u : 1u) << "too many were fast in the last search";
+        EXPECT_EQ(counters.farSighted, found ? 0u : 1u) << "too many were fast in the last search";
         EXPECT_EQ(counters.due, 0u);
     }
 

@@ -102,7 +102,7 @@ protected:
             ASSERT_GE(found[m], 0.0f);
             ASSERT_LE(found[m], parameters().farReach);
             if (found[m] > 0.0f) fast += infos[m].rankCount;
-            if (CALM * parameters().horizon * way > parameters().drift) later += infos[m].rankCount;
+            if (FAR_SIGHT * parameters().horizon * way > parameters().drift) later += infos[m].rankCount;
             ++(found[m] == 0.0f ? none : most);
         }
         EXPECT_EQ(fixture.counters().fastCount, fast);
@@ -204,11 +204,11 @@ TEST_F(SearchPosition, MoversReachAsFarAsTheirWayWillLeadThemBeyondTheDriftAndFo
     for (uint32_t calm : {0u, 1u}) {
         SCOPED_TRACE(calm);
         gpu::Counters counters = fixture.counters();
-        counters.calm = calm;
+        counters.farSighted = calm;
         counters.fastCount = counters.fastLater = 0;
         fixture.setCounters(counters);
         fixture.forMovers("search/mover_reach");
-        expectReaches(calm == 1 ? CALM : 1.0f);
+        expectReaches(calm == 1 ? FAR_SIGHT : 1.0f);
     }
 }
 

@@ -13,8 +13,8 @@ World withNeighbours(World world)
 {
     for (size_t j = 0; j < world.joints.size(); j += 2) {
         const Joint& joint = world.joints[j];
-        world.bodies[joint.child].passes.push_back(joint.parent);
-        world.bodies[joint.parent].passes.push_back(joint.child);
+        world.bodies[joint.child].filtered.push_back(joint.parent);
+        world.bodies[joint.parent].filtered.push_back(joint.child);
     }
     return world;
 }
@@ -65,7 +65,7 @@ bool SearchBench::mayTouch(uint32_t i, uint32_t j) const
     const Particle& b = world.particles[j];
     for (uint32_t body : bodies[i]) {
         if (bodies[j].contains(body)) return false;
-        for (uint32_t other : world.bodies[body].passes)
+        for (uint32_t other : world.bodies[body].filtered)
             if (bodies[j].contains(other)) return false;
     }
     if (a.assembly == NO_INDEX || a.assembly != b.assembly) return true;

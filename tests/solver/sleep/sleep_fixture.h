@@ -30,7 +30,7 @@ public:
 private:
     void makePairs();
 
-    std::vector<gpu::MoverInfo> infos_;
+    std::vector<gpu::Mover> infos_;
 };
 
 }  // namespace knuckle::test

@@ -5,10 +5,10 @@ uniform usamplerBuffer bodyInfo;
 uniform samplerBuffer bodyMoments;       // three a body: columns of the sum of m r r^T; w of the first: radius
 uniform samplerBuffer bodyInertias;      // two a body, inverse: xx, yy, zz, 1 / mass; xy, xz, yz
 
-BodyInfo fetchBody(uint b)
+Body fetchBody(uint b)
 {
     uvec4 t = texelFetch(bodyInfo, int(b));
-    return BodyInfo(t.x, t.y, t.z, t.w);
+    return Body(t.x, t.y, t.z, t.w);
 }
 
 /// The sum of m r r^T over the links of a body [kg m2].

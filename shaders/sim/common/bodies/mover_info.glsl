@@ -4,10 +4,10 @@
 uniform usamplerBuffer moverInfo;
 uniform usamplerBuffer moverStates;      // MOVER_*
 
-MoverInfo fetchMover(uint m)
+Mover fetchMover(uint m)
 {
     uvec4 t = texelFetch(moverInfo, int(m));
-    return MoverInfo(t.x, t.y, t.z, uintBitsToFloat(t.w));
+    return Mover(t.x, t.y, t.z, uintBitsToFloat(t.w));
 }
 
 /// [kg]

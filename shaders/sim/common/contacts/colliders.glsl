@@ -4,14 +4,14 @@
 #include "sim/common/contacts/collider_grids.glsl"
 #endif
 
-uniform usamplerBuffer colliders;    // a GpuCollider in every four texels
+uniform usamplerBuffer colliders;    // a Collider in every four texels
 uniform samplerBuffer colliderPlaces;
 
-GpuCollider colliderAt(uint index)
+Collider colliderAt(uint index)
 {
     uvec4 texels[4];
     for (int k = 0; k < 4; ++k) texels[k] = texelFetch(colliders, int(4u * index) + k);
-    return GpuCollider(uintBitsToFloat(texels[0]), uintBitsToFloat(texels[1]), uintBitsToFloat(texels[2]), texels[3]);
+    return Collider(uintBitsToFloat(texels[0]), uintBitsToFloat(texels[1]), uintBitsToFloat(texels[2]), texels[3]);
 }
 
 /// Where a collider is.
@@ -26,7 +26,7 @@ ColliderPlace fetchColliderPlace(uint index)
     return ColliderPlace(texelFetch(colliderPlaces, first).xyz, texelFetch(colliderPlaces, first + 1));
 }
 
-uint colliderShape(GpuCollider collider)
+uint colliderShape(Collider collider)
 {
     return uint(collider.size.w);
 }
@@ -45,7 +45,7 @@ struct ColliderSurface {
 
 ColliderSurface colliderSurface(uint index, vec3 x)
 {
-    GpuCollider c = colliderAt(index);
+    Collider c = colliderAt(index);
     uint shape = colliderShape(c);
     ColliderPlace place = fetchColliderPlace(index);
     vec3 p = rotate(conjugate(place.orientation), x - place.position);

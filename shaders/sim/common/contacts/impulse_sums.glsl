@@ -33,7 +33,7 @@ void add(inout Sum sum, Impulse impulse, float side, Arm arm)
 }
 
 /// What its contacts add to a mover, and how many will act next.
-Sum contactSum(MoverInfo mover, uint parity)
+Sum contactSum(Mover mover, uint parity)
 {
     Sum sum = Sum(Field(vec3(0), mat3(0)), 0.0);
     uint pairBase = parity * sim.pairCapacity, colliderBase = parity * sim.colliderPairCapacity;
@@ -55,7 +55,7 @@ Sum contactSum(MoverInfo mover, uint parity)
 }
 
 /// What fluids, ropes and soft bodies add to a mover through its particles (ON_PARTICLES: of a world that has any).
-Field particleSum(MoverInfo mover)
+Field particleSum(Mover mover)
 {
     Field sum = Field(vec3(0), mat3(0));
 #ifdef ON_PARTICLES

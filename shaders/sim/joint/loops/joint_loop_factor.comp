@@ -58,7 +58,7 @@ void main()
     JointTree tree = fetchJointTree(index);
     if (treeRests(tree)) return;
     for (uint loop = tree.firstLoop; loop < tree.loopEnd; ++loop) {
-        JointInfo joint = fetchJoint(loop);
+        Joint joint = fetchJoint(loop);
         if (!loopActs(loop)) {
             if (standsIn(joint)) clearRows(joint);
             continue;

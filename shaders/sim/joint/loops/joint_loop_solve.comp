@@ -6,7 +6,7 @@
 #include "sim/joint/joint_rows.glsl"
 #include "sim/joint/joint_sweeps.glsl"
 #ifdef LIMITS
-#include "sim/joint/stops/joint_stop_solve.glsl"
+#include "sim/joint/limits/joint_limit_solve.glsl"
 #endif
 #include "sim/joint/loops/joint_loops.glsl"
 
@@ -44,7 +44,7 @@ void closeLoop(JointTree tree, uint loop)
     for (uint k = tree.first; k < tree.end; ++k) {
         Answer answer = follow(k);
 #ifdef LIMITS
-        answer.held.r += stopTorqueOf(k, answer, 1.0);
+        answer.held.r += limitTorqueOf(k, answer, 1.0);
 #endif
         pushBoth(k, answer.held);
         addMotion(k, SWEEP_TOTAL, answer.motion);

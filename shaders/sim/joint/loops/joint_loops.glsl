@@ -42,7 +42,7 @@ uint loopEntry(uint loop)
 
 /// Whether a loop is between a body and its child in the tree: it stands in for the joint between the two while the
 /// child does not respond, since what hangs on the child is then all that the tree's joint holds.
-bool standsIn(JointInfo joint)
+bool standsIn(Joint joint)
 {
     return joint.parentJoint != NONE && fetchJoint(joint.parentJoint).parent == joint.body;
 }
@@ -50,7 +50,7 @@ bool standsIn(JointInfo joint)
 /// Whether a loop holds anything now.
 bool loopActs(uint loop)
 {
-    JointInfo joint = fetchJoint(loop);
+    Joint joint = fetchJoint(loop);
     bool body = responds(joint.body), parent = responds(joint.parent);
     return fetchFreedom(loop) != JOINT_NONE && (standsIn(joint) ? body && !parent : body || parent);
 }
@@ -59,7 +59,7 @@ bool loopActs(uint loop)
 void passLoopForce(JointTree tree, uint loop, vec3 arm, vec3 parentArm, Force f)
 {
     Motion none = Motion(vec3(0), vec3(0));
-    JointInfo joint = fetchJoint(loop);
+    Joint joint = fetchJoint(loop);
     for (uint k = tree.end; k-- > tree.first;) {
         Force own = Force(vec3(0), vec3(0));
         if (k == joint.bodyJoint) own = shifted(f, -arm);
@@ -71,7 +71,7 @@ void passLoopForce(JointTree tree, uint loop, vec3 arm, vec3 parentArm, Force f)
 /// How far the ends of a loop have moved apart. @param part of the tree's motions, SWEEP_MOTION or SWEEP_TOTAL.
 Motion loopMotion(uint loop, vec3 arm, vec3 parentArm, uint part)
 {
-    JointInfo joint = fetchJoint(loop);
+    Joint joint = fetchJoint(loop);
     Motion a = shifted(loadMotion(joint.bodyJoint, part), arm), b = Motion(vec3(0), vec3(0));
     if (joint.parentJoint != NONE) b = shifted(loadMotion(joint.parentJoint, part), parentArm);
     return Motion(a.t - b.t, a.r - b.r);

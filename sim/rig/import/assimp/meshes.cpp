@@ -78,7 +78,7 @@ uint32_t nearestBone(const Model& model, const Eigen::Vector3f& position)
     float best = std::numeric_limits<float>::infinity();
     uint32_t nearest = 0;
     for (uint32_t b = 0; b < model.bones.size(); ++b) {
-        const float distance = (model.bones[b].restPose.block<3, 1>(0, 3) - position).norm();
+        const float distance = (boneHead(model, b) - position).norm();
         if (distance < best) {
             best = distance;
             nearest = b;

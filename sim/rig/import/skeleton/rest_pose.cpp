@@ -25,15 +25,10 @@ constexpr double MARKER_PART = 0.8;  // of all bones, those that end on one and 
 
 using BonePoses = std::vector<Eigen::Matrix4f>;
 
-Vector3f headIn(const BonePoses& pose, size_t bone)
-{
-    return pose[bone].block<3, 1>(0, 3);
-}
-
 Eigen::AlignedBox3f boundsOf(const BonePoses& pose)
 {
     Eigen::AlignedBox3f box;
-    for (size_t b = 0; b < pose.size(); ++b) box.extend(headIn(pose, b));
+    for (size_t b = 0; b < pose.size(); ++b) box.extend(headIn(pose[b]));
     return box;
 }
 
@@ -60,7 +55,7 @@ bool standsOnLegs(const Model& model, const BonePoses& pose, const std::vector<B
         while (above >= 0 && anatomy[static_cast<size_t>(above)].part != BodyPart::Thigh)
             above = model.bones[static_cast<size_t>(above)].parent;
         if (above < 0) continue;
-        const Vector3f leg = headIn(pose, static_cast<size_t>(above)) - headIn(pose, b);
+        const Vector3f leg = headIn(pose[static_cast<size_t>(above)]) - headIn(pose[b]);
         down += leg.y() > HANGING * leg.norm() ? 1 : -1;
     }
     return down > 0;
@@ -73,10 +68,10 @@ bool isPose(const Model& model, const BonePoses& pose, const std::vector<BoneAna
     Middle heads, feet, left, right;
     for (size_t b = 0; b < pose.size(); ++b) {
         const BodyPart part = anatomy[b].part;
-        if (part == BodyPart::Head) heads.add(headIn(pose, b));
-        if (part == BodyPart::Foot || part == BodyPart::Shin) feet.add(headIn(pose, b));
-        if (anatomy[b].side > 0) left.add(headIn(pose, b));
-        if (anatomy[b].side < 0) right.add(headIn(pose, b));
+        if (part == BodyPart::Head) heads.add(headIn(pose[b]));
+        if (part == BodyPart::Foot || part == BodyPart::Shin) feet.add(headIn(pose[b]));
+        if (anatomy[b].side > 0) left.add(headIn(pose[b]));
+        if (anatomy[b].side < 0) right.add(headIn(pose[b]));
     }
     // What has more than two legs bears its head where it likes.
     const bool hasMany = std::ranges::count(anatomy, BodyPart::Thigh, &BoneAnatomy::part) > 2;

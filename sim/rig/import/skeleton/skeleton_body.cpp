@@ -47,17 +47,12 @@ constexpr Thickness THICKNESSES[] = {
 };
 constexpr float USUAL_THICKNESS = 0.03f;
 
-Vector3f headOf(const Model& model, size_t bone)
-{
-    return model.bones[bone].restPose.block<3, 1>(0, 3);
-}
-
 Vector3f sizeOf(const Model& model)
 {
-    Vector3f low = headOf(model, 0), high = low;
-    for (size_t b = 0; b < model.bones.size(); ++b) {
-        low = low.cwiseMin(headOf(model, b));
-        high = high.cwiseMax(headOf(model, b));
+    Vector3f low = boneHead(model, 0), high = low;
+    for (uint32_t b = 0; b < model.bones.size(); ++b) {
+        low = low.cwiseMin(boneHead(model, b));
+        high = high.cwiseMax(boneHead(model, b));
     }
     return high - low;
 }
@@ -144,8 +139,8 @@ std::optional<Vector3f> unsaidEnd(const Model& model, const BoneTree& tree, cons
     const std::string name = lowercase(model.bones[bone].name);
     const bool isEnd = std::ranges::any_of(END_WORDS, [&](const char* w) { return name.find(w) != std::string::npos; });
     if (!tree.children[bone].empty() || tree.parents[bone] < 0 || isEnd) return {};
-    const Vector3f head = headOf(model, bone);
-    const Vector3f from = head - headOf(model, static_cast<size_t>(tree.parents[bone]));
+    const Vector3f head = boneHead(model, bone);
+    const Vector3f from = head - boneHead(model, static_cast<uint32_t>(tree.parents[bone]));
     if (from.norm() < SAME_PLACE * size) return {};
     const Vector3f along = from.normalized();
     switch (anatomy.part) {
@@ -162,10 +157,10 @@ Vector3f capsuleEnd(const Model& model, const BoneTree& tree, const std::vector<
 {
     const uint32_t bone = static_cast<uint32_t>(tree.parents[child]);
     const int32_t neck = tree.parents[bone];
-    Vector3f to = headOf(model, child);
-    const Vector3f from = headOf(model, bone);
+    Vector3f to = boneHead(model, child);
+    const Vector3f from = boneHead(model, bone);
     if (anatomy[bone].part != BodyPart::Head || neck < 0 || !tree.children[child].empty()) return to;
-    const Vector3f before = from - headOf(model, static_cast<uint32_t>(neck));
+    const Vector3f before = from - boneHead(model, static_cast<uint32_t>(neck));
     const float length = (to - from).norm();
     return before.dot(to - from) < SIDEWAYS * before.norm() * length ? Vector3f(from + length * before.normalized())
                                                                      : to;
@@ -188,7 +183,7 @@ void addBodyAlongBones(Model& model, const std::vector<BoneAnatomy>& anatomy)
         if (parent < 0 || columns[parent] != 0) {
             continue;
         }
-        const Vector3f from = headOf(model, static_cast<size_t>(parent)), to = capsuleEnd(model, tree, anatomy, b);
+        const Vector3f from = boneHead(model, static_cast<uint32_t>(parent)), to = capsuleEnd(model, tree, anatomy, b);
         const float length = (to - from).norm();
         if (length < SAME_PLACE * size) {
             carrier[b] = carrier[parent];
@@ -199,8 +194,8 @@ void addBodyAlongBones(Model& model, const std::vector<BoneAnatomy>& anatomy)
     const Vector3f forward = leftOf(model, anatomy).cross(Vector3f::UnitY());
     for (uint32_t b = 0; b < model.bones.size(); ++b)
         if (const auto end = unsaidEnd(model, tree, anatomy[b], b, forward, size))
-            addCapsule(model, headOf(model, b), *end,
-                       radiusFor(model.bones[b].name, (*end - headOf(model, b)).norm(), size), carrier[b]);
+            addCapsule(model, boneHead(model, b), *end,
+                       radiusFor(model.bones[b].name, (*end - boneHead(model, b)).norm(), size), carrier[b]);
     model.notes.push_back("The file has a skeleton and no mesh: a body was made of capsules along its bones.");
 }
 

@@ -35,7 +35,7 @@ private:
     static Vector3f middle(const std::vector<size_t>& bones, std::span<const Eigen::Matrix4f> pose)
     {
         Vector3f sum(0, 0, 0);
-        for (const size_t b : bones) sum += pose[b].block<3, 1>(0, 3);
+        for (const size_t b : bones) sum += headIn(pose[b]);
         return sum / static_cast<float>(bones.size());
     }
 

@@ -12,9 +12,9 @@ namespace knuckle {
 namespace {
 
 /// Rows of a grid of nodes, as strands.
-class GridRows {
+class GridStrands {
 public:
-    GridRows(GridSheet& sheet, const ClothSpec& spec)
+    GridStrands(GridSheet& sheet, const ClothSpec& spec)
         : sheet_(sheet), spec_(spec), columns_(static_cast<int>(sheet.columns)), rows_(static_cast<int>(sheet.rows))
     {
     }
@@ -102,7 +102,7 @@ GridSheet gridSheet(float width, float depth, float diameter, const ClothSpec& s
             sheet.triangles.push_back({node, below, node + 1});
             sheet.triangles.push_back({node + 1, below, below + 1});
         }
-    GridRows(sheet, spec).add();
+    GridStrands(sheet, spec).add();
     return sheet;
 }
 

@@ -88,9 +88,9 @@ bool refine(Mesh& mesh, float longest)
 }
 
 /// Joins pairs of nodes to rows that run on as straight as they can, each pair in one of them.
-class RowFinder {
+class StrandFinder {
 public:
-    RowFinder(const std::vector<Vector3f>& nodes, const std::vector<Pair>& pairs)
+    StrandFinder(const std::vector<Vector3f>& nodes, const std::vector<Pair>& pairs)
         : nodes_(nodes), pairs_(pairs), used_(pairs.size(), false), pairsOf_(nodes.size())
     {
         for (uint32_t p = 0; p < pairs.size(); ++p)
@@ -141,9 +141,9 @@ private:
     std::vector<std::vector<uint32_t>> pairsOf_;
 };
 
-void addRows(ClothSheet& sheet, const std::vector<Pair>& pairs, DistanceKind kind, float compliance, float tearForce)
+void addStrands(ClothSheet& sheet, const std::vector<Pair>& pairs, DistanceKind kind, float compliance, float tearForce)
 {
-    for (std::vector<uint32_t>& nodes : RowFinder(sheet.nodes, pairs).rows()) {
+    for (std::vector<uint32_t>& nodes : StrandFinder(sheet.nodes, pairs).rows()) {
         Strand row;
         row.kind = kind;
         row.compliance = compliance;
@@ -196,9 +196,9 @@ ClothSheet meshSheet(std::span<const Vector3f> vertices, std::span<const Triangl
     }
     std::sort(across.begin(), across.end());
     across.erase(std::unique(across.begin(), across.end()), across.end());
-    addRows(sheet, edges, DistanceKind::Stretch, spec.stretchCompliance, spec.tearForce);
+    addStrands(sheet, edges, DistanceKind::Stretch, spec.stretchCompliance, spec.tearForce);
     if (std::isfinite(spec.bendCompliance))
-        addRows(sheet, across, DistanceKind::Bend, spec.bendCompliance, spec.tearForce);
+        addStrands(sheet, across, DistanceKind::Bend, spec.bendCompliance, spec.tearForce);
     return sheet;
 }
 

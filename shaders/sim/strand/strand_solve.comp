@@ -5,8 +5,8 @@
 // FIRST_ITERATION: of a substep, where the tension that the last one ended with may tear.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
-#include "sim/rope/distance_response.glsl"
-#include "sim/rope/distance_states.glsl"
+#include "sim/strand/distance_response.glsl"
+#include "sim/strand/distance_states.glsl"
 
 layout(local_size_x = DISTANCE_GROUP_SIZE) in;
 layout(location = 0) uniform uvec2 range;          // the first strand and the end

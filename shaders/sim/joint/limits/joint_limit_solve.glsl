@@ -1,60 +1,60 @@
 // What stops do while the joints of a tree are solved.
-#include "sim/joint/stops/joint_stops.glsl"
+#include "sim/joint/limits/joint_limit_states.glsl"
 #include "sim/joint/joint_sweeps.glsl"
 
-void storeHeld(uint joint, JointStop s)
+void storeHeld(uint joint, JointLimitState s)
 {
-    newJointStops[JOINT_STOP_TEXELS * joint + STOP_HELD].xy = vec2(s.held[0], s.held[1]);
+    newJointLimitStates[JOINT_LIMIT_TEXELS * joint + LIMIT_HELD].xy = vec2(s.held[0], s.held[1]);
 }
 
 /// Of a stop what this dispatch has stored of it.
-JointStop loadStop(uint joint)
+JointLimitState loadLimitState(uint joint)
 {
-    JointStop s = fetchStop(joint);
-    vec2 held = newJointStops[JOINT_STOP_TEXELS * joint + STOP_HELD].xy;
+    JointLimitState s = fetchLimitState(joint);
+    vec2 held = newJointLimitStates[JOINT_LIMIT_TEXELS * joint + LIMIT_HELD].xy;
     s.held = float[2](held.x, held.y);
     return s;
 }
 
 /// What a joint's stops have added to its rows before this dispatch.
-vec3 oldStopTorque(uint joint)
+vec3 oldLimitTorque(uint joint)
 {
-    return texelFetch(lastJointStops, int(JOINT_STOP_TEXELS * joint + STOP_TORQUE)).xyz;
+    return texelFetch(lastJointLimitStates, int(JOINT_LIMIT_TEXELS * joint + LIMIT_TORQUE)).xyz;
 }
 
 /// The torque that a joint's stops add before anything moves: what they would hold where the body is now, less what
-/// they held. Its rows get it with what moving adds, by stopTorqueOf().
-vec3 stopTorque(uint k)
+/// they held. Its rows get it with what moving adds, by limitTorqueOf().
+vec3 limitTorque(uint k)
 {
-    JointLimits limits = fetchJointLimits(k);
+    JointRange limits = fetchJointLimits(k);
     if (!isLimited(limits)) return vec3(0);
-    JointInfo joint = fetchJoint(k);
+    Joint joint = fetchJoint(k);
     Excess e = excessOver(limits, jointSide(k, 1u, joint.parent).frame, jointSide(k, 0u, joint.body).frame);
     float excess[2] = float[2](e.swing, e.turn);
-    JointStop s = fetchStop(k);
+    JointLimitState s = fetchLimitState(k);
     for (int i = 0; i < 2; ++i) {
         if (limits.stiffness > 0.0) s.held[i] = 0.0;
         s.held[i] += s.hardness[i] * (excess[i] - s.kept[i]);
         if (s.hardness[i] == 0.0) s.held[i] = 0.0;
     }
     storeHeld(k, s);
-    return torqueOf(s) - oldStopTorque(k);
+    return torqueOf(s) - oldLimitTorque(k);
 }
 
-/// The torque that they add to the joint's rows: by stopTorque(), and as the joint turns by a part of what this sweep
+/// The torque that they add to the joint's rows: by limitTorque(), and as the joint turns by a part of what this sweep
 /// has given to its bodies.
-vec3 stopTorqueOf(uint k, Answer answer, float part)
+vec3 limitTorqueOf(uint k, Answer answer, float part)
 {
     if (!isLimited(fetchJointLimits(k))) return vec3(0);
-    uint parent = fetchJoint(k).parentJoint, freedom = fetchFreedom(k), torque = JOINT_STOP_TEXELS * k + STOP_TORQUE;
+    uint parent = fetchJoint(k).parentJoint, freedom = fetchFreedom(k), torque = JOINT_LIMIT_TEXELS * k + LIMIT_TORQUE;
     vec3 turn = answer.motion.r;
     if (parent != NONE) turn -= loadMotion(parent, SWEEP_MOTION).r;
-    JointStop s = loadStop(k);
+    JointLimitState s = loadLimitState(k);
     vec3 before = torqueOf(s);
     for (int i = 0; i < 2; ++i) s.held[i] += s.hardness[i] * part * dot(s.axes[i], turn);
     storeHeld(k, s);
-    vec3 now = torqueOf(s), change = now - before, asked = before - newJointStops[torque].xyz;
-    newJointStops[torque].xyz = now;
+    vec3 now = torqueOf(s), change = now - before, asked = before - newJointLimitStates[torque].xyz;
+    newJointLimitStates[torque].xyz = now;
     if (freedom == JOINT_BALL) return asked + change;
     vec3 axis = fetchJointFactor(k).axis;
     return asked + (freedom == JOINT_HINGE ? axis * dot(axis, change) : vec3(0));

@@ -7,7 +7,7 @@ namespace knuckle {
 
 /// Ropes and cloth: strands of distance constraints (World::strands), each solved at once by one thread. Strands are
 /// coloured: no two of a colour have a particle in common that moves, so that each may move its own in place.
-class DistanceStage : public Stage {
+class StrandStage : public Stage {
 public:
     /// Strands that are solved together.
     struct Color {
@@ -16,7 +16,7 @@ public:
     };
 
     static bool isNeeded(const World& world);
-    explicit DistanceStage(const StageSetup&) {}
+    explicit StrandStage(const StageSetup&) {}
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
@@ -37,10 +37,10 @@ public:
 private:
     std::vector<Color> colors_;
     std::vector<uint32_t> starts_;  ///< Per strand of the World, its first node; its last if that is fixed.
-    Pass first_{*this, "rope/distance_solve", {{"FIRST_ITERATION", "1"}}};
-    Pass later_{*this, "rope/distance_solve"};
-    Pass firstWithBodies_{*this, "rope/distance_solve", {{"FIRST_ITERATION", "1"}, {"BODIES", "1"}}};
-    Pass laterWithBodies_{*this, "rope/distance_solve", {{"BODIES", "1"}}};
+    Pass first_{*this, "strand/strand_solve", {{"FIRST_ITERATION", "1"}}};
+    Pass later_{*this, "strand/strand_solve"};
+    Pass firstWithBodies_{*this, "strand/strand_solve", {{"FIRST_ITERATION", "1"}, {"BODIES", "1"}}};
+    Pass laterWithBodies_{*this, "strand/strand_solve", {{"BODIES", "1"}}};
 };
 
 }  // namespace knuckle

@@ -77,13 +77,13 @@ protected:
         }
         fill(b.bodies.moverMoves, moves);
         fill(b.bodies.moverRotationDeltas, turns);
-        states = b.distances->distanceStates.download();
+        states = b.strands->distanceStates.download();
         for (gpu::vec4& s : states)
             s = {random.between(-1e-3f, 1e-3f), random.between(-400, 1000), random.between(0, 1) < 0.05f ? 1.0f : 0.0f,
                  0};
-        fill(b.distances->distanceStates, states);
-        nodes = b.distances->distanceNodes.download();
-        links = b.distances->distanceLinks.download();
+        fill(b.strands->distanceStates, states);
+        nodes = b.strands->distanceNodes.download();
+        links = b.strands->distanceLinks.download();
         centres = b.bodies.moverCentres.download();
         rotations = b.bodies.moverRotations.download();
         offsets = b.particles.restOffsets.download();
@@ -205,20 +205,20 @@ protected:
 TEST_P(DistanceSolve, ARowIsSolvedAsAllItsEquationsAtOnce)
 {
     Stages& b = fixture.stages;
-    const auto strands = b.distances->strands.download();
+    const auto strands = b.strands->strands.download();
     uint32_t torn = 0, bodies = 0;
-    ASSERT_GT(b.distances->colors().size(), 2u);
-    for (const DistanceStage::Color& color : b.distances->colors()) {
+    ASSERT_GT(b.strands->colors().size(), 2u);
+    for (const StrandStage::Color& color : b.strands->colors()) {
         Defines defines;
         if (GetParam()) defines.push_back({"FIRST_ITERATION", "1"});
         if (color.hasBodies) defines.push_back({"BODIES", "1"});
         const auto impulsesBefore = b.bodies.particleImpulses.download();
-        const Kernel kernel = fixture.load("rope/distance_solve", defines);
+        const Kernel kernel = fixture.load("strand/strand_solve", defines);
         glProgramUniform2ui(kernel.program(), 0, color.begin, color.end);
         fixture.dispatch(kernel, (color.end - color.begin + DISTANCE_GROUP_SIZE - 1) / DISTANCE_GROUP_SIZE);
         gpu().checkErrors();
         const auto impulses = b.bodies.particleImpulses.download(), movesNow = b.bodies.moverMoves.download();
-        const auto statesNow = b.distances->distanceStates.download();
+        const auto statesNow = b.strands->distanceStates.download();
         for (uint32_t s = color.begin; s < color.end; ++s) {
             SCOPED_TRACE("row " + std::to_string(s));
             const Wanted w = wanted(strands[s]);

@@ -1,7 +1,7 @@
 // How nodes answer to impulses.
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/body_responses.glsl"
-#include "sim/rope/distance_nodes.glsl"
+#include "sim/strand/distance_nodes.glsl"
 
 /// How an impulse of 1 along n moves the node [1/kg]: of a body, 1/M n + (I^-1 (r x n)) x r.
 vec3 response(DistanceNode node, vec3 n)

@@ -6,25 +6,26 @@
 #include "sim/joint/joint_recovery.glsl"
 
 uniform samplerBuffer jointLimits;     // swing, lowest and highest turn [rad]; stiffness [N m/rad], 0: rigid
-uniform samplerBuffer lastJointStops;  // as the dispatch before left them, which llvmpipe reads three times as fast
-BUFFER(vec4, JointStops, newJointStops);
+// As the dispatch before left them, which llvmpipe reads three times as fast.
+uniform samplerBuffer lastJointLimitStates;
+BUFFER(vec4, JointLimitStates, newJointLimitStates);
 
 /// The axes of the swing's and of the turn's stop, about which the body turns on beyond it; and how hard each holds, 0
 /// where it does not [kg m2]. What each holds [kg m2], how much of its excess is kept [rad]. What both add to the joint
 /// now; and which part of what they hold is left in the next substep.
-#define STOP_AXES 0u
-#define STOP_HELD 2u
-#define STOP_TORQUE 3u
+#define LIMIT_AXES 0u
+#define LIMIT_HELD 2u
+#define LIMIT_TORQUE 3u
 
 const float PI = 3.14159265;
 
-JointLimits fetchJointLimits(uint joint)
+JointRange fetchJointLimits(uint joint)
 {
     vec4 t = texelFetch(jointLimits, int(joint));
-    return JointLimits(t.x, t.y, t.z, t.w);
+    return JointRange(t.x, t.y, t.z, t.w);
 }
 
-bool isLimited(JointLimits limits)
+bool isLimited(JointRange limits)
 {
     return limits.swing < PI || limits.highest < PI || limits.lowest > -PI;
 }
@@ -42,7 +43,7 @@ float wrapped(float angle)
 
 /// A turn is a swing of the axis and then a turn about it: about what is midway between both places of the axis.
 /// @param from, to the joint's axes in the parent and in the body.
-Excess excessOver(JointLimits limits, vec4 from, vec4 to)
+Excess excessOver(JointRange limits, vec4 from, vec4 to)
 {
     vec3 middle = rotate(from, vec3(1, 0, 0)), axis = rotate(to, vec3(1, 0, 0)), across = cross(middle, axis);
     vec4 turn = quaternionProduct(conjugate(from), to);
@@ -63,7 +64,7 @@ Excess excessOver(JointLimits limits, vec4 from, vec4 to)
     return b;
 }
 
-struct JointStop {
+struct JointLimitState {
     vec3 axes[2];
     float hardness[2];   // [kg m2]
     float held[2];       // [kg m2]
@@ -71,24 +72,24 @@ struct JointStop {
 };
 
 /// As it was before this dispatch.
-JointStop fetchStop(uint joint)
+JointLimitState fetchLimitState(uint joint)
 {
-    int first = int(JOINT_STOP_TEXELS * joint);
-    vec4 swing = texelFetch(lastJointStops, first + int(STOP_AXES));
-    vec4 turn = texelFetch(lastJointStops, first + int(STOP_AXES) + 1);
-    vec4 held = texelFetch(lastJointStops, first + int(STOP_HELD));
-    return JointStop(vec3[2](swing.xyz, turn.xyz), float[2](swing.w, turn.w), float[2](held.x, held.y),
+    int first = int(JOINT_LIMIT_TEXELS * joint);
+    vec4 swing = texelFetch(lastJointLimitStates, first + int(LIMIT_AXES));
+    vec4 turn = texelFetch(lastJointLimitStates, first + int(LIMIT_AXES) + 1);
+    vec4 held = texelFetch(lastJointLimitStates, first + int(LIMIT_HELD));
+    return JointLimitState(vec3[2](swing.xyz, turn.xyz), float[2](swing.w, turn.w), float[2](held.x, held.y),
                      float[2](held.z, held.w));
 }
 
-void storeStop(uint joint, JointStop s)
+void storeLimitState(uint joint, JointLimitState s)
 {
-    uint first = JOINT_STOP_TEXELS * joint;
-    for (int i = 0; i < 2; ++i) newJointStops[first + STOP_AXES + uint(i)] = vec4(s.axes[i], s.hardness[i]);
-    newJointStops[first + STOP_HELD] = vec4(s.held[0], s.held[1], s.kept[0], s.kept[1]);
+    uint first = JOINT_LIMIT_TEXELS * joint;
+    for (int i = 0; i < 2; ++i) newJointLimitStates[first + LIMIT_AXES + uint(i)] = vec4(s.axes[i], s.hardness[i]);
+    newJointLimitStates[first + LIMIT_HELD] = vec4(s.held[0], s.held[1], s.kept[0], s.kept[1]);
 }
 
-vec3 torqueOf(JointStop s)
+vec3 torqueOf(JointLimitState s)
 {
     return -s.held[0] * s.axes[0] - s.held[1] * s.axes[1];
 }

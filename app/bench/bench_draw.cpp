@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "app/commands/bench_run.h"
-#include "app/commands/troupe_world.h"
+#include "app/bench/bench_run.h"
+#include "app/bench/troupe_world.h"
 #include "render/renderer.h"
 #include "sim/base/errors.h"
 #include "sim/solver/workload.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/commands/bench_run.h"
-#include "app/commands/troupe_world.h"
+#include "app/bench/bench_run.h"
+#include "app/bench/troupe_world.h"
 #include "sim/solver/workload.h"
 
 namespace knuckle {

@@ -1,4 +1,4 @@
-#include "app/commands/table2_world.h"
+#include "app/bench/table2_world.h"
 
 #include <fmt/format.h>
 

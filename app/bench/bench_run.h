@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/commands/commands.h"
 #include "app/run/interrupt.h"
+#include "app/run/open_gpu.h"
 #include "sim/solver/solver.h"
 
 /// What the benchmarks share.

@@ -1,4 +1,4 @@
-#include "sim/solver/rope/distance_stage.h"
+#include "sim/solver/strand/strand_stage.h"
 
 #include <algorithm>
 #include <bit>
@@ -76,12 +76,12 @@ struct Uploads {
 
 }  // namespace
 
-bool DistanceStage::isNeeded(const World& world)
+bool StrandStage::isNeeded(const World& world)
 {
     return world.settings.solver == SolverKind::Impulse && !world.strands.empty();
 }
 
-void DistanceStage::upload(const StageSetup& setup)
+void StrandStage::upload(const StageSetup& setup)
 {
     const World& world = setup.world;
     const std::vector<uint32_t> colors = colorsOf(world), counts = nodeCounts(world);
@@ -116,14 +116,14 @@ void DistanceStage::upload(const StageSetup& setup)
     distanceFactors = {"distanceFactors", 4 * uploads.nodes.size()};
 }
 
-void DistanceStage::addBuffers(BufferTable& table)
+void StrandStage::addBuffers(BufferTable& table)
 {
     table.add(Lifetime::Constant, strands, distanceNodes, distanceLinks);
     table.add(Lifetime::State, distanceStates);
     table.add(Lifetime::Scratch, distanceFactors);
 }
 
-void DistanceStage::solve(Recorder& recorder, bool first) const
+void StrandStage::solve(Recorder& recorder, bool first) const
 {
     for (const Color& color : colors_) {
         const Kernel& kernel = color.hasBodies ? (first ? firstWithBodies_ : laterWithBodies_)
@@ -133,12 +133,12 @@ void DistanceStage::solve(Recorder& recorder, bool first) const
     }
 }
 
-void DistanceStage::measure(Measures& out, const World& world, const ParticleState& particles) const
+void StrandStage::measure(Measures& out, const World& world, const ParticleState& particles) const
 {
     measureDistances(out, world, particles, tornDistances(world));
 }
 
-std::vector<bool> DistanceStage::tornDistances(const World& world) const
+std::vector<bool> StrandStage::tornDistances(const World& world) const
 {
     std::vector<bool> torn;
     const std::vector<gpu::vec4> states = distanceStates.download();

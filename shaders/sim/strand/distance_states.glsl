@@ -1,4 +1,4 @@
-// What distance_solve stores of each link.
+// What strand_solve stores of each link.
 
 /// Between iterations.
 struct DistanceState {

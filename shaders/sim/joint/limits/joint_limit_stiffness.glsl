@@ -1,12 +1,12 @@
 // How hard the stops of a joint hold.
-#include "sim/joint/stops/joint_stops.glsl"
+#include "sim/joint/limits/joint_limit_states.glsl"
 
 BUFFER(Assembly, AssemblyState, assemblies);
 
 /// The part of what its stops held that a joint remembers in the next substep. What they give is a hundredth of what
 /// moves all that hangs on it, which contacts may press much harder; but where a light body carries a heavy one,
 /// what a blow has left would throw that back. @param carried the mass that hangs on the joint [kg].
-float memoryOf(JointInfo joint, float carried)
+float memoryOf(Joint joint, float carried)
 {
     const float LIGHT = 10.0;
     float lighter = moverMass(joint.body);
@@ -16,23 +16,23 @@ float memoryOf(JointInfo joint, float carried)
 
 /// What a joint's stops add to its resistance to turns: a rigid one, much more than the body with all that hangs on it
 /// has by itself. @param inertia of that, seen from the joint.
-mat3 stopStiffness(uint k, Inertia inertia)
+mat3 limitStiffness(uint k, Inertia inertia)
 {
     const float RIGID = 100.0;
-    JointLimits limits = fetchJointLimits(k);
+    JointRange limits = fetchJointLimits(k);
     if (!isLimited(limits)) return mat3(0);
-    JointInfo joint = fetchJoint(k);
+    Joint joint = fetchJoint(k);
     Assembly assembly = assemblies[fetchMover(joint.body).assembly];
     float factor = accelerationFactor(assembly);
-    newJointStops[JOINT_STOP_TEXELS * k + STOP_TORQUE].w = memoryOf(joint, meanMass(inertia.a));
+    newJointLimitStates[JOINT_LIMIT_TEXELS * k + LIMIT_TORQUE].w = memoryOf(joint, meanMass(inertia.a));
     mat3 resistance = mat3(0);
     for (uint i = 0u; i < 2u; ++i) {
-        uint stop = JOINT_STOP_TEXELS * k + STOP_AXES + i;
-        vec4 axis = newJointStops[stop];   // w: hardness
+        uint stop = JOINT_LIMIT_TEXELS * k + LIMIT_AXES + i;
+        vec4 axis = newJointLimitStates[stop];   // w: hardness
         if (axis.w == 0.0) continue;
         axis.w = limits.stiffness > 0.0 ? limits.stiffness * factor * sim.substepTime * sim.substepTime
                                         : RIGID * dot(axis.xyz, inertia.d * axis.xyz);
-        newJointStops[stop].w = axis.w;
+        newJointLimitStates[stop].w = axis.w;
         resistance += outerProduct(axis.w * axis.xyz, axis.xyz);
     }
     return resistance;

@@ -1,4 +1,4 @@
-#include "sim/rig/bodies/short_list.h"
+#include "sim/base/short_list.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

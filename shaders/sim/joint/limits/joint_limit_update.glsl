@@ -1,5 +1,5 @@
 // Which stops hold: those that their joint leans on or has passed.
-#include "sim/joint/stops/joint_stop_stiffness.glsl"
+#include "sim/joint/limits/joint_limit_stiffness.glsl"
 
 /// Where a substep begins all are looked for; later in it, those that have come to hold or pull.
 #ifdef AGAIN
@@ -24,7 +24,7 @@ const float MOST_LEANING = 1.0;
 
 /// A stop that held in the substep before goes on holding, from where it is: if those of a chain were all looked for
 /// anew, they would hold in one substep and not in the next. @param memory the part of what it held that is left.
-void beginStop(inout JointStop s, int i, float excess, bool rigid, float memory)
+void beginLimit(inout JointLimitState s, int i, float excess, bool rigid, float memory)
 {
     if (excess < -TOUCH) s.hardness[i] = 0.0;
     bool goesOn = rigid && s.hardness[i] > 0.0;
@@ -34,7 +34,7 @@ void beginStop(inout JointStop s, int i, float excess, bool rigid, float memory)
 }
 
 /// @param start its excess when the substep began. @returns whether it holds now and did not, or the other way round.
-bool updateStop(inout JointStop s, int i, vec3 axis, float excess, float start, bool rigid)
+bool updateLimit(inout JointLimitState s, int i, vec3 axis, float excess, float start, bool rigid)
 {
     bool held = s.hardness[i] > 0.0, holds = excess > s.kept[i];
     if (held) holds = (rigid && !LETS_GO) || s.held[i] + s.hardness[i] * (excess - s.kept[i]) > 0.0;
@@ -50,30 +50,30 @@ bool updateStop(inout JointStop s, int i, vec3 axis, float excess, float start, 
 }
 
 /// Whether a stop that has come to hold has stopped a turn, and not just been leaned on.
-bool hasStopped(JointStop s, int i, float excess, float start)
+bool hasStopped(JointLimitState s, int i, float excess, float start)
 {
     return s.hardness[i] > 0.0 && excess - start > MOST_LEANING * sim.substepTime;
 }
 
 /// @returns whether another set of stops of a joint holds than before.
-bool updateJointStops(uint k)
+bool updateJointLimits(uint k)
 {
-    JointLimits limits = fetchJointLimits(k);
-    JointInfo joint = fetchJoint(k);
+    JointRange limits = fetchJointLimits(k);
+    Joint joint = fetchJoint(k);
     if (!isLimited(limits) || fetchFreedom(k) == JOINT_NONE || !responds(joint.body)) return false;
     JointSide body = jointSide(k, 0u, joint.body), parent = jointSide(k, 1u, joint.parent);
-    JointStop s = fetchStop(k);
+    JointLimitState s = fetchLimitState(k);
     bool rigid = limits.stiffness == 0.0;
     Excess first = excessOver(limits, parent.startFrame, body.startFrame);
     if (BEGINS) {
-        float memory = texelFetch(lastJointStops, int(JOINT_STOP_TEXELS * k + STOP_TORQUE)).w;
-        beginStop(s, 0, first.swing, rigid, memory);
-        beginStop(s, 1, first.turn, rigid, memory);
+        float memory = texelFetch(lastJointLimitStates, int(JOINT_LIMIT_TEXELS * k + LIMIT_TORQUE)).w;
+        beginLimit(s, 0, first.swing, rigid, memory);
+        beginLimit(s, 1, first.turn, rigid, memory);
     }
     Excess now = excessOver(limits, parent.frame, body.frame);
-    bool swing = updateStop(s, 0, now.swingAxis, now.swing, first.swing, rigid);
-    bool turn = updateStop(s, 1, now.turnAxis, now.turn, first.turn, rigid);
-    storeStop(k, s);
+    bool swing = updateLimit(s, 0, now.swingAxis, now.swing, first.swing, rigid);
+    bool turn = updateLimit(s, 1, now.turnAxis, now.turn, first.turn, rigid);
+    storeLimitState(k, s);
     // As with contacts: second order would answer what stops it one and a half times. What only leans on it may be
     // thrown back as far as that is.
     if ((swing && hasStopped(s, 0, now.swing, first.swing)) || (turn && hasStopped(s, 1, now.turn, first.turn)))
@@ -82,9 +82,9 @@ bool updateJointStops(uint k)
 }
 
 /// @returns whether another set of stops of a tree holds than before.
-bool updateStops(JointTree tree)
+bool updateLimits(JointTree tree)
 {
     bool changed = false;
-    for (uint k = tree.first; k < tree.end; ++k) changed = updateJointStops(k) || changed;
+    for (uint k = tree.first; k < tree.end; ++k) changed = updateJointLimits(k) || changed;
     return changed;
 }

@@ -1,10 +1,10 @@
-#include "app/commands/troupe_world.h"
+#include "app/bench/troupe_world.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "app/commands/table2_world.h"
+#include "app/bench/table2_world.h"
 #include "sim/base/errors.h"
 #include "sim/rig/bodies/make_actor.h"
 #include "sim/rig/clips/body_clip.h"
