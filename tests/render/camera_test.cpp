@@ -91,13 +91,14 @@ TEST(Camera, AnAutomaticCameraShowsTheManyEvenWhereOneHasRolledAway)
 
 TEST(Camera, MovesToWhatMovedSmoothly)
 {
+    Gpu& gpu = sharedGpu();  // before there are buffers
     const World here = redBody(cubeLattice(3, 0.2f), {0, 0, 0}), there = redBody(cubeLattice(3, 0.2f), {0.3f, 0, 0});
     const StillBuffers before(here), after(there);
     for (const CameraKind kind : {CameraKind::Fixed, CameraKind::Follow}) {
         RenderSettings settings = automatic();
         settings.camera.kind = kind;
         settings.camera.follow = "body 0";
-        Renderer renderer(sharedGpu(), here, settings);
+        Renderer renderer(gpu, here, settings);
         const auto picture = [&](const StillBuffers& buffers, double time) {
             renderer.draw(buffers.view(), time);
             return renderer.readImage();
@@ -116,13 +117,14 @@ TEST(Camera, MovesToWhatMovedSmoothly)
 /// A camera on its way from a body to where that has jumped, of each kind that remembers where it was.
 TEST(Camera, AnotherRendererGoesOnFromTheState)
 {
+    Gpu& gpu = sharedGpu();  // before there are buffers
     const World here = redBody(cubeLattice(3, 0.2f), {0, 0, 0}), there = redBody(cubeLattice(3, 0.2f), {0.3f, 0, 0});
     const StillBuffers before(here), after(there);
     for (const CameraKind kind : {CameraKind::Fixed, CameraKind::Orbit, CameraKind::Follow}) {
         RenderSettings settings = automatic();
         settings.camera.kind = kind;
         settings.camera.follow = "body 0";
-        Renderer whole(sharedGpu(), here, settings), second(sharedGpu(), here, settings);
+        Renderer whole(gpu, here, settings), second(gpu, here, settings);
         const auto look = [&](Renderer& renderer, double time) {
             renderer.draw(after.view(), time);
             return renderer.readImage().rgb;
@@ -132,16 +134,17 @@ TEST(Camera, AnotherRendererGoesOnFromTheState)
         second.loadState(whole.saveState());
         for (const double time : {0.2, 0.3})
             EXPECT_TRUE(look(second, time) == look(whole, time)) << int(kind) << " at " << time;
-        Renderer fresh(sharedGpu(), here, settings);
+        Renderer fresh(gpu, here, settings);
         EXPECT_FALSE(look(fresh, 0.3) == look(whole, 0.3)) << int(kind) << ": nothing to remember";
     }
 }
 
 TEST(Camera, AStateThatDoesNotFitIsRefused)
 {
+    Gpu& gpu = sharedGpu();  // before there are buffers
     const World world = redBody(cubeLattice(3, 0.2f), {0, 0, 0});
     const StillBuffers buffers(world);
-    Renderer renderer(sharedGpu(), world, automatic());
+    Renderer renderer(gpu, world, automatic());
     renderer.draw(buffers.view(), 0.0);
     const RendererState good = renderer.saveState();
     ASSERT_EQ(good.buffers.size(), 1u);

@@ -129,6 +129,7 @@ TEST(Kernel, ABufferThatTheSolverDoesNotHaveIsNamedWithItsKernel)
 
 TEST(Kernel, IsGivenWhatItsNamesAreRenamedTo)
 {
+    const Gpu& device = gpu();  // before there are buffers
     std::filesystem::create_directories(shaderFolder().path("sim"));
     shaderFolder().write("sim/renamed.comp", "layout(local_size_x = 1) in;\n"
                                              "layout(std430) buffer Cells { uint cells[]; };\n"
@@ -148,7 +149,7 @@ TEST(Kernel, IsGivenWhatItsNamesAreRenamedTo)
     buffers["fluidCellStarts"].upload({&two, 1});
     const Renames renames{{"cell", "fluidCell"}};
     KernelTimer timer;
-    Kernel(gpu(), table, "sim/renamed.comp", {}, {}, renames).dispatch(timer, 1);
+    Kernel(device, table, "sim/renamed.comp", {}, {}, renames).dispatch(timer, 1);
     const auto valueOf = [&](const char* name) { return buffers[name].download()[0]; };
     EXPECT_EQ(valueOf("fluidCellCounts"), 9u) << "by a sampler and a block that are renamed";
     EXPECT_EQ(valueOf("cellCounts"), 0u);
@@ -156,7 +157,7 @@ TEST(Kernel, IsGivenWhatItsNamesAreRenamedTo)
     EXPECT_EQ(valueOf("cellars"), 9u) << "another word";
     EXPECT_EQ(valueOf("fluidCellars"), 0u);
     EXPECT_EQ(messageOf<DeviceError>([&] {
-                  Kernel(gpu(), table.only({"cells", "cellCounts", "cellars", "cellStarts"}, "test"),
+                  Kernel(device, table.only({"cells", "cellCounts", "cellars", "cellStarts"}, "test"),
                          "sim/renamed.comp", {}, {}, renames);
               }),
               "kernel renamed declares \"fluidCellCounts\", which is not among what it is given");
