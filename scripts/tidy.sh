@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Runs clang-tidy as .clang-tidy says over what has changed since the commit that scripts/tidy_passed names: sources,
 # and those that include a changed header, through others too. --all: over all of it, and names the commit anew when it
-# passes. FOLDER...: over the sources of these. --list: only tells which sources these are. The tests' are left out.
-# Some seven seconds of a core for each source.
+# passes. FOLDER...: over the sources of these. --list: only tells which sources these are. The tests' are left out, but
+# for `scripts/tidy.sh tests` (checks: tests/.clang-tidy). Some seven seconds of a core for each source.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 parts=(sim render app tools)

@@ -5,22 +5,52 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/solver/layout/body_mass.h"
 #include "tests/places.h"
 
 namespace knuckle::test {
 
 namespace {
 
-/// Kinetic and in gravity above the floor, of all that is there [J].
-double energyOf(const World& world, const ParticleState& state, float floor)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < state.positions.size(); ++i) {
-        const double height = state.positions[i].y() - floor, speed = state.velocities[i].norm();
-        sum += world.particles[i].mass * (0.5 * speed * speed + 9.81 * height);
+/// Kinetic and in gravity above the floor, of all that is there [J]. Bodies have the inertia that the solver gives
+/// them: that of a ball is the solid's, which is more than that of its particles' centres.
+class Energy {
+public:
+    Energy(const World& world, float floor) : world_(world), floor_(floor)
+    {
+        for (const Body& body : world.bodies) {
+            const BodyMass mass = bodyMass(world, body);
+            inertias_.emplace_back(mass.moments.trace() * Eigen::Matrix3d::Identity() - mass.moments);
+            masses_.push_back(mass.mass);
+        }
     }
-    return sum;
-}
+
+    double of(const ParticleState& particles, const std::vector<BodyState>& bodies) const
+    {
+        double sum = 0.0;
+        for (size_t i = 0; i < particles.positions.size(); ++i)
+            if (world_.particles[i].body == NO_INDEX)
+                sum += world_.particles[i].mass * share(particles.positions[i], particles.velocities[i]);
+        for (size_t b = 0; b < bodies.size(); ++b) {
+            const Vector3f turning = bodies[b].rotation.conjugate() * bodies[b].angularVelocity;
+            const Eigen::Vector3d spin = turning.cast<double>();
+            sum += masses_[b] * share(bodies[b].position, bodies[b].velocity) + 0.5 * spin.dot(inertias_[b] * spin);
+        }
+        return sum;
+    }
+
+private:
+    /// Of a kilogram.
+    double share(const Vector3f& position, const Vector3f& velocity) const
+    {
+        return 0.5 * velocity.cast<double>().squaredNorm() + 9.81 * (position.y() - floor_);
+    }
+
+    const World& world_;
+    double floor_;
+    std::vector<Eigen::Matrix3d> inertias_;
+    std::vector<double> masses_;
+};
 
 bool isFinite(const ParticleState& state)
 {
@@ -65,7 +95,8 @@ Scene sceneOf(const std::string& name, const std::vector<std::string>& changes)
 Watched watch(Solver& solver, const Scene& scene, double seconds, float floor)
 {
     const World& world = scene.world;
-    const double start = energyOf(world, solver.readParticles(), floor);
+    const Energy energy(world, floor);
+    const double start = energy.of(solver.readParticles(), solver.readBodies());
     double least = start;
     Watched worst;
     const auto frames = static_cast<uint64_t>(std::lround(seconds * scene.framesPerSecond));
@@ -76,9 +107,9 @@ Watched watch(Solver& solver, const Scene& scene, double seconds, float floor)
         EXPECT_TRUE(isFinite(state)) << "frame " << frame;
         if (testing::Test::HasFailure()) break;
         addMeasures(worst, solver.measure(), world.diameter());
-        const double energy = energyOf(world, state, floor);
-        raise(worst.rise, static_cast<float>((energy - least) / start));
-        least = std::min(least, energy);
+        const double now = energy.of(state, solver.readBodies());
+        raise(worst.rise, static_cast<float>((now - least) / start));
+        least = std::min(least, now);
         for (const Vector3f& p : state.positions) {
             raise(worst.low, (floor - p.y()) / world.diameter());
             raise(worst.far, std::max(std::abs(p.x()), std::abs(p.z())));

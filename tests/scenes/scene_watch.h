@@ -8,8 +8,7 @@
 
 namespace knuckle::test {
 
-/// What happened in a scene at worst, or what may happen in any of its frames. Bounds are two to ten times what was
-/// measured.
+/// What happened in a scene at worst, or what may happen in any of its frames. Bounds are twice what was measured.
 struct Watched {
     float gap = 0.0f;              ///< Of joints [diameters].
     float penetration = 0.0f;      ///< Of any contact [diameters].
