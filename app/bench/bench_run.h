@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/run/exit_codes.h"
 #include "app/run/interrupt.h"
 #include "app/run/open_gpu.h"
 #include "sim/solver/solver.h"

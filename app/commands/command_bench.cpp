@@ -5,6 +5,7 @@
 
 #include "app/bench/bench_run.h"
 #include "app/bench/table2_world.h"
+#include "app/commands/commands.h"
 #include "app/files/assets.h"
 #include "app/scene/scene_document.h"
 #include "render/renderer.h"

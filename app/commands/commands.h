@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "app/run/exit_codes.h"
 #include "app/run/open_gpu.h"
 
 namespace CLI {
@@ -16,15 +17,6 @@ struct CommandLine {
     CLI::App& program;
     const CommonOptions& common;
     std::function<int()>& chosen;
-};
-
-enum ExitCode {
-    EXIT_FINE = 0,
-    EXIT_RUN = 1,
-    EXIT_INPUT = 2,
-    EXIT_DEVICE = 3,
-    EXIT_DIFFERENT = 4,
-    EXIT_INTERRUPTED = 130,
 };
 
 void addRenderCommand(CommandLine line);

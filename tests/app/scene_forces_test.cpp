@@ -21,7 +21,7 @@ protected:
         return message.substr(message.find(": ") + 2);
     }
 
-    TempFolder folder;
+    test::TempFolder folder;
 };
 
 TEST_F(SceneForces, AreAsWritten)

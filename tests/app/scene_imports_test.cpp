@@ -25,7 +25,7 @@ std::string fiveFigures()
 
 TEST(SceneImports, AModelIsReadOnceHoweverManyWearAndPlayIt)
 {
-    TempFolder folder;
+    test::TempFolder folder;
     const Scene scene = loadScene(folder.write("scene.json", fiveFigures()));
     EXPECT_EQ(scene.imports->count(), 1u);
     EXPECT_EQ(rigsOf(scene, true).size(), 9u);
@@ -34,7 +34,7 @@ TEST(SceneImports, AModelIsReadOnceHoweverManyWearAndPlayIt)
 
 TEST(SceneImports, ExportsThatDrawSaySoBeforeTheSceneIsRead)
 {
-    TempFolder folder;
+    test::TempFolder folder;
     const std::string path = folder.write("scene.json",
                                           R"({ "diameter": 0.06, "objects": [{ "type": "actor", "file": ")" +
                                               test::inSource("assets/models/humanoid.glb") + R"(" }] })");
