@@ -14,16 +14,19 @@ namespace knuckle {
 
 namespace {
 
-class FieldHash : public FnvHash {
+class FieldHash {
 public:
-    using FnvHash::add;
-    void add(float value) { add(std::bit_cast<uint32_t>(value)); }
-    void add(double value) { add(std::bit_cast<uint64_t>(value)); }
-    void add(bool value) { add(static_cast<uint8_t>(value)); }
-    void add(int value) { add(static_cast<uint32_t>(value)); }
     template <typename T>
-    requires std::is_enum_v<T>
-    void add(T value) { add(static_cast<std::underlying_type_t<T>>(value)); }
+    void add(const T& value)
+    {
+        if constexpr (std::is_same_v<T, bool>) words_.add(static_cast<uint8_t>(value));
+        else if constexpr (std::is_unsigned_v<T>) words_.add(value);
+        else if constexpr (std::is_same_v<T, int>) words_.add(static_cast<uint32_t>(value));
+        else if constexpr (std::is_same_v<T, float>) words_.add(std::bit_cast<uint32_t>(value));
+        else if constexpr (std::is_same_v<T, double>) words_.add(std::bit_cast<uint64_t>(value));
+        else if constexpr (std::is_enum_v<T>) add(static_cast<std::underlying_type_t<T>>(value));
+        else std::apply([this](const auto&... fields) { (add(fields), ...); }, fieldsOf(value));
+    }
     template <typename Scalar, int ROWS>
     void add(const Eigen::Matrix<Scalar, ROWS, 1>& vector)
     {
@@ -48,12 +51,10 @@ public:
         add(item.has_value());
         if (item) add(*item);
     }
-    template <typename T>
-    requires requires(const T& item) { fieldsOf(item); }
-    void add(const T& item)
-    {
-        std::apply([this](const auto&... fields) { (add(fields), ...); }, fieldsOf(item));
-    }
+    uint64_t value() const { return words_.value(); }
+
+private:
+    FnvHash words_;
 };
 
 }  // namespace
