@@ -5,6 +5,7 @@
 
 #include "app/files/actor_file.h"
 #include "app/scene/scene_file.h"
+#include "app/scene/scene_places.h"
 #include "app/scene/scene_repeat.h"
 #include "sim/rig/bodies/make_actor.h"
 #include "tests/places.h"

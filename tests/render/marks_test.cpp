@@ -8,7 +8,6 @@
 namespace knuckle::test {
 namespace {
 
-constexpr float DEGREE = std::numbers::pi_v<float> / 180.0f;
 const Vector3f ELBOW{0.4f, 0, 0};
 
 /// Two cubes beside each other that a joint at ELBOW connects: the second turns against the first.

@@ -1,4 +1,5 @@
-// One thread a mover: how gravity, force fields and the air accelerate it where the substep begins.
+// One thread a mover: how gravity, force fields and the air accelerate it in the substep. Fields are those where it comes
+// to by its velocity, as BDF2 takes forces at the substep's end.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/fields.glsl"
@@ -18,10 +19,11 @@ void main()
 {
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
-    vec3 x = fetchCentre(m), acceleration = sim.gravity.xyz;
+    vec3 velocity = fetchField(moverVelocities, m).t, acceleration = sim.gravity.xyz;
     if (responds(m)) {
+        vec3 x = fetchCentre(m) + sim.substepTime * velocity;
         FieldSum fields = fieldsAt(x);
-        vec3 wind = airVelocity(x) + fields.blown - fetchField(moverVelocities, m).t;
+        vec3 wind = airVelocity(x) + fields.blown - velocity;
         vec4 turn = fetchRotation(m);
         vec3 drag = texelFetch(moverDrags, int(m)).xyz;
         acceleration += fields.acceleration + rotate(turn, dragAcceleration(rotate(conjugate(turn), wind), drag));

@@ -12,7 +12,8 @@ namespace knuckle::test {
 
 namespace {
 
-constexpr float DEGREE = std::numbers::pi_v<float> / 180, RATE = 60.0f;
+constexpr float RATE = 60.0f;
+
 constexpr uint32_t KEYS = 60, WILD = 30;
 
 enum class Way { Bend, Cone, Twist };

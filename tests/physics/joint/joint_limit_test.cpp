@@ -7,7 +7,6 @@ namespace knuckle::test {
 
 namespace {
 
-constexpr float DEGREE = std::numbers::pi_v<float> / 180;
 /// How far within its limit a stop that held goes on holding: 0.005 rad [degrees].
 constexpr float TOUCH = 0.29f;
 

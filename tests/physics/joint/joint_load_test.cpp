@@ -124,7 +124,6 @@ class LimitedChain : public SwungChain {};
 
 TEST_P(LimitedChain, StaysShut)
 {
-    constexpr float DEGREE = std::numbers::pi_v<float> / 180;
     JointLimits limits;
     limits.swing = 30 * DEGREE;
     limits.twist = limits.secondBend = {-20 * DEGREE, 20 * DEGREE};

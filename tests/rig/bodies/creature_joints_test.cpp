@@ -13,8 +13,6 @@ namespace knuckle {
 
 namespace {
 
-constexpr float DEGREE = static_cast<float>(M_PI) / 180;
-
 const Model& dog()
 {
     static const Model model = makeDog();

@@ -9,8 +9,6 @@
 namespace knuckle::test {
 namespace {
 
-constexpr float DEGREE = std::numbers::pi_v<float> / 180;
-
 /// What a clip of one second, at 60 keys a second, does with a limb of a person on its left, from half a second on.
 struct Excursion {
     std::string bone;

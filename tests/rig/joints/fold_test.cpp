@@ -8,7 +8,6 @@ namespace knuckle::test {
 
 namespace {
 
-constexpr float DEGREE = static_cast<float>(M_PI) / 180;
 const Vector3f FORWARD(0, 0, 1), DOWN(0, -1, 0);
 
 /// A limb below a straight one, bent forward by so much.

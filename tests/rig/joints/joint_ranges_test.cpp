@@ -10,8 +10,6 @@ namespace knuckle::test {
 
 namespace {
 
-constexpr float DEGREE = static_cast<float>(M_PI) / 180;
-
 Quaternionf turn(float degrees, const Vector3f& axis)
 {
     return Quaternionf(Eigen::AngleAxisf(degrees * DEGREE, axis));

@@ -9,7 +9,8 @@
 namespace knuckle::test {
 namespace {
 
-constexpr float DEGREE = std::numbers::pi_v<float> / 180, RATE = 60;
+constexpr float RATE = 60.0f;
+
 const Vector3f AXIS(0, -1, 0);
 
 Quaternionf turn(float degrees, const Vector3f& axis)

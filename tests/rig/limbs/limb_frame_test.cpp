@@ -1,4 +1,5 @@
 #include "sim/rig/limbs/limb_frame.h"
+#include "sim/rig/actor.h"
 
 #include <gtest/gtest.h>
 

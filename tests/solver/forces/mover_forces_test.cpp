@@ -120,7 +120,8 @@ TEST_F(MoverForces, AreGravityFieldsAndTheAir)
         if (world.particles[i].body == NO_INDEX) loose.push_back(i);
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {
         Vector3d expected = world.settings.gravity.cast<double>();
-        const Vector3f place = vec3(centres[m]);
+        const Vector3f place = vec3(centres[m]) +
+                               static_cast<float>(h()) * fixture.field(velocities, m).t.cast<float>();
         Vector3d wind = airVelocity(*world.wind, waves, place, now).cast<double>();
         Vector3d pulled = Vector3d::Zero();
         for (const ForceField& field : world.forceFields)
