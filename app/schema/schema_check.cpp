@@ -95,7 +95,10 @@ void SchemaCheck::expandString(const Json& node, Json& value)
 void SchemaCheck::complete(const Json& schemaNode, Json& value, const std::string& pointer) const
 {
     const Json& given = schema_.resolve(schemaNode);
-    expandString(given, value);
+    if (value.is_string() && given.contains("x-string-means")) {
+        checkWord(choose(given, value, pointer), value, pointer);
+        expandString(given, value);
+    }
     const Json& node = choose(given, value, pointer);
     if (node.contains("const")) return;  // chosen by it
     checkType(node, value, pointer);

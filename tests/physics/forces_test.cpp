@@ -21,8 +21,8 @@ double fallSpeed(double mass, double dragArea, double seconds)
     return last * std::tanh(GRAVITY * seconds / last);
 }
 
-/// An implicit substep has m g = drag v^2 / (1 + h rate), rate = g / v at last: v is higher by half of h g, h = 1/240 s.
-/// On the way there the step adds as much at most.
+/// An implicit substep has m g = drag v^2 / (1 + h rate), rate = g / v at last: v is higher by half of h g, where h is
+/// 1/240 s. On the way there the step adds as much at most.
 double tolerance(double speed)
 {
     return GRAVITY / 240.0 + 2e-3 * speed;
