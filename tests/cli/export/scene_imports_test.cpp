@@ -29,6 +29,7 @@ TEST(SceneImports, AModelIsReadOnceHoweverManyWearAndPlayIt)
     const Scene scene = loadScene(folder.write("scene.json", fiveFigures()));
     EXPECT_EQ(scene.imports->count(), 1u);
     EXPECT_EQ(rigsOf(scene, true).size(), 9u);
+    EXPECT_EQ(rigsOf(scene, false).size(), 9u);
     EXPECT_EQ(scene.imports->count(), 1u) << "exports take what the scene has";
 }
 
