@@ -109,6 +109,37 @@ World emitterWorld()
     return builder.build();
 }
 
+World windyWorld()
+{
+    WorldBuilder builder(DIAMETER / 2);
+    builder.addMaterial({});
+    Material wet;
+    wet.fluid = true;
+    const uint32_t water = builder.addMaterial(wet);
+    builder.addCollider({});
+    builder.setWind({.velocity = {6, 0, 2}, .density = 20, .gusts = 0.6f, .gustSize = 0.8f});
+    ForceField blast{.kind = FieldKind::Push, .falloff = FieldFalloff::Linear, .region = {}, .strength = 90};
+    blast.region.shape = ColliderShape::Sphere;
+    blast.region.radius = 1.5f;
+    blast.start = 0.2f;
+    blast.stop = 0.25f;
+    builder.addForceField(blast);
+    blast.kind = FieldKind::Swirl;
+    builder.addForceField(blast);
+    ClothSpec spec;
+    const GridSheet sheet = gridSheet(0.9f, 0.8f, DIAMETER, spec);
+    addCloth(builder, "cloth", sheet, spec, std::vector<uint32_t>{0, sheet.columns - 1}, {}, {Vector3f(0, 1, 0)});
+    for (int k = 0; k < 5; ++k) {
+        builder.beginObject("box");
+        builder.addBody("box", boxLattice({3, 4, 2}, DIAMETER), 0);
+        builder.endObject({Vector3f(0.1f * static_cast<float>(k), 0.25f + 0.45f * static_cast<float>(k), 0.1f)});
+    }
+    std::vector<Vector3f> places = boxLattice({7, 6, 5}, builder.fluidSpacing());
+    for (Vector3f& place : places) place += Vector3f(-0.6f, 0.3f, 0.2f);
+    builder.addFluid(places, {0, 0, 0}, water);
+    return builder.build();
+}
+
 namespace {
 
 /// On ground where things sleep.

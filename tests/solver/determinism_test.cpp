@@ -40,6 +40,7 @@ enum Way {
     HELD,
     LET_GO,
     ALL_BY_HASH,
+    WINDY,
     WAYS
 };
 
@@ -65,6 +66,7 @@ World worldOf(int way)
     if (way == GRIDS) return gridWorld();
     if (way == HELD) return heldWorld();
     if (way == LET_GO) return animatedWorld();
+    if (way == WINDY) return windyWorld();
     if (way == ALL_BY_HASH) return everyWorld(GridKind::Hash);
     World world = table2World(OBJECTS, settingsOf(way));
     // One of them is shot into the others, fast enough to look further for contacts than they do.
@@ -118,9 +120,9 @@ TEST_P(DeterminismOf, APileHasTheSameBitsTwiceAndAtAnyNumberOfDriverThreads)
 
 std::string wayName(const testing::TestParamInfo<int>& way)
 {
-    static constexpr const char* NAMES[WAYS] = {"Default", "Hash",     "Paper",  "PaperInGroups", "Soft",     "Strands",
-                                                "Fluids",  "Emitters", "Limits", "Bounces",       "Sleep",    "Freeze",
-                                                "Rounds",  "Grids",    "Held",   "LetGo",         "AllByHash"};
+    static constexpr const char* NAMES[WAYS] = {
+        "Default", "Hash",  "Paper",  "PaperInGroups", "Soft",  "Strands", "Fluids", "Emitters",  "Limits",
+        "Bounces", "Sleep", "Freeze", "Rounds",        "Grids", "Held",    "LetGo",  "AllByHash", "Windy"};
     return NAMES[way.param];
 }
 

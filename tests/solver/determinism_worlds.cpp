@@ -265,6 +265,7 @@ std::vector<Matter> matters()
             {"Fluids", fluidWorld},
             {"Emitters", emitterWorld},
             {"Bounces", bouncyWorld},
+            {"Windy", windyWorld},
             {"Freeze", [] { return sleepyWorld(0.5f); }},
             {"Held", heldWorld},
             {"Animated", animatedWorld},

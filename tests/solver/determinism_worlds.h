@@ -22,6 +22,7 @@ World sleepyWorld(float freeze);  ///< Towers that sleep, or freeze, until somet
 World movingWorld();              ///< A piston, a lift and a drum among towers that sleep, bouncy boxes and water.
 World roundWorld();               ///< Balls and capsules.
 World gridWorld();                ///< A mesh and a heightfield, and what falls on them.
+World windyWorld();               ///< Cloth, boxes and a fluid in gusts, among which something explodes.
 World everyWorld(GridKind grid);  ///< All of that together.
 
 /// One kind of matter by its name.
