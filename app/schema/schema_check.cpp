@@ -176,9 +176,8 @@ void SchemaCheck::requireOneOf(const Json& properties, const Json& value, const 
         if (!child.is_object() || !properties.contains(key)) continue;
         const Json& node = schema_.resolve(properties[key]);
         if (!node.contains("x-needs-one-of")) continue;
-        const auto isGiven = [&](const Json& field) {
-            const auto found = child.find(field.get<std::string>());
-            return found != child.end() && *found != "";
+        const auto isGiven = [&object = child](const Json& field) {
+            return object.value(field.get<std::string>(), Json("")) != Json("");
         };
         if (std::ranges::none_of(node["x-needs-one-of"], isGiven))
             fail(fmt::format("{}/{}", pointer, escaped(key)), node["x-remedy"]);
