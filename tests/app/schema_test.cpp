@@ -95,7 +95,7 @@ TEST(Schema, EveryFieldIsDescribedAndEveryObjectClosed)
             EXPECT_TRUE(node.contains("description") || node.contains("const")) << pointer;
         });
         for (const auto& [name, node] : schema.root()["definitions"].items()) {
-            if (node["type"] != "object") continue;
+            if (node.value("type", "") != "object") continue;
             EXPECT_EQ(node["additionalProperties"], false) << file << " " << name;
         }
     }
