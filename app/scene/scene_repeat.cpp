@@ -6,6 +6,7 @@
 #include "app/json/fields.h"
 #include "app/scene/scene_places.h"
 #include "sim/base/angles.h"
+#include "sim/base/random.h"
 
 namespace knuckle {
 

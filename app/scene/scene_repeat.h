@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "app/json/json.h"
@@ -17,12 +16,5 @@ float delayOf(const Json& object, size_t copy);
 std::vector<ClipPlay> delayed(const World& world, std::vector<ClipPlay> plays, float delay);
 /// Product of repeat.counts, exact up to 1e18.
 uint64_t copyCount(const Json& object);
-
-/// Uniform in 0 ... 1, made from the generator's raw numbers: those are the same everywhere, unlike those of the
-/// standard library's distributions.
-inline float uniformFraction(std::mt19937& random)
-{
-    return static_cast<float>(static_cast<double>(random()) / 4294967296.0);
-}
 
 }  // namespace knuckle

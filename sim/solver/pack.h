@@ -16,4 +16,11 @@ inline gpu::vec4 pack(const Quaternionf& q)
     return pack(q.vec(), q.w());
 }
 
+/// Half extents of a box, else radius and half height [m].
+inline Vector3f sizeOf(const Region& region)
+{
+    if (region.shape == ColliderShape::Box) return region.halfExtents;
+    return {region.radius, region.halfHeight, 0};
+}
+
 }  // namespace knuckle

@@ -9,6 +9,7 @@
 #include "app/json/fields.h"
 #include "app/scene/scene_limits.h"
 #include "app/scene/scene_repeat.h"
+#include "sim/base/random.h"
 
 namespace knuckle {
 

@@ -27,9 +27,8 @@ std::vector<uint32_t> gridStarts(const World& world)
 
 gpu::Collider packCollider(const World& world, const Collider& c, const std::vector<uint32_t>& starts)
 {
-    const Vector3f size = c.shape == ColliderShape::Box ? c.halfExtents : Vector3f(c.radius, c.halfHeight, 0);
     const auto shape = static_cast<float>(c.shape);
-    gpu::Collider collider{pack(size, shape), {c.staticFriction, c.kineticFriction, 0, 0}, {}, {}};
+    gpu::Collider collider{pack(sizeOf(c), shape), {c.staticFriction, c.kineticFriction, 0, 0}, {}, {}};
     if (!hasGrid(c)) return collider;
     const ColliderGrid& grid = world.colliderGrids[c.grid];
     const Eigen::Vector3<uint32_t> counts = grid.counts.cast<uint32_t>();

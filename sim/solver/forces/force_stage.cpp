@@ -15,11 +15,9 @@ static_assert(static_cast<uint32_t>(FieldFalloff::Linear) == FALLOFF_LINEAR);
 gpu::ForceField packField(const ForceField& field)
 {
     const Region& region = field.region;
-    const bool isBox = region.shape == ColliderShape::Box;
-    const Vector3f size = isBox ? region.halfExtents : Vector3f(region.radius, region.halfHeight, 0);
     return {pack(region.position, field.strength),
             pack(region.orientation),
-            pack(size, reachOf(region)),
+            pack(sizeOf(region), reachOf(region)),
             {static_cast<uint32_t>(region.shape), static_cast<uint32_t>(field.kind),
              static_cast<uint32_t>(field.falloff), 0},
             {field.start, field.stop, 0, 0}};

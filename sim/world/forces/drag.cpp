@@ -55,7 +55,7 @@ Vector3f dragOf(const World& world, const Body& body)
     return half * float(SPHERE_DRAG) * Vector3f(end + side, end, end + side);
 }
 
-/// Of each particle of a soft body, how many of its six sides have no neighbour.
+/// To each particle of a soft body, its share of the body's surface by those of its six sides without a neighbour.
 void addSoft(const World& world, const SoftBody& soft, std::vector<float>& areas)
 {
     std::set<Cell> cells;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "shared/force_types.h"
 #include "sim/base/angles.h"
+#include "sim/base/random.h"
 
 namespace knuckle {
 
@@ -16,14 +16,9 @@ namespace {
 constexpr uint32_t WAVES = 16;
 constexpr float SHORTEST = 1.0f / 12;  // wave, of the longest
 
-float uniform(std::mt19937& random)
-{
-    return static_cast<float>(static_cast<double>(random()) / 4294967296.0);
-}
-
 Vector3f direction(std::mt19937& random)
 {
-    const float z = 2.0f * uniform(random) - 1.0f, turn = WHOLE_TURN * uniform(random);
+    const float z = 2.0f * uniformFraction(random) - 1.0f, turn = WHOLE_TURN * uniformFraction(random);
     const float flat = std::sqrt(std::max(1.0f - z * z, 0.0f));
     return {flat * std::cos(turn), flat * std::sin(turn), z};
 }
@@ -61,8 +56,8 @@ std::vector<GustWave> gustWaves(const Wind& wind)
         Vector3f across = wave.wave.cross(direction(random));
         if (across.norm() < 1e-3f * wave.wave.norm()) across = wave.wave.unitOrthogonal();
         wave.amplitude = std::cbrt(length) * across.normalized();
-        wave.phase = WHOLE_TURN * uniform(random);
-        wave.rate = speed * wave.wave.norm() * (uniform(random) - 0.5f);
+        wave.phase = WHOLE_TURN * uniformFraction(random);
+        wave.rate = speed * wave.wave.norm() * (uniformFraction(random) - 0.5f);
         squares += 0.5f * wave.amplitude.squaredNorm();
     }
     for (GustWave& wave : waves) wave.amplitude *= speed / std::sqrt(squares);

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/rig/import/import.h"
-#include "tests/message_of.h"
 #include "tests/rig/import/chain.h"
 #include "tests/rig/import/edited_glb.h"
-#include "tests/temp_folder.h"
+#include "tests/rig/import/surface_import.h"
 
 namespace knuckle {
 namespace {
@@ -56,18 +54,8 @@ std::string sequenceStream(const std::vector<uint32_t>& corners)
 }
 
 /// A chain whose numbers are only there compressed: the buffer that they would lie in has no bytes.
-class Meshopt : public testing::Test {
+class Meshopt : public test::SurfaceImport {
 protected:
-    Model import(EditedGlb& glb) const
-    {
-        ImportOptions options;
-        options.surface = true;
-        return importModel(folder_.write("small.glb", glb.bytes()), options);
-    }
-    std::string refusal(EditedGlb& glb) const
-    {
-        return test::messageOf<InputError>([&] { import(glb); });
-    }
     static EditedGlb figure() { return EditedGlb(toGlb(paintedChain())); }
     static Json& accessorOf(EditedGlb& glb, const char* attribute)
     {
@@ -142,7 +130,6 @@ protected:
         EXPECT_GT((model.clips[0].poses.back().back() - wanted.bones.back().restPose).norm(), 0.1f);
         EXPECT_EQ(model.notes, wanted.notes);
     }
-    test::TempFolder folder_;
 };
 
 TEST_F(Meshopt, AttributesAreReadAndWhatFiltersDidToThem)

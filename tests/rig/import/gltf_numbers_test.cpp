@@ -4,11 +4,9 @@
 #include <cmath>
 
 #include "sim/rig/import/gltf/gltf_floats.h"
-#include "sim/rig/import/import.h"
-#include "tests/message_of.h"
 #include "tests/rig/import/chain.h"
 #include "tests/rig/import/edited_glb.h"
-#include "tests/temp_folder.h"
+#include "tests/rig/import/surface_import.h"
 
 namespace knuckle {
 namespace {
@@ -20,18 +18,8 @@ using test::EditedGlb;
 constexpr int BYTE = 5120, UNSIGNED_BYTE = 5121, SHORT = 5122, UNSIGNED_SHORT = 5123;
 
 /// Numbers of glTF that are no floats, and what a file may leave out or have compressed.
-class GltfNumbers : public testing::Test {
+class GltfNumbers : public test::SurfaceImport {
 protected:
-    Model import(EditedGlb& glb) const
-    {
-        ImportOptions options;
-        options.surface = true;
-        return importModel(folder_.write("odd.glb", glb.bytes()), options);
-    }
-    std::string refusal(EditedGlb& glb) const
-    {
-        return test::messageOf<InputError>([&] { import(glb); });
-    }
     /// A chain with a clip and places in pictures.
     static EditedGlb figure()
     {
@@ -73,7 +61,6 @@ protected:
         EXPECT_LT((model.clips[0].poses.back().back() - wanted.clips[0].poses.back().back()).norm(), CLOSE);
         EXPECT_EQ(model.notes, wanted.notes);
     }
-    test::TempFolder folder_;
 };
 
 TEST_F(GltfNumbers, BytesAndShortsAreWhatTheyStandFor)
