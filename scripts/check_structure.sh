@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Finds includes against the direction of the data, shaders that include from another room, sources that no
-# CMakeLists.txt names, lines and files that are too long, what stands at the top and should not, and files, kernels,
-# tests, types and words that a document names and that are not there. docs/architecture.md.
+# CMakeLists.txt names, lines and files that are too long, what stands at the top and should not, figures that no
+# test holds, and files, kernels, tests, types and words that a document names and that are not there.
+# docs/architecture.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 failed=0
@@ -158,6 +159,23 @@ done
 awk -F'|' '/^\|/ && $2 !~ /^ *(word|---) *$/ { print tolower($2) }' docs/glossary.md | grep -oE '[a-z]{3,}' |
     grep -vxE 'and|for|the' | sort -u >"$lists/cited"
 while read -r word; do absent docs/glossary.md "the word $word"; done < <(missing_from "$lists/cited" "$lists/words")
+
+# Every figure of docs/figures.md names the test that holds it: all tables there end in a column of tests, without gaps.
+while IFS=: read -r line what; do
+  echo "docs/figures.md:$line: $what" >&2
+  failed=1
+done < <(awk '
+    /^\|/ {
+      cells = split($0, cell, /[ \t]*\|[ \t]*/)
+      last = cell[cells - 1]
+      if (++row == 1) {
+        if (last !~ /^test/) print FNR ":the last column of this table is not \"test\"; name the tests that hold it"
+      } else if (row > 2 && last == "") {
+        print FNR ":no test holds this row; name one, or move it to docs/decisions/28-measured-once.md"
+      }
+      next
+    }
+    { row = 0 }' docs/figures.md)
 
 # Lines of 120 columns at most; shaders of 100 lines, sources and headers of the host of 300.
 LC_ALL=C.UTF-8
