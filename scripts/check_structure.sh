@@ -101,6 +101,15 @@ while IFS=: read -r document name; do
     failed=1
   fi
 done < <(grep -oHE '\]\([A-Za-z0-9_/.-]+' "${documents[@]}" | sed 's/\](//' | grep -v ':http')
+while IFS=: read -r document link; do
+  target=${link%%#*}
+  target=${target:+$(dirname "$document")/$target}
+  if ! grep -hE '^#+ ' "${target:-$document}" | sed 's/^#* //' | tr 'A-Z' 'a-z' | tr -cd 'a-z0-9 \n_-' | tr ' ' '-' |
+      grep -qxF -- "${link#*#}"; then
+    echo "$document links to $link, which is no heading there" >&2
+    failed=1
+  fi
+done < <(grep -oHE '\]\([A-Za-z0-9_/.-]*#[^)]+' "${documents[@]}" | sed 's/\](//')
 
 # Below, names that documents cite. What stands in their examples, indented by four, is not looked at.
 folders=(app assets cmake render scripts shaders sim tests tools)

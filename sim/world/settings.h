@@ -62,7 +62,7 @@ struct Settings {
 uint32_t automaticSubsteps(float diameter, float timeStep, SolverKind solver);
 
 /// The same for fluids: pressure goes about a particle far in a substep, so fluid at rest is denser than asked by about
-/// half of pressure / density (timeStep / (substeps spacing))^2; that stays below 1 %. 4 to 32, and
+/// 0.59 of pressure / density (timeStep / (substeps spacing))^2; that stays below 1 %. 4 to 32, and
 /// leastFluidSubsteps().
 /// @param spacing of fluid particles [m]. @param pressure over density [m2/s2]; at least that of twenty layers is
 /// assumed.
