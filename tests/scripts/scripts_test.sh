@@ -78,19 +78,22 @@ test_tidy() {
 test_structure() {
     local tree=$folder/structure found
     mkdir "$tree"
-    cp -r ./*.md LICENSE CMakeLists.txt app assets cmake docs render scripts shaders sim tests tools "$tree"
+    cp -r ./*.md ./*.sh LICENSE CMakeLists.txt app assets cmake docs render scripts shaders sim tests tools "$tree"
     cd "$tree"
     expect 'as it is' '' "$(bash scripts/check_structure.sh 2>&1)"
     {
         echo 'Words of `no_kernel`, no_kernel_either, `grob_*`, `nothing.glsl`, `Joint.Nonsense…`, `Nowhere.*`,'
         echo '`Kinds/Gridd.*`, `NoSuchType`, `World::nonesuch`, `sim/no/file.h`, [a link](docs/nowhere.md).'
+        echo '[A heading](#nowhere).'
         echo '    `example_kernel` stands in an example.'
     } >>README.md
     echo '| zonk | x | y |' >>docs/glossary.md
+    printf '\n| what | test |\n| --- | --- |\n| a figure | |\n' >>docs/figures.md
     printf '// %0130d\n' 1 >>app/main/main.cpp
     write app/main/long.cpp "$(seq -f '// %g' 301)"
     write shaders/math/long.glsl "$(seq -f '// %g' 101)"
     sed -i '1i #include "app/run/progress.h"' sim/gpu/gpu.cpp
+    sed -i '1i #include <nlohmann/json.hpp>' app/json/json.cpp
     sed -i 's/"note": "/"note": "not /' docs/bench.json
     found=$(bash scripts/check_structure.sh 2>&1) && expect 'a bad tree' fails passes
     local name line
@@ -98,9 +101,12 @@ test_structure() {
             'the test Kinds/Gridd.*' NoSuchType nonesuch sim/no/file.h; do
         expect_line 'names' "README.md names $name, which is not there" "$found"
     done
-    local last
-    last=$(wc -l <app/main/main.cpp)
+    local last row
+    last=$(wc -l <app/main/main.cpp) row=$(wc -l <docs/figures.md)
     for line in 'README.md links to docs/nowhere.md, which is not there' \
+            'README.md links to #nowhere, which is no heading there' \
+            "docs/figures.md:$row: no test holds this row; name one, or move it to docs/decisions/28-measured-once.md" \
+            'include "sim/base/json.h" instead' \
             'docs/glossary.md names the word zonk, which is not there' \
             "app/main/main.cpp:$last is wider than 120 columns" \
             'app/main/long.cpp is not listed in app/CMakeLists.txt' \
