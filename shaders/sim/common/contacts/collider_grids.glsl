@@ -24,7 +24,7 @@ vec2 gridPair(int index)
     return vec2(texelFetch(gridValues, index).x, texelFetch(gridValues, index + 1).x);
 }
 
-/// Trilinear, with its gradient as the normal; outside the grid a lower bound that meets it there.
+/// Trilinear, with its gradient as the normal; outside the grid, a lower bound that is continuous at its border.
 vec4 meshSurface(vec3 p, vec3 low, vec3 cell, uvec4 grid)
 {
     GridPoint at = gridPoint(p, low, cell, grid);
@@ -45,8 +45,8 @@ vec4 meshSurface(vec3 p, vec3 low, vec3 cell, uvec4 grid)
     return vec4(steep > 0.0 ? slope / steep : vec3(0, 1, 0), outside > 0.0 ? max(gap - outside, outside) : gap);
 }
 
-/// The plane that touches the bilinear surface above or below the point; beyond the field's edge, the block of which
-/// the field is the top.
+/// The plane that touches the bilinear surface above or below the point; beyond the field's edge, the block below the
+/// field.
 vec4 heightfieldSurface(vec3 p, vec3 low, vec3 cell, uvec4 grid)
 {
     GridPoint at = gridPoint(p, low, cell, grid);

@@ -78,8 +78,8 @@ ColliderSurface colliderSurface(uint index, vec3 x)
     return ColliderSurface(rotate(place.orientation, normal), gap);
 }
 
-/// A lower bound of the distance from a point to a collider [m]. Of a heightfield none is known:
-/// colliderSurface() takes the plane that touches it above or below the point, and the field may rise beside that.
+/// A lower bound of the distance from a point to a collider [m]. A heightfield has none: colliderSurface() takes the
+/// plane that touches it above or below the point, and the field may rise beside that.
 float colliderBound(uint index, vec3 x)
 {
 #ifdef GRIDS
