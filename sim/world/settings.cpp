@@ -23,7 +23,7 @@ uint32_t automaticSubsteps(float diameter, float timeStep, SolverKind solver)
 
 namespace {
 
-/// As many that fluid at rest is denser than asked by `error`, which is half of pressure / density (h / spacing)^2.
+/// Substeps for which fluid at rest is too dense by `error`, which is half of pressure / density (h / spacing)^2.
 float fluidSubsteps(float spacing, float pressure, float timeStep, float error)
 {
     return 0.768f * timeStep / spacing * std::sqrt(pressure / error);
@@ -46,8 +46,8 @@ uint32_t leastFluidSubsteps(float spacing, float pressure, float timeStep)
 
 float cohesionPressure(float surfaceTension, float spacing)
 {
-    // 3.3 if places were independent (2 pi n^2 / 3 int f r^3 over pi n^2 / 8 int f r^4, see upload_fluid.cpp).
-    // Measured.
+    // 3.3 if positions were independent (2 pi n^2 / 3 int f r^3 over pi n^2 / 8 int f r^4, see upload_fluid.cpp).
+    // This value is measured.
     return 10.4f * surfaceTension / spacing;
 }
 
