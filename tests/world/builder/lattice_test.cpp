@@ -63,7 +63,7 @@ TEST(Lattice, ACapsuleWithoutHeightIsASphere)
 TEST(Lattice, ACapsuleIsASphereWithAShaft)
 {
     // Each layer of the shaft is the sphere's middle layer: 13 points of Z^2 with norm <= 2. A half height of 3
-    // diameters takes the sphere apart at its middle and puts 6 more layers there.
+    // diameters splits the sphere at its middle and inserts 6 more layers there.
     const auto points = capsuleLattice(2.5f * DIAMETER, 3.0f * DIAMETER, DIAMETER);
     EXPECT_EQ(points.size(), 33u + 6u * 13u);
     for (const Vector3f& p : points) {
