@@ -55,7 +55,7 @@ TEST(Sleep, ATowerSleepsAndWakesAsAWhole)
     while (allSleep(solver.readBodies(), 5) && steps++ < 60) run(solver, world, 1.0 / 60.0);
     EXPECT_TRUE(noneSleeps(solver.readBodies(), 5));
     EXPECT_LT(steps, 60);
-    // Nothing penetrates a tower because it would first have to wake.
+    // Nothing gets into a tower while the tower has yet to wake.
     EXPECT_LT(solver.measure().worstPenetration, 0.8f * DIAMETER);
 }
 

@@ -64,7 +64,7 @@ void main()
     clipBodyPlaces[2u * k + 1u] = placed.turned;
     if (!animated) return;
     if (left > 0.0) {
-        // What is left of the offset turns about the first body.
+        // The rest of the offset turns about the first body.
         AnimatedBody first = animatedBodies[at];
         vec3 centre = rotate(turnOf(mixed, first), first.centre.xyz - first.anchor.xyz) + pivot;
         centre = putByCatch(puppet, placedIn(animation, Placed(centre, turned))).place;

@@ -4,7 +4,7 @@
 #include "math/spatial.glsl"
 #include "sim/joint/joint_info.glsl"
 
-/// The load on a body that would otherwise move alone. @param carried the mass of it and of all that hangs on it.
+/// The load that a body carries, as if it moved alone. @param carried the mass of it and of all that hangs on it.
 /// @returns the part of that beyond a hundred times its own mass [kg].
 float loadOn(uint k, mat3 carried)
 {

@@ -29,7 +29,7 @@ constexpr double APART_PART = 0.9;    // a part that hangs apart does so below t
 constexpr float LOOSE = 2.6f;         // d: from all else of its body
 
 constexpr size_t FEW = 6;           // bodies up to which each is named
-constexpr std::ptrdiff_t ENDS = 4;  // least bodies of a figure with arms and legs
+constexpr std::ptrdiff_t ENDS = 4;  // least outermost bodies of a figure with arms and legs
 constexpr float LYING = 1.5f;       // depth over height of a figure that lies
 
 using Particles = std::vector<uint32_t>;

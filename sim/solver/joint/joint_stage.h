@@ -10,8 +10,8 @@ namespace knuckle {
 ///                                      jointInfo[joint]    body, parent, rows, children; loops stand behind all others
 ///                                      jointFreedoms, jointPlaces, jointLimits, jointStrengths [joint]
 ///
-/// Records, in texels of 16 bytes (shaders/shared/joint_records.h), and who hands them to whom in a substep, for a tree
-/// of a root and two bodies:
+/// Records, in texels of 16 bytes (shaders/shared/joint_records.h), and how kernels pass them on in a substep, for a
+/// tree of a root and two bodies:
 ///
 ///     joint_factor, from the leaves up:             joint_solve, up:            and down:
 ///

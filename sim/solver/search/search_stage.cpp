@@ -13,8 +13,8 @@ namespace knuckle {
 namespace {
 
 constexpr uint64_t MOST_PARTICLES = 1u << 23;  // contacts have 23 bits for a mover
-// Distance at which a particle may touch the other's box [diameters]: root 1.5 in the middle of four particles of a
-// face, less the depth that it may sink in before it is found; root 2 would find all neighbours across two faces.
+// Largest distance of two particles of which one touches the other's box [diameters]: root 1.5 in the middle of four of
+// a face, less the depth that it may sink in before it is found; root 2 would find all neighbours across two faces.
 constexpr float FLAT_TOUCH = 1.2f;
 // The same for a ball or capsule: between its particles, its surface is up to a diameter further out than they are.
 constexpr float ROUND_TOUCH = 1.7f;
