@@ -38,7 +38,7 @@ vec4 turnBetween(vec4 from, vec4 to)
     return turn.w < 0.0 ? -turn : turn;
 }
 
-/// An upper bound of the way of any point of a collider from one place to another [m].
+/// An upper bound of how far any point of a collider moves from one place to another [m].
 float farthest(vec3 shift, vec4 turn, float reach)
 {
     return length(shift) + 2.0 * length(turn.xyz) * reach;

@@ -11,7 +11,7 @@ struct SideMass {
     float fraction;   // of it along the normal, 0 ... 1
 };
 
-/// Mass of a mover for an impulse at its surface. Loose particles have the same mass in all directions.
+/// Inverse mass of a mover for an impulse at its surface. Loose particles have the same mass in all directions.
 /// @param particle the contact's particle in the body. @param r where the impulse acts, in the body's axes [m].
 SideMass sideMass(uint mover, Arm particle, vec3 r, vec3 normal)
 {

@@ -28,7 +28,7 @@ protected:
         if (fixture.isBody(mover)) return fixture.centre(mover);
         return vec3(positions[fixture.parts[mover][0].particle]).cast<double>();
     }
-    /// An upper bound of the way of a mover's particles: a chord of the turn.
+    /// An upper bound of how far a mover's particles move: a chord of the turn.
     double moved(uint32_t mover) const
     {
         const Eigen::Quaterniond old = quaternion(oldRotations[mover]).cast<double>();

@@ -8,7 +8,7 @@ uniform samplerBuffer colliderMoves;     // two a collider: shift [m], w: of its
 struct ColliderMove {
     vec3 shift;          // of its place [m]
     vec4 turn;           // about it
-    float farthest;      // an upper bound of the way of its points [m]
+    float farthest;      // an upper bound of how far its points have moved [m]
 };
 
 ColliderMove fetchColliderMove(uint index)

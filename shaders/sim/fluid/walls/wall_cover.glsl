@@ -21,7 +21,7 @@ Wall wallOf(uint index, vec3 x)
 /// The share of what a wall covers that earlier walls do not cover.
 struct Uncovered {
     float share, byOwn;   // its change with what the wall covers
-    vec3 byOthers;        // and with what the others cover [1/m]
+    vec3 byOthers;        // and, through what the others cover, with position [1/m]
 };
 
 /// Subtracts what another wall covers of it: for walls at right angles the product, for parallel ones the smaller,

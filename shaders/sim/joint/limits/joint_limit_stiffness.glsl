@@ -4,8 +4,8 @@
 BUFFER(Assembly, AssemblyState, assemblies);
 
 /// The part of what its stops held that a joint remembers in the next substep. Stops give by a hundredth of what moves
-/// all that hangs on them, and contacts may press that much harder; but where a light body carries a heavy one, the
-/// rest of a blow would throw that back. @param carried the mass that hangs on the joint [kg].
+/// all that hangs on them, and contacts may press the latter much harder; but where a light body carries a heavy one,
+/// the rest of a blow would throw that back. @param carried the mass that hangs on the joint [kg].
 float memoryOf(Joint joint, float carried)
 {
     const float LIGHT = 10.0;
