@@ -17,7 +17,7 @@ using test::RunResult;
 /// Causes that end a run: signals, lack of memory, the environment.
 class Stop : public test::CliTest {
 protected:
-    /// A program in place of ffmpeg. @returns the variable that makes the tests find it.
+    /// A program in place of ffmpeg. @returns the variable by which it is found.
     std::string ffmpeg(const std::string& script) const
     {
         fs::create_directory(folder.path("bin"));

@@ -182,11 +182,11 @@ TEST(Drive, TurnsNoHarderThanItMay)
     const double inertia = leverOf(world).inertia, seconds = std::sqrt(2 * 0.5 * inertia / 2.0);
     const double steps = std::floor(seconds / world.settings.timeStep), t = steps * world.settings.timeStep;
     run(solver, world, t);
-    // The target jumps at either end of the first substep: t is known within one, 2 / (8 steps).
+    // The target jumps within the first substep, which may be over or not: t is known within one, 2 / (8 steps).
     EXPECT_NEAR(angleOf(solver), t * t / inertia, 0.02 * t * t / inertia);
 }
 
-/// No strength, load or substep makes it swing: a limb of a ton on a joint of 1e8 N m/rad stays in place.
+/// No strength, load or substep makes it swing: a limb of a ton on a joint of 1e8 N m/rad stays at its target.
 TEST(Drive, IsStableHoweverStiff)
 {
     for (const float stiffness : {1e3f, 1e5f, 1e8f})
