@@ -52,7 +52,7 @@ TEST(SceneReleaseEvent, ATouchIsOfAllCopiesOrOfOne)
     const World one = worldOf(dancer(R"({"touch": "crate_2"})", CRATES));
     EXPECT_EQ(sizeOf(one.releases[0]), CRATE);
     EXPECT_EQ(one.bodies[one.particles[one.releases[0].firstParticle].body].object, 2u) << "behind the dancer";
-    // Two objects of one name give two releases, whichever happens first lets go; ropes come last.
+    // Two objects of one name give two releases; whichever happens first lets go. Ropes come last.
     const World two = worldOf(dancer(R"({"touch": "thing"})", R"(, {"type": "rigid", "shape": "box", "name": "thing",
         "position": [0, 5, 0]}, {"type": "rope", "name": "thing", "from": [0, 6, 0], "to": [1, 6, 0]})"));
     ASSERT_EQ(two.releases.size(), 2u);
