@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Finds includes against the direction of the data, shaders that include from another room, sources that no
-# CMakeLists.txt names, lines and files that are too long, files that should not be at the top, and files, kernels,
-# tests, types and words that a document names but that do not exist. docs/architecture.md.
+# CMakeLists.txt names, lines and files that are too long, what stands at the top and should not, figures that no
+# test holds, and files, kernels, tests, types and words that a document names and that are not there.
+# docs/architecture.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 failed=0
@@ -33,6 +34,11 @@ refuse sim/solver 'sim/rig/|render/|app/'
 refuse sim/solver/layout 'sim/(gpu|solver/[a-km-z])'
 refuse sim/solver/measure 'sim/(gpu|solver/[a-kn-z])'
 refuse sim/api 'render/|app/|sim/rig/(anatomy|clips|gltf|joints|limbs|mesh|skin)/'
+# The library's own header does not say what a document lacks.
+if grep -rn --include='*.h' --include='*.cpp' '#include <nlohmann/' app render sim tests tools | grep -v '^sim/base/json\.h:'; then
+  echo 'include "sim/base/json.h" instead' >&2
+  failed=1
+fi
 for part in sim/base sim/world sim/gpu sim/solver sim/rig render app/commands app/run app/scene; do
   refuse $part '(sim|app)/api/'
 done
@@ -95,6 +101,15 @@ while IFS=: read -r document name; do
     failed=1
   fi
 done < <(grep -oHE '\]\([A-Za-z0-9_/.-]+' "${documents[@]}" | sed 's/\](//' | grep -v ':http')
+while IFS=: read -r document link; do
+  target=${link%%#*}
+  target=${target:+$(dirname "$document")/$target}
+  if ! grep -hE '^#+ ' "${target:-$document}" | sed 's/^#* //' | tr 'A-Z' 'a-z' | tr -cd 'a-z0-9 \n_-' | tr ' ' '-' |
+      grep -qxF -- "${link#*#}"; then
+    echo "$document links to $link, which is no heading there" >&2
+    failed=1
+  fi
+done < <(grep -oHE '\]\([A-Za-z0-9_/.-]*#[^)]+' "${documents[@]}" | sed 's/\](//')
 
 # Below: names that documents cite. Their examples, indented by four, are skipped.
 folders=(app assets cmake render scripts shaders sim tests tools)
@@ -154,7 +169,24 @@ awk -F'|' '/^\|/ && $2 !~ /^ *(word|---) *$/ { print tolower($2) }' docs/glossar
     grep -vxE 'and|for|the' | sort -u >"$lists/cited"
 while read -r word; do absent docs/glossary.md "the word $word"; done < <(missing_from "$lists/cited" "$lists/words")
 
-# Lines have at most 120 columns, shaders 100 lines, sources and headers of the host 300.
+# Every figure of docs/figures.md names the test that holds it: all tables there end in a column of tests, without gaps.
+while IFS=: read -r line what; do
+  echo "docs/figures.md:$line: $what" >&2
+  failed=1
+done < <(awk '
+    /^\|/ {
+      cells = split($0, cell, /[ \t]*\|[ \t]*/)
+      last = cell[cells - 1]
+      if (++row == 1) {
+        if (last !~ /^test/) print FNR ":the last column of this table is not \"test\"; name the tests that hold it"
+      } else if (row > 2 && last == "") {
+        print FNR ":no test holds this row; name one, or move it to docs/decisions/28-measured-once.md"
+      }
+      next
+    }
+    { row = 0 }' docs/figures.md)
+
+# Lines of 120 columns at most; shaders of 100 lines, sources and headers of the host of 300.
 LC_ALL=C.UTF-8
 while IFS=: read -r file line _; do
   echo "$file:$line is wider than 120 columns" >&2

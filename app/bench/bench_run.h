@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "app/run/exit_codes.h"
 #include "app/run/interrupt.h"
 #include "app/run/open_gpu.h"
+#include "sim/base/json.h"
 #include "sim/solver/solver.h"
 
 /// What the benchmarks share.

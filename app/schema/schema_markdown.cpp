@@ -13,7 +13,7 @@ std::string anchorOf(const std::string& title)
     std::string anchor;
     for (const char c : title) {
         if (std::isalnum(static_cast<unsigned char>(c))) anchor += static_cast<char>(std::tolower(c));
-        if (c == ' ') anchor += '-';
+        if (c == ' ' || c == '-') anchor += '-';
     }
     return anchor;
 }

@@ -1,4 +1,4 @@
-// Constants of contacts that C++ and GLSL share. docs/physics.md has the measurements behind them.
+// Constants of contacts that C++ and GLSL share. docs/decisions has the figures that decided them.
 #ifndef KNUCKLE_CONTACT_CONSTANTS_H
 #define KNUCKLE_CONTACT_CONSTANTS_H
 

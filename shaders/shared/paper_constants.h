@@ -1,4 +1,4 @@
-// Constants of the paper's solver that C++ and GLSL share. docs/physics.md has the measurements behind them.
+// Constants of the paper's solver that C++ and GLSL share. docs/decisions has the figures that decided them.
 #ifndef KNUCKLE_PAPER_CONSTANTS_H
 #define KNUCKLE_PAPER_CONSTANTS_H
 

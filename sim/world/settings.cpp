@@ -23,7 +23,7 @@ uint32_t automaticSubsteps(float diameter, float timeStep, SolverKind solver)
 
 namespace {
 
-/// Substeps for which fluid at rest is too dense by `error`, which is half of pressure / density (h / spacing)^2.
+/// As many that fluid at rest is denser than asked by `error`, which is 0.59 of pressure / density (h / spacing)^2.
 float fluidSubsteps(float spacing, float pressure, float timeStep, float error)
 {
     return 0.768f * timeStep / spacing * std::sqrt(pressure / error);

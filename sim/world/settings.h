@@ -62,8 +62,8 @@ struct Settings {
 /// @param diameter of particles [m]. @param timeStep [s].
 uint32_t automaticSubsteps(float diameter, float timeStep, SolverKind solver);
 
-/// The same for fluids: pressure spreads by about a particle in a substep, so fluid at rest is too dense by about half
-/// of pressure / density (timeStep / (substeps spacing))^2; this keeps that below 1 %. 4 to 32, and at least
+/// The same for fluids: pressure goes about a particle far in a substep, so fluid at rest is denser than asked by about
+/// 0.59 of pressure / density (timeStep / (substeps spacing))^2; that stays below 1 %. 4 to 32, and
 /// leastFluidSubsteps().
 /// @param spacing of fluid particles [m]. @param pressure over density [m2/s2]; taken as at least that of twenty
 /// layers.

@@ -49,6 +49,29 @@ TEST(GridCollider, ABallRestsOnAMesh)
     EXPECT_LT(solver.measure().worstPenetration, 0.006f * DIAMETER);                                // measured 8e-4
 }
 
+/// Its centre is outside the mesh's grid, which ends a cell beyond the mesh.
+TEST(GridCollider, ALargeBallRestsOnAMeshByItsOwnRadius)
+{
+    const RoundShape round{0.3f, 0.0f};
+    const std::vector<Vector3f> places = sphereLattice(round.radius, DIAMETER);
+    std::vector<SurfaceDistance> surface;
+    for (const Vector3f& place : places) surface.push_back(capsuleSurface(place, round.radius, 0.0f));
+    WorldBuilder builder = makeBuilder();
+    Collider collider;
+    collider.shape = ColliderShape::Mesh;
+    collider.grid = builder.addColliderGrid(cubeGrid());
+    builder.addCollider(collider);
+    builder.beginObject("ball");
+    builder.addBody("ball", places, 0, Motion::Dynamic, surface, round);
+    builder.endObject({{0.1f, 1.35f, 0.05f}});
+    const World world = builder.build();
+    Solver solver(gpu(), world);
+    run(solver, world, 2.0);
+    const BodyState ball = solver.readBodies()[0];
+    EXPECT_NEAR(ball.position.y(), 1.3f, 0.006f * DIAMETER);
+    EXPECT_LT(ball.velocity.norm(), 1e-3f);
+}
+
 TEST(GridCollider, ABlockSlidesDownAHeightfieldAsOnAPlane)
 {
     // 20 degrees, no friction: g sin(20) t^2 / 2 along the slope.

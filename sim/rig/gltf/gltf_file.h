@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "sim/base/json.h"
 #include "sim/rig/gltf/component_types.h"
 
 namespace knuckle {

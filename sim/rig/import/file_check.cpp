@@ -8,11 +8,11 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
 
 #include "sim/base/errors.h"
+#include "sim/base/json.h"
 #include "sim/base/lowercase.h"
 #include "sim/rig/import/gltf/gltf_source.h"
 

@@ -15,7 +15,7 @@ void ContactStage::upload(const StageSetup& setup)
     setParameters(setup);
 }
 
-/// docs/physics.md has the measurements behind these numbers.
+/// docs/decisions has the figures that decided these numbers.
 void ContactStage::setParameters(const StageSetup& setup)
 {
     const Settings& s = setup.world.settings;

@@ -58,7 +58,7 @@ std::vector<PaperStage::ReductionStep> planReduction(const World& world, std::ve
     }
 }
 
-/// The numbers that the paper leaves open (docs/paper.md has the measurements behind them).
+/// The numbers that the paper leaves open (docs/decisions has the figures that decided them).
 void setPaperParameters(gpu::StepParameters& p)
 {
     p.overRelaxation = 2.0f;

@@ -44,15 +44,22 @@ void ColliderGrid::findBounds()
 float meshDistance(const ColliderGrid& grid, const Vector3f& point)
 {
     const Vector3f high = grid.low + grid.cell.cwiseProduct((grid.counts.array() - 1).cast<float>().matrix());
-    const float outside = (point - point.cwiseMax(grid.low).cwiseMin(high)).norm();
+    const Vector3f outside = point - point.cwiseMax(grid.low).cwiseMin(high);
     const Between at = between(grid, point);
+    // Of a row along x: its value, and how it rises over the cell.
     const auto row = [&](int y, int z) {
         const float* value = &grid.values[grid.index(at.cell.x(), at.cell.y() + y, at.cell.z() + z)];
-        return mix(value[0], value[1], at.share.x());
+        return Eigen::Vector2f(mix(value[0], value[1], at.share.x()), value[1] - value[0]);
     };
-    const auto layer = [&](int z) { return mix(row(0, z), row(1, z), at.share.y()); };
-    const float distance = mix(layer(0), layer(1), at.share.z());
-    return outside > 0.0f ? std::max(distance - outside, outside) : distance;
+    const std::array rows = {row(0, 0), row(1, 0), row(0, 1), row(1, 1)};
+    const auto layer = [&](int z) {
+        return Eigen::Vector2f(rows[2 * z] + at.share.y() * (rows[2 * z + 1] - rows[2 * z]));
+    };
+    const Eigen::Vector2f distance = layer(0) + at.share.z() * (layer(1) - layer(0));
+    if (outside == Vector3f::Zero()) return distance.x();
+    const Vector3f slope(distance.y(), mix(rows[1].x() - rows[0].x(), rows[3].x() - rows[2].x(), at.share.z()),
+                         layer(1).x() - layer(0).x());
+    return (outside + distance.x() * slope.stableNormalized()).norm();
 }
 
 float heightfieldDistance(const ColliderGrid& grid, const Vector3f& point)

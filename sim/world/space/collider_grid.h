@@ -34,8 +34,8 @@ struct ColliderGrid {
     void findBounds();
 };
 
-/// Signed distance of a point to a mesh, by trilinear interpolation of its grid; outside the grid a lower bound that is
-/// continuous at its border [m].
+/// Signed distance of a point to a mesh, by trilinear interpolation of its grid; outside the grid the distance to the
+/// point of the surface that is nearest to where the grid ends [m].
 float meshDistance(const ColliderGrid& grid, const Eigen::Vector3f& point);
 
 /// Signed distance of a point to the plane that touches the bilinear surface above or below it; beyond the field's

@@ -2,6 +2,12 @@
 
 uniform samplerBuffer gridValues;
 
+/// From a grid to a point [m].
+vec3 outsideGrid(vec3 p, vec3 low, vec3 cell, uvec4 grid)
+{
+    return p - clamp(p, low, low + cell * (vec3(grid.xyz) - 1.0));
+}
+
 /// Where a point is in a grid.
 struct GridPoint {
     int first;           // the value before it on all axes
@@ -15,7 +21,7 @@ GridPoint gridPoint(vec3 p, vec3 low, vec3 cell, uvec4 grid)
     vec3 index = clamp((p - low) / cell, vec3(0), last);
     ivec3 before = max(min(ivec3(index), ivec3(grid.xyz) - 2), 0);
     int first = int(grid.w) + (before.z * int(grid.y) + before.y) * int(grid.x) + before.x;
-    return GridPoint(first, index - vec3(before), p - clamp(p, low, low + cell * last));
+    return GridPoint(first, index - vec3(before), outsideGrid(p, low, cell, grid));
 }
 
 /// Two values in a row along x.
@@ -24,7 +30,8 @@ vec2 gridPair(int index)
     return vec2(texelFetch(gridValues, index).x, texelFetch(gridValues, index + 1).x);
 }
 
-/// Trilinear, with its gradient as the normal; outside the grid, a lower bound that is continuous at its border.
+/// The normal and the distance. Inside the grid: trilinear, with its gradient as the normal. Outside: to the point of
+/// the surface that is nearest to where the grid ends, so that the distance grows along the normal there, too.
 vec4 meshSurface(vec3 p, vec3 low, vec3 cell, uvec4 grid)
 {
     GridPoint at = gridPoint(p, low, cell, grid);
@@ -41,8 +48,12 @@ vec4 meshSurface(vec3 p, vec3 low, vec3 cell, uvec4 grid)
     float gap = mix(layers.x, layers.y, at.fraction.z);
     vec3 slope = vec3(mix(acrossLayers.x, acrossLayers.y, at.fraction.z),
                       mix(rows.y - rows.x, rows.w - rows.z, at.fraction.z), layers.y - layers.x);
-    float steep = length(slope), outside = length(at.outside);
-    return vec4(steep > 0.0 ? slope / steep : vec3(0, 1, 0), outside > 0.0 ? max(gap - outside, outside) : gap);
+    float steep = length(slope);
+    vec3 normal = steep > 0.0 ? slope / steep : vec3(0, 1, 0);
+    if (at.outside == vec3(0)) return vec4(normal, gap);
+    vec3 away = at.outside + gap * normal;
+    float far = length(away);
+    return vec4(far > 0.0 ? away / far : normal, far);
 }
 
 /// The plane that touches the bilinear surface above or below the point; beyond the field's edge, the block below the

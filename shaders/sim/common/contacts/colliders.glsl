@@ -78,12 +78,20 @@ ColliderSurface colliderSurface(uint index, vec3 x)
     return ColliderSurface(rotate(place.orientation, normal), gap);
 }
 
-/// A lower bound of the distance from a point to a collider [m]. A heightfield has none: colliderSurface() takes the
-/// plane that touches it above or below the point, and the field may rise beside that.
+/// A lower bound of the distance from a point to a collider [m]. Of a heightfield none is known:
+/// colliderSurface() takes the plane that touches it above or below the point, and the field may rise beside that.
+/// Outside a mesh's grid it is the distance to the grid.
 float colliderBound(uint index, vec3 x)
 {
 #ifdef GRIDS
-    if (colliderShape(colliderAt(index)) == COLLIDER_HEIGHTFIELD) return -1e9;
+    Collider c = colliderAt(index);
+    if (colliderShape(c) == COLLIDER_HEIGHTFIELD) return -1e9;
+    if (colliderShape(c) == COLLIDER_MESH) {
+        ColliderPlace place = fetchColliderPlace(index);
+        vec3 p = rotate(conjugate(place.orientation), x - place.position);
+        float outside = length(outsideGrid(p, c.gridLow.xyz, c.size.xyz, c.grid));
+        if (outside > 0.0) return outside;
+    }
 #endif
     return colliderSurface(index, x).distance;
 }

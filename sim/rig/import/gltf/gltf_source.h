@@ -3,11 +3,12 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "sim/base/json.h"
 
 namespace knuckle {
 

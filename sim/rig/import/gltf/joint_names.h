@@ -1,8 +1,9 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "sim/base/json.h"
 
 namespace knuckle {
 
