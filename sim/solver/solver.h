@@ -42,7 +42,7 @@ public:
 
     /// Advances by Settings::timeStep. Only records GL work: nothing is uploaded, nothing read back.
     void step();
-    /// Once a frame: reads the 68-byte counters buffer. Steps in which lists overflowed are repeated with more room.
+    /// Once a frame: reads the counters, 72 bytes. Steps in which lists overflowed are repeated with more room.
     /// @throws RunError for NaN or an overflow that cannot be fixed, naming frame, particle and the number to raise.
     void checkCounters(uint64_t frame);
 

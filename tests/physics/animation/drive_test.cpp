@@ -203,7 +203,7 @@ TEST(Drive, IsStableHoweverStiff)
                 const Lever lever = leverOf(world);
                 const double most = lever.moment * GRAVITY / double{stiffness};
                 if (most > 0.2) continue;  // it hangs down
-                // Of 0.3 rad what single precision has of a turn, 1e-6 times the stiffness, over the weight.
+                // The spring gives way by the weight's moment over its stiffness; single precision adds 1e-4 rad.
                 EXPECT_NEAR(angleOf(solver), 0.3, most + 1e-4) << stiffness << " " << density << " " << substeps;
                 run(solver, world, 2.1);
                 EXPECT_NEAR(angleOf(solver), -0.4, most + 1e-3) << stiffness << " " << density << " " << substeps;

@@ -101,7 +101,7 @@ protected:
             EXPECT_LT(found[k].angularDistance(nearest(list[k].a).rotation), tolerance) << "body " << k;
     }
     /// Some eight roundings in the torque of A and as many in the quaternions; in addition, each of the three rounds
-    /// leaves of a turn 1e-4 lambda (turn_higham.glsl) over the distance 2 gap to the next eigenvalue.
+    /// leaves of a turn 1e-4 lambda (higham.glsl) over the distance 2 gap to the next eigenvalue.
     void expectHigham(const std::vector<Case>& list)
     {
         const auto found = solve(HIGHAM, list);
