@@ -9,7 +9,7 @@ namespace knuckle {
 
 namespace {
 
-/// Of a byte of sRGB, the square root of the light that it stands for, 0 to 255.
+/// The square root of the light of an sRGB byte, 0 to 255.
 uint8_t rootOfLight(uint8_t value)
 {
     static const std::array<uint8_t, 256> ROOTS = [] {

@@ -6,8 +6,8 @@
 
 namespace knuckle {
 
-/// A colour, linear RGB of 0 to 1, in a word of square roots, as packAlbedo() of shaders/render/common/surface.glsl
-/// has it; opaque.
+/// A colour, linear RGB of 0 to 1, as a word of square roots, like packAlbedo() of shaders/render/common/surface.glsl;
+/// opaque.
 uint32_t packColor(const Vector3f& color);
 Vector3f unpackColor(uint32_t word);
 

@@ -12,7 +12,7 @@ void enable(GLenum what, bool wanted)
     else glDisable(what);
 }
 
-/// @param faces GL_FRONT or GL_BACK; GL_NONE: all are drawn.
+/// @param faces GL_FRONT or GL_BACK; GL_NONE: draws all.
 void cull(GLenum faces)
 {
     enable(GL_CULL_FACE, faces != GL_NONE);

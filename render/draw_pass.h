@@ -15,28 +15,28 @@ struct DrawShaders {
     Defines defines = {};
 };
 
-/// Draws of an array of DrawElementsArguments.
+/// Draw calls of an array of DrawElementsArguments.
 struct IndexedDraws {
     uint32_t first = 0, count = 0;
-    GLenum culled = GL_NONE;  ///< As that of the pass, for these.
+    GLenum culled = GL_NONE;  ///< Like the pass's, for these draw calls.
 };
 
-/// A draw of the frame: a program that reads buffers and textures by their names and draws into one target. It has its
-/// time and its label by the name of its fragment shader. There are no vertex attributes: shaders fetch what they need.
+/// A draw pass of the frame: a program that reads buffers and textures by their names and draws into one target. Its
+/// time and label have the name of its fragment shader. There are no vertex attributes: shaders fetch their inputs.
 class DrawPass {
 public:
     DrawPass() = default;
-    /// @param reads what the shaders may declare, of the table.
-    /// @param target must outlive the pass. What has a depth buffer is drawn with the depth test.
+    /// @param reads names in the table that the shaders may declare.
+    /// @param target must outlive the pass. If it has a depth buffer, the depth test is on.
     /// @param culled GL_FRONT or GL_BACK, the faces that are not drawn.
-    /// @throws DeviceError naming the pass and what it declares beside that, or what is not in the table.
+    /// @throws DeviceError naming the pass and what it declares beyond that, or what the table lacks.
     DrawPass(const Gpu& gpu, const BufferTable& table, const DrawShaders& shaders,
              std::initializer_list<std::string> reads, const Framebuffer& target, GLenum culled = GL_NONE);
 
-    /// Mixes what it draws with what is in the target already, 0 (nothing of it) ... 1 (as by default, nothing else).
+    /// Blends its output with the target, 0 (invisible) ... 1 (the default, opaque).
     void setOpacity(float opacity) { opacity_ = opacity; }
     const std::string& name() const { return program_.name(); }
-    /// One triangle over the whole target, an instance each.
+    /// One triangle per instance over the whole target.
     void drawScreen(KernelTimer& timer, uint32_t instances = 1) const;
     /// @param primitive GL_POINTS, GL_TRIANGLES, ... @param first gl_VertexID of the first vertex.
     void draw(KernelTimer& timer, GLenum primitive, uint32_t vertices, uint32_t instances = 1,

@@ -11,7 +11,7 @@ namespace knuckle {
 
 namespace {
 
-/// View depth of the depth buffer's 1 [m]; depth is linear in floats, so it can be generous.
+/// View depth of the depth buffer's 1 [m]; depth is linear in floats, so this can be large.
 constexpr float FAR_DEPTH = 20000.0f;
 const Vector3f KEY_TINT{1.0f, 0.955f, 0.89f};
 const Vector3f GROUND_ALBEDO{0.5f, 0.5f, 0.5f};

@@ -8,12 +8,12 @@
 
 namespace knuckle {
 
-/// What stays the same from frame to frame.
+/// Values that are the same in all frames.
 gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, const SceneExtent& extent,
                            const Camera& camera);
-/// Puts in what a view says of its particles.
+/// Adds a view's values about its particles.
 void describeParticles(gpu::FrameInput& input, const ParticleView& view);
-/// Puts in where the camera is at `time` [s], `passed` seconds after it looked last; below 0: it has not looked yet.
+/// Adds the camera's place at `time` [s], `passed` seconds after its last look; below 0: its first look.
 void placeCamera(gpu::FrameInput& input, const CameraAim& aim, float passed);
 
 }  // namespace knuckle

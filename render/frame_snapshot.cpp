@@ -6,7 +6,7 @@ namespace knuckle {
 
 namespace {
 
-/// Into `copy`, which is made on first use. @returns its name.
+/// Copies into `copy`, which is made on first use. @returns its name.
 GLuint copyVectors(GLuint source, uint32_t count, RawBuffer& copy, const char* label)
 {
     const size_t bytes = count * sizeof(gpu::vec4);
@@ -28,7 +28,7 @@ void FrameSnapshot::Fence::set()
 {
     glDeleteSync(sync_);
     sync_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    // Else the other context might wait for what was never sent.
+    // Otherwise the other context might wait for commands that were never sent.
     glFlush();
 }
 

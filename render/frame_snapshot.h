@@ -7,21 +7,21 @@
 
 namespace knuckle {
 
-/// A copy of what a renderer reads of a state, made on the device, so that another context can draw it while the solver
-/// goes on. Lives in the solver's context; its two sides may be called on different threads, one at a time.
+/// A copy of the state that a renderer reads, made on the device, so that another context can draw it while the solver
+/// continues. Lives in the solver's context; its two sides may be called on different threads, one at a time.
 class FrameSnapshot {
 public:
-    /// @param world, settings of what is drawn from it: they say what of a state is read.
+    /// @param world, settings of the pictures: they determine what is copied.
     FrameSnapshot(const World& world, const RenderSettings& settings);
-    /// On the solver's side: copies, after whatever was drawn from the copy before.
+    /// On the solver's side: copies, after all drawing from the last copy.
     void take(const ParticleView& view);
-    /// On the drawing side: the copy, which what is drawn from now on finds complete.
+    /// On the drawing side: the copy, complete for all later draw calls.
     const ParticleView& begin();
-    /// On the drawing side: all that reads the copy has been sent off.
+    /// On the drawing side: to be called after the last draw call that reads the copy.
     void end();
 
 private:
-    /// Whose end the other context waits for on the device.
+    /// A fence that the other context waits for on the device.
     class Fence {
     public:
         Fence() = default;

@@ -17,13 +17,13 @@
 
 namespace knuckle {
 
-/// Members in the order in which they need each other: each pass finds what it reads in the table when it is made.
+/// Members are in the order of their dependencies: each pass finds its inputs in the table when it is made.
 struct Renderer::Impl {
     Impl(Gpu& gpu, const World& world, const RenderSettings& chosen);
-    BufferTable& addInputs();  ///< To the table, which it returns.
+    BufferTable& addInputs();  ///< Adds to the table, which it returns.
     void attach(const ParticleView& view);
     void aimCamera(double time);
-    /// What casts shadows and what is seen, with the light that reaches it.
+    /// Draws what casts shadows and what is visible, with the light that reaches it.
     void drawSurfaces(bool withSkins, bool withParticles);
     void draw();
 
@@ -31,7 +31,7 @@ struct Renderer::Impl {
     SceneExtent extent;
     Camera camera;
     gpu::FrameInput input;
-    std::optional<double> lookedAt;  ///< Time of the state that the camera saw last [s].
+    std::optional<double> lookedAt;  ///< Time of the state at the camera's last look [s].
     Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
     RawBuffer positions, velocities, bodyCentres, bodyRotations, colliderPlaces;  ///< Stand in for the view's.
     RenderTargets targets;
@@ -77,14 +77,14 @@ void Renderer::Impl::attach(const ParticleView& shown)
         throw RunError(fmt::format("the renderer was made for {} particles, and the solver has {}", input.particleCount,
                                    shown.particleCount));
     describeParticles(input, shown);
-    // Also when the names are the same: the solver may have grown a buffer and been given its old name again.
+    // Needed even for equal names: the solver may have enlarged a buffer and got its old name again.
     positions = RawBuffer::standIn("positions", shown.positions, shown.particleCount * sizeof(gpu::vec4));
     velocities = RawBuffer::standIn("velocities", shown.velocities, shown.particleCount * sizeof(gpu::vec4));
     bodyCentres = RawBuffer::standIn("bodyCentres", shown.bodyCentres, shown.bodyCount * sizeof(gpu::vec4));
     bodyRotations = RawBuffer::standIn("bodyRotations", shown.bodyRotations, shown.bodyCount * sizeof(gpu::vec4));
     colliderPlaces = RawBuffer::standIn("colliderPlaces", shown.colliderPlaces,
                                         size_t{2} * shown.colliderCount * sizeof(gpu::vec4));
-    // The solver's last step wrote what all of the following read.
+    // The solver's last step wrote the inputs of everything below.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
@@ -135,7 +135,7 @@ void Renderer::Impl::draw()
 
 Workload drawingWorkload(const RenderSettings& settings)
 {
-    // The passes of a plain picture, of which a pixel takes 0.11 us on one core of 2.6 GHz.
+    // The passes of a simple picture; a pixel of it takes 0.11 us on one core of 2.6 GHz.
     const double samples = static_cast<double>(settings.antialiasing) * settings.antialiasing;
     return {8.0, 1.1e-4 * settings.width * settings.height * samples};
 }

@@ -13,40 +13,40 @@
 
 namespace knuckle {
 
-/// About what one picture asks of a software driver, within three times.
+/// Estimates the work of one picture for a software driver, within a factor of three.
 Workload drawingWorkload(const RenderSettings& settings);
 
-/// All that a renderer carries from one frame to the next: where a camera that follows or frames what moves was. Of the
-/// same World and settings, program and driver, it goes on with the same pictures.
+/// All that a renderer carries from one frame to the next: the last place of a camera that follows or frames moving
+/// things. With the same World, settings, program and driver, a renderer that loads it continues with the same
+/// pictures.
 struct RendererState {
-    std::optional<double> lookedAt;  ///< Time of the state that the camera saw last [s].
+    std::optional<double> lookedAt;  ///< Time of the state at the camera's last look [s].
     BufferState buffers;
 };
 
-/// Draws the particles as spheres, and skins, straight from the solver's buffers, with the world's colliders around
-/// them.
+/// Draws particles as spheres, and skins, directly from the solver's buffers, with the world's colliders around them.
 class Renderer {
 public:
     /// @throws InputError for a camera that follows an unknown object or a setting out of range.
-    /// @throws DeviceError when the device cannot draw at that size.
+    /// @throws DeviceError if the device cannot draw at that size.
     Renderer(Gpu& gpu, const World& world, const RenderSettings& settings);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Draws one frame and starts the copy of its picture; `time` [s] moves the camera. Uploads nothing but one
-    /// small uniform block. @throws RunError when the view does not fit the world that the renderer was made for.
+    /// Draws one frame and starts the copy of its picture; `time` [s] moves the camera. Uploads only one small uniform
+    /// block. @throws RunError if the view does not fit the world that the renderer was made for.
     void draw(const ParticleView& view, double time);
-    /// Shows a state to the camera without drawing it: one that follows or frames what moves remembers where it was, so
-    /// that a frame looks the same with and without those before.
+    /// Shows a state to the camera without drawing it: a camera that follows or frames moving things remembers its
+    /// place, so that a frame looks the same whether or not earlier ones are drawn.
     void look(const ParticleView& view, double time);
-    /// The picture of the last draw(); waits for it. What is dispatched in between runs meanwhile.
+    /// The picture of the last draw(); waits for it. Work dispatched in between runs meanwhile.
     Image readImage();
     /// Stalls until the GPU is done.
     RendererState saveState() const;
-    /// @throws std::logic_error where it is not of a renderer of the same kind; nothing has changed then.
+    /// @throws std::logic_error if it is not from a renderer of the same kind; then nothing changes.
     void loadState(const RendererState& state);
-    /// Times its passes once it is enabled.
+    /// Times the passes when enabled.
     KernelTimer& timer();
 
 private:

@@ -10,7 +10,8 @@ enum class CameraKind : uint32_t { Fixed, Orbit, Follow };
 
 struct CameraSettings {
     CameraKind kind = CameraKind::Fixed;
-    bool automatic = true;                       ///< Position and target chosen, in each frame, so that all is seen.
+    bool automatic = true;                       ///< Chooses position and target in each frame so that everything is
+                                                 ///< visible.
     Eigen::Vector3f position{4.0f, 2.5f, 6.0f};  ///< [m]; Follow: from the object's middle.
     Eigen::Vector3f target{0.0f, 1.0f, 0.0f};    ///< [m]; Orbit: the centre. Follow: from the object's middle.
     float fieldOfView = 40.0f;                   ///< Vertical [degrees], 5 ... 120.
@@ -34,14 +35,14 @@ struct RenderSettings {
     LightSettings light;
     ColorBy colorBy = ColorBy::Body;
     bool highlightJoints = false;  ///< Shared particles red, as in the paper's figures.
-    bool markJoints = false;       ///< Joints and their limits over everything (jointMarks()).
-    bool legend = false;           ///< Says which of those marks is what.
-    float skinOpacity = 1.0f;      ///< 0 ... 1; below 1 skins are a veil over particles that they do not hide.
-    float skinError = 0.65f;       ///< That far-off skins may be drawn with [pixels], 0 ... 100; 0: with all triangles.
+    bool markJoints = false;       ///< Joints and their limits in front of everything (jointMarks()).
+    bool legend = false;           ///< Explains those marks.
+    float skinOpacity = 1.0f;      ///< 0 ... 1; below 1 skins are veils over visible particles.
+    float skinError = 0.65f;       ///< Tolerated error of far-off skins [pixels], 0 ... 100; 0: draws all triangles.
     float speedScale = 5.0f;       ///< ColorBy::Speed: the speed [m/s] at the end of the colour scale.
     float exposure = 1.0f;         ///< Linear factor before tone mapping, 0.01 ... 100.
-    uint32_t antialiasing = 1;     ///< Samples an axis and pixel, 1 ... 4. Edges are always filtered;
-                                   ///< 2 and more cost their square in time.
+    uint32_t antialiasing = 1;     ///< Samples per axis and pixel, 1 ... 4. Edges are always filtered; time grows with
+                                   ///< the square.
 };
 
 /// @throws InputError for a value out of range.

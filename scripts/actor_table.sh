@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Prints, as a table in Markdown, what `knuckle voxelize` makes of models at its defaults: how large they are, what of,
-# their joints, and how well particles fill them along bones and on one grid.
+# Prints, as a table in Markdown, the results of `knuckle voxelize` for models at its defaults: their sizes, particles,
+# bodies and joints, and how well particles fill them along bones and on one grid.
 # usage: scripts/actor_table.sh KNUCKLE MODEL...
 set -euo pipefail
 [[ $# -ge 2 ]] || { echo "usage: scripts/actor_table.sh KNUCKLE MODEL..." >&2; exit 2; }
 knuckle=$1
 shift
 
-# "102 %, 0.24" of the line that says so.
+# "102 %, 0.24" from the line that begins with "fill:".
 fill_of() { sed -nE "s/^fill: ([0-9]+) % .* is ([0-9.]+) diameters.*/\1 %, \2/p" <<<"$1"; }
-# How many joints of a kind the table has.
+# The number of joints of a kind in the table.
 count_of() { awk -v kind="$2" '$4 == kind { ++count } END { print count + 0 }' <<<"$1"; }
 
 echo "| model | height, m | particle, m | particles | bodies | balls | hinges | volume, surface | on one grid |"

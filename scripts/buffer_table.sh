@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes the table of the solver's buffers in docs/buffers.md, from the declarations of the stages. --check: fails
-# where the table differs from them.
+# if the table differs from them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 document=docs/buffers.md

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing and builds a preset, all or one target: scripts/build.sh [release|ci|debug|asan] [TARGET]
+# Installs missing packages and builds a preset, all or one target: scripts/build.sh [release|ci|debug|asan] [TARGET]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

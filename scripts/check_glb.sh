@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# What others make of a file that `knuckle render --export gltf=` wrote: Khronos's validator, and pictures by three.js in
-# headless Chromium. Needs npm and chromium (apt install npm chromium); their packages go to a temporary folder.
+# Tests a file that `knuckle render --export gltf=` wrote with others' programs: Khronos's validator, and pictures by
+# three.js in headless Chromium. Needs npm and chromium (apt install npm chromium); their packages go to a temporary
+# folder.
 # Usage: check_glb.sh FILE.glb [FOLDER [SECONDS...]]: pictures at these times, by default at 0.5, 1 and 1.5
 set -euo pipefail
 

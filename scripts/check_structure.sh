@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 failed=0
 documents=(README.md CONTRIBUTING.md CHANGELOG.md docs/*.md docs/decisions/*.md)
 
-# Files of the first folder that include anything that the pattern matches.
+# Refuses files of the first folder that include anything that the pattern matches.
 refuse() {
   local folder=$1 pattern=$2
   if grep -rnE --include='*.h' --include='*.cpp' --include='*.glsl' --include='*.comp' --include='*.vert' \
@@ -21,10 +21,10 @@ refuse() {
 refuse sim/base 'sim/(world|gpu|solver|rig)/|render/|app/|shared/'
 refuse sim/world 'sim/(gpu|solver|rig)/|render/|app/'
 refuse sim/gpu 'sim/(solver|rig)/|render/|app/'
-# Of what shaders share with the host, numbers and vectors; structs are the solver's and the renderer's.
+# Of what shaders share with the host, only numbers and vectors; structs are for the solver and the renderer.
 refuse sim/gpu "shared/($(cd shaders/shared && ls | grep -vxE '(constants|vector_types)\.h' | paste -sd'|'))"
 refuse sim/rig 'sim/(gpu|solver)/|render/|app/'
-# In the house for figures each room uses those before it.
+# In sim/rig each room uses only those before it.
 rooms=(mesh anatomy gltf import limbs joints clips bodies)
 for i in "${!rooms[@]}"; do
   later=$(printf '%s\n' "${rooms[@]:i+1}" skin | paste -sd'|')
@@ -65,7 +65,7 @@ for part in sim render; do
   done
 done
 
-# A source is named in the CMakeLists.txt of its folder, or of the nearest one above.
+# Each source must be named in the CMakeLists.txt of its folder, or of the nearest one above.
 while read -r source; do
   folder=$(dirname "$source")
   while [[ ! -f $folder/CMakeLists.txt ]]; do folder=$(dirname "$folder"); done
@@ -77,8 +77,8 @@ done < <(find sim render app tools tests -name '*.cpp' | sort)
 bash scripts/buffer_table.sh --check || failed=1
 bash scripts/performance.sh --check || failed=1
 
-# What may stand at the top of what is committed. Where others look for them: VERSION (CMake, packagers), CHANGELOG.md
-# and CONTRIBUTING.md (readers, GitHub), .editorconfig (editors), .github (GitHub's own CI).
+# Files that may be at the top of the tree. Some are there because others look for them: VERSION (CMake, packagers),
+# CHANGELOG.md and CONTRIBUTING.md (readers, GitHub), .editorconfig (editors), .github (GitHub's own CI).
 while read -r name; do
   echo "$name stands at the top of the tree; move it, or list it in scripts/check_structure.sh" >&2
   failed=1
@@ -87,7 +87,7 @@ done < <(git ls-files 2>/dev/null | cut -d/ -f1 | sort -u |
              -e '(demo|test)\.sh|app|assets|cmake|docs|render|scripts|shaders|sim|tests|tools' \
              -e 'CHANGELOG\.md|CONTRIBUTING\.md|VERSION|\.editorconfig|\.github')
 
-# Every file that a document names is there, but for those of examples.
+# Every file that a document names must exist, except those of examples.
 while IFS=: read -r document name; do
   if [[ ! -e $name ]]; then
     echo "$document names $name, which is not there" >&2
@@ -111,7 +111,7 @@ while IFS=: read -r document link; do
   fi
 done < <(grep -oHE '\]\([A-Za-z0-9_/.-]*#[^)]+' "${documents[@]}" | sed 's/\](//')
 
-# Below, names that documents cite. What stands in their examples, indented by four, is not looked at.
+# Below: names that documents cite. Their examples, indented by four, are skipped.
 folders=(app assets cmake render scripts shaders sim tests tools)
 prose() { sed -E '/^    /d; s/\]\([^)]*\)/]/g; s#https?://[^ ]*##g' "$1"; }
 absent() {
@@ -124,7 +124,7 @@ lists=$(mktemp -d)
 trap 'rm -rf "$lists"' EXIT
 export LC_ALL=C
 find "${folders[@]}" -type f | sed 's#.*/##' | sort -u >"$lists/files"
-# Stems of all files and targets of the build; and words of others that look like kernels: of GLSL, C++, CMake, stb, and
+# Stems of all files and targets of the build; and foreign words that look like kernels: of GLSL, C++, CMake, stb, and
 # of Macklin and Müller 2013.
 { sed 's/\..*//' "$lists/files"; grep -rhoE '\b(knuckle|make)_[a-z_]+' --include=CMakeLists.txt "${folders[@]}"
   printf '%s\n' local_size_x uint32_t stb_image_write s_corr find_package add_subdirectory; } | sort -u >"$lists/stems"
@@ -133,24 +133,24 @@ grep -rhoE '^TEST(_F|_P)?\([A-Za-z0-9]+, *[A-Za-z0-9]+' --include='*.cpp' tests 
 find app render shaders sim tests tools -name '*.cpp' -o -name '*.h' -o -name '*.glsl' -o -name '*.comp' \
     -o -name '*.vert' -o -name '*.frag' | sort >"$lists/sources"
 xargs cat <"$lists/sources" | grep -oE '[A-Za-z0-9_]+' | sort -u >"$lists/identifiers"
-# Words of all but the tests, camelCase and snake_case taken apart; of the tests those of their files' names.
+# Words of all files except tests, with camelCase and snake_case split; of tests only the words of file names.
 { grep -v '^tests/' "$lists/sources" | xargs cat; cat "$lists/files"; } | sed -E 's/([a-z0-9])([A-Z])/\1 \2/g' |
     tr -cs 'A-Za-z0-9' '\n' | tr 'A-Z' 'a-z' | sort -u >"$lists/words"
 
 for document in "${documents[@]}"; do
-  # Kernels, by how their names look: in backticks or not.
+  # Kernels, by the form of their names: in backticks or not.
   prose "$document" | grep -oE '(^|[^A-Za-z0-9_./:"-])[a-z][a-z0-9]*(_[a-z0-9]+)*_([a-z0-9]+|\*)' | sed -E 's/^[^a-z]//' |
       sort -u >"$lists/cited" || true
   while read -r kernel; do
     [[ $kernel == *\* ]] && grep -q "^${kernel%\*}" "$lists/stems" || absent "$document" "$kernel"
   done < <(missing_from "$lists/cited" "$lists/stems")
-  # Files without their folder, but for those of examples.
+  # Files without their folder, except those of examples.
   prose "$document" | grep -oE '`[A-Za-z0-9_]+\.(comp|glsl|vert|frag|cpp|h|sh)`' | tr -d '`' | grep -v '^name\.' |
       sort -u >"$lists/cited" || true
   while read -r file; do
     [[ -e $file ]] || absent "$document" "$file"
   done < <(missing_from "$lists/cited" "$lists/files")
-  # Tests: Suite.Name, perhaps behind an instance, with * or … for what is left out.
+  # Tests: Suite.Name, perhaps after an instance, with * or … for omitted parts.
   while read -r test; do
     pattern=$(sed -E 's#^[A-Za-z]+/##; s#…#*#; s#\.#\\.#; s#\*#.*#g' <<<"$test")
     grep -qE "^$pattern\$" "$lists/tests" || absent "$document" "the test $test"
@@ -164,7 +164,7 @@ for document in "${documents[@]}"; do
   done < <(missing_from "$lists/cited" "$lists/identifiers")
 done
 
-# The glossary's words occur in the code.
+# The glossary's words must occur in the code.
 awk -F'|' '/^\|/ && $2 !~ /^ *(word|---) *$/ { print tolower($2) }' docs/glossary.md | grep -oE '[a-z]{3,}' |
     grep -vxE 'and|for|the' | sort -u >"$lists/cited"
 while read -r word; do absent docs/glossary.md "the word $word"; done < <(missing_from "$lists/cited" "$lists/words")
@@ -201,7 +201,7 @@ while read -r count file; do
   fi
 done < <(xargs wc -l <"$lists/sources" | grep -v ' total$')
 
-# A room is looked over at a glance: 24 files at most.
+# A room must be easy to survey: 24 files at most.
 while read -r count folder; do
   if (( count > 24 )); then
     echo "$folder has $count files, more than 24: give some of them a room of their own" >&2

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes the list of exports in docs/output.md, from what `knuckle render --help` says. --check: fails where the list
+# Writes the list of exports in docs/output.md, from the output of `knuckle render --help`. --check: fails if the list
 # differs from it.
 # usage: scripts/export_table.sh KNUCKLE [--check]
 set -euo pipefail

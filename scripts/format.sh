@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Formats all C++ as .clang-format says; --check: only tells which files are not, and fails.
-# clang-format 14, Debian 12's: others break some lines elsewhere. Shaders are not formatted, it takes them for C.
+# Formats all C++ by .clang-format; --check: only lists files that are not formatted, and fails.
+# Needs clang-format 14, Debian 12's: others break some lines elsewhere. Shaders are skipped: it takes them for C.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

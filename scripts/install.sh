@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that Knuckle is built from, those that are missing only; with --checks also those that
-# its source is checked with.
+# Installs missing Debian packages for building Knuckle; with --checks also those for checking its source.
 set -euo pipefail
 
 packages=(build-essential cmake ninja-build pkg-config ccache libegl-dev libgl-dev libepoxy-dev libegl1
@@ -9,7 +8,7 @@ packages=(build-essential cmake ninja-build pkg-config ccache libegl-dev libgl-d
 [[ ${1:-} == --checks ]] && packages+=(clang-format clang-tidy)
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
-    # Elsewhere the build itself says what it does not find.
+    # On other systems the build itself reports what it does not find.
     echo "Without apt nothing is installed; the build needs what these Debian packages hold: ${packages[*]}" >&2
     exit 0
 fi

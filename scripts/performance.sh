@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes the tables of table 2 in README.md, docs/performance.md and docs/paper.md, from docs/bench.json. --run [NOTE]:
-# measures first, some ten minutes on two quiet cores; the note is on what else the machine did. --check: fails where a
+# measures first, some ten minutes on two quiet cores; the note tells what else the machine did. --check: fails if a
 # document has other figures.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -18,7 +18,7 @@ if [[ ${1:-} == --run ]]; then
       tail -n +2 "$work/figures"; } >"$figures"
 fi
 
-# The JSON has a key a line, as the program writes it. Of each run a line of its values in the order of the keys.
+# The JSON has one key per line, as the program writes it. Makes a line of values per run, in the order of the keys.
 run_keys='preset objectCount particleCount stepsPerSecond settledStepsPerSecond drawnStepsPerSecond pileTop
     meanPenetration worstPenetration meanJointGap worstJointGap maxSpeed quadroP6000 gtx1080 unreal'
 value() { sed -nE "s/^  \"$1\": \"?([^\"]*[^\",])\"?,?\$/\\1/p" "$figures"; }
@@ -44,7 +44,7 @@ if [[ -z $(runs) ]]; then
     exit 1
 fi
 
-# Of whom the figures are, in one line.
+# The source of the figures, in one line.
 source_line() {
     local threads
     threads=$(value driverThreads)
@@ -57,7 +57,7 @@ source_line() {
         fold -s -w 120 | sed "s, *$,,"
 }
 
-# docs/performance.md: all there is.
+# docs/performance.md: everything.
 full_table() {
     source_line
     echo
@@ -68,7 +68,7 @@ full_table() {
             $2, $1, $3, $4, $5, $6, $13, $14, $15, $7, 100 * $8, 100 * $9, 100 * $10, 100 * $11, $12 }'
 }
 
-# README.md: as the program prints 300 objects.
+# README.md: the program's output for 300 objects.
 printed() {
     echo '    $ knuckle bench table2 --preset default,paper --objects 300'
     echo '    preset  objects  particles      all  settled    drawn  P6000   1080    UE4  top, m mean pen  worst mean gap  worst  speed'
@@ -77,7 +77,7 @@ printed() {
             $1, $2, $3, $4, $5, $6, $13, $14, $15, $7, 100 * $8, 100 * $9, 100 * $10, 100 * $11, $12 }'
 }
 
-# docs/paper.md: the paper's rows beside both presets.
+# docs/paper.md: the paper's rows next to both presets.
 beside_the_paper() {
     echo '| pairs | UE4 | paper, P6000 / GTX 1080 | default | penetration, mean / worst; gap | preset | penetration, mean / worst; gap |'
     echo '| --- | --- | --- | --- | --- | --- | --- |'
@@ -88,7 +88,7 @@ beside_the_paper() {
         END { for (k = 1; k <= count; ++k) print start[order[k]] preset[order[k]] }'
 }
 
-# What stands between the marks of a document.
+# Fills the part between the marks of a document.
 failed=0
 fill() {
     local document=$1 table=$2

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Whether hello.json gives the hash that README.md states, on the driver that it names: others round differently, and so
+# Tests whether hello.json gives README.md's hash on the driver named there. Other drivers round differently, and so
 # does that one on a processor without AVX; there nothing is compared. scripts/readme_hash.sh [PROGRAM]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds tests with address and undefined-behaviour sanitizers and runs them: those of the parts that read and convert
-# what users give. With --device instead a few of sim/gpu, sim/solver and render: buffers, programs and lists that grow
-# in a world of each kind of matter; passes, skins, pictures and files. CI does the first.
+# Builds tests with address and undefined-behaviour sanitizers and runs those of the parts that read and convert users'
+# input. With --device it instead runs a few of sim/gpu, sim/solver and render: buffers, programs and lists that grow
+# in a world of each kind of matter; passes, skins, pictures and files. CI runs the former.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -15,8 +15,8 @@ if [[ ${1:-} != --device ]]; then
     exit
 fi
 
-# What the driver has compiled stays until the process ends, and libraries that are unloaded by then have no names by
-# which a leak could be told from ours: leaks are looked for without it, above.
+# The driver's compiled code stays until the process ends, and libraries unloaded by then have no names that would tell
+# their leaks from ours: leaks are searched for without the driver, above.
 export LP_NUM_THREADS=0 ASAN_OPTIONS=detect_leaks=0
 timeout 1200 build/asan/bin/test_solver --gtest_brief=1 \
     --gtest_filter='RawBuffer.*:Buffer*:Kernel.*:Program.*:ShaderSource.*:Layout.*:*Overflow.*:*LifetimeOf.*'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Prints the hash of each scene's state after some frames, of five of them also with the paper's solver: whether a change
-# keeps all bits shows the difference of what two programs print. scripts/scene_hashes.sh [PROGRAM [SCENE...]]
+# Prints the hash of each scene's state after some frames, for five of them also with the paper's solver. A change keeps
+# all bits if the programs before and after it print the same. scripts/scene_hashes.sh [PROGRAM [SCENE...]]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -15,7 +15,7 @@ fi
 frames=$(mktemp -d)
 trap 'rm -rf "$frames"' EXIT
 
-# The larger a scene, the fewer of its frames.
+# Larger scenes run for fewer frames.
 print() {
     local scene=$1 particles last
     shift

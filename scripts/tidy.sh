@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Runs clang-tidy as .clang-tidy says over what has changed since the commit that scripts/tidy_passed names: sources,
-# and those that include a changed header, through others too. --all: over all of it, and names the commit anew when it
-# passes. FOLDER...: over the sources of these. --list: only tells which sources these are. The tests' are left out, but
-# for `scripts/tidy.sh tests` (checks: tests/.clang-tidy). Some seven seconds of a core for each source.
+# Runs clang-tidy by .clang-tidy on sources that have changed since the commit named in scripts/tidy_passed, and on
+# those
+# that include a changed header, directly or not. --all: on all sources, and writes the commit's name when they pass.
+# FOLDER...: on the sources of these. --list: only lists the sources. Tests are left out, except with
+# `scripts/tidy.sh tests` (checks: tests/.clang-tidy). Takes about seven seconds of a core for each source.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 parts=(sim render app tools)
@@ -20,12 +21,12 @@ done
 
 every_source() { find "$@" -name '*.cpp' | LC_ALL=C sort; }
 
-# What differs from a commit, in the working tree too.
+# Files that differ from a commit, including the working tree.
 changed_since() {
     { git diff --no-renames --name-only "$1"; git ls-files --others --exclude-standard; } | LC_ALL=C sort -u
 }
 
-# Of the files on stdin, the sources, and all that include one of the headers.
+# The sources among the files on stdin, and all that include one of the headers.
 with_includers() {
     local known next
     known=$(grep -E '\.(cpp|h)$' || true)
@@ -42,7 +43,7 @@ with_includers() {
         while read -r source; do [[ ! -f $source ]] || echo "$source"; done
 }
 
-# A clone may lack the commit, and what clang-tidy looks for may have changed: then all.
+# A clone may lack the commit, and clang-tidy's checks may have changed: then runs on all.
 since=$(cat "$record" 2>/dev/null || true)
 if [[ ${#folders[@]} -gt 0 ]]; then
     sources=$(every_source "${folders[@]}")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs small inputs that went wrong once, as the README of their folder says, and holds what comes out against it:
-# clips of FBX, rigs, BVH and glTF files, outputs. A line for each; exit 1 where any is wrong.
+# Runs small inputs that once failed and compares the results with the README of their folder: clips of FBX, rigs, BVH
+# and glTF files, outputs. Prints a line for each; exit 1 if any is wrong.
 # usage: scripts/try_inputs.sh FOLDER [KNUCKLE]
 set -uo pipefail
 if [[ $# -lt 1 || $# -gt 2 || ! -d $1 ]]; then
@@ -15,7 +15,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 passed=0 failed=0 code=0 wrong=''
 
-# Runs the program; all that it says is in `log`, its exit code in $code.
+# Runs the program; its output goes to `log`, its exit code to $code.
 run() {
     timeout 120 "$knuckle" "$@" >log 2>&1
     code=$?
@@ -25,9 +25,9 @@ run() {
     (( code < 128 && code != 124 )) || complain "ended with $code: $(tail -1 log)"
 }
 complain() { wrong+="${wrong:+; }$1"; }
-# expect WHAT COMMAND...: complains where the command fails.
+# expect WHAT COMMAND...: complains if the command fails.
 expect() { "${@:2}" || complain "$1"; }
-# The line of an input, and what to forget before the next.
+# Prints the line of an input, and resets the state for the next.
 report() {
     if [[ -z $wrong ]]; then
         echo "ok     $1"
@@ -44,7 +44,7 @@ done_with=()
 says() { grep -qE -- "$1" log; }
 is_quiet() { ! grep -qE -- "$1" log; }
 succeeds() { expect "exit $code: $(tail -1 log)" test "$code" -eq 0; }
-# A field of the table's row of a body: 2 parent, 3 particles, 4 joint, 6 turns, 7 what it is taken for.
+# A field of a body's row in the table: 2 parent, 3 particles, 4 joint, 6 turns, 7 what it is taken for.
 field() { awk -F'  +' -v name="$1" -v field="$2" '$1 == name { print $field; exit }' log; }
 parent() { field "$1" 2; }
 expect_parent() { expect "$1 hangs on '$(parent "$1")', not $2" test "$(parent "$1")" = "$2"; }
@@ -98,7 +98,7 @@ report fbx_inherit_type2.fbx
 
 run -q render "$inputs/fbx_prerotation.json" -o frames --size 64x36 --export bodies=bodies.csv --export gltf=motion.glb
 succeeds
-# feet_above BODIES.csv: in how many frames a foot is not below the hips.
+# feet_above BODIES.csv: the number of frames in which a foot is not below the hips.
 feet_above() {
     awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
         { y[$column["frame"], $column["name"]] = $column["y"]; frames[$column["frame"]] = 1 }
@@ -304,7 +304,7 @@ run voxelize "$inputs/gltf/meshopt.gltf"
 if (( code == 0 )); then expect_high 1.7 1.85; else expect "exit $code: $(tail -1 log)" says meshopt; fi
 report gltf/meshopt.gltf
 
-# --- what has no row of its own: read, or refused in one line
+# --- inputs without a row of their own: read, or refused in one line
 
 one_line() { test "$code" -eq 2 && test "$(wc -l <log)" -eq 1 && says '^knuckle: '; }
 for path in "$inputs"/rigs/*.gltf "$inputs"/bvh/*.bvh "$inputs"/gltf/*.gltf; do
@@ -322,7 +322,7 @@ done
 
 # --- outputs
 
-# Several lines in one file, as they were meant: the table without what another stream says in the middle of a line.
+# Both streams in one file: no line of the table may contain another stream's text.
 run voxelize "$inputs/gltf/plain.gltf" --preview preview.png
 mv log both
 timeout 120 "$knuckle" voxelize "$inputs/gltf/plain.gltf" --preview preview.png >apart 2>errors

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Builds and tests what is committed on a fresh Debian, in a folder of its own that is removed afterwards; on trixie the
-# tests also with zink, OpenGL on Vulkan (lavapipe). Packages come from the mirror that is given, else from the one that
-# this system has them from. As root: scripts/try_on.sh bookworm|trixie [MIRROR]
+# Builds and tests the committed tree on a fresh Debian, in a separate folder that is removed afterwards; on trixie also
+# tests with zink, OpenGL on Vulkan (lavapipe). Packages come from the given mirror, else from this system's own.
+# As root: scripts/try_on.sh bookworm|trixie [MIRROR]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# The first mirror that apt's sources in a folder name, but for those of updates: of lines `deb [options] URI suite ...`
-# and of paragraphs with Types, URIs and Suites.
+# The first mirror in apt's sources in a folder, except those of updates: from lines `deb [options] URI suite ...`
+# and from paragraphs with Types, URIs and Suites.
 mirror_of() {
     local file
     for file in "$1"/sources.list "$1"/sources.list.d/*.list "$1"/sources.list.d/*.sources; do
@@ -43,7 +43,7 @@ if [[ $EUID -ne 0 ]] || ! command -v debootstrap >/dev/null; then
     echo "needs root and debootstrap (apt-get install debootstrap)" >&2
     exit 2
 fi
-# Mounts in a namespace of our own end with it, so that nothing of this system is in the folder when it is removed.
+# Mounts in a separate namespace end with it, so that nothing of this system is in the folder when it is removed.
 if [[ -z ${KNUCKLE_TRY_ROOT:-} ]]; then
     root=$(mktemp -d)
     chmod 755 "$root"   # apt downloads as a user of its own

@@ -7,7 +7,7 @@
 
 namespace knuckle::test {
 
-/// Unit vectors all over the sphere, and densely about the axes, as near to them as 1e-9.
+/// Unit vectors all over the sphere, densely about the axes, up to a distance of 1e-9 from them.
 inline std::vector<Eigen::Vector3f> directions()
 {
     std::vector<Eigen::Vector3f> all;

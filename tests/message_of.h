@@ -4,7 +4,7 @@
 
 namespace knuckle::test {
 
-/// The message of the `Error` that `act` throws; empty when it throws none.
+/// The message of the `Error` that `act` throws; empty if it throws none.
 template <typename Error, typename Act>
 std::string messageOf(Act act)
 {

@@ -6,9 +6,9 @@
 
 namespace knuckle::test {
 
-/// Two cubes of 3x3x3 particles along x, and the joint in their middle.
+/// Two cubes of 3x3x3 particles along x, with a joint in their middle.
 struct PairSpec {
-    JointSpec joint;     ///< At the origin unless it says otherwise.
+    JointSpec joint;     ///< At the origin by default.
     float apart = 4.0f;  ///< Between the cubes' centres [diameters]; 4 leaves a free layer.
     uint32_t materialOfA = 0, materialOfB = 0;
     Motion motionOfA = Motion::Dynamic;

@@ -9,7 +9,7 @@
 
 namespace knuckle::test {
 
-/// A folder of its own for one test, removed with everything in it.
+/// A separate folder for one test, removed with everything in it.
 class TempFolder {
 public:
     TempFolder()

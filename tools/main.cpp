@@ -10,7 +10,7 @@
 #include "tools/humanoid/humanoid.h"
 #include "tools/spider/spider.h"
 
-/// Writes one of the project's own models, as it stands in assets/models.
+/// Writes one of the project's own models, as in assets/models.
 int main(int argc, char** argv)
 {
     const std::map<std::string, knuckle::Model (*)()> models{{"crate", knuckle::makeCrate},

@@ -19,7 +19,7 @@ struct DrawRun {
     size_t particleCount = 0, triangleCount = 0;
     double bare = 0.0, spheres = 0.0, skins = 0.0;
 
-    /// What figures cost in their skins, of what they cost as spheres.
+    /// The cost of figures in their skins, over their cost as spheres.
     double ratio() const { return (skins - bare) / (spheres - bare); }
 };
 
@@ -29,7 +29,7 @@ World withoutSkins(World world)
     return world;
 }
 
-/// Figures that are there and not seen.
+/// Figures that are simulated but not drawn.
 World withoutFigures(World world)
 {
     for (Skin& skin : world.skins) skin.mesh = std::make_shared<const SkinMesh>();
@@ -50,7 +50,7 @@ DrawRun runOnce(Gpu& gpu, uint32_t actorCount, const BenchOptions& options)
     std::array<Renderer, 3> renderers = {Renderer(gpu, bare, {}), Renderer(gpu, spheres, {}), Renderer(gpu, world, {})};
     std::array<std::vector<double>, 3> milliseconds;
     const InterruptGuard interrupt;
-    // In turn, so that a machine that changes its speed changes all alike. The first frame compiles.
+    // Alternates, so that a machine that changes its speed affects all alike. The first frame compiles.
     for (uint32_t frame = 0; frame <= options.drawnSteps; ++frame) {
         interrupt.check();
         solver.step();

@@ -47,10 +47,10 @@ double timeSteps(Solver& solver, const InterruptGuard& interrupt, uint32_t first
     return secondsSince(start);
 }
 
-/// How well a state holds together, lengths as shares of a diameter, for the JSON of a run.
+/// How well a state holds together, for the JSON of a run; lengths are over a diameter.
 nlohmann::ordered_json measuresToJson(const Measures& measures, float diameter);
-/// Runs, with what they have in common; docs/output.md describes each key. @param settled steps at the end of each run
-/// that count as such.
+/// Runs, with their common settings; docs/output.md describes each key. @param settled steps at the end of each run
+/// that count as settled.
 nlohmann::ordered_json runsToJson(const BenchOptions& options, const Gpu& gpu, uint32_t settled,
                                   nlohmann::ordered_json runs);
 

@@ -12,7 +12,7 @@ constexpr float DIAMETER = 0.1f;
 constexpr uint32_t COLUMNS = 5, ROWS = 10;
 constexpr float HALF_WIDTH = 2.0f, LAYER_HEIGHT = 0.4f;
 
-/// Two cubes with a layer of one diameter between them, in which the joint's particles sit.
+/// Two cubes with a layer of one diameter between them for the joint's particles.
 void addPair(WorldBuilder& builder, uint32_t index, uint32_t material, const Pose& pose)
 {
     static constexpr JointType TYPES[] = {JointType::Stiff, JointType::Hinge, JointType::Ball, JointType::Universal};

@@ -48,7 +48,7 @@ uint32_t addFigureMaterial(WorldBuilder& builder)
     return builder.addMaterial(material);
 }
 
-/// Layer after layer, row after row, about the middle of the box.
+/// The place of a figure: layer after layer, row after row, about the middle of the box.
 Pose poseOf(uint32_t index)
 {
     const auto place = [](uint32_t k, uint32_t count) {
@@ -60,7 +60,7 @@ Pose poseOf(uint32_t index)
             Quaternionf::Identity()};
 }
 
-/// Which part of its clip a figure begins with: those of a column are in step, since rows are nearer than a stride.
+/// The part of its clip that a figure begins with: those of a column are in step, since rows are nearer than a stride.
 float phaseOf(uint32_t index)
 {
     const uint32_t layer = index / (COLUMNS * ROWS);

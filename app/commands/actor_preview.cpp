@@ -14,12 +14,12 @@ namespace knuckle {
 namespace {
 
 constexpr uint32_t VIEWS = 2, WIDTH = 1280 / VIEWS, HEIGHT = 720;
-constexpr uint32_t SAMPLES = 2;        // an axis and pixel
-constexpr float FIELD_OF_VIEW = 9.0f;  // so far away that front and side look drawn to measure [degrees]
+constexpr uint32_t SAMPLES = 2;        // per axis and pixel
+constexpr float FIELD_OF_VIEW = 9.0f;  // so far away that front and side look like orthographic projections [degrees]
 constexpr float SKIN_OPACITY = 0.45f;
-constexpr float RISE = 0.07f;  // of the camera, so that the ground is seen
+constexpr float RISE = 0.07f;  // of the camera, so that the ground is visible
 
-/// The actor on a ground plane, with its skin where the model has one.
+/// The actor on a ground plane, with its skin if the model has one.
 World previewWorld(const Actor& actor, const Model& model)
 {
     WorldBuilder builder(0.5f * actor.diameter);
@@ -35,7 +35,7 @@ World previewWorld(const Actor& actor, const Model& model)
     return builder.build();
 }
 
-/// What is seen: particles, and what of the mesh is beyond them.
+/// The visible points: particles, and the mesh beyond them.
 std::vector<Vector3f> shownPoints(const Actor& actor, const Model& model)
 {
     std::vector<Vector3f> points = actor.particles;
@@ -62,7 +62,7 @@ RenderSettings viewFrom(const Vector3f& side, std::span<const Vector3f> points, 
     return settings;
 }
 
-/// Puts a picture beside others of its size.
+/// Puts a picture next to others of its size.
 void place(const Image& view, uint32_t index, Image& picture)
 {
     const size_t row = 3 * size_t{view.width};

@@ -33,7 +33,7 @@ constexpr size_t COLUMNS = 7;
 using Row = std::array<std::string, COLUMNS>;
 using Names = std::vector<std::string>;
 
-/// What a table says of a figure's bones, by their names.
+/// Facts about a figure's bones for the table, by their names.
 class BoneFacts {
 public:
     BoneFacts(const Figure& figure, const ArticulationOptions& options) : options_(options), figure_(figure)
@@ -84,7 +84,7 @@ std::string rangeText(const TurnRange& range)
     return range.bounded() ? fmt::format("{} to {}", degrees(range.lowest), degrees(range.highest)) : "all round";
 }
 
-/// "x", "-z", or its numbers where it is none of the world's.
+/// "x", "-z", or its numbers if it is not one of the world's axes.
 std::string axisText(const Vector3f& axis)
 {
     constexpr float ALONG = 0.9995f;  // a little less than 2 degrees off

@@ -9,10 +9,9 @@
 
 namespace knuckle {
 
-/// What `knuckle voxelize` prints: a line for each body, with how it is joined and how far that turns, what of a body
-/// its bone was taken for and by what; how many and how large it all is, the pose, the clips; and what was merged,
-/// repaired or assumed.
-/// @param options with which the actor was made of the figure.
+/// The output of `knuckle voxelize`: a line for each body, with its joint, the joint's range, its part of a body and
+/// how that is known; number and size of all, the pose, the clips; and what was merged, repaired or assumed.
+/// @param options that the actor was made with.
 std::string actorTable(const Actor& actor, const Figure& figure, const ArticulationOptions& options,
                        const FillError& fill);
 

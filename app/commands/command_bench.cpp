@@ -23,7 +23,7 @@ struct PaperRow {
 constexpr PaperRow PAPER[] = {{300, 273, 233, 195}, {600, 133, 95, 95}, {1200, 40, 36, 39}};
 constexpr uint32_t SETTLED_STEPS = 200;
 
-/// @returns null where the paper has no such row.
+/// @returns null if the paper has no such row.
 const PaperRow* paperRow(uint32_t objects)
 {
     const auto* row = std::find_if(std::begin(PAPER), std::end(PAPER),
@@ -105,7 +105,7 @@ void printRow(const BenchRun& run)
     std::fflush(stdout);
 }
 
-/// What a step of the largest world asks of a software driver: one device, with its threads, serves all worlds.
+/// A step's work in the largest world for a software driver: one device, with its threads, serves all worlds.
 Workload benchWorkload(const BenchOptions& options, const std::vector<Preset>& presets)
 {
     const uint32_t most = *std::max_element(options.objects.begin(), options.objects.end());

@@ -39,7 +39,7 @@ int check(const std::vector<std::string>& paths, const std::vector<Override>& ov
                        counted(world.colliders.size(), "collider"), scene.duration,
                        counted(scene.frameCount(), "frame"));
         } catch (const InputError& error) {
-            // Told here, so that one bad scene does not hide what is wrong with the next.
+            // Printed here, so that one bad scene does not hide faults of the next.
             tellUser(fmt::format("knuckle: {}", error.what()));
             code = EXIT_INPUT;
         }

@@ -17,7 +17,7 @@ void printDevices(const std::vector<DeviceInfo>& devices)
     }
 }
 
-/// The number of threads that a run may choose, and what waking them costs.
+/// Prints the number of threads that a run may choose, and the cost of waking them.
 void printThreads()
 {
     if (const std::string set = driverThreadsSetting(); !set.empty()) {

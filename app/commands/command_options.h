@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-/// What options of several commands have in common.
+/// What options of several commands share.
 namespace knuckle {
 
-/// CLI::Range takes what is no number for one in range.
+/// Unlike CLI::Range, refuses text that is not a number.
 CLI::Validator numberBetween(double lowest, double highest);
 
-/// Once parsed: @throws InputError for an option of the program or its command whose value is empty.
+/// After parsing: @throws InputError for an option of the program or its command with an empty value.
 void refuseEmptyValues(const CLI::App& program);
 
 }  // namespace knuckle

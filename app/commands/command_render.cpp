@@ -41,10 +41,10 @@ std::string defaultOutput(const Scene& scene)
     std::string name = scene.name;
     std::replace(name.begin(), name.end(), '/', '_');
     const std::string folder = "out/" + (name.starts_with('.') ? "scene" + name : name);
-    return endingOf(folder).empty() ? folder : folder + "/";  // no matter what it looks like
+    return endingOf(folder).empty() ? folder : folder + "/";  // always a folder, whatever its name
 }
 
-/// @throws InputError for outputs in the way of what is read or of each other.
+/// @throws InputError for outputs that would overwrite inputs or each other.
 void requireOwnPaths(const std::string& file, const Scene& scene, const FilmOptions& film, const Exporters& exporters,
                      const CommonOptions& common)
 {
@@ -68,7 +68,7 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
     Exporters exporters = makeExporters(options.exports);
     if (!film.stats.empty()) requireEnding("--stats ", film.stats, "a file of figures", {".json", ".txt", ""});
-    for (const std::string& path : options.outputs) isFilm(path);  // so that a wrong one is told at once
+    for (const std::string& path : options.outputs) isFilm(path);  // reports a wrong one at once
     const Scene scene = loadScene(file, overrides, needsOf(exporters).surfaces);
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
@@ -103,7 +103,7 @@ void addRenderCommand(CommandLine line)
     command->footer(NOTES + exportHelp() + MORE_NOTES);
     auto options = std::make_shared<RenderOptions>();
     command->add_option("SCENE", options->scene, "A scene file, see docs/scene.md")->required();
-    // One value for each time the option is given, so that the scene may follow it.
+    // One value per option, so that the scene may follow it.
     using Words = std::vector<std::string>;
     const auto list = [command](const char* name, Words& values, const char* words, const char* type) {
         command->add_option(name, values, words)->type_name(type)->take_all()->allow_extra_args(false);

@@ -39,7 +39,7 @@ struct VoxelizeOptions {
     bool grid = false, split = false;
 };
 
-/// Whether a scene can use it. @throws InputError, std::logic_error.
+/// Checks that a scene can use it. @throws InputError, std::logic_error.
 void requireUsable(const std::string& file, const Actor& actor)
 {
     const size_t count = actor.particles.size();
@@ -67,7 +67,7 @@ Model readModel(const std::string& path, const ImportOptions& options)
     }
 }
 
-/// @throws InputError for outputs of another kind, or in the way of what is read or of each other.
+/// @throws InputError for outputs of the wrong kind, or that would overwrite inputs or each other.
 void requireOwnPaths(const VoxelizeOptions& options)
 {
     RunPaths paths;
@@ -91,7 +91,7 @@ int voxelizeFile(VoxelizeOptions options, const CommonOptions& common)
     import.fit = options.fit;
     import.fit.up = options.up == "z" ? UpAxis::Z : UpAxis::Y;
     import.fit.centering = options.center ? Centering::Always : Centering::WhereFar;
-    import.surface = true;  // what of its looks cannot be had is told
+    import.surface = true;  // to note looks that cannot be read
     ActorOptions actorOptions;
     actorOptions.voxels.diameter = static_cast<float>(options.diameter);
     actorOptions.particleCount = options.particles;

@@ -27,7 +27,7 @@ void addBenchCommand(CommandLine line);
 void addInfoCommand(CommandLine line);
 void addSchemaCommand(CommandLine line);
 
-/// The whole program: reads the command line, runs the command, tells errors on stderr. @returns the exit code.
+/// The whole program: reads the command line, runs the command, prints errors to stderr. @returns the exit code.
 int runProgram(int argc, char** argv);
 
 }  // namespace knuckle

@@ -79,7 +79,7 @@ int tell(const std::string& message, int code)
     return code;
 }
 
-/// The reader of our output has closed its pipe: ends silently by SIGPIPE, as other filters (cat, grep) do.
+/// Ends silently by SIGPIPE when the reader of our output has closed its pipe, as other filters (cat, grep) do.
 int endByBrokenPipe()
 {
     std::signal(SIGPIPE, SIG_DFL);
@@ -91,7 +91,7 @@ int endByBrokenPipe()
 
 int runProgram(int argc, char** argv)
 {
-    std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is a write error, so that all is tidied up first
+    std::signal(SIGPIPE, SIG_IGN);  // a closed reader becomes a write error, so that the program can clean up first
     saveAddressSpace();
     tellCrashesForWantOfMemory();
     endOnSignals();
@@ -108,7 +108,7 @@ int runProgram(int argc, char** argv)
     } catch (const std::bad_alloc&) {
         return tell(memoryMessage(), EXIT_RUN);
     } catch (const std::system_error& error) {
-        // A thread that has no room.
+        // There is no memory for a thread.
         const bool starved = error.code() == std::errc::resource_unavailable_try_again && isMemoryShort();
         if (error.code() == std::errc::broken_pipe) return endByBrokenPipe();
         return tell(starved ? memoryMessage() : error.what(), EXIT_RUN);

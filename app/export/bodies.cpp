@@ -6,7 +6,7 @@ namespace knuckle {
 
 namespace {
 
-/// A CSV field: quoted where it must be.
+/// A CSV field, quoted if necessary.
 std::string field(const std::string& text)
 {
     if (text.find_first_of(",\"\n\r") == std::string::npos) return text;

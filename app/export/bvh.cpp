@@ -19,10 +19,11 @@ using Eigen::Isometry3f;
 using Frames = std::vector<std::vector<Isometry3f>>;
 
 constexpr float CENTIMETRES = 100.0f;   // a metre
-constexpr float AWAY = 0.001f;          // from where its parent has it [m]: a joint that needs a position
-constexpr float STRAIGHT_UP = 0.9999f;  // sine of the turn about x, above which those about z and y are one
+constexpr float AWAY = 0.001f;          // distance from its place in the parent [m] beyond which a joint needs a
+                                        // position
+constexpr float STRAIGHT_UP = 0.9999f;  // sine of the turn about x, above which those about z and y are the same
 
-/// Which bones do not stay where their parents have them.
+/// Finds bones that do not stay in their places in their parents.
 std::vector<bool> movesApart(const Rig& rig, const Frames& frames)
 {
     std::vector<bool> apart(rig.model.bones.size(), false);
@@ -37,7 +38,7 @@ std::vector<bool> movesApart(const Rig& rig, const Frames& frames)
     return apart;
 }
 
-/// Turns about Z, X and Y, R = Rz Rx Ry [degrees]; each as near to the last ones as it may be.
+/// Turns about Z, X and Y, R = Rz Rx Ry [degrees]; each as near to the last ones as possible.
 Vector3f anglesOf(const Eigen::Matrix3f& r, const Vector3f& last)
 {
     const float sine = std::clamp(r(2, 1), -1.0f, 1.0f);
@@ -45,7 +46,7 @@ Vector3f anglesOf(const Eigen::Matrix3f& r, const Vector3f& last)
     if (std::abs(sine) > STRAIGHT_UP) angles = {std::atan2(r(1, 0), r(0, 0)), std::asin(sine), 0.0f};
     else angles = {std::atan2(-r(0, 1), r(1, 1)), std::asin(sine), std::atan2(-r(2, 0), r(2, 2))};
     angles *= 180.0f / HALF_TURN;
-    // The same rotation, the other way about x.
+    // The same rotation, turned the other way about x.
     const Vector3f other(angles[0] + 180.0f, 180.0f - angles[1], angles[2] + 180.0f);
     const auto near = [&](const Vector3f& a) {
         return Vector3f(a.array() - 360.0f * ((a - last).array() / 360.0f).round());
@@ -61,7 +62,7 @@ public:
     std::string text(double framesPerSecond)
     {
         text_ = "HIERARCHY\n";
-        // What has no parent beside the root hangs on it, since a file has one hierarchy.
+        // A file has one hierarchy, so bones without a parent hang on the root.
         for (size_t b = 0; b < rig_.model.bones.size(); ++b)
             if (parentOf(b) < 0) writeJoint(b, 0);
         text_ += fmt::format("MOTION\nFrames: {}\nFrame Time: {:.9g}\n", frames_.size(), 1.0 / framesPerSecond);
@@ -118,7 +119,7 @@ private:
         writeLine(depth, "}");
     }
 
-    /// Half as long as the bone that it ends.
+    /// Writes an end half as long as the last bone.
     void writeEnd(size_t bone, int depth)
     {
         writeLine(depth, "End Site");

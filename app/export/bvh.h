@@ -11,14 +11,14 @@
 namespace knuckle {
 
 /// Motions of actors as BVH files, one an actor: the rest pose as OFFSETs in centimetres, rotations in the order Z, X,
-/// Y in degrees, the position of the root. A joint that does not stay where its parent has it has a position as well.
+/// Y in degrees, the position of the root. A joint that leaves its place in its parent has a position as well.
 class BvhExport : public Exporter {
 public:
-    /// @param path of the file of a single actor; of several, names of their objects are put before its ending.
+    /// @param path of the file of a single actor; for several, names of their objects are put before its ending.
     using Exporter::Exporter;
     ExportNeeds needs() const override { return {.bodies = true}; }
     void addPaths(const Scene& scene, RunPaths& paths) const override;
-    /// @throws InputError for a scene without actors as well.
+    /// @throws InputError also for a scene without actors.
     void begin(const Scene& scene) override;
     void frame(const ExportFrame& frame) override;
     void finish() override;
@@ -30,10 +30,10 @@ private:
     std::vector<std::vector<std::vector<Eigen::Isometry3f>>> motions_;  ///< Per rig and frame, of each bone.
 };
 
-/// The files of `--export bvh=path`, one an actor. @throws InputError for several of them into a stream.
+/// The files of `--export bvh=path`, one an actor. @throws InputError for several of them into one stream.
 std::vector<std::string> bvhPaths(const std::string& path, const Scene& scene);
 
-/// The text of a BVH file. @param frames how each bone has moved from the rest pose, in each frame.
+/// The text of a BVH file. @param frames each bone's motion from the rest pose, in each frame.
 std::string bvhText(const Rig& rig, const std::vector<std::vector<Eigen::Isometry3f>>& frames, double framesPerSecond);
 
 }  // namespace knuckle

@@ -11,13 +11,13 @@
 
 namespace knuckle {
 
-/// What an exporter asks for: of the scene its surfaces, of each frame what is read back.
+/// Requirements of an exporter: surfaces of the scene, and data read back for each frame.
 struct ExportNeeds {
     bool surfaces = false;  ///< Meshes of models with materials and textures, see loadScene().
     bool particles = false, bodies = false, measures = false;
 };
 
-/// One frame of a run. Null is what no exporter of the run needs.
+/// One frame of a run. Members that no exporter of the run needs are null.
 struct ExportFrame {
     uint64_t number = 1;  ///< As in frame_0001.png.
     const World& world;
@@ -26,11 +26,11 @@ struct ExportFrame {
     const Measures* measures = nullptr;
 };
 
-/// What `--export KIND=PATH` writes of a run: begin(), frame() of each frame drawn, finish(). It is made before the
-/// scene is read, and opens nothing until begin(). A format is a class of this kind, and a line in exporters.cpp.
+/// A writer of `--export KIND=PATH`: begin(), frame() for each drawn frame, finish(). It is made before the scene is
+/// read, and opens nothing until begin(). Each format is a class of this kind, and a line in exporters.cpp.
 class Exporter {
 public:
-    /// @throws InputError for a path that it cannot write to for reasons of its own.
+    /// @throws InputError for a path that this format cannot be written to.
     explicit Exporter(std::string path) : path_(std::move(path)) {}
     virtual ~Exporter() = default;
     Exporter(const Exporter&) = delete;
@@ -38,13 +38,13 @@ public:
 
     const std::string& path() const { return path_; }
     virtual ExportNeeds needs() const = 0;
-    /// Adds what it will write: one file, if it does not say otherwise. @throws InputError as RunPaths does.
+    /// Adds its output: one file, unless overridden. @throws InputError as RunPaths does.
     virtual void addPaths(const Scene& /*scene*/, RunPaths& paths) const { paths.writes(path_); }
-    /// What of a world has no place in the file, as "colliders": a note tells.
+    /// Parts of a world that the file cannot represent, such as "colliders", for a note.
     virtual std::vector<std::string> leftOut(const World& /*world*/) const { return {}; }
-    /// Opens its files. @throws InputError for what cannot be written, and a scene without what it writes.
+    /// Opens its files. @throws InputError for files that cannot be written, and a scene without matter for it.
     virtual void begin(const Scene& scene) = 0;
-    /// Of the next frame. @throws RunError from a full disk, as finish() does.
+    /// Writes the next frame. @throws RunError from a full disk, as finish() does.
     virtual void frame(const ExportFrame& frame) = 0;
     virtual void finish() = 0;
 

@@ -24,7 +24,7 @@ std::unique_ptr<Exporter> make(const std::string& path)
     return std::make_unique<T>(path);
 }
 
-/// What a file holds and how its name may end; a folder has no endings.
+/// Contents of a file and the endings that its name may have; a folder has no endings.
 struct ExportPlace {
     const char* what = "";
     std::vector<const char*> endings;
@@ -36,7 +36,7 @@ struct ExportKind {
     std::unique_ptr<Exporter> (*make)(const std::string& path);
 };
 
-/// Of `--export`, its help, and the list in docs/output.md (scripts/export_table.sh).
+/// For `--export`, its help, and the list in docs/output.md (scripts/export_table.sh).
 const std::vector<ExportKind>& exportKinds()
 {
     static const ExportPlace TABLE{"a table", {".csv", ".txt", ""}};
@@ -64,7 +64,7 @@ const std::vector<ExportKind>& exportKinds()
     return KINDS;
 }
 
-/// " (.csv, .txt or no ending)"; empty where the word after `=` tells all.
+/// " (.csv, .txt or no ending)"; empty if the word after `=` says it all.
 std::string otherEndings(const std::vector<const char*>& endings)
 {
     if (endings.size() < 2) return "";

@@ -10,14 +10,14 @@ namespace knuckle {
 
 using Exporters = std::vector<std::unique_ptr<Exporter>>;
 
-/// One exporter for each "KIND=PATH", in the order of the table of kinds. @throws InputError for an unknown kind and a
-/// path whose ending is not of it.
+/// One exporter for each "KIND=PATH", in the order of the table of kinds. @throws InputError for an unknown kind or a
+/// path with the wrong ending.
 Exporters makeExporters(const std::vector<std::string>& options);
 
-/// What any of them needs.
+/// The union of their needs.
 ExportNeeds needsOf(const Exporters& exporters);
 
-/// A line of `--help` for each kind: what to say, and what is written.
+/// A line of `--help` for each kind: how to write it, and what it contains.
 std::string exportHelp();
 
 }  // namespace knuckle

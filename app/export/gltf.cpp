@@ -20,7 +20,7 @@ namespace knuckle {
 namespace {
 
 constexpr const char* CLIP = "simulation";
-// At the skin 0.1 mm: what a chain of seven joints of a meter is off by, each as far as it may be.
+// Gives 0.1 mm at the skin: the error of a chain of seven joints of a metre, each at its tolerance.
 constexpr float SHIFT_TOLERANCE = 1e-5f;  // [m]
 constexpr float TURN_TOLERANCE = 2e-5f;   // [rad]
 
@@ -71,7 +71,7 @@ std::map<uint32_t, uint32_t> bonesOfBodies(const Rig& rig)
     return bones;
 }
 
-/// The colours in which particles are drawn, by body where these follow the speed.
+/// The colours of drawn particles; per body if colours follow the speed.
 std::vector<uint32_t> colorsOf(const Scene& scene)
 {
     RenderSettings settings = scene.render;
@@ -79,7 +79,7 @@ std::vector<uint32_t> colorsOf(const Scene& scene)
     return particleColors(scene.world, settings);
 }
 
-/// A mesh of octahedra where an object's particles are, for what has no mesh. @param colors of all particles.
+/// A mesh of octahedra at an object's particles, for objects without a mesh. @param colors of all particles.
 void addParticles(Rig& rig, const World& world, const std::vector<uint32_t>& colors)
 {
     const std::map<uint32_t, uint32_t> bones = bonesOfBodies(rig);
@@ -105,7 +105,7 @@ void addParticles(Rig& rig, const World& world, const std::vector<uint32_t>& col
             rig.model.skin.push_back(skin);
             rig.model.surface.vertices.push_back({offset / radius, {0, 0}, unpackColor(colors[i])});
         }
-        // Corners +x -x +y -y +z -z; counter-clockwise from outside where an even number of signs is negative.
+        // Corners +x -x +y -y +z -z; counter-clockwise from outside if an even number of signs is negative.
         for (uint32_t octant = 0; octant < 8; ++octant) {
             const uint32_t x = first + (octant & 1u), y = first + 2 + (octant >> 1 & 1u), z = first + 4 + (octant >> 2);
             const bool odd = ((octant & 1u) + (octant >> 1 & 1u) + (octant >> 2)) % 2 == 1;
@@ -114,7 +114,7 @@ void addParticles(Rig& rig, const World& world, const std::vector<uint32_t>& col
     }
 }
 
-/// Has one bone of each body do what all of its bones did, so that four bones are as many bodies.
+/// Makes one bone of each body do the work of all its bones, so that four bones are four bodies.
 void mergeWeights(Rig& rig)
 {
     const std::map<uint32_t, uint32_t> bones = bonesOfBodies(rig);
@@ -136,7 +136,7 @@ std::vector<Rig> everyRig(const Scene& scene)
     std::vector<Rig> rigs = rigsOf(scene, true);
     const std::vector<uint32_t> colors = colorsOf(scene);
     for (Rig& rig : rigs) {
-        // A mesh that import made up around bones is none of the file's.
+        // A mesh that import made up around bones does not belong to the file.
         if (rig.model.surface.vertices.empty()) {
             rig.model.vertices.clear();
             rig.model.triangles.clear();

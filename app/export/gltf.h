@@ -11,7 +11,7 @@
 namespace knuckle {
 
 /// The simulated motion as one clip of a binary glTF file: actors with their own skeletons, meshes and materials, other
-/// bodies as nodes with their particles. What does not consist of bodies is left out.
+/// bodies as nodes with their particles. Matter without bodies is left out.
 class GltfExport : public Exporter {
 public:
     /// @throws InputError for a path that ends in .gltf.
@@ -19,7 +19,7 @@ public:
     ExportNeeds needs() const override { return {.surfaces = true, .bodies = true}; }
     /// "colliders", "fluids", ...
     std::vector<std::string> leftOut(const World& world) const override;
-    /// @throws InputError for a scene without bodies as well.
+    /// @throws InputError also for a scene without bodies.
     void begin(const Scene& scene) override;
     void frame(const ExportFrame& frame) override;
     void finish() override;

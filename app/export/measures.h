@@ -11,7 +11,7 @@
 
 namespace knuckle {
 
-/// Names and values of Measures as `--stats` tells them too, in the order of docs/output.md.
+/// Names and values of Measures, also for `--stats`, in the order of docs/output.md.
 std::vector<std::pair<std::string, Json>> measureFields(const Measures& m);
 
 /// One CSV file for all frames: the Measures of each.

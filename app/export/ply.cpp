@@ -21,7 +21,7 @@ void append(std::string& out, const T& value)
     out.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-/// A line for each material: its index and name, without what would end the line.
+/// A line for each material: its index and name, without characters that end the line.
 std::string materialComments(const World& world)
 {
     std::string out;

@@ -5,8 +5,7 @@
 namespace knuckle {
 
 /// Writes frame_0001.ply and so on into a folder: binary PLY with id, position [m], velocity [m/s], body (-1: none) and
-/// material (index; its comments have their names), of all particles but the fluid ones that are in pools of emitters
-/// or went into drains: ids may have gaps.
+/// material (index; its comments have their names), of all particles except inactive fluid ones: ids may have gaps.
 class PlyExport : public Exporter {
 public:
     using Exporter::Exporter;

@@ -10,7 +10,7 @@ namespace knuckle {
 
 namespace {
 
-/// @param surface whether it is wanted with how it looks. @returns it without clips.
+/// @param surface whether its looks are needed. @returns it without clips.
 Model readModel(Imports& imports, const SceneActor& use, bool surface)
 {
     const ModelSource& source = use.actor->model;
@@ -21,7 +21,7 @@ Model readModel(Imports& imports, const SceneActor& use, bool surface)
     return model;
 }
 
-/// A body's joint with what it hangs on; of the first one the middle of its particles.
+/// The joint by which a body hangs on another; for the first body, the middle of its particles.
 Vector3f headOf(const Actor& actor, uint32_t body)
 {
     const auto joint = std::ranges::find(actor.joints, body, &ActorJoint::child);
@@ -31,7 +31,7 @@ Vector3f headOf(const Actor& actor, uint32_t body)
     return sum / static_cast<float>(actor.bodies[body].particles.size());
 }
 
-/// A skeleton of an actor's bodies, for what has no other. @param bodies gets the body of each bone.
+/// A skeleton of an actor's bodies, for actors without another one. @param bodies gets the body of each bone.
 Model skeletonOf(const Actor& actor, std::vector<uint32_t>& bodies)
 {
     Model model;
@@ -48,7 +48,7 @@ Model skeletonOf(const Actor& actor, std::vector<uint32_t>& bodies)
     return model;
 }
 
-/// Bones for a model that has none, of which the one body moves all.
+/// Adds bones to a model without bones, whose one body moves all.
 void giveBodies(const Actor& actor, Rig& rig)
 {
     rig.bodies.clear();

@@ -10,19 +10,19 @@
 
 namespace knuckle {
 
-/// What moves in the rest pose of an object, and by which bodies. Its skeleton is that of the model that an actor was
-/// made of, or where only an actor file is known its bodies.
+/// The skeleton and mesh of an object in the rest pose, and the bodies that move them. The skeleton is that of the
+/// actor's model, or if only an actor file is known, its bodies.
 struct Rig {
     uint32_t object = 0;           ///< Index into World::objects; the model has its name.
     Model model;                   ///< Without clips.
     std::vector<uint32_t> bodies;  ///< Per bone of the model: index into World::bodies.
 };
 
-/// Of all actors of a scene, in the order of objects. Reads their models.
-/// @param surface whether their meshes and textures are wanted. @throws InputError as importModel().
+/// Rigs of all actors of a scene, in the order of objects. Reads their models.
+/// @param surface whether their meshes and textures are needed. @throws InputError as importModel().
 std::vector<Rig> rigsOf(const Scene& scene, bool surface);
 
-/// How a body has moved what was in its object's rest pose.
+/// The motion of a body from its object's rest pose.
 Eigen::Isometry3f motionOf(const Body& body, const BodyState& state);
 
 }  // namespace knuckle

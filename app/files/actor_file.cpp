@@ -29,7 +29,7 @@ std::string stringText(const std::string& text)
     return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// `"name": [` with one element a line.
+/// `"name": [` with one element per line.
 template <typename T, typename Text>
 std::string listText(const char* name, const std::vector<T>& elements, Text&& text)
 {
@@ -101,7 +101,7 @@ ActorJoint readJoint(const JsonFile& file, const Json& json, size_t index, const
     readValue(json["sharedParticles"], joint.sharedParticles);
     joint.limits = readLimits(json["limits"]);
     joint.strength = readStrength(json);
-    // A universal joint stands as its two hinges.
+    // A universal joint is stored as its two hinges.
     const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
     requireLimits(file.path, pointer + "/limits", joint.limits, {type});
     checkIndices(file, pointer + "/sharedParticles", joint.sharedParticles, actor.particles.size(), "particles");
@@ -144,7 +144,7 @@ void checkConsistent(const JsonFile& file, const Actor& actor)
     }
 }
 
-constexpr std::array<const char*, 3> CENTERINGS{"never", "whereFar", "always"};  // as in Centering
+constexpr std::array<const char*, 3> CENTERINGS{"never", "whereFar", "always"};  // in the order of Centering
 
 std::string sourceText(const ModelSource& model)
 {
@@ -196,7 +196,7 @@ void writeActor(OutputFile& file, const std::string& path, const Actor& actor)
 {
     namespace fs = std::filesystem;
     Actor placed = actor;
-    // A stream has no folder: the program's own, if it is still there.
+    // A stream has no folder: uses the program's own, if it still exists.
     std::error_code gone;
     const fs::path folder = file.isStream() ? fs::current_path(gone) : fs::absolute(path, gone).parent_path();
     if (std::string& model = placed.model.file; !model.empty() && !gone)

@@ -11,7 +11,7 @@ namespace knuckle {
 std::string actorText(const Actor& actor);
 /// Writes actorText() to a file that was opened as `path`: Actor::model becomes relative to that. @throws RunError.
 void writeActor(OutputFile& file, const std::string& path, const Actor& actor);
-/// The same of a file by its name. @throws RunError, InputError.
+/// The same for a file by its name. @throws RunError, InputError.
 void writeActor(const std::string& path, const Actor& actor);
 /// @throws InputError for a file that is not an actor, of another version, or inconsistent.
 Actor readActor(const std::string& path);

@@ -13,9 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr uintmax_t MOST_BYTES = uintmax_t{256} << 20;  // larger ones are not looked into
+constexpr uintmax_t MOST_BYTES = uintmax_t{256} << 20;  // larger ones are not searched
 
-/// `name` as it stands and with its escapes taken out.
+/// Adds `name` unchanged and with its escapes decoded.
 void add(std::vector<std::string>& files, const std::string& model, const std::string& name)
 {
     if (name.empty() || name.starts_with("data:")) return;
@@ -35,7 +35,7 @@ std::vector<std::string> filesOfGltf(const std::string& path)
     return files;
 }
 
-/// The last words of the lines that begin so.
+/// The last words of lines with this start.
 std::vector<std::string> named(const std::string& path, const char* start)
 {
     std::vector<std::string> files;

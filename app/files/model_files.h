@@ -5,8 +5,8 @@
 
 namespace knuckle {
 
-/// The files beside a model that it names: buffers and pictures of glTF, materials and pictures of OBJ. What cannot be
-/// read has none; the import says why.
+/// The files that a model names: buffers and pictures of glTF, materials and pictures of OBJ. Empty for models that
+/// cannot be read; the import reports the reason.
 std::vector<std::string> filesOfModel(const std::string& path);
 
 }  // namespace knuckle

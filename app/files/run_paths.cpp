@@ -67,7 +67,7 @@ bool RunPaths::isSame(const Place& a, const Place& b)
     return !a.path.empty() && a.path == b.path && !a.isStream && !b.isStream;
 }
 
-/// Whether a folder's frames would be written over a file.
+/// Whether a folder's frames would overwrite a file.
 bool RunPaths::isFrameOf(const Place& folder, const Place& file)
 {
     const fs::path path = file.path;
@@ -109,7 +109,7 @@ void RunPaths::refuseInput(const Place& output, const Place& input) const
                                      output.given, input.given));
 }
 
-/// Frames that are links to what is read or written.
+/// Refuses frames that are links to inputs or outputs.
 void RunPaths::checkLinks(const Place& folder) const
 {
     std::error_code error;

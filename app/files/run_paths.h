@@ -7,12 +7,12 @@
 
 namespace knuckle {
 
-/// What a command reads and writes. check() refuses an output that would be lost, or take an input with it: by what the
-/// files are, whatever their paths look like. Streams may be named as often as one likes.
+/// Inputs and outputs of a command. check() refuses an output that would be lost, or would destroy an input: by the
+/// identity of the files, whatever their paths look like. Streams may be named any number of times.
 class RunPaths {
 public:
     void reads(const std::string& file);
-    /// With the files that it names, as far as they are known: of glTF and OBJ.
+    /// Adds a model and the files that it names, as far as they are known: for glTF and OBJ.
     void readsModel(const std::string& file);
     void readsFolder(const std::string& folder);
     /// @throws InputError as OutputPlace::of(), like writesFrames().

@@ -8,8 +8,8 @@
 #include "render/settings.h"
 #include "sim/world/world.h"
 
-/// Which JSON field is which struct member, said once: read() takes a struct from a document that its schema has
-/// completed, write() is the way back.
+/// Maps JSON fields to struct members, in one place for both directions: read() takes a struct from a document that its
+/// schema has completed, write() is the inverse.
 namespace knuckle {
 
 /// The words of an enum in the order of its values.
@@ -63,7 +63,7 @@ std::string wordOf(T value)
     return EnumWords<T>::WORDS.at(static_cast<size_t>(value));
 }
 
-/// A number of which 0 says that there is none: infinity.
+/// A number for which 0 means infinity.
 inline float readUnlessZero(const Json& json)
 {
     const float value = json;
@@ -163,7 +163,7 @@ void visitFields(Wind& w, Visitor&& visit)
     visit("seed", w.seed);
 }
 
-/// All but the region and the end.
+/// All except the region and the end.
 template <typename Visitor>
 void visitFields(ForceField& f, Visitor&& visit)
 {
@@ -173,7 +173,7 @@ void visitFields(ForceField& f, Visitor&& visit)
     visit("start", f.start);
 }
 
-/// What every shape of collider has; the shapes' own fields are in app/scene/colliders/scene_colliders.cpp.
+/// Fields of every shape of collider; the shapes' own fields are in app/scene/colliders/scene_colliders.cpp.
 template <typename Visitor>
 void visitFields(Collider& c, Visitor&& visit)
 {
@@ -206,7 +206,7 @@ void visitFields(LightSettings& l, Visitor&& visit)
     visit("groundColor", l.groundColor);
 }
 
-/// Camera and light are documents of their own in a scene.
+/// Camera and light are separate documents in a scene.
 template <typename Visitor>
 void visitFields(RenderSettings& r, Visitor&& visit)
 {

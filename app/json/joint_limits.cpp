@@ -14,13 +14,13 @@ namespace knuckle {
 
 namespace {
 
-/// To a ten-thousandth, which is as far as they were given.
+/// Rounded to a ten-thousandth, the precision of the input.
 double roundedDegrees(float radians)
 {
     return std::round(degreesOf(radians) * 1e4) / 1e4;
 }
 
-/// Which field is which range.
+/// The ranges of the fields.
 constexpr std::array RANGES{std::pair{"twist", &JointLimits::twist}, std::pair{"bend", &JointLimits::bend},
                             std::pair{"secondBend", &JointLimits::secondBend}};
 

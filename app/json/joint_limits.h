@@ -7,15 +7,15 @@
 
 namespace knuckle {
 
-/// The `limits` of a scene, an actor or a list of overrides, completed by its schema: degrees become radians, a
-/// stiffness of 0 infinite.
+/// Reads the `limits` of a scene, an actor or a list of overrides, completed by its schema: converts degrees to
+/// radians, and a stiffness of 0 to infinity.
 JointLimits readLimits(const Json& json);
-/// The `tearForce` and `tearTorque` of a joint, completed in the same way.
+/// Reads the `tearForce` and `tearTorque` of a joint, completed in the same way.
 JointStrength readStrength(const Json& json);
-/// That each limit is one of some joint of these types. @throws InputError naming the first that is not.
+/// Checks that each limit exists for some joint of these types. @throws InputError naming the first that does not.
 void requireLimits(const std::string& path, const std::string& pointer, const JointLimits& limits,
                    const std::vector<JointType>& types);
-/// The way back, with all fields.
+/// The inverse, with all fields.
 Json writeLimits(const JointLimits& limits);
 
 }  // namespace knuckle

@@ -29,7 +29,7 @@ std::string placeOf(const std::string& text, size_t offset)
     return fmt::format("{}:{}", line, std::max<std::ptrdiff_t>(1, end - lineStart));
 }
 
-/// The library's message without the position, which our own message gives.
+/// The library's message without its position, which our own message contains.
 std::string plainMessage(const std::string& what)
 {
     const size_t place = what.find(": "), tag = what.find("] ");

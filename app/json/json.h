@@ -10,7 +10,7 @@ namespace knuckle {
 /// Objects keep the order in which they were written.
 using Json = nlohmann::ordered_json;
 
-/// A document and the name under which its errors are told.
+/// A document and its name in error messages.
 struct JsonFile {
     std::string path;
     Json root;
@@ -20,15 +20,15 @@ struct JsonFile {
 /// @throws InputError `path:line:column: what` for a syntax error, and for a file that is missing, a folder, larger
 /// than 256 MiB, or has a key twice in one object.
 JsonFile readJsonFile(const std::string& path);
-/// The same for text that is at hand.
+/// The same for text in memory.
 Json parseJson(const std::string& text, const std::string& name);
 
-/// @throws InputError `path: pointer: message`, the one form in which every error in a document is told.
+/// @throws InputError `path: pointer: message`, the form of every error in a document.
 [[noreturn]] void failAt(const std::string& path, const std::string& pointer, const std::string& message);
 
-/// The candidate that was probably meant by `word`, or empty when none is near.
+/// The candidate probably meant by `word`, or empty if none is near.
 std::string nearestWord(const std::string& word, const std::vector<std::string>& candidates);
-/// `did you mean "x"?`, or `known: a, b, c` where no candidate is near.
+/// `did you mean "x"?`, or `known: a, b, c` if no candidate is near.
 std::string suggestion(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace knuckle

@@ -18,7 +18,7 @@ namespace knuckle {
 namespace {
 
 constexpr int EXIT_CODE = 1;
-std::string line;  // made before it is needed: there is no memory then
+std::string line;  // made in advance: when needed, there is no memory
 
 [[noreturn]] void end()
 {
@@ -35,7 +35,7 @@ void onCrash(int signal)
     std::raise(signal);
 }
 
-/// LLVM and glibc say on the way down what the one line says, too.
+/// Silences LLVM and glibc, which repeat at a crash what our one line says.
 void silenceLibraries()
 {
     const int own = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -48,7 +48,7 @@ void silenceLibraries()
     close(nothing);
 }
 
-/// What is thrown where nobody can catch it, as on a thread of a library.
+/// Handles exceptions that nothing can catch, such as on a library's thread.
 void onTerminate()
 {
     try {
@@ -65,7 +65,7 @@ void onTerminate()
 void tellCrashesForWantOfMemory()
 {
     line = "knuckle: " + memoryMessage() + "\n";
-    // Without a way back through a driver that waits for what cannot be any more.
+    // Ends directly, instead of unwinding through a driver that would wait forever.
     std::set_new_handler(end);
     std::set_terminate(onTerminate);
     if (!addressSpaceLimit()) return;

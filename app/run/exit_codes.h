@@ -2,7 +2,7 @@
 
 namespace knuckle {
 
-/// What the program ends with.
+/// Exit codes of the program.
 enum ExitCode {
     EXIT_FINE = 0,
     EXIT_RUN = 1,

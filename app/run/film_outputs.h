@@ -12,22 +12,22 @@
 
 namespace knuckle {
 
-/// Whether `-o path` is a film, else a folder for frames: a stream is one, and a name that ends like one. A slash at
-/// the end makes any name a folder's.
-/// @throws InputError for another ending, and for a film's name where a folder stands.
+/// Whether `-o path` is a film, else a folder for frames: true for a stream, and for a name with a film's ending. A
+/// slash at the end makes any name a folder's.
+/// @throws InputError for another ending, and for a film's name at which there is a folder.
 bool isFilm(const std::string& path);
 
-/// Adds all that a run writes. @throws InputError as RunPaths does.
+/// Adds all outputs of a run. @throws InputError as RunPaths does.
 void addOutputs(const FilmOptions& options, const Exporters& exporters, const Scene& scene, RunPaths& paths);
 
-/// Everything that is written, opened before the first step so that nothing is simulated in vain.
+/// All outputs, opened before the first step so that nothing is simulated in vain.
 struct FilmOutputs {
     FrameSinks sinks;
     Exporters exporters;
     ExportNeeds needs;  ///< Of all exporters.
     std::optional<OutputFile> stats;
 
-    /// @throws InputError for what cannot be written.
+    /// @throws InputError for outputs that cannot be written.
     FilmOutputs(const Scene& scene, const FilmOptions& options, Exporters chosen);
 };
 

@@ -39,7 +39,7 @@ public:
 
     RunFigures run()
     {
-        // Until the first frames are there shaders are compiled, and there is nothing to finish.
+        // Until the first frames exist, shaders are compiled, and there is nothing to finish.
         std::optional<InterruptGuard> interrupt;
         for (uint64_t frame = 1; frame <= range_.last; ++frame) {
             if (frame > 1) advance(frame);
@@ -74,7 +74,7 @@ private:
                                      range.first, range.last, count));
     }
 
-    /// Of a frame, on average.
+    /// The average work of a frame.
     FrameWork work() const
     {
         const double drawn = outputs_.sinks.empty() ? 0.0 : static_cast<double>(range_.last - range_.first + 1);
@@ -89,8 +89,8 @@ private:
         return std::make_unique<DrawingHere>(*gpu_, scene_, outputs_.sinks, timed);
     }
 
-    /// With --stats simulating and drawing are told apart, so that each must end before the other begins. Otherwise the
-    /// frame before is drawn or read while this one's steps are under way.
+    /// With --stats, simulating and drawing are timed separately, so each must end before the other begins. Otherwise
+    /// the frame before is drawn or read during this one's steps.
     void advance(uint64_t frame)
     {
         const bool measured = outputs_.stats.has_value();

@@ -19,16 +19,16 @@ struct FrameRange {
     static FrameRange parse(const std::string& text);
 };
 
-/// What `knuckle render` was asked for beside the scene.
+/// Options of `knuckle render` apart from the scene.
 struct FilmOptions {
     std::vector<std::string> outputs;  ///< Folders for PNG frames, and .mp4 films.
     FrameRange frames;
     std::string stats;  ///< Empty: none.
     bool hash = false;
-    std::optional<bool> drawAside;  ///< On a thread of its own; none: where that is faster.
+    std::optional<bool> drawAside;  ///< On a separate thread; none: if that is faster.
 };
 
-/// Simulates the scene and writes its frames, and what else was asked for. Every output is checked first.
+/// Simulates the scene and writes its frames and all other requested outputs. Checks every output first.
 /// @throws InputError, DeviceError, RunError, Interrupted.
 void runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions& common, Exporters exporters = {});
 

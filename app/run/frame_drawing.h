@@ -18,7 +18,7 @@ namespace knuckle {
 struct Frame {
     uint64_t number = 1;  ///< As in frame_0001.png.
     double time = 0.0;    ///< [s]
-    bool drawn = true;    ///< Otherwise it is only shown to the camera.
+    bool drawn = true;    ///< Otherwise only the camera sees it.
 };
 
 using FrameSinks = std::vector<std::unique_ptr<FrameSink>>;
@@ -28,15 +28,15 @@ class FrameDrawing {
 public:
     virtual ~FrameDrawing() = default;
     virtual void take(const ParticleView& view, const Frame& frame) = 0;
-    /// Once the next frame's steps are under way: brings back the picture before, where nobody else does.
+    /// During the next frame's steps: brings back the last picture, if no other thread does.
     virtual void fetch() = 0;
-    /// Until the sinks have the pictures of all frames taken.
+    /// Waits until the sinks have the pictures of all frames.
     virtual void wait() = 0;
     /// After wait().
     virtual const DrawingFigures& figures() const = 0;
 };
 
-/// On the thread that made it and simulates as well.
+/// Draws on the thread that made it, which also simulates.
 class DrawingHere : public FrameDrawing {
 public:
     /// @param timed: every pass, see DrawingFigures. @throws what Renderer throws.
@@ -54,11 +54,11 @@ private:
     DrawingFigures figures_;
 };
 
-/// On a thread and in a context of its own, which draw from copies while the caller simulates on. What goes wrong there
-/// is thrown by the next call.
+/// Draws on a separate thread and context, from copies, while the caller continues to simulate. The next call throws
+/// errors that happen there.
 class DrawingThread : public FrameDrawing {
 public:
-    /// Waits until the thread can draw. @throws as DrawingHere, and DeviceError where there is no second context.
+    /// Waits until the thread can draw. @throws as DrawingHere, and DeviceError if there is no second context.
     DrawingThread(const Gpu& gpu, const Scene& scene, const FrameSinks& sinks, bool timed);
     /// Copies the state; waits for the frame before the last.
     void take(const ParticleView& view, const Frame& frame) override;
@@ -67,12 +67,12 @@ public:
     const DrawingFigures& figures() const override { return drawing_->figures(); }
 
 private:
-    /// One is drawn while the next waits.
+    /// One is drawn, the next one waits.
     static constexpr size_t SNAPSHOTS = 2;
 
     std::array<FrameSnapshot, SNAPSHOTS> snapshots_;
     size_t next_ = 0;
-    // Made, used and destroyed on the thread; whoever waits for it may read figures.
+    // Made, used and destroyed on the thread; a caller that has waited for it may read figures.
     std::unique_ptr<Gpu> gpu_;
     std::unique_ptr<DrawingHere> drawing_;
     TaskThread thread_;

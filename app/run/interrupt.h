@@ -5,12 +5,12 @@ namespace knuckle {
 /// Thrown when the user asked to stop. Ends the program with exit code 130.
 struct Interrupted {};
 
-/// From now on SIGINT, SIGTERM and SIGHUP end the program at once, whatever it is doing, with exit code 130: temporary
-/// files are removed, programs that it started are ended.
+/// From now on SIGINT, SIGTERM and SIGHUP end the program at once, in any state, with exit code 130: temporary files
+/// are removed, and programs that it started are ended.
 void endOnSignals();
 
-/// While an object of this class exists, such a signal only sets a flag, so that the frame is finished. A second one,
-/// or GRACE_SECONDS, end the program as without.
+/// While an object of this class exists, such a signal only sets a flag, so that the frame is finished. A second
+/// signal, or GRACE_SECONDS, end the program as usual.
 class InterruptGuard {
 public:
     static constexpr unsigned GRACE_SECONDS = 5;  ///< A driver may hang; `docker stop` kills after 10.

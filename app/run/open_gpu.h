@@ -15,8 +15,8 @@ struct CommonOptions {
     bool quiet = false;
 };
 
-/// The device that `--device` names; says on stderr what had to be chosen instead. @throws DeviceError, InputError.
-/// @param work of a frame, by which a software renderer gets its threads, else they are left to it.
+/// The device that `--device` names; prints to stderr if it had to choose another. @throws DeviceError, InputError.
+/// @param work of a frame, which determines a software renderer's threads; without it the renderer chooses.
 std::unique_ptr<Gpu> openGpu(const CommonOptions& common, std::optional<FrameWork> work = {});
 
 }  // namespace knuckle

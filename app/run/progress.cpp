@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Frames that shaders are compiled in, which says nothing of those to come.
+/// Frames during which shaders are compiled; their times do not predict later ones.
 constexpr uint64_t WARM_UP = 2;
 constexpr std::chrono::milliseconds TERMINAL_INTERVAL = 200ms, PLAIN_INTERVAL = 10s;
 

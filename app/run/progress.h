@@ -6,7 +6,8 @@
 
 namespace knuckle {
 
-/// Frames done, rate and time left on stderr: one line rewritten on a terminal, elsewhere a line every ten seconds.
+/// Prints frames done, rate and time left to stderr: one rewritten line on a terminal, elsewhere a line every ten
+/// seconds.
 class Progress {
 public:
     Progress(std::string what, uint64_t total, bool quiet);

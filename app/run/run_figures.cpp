@@ -8,7 +8,7 @@ namespace knuckle {
 
 namespace {
 
-/// null where the program has not chosen.
+/// null if the program has not chosen.
 Json threadsJson(const DriverThreads& threads)
 {
     return {{"count", threads.count ? Json(*threads.count) : Json()},
@@ -16,7 +16,7 @@ Json threadsJson(const DriverThreads& threads)
             {"reason", threads.reason}};
 }
 
-/// null where what was let go was at rest.
+/// null if everything that was let go was at rest.
 Json shareOf(double part, double whole)
 {
     return whole > 0.0 ? Json(part / whole) : Json();

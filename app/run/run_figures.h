@@ -12,14 +12,14 @@
 
 namespace knuckle {
 
-/// What the drawing of a film took.
+/// Costs of drawing a film.
 struct DrawingFigures {
     uint64_t frames = 0;
-    double seconds = 0.0;                                            ///< By the clock, on the thread that draws.
-    std::vector<std::pair<std::string, KernelTimer::Total>> passes;  ///< Where they are timed.
+    double seconds = 0.0;                                            ///< Wall-clock time on the thread that draws.
+    std::vector<std::pair<std::string, KernelTimer::Total>> passes;  ///< If they are timed.
 };
 
-/// What `--stats` tells beside what the solver knows.
+/// Figures of `--stats` other than the solver's.
 struct RunFigures {
     std::string device;
     DriverThreads driverThreads;
@@ -32,7 +32,7 @@ struct RunFigures {
 /// The text of `--stats`: JSON.
 std::string statsText(const RunFigures& figures, const World& world, Solver& solver);
 
-/// A state hash as it is printed everywhere: 16 hexadecimal digits.
+/// A state hash in its only printed form: 16 hexadecimal digits.
 std::string hashText(uint64_t hash);
 
 }  // namespace knuckle

@@ -4,10 +4,10 @@
 
 namespace knuckle {
 
-/// @throws std::system_error where it cannot be written.
+/// @throws std::system_error if standard output cannot be written.
 void flushStandardOutput();
-/// A line on standard error, after all that was printed before: both may go to one file.
-/// @throws std::system_error where standard output cannot be written.
+/// Prints a line to standard error, after everything printed before: both may go to one file.
+/// @throws std::system_error if standard output cannot be written.
 void tellUser(const std::string& line);
 
 }  // namespace knuckle

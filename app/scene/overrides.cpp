@@ -20,7 +20,7 @@ namespace {
     throw InputError(fmt::format("--set {}: {}", change.path, message));
 }
 
-/// The whole text as a number, which may be none or without end: nan, -inf, 1e999.
+/// The whole text as a number, which may be nan or infinite: nan, -inf, 1e999.
 std::optional<double> numberIn(const std::string& text)
 {
     char* end = nullptr;
@@ -28,7 +28,7 @@ std::optional<double> numberIn(const std::string& text)
     return text.empty() || *end != '\0' ? std::nullopt : std::optional(number);
 }
 
-/// The same of two numbers with a slash between them.
+/// The same for two numbers separated by a slash.
 std::optional<double> fractionIn(const std::string& text)
 {
     const size_t slash = text.find('/');
@@ -48,7 +48,7 @@ Json& childOf(Json& parent, const std::string& key, const Override& change)
     return parent[std::stoul(key)];
 }
 
-/// A key as it stands in a JSON pointer.
+/// Decodes a key of a JSON pointer.
 void unescape(std::string& key)
 {
     for (const auto& [escape, letter] : {std::pair{"~1", '/'}, std::pair{"~0", '~'}})
@@ -76,7 +76,7 @@ Override parseOverride(const std::string& text, const std::string& option)
 
 void applyOverride(Json& root, const Override& change)
 {
-    // As errors tell a place, or as words.
+    // A pointer, as in errors, or words.
     const bool pointer = change.path.starts_with('/');
     std::istringstream path(pointer ? change.path.substr(1) : change.path);
     std::string key;

@@ -13,11 +13,10 @@ struct Override {
     Json value;
 };
 
-/// Reads "path=value"; a value that is not JSON is taken as a string, that of "fps" as a fraction like 24000/1001.
-/// @param option that errors name. @throws InputError without "=" or a
-/// path, and for nan, inf, 1e999 and their like.
+/// Reads "path=value"; a value that is not JSON is taken as a string, that of "fps" as a fraction such as 24000/1001.
+/// @param option named in errors. @throws InputError without "=" or a path, and for nan, inf, 1e999 and the like.
 Override parseOverride(const std::string& text, const std::string& option = "--set ");
-/// Puts the value in place; objects on the way are made when missing.
+/// Sets the value; creates missing objects on the way.
 /// @throws InputError for a path through something that is neither object nor array, or past an array's end.
 void applyOverride(Json& root, const Override& change);
 

@@ -11,21 +11,21 @@
 #include "app/scene/scene_files.h"
 #include "sim/world/builder/builder.h"
 
-// What the parts of a scene file know of each other. All read documents that the schema has completed.
+// Shared data of the parts of a scene file. All read documents that the schema has completed.
 namespace knuckle {
 
-/// Particles of an object, or of one of its copies: from the first to before the end.
+/// Particles of an object, or of one of its copies: first and end.
 struct ParticleRange {
     uint32_t first = 0, end = 0;
 };
 
-/// A release by touch, until all objects are there that it may name.
+/// A release by touch that waits until all objects exist that it may name.
 struct PendingTouch {
     std::string pointer, name;
     Release release;
 };
 
-/// What objects need to know about the scene that they stand in.
+/// Data about the scene that objects need.
 struct SceneContext {
     std::string path;  ///< Of the scene file.
     WorldBuilder& builder;
@@ -35,15 +35,15 @@ struct SceneContext {
     std::map<std::string, std::shared_ptr<const SkinMesh>> skins = {};  ///< By SceneFiles::actorKey().
     std::map<std::string, uint32_t> clips = {};                         ///< Indices by actor, file and name.
     std::vector<SceneActor> actors = {};
-    std::vector<std::string> notes = {};     ///< For the user: what of the scene is not as it says.
-    std::vector<std::string> warnings = {};  ///< Of that what a run tells, too: Scene::warnings.
-    std::map<std::string, std::vector<ParticleRange>> particles = {};  ///< But fluids', by name of object or copy.
+    std::vector<std::string> notes = {};     ///< For the user: deviations from the scene file.
+    std::vector<std::string> warnings = {};  ///< Those that a run prints, too: Scene::warnings.
+    std::map<std::string, std::vector<ParticleRange>> particles = {};  ///< Except fluids', by name of object or copy.
     std::vector<std::string> objectNames = {};                         ///< Without those of copies.
     std::vector<PendingTouch> touches = {};
-    std::vector<size_t> colliderEntries = {};  ///< Per collider of the world: the entry of `colliders` that it is of.
+    std::vector<size_t> colliderEntries = {};  ///< Per collider of the world: its entry of `colliders`.
 };
 
-/// One entry of a list of the scene (objects, colliders, ...) while it is being built.
+/// One entry of a list of the scene (objects, colliders, ...) during construction.
 struct SceneEntry {
     SceneContext& context;
     const Json& json;
@@ -54,7 +54,7 @@ struct SceneEntry {
     {
         failAt(context.path, pointer + field, message);
     }
-    /// The actor that it is, or that its shape is; see SceneFiles::actor(). @param diameter 0: the scene's [m].
+    /// Its actor, or that of its shape; see SceneFiles::actor(). @param diameter 0: the scene's [m].
     const Actor& actor(float diameter = 0.0f) const
     {
         return context.files.actor(json, pointer, diameter > 0.0f ? diameter : context.builder.diameter());

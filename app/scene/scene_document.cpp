@@ -16,7 +16,7 @@ SceneDocument completed(JsonFile file, const std::vector<Override>& overrides)
 {
     static const Schema schema("scene.schema.json");
     for (const Override& change : overrides) {
-        schema.expand(file.root);  // a change may be of a field of what is a string
+        schema.expand(file.root);  // a change may set a field of an object that is given as a string
         applyOverride(file.root, change);
     }
     SceneDocument document{std::move(file)};

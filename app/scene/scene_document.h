@@ -9,17 +9,17 @@
 
 namespace knuckle {
 
-/// A scene file as its schema completes it.
+/// A scene file completed by its schema.
 struct SceneDocument {
     JsonFile file;
-    bool givesDiameter = false;  ///< Whether the file says how large particles are; else the schema's default stands.
+    bool givesDiameter = false;  ///< Whether the file gives the particles' size; else the schema's default is used.
 };
 
-/// Reads a scene file, changes what somebody wants to be changed, checks it and fills in every default.
-/// @throws InputError, one line with the file and the JSON pointer of what is wrong.
+/// Reads a scene file, applies changes, checks it and fills in every default.
+/// @throws InputError, one line with the file and the JSON pointer of the fault.
 SceneDocument readSceneDocument(const std::string& path, const std::vector<Override>& overrides);
 
-/// The solver's settings by a preset's name and changes of its fields, as a scene's `solver` would give them.
+/// The solver's settings from a preset's name and changes of its fields, as in a scene's `solver`.
 /// @throws InputError as readSceneDocument(), and for a change of anything else.
 Settings loadSettings(const std::string& preset, const std::vector<std::string>& changes);
 

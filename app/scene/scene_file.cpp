@@ -23,17 +23,17 @@ namespace knuckle {
 
 namespace {
 
-/// An actor that says how large the scene's particles are.
+/// An actor that determines the size of the scene's particles.
 struct FinestActor {
     float diameter = 0.0f;  ///< [m]
     std::string file;
 };
 
-/// Reads the actors. @returns of those with joints, if there are any, else of all, the one of the smallest particles.
+/// Reads the actors. @returns the one of the smallest particles, among those with joints if there are any, else all.
 std::optional<FinestActor> finestActor(SceneFiles& files, const Json& objects)
 {
     std::optional<FinestActor> finest;
-    std::pair best{true, 0.0f};  // without joints, at what diameter
+    std::pair best{true, 0.0f};  // whether without joints, and the diameter
     for (size_t i = 0; i < objects.size(); ++i) {
         if (objects[i]["type"] != "actor") continue;
         const Actor& actor = files.actor(objects[i], fmt::format("/objects/{}", i), 0.0f);
@@ -45,7 +45,7 @@ std::optional<FinestActor> finestActor(SceneFiles& files, const Json& objects)
     return finest;
 }
 
-/// What of the scene is its own, not the world's.
+/// Properties of the scene that do not belong to the world.
 Scene headingOf(const JsonFile& file)
 {
     const Json& root = file.root;
@@ -58,7 +58,7 @@ Scene headingOf(const JsonFile& file)
     return scene;
 }
 
-/// All files that were read for it, each once.
+/// All files read for it, each once.
 std::vector<std::string> filesOf(const SceneContext& context)
 {
     std::vector<std::string> files = context.files.read();

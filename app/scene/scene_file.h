@@ -13,13 +13,13 @@
 
 namespace knuckle {
 
-/// An actor of the scene, and what it was made of.
+/// An actor of the scene, and its source.
 struct SceneActor {
     std::shared_ptr<const Actor> actor;
     std::vector<uint32_t> objects;  ///< Its copies: indices into World::objects.
 };
 
-/// What a scene file says.
+/// The contents of a scene file.
 struct Scene {
     std::string name;
     std::string description;
@@ -29,9 +29,9 @@ struct Scene {
     double duration = 0.0;  ///< [s]
     std::vector<SceneActor> actors;
     std::shared_ptr<Imports> imports;   ///< The models that were read for it.
-    std::vector<std::string> files;     ///< All that were read for it, but its own.
-    std::vector<std::string> notes;     ///< What of it is not as the file says, one sentence each.
-    std::vector<std::string> warnings;  ///< What of it is not drawn as the file says: a run tells these, too.
+    std::vector<std::string> files;     ///< All files read for it, except its own.
+    std::vector<std::string> notes;     ///< Deviations from the file, one sentence each.
+    std::vector<std::string> warnings;  ///< Things not drawn as the file says: a run prints these, too.
     uint32_t stepsPerFrame = 1;         ///< World::settings.timeStep is 1 / (framesPerSecond * stepsPerFrame).
 
     /// Frame 1 shows time 0.
@@ -39,11 +39,11 @@ struct Scene {
 };
 
 /// Reads, checks and builds a scene. Needs no GPU; models are imported and filled with particles.
-/// @throws InputError, one line with the file and the JSON pointer of what is wrong.
-/// @param drawn whether all models are read with how they look, for somebody who draws them later.
+/// @throws InputError, one line with the file and the JSON pointer of the fault.
+/// @param drawn whether models are read with their looks, for later drawing.
 Scene loadScene(const std::string& path, const std::vector<Override>& overrides = {}, bool drawn = false);
 
-/// Steps a frame so that 1 / (framesPerSecond * steps) is as near to `timeStep` [s] as can be.
+/// The number of steps a frame for which 1 / (framesPerSecond * steps) is nearest to `timeStep` [s].
 uint32_t stepsForFrame(double framesPerSecond, double timeStep);
 
 }  // namespace knuckle

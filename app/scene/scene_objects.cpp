@@ -27,8 +27,8 @@ namespace {
 
 using Entry = ObjectEntry;
 
-/// The distance of each particle of a rigid body to its surface, and the exit direction; empty for a box, whose lattice
-/// gives the builder both.
+/// The distance of each particle of a rigid body to its surface, and the exit direction; empty for a box, since the
+/// builder computes both from its lattice.
 std::vector<SurfaceDistance> surfaceOf(const Entry& entry, const std::vector<Vector3f>& positions)
 {
     const std::string shape = entry.json["shape"];
@@ -45,7 +45,7 @@ std::vector<SurfaceDistance> surfaceOf(const Entry& entry, const std::vector<Vec
     return surface;
 }
 
-/// The ball or capsule that a rigid body is; none of other shapes.
+/// The ball or capsule of a rigid body; none for other shapes.
 RoundShape roundShapeOf(const Entry& entry)
 {
     const std::string shape = entry.json["shape"];
@@ -54,7 +54,7 @@ RoundShape roundShapeOf(const Entry& entry)
     return {};
 }
 
-/// When something that is held or moved is let go [s]; infinity: never.
+/// When a held or moved body is let go [s]; infinity: never.
 float releaseTime(const Entry& entry, bool held)
 {
     const float time = readUnlessZero(entry.json["release"]["time"]);
@@ -96,7 +96,7 @@ void addRigidOrSoft(const Entry& entry)
     if (showsSkin(entry.json)) wearSkin(entry, entry.actor(), objects);
 }
 
-/// Adds the boxes and joints of one chain; the object is open.
+/// Adds the boxes and joints of one chain; requires an open object.
 void addChain(const Entry& entry, const JointSpec& common, uint32_t lastMaterial, size_t copy)
 {
     WorldBuilder& builder = entry.context.builder;
@@ -183,7 +183,7 @@ void addObject(SceneContext& context, const Json& json, size_t index)
         noteParticles(entry, first);
     } catch (const InputError& error) {
         const std::string text = error.what();
-        // The builder's message lacks the file and the JSON path: they are added here.
+        // Adds the file and the JSON path, which the builder's message lacks.
         throw text.starts_with(context.path) ? error
                                              : InputError(fmt::format("{}: {}: {}", context.path, entry.pointer, text));
     }

@@ -12,7 +12,7 @@ namespace knuckle {
 
 namespace {
 
-/// Uniform over all rotations (Shoemake 1992, "Uniform random rotations").
+/// Uniform distribution over all rotations (Shoemake 1992, "Uniform random rotations").
 Quaternionf randomRotation(std::mt19937& random)
 {
     const float share = uniformFraction(random);
@@ -70,7 +70,7 @@ std::vector<Pose> repeatedPoses(const Json& object)
             for (int x = 0; x < nx; ++x) {
                 const Vector3f cell(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
                 Pose pose{position + (first + cell).cwiseProduct(spacing), rotation};
-                // A statement for each axis: C++ does not say in which order the arguments of one call are evaluated.
+                // One statement per axis: C++ does not define the order in which arguments of one call are evaluated.
                 for (float& side : pose.translation) side += jitter * (2.0f * uniformFraction(random) - 1.0f);
                 if (turned) pose.rotation = randomRotation(random) * rotation;
                 poses.push_back(pose);

@@ -10,9 +10,9 @@ namespace knuckle {
 
 /// Places of an object's copies. Deterministic: the same seed gives the same places everywhere.
 std::vector<Pose> repeatedPoses(const Json& object);
-/// How much later than the first one a copy is moved and let go [s].
+/// The delay of a copy's motion and release after the first copy's [s].
 float delayOf(const Json& object, size_t copy);
-/// What is played, begun later; until then a clip that does not loop is held at its start.
+/// Delays plays; until it begins, a clip that does not loop is held at its start.
 std::vector<ClipPlay> delayed(const World& world, std::vector<ClipPlay> plays, float delay);
 /// Product of repeat.counts, exact up to 1e18.
 uint64_t copyCount(const Json& object);

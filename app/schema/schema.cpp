@@ -6,7 +6,7 @@
 
 namespace knuckle {
 
-/// Made at build time from assets/schema.
+/// Generated at build time from assets/schema.
 const std::map<std::string, std::string_view>& embeddedSchemas();
 
 Schema::Schema(const std::string& file) : text_(embeddedSchemas().at(file)), root_(Json::parse(text_)) {}

@@ -9,13 +9,13 @@ namespace knuckle {
 
 /// A published JSON Schema (draft 7) that is part of the program.
 ///
-/// Understood: type, const, enum, minimum, maximum, exclusiveMinimum, items, minItems, maxItems, minLength,
-/// properties, required, additionalProperties, $ref to a definition, oneOf whose alternatives differ by JSON type or
-/// by `const` properties, default; and the project's own `x-unit` (shown in documents and messages) and
-/// `x-default-from` (a sibling whose value is the default where it is given), `x-string-means` (the field of an object
-/// that a string stands for), `x-defaults-if` (defaults that come before the others where one of the fields `given`
-/// stands in the document, or all of `equal` have these values; without a condition always), and `x-needs-one-of` (an
-/// object that stands in the document has one of these fields, not empty; else `x-remedy` is the message).
+/// Supported: type, const, enum, minimum, maximum, exclusiveMinimum, items, minItems, maxItems, minLength, properties,
+/// required, additionalProperties, $ref to a definition, oneOf whose alternatives differ by JSON type or by `const`
+/// properties, default; and the project's own `x-unit` (shown in documents and messages), `x-default-from` (a sibling
+/// whose value, if given, is the default), `x-string-means` (the field of an object that a string stands for),
+/// `x-defaults-if` (defaults that precede the others if the document has one of the fields `given`, or all of `equal`
+/// have these values; without a condition always), and `x-needs-one-of` (an object in the document must have one of
+/// these fields, not empty; else `x-remedy` is the message).
 class Schema {
 public:
     /// @param file name below assets/schema, "scene.schema.json".
@@ -26,7 +26,7 @@ public:
     /// `node`, or the definition that its $ref names.
     const Json& resolve(const Json& node) const;
 
-    /// Makes objects of the strings that stand for one, among the document's fields.
+    /// Replaces strings that stand for objects by those, among the document's fields.
     void expand(Json& root) const;
     /// Checks the document and fills in every default. @throws InputError for the first fault, one line with its path.
     void complete(JsonFile& file) const;

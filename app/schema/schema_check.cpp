@@ -27,7 +27,7 @@ bool matchesType(const std::string& type, const Json& value)
     return value.is_object();
 }
 
-/// What a value of this schema looks like: "a number [m]", "an array of 3 numbers [m/s]".
+/// A description of values of this schema: "a number [m]", "an array of 3 numbers [m/s]".
 std::string expectation(const Schema& schema, const Json& node)
 {
     const std::string type = node["type"];
@@ -48,7 +48,7 @@ std::string shown(const Json& value)
     return text.size() <= 40 ? text : text.substr(0, 37) + "...";
 }
 
-/// A key as it stands in a JSON pointer.
+/// Encodes a key for a JSON pointer.
 std::string escaped(const std::string& key)
 {
     std::string out;
@@ -56,7 +56,7 @@ std::string escaped(const std::string& key)
     return out;
 }
 
-/// Whether a rule of `x-defaults-if` is for this object.
+/// Whether a rule of `x-defaults-if` applies to this object.
 bool applies(const Json& rule, const Json& object)
 {
     const auto isGiven = [&](const Json& key) { return object.contains(key.get<std::string>()); };
@@ -100,7 +100,7 @@ void SchemaCheck::complete(const Json& schemaNode, Json& value, const std::strin
         expandString(given, value);
     }
     const Json& node = choose(given, value, pointer);
-    if (node.contains("const")) return;  // chosen by it
+    if (node.contains("const")) return;  // it has selected this alternative
     checkType(node, value, pointer);
     if (value.is_object()) completeObject(node, value, pointer);
     if (value.is_array()) completeArray(node, value, pointer);
@@ -108,7 +108,7 @@ void SchemaCheck::complete(const Json& schemaNode, Json& value, const std::strin
     if (value.is_string()) checkWord(node, value, pointer);
 }
 
-/// The alternative of a oneOf that the value is meant to be: by JSON type, then by the properties that are const.
+/// The alternative of a oneOf that fits the value: by JSON type, then by the properties that are const.
 const Json& SchemaCheck::choose(const Json& node, const Json& value, const std::string& pointer) const
 {
     if (!node.contains("oneOf")) return node;
@@ -169,7 +169,7 @@ void SchemaCheck::completeObject(const Json& node, Json& value, const std::strin
     }
 }
 
-/// Of the fields that the document has itself: those that defaults fill in may be empty.
+/// Checks only the document's own fields: those that defaults fill in may be empty.
 void SchemaCheck::requireOneOf(const Json& properties, const Json& value, const std::string& pointer) const
 {
     for (const auto& [key, child] : value.items()) {
@@ -228,7 +228,7 @@ void SchemaCheck::checkRange(const Json& node, const Json& value, const std::str
 {
     const std::string unit = node.contains("x-unit") ? fmt::format(" [{}]", node["x-unit"].get<std::string>()) : "";
     const double number = value.get<double>();
-    // What is read is kept in floats.
+    // Values are stored as floats.
     if (std::abs(number) > double{std::numeric_limits<float>::max()})
         fail(pointer, fmt::format("{} is too large", shown(value)));
     const auto limit = [&](const char* key) { return node[key].get<double>(); };

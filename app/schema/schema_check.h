@@ -7,7 +7,7 @@
 
 namespace knuckle {
 
-/// One walk over a document beside its schema: checks each value and fills in the defaults.
+/// One walk over a document along its schema: checks each value and fills in the defaults.
 class SchemaCheck {
 public:
     SchemaCheck(const Schema& schema, std::string path) : schema_(schema), path_(std::move(path)) {}
@@ -15,7 +15,7 @@ public:
     /// Checks `value`, found at the JSON pointer `pointer`, against `node`. @throws InputError for the first fault.
     void complete(const Json& node, Json& value, const std::string& pointer) const;
 
-    /// Makes an object of a string where the node says of which field it is (`x-string-means`).
+    /// Makes an object of a string if the node names its field (`x-string-means`).
     static void expandString(const Json& node, Json& value);
 
 private:

@@ -7,7 +7,7 @@ namespace knuckle {
 
 namespace {
 
-/// The heading's anchor as Git forges make it.
+/// The heading's anchor, as Git forges generate it.
 std::string anchorOf(const std::string& title)
 {
     std::string anchor;

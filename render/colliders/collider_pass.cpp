@@ -34,7 +34,7 @@ ColliderPass::ColliderPass(const Gpu& gpu, BufferTable& table, const World& worl
     table.add(Lifetime::Constant, planes_, shapes_);
     planePass_ = DrawPass(gpu, table, {"colliders/plane", "colliders/plane"},
                           {"frame", "view", "colliderPlaces", "colliderPlanes"}, targets.geometry);
-    // The far sides of the boxes: they are there even when the eye is inside.
+    // Draws the far sides of the boxes: they are visible even when the eye is inside.
     shapePass_ = DrawPass(gpu, table, {"colliders/collider", "colliders/collider"},
                           {"frame", "view", "colliderPlaces", "colliderShapes"}, targets.geometry, GL_FRONT);
     shapeShadow_ = DrawPass(gpu, table, {"colliders/collider", "colliders/collider_shadow", {{"LIGHT_VIEW", "1"}}},

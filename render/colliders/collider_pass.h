@@ -6,7 +6,7 @@
 
 namespace knuckle {
 
-/// Draws the visible colliders: planes over the whole picture, grids as triangles, others as ray-cast shapes inside
+/// Draws the visible colliders: planes over the whole picture, grids as triangles, others as shapes ray-cast inside
 /// boxes.
 class ColliderPass {
 public:
@@ -26,7 +26,7 @@ private:
     void drawShapes(KernelTimer& timer, const DrawPass& pass) const;
 
     MeshPass meshes_;
-    Buffer<gpu::vec4> planes_;  ///< Two each: colour, w: is ground; x: its collider.
+    Buffer<gpu::vec4> planes_;  ///< Two each: colour, w: whether it is the ground; x: its collider.
     Buffer<gpu::vec4> shapes_;  ///< A ColliderInstance each.
     DrawPass planePass_, shapePass_, shapeShadow_;
 };

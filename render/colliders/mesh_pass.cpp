@@ -6,7 +6,7 @@ namespace knuckle {
 
 namespace {
 
-/// Cosine of the angle from which an edge is drawn sharp.
+/// Cosine of the angle above which an edge is drawn sharp.
 constexpr float CREASE = 0.77f;
 
 Vector3f areaNormal(const ColliderGrid& grid, const std::array<uint32_t, 3>& triangle)
@@ -15,7 +15,7 @@ Vector3f areaNormal(const ColliderGrid& grid, const std::array<uint32_t, 3>& tri
     return (grid.vertices[triangle[1]] - a).cross(grid.vertices[triangle[2]] - a);
 }
 
-/// Means over the triangles around each vertex, by area.
+/// Mean normals of the triangles around each vertex, weighted by area.
 std::vector<Vector3f> vertexNormals(const ColliderGrid& grid)
 {
     std::vector<Vector3f> normals(grid.vertices.size(), Vector3f::Zero());

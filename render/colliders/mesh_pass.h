@@ -7,7 +7,7 @@
 
 namespace knuckle {
 
-/// Draws the visible colliders that are made of triangles: meshes and heightfields.
+/// Draws the visible colliders made of triangles: meshes and heightfields.
 class MeshPass {
 public:
     /// @param table must have "frame", "view" and "colliderPlaces".

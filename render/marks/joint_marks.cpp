@@ -14,28 +14,28 @@ namespace knuckle {
 
 namespace {
 
-// Heights of the picture.
+// In heights of the picture.
 constexpr float LINE = 0.0022f, RIB = 0.0015f, AXIS = 0.0065f, DOT = 0.0085f, HUB = 0.006f;
-constexpr float LARGEST_FAN = 0.075f;  // of the longest side of what is shown
-constexpr float CHILD_PART = 0.55f;    // of the child's reach that a fan takes
+constexpr float LARGEST_FAN = 0.075f;  // of the longest side of the shown box
+constexpr float CHILD_PART = 0.55f;    // of the child's reach: radius of a fan
 constexpr float SMALLEST_FAN = 4.0f;   // particle radii
 constexpr float AXIS_PART = 0.5f;      // of a fan's radius, each way
 constexpr int ARC_PARTS = 48;          // of a whole turn
 constexpr int RIBS = 8;                // of a cone
-// Of the legend, in heights of the picture.
+// For the legend, in heights of the picture.
 constexpr float LEGEND_LEFT = 0.04f, LEGEND_TOP = 0.03f, LEGEND_ROW = 0.034f, LEGEND_INDENT = 0.025f;
 constexpr float SYMBOL = 0.0105f, TEXT = 0.0145f;
 /// In the order of the legend.
 constexpr std::array SHOWN_TYPES{JointType::Ball, JointType::Hinge, JointType::Universal, JointType::Stiff};
 
-/// The joint's type, with the two hinges of a universal one told as such.
+/// The joint's type; universal for each of the two hinges of a universal joint.
 JointType shownType(const World& world, const Joint& joint)
 {
     const bool halved = world.bodies[joint.parent].isCross || world.bodies[joint.child].isCross;
     return halved ? JointType::Universal : joint.type;
 }
 
-/// The body that a joint moves: behind the cross of a universal one.
+/// The body that a joint moves: beyond the cross of a universal joint.
 const Body& movedBody(const World& world, const Joint& joint)
 {
     const auto behind = std::ranges::find(world.joints, joint.child, &Joint::parent);
@@ -83,7 +83,7 @@ void drawCone(MarkPen& pen, const Vector3f& at, const Quaternionf& axes, float r
     }
 }
 
-/// The mark itself. @param axis of a hinge, to both sides.
+/// The mark itself. @param axis of a hinge, drawn to both sides.
 void drawSymbol(MarkPen& pen, JointType type, const Vector3f& at, const Vector3f& axis)
 {
     if (type == JointType::Ball) return pen.dot(at, DOT, 24);

@@ -6,7 +6,7 @@
 
 namespace knuckle {
 
-/// Draws marks over the lit picture, whatever is in front of them.
+/// Draws marks over the lit picture, in front of everything.
 class MarkPass {
 public:
     /// @param table must have "frame", "view", "bodyCentres" and "bodyRotations".

@@ -19,7 +19,7 @@ constexpr float EDGE = 0.0011f;  // heights of the picture
 const Vector3f DARK{0.07f, 0.07f, 0.09f};
 constexpr float CAPITAL = 7.0f;  // height of stb's letters
 
-/// As stb_easy_font_print() writes it.
+/// In the format of stb_easy_font_print().
 struct LetterCorner {
     float x, y, z;
     std::array<uint8_t, 4> color;
@@ -94,7 +94,7 @@ void MarkPen::corner(Corners& out, const Vector3f& here, const Vector3f& other, 
 
 void MarkPen::strokeInto(Corners& out, const Vector3f& a, const Vector3f& b, float width, const Vector3f& color) const
 {
-    // Beyond its ends, so that strokes in a row have no gaps. Left and right change sides at the other end.
+    // Extends beyond the ends, so that consecutive strokes have no gaps. Left and right swap at the other end.
     const float half = 0.5f * width;
     const Vector2f left(-half, half), right(-half, -half);
     corner(out, a, b, left, color);

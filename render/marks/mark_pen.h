@@ -14,8 +14,8 @@ struct Marks {
     std::vector<gpu::vec4> lines;  ///< Over them.
 };
 
-/// Draws marks: places are from the centre of a body, in its axes [m], or on the picture, from its upper left corner in
-/// heights of it. Widths are in heights of the picture, too.
+/// Draws marks: places are either relative to the centre of a body, in its axes [m], or on the picture, from its upper
+/// left corner in heights of the picture. Widths are in heights of the picture, too.
 class MarkPen {
 public:
     /// @param color as displayed, 0-1.
@@ -29,7 +29,7 @@ public:
     void edgedLine(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float width);
     /// With a dark edge. @param corners of it: 4 for a square, many for a disc.
     void dot(const Eigen::Vector3f& at, float radius, int corners);
-    /// Dark letters on the picture. @param left the middle of its left end. @param height of a capital letter.
+    /// Dark letters on the picture. @param left middle of the left end. @param height of a capital letter.
     void text(const Eigen::Vector3f& left, std::string words, float height);
 
     /// All that was drawn.

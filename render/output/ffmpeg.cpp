@@ -131,7 +131,7 @@ void Ffmpeg::finish()
     siginfo_t ended = {};
     while (waitid(P_PID, static_cast<id_t>(child_), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
     }
-    leftover_.reset();  // before its number may be another's
+    leftover_.reset();  // before another process may get its number
     while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
     }
     child_ = -1;

@@ -11,10 +11,10 @@
 
 namespace knuckle {
 
-/// Where a program stands in PATH, empty when it does not.
+/// The path of a program in PATH, empty if it is not there.
 std::string findProgram(const std::string& name);
 
-/// A running ffmpeg that reads its standard input from us. Killed when destroyed before finish().
+/// A running ffmpeg that reads its standard input from us. Killed if destroyed before finish().
 class Ffmpeg {
 public:
     /// @param arguments without the program's own name. @param output a descriptor for its standard output, -1: none.
@@ -24,9 +24,9 @@ public:
     Ffmpeg(const Ffmpeg&) = delete;
     Ffmpeg& operator=(const Ffmpeg&) = delete;
 
-    /// The calling thread must have SIGPIPE blocked. @throws RunError with what ffmpeg said when it has stopped.
+    /// The calling thread must have SIGPIPE blocked. @throws RunError with ffmpeg's message if it has stopped.
     void write(const void* data, size_t byteCount);
-    /// Closes its input and waits. @throws RunError with what ffmpeg said when it failed.
+    /// Closes its input and waits. @throws RunError with ffmpeg's message if it failed.
     void finish();
 
 private:

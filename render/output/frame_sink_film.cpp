@@ -19,7 +19,7 @@ std::string formatOf(const std::string& path)
     return ending == ".mkv" ? "matroska" : ending == ".mov" ? "mov" : "mp4";
 }
 
-/// Where and as what ffmpeg writes.
+/// ffmpeg's output and its format.
 std::vector<std::string> outputArguments(const std::string& path, const OutputFile& file)
 {
     const std::string format = formatOf(path);
@@ -34,7 +34,7 @@ std::vector<std::string> outputArguments(const std::string& path, const OutputFi
 
 std::vector<std::string> encoderArguments(uint32_t width, uint32_t height, double framesPerSecond)
 {
-    // Without -xerror ffmpeg calls a film that did not fit on the disk a success.
+    // Without -xerror ffmpeg reports success for a film that did not fit on the disk.
     std::vector<std::string> arguments = {"-hide_banner", "-loglevel",
                                           "error",        "-xerror",
                                           "-nostdin",     "-y",
@@ -47,7 +47,7 @@ std::vector<std::string> encoderArguments(uint32_t width, uint32_t height, doubl
     const auto add = [&](std::initializer_list<const char*> more) {
         arguments.insert(arguments.end(), more.begin(), more.end());
     };
-    // Chroma at half the resolution wants even sizes.
+    // Chroma at half the resolution needs even sizes.
     if (width % 2 != 0 || height % 2 != 0) add({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"});
     add({"-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "18", "-preset", "veryfast"});
     return arguments;
@@ -86,7 +86,7 @@ public:
 
 private:
     uint32_t width_, height_;
-    // In this order: the thread ends first, then ffmpeg is stopped, then what it wrote is removed.
+    // The order matters: first the thread ends, then ffmpeg is stopped, then its output is removed.
     OutputFile file_;
     Ffmpeg ffmpeg_;
     TaskThread writer_{MAX_UNWRITTEN};

@@ -7,7 +7,8 @@ namespace knuckle {
 
 namespace {
 
-/// A closed pipe and a file that grew too large become errors of write() on this thread instead of killing the program.
+/// Turns a closed pipe, or a file that grows too large, into an error of write() on this thread instead of a fatal
+/// signal.
 void blockWriteSignals()
 {
     sigset_t signals;

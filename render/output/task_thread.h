@@ -10,23 +10,22 @@
 
 namespace knuckle {
 
-/// Runs tasks on a thread of its own, in order. What a task throws ends the work, and is thrown again by whatever is
-/// called next.
+/// Runs tasks on a separate thread, in order. An exception of a task ends the work, and the next call throws it again.
 class TaskThread {
 public:
     using Task = std::function<void()>;
 
-    /// @param most tasks that are unfinished at a time, so that memory stays bounded. @param last runs on the thread
-    /// before it ends, whatever happened; must not throw.
+    /// @param most unfinished tasks at a time, so that memory stays bounded. @param last runs on the thread before it
+    /// ends, in any case; must not throw.
     explicit TaskThread(size_t most, Task last = {});
-    /// Drops what still waits, and waits for what runs.
+    /// Drops waiting tasks, and waits for the running one.
     ~TaskThread();
     TaskThread(const TaskThread&) = delete;
     TaskThread& operator=(const TaskThread&) = delete;
 
-    /// Waits until another task may come.
+    /// Waits until there is room for another task.
     void waitForRoom();
-    /// Waits for room as well.
+    /// Adds a task, after waiting for room.
     void push(Task task);
     /// Waits for everything pushed.
     void drain();
@@ -40,7 +39,7 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Task> waiting_;
-    size_t unfinished_ = 0;  ///< Those that wait, and one that runs.
+    size_t unfinished_ = 0;  ///< Waiting tasks, and the running one.
     std::exception_ptr failure_;
     bool stopping_ = false;
     std::thread thread_;

@@ -14,7 +14,7 @@
 #include "sim/base/errors.h"
 #include "sim/base/files/output_file.h"
 
-// Not declared in stb's header, but meant to be called: the encoder behind stbi_write_png.
+// Not declared in stb's header, but meant to be called: the encoder inside stbi_write_png.
 extern "C" unsigned char* stbi_write_png_to_mem(const unsigned char* pixels, int strideBytes, int width, int height,
                                                 int channels, int* byteCount);
 
@@ -25,7 +25,7 @@ namespace {
 constexpr int CHANNELS = 3;
 /// PNG's "up" filter for every row: spheres repeat downwards as well as sideways, and a fixed filter saves trying all.
 constexpr int UP_FILTER = 2;
-/// Differences are small: without a factor their picture is black.
+/// Differences are small: without a factor their picture would be black.
 constexpr int DIFFERENCE_GAIN = 8;
 
 struct Free {
@@ -39,7 +39,7 @@ struct Decoded {
     size_t pixelCount() const { return static_cast<size_t>(width) * height; }
 };
 
-/// @param load one of stb's, which takes the file, where to put width, height and channels, and the channels wanted.
+/// @param load one of stb's loaders, with the file, pointers to width, height and channels, and the wanted channels.
 template <typename Channel, typename Load>
 Decoded<Channel> decodeFile(const std::string& path, Load load, int wanted)
 {
@@ -65,7 +65,7 @@ Image readImage(const std::string& path)
 
 GreyImage readGreyImage(const std::string& path)
 {
-    // stb makes 16 bits of 8 by repeating them, so that white is 65535 either way.
+    // stb extends 8 bits to 16 by repeating them, so that white is 65535 in both cases.
     const auto decoded = decodeFile<stbi_us>(path, stbi_load_from_file_16, 1);
     GreyImage image{decoded.width, decoded.height, {}};
     for (size_t i = 0; i < decoded.pixelCount(); ++i)

@@ -18,24 +18,24 @@ Image readImage(const std::string& path);
 void writePng(const std::string& path, const Image& image);
 /// The bytes of a PNG file.
 std::string pngOf(const Image& image);
-/// The same. @param channels 3: RGB, 4: with alpha. @param pixels width * height * channels, top row
+/// The same for raw pixels. @param channels 3: RGB, 4: with alpha. @param pixels width * height * channels, top row
 /// first.
 std::string encodePng(uint32_t width, uint32_t height, uint32_t channels, std::span<const uint8_t> pixels);
 
-/// The grey of an image, 0 ... 1, top row first, as its file has it: no gamma is taken off.
+/// The grey values of an image, 0 ... 1, top row first, as stored in its file: gamma is not removed.
 struct GreyImage {
     uint32_t width = 0, height = 0;
     std::vector<float> values;  ///< width * height
 };
 
-/// 8 or 16 bits a channel; of a coloured image its luminance. @throws InputError as readImage() does.
+/// 8 or 16 bits a channel; the luminance of a coloured image. @throws InputError as readImage() does.
 GreyImage readGreyImage(const std::string& path);
 
 struct ImageDifference {
     double meanAbsolute = 0.0;     ///< Mean over all channels, 0-255.
     uint32_t worst = 0;            ///< Largest channel difference, 0-255.
     double changedFraction = 0.0;  ///< Share of pixels with a channel that differs by more than the threshold, 0-1.
-    Image picture;                 ///< |a - b| per channel, brightened to be seen.
+    Image picture;                 ///< |a - b| per channel, brightened to be visible.
 };
 
 /// @throws InputError when the sizes differ.

@@ -24,14 +24,14 @@ PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& 
 
 void PicturePasses::drawOcclusion(KernelTimer& timer) const
 {
-    // The pass leaves out what is in full light.
+    // The pass skips pixels in full light.
     targets_.occlusion.clear();
     occlusion_.drawScreen(timer);
 }
 
 void PicturePasses::drawSmooth(KernelTimer& timer) const
 {
-    // What the filter leaves alone must be there already.
+    // Provides the pixels that the filter skips.
     targets_.smoothed.copy(targets_.lit);
     const auto tiles = [](uint32_t pixels) { return (pixels + EDGE_TILE - 1) / EDGE_TILE; };
     edgeFilter_.draw(timer, GL_POINTS, tiles(targets_.lit.width()) * tiles(targets_.lit.height()));

@@ -7,7 +7,7 @@
 
 namespace knuckle {
 
-/// Brings pictures back through a pixel buffer, so that the copy can run while the next steps are simulated.
+/// Reads pictures back through a pixel buffer, so that the copy can run during the simulation of the next steps.
 class PictureReader {
 public:
     PictureReader(uint32_t width, uint32_t height);

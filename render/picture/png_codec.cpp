@@ -1,11 +1,11 @@
-// The one file that holds stb's code for frames, with its deflate replaced by libdeflate's.
+// The only file with stb's code for frames, whose deflate is replaced by libdeflate's.
 #include <libdeflate.h>
 
 #include <cstdlib>
 
 namespace {
 
-/// zlib at the lowest level: frames are written once and looked at, and half the time goes into deflate.
+/// zlib at the lowest level: frames are written once and viewed, and deflate takes half the time.
 constexpr int DEFLATE_LEVEL = 1;
 
 unsigned char* compressZlib(unsigned char* data, int byteCount, int* compressedBytes, int)

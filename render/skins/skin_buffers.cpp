@@ -14,16 +14,16 @@ namespace knuckle {
 
 namespace {
 
-constexpr uint32_t COLOR_BITS = 0xFFFFFF;  // a number that a float holds exactly
+constexpr uint32_t COLOR_BITS = 0xFFFFFF;  // a number that floats represent exactly
 
-/// Numbers of 0 ... 1 as packUnorm2x16() has them.
+/// Numbers of 0 ... 1 in the format of packUnorm2x16().
 uint32_t packUnorm(float x, float y)
 {
     const auto bits = [](float part) { return static_cast<uint32_t>(std::lround(65535.0f * part)); };
     return bits(x) | bits(y) << 16;
 }
 
-/// A number of -1 ... 1 as packSnorm2x16() has it.
+/// A number of -1 ... 1 in the format of packSnorm2x16().
 uint32_t packSnorm(float x)
 {
     return static_cast<uint32_t>(std::lround(32767.0f * std::clamp(x, -1.0f, 1.0f))) & 0xFFFFu;

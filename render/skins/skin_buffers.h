@@ -7,7 +7,7 @@
 
 namespace knuckle {
 
-/// What the device knows of the drawn skins of a world. Wearers of those without a two-sided material come first.
+/// Device data of a world's drawn skins. Wearers of skins without a two-sided material come first.
 struct SkinBuffers {
     SkinBuffers() = default;
     /// @throws InputError for skins that are too large for the device.
@@ -21,13 +21,13 @@ struct SkinBuffers {
     Buffer<gpu::vec4> vertexLooks;  ///< Per vertex: uv, colour as a number, material.
     Buffer<gpu::SkinLod> lods;
     Buffer<gpu::SkinWearer> wearers;
-    Buffer<gpu::uvec4> groups;    ///< Wearer, first vertex, how many of the wearer's vertices come before.
-    Buffer<gpu::vec4> centres;    ///< Per body: its mass centre at rest; w: how far its skin reaches, -1: it has none.
+    Buffer<gpu::uvec4> groups;    ///< Wearer, first vertex, number of the wearer's earlier vertices.
+    Buffer<gpu::vec4> centres;    ///< Per body: its mass centre at rest; w: reach of its skin, -1 without skin.
     Buffer<gpu::vec4> materials;  ///< As in SkinLooks.
     Buffer<gpu::uvec4> levels;
     Buffer<uint32_t> texels;
     Buffer<gpu::DrawElementsArguments> draws;  ///< Per wearer: the camera's, then the light's.
-    Buffer<uint32_t> placeCounts;              ///< Per wearer: how many of its vertices are posed.
+    Buffer<uint32_t> placeCounts;              ///< Per wearer: number of its posed vertices.
     Buffer<gpu::uvec4> places;                 ///< Per vertex of each wearer: place and normal.
 };
 

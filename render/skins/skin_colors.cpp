@@ -10,7 +10,7 @@ namespace knuckle {
 
 namespace {
 
-/// Pictures are read at a level of at most so many pixels a side, whose pixels are about as large as particles.
+/// Pictures are read at a level of at most this many pixels a side, whose pixels are about as large as particles.
 constexpr uint32_t COARSE_SIDE = 128;
 
 struct PaintedVertex {
@@ -35,7 +35,7 @@ Vector3f colorAt(const TexturePicture& picture, const Eigen::Vector2f& uv, const
     return unpackColor(packPixel(&picture.rgba[4 * index]));
 }
 
-/// Vertices by the body that moves them most, within the object.
+/// Vertices by the body with the largest weight, within the object.
 std::map<uint32_t, std::vector<PaintedVertex>> verticesOf(const SkinMesh& mesh)
 {
     std::vector<TexturePicture> pictures;
@@ -58,7 +58,7 @@ uint32_t nearestWord(const std::vector<PaintedVertex>& vertices, const Vector3f&
     return std::ranges::min_element(vertices, {}, distance)->word;
 }
 
-/// Of a body's particles.
+/// Paints a body's particles.
 void paintBody(const World& world, const Body& body, const std::vector<PaintedVertex>& vertices,
                std::span<uint32_t> words)
 {

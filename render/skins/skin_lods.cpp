@@ -12,21 +12,20 @@ namespace knuckle {
 
 namespace {
 
-/// Triangles of a level, of those of the one before: as many as are asked for, and as many as it may have to be worth
-/// its memory.
+/// Triangles of a level over those of the one before: the requested ratio, and the largest that is worth its memory.
 constexpr double WANTED = 0.67, WORTHWHILE = 0.8;
-/// The coarsest: its error in sizes of the mesh.
+/// Largest error of the coarsest level, in sizes of the mesh.
 constexpr float LAST_ERROR = 0.1f;
-/// A level of more triangles is what the next is simplified from: that adds its error to the next one's, and takes less
-/// time. Others are simplified from the same as the one before.
+/// The next level is simplified from a level with more triangles than this: that adds its error to the next one's, but
+/// saves time. Otherwise the next one is simplified from the same level as the one before.
 constexpr size_t MANY = 50'000;
 
-/// How far the middle of a joint is blown up: as curved as a bend by half a right angle makes it.
+/// How much the middle of a joint is inflated: as curved as a bend by half a right angle makes it.
 constexpr float BULGE = 2.0f;
 /// How far bodies are moved apart, in radii of their joints.
 constexpr float APART = 0.3f;
 
-/// Where the skin goes over from one body to another.
+/// Where the skin passes from one body to another.
 struct Bend {
     float weight = 0.0f, squares = 0.0f;
     Eigen::Vector3f sum{0, 0, 0};
@@ -63,7 +62,7 @@ Bends findBends(const SkinMesh& mesh)
     return bends;
 }
 
-/// The R2 sequence (Roberts 2018), which spreads directions evenly whatever their number.
+/// The R2 sequence (Roberts 2018), which spreads any number of directions evenly.
 Eigen::Vector3f directionOf(uint32_t index)
 {
     const auto number = static_cast<float>(index + 1);
@@ -73,8 +72,8 @@ Eigen::Vector3f directionOf(uint32_t index)
     return {across * std::cos(angle), height, across * std::sin(angle)};
 }
 
-/// Where vertices are simplified. A limb that is straight at rest must keep the rings at which it bends: so each body
-/// is moved in a direction of its own, by a part of how wide its joints are, and what bends is blown up.
+/// Places of vertices for simplification. A limb that is straight at rest must keep the rings at which it bends: so
+/// each body is moved in its own direction, by a part of the width of its joints, and joints are inflated.
 std::vector<Eigen::Vector3f> placesBent(const SkinMesh& mesh)
 {
     const Bends bends = findBends(mesh);
@@ -133,7 +132,7 @@ std::vector<Level> makeLevels(const SkinMesh& mesh)
     }
 }
 
-/// Per vertex, the number of levels that use it at least: those up to the coarsest that does.
+/// Per vertex, the number of levels down to the coarsest that uses it.
 std::vector<uint32_t> levelsOfVertices(const std::vector<Level>& levels, size_t vertexCount)
 {
     std::vector<uint32_t> uses(vertexCount, 0);

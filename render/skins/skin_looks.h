@@ -7,17 +7,17 @@
 
 namespace knuckle {
 
-/// The materials and pictures of all skins, as shaders/render/skins/skin_looks.glsl reads them.
+/// The materials and pictures of all skins, in the format of shaders/render/skins/skin_looks.glsl.
 struct SkinLooks {
     std::vector<gpu::vec4> materials;
     std::vector<gpu::uvec4> levels;
     std::vector<uint32_t> texels;
 
-    /// Adds those of a mesh. @returns the index of its first material.
+    /// Adds the materials and pictures of a mesh. @returns the index of its first material.
     uint32_t add(const SkinMesh& mesh);
 
 private:
-    /// The picture and its mipmap.
+    /// Adds the picture and its mipmap.
     void addPicture(TexturePicture picture);
 };
 

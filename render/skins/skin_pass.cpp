@@ -18,8 +18,7 @@ bool isTwoSided(const Skin& skin)
     return std::ranges::any_of(skin.mesh->materials, &SkinMaterial::twoSided);
 }
 
-/// Whether pixels of it need its materials: for pictures, for what is not there, or where some of it is seen from one
-/// side only.
+/// Whether its pixels need materials: for pictures, for cut-outs, or if some of it is visible from one side only.
 bool needsMaterials(const Skin& skin)
 {
     const auto& materials = skin.mesh->materials;
@@ -57,7 +56,7 @@ void SkinPass::update(KernelTimer& timer)
 
 void SkinPass::drawShadow(KernelTimer& timer) const
 {
-    // What faces away from the light casts the shadow, so that what faces it is not shaded by itself.
+    // Only faces turned away from the light cast shadows, so that lit faces do not shade themselves.
     draw(timer, shadow_, buffers_.wearerCount, GL_FRONT);
 }
 

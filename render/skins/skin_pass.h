@@ -7,7 +7,7 @@
 
 namespace knuckle {
 
-/// Draws the skins of objects, deformed on the device by where their bodies are, each as finely as it is seen.
+/// Draws the skins of objects, deformed on the device by their bodies' motion, with detail by their size on screen.
 class SkinPass {
 public:
     /// @param table must have "frame", "view", "bodyCentres" and "bodyRotations".
@@ -17,7 +17,7 @@ public:
     SkinPass& operator=(const SkinPass&) = delete;
 
     bool empty() const { return buffers_.wearerCount == 0; }
-    /// Poses what the draws of a frame need of the skins.
+    /// Poses the vertices that a frame's draw calls need.
     void update(KernelTimer& timer);
     /// Into the shadow map.
     void drawShadow(KernelTimer& timer) const;
@@ -25,7 +25,7 @@ public:
     void draw(KernelTimer& timer) const;
 
 private:
-    /// @param first of the draws of wearers. @param culled of one-sided skins.
+    /// @param first of the draws of wearers. @param culled faces of one-sided skins.
     void draw(KernelTimer& timer, const DrawPass& pass, uint32_t first, GLenum culled) const;
 
     SkinBuffers buffers_;

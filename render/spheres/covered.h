@@ -10,7 +10,7 @@ namespace knuckle {
 /// Whether a skin is drawn instead of any particles.
 bool coversParticles(const World& world);
 
-/// A bit a particle, 32 a word: set where a skin is drawn instead of it.
+/// A bit per particle, 32 a word: set if a skin is drawn instead of it.
 std::vector<uint32_t> coveredParticles(const World& world);
 
 }  // namespace knuckle

@@ -47,10 +47,10 @@ Vector3f fromOklch(float lightness, float chroma, float hue)
 
 Vector3f paletteColor(uint32_t index)
 {
-    // In double: a float has lost the fraction by the millionth particle.
+    // In double: for the millionth particle a float would have lost the fraction.
     const double turns = 0.08 + index * (std::numbers::phi - 1.0);
     const double hue = (turns - std::floor(turns)) * 2.0 * std::numbers::pi;
-    // Three tones, so that hues that come round again still differ.
+    // Three tones, so that repeated hues still differ.
     const float tone = static_cast<float>(index % 3);
     return fromOklch(0.70f - 0.06f * tone, 0.125f + 0.01f * tone, static_cast<float>(hue));
 }

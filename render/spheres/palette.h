@@ -15,7 +15,7 @@ Vector3f fromOklch(float lightness, float chroma, float hue);
 /// The colour number `index` of an endless palette whose neighbours differ: hues a golden section apart.
 Vector3f paletteColor(uint32_t index);
 
-/// A word of packColor() per particle; 0 where the GPU makes it from the speed.
+/// A word of packColor() per particle; 0 if the GPU computes it from the speed.
 std::vector<uint32_t> particleColors(const World& world, const RenderSettings& settings);
 
 }  // namespace knuckle

@@ -10,7 +10,7 @@ namespace {
 
 constexpr size_t CELL_COUNT = size_t{BURIAL_CELLS} * BURIAL_CELLS * BURIAL_CELLS;
 
-/// Runs of LIST_CHUNK particles at most, with one more for where solids end and fluids begin.
+/// Runs of at most LIST_CHUNK particles, with one more for the border between solids and fluids.
 size_t runLimit(size_t particleCount)
 {
     return (particleCount + LIST_CHUNK - 1) / LIST_CHUNK + 1;

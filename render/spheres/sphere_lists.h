@@ -7,11 +7,11 @@
 
 namespace knuckle {
 
-/// Spheres that are listed apart from others.
+/// Spheres that are listed separately.
 enum class SphereGroup : uint32_t { Solid = SOLID_SPHERES, Fluid = FLUID_SPHERES };
 
-/// Lists, on the device, which particles the camera and the key light can see. Buried ones are in neither list, nor are
-/// those that skins cover.
+/// Lists, on the device, which particles the camera and the key light can see. Buried particles, and those that skins
+/// cover, are in neither list.
 class SphereLists {
 public:
     /// Adds "sphereList" and its own buffers to the table, which must have "frame", "view" and "positions".
@@ -25,7 +25,7 @@ public:
 
 private:
     uint32_t particleCount_;
-    Buffer<uint32_t> covered_;  ///< A bit a particle.
+    Buffer<uint32_t> covered_;  ///< A bit per particle.
     Buffer<uint32_t> drawKinds_, list_, cells_, buried_;
     Buffer<gpu::uvec4> counts_;
     Buffer<gpu::DrawArguments> draws_;

@@ -10,7 +10,7 @@ namespace knuckle {
 /// Draws listed particles as opaque spheres.
 class SpherePass {
 public:
-    /// @param table must have "frame", "view", "positions", "velocities" and what SphereLists adds.
+    /// @param table must have "frame", "view", "positions", "velocities" and the buffers that SphereLists adds.
     SpherePass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings,
                const RenderTargets& targets);
     SpherePass(const SpherePass&) = delete;
@@ -26,7 +26,7 @@ private:
     DrawPass points_, quads_, shadow_;
 };
 
-/// gl_PointSize beyond which spheres are listed as quads [pixels].
+/// gl_PointSize above which spheres are listed as quads [pixels].
 float pointSizeLimit();
 
 }  // namespace knuckle

@@ -18,10 +18,10 @@ namespace {
 
 using Eigen::AlignedBox3f;
 
-/// From where a scene looks best: a little to the right, a little from above.
+/// The best direction to look at a scene from: a little from the right, a little from above.
 constexpr float PLEASANT_AZIMUTH = 28.0f * DEGREE;
 constexpr float PLEASANT_ELEVATION = 17.0f * DEGREE;
-/// Share of the picture that a followed object takes.
+/// Share of the picture that a followed object fills.
 constexpr float FOLLOWED_SHARE = 0.8f;
 
 AlignedBox3f grown(AlignedBox3f box, float sideways, float upwards)
@@ -38,7 +38,7 @@ bool moves(const World& world, uint32_t collider)
     });
 }
 
-/// The start, and some more in which what moves gets to most of where it does [s].
+/// The start, and some later times at which moving things reach most of their places [s].
 std::vector<double> timesOfMotions(const World& world)
 {
     constexpr int SAMPLES = 24;
@@ -74,7 +74,7 @@ const Object& followedObject(const World& world, const std::string& name)
                                  name));
 }
 
-/// Radius of the sphere about the middle of an object that holds its particles: in any pose, nearly [m].
+/// Radius of the sphere about the middle of an object that holds its particles in nearly any pose [m].
 float reachOf(const World& world, const Object& object)
 {
     std::vector<Vector3f> positions;
@@ -102,11 +102,11 @@ SceneExtent sceneExtent(const World& world)
     if (box.isEmpty()) box = extent.solids;
     if (box.isEmpty()) box = {Vector3f(-1, 0, -1), Vector3f(1, 1, 1)};
     if (extent.groundCollider != NO_INDEX) box.extend(Vector3f(box.center().x(), extent.ground, box.center().z()));
-    // A huge obstacle (a floor made of a box) must not make the actors tiny.
+    // A huge obstacle (such as a box as floor) must not make the actors tiny.
     const float height = box.sizes().y(), reach = box.sizes().maxCoeff();
     const AlignedBox3f near = grown(box, 0.75f * reach, 0.5f * reach);
     const AlignedBox3f seenSolids = extent.solids.isEmpty() ? extent.solids : near.intersection(extent.solids);
-    // What falls spreads.
+    // Falling things spread.
     extent.stage = grown(box, 0.08f * height, 0.0f);
     if (!seenSolids.isEmpty()) extent.stage.extend(seenSolids);
     if (extent.groundCollider == NO_INDEX) extent.ground = extent.stage.min().y();
@@ -130,7 +130,7 @@ Camera::Camera(const CameraSettings& settings, const World& world, float aspect)
         mode_ = CAMERA_FOLLOWS;
         followed_ = {object.bodyStart, object.bodyCount};
         const float slope = FOLLOWED_SHARE * tanHalfFov_ * std::min(1.0f, aspect);
-        // A sphere touches the cone of view at a sine.
+        // A sphere touches the view cone at a sine.
         if (settings.automatic) start_.position *= reachOf(world, object) * std::sqrt(1.0f + 1.0f / (slope * slope));
     }
     if (!(start_.position - start_.target).allFinite() || (start_.position - start_.target).norm() < 1e-6f)

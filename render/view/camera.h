@@ -8,19 +8,19 @@
 
 namespace knuckle {
 
-/// Where things are at the start and where they will fall, for framing and for the light [m].
+/// Extent of things at the start and where they will fall, for framing and for the light [m].
 struct SceneExtent {
-    Eigen::AlignedBox3f stage;           ///< What a picture should show.
-    Eigen::AlignedBox3f limit;           ///< Beyond it nothing casts a shadow.
-    Eigen::AlignedBox3f solids;          ///< Visible finite colliders; empty without any.
+    Eigen::AlignedBox3f stage;           ///< The part that a picture should show.
+    Eigen::AlignedBox3f limit;           ///< Nothing casts a shadow beyond it.
+    Eigen::AlignedBox3f solids;          ///< Visible finite colliders; empty if there are none.
     float size = 1.0f;                   ///< Largest side of the stage, > 0.
-    float ground = 0.0f;                 ///< Height of the ground plane, or the stage's floor where there is none.
-    uint32_t groundCollider = NO_INDEX;  ///< The highest level plane, of those that are seen where there are some.
+    float ground = 0.0f;                 ///< Height of the ground plane, or the stage's floor if there is none.
+    uint32_t groundCollider = NO_INDEX;  ///< The highest level plane, among the visible ones if there are any.
 };
 
 SceneExtent sceneExtent(const World& world);
 
-/// A camera at one moment, before the GPU moves it: an offset from what it follows, or the side from which it looks.
+/// A camera at one moment, before the GPU moves it: an offset from what it follows, or the side that it looks from.
 struct CameraAim {
     Vector3f position, target;
 };
@@ -30,10 +30,10 @@ struct BodyRange {
     uint32_t start = 0, count = 0;
 };
 
-/// The camera of a scene, except for what only the GPU knows.
+/// The camera of a scene, as far as the host knows it.
 class Camera {
 public:
-    /// @throws InputError for an unknown object, or where position and target are the same.
+    /// @throws InputError for an unknown object, or if position and target are equal.
     Camera(const CameraSettings& settings, const World& world, float aspect);
 
     CameraAim at(double time) const;

@@ -16,7 +16,7 @@ CameraSettings cameraThatFrames(const Framing& framing)
     const Vector3f right = levelRight(framing.back), up = framing.back.cross(right);
     const float half = framing.share * std::tan(0.5f * DEGREE * framing.fieldOfView);
     const Array2f slope(half * framing.aspect, half);
-    // Along each side of the view a point asks the camera to stand so far out or away.
+    // For each side of the view, how far out or away a point requires the camera to be.
     Array2f most = Array2f::Constant(-1e30f), least = Array2f::Constant(1e30f);
     for (const Vector3f& point : framing.points) {
         const Array2f side(point.dot(right), point.dot(up)), reach = framing.radius * (1.0f + slope.square()).sqrt();

@@ -4,7 +4,7 @@ namespace knuckle {
 
 ViewPasses::ViewPasses(const Gpu& gpu, BufferTable& table)
 {
-    table.add(Lifetime::State, view_);  // of an automatic camera, which follows from where it was
+    table.add(Lifetime::State, view_);  // for an automatic camera, whose place follows from its last one
     table.add(Lifetime::Scratch, boxes_);
     bounds_ = Kernel(gpu, table, "render/view/frame_bounds.comp");
     camera_ = Kernel(gpu, table, "render/view/frame_camera.comp");

@@ -5,7 +5,7 @@
 
 namespace knuckle {
 
-/// Finds the frame's view on the device, since only it knows where particles are.
+/// Computes the frame's view on the device, since only the device knows where particles are.
 class ViewPasses {
 public:
     /// Adds "view" to the table, which must have "frame", "positions" and "bodyCentres".
@@ -15,7 +15,7 @@ public:
 
     /// Aims the camera.
     void aim(KernelTimer& timer) const;
-    /// Fits the shadow map and the burial grid to what is there.
+    /// Fits the shadow map and the burial grid to the scene's contents.
     void fit(KernelTimer& timer) const;
 
 private:

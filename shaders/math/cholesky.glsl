@@ -1,5 +1,5 @@
-// L D L^T of symmetric positive matrices: solving by it leaves a residual as small as rounding, however much the matrix
-// is harder in one direction than in another (Golub and Van Loan, Matrix Computations, 4.1). An inverse does not.
+// L D L^T of symmetric positive matrices: solving by it leaves a residual as small as rounding, even if the matrix is
+// much harder in one direction than in another (Golub and Van Loan, Matrix Computations, 4.1). An inverse does not.
 
 struct Cholesky {
     vec3 inversePivots;

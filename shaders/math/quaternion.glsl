@@ -1,6 +1,6 @@
 // Quaternions xyzw.
 
-/// `from`, moved on as far as a turn moves v.
+/// `from`, moved by as much as a turn moves v.
 vec3 movedByTurn(vec3 from, vec4 q, vec3 v)
 {
     vec3 t = 2.0 * cross(q.xyz, v);
@@ -37,7 +37,7 @@ vec4 quaternionFromSmallRotation(vec3 w)
     return vec4((0.5 - square * (1.0 / 48.0 - square / 3840.0)) * w, 1.0 - square * (0.125 - square / 384.0));
 }
 
-/// How far a turn moves v, exact where it is small.
+/// How far a turn moves v, exact for small turns.
 vec3 moveByTurn(vec4 q, vec3 v)
 {
     return movedByTurn(vec3(0), q, v);
@@ -48,7 +48,7 @@ mat3 matrixFromQuaternion(vec4 q)
     return mat3(rotate(q, vec3(1, 0, 0)), rotate(q, vec3(0, 1, 0)), rotate(q, vec3(0, 0, 1)));
 }
 
-/// What a turn changes in the columns of a rotation's matrix.
+/// The change of the columns of a rotation's matrix by a turn.
 mat3 turnOfAxes(vec4 rotation, vec4 turn)
 {
     mat3 axes = matrixFromQuaternion(rotation);
@@ -57,7 +57,7 @@ mat3 turnOfAxes(vec4 rotation, vec4 turn)
 
 vec4 quaternionFromMatrix(mat3 m)
 {
-    // The largest component first, so that the division is safe.
+    // Uses the largest component, so that the division is safe.
     float t = m[0][0] + m[1][1] + m[2][2];
     vec4 q;
     if (t > 0.0)

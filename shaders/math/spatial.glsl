@@ -1,5 +1,5 @@
-// Small motions and forces of bodies in six dimensions: a place, and a turn about it (Featherstone 2008, who has the
-// turn first).
+// Small motions and forces of bodies in six dimensions: a place, and a turn about it (in Featherstone 2008 the turn
+// comes first).
 #include "math/symmetric.glsl"
 
 struct Motion {
@@ -23,14 +23,14 @@ Force scaled(Force f, float s)
     return Force(s * f.t, s * f.r);
 }
 
-/// What gives the force that a motion takes: [a, b^T; b, d], a and d symmetric.
+/// Maps a motion to the force that it needs: [a, b^T; b, d], a and d symmetric.
 struct Inertia {
     mat3 a;   // [kg]
     mat3 b;   // moments of moving [kg m]
     mat3 d;   // [kg m2]
 };
 
-/// The mass of an Inertia's a, which differs by direction where joints let go: on the mean [kg].
+/// The mean mass of an Inertia's a, which differs by direction where joints let go [kg].
 float meanMass(mat3 a)
 {
     return (a[0][0] + a[1][1] + a[2][2]) / 3.0;
@@ -42,7 +42,7 @@ mat3 crossMatrix(vec3 v)
     return mat3(0, v.z, -v.y, -v.z, 0, v.x, v.y, -v.x, 0);
 }
 
-/// Seen from the point at `arm` from where it was.
+/// The same inertia seen from the point at `arm` from the old one.
 Inertia shifted(Inertia m, vec3 arm)
 {
     mat3 x = crossMatrix(arm), bx = m.b * x, xax = transpose(x) * m.a * x;
@@ -74,14 +74,14 @@ Inertia add(Inertia x, Inertia y)
     return Inertia(x.a + y.a, x.b + y.b, x.d + y.d);
 }
 
-/// The inverse of an inertia, what gives the motion that a force makes: [a, b^T; b, d].
+/// The inverse of an inertia, which maps a force to the motion that it makes: [a, b^T; b, d].
 struct Response {
     mat3 a;   // [1/kg]
     mat3 b;   // [1/(kg m)]
     mat3 d;   // [1/(kg m2)]
 };
 
-/// Seen from the point at `arm` from where it was.
+/// The same response seen from the point at `arm` from the old one.
 Response shifted(Response w, vec3 arm)
 {
     mat3 x = crossMatrix(-arm), xb = x * w.b;

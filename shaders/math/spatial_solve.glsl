@@ -1,8 +1,8 @@
-// Which motion a force gives to an inertia.
+// The motion of an inertia for a force.
 #include "math/cholesky.glsl"
 #include "math/spatial.glsl"
 
-/// What resists moves where turns are let go, one after another: a - b^T d^-1 b.
+/// The resistance to moves if turns are free: a - b^T d^-1 b.
 mat3 withoutTurns(Inertia m, Cholesky d)
 {
     mat3 turns = transpose(mat3(forward(d, m.b[0]), forward(d, m.b[1]), forward(d, m.b[2])));
@@ -11,10 +11,10 @@ mat3 withoutTurns(Inertia m, Cholesky d)
     return left;
 }
 
-/// An inertia made ready to be solved.
+/// An inertia factored for solving.
 struct FactoredInertia {
     Cholesky turn;   // of d
-    Cholesky move;   // of what is left of a without turns
+    Cholesky move;   // of the rest of a without turns
     mat3 b;
 };
 

@@ -1,4 +1,4 @@
-// Structs of animations that C++ and GLSL share; as in gpu_types.h, of scalars of four bytes and vectors of sixteen.
+// Structs of animations that C++ and GLSL share; as in gpu_types.h, of four-byte scalars and sixteen-byte vectors.
 #ifndef KNUCKLE_ANIMATION_TYPES_H
 #define KNUCKLE_ANIMATION_TYPES_H
 
@@ -11,7 +11,7 @@ namespace knuckle::gpu {
 // A body that a clip moves.
 struct AnimatedBody {
     uint mover;
-    uint parent;                    // among these; NO_INDEX of the first of its object
+    uint parent;                    // among these; NO_INDEX for the first of its object
     uint animation;
     uint turn;                      // its place in a key
     vec4 centre;                    // xyz: its mass centre at rest [m]
@@ -21,7 +21,7 @@ struct AnimatedBody {
 // A collider that a clip moves.
 struct MovingCollider {
     uint collider;
-    uint animation;                 // of the frame that it stands in
+    uint animation;                 // of its frame
     float reach;                    // from its place to its farthest point [m]
     uint unused0;
     vec4 position;                  // xyz: in that frame [m]
@@ -33,11 +33,11 @@ struct Animation {
     vec4 rotation;
     uint firstPlay;
     uint playCount;
-    uint puppet;                    // NO_INDEX where it is never driven
+    uint puppet;                    // NO_INDEX if it is never driven
     uint unused1;
 };
 
-// A clip as it is played.
+// A play of a clip.
 struct ClipPlay {
     uint firstTurn;                 // of its first key, among all clips' turns
     uint firstRoot;
@@ -49,10 +49,10 @@ struct ClipPlay {
     float fade;                     // [s]
     uint loop;
     uint inPlace;
-    float yaw;                      // turn about y that it is put with [rad]
-    float roundYaw;                 // and that each round adds; 0: roundShift is a shift
+    float yaw;                      // its turn about y [rad]
+    float roundYaw;                 // and that of each round; 0: roundShift is a shift
     vec4 shift;                     // xyz [m]
-    vec4 roundShift;                // xyz: of a round, or the point that it turns about [m]
+    vec4 roundShift;                // xyz: shift of a round, or the point that it turns about [m]
 };
 
 #ifdef __cplusplus

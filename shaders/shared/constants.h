@@ -4,15 +4,15 @@
 
 // Threads in a work group. llvmpipe is 30-40 % slower at 256.
 #define GROUP_SIZE 64
-// Threads that reduce one body together, where ReductionKind::Group is chosen.
+// Threads that reduce one body together, with ReductionKind::Group.
 #define BODY_GROUP_SIZE 32
 // Values that one thread of a prefix sum adds up.
 #define SCAN_CHUNK 64
-// Cells of the grid that are listed once more behind the last, so that no range of neighbours wraps.
+// Cells of the grid that are listed again after the last, so that no range of neighbours wraps.
 #define WRAPPED_CELLS 9
-// Cells of the fluids' grid along x that are as long together as one is wide: rows of candidates end closer.
+// Cells of the fluids' grid along x per width of a cell: rows of candidates end closer.
 #define FINE_CELLS 4
-// Threads in a work group that solves strands: there are few, and each is long.
+// Threads in a work group that solves strands: there are few strands, and each takes long.
 #define DISTANCE_GROUP_SIZE 8
 // Slots whose lists of neighbours lie together.
 #define NEIGHBOUR_BLOCK 32u
@@ -32,56 +32,56 @@
 
 // Threads in a work group that solves joints: each takes a tree.
 #define TREE_GROUP_SIZE 8
-// How a joint lets its body turn: not at all, about one axis, freely; and what a root has that nothing holds.
+// How a joint lets its body turn: not at all, about one axis, freely; and that of a root that nothing holds.
 #define JOINT_STIFF 0u
 #define JOINT_HINGE 1u
 #define JOINT_BALL 2u
 #define JOINT_NONE 3u
 
-// latticeEnds[], beside SurfaceDistance::ends: the particle is of a ball or a capsule; it stands for it at colliders.
+// latticeEnds[], besides SurfaceDistance::ends: the particle belongs to a ball or a capsule; it meets colliders for it.
 #define LATTICE_ENDS 63u
 #define IN_ROUND 64u
 #define CARRIES_ROUND 128u
 
-// moverStates[]: what a mover does now (sim/common/bodies/mover_info.glsl). Kernels write it, too.
+// moverStates[]: current state of a mover (sim/common/bodies/mover_info.glsl). Kernels write it, too.
 #define MOVER_DYNAMIC 0u
-#define MOVER_ANIMATED 1u           // it moves as it is told and answers to nothing
+#define MOVER_ANIMATED 1u           // it moves as its clip says and answers to nothing
 #define MOVER_FIXED 2u
 #define MOVER_ASLEEP 3u
-// A substep that no other follows.
+// A substep after all others.
 #define NO_SUBSTEP 0x7fffffffu
 
 // Particle::body of a fluid particle.
 #define IN_FLUID 0xfffffffeu
 
 // Dispatches whose sizes the GPU decides (Stages::dispatches).
-#define DISPATCH_PARTICLES 0        // this and the next seven: none where contacts were not found anew
+#define DISPATCH_PARTICLES 0        // this and the next seven: zero without a new search for contacts
 #define DISPATCH_CELL_CHUNKS 1
 #define DISPATCH_LIST_CHUNKS 2
 #define DISPATCH_MOVERS 3
 #define DISPATCH_NEW_PAIRS 4
 #define DISPATCH_NEW_COLLIDER_PAIRS 5
-#define DISPATCH_FAST 6             // particles that find contacts from afar
+#define DISPATCH_FAST 6             // particles that look further for contacts
 #define DISPATCH_CANDIDATES 7
 #define DISPATCH_PAIRS 8
 #define DISPATCH_COLLIDER_PAIRS 9
-#define DISPATCH_SLOTS 10           // of fluids, where there are emitters or drains
+#define DISPATCH_SLOTS 10           // of fluids, if there are emitters or drains
 #define DISPATCH_EMIT 11
 #define DISPATCH_COUNT 12
 
-// By how much longer contacts are to stay good where few things are fast.
+// Factor by which contacts should stay valid longer if few things are fast.
 #define FAR_SIGHT 3.0f
 
 // A body that turns by more than half a radian in a substep (4 (1 - cos 0.5)) loses some of its spin.
 #define LONGEST_CHORD 0.49f
 
-// Of the multipliers of fluids: at 1 resting water boils.
+// Relaxation of fluids' multipliers: at 1 resting water boils.
 #define FLUID_RELAXATION 0.45f
-// Of its last move, what a fluid particle does again in the next pass before the first step. Above 0.95 it runs on.
+// Part of its last move that a fluid particle repeats in the next pass before the first step. Above 0.95 it overshoots.
 #define FLUID_MOMENTUM 0.9f
-// More than this of too much density is not taken back at a time: a limit that keeps momentum.
+// Largest excess of density that is corrected at a time: a limit that keeps momentum.
 #define MOST_FLUID_ERROR 1.0f
-// Among solids, fluid gets no faster than they and it were by more than this [m/s2].
+// Between solids, a fluid particle accelerates beyond its own and their largest speed by no more than this [m/s2].
 #define MOST_SQUEEZE 100.0f
 // k of s_corr (Macklin and Mueller 2013, eq. 13), as a share of the multipliers: 0.1 at a fifth of the reach.
 #define FLUID_REPULSION 0.34f

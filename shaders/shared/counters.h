@@ -17,7 +17,7 @@ namespace knuckle::gpu {
 
 // Written by kernels, read once a frame. 72 bytes.
 struct Counters {
-    // Problems: PROBLEM_*, one particle that has them, and the room that would have been enough.
+    // Problems: PROBLEM_*, one particle that has them, and the capacities that would have sufficed.
     uint problems;
     uint badParticle;               // one particle that turned NaN
     uint wantedCandidates;          // most contacts that a search would have found
@@ -26,7 +26,7 @@ struct Counters {
     uint wantedNeighbours;          // most that a particle would have had in fluids
     // Substeps and searches.
     uint substep;                   // substeps since the start
-    uint due;                       // somebody has used up its margin
+    uint due;                       // something has used up its margin
     uint searchCount;               // times the candidates were found
     uint listParity;                // which half of the candidate lists is current
     uint pairCount;                 // contacts between particles, touching or about to
@@ -34,9 +34,9 @@ struct Counters {
     uint fastCount;                 // particles of movers that will soon leave their margin
     uint fastListed;                // those of them that look further for contacts
     uint fastLater;                 // particles of movers that will leave it in FAR_SIGHT times as long
-    uint candidateCount;            // contacts of all kinds that this search has found
-    uint freeMoved;                     // something is neither animated nor fixed; only where anything is animated
-    uint farSighted;                    // 1: so few in the last search that contacts are found for as long as that
+    uint candidateCount;            // contacts of all kinds found in this search
+    uint freeMoved;                     // something is neither animated nor fixed; only set if anything is animated
+    uint farSighted;                    // 1: the last search found few of these, so contacts are found for that long
 };
 
 #ifdef __cplusplus

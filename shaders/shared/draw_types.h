@@ -1,4 +1,4 @@
-// What draws read and are told, shared by the renderer's host code and shaders.
+// Inputs of draws, shared by the renderer's host code and shaders.
 #ifndef KNUCKLE_DRAW_TYPES_H
 #define KNUCKLE_DRAW_TYPES_H
 
@@ -8,19 +8,18 @@
 namespace knuckle::gpu {
 #endif
 
-// Vertices of a wearer's skin that a group of threads poses, each some of them; a wearer's begin with a group of their
-// own.
+// Vertices of a wearer's skin that a group of threads poses, each several of them; each wearer starts a new group.
 #define SKIN_GROUP_SIZE 512u
-// Texels of the shadow map that the surface of a level of detail may be off for each pixel of the picture.
+// Tolerated error of a level of detail in texels of the shadow map, per pixel of the tolerance in the picture.
 #define SKIN_TEXELS_A_PIXEL 1.5f
 
-// Of a corner of a mark: place from the centre of its body, w: body; place of the other end of its stroke; how far it
-// is moved along the stroke and across it, in heights of the picture; colour, as displayed.
+// Per corner of a mark: place from the centre of its body, w: body; place of the other end of its stroke; shift along
+// the stroke and across it, in heights of the picture; colour, as displayed.
 #define MARK_TEXELS 4
-// Instead of a body: the place is one on the picture, from its upper left corner, in heights of it.
+// In place of a body: the place is on the picture, from its upper left corner, in heights of the picture.
 #define MARK_ON_PICTURE -1.0f
 
-// Which spheres a list has, and how they are drawn from it; each list has draw arguments of its own.
+// Spheres of a list, and how they are drawn from it; each list has its own draw arguments.
 #define SOLID_SPHERES 0
 #define FLUID_SPHERES 1
 #define POINT_DRAW 0
@@ -48,15 +47,15 @@ struct DrawElementsArguments {
     uint baseInstance;
 };
 
-// What of a vertex of a skin moves. Bodies are those within the object, heaviest first.
+// The data of a skin's vertex for moving it. Bodies are those within the object, heaviest first.
 struct SkinVertex {
     float placeX;               // in the rest pose of its object [m]
     float placeY;
     float placeZ;
-    uint normalXY;              // 16 bits each, as packSnorm2x16() has them
+    uint normalXY;              // 16 bits each, in the format of packSnorm2x16()
     uint bodies01;              // 16 bits each
     uint bodies23;
-    uint weights12;             // as packUnorm2x16() has them; the first body has what the others leave of 1
+    uint weights12;             // in the format of packUnorm2x16(); the first body has the rest of 1
     uint normalZWeight3;
 };
 
@@ -64,7 +63,7 @@ struct SkinVertex {
 struct SkinLod {
     uint firstIndex;
     uint indexCount;
-    uint vertexCount;           // it uses the first so many vertices of the skin
+    uint vertexCount;           // it uses this many of the skin's vertices, from the first on
     float error;                // [m]
 };
 
@@ -72,7 +71,7 @@ struct SkinLod {
 struct SkinWearer {
     uint firstBody;
     uint bodyCount;
-    uint firstPlace;            // of its vertices, where they are now; whole groups
+    uint firstPlace;            // of its vertices' current places; whole groups
     uint firstLod;
     uint lodCount;
     uint unused0;

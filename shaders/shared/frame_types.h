@@ -1,5 +1,5 @@
-// What the renderer's host code and shaders share. Only 4-byte scalars and 16-byte vectors, all blocks padded to whole
-// vectors, so that std140, std430 and C++ agree on every offset; a test compares them with the driver's.
+// Data that the renderer's host code and shaders share. Only 4-byte scalars and 16-byte vectors, all blocks padded to
+// whole vectors, so that std140, std430 and C++ agree on every offset; a test compares them with the driver's.
 #ifndef KNUCKLE_FRAME_TYPES_H
 #define KNUCKLE_FRAME_TYPES_H
 
@@ -10,22 +10,22 @@ namespace knuckle::gpu {
 #endif
 
 #define RENDER_GROUP_SIZE 64
-// Where the camera is: as told, moving with an object, or where it sees all particles from one side or all around.
+// The camera's place: as set, moving with an object, or where it sees all particles from one side or all around.
 #define CAMERA_FIXED 0u
 #define CAMERA_FOLLOWS 1u
 #define CAMERA_FRAMES 2u
 #define CAMERA_FRAMES_AROUND 3u
-// Threads that share the particles when their bounds are sought.
+// Threads that share the particles for finding their bounds.
 #define BOUNDS_THREADS 256
-// Cells a side of the grid in which buried particles are found.
+// Cells per side of the grid for finding buried particles.
 #define BURIAL_CELLS 32
-// The space that a particle takes, to be counted in integers.
+// The space of a solid particle, counted in integers.
 #define SPACE_UNITS 64u
 // Radius of fluid particles in their rest distances: they overlap a little, so that still water has no holes.
 #define FLUID_RADIUS 0.58f
 // Particles that one thread counts and lists, in order: solids or fluids.
 #define LIST_CHUNK 64
-// Pixels a side of the tiles that the edge filter takes or leaves.
+// Pixels per side of the tiles that the edge filter processes or skips.
 #define EDGE_TILE 16
 
 // The one block that the host writes each frame.
@@ -33,21 +33,21 @@ struct FrameInput {
     vec4 cameraPosition;        // xyz [m]; CAMERA_FOLLOWS: from the object; CAMERA_FRAMES: only its direction counts
     vec4 cameraTarget;          // xyz [m]
     vec4 keyDirection;          // xyz towards the light, unit; w: tangent of its angular radius
-    vec4 keyColor;              // rgb; w: how far the surface of a skin's level of detail may be off [pixels]
+    vec4 keyColor;              // rgb; w: tolerated error of a skin's level of detail [pixels]
     vec4 skyColor;              // rgb
     vec4 groundColor;           // rgb: light from below; w: exposure
     vec4 groundAlbedo;          // rgb; w: height of the ground [m]
-    vec4 shadowLimitLow;        // xyz [m]: shadows are cast within these bounds at most
+    vec4 shadowLimitLow;        // xyz [m]: only things within these bounds cast shadows
     vec4 shadowLimitHigh;
     vec4 solidLow;              // xyz [m]: bounds of the colliders that cast shadows; low > high for none
     vec4 solidHigh;
-    uint width;                 // of the picture as drawn, before the resolve [pixels]
+    uint width;                 // of the drawn picture, before the resolve [pixels]
     uint height;
     uint particleCount;
     uint cameraMode;            // CAMERA_*
     float radius;               // [m]
     float tanHalfFov;           // vertical
-    float farDepth;             // view depth that the depth buffer's 1 stands for [m]
+    float farDepth;             // view depth for the depth buffer's 1 [m]
     float pointSizeLimit;       // largest gl_PointSize of the driver [pixels]
     float speedScale;           // [m/s]
     float shadowSize;           // texels a side of the shadow map
@@ -57,21 +57,21 @@ struct FrameInput {
     uint followedBodyStart;     // CAMERA_FOLLOWS: bodies of the object
     uint followedBodyCount;
     float trackSeconds;         // since the camera last looked [s]; below 0: it has not looked yet
-    uint solidCount;            // those behind the first so many particles are fluid
+    uint solidCount;            // particles after these are fluid
     float fluidRadius;          // [m]
-    uint fluidSpace;            // of the space that a solid particle takes, in 1 / SPACE_UNITS
+    uint fluidSpace;            // over the space of a solid particle, in 1 / SPACE_UNITS
     uint resolveFactor;         // samples an axis of a pixel of the frame
 };
 
-// What one thread of frame_bounds.comp finds.
+// Results of one thread of frame_bounds.comp.
 struct ParticleBounds {
     vec4 low;                   // xyz [m]
     vec4 high;
-    vec4 sum;                   // xyz [m]: of positions from the middle of the shadow limits; w: how many there are
+    vec4 sum;                   // xyz [m]: of positions from the middle of the shadow limits; w: their number
     vec4 squares;               // xyz [m2]
 };
 
-// What frame_camera.comp and frame_view.comp derive from both on the GPU.
+// Values that frame_camera.comp and frame_view.comp compute from both on the GPU.
 struct FrameView {
     vec4 cameraRight;           // xyz; w unused
     vec4 cameraUp;
@@ -82,13 +82,13 @@ struct FrameView {
     vec4 lightCentre;           // xyz; w: half the side of the square it covers [m]
     vec4 lightDepth;            // x: half the depth range [m]
     vec4 cellOrigin;            // xyz [m]: lowest corner of the burial grid
-    vec4 cellSize;              // xyz [m]; w: what particles take of a cell that counts as full
+    vec4 cellSize;              // xyz [m]; w: space of particles from which on a cell counts as full
     vec4 viewToLightX;          // light clip coordinates from view space: dot(xyz, p) + w
     vec4 viewToLightY;
     vec4 viewToLightZ;
     vec4 keyInView;             // xyz: keyDirection in view space
     vec4 upInView;              // xyz: +Y in view space
-    vec4 shadedInLight;         // shadow map coordinates (left, bottom, right, top): outside nothing shades the ground
+    vec4 shadedInLight;         // shadow map coordinates (left, bottom, right, top): the ground outside is not shaded
     vec4 particleLow;           // xyz [m]: bounds of the particles' centres
     vec4 particleHigh;
     vec4 trackedLow;            // xyz [m]: what the camera shows or follows, smoothed; kept from frame to frame

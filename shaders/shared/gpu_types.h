@@ -30,7 +30,7 @@ struct Particle {
     uint material;
 };
 
-// Where a particle stands in the order of contact lists: by mover, then by its own index.
+// The place of a particle in the order of contact lists: by mover, then by its own index.
 struct ParticleRank {
     uint mover;
     uint rank;
@@ -49,22 +49,22 @@ struct Mover {
     uint firstRank;                 // its particles in the order of contact lists
     uint rankCount;
     uint assembly;
-    float inverseMass;              // [1/kg], of what does not respond, too: moverStates says so
+    float inverseMass;              // [1/kg], also of movers that do not respond: moverStates tells
 };
 
 // What never changes about a joint of a tree, or one that closes a loop; its body is the one further from the root.
 struct Joint {
     uint body;
-    uint parent;                    // NO_INDEX of a root that nothing holds
-    uint bodyJoint;                 // the body's own joint in its tree, of a loop too
-    uint parentJoint;               // the parent's; NO_INDEX of one that never responds
-    uint row;                       // of the channel; NO_INDEX where there is none
+    uint parent;                    // NO_INDEX for a root that nothing holds
+    uint bodyJoint;                 // the body's own joint in its tree, also for a loop
+    uint parentJoint;               // the parent's; NO_INDEX if it never responds
+    uint row;                       // of the channel; NO_INDEX for none
     uint parentRow;
-    uint firstChild;                // joints that hang on the body, of a tree's joint
+    uint firstChild;                // joints that hang on the body, for a tree's joint
     uint childEnd;
 };
 
-// How far a joint turns.
+// The range of a joint.
 struct JointRange {
     float swing;                    // of its x axes against each other [rad]; more than half a turn: no limit
     float lowest;                   // turns about x [rad]
@@ -74,13 +74,13 @@ struct JointRange {
 
 // What never changes about a cluster of a soft body.
 struct Cluster {
-    uint linkStart;                 // its block of links, behind those of all bodies; their rbIndex is the cluster
+    uint linkStart;                 // its block of links, after those of all bodies; their rbIndex is the cluster
     uint linkCount;
     uint softBody;
     uint assembly;
 };
 
-// What a soft body is made of; moduli over its density.
+// Properties of a soft body; moduli over its density.
 struct SoftMatter {
     float shear;                    // twice the shear modulus (Lame's mu) [m2/s2]
     float dilation;                 // Lame's lambda [m2/s2]
@@ -103,10 +103,10 @@ struct Collider {
 
 // What never changes about an emitter.
 struct Emitter {
-    vec4 velocity;                  // of what leaves it [m/s]; w: fluid nearer than this is in the way [m]
-    uvec4 clock;                    // layers that are past at startStep and a step, both 64 bits of 2^-32, low first
+    vec4 velocity;                  // of its particles [m/s]; w: fluid nearer than this is in the way [m]
+    uvec4 clock;                    // layers before startStep and per step, both 64 bits of 2^-32, low first
     uint startStep;                 // layers leave at the end of this step at the earliest
-    uint layerLimit;                // as many leave until it stops
+    uint layerLimit;                // number of layers until it stops
     uint firstPoint;                // in nozzlePoints
     uint pointCount;                // particles of a layer
     uint poolStart;                 // in poolOrder
@@ -115,7 +115,7 @@ struct Emitter {
     float interval;                 // between layers [s]
 };
 
-// What an emitter does in a step.
+// State of an emitter in a step.
 struct EmitterState {
     uint taken;                     // inactive particles that it takes
     uint retired;                   // its oldest particles that it makes inactive

@@ -2,9 +2,9 @@
 #ifndef KNUCKLE_PAPER_CONSTANTS_H
 #define KNUCKLE_PAPER_CONSTANTS_H
 
-// Shares of bodies are summed as integers, so that their order makes no difference: parts of one.
+// Fractions of bodies are summed as integers, so that their order makes no difference: units per 1.
 #define FRACTION_PARTS 65536.0f
-// What is moved at once answers by this much of the sum of its shares at most: by all of it if all pushed the same way.
+// Particles pushed together answer by at most this much of the sum of their fractions: by all of it with equal pushes.
 #define MOST_FRACTION_SUM 1.6f
 
 #endif

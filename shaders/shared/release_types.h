@@ -1,4 +1,4 @@
-// Structs of releases that C++ and GLSL share; as in gpu_types.h, of scalars of four bytes and vectors of sixteen.
+// Structs of releases that C++ and GLSL share; as in gpu_types.h, of four-byte scalars and sixteen-byte vectors.
 #ifndef KNUCKLE_RELEASE_TYPES_H
 #define KNUCKLE_RELEASE_TYPES_H
 
@@ -8,17 +8,17 @@
 namespace knuckle::gpu {
 #endif
 
-// What lets go of bodies when something happens to one of them.
+// Lets go of bodies when something happens to one of them.
 struct Release {
-    uint firstEntry;                // of those that it lets go, in releaseEntries
+    uint firstEntry;                // of the bodies that it lets go, in releaseEntries
     uint entryEnd;
-    uint firstBody;                 // of their object, whose bodies do nothing to each other
+    uint firstBody;                 // of their object, whose bodies do not trigger each other
     uint bodyEnd;
-    uint firstParticle;             // that touch them
+    uint firstParticle;             // whose touch lets go
     uint particleEnd;
     float impulse;                  // of contacts in a step [N s]
     uint region;                    // among the colliders
-    uint firstLimp;                 // of what goes limp by it, in releaseLimps
+    uint firstLimp;                 // of those that go limp with it, in releaseLimps
     uint limpEnd;
     uint unused1;
     uint unused2;

@@ -1,5 +1,5 @@
-// What every kernel of the simulation knows of the world. As in gpu_types.h, members are scalars of four bytes and
-// vectors of sixteen; tests/solver/layout_test.cpp lists them once more.
+// Data of the world for all kernels of the simulation. As in gpu_types.h, members are four-byte scalars and
+// sixteen-byte vectors; tests/solver/layout_test.cpp lists them once more.
 #ifndef KNUCKLE_STEP_PARAMETERS_H
 #define KNUCKLE_STEP_PARAMETERS_H
 
@@ -9,34 +9,34 @@
 namespace knuckle::gpu {
 #endif
 
-// Uploaded once. Each stage of the solver sets what is its own.
+// Uploaded once. Each stage of the solver sets its own.
 struct StepParameters {
     // The world.
     vec4 gravity;                   // xyz [m/s2]
     vec4 wind;                      // xyz its mean velocity [m/s], w the density of the air [kg/m3]
     uint particleCount;             // solid particles
-    uint fluidCount;                // fluid particles, which come behind them
+    uint fluidCount;                // fluid particles, which come after them
     uint bodyCount;
     uint moverCount;                // bodies and loose particles
     uint freeBodyCount;             // bodies that may respond and have no joints
-    uint jointedBodyCount;          // and those that have
+    uint jointedBodyCount;          // and those with joints
     uint releaseCount;              // bodies that are held or animated and may be let go
-    uint impulseWatchCount;         // bodies and releases that may let go of them: by an impulse, ...
-    uint touchWatchCount;           // ... by what they touch, ...
-    uint regionWatchCount;          // ... by where they are
+    uint impulseWatchCount;         // pairs of bodies and releases: by an impulse, ...
+    uint touchWatchCount;           // ... by touch, ...
+    uint regionWatchCount;          // ... by region
     uint animatedCount;             // bodies that clips move
     uint puppetCount;               // animated objects that are driven
-    uint jointDriveCount;           // their joints
-    uint pinCount;                  // and what pins them
+    uint jointDriveCount;           // their driven joints
+    uint pinCount;                  // and their pins
     uint linkCount;
     uint assemblyCount;
     uint colliderCount;
     uint movingColliderCount;       // those that clips move
     float diameter;                 // [m]
-    // Time, and what holds for all movers.
+    // Time, and values for all movers.
     uint substeps;                  // a step
     float substepTime;              // [s]
-    uint secondOrder;               // 1: BDF2 where nothing touches
+    uint secondOrder;               // 1: BDF2 if nothing touches
     float damping;                  // velocity kept per substep
     float maxSpeed;                 // [m/s]
     float virtualParticles;         // c of eq. 18
@@ -45,10 +45,10 @@ struct StepParameters {
     // Wind and force fields.
     uint forceFieldCount;
     uint gustWaveCount;
-    float dropDrag;                 // half of drag coefficient times area of a fluid particle that is a drop [m2]
+    float dropDrag;                 // half of drag coefficient times area of a fluid particle as a drop [m2]
     // The search for contacts.
     float contactReach;            // candidates are nearer than this [m]
-    float plainReach;              // the same where neither is of a ball or capsule [m]
+    float plainReach;              // the same if neither belongs to a ball or capsule [m]
     float inverseCellSize;          // [1/m]
     uint cellMask;                  // cells - 1, cells a power of two
     uint cellStrideY;               // lattice grid: cells between neighbours in y ...
@@ -56,26 +56,27 @@ struct StepParameters {
     uint candidateCapacity;         // contacts of all kinds as they are found
     uint pairCapacity;              // contacts between particles
     uint colliderPairCapacity;      // contacts with colliders
-    float drift;                    // a particle that has moved further makes the candidates due again [m]
+    float drift;                    // a particle that has moved further makes a new search due [m]
     float lookAhead;                // of found positions, in moves of a substep
-    float horizon;                  // for how long contacts should stay good, in substeps
-    float farReach;                 // by how much fast movers may look further for contacts [m]
-    uint fastLimit;                 // how many particles may do so
+    float horizon;                  // how long contacts should stay valid, in substeps
+    float farReach;                 // most by which fast movers may look further for contacts [m]
+    uint fastLimit;                 // most particles that may do so
     // Contacts and their restitution.
-    float correction;               // fraction of a penetration that one substep takes back
+    float correction;               // fraction of a penetration that one substep corrects
     float maxCorrection;            // of a penetration per substep, with speed [m]
     float warmStart;                // fraction of a normal impulse that an iteration keeps
-    float impulseDamping;                  // fraction of what differs from its mean that an iteration takes from it
-    float meanRate;                 // fraction of the way to the impulse that its mean goes in an iteration
-    float restitutionThreshold;     // what meets more slowly does not bounce [m/s]
+    float impulseDamping;                  // fraction of an impulse's difference from its mean that an iteration
+                                           // removes
+    float meanRate;                 // fraction of the way to the impulse that its mean moves in an iteration
+    float restitutionThreshold;     // slower collisions do not bounce [m/s]
     // Joints.
     uint sharedCount;               // particles of two or more bodies
     uint jointTreeCount;
-    uint treeJointCount;            // joints of trees; those that close loops come behind them
+    uint treeJointCount;            // joints of trees; those that close loops come after them
     // Sleep.
-    float sleepSpeed;               // what is slower for long sleeps [m/s]
-    float freeze;                   // what stays within is calm [m], 0 off
-    uint calmSteps;                 // for how long it has to be calm
+    float sleepSpeed;               // assemblies that are slower for long sleep [m/s]
+    float freeze;                   // assemblies that stay within this are calm [m], 0 off
+    uint calmSteps;                 // calm steps before sleep
     // Soft bodies.
     uint clusterCount;
     uint softCount;                 // particles of soft bodies
@@ -85,11 +86,11 @@ struct StepParameters {
     float fluidListReach;           // neighbours are listed up to here [m]
     float fluidVolume;              // of a particle, over the volume that the kernel is normalized to [1/m3]
     float fluidSoftness;            // epsilon of Macklin and Mueller 2013, eq. 11 [1/m2]
-    float solidCover;               // makes up for solid particles too far to be listed
+    float solidCover;               // compensates for solid particles too far away to be listed
     float vorticity;                // strength of vorticity confinement times the step [s]
     uint fluidSlots;                // neighbours that one particle can have in fluids, a multiple of 4
     float inverseFluidCell;         // [1/m]
-    uint fluidCellMask;             // as of the other grid
+    uint fluidCellMask;             // as for the other grid
     uint fluidStrideY;
     uint fluidStrideZ;
     // Emitters and drains.
@@ -98,10 +99,10 @@ struct StepParameters {
     uint drainCount;
     // The paper's solver.
     float overRelaxation;           // of contacts of bodies
-    float stabilization;            // of an overlap that stabilization takes back [m]
-    float deepOverlap;              // that carries nothing [m]
-    float deepRecovery;             // of a deep overlap that is taken back [m]
-    float jointCorrection;          // of a joint's gap that draws a body [m]
+    float stabilization;            // correction of an overlap by stabilization [m]
+    float deepOverlap;              // deeper overlaps carry nothing [m]
+    float deepRecovery;             // correction of a deep overlap [m]
+    float jointCorrection;          // part of a joint's gap that draws a body, at most [m]
 };
 
 #ifdef __cplusplus

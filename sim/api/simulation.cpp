@@ -11,7 +11,7 @@ namespace knuckle {
 
 namespace {
 
-/// After so many steps lists are looked at, so that one that overflows costs no more than these once again.
+/// Steps between checks of lists: after an overflow, at most these are repeated.
 constexpr uint32_t STEPS_A_CHECK = 8;
 
 /// The context of this thread: two would take it from each other.

@@ -6,7 +6,7 @@ namespace knuckle {
 
 /// Degrees times this are radians.
 inline constexpr float DEGREE = std::numbers::pi_v<float> / 180;
-/// Half a turn [rad]: limits as wide as this to both sides are none.
+/// Half a turn [rad]: limits this wide to both sides do not limit.
 inline constexpr float HALF_TURN = std::numbers::pi_v<float>;
 inline constexpr float WHOLE_TURN = 2 * std::numbers::pi_v<float>;
 

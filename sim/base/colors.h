@@ -4,7 +4,7 @@
 
 namespace knuckle {
 
-/// Light of a channel as it stands in pictures and is picked on screens (IEC 61966-2-1). @param srgb 0 to 1.
+/// Linear light of a channel of pictures and colour pickers (IEC 61966-2-1). @param srgb 0 to 1.
 template <typename Real>
 Real linearOfSrgb(Real srgb)
 {

@@ -7,20 +7,21 @@
 
 namespace knuckle {
 
-/// Things 0, 1, 2 ... in sets that are united two by two; the least of a set stands for it, whatever the order.
+/// Sets of the numbers 0, 1, 2 ... that are united pairwise; the least member of a set represents it, whatever the
+/// order.
 class DisjointSets {
 public:
-    /// @param count things, each in a set of its own.
+    /// @param count numbers, each in a set of its own.
     explicit DisjointSets(size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0u); }
 
     size_t size() const { return parents_.size(); }
-    /// One more thing, in a set of its own. @returns its index.
+    /// Adds a number, in a set of its own. @returns the number.
     uint32_t add()
     {
         parents_.push_back(static_cast<uint32_t>(parents_.size()));
         return parents_.back();
     }
-    /// The least of the things that are in one set with i.
+    /// The least number in the set of i.
     uint32_t find(uint32_t i)
     {
         while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];

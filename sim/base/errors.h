@@ -5,7 +5,7 @@
 
 namespace knuckle {
 
-/// What code got wrong that calls a function against its contract is a std::logic_error; these three are for the rest.
+/// Code that calls a function against its contract gets std::logic_error; these three are for all other errors.
 
 /// Something the user gave is wrong (scene, model, image, option). The message is one line that says what, where
 /// (file, JSON path) and the remedy. Ends the program with exit code 2.
@@ -13,7 +13,7 @@ struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// No usable OpenGL 4.3. The message says in words what is wrong. Exit code 3.
+/// No usable OpenGL 4.3. The message says what is wrong. Exit code 3.
 struct DeviceError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

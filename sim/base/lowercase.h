@@ -6,7 +6,7 @@
 
 namespace knuckle {
 
-/// Of the letters that ASCII has.
+/// Changes ASCII letters only.
 inline std::string lowercase(std::string text)
 {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

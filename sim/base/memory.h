@@ -6,18 +6,18 @@
 
 namespace knuckle {
 
-/// [bytes] of address space that this process has taken.
+/// Address space that this process uses [bytes].
 uint64_t addressSpaceInUse();
-/// [bytes] that it may have (ulimit -v); none: as much as it likes.
+/// Limit of its address space (ulimit -v) [bytes]; none: unlimited.
 std::optional<uint64_t> addressSpaceLimit();
 
-/// Whether large blocks are refused, so that what fails now does so for want of memory. Fit for signal handlers.
+/// Whether large blocks are refused, so that a failure now is due to lack of memory. Safe in signal handlers.
 bool isMemoryShort();
-/// What the user reads then, one line.
+/// The message for the user then, one line.
 std::string memoryMessage();
 
-/// Under a limit: has all threads share one heap. Each would reserve 128 MiB of address space for its own. To be called
-/// before the first thread.
+/// Under a limit, makes all threads share one heap; each would reserve 128 MiB of address space for its own. Must be
+/// called before the first thread starts.
 void saveAddressSpace();
 
 }  // namespace knuckle

@@ -4,7 +4,7 @@
 
 namespace knuckle {
 
-/// "Belongs to nothing", for every index.
+/// "Belongs to nothing", for any kind of index.
 inline constexpr uint32_t NO_INDEX = 0xffffffffu;
 
 }  // namespace knuckle

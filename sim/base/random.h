@@ -4,8 +4,8 @@
 
 namespace knuckle {
 
-/// Uniform in 0 ... 1, made from the generator's raw numbers: those are the same everywhere, unlike those of the
-/// standard library's distributions.
+/// Uniform in 0 ... 1, made from the generator's raw numbers, which are the same everywhere, unlike the standard
+/// library's distributions.
 inline float uniformFraction(std::mt19937& random)
 {
     return static_cast<float>(static_cast<double>(random()) / 4294967296.0);

@@ -5,7 +5,7 @@
 
 namespace knuckle {
 
-/// "a, b, c", of more than `most` names "a, b and 13 more" with one less than that. @param most 2 or more.
+/// "a, b, c"; for more than `most` names "a, b and 13 more", with most - 1 parts. @param most 2 or more.
 std::string shortList(std::span<const std::string> names, size_t most = 4);
 
 }  // namespace knuckle

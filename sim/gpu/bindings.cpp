@@ -36,7 +36,7 @@ GLenum texelFormat(uint32_t bytes, bool isUnsigned)
     }
 }
 
-/// Whether a member of a kernel's struct may stand where the host has elements of that scalar.
+/// Whether a member of a kernel's struct fits the host's elements of that scalar.
 bool fits(GLenum member, Scalar scalar)
 {
     const bool isUnsigned = member == GL_UNSIGNED_INT || member == GL_UNSIGNED_INT_VEC2 ||
@@ -44,20 +44,20 @@ bool fits(GLenum member, Scalar scalar)
     return scalar == Scalar::Mixed || isUnsigned == (scalar == Scalar::Unsigned);
 }
 
-/// A storage block is one array, or one struct; it must consist of what the host says. Where the host has vectors, a
-/// kernel may give their components names by a struct of the same size.
+/// Checks a storage block: it is one array, or one struct, and must match the host's type. Where the host has vectors,
+/// a kernel may name their components by a struct of the same size.
 void checkBlock(GLuint program, GLuint block, const std::string& name, const ElementType& element,
                 const std::string& user)
 {
     const GLint count = property(program, GL_SHADER_STORAGE_BLOCK, block, GL_NUM_ACTIVE_VARIABLES);
     if (count < 1) return;
-    // All of them: Mesa writes as many, whatever room it is told of.
+    // Room for all of them: Mesa writes all, regardless of the given size.
     std::vector<GLint> variables(static_cast<size_t>(count));
     const GLenum asked = GL_ACTIVE_VARIABLES;
     glGetProgramResourceiv(program, GL_SHADER_STORAGE_BLOCK, block, 1, &asked, count, nullptr, variables.data());
     const auto variable = static_cast<GLuint>(variables[0]);
     const auto type = static_cast<GLenum>(property(program, GL_BUFFER_VARIABLE, variable, GL_TYPE));
-    // Arrays of structs have the first, others the second, and a struct by itself neither.
+    // The first is of arrays of structs, the second of other arrays; a struct by itself has neither.
     GLint bytes = property(program, GL_BUFFER_VARIABLE, variable, GL_TOP_LEVEL_ARRAY_STRIDE);
     const bool isStruct = bytes != 0 || element.glType == GL_NONE;
     if (bytes == 0) bytes = property(program, GL_BUFFER_VARIABLE, variable, GL_ARRAY_STRIDE);
@@ -79,7 +79,7 @@ Bindings::Bindings(const Program& program, const BufferTable& table, const std::
     findImages(table, user);
 }
 
-/// Blocks begin with a capital in shaders, and nothing does in the table.
+/// Names of blocks begin with a capital in shaders; names in the table do not.
 std::string Bindings::resourceName(GLenum interface, GLuint index) const
 {
     char declared[128] = "";
@@ -156,7 +156,7 @@ void Bindings::bind() const
     glUseProgram(program_);
     for (GLuint i = 0; i < storage_.size(); ++i) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, storage_[i]->id());
     for (GLuint i = 0; i < uniforms_.size(); ++i) glBindBufferBase(GL_UNIFORM_BUFFER, i, uniforms_[i]->id());
-    // Making a buffer's texture disturbs the active unit: images come before samplers, and each unit before its own.
+    // Making a buffer's texture changes the active unit: so images come first, and each sampler selects its unit.
     for (GLuint i = 0; i < images_.size(); ++i)
         glBindImageTexture(i, images_[i].buffer->texture(images_[i].format), 0, GL_FALSE, 0, GL_READ_WRITE,
                            images_[i].format);

@@ -9,13 +9,12 @@
 
 namespace knuckle {
 
-/// {"cell", "fluidCell"}: a program that declares "cellStarts" is given "fluidCellStarts". One name for kernels that
-/// work on buffers of either of two kinds.
+/// {"cell", "fluidCell"}: a program that declares "cellStarts" gets "fluidCellStarts". So kernels that work on buffers
+/// of two kinds use one name.
 using Renames = std::vector<std::pair<std::string, std::string>>;
 
-/// What a program reads and writes: its storage blocks, uniform blocks, samplers and images of buffers, each found in a
-/// table by its name.
-/// Refers to the buffers and textures: one that is assigned to is bound anew by itself.
+/// Resources of a program: its storage blocks, uniform blocks, samplers and images of buffers, each found in a table by
+/// its name. Refers to the buffers and textures: after an assignment to one, it binds the new one by itself.
 class Bindings {
 public:
     Bindings() = default;
@@ -26,7 +25,7 @@ public:
     size_t storageCount() const { return storage_.size(); }
     size_t textureCount() const { return samplers_.size(); }
     size_t imageCount() const { return images_.size(); }
-    /// For what is dispatched or drawn next.
+    /// Binds all for the next dispatch or draw call.
     void bind() const;
 
 private:
@@ -40,7 +39,7 @@ private:
     void findSamplers(const BufferTable& table, const std::string& user);
     void findImages(const BufferTable& table, const std::string& user);
 
-    /// In the table, of an active resource.
+    /// Name in the table of an active resource.
     std::string resourceName(GLenum interface, GLuint index) const;
 
     GLuint program_ = 0;

@@ -10,9 +10,8 @@ namespace knuckle {
 
 namespace {
 
-/// NVIDIA's driver 580 loses what glBufferSubData writes right after a copy or a clear: it comes first. Zink of Mesa 25
-/// does both before a kernel that was dispatched earlier has read the buffer. They are rare, so they wait before and
-/// after.
+/// NVIDIA's driver 580 loses a glBufferSubData that follows a copy or a clear: it executes it first. Zink of Mesa 25
+/// executes both before an earlier kernel has read the buffer. They are rare, so they wait before and after.
 void waitForAll()
 {
     glFinish();

@@ -20,7 +20,7 @@ public:
     /// @param bytes at least 16 are allocated, so that an empty array still binds.
     /// @throws DeviceError when the driver has no memory for it.
     RawBuffer(std::string label, size_t bytes, const void* data = nullptr);
-    /// Stands for a buffer that is somebody else's, who keeps it alive. `id` may be 0.
+    /// Refers to a buffer with another owner, who keeps it alive. `id` may be 0.
     static RawBuffer standIn(std::string label, GLuint id, size_t bytes);
 
     GLuint id() const { return handle_.id() != 0 ? handle_.id() : standsFor_; }
@@ -30,7 +30,7 @@ public:
     GLuint texture(GLenum format) const;
     void read(void* out, size_t byteCount, size_t byteOffset = 0) const;
     void write(const void* data, size_t byteCount, size_t byteOffset = 0);
-    /// Copies on the device, bytes from a place in `from` to one in this.
+    /// Copies bytes on the device, from a place in `from` to one in this.
     void copy(const RawBuffer& from, size_t byteCount, size_t fromOffset = 0, size_t toOffset = 0);
     void clear();
 
@@ -65,8 +65,8 @@ public:
         return out;
     }
     void upload(std::span<const T> data) { write(data.data(), data.size_bytes()); }
-    /// Makes room for `size` elements. What was there stays, each of `parts` equal parts at the beginning of its own;
-    /// new room holds zeros.
+    /// Makes room for `size` elements. Contents stay: each of `parts` equal parts moves to the beginning of its larger
+    /// one; new room holds zeros.
     void resize(std::string label, size_t size, size_t parts = 1)
     {
         if (id() != 0 && size == size_) return;

@@ -16,7 +16,7 @@
 
 namespace knuckle {
 
-/// What the host says that a buffer holds, by which the declarations of kernels are checked.
+/// The host's type of a buffer's elements, which declarations of kernels are checked against.
 struct ElementType {
     enum class Scalar { Float, Unsigned, Mixed };
 
@@ -40,26 +40,26 @@ constexpr ElementType elementType()
     return {bytes, texel, Scalar::Mixed, GL_NONE};
 }
 
-/// Of a struct that holds floats alone, which kernels read as such.
+/// For a struct of floats only, which kernels read as floats.
 template <typename T>
 constexpr ElementType floatStructType()
 {
     return {sizeof(T), elementType<T>().texelBytes, ElementType::Scalar::Float, GL_NONE};
 }
 
-/// What the buffers of a table hold that are of Lifetime::State, by their names.
+/// Contents of the buffers of Lifetime::State in a table, by their names.
 using BufferState = std::map<std::string, std::vector<std::byte>>;
 
-/// For how long what is in a buffer matters. A step that begins with the same state in all of them ends with the same.
+/// How long the contents of a buffer matter. Steps that begin with the same state in all of them end with the same.
 enum class Lifetime {
     Constant,  ///< Filled once, and only read by kernels.
     State,     ///< Carried on from step to step.
     Scratch,   ///< Written before it is read, in every step (by the renderer: in every frame).
 };
 
-/// Buffers and textures by the names that kernels and draw passes know them by. A storage block `Positions` and a
-/// sampler `positions` both mean the buffer "positions"; so does a sampler `lastPositions`, for kernels that write what
-/// they read. Those read only elements that the same thread writes, or that nobody does.
+/// Buffers and textures by their names in kernels and draw passes. A storage block `Positions` and a sampler
+/// `positions` both mean the buffer "positions"; so does a sampler `lastPositions`, for kernels that write what they
+/// read. Such kernels read only elements that the same thread writes, or that no thread writes.
 class BufferTable {
 public:
     struct Entry {
@@ -68,21 +68,21 @@ public:
         Lifetime lifetime = Lifetime::Scratch;
     };
 
-    /// @throws std::logic_error where a buffer has that name already.
+    /// @throws std::logic_error if a buffer has that name already.
     void add(const std::string& name, RawBuffer& buffer, ElementType element, Lifetime lifetime);
-    /// Each under its label. The buffers must outlive the kernels; assigning to one of them is seen by all kernels.
+    /// Adds each under its label. The buffers must outlive the kernels; kernels notice assignments to them.
     template <typename... T>
     void add(Lifetime lifetime, Buffer<T>&... buffers)
     {
         (add(buffers.label(), buffers, elementType<T>(), lifetime), ...);
     }
-    /// The same of structs that hold floats alone.
+    /// The same for structs of floats only.
     template <typename... T>
     void addFloatStructs(Lifetime lifetime, Buffer<T>&... buffers)
     {
         (add(buffers.label(), buffers, floatStructType<T>(), lifetime), ...);
     }
-    /// Each under its label, for samplers of pictures.
+    /// Adds each under its label, for samplers of pictures.
     template <typename... T>
     void add(const Texture& texture, const T&... others)
     {
@@ -92,11 +92,11 @@ public:
     /// @throws DeviceError for an unknown name, saying which kernel or pass asked.
     const Entry& find(const std::string& name, const std::string& user) const;
     const Texture& findTexture(const std::string& name, const std::string& user) const;
-    /// What is named, buffers and textures, for a pass that uses nothing else.
+    /// A table of only the named buffers and textures, for a pass that uses nothing else.
     BufferTable only(std::initializer_list<std::string> names, const std::string& user) const;
     /// Stalls until the GPU is done.
     BufferState saveState() const;
-    /// Writes nothing where it throws. @throws std::logic_error where the state is not of the same buffers, or of other
+    /// Writes nothing if it throws. @throws std::logic_error if the state is not of the same buffers, or of other
     /// sizes.
     void loadState(const BufferState& state) const;
     const std::map<std::string, Entry>& entries() const& { return entries_; }

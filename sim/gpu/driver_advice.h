@@ -4,12 +4,12 @@
 
 namespace knuckle {
 
-/// The environment's variables that choose another driver or change what it offers, as "GALLIUM_DRIVER=softpipe and
-/// MESA_GL_VERSION_OVERRIDE=3.0"; empty where none is set.
+/// Environment variables that choose another driver or change its features, such as "GALLIUM_DRIVER=softpipe and
+/// MESA_GL_VERSION_OVERRIDE=3.0"; empty if none is set.
 std::string driverVariables();
 
-/// For what a device that can be used would not do. @throws RunError where memory is short, which is why it failed;
-/// else DeviceError, which says to unset driverVariables(), where there are any, and what else to do where not.
+/// For an operation that a usable device fails at. @throws RunError if memory is short, which is then the cause; else
+/// DeviceError, which advises to unset driverVariables() if there are any, and otherwise gives the remedy.
 [[noreturn]] void failOnDevice(const std::string& message, const std::string& remedy = {});
 
 }  // namespace knuckle

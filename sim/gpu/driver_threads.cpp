@@ -17,14 +17,14 @@ namespace {
 
 /// What each further core adds to the speed of one: 60 frames of 1280 x 720 take 8.6 s on one thread, 5.6 s on two.
 constexpr double CORE_GAIN = 0.55;
-/// Threads that wake each other to draw one frame beside the next one's simulation.
+/// Threads that wake each other to draw one frame during the next one's simulation.
 constexpr double HANDOVERS = 2.0;
-/// For how long waking is timed [s].
+/// How long waking is timed [s].
 constexpr double TRIAL = 0.01;
 /// Between two dispatches [s].
 constexpr double PAUSE = 2e-5;
 
-/// Threads that wait for work in the way of llvmpipe's: under one lock, one signal wakes all, the last one answers.
+/// Threads that wait for work like llvmpipe's: under one lock, one signal wakes all, the last one answers.
 class Pool {
 public:
     explicit Pool(uint32_t size) : size_(size)
@@ -108,7 +108,7 @@ double wakeTime(uint32_t threads)
     double sum = 0.0;
     int rounds = 0;
     for (; rounds == 0 || seconds(first) < TRIAL; ++rounds) {
-        // The host prepares the next dispatch meanwhile, long enough for the others to fall asleep.
+        // Meanwhile the host prepares the next dispatch, long enough for the others to fall asleep.
         for (const auto since = Clock::now(); seconds(since) < PAUSE;) continue;
         const auto start = Clock::now();
         pool.round();

@@ -34,15 +34,15 @@ void resolve(Function*& function, const char* name)
     if (auto* known = reinterpret_cast<Function*>(eglGetProcAddress(name))) function = known;
 }
 
-/// libepoxy resolves these two by asking GLX for its context once libGL is loaded, and aborts where that libGL has no
-/// GLX: under apitrace's EGL tracer, which stands in for it.
+/// libepoxy resolves these two by asking GLX for its context once libGL is loaded, and aborts if that libGL has no GLX,
+/// such as the one of apitrace's EGL tracer.
 void resolveWithoutGlx()
 {
     resolve(glGetString, "glGetString");
     resolve(glGetIntegerv, "glGetIntegerv");
 }
 
-/// Gives the display a context that is current on this thread. On failure destroys what there is and says why.
+/// Gives the display a context that is current on this thread. On failure destroys everything and returns the reason.
 std::string makeCurrent(Context& result, EGLContext sharedWith)
 {
     eglBindAPI(EGL_OPENGL_API);
@@ -119,7 +119,7 @@ void destroy(Context& context)
     if (context.display == EGL_NO_DISPLAY) return;
     eglMakeCurrent(context.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context.context != EGL_NO_CONTEXT) eglDestroyContext(context.display, context.context);
-    // The display stays initialized: EGL shares it between all users of the process, and another context may be alive.
+    // The display stays initialized: EGL shares it within the process, and another context may be alive.
     context = {};
 }
 

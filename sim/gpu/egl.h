@@ -17,7 +17,7 @@ struct Device {
     std::string drmFile;  ///< Empty for Mesa's software device.
 };
 
-/// @throws DeviceError when EGL itself is missing or cannot enumerate devices, in words.
+/// @throws DeviceError with the reason if EGL itself is missing or cannot enumerate devices.
 std::vector<Device> devices();
 
 /// A display and a context without a surface.

@@ -7,8 +7,8 @@
 
 namespace knuckle {
 
-/// Owns one GL object by its name, 0 for none. `generate` and `destroy` are GL's functions that make and delete it: one
-/// object at a time, as for programs, or arrays of them, as for buffers.
+/// Owns one GL object by its name, 0 for none. `generate` and `destroy` are GL's functions that make and delete it:
+/// single objects, such as programs, or arrays, such as buffers.
 template <auto& generate, auto& destroy>
 class GlHandle {
 public:

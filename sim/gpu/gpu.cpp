@@ -48,19 +48,19 @@ void GLAPIENTRY onDebugMessage(GLenum, GLenum type, GLuint, GLenum severity, GLs
     if ((severity == GL_DEBUG_SEVERITY_HIGH || type == GL_DEBUG_TYPE_ERROR) && pending->empty()) *pending = text;
 }
 
-/// 256-bit vectors: with 512 bits Mesa 22.3's llvmpipe runs compute kernels a little faster, and crashes while it
+/// Sets 256-bit vectors: with 512 bits Mesa 22.3's llvmpipe runs compute kernels a little faster, but crashes when it
 /// compiles any fragment shader.
 void tuneSoftwareDriver()
 {
-    // What it says of a driver that cannot be loaded is told in our own line.
+    // Our own error line covers drivers that cannot be loaded.
     setenv("EGL_LOG_LEVEL", "fatal", 0);
     setenv("LP_NATIVE_VECTOR_WIDTH", "256", 0);
 }
 
-// What Mesa's software driver takes of the address space [bytes]: with less it crashes instead of failing.
+// Address space that Mesa's software driver needs [bytes]: with less it crashes instead of failing.
 constexpr uint64_t DRIVER_SPACE = uint64_t{230} << 20, SHADER_SPACE = uint64_t{80} << 20;
 
-/// Before the driver is loaded. @throws RunError.
+/// To be called before the driver is loaded. @throws RunError.
 void requireSpace(uint64_t byteCount)
 {
     static std::atomic<bool> isLoaded = false;
@@ -145,7 +145,7 @@ void Gpu::watchErrors()
 {
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    // A debug group a pass would be a notification each.
+    // Debug groups would cause a notification per pass.
     glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, nullptr, GL_FALSE);
     glDebugMessageCallback(onDebugMessage, &pendingError_);
 }
@@ -169,7 +169,7 @@ void Gpu::makeContext(const DeviceChoice& choice)
                    glString(GL_RENDERER),
                    glString(GL_VERSION),
                    {}};
-        // A hardware device without a driver of its own may hand out Mesa's software renderer.
+        // A hardware device without a driver of its own may give Mesa's software renderer.
         if (choice.kind == DeviceChoice::Kind::Gpu && device_.software) {
             problems += fmt::format("; device {}: only a software renderer ({})", index, device_.name);
             egl::destroy(context);

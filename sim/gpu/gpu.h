@@ -13,7 +13,7 @@
 
 namespace knuckle {
 
-/// What `--device` says.
+/// The value of `--device`.
 struct DeviceChoice {
     enum class Kind { Auto, Gpu, Software, Index } kind = Kind::Auto;
     uint32_t index = 0;
@@ -26,9 +26,9 @@ struct DeviceChoice {
 struct DeviceInfo {
     uint32_t index = 0;
     bool software = false;
-    std::string name;     ///< GL_RENDERER, or the EGL name where no context could be made.
-    std::string version;  ///< GL_VERSION, empty where no context could be made.
-    std::string problem;  ///< Empty when usable, else why not.
+    std::string name;     ///< GL_RENDERER, or the EGL name if no context could be made.
+    std::string version;  ///< GL_VERSION, empty if no context could be made.
+    std::string problem;  ///< Empty if usable, else the reason.
 };
 
 /// GL limits that the solver and the renderer rely on.
@@ -49,11 +49,11 @@ std::vector<DeviceInfo> listDevices();
 /// GL debug messages of high severity become a DeviceError at the next checkErrors().
 class Gpu {
 public:
-    /// @param work of a frame, by which a software driver gets its threads; without it they are left to the driver.
-    /// @throws DeviceError when no device fits or the context lacks a needed limit, in words.
+    /// @param work of a frame, which determines a software driver's threads; without it the driver chooses.
+    /// @throws DeviceError, with the reason, if no device fits or the context lacks a needed limit.
     explicit Gpu(const DeviceChoice& choice = {}, std::string shaderFolder = {}, std::optional<FrameWork> work = {});
     /// A second context, current on this thread, that shares buffers, textures and fences with `other`, which lives on
-    /// its own thread and outlives this one. Vertex arrays, framebuffers and queries are each context's own.
+    /// its own thread and outlives this one. Vertex arrays, framebuffers and queries are not shared.
     /// @throws DeviceError when the driver refuses.
     static std::unique_ptr<Gpu> sharingWith(const Gpu& other);
     ~Gpu();
@@ -63,7 +63,7 @@ public:
     const DeviceInfo& device() const { return device_; }
     const DeviceLimits& limits() const { return limits_; }
     const DriverThreads& threads() const { return threads_; }
-    /// One line for the user where Auto had to fall back to software, else empty.
+    /// One line for the user if Auto had to fall back to software, else empty.
     const std::string& notice() const { return notice_; }
     const ShaderSource& shaders() const { return shaders_; }
     /// @throws DeviceError with the first high-severity message since the last call.

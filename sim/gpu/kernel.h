@@ -10,7 +10,7 @@
 
 namespace knuckle {
 
-/// Times of kernels by pairs of GL_TIMESTAMP (GL_TIME_ELAPSED always says 1 ns on llvmpipe).
+/// Times of kernels by pairs of GL_TIMESTAMP (GL_TIME_ELAPSED is always 1 ns on llvmpipe).
 class KernelTimer {
 public:
     struct Total {
@@ -33,8 +33,8 @@ private:
     void stamp(GLuint query) const;
 
     bool enabled_ = false;
-    /// On llvmpipe a timestamp is taken when the drawing queue gets to it, and compute kernels do not wait for that
-    /// queue: so the timer waits itself.
+    /// llvmpipe takes a timestamp when its drawing queue gets to it, and compute kernels do not wait for that queue: so
+    /// the timer waits itself.
     bool waits_ = false;
     std::vector<std::pair<std::string, Total>> totals_;
     std::vector<Span> spans_;  ///< Reused from frame to frame.
@@ -42,15 +42,15 @@ private:
 };
 
 /// A compute program with its buffers bound by name, dispatched with its label, its barrier and its time. It refers to
-/// the buffers: one that is assigned to, because a list grew, is bound anew by itself.
+/// the buffers: after an assignment to one, because a list grew, it binds the new one by itself.
 class Kernel {
 public:
     Kernel() = default;
     /// @param path below shaders/. Every storage block, sampler and uniform block in it must be in the table, with the
-    /// type of element that the host gave the buffer.
-    /// @param variant names the kernel apart from others of the same file, in times and labels; may be empty.
-    /// @param renames which buffers it is given for those that it declares.
-    /// @throws DeviceError naming the kernel and what it declares otherwise.
+    /// host's type of element.
+    /// @param variant tells the kernel apart from others of the same file, in times and labels; may be empty.
+    /// @param renames buffers that it gets for those that it declares.
+    /// @throws DeviceError with the kernel's name and its declaration that does not match.
     Kernel(const Gpu& gpu, const BufferTable& buffers, const std::string& path, const Defines& defines = {},
            const std::string& variant = {}, const Renames& renames = {});
 

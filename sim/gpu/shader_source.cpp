@@ -60,7 +60,7 @@ void ShaderSource::append(const std::string& path, ResolvedShader& out, std::vec
             append(match[1], out, seen);
             continue;
         }
-        // System includes of headers that C++ shares mean nothing to GLSL, whose preprocessor refuses them.
+        // GLSL cannot include the system headers of files shared with C++.
         if (line.starts_with("#include <")) continue;
         out.text += line + "\n";
         out.origins.push_back({path, number});

@@ -8,7 +8,7 @@ namespace knuckle {
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
-/// GLSL text with its includes resolved, and the way back from a line of it to the file it came from.
+/// GLSL text with its includes resolved, and the original file and line of each of its lines.
 struct ResolvedShader {
     std::string text;
     struct Origin {
@@ -21,7 +21,7 @@ struct ResolvedShader {
     std::string translate(const std::string& log) const;
 };
 
-/// Where shaders come from: embedded in the binary, or a folder on disk that overrides them for development.
+/// Source of shaders: embedded in the binary, or a folder on disk that overrides them for development.
 class ShaderSource {
 public:
     explicit ShaderSource(std::string overrideFolder = {}) : folder_(std::move(overrideFolder)) {}

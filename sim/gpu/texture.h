@@ -8,7 +8,7 @@
 
 namespace knuckle {
 
-/// A 2D texture without mipmaps that clamps at its edges.
+/// A 2D texture without mipmaps, clamped at its edges.
 class Texture {
 public:
     Texture() = default;
@@ -19,7 +19,7 @@ public:
     const std::string& label() const { return label_; }
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
-    /// From one of the same size and format.
+    /// Copies from a texture of the same size and format.
     void copy(const Texture& source);
 
 private:
@@ -28,7 +28,7 @@ private:
     uint32_t width_ = 0, height_ = 0;
 };
 
-/// Textures drawn into together.
+/// Textures that are drawn into together.
 class Framebuffer {
 public:
     Framebuffer() = default;
@@ -38,9 +38,9 @@ public:
 
     GLuint id() const { return handle_.id(); }
     bool hasDepth() const { return hasDepth_; }
-    /// Makes it the target of what follows, with the viewport over all of it.
+    /// Makes it the target of what follows, with a viewport over all of it.
     void bind() const;
-    /// Colours, which must be integers, to 0, and depth to 1.
+    /// Clears colours, which must be integers, to 0, and depth to 1.
     void clear() const;
 
 private:

@@ -10,12 +10,12 @@ namespace knuckle {
 
 namespace {
 
-/// The lattice layers on both sides of a joint, a diameter apart and 1.41 across, fold into each other when it bends;
-/// the next ones, 2 apart, still stop it [diameters].
+/// The lattice layers on both sides of a joint, a diameter apart and 1.41 diagonally, fold into each other when it
+/// bends; the next ones, 2 apart, still stop it [diameters].
 constexpr float SELF_MARGIN = 0.5f;
 
-/// Per body the particles that are added with it, in order: a shared one with the smallest of its bodies, which may
-/// have nothing else to begin with.
+/// Per body, the particles that are added with it, in order: a shared one with the smallest of its bodies, which may
+/// have no others at first.
 std::vector<std::vector<uint32_t>> particlesAddedWith(const Actor& actor)
 {
     std::vector<uint32_t> owners(actor.particles.size(), NO_INDEX);
@@ -120,7 +120,7 @@ uint32_t addActor(WorldBuilder& builder, const Actor& actor, uint32_t material, 
         }
     }
     for (const ActorJoint& joint : actor.joints) {
-        // A universal joint stands as its two hinges.
+        // A universal joint consists of its two hinges.
         const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
         JointDraft draft{{joint.name, type, bodies[joint.parent], bodies[joint.child]}};
         draft.joint.strength = joint.strength;

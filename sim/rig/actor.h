@@ -16,7 +16,7 @@ namespace knuckle {
 /// A particle ragdoll in its rest pose: what `knuckle voxelize` writes and a scene loads. SI units, +Y up.
 struct ActorBody {
     std::string name;                      ///< The bone's.
-    std::vector<uint32_t> particles;       ///< Into Actor::particles. A shared one stands in several bodies.
+    std::vector<uint32_t> particles;       ///< Into Actor::particles. A shared one is in several bodies.
     int32_t parent = -1;                   ///< Into Actor::bodies.
     std::vector<std::string> mergedBones;  ///< Bones too small for a body of their own.
     bool isCross = false;                  ///< The flat middle body of a universal joint.
@@ -24,10 +24,10 @@ struct ActorBody {
 
 struct ActorJoint {
     std::string name;                  ///< The child bone's.
-    JointType type = JointType::Ball;  ///< Of a universal joint each of its two hinges says so.
+    JointType type = JointType::Ball;  ///< For a universal joint, that of both its hinges.
     uint32_t parent = 0, child = 0;    ///< Into Actor::bodies.
     Vector3f anchor{0, 0, 0};          ///< The bone's head [m].
-    Vector3f axis{0, 0, 1};            ///< Unit; of a ball the child's, which its limits are about.
+    Vector3f axis{0, 0, 1};            ///< Unit; for a ball the child's axis, which its limits are about.
     std::vector<uint32_t> sharedParticles;
     JointLimits limits = {};  ///< Each half of a universal joint has its `bend`.
     JointStrength strength = {};
@@ -41,20 +41,20 @@ struct Actor {
     std::vector<Vector3f> outward;       ///< Per particle: SurfaceDistance::outward; or none.
     std::vector<ActorBody> bodies;
     std::vector<ActorJoint> joints;
-    /// Pairs of bodies that never touch, beside those that a joint with limits connects.
+    /// Pairs of bodies that never touch, besides those that a joint with limits connects.
     std::vector<std::array<uint32_t, 2>> filtered = {};
     ModelSource model = {};          ///< What it was made from.
     std::vector<std::string> notes;  ///< What was merged, dropped or assumed, one sentence each.
 };
 
-/// The body that one hangs on, past the cross of a universal joint; -1 of the first.
+/// The body that a body hangs on, past the cross of a universal joint; -1 for the first.
 int32_t parentBody(const Actor& actor, uint32_t body);
 
-/// Numbers the particles as addActor() adds them, so that those of an actor file are those of what a run exports.
-/// Particles of no body are left out.
+/// Numbers the particles in the order of addActor(), so that an actor file has the same numbers as a run's export.
+/// Particles without a body are left out.
 void numberAsAdded(Actor& actor);
 
-/// What contacts need to know of a particle's place in the skin; empty where the actor does not say.
+/// Data for contacts on a particle's place in the skin; empty if the actor has none.
 SurfaceDistance surfaceOf(const Actor& actor, uint32_t particle);
 
 /// Whether two particles are so near each other at rest that they never touch.

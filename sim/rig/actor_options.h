@@ -15,12 +15,12 @@ struct ArticulationOptions {
     std::map<std::string, Vector3f> axes;       ///< Hinge or universal axis, not zero, by the name of the child bone.
     std::map<std::string, JointLimits> limits;  ///< By the name of the child bone.
     std::map<std::string, JointStrength> strengths;  ///< The same.
-    std::vector<std::string> keep;   ///< Bones that get bodies of their own, where they have particles enough.
-    std::vector<std::string> merge;  ///< Bones that are part of the body that they hang on; wins over `keep`.
-    /// Joints that nobody says anything about have the limits of a human body's. Spine, neck and collar bones then give
-    /// a little; without, they are stiff.
+    std::vector<std::string> keep;   ///< Bones that get bodies of their own if they have enough particles.
+    std::vector<std::string> merge;  ///< Bones that join the body that they hang on; wins over `keep`.
+    /// Joints without options get the limits of a human body's. Spine, neck and collar bones then give a little;
+    /// without limits they are stiff.
     bool limited = true;
-    /// Leave one layer of a ball or hinge joint's child out where it would touch the parent, so that the joint can
+    /// Leaves out one layer of a ball or hinge joint's child where it would touch the parent, so that the joint can
     /// turn before the two sides meet. Joints with limits need no such room: their bodies never touch.
     bool clearJoints = true;
 };
@@ -28,9 +28,9 @@ struct ArticulationOptions {
 struct ActorOptions {
     std::string name;  ///< Empty: the model's.
     VoxelOptions voxels;
-    uint32_t particleCount = 0;  ///< Of the actor that makeActor() makes; 0: by the diameter.
+    uint32_t particleCount = 0;  ///< Of the actor that makeActor() makes; 0: the diameter decides.
     ArticulationOptions articulation;
-    bool alongBones = true;  ///< Long limbs stand on lattices of their own (fillAlongBones()), not all on one.
+    bool alongBones = true;  ///< Long limbs get lattices of their own (fillAlongBones()), instead of one for all.
 };
 
 }  // namespace knuckle

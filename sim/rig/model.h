@@ -24,7 +24,7 @@ struct SkinWeights {
     std::array<float, 8> weights{};
 };
 
-/// How a vertex of a model looks; as in SkinVertex.
+/// Looks of a vertex of a model; as in SkinVertex.
 struct SurfaceVertex {
     Eigen::Vector3f normal{0, 1, 0};
     Eigen::Vector2f uv{0, 0};
@@ -32,12 +32,13 @@ struct SurfaceVertex {
     uint32_t material = 0;  ///< Index into ModelSurface::materials.
 };
 
-/// How a model looks: empty where nobody asked, and where its mesh was made up.
+/// Looks of a model: empty if not requested, or if its mesh was made up.
 struct ModelSurface {
     std::vector<SurfaceVertex> vertices;  ///< Per vertex of the model.
     std::vector<SkinMaterial> materials;
     std::vector<TexturePicture> textures;
-    std::vector<std::string> missing, notes;  ///< What of it cannot be had; what was made smaller: a sentence each.
+    std::vector<std::string> missing, notes;  ///< Parts that cannot be read; parts that were made smaller: a sentence
+                                              ///< each.
 };
 
 /// A sampled clip: local poses per bone at keyTimes.
@@ -46,7 +47,7 @@ struct Clip {
     double duration = 0.0;                            ///< [s]
     std::vector<double> keyTimes;                     ///< [s], ascending
     std::vector<std::vector<Eigen::Matrix4f>> poses;  ///< [key][bone], bone to model.
-    std::vector<std::string> notes = {};              ///< What of it is not played, one sentence each.
+    std::vector<std::string> notes = {};              ///< Parts that are not played, one sentence each.
 };
 
 /// A clip of the file that cannot be played.
@@ -55,8 +56,7 @@ struct UnusableClip {
     std::string why;  ///< "has keys that are not numbers"
 };
 
-/// What importModel() of import/import.h makes of a file: triangles in metres, +Y up, in the rest pose, and the
-/// skeleton.
+/// Result of importModel() of import/import.h: triangles in metres, +Y up, in the rest pose, and the skeleton.
 struct Model {
     std::string name;
     std::vector<Eigen::Vector3f> vertices;
@@ -64,14 +64,16 @@ struct Model {
     std::vector<SkinWeights> skin;  ///< Empty, or one per vertex.
     ModelSurface surface;
     std::vector<Bone> bones;
-    bool isSplit = false;  ///< Its bones are separate parts, a vertex is of one: they become bodies without joints.
+    bool isSplit = false;  ///< Its bones are separate parts, each vertex belongs to one: they become bodies without
+                           ///< joints.
     std::vector<Clip> clips;
     std::vector<UnusableClip> unusableClips;
-    std::string poseFrom;            ///< "clip 'run' at 0.03 s": what the rest pose is; empty: the file's own.
-    std::vector<std::string> notes;  ///< What import repaired or assumed, one sentence each.
+    std::string poseFrom;            ///< Origin of the rest pose, such as "clip 'run' at 0.03 s"; empty: the file's
+                                     ///< own.
+    std::vector<std::string> notes;  ///< Repairs and assumptions of the import, one sentence each.
 };
 
-/// Where a bone's head is in a pose of it [m].
+/// The place of a bone's head in a pose of it [m].
 inline Eigen::Vector3f headIn(const Eigen::Matrix4f& pose)
 {
     return pose.topRightCorner<3, 1>();

@@ -4,15 +4,15 @@
 
 namespace knuckle {
 
-/// The axis of a file that points up, where the file does not say so itself.
+/// The axis of a file that points up, if the file does not say so itself.
 enum class UpAxis { Y, Z };
 /// Which models are moved so that their lowest point is at height 0 and the middle of their bounds over the origin:
-/// none, those that stand ten times their size away, all.
+/// none, those ten times their size away or further, all.
 enum class Centering { Never, WhereFar, Always };
 
 /// How large a model is and where it stands.
 struct ModelFit {
-    double scale = 0.0;   ///< Metres per file unit; 0: what the file says, else guessed and noted.
+    double scale = 0.0;   ///< Metres per file unit; 0: from the file, else guessed and noted.
     double height = 0.0;  ///< [m]; 0: by scale.
     UpAxis up = UpAxis::Y;
     Centering centering = Centering::Never;
@@ -20,21 +20,21 @@ struct ModelFit {
     bool operator==(const ModelFit&) const = default;
 };
 
-/// What of a file becomes an actor.
+/// The part of a file that becomes an actor.
 struct ModelPick {
-    /// By the name of its root bone, or a pattern (name_pattern.h): the skeleton whose bones and meshes are taken.
-    /// Empty: the only one. `*`: all that is there, as one.
+    /// Name of the root bone, or a pattern (name_pattern.h), of the skeleton whose bones and meshes are taken. Empty:
+    /// the only one. `*`: everything, as one.
     std::string skeleton;
     bool split = false;  ///< A model without a skeleton: a body for each separate part of its mesh.
 
     bool operator==(const ModelPick&) const = default;
 };
-/// For what has no use for a skeleton.
+/// For callers without use for a skeleton.
 inline const std::string ALL_SKELETONS = "*";
 
 /// A model in a file.
 struct ModelSource {
-    std::string file;  ///< Its path; empty: not known.
+    std::string file;  ///< Its path; empty: unknown.
     ModelFit fit;
     ModelPick pick = {};
 };

@@ -9,7 +9,7 @@ namespace knuckle {
 /// What a renderer needs to draw the simulation: names of the solver's own GL buffers, never copied or uploaded.
 /// Valid as long as the Solver lives; the contents change with every step.
 struct ParticleView {
-    GLuint positions = 0;       ///< particleCount x vec4: xyz [m], w: 0, or 1 for a fluid particle that is not there.
+    GLuint positions = 0;       ///< particleCount x vec4: xyz [m], w: 0, or 1 for an inactive fluid particle.
     GLuint velocities = 0;      ///< particleCount x vec4: xyz [m/s], w unspecified.
     GLuint bodyCentres = 0;     ///< bodyCount x vec4: xyz mass centre [m], w unspecified.
     GLuint bodyRotations = 0;   ///< bodyCount x vec4: quaternion xyzw from the rest pose.
@@ -18,7 +18,7 @@ struct ParticleView {
     uint32_t bodyCount = 0;
     uint32_t colliderCount = 0;
     float radius = 0.05f;               ///< [m]
-    uint32_t solidCount = 0xffffffffu;  ///< Those behind the first so many are fluid.
+    uint32_t solidCount = 0xffffffffu;  ///< Particles after these are fluid.
     float fluidSpacing = 0.05f;         ///< Rest distance of fluid particles [m].
 };
 

@@ -5,8 +5,8 @@
 
 namespace knuckle {
 
-/// What the kernel scan_sum needs for the prefix sum of some values: a sum for each chunk of SCAN_CHUNK of them, and
-/// behind them how many of its work groups have finished, which it sets back to 0.
+/// Buffer of the kernel scan_sum for the prefix sum of some values: a sum for each chunk of SCAN_CHUNK values, then the
+/// number of its work groups that have finished, which the kernel resets to 0.
 inline Buffer<uint32_t> scanSums(const char* name, uint64_t values)
 {
     Buffer<uint32_t> sums(name, (values + SCAN_CHUNK - 1) / SCAN_CHUNK + 1);

@@ -14,9 +14,10 @@ namespace knuckle {
 
 namespace {
 
-/// After how many steps the state is copied anew: a copy takes time, and an overflow all steps since once more.
+/// Number of steps between copies of the state: a copy takes time, and after an overflow all steps since it are
+/// repeated.
 constexpr uint32_t STEPS_KEPT = 16;
-/// What there was no room for.
+/// Problems that lists with too little room report.
 constexpr uint32_t OVERFLOWS = PROBLEM_CANDIDATES | PROBLEM_PAIRS | PROBLEM_FLUID;
 
 std::vector<Vector3f> unpack(const std::vector<gpu::vec4>& values)
@@ -54,7 +55,7 @@ struct Solver::Impl {
     struct Kept {
         StateCopy state;
         bool started = false;
-        uint32_t steps = 0;   ///< Since it was taken.
+        uint32_t steps = 0;   ///< Since the copy.
         bool checked = true;  ///< Whether nothing has overflowed up to now.
     } kept;
 
@@ -65,7 +66,7 @@ struct Solver::Impl {
         kept.steps = 0;
     }
 
-    /// With the room that lists lacked, every step since the copy. Its lists keep what they remember.
+    /// Repeats every step since the copy, with the room that lists lacked. Contents of lists that are state are kept.
     void takeAgain(const gpu::Counters& counters)
     {
         const uint32_t steps = kept.steps;

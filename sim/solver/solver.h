@@ -22,8 +22,8 @@ struct PassTime {
     uint64_t count = 0;         ///< Dispatches.
 };
 
-/// All that a run carries from one step to the next. Of the same World, program and driver, it goes on with the same
-/// bits.
+/// All that a run carries from one step to the next. With the same World, program and driver, a run that loads it
+/// continues with the same bits.
 struct SolverState {
     bool started = false;
     StagesState stages;
@@ -32,8 +32,8 @@ struct SolverState {
 /// A World on the GPU, and its step.
 class Solver {
 public:
-    /// Uploads the world once. @throws DeviceError when the device's limits are too small for it, with the number.
-    /// @param world must outlive it. @param room that lists begin with, for tests: bits do not depend on it.
+    /// Uploads the world once. @throws DeviceError, with the number, when the device's limits are too small for it.
+    /// @param world must outlive it. @param room first capacities of lists, for tests: bits do not depend on them.
     Solver(Gpu& gpu, const World& world, const std::optional<ListRoom>& room = {});
     Solver(Gpu& gpu, World&& world, const std::optional<ListRoom>& room = {}) = delete;
     ~Solver();
@@ -42,29 +42,28 @@ public:
 
     /// Advances by Settings::timeStep. Only records GL work: nothing is uploaded, nothing read back.
     void step();
-    /// Once a frame: reads the 68-byte counters buffer. Steps in which lists overflowed are taken again, with more
-    /// room.
-    /// @throws RunError for NaN or an overflow that cannot be mended, naming frame, particle and the number to raise.
+    /// Once a frame: reads the counters, 72 bytes. Steps in which lists overflowed are repeated with more room.
+    /// @throws RunError for NaN or an overflow that cannot be fixed, naming frame, particle and the number to raise.
     void checkCounters(uint64_t frame);
 
     ParticleView view() const;
     // Everything below stalls until the GPU is done.
     ParticleState readParticles();
     std::vector<BodyState> readBodies();
-    /// The world's, where they are now.
+    /// The world's colliders at their current places.
     std::vector<Collider> readColliders();
     Measures measure();
     /// FNV-1a over the bits of all positions and velocities.
     uint64_t stateHash();
     SolverState saveState() const;
-    /// @throws std::logic_error where it is not of a solver of the same World.
+    /// @throws std::logic_error if it is not from a solver of the same World.
     void loadState(const SolverState& state);
-    /// How often contacts have been looked for, at most once a substep.
+    /// Number of searches for contacts, at most one a substep.
     uint32_t searchCount();
     std::vector<PassTime> passTimes();
-    /// From now on times every pass, for passTimes().
+    /// Times every pass from now on, for passTimes().
     void timePasses();
-    /// Notes how what is let go moves on, for letGo(); to be called before the first step.
+    /// Notes how bodies that are let go move on, for letGo(); call it before the first step.
     void noteReleases();
     /// All bodies that were let go so far. Stalls until the GPU is done.
     std::vector<LetGo> letGo();

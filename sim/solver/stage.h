@@ -14,10 +14,10 @@ struct StageSetup {
     const World& world;
     const Layout& layout;
     const RowPlan& rows;
-    gpu::StepParameters& parameters;  ///< Each stage sets those that are its own; uploaded when all are made.
+    gpu::StepParameters& parameters;  ///< Each stage sets its own; uploaded when all are made.
 };
 
-/// The names of those that are needed, each defined as 1.
+/// The names of the true entries, each defined as 1.
 inline Defines definesOf(std::initializer_list<std::pair<const char*, bool>> names)
 {
     Defines defines;
@@ -39,7 +39,7 @@ public:
     /// @param sizes SolverStages::dispatches.
     Recorder(KernelTimer& timer, const RawBuffer& sizes) : timer_(timer), sizes_(sizes) {}
 
-    /// One thread per element; nothing for none.
+    /// One thread per element; does nothing for zero elements.
     void perElement(const Kernel& kernel, uint64_t elements)
     {
         if (elements > 0) kernel.dispatch(timer_, groupsFor(elements));
@@ -48,7 +48,7 @@ public:
     {
         if (count > 0) kernel.dispatch(timer_, count);
     }
-    /// As many work groups as kernels before it have decided. @param slot DISPATCH_*.
+    /// As many work groups as earlier kernels have decided. @param slot DISPATCH_*.
     void decided(const Kernel& kernel, uint32_t slot) { kernel.dispatchIndirect(timer_, sizes_, slot); }
 
 private:
@@ -56,8 +56,8 @@ private:
     const RawBuffer& sizes_;
 };
 
-/// A room of the solver: the buffers that it owns, filled from the World and its Layout alone, its kernels, and the
-/// passes that it records. It stays where it is, since kernels refer to its buffers.
+/// A room of the solver: its buffers, filled from the World and its Layout alone, its kernels, and the passes that it
+/// records. It must not move in memory, since kernels refer to its buffers.
 class Stage {
 public:
     Stage() = default;
@@ -65,10 +65,10 @@ public:
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
-    /// Fills its buffers and sets its parameters; stages do so in any order, once. Lists come later.
+    /// Fills its buffers and sets its parameters, once; the order of stages does not matter. Lists come later.
     virtual void upload(const StageSetup& setup) = 0;
-    /// Gives its lists the room that the parameters say; those that are state keep what they have. @throws DeviceError
-    /// when the device's limits are too small for them, with the number.
+    /// Gives its lists the capacities of the parameters; lists that are state keep their contents. @throws DeviceError,
+    /// with the number, when the device's limits are too small for them.
     virtual void makeLists(const Gpu&) {}
     /// After an overflow: raises the parameters to the room that kernels asked for.
     virtual void reserve(gpu::StepParameters&, const gpu::Counters&) const {}
@@ -81,14 +81,14 @@ public:
     }
 
 protected:
-    /// Lists of the current search and of the one before stand in one buffer.
+    /// Lists of the current search and of the previous one share one buffer.
     static constexpr size_t HALVES = 2;
 
     /// A kernel of a stage, named once.
     class Pass : public Kernel {
     public:
         /// @param path below shaders/sim, without its ending. @param variant defines, by which it is also named.
-        /// @param needed false for a world that will never run it.
+        /// @param needed false for a world that never runs it.
         Pass(Stage& owner, const char* path, Defines variant = {}, bool needed = true)
             : path_(path), variant_(std::move(variant))
         {

@@ -14,7 +14,7 @@ namespace knuckle {
 
 namespace {
 
-/// What every stage starts from.
+/// The parameters that all stages start from.
 gpu::StepParameters commonParameters(const World& world, const Layout& layout)
 {
     const Settings& s = world.settings;
@@ -55,7 +55,7 @@ bool filtersAny(const Body& body)
     return !body.filtered.empty();
 }
 
-/// Of all kinds of constraints that act on bodies through the channel.
+/// Rows of all kinds of constraints that act on bodies through the channel.
 RowPlan planRows(const World& world, const Layout& layout)
 {
     RowPlan rows;

@@ -27,33 +27,33 @@
 namespace knuckle {
 
 /// All rooms of a world's solver and what they share: everything that simulates, on the GPU, filled once from the
-/// World. An optional stage is there where the world has any of its kind.
+/// World. An optional stage exists only if the world needs it.
 class Stages {
 public:
-    /// Another order of uploading, for tests: none may matter.
+    /// Changes the order of uploading, for tests: the order must not matter.
     using Shuffle = std::function<void(std::vector<Stage*>&)>;
 
     /// Uploads the world; compiles nothing yet. @param world must outlive it.
-    /// @throws DeviceError when the device's limits are too small for it, with the number.
-    /// @param room that lists begin with, for tests: bits do not depend on it.
+    /// @throws DeviceError, with the number, when the device's limits are too small for it.
+    /// @param room first capacities of lists, for tests: bits do not depend on them.
     Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle = {}, const std::optional<ListRoom>& room = {});
 
     /// Compiles the kernels of all stages. @throws DeviceError.
     void load();
-    /// Gives every list the room that kernels asked for. What stands in lists stays.
+    /// Gives every list the room that kernels asked for. Lists keep their contents.
     void grow(const gpu::Counters& counters);
     /// What a run carries from step to step. Stalls until the GPU is done.
     StagesState save();
-    /// @throws std::logic_error where the state is not of these stages' World.
+    /// @throws std::logic_error if the state is not from stages of the same World.
     void load(const StagesState& state);
-    /// The buffers of all stages by the names that kernels know them by.
+    /// The buffers of all stages, with the names that kernels use.
     BufferTable table();
-    /// To be uploaded again after a change: for tests.
+    /// Uploads the parameters again after a change: for tests.
     void uploadParameters() { step.upload(std::span<const gpu::StepParameters>(&parameters, 1)); }
 
 private:
     std::vector<Stage*> all();
-    /// What all kernels of this world are compiled with.
+    /// Defines that all kernels of this world are compiled with.
     Defines worldDefines() const;
 
     const Gpu& gpu_;

@@ -5,7 +5,7 @@
 
 namespace knuckle {
 
-/// What all buffers hold that are carried on; and the parameters, which say how much room their lists have.
+/// Contents of all buffers that are state; and the parameters, which say how much room their lists have.
 struct StagesState {
     gpu::StepParameters parameters{};
     BufferState buffers;

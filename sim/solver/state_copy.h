@@ -7,12 +7,12 @@
 
 namespace knuckle {
 
-/// A copy, on the device, of all buffers of a table that are state: to go back to.
+/// A copy, on the device, of all buffers of a table that are state, for going back to it.
 class StateCopy {
 public:
     bool empty() const { return copies_.empty(); }
     void take(const BufferTable& table);
-    /// Needs buffers of the same sizes as when it was taken.
+    /// Buffers must have the same sizes as when the copy was taken.
     void restore(const BufferTable& table) const;
 
 private:

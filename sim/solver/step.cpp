@@ -1,20 +1,20 @@
-// The story of a step.
+// The passes of a step.
 //
 // A step of Settings::timeStep is cut into substeps; small substeps with few iterations are stiffer than one step with
-// many (Macklin et al. 2019). What moves is a mover: a body, or a loose particle. The particles of a rigid body always
-// move as a linear field over it, so the default solver predicts, matches and finishes bodies through fields
+// many (Macklin et al. 2019). A mover is a body or a loose particle. The particles of a rigid body always move as a
+// linear field over it, so the default solver predicts, matches and finishes bodies through fields
 // (shaders/sim/common/bodies/fields.glsl) and visits their particles only where something touches them. A substep
 //
 //   lets go of what is held until now (mover_release), and takes hold of what was caught (drive_catch);
-//   moves what clips move (animate, collider_move), and notes how far what is driven is from its clip (drive_*, again
-//     below);
+//   moves animated bodies and colliders (animate, collider_move), and notes how far driven bodies are from their
+//     clips (drive_*, again below);
 //   predicts how far each mover would move if nothing touched it, and adds what its contacts did last (mover_predict,
 //     jointed_predict), and asks for a new search where one has left its margin (mover_drift);
-//   finds contacts, but only when somebody asked: search_due sets the sizes of those dispatches on the GPU, to zero
+//   finds contacts, but only when asked: search_due sets the sizes of those dispatches on the GPU, to zero
 //     otherwise. Movers and particles get the places to search for (search_centre, search_position), particles are
 //     sorted into cells by a counting sort (grid_*); each looks for those that lie ahead (contact_find, further for
 //     fast ones: contact_find_far) and for colliders (collider_*); a prefix sum says where each list begins (scan_*,
-//     list_start, pair_list), and each contact learns what it is made of (contact_prepare, collider_prepare);
+//     list_start, pair_list), and each contact gets its data (contact_prepare, collider_prepare);
 //   moves fluids by their pressures (fluid_*), once;
 //   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, strand_solve moves ropes
 //     and cloth, colour by colour; contact_solve and collider_solve work out impulses, each contact by itself, from
@@ -27,16 +27,16 @@
 //     gives collisions the speeds at which they part (contact_restitution, collider_restitution, mover_restitution);
 //     then looks whether anything has happened that lets go in the next substep (release_*).
 //
-// With Settings::sleepSpeed, what has been calm for long sleeps from the end of a step on (sleep_mover, sleep_island,
-// sleep_update, sleep_state), until something that moves comes near it (sleep_wake_island, sleep_wake_assembly, in each
-// substep).
+// With Settings::sleepSpeed, assemblies that have been calm for long sleep from the end of a step on (sleep_mover,
+// sleep_island, sleep_update, sleep_state), until something that moves comes near them (sleep_wake_island,
+// sleep_wake_assembly, in each substep).
 //
-// A step ends with its particles where their bodies have them (particle_position); those that bodies share stand at the
-// mean of their goals, which is the joint (joint_position). Where there are emitters or drains, fluid particles then
-// leave the pools (emitter_update, pool_order, fluid_emit) or go back to them (fluid_drain). Where nothing drives
-// fluids, it is looked whether their energy has risen (fluid_energy, fluid_energy_limit).
+// A step ends by placing particles where their bodies have them (particle_position); shared ones go to the mean of
+// their goals, which is the joint (joint_position). If there are emitters or drains, fluid particles then leave the
+// pools (emitter_update, pool_order, fluid_emit) or go back to them (fluid_drain). If nothing drives fluids,
+// fluid_energy and fluid_energy_limit check whether their energy has risen.
 //
-// Freezing (Settings::freeze) is the same for each assembly by itself: freeze_mover, freeze_update at the end of a
+// Freezing (Settings::freeze) does the same for each assembly by itself: freeze_mover, freeze_update at the end of a
 // step.
 //
 // The paper's solver does all of this particle by particle (PaperStage): predict, then contact_average (each particle
@@ -82,7 +82,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     if (s.releases) s.releases->watch(recorder);
 }
 
-/// Of a world without solid particles.
+/// In a world without solid particles.
 void fluidSubstep(const Stages& s, Recorder& recorder, bool first)
 {
     if (s.animations) s.animations->animate(recorder);

@@ -7,7 +7,7 @@ namespace knuckle {
 
 namespace {
 
-// What a particle costs in a substep [us], on one core of 2.6 GHz: docs/decisions.
+// Time for a particle in a substep [us], on one core of 2.6 GHz: docs/decisions.
 constexpr double BODY_MICROSECONDS = 0.15;
 constexpr double LOOSE_MICROSECONDS = 2.0;  // grains, cloth, soft bodies
 constexpr double FLUID_MICROSECONDS = 0.75;
@@ -16,7 +16,8 @@ constexpr double PAPER_MICROSECONDS = 0.25;  // in one iteration
 constexpr double SEARCH_DISPATCHES = 22.0;  // with prediction and finish
 constexpr double FLUID_DISPATCHES = 8.0;
 
-/// Of one iteration of the paper's solver; eq. 10 halves a body's links step by step, for centres and for matrices.
+/// Dispatches of one iteration of the paper's solver; eq. 10 halves a body's links step by step, for centres and for
+/// matrices.
 double paperIteration(const World& world)
 {
     uint32_t longest = 1;

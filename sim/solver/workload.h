@@ -5,8 +5,8 @@
 
 namespace knuckle {
 
-/// About what one step of a world asks of a software driver: within a third of the dispatches, within three times the
-/// time. Substeps must be chosen (World as its builder leaves it).
+/// Estimates what a step of a world costs on a software driver: within a third of the dispatches, within three times
+/// the time. Substeps must be chosen (World as its builder leaves it).
 Workload stepWorkload(const World& world);
 
 }  // namespace knuckle

@@ -46,8 +46,8 @@ uint32_t leastFluidSubsteps(float spacing, float pressure, float timeStep)
 
 float cohesionPressure(float surfaceTension, float spacing)
 {
-    // 3.3 if places were independent (2 pi n^2 / 3 int f r^3 over pi n^2 / 8 int f r^4, see upload_fluid.cpp).
-    // Measured.
+    // 3.3 if positions were independent (2 pi n^2 / 3 int f r^3 over pi n^2 / 8 int f r^4, see fluid_numbers.cpp).
+    // This value is measured.
     return 10.4f * surfaceTension / spacing;
 }
 

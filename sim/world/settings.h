@@ -26,7 +26,7 @@ enum class ReductionKind : uint32_t {
 };
 enum class VelocityOrder : uint32_t { First = 1, Second = 2 };
 
-/// How a step is taken. The defaults are what works best; paperSettings() gives the paper's own choices.
+/// How a step is computed. The defaults work best; paperSettings() gives the paper's own choices.
 struct Settings {
     SolverKind solver = SolverKind::Impulse;
     RotationMethod rotation = RotationMethod::Quaternion;
@@ -40,45 +40,46 @@ struct Settings {
     uint32_t iterations = 2;                      ///< Per substep, 1 ... 64.
     uint32_t stabilization = 0;                   ///< Stabilization iterations per substep, 0 ... 16 (paper, 3.3).
     float contactMargin = 0.2f;                   ///< Candidates within (1 + margin) diameters, 0.05 ... 1 (3.1: 0.2).
-    float freeze = 0.0f;                          ///< An assembly whose particles change place by less in a second
-                                                  ///< keeps it until a neighbour moves [radii], 0 ... 0.8; 0 off
-                                                  ///< (3.1: 0.5).
+    float freeze = 0.0f;                          ///< An assembly whose particles move by less in a second stays in
+                                                  ///< place until a neighbour moves [radii], 0 ... 0.8; 0 off (3.1:
+                                                  ///< 0.5).
     float virtualParticles = 0.01f;               ///< c of eq. 18, relative to the mean diagonal of A at rest, 0 ... 1.
     bool splitSharedMass = true;                  ///< A particle of k bodies weighs m/k in each: conserves momentum.
     float linearDamping = 0.0f;                   ///< [1/s], 0 ... 100.
     float maxSpeed = 100.0f;                      ///< [m/s], > 0.
     float massScaling = 0.0f;                     ///< k [1/m], 0 ... 10: contacts see masses m exp(-k height); 0: off.
-    float vorticity = 0.0f;                       ///< How much of the swirls that fluids lose is given back, 0 ... 1.
-    float sleepSpeed = 0.0f;                      ///< What stays slower sleeps, with all it touches [m/s]; 0: off.
+    float vorticity = 0.0f;                       ///< How much of the lost swirls of fluids is given back, 0 ... 1.
+    float sleepSpeed = 0.0f;                      ///< Assemblies that stay slower sleep, with all that they touch
+                                                  ///< [m/s]; 0: off.
 
-    /// The first substep that begins at a time or after it [s]; NO_SUBSTEP for infinity.
+    /// The first substep that begins at or after a time [s]; NO_SUBSTEP for infinity.
     uint32_t substepAt(float time) const;
 };
 
-/// As many that something as fast as a fall of 1 m (4.5 m/s) stays within a fifth of a diameter in one, 4 to 16. Half
-/// as many again for the paper's solver: its particles part by themselves, and bodies that hit each other faster than
-/// that may get caught in each other's lattices.
+/// Substeps in which something as fast as a fall of 1 m (4.5 m/s) moves at most a fifth of a diameter, 4 to 16. Half as
+/// many again for the paper's solver: its particles part by themselves, and bodies that hit each other faster than that
+/// may get caught in each other's lattices.
 /// @param diameter of particles [m]. @param timeStep [s].
 uint32_t automaticSubsteps(float diameter, float timeStep, SolverKind solver);
 
 /// The same for fluids: pressure goes about a particle far in a substep, so fluid at rest is denser than asked by about
 /// 0.59 of pressure / density (timeStep / (substeps spacing))^2; that stays below 1 %. 4 to 32, and
 /// leastFluidSubsteps().
-/// @param spacing of fluid particles [m]. @param pressure over density [m2/s2]; at least that of twenty layers is
-/// assumed.
+/// @param spacing of fluid particles [m]. @param pressure over density [m2/s2]; taken as at least that of twenty
+/// layers.
 /// @param timeStep [s].
 uint32_t automaticFluidSubsteps(float spacing, float pressure, float timeStep);
 
-/// With fewer substeps fluid does not come to rest: pressure that stays behind by more than 6 % of the density makes it
-/// boil. 1 to 64. @param pressure over density at its floor [m2/s2].
+/// With fewer substeps fluid does not come to rest: if pressure lags behind by more than 6 % of the density, it boils.
+/// 1 to 64. @param pressure over density at its floor [m2/s2].
 uint32_t leastFluidSubsteps(float spacing, float pressure, float timeStep);
 
-/// What the surface tension of a fluid presses it together with [Pa]: what pulls particles acts two rest distances far.
+/// The pressure that a fluid's surface tension causes [Pa]: its pull on particles reaches two rest distances.
 float cohesionPressure(float surfaceTension, float spacing);
 
 /// The paper's own choices: averaged Jacobi with stabilization, Householder-QR, eq. 10's reduction, the hash, freezing
-/// at half a radius, first-order velocities; and what makes them sound: half as many substeps again as the default's, 4
-/// iterations of each, mass scaling, split masses at shared particles.
+/// at half a radius, first-order velocities; and settings that make them work: half as many substeps again as the
+/// default's, 4 iterations of each, mass scaling, split masses at shared particles.
 Settings paperSettings();
 
 }  // namespace knuckle

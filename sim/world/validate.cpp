@@ -10,15 +10,15 @@ namespace knuckle {
 
 namespace {
 
-/// For what only code can get wrong: ranges of single values among them. Of a scene file the schema has checked those
-/// and knows their place; here they are checked for who fills a World in code.
+/// For errors that only code can make, including ranges of single values. For scene files the schema has checked those,
+/// with their place in the file; here they are checked for code that fills a World.
 template <typename... Args>
 void require(bool holds, fmt::format_string<Args...> format, Args&&... args)
 {
     if (!holds) throw std::logic_error(fmt::format(format, std::forward<Args>(args)...));
 }
 
-/// For what a scene file can cause with all values in range: some do not go together, others are rounded to 0.
+/// For errors that a scene file can cause with all values in range: some do not fit together, others are rounded to 0.
 template <typename... Args>
 void requireInput(bool holds, fmt::format_string<Args...> format, Args&&... args)
 {

@@ -22,7 +22,7 @@ inline World worldOf(std::string object, const std::string& more = "")
         .world;
 }
 
-/// What is wrong with it, without the path of its file.
+/// The error message for it, without the path of its file.
 inline std::string complaintOf(const std::string& object, const std::string& more = "")
 {
     const std::string message = messageOf<InputError>([&] { worldOf(object, more); });

@@ -6,7 +6,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// An actor of the project's figure with more fields.
+/// An actor of the project's figure with additional fields.
 std::string figure(const std::string& fields)
 {
     return R"({"type": "actor", "file": "FILE")" + fields + "}";
@@ -41,7 +41,7 @@ TEST(SceneAnimation, SaysWhatClipsAreWhenAndHow)
     for (const Body& body : world.bodies) EXPECT_EQ(body.motion, Motion::Animated) << body.name;
 }
 
-/// The figure's clip has joints that hold: what shares particles agrees where they are.
+/// Joints hold in the figure's clip: bodies that share particles agree about their places.
 TEST(SceneAnimation, JointsAreShutThroughoutAClip)
 {
     const World world = worldOf(figure(DANCE));
@@ -52,13 +52,13 @@ TEST(SceneAnimation, JointsAreShutThroughoutAClip)
             const Vector3f place = poses[link.body].apply(link.restOffset);
             Vector3f& known = places[link.particle];
             if (!known.allFinite()) known = place;
-            // Rounding of places of 2 m, over a chain of seven bodies.
+            // Rounding of places at 2 m, over a chain of seven bodies.
             EXPECT_LT((known - place).norm(), 3e-6f) << "at " << time << " s, particle " << link.particle;
         }
     }
 }
 
-/// How far a joint is from the nearer end of its limits, of turns with places of both bodies; negative beyond them.
+/// Distance of a joint from the nearer end of its limits, by the turns of both bodies; negative beyond them.
 float roomOf(const Joint& joint, const Quaternionf& parent, const Quaternionf& child)
 {
     const Quaternionf a = parent * joint.parentSide.frame, b = child * joint.childSide.frame;
@@ -81,7 +81,7 @@ TEST(SceneAnimation, LimitsTakeInTheRestPoseAndEveryPoseOfAClip)
         for (const Joint& joint : world.joints) {
             if (!joint.limits.any()) continue;
             ++limited;
-            // 5 degrees at the keys; between them splines go a little further.
+            // 5 degrees at the keys; between keys splines overshoot a little.
             EXPECT_GT(roomOf(joint, poses[joint.parent].rotation, poses[joint.child].rotation), 0.07f)
                 << joint.name << " at " << time << " s";
         }

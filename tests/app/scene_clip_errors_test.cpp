@@ -7,7 +7,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// A hip and a leg that stand still for some frames of so many seconds. @param turn of the hip in each [degrees].
+/// A hip and a leg that stand still for some frames of the given length. @param turn of the hip in each [degrees].
 std::string motion(size_t frames, double seconds, const std::string& turn = "0")
 {
     std::string text = R"(HIERARCHY

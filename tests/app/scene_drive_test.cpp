@@ -6,7 +6,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// The project's figure with its dance and more fields.
+/// The project's figure with its dance and additional fields.
 std::string dancer(const std::string& fields)
 {
     return R"({"type": "actor", "file": "FILE", "animation": {"clip": "dance"})" + fields + "}";
@@ -66,7 +66,7 @@ TEST(SceneDrive, ReleasesMakeItDrivenOrLimp)
     EXPECT_EQ(puppet.caught->limpTimes[head], 8.0f);
 }
 
-/// What is still animated when it is caught is let go by what comes after.
+/// A figure that is still animated when it is caught is let go by later releases.
 TEST(SceneDrive, AReleaseBehindACatchIsTheSecondOne)
 {
     const World world = worldOf(dancer(R"(, "catch": {"time": 1}, "release": {"time": 2})"));

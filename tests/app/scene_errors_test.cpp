@@ -10,7 +10,7 @@ namespace {
 struct BadScene {
     const char* name;
     const char* text;
-    const char* message;  ///< What follows the file's name.
+    const char* message;  ///< The part after the file's name.
 };
 
 /// A scene of one box with `fields` added at the top.

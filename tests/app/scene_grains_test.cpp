@@ -39,7 +39,7 @@ TEST(SceneGrains, AreAsFarApartAsTheSpacingSays)
 
 TEST(SceneGrains, FillEveryShapeWithAboutItsVolume)
 {
-    // Volume over the lattice's; what the surface cuts off a lattice of ten an axis is below a third.
+    // Volume over the lattice's; the surface cuts off less than a third of a lattice of ten an axis.
     EXPECT_NEAR(static_cast<double>(load(R"("shape": "sphere", "radius": 0.5)").particles.size()), 524.0, 175.0);
     EXPECT_NEAR(static_cast<double>(load(R"("shape": "capsule", "radius": 0.5, "length": 1)").particles.size()), 1309.0,
                 440.0);

@@ -20,7 +20,7 @@ Pose placeAt(const World& world, double time)
 
 }  // namespace
 
-/// Keys are offsets in the object's own directions: x is -z of the world here.
+/// Keys are offsets in the object's own directions: here x is -z of the world.
 TEST(SceneMotion, GoesFromKeyToKeyInTheObjectsOwnDirections)
 {
     const World world = worldOf(
@@ -75,7 +75,7 @@ TEST(SceneMotion, MistakesAreToldInOneLine)
 }
 
 /// All parts of a collider move about its position, in its own directions: stairs of two steps, turned by 90 degrees
-/// about y, go up by 1 m and turn once about their z, the world's x.
+/// about y, rise by 1 m and turn once about their z, the world's x.
 TEST(SceneMotion, ACollidersPartsMoveTogetherAboutItsPosition)
 {
     const World world = worldOf(
@@ -96,7 +96,7 @@ TEST(SceneMotion, ACollidersPartsMoveTogetherAboutItsPosition)
     }
 }
 
-/// What begins elsewhere than it stands is there from the start.
+/// A collider whose first key is elsewhere is there from the start.
 TEST(SceneMotion, ACollidersFirstKeyIsWhereItBegins)
 {
     const World world = worldOf(
@@ -122,7 +122,7 @@ TEST(SceneMotion, MistakesOfACollidersMotionAreToldInOneLine)
               "the paper's solver has no colliders that move; take their `motion` away, or use solver method impulse");
 }
 
-/// An animated box stands at the origin; a collider comes over it by 1 m.
+/// An animated box stands at the origin; a collider overlaps it by 1 m.
 TEST(SceneMotion, HowFarAMovingColliderComesOverItIsTold)
 {
     const World world = worldOf(box(R"({"time": 0})"),
@@ -131,12 +131,12 @@ TEST(SceneMotion, HowFarAMovingColliderComesOverItIsTold)
     const std::vector<AnimatedDepth> depths = animatedDepths(world, 1.5f);
     ASSERT_EQ(depths.size(), 1u);
     EXPECT_EQ(depths[0].collider, 0u);
-    // Its middle is the box's then: a lattice knows the way out of it to a diameter.
+    // Then its middle is the box's: a lattice knows the way out of the box within a diameter.
     EXPECT_NEAR(depths[0].depth, 0.5f, world.diameter());
     EXPECT_NEAR(depths[0].time, 1, 0.1f);
 }
 
-/// A box of 0.3 m goes by 1 m into a wall that begins 0.5 m ahead, and into another that stands still.
+/// A box of 0.3 m moves by 1 m into a wall that begins 0.5 m ahead, and into another one that stands still.
 TEST(SceneMotion, HowFarItGoesThroughWhatItCannotPushIsTold)
 {
     const auto mover = [](const std::string& position, const std::string& way) {
@@ -152,7 +152,7 @@ TEST(SceneMotion, HowFarItGoesThroughWhatItCannotPushIsTold)
     EXPECT_NEAR(depths[0].depth, 1 + 0.15f - 0.5f, 1e-3f);
     EXPECT_NEAR(depths[0].time, 1, 0.06f);
     EXPECT_EQ(depths[1].other, 1u);
-    // Both have 0.1 m in common; lattices know it to a diameter.
+    // The two overlap by 0.1 m; lattices know this within a diameter.
     EXPECT_NEAR(depths[1].depth, 0.1f, world.diameter());
     EXPECT_TRUE(animatedDepths(world, 0.3f).size() == 1) << "not in the wall yet";
 }

@@ -4,7 +4,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// A dancing figure with a release, and what else stands in `objects`.
+/// A dancing figure with a release, and further entries of `objects`.
 std::string dancer(const std::string& release, const std::string& more = "")
 {
     return R"({"type": "actor", "file": "FILE", "name": "dancer", "animation": {"clip": "dance"}, "release": )" +
@@ -13,7 +13,7 @@ std::string dancer(const std::string& release, const std::string& more = "")
 
 const std::string CRATES = R"(, {"type": "rigid", "shape": "box", "size": [0.1, 0.1, 0.1], "name": "crate",
     "position": [0, 5, 0], "repeat": {"counts": [3, 1, 1]}})";
-constexpr uint32_t CRATE = 8;  ///< Particles of one.
+constexpr uint32_t CRATE = 8;  ///< Particles of a crate.
 
 uint32_t sizeOf(const Release& release)
 {
@@ -52,13 +52,13 @@ TEST(SceneReleaseEvent, ATouchIsOfAllCopiesOrOfOne)
     const World one = worldOf(dancer(R"({"touch": "crate_2"})", CRATES));
     EXPECT_EQ(sizeOf(one.releases[0]), CRATE);
     EXPECT_EQ(one.bodies[one.particles[one.releases[0].firstParticle].body].object, 2u) << "behind the dancer";
-    // Two objects of one name are two releases, whichever is first; ropes come last.
+    // Two objects of one name give two releases; whichever happens first lets go. Ropes come last.
     const World two = worldOf(dancer(R"({"touch": "thing"})", R"(, {"type": "rigid", "shape": "box", "name": "thing",
         "position": [0, 5, 0]}, {"type": "rope", "name": "thing", "from": [0, 6, 0], "to": [1, 6, 0]})"));
     ASSERT_EQ(two.releases.size(), 2u);
     EXPECT_EQ(two.particles[two.releases[0].firstParticle].bodyCount, 1u);
     EXPECT_EQ(two.particles[two.releases[1].firstParticle].bodyCount, 0u);
-    // Each copy of a dancer has its own, of the others.
+    // Each copy of a dancer has its own release, by the other copies.
     const World many = worldOf(R"({"type": "actor", "file": "FILE", "name": "dancer", "animation": {"clip": "dance"},
         "repeat": {"counts": [2, 1, 1]}, "release": {"touch": "dancer"}})");
     ASSERT_EQ(many.releases.size(), 2u);

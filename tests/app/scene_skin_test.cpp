@@ -7,7 +7,7 @@
 namespace knuckle::test {
 namespace {
 
-/// A cube of side 0.4 m whose material file is not there, or not yet.
+/// A cube of side 0.4 m whose material file does not exist, or not yet.
 const char* const CUBE = "mtllib cube.mtl\nusemtl paint\nv 0 0 0\nv 0.4 0 0\nv 0 0.4 0\nv 0.4 0.4 0\nv 0 0 0.4\n"
                          "v 0.4 0 0.4\nv 0 0.4 0.4\nv 0.4 0.4 0.4\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\n"
                          "f 1 5 7 3\nf 2 4 8 6\n";
@@ -18,7 +18,7 @@ std::string actorOf(const std::string& file, const std::string& skin)
            R"(", "repeat": { "counts": [2, 1, 1] } }] })";
 }
 
-/// What is wrong with a scene of an actor, without the path of the scene.
+/// The error message for a scene of an actor, without the path of the scene.
 std::string complaint(const TempFolder& folder, const std::string& file)
 {
     const std::string path = folder.write("scene.json", actorOf(file, "mesh"));

@@ -95,7 +95,7 @@ TEST(Scene, HasTheDiameterOfItsActorsUnlessToldOtherwise)
     finest.voxels.diameter = 0.03f;
     writeActor(folder.path("fine.json"), makeActor(importModel(test::inSource("assets/models/dog.glb")), finest));
     EXPECT_EQ(diameterOf("", R"(, { "type": "actor", "file": "fine.json" })"), 0.03f);
-    // A crate of any diameter is one.
+    // A crate is a crate at any diameter, so its size does not count.
     EXPECT_EQ(diameterOf("", R"(, { "type": "actor", "scale": 0.1, "file": ")" +
                                  test::inSource("assets/models/crate.glb") + "\" }"),
               fine.diameter);
@@ -213,8 +213,8 @@ TEST(Chain, LeavesALayerForTheJointsParticles)
 {
     const Scene scene = load(R"({ "objects": [{ "type": "joined" }] })");
     const Vector3f distance = scene.world.bodies[1].restCentre - scene.world.bodies[0].restCentre;
-    // Four diameters from box to box, less what the shared particle in between adds to both centres of mass: half its
-    // mass in each, 0.5 / 27.5 of 0.2 m on each side.
+    // Four diameters from box to box, less the shift of both centres of mass by the shared particle in between: half
+    // its mass in each, 0.5 / 27.5 of 0.2 m on each side.
     EXPECT_NEAR(distance.norm(), 0.4f - 2.0f * 0.2f * 0.5f / 27.5f, 1e-4f);
 }
 
@@ -238,7 +238,7 @@ TEST(Colliders, OfAContainerAreAFloorAndFourWalls)
     ASSERT_EQ(planes.world.colliders.size(), 5u);
     for (const Collider& wall : planes.world.colliders) {
         EXPECT_EQ(wall.shape, ColliderShape::Plane);
-        // The middle of the box, one metre up, is on the free side of all.
+        // The middle of the box, one metre up, is on the free side of all walls.
         const Vector3f normal = wall.orientation * Vector3f::UnitY();
         EXPECT_GT(normal.dot(Vector3f(0, 1, 0) - wall.position), 0.9f);
     }
@@ -264,7 +264,7 @@ TEST(Colliders, OfStairsClimbTowardsMinusZ)
 TEST(Colliders, TurnAboutXThenYThenZ)
 {
     const Json json{{"rotation", {90, 90, 0}}};
-    // About x first: +z goes to -y, and the turn about y leaves it there.
+    // First about x: +z goes to -y, which the turn about y does not change.
     EXPECT_LT((readRotation(json) * Vector3f::UnitZ() - Vector3f(0, -1, 0)).norm(), 1e-5f);
 }
 

@@ -6,8 +6,8 @@ namespace knuckle::test {
 
 namespace {
 
-/// Hips and legs that stand still for two seconds, but for a left knee, which bends first, and then over its toes for
-/// three frames.
+/// Hips and legs that stand still for two seconds, except for a left knee, which first bends, and then beyond its toes
+/// for three frames.
 std::string kickedKnee()
 {
     std::string text = R"(HIERARCHY

@@ -22,7 +22,7 @@ void expectSame(const std::string& field, const Json& inSchema, const Json& inSt
     }
 }
 
-/// Every field of T is a property of the definition with the struct's default, and the other way round.
+/// Checks that every field of T is a property of the definition with the struct's default, and vice versa.
 template <typename T>
 void expectSameDefaults(const std::string& definition, const std::vector<std::string>& extra = {})
 {
@@ -116,7 +116,7 @@ TEST(Schema, DefaultsKeepTheirOwnRules)
 
 TEST(Schema, SceneReferenceIsCurrent)
 {
-    // EXPECT_EQ would print the whole page where it fails.
+    // EXPECT_EQ would print the whole page on failure.
     EXPECT_TRUE(test::readText(test::inSource("docs/scene.md")) == schemaMarkdown(Schema("scene.schema.json")))
         << "renew it: knuckle schema --markdown > docs/scene.md";
 }

@@ -17,7 +17,7 @@ protected:
         "objects": [{ "type": "joined", "name": "pair", "position": [0, 0.3, 0] }],
         "render": { "width": 64, "height": 36 } })";
 
-    /// Runs in the test's folder on the software driver, the same everywhere.
+    /// Runs in the test's folder on the software driver, with the same result everywhere.
     RunResult run(std::vector<std::string> arguments, RunOptions options = {}) const
     {
         if (options.folder.empty()) options.folder = folder.path();
@@ -31,7 +31,7 @@ protected:
         EXPECT_EQ(result.err, "knuckle: " + message + "\n");
         EXPECT_EQ(result.out, "");
     }
-    /// What lies in the folder beside the scene.
+    /// The files in the folder other than the scene.
     std::vector<std::string> madeFiles() const
     {
         std::vector<std::string> files = listFolder(folder.path());

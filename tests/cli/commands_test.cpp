@@ -133,7 +133,7 @@ TEST_F(Cli, ComparesImages)
 {
     Image image{64, 64, std::vector<uint8_t>(64 * 64 * 3, 100)};
     writePng(folder.path("a.png"), image);
-    image.rgb[300] = 200;  // one pixel of 4096: 0.024 %, less than the 0.1 % that are allowed
+    image.rgb[300] = 200;  // one pixel of 4096: 0.024 %, less than the tolerated 0.1 %
     writePng(folder.path("b.png"), image);
     EXPECT_EQ(run({"compare", "a.png", "a.png"}).code, 0);
     EXPECT_EQ(run({"compare", "a.png", "b.png"}).code, 0);

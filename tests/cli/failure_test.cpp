@@ -13,7 +13,7 @@ namespace {
 using test::RunResult;
 using Failure = test::CliTest;
 
-/// Files may not grow beyond `bytes`: the writer sees an error as from a full disk, not a signal.
+/// Limits the size of files: the writer gets an error as from a full disk, not a signal.
 std::function<void()> limitFiles(rlim_t bytes)
 {
     return [bytes] {
@@ -112,8 +112,7 @@ TEST_F(Failure, ToFindFfmpegSaysWhatToDo)
 
 TEST_F(Failure, OfTheDiskLeavesNothingHalfWritten)
 {
-    // A frame of 64 x 36 pixels, its film and 55 particles are all larger than this; what is read has no
-    // such limit.
+    // A frame of 64 x 36 pixels, its film and 55 particles are all larger than this; reading has no such limit.
     const test::RunOptions full{
         .environment = {"MESA_SHADER_CACHE_DISABLE=1"}, .inChild = limitFiles(400), .standardOutput = "/dev/null"};
     if (run({"info"}, full).code == 1000 + SIGBUS)
@@ -166,7 +165,7 @@ TEST_F(Failure, ByCtrlCKeepsWhatIsFinishedAndRemovesTheRest)
 
 TEST_F(Failure, ToFindADeviceSaysSo)
 {
-    // Without the vendors' descriptions libEGL finds no driver at all.
+    // Without the vendors' descriptions libEGL finds no driver.
     const RunResult result = test::runKnuckle(
         {"render", scene}, {.folder = folder.path(), .environment = {"__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"}});
     EXPECT_EQ(result.code, 3) << result.err;

@@ -9,11 +9,11 @@ using Json = nlohmann::json;
 using test::EditedGlb;
 using test::RunResult;
 
-/// The project's figure with what is not read of files, or not played; and how that is told.
+/// Files of the project's figure with parts that are not read or not played, and the notes about them.
 class LeftOut : public test::CliTest {
 protected:
     static EditedGlb figure() { return EditedGlb(test::readText(test::inSource("assets/models/humanoid.glb"))); }
-    /// A scene that the figure is an actor of. @param fields more of it.
+    /// Writes a scene with the figure as an actor. @param fields further ones.
     void write(EditedGlb& glb, const std::string& fields) const
     {
         folder.write("figure.glb", glb.bytes());
@@ -21,7 +21,7 @@ protected:
             "objects": [{ "type": "actor", "file": "figure.glb", "position": [0, 0, 0], )" +
                                        fields + "}] }");
     }
-    /// Gives a clip a channel of values that go from nothing to one. @param size of a value.
+    /// Gives a clip a channel of values from zero to one. @param size of a value.
     static void animate(EditedGlb& glb, size_t clip, const Json& target, size_t size, const std::string& type)
     {
         Json& animation = glb.root["animations"].at(clip);
@@ -40,7 +40,7 @@ protected:
             if (nodes[n].contains(field) && (value.is_null() || nodes[n][field] == value)) return n;
         throw std::out_of_range(field);
     }
-    /// Of voxelize, and of check for a scene that plays a clip and one that plays the other.
+    /// Expects the note of voxelize, and of check for a scene that plays a clip and one that plays the other.
     void expectTold(EditedGlb& glb, const std::string& note) const
     {
         write(glb, R"("animation": { "clip": "walk" })");

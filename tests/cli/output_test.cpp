@@ -34,7 +34,7 @@ protected:
         words.insert(words.begin(), {"-q", "voxelize", model, "--particles", "64"});
         return run(words, std::move(options));
     }
-    /// A device like /dev/null and its kin, in the test's folder. @returns its path; empty where that is not allowed.
+    /// A device such as /dev/null in the test's folder. @returns its path; empty if devices are not allowed.
     std::string device(const std::string& name, unsigned minor) const
     {
         const std::string path = folder.path(name);
@@ -46,7 +46,7 @@ protected:
     std::string model;
 };
 
-/// What each command writes to one file.
+/// Commands that each write to one file.
 std::vector<std::vector<std::string>> writers(const std::string& scene, const std::string& model,
                                               const std::string& path)
 {
@@ -110,7 +110,7 @@ TEST_F(Output, OfAFilmIntoAStreamNeedsNoWayBack)
     ASSERT_EQ(film.code, 0) << film.err;
     EXPECT_EQ(film.out.substr(4, 4), "ftyp");
     EXPECT_NE(film.out.find("moof"), std::string::npos);
-    // A FIFO has the kind that its name says, and is waited for.
+    // The name of a FIFO gives its format, and the program waits for its reader.
     const std::string fifo = folder.path("film.MKV");
     ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
     std::string read;

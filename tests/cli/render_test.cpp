@@ -70,7 +70,7 @@ TEST_F(Render, ChoosesTheDriversThreadsUnlessTheUserDoes)
     const Json set = threadsWith("LP_NUM_THREADS=3");
     EXPECT_TRUE(set["count"].is_null());
     EXPECT_EQ(set["reason"], "LP_NUM_THREADS is set to 3");
-    // 55 particles on 64 x 36 pixels are some microseconds of work. On a GPU nothing is chosen.
+    // 55 particles on 64 x 36 pixels are a few microseconds of work. On a GPU nothing is chosen.
     const Json chosen = threadsWith("LP_NUM_THREADS=");
     EXPECT_TRUE(chosen["count"].is_null() || chosen["count"] == 0) << chosen;
     EXPECT_FALSE(chosen["reason"].get<std::string>().empty());
@@ -135,7 +135,7 @@ TEST_F(Render, TellsWhatWasLetGo)
     EXPECT_LT(releases[0]["momentumChange"].get<double>(), 0.01);
     EXPECT_LT(releases[0]["worstBodyChange"].get<double>(), 0.02);
     EXPECT_LT(releases[0]["worstGap"].get<double>(), 0.05);
-    // Telling changes nothing.
+    // Printing statistics changes nothing.
     EXPECT_EQ(run({"render", doll, "-o", "out", "--frames", "30:30", "--hash", "-q"}).out,
               "state hash " + stats["stateHash"].get<std::string>() + "\n");
 }
@@ -155,7 +155,7 @@ TEST_F(Render, ExportsParticles)
     int32_t body = -1;
     std::memcpy(&y, ply.data() + start + 2 * 4, 4);
     std::memcpy(&body, ply.data() + start + 7 * 4, 4);
-    EXPECT_NEAR(y, 0.2f, 1e-5f);  // the lowest layer of a cube of three whose middle is at 0.3 m
+    EXPECT_NEAR(y, 0.2f, 1e-5f);  // the lowest layer of a cube of three layers whose middle is at 0.3 m
     EXPECT_EQ(body, 0);
 }
 

@@ -31,7 +31,7 @@ namespace {
     _exit(126);
 }
 
-/// Waits until the file exists. @returns false where the child ended before.
+/// Waits until the file exists. @returns false if the child has ended before.
 bool waitForFile(pid_t child, const std::string& path)
 {
     while (!std::filesystem::exists(path)) {

@@ -8,7 +8,7 @@ namespace knuckle::test {
 
 struct RunOptions {
     std::string folder = {};                    ///< Working folder; empty: this one's.
-    std::vector<std::string> environment = {};  ///< "NAME=value", in place of what is inherited.
+    std::vector<std::string> environment = {};  ///< "NAME=value", replacing inherited values.
     std::function<void()> inChild = {};         ///< Runs before the program starts: limits, user.
     std::string standardOutput = {};            ///< Empty: captured; else a file, such as /dev/full.
     int signalAfterFile = 0;                    ///< Sends this signal as soon as `waitFor` exists.

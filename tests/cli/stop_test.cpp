@@ -14,10 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 using test::RunResult;
 
-/// What ends a run: signals, want of memory, the environment.
+/// Causes that end a run: signals, lack of memory, the environment.
 class Stop : public test::CliTest {
 protected:
-    /// A program in the place of ffmpeg. @returns the variable that has it found.
+    /// A program in place of ffmpeg. @returns the variable by which it is found.
     std::string ffmpeg(const std::string& script) const
     {
         fs::create_directory(folder.path("bin"));
@@ -37,7 +37,7 @@ protected:
 
 TEST_F(Stop, WhileShadersAreCompiledIsAtOnce)
 {
-    // ffmpeg starts before the first shader, and says so.
+    // ffmpeg starts before the first shader, and leaves a file.
     const std::string path = ffmpeg("touch started\nexec cat >/dev/null");
     const RunResult result = run({"-q", "render", scene, "-o", "film.mp4", "--export", "ply=ply"},
                                  {.environment = {path, "MESA_SHADER_CACHE_DISABLE=1"},
@@ -52,7 +52,7 @@ TEST_F(Stop, WhileShadersAreCompiledIsAtOnce)
 
 TEST_F(Stop, EndsWhatHangsSoonAndTheSecondTimeAtOnce)
 {
-    // It takes no frame: what waits for it waits for ever.
+    // It reads no frame: a writer waits for it forever.
     const std::string path = ffmpeg("exec sleep 1000");
     for (const bool twice : {false, true}) {
         const RunResult result = run(
@@ -100,7 +100,7 @@ TEST_F(Stop, ByTheEnvironmentNamesTheVariable)
     for (const std::string variable : {"MESA_GL_VERSION_OVERRIDE=3.0", "GALLIUM_DRIVER=none",
                                        "LIBGL_DRIVERS_PATH=/none", "__EGL_VENDOR_LIBRARY_FILENAMES=/none.json"}) {
         const RunResult result = run({"-q", "render", scene, "-o", "out"}, {.environment = {variable}});
-        if (result.code == 0) continue;  // this driver takes no notice
+        if (result.code == 0) continue;  // this driver ignores the variable
         EXPECT_EQ(result.code, 3) << variable;
         EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
         EXPECT_NE(result.err.find(variable), std::string::npos) << result.err;
@@ -110,7 +110,7 @@ TEST_F(Stop, ByTheEnvironmentNamesTheVariable)
 
 TEST_F(Stop, OfOneStreamDoesNotMixItWithTheOther)
 {
-    // Both into one file.
+    // Both streams into one file.
     const std::string both = folder.path("both");
     const RunResult result = run({"check", "tiny.json", "none.json", "tiny.json"},
                                  {.inChild = [] { dup2(STDOUT_FILENO, STDERR_FILENO); }, .standardOutput = both});

@@ -20,7 +20,7 @@ std::string libraryPath(const char* name, const char* functionInIt)
     return function != nullptr && dladdr(function, &info) != 0 ? info.dli_fname : "";
 }
 
-// apitrace's EGL tracer puts itself in the place of libGL, and knows no GLX; glvnd's libOpenGL is such a libGL, too.
+// apitrace's EGL tracer replaces libGL, and has no GLX; glvnd's libOpenGL is also such a libGL.
 TEST_F(Tracing, WorksWhereLibGlHasNoGlx)
 {
     const std::string libOpenGl = libraryPath("libOpenGL.so.0", "glEnable");

@@ -1,4 +1,4 @@
-// What a film moves between host and device, counted at GL's own functions, whoever calls them.
+// Transfers of a film between host and device, counted at GL's own functions, whoever calls them.
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace knuckle {
 namespace {
 
 constexpr size_t KIB = 1024;
-/// Stands for the size of a transfer by a function that the project does not use: if it ever does, this test fails.
+/// Size of a transfer by a function that the project does not use: if it is ever used, this test fails.
 constexpr size_t UNKNOWN = size_t{1} << 40;
 constexpr uint64_t FRAMES = 60;
 constexpr uint32_t WIDTH = 64, HEIGHT = 36;
@@ -30,11 +30,11 @@ struct Transfer {
     const char* function;
     Way way;
     size_t bytes;
-    uint64_t frame;  ///< Pictures taken before, so 0 until the first frame has been drawn.
+    uint64_t frame;  ///< Pictures drawn before, so 0 until the first frame has been drawn.
     std::thread::id thread;
 };
 
-std::mutex mutex;  ///< A film may be drawn on a thread of its own.
+std::mutex mutex;  ///< A film may be drawn on a separate thread.
 std::vector<Transfer> transfers;
 std::atomic<uint64_t> picturesTaken = 0;
 
@@ -44,7 +44,7 @@ void note(const char* function, Way way, size_t bytes)
     transfers.push_back({function, way, bytes, picturesTaken, std::this_thread::get_id()});
 }
 
-/// Calls NOTE with the arguments of each call of the GL function that libepoxy's pointer FUNCTION leads to.
+/// Calls NOTE with the arguments of each call of the GL function behind libepoxy's pointer FUNCTION.
 template <auto FUNCTION, auto NOTE>
 struct Watch;
 
@@ -52,7 +52,7 @@ template <typename Result, typename... Arguments, Result (**FUNCTION)(Arguments.
 struct Watch<FUNCTION, NOTE> {
     explicit Watch(const char* name)
     {
-        // Not what libepoxy's pointer holds: until its first call that is a resolver, which would undo the watch.
+        // Not the value of libepoxy's pointer: until its first call that is a resolver, which would undo the watch.
         real = reinterpret_cast<Result (*)(Arguments...)>(eglGetProcAddress(name));
         *FUNCTION = call;
     }
@@ -97,7 +97,7 @@ void noteReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*)
     ++picturesTaken;
 }
 
-/// Every way of OpenGL 4.3 to move an array, as far as a film could use it.
+/// Every way of OpenGL 4.3 to move an array that a film could use.
 struct Watches {
     Watch<&glBufferData, noteBufferData> bufferData{"glBufferData"};
     Watch<&glBufferSubData, noteBufferSubData> bufferSubData{"glBufferSubData"};
@@ -111,7 +111,7 @@ struct Watches {
     Watch<&glGetTexImage, [](auto...) { note("glGetTexImage", Way::Read, UNKNOWN); }> getTexImage{"glGetTexImage"};
 };
 
-/// A scene's picture is small, as is its water where there is much.
+/// Makes a scene's picture small, and its water if there is much.
 std::vector<Override> smaller(const std::string& name)
 {
     std::vector<Override> changes = {{"render.width", WIDTH}, {"render.height", HEIGHT}};
@@ -138,7 +138,7 @@ std::string film(const std::string& name, bool drawAside)
     return test::readText(folder.path("out/frame_0060.png"));
 }
 
-/// That moved anything after the first frame.
+/// The number of threads that moved anything after the first frame.
 size_t threadCount()
 {
     std::set<std::thread::id> threads;
@@ -174,7 +174,7 @@ void TrafficOf::expectPicturesOnly()
             case Way::Upload: ASSERT_LE(t.bytes, KIB) << place; break;
             case Way::Picture: ASSERT_EQ(t.bytes, size_t{4} * WIDTH * HEIGHT) << place; break;
             case Way::Read:
-                // Before the first step it is asked for whether fluids have come to rest.
+                // Before the first step, the host reads whether fluids have come to rest.
                 if (t.frame == 1 && t.bytes == sizeof(uint32_t)) break;
                 ASSERT_EQ(t.bytes, sizeof(gpu::Counters)) << place;
                 break;
@@ -193,8 +193,8 @@ TEST_P(TrafficOf, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
     EXPECT_TRUE(here == aside) << "the pictures differ";
 }
 
-// What flows out of emitters is there from the start; blows, touches, drives, catches and colliders
-// that move need no host.
+// Particles that flow out of emitters exist from the start; blows, touches, drives, catches and moving colliders need
+// no host.
 INSTANTIATE_TEST_SUITE_P(Scenes, TrafficOf,
                          testing::Values("ragdoll.json", "fountain.json", "dance.json", "troupe.json", "wade.json",
                                          "struck.json", "hit.json", "catch.json", "mill.json"),

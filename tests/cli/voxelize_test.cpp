@@ -100,7 +100,7 @@ TEST_F(Voxelize, SplitsAMeshIntoItsParts)
                       "skin": "mesh" }],
         "colliders": [{ "type": "box", "size": [0.8, 0.2, 4], "position": [0, 0.1, 0] }] })");
     EXPECT_EQ(run({"render", "fall.json", "--export", "bodies=fall.csv", "--frames", "36:36", "-q"}).err, "");
-    // Of the last frame, the heights of both: one lies on the box, the other falls beside it.
+    // The heights of both in the last frame: one lies on the box, the other falls beside it.
     std::istringstream csv(test::readText(folder.path("fall.csv")));
     std::vector<float> heights;
     for (std::string line; std::getline(csv, line);) {
@@ -127,7 +127,7 @@ TEST_F(Voxelize, TellsWhatOfItsLooksIsMissing)
     EXPECT_EQ(run({"voxelize", "ramp.obj"}).out.find(missing), std::string::npos);
 }
 
-/// In a part of a picture, the rows and columns of what is colourful, as the figure is and the ground is not.
+/// Rows and columns, in a part of a picture, with colourful pixels, which the figure has and the ground has not.
 struct Extent {
     uint32_t left = 10000, right = 0, top = 10000, bottom = 0;
 

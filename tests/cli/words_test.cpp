@@ -9,7 +9,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::RunResult;
 
-/// What stands behind options: endings, numbers, nothing.
+/// Arguments of options: endings, numbers, nothing.
 using Words = test::CliTest;
 
 TEST_F(Words, OfAnotherKindOfFileAreRefusedWithTheListOfWhatIsKnown)

@@ -9,8 +9,8 @@ namespace knuckle::test {
 
 namespace {
 
-// The highest speed that overlapping starts may reach [m/s]. A contact gives a side that already leaves at 1 m/s
-// (LEAVING_SPEED) no more than a tenth of 0.25 m/s, so ten in a row come to 1.25 m/s. The rest is a margin for
+// The highest speed that overlapping starts may reach [m/s]. A contact pushes a side that already leaves at 1 m/s
+// (LEAVING_SPEED) by no more than a tenth of 0.25 m/s, so ten in a row reach 1.25 m/s. The rest is a margin for
 // iterations that end before all contacts agree.
 constexpr double TOP_SPEED = 2.0;
 constexpr float EDGE = 3 * DIAMETER;
@@ -18,7 +18,7 @@ constexpr float EDGE = 3 * DIAMETER;
 /// What happened in a world while its overlaps came apart.
 struct Way {
     double topSpeed = 0.0;       ///< Of any particle at the end of any step [m/s].
-    double ownSpeed = 0.0;       ///< The same of whole movers, sqrt(2 E/m), without what their own fall gave.
+    double ownSpeed = 0.0;       ///< The same for whole movers, sqrt(2 E/m), without the part from their own fall.
     double energyGained = 0.0;   ///< Kinetic and potential, from the start to the end [J].
     double kineticEnergy = 0.0;  ///< At the end [J].
     Measures measures;           ///< At the end.
@@ -87,7 +87,7 @@ WorldBuilder onTheFloor()
     return builder;
 }
 
-/// Ten cubes; `place(k)` is where the k-th stands.
+/// Ten cubes; `place(k)` is the k-th one's place.
 World tenCubes(const Eigen::Vector3i& counts, const std::function<Vector3f(int)>& place)
 {
     WorldBuilder builder = onTheFloor();
@@ -135,7 +135,7 @@ TEST(Apart, ATowerOfTenCubesHalfInsideEachOtherGrowsAndStands)
         const Way way = Watch(world, 3.0).way;
         EXPECT_LT(way.topSpeed, TOP_SPEED);
         EXPECT_LT(way.measures.worstPenetration, 0.1f * DIAMETER);  // measured 0.013
-        // Cube k stood at k/2 edges and stands at k + 1/2. At most 1 % more than that takes, and little less: 3 % of
+        // Cube k was at k/2 edges and is at k + 1/2. At most 1 % more than this needs, and little less: 3 % of
         // penetration at each of 4.5 contacts below the mean cube are 0.05 edges of 2.75, with a third of it to spare.
         double mass = 0.0;
         for (const Particle& particle : world.particles) mass += static_cast<double>(particle.mass);
@@ -148,7 +148,7 @@ TEST(Apart, ATowerOfTenCubesHalfInsideEachOtherGrowsAndStands)
 
 TEST(Apart, ACrookedTowerGrowsAndOnlyThenFalls)
 {
-    // A fifth of a diameter aside, balls do not rest on balls: it falls also where it is built without overlaps.
+    // Balls do not rest on balls a fifth of a diameter aside: the tower also falls when built without overlaps.
     const World world = tenCubes({3, 3, 3}, [](int k) {
         return Vector3f(0.02f * static_cast<float>(k % 3), 0.5f * EDGE * static_cast<float>(k), 0);
     });
@@ -182,7 +182,7 @@ TEST(Apart, TwoCubesInOnePlaceComeApart)
     WorldBuilder builder = onTheFloor();
     for (int k = 0; k < 2; ++k) addBox(builder, {3, 3, 3}, {Vector3f(0, 0.5f * EDGE, 0)});
     const World world = builder.build();
-    // No more than one contact recovers by itself.
+    // No more than a single contact recovers.
     const Way way = Watch(world, 3.0).way;
     EXPECT_LT(way.topSpeed, 0.5);
     EXPECT_LT(way.measures.worstPenetration, 0.012f * DIAMETER);  // measured 0.0015

@@ -56,7 +56,7 @@ TEST(Cloth, HangsByTwoCornersWithoutStretching)
         run(solver, world, 0.1);
         worst = std::max(worst, solver.measure().worstStretch);
     }
-    // Asked: 1 %, also of the threads at the corners, which carry half of it each, 490 N.
+    // Required: 1 %, also for the threads at the corners, which carry half of it each, 490 N.
     EXPECT_LT(worst, 0.01f);
     EXPECT_LT(solver.measure().maxSpeed, 0.5f);
 }
@@ -65,7 +65,7 @@ TEST(Cloth, OfAModelWeighsItsAreaAndHangsWithoutStretching)
 {
     const ClothSpec spec;
     Settings settings;
-    settings.substeps = 8;  // each node is in three strands or more, of two in a grid
+    settings.substeps = 8;  // each node is in three strands or more, instead of two in a grid
     const ClothSheet sheet = triangleSheet(7, spec);
     const World world = hangingCloth(sheet, spec, settings);
     double area = 0.0, loose = 0.0;
@@ -96,7 +96,7 @@ TEST(Cloth, CarriesACubeAndLetsNothingThrough)
     const World world = builder.build();
     Solver solver(gpu(), world);
     run(solver, world, 3);
-    // It sags, but its threads from corner to corner are no longer than it.
+    // It sags, but its threads from corner to corner are no longer than the cloth.
     EXPECT_GT(solver.readBodies()[cube].position.y(), 1.2f);
     EXPECT_LT(solver.measure().worstPenetration, 0.15f * DIAMETER);  // measured 0.017
     EXPECT_LT(solver.measure().meanStretch, 0.01f);
@@ -130,7 +130,7 @@ TEST(Cloth, StopsWhatComesFast)
     EXPECT_EQ(world.settings.substeps, 17u);
     Solver solver(gpu(), world);
     run(solver, world, 0.15);
-    // The sheet does not stretch: held at its edges it stops the cube at once. Uncaught it were 3 m lower.
+    // The sheet does not stretch: held at its edges it stops the cube at once. Without it, the cube would be 3 m lower.
     EXPECT_GT(solver.readBodies().back().position.y(), 1.5f - DIAMETER);
     EXPECT_LT(solver.measure().worstPenetration, 0.01f * DIAMETER);  // measured 0
 }

@@ -28,8 +28,8 @@ TEST(Contact, ABlockSlidesOnARampIfAndOnlyIfItIsSteeperThanFriction)
 {
     for (float mu : {0.1f, 0.3f, 0.5f, 0.7f, 1.0f}) {
         const double angle = std::atan(mu) * 180.0 / M_PI;
-        // Two degrees below it stays: less than 1 % of a diameter in 2 s. Two degrees above, it accelerates by
-        // g (sin a - mu cos a) = g sin(2 deg)/cos(atan mu) >= 0.342 m/s2: 0.68 m in 2 s; a third of it is asked.
+        // Two degrees below, it stays: less than 1 % of a diameter in 2 s. Two degrees above, it accelerates by g (sin
+        // a - mu cos a) = g sin(2 deg)/cos(atan mu) >= 0.342 m/s2: 0.68 m in 2 s; the test requires a third of it.
         EXPECT_LT(slideDown(angle - 2.0, mu), 0.007 * DIAMETER) << "friction " << mu;  // measured 7e-4
         EXPECT_GT(slideDown(angle + 2.0, mu), 0.2) << "friction " << mu;
     }
@@ -43,8 +43,8 @@ TEST(Contact, FrictionDoesNotDependOnTheIterations)
     for (uint32_t iterations : {1u, 2u, 10u}) {
         Settings settings;
         settings.iterations = iterations;
-        // Until it presses with its weight, in some ten substeps of 1/240 s, friction lags: at most 0.04 s of free
-        // sliding, g sin(a) 0.04 s = 0.2 m/s beside an end speed of 2.1.
+        // Friction lags until the block presses with its weight, in some ten substeps of 1/240 s: at most 0.04 s of
+        // free sliding, g sin(a) 0.04 s = 0.2 m/s of a final speed of 2.1.
         EXPECT_NEAR(slideDown(slope * 180.0 / M_PI, mu, settings), truth, 0.1 * truth) << iterations << " iterations";
         // Measured 0.0012.
         EXPECT_LT(slideDown(repose * 180.0 / M_PI - 5.0, mu, settings), 0.01 * DIAMETER) << iterations << " iterations";
@@ -62,12 +62,12 @@ TEST(Contact, ABlockStopsAfterItsBrakingDistance)
         const World world = builder.build();
         Solver solver(gpu(), world);
         run(solver, world, 1.5);
-        // Steps of 1/240 s sum to v h / 2 less, 0.6 %; asked: 5 %.
+        // Steps of 1/240 s add up to v h / 2 less, 0.6 %; required: 5 %.
         EXPECT_NEAR(solver.readBodies()[0].position.x(), truth, 0.05 * truth) << counts.transpose();
     }
 }
 
-/// A tower of ten cubes, each `shift` [m] beside the last in turn.
+/// A tower of ten cubes, alternately shifted by `shift` [m].
 World tower(int wide, float shift = 0.0f)
 {
     WorldBuilder builder = makeBuilder();
@@ -91,7 +91,7 @@ TEST(Contact, ATowerOfTenCubesStandsForTenSecondsAndDoesNotBreathe)
             run(solver, world, 0.1);
             for (const BodyState& body : solver.readBodies()) fastest = std::max(fastest, double(body.velocity.norm()));
         }
-        // A wave that recovery feeds and nothing damps makes its top swing at half a metre a second.
+        // An undamped wave, fed by recovery, would make its top swing at half a metre a second.
         EXPECT_LT(fastest, 0.05);
         const auto bodies = solver.readBodies();
         for (size_t k = 0; k < bodies.size(); ++k) {
@@ -104,7 +104,7 @@ TEST(Contact, ATowerOfTenCubesStandsForTenSecondsAndDoesNotBreathe)
 
 TEST(Contact, ATowerOfCubesAskewStands)
 {
-    // Where balls rest on balls, a tenth of a diameter aside, it sways and falls over within 8 s.
+    // If balls rested on balls, a tenth of a diameter aside, it would sway and fall over within 8 s.
     for (float shift : {0.1f, 0.3f, 0.5f}) {
         SCOPED_TRACE(std::to_string(shift) + " diameters aside");
         const World world = tower(3, shift * DIAMETER);
@@ -141,7 +141,7 @@ TEST(Contact, ABlockSlidesOnABlockOfParticlesAsOnAPlane)
             const World world = blockOnABlock(0, yaw, mu, {-speed, 0, 0});
             Solver solver(gpu(), world);
             run(solver, world, 1.0);
-            // Steps of 1/240 s sum to v h / 2 less, 0.8 %; asked: 5 %, of which bumps would leave less than half.
+            // Steps of 1/240 s add up to v h / 2 less, 0.8 %; required: 5 %; bumps would leave less than half.
             const Vector3f moved = solver.readBodies()[1].position - world.bodies[1].position;
             EXPECT_NEAR(moved.norm(), braking, 0.05 * braking);
             EXPECT_LT(std::abs(moved.y()), 0.01f * DIAMETER);  // measured 0.0013
@@ -183,7 +183,7 @@ TEST(Contact, TwoCubesThatCollideKeepTheirMomentum)
     const Totals before = totals(world, solver.readParticles());
     run(solver, world, 2.0);
     const Totals after = totals(world, solver.readParticles());
-    // Both sides of a contact compute one impulse, so that only rounding is left.
+    // Both sides of a contact compute the same impulse, so only rounding is left.
     EXPECT_LT((after.momentum - before.momentum).norm(), 3e-7 * before.speedSum);  // measured 4e-8
 }
 

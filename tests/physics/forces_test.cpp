@@ -11,9 +11,9 @@ namespace knuckle::test {
 
 namespace {
 
-constexpr float AIR = 40.0f;  // so dense that all things soon fall as fast as they ever do [kg/m3]
+constexpr float AIR = 40.0f;  // so dense that everything soon reaches its final speed [kg/m3]
 
-/// How fast something falls after a time, from rest: v tanh(g t / v) with the last speed v of m g = drag v^2.
+/// The speed of a fall after a time, from rest: v tanh(g t / v) with the final speed v of m g = drag v^2.
 /// @param dragArea drag coefficient times area [m2].
 double fallSpeed(double mass, double dragArea, double seconds)
 {
@@ -21,8 +21,8 @@ double fallSpeed(double mass, double dragArea, double seconds)
     return last * std::tanh(GRAVITY * seconds / last);
 }
 
-/// An implicit substep has m g = drag v^2 / (1 + h rate), rate = g / v at last: v is higher by half of h g, where h is
-/// 1/240 s. On the way there the step adds as much at most.
+/// An implicit substep has m g = drag v^2 / (1 + h rate), finally rate = g / v: v is higher by half of h g, where h is
+/// 1/240 s. Before that the step adds at most as much.
 double tolerance(double speed)
 {
     return GRAVITY / 240.0 + 2e-3 * speed;
@@ -69,7 +69,7 @@ TEST(Forces, ABallAGrainAndADropFallAsSpheresDo)
     Solver solver(gpu(), world);
     run(solver, world, 4.0);
     const double pi = std::numbers::pi;
-    // Among fluids a ball weighs as much as its particles.
+    // In a world with fluids a ball weighs as much as its particles.
     const double ball = fallSpeed(world.bodies[0].mass, SPHERE_DRAG * pi * radius * radius, 4.0);
     EXPECT_NEAR(-solver.readBodies()[0].velocity.y(), ball, tolerance(ball));
     const ParticleState state = solver.readParticles();
@@ -90,8 +90,8 @@ TEST(Forces, AClothThatLiesInTheAirFallsAsAPlate)
     const World world = builder.build();
     Solver solver(gpu(), world);
     run(solver, world, 0.75);  // later it tips over, as sheets do
-    // Each node has as much mass as area, so all fall alike; but for those at corners, of which one has two triangles
-    // and one has one, and the cloth carries over what they lack.
+    // Mass and area of each node are proportional, so all fall alike, except those at corners, of which one has two
+    // triangles and one has one; the cloth passes their deficit on.
     double mass = 0.0, momentum = 0.0;
     const ParticleState state = solver.readParticles();
     for (size_t i = 0; i < world.particles.size(); ++i) {
@@ -114,8 +114,8 @@ TEST(Forces, SteadyWindTakesThingsAlongAndNoFaster)
     for (int step = 0; step < 120; ++step) {
         run(solver, world, world.settings.timeStep);
         seconds += world.settings.timeStep;
-        // Behind the wind by w, dw/dt = -drag w |w_axes|: along one direction, w = 5 / (1 + 5 drag t). An implicit
-        // substep is behind it by the part h drag 5 / 2 at most.
+        // With the lag w behind the wind, dw/dt = -drag w |w_axes|: along one direction, w = 5 / (1 + 5 drag t). An
+        // implicit substep lags by at most the fraction h drag 5 / 2.
         const double behind = 5.0 / (1.0 + 5.0 * drag * seconds);
         const Vector3f velocity = solver.readBodies()[0].velocity;
         EXPECT_NEAR((Vector3f(4, 0, -3) - velocity).norm(), behind, 0.01 * 5.0) << seconds;
@@ -175,7 +175,7 @@ TEST(Forces, APushActsInItsRegionAndItsTimeOnEverythingAlike)
     for (const Vector3f& v : solver.readParticles().velocities) EXPECT_EQ(v, Vector3f(0, 0, 0));
     run(solver, world, 0.5);
     const std::vector<Vector3f> velocities = solver.readParticles().velocities;
-    // A tenth of a second is 24 substeps, one more or less by where they begin.
+    // A tenth of a second is 24 substeps, plus or minus one depending on where they begin.
     EXPECT_NEAR(velocities[0].y(), 10.0, 10.0 / 24);
     EXPECT_NEAR(velocities[1].y(), -velocities[0].y(), 1e-3);
     EXPECT_EQ(velocities[2], Vector3f(0, 0, 0)) << "outside";
@@ -195,7 +195,7 @@ TEST(Forces, GustsHaveTheStrengthThatIsSaidAndNoMean)
         sum += gust.cast<double>();
         squares += gust.squaredNorm();
     }
-    // 16 waves sampled 40000 times without a common period: means to a few hundredths.
+    // 16 waves sampled 40000 times without a common period: means are accurate to a few hundredths.
     EXPECT_NEAR(std::sqrt(squares / count), 0.4 * 6, 0.05 * 0.4 * 6);
     EXPECT_LT(sum.norm() / count, 0.03 * 0.4 * 6);
     for (const GustWave& wave : waves) EXPECT_LT(std::abs(wave.wave.dot(wave.amplitude)), 1e-4f * wave.wave.norm());

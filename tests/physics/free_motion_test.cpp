@@ -14,8 +14,8 @@ TEST(FreeMotion, AParticleFallsAsTheContinuumSays)
     Solver solver(gpu(), world);
     run(solver, world, 1.0);
     const Vector3f x = solver.readParticles().positions[0];
-    // Second-order steps of 1/240 s are exact for constant acceleration but for the start, which is first order: of the
-    // size of g h^2, 1.7e-4 m, after 1 s. A first-order method errs by g h / 2 in velocity, 0.02 m after 1 s.
+    // Second-order steps of 1/240 s are exact for constant acceleration except at the start, which is first order: an
+    // error of about g h^2, 1.7e-4 m, after 1 s. A first-order method errs by g h / 2 in velocity, 0.02 m after 1 s.
     EXPECT_NEAR(x.x(), 2.0, 1e-5);                                  // measured 1.6e-6
     EXPECT_NEAR(x.y(), 3.0 - 0.5 * GRAVITY, 2e-4 * 0.5 * GRAVITY);  // measured 2.5e-5
 }
@@ -46,8 +46,8 @@ TEST(FreeMotion, ACubeKeepsItsSpin)
     }
 }
 
-/// Runs 5 s of free tumbling. Momentum: only rounding may change it, 1e-4 of the sum of m |v|. Angular momentum: BDF2
-/// and what a joint's iterations leave over cost a share of it, at most `angularShare`.
+/// Runs 5 s of free tumbling. Momentum: only rounding may change it, by 1e-4 of the sum of m |v|. Angular momentum:
+/// BDF2 and the remaining errors of joints' iterations cost a share of it, at most `angularShare`.
 void expectConserved(const World& world)
 {
     Solver solver(gpu(), world);

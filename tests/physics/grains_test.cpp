@@ -8,7 +8,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// A cone of loose particles on a floor, their places shaken so that no lattice holds them up.
+/// A cone of loose particles on a floor, with jittered places so that no lattice holds them up.
 World steepHeap(float mu, float radius, float slope)
 {
     WorldBuilder builder = makeBuilder({}, mu);
@@ -32,8 +32,8 @@ World steepHeap(float mu, float radius, float slope)
     return builder.build();
 }
 
-/// Slope of a heap about the y axis [degrees]: of the straight line nearest to the mean height of the highest grains in
-/// patches of 1 x 1.6 diameters, between a fifth and four fifths of its height.
+/// Slope of a heap about the y axis [degrees]: of the line fitted to the mean heights of the highest grains in patches
+/// of 1 x 1.6 diameters, between a fifth and four fifths of its height.
 double slopeOf(const std::vector<Vector3f>& grains)
 {
     std::vector<std::vector<double>> tops(60);
@@ -79,7 +79,7 @@ TEST(Grains, AHeapThatIsTooSteepCollapsesToTheSlopeOfItsFrictionAndStays)
         const double slope = slopeOf(solver.readParticles().positions);
         EXPECT_NEAR(slope, repose * 180.0 / M_PI, 5.0) << "friction " << mu;
         run(solver, world, 1.5);
-        // A tenth of what is asked of the slope itself: a grain that slips shifts the mean of its patch.
+        // A tenth of the tolerance for the slope itself: a grain that slips shifts the mean of its patch.
         EXPECT_NEAR(slopeOf(solver.readParticles().positions), slope, 0.5) << "friction " << mu;
     }
 }
@@ -97,7 +97,8 @@ TEST(Grains, NothingIsFasterThanTheMaximumSpeed)
     Solver solver(gpu(), world);
     run(solver, world, 1.0);
     for (const Vector3f& v : solver.readParticles().velocities) EXPECT_LE(v.norm(), 2.0f * (1 + 1e-5f));
-    // Reached after 2 / g seconds, kept from there on; a substep of 1/240 s adds gravity's share before it is cut off.
+    // Reached after 2 / g seconds and kept afterwards; a substep of 1/240 s adds gravity's part before the limit
+    // applies.
     const double fallen = 2.0 * (1.0 - 2.0 / GRAVITY) + 0.5 * 4.0 / GRAVITY;
     EXPECT_NEAR(solver.readParticles().positions[0].y(), -fallen, GRAVITY / 240.0);
 }
@@ -105,7 +106,7 @@ TEST(Grains, NothingIsFasterThanTheMaximumSpeed)
 TEST(Grains, MassScalingHasTheUpperOfTwoGiveWay)
 {
     Settings settings;
-    settings.gravity = {0, -1e-4f, 0};  // it only says what is up
+    settings.gravity = {0, -1e-4f, 0};  // only to define up
     settings.massScaling = 5.0f;
     WorldBuilder builder = makeBuilder(settings);
     Particle grain;
@@ -116,12 +117,12 @@ TEST(Grains, MassScalingHasTheUpperOfTwoGiveWay)
     const World world = builder.build();
     Solver solver(gpu(), world);
     run(solver, world, 0.5);
-    // Inelastic, with masses 1 and exp(-k d) where they meet.
+    // Inelastic, with masses 1 and exp(-k d) at the place where they meet.
     const double upper = std::exp(-5.0 * DIAMETER), together = -upper / (1.0 + upper);
     const auto velocities = solver.readParticles().velocities;
-    // In those masses they exchange all momentum; they meet where they are a little nearer or further, 1 %.
+    // With these masses they exchange all momentum; they meet slightly nearer or further away, 1 %.
     EXPECT_NEAR(velocities[0].y() + upper * velocities[1].y(), -upper, 0.01 * upper);
-    // They do not stay together quite: they part with 3.5 % of the speed at which they met.
+    // They do not quite stay together: they part with 3.5 % of their speed of approach.
     for (const Vector3f& v : velocities) EXPECT_NEAR(v.y(), together, 0.03);
 }
 

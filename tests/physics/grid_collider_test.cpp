@@ -40,10 +40,10 @@ TEST(GridCollider, ABallRestsOnAMesh)
     const World world = over(ColliderShape::Mesh, cubeGrid(), sphereLattice(0.25f, DIAMETER), {0.1f, 1.4f, 0.05f},
                              0.5f);
     Solver solver(gpu(), world);
-    run(solver, world, 6.0);  // it stands on a facet for a while
+    run(solver, world, 6.0);  // it stays on a facet for a while
     const BodyState ball = solver.readBodies()[0];
-    // The hull of its lattice has faces like that of (2, 0, 0), (1, 1, 1) and (1, 1, -1) diameters, the square root of
-    // 2 from its centre; their particles' centres are half a diameter over the mesh.
+    // The hull of its lattice has faces such as that of (2, 0, 0), (1, 1, 1) and (1, 1, -1) diameters, at the square
+    // root of 2 from its centre; their particles' centres are half a diameter above the mesh.
     EXPECT_NEAR(ball.position.y(), 1.0f + (std::sqrt(2.0f) + 0.5f) * DIAMETER, 0.006f * DIAMETER);  // measured 7e-4
     EXPECT_LT(ball.velocity.norm(), 6e-4f);                                                         // measured 8e-5
     EXPECT_LT(solver.measure().worstPenetration, 0.006f * DIAMETER);                                // measured 8e-4

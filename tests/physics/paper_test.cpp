@@ -24,7 +24,7 @@ float fastest(Solver& solver)
     return solver.measure().maxSpeed;
 }
 
-/// A pair whose first body is fixed and whose second hangs from it, let go `degrees` from the vertical.
+/// A pair whose first body is fixed and whose second hangs from it, released `degrees` from the vertical.
 World pendulum(JointType type, double degrees)
 {
     const auto angle = static_cast<float>((degrees - 90.0) * std::numbers::pi / 180.0);
@@ -34,7 +34,7 @@ World pendulum(JointType type, double degrees)
     return jointedPair(type, settings, pose, {0, 0, 0}, {0, 0, 0}, true);
 }
 
-/// How far the second body's centre is from being straight below the joint [degrees].
+/// The angle of the second body's centre from straight below the joint [degrees].
 double tilt(const BodyState& hanging)
 {
     const Vector3f arm = hanging.position - Vector3f(0, 3, 0);
@@ -68,7 +68,7 @@ TEST(Paper, WhatHasComeToRestFreezesAndWakesWhenSomethingHitsIt)
     builder.addCollider(floorPlane());
     for (int k = 0; k < 3; ++k)
         addBox(builder, {3, 3, 3}, {Vector3f(0, (1.5f + 3.0f * static_cast<float>(k)) * DIAMETER, 0)});
-    // Thrown up at 15 m/s, it is back after 3.06 s.
+    // Thrown up at 15 m/s, it returns after 3.06 s.
     addBox(builder, {4, 4, 4}, {Vector3f(0, 12.0f * DIAMETER, 0)}, {0, 15, 0});
     const World world = builder.build();
     Solver solver(gpu(), world);
@@ -83,7 +83,7 @@ TEST(Paper, WhatHasComeToRestFreezesAndWakesWhenSomethingHitsIt)
 
 TEST(Paper, WhatLosesItsSupportFallsOutOfItsFreeze)
 {
-    // A cube on two others, of which a fast one knocks the left away.
+    // A cube on two others; a fast cube knocks the left one away.
     WorldBuilder builder = makeBuilder(paperSettings(), 0.05f);
     builder.addCollider(floorPlane(0.05f));
     for (const float x : {-2.0f, 2.0f}) addBox(builder, {3, 3, 3}, {Vector3f(x * DIAMETER, 1.5f * DIAMETER, 0)});
@@ -108,8 +108,8 @@ TEST(Paper, APendulumFreezesOnlyWhereItHangs)
         greatest = std::max(greatest, tilt(solver.readBodies()[1]));
     }
     EXPECT_GT(greatest, 5.0);
-    // First-order velocities take the swing away. What stays within 1/8 d for a second has less than 8 (d/8) / s^2 of
-    // acceleration, 0.1 m/s2: 0.6 degrees.
+    // First-order velocities damp the swing. A body that stays within 1/8 d for a second has an acceleration of less
+    // than 8 (d/8) / s^2, 0.1 m/s2: 0.6 degrees.
     int seconds = 0;
     while (fastest(solver) > 0.0f && seconds++ < 120) run(solver, world, 1.0);
     EXPECT_LT(seconds, 120);
@@ -118,8 +118,8 @@ TEST(Paper, APendulumFreezesOnlyWhereItHangs)
 
 TEST(Paper, JointsHangAsTheDefaultsDo)
 {
-    // By statics a ball, a hinge and a universal joint let a body hang straight down; a stiff one holds it level. What
-    // gives way there is the load over how fast the iterations converge: below a degree.
+    // By statics a ball, a hinge and a universal joint let a body hang straight down; a stiff one holds it level. It
+    // gives way by the load over the speed at which the iterations converge: below a degree.
     for (const JointType type : {JointType::Ball, JointType::Hinge, JointType::Universal, JointType::Stiff}) {
         const bool stiff = type == JointType::Stiff;
         const World world = pendulum(type, stiff ? 90.0 : 15.0);
@@ -135,7 +135,7 @@ TEST(Paper, JointsHangAsTheDefaultsDo)
 
 TEST(Paper, AHeavyLoadHangsFromAChain)
 {
-    // Ten links with a load of ten times their mass at the end: the joints stay shut.
+    // Ten links with a load of ten times their mass at the end: the joints stay closed.
     WorldBuilder builder = makeBuilder(paperSettings());
     Material heavy;
     heavy.name = "heavy";
@@ -164,9 +164,9 @@ TEST(Paper, AHeavyLoadHangsFromAChain)
 
 TEST(Paper, WhatStartsCaughtInEachOtherPartsAndIsNotThrown)
 {
-    // Two dozen cubes in half the room that they need, each turned in its own way. Nothing but gravity and a bounded
-    // recovery gives speed: from 1.3 m 5 m/s, and their corners turn by some more. Were the ways out of bodies not
-    // turned with them, they would stay in each other by 20 % of a diameter and drive themselves to 9-40 m/s.
+    // Two dozen cubes in half the room that they need, each with its own rotation. Only gravity and a bounded recovery
+    // give speed: from 1.3 m 5 m/s, and somewhat more at turning corners. If exit directions did not turn with their
+    // bodies, the cubes would stay in each other by 20 % of a diameter and drive themselves to 9-40 m/s.
     WorldBuilder builder = makeBuilder(paperSettings());
     builder.addCollider(floorPlane());
     for (int k = 0; k < 24; ++k) {
@@ -197,7 +197,7 @@ TEST(Paper, APileKeepsStillForAMinute)
     const auto before = solver.readBodies();
     run(solver, world, 50.0);
     const auto after = solver.readBodies();
-    // What has come to rest is frozen, and nothing that is frozen moves: measured 0.
+    // Bodies at rest are frozen, and frozen bodies do not move: measured 0.
     for (size_t b = 0; b < before.size(); ++b)
         EXPECT_LT((after[b].position - before[b].position).norm(), 1e-6f * DIAMETER) << "body " << b;
     const Measures m = solver.measure();

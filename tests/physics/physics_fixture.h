@@ -23,10 +23,10 @@ Settings weightless();
 /// A single box of `counts` particles as an object of its own. @returns its body's index.
 uint32_t addBox(WorldBuilder& builder, const Eigen::Vector3i& counts, const Pose& pose = {},
                 const Vector3f& velocity = {0, 0, 0}, const Vector3f& spin = {0, 0, 0});
-/// Two 3x3x3 cubes 4 diameters apart along x with a joint between them. A is fixed where asked for.
+/// Two 3x3x3 cubes 4 diameters apart along x with a joint between them. A is fixed if requested.
 World jointedPair(JointType type, const Settings& settings, const Pose& pose = {}, const Vector3f& velocity = {0, 0, 0},
                   const Vector3f& spin = {0, 0, 0}, bool fixed = false, int limitSide = 0);
-/// Opens an object of cubes in a row along x, joined, that touch none of each other: a contact ends second order.
+/// Opens an object of cubes in a row along x, joined, that do not touch each other, since a contact ends second order.
 /// The caller may change them, and ends the object.
 void beginRow(WorldBuilder& builder, uint32_t bodies, JointType type);
 Collider floorPlane(float friction = 0.5f);
@@ -42,11 +42,11 @@ struct Totals {
 };
 Totals totals(const World& world, const ParticleState& state);
 
-/// Kinetic and in gravity, of all particles [J].
+/// Kinetic and gravitational energy of all particles [J].
 double energyOf(const World& world, const ParticleState& state);
 
-/// Of a body that swings about an axis along z: I / (m l), by its own links. @param hinge a point of it, where the
-/// body is put together [m].
+/// Of a body that swings about an axis along z: I / (m l), from its own links. @param hinge a point of the axis, in the
+/// frame in which the body is built [m].
 double reducedLength(const World& world, uint32_t body, const Vector3f& hinge);
 
 /// Height of the lowest body's mass centre [m].

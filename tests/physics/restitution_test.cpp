@@ -26,8 +26,8 @@ float lowest(std::span<const Vector3f> positions)
     return low - 0.5f * DIAMETER;
 }
 
-/// How high something rises again after a fall of about 1 m [m], onto a plane or onto the middle of four particles of a
-/// fixed block.
+/// The height of a bounce after a fall of about 1 m [m], onto a plane or onto the middle of four particles of a fixed
+/// block.
 float rebound(Thing thing, float restitution, float fall = 1.0f, bool onBlock = false)
 {
     WorldBuilder builder = bouncyBuilder(restitution);
@@ -63,8 +63,8 @@ float rebound(Thing thing, float restitution, float fall = 1.0f, bool onBlock = 
 
 TEST(Restitution, WhatFallsByOneMetreRisesToTheSquareOfIt)
 {
-    // A substep of 1/240 s at 4.43 m/s is 18.5 mm. The speed is that at its start, of a height up to as much less; it
-    // rises from where it was stopped, up to half of that from the ground.
+    // A substep of 1/240 s at 4.43 m/s is 18.5 mm. The speed is that at the start of the substep, from a height up to
+    // this much lower; it rises from where it was stopped, up to half of that above the ground.
     const double way = std::sqrt(2.0 * GRAVITY) / 240.0;
     for (Thing thing : {Thing::Grain, Thing::Cube, Thing::Ball})
         for (float e : {0.0f, 0.5f, 0.8f})
@@ -73,7 +73,7 @@ TEST(Restitution, WhatFallsByOneMetreRisesToTheSquareOfIt)
 
 TEST(Restitution, WhatFallsOnABlockOfParticlesRisesAsFromAPlane)
 {
-    // As above; amid four particles it is found at most 0.03 diameters late.
+    // As above; between four particles it is found at most 0.03 diameters late.
     for (Thing thing : {Thing::Grain, Thing::Cube, Thing::Ball})
         for (float fall = 0.8f; fall < 1.2f; fall += 0.05f) {
             const double way = std::sqrt(2.0 * GRAVITY * double(fall)) / 240.0;
@@ -99,8 +99,8 @@ TEST(Restitution, TwoThatCollideKeepTheirMomentumAndPartAsItSays)
     Solver solver(gpu(), world);
     run(solver, world, 0.5);
     const auto bodies = solver.readBodies();
-    // The larger restitution of the two; equal masses. Four iterations leave (1 - x)(1 - 1.8 x) twice of a mode that
-    // converges by x, a hundredth at the half that nine contacts of a cube come to.
+    // The larger restitution of the two counts; equal masses. Four iterations leave (1 - x)(1 - 1.8 x) twice of a mode
+    // that converges by x, a hundredth at the half of nine contacts of a cube.
     EXPECT_NEAR(bodies[0].velocity.x(), 0.5 * (1 - 0.6), 3e-4);               // measured 3.4e-5
     EXPECT_NEAR(bodies[1].velocity.x(), 0.5 * (1 + 0.6), 3e-4);               // measured 3.4e-5
     EXPECT_NEAR(bodies[0].velocity.x() + bodies[1].velocity.x(), 1.0, 5e-7);  // measured 6e-8
@@ -119,13 +119,13 @@ TEST(Restitution, AddsNoEnergy)
     for (int k = 0; k < 40; ++k) {
         run(solver, world, 0.1);
         const double now = energyOf(world, solver.readParticles());
-        // Without collisions it is kept to 1e-3; bodies that overlap are pushed apart with next to no speed.
+        // Without collisions energy is kept to 1e-3; overlapping bodies are pushed apart with hardly any speed.
         EXPECT_LT(now, 1.01 * least) << "after " << 0.1 * (k + 1) << " s";
         least = std::min(least, now);
     }
 }
 
-/// The speeds of impact are not those at the start of a substep: what is lost would be lost at each bounce.
+/// The speeds of impact are not those at the start of a substep: otherwise the difference would be lost at each bounce.
 TEST(Restitution, FiveBouncesInARowLoseNoMoreThanEach)
 {
     constexpr double E = 0.9;
@@ -152,7 +152,7 @@ TEST(Restitution, FiveBouncesInARowLoseNoMoreThanEach)
             before = body.velocity.y();
             highest = std::max(highest, body.position.y() - 0.15f);
             if (bounces != 5 || before > 0.0f) continue;
-            // A step is 1/60 s: next to the top it falls by up to g / 8 of its square.
+            // A step is 1/60 s: near the top it falls by up to g / 8 of its square.
             EXPECT_NEAR(highest, std::pow(E, 10), 0.015 * std::pow(E, 10) + GRAVITY / 8 / 3600);
             break;
         }
@@ -160,7 +160,7 @@ TEST(Restitution, FiveBouncesInARowLoseNoMoreThanEach)
     }
 }
 
-/// Turned and spinning, with friction and without, where several corners strike at once or one after another.
+/// Turned and spinning, with and without friction, so that several corners strike at once or one after another.
 TEST(Restitution, WhatTumblesGetsNoEnergy)
 {
     for (int k = 0; k < 8; ++k) {
@@ -188,7 +188,7 @@ TEST(Restitution, WhatTumblesGetsNoEnergy)
             rise = std::max(rise, now - least);
             least = std::min(least, now);
         }
-        // What corners sink in by, a hundredth of a diameter, the solver pushes out again.
+        // The solver pushes out again what corners sink in by, a hundredth of a diameter.
         EXPECT_LT(rise, 5e-3 * start) << k;
         EXPECT_GT(least, 0.1 * start) << k;
     }

@@ -30,7 +30,7 @@ Settings slope(double degrees)
     return settings;
 }
 
-/// How far it rolls from rest [m].
+/// The distance that it rolls from rest [m].
 double rollDown(double degrees, float radius, float halfHeight, double seconds, float rolling = 0.0f,
                 bool onParticles = false)
 {
@@ -61,7 +61,7 @@ double inertiaOf(double radius, double halfHeight)
 
 TEST(Rolling, BallsAndCapsulesRollDownASlopeAsSolidOnesDo)
 {
-    // Asked: 2 %. The press of their weight takes some ten substeps to build up, in which friction lags.
+    // Required: 2 %. The pressure of their weight takes some ten substeps to build up, in which friction lags.
     for (float radius : {1.5f, 2.0f, 3.0f, 4.3f})
         for (float half : {0.0f, 2.5f}) {
             SCOPED_TRACE(std::to_string(radius) + " diameters, half height " + std::to_string(half));
@@ -73,7 +73,7 @@ TEST(Rolling, BallsAndCapsulesRollDownASlopeAsSolidOnesDo)
 
 TEST(Rolling, OnABlockOfParticlesTheyRollAsOnAPlane)
 {
-    // Every change of the particles that they touch costs friction its memory: they slip a little.
+    // Every change of the touching particles makes friction forget: they slip a little.
     const double seconds = 1.2;
     for (float half : {0.0f, 1.5f}) {
         const double truth = 0.5 * GRAVITY * std::sin(10 * M_PI / 180) * seconds * seconds / (1 + inertiaOf(3, half));
@@ -90,7 +90,7 @@ TEST(Rolling, OnTheLevelABallRollsOn)
         const World world = builder.build();
         Solver solver(gpu(), world);
         run(solver, world, 3.0);
-        // Nothing slows it down, and nothing may speed it up.
+        // Nothing slows it down, and nothing must speed it up.
         EXPECT_NEAR(solver.readBodies()[0].velocity.x(), 2.0, 0.01) << radius;
         EXPECT_NEAR(solver.readBodies()[0].position.x(), 6.0, 0.025) << radius;  // measured 0.003
     }
@@ -99,7 +99,7 @@ TEST(Rolling, OnTheLevelABallRollsOn)
 TEST(Rolling, RollingFrictionHoldsAndBrakes)
 {
     // The tangent of 5 degrees is 0.087, below 0.1: it lies still. That of 10 degrees is above: the rest of the pull
-    // accelerates it. Asked: 1.6 %, and a tenth of a diameter.
+    // accelerates it. Required: 1.6 %, and a tenth of a diameter.
     EXPECT_LT(std::abs(rollDown(5, 3, 0, 2.0, 0.1f)), 0.1 * DIAMETER);
     const double a = 10 * M_PI / 180, truth = 0.5 * GRAVITY * (std::sin(a) - 0.1 * std::cos(a)) * 4.0 / 1.4;
     EXPECT_NEAR(rollDown(10, 3, 0, 2.0, 0.1f), truth, 0.016 * truth);  // measured 0.002
@@ -118,7 +118,7 @@ TEST(Rolling, BodiesOfKnownVolumeWeighDensityTimesVolume)
     EXPECT_NEAR(world.bodies[2].mass, unit * 24, 1e-5 * unit);                                   // measured 1.1e-6
 }
 
-/// By how much a post of 2 x 5 x 2 turns in 2 s, with `pull` of its weight along x [rad].
+/// The turn of a post of 2 x 5 x 2 in 2 s, with `pull` of its weight along x [rad].
 double tip(double pull)
 {
     Settings settings;
@@ -134,14 +134,14 @@ double tip(double pull)
 
 TEST(Rolling, APostTipsWhereItsEdgeSays)
 {
-    // Width over height: 0.4. Asked: 5 %.
+    // Width over height: 0.4. Required: 5 %.
     EXPECT_LT(tip(0.38), 2e-3);  // measured 3e-4
     EXPECT_GT(tip(0.42), 0.5);
 }
 
 TEST(Rolling, WhatRestsBelowTheFrictionAngleDoesNotCreep)
 {
-    // arctan 0.5 is 26.6 degrees. Asked: less than 1 % of a diameter in 20 s, after it has settled.
+    // arctan 0.5 is 26.6 degrees. Required: less than 1 % of a diameter in 20 s, after it has settled.
     for (bool onParticles : {false, true}) {
         WorldBuilder builder(DIAMETER / 2, slope(24));
         Material material;

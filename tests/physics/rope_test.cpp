@@ -11,7 +11,7 @@ namespace {
 
 constexpr float LENGTH = 2.0f;
 
-/// Mass of a rope of the tests' material [kg]: half of a particle stays in each end.
+/// Mass of a rope of the tests' material [kg]: each end has half of a particle.
 double ropeMass(const World& world)
 {
     double mass = 0.0;
@@ -36,7 +36,7 @@ uint32_t hangCube(WorldBuilder& builder, const RopeSpec& common, uint32_t materi
     return body;
 }
 
-/// How long a world's one rope is: the sum of its distances [m].
+/// The length of a world's only rope: the sum of its distances [m].
 double lengthOf(const World& world, const ParticleState& state)
 {
     double length = 0.0;
@@ -60,7 +60,7 @@ double meanLength(const World& world, double settle)
 
 }  // namespace
 
-/// How far a rope of `compliance` is stretched by a cube of that density, over load times compliance.
+/// Extension of a rope of `compliance` by a cube of that density, over load times compliance.
 double stretchShare(float density, float compliance, uint32_t iterations)
 {
     Settings settings;
@@ -73,7 +73,7 @@ double stretchShare(float density, float compliance, uint32_t iterations)
     rope.compliance = compliance;
     hangCube(builder, rope, builder.addMaterial(material));
     const World world = builder.build();
-    // Each link carries what is below it: of the rope's own weight, half on the mean.
+    // Each link carries everything below it: on average half of the rope's own weight.
     const double load = (world.bodies.front().mass + 0.5 * ropeMass(world)) * GRAVITY;
     return (meanLength(world, 2.5) - LENGTH) / (load * compliance);
 }
@@ -88,8 +88,8 @@ TEST(Rope, IsLongerByWeightTimesComplianceAtAnyNumberOfIterations)
 
 TEST(Rope, CarriesAHundredTimesItsWeightWithoutGettingLonger)
 {
-    // 2000 kg on 19 kg. A particle of the rope at its end falls short by what one iteration leaves of g h^2, 0.2 mm at
-    // 1/240 s, times a few per cent.
+    // 2000 kg on 19 kg. The particle at the rope's end falls short by the remainder of one iteration, of g h^2, 0.2 mm
+    // at 1/240 s, times a few per cent.
     for (uint32_t iterations : {1u, 10u}) {
         Settings settings;
         settings.iterations = iterations;
@@ -101,7 +101,7 @@ TEST(Rope, CarriesAHundredTimesItsWeightWithoutGettingLonger)
     }
 }
 
-/// A rope from the origin to `to` that a loose particle of `mass` ends [kg]. @returns its index.
+/// A rope from the origin to `to` with a loose particle of `mass` at its end [kg]. @returns its index.
 uint32_t addPendulum(WorldBuilder& builder, const Vector3f& to, float mass)
 {
     Particle bob;
@@ -115,8 +115,8 @@ uint32_t addPendulum(WorldBuilder& builder, const Vector3f& to, float mass)
     return index;
 }
 
-/// The slowest period of small swings of a hanging chain, by its nodes' masses from the top down [s]: the tension in a
-/// link is the weight below it, and pulls its ends sideways together by it over the length.
+/// The slowest period of small swings of a hanging chain, from its nodes' masses from the top down [s]: the tension in
+/// a link is the weight below it, and pulls its ends together sideways by tension over length.
 double slowestPeriod(const std::vector<double>& masses, double link)
 {
     const auto n = static_cast<Eigen::Index>(masses.size());
@@ -176,7 +176,7 @@ TEST(Rope, SwingsUnderALoadOfTwoThousandOfItsParticles)
 
 TEST(Rope, KeepsItsMomentumWhenItIsFree)
 {
-    // A whirling rope, one end heavier: 1e-4 of what its parts have, as for bodies.
+    // A whirling rope with one heavier end: 1e-4 of its parts' momentum, as for bodies.
     WorldBuilder builder = makeBuilder(weightless());
     addPendulum(builder, {0, -LENGTH, 0}, 5.0f);
     World world = builder.build();
@@ -205,7 +205,7 @@ TEST(Rope, HangsInACatenary)
     Solver solver(gpu(), world);
     run(solver, world, 2);
     for (const Vector3f& x : solver.readParticles().positions)
-        // A chain of 30 links is inside its curve by link^2 / (8 radius), 2 mm; asked: 1 % of the sag.
+        // A chain of 30 links lies inside its curve by link^2 / (8 radius), 2 mm; required: 1 % of the sag.
         EXPECT_NEAR(x.y(), a * std::cosh(x.x() / a) - a - sag, 0.006 * sag) << "at x " << x.x();  // measured 7e-4
 }
 
@@ -226,7 +226,7 @@ bool holds(float tearForce)
 
 TEST(Rope, TearsAtItsForce)
 {
-    // Its first link carries 26.5 kg of cube (its particle has gone to the joint) and 19.5 of rope: 456 N. It starts
+    // Its first link carries 26.5 kg of cube (its particle belongs to the joint) and 19.5 of rope: 456 N. It starts
     // without tension and reaches that from below within a substep, as it does not stretch.
     const float load = static_cast<float>(GRAVITY) * (27.0f + 19.0f);
     EXPECT_TRUE(holds(1.1f * load));

@@ -13,8 +13,8 @@ Settings sleepy()
     return settings;
 }
 
-/// A tower of cubes on the floor, and after it a cube that comes down on `target` after three seconds at 15 m/s and
-/// sideways at 2 m/s.
+/// A tower of cubes on the floor, and a cube that comes down on `target` after three seconds at 15 m/s and sideways at
+/// 2 m/s.
 World towerAndMissile(int cubes, const Vector3f& target)
 {
     WorldBuilder builder = makeBuilder(sleepy());
@@ -26,7 +26,7 @@ World towerAndMissile(int cubes, const Vector3f& target)
     return builder.build();
 }
 
-/// Whether none, or all, of the first `count` bodies stand as still as only sleepers do.
+/// Whether none, or all, of the first `count` bodies stand as still as only sleeping ones do.
 bool allSleep(const std::vector<BodyState>& bodies, size_t count)
 {
     for (size_t b = 0; b < count; ++b)
@@ -50,12 +50,12 @@ TEST(Sleep, ATowerSleepsAndWakesAsAWhole)
     run(solver, world, 2.5);
     const auto before = solver.readBodies();
     EXPECT_TRUE(allSleep(before, 5));
-    // It falls on the topmost after 3.06 s at most; the one at the bottom, four contacts away, wakes in the same step.
+    // It falls on the topmost after 3.06 s at most; the lowest, four contacts away, wakes in the same step.
     int steps = 0;
     while (allSleep(solver.readBodies(), 5) && steps++ < 60) run(solver, world, 1.0 / 60.0);
     EXPECT_TRUE(noneSleeps(solver.readBodies(), 5));
     EXPECT_LT(steps, 60);
-    // Nothing passes into a tower that would have to wake first.
+    // Nothing gets into a tower while the tower has yet to wake.
     EXPECT_LT(solver.measure().worstPenetration, 0.8f * DIAMETER);
 }
 

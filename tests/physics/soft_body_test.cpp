@@ -6,7 +6,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// A soft box on its own, standing on a floor of no friction where asked for.
+/// A single soft box, on a frictionless floor if requested.
 World softBox(const Eigen::Vector3i& counts, const Elasticity& elasticity, const Settings& settings, bool floor,
               float height, const Vector3f& velocity = {0, 0, 0}, const Vector3f& spin = {0, 0, 0})
 {
@@ -40,7 +40,7 @@ Settings stepped(uint32_t substeps, uint32_t iterations)
     return settings;
 }
 
-/// Mean height of the particles that were highest at the start less that of the lowest [m].
+/// Mean height of the particles that were highest at the start, less that of the lowest [m].
 double heightOf(const World& world, const ParticleState& state)
 {
     float top = -INFINITY, bottom = INFINITY;
@@ -62,7 +62,7 @@ double heightOf(const World& world, const ParticleState& state)
 constexpr int LAYERS = 9;
 constexpr float REST_HEIGHT = (LAYERS - 1) * DIAMETER;
 
-/// How much lower a standing column of nine layers becomes under its weight [m].
+/// How much lower a standing column of nine layers becomes by its weight [m].
 double sag(const Elasticity& elasticity, const Settings& settings, double seconds = 2.5)
 {
     const World world = softBox({5, LAYERS, 5}, elasticity, settings, true, 0.5f * LAYERS * DIAMETER);
@@ -87,8 +87,8 @@ TEST(SoftBody, AColumnSagsAsItsStiffnessSays)
     EXPECT_NEAR(sag(jelly(5e4f), stepped(4, 2)), wantedSag(5e4f), 0.05 * wantedSag(5e4f));
 }
 
-/// How far the free end of a column of nine layers moves under its weight where a layer is pinned, at default settings
-/// [m]. @param pinned the layer, from below.
+/// How far the free end of a column of nine layers moves by its weight if a layer is pinned, at default settings [m].
+/// @param pinned the layer, counted from below.
 double pinnedSag(float stiffness, int pinned, double seconds = 2.5)
 {
     WorldBuilder builder(DIAMETER / 2);
@@ -112,7 +112,7 @@ double pinnedSag(float stiffness, int pinned, double seconds = 2.5)
 
 TEST(SoftBody, APinnedColumnSagsStandingAndHanging)
 {
-    // As above, of weights that hang from the pinned layer as of such that stand on it. Asked: 10 %.
+    // As above, for weights that hang from the pinned layer as well as those on it. Required: 10 %.
     for (int pinned : {0, LAYERS - 1}) {
         SCOPED_TRACE(pinned);
         EXPECT_NEAR(pinnedSag(8e4f, pinned), wantedSag(8e4f), 0.1 * wantedSag(8e4f));
@@ -133,9 +133,9 @@ TEST(SoftBody, TheSagDependsLittleOnIterationsAndSubsteps)
         least = std::min(least, found);
         most = std::max(most, found);
     }
-    // The steepest pull, 1.5 E / (density d^2) h (h + damping), is 0.1 to 0.6: less than the iterations can follow,
-    // even one. What is left of the swing after 4 s, exp(-w^2 damping / 2 t) with w = pi / 2 sqrt(E / density) / H, is
-    // 1 %. Measured: 1.8 %.
+    // The steepest pull, 1.5 E / (density d^2) h (h + damping), is 0.1 to 0.6: even one iteration can follow this.
+    // After 4 s 1 % of the swing is left, exp(-w^2 damping / 2 t) with w = pi / 2 sqrt(E / density) / H. Measured: 1.8
+    // %.
     EXPECT_LT(most - least, 0.03 * least) << least << " to " << most << " m";
 }
 
@@ -155,7 +155,7 @@ TEST(SoftBody, ATumblingCubeKeepsMomentumAndAngularMomentum)
     }
 }
 
-/// Mean strain of a cube that falls by 0.5 m: the largest on the way, and that at rest.
+/// Mean strain of a cube that falls by 0.5 m: the largest during the fall, and that at rest.
 std::pair<float, float> strainOfFall(float creep)
 {
     Elasticity elasticity = jelly(3e4f, 0.3f);
@@ -178,14 +178,14 @@ TEST(SoftBody, ADroppedCubeSpringsBackUnlessItFlows)
     // strains by sqrt(2 rho 5 / E) = 58 %.
     EXPECT_LT(elastic, 0.09f);
     EXPECT_GT(most, 2.0f * elastic);
-    // What flows stops at `yield` less than the most that it was strained by.
+    // Flow stops at `yield` below the largest strain.
     EXPECT_GT(plastic, 0.15f) << "of " << plasticMost;
 }
 
 TEST(SoftBody, AStretchedBarNarrowsByItsPoissonRatio)
 {
-    // Thin enough that its weight hardly matters; the floor is smooth, so that the sides are free. Sagging by s on the
-    // mean, it widens by nu s.
+    // Thin enough that its weight hardly matters; the floor is smooth, so that the sides are free. If it sags by s on
+    // average, it widens by nu s.
     const World world = softBox({5, LAYERS, 5}, jelly(1e5f, 0.3f), stepped(4, 4), true, 0.5f * LAYERS * DIAMETER);
     Solver solver(gpu(), world);
     run(solver, world, 2.5);

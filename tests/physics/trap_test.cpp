@@ -8,7 +8,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// The deepest that `point` lies in an axis-aligned cube about `centre`, above 0 inside [m].
+/// The depth of `point` in an axis-aligned cube about `centre`, above 0 inside [m].
 float depthIn(const BodyState& body, const Vector3f& point, float halfEdge)
 {
     const Vector3f p = body.rotation.conjugate() * (point - body.position);
@@ -26,7 +26,7 @@ float topSpeed(Solver& solver, const World& world, double seconds)
     return top;
 }
 
-/// Calls `add` for ten positions: in rows, `offset` from one to the next, the rows on each other and the first half
+/// Calls `add` for ten positions: in rows, `offset` from one to the next, the rows above each other and the first half
 /// inside the floor.
 World overlaps(const std::function<void(WorldBuilder&, const Vector3f&)>& add, const Vector3f& offset, int inRow)
 {
@@ -58,7 +58,7 @@ TEST(Trap, AGrainInABodysLatticeLeavesIt)
         builder.addLooseParticle(grain);
         const World world = builder.build();
         Solver solver(gpu(), world);
-        // Half a metre a second at most, over 0.25 m, and as long again for what is split over many contacts.
+        // Half a metre a second at most, over 0.25 m, and as long again for depths split over many contacts.
         run(solver, world, 2.0);
         const float depth = depthIn(solver.readBodies()[0], solver.readParticles().positions.back(), 0.25f);
         EXPECT_LT(depth, 0.0f) << "started at " << start.transpose();
@@ -75,7 +75,7 @@ TEST(Trap, TwoBoxesThatStartInterleavedPart)
         Solver solver(gpu(), world);
         const float top = topSpeed(solver, world, 2.0);
         EXPECT_LT(solver.measure().worstPenetration, 0.01f * DIAMETER) << offset.transpose();  // measured 0
-        // A particle's distance to the other cube: none is inside any more.
+        // A particle's distance from the other cube: none is inside any more.
         const auto bodies = solver.readBodies();
         const ParticleState state = solver.readParticles();
         for (size_t i = 0; i < state.positions.size(); ++i)

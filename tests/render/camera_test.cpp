@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint32_t WIDTH = 240, HEIGHT = 120, SIZE = 160;
 
-/// One red body of the particles, alone in the void unless a ground is asked for.
+/// One red body of the particles, alone in the void unless a ground is requested.
 World redBody(const std::vector<Vector3f>& particles, const Vector3f& position, bool ground = false)
 {
     StillWorld still(0.1f);
@@ -36,7 +36,7 @@ RenderSettings automatic()
     return settings;
 }
 
-/// What is red: the room that it leaves at the sides [pixels], and its width and height as shares of the picture.
+/// Red pixels: their distance from the sides [pixels], and their width and height as shares of the picture.
 struct Framing {
     int left = WIDTH, right = WIDTH, top = HEIGHT, bottom = HEIGHT;
 
@@ -59,7 +59,7 @@ struct Framing {
 
 TEST(Camera, AnAutomaticCameraShowsAllAsLargeAsItCan)
 {
-    // Thin rows fill their boxes, whose images take 0.85 of the picture in one direction. Spheres do not fill the
+    // Thin rows fill their boxes, whose images fill 0.85 of the picture in one direction. Spheres do not fill the
     // corners at the row's near end, and two pixels of the edges may be mixed: 2 %, or 4 on the way up.
     for (const Vector3f& step : {Vector3f(0.2f, 0, 0), Vector3f(0, 0.2f, 0)}) {
         const Framing framing(drawn(redBody(row(step, 40), {3, -1, 2}), automatic()));
@@ -74,7 +74,7 @@ TEST(Camera, AnAutomaticCameraShowsAllAsLargeAsItCan)
 TEST(Camera, AnAutomaticCameraLeavesRoomForTheFallToTheGround)
 {
     const Framing framing(drawn(redBody(cubeLattice(4, 0.2f), {0, 2.4f, 0}, true), automatic()));
-    // The cube of 0.8 m hangs 2 m above the ground; only as much as the cube itself is looked ahead.
+    // The cube of 0.8 m hangs 2 m above the ground; the camera looks ahead only by the cube's own size.
     EXPECT_GT(framing.bottom, 2 * framing.top);
     EXPECT_GT(framing.height(), 0.3f);
 }
@@ -84,8 +84,8 @@ TEST(Camera, AnAutomaticCameraShowsTheManyEvenWhereOneHasRolledAway)
     std::vector<Vector3f> particles = cubeLattice(10, 0.2f);
     particles.push_back({25, 0, 0});
     const Framing framing(drawn(redBody(particles, {0, 0, 0}), automatic()));
-    // The cube of 2 m is 8 % of the whole row. Three standard deviations are 2.9 m to each side, since the stray one
-    // adds 25 m / sqrt(1001) to the cube's own: all of the box at least doubles.
+    // The cube of 2 m is 8 % of the whole row. Three standard deviations are 2.9 m to each side, since the stray
+    // particle adds 25 m / sqrt(1001) to the cube's own: the box as a whole at least doubles.
     EXPECT_GT(framing.height(), 0.4f);
 }
 
@@ -104,7 +104,7 @@ TEST(Camera, MovesToWhatMovedSmoothly)
             return renderer.readImage();
         };
         const Image start = picture(before, 0.0);
-        // A 60th of a second is far less than the time that the camera takes: the body is off the middle, to the right.
+        // A 60th of a second is much shorter than the camera's time: the body is off the middle, to the right.
         const Framing soon(picture(after, 1.0 / 60.0));
         EXPECT_GT(soon.left, soon.right + 20);
         renderer.look(after.view(), 50.0);
@@ -114,7 +114,7 @@ TEST(Camera, MovesToWhatMovedSmoothly)
     }
 }
 
-/// A camera on its way from a body to where that has jumped, of each kind that remembers where it was.
+/// A camera on its way to a body that has jumped, for each kind of camera that remembers its place.
 TEST(Camera, AnotherRendererGoesOnFromTheState)
 {
     Gpu& gpu = sharedGpu();  // before there are buffers
@@ -184,7 +184,7 @@ TEST(Camera, AFollowingCameraSeesItsBodyTheSameWhereverItIs)
         return drawn(still.world, settings);
     };
     const Image here = picture({0, 0, 0}), there = picture({7.0f, 3.0f, -2.0f});
-    // Only rounding of the larger coordinates and where the shadow map's texels fall differ.
+    // Only rounding of the larger coordinates and the places of the shadow map's texels differ.
     EXPECT_LT(compareImages(here, there, 24).changedFraction, 0.01);
     EXPECT_NE(pixelAt(here, SIZE / 2, SIZE / 2), pixelAt(here, 4, SIZE / 2));
 }

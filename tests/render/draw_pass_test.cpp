@@ -7,7 +7,7 @@
 namespace knuckle::test {
 namespace {
 
-/// What the pass that lights the picture reads.
+/// Inputs of the pass that lights the picture.
 struct LightingInputs {
     Buffer<gpu::FrameInput> frame{"frame", 1};
     Buffer<gpu::FrameView> view{"view", 1};

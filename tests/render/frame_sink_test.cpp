@@ -34,7 +34,7 @@ protected:
     fs::path folder_;
 };
 
-/// Noise, so that deflate cannot make it small.
+/// Noise, so that deflate cannot compress it.
 Image noise(uint32_t width, uint32_t height, uint32_t seed = 1)
 {
     Image image{width, height, std::vector<uint8_t>(size_t{3} * width * height)};
@@ -185,7 +185,7 @@ TEST_F(FrameSinkTest, WhatFfmpegSaysReachesTheUserInOneLine)
     const PathIs path(at("bin"));
     const auto sink = filmSink(at("film.mp4"), 512, 512, 30.0);
     try {
-        // More than a pipe holds, so that a write fails after the reader has gone.
+        // More than a pipe holds, so that a write fails after the reader has closed.
         for (uint64_t i = 1; i <= 8; ++i) sink->write(noise(512, 512), i);
         sink->finish();
         FAIL() << "a failing ffmpeg went unnoticed";

@@ -11,7 +11,7 @@ namespace {
 constexpr uint32_t SIZE = 160;
 constexpr float FIELD_OF_VIEW = 40.0f;
 
-/// Spheres of one radius, red and blue by turns, seen along -z from (0, 0, distance).
+/// Spheres of one radius, alternately red and blue, seen along -z from (0, 0, distance).
 World redAndBlue(float radius, const std::vector<Vector3f>& centres)
 {
     StillWorld still(radius);
@@ -29,7 +29,7 @@ RenderSettings flatColors(float distance)
     return settings;
 }
 
-/// Which sphere a ray from the eye meets first: what the picture must show.
+/// The first sphere that a ray from the eye meets: the picture must show this one.
 int firstHit(const World& world, float distance, uint32_t x, uint32_t y)
 {
     const float slope = std::tan(FIELD_OF_VIEW * std::numbers::pi_v<float> / 360.0f) * 2.0f / SIZE;
@@ -88,7 +88,7 @@ TEST(SphereGeometry, SpheresFarOffTheAxisAreEllipsesAndStayWhole)
 
 TEST(SphereGeometry, SpheresLargerThanTheDriversPointsStayWhole)
 {
-    // The first fills the picture, the second has its centre beside it and behind the first's front.
+    // The first fills the picture; the centre of the second is beside the picture and behind the first's front.
     expectAsRayCast(redAndBlue(1.0f, {{-0.6f, 0, 0}, {1.1f, 0.9f, 0.4f}}), 2.2f);
 }
 
@@ -102,14 +102,14 @@ TEST(SphereGeometry, TheSilhouetteOfOneSphereHasTheClosedFormRadius)
     // The cone that touches the sphere has the slope r / sqrt(d^2 - r^2), not r / d.
     const double slope = radius / std::sqrt(distance * distance - radius * radius);
     const double expected = slope / std::tan(FIELD_OF_VIEW * std::numbers::pi / 360.0) * SIZE / 2.0;
-    // Mixed edge pixels count as red or not: half a pixel of the radius at most.
+    // Mixed edge pixels may count as red or not: half a pixel of the radius at most.
     EXPECT_NEAR(std::sqrt(covered / std::numbers::pi), expected, 0.5);
 }
 
 TEST(SphereGeometry, LeavingOutBuriedParticlesOpensNoHoles)
 {
-    // 20 particles a side are five cells of the burial grid: the inner ones are buried, and hide what is behind them.
-    // The back is blue, to tell it from the front.
+    // 20 particles a side are five cells of the burial grid: the inner ones are buried, and hide those behind. The back
+    // is blue, to distinguish it from the front.
     std::vector<Vector3f> front, back;
     for (const Vector3f& p : cubeLattice(20, 0.1f)) (p.z() < -0.5f ? back : front).push_back(p);
     const Quaternionf turn(Eigen::AngleAxisf(0.5f, Vector3f(1, 2, 0).normalized()));
@@ -119,7 +119,7 @@ TEST(SphereGeometry, LeavingOutBuriedParticlesOpensNoHoles)
     still.world.materials[0].color = {0.9f, 0.02f, 0.02f};
     still.world.materials[1].color = {0.02f, 0.02f, 0.9f};
     const Image image = drawn(still.world, flatColors(6.0f));
-    // The cube's half side of 1 m covers 37 pixels from the middle, whichever way it is turned.
+    // The cube's half side of 1 m covers 37 pixels from the middle, at any rotation.
     const float reach = 35.0f, middle = 0.5f * SIZE;
     int holes = 0;
     for (uint32_t y = 0; y < SIZE; ++y)
@@ -149,7 +149,7 @@ TEST(Shadow, ASphereShadesTheGroundAlongTheLightAndOnlyThere)
     const Image image = drawn(still.world, settings);
     // Along x the shadow is an ellipse of half-width r * sqrt(2) = 0.42 m about x = 0.5 m.
     const int open = groundBrightness(image, 1.8f, 8.0f);
-    // A pixel is 36 mm wide and light is kept for every other one, mixed over two: 0.15 m to each side of the edge.
+    // A pixel is 36 mm wide and light is stored for every other one, mixed over two: 0.15 m to each side of the edge.
     for (const float inside : {-0.25f, 0.0f, 0.25f})
         EXPECT_LT(groundBrightness(image, 0.5f + inside, 8.0f), open - 20) << inside;
     for (const float outside : {-0.6f, 0.6f})

@@ -10,7 +10,7 @@ namespace {
 
 const Vector3f ELBOW{0.4f, 0, 0};
 
-/// Two cubes beside each other that a joint at ELBOW connects: the second turns against the first.
+/// Two cubes beside each other, connected by a joint at ELBOW: the second turns against the first.
 World arm(JointType type, const Vector3f& axis = Vector3f::UnitZ())
 {
     StillWorld still(0.05f);
@@ -168,7 +168,7 @@ TEST(Framing, PutsAllPointsIntoTheirShareOfThePicture)
         }
         const Eigen::Array2f most = high.max(-low);
         EXPECT_NEAR(most.maxCoeff(), 0.9f, 1e-4f);
-        // What fills the picture is in its middle.
+        // The dimension that fills the picture is centred.
         EXPECT_NEAR(most.x() > most.y() ? low.x() + high.x() : low.y() + high.y(), 0.0f, 1e-4f);
         EXPECT_NEAR((camera.position - camera.target - back).norm(), 0.0f, 1e-5f);
     }

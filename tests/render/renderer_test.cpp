@@ -85,7 +85,7 @@ TEST(Renderer, DrawsFluidsInTheirOwnSize)
     solid.addBody({{0, 0, 0}}, {0, 0, 0});
     fluid.world.fluidSpacing = 0.2f;
     addFluid(fluid.world, {{0, 0, 0}});
-    // In front of nothing but sky: each pixel that is another without the particle.
+    // In front of the sky only: counts pixels that differ from those without the particle.
     const auto covered = [&](const World& world) {
         const Image image = drawn(world, settings), sky = drawn(StillWorld(0.2f).world, settings);
         double count = 0;
@@ -93,7 +93,7 @@ TEST(Renderer, DrawsFluidsInTheirOwnSize)
             count += !std::equal(&image.rgb[k], &image.rgb[k] + 3, &sky.rgb[k]);
         return count;
     };
-    // As their radii, 0.2 and 0.58 x 0.2 m, seen from 1 m: sin^2 of the angles. The edges are a pixel's.
+    // Ratio of their radii, 0.2 and 0.58 x 0.2 m, seen from 1 m: sin^2 of the angles. Edges are uncertain by a pixel.
     EXPECT_NEAR(std::sqrt(covered(fluid.world) / covered(solid.world)), 0.58, 0.04);
 }
 

@@ -9,13 +9,13 @@
 namespace knuckle::test {
 namespace {
 
-/// The scene's film after some steps: what it is made of, its colours, light and camera.
+/// The scene's film after some steps, with its materials, colours, light and camera.
 Image picture(const std::string& name, int steps, const std::vector<Override>& overrides = {})
 {
     Scene scene = loadScene(test::inSource("assets/scenes/" + name + ".json"), overrides);
     scene.render.width = 160;
     scene.render.height = 90;
-    // Which triangles coarse levels have is the library's choice, another with each of its versions.
+    // The triangles of coarse levels depend on the library's version.
     scene.render.skinError = 0.0f;
     Gpu& gpu = sharedGpu();
     Solver solver(gpu, scene.world);
@@ -41,8 +41,8 @@ INSTANTIATE_TEST_SUITE_P(Films, SceneGolden,
                                          "potpourri"),
                          [](const auto& test) { return std::string(test.param); });
 
-/// The dancer 0.2 s before it is let go in its leap, and in its fall, before limbs meet the floor. It begins to dance
-/// late, so that nothing lies about yet, which would lie otherwise with each change of the solver.
+/// The dancer 0.2 s before its release in the leap, and in its fall, before limbs meet the floor. It begins to dance
+/// late, so that nothing lies around yet, which would differ with each change of the solver.
 class DanceGolden : public testing::TestWithParam<int> {};
 
 TEST_P(DanceGolden, LooksAsItDid)

@@ -83,8 +83,8 @@ TEST(SkinLods, CoarserOnesAreSmallerAndUseTheFirstVertices)
     }
 }
 
-/// All vertices of a level lie on the ball, so that its surface is off the most in the middle of triangles. The error
-/// of quadrics is a mean over planes: the largest distance may be twice that.
+/// All vertices of a level lie on the ball, so its surface is furthest off in the middle of triangles. The error of
+/// quadrics is a mean over planes: the largest distance may be twice that.
 TEST(SkinLods, TheirSurfaceIsAsFarOffAsTheySay)
 {
     const SkinMesh mesh = ball(40);
@@ -101,7 +101,7 @@ TEST(SkinLods, TheirSurfaceIsAsFarOffAsTheySay)
     }
 }
 
-/// A straight tube along y of two bodies that go over into each other between -0.5 and 0.5, or at once at 0.
+/// A straight tube along y of two bodies that blend between -0.5 and 0.5, or change at once at 0.
 SkinMesh tube(bool smooth)
 {
     constexpr uint32_t SIDES = 24, RINGS = 100;
@@ -121,7 +121,7 @@ SkinMesh tube(bool smooth)
     return mesh;
 }
 
-/// A tube that is straight at rest could do without all rings but the first and the last; bent it could not.
+/// A tube that is straight at rest needs only the first and the last ring; when bent it needs more.
 TEST(SkinLods, RingsStayWhereASkinBends)
 {
     for (const bool smooth : {true, false}) {
@@ -141,8 +141,8 @@ TEST(SkinLods, RingsStayWhereASkinBends)
     }
 }
 
-/// Balls at different distances in a picture of 100 pixels whose camera looks along -z, and what skin_lod.comp and
-/// skin_pose.comp make of them.
+/// Balls at different distances in a picture of 100 pixels whose camera looks along -z, and the results of
+/// skin_lod.comp and skin_pose.comp for them.
 class SkinKernels : public ::testing::Test {
 protected:
     void put(const std::vector<Vector3f>& places)
@@ -187,7 +187,7 @@ protected:
         Kernel(sharedGpu(), table, "render/skins/skin_pose.comp").dispatch(timer, skins.groupCount);
     }
 
-    /// Indices of the coarsest level that is off by at most so much.
+    /// Indices of the coarsest level whose error is at most this.
     uint32_t indicesWithin(float error) const
     {
         uint32_t count = 0;
@@ -219,7 +219,8 @@ TEST_F(SkinKernels, EachIsDrawnAsCoarselyAsAPixelAllows)
     const std::vector<uint32_t> counts = skins.placeCounts.download();
     const auto count = uint32_t(places.size());
     for (uint32_t i = 0; i < count; ++i) {
-        // A pixel is a hundredth of what is seen at the nearest point of the ball, which is a metre before its centre.
+        // A pixel is a hundredth of the view's width at the nearest point of the ball, which is a metre before its
+        // centre.
         const float depth = -places[i].z() - 1.0f;
         const bool inSight = i < 4;
         EXPECT_EQ(draws[i].count, inSight ? indicesWithin(RenderSettings{}.skinError * depth / 100) : 0u) << i;

@@ -61,7 +61,7 @@ bool isRed(const Eigen::Vector3i& pixel)
     return pixel.x() > pixel.y() + 60;
 }
 
-/// Middle and half width of what is red.
+/// Middle and half width of the red pixels.
 struct Blob {
     double x = 0, y = 0;
     int count = 0;
@@ -97,8 +97,8 @@ TEST(Skin, FollowsItsBodyExactly)
     Body& upper = pair.still.world.bodies[1];
     upper.position = {-0.3f, 0.8f, 0};
     upper.rotation = Quaternionf(Eigen::AngleAxisf(1.57079633f, Vector3f::UnitZ()));
-    // The arm (0.4, 0, 0) from the centre at rest has become (0, 0.4, 0): at (-0.3, 1.2) m, 100 pixels a metre. What is
-    // lit and painted in single pixels may be off by one on each side.
+    // The arm (0.4, 0, 0) from the centre at rest has become (0, 0.4, 0): at (-0.3, 1.2) m, 100 pixels a metre.
+    // Lighting and painting by single pixels may be off by one on each side.
     const Blob blob = redOf(drawn(pair.still.world, front()));
     EXPECT_NEAR(blob.x, 100 - 30, 0.5);
     EXPECT_NEAR(blob.y, 100 - 20, 0.5);
@@ -179,7 +179,7 @@ TEST(Skin, APictureIsTheRightWayUpAndRepeats)
     EXPECT_EQ(strongest(120, 120), -1);
 }
 
-/// Of a picture whose left half is red and whose right half is blue the square shows the place 1 ... 2.
+/// A picture with a red left and a blue right half; the square shows the place 1 ... 2.
 TEST(Skin, APicturesEdgesRepeatMirrorOrStay)
 {
     SkinnedPair pair;
@@ -199,8 +199,8 @@ TEST(Skin, APicturesEdgesRepeatMirrorOrStay)
     EXPECT_TRUE(!redAt(left, TextureWrap::Clamp) && !redAt(right, TextureWrap::Clamp));
 }
 
-/// The lower body's particles are nearest to a red corner or a green one; the upper has a picture, blue above and white
-/// below. Nearest of all to the upper one's lowest particles is a corner of the lower body.
+/// The lower body's particles are nearest to a red or a green corner; the upper one has a picture, blue above and white
+/// below. The vertex nearest to the upper one's lowest particles is a corner of the lower body.
 TEST(Skin, PaintsParticlesAsTheNearestVertexOfTheirBody)
 {
     SkinnedPair pair;

@@ -9,7 +9,7 @@
 
 namespace knuckle::test {
 
-/// A world that never moves, made particle by particle, for pictures of known states.
+/// A world that never moves, built particle by particle, for pictures of known states.
 class StillWorld {
 public:
     explicit StillWorld(float radius);
@@ -24,7 +24,7 @@ public:
     World world;
 };
 
-/// Its state in buffers as the solver has them.
+/// Its state in buffers like the solver's.
 class StillBuffers {
 public:
     explicit StillBuffers(const World& world);

@@ -46,7 +46,7 @@ inline bool contains(const std::vector<uint32_t>& list, uint32_t value)
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-/// What every actor must be: a tree of bodies, joined by particles that lie in both, and every particle in a body.
+/// Checks properties of every actor: a tree of bodies, joined by particles in both, and every particle in a body.
 inline void expectSound(const Actor& actor)
 {
     ASSERT_EQ(actor.signedDistances.size(), actor.particles.size());

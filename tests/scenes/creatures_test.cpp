@@ -18,7 +18,7 @@ float highest(Solver& solver, uint32_t first, uint32_t count)
 
 }  // namespace
 
-/// On the landing, 0.9 m high, then at the foot of the stairs.
+/// First on the landing, 0.9 m high, then at the foot of the stairs.
 TEST(CreatureScenes, TheDogFallsDownTheStairs)
 {
     const Scene scene = sceneOf("dog", {"diameter=0.04"});

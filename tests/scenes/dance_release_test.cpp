@@ -8,7 +8,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// The figure, dancing on the ground. @param release of it. @param objects beside it.
+/// The figure, dancing on the ground. @param release of it. @param objects further ones.
 Scene dancer(const std::string& release, const std::string& objects = "")
 {
     const TempFolder folder;
@@ -20,7 +20,7 @@ Scene dancer(const std::string& release, const std::string& objects = "")
                                       release + "}" + objects + "]}"));
 }
 
-/// What `--stats` tells of what is let go within a time [s].
+/// The figures of `--stats` for bodies let go within a time [s].
 std::vector<ReleaseFigures> figuresOf(const Scene& scene, double seconds)
 {
     Solver solver(gpu(), scene.world);
@@ -35,9 +35,8 @@ std::vector<ReleaseFigures> figuresOf(const Scene& scene, double seconds)
     return log.figures();
 }
 
-/// Measured, mostly: momentum 1e-7, a body 0.4 %, gaps 1e-4 of a diameter. Where limbs touch in that very substep, its
-/// speeds are of first order after a prediction of second: momentum lacks a third of gravity's part,
-/// 0.6 %.
+/// Typical measured values: momentum 1e-7, a body 0.4 %, gaps 1e-4 of a diameter. If limbs touch in that very substep,
+/// its speeds are of first order after a prediction of second: momentum lacks a third of gravity's part, 0.6 %.
 void expectSmooth(const ReleaseFigures& release)
 {
     EXPECT_LT(release.momentumChange, 0.01 * release.momentum) << "at " << release.time;
@@ -47,7 +46,7 @@ void expectSmooth(const ReleaseFigures& release)
 
 }  // namespace
 
-/// Ten moments of steps, turn and leap, with gravity, the soles above the ground: it would push back.
+/// Ten moments of steps, turn and leap, with gravity, and with the soles above the ground, which would push back.
 TEST(DanceRelease, MotionGoesOnWhenTheDancerIsLetGo)
 {
     for (const double time : {0.4, 1.1, 1.7, 2.3, 2.9, 3.6, 4.9, 5.2, 5.5, 7.2}) {
@@ -59,7 +58,7 @@ TEST(DanceRelease, MotionGoesOnWhenTheDancerIsLetGo)
     }
 }
 
-/// By a blow, by a touch, in a region, of a part.
+/// By a blow, by a touch, in a region, for a part.
 TEST(DanceRelease, MotionGoesOnWhateverLetsGo)
 {
     const std::string ball = R"(, {"type": "rigid", "name": "ball", "shape": "sphere", "radius": 0.12,

@@ -12,7 +12,7 @@ namespace knuckle::test {
 
 namespace {
 
-constexpr double SECOND = 480;  ///< Steps, of one substep each.
+constexpr double SECOND = 480;  ///< Steps, with one substep each.
 
 /// The figure alone, without gravity, let go at a time of its dance.
 Scene letGoAt(double time)
@@ -58,14 +58,14 @@ TEST(Dance, WhatIsLetGoMovesOnAsItDanced)
         solver.step();
         const std::vector<BodyState> free = solver.readBodies();
         const Momentum was = momentumOf(scene.world, told), is = momentumOf(scene.world, free);
-        // Measured 1e-6, and 0.4 % where limbs touch, which ends second order: a speed is then that of half a step ago.
+        // Measured 1e-6, and 0.4 % if limbs touch, which ends second order: a speed is then that of half a step ago.
         EXPECT_LT((is.sum - was.sum).norm(), 0.01 * was.size) << "at " << time;
         float fastest = 0.0f, change = 0.0f;
         for (size_t b = 0; b < told.size(); ++b) {
             fastest = std::max(fastest, told[b].velocity.norm());
             change = std::max(change, (free[b].velocity - told[b].velocity).norm());
         }
-        // Measured 1.5 % at most. Limbs that the clip has in each other are pushed out.
+        // Measured 1.5 % at most. Limbs that overlap in the clip are pushed out.
         if (solver.measure().contactCount == 0) {
             EXPECT_LT(change, 0.02f * fastest) << "at " << time;
             ++untouched;
@@ -80,7 +80,7 @@ TEST(Dance, WhatIsLetGoMovesOnAsItDanced)
     EXPECT_GE(untouched, 8);
 }
 
-/// Until its leap the dancer is where its clip has it, whatever it meets; then it lies on the ground, among crates that
+/// Until its leap the dancer is at its clip's place, whatever it meets; then it lies on the ground, among crates that
 /// it has knocked over.
 TEST(Dance, TheDancerKnocksOverCratesAndCollapses)
 {

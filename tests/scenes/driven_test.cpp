@@ -22,7 +22,7 @@ Scene drivenFigure(const std::string& drive)
                                                     R"(, "pin": {"frequency": 0}}}]})"));
 }
 
-/// Mean of squares of what joints differ from their clip [rad2].
+/// Mean square of the joints' differences from their clip [rad2].
 double squaredError(const World& world, const std::vector<BodyState>& bodies, double time)
 {
     const std::vector<Pose> clip = bodyPlaces(world, world.animations[0], time);
@@ -35,7 +35,7 @@ double squaredError(const World& world, const std::vector<BodyState>& bodies, do
     return sum / static_cast<double>(world.joints.size());
 }
 
-/// About the origin, and the sum of what each particle adds to it.
+/// About the origin, and the sum of the sizes of the particles' parts.
 struct Turning {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double size = 0.0;
@@ -71,8 +71,8 @@ TEST(Driven, TheFigureFollowsItsDance)
     EXPECT_LT(std::sqrt(squares / STEPS), 5.0 * std::numbers::pi / 180);
 }
 
-/// In free flight drives are within the figure: neither momentum nor its turning changes, before its
-/// shins touch: friction there acts at the particles' centres.
+/// In free flight drives act within the figure: neither momentum nor angular momentum changes until its shins touch,
+/// since friction there acts at the particles' centres.
 TEST(Driven, TheFigureKeepsItsAngularMomentum)
 {
     const Scene scene = drivenFigure(R"("frequency": 10)");
@@ -86,7 +86,7 @@ TEST(Driven, TheFigureKeepsItsAngularMomentum)
     }
 }
 
-/// Three balls make it stagger; it comes back to its dance. The last one knocks it out.
+/// Three balls make it stagger, and it returns to its dance. The last one knocks it out.
 TEST(Driven, TheDancerRecoversFromAllBallsButTheLast)
 {
     const Scene scene = sceneOf("hit", {});
@@ -106,7 +106,7 @@ TEST(Driven, TheDancerRecoversFromAllBallsButTheLast)
     }
     EXPECT_GT(farthest, 0.05f);
     EXPECT_LT(farthest, 0.3f);
-    // Its weight alone pulls it 0.15 m down where no foot carries it.
+    // Its weight alone pulls it down by 0.15 m while no foot carries it.
     EXPECT_LT(away(steps * double{world.settings.timeStep}), 0.15f);
     EXPECT_EQ(solver.measure().knockedOutCount, 0u);
     const Watched fall = watch(solver, scene, 1.9, 0);
@@ -115,7 +115,7 @@ TEST(Driven, TheDancerRecoversFromAllBallsButTheLast)
     EXPECT_LT(fall.gap, 0.05f);
 }
 
-/// It lies at the foot of the stairs, is caught without a jump, and is then where its clip has it.
+/// It lies at the foot of the stairs, is caught without a jump, and is then at its clip's place.
 TEST(Driven, TheFallenDancerIsCaughtAndDancesOn)
 {
     const Scene scene = sceneOf("catch", {});
@@ -141,7 +141,7 @@ TEST(Driven, TheFallenDancerIsCaughtAndDancesOn)
             change = std::max(change, (now[b].velocity - before[b].velocity).norm());
         before = now;
     });
-    // In its dance alone 1.6 m/s a frame, where a foot lands.
+    // The dance alone has 1.6 m/s a frame, when a foot lands.
     EXPECT_LT(change, 4.0f);
     EXPECT_EQ(solver.measure().caughtCount, 1u);
     EXPECT_LT(squaredError(world, solver.readBodies(), steps * step), 1e-8);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double RATE = 60.0;
 
-/// The mesh of a GLB file that has a skin, as it is stored.
+/// The skinned mesh of a GLB file, as stored.
 struct StoredSkin {
     explicit StoredSkin(const std::string& path) : bytes(readText(path))
     {
@@ -49,7 +49,7 @@ struct StoredSkin {
         return values;
     }
 
-    /// Where a vertex is when joints are as `poses` has them.
+    /// Place of a vertex for joints in `poses`.
     Vector3f placeOf(size_t vertex, const std::map<std::string, Eigen::Matrix4f>& poses) const
     {
         const Eigen::Vector4f rest(positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2], 1.0f);
@@ -69,7 +69,7 @@ struct StoredSkin {
     std::vector<std::string> names;
 };
 
-/// The dancer of a film of 1.2 s, let go in its leap after 0.4 s; its files, and where bodies were.
+/// The dancer of a film of 1.2 s, let go in its leap after 0.4 s; its files, and the places of bodies.
 class ExportedDance : public ::testing::Test {
 protected:
     ExportedDance()
@@ -94,7 +94,7 @@ protected:
         bvh.finish();
     }
 
-    /// Poses by the bones' names at frames of the film, without those between.
+    /// Poses by the bones' names at frames of the film, without those in between.
     static std::map<uint32_t, std::map<std::string, Eigen::Matrix4f>> posesOf(const Model& model)
     {
         std::map<uint32_t, std::map<std::string, Eigen::Matrix4f>> poses;
@@ -136,7 +136,7 @@ TEST_F(ExportedDance, TheSkinOfTheFileIsWhereTheDrawnOneIs)
     EXPECT_LT(worst, 1e-4f);
 }
 
-/// Of a figure of 1.75 m.
+/// For a figure of 1.75 m.
 TEST_F(ExportedDance, JointsOfTheMotionFileAreWhereTheyWere)
 {
     const Model read = importModel(folder.path("out.bvh"), {.fit = {.scale = 0.01}});
@@ -155,7 +155,7 @@ TEST_F(ExportedDance, JointsOfTheMotionFileAreWhereTheyWere)
         if (bone == read.bones.end()) continue;
         ++found;
         for (size_t k = 0; k < clip.keyTimes.size(); ++k) {
-            // Import samples between frames, where a blow at a frame is off the line by a centimetre.
+            // Import also samples between frames, where a blow at a frame is off the line by a centimetre.
             const double frame = std::clamp(RATE * clip.keyTimes[k], 0.0, 70.999);
             const auto before = static_cast<size_t>(frame);
             const auto part = static_cast<float>(frame - std::floor(frame));

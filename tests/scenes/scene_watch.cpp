@@ -12,8 +12,8 @@ namespace knuckle::test {
 
 namespace {
 
-/// Kinetic and in gravity above the floor, of all that is there [J]. Bodies have the inertia that the solver gives
-/// them: that of a ball is the solid's, which is more than that of its particles' centres.
+/// Kinetic and gravitational energy above the floor of everything present [J]. Bodies have the solver's inertia: that
+/// of a ball is the solid's, which is more than that of its particles' centres.
 class Energy {
 public:
     Energy(const World& world, float floor) : world_(world), floor_(floor)
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    /// Of a kilogram.
+    /// Energy per kilogram.
     double share(const Vector3f& position, const Vector3f& velocity) const
     {
         return 0.5 * velocity.cast<double>().squaredNorm() + 9.81 * (position.y() - floor_);
@@ -64,7 +64,7 @@ void raise(float& worst, float value)
     worst = std::max(worst, value);
 }
 
-/// Takes over what is worse in a frame.
+/// Keeps the worse value of each measure.
 void addMeasures(Watched& worst, const Measures& m, float diameter)
 {
     raise(worst.gap, m.worstJointGap / diameter);

@@ -6,7 +6,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// One line a measure, so that a failure says all of them.
+/// One line per measure, so that a failure shows all of them.
 void expectWithin(const Watched& found, const Watched& bounds)
 {
     EXPECT_LE(found.gap, bounds.gap) << "diameters, joints";
@@ -22,7 +22,7 @@ void expectWithin(const Watched& found, const Watched& bounds)
     EXPECT_LE(found.densityError, bounds.densityError) << "fluids";
 }
 
-/// 96 of the pairs, in a box as much smaller.
+/// 96 of the pairs, in a box that is smaller accordingly.
 TEST(Scenes, PileComesToRestInItsBox)
 {
     const Scene scene = sceneOf(
@@ -54,7 +54,7 @@ TEST(Scenes, RagdollsComeToRestOnTheGround)
 {
     const Scene scene = sceneOf("ragdolls", {"objects.0.repeat.counts=[2,2,1]"});
     Solver solver(gpu(), scene.world);
-    // Measured: 0.061, 0.51, 0.23, 3.8e-6, 10.6 m/s (the end of a limb, which strikes the ground), no rise but of
+    // Measured: 0.061, 0.51, 0.23, 3.8e-6, 10.6 m/s (the end of a limb, which strikes the ground), no rise except
     // rounding (2e-6), 0.006, 1.64 m.
     Watched falling{.gap = 0.12f,
                     .penetration = 1,

@@ -18,8 +18,8 @@ void runSteps(Solver& solver, int count)
 
 }  // namespace
 
-/// Nine of the dancers. Halfway through the wave the last one still is where its clip has it, and the first one falls;
-/// at the end all lie.
+/// Nine of the dancers. Halfway through the wave the last one is still at its clip's place, and the first one falls; at
+/// the end all lie.
 TEST(Troupe, AWaveGoesThroughTheDancers)
 {
     const Scene scene = sceneOf("troupe", {"objects.0.repeat.counts=[3,1,3]"});
@@ -46,7 +46,7 @@ TEST(Troupe, AWaveGoesThroughTheDancers)
     for (const BodyState& body : solver.readBodies()) EXPECT_LT(body.position.y(), 0.6f);
 }
 
-/// What is ahead of the walker stands higher than the water at rest, what is behind it lower; then it falls in.
+/// The water ahead of the walker is higher than at rest, that behind it lower; then the walker falls in.
 TEST(Wade, TheWalkerPushesAWaveAndFallsIn)
 {
     const Scene scene = sceneOf("wade", {"diameter=0.09"});
@@ -55,7 +55,7 @@ TEST(Wade, TheWalkerPushesAWaveAndFallsIn)
     runSteps(solver, 96);
     const float front = solver.readBodies()[0].position.x();
     const ParticleState state = solver.readParticles();
-    // Twice the mean height of the water in a stretch of the pool is its level.
+    // The level is twice the mean height of the water in a stretch of the pool.
     const auto levelIn = [&](float from, float to) {
         double sum = 0.0, count = 0.0;
         for (size_t i = 0; i < world.particles.size(); ++i) {

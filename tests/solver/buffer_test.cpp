@@ -11,7 +11,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// A kernel that copies `given` to `taken`, after a while if asked to.
+/// A kernel that copies `given` to `taken`, after a delay if requested.
 class BufferOrder : public testing::Test {
 protected:
     // Some 20 groups, and a size that is no multiple of theirs.
@@ -36,7 +36,7 @@ void main()
 )");
     }
 
-    /// What the kernel finds in `given`, if `thereafter` follows at once.
+    /// What the kernel finds in `given` if `thereafter` follows immediately.
     std::vector<uint32_t> found(Buffer<uint32_t>& given, const std::function<void()>& thereafter = {})
     {
         Buffer<uint32_t> taken("taken", std::span<const uint32_t>(std::vector<uint32_t>(SIZE, thereafter ? 2000 : 0)));

@@ -142,7 +142,7 @@ World windyWorld()
 
 namespace {
 
-/// On ground where things sleep.
+/// A builder with ground on which things sleep.
 WorldBuilder sleepyBuilder()
 {
     Settings settings;
@@ -153,7 +153,7 @@ WorldBuilder sleepyBuilder()
     return builder;
 }
 
-/// Opens an object of joined cubes in a row along x. @param typeOf the joint behind a cube. @returns the bodies.
+/// Opens an object of joined cubes in a row along x. @param typeOf the joint after a cube. @returns the bodies.
 std::vector<uint32_t> beginRow(WorldBuilder& builder, int count, const std::function<JointType(int)>& typeOf)
 {
     builder.beginObject("row");
@@ -180,7 +180,7 @@ World heldWorld()
     for (int k = 0; k < 4; ++k) {
         const std::vector<uint32_t> bodies = beginRow(builder, 4,
                                                       [&](int b) { return static_cast<JointType>((k + b) % 4); });
-        // One end, the other, both, all of it.
+        // Holds one end, the other, both, all.
         if (k != 1) builder.holdBody(bodies[0], 0.2f);
         if (k != 0) builder.holdBody(bodies[3], 0.2f + 0.1f * static_cast<float>(k % 2));
         for (const uint32_t body : bodies)
@@ -192,7 +192,7 @@ World heldWorld()
 
 namespace {
 
-/// Driven, weaker than its clips need, by pins at both ends, and let go in its middle.
+/// Driven, too weakly for its clips, with pins at both ends, and let go in its middle.
 Puppet puppetOf(uint32_t animation)
 {
     Puppet puppet;
@@ -230,7 +230,7 @@ World dancers(bool driven)
         builder.endObject(pose);
         builder.animate(
             {k, pose, {0, 0, 0}, {{.clip = clips[k % 2]}, {.clip = clips[1 - k % 2], .at = 0.2f, .fade = 0.2f}}});
-        // One from its middle on, one at once.
+        // One from its middle on, one completely.
         for (uint32_t b = k == 1 ? 1 : 0; b < 3 && k % 2 == 1; ++b) builder.releaseBody(bodies[b], 0.3f);
         if (driven) builder.drive(puppetOf(k));
     }

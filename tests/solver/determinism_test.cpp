@@ -17,7 +17,7 @@ namespace {
 /// Ten of them fall on the first layer of fifty.
 constexpr uint32_t OBJECTS = 60;
 constexpr int STEPS = 60;
-/// Set in a child process: which way of solving it runs.
+/// Set in a child process: the way of solving that it runs.
 constexpr const char* WAY_VARIABLE = "KNUCKLE_TEST_WAY";
 const std::string MARK = "state hash ";
 
@@ -135,7 +135,7 @@ TEST(Determinism, DISABLED_InAChildProcess)
     fmt::print("{}{:016x}\n", MARK, hashOfPile(std::stoi(way)));
 }
 
-/// Else their hashes would prove little.
+/// Otherwise their hashes would prove little.
 TEST(Determinism, ChainsTearAndTowersSleepAndWakeInItsWorlds)
 {
     const World limited = limitedWorld();
@@ -155,7 +155,7 @@ TEST(Determinism, ChainsTearAndTowersSleepAndWakeInItsWorlds)
     for (int k = 0; k < 45; ++k) sleeping.step();
     EXPECT_EQ(sleepers(), 9);
     for (int k = 45; k < STEPS; ++k) sleeping.step();
-    // One tower is awake, and another where what falls off the first comes that far.
+    // One tower is awake, and a second one if a box that falls off the first gets that far.
     EXPECT_GE(sleepers(), 3);
     EXPECT_LE(sleepers(), 6);
 }

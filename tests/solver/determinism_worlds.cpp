@@ -33,7 +33,7 @@ void addBox(WorldBuilder& builder, const Pose& pose, uint32_t material = PLAIN, 
     builder.endObject(pose, velocity, {1, 2, 3});
 }
 
-/// Pairs of which one body spins against its limit, behind a spring or rigid.
+/// Pairs in which one body spins against its limit, with a spring or rigid.
 void addLimited(WorldBuilder& builder, const Vector3f& place)
 {
     Random random(501);
@@ -151,8 +151,7 @@ Collider boxAt(const Vector3f& place, const Vector3f& halfExtents)
     return box;
 }
 
-/// A second of a way and a turn about z [rad], after which it stands. @param waits keys before it starts. @returns the
-/// clip.
+/// A second of a move and a turn about z [rad], then rest. @param waits keys before it starts. @returns the clip.
 uint32_t addMoves(WorldBuilder& builder, const Vector3f& way, float turn, int waits = 0)
 {
     BodyClip clip{"moves", 60.0f, 1};

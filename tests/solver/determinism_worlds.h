@@ -10,10 +10,10 @@ namespace knuckle::test {
 /// Small worlds in which something of one kind happens within a second.
 World softWorld();   ///< Plastic jelly and a rigid box that fall on each other.
 World ropeWorld();   ///< Boxes that fall into a cloth that tears, one on a rope.
-World fluidWorld();  ///< Heavy boxes that fall through two fluids, one on the other, between walls.
-/// Two jets into each other over boxes, of which one waits and one takes its oldest again, and fluid that drains.
+World fluidWorld();  ///< Heavy boxes that fall between walls through two fluids, one above the other.
+/// Two jets into each other over boxes, of which one waits and one reuses its oldest particles, and fluid that drains.
 World emitterWorld();
-World heldWorld();                ///< Chains that are held and let go one after the other, on ground where they sleep.
+World heldWorld();                ///< Chains that are held and let go one after another, on ground on which they sleep.
 World animatedWorld();            ///< Chains that dance among boxes, from clip to clip, and are let go in all ways.
 World drivenWorld();              ///< The same, driven from then on.
 World limitedWorld();             ///< Joints at their limits, rigid and soft, and chains of which some tear.
@@ -22,7 +22,7 @@ World sleepyWorld(float freeze);  ///< Towers that sleep, or freeze, until somet
 World movingWorld();              ///< A piston, a lift and a drum among towers that sleep, bouncy boxes and water.
 World roundWorld();               ///< Balls and capsules.
 World gridWorld();                ///< A mesh and a heightfield, and what falls on them.
-World windyWorld();               ///< Cloth, boxes and a fluid in gusts, among which something explodes.
+World windyWorld();               ///< Cloth, boxes and a fluid in gusts, with an explosion.
 World everyWorld(GridKind grid);  ///< All of that together.
 
 /// One kind of matter by its name.

@@ -24,7 +24,8 @@ GLint property(GLuint program, GLenum interface, GLuint index, GLenum wanted)
     return value;
 }
 
-/// Every member of `block` lies where C++ has it, and there are no others. `prefix` is what GL puts before a name.
+/// Checks that every member of `block` is where C++ has it, and that there are no others. `prefix` is GL's prefix of
+/// names.
 void expectMembers(const Kernel& kernel, GLenum blocks, const std::string& block, const std::string& prefix,
                    const std::vector<Member>& members)
 {
@@ -41,7 +42,7 @@ void expectMembers(const Kernel& kernel, GLenum blocks, const std::string& block
     }
 }
 
-/// The same of an array of structs, whose stride is the struct's size.
+/// The same for an array of structs, whose stride is the struct's size.
 void expectArray(const Kernel& kernel, const std::string& block, const std::string& name, size_t size,
                  const std::vector<Member>& members)
 {

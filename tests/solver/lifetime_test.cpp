@@ -24,7 +24,7 @@ public:
         Recorder recorder(timer_, stages.dispatches);
         recordStart(stages, recorder);
     }
-    /// @param poison whether scratch holds nothing but NaN before each step.
+    /// @param poison whether scratch holds only NaN before each step.
     void steps(int count, bool poison = false)
     {
         for (int k = 0; k < count; ++k) {
@@ -67,7 +67,7 @@ uint32_t wordAt(const std::vector<std::byte>& bytes, size_t at)
     return word;
 }
 
-/// Bit by bit.
+/// Compares bit by bit.
 void expectSame(const StagesState& found, const StagesState& wanted)
 {
     EXPECT_GT(wanted.buffers.size(), 20u);
@@ -95,7 +95,7 @@ class LifetimeOf : public testing::TestWithParam<Matter> {};
 
 }  // namespace
 
-/// Another solver that gets the state alone, and whose scratch holds nothing but NaN before each step.
+/// Another solver that gets only the state, with only NaN in scratch before each step.
 TEST_P(LifetimeOf, StateAloneGoesOnWithTheSameBits)
 {
     const World world = GetParam().world();

@@ -22,8 +22,8 @@ protected:
     }
 };
 
-/// Steps that have no room for all their contacts are taken again: nothing is lost, nor does it matter when somebody
-/// looks.
+/// Steps without room for all their contacts are repeated: nothing is lost, and it does not matter when counters are
+/// checked.
 TEST_P(Overflow, LosesNothing)
 {
     const World world = GetParam().world();

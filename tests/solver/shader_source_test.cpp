@@ -21,8 +21,8 @@ size_t lineCount(const std::string& text)
     return static_cast<size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// What the user reads of a kernel that does not compile. The driver's own message, which would be the next error
-/// found, is taken out of the way.
+/// The error message for a kernel that does not compile. Removes the driver's own message, which would be the next
+/// error found.
 std::string compileError(const std::string& path)
 {
     std::string message = messageOf<DeviceError>([&] { Program::compute(gpu(), path); });

@@ -120,7 +120,7 @@ void KernelFixture::forMovers(const std::string& name, const Defines& defines)
 void KernelFixture::setFound(const std::vector<gpu::vec4>& places)
 {
     fill(stages.search.searchPositions, places);
-    // What search_position leaves besides the places.
+    // Other results of search_position besides the places.
     auto counts = stages.search.listCounts.download();
     const uint32_t count = stages.parameters.particleCount;
     std::fill(counts.begin() + count, counts.begin() + 2 * count, 0u);

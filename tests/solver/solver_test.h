@@ -19,12 +19,12 @@ using Eigen::Vector3d;
 
 inline constexpr float DIAMETER = 0.1f;
 
-/// Overrides the shaders of gpu(): tests put kernels of their own here.
+/// Overrides the shaders of gpu(): tests put their own kernels here.
 TempFolder& shaderFolder();
 /// One context for the whole test program: making one costs more than most tests.
 Gpu& gpu();
 
-/// Numbers that are the same with every standard library (its distributions are not).
+/// Numbers that are equal with every standard library, unlike those of its distributions.
 class Random {
 public:
     explicit Random(uint32_t seed) : engine_(seed) {}
@@ -45,12 +45,12 @@ private:
     std::mt19937 engine_;
 };
 
-/// A world of everything that kernels tell apart, in 1003 particles (no multiple of any group size): pairs of each
+/// A world of everything that kernels distinguish, in 1003 particles (no multiple of any group size): pairs of each
 /// joint type, two bodies with a margin whose lattices overlap at rest, a pair of which one is fixed, a flat, a
 /// straight and a long body, a fixed one, and loose particles for the rest.
 World mixedWorld(const Settings& settings = {}, uint32_t particleCount = 1003);
 
-/// Otherwise the defaults, so that a world has the paper's stages.
+/// The defaults except for the solver, so that a world has the paper's stages.
 Settings byThePaper();
 
 /// The solver's stages of a world, and its kernels one at a time.
@@ -64,15 +64,15 @@ public:
     void forParticles(const std::string& name, const Defines& defines = {});
     void forBodies(const std::string& name, const Defines& defines = {});
     void forMovers(const std::string& name, const Defines& defines = {});
-    /// Where contacts are found, as search_position would leave it: places [m], and no pair that refers to anybody yet.
+    /// Sets the places for which contacts are found, as search_position would [m], and no references to pairs yet.
     void setFound(const std::vector<gpu::vec4>& places);
     /// Sorts the particles into the grid by searchPositions, as the step does.
     void fillGrid(const Defines& defines);
     /// Finds the pairs of particles, as the step does; counters().fastListed of fastParticles look further.
     void findPairs(GridKind grid);
-    /// Makes the lists of contacts of what was found for particles and colliders (listCounts), as the step does.
+    /// Makes the lists of contacts found for particles and colliders (listCounts), as the step does.
     void fillLists();
-    /// The next search writes the other half of the lists.
+    /// Makes the next search write the other half of the lists.
     void turnHalves();
     /// Uploads `stages.parameters` after a change.
     void setParameters() { stages.step.upload(std::span<const gpu::StepParameters>(&stages.parameters, 1)); }
@@ -103,9 +103,9 @@ inline Quaternionf quaternion(const gpu::vec4& v)
     return {v.w, v.x, v.y, v.z};
 }
 
-/// What the step gives a kernel that uses the grid.
+/// The step's defines for a kernel that uses the grid.
 Defines gridDefines(GridKind kind);
-/// A plane through a place, what is behind it being solid.
+/// A plane through a place, solid behind it.
 Collider planeAt(const Vector3f& place, const Vector3f& normal);
 /// For the names of tests that run with each grid.
 std::string gridName(const testing::TestParamInfo<GridKind>& kind);

@@ -50,18 +50,18 @@ TEST(DriverThreads, AreThereWhereTheyGainMoreThanWakingThemCosts)
 
 TEST(DriverThreads, AFrameIsDrawnAsideWhereThatIsTheFastestOfFourWays)
 {
-    // Many dispatches and as much to draw: in turn 20 ms without driver threads; aside 10 ms and two handovers.
+    // Many dispatches and as much to draw: sequentially 20 ms without driver threads; aside 10 ms and two handovers.
     const FrameWork work{{1000, 10}, {10, 10}};
     const DriverThreads both = chooseDriverThreads(work, 2, 0.05);
     EXPECT_EQ(both.count, 0u);
     EXPECT_TRUE(both.drawAside);
-    // Waking costs nothing: all is as fast as the cores are, aside too, less what it takes to hand over.
+    // Waking costs nothing: everything is as fast as the cores are, drawing aside too, less the cost of handovers.
     EXPECT_EQ(chooseDriverThreads(work, 2, 1e-6).count, 0u) << "two threads of the host do as well, on two cores";
     EXPECT_EQ(chooseDriverThreads({{10, 10}, {10, 100}}, 2, 1e-3).count, 2u) << "drawing alone takes both cores";
-    // Handing over takes longer than what is drawn.
+    // Handing over takes longer than drawing.
     EXPECT_FALSE(chooseDriverThreads({{1000, 10}, {10, 0.05}}, 2, 0.05).drawAside);
     EXPECT_FALSE(chooseDriverThreads(work, 1, 0.05).drawAside) << "one core";
-    // Threads that somebody else has chosen.
+    // The threads are given.
     EXPECT_EQ(chooseDriverThreads(work, 2, 0.05, true).count, 2u);
     EXPECT_TRUE(chooseDriverThreads(work, 2, 0.05, false).drawAside);
 }

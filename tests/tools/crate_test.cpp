@@ -14,7 +14,7 @@ TEST(Crate, isClosedAndAsLargeAsNineParticles)
     const Solid solid(model.vertices, model.triangles);
     EXPECT_LT((solid.bounds().max() - Eigen::Vector3f::Constant(0.135f)).norm(), 1e-5f);
     EXPECT_LT((solid.bounds().min() + Eigen::Vector3f::Constant(0.135f)).norm(), 1e-5f);
-    // No gap between planks is so deep that a particle is missing: its sides are flat.
+    // No gap between planks is deep enough for a particle to be missing: its sides are flat.
     EXPECT_EQ(voxelize(solid, {.diameter = 0.03f}).positions.size(), 9u * 9 * 9);
 }
 

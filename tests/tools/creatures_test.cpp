@@ -14,7 +14,7 @@ namespace {
 using Eigen::Matrix4f;
 using Eigen::Vector3f;
 
-/// The point of a foot that stands still while it is no higher than at rest.
+/// The point of a foot that does not move while it is no higher than at rest.
 struct Foot {
     std::string bone;
     Vector3f tip;  // [m]
@@ -89,7 +89,7 @@ TEST_P(Creatures, keepTheirBonesTogether)
     }
 }
 
-/// Whatever touches the ground stands still, and each foot does so for a third of the time at least.
+/// Points on the ground do not move, and each foot is there for at least a third of the time.
 TEST_P(Creatures, doNotSlide)
 {
     const Model model = GetParam().make();

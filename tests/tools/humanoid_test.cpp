@@ -101,7 +101,7 @@ TEST(Humanoid, walkGoesOnWhereItHasComeToAndItsFeetStand)
         next(2, 3) += stride;
         EXPECT_LT((clip.poses.back()[b] - next).norm(), 1e-5f) << b;
     }
-    // The toes of one foot at least stay where they are.
+    // The toes of at least one foot stay in place.
     const Eigen::Vector4f toe(0, -clip.poses[0][FOOT_L](1, 3), 0.19f, 1);
     for (size_t k = 1; k < clip.poses.size(); ++k) {
         float least = 1.0f;
@@ -140,7 +140,7 @@ TEST(Humanoid, committedFileIsWhatTheCodeMakes)
 TEST(Humanoid, fileComesBackAsItWas)
 {
     const Model made = makeHumanoid(), read = importModel(test::inSource("assets/models/humanoid.glb"));
-    // By place: assimp's versions differ in the order of vertices. Places are whole tenths of a millimetre.
+    // By place: assimp's versions differ in the order of vertices. Places are multiples of a tenth of a millimetre.
     const auto places = [](const Model& model) {
         std::multiset<std::array<long, 3>> all;
         for (const Vector3f& v : model.vertices)

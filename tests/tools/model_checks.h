@@ -15,7 +15,7 @@
 
 namespace knuckle::test {
 
-/// How many edges between places of a mesh are not passed as often one way as the other: 0 where it is closed.
+/// The number of edges between places of a mesh that are not passed equally often both ways: 0 if it is closed.
 inline size_t openEdges(const Model& model)
 {
     using Place = std::array<float, 3>;
@@ -36,7 +36,7 @@ inline size_t openEdges(const Model& model)
     return open;
 }
 
-/// That assets/models has the model as the code makes it.
+/// Expects assets/models to have the model as the code makes it.
 inline void expectCommitted(const std::string& name, const Model& model)
 {
     const std::string path = "assets/models/" + name + ".glb";

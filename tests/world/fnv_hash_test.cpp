@@ -6,7 +6,7 @@
 
 namespace knuckle::test {
 
-/// By the value that is published for "foobar".
+/// Uses the published value for "foobar".
 TEST(FnvHash, TakesWordsFromTheLeastSignificantByteOn)
 {
     FnvHash bytes, words;

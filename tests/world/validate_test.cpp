@@ -9,8 +9,8 @@ namespace {
 
 constexpr float INFINITE = std::numeric_limits<float>::infinity();
 
-/// What validate() says of a good world (two cubes with a ball, one collider) that `spoil` has changed.
-/// @tparam Error what it should throw; anything else ends the test.
+/// The error of validate() for a good world (two cubes with a ball, one collider) that `spoil` has changed.
+/// @tparam Error the expected type; any other ends the test.
 template <typename Error = std::logic_error>
 std::string complaint(const std::function<void(World&)>& spoil)
 {

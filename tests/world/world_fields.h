@@ -9,7 +9,7 @@
 
 namespace knuckle::test {
 
-/// One of everything, whether or not that makes sense.
+/// One of everything, whether or not the combination makes sense.
 inline World oneOfEverything()
 {
     World w;
@@ -51,7 +51,7 @@ void change(T& value)
     if constexpr (std::is_same_v<T, bool>) value = !value;
     else if constexpr (std::is_same_v<T, std::string>) value += "x";
     else if constexpr (std::is_enum_v<T>) value = static_cast<T>(static_cast<int>(value) + 1);
-    // Of infinity as well.
+    // Also changes infinity.
     else if constexpr (std::is_floating_point_v<T>) value = value == T(2) ? T(3) : T(2);
     else value += 1;
 }

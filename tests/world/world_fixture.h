@@ -46,14 +46,14 @@ inline World jointedCubes(const JointSpec& spec, const Settings& settings = {}, 
     return builder.build();
 }
 
-/// Of what a user's file can cause.
+/// For errors that a user's file can cause.
 template <typename Act>
 std::string complaintOf(Act act)
 {
     return messageOf<InputError>(act);
 }
 
-/// Of what only code that calls wrongly can cause.
+/// For errors that only wrong calls in code can cause.
 template <typename Act>
 std::string misuseOf(Act act)
 {

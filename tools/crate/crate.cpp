@@ -15,7 +15,7 @@ namespace {
 constexpr float HALF = 0.135f;   // of a side [m]
 constexpr float BEAM = 0.028f;   // of the frame, square
 constexpr float BRACE = 0.024f;  // wide
-constexpr float CORE = 0.122f;   // from the middle to what is seen between planks
+constexpr float CORE = 0.122f;   // from the middle to the surface that is visible between planks
 constexpr float INNER = 0.115f;  // ... to where planks begin, within the core
 constexpr float PLANKS = 0.127f;
 constexpr float BRACES = 0.132f;
@@ -37,7 +37,7 @@ void addSide(Model& model, const std::array<Vector3f, 4>& corners, const Vector3
     model.triangles.push_back({first, first + 2, first + 3});
 }
 
-/// A box about a place, its axes turned.
+/// A box around a place, with its axes turned.
 void addBox(Model& model, const Vector3f& middle, const Vector3f& half, const Matrix3f& turn, const Vector3f& color)
 {
     std::array<Vector3f, 8> corners;
@@ -51,7 +51,7 @@ void addBox(Model& model, const Vector3f& middle, const Vector3f& half, const Ma
         addSide(model, {corners[side[0]], corners[side[1]], corners[side[2]], corners[side[3]]}, color);
 }
 
-/// Planks side by side within the frame, and over those of an upright side a brace.
+/// Planks side by side within the frame, and a brace over those of an upright side.
 void addPanel(Model& model, const Matrix3f& turn, bool braced)
 {
     constexpr float width = 2 * (HALF - BEAM) / PLANK_COUNT;

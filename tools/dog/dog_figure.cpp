@@ -21,7 +21,7 @@ struct Group {
     double blend;  // within the group [m]
 };
 
-// The left half and what lies on the middle.
+// The left half and the parts in the middle.
 const Group TRUNK{{{{0, 0.500, 0.140}, {0, 0.515, 0.050}, 0.132, 0.122},            // ribs
                    {{0, 0.515, 0.050}, {0, 0.530, -0.110}, 0.120, 0.095},           // belly
                    {{0, 0.530, -0.110}, {0, 0.525, -0.250}, 0.096, 0.092},          // loin
@@ -50,7 +50,7 @@ const Group HEAD{{{{0, 0.735, 0.385}, {0, 0.735, 0.405}, 0.076, 0.074},         
                   {{0, 0.676, 0.430}, {0.004, 0.672, 0.512}, 0.032, 0.020},       // jaw
                   {{0.028, 0.755, 0.440}, {0.034, 0.752, 0.436}, 0.024, 0.022}},  // brow
                  0.03};
-// Toes of the front paw; those of the back paw stand BACK_PAW further back.
+// Toes of the front paw; those of the back paw are BACK_PAW further back.
 const Limb TOES[] = {{{0.069, 0.026, 0.226}, {0.066, 0.019, 0.244}, 0.018, 0.0165},
                      {{0.080, 0.026, 0.232}, {0.079, 0.018, 0.256}, 0.018, 0.0165},
                      {{0.094, 0.026, 0.232}, {0.095, 0.018, 0.256}, 0.018, 0.0165},
@@ -146,7 +146,7 @@ double soft(double value, double width)
     return 0.5 + 0.5 * std::clamp(value / width, -1.0, 1.0);
 }
 
-// Below, on the face, the paws and the tip of the tail.
+// Cream below, on the face, the paws and the tip of the tail.
 bool isCream(const Vector3d& p)
 {
     const double belly = soft(0.445 - p.y() - 0.25 * std::max(p.z() - 0.1, 0.0), 0.04) *

@@ -6,7 +6,7 @@
 #include "tools/dog/dog_parts.h"
 #include "tools/shapes/pose.h"
 
-// Toes are placed first, and stand still while they stand; the legs above them follow.
+// Toes are placed first, and do not move on the ground; the legs above them follow.
 namespace knuckle {
 
 using Eigen::Matrix3d;
@@ -17,16 +17,16 @@ namespace {
 struct Gait {
     const char* name;
     double duration;               // of a stride [s]
-    double stride, swing, height;  // from stand to stand [m], share of the time in the air, of a lifted paw [m]
-    double crouch, bob;            // how much lower the hips are, and how far they go up and down [m]
-    double bobs;                   // a stride
+    double stride, swing, height;  // from one stand to the next [m], share of the time in the air, of a lifted paw [m]
+    double crouch, bob;            // how much lower the hips are than at rest, and how far they go up and down [m]
+    double bobs;                   // per stride
     std::array<double, 4> phases;  // of back left, front left, back right, front right: when they are set down
 };
 constexpr Gait WALK{"walk", 0.6, 0.48, 0.36, 0.07, 0.020, 0.006, 2.0, {0.0, 0.75, 0.5, 0.25}};
 constexpr Gait TROT{"trot", 0.4, 0.60, 0.50, 0.09, 0.028, 0.012, 2.0, {0.0, 0.5, 0.5, 0.0}};
 
 const Vector3d X = Vector3d::UnitX(), Y = Vector3d::UnitY(), Z = Vector3d::UnitZ();
-constexpr double FRONT_TOE = 0.236, BACK_TOE = -0.236;  // where the paws' tips, on which they roll, stand [m]
+constexpr double FRONT_TOE = 0.236, BACK_TOE = -0.236;  // place of the paws' tips, on which they roll [m]
 
 class Dog {
 public:
@@ -76,7 +76,7 @@ private:
         return fall;
     }
 
-    // Two bones from where the upper one is to where the foot has to begin.
+    // Poses two bones from the upper one's place to the required start of the foot.
     void poseLeg(const std::array<uint32_t, 3>& bones, const Vector3d& end, const Vector3d& pole)
     {
         const auto [upper, lower, foot] = bones;

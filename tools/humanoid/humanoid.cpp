@@ -14,7 +14,7 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr double FINEST_CELL = 0.0014;  // of the mesh, at the eyes [m]
-constexpr double HAND_BLEND = 0.02;     // width over which hands melt into arms [m]
+constexpr double HAND_BLEND = 0.02;     // width over which hands blend into arms [m]
 
 // Proportions of an adult of 1.75 m: 7.5 heads, hips at 53 % of the height.
 const BoneSpec SPECS[] = {

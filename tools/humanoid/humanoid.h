@@ -4,9 +4,9 @@
 
 namespace knuckle {
 
-/// The project's own rigged figure, made from nothing but this code: an adult of 1.75 m standing at the origin on
-/// y = 0, facing +z, left arm towards +x, arms 50 degrees below the horizontal; 19 bones, a closed mesh, smooth skin
-/// weights, and two clips: "dance", whose last pose is its first, and "walk", which goes on where it has come to.
+/// The project's own rigged figure, generated entirely by this code: an adult of 1.75 m standing at the origin on y =
+/// 0, facing +z, left arm towards +x, arms 50 degrees below the horizontal; 19 bones, a closed mesh, smooth skin
+/// weights, and two clips: "dance", whose last pose is its first, and "walk", which continues from where it ends.
 Model makeHumanoid();
 
 /// Bones of the humanoid, the order of Model::bones.
@@ -33,7 +33,7 @@ enum HumanoidBone : uint32_t {
     HUMANOID_BONE_COUNT,
 };
 
-/// The "dance" clip for a skeleton laid out as makeHumanoid() does, every bone's axes parallel to the model's.
+/// The "dance" clip for a skeleton like makeHumanoid()'s, with every bone's axes parallel to the model's.
 Clip humanoidDance(const std::vector<Bone>& bones);
 /// Likewise "walk": two steps along +z, at a metre a second.
 Clip humanoidWalk(const std::vector<Bone>& bones);

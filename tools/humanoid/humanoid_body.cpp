@@ -10,9 +10,9 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double BLEND = 0.035;  // width over which limbs melt into each other [m]
+constexpr double BLEND = 0.035;  // width over which limbs blend into each other [m]
 
-// The left half of the body and what lies on the middle.
+// The left half of the body and the parts in the middle.
 const Limb LIMBS[] = {
     {{0, 0.95, -0.005}, {0.065, 0.95, -0.005}, 0.100, 0.092},       // pelvis
     {{0.062, 0.915, -0.045}, {0.075, 0.90, -0.045}, 0.075, 0.072},  // seat
@@ -40,7 +40,7 @@ const Limb PALM[] = {
 constexpr double PALM_BLEND = 0.02, FINGER_BLEND = 0.005;  // [m]
 
 struct Finger {
-    double z, length, spread;  // where it begins, how long it is, how far its tip goes along z [m]
+    double z, length, spread;  // its start, its length, and how far its tip goes along z [m]
 };
 const Finger FINGERS[] = {
     {0.054, 0.074, 0.008}, {0.034, 0.082, 0.002}, {0.014, 0.077, -0.003}, {-0.005, 0.062, -0.008}};
@@ -51,7 +51,7 @@ const Limb THUMB[] = {
 const Vector3d HAND_CENTRE{0.585, 0.925, 0.035};
 constexpr double HAND_REACH = 0.115;  // [m]
 
-// Hems, in metres along the body from where they are: negative where the cloth is.
+// Distances to hems along the body [m], negative within the cloth.
 struct Hems {
     double collar, sleeve, waist, belt, trousers, shoe;
 };
@@ -71,7 +71,7 @@ Hems hemsAt(const Vector3d& p)
 
 constexpr double COLLAR = 0.016, SLEEVE_BAND = 0.02, CUFF_HEIGHT = 0.034, SOLE_HEIGHT = 0.020;  // [m]
 
-// From 0 before a hem to 1 behind it.
+// From 0 before a hem to 1 beyond it.
 double behind(double hem)
 {
     return std::clamp(0.5 - hem / 0.006, 0.0, 1.0);
@@ -82,7 +82,7 @@ double between(double hem, double width)
     return behind(hem) * (1.0 - behind(hem + width));
 }
 
-// How far what is worn stands out from the limbs, in which bare skin lies a little deep [m].
+// How far clothes stand out from the limbs; bare skin lies a little deeper [m].
 double thickness(const Vector3d& p)
 {
     const Hems hem = hemsAt(p);

@@ -5,9 +5,9 @@
 
 #include "tools/humanoid/humanoid_pose.h"
 
-// The dance: sixteen beats of half a second. Steps to both sides, a turn all the way round in six steps, a leap, and
-// back. The feet are placed first, so that none can pass the floor, and the hips go over them. In the air the hips fly
-// as a body does.
+// The dance: sixteen beats of half a second. Steps to both sides, a full turn in six steps, a leap, and back. The feet
+// are placed first, so that none can pass the floor, and the hips follow over them. In the air the hips move in free
+// fall.
 namespace knuckle {
 
 using Eigen::Matrix3d;
@@ -18,7 +18,7 @@ namespace {
 constexpr double BEATS = 16.0;
 constexpr double BEAT = 0.5;  // [s]
 constexpr int KEYS_PER_BEAT = 15;
-constexpr double CROUCH = 0.05;       // the hips hang this much lower than at rest [m]
+constexpr double CROUCH = 0.05;       // the hips are this much lower than at rest [m]
 constexpr double STEP_HEIGHT = 0.09;  // [m]
 constexpr double GRAVITY = 9.81;      // [m/s2]
 
@@ -26,10 +26,10 @@ constexpr double GRAVITY = 9.81;      // [m/s2]
 constexpr double DOWN = 9.2, OFF = 10.0, ON = 11.2, UP = 13.0;
 constexpr double DEPTH = 0.2;  // of the hips before and after [m]
 
-// Where a foot goes, from one place to the next.
+// A step of a foot from one place to the next.
 struct Step {
     double from, to;  // [beats]
-    double x, z;      // of the figure that stands there [m]
+    double x, z;      // of the figure standing there [m]
     double yaw;       // [degrees]
 };
 const std::vector<Step> LEFT_STEPS = {{0.0, 0.9, 0.12, 0, 0},  {2.0, 2.9, 0.0, 0, 0},  {4.0, 4.7, 0, 0, 120},
@@ -39,7 +39,7 @@ const std::vector<Step> RIGHT_STEPS = {{1.0, 1.9, 0.12, 0, 0}, {3.0, 3.9, 0.0, 0
                                        {6.1, 6.8, 0, 0, 240},  {7.5, 8.2, 0, 0, 360}, {OFF, ON, 0, 0.3, 360},
                                        {13.8, 14.6, 0, 0, 360}};
 
-// A foot at a moment, but for its leg in the air.
+// A foot at a moment, except for its leg in the air.
 struct Footing {
     Vector3d place{0, 0, 0};  // of the figure above it [m]
     double yaw = 0.0;         // [degrees]
@@ -63,7 +63,7 @@ bool flies(double beat)
     return beat > OFF && beat < ON;
 }
 
-// How high the hips are above their height at rest [m].
+// Height of the hips over that at rest [m].
 double hipsHeight(double beat)
 {
     const double flight = (ON - OFF) * BEAT, speed = 0.5 * GRAVITY * flight;
@@ -82,7 +82,7 @@ double hipsHeight(double beat)
     return -DEPTH + (calm + DEPTH) * smooth((beat - 12.0) / (UP - 12.0));
 }
 
-// Where the hips are over the feet, and where they look, without haste.
+// Place of the hips over the feet, and their direction, smoothed.
 Footing hipsAt(double beat)
 {
     Footing mean;
@@ -91,17 +91,17 @@ Footing hipsAt(double beat)
         const double moment = beat + 0.9 * i / SAMPLES;
         const double wrapped = moment < 0 ? moment + BEATS : std::fmod(moment, BEATS);
         const Footing left = footingAt(LEFT_STEPS, wrapped), right = footingAt(RIGHT_STEPS, wrapped);
-        // Over the foot that stands.
+        // Moves over the standing foot.
         const Vector3d across = turn(0.5 * (left.yaw + right.yaw), Vector3d::UnitY()) * Vector3d::UnitX();
         const double lean = flies(wrapped) ? 0.0 : 0.075 * (right.lift - left.lift);
         mean.place += (0.5 * (left.place + right.place) + lean * across) / SAMPLES;
-        // What has gone round is where it began.
+        // A full turn ends where it began.
         mean.yaw += (0.5 * (left.yaw + right.yaw) + (moment < 0 ? -360.0 : moment >= BEATS ? 360.0 : 0.0)) / SAMPLES;
     }
     return mean;
 }
 
-// An arm in the chest's directions: how high it points, how far forward of sideways, how far its elbow bends.
+// An arm in the chest's directions: how high it points, how far forward from sideways, how far its elbow bends.
 struct ArmKey {
     double beat, high, forward, elbow;  // [degrees]
 };
@@ -157,7 +157,7 @@ void poseBody(double beat, const Heads& rest, Heads& heads, Rotations& rotations
                turn(4.0 * bob + 6.0 * fold - 8.0 * open, x),
            rest, heads, rotations);
     attach(NECK, CHEST, turn(3.0 * bob - 4.0 * fold, x), rest, heads, rotations);
-    // Eyes stay in front for as long as they can while the body turns.
+    // The eyes stay ahead for as long as they can while the body turns.
     const double ahead = 35.0 * std::sin(pi * std::clamp((beat - 3.5) / 5.0, 0.0, 1.0) * 2.0);
     attach(HEAD, NECK,
            turn(4.0 * sway, z) * turn(-ahead + 10.0 * std::sin(0.25 * pi * beat), y) *
@@ -180,7 +180,7 @@ Clip humanoidDance(const std::vector<Bone>& bones)
 {
     const int keys = static_cast<int>(BEATS) * KEYS_PER_BEAT;
     return makeClip("dance", BEATS * BEAT, bones, [&](int key, const Heads& rest, Heads& heads, Rotations& rotations) {
-        // The last key is the first again, to the bit.
+        // The last key equals the first, to the bit.
         danceAt(static_cast<double>(key % keys) / KEYS_PER_BEAT, rest, heads, rotations);
     });
 }

@@ -37,7 +37,7 @@ constexpr double LASH = 0.0018, IRIS_RADIUS = 0.0068, PUPIL_RADIUS = 0.0031;
 
 constexpr double MOUTH_HEIGHT = 1.577, MOUTH_WIDTH = 0.0245;  // its half [m]
 
-// How far inside the opening of the lids a place before the eye is [m].
+// How far inside the opening of the lids a place in front of the eye is [m].
 double eyeOpening(const Vector3d& p)
 {
     const double u = p.x() - EYE.x(), v = p.y() - EYE.y() - 0.10 * u, arch = 1.0 - u * u / (HALF_OPEN * HALF_OPEN);
@@ -54,7 +54,7 @@ double brow(const Vector3d& p)
     return std::min(part(inner, top, 0.0026, 0.0032), part(top, outer, 0.0032, 0.0010));
 }
 
-// Of the line between the lips: the corners are a little higher [m].
+// Height of the line between the lips, with the corners a little higher [m].
 double mouthHeight(const Vector3d& p)
 {
     return MOUTH_HEIGHT + 0.0030 * std::pow(p.x() / MOUTH_WIDTH, 2);
@@ -77,7 +77,7 @@ double skinDistance(const Vector3d& left, double body)
 {
     double d = melt(body, ellipsoidDistance(left, SKULL, SKULL_RADII), BLEND);
     for (const Limb& limb : JAW) d = melt(d, limbDistance(left, limb), BLEND);
-    // The sockets, then what stands in them.
+    // Cuts the sockets, then adds their contents.
     d = -melt(-d, limbDistance(left, {{0.028, 1.638, 0.117}, {0.044, 1.638, 0.108}, 0.020, 0.018}), 0.012);
     for (const Limb& limb : NOSE) d = melt(d, limbDistance(left, limb), FEATURE_BLEND);
     for (const Limb& limb : EAR) d = melt(d, limbDistance(left, limb), FEATURE_BLEND);
@@ -92,7 +92,7 @@ double skinDistance(const Vector3d& left, double body)
 double hairDistance(const Vector3d& p)
 {
     const Vector3d left(std::abs(p.x()), p.y(), p.z());
-    // Combed from the parting.
+    // Hair is combed from the parting.
     const double way = std::atan2(p.y() - 1.63, p.x() - 0.02) + 0.6 * (p.z() + 0.02) / 0.1;
     const double strands = 0.0012 * std::sin(26.0 * std::atan2(p.z() - 0.03, 0.05 + std::abs(p.x() - 0.03)) + way);
     double cap = ellipsoidDistance(p, {0, 1.647, -0.001}, {0.085, 0.102, 0.101}) - strands;

@@ -33,7 +33,7 @@ void poseArm(uint32_t clavicle, const Arm& arm, const Heads& rest, Heads& heads,
     const Matrix3d shoulder = Eigen::Quaterniond::FromTwoVectors(upper, wanted).toRotationMatrix();
     attach(clavicle + 1, clavicle, rotations[clavicle].transpose() * rotations[CHEST] * shoulder, rest, heads,
            rotations);
-    // The elbow is a hinge: its forearm comes forward.
+    // The elbow is a hinge: the forearm comes forward.
     attach(clavicle + 2, clavicle + 1, turn(arm.elbow, lower.cross(Vector3d::UnitZ())), rest, heads, rotations);
     attach(clavicle + 3, clavicle + 2, turn(side * arm.wrist, Vector3d::UnitZ()), rest, heads, rotations);
 }

@@ -11,14 +11,14 @@ struct Leg {
 };
 inline constexpr Leg LEFT_LEG{THIGH_L, SHIN_L, FOOT_L, 1.0}, RIGHT_LEG{THIGH_R, SHIN_R, FOOT_R, -1.0};
 
-/// Where an ankle has to be, how its foot is turned, and where its knee looks.
+/// The required place of an ankle, the turn of its foot, and the direction of its knee.
 struct Ankle {
     Eigen::Vector3d place;
     Eigen::Matrix3d rotation;
     Eigen::Vector3d front;
 };
 
-/// In the chest's directions: how high an arm points, how far forward of sideways, how far elbow and hand bend
+/// In the chest's directions: how high an arm points, how far forward from sideways, how far elbow and hand bend
 /// [degrees].
 struct Arm {
     double high, forward, elbow, wrist;

@@ -16,7 +16,8 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr int HALVINGS = 8;
-constexpr double NEAREST_CUT = 0.05;  // to a corner, in lengths of the edge: thinner triangles have no direction
+constexpr double NEAREST_CUT = 0.05;  // distance from a corner, in lengths of the edge: thinner triangles have no
+                                      // direction
 constexpr float GRAIN = 1e-3f;        // of normals and colours
 
 class Cutter {
@@ -40,7 +41,7 @@ public:
     }
 
 private:
-    // The point of the surface where the region changes between two corners.
+    // The point of the surface between two corners where the region changes.
     uint32_t border(uint32_t a, uint32_t b)
     {
         if (a > b) std::swap(a, b);

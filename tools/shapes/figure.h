@@ -12,10 +12,10 @@
 
 namespace knuckle {
 
-/// What of a figure a place of its surface belongs to: its skin, its shirt. Numbers are the figure's own.
+/// The part of a figure at a place of its surface: its skin, its shirt. Each figure has its own numbers.
 using Region = uint32_t;
 
-/// How a figure looks.
+/// Looks of a figure.
 struct Figure {
     Distance distance;
     NetGrid grid;
@@ -25,19 +25,19 @@ struct Figure {
     std::function<SkinWeights(Region, const Eigen::Vector3d&)> weightsAt;
 };
 
-/// A mesh of which every triangle belongs to one region; vertices on the border of two are there twice.
+/// A mesh in which every triangle belongs to one region; vertices on the border of two are duplicated.
 struct RegionMesh {
     TriangleMesh mesh;
     std::vector<Region> regions;  ///< Per vertex.
 };
 
-/// Cuts triangles where the region changes, so that borders are as sharp as they are given.
+/// Cuts triangles where the region changes, so that borders are exact.
 RegionMesh cutAtBorders(const TriangleMesh& mesh, const Figure& figure);
 
-/// A model of a skeleton and of meshes on it, with normals, colours and weights.
+/// A model from a skeleton and meshes on it, with normals, colours and weights.
 Model makeModel(const std::string& name, const Skeleton& skeleton, std::span<const Figure> figures);
 
-/// Linear RGB of a colour as it is given on screens, of 0 ... 255.
+/// Linear RGB of a screen colour of 0 ... 255.
 Eigen::Vector3f screenColor(int red, int green, int blue);
 
 }  // namespace knuckle

@@ -9,10 +9,10 @@
 
 namespace knuckle {
 
-/// A bone as it is written down: of pairs the left one alone, whose name ends in ".L".
+/// A bone as specified: of a pair only the left one, whose name ends in ".L".
 struct BoneSpec {
     const char* name;
-    const char* parent;          ///< Empty for the root; stands before it.
+    const char* parent;          ///< Empty for the root; must be listed earlier.
     Eigen::Vector3d head, tail;  ///< [m]
     double radius;               ///< Of the flesh around it [m].
 };
@@ -27,14 +27,14 @@ struct SkeletonBone {
 /// Parents come before their children.
 using Skeleton = std::vector<SkeletonBone>;
 
-/// The bones of the middle and both sides (x and -x): each limb of the left is followed by its mirror image.
-/// @throws std::logic_error for a parent that does not stand before its child.
+/// The bones of the middle and of both sides (x and -x): each left limb is followed by its mirror image.
+/// @throws std::logic_error for a parent that is not listed before its child.
 Skeleton mirrored(std::span<const BoneSpec> specs);
-/// @throws std::logic_error where there is none of that name.
+/// @throws std::logic_error if no bone has that name.
 uint32_t boneIndex(const Skeleton& skeleton, const std::string& name);
 /// For Model: every bone's axes parallel to the model's.
 std::vector<Bone> bonesOf(const Skeleton& skeleton);
-/// Four bones, by how near they are, as rounded as the vertices; import makes the sum one.
+/// Weights of the four nearest bones, as rounded as the vertices; import makes their sum one.
 SkinWeights weightsAt(const Skeleton& skeleton, const Eigen::Vector3d& vertex);
 
 }  // namespace knuckle

@@ -18,14 +18,14 @@ namespace {
 constexpr int PROJECTION_STEPS = 3;
 constexpr double GRADIENT_STEP = 5e-4;  // [m]
 constexpr double GRAIN = 1e-4;          // [m]
-constexpr double HIGHEST_STEP = 0.012;  // that may stand on a true distance [m]
+constexpr double HIGHEST_STEP = 0.012;  // largest excess over a true distance [m]
 constexpr int COORDINATE_BITS = 20;     // of a place in a key
 
-// Places and sides of cells are counted in the smallest ones.
+// Places and sides of cells in units of the smallest cells.
 struct Leaf {
     Vector3i low;
     int side;
-    Vector3d sum = Vector3d::Zero();  // of where the surface crosses edges around it
+    Vector3d sum = Vector3d::Zero();  // of the points where the surface crosses edges around it
     int crossings = 0;
     uint32_t vertex = NO_INDEX;
 };
@@ -86,7 +86,7 @@ private:
         leaves_.push_back({low, side});
     }
 
-    // Of the cell that the smallest cell at a place lies in.
+    // The leaf that contains the smallest cell at a place.
     uint32_t leafAround(const Vector3i& p) const
     {
         if (p.minCoeff() < 0 || p.maxCoeff() >= side_) throw std::logic_error("the surface leaves the grid");
@@ -105,7 +105,7 @@ private:
         return place->second;
     }
 
-    // Edges that cross the surface and are not divided, each once, with the leaves around them in turn.
+    // Undivided edges that cross the surface, each once, with the leaves around them in order.
     template <typename Visit>
     void forEachEdge(const Visit& visit)
     {
@@ -120,14 +120,14 @@ private:
                 const std::array<uint32_t, 4> around{leafAround(a - u - v), leafAround(a - v), leafAround(a),
                                                      leafAround(a - u)};
                 if (std::ranges::count(around, NO_INDEX) > 0) throw std::logic_error("the distance is too steep");
-                // The first of the smallest leaves around an edge owns it.
+                // The first of the smallest leaves around an edge owns the edge.
                 const auto owner = std::ranges::min_element(around, {}, [&](uint32_t i) { return leaves_[i].side; });
                 if (*owner == l) visit(around, a, b);
             }
         }
     }
 
-    // Two triangles along the shorter diagonal, or one where a large leaf has two of the corners.
+    // Adds two triangles along the shorter diagonal, or one if a large leaf has two of the corners.
     static void addQuad(const std::array<uint32_t, 4>& q, TriangleMesh& mesh)
     {
         const auto length = [&](size_t i, size_t j) { return (mesh.vertices[q[i]] - mesh.vertices[q[j]]).norm(); };

@@ -4,7 +4,7 @@
 #include "tools/spider/spider_parts.h"
 
 // Feet are placed first. A hip turns its leg about the body's upright axis until it is in line with the foot, and the
-// two hinges beyond it do the rest.
+// two further hinges do the rest.
 namespace knuckle {
 
 using Eigen::Matrix3d;
@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr int KEYS = 24;                                    // of a stride
-constexpr double STRIDE = 0.40, SWING = 0.46, LIFT = 0.10;  // from stand to stand [m], share of the time, height [m]
+constexpr double STRIDE = 0.40, SWING = 0.46, LIFT = 0.10;  // between stands [m], share of the time, height [m]
 
 struct Pose {
     const Skeleton& skeleton;

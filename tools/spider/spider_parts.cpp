@@ -14,7 +14,7 @@ namespace {
 enum Metal : Region { PAINT, STEEL, DARK, RUBBER, LENS, LENS_RIM, LENS_CORE };
 
 constexpr double CELL = 0.0041;  // the finest [m]
-constexpr double WELD = 0.006;   // over which what one shell is made of melts into it [m]
+constexpr double WELD = 0.006;   // over which the parts of a shell blend into each other [m]
 
 // A point of a leg in its own directions: out from the hip, up, and across.
 struct InLeg {
@@ -33,7 +33,7 @@ Vector3d flat(const Vector2d& place, double across = 0.0)
     return {place.x(), place.y(), across};
 }
 
-// A bar of a rectangular section that tapers from one place to another.
+// A bar with a rectangular section that tapers from one place to another.
 double bar(const Vector3d& p, const Vector2d& a, const Vector2d& b, const Vector2d& from, const Vector2d& to,
            double rounding)
 {
@@ -44,7 +44,7 @@ double bar(const Vector3d& p, const Vector2d& a, const Vector2d& b, const Vector
     return 0.95 * boxDistance(local, Vector3d::Zero(), {0.5 * length, half.x(), half.y()}, rounding);
 }
 
-// How far along from one place to another, 0 ... 1, and beyond.
+// The position along the line from one place to another, 0 ... 1, and beyond.
 double along(const Vector3d& p, const Vector2d& a, const Vector2d& b)
 {
     return (p.head<2>() - a).dot(b - a) / (b - a).squaredNorm();

@@ -8,8 +8,8 @@
 
 namespace knuckle {
 
-/// A leg of the left side: names of its bones and where they stand. All of it lies in the upright plane through the
-/// hip along `out`.
+/// A leg of the left side: names and places of its bones. The whole leg lies in the upright plane through the hip along
+/// `out`.
 struct SpiderLeg {
     std::array<const char*, 3> bones;  ///< Coxa, femur, tibia.
     Eigen::Vector3d hip;               ///< [m]

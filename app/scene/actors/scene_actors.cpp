@@ -14,7 +14,7 @@ namespace knuckle {
 
 namespace {
 
-/// Indices of the bodies of an actor that the scene holds.
+/// Indices of an actor's bodies that the scene holds.
 std::vector<uint32_t> heldBodies(const ObjectEntry& entry, const Actor& actor)
 {
     std::vector<uint32_t> held;
@@ -26,7 +26,7 @@ std::vector<uint32_t> heldBodies(const ObjectEntry& entry, const Actor& actor)
     return held;
 }
 
-/// What is held at two places is a loop, which needs joints without limits: those of all held bodies but the first.
+/// Two held bodies make a loop, which needs joints without limits: removes those of all held bodies except the first.
 void freeHeldJoints(Actor& actor, const std::vector<uint32_t>& held)
 {
     for (ActorJoint& joint : actor.joints)

@@ -99,7 +99,7 @@ std::vector<Eigen::Vector2f> pathOf(const Json& json)
     return path;
 }
 
-/// Has it go as the feet of its clip do, by a clip made for that.
+/// Makes it move as the feet of its clip do, by a clip made for this.
 void travel(const ObjectEntry& entry, const Actor& actor, const Json& json, const std::string& where, ClipPlay& play)
 {
     WorldBuilder& builder = entry.context.builder;
@@ -150,7 +150,7 @@ std::vector<ClipPlay> readPlays(const ObjectEntry& entry, const Actor& actor, Cl
     return plays;
 }
 
-/// A limp actor begins as a clip has it at a time.
+/// A limp actor begins in the pose of a clip at a time.
 ClipPlay readPose(const ObjectEntry& entry, ClipReader& clips)
 {
     const Json& json = entry.json["pose"];
@@ -161,7 +161,7 @@ ClipPlay readPose(const ObjectEntry& entry, ClipReader& clips)
     return play;
 }
 
-/// What an actor is caught in; where no clip is named, what it was let go in goes on.
+/// Adds the clip in which an actor is caught; if none is named, the last one goes on.
 void addCaughtPlay(const ObjectEntry& entry, const Actor& actor, ClipReader& clips, std::vector<ClipPlay>& plays)
 {
     const Json& json = entry.json["catch"];

@@ -7,15 +7,15 @@
 
 namespace knuckle {
 
-/// How an actor's clips are played, and what it has to allow for them.
+/// How an actor's clips are played, and what its joints must allow for them.
 struct PlayedClips {
     std::vector<ClipPlay> plays;
     ClipNeeds needs;
 };
-/// Adds the clips of an actor's `animation` or `pose`. @throws InputError for clips that are not there or do not fit.
+/// Adds the clips of an actor's `animation` or `pose`. @throws InputError for clips that do not exist or do not fit.
 PlayedClips readClips(const ObjectEntry& entry, const Actor& actor);
 
-/// Has the copies of an actor move as their clips say. @param objects of the world, a copy each.
+/// Makes the copies of an actor move as their clips say. @param objects of the world, a copy each.
 void animateActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects,
                    const std::vector<ClipPlay>& plays);
 

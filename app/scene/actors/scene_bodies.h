@@ -6,9 +6,9 @@
 
 namespace knuckle {
 
-/// Index of an actor's body. @param where in the entry its name stands. @throws InputError where there is none.
+/// Index of an actor's body. @param where its name is in the entry. @throws InputError if there is none.
 uint32_t bodyNamed(const ObjectEntry& entry, const Actor& actor, const std::string& name, const std::string& where);
-/// Of an actor's bodies in their order.
+/// Names of an actor's bodies in their order.
 std::vector<std::string> bodyNames(const Actor& actor);
 
 }  // namespace knuckle

@@ -27,7 +27,7 @@ DriveSpring readSpring(const Json& json)
     return spring;
 }
 
-/// Of each body the drive of the joint that it hangs on.
+/// Per body, the drive of the joint that it hangs on.
 std::vector<DriveSpring> readJoints(const ObjectEntry& entry, const Actor& actor)
 {
     const Json& drive = entry.json["drive"];
@@ -84,7 +84,7 @@ void readHits(const Json& drive, Puppet& puppet)
     puppet.knockOut = {readUnlessZero(knockOut["distance"]), readUnlessZero(knockOut["torqueTime"])};
 }
 
-/// None where it is never caught.
+/// None if it is never caught.
 std::optional<Catch> readCatch(const Json& json, size_t bodies)
 {
     if (json["time"] == 0.0) return std::nullopt;
@@ -101,7 +101,7 @@ std::optional<Catch> readCatch(const Json& json, size_t bodies)
     return caught;
 }
 
-/// The same for a copy that is later [s].
+/// The same for a copy with a delay [s].
 Puppet delayed(Puppet puppet, float delay)
 {
     for (StrengthKey& key : puppet.strength) key.time += delay;
@@ -125,7 +125,7 @@ bool isDriven(const Json& actor)
 
 void driveActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects)
 {
-    constexpr float CATCHING = 6.0f;  // [Hz], of what has no drive
+    constexpr float CATCHING = 6.0f;  // [Hz], for puppets without a drive
     Puppet puppet;
     puppet.joints = readJoints(entry, actor);
     puppet.caught = readCatch(entry.json["catch"], actor.bodies.size());

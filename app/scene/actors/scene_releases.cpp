@@ -16,7 +16,7 @@ namespace knuckle {
 
 namespace {
 
-/// Which of the causes an entry of `release` has.
+/// The causes in an entry of `release`.
 std::vector<std::string> causesOf(const Json& release)
 {
     std::vector<std::string> causes;
@@ -27,7 +27,7 @@ std::vector<std::string> causesOf(const Json& release)
     return causes;
 }
 
-/// Whether one entry of `release` waits for something to happen. @throws InputError where it has two causes.
+/// Whether an entry of `release` waits for an event. @throws InputError if it has two causes.
 bool waitsForEvent(const ObjectEntry& entry, const Json& release, const std::string& where)
 {
     const std::vector<std::string> causes = causesOf(release);
@@ -35,7 +35,7 @@ bool waitsForEvent(const ObjectEntry& entry, const Json& release, const std::str
     return !causes.empty() && causes[0] != "time" && causes[0] != "clipTime";
 }
 
-/// Has it let go of an actor's bodies when that happens to any of them.
+/// Makes the event of any of an actor's bodies let go of these bodies.
 void releaseOnEvent(const ObjectEntry& entry, const Json& json, const std::string& where,
                     const std::vector<uint32_t>& bodies)
 {
@@ -56,7 +56,7 @@ void releaseOnEvent(const ObjectEntry& entry, const Json& json, const std::strin
     entry.context.builder.addRelease(std::move(release));
 }
 
-/// When the first clip gets to a time of its own [s]; infinity where it never does.
+/// When the first clip reaches a time of its own [s]; infinity if it never does.
 float timeOf(const World& world, const ClipPlay& play, float clipTime)
 {
     const float length = world.clips[play.clip].duration();
@@ -66,7 +66,7 @@ float timeOf(const World& world, const ClipPlay& play, float clipTime)
     return way / play.speed;
 }
 
-/// The body of a name and what hangs on it; all for none.
+/// The body with a name and what hangs on it; all bodies without a name.
 std::vector<uint32_t> bodiesBelow(const ObjectEntry& entry, const Actor& actor, const std::string& name,
                                   const std::string& where)
 {

@@ -6,12 +6,12 @@
 
 namespace knuckle {
 
-/// Lets the copies of an actor go as `release` says. @param objects of the world, a copy each. @throws InputError.
+/// Lets go of the copies of an actor as `release` says. @param objects of the world, a copy each. @throws InputError.
 void releaseActors(const ObjectEntry& entry, const Actor& actor, const std::vector<uint32_t>& objects);
 
-/// Notes which particles an object has got. @param first of them.
+/// Notes the particles of an object. @param first of them.
 void noteParticles(const ObjectEntry& entry, uint32_t first);
-/// Adds the releases by touch, once all objects are there. @throws InputError for a name that none has.
+/// Adds the releases by touch, after all objects. @throws InputError for a name that no object has.
 void addTouches(SceneContext& context);
 
 }  // namespace knuckle

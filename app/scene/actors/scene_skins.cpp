@@ -16,7 +16,7 @@ bool isAutomatic(const ObjectEntry& entry)
     return entry.json["skin"] == "auto";
 }
 
-/// Why the mesh of an actor cannot be had; empty where it can.
+/// Why an actor has no mesh to draw; empty if it has one.
 std::string whyNoMesh(const Actor& actor)
 {
     const std::string& model = actor.model.file;
@@ -26,7 +26,7 @@ std::string whyNoMesh(const Actor& actor)
     return {};
 }
 
-/// Null where the mesh is only wanted where there is one. @throws InputError where it is wanted and cannot be had.
+/// Null if there is no mesh and it is optional. @throws InputError if it is required and cannot be made.
 std::shared_ptr<const SkinMesh> makeSkin(const ObjectEntry& entry, const Actor& actor)
 {
     SceneContext& context = entry.context;

@@ -13,7 +13,7 @@ namespace knuckle {
 
 namespace {
 
-/// A part of a composed collider: `base` moved to `offset` in its own frame.
+/// A part of a composed collider: `base` moved by `offset` in its own frame.
 Collider partAt(const Collider& base, const Vector3f& offset)
 {
     Collider part = base;
@@ -29,7 +29,7 @@ void addBox(WorldBuilder& builder, const Collider& base, const Vector3f& centre,
     builder.addCollider(box);
 }
 
-/// Walls without end: planes that look inwards.
+/// Infinite walls: planes that face inwards.
 void addPlaneWalls(WorldBuilder& builder, const Collider& base, float width, float depth)
 {
     const Vector3f offsets[] = {{-width / 2, 0, 0}, {width / 2, 0, 0}, {0, 0, -depth / 2}, {0, 0, depth / 2}};
@@ -63,7 +63,7 @@ void addStairs(WorldBuilder& builder, const Collider& base, const Json& json)
 {
     const float rise = json["rise"], run = json["run"], width = json["width"], landing = json["landing"];
     const int steps = json["steps"];
-    // Each step reaches back to the end of the landing, so that no gap opens between two of them.
+    // Each step extends back to the end of the landing, so that there is no gap between two of them.
     const float end = static_cast<float>(steps - 1) * run + landing;
     for (int i = 0; i < steps; ++i) {
         const float front = static_cast<float>(i) * run, depth = end - front;

@@ -19,7 +19,7 @@ struct Heights {
     std::vector<float> values;  ///< [m], the row of the lowest z first.
 };
 
-/// Runs `make`, and adds the scene's file and the field's JSON path to its error.
+/// Runs `make`, and adds the scene's file and the field's JSON path to its errors.
 void atField(const SceneEntry& entry, const std::string& field, const std::function<void()>& make)
 {
     try {

@@ -4,7 +4,7 @@
 
 namespace knuckle {
 
-/// Adds the grid of a collider of the type `mesh` or `heightfield`, and says so in `collider`. @throws InputError.
+/// Adds the grid of a collider of the type `mesh` or `heightfield`, and sets `collider` to it. @throws InputError.
 void addMeshGrid(const SceneEntry& entry, Collider& collider);
 void addHeightfield(const SceneEntry& entry, Collider& collider);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float RATE = 60.0f;  // keys of the clip [1/s]
 
-/// Where something is at a time: an offset from where it stands [m], and angles about fixed x, y, z [degrees].
+/// A place at a time: an offset from the start [m], and angles about fixed x, y, z [degrees].
 struct MotionKey {
     float time = 0.0f;
     Eigen::Matrix<float, 6, 1> value = Eigen::Matrix<float, 6, 1>::Zero();
@@ -40,8 +40,8 @@ std::vector<MotionKey> readKeys(const SceneEntry& entry)
     return keys;
 }
 
-/// Between keys: on a straight line, or on a curve that goes through each key as fast as its neighbours have it, and
-/// rests at both ends.
+/// The value between keys: on a straight line, or on a curve whose speed at each key follows from its neighbours and
+/// which rests at both ends.
 Eigen::Matrix<float, 6, 1> valueAt(const std::vector<MotionKey>& keys, float time, bool smooth)
 {
     size_t k = 0;

@@ -6,11 +6,11 @@
 
 namespace knuckle {
 
-/// Whether a collider or a rigid object moves by itself.
+/// Whether a collider or a rigid object has a motion.
 bool hasMotion(const Json& entry);
 /// Adds the clip of its `motion`. @throws InputError.
 ClipPlay readMotion(const SceneEntry& entry, const std::string& name);
-/// The same of an object, which nothing else may say how to move.
+/// The same for an object, which must have no other source of motion.
 ClipPlay readObjectMotion(const ObjectEntry& entry);
 
 }  // namespace knuckle

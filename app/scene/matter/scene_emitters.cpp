@@ -22,7 +22,7 @@ struct Entry : SceneEntry {
     Emitter emitter = {};
 };
 
-/// The object that a particle was added for, in words.
+/// A description of the object to which a particle belongs.
 std::string objectOf(const WorldBuilder& builder, uint32_t particle)
 {
     const World& world = builder.world();
@@ -34,7 +34,7 @@ std::string objectOf(const WorldBuilder& builder, uint32_t particle)
     return "an object";
 }
 
-/// What stands in the scene before anything flows in.
+/// Everything in the scene before fluid flows in.
 class Surroundings {
 public:
     explicit Surroundings(const SceneContext& context) : context_(context), solids_(context.builder.diameter())
@@ -43,7 +43,7 @@ public:
         for (uint32_t i = 0; i < particles.size(); ++i) solids_.add(particles[i].position, i);
     }
 
-    /// Names what a fluid particle at x would overlap; nothing where it has room.
+    /// Names what a fluid particle at x would overlap; nothing if it has room.
     std::optional<std::string> whatIsAt(const Vector3f& x) const
     {
         for (size_t c = 0; c < world().colliders.size(); ++c)

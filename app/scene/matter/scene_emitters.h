@@ -4,7 +4,7 @@
 
 namespace knuckle {
 
-/// Adds `drains`, then `emitters`, whose nozzles must not be in anything that is there: after everything else.
+/// Adds `drains`, then `emitters`, whose nozzles must be free: to be called after everything else.
 /// @throws InputError.
 void addEmitters(SceneContext& context, const Json& root);
 

@@ -15,7 +15,7 @@ namespace knuckle {
 
 namespace {
 
-/// The object whose shape is to be filled with particles.
+/// The object whose shape is filled with particles.
 struct Filling {
     const SceneEntry& entry;
     const Json& object;
@@ -42,7 +42,7 @@ std::vector<Vector3f> fillRound(const Filling& filling)
                                                : capsuleLattice(radius, 0.5f * length, filling.spacing);
 }
 
-/// A cone that stands on its base, whose middle is the origin.
+/// A cone on its base, whose middle is the origin.
 std::vector<Vector3f> fillCone(const Filling& filling)
 {
     const float radius = filling.object["radius"], height = filling.object["height"], spacing = filling.spacing;

@@ -10,8 +10,8 @@ namespace knuckle {
 
 namespace {
 
-/// Moves every other layer by a quarter of the spacing: balls that stand on each other, or in the hollows of the layer
-/// below, hold without friction.
+/// Moves every other layer by a quarter of the spacing: balls directly on each other, or in the hollows of the layer
+/// below, would hold without friction.
 void shiftLayers(std::vector<Vector3f>& positions, float spacing)
 {
     for (Vector3f& position : positions) {

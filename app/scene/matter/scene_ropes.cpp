@@ -19,8 +19,8 @@ namespace {
 /// How far an end may be from the particle that it is attached to [diameters].
 constexpr float ATTACH_REACH = 1.5f;
 
-/// The object `name` that copy number `copy` of this entry is attached to: `name_<copy + 1>` where `name` is repeated
-/// as well, else `name` itself.
+/// The object `name` that copy number `copy` of this entry is attached to: `name_<copy + 1>` if `name` is repeated as
+/// well, else `name` itself.
 uint32_t findObject(const ObjectEntry& entry, const std::string& name, size_t copy, const std::string& field)
 {
     const std::vector<Object>& objects = entry.context.builder.world().objects;
@@ -32,7 +32,7 @@ uint32_t findObject(const ObjectEntry& entry, const std::string& name, size_t co
     entry.fail(field + "/object", fmt::format("there is no object \"{}\"; {}", name, suggestion(name, names)));
 }
 
-/// The particle of a named object, or of a body of it, that is nearest to a place in the world.
+/// The particle of a named object, or of one of its bodies, nearest to a place in the world.
 uint32_t findParticle(const ObjectEntry& entry, const Json& json, size_t copy, const Vector3f& place, float reach,
                       const std::string& field)
 {
@@ -102,7 +102,7 @@ void addRopes(const ObjectEntry& entry)
     }
 }
 
-/// The nodes that one of the words of `hold` means: an edge, a corner as two edges ("nearLeft"), or all of either.
+/// The nodes for a word of `hold`: an edge, a corner as two edges ("nearLeft"), or all edges or corners.
 void holdNodes(const GridSheet& sheet, const std::string& word, std::vector<uint32_t>& held)
 {
     const auto has = [&](const char* edge) { return word.find(edge) != std::string::npos; };

@@ -6,7 +6,7 @@ namespace knuckle {
 
 /// Whether an entry of `objects` is a rope or cloth.
 bool isRopeObject(const Json& json);
-/// Adds it with its copies. @throws InputError.
+/// Adds a rope or cloth with its copies. @throws InputError.
 void addRopeObject(const ObjectEntry& entry);
 
 }  // namespace knuckle

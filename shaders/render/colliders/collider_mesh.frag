@@ -1,4 +1,4 @@
-// Depth, normal and colour of a mesh, from whichever side it is seen.
+// Depth, normal and colour of a mesh, which is visible from both sides.
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 

@@ -1,4 +1,4 @@
-// A corner of a mesh or a heightfield that stands in the way.
+// A corner of a mesh or a heightfield that is a collider.
 #include "render/common/frame_blocks.glsl"
 #include "render/colliders/collider_place.glsl"
 

@@ -10,7 +10,7 @@ in vec3 boxPoint;
 
 void main()
 {
-    // Started well outside: the obstacle may reach out of the map's depth.
+    // Starts far outside: the obstacle may extend beyond the map's depth.
     float reach = 2.0 * length(shapeHalfExtents.xyz);
     vec3 start = boxPoint + reach * frame.keyDirection.xyz;
     vec3 origin = rotateBack(shapeOrientation, start - shapePosition.xyz);

@@ -1,4 +1,4 @@
-// One triangle over the whole picture, with what all pixels of a plane share.
+// One triangle over the whole picture, with the values that all pixels of a plane share.
 #include "render/common/frame_blocks.glsl"
 #include "render/colliders/collider_place.glsl"
 #include "render/common/screen.glsl"

@@ -1,4 +1,4 @@
-// What the host says of a frame.
+// The host's values of a frame.
 #include "shared/draw_types.h"
 #include "shared/frame_types.h"
 

@@ -1,4 +1,4 @@
-// What the host says of a frame, and the view that the camera's kernels made of it.
+// The host's values of a frame, and the view that the camera's kernels computed from them.
 #include "render/common/frame.glsl"
 
 layout(std140) uniform View { FrameView view; };
@@ -26,8 +26,8 @@ vec3 viewRay(vec2 windowPosition)
     return vec3(ndc * frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0), -1.0);
 }
 
-// Clip position of a view-space point. Depth is linear: 0 at the eye, 1 at farDepth; fragments write it themselves
-// where the triangle does not give it exactly.
+// Clip position of a view-space point. Depth is linear: 0 at the eye, 1 at farDepth; fragments write it themselves if
+// the triangle's depth is not exact.
 vec4 projectView(vec3 p)
 {
     float depth = -p.z;

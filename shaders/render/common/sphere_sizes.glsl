@@ -1,4 +1,4 @@
-// How large particles are drawn, and which of them are there at all.
+// Sizes of drawn particles, and which of them are active.
 #include "render/common/frame_blocks.glsl"
 
 float sphereRadius(uint particle)
@@ -6,7 +6,7 @@ float sphereRadius(uint particle)
     return particle < frame.solidCount ? frame.radius : frame.fluidRadius;
 }
 
-/// Of the space around, in units of which a solid particle takes SPACE_UNITS.
+/// The space that a particle takes, of which a solid one takes SPACE_UNITS.
 uint sphereSpace(uint particle)
 {
     return particle < frame.solidCount ? SPACE_UNITS : frame.fluidSpace;

@@ -1,7 +1,7 @@
-// What the geometry passes leave per pixel for the lighting: a normal and a colour in two words.
+// Output of the geometry passes per pixel for the lighting: a normal and a colour in two words.
 #include "math/octahedron.glsl"
 
-// Square roots spend the 8 bits a channel where the eye sees steps.
+// Square roots use the 8 bits a channel where the eye sees steps.
 uint packRoots(vec3 roots, float alpha)
 {
     return packUnorm4x8(vec4(roots, alpha));
@@ -29,7 +29,7 @@ bool isGround(uvec2 surface)
     return surface.y >> 24 == 0u;
 }
 
-// Of any length above 0.
+// The normal may have any length above 0.
 uint packNormal(vec3 n)
 {
     return packSnorm2x16(toSquare(n));

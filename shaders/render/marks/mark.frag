@@ -1,4 +1,4 @@
-// A mark in its colour, as displayed: nothing lights it.
+// A mark in its colour, as displayed: without lighting.
 flat in vec3 color;
 layout(location = 0) out vec4 picture;
 

@@ -1,4 +1,4 @@
-// A corner of a mark where its body has it; strokes are as thick at any depth.
+// A corner of a mark at its body's place; strokes have the same width at any depth.
 #include "render/common/frame_blocks.glsl"
 #include "math/quaternion.glsl"
 

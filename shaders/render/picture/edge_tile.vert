@@ -1,5 +1,5 @@
-// One point per tile of EDGE_TILE x EDGE_TILE pixels, dropped where the tile shows nothing but ground and sky: those
-// have no steps, since their pattern is filtered already and their shadows are soft.
+// One point per tile of EDGE_TILE x EDGE_TILE pixels, dropped if the tile shows only ground and sky: these have no
+// steps, since their pattern is filtered already and their shadows are soft.
 #include "render/common/frame.glsl"
 #include "render/picture/shade.glsl"
 

@@ -1,4 +1,4 @@
-// Lights the surfaces and paints the sky behind them, ready to be seen.
+// Lights the surfaces and paints the sky behind them; writes final colours.
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 #include "render/picture/shade.glsl"
@@ -10,16 +10,16 @@ uniform usampler2D surfacePicture;
 uniform usampler2D shadePicture;
 layout(location = 0) out vec4 picture;
 
-// Diffuse reflection of the key light is 1/pi of what arrives; these are that and the sky's, balanced by eye.
+// Diffuse reflection of the key light is 1/pi of the light that arrives; these are that and the sky's, balanced by eye.
 const float KEY_SHARE = 0.40;
 const float AMBIENT_SHARE = 0.62;
 
-// The half-resolution shade: the mean over a block of 2x2, which together hold the whole pattern of taps, of those at
+// The half-resolution shade: the mean over a block of 2x2, which together hold the whole pattern of taps, of pixels at
 // about this depth.
 vec2 shadeAt(ivec2 pixel, float depth, float facing)
 {
     uvec4 block = textureGather(shadePicture, vec2((pixel >> 1) + 1) / vec2(textureSize(shadePicture, 0)));
-    // A surface seen at a slant changes its depth from pixel to pixel.
+    // The depth of a slanted surface changes from pixel to pixel.
     float slope = 2.0 * frame.tanHalfFov / float(frame.height) * depth / max(facing, 0.08);
     float sharpness = 1.0 / (0.3 * frame.radius + 6.0 * slope);
     vec4 weights = max(1.0 - abs(shadeDepth(block) - depth) * sharpness, 0.001);
@@ -68,6 +68,6 @@ void main()
     float haze = isGround(surface) ? far * far / (1.0 + far * far) : 0.0;
     vec3 radiance = depth >= frame.farDepth ? sky : mix(lit, horizonColor(), haze);
     vec3 color = filmic(radiance * frame.groundColor.w);
-    // The filter compares lightness, as the eye sees it.
+    // The edge filter compares lightness, as the eye sees it.
     picture = vec4(color, dot(color, vec3(0.299, 0.587, 0.114)));
 }

@@ -1,6 +1,6 @@
-// What occlusion.frag keeps of one half-resolution pixel, in one word, so that four come with one gather: view depth
-// in the upper 20 bits (a float without its sign and lowest bits), ambient light in 7, key light in 4, and one for
-// things, as opposed to ground and sky. What is missing from full light is kept, so that 0 is the open ground.
+// Data of occlusion.frag for one half-resolution pixel, in one word, so that four come with one gather: view depth in
+// the upper 20 bits (a float without its sign and lowest bits), ambient light in 7, key light in 4, and one for things,
+// as opposed to ground and sky. It stores what is missing from full light, so that 0 is the open ground.
 const float AMBIENT_LEVELS = 127.0;
 const float KEY_LEVELS = 15.0;
 

@@ -1,4 +1,4 @@
-// The backdrop: a soft gradient, lighter at the horizon, in which the far ground dissolves.
+// The backdrop: a soft gradient, lighter at the horizon, into which the far ground fades.
 #include "render/common/frame_blocks.glsl"
 
 vec3 horizonColor()
@@ -6,7 +6,7 @@ vec3 horizonColor()
     return mix(frame.skyColor.rgb, vec3(1.0), 0.45) * 0.95;
 }
 
-// `up`: the vertical component of the unit direction looked in.
+// `up`: the vertical component of the unit view direction.
 vec3 skyRadiance(float up)
 {
     float high = max(up, 0.0), low = max(-up, 0.0);

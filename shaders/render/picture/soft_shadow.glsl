@@ -1,4 +1,4 @@
-// The key light that arrives, from the shadow map.
+// The key light that arrives, by the shadow map.
 #include "render/common/frame_blocks.glsl"
 #include "render/picture/taps.glsl"
 
@@ -6,7 +6,7 @@ uniform sampler2D shadowPicture;
 
 const int BLOCKER_TAPS = 4;
 const int SHADOW_TAPS = 6;
-// Share of a texel that a surface is lifted before it looks for the light, so that it does not shade itself.
+// How far a surface is lifted for its shadow test, over the size of a texel, so that it does not shade itself.
 const float LIFT_TEXELS = 1.5;
 
 // How much of four texels is lit, weighted by their distances, so that texels do not show (Reeves et al. 1987).
@@ -25,7 +25,7 @@ float keyReach(vec3 p, vec3 n, int k)
     vec3 place = viewToLight(p + n * (LIFT_TEXELS * texel));
     vec2 centre = 0.5 * place.xy + 0.5;
     float depth = 0.5 * place.z + 0.5;
-    // What lies behind the map's depth is in its shadows too, but not in that of the cleared map.
+    // Surfaces beyond the map's depth can be shaded, too, but not by the cleared map.
     float reference = min(depth, 1.0);
     // Widths in map units per unit of map depth.
     float widening = frame.keyDirection.w * view.lightDepth.x / view.lightCentre.w;

@@ -1,4 +1,4 @@
-// Where to look around a pixel: points that four pixels share.
+// Sample points around a pixel, in a pattern that four pixels share.
 
 // A block of 2x2 pixels shares one pattern of four times as many taps; lighting.frag averages such blocks.
 const int BLOCK = 4;

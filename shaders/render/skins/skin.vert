@@ -1,15 +1,15 @@
-// A vertex of a wearer's skin, where skin_pose.comp put it.
+// A vertex of a wearer's skin, at its place from skin_pose.comp.
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 #include "shared/draw_types.h"
 
 uniform usamplerBuffer skinPlaces;          // place [m] and normal
-uniform usamplerBuffer skinGroups;          // wearer, its first vertex, how many vertices of the wearer come before
+uniform usamplerBuffer skinGroups;          // wearer, its first vertex, number of the wearer's earlier vertices
 uniform samplerBuffer skinVertexLooks;      // uv, colour, material
 
 out vec3 viewNormal;
 out vec2 uv;
-out vec3 colorRoots;            // of the colour, so that pixels need not take them
+out vec3 colorRoots;            // of the colour, so that pixels need not compute them
 flat out int material;
 
 void main()

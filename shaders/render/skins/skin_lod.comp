@@ -1,5 +1,5 @@
-// One thread a wearer chooses the levels of detail that the camera and the key light see of it: the coarsest that are
-// not off by more than a part of a pixel, or of a texel. What is out of the camera's sight it does not see at all.
+// One thread a wearer chooses its levels of detail for the camera and the key light: the coarsest whose error is at
+// most a part of a pixel, or of a texel. The camera does not draw a wearer out of its sight.
 #include "render/common/frame_blocks.glsl"
 #include "shared/draw_types.h"
 
@@ -8,10 +8,10 @@ layout(std430) readonly buffer SkinWearers { SkinWearer wearers[]; };
 layout(std430) readonly buffer SkinLods { SkinLod lods[]; };
 layout(std430) writeonly buffer SkinDraws { DrawElementsArguments draws[]; };   // the camera's, then the light's
 layout(std430) writeonly buffer SkinPlaceCounts { uint placeCounts[]; };
-uniform samplerBuffer skinCentres;          // of each body, its mass centre at rest; w: how far its skin reaches
+uniform samplerBuffer skinCentres;          // per body, its mass centre at rest; w: reach of its skin
 uniform samplerBuffer bodyCentres;
 
-// The depth of what is nearest of a wearer [m]; below 0: all of it is beyond one side of the picture.
+// The depth of the nearest part of a wearer [m]; below 0: all of it is beyond one side of the picture.
 float nearestInSight(SkinWearer wearer)
 {
     vec2 slope = frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);

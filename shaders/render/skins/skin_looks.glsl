@@ -1,10 +1,10 @@
-// How skins look: their materials and pictures.
+// Looks of skins: their materials and pictures.
 #include "render/common/surface.glsl"
 #include "shared/constants.h"
 
 uniform samplerBuffer skinMaterials;        // alpha cutoff, bits: two-sided, wrap of u and v; its first level, levels
 uniform usamplerBuffer skinLevels;          // of each picture, large to small: width, height, first texel
-uniform usamplerBuffer skinTexels;          // as unpackAlbedo() reads them, alpha above
+uniform usamplerBuffer skinTexels;          // in the format of unpackAlbedo(), alpha above
 
 struct SkinLooks {
     float alphaCutoff;
@@ -21,7 +21,7 @@ SkinLooks fetchLooks(int material)
     return SkinLooks(looks.x, (bits & 1) != 0, ivec2(bits >> 1 & 3, bits >> 3), int(looks.z), int(looks.w));
 }
 
-// wrapped() of the host.
+// The host's wrapped().
 float wrapped(float place, int wrap)
 {
     if (wrap == TEXTURE_CLAMP) return clamp(place, 0.0, 1.0);
@@ -39,7 +39,7 @@ vec4 skinTexel(uvec4 level, ivec2 place, ivec2 wrap)
     return vec4(unpackAlbedo(word), float(word >> 24) / 255.0);
 }
 
-// The picture, linear, of the level whose texels are about as large as pixels. Derivatives: of uv from pixel to pixel.
+// The picture, linear, at the level whose texels are about as large as pixels. Derivatives: of uv from pixel to pixel.
 vec4 skinPicture(SkinLooks looks, vec2 uv, vec2 uvPerX, vec2 uvPerY)
 {
     if (looks.levelCount == 0) return vec4(1.0);

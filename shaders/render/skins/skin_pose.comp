@@ -1,4 +1,4 @@
-// A group of threads poses the vertices of a group of a wearer's: linear blend skinning, sum w (c + R (v - c at rest)).
+// A group of threads poses one of a wearer's groups of vertices: linear blend skinning, sum w (c + R (v - c at rest)).
 #include "math/quaternion.glsl"
 #include "render/common/surface.glsl"
 #include "shared/draw_types.h"
@@ -7,10 +7,10 @@
 layout(local_size_x = RENDER_GROUP_SIZE) in;
 layout(std430) readonly buffer SkinWearers { SkinWearer wearers[]; };
 layout(std430) readonly buffer SkinPlaceCounts { uint placeCounts[]; };
-layout(std430) readonly buffer SkinGroups { uvec4 groups[]; };      // as skin.vert has them
+layout(std430) readonly buffer SkinGroups { uvec4 groups[]; };      // as in skin.vert
 layout(std430) readonly buffer SkinVertices { SkinVertex vertices[]; };
 layout(std430) writeonly buffer SkinPlaces { uvec4 places[]; };     // place [m] and normal
-uniform samplerBuffer skinCentres;          // of each body, its mass centre at rest
+uniform samplerBuffer skinCentres;          // per body, its mass centre at rest
 uniform samplerBuffer bodyCentres;
 uniform samplerBuffer bodyRotations;
 

@@ -1,4 +1,4 @@
-// A skin in the shadow map: its triangles give the depth, but for what its picture cuts out.
+// A skin in the shadow map: its triangles give the depth, except where its picture cuts them out.
 #ifdef CUT_OUT
 #include "render/skins/skin_looks.glsl"
 #endif

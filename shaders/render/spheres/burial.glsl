@@ -1,7 +1,7 @@
-// The grid in which buried particles are found.
+// The grid for finding buried particles.
 #include "render/common/frame_blocks.glsl"
 
-// What is in a cell that nobody sees, or that casts no shadow which another does not.
+// Particles in a cell that cannot be seen, or whose shadows lie within others.
 const uint HIDDEN_FROM_EYE = 1u;
 const uint HIDDEN_FROM_LIGHT = 2u;
 

@@ -1,4 +1,4 @@
-// One thread decides whether what lies in one cell can be seen or shone upon from anywhere: not when each of the six
+// One thread decides whether particles in one cell can be seen or lit from anywhere: they cannot if each of the six
 // layers of 3x3 cells around it is full.
 #include "render/spheres/burial.glsl"
 

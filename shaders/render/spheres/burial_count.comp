@@ -1,4 +1,4 @@
-// One thread adds the space that one particle takes to its cell.
+// One thread adds the space of one particle to its cell.
 #include "render/spheres/burial.glsl"
 #include "render/spheres/covered.glsl"
 

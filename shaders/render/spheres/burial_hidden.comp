@@ -1,13 +1,13 @@
-// One thread decides whether what lies in one cell is hidden from the eye and from the light: it is buried, or a buried
-// cell is in the way from each of its corners. What is in a buried cell cannot be seen, so neither can what is behind.
+// One thread decides whether particles in one cell are hidden from the eye and the light: if the cell is buried, or a
+// buried cell is in the way from each of its corners. Particles in or behind a buried cell cannot be seen.
 #include "render/spheres/burial.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
-// How much particles take, before; HIDDEN_*, after.
+// Space taken by particles, before; HIDDEN_*, after.
 layout(std430) buffer BurialCells { uint cells[]; };
 layout(std430) readonly buffer BuriedCells { uint buried[]; };
 
-// Walks from cell to cell of the grid. `way`: 1 along its longest axis, in cells.
+// Walks through the grid from cell to cell. `way`: 1 along its longest axis, in cells.
 bool meetsBuried(vec3 place, vec3 way, int cellCount)
 {
     bool met = false, inside = true;
@@ -35,7 +35,7 @@ void main()
 {
     uint cell = gl_GlobalInvocationID.x;
     uvec3 place = uvec3(cell, cell / BURIAL_CELLS, cell / (BURIAL_CELLS * BURIAL_CELLS)) % uint(BURIAL_CELLS);
-    // The outermost cells hold what is far outside as well.
+    // The outermost cells also hold particles far outside.
     bool inner = all(greaterThan(place, uvec3(0u))) && all(lessThan(place, uvec3(BURIAL_CELLS - 1)));
     if (cells[cell] == 0u || !inner) {
         cells[cell] = 0u;

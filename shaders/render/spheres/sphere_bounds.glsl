@@ -1,4 +1,4 @@
-// Where a perspective camera sees a sphere.
+// The image of a sphere in a perspective camera.
 
 // Bounds of the sphere's image along one axis, as slopes x/depth: both tangents through the eye satisfy
 // (a - s d)^2 = r^2 (1 + s^2). `a`: the centre along the axis, `d`: its view depth, > r.

@@ -1,4 +1,4 @@
-// A particle's colour word: stored once, or by the speed that it has now.
+// A particle's colour word: stored once, or computed from its current speed.
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 
@@ -18,7 +18,7 @@ vec3 speedColor(float share)
 
 uint sphereColor(int particle)
 {
-    // A stored colour is a highlighted joint's.
+    // A stored colour is that of a highlighted joint.
     uint stored = texelFetch(sphereColors, particle).x;
     uint moving = packAlbedo(speedColor(length(texelFetch(velocities, particle).xyz) / frame.speedScale), 1.0);
     return stored != 0u ? stored : moving;

@@ -1,5 +1,5 @@
-// One thread decides how the particles of a run are drawn, and counts them: as points, as quads (too large for
-// the driver's points, or the point's centre clipped away), as shadow casters, or not at all.
+// One thread decides how the particles of a run are drawn, and counts them: as points, as quads (if too large for the
+// driver's points, or with a clipped centre), as shadow casters, or not at all.
 #include "render/spheres/burial.glsl"
 #include "render/spheres/covered.glsl"
 #include "render/spheres/sphere_bounds.glsl"

@@ -1,6 +1,6 @@
-// One thread lists the particles of its run that are drawn, in order: points from the front of the list, quads after
-// room for all particles, shadow casters after room for all once more; in each, fluids after room for all solids. No
-// atomics: the order of equal depths must not differ from one time to the next.
+// One thread lists the drawn particles of its run, in order: points from the front of the list, quads after room for
+// all particles, shadow casters after room for all once more; in each, fluids after room for all solids. No atomics:
+// particles of equal depth must always have the same order.
 #include "render/spheres/sphere_lists.glsl"
 #include "render/spheres/sphere_runs.glsl"
 

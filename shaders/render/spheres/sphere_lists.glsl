@@ -1,4 +1,4 @@
-// How a particle is drawn: in the camera's view as a point, as a quad or not at all, and in the light's view or not.
+// How a particle is drawn: for the camera as a point, as a quad or not at all, and for the light or not.
 #define DRAWN_AS_POINT 1u
 #define DRAWN_AS_QUAD 2u
 #define CASTS_SHADOW 4u

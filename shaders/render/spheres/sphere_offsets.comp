@@ -1,5 +1,5 @@
-// One thread turns the counts of all runs into where each run's lists begin, and writes the draw arguments, those of
-// solids and those of fluids.
+// One thread converts the counts of all runs to the starts of each run's lists, and writes the draw arguments for
+// solids and for fluids.
 #include "render/spheres/sphere_runs.glsl"
 
 layout(local_size_x = 1) in;

@@ -1,4 +1,4 @@
-// Two triangles around the image of each listed sphere, for those too large for the driver's points.
+// Two triangles around the image of each listed sphere that is too large for the driver's points.
 #include "render/common/sphere_sizes.glsl"
 #include "render/spheres/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"

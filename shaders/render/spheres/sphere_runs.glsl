@@ -1,4 +1,4 @@
-// Each thread looks at a run of particles. No run holds both solids and fluids; the runs of fluids come last.
+// Each thread handles a run of particles. No run holds both solids and fluids; the runs of fluids come last.
 #include "render/common/frame.glsl"
 
 struct Run {
@@ -11,7 +11,7 @@ uint runCount(uint particleCount)
     return (particleCount + LIST_CHUNK - 1u) / LIST_CHUNK;
 }
 
-// Empty behind the last.
+// Empty beyond the last one.
 Run runAt(uint index)
 {
     uint solidRuns = runCount(frame.solidCount);

@@ -1,4 +1,4 @@
-// One thread finds the bounds and the moments of every BOUNDS_THREADS-th particle, if it is there.
+// One thread finds the bounds and the moments of every BOUNDS_THREADS-th particle that is active.
 #include "render/common/sphere_sizes.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;

@@ -1,5 +1,5 @@
-// One thread gathers the particles' bounds and aims the camera: as it is told, at the object that it follows, or so
-// that all particles and their way down to the ground are seen. What it sees moves, so the camera moves smoothly.
+// One thread combines the particles' bounds and aims the camera: as set, at the object that it follows, or so that all
+// particles and their way down to the ground are visible. These move, so the camera moves smoothly.
 #include "render/common/frame.glsl"
 #include "render/view/axes.glsl"
 #include "render/view/framing.glsl"
@@ -9,7 +9,7 @@ layout(std430) readonly buffer BodyCentres { vec4 centres[]; };
 layout(std430) readonly buffer ParticleBoxes { ParticleBounds bounds[]; };
 layout(std430) buffer View { FrameView view; };
 
-// Farther from the mean than so many standard deviations, stray particles are no reason to show the rest small.
+// Stray particles further from the mean than this many standard deviations must not make the rest small.
 const float STRAY = 3.0;
 
 Box framedBox()
@@ -36,10 +36,10 @@ Box framedBox()
     low = max(low, middle - reach) - frame.radius;
     high = min(high, middle + reach) + frame.radius;
     vec3 size = high - low;
-    // It will come down, but a ground far below is shown when it comes near.
+    // It will come down, but the picture includes a ground far below only when it comes near.
     low.y = min(low.y, max(frame.groundAlbedo.w, low.y - max(size.x, max(size.y, size.z))));
     if (frame.cameraMode != CAMERA_FRAMES_AROUND) return Box(low, high);
-    // Seen from all sides in turn: the circle that the corners describe.
+    // Looks from all sides in turn: uses the circle that the corners describe.
     vec2 centre = 0.5 * (low.xz + high.xz);
     float around = 0.5 * length(high.xz - low.xz);
     return Box(vec3(centre.x - around, low.y, centre.y - around), vec3(centre.x + around, high.y, centre.y + around));

@@ -5,23 +5,23 @@
 layout(local_size_x = 1) in;
 layout(std430) buffer View { FrameView view; };
 
-// The map grows in steps, so that its texels stand still while the scene breathes.
+// The map grows in steps, so that its texels do not move with every small change of the scene.
 const float SIZE_STEPS_PER_OCTAVE = 3.0;
-// Of the particles that cells of the burial grid can hold on a lattice, the share that hides what is behind them.
+// A cell is full, and hides things behind it, with this share of the particles that it could hold on a lattice.
 const float FULL_SHARE = 0.5;
 
 // Cells of four diameters or more over the particles. A pile of bodies fills about half of what a lattice would.
 void burialGrid(vec3 low, vec3 high)
 {
     float diameter = 2.0 * frame.radius;
-    // The outermost cells stay free for what is outside the bounds.
+    // The outermost cells are reserved for particles outside the bounds.
     vec3 size = max((high - low) / float(BURIAL_CELLS - 3), vec3(4.0 * diameter));
     view.cellOrigin = vec4(low - size, 0.0);
     float full = float(SPACE_UNITS) * FULL_SHARE;
     view.cellSize = vec4(size, full * size.x * size.y * size.z / (diameter * diameter * diameter));
 }
 
-// Where things shade the ground, as seen from the light: what is near them lies in there as well.
+// A rectangle, as seen from the light, with all things that shade the ground, and their surroundings.
 vec4 shadedRectangle(vec3 mapCentre, vec3 lightRight, vec3 lightUp, float halfSide)
 {
     vec3 low = min(view.particleLow.xyz, frame.solidLow.xyz), high = max(view.particleHigh.xyz, frame.solidHigh.xyz);
@@ -34,7 +34,7 @@ vec4 shadedRectangle(vec3 mapCentre, vec3 lightRight, vec3 lightUp, float halfSi
 void main()
 {
     vec3 right = view.cameraRight.xyz, up = view.cameraUp.xyz, back = view.cameraBack.xyz;
-    // What has left the lit stage must not stretch the shadow map.
+    // Particles beyond the lit stage must not enlarge the shadow map.
     vec3 low = clamp(view.particleLow.xyz, frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz);
     vec3 high = clamp(view.particleHigh.xyz, frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz);
     burialGrid(low, high);

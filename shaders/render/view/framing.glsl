@@ -1,9 +1,9 @@
-// The box that the camera shows: how fast the camera follows it, and from where all of it is seen.
+// The box that the camera shows: how fast the camera follows it, and a place from which all of it is visible.
 #include "render/common/frame.glsl"
 
-// Share of the picture that what is framed may take.
+// Share of the picture that framed things may fill.
 const float FRAME_SHARE = 0.85;
-// Times in which the framed box grows and shrinks, and a followed object is caught up with, but for a share 1/e [s].
+// Times in which the framed box grows and shrinks, and a followed object is caught up with, up to a share 1/e [s].
 const float GROWING = 0.12;
 const float SHRINKING = 0.6;
 const float FOLLOWING = 0.1;
@@ -12,7 +12,7 @@ struct Box {
     vec3 low, high;
 };
 
-// The share of the way to `now` that is gone in this frame. `outward`: where the box grows.
+// The part of the way to `now` that this frame covers. `outward`: where the box grows.
 vec3 approachFraction(bvec3 outward)
 {
     if (frame.trackSeconds < 0.0) return vec3(1.0);
@@ -20,7 +20,7 @@ vec3 approachFraction(bvec3 outward)
     return 1.0 - exp(-frame.trackSeconds / time);
 }
 
-// Where the four sides of the view touch the box, or two of them where its proportions are not the picture's.
+// The place where the four sides of the view touch the box, or two of them if the proportions differ.
 vec3 placeThatFrames(Box box, vec3 right, vec3 up, vec3 back)
 {
     vec2 slope = FRAME_SHARE * frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);

@@ -1,6 +1,6 @@
-// One thread a body that clips move: how far it comes in the substep, from where it is to where they have it at the
-// substep's end. What it meets so sees its speed, at any frame rate. PUPPETS: where clips have bodies that may be
-// driven, whatever those do now.
+// One thread a body that clips move: how far it moves in the substep, from where it is to where its clip has it at the
+// substep's end. So what it touches sees its speed, at any frame rate. PUPPETS: also stores where clips have bodies
+// that may be driven, whatever those do now.
 #include "shared/animation_types.h"
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_info.glsl"
@@ -37,8 +37,8 @@ void main()
     if (animation.puppet != NONE) puppet = fetchPuppet(animation.puppet);
     float left = leftAt(puppet, counters[0].substep + 1u);
 #endif
-    // From the body up to the first: places in the rest pose of each. A struct of its own in every round: NVIDIA's
-    // compiler reads parts of one that takes its own parent's place from the grandparent.
+    // From the body up to the first: places in the rest pose of each. Each round has its own struct: NVIDIA's compiler
+    // reads parts of a struct that takes its own parent's place from the grandparent.
     uint at = k, next = k;
     vec3 place = body.centre.xyz;
     vec4 turned = vec4(0, 0, 0, 1);
@@ -64,7 +64,7 @@ void main()
     clipBodyPlaces[2u * k + 1u] = placed.turned;
     if (!animated) return;
     if (left > 0.0) {
-        // The first body, about which what it differed by turns.
+        // The rest of the offset turns about the first body.
         AnimatedBody first = animatedBodies[at];
         vec3 centre = rotate(turnOf(mixed, first), first.centre.xyz - first.anchor.xyz) + pivot;
         centre = putByCatch(puppet, placedIn(animation, Placed(centre, turned))).place;

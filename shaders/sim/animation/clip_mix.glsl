@@ -1,4 +1,4 @@
-// What an animation says at a moment: one clip, or two while the earlier one fades out. A kernel declares
+// State of an animation at a moment: one clip, or two while the earlier one fades out. A kernel declares
 // READ_BUFFER(ClipPlay, ClipPlays, clipPlays).
 #include "sim/animation/clip_play.glsl"
 
@@ -32,13 +32,13 @@ Placed placedIn(Animation animation, Placed p)
                   quaternionProduct(animation.rotation, p.turned));
 }
 
-/// Where the pivot is, before the animation is put anywhere [m].
+/// The place of the pivot, before the animation is placed in the world [m].
 vec3 pivotAt(Mix mixed)
 {
     return mix(pivotOf(mixed.before, mixed.beforeAt), pivotOf(mixed.now, mixed.nowAt), mixed.part);
 }
 
-/// Of a body against its parent; of the first one where the animation is put.
+/// The turn of a body against its parent; of the first body, in the animation's frame.
 vec4 turnOf(Mix mixed, AnimatedBody body)
 {
     vec4 before = sampleTurn(mixed.before, mixed.beforeAt, body.turn);

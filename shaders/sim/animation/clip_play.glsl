@@ -1,4 +1,4 @@
-// What a clip says at a moment (sim/world/animation has the same on the host).
+// State of a clip at a moment (sim/world/animation has the same on the host).
 #include "shared/animation_types.h"
 #include "math/quaternion.glsl"
 
@@ -12,7 +12,7 @@ struct Moment {
     float rounds;
 };
 
-/// @param time since the start of the simulation [s]: in double precision, or what moves slowly would judder.
+/// @param time since the start of the simulation [s]: in double precision, as slow motions would judder otherwise.
 Moment momentOf(ClipPlay play, double time)
 {
     if (play.keyCount < 2u) return Moment(0u, 0.0, 0.0);
@@ -24,7 +24,7 @@ Moment momentOf(ClipPlay play, double time)
     return Moment(uint(before), float(key - before), float(rounds));
 }
 
-/// The spline of Catmull and Rom.
+/// Catmull-Rom spline.
 vec4 spline(vec4 a, vec4 b, vec4 c, vec4 d, float t)
 {
     return b + 0.5 * t * ((c - a) + t * ((2.0 * a - 5.0 * b + 4.0 * c - d) + t * (3.0 * (b - c) + d - a)));

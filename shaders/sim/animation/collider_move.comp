@@ -1,6 +1,6 @@
-// One thread a collider that a clip moves: puts it where the clip has it at the substep's end, and notes how it comes
-// there. Asks for a new search when it has come too far from where contacts were found. AHEAD: at the start of a step,
-// only how far it comes until its end, since fluids find theirs once a step.
+// One thread a collider that a clip moves: puts it where the clip has it at the substep's end, and notes its move. Asks
+// for a new search when it is too far from where contacts were found. AHEAD: at the start of a step, only notes how far
+// it moves until the step's end, since fluids find their colliders once a step.
 #include "shared/animation_types.h"
 #include "shared/contact_constants.h"
 #include "sim/common/kernel.glsl"
@@ -17,7 +17,7 @@ BUFFER(float, ColliderAheads, colliderAheads);
 #else
 BUFFER(vec4, ColliderPlaces, colliderPlaces);
 BUFFER(vec4, ColliderMoves, colliderMoves);
-BUFFER(vec4, ColliderFounds, colliderFounds);   // two a thread: as colliderPlaces, w: how many searches there were
+BUFFER(vec4, ColliderFounds, colliderFounds);   // two a thread: as colliderPlaces, w: number of searches at that time
 #endif
 
 /// Where a clip has a collider after so many substeps.
@@ -38,7 +38,7 @@ vec4 turnBetween(vec4 from, vec4 to)
     return turn.w < 0.0 ? -turn : turn;
 }
 
-/// How far the farthest point of a collider comes from one place to another, at most [m].
+/// An upper bound of how far any point of a collider moves from one place to another [m].
 float farthest(vec3 shift, vec4 turn, float reach)
 {
     return length(shift) + 2.0 * length(turn.xyz) * reach;
@@ -66,7 +66,7 @@ void main()
     }
     colliderMoves[first] = vec4(shift, farthest(shift, turn, moving.reach));
     colliderMoves[second] = turn;
-    // The last search, if one was in the last substep, found it where that ended.
+    // If there was a search in the last substep, it found the collider where that substep ended.
     if (floatBitsToUint(colliderFounds[2u * k].w) != counters[0].searchCount) {
         colliderFounds[2u * k] = vec4(before, uintBitsToFloat(counters[0].searchCount));
         colliderFounds[2u * k + 1u] = turned;

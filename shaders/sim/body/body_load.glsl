@@ -1,10 +1,10 @@
-// What acts on a body that joints hold, where it is now: the residual of what it is matched to (eqs. 8-9), for the
-// joints of its tree to answer all at once. A body by itself would go where that is zero.
+// The load on a body that joints hold, where it is now: the residual of its shape match (eqs. 8-9), which the joints of
+// its tree answer all at once. A body by itself would go where the residual is zero.
 #include "math/quaternion.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/rotation/newton_step.glsl"
 
-/// Keeps one that no torque can turn (a single particle's) regular [of a particle's diameter squared times its mass].
+/// Keeps a body that no torque can turn (a single particle's) regular [particle diameter squared times its mass].
 #define LEAST_HESSIAN 1e-5
 
 bool isPositive(mat3 m)
@@ -14,8 +14,8 @@ bool isPositive(mat3 m)
     return size > 0.0 && m[0][0] > 0.0 && m[0][0] * m[1][1] > m[0][1] * m[1][0] && determinant(m) > 0.0;
 }
 
-/// What impulses add to a body's A, less of what presses it together the less it could withstand: what is pressed
-/// between impulses that do not turn with it turns over, but what presses it does turn with it.
+/// What impulses add to a body's A, with less of their compression the less the body could withstand it: a body turns
+/// over if it is pressed between impulses that do not turn with it, but these do turn with it.
 mat3 boundedCompression(mat3 impulses, mat3 rotation, mat3 moments)
 {
     mat3 stretch = stretchOf(impulses, rotation);
@@ -27,11 +27,12 @@ mat3 boundedCompression(mat3 impulses, mat3 rotation, mat3 moments)
     return impulses - (1.0 - part) * stretch * rotation;
 }
 
-/// The prediction is taken relative to where the body is now: of a sum with its axes, which are of length 1, rounding
-/// would leave 6e-8 rad in each substep, with short ones an acceleration.
-/// @param prediction where nothing would have it: its move, and what that adds to A. @param impulse on it. @param held
-/// what of its A is by joints and ropes, which turn with what they hold: contacts count as if they did not make it
-/// harder or easier to turn, since they come and go. @param shift its move now. @param start its rotation when the
+/// The prediction is relative to where the body is now: summed with its axes, which are of length 1, it would lose 6e-8
+/// rad to rounding in each substep; in short ones that is an acceleration.
+/// @param prediction its move if nothing held it, and what that adds to A. @param impulse on it. @param held the part
+/// of its A from joints and ropes, which turn with what they hold: contacts do not count here as making it harder or
+/// easier to turn, since they come and go. @param shift its move now. @param start its rotation when the substep began,
+/// @param delta and how it has turned since. @param moments the sum of m r r^T.
 /// substep began, @param delta and how it has turned since. @param moments the sum of m r r^T.
 BodyLoad loadOf(Field prediction, Field impulse, mat3 held, vec3 shift, vec4 start, vec4 delta, float inverseMass,
                 mat3 moments)

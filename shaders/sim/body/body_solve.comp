@@ -1,5 +1,5 @@
-// One thread a body without joints: matches it to where the impulses on it bring its particles (eqs. 8-9). An impulse p
-// on a particle at r displaces that particle by p / m, which adds p r^T to A and p / M to the centre's move. ROWS: of a
+// One thread a body without joints: matches it to where impulses bring its particles (eqs. 8-9). An impulse p on a
+// particle at r displaces that particle by p / m, which adds p r^T to A and p / M to the centre's move. ROWS: of a
 // world where constraints other than joints act on such bodies.
 #include "sim/common/kernel.glsl"
 #include "sim/body/mover_threads.glsl"

@@ -1,6 +1,5 @@
-// What contacts add to a mover, and over how many impulses its mass is split for them (Tonge et al. 2012, mass
-// splitting). WARM_START: after the contacts were found anew, with their old impulses alone, as at the start of a
-// substep.
+// What contacts add to a mover, and the number of impulses over which its mass is split for them (Tonge et al. 2012,
+// mass splitting). WARM_START: after a search, applies only their old impulses, as at the start of a substep.
 #include "shared/contact_constants.h"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/bodies/bodies.glsl"
@@ -11,12 +10,12 @@
 uniform samplerBuffer lastMoverImpulses;
 uniform samplerBuffer lastMoverChanges;
 BUFFER(vec4, MoverImpulses, moverImpulses);   // field: the sums of contacts
-BUFFER(vec4, MoverChanges, moverChanges);     // field: how they changed last; with the relaxation
+BUFFER(vec4, MoverChanges, moverChanges);     // field: their last changes; with the relaxation
 BUFFER(Assembly, AssemblyState, assemblies);
 READ_BUFFER(Counters, CountersBlock, counters);
 
-/// The relaxation of a mover's contacts: the largest with which their impulses converge. It is too large where a change
-/// of the impulses is followed by the opposite change, at least nine tenths as large.
+/// The relaxation of a mover's contacts: the largest with which their impulses converge. It is too large if a change of
+/// the impulses is followed by an opposite change at least nine tenths as large.
 float relaxation(uint m, Field impulse, float acting)
 {
     Field last = fetchField(lastMoverChanges, m);
@@ -45,7 +44,7 @@ struct ContactResponse {
     float splits;    // as in MoverMove
 };
 
-/// Sums and stores. @param others impulses over which its mass is split, too.
+/// Sums and stores. @param others further impulses over which its mass is split.
 ContactResponse contactResponse(uint m, Mover mover, float others)
 {
     Sum contacts = contactSum(mover, counters[0].listParity);

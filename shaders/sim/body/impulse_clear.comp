@@ -1,4 +1,4 @@
-// One thread a particle, by rank: no impulses yet from what acts on single particles (fluids, ropes, soft bodies).
+// One thread a particle, by rank: clears the impulses on single particles (from fluids, ropes, soft bodies).
 #include "sim/common/kernel.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

@@ -1,5 +1,5 @@
-// One thread a body: sums the impulses of its contacts, and of what acts on its particles. Also counts the contacts
-// that will act next, over which its mass is split. WARM_START: the old impulses of new contacts.
+// One thread a body: sums the impulses of its contacts and those on its particles. Also counts the contacts that will
+// act next, over which its mass is split. WARM_START: the old impulses of new contacts.
 #define BODIES
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/fields.glsl"
@@ -20,7 +20,7 @@ void main()
     Mover mover = fetchMover(m);
     float others = 0.0;
 #ifdef WARM_START
-    // Before the first solve no joint has said with what it holds: each counts as an impulse on the body.
+    // Before the first solve no joint has an impulse yet: each row counts as an impulse on the body.
     if (counters[0].substep == 1u) others = float(texelFetch(bodyRows, int(m)).y);
 #endif
     ContactResponse contacts = contactResponse(m, mover, others);

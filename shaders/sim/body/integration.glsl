@@ -1,5 +1,5 @@
-// A mover's velocity and where it is at the end of the substep. BDF2 where the prediction used it and nothing has
-// touched the assembly since, else move / h: second order would answer a collision one and a half times.
+// A mover's velocity and place at the end of the substep. BDF2 if the prediction used it and nothing has touched the
+// assembly since, else move / h: second order would answer a collision one and a half times.
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/fields.glsl"
@@ -20,7 +20,7 @@ BUFFER(vec4, OldMoverVelocities, oldMoverVelocities);
 BUFFER(vec4, OldMoverMoves, oldMoverMoves);
 BUFFER(Counters, CountersBlock, counters);
 
-/// The moves of a mover's particles: what its rotation delta changes in each column of its rotation.
+/// The moves of a mover's particles: the changes that its rotation delta makes to the columns of its rotation.
 Field moveField(uint m, vec4 rotation, vec4 delta)
 {
     Field move = Field(fetchMove(m).shift, mat3(0));
@@ -51,7 +51,7 @@ Motions motionsOf(uint m, Assembly assembly)
     vec4 rotation = texelFetch(lastMoverRotations, int(m)), delta = fetchRotationDelta(m);
     Field move = moveField(m, rotation, delta);
     bool touched = assembly.lastContact + 1u == counters[0].substep;
-    bool second = !responds(m) || (assembly.order == 2u && !touched);   // what is animated answers to no touch
+    bool second = !responds(m) || (assembly.order == 2u && !touched);   // animated movers do not answer to touch
     Field next = velocityOf(move, fetchField(lastOldMoverMoves, m), second);
     return Motions(rotation, delta, move, fetchField(lastMoverVelocities, m), next, assembly, touched);
 }
@@ -66,8 +66,8 @@ void finish(uint m, Mover mover, Motions s)
         uint particle = IS_BODY(m) ? fetchLink(fetchBody(m).linkStart).particle : fetchRankedParticle(mover.firstRank);
         REPORT_NAN(particle);
     }
-    // What is of first order untouched was stopped by a joint's limit: the next substep, of second order, goes on from
-    // there, not from what it was before.
+    // A substep of first order without a touch was stopped by a joint's limit: the next one, of second order, continues
+    // from the velocity after it, not from that before.
     bool stopped = s.assembly.order == 1u && !s.touched && s.assembly.lastContact + 2u != counters[0].substep;
     Field before = s.before;
     if (sim.jointTreeCount > 0u && stopped) before = next;
@@ -78,7 +78,7 @@ void finish(uint m, Mover mover, Motions s)
     nextRotations[m] = normalize(quaternionProduct(s.delta, s.rotation));
 }
 
-/// What does not move has no velocity.
+/// Sets the velocity of a mover at rest to zero.
 void rest(uint m)
 {
     Field none = Field(vec3(0), mat3(0));

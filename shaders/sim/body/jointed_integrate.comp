@@ -6,7 +6,7 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 
-/// Of how the axes of a body turn, the part that one Newton step of its tree can follow.
+/// The part of a body's turn that one Newton step of its tree can follow.
 float followedPart(mat3 f)
 {
     const float MOST_TURN = 0.4;   // in a substep [rad]

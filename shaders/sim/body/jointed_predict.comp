@@ -1,6 +1,6 @@
 // One thread a body with joints: how far it would move in the substep if nothing held or touched it. It is put where it
-// would be if it went on as before, which is how its joints let it move; joint_solve goes on from there by what is left
-// of the prediction and of the last impulses on it.
+// would be if it continued as before, which its joints allow; from there joint_solve applies what is left of the
+// prediction and of the last impulses on it.
 #define JOINTED
 #include "sim/common/kernel.glsl"
 #include "sim/body/mover_threads.glsl"
@@ -16,7 +16,7 @@ void main()
 {
     if (gl_GlobalInvocationID.x >= THREAD_COUNT) return;
     uint m = moverOfThread(gl_GlobalInvocationID.x);
-    if (moves(m) && !responds(m)) return;   // somebody else says how it moves
+    if (moves(m) && !responds(m)) return;   // its clip moves it
     Mover mover = fetchMover(m);
     bool second = beginOrder(m, mover.assembly);
 

@@ -1,4 +1,4 @@
-// One thread a body with joints: what the impulses on it leave to be done, for the joints of its tree to answer all at
+// One thread a body with joints: the load that the impulses on it leave, for the joints of its tree to answer all at
 // once.
 #define JOINTED
 #include "sim/common/kernel.glsl"

@@ -1,5 +1,5 @@
-// One thread a loose particle: sums the impulses on it and goes where they bring it. Also counts the contacts that will
-// act next, over which its mass is split. WARM_START: with the old impulses of new contacts.
+// One thread a loose particle: sums the impulses on it and moves it by them. Also counts the contacts that will act
+// next, over which its mass is split. WARM_START: with the old impulses of new contacts.
 #define LOOSE
 #include "sim/common/kernel.glsl"
 #include "sim/body/mover_threads.glsl"

@@ -1,4 +1,4 @@
-// One thread a loose particle or a body without joints: its velocity, and where it is at the end of the substep.
+// One thread a loose particle or a body without joints: its velocity and place at the end of the substep.
 #include "sim/common/kernel.glsl"
 #include "sim/body/mover_threads.glsl"
 #include "sim/body/integration.glsl"

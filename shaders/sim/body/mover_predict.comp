@@ -12,7 +12,7 @@ void main()
 {
     if (gl_GlobalInvocationID.x >= THREAD_COUNT) return;
     uint m = moverOfThread(gl_GlobalInvocationID.x);
-    if (moves(m) && !responds(m)) return;   // somebody else says how it moves
+    if (moves(m) && !responds(m)) return;   // its clip moves it
     Mover mover = fetchMover(m);
     bool second = beginOrder(m, mover.assembly);
 

@@ -1,5 +1,5 @@
-// One thread a body that is held or animated and may be let go: lets go of it in its substep, from rest or as it moves.
-// It wakes, and everything looks for contacts.
+// One thread a body that is held or animated and may be let go: lets go of it in its substep, from rest or at its
+// velocity. It wakes, and a search for contacts becomes due.
 #define BODIES
 #include "sim/common/kernel.glsl"
 #include "shared/contact_constants.h"
@@ -9,7 +9,7 @@
 #include "sim/common/outside.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer bodyReleases;     // body, and the substep that it responds in first; NO_SUBSTEP: not yet known
+uniform usamplerBuffer bodyReleases;     // body, and the first substep in which it responds; NO_SUBSTEP: not yet known
 uniform samplerBuffer moverVelocities;
 BUFFER(uint, MoverStates, newMoverStates);
 BUFFER(vec4, OldMoverVelocities, oldMoverVelocities);
@@ -27,7 +27,7 @@ void main()
     uvec2 release = texelFetch(bodyReleases, int(k)).xy;
     if (release.y != counters[0].substep) return;
     uint assembly = fetchMover(release.x).assembly;
-    // Of first order, where nothing led up to it; else as if what acts from outside had led up to how it moves.
+    // A held body starts with first order; an animated one as if outside accelerations had led to its velocity.
     if (newMoverStates[release.x] == MOVER_FIXED) assemblies[assembly].lastContact = counters[0].substep - 1u;
     else oldMoverVelocities[fieldStart(release.x)].xyz = fetchField(moverVelocities, release.x).t -
                                                          sim.substepTime * outsideAcceleration(release.x);

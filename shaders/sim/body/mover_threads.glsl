@@ -1,6 +1,5 @@
-// Which mover a thread works for, in kernels that are compiled for each kind: FREE, bodies without joints; JOINTED,
-// bodies that have some; LOOSE particles. So no thread does the work of two kinds. Bodies that never respond are of
-// none.
+// The mover that a thread works for, in kernels that are compiled for each kind: FREE, bodies without joints; JOINTED,
+// bodies with joints; LOOSE particles. So no thread does the work of two kinds. Bodies that never respond are in none.
 
 #ifdef LOOSE
 #define THREAD_COUNT (sim.moverCount - sim.bodyCount)

@@ -1,4 +1,4 @@
-// One thread a particle: where its body has it (eq. 8), with which velocity.
+// One thread a particle: puts it where its body has it (eq. 8), with its velocity.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_state.glsl"

@@ -18,7 +18,7 @@ BUFFER(vec4, MoverRotationDeltas, moverRotationDeltas);
 BUFFER(Assembly, AssemblyState, assemblies);
 READ_BUFFER(Counters, CountersBlock, counters);
 
-/// Whether a mover's substep is of second order, where nothing touched its assembly lately; what responds says so.
+/// Whether a mover's substep is of second order, because nothing touched its assembly lately; stored if it responds.
 bool beginOrder(uint m, uint assembly)
 {
     if (!responds(m)) return false;
@@ -28,7 +28,7 @@ bool beginOrder(uint m, uint assembly)
     return second;
 }
 
-/// The last impulses of its contacts, scaled for mass scaling.
+/// The last impulses of a mover's contacts, scaled for mass scaling.
 Field lastContactImpulse(uint m)
 {
     Field impulse = fetchField(moverImpulses, m);
@@ -36,11 +36,11 @@ Field lastContactImpulse(uint m)
     return Field(scale * impulse.t, scale * impulse.f);
 }
 
-/// Stores where a substep begins for a mover; what does not respond stays. @param move of its centre.
+/// Stores where a substep begins for a mover; a mover that does not respond stays. @param move of its centre.
 void storeStart(uint m, vec3 move, vec4 delta)
 {
     if (!responds(m)) {
-        // Contacts and joints take what splits its mass over no impulse for immovable.
+        // Contacts and joints treat a mover whose mass is split over no impulse as immovable.
         moverMoves[m] = packMove(MoverMove(vec3(0), 0.0));
         moverRotationDeltas[m] = vec4(0, 0, 0, 1);
         return;
@@ -49,15 +49,15 @@ void storeStart(uint m, vec3 move, vec4 delta)
     moverRotationDeltas[m] = delta;
 }
 
-/// First order goes on along the chord of the last turn, which is a turn by less: 1 - phi^2 of it. This much further
-/// it goes on by as much: a ball that rolls would else stop.
+/// First order continues along the chord of the last turn, which is a smaller turn: 1 - phi^2 of it. This factor makes
+/// both equal: otherwise a rolling ball would stop.
 float chordScale(mat3 chord)
 {
     float size = dot(chord[0], chord[0]) + dot(chord[1], chord[1]) + dot(chord[2], chord[2]);   // 4 (1 - cos phi)
     return 1.0 / (1.0 - 0.5 * min(size, LONGEST_CHORD));
 }
 
-/// BDF2, or symplectic Euler. @param keepsTurning whether it goes on by as much as it turned, see chordScale().
+/// BDF2, or symplectic Euler. @param keepsTurning whether it turns on by as much as it turned, see chordScale().
 Field predictedMove(uint m, bool second, bool keepsTurning)
 {
     float h = sim.substepTime;

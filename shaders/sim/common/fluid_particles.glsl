@@ -1,5 +1,5 @@
 // What `positions` and `velocities` hold of a fluid particle (sim/common/grid/fluid_living.glsl). Fluid particles come
-// behind all others, the solid ones.
+// after all solid ones.
 #include "sim/common/grid/fluid_living.glsl"
 
 bool isFluid(uint particle)
@@ -7,7 +7,7 @@ bool isFluid(uint particle)
     return particle >= sim.particleCount;
 }
 
-/// The diameter that fluids see of a solid particle [m].
+/// The diameter of a solid particle for fluids [m].
 float solidDiameter(uint particle)
 {
     return sim.diameter;
@@ -23,7 +23,7 @@ FluidPosition fluidPosition(vec4 t)
     return FluidPosition(t.xyz, isInactive(t));
 }
 
-/// At another position, inactive or not as it was.
+/// Changes the position and keeps whether it is inactive.
 vec4 withPosition(vec4 t, vec3 position)
 {
     return vec4(position, t.w);
@@ -31,7 +31,7 @@ vec4 withPosition(vec4 t, vec3 position)
 
 struct FluidVelocity {
     vec3 velocity;   // [m/s]
-    float timeHeld;  // for so long only gravity changes it, as it has just left a nozzle [s]
+    float timeHeld;  // how long only gravity changes it, after leaving a nozzle [s]
 };
 
 FluidVelocity fluidVelocity(vec4 t)

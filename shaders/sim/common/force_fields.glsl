@@ -28,7 +28,7 @@ float falloffAt(ForceField field, float distance)
     return 1.0 / (r * r);
 }
 
-/// What a field adds while it acts: to accelerations [m/s2], FIELD_BLOW to the air's velocity [m/s].
+/// What a field adds while it acts: an acceleration [m/s2], or for FIELD_BLOW a velocity of the air [m/s].
 vec3 fieldAt(ForceField field, vec3 x)
 {
     vec3 from = rotate(conjugate(field.turn), x - field.place.xyz);
@@ -50,7 +50,7 @@ vec3 fieldAt(ForceField field, vec3 x)
     return rotate(field.turn, local);
 }
 
-/// All fields: what they accelerate by, and how fast they make the air.
+/// All fields: their acceleration, and the velocity that they give to the air.
 struct FieldSum {
     vec3 acceleration, blown;
 };
@@ -69,7 +69,7 @@ FieldSum fieldsAt(vec3 x)
     return sum;
 }
 
-/// The air's velocity without what fields blow [m/s].
+/// The air's velocity without fields that blow [m/s].
 vec3 airVelocity(vec3 x)
 {
     vec3 velocity = sim.wind.xyz;
@@ -81,7 +81,7 @@ vec3 airVelocity(vec3 x)
     return velocity;
 }
 
-/// Drag that leaves a substep no faster than the air. @param wind past it [m/s].
+/// Drag that makes nothing faster than the air in a substep. @param wind past it [m/s].
 /// @param drag half of density, drag coefficient and area over mass, along the same axes [1/m].
 vec3 dragAcceleration(vec3 wind, vec3 drag)
 {

@@ -1,4 +1,4 @@
-// Tells the host that a particle's velocity is no finite number any more. A macro, for `counters` is a block of the
+// Tells the host that a particle's velocity is no longer a finite number. A macro, because `counters` is a block of the
 // kernel.
 #define REPORT_NAN(particle) \
     atomicOr(counters[0].problems, PROBLEM_NAN); \

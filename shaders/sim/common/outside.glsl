@@ -1,9 +1,9 @@
-// How movers are accelerated from outside: by gravity, and where the world has them by wind and force fields.
+// Accelerations of movers from outside: by gravity, and if the world has them by wind and force fields.
 
 #ifdef FORCES
 uniform samplerBuffer moverAccelerations;
 
-/// Of what nothing holds, in this substep [m/s2].
+/// Acceleration of a free mover in this substep [m/s2].
 vec3 outsideAcceleration(uint mover)
 {
     return texelFetch(moverAccelerations, int(mover)).xyz;

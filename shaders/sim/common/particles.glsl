@@ -23,7 +23,7 @@ uint fetchRankedParticle(uint rank)
     return texelFetch(rankedParticles, int(rank)).x;
 }
 
-/// Mass and what its surface does.
+/// Mass and surface properties.
 struct ParticleMass {
     float inverseMass;   // [1/kg]
     float restitution;

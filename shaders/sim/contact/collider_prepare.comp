@@ -1,4 +1,4 @@
-// One thread a contact of a particle with a collider: what it is made of, with the impulse that it had before.
+// One thread a contact of a particle with a collider: sets its data, and gives it its old impulse.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/list_ranges.glsl"
 #include "math/spatial.glsl"

@@ -5,25 +5,25 @@
 /// What a contact is made of.
 struct Contact {
     vec3 normal;              // towards the first side
-    float touch;              // at which distance the two touch; with a collider: the particle's diameter [m]
+    float touch;              // distance at which the two touch; with a collider: the particle's diameter [m]
     float gap;                // now, negative in penetration [m]
     float startGap;           // at the start of the substep [m]
     vec3 slide;               // relative displacement since then [m]
-    float leaving;            // how far the side that leaves the other faster has come along the normal since then [m]
+    float leaving;            // move along the normal since then of the side that leaves the other faster [m]
     bool sameAssembly;        // both sides are of one assembly
     float inverseMass;        // of both sides together along the normal, each split over its impulses [1/kg]
-    float worstInverseMass;   // the same for the worst direction; 0 where neither side responds [1/kg]
+    float worstInverseMass;   // the same for the worst direction; 0 if neither side responds [1/kg]
     vec2 friction;            // static, kinetic
 };
 
-/// One Jacobi iteration of an impulse. Only contacts that were counted beforehand act: over those the mass is split, so
-/// a contact that will act in the next iteration says so (ABOUT_TO_ACT).
-/// - The normal part lets `correction` of an old penetration be taken back per substep, the less the faster a side
-///   leaves, so that not all the contacts of a heap add to one speed.
-/// - Two that have sunk into each other part as fast as that and no faster: the contact pulls by what recovery may push
-///   in a substep, and its friction grips.
+/// One Jacobi iteration of an impulse. Only contacts that were counted beforehand act, because the mass is split over
+/// those; so a contact that will act in the next iteration says so (ABOUT_TO_ACT).
+/// - Per substep the normal part corrects `correction` of an old penetration, the less the faster a side leaves, so
+///   that the contacts of a heap do not all add to one speed.
+/// - Two sunk sides part at that speed and no faster: the contact pulls by as much as recovery may push in a substep,
+///   and its friction grips.
 /// - The normal part fades towards its mean over some 400 substeps, which calms the waves that recovery feeds.
-/// - Limbs of one assembly do none of the last two, or they would fight their joints.
+/// - For limbs of one assembly the last two do not hold, or they would fight their joints.
 /// - Friction is Coulomb's, bounded by the accumulated normal impulse (Macklin et al. 2014, eq. 24).
 /// @param mean of the normal part; updated.
 Impulse solveContact(Contact c, Impulse impulse, inout float mean)
@@ -40,7 +40,7 @@ Impulse solveContact(Contact c, Impulse impulse, inout float mean)
     float push = acts ? error / c.inverseMass : 0.0;
     float most = sunk && acts ? sim.maxCorrection / c.inverseMass : 0.0;
     float last = sunk && impulse.normal < 0.0 ? min(dot(impulse.whole, c.normal), 0.0) : max(impulse.normal, 0.0);
-    // Limbs that have passed through each other are let through: what they remember is not turned about.
+    // Limbs that have passed through each other stay so: their remembered impulse is not turned about.
     if (c.sameAssembly) last = min(last, max(dot(impulse.whole, c.normal), 0.0));
     mean += (last < mean ? MEAN_FALL : 1.0) * sim.meanRate * (max(last, 0.0) - mean);
     float wave = c.sameAssembly || last <= 0.0 ? 0.0 : min(last - mean, SHOCK * mean);

@@ -1,4 +1,4 @@
-// The inverse masses that a contact's impulse meets. Worked out when contacts are found, from where bodies are then.
+// The inverse masses that a contact's impulse meets. Computed when contacts are found, from the places of bodies then.
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/contacts/contacts.glsl"
 #include "sim/common/bodies/mover_info.glsl"
@@ -11,8 +11,8 @@ struct SideMass {
     float fraction;   // of it along the normal, 0 ... 1
 };
 
-/// Of a mover for an impulse at its surface. Loose particles have the same mass in all directions.
-/// @param particle where the contact's particle has its place. @param r where it acts, in the body's axes [m].
+/// Inverse mass of a mover for an impulse at its surface. Loose particles have the same mass in all directions.
+/// @param particle the contact's particle in the body. @param r where the impulse acts, in the body's axes [m].
 SideMass sideMass(uint mover, Arm particle, vec3 r, vec3 normal)
 {
     if (mover >= sim.bodyCount) return SideMass(particle.worstInverseMass, 1.0);

@@ -1,5 +1,5 @@
-// One thread a pair of particles: what its contact is made of, with the impulse that it had before. RELEASES: of a
-// world where anything may be let go, which begins without.
+// One thread a pair of particles: sets its contact's data, and gives it its old impulse. RELEASES: of a world where
+// anything may be let go; a body that was starts without old impulses.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/list_ranges.glsl"
 #include "math/spatial.glsl"
@@ -20,11 +20,11 @@ BUFFER(float, PairMeans, pairMeans);
 BUFFER(uint, PairReferences, pairReferences);
 BUFFER(Counters, CountersBlock, counters);
 
-/// A mass of balls that slide on each other and cannot turn has pi / 2 times their friction (Caquot 1934). As the
-/// material's friction is to be that of the mass, loose particles get less.
+/// A mass of balls that slide on each other and cannot turn has pi / 2 times their friction (Caquot 1934). Loose
+/// particles get less friction, so that their mass has the material's.
 #define LOOSE_FRICTION 0.63662
 
-/// The second particle refers to its pairs in their order, so that what is summed over them is summed in one order.
+/// The second particle lists its pairs in their order, so that sums over them always have the same order.
 void refer(uint parity, uint q, uint secondRank)
 {
     uvec2 range = listRange(parity, LIST_AS_SECOND, secondRank, 1u);
@@ -33,7 +33,7 @@ void refer(uint parity, uint q, uint secondRank)
     if (index < range.y) pairReferences[index] = q;
 }
 
-/// The hidden axes of a particle's lattice for what is at `towards` from it [m]. @param rotation of its body.
+/// The hidden axes of a particle's lattice towards a point at `towards` from it [m]. @param rotation of its body.
 uint hiddenBeside(uint i, vec4 rotation, vec3 towards)
 {
     return hiddenAxes(texelFetch(latticeEnds, int(i)).x, rotate(conjugate(rotation), towards), 2.0 * particleRadius(i));
@@ -73,7 +73,7 @@ void main()
     pairArms[secondArm(q)] = packArm(Arm(rB, massB.worst));
     Old old = oldImpulse(parity ^ 1u, pair, a.rank, b.rank);
 #ifdef RELEASES
-    // It has pushed something that did not give way.
+    // Before its release it has pushed something that did not give way.
     if (texelFetch(moverMoves, int(a.mover)).w == JUST_LET_GO || texelFetch(moverMoves, int(b.mover)).w == JUST_LET_GO)
         old = Old(Impulse(vec3(0), 0.0), 0.0);
 #endif

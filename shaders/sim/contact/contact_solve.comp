@@ -1,4 +1,4 @@
-// One thread a contact between particles: one Jacobi iteration of its impulse. mover_solve gives it to both sides.
+// One thread a contact between particles: one Jacobi iteration of its impulse, which mover_solve adds to both sides.
 // ROUNDS: of a world with balls or capsules, whose contacts act elsewhere in each iteration.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/movers.glsl"

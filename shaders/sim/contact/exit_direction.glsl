@@ -15,7 +15,7 @@ ParticleSurface fetchSurface(uint i)
     return ParticleSurface(t.xyz, t.w);
 }
 
-/// By the particle that is nearer to its body's surface; between both directions where they are about as near.
+/// By the particle that is nearer to its body's surface; the middle of both directions if they are about as near.
 /// @param touch the distance at which the two touch [m].
 ExitDirection exitDirection(Pair pair, uvec2 movers, float touch)
 {

@@ -1,4 +1,4 @@
-// What pairs of particles had before the search that found them anew.
+// Impulses of pairs before the search that found them anew.
 #include "sim/common/contacts/contacts.glsl"
 #include "sim/common/contacts/list_ranges.glsl"
 
@@ -6,13 +6,13 @@ uniform usamplerBuffer pairs;
 uniform samplerBuffer lastPairImpulses;
 uniform samplerBuffer lastPairMeans;
 
-/// What a pair had before.
+/// Old impulse of a pair, and its mean.
 struct Old {
     Impulse impulse;
     float mean;
 };
 
-/// Of a pair with those ranks, whichever of the two was the first.
+/// The old impulse of a pair with those ranks, whichever of the two was the first.
 Old oldImpulse(uint parity, Pair pair, uint firstRank, uint secondRank)
 {
     uvec2 ofFirst = listRange(parity, LIST_AS_FIRST, firstRank, 1u);

@@ -1,4 +1,4 @@
-// A pair of particles in an iteration: balls, flat where they belong to boxes, that push each other at their centres.
+// A pair of particles in an iteration: balls, or boxes with flat faces, that push each other at their centres.
 
 /// @param pressed the last normal impulse, which does not matter here.
 Contact pairNow(Pair pair, ContactSides sides, inout Arm armA, inout Arm armB, float pressed)

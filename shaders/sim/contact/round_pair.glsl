@@ -1,5 +1,5 @@
-// A pair in an iteration, in a world with balls and capsules: these meet others at their surface, and there the impulse
-// acts on both sides, wherever they have turned to.
+// A pair in an iteration, in a world with balls and capsules: these meet others at their surface, and the impulse acts
+// there on both sides, wherever they have turned.
 #include "sim/common/contacts/contact_point.glsl"
 #include "sim/contact/contact_place.glsl"
 
@@ -41,7 +41,7 @@ Contact pairNow(Pair pair, ContactSides sides, inout Arm armA, inout Arm armB, f
     }
     vec3 moveA = moverPoint(sides.movers.x, armA.r).move, moveB = moverPoint(sides.movers.y, armB.r).move;
     contact.slide = moveA - moveB;
-    // A centre line keeps its distance to the surface while the body turns, the point that touches does not.
+    // As the body turns, its centre line keeps its distance to the surface, but the point that touches does not.
     vec3 parting = (refs.a.round ? a.move : moveA) - (refs.b.round ? b.move : moveB);
     contact.sameAssembly = sides.exit.sameAssembly;
     contact.leaving = max(dot(a.move, contact.normal), -dot(b.move, contact.normal));

@@ -1,4 +1,4 @@
-// Where a puppet is, where its clips have it, and where they are put when it is caught. A kernel declares
+// Where a puppet is, where its clips have it, and where the clips are put when it is caught. A kernel declares
 // READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies).
 #include "math/quaternion.glsl"
 #include "sim/common/bodies/bodies.glsl"
@@ -34,7 +34,7 @@ float lowestOf(uint k, Place at)
     return lowest;
 }
 
-/// Turns its clips to where it looks and puts them under its first body, on what it stands or lies on.
+/// Turns the puppet's clips to where it looks, and puts them under its first body, on what it stands or lies on.
 void putHere(Puppet puppet, uint root, inout PuppetState s)
 {
     Place is = ownPlace(root), clip = clipPlace(root);

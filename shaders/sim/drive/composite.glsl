@@ -1,4 +1,4 @@
-// Bodies taken as one that is stiff as it stands now.
+// Bodies taken as one that is rigid as it stands now.
 #include "math/symmetric.glsl"
 
 struct Composite {
@@ -7,7 +7,7 @@ struct Composite {
     mat3 inertia;    // about the centre [kg m2]
 };
 
-/// What a mass at an arm adds to the inertia about where the arm begins.
+/// The inertia of a mass at an arm, about the start of the arm.
 mat3 atArm(float mass, vec3 arm)
 {
     return mass * (mat3(dot(arm, arm)) - outerProduct(arm, arm));
@@ -31,7 +31,7 @@ Composite joined(Composite a, Composite b, float sign)
     Composite(composites[3u * (k)].w, composites[3u * (k)].xyz, \
               symmetricMatrix(composites[3u * (k) + 1u].xyz, composites[3u * (k) + 2u].xyz))
 
-/// How one side of a joint answers to what acts on it there.
+/// How one side of a joint answers to forces and torques there.
 struct Side {
     float inverseMass;
     mat3 inverseInertia;
@@ -44,8 +44,8 @@ Side sideOf(Composite c, vec3 anchor)
     return Side(1.0 / c.mass, inverse(c.inertia), mat3(0, v.z, -v.y, -v.z, 0, v.x, v.y, -v.x, 0));
 }
 
-/// What resists a turn of one side against the other, which a joint holds together and nothing else holds: the force F
-/// at the joint is A^-1 B of a torque between both.
+/// The inertia that resists a turn of one side against the other if only the joint holds the two: the force F at the
+/// joint is A^-1 B of a torque between both.
 mat3 turnedInertia(Side child, Side parent)
 {
     mat3 a = mat3(child.inverseMass + parent.inverseMass) - child.arm * child.inverseInertia * child.arm -

@@ -1,5 +1,5 @@
-// One thread a puppet that is to be caught, before anything of a substep: from its time on it is driven to its clips,
-// put where it is; when all of it is near them, it is animated again.
+// One thread a puppet that is to be caught, before the rest of a substep: from its time on it is driven to its clips,
+// which are put where it is; when all of it is near them, it is animated again.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
@@ -28,7 +28,7 @@ bool isNear(Puppet puppet)
     return true;
 }
 
-/// Animated from now on; what it differs from its clip by goes away by and by.
+/// Animates the puppet from now on; its difference from its clip fades.
 void take(Puppet puppet)
 {
     for (uint k = puppet.firstBody; k < puppet.firstBody + puppet.bodyCount; ++k) {

@@ -1,5 +1,5 @@
-// One thread a body of a puppet, at the end of a substep: a blow takes of its strength, which comes back by and by.
-// What pushes with less than three times the whole puppet's weight is no blow.
+// One thread a body of a puppet, at the end of a substep: a blow reduces its strength, which gradually comes back. A
+// push of less than three times the whole puppet's weight is no blow.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/fields.glsl"
 #include "sim/common/bodies/mover_info.glsl"
@@ -11,7 +11,7 @@ READ_BUFFER(Puppet, Puppets, puppets);
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
 READ_BUFFER(Animation, Animations, animations);
 uniform samplerBuffer bodyPushes;
-BUFFER(vec4, DriveHits, driveHits);      // what is taken, 0 ... 1; for how long ago the last blow was [s]
+BUFFER(vec4, DriveHits, driveHits);      // strength taken, 0 ... 1; time since the last blow [s]
 
 void main()
 {

@@ -1,5 +1,5 @@
-// One thread a puppet: what each of its drives and pins moves, as it stands where the substep begins. A spring of a
-// frequency is as stiff as that needs, so that a finger and a thigh feel alike, stretched or bent.
+// One thread a puppet: the inertia that each of its drives and pins moves, at the start of the substep. The stiffness
+// of a spring follows from it and the spring's frequency, so that a finger and a thigh feel alike, stretched or bent.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/mover_info.glsl"
@@ -13,19 +13,19 @@ READ_BUFFER(Puppet, Puppets, puppets);
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
 uniform usamplerBuffer puppetOrder;      // of animated bodies, parents before what hangs on them; 1: pinned
 BUFFER(vec4, Composites, composites);    // of each body and all that hangs on it
-BUFFER(vec4, Carried, carried);          // the same, but for what is pinned itself
+BUFFER(vec4, Carried, carried);          // the same, without what is pinned itself
 BUFFER(vec4, DriveInertias, driveInertias);
 
 Composite ownOf(uint body)
 {
     mat3 axes = matrixFromQuaternion(fetchRotation(body)), moments = axes * fetchMoments(body) * transpose(axes);
     float mass = moverMass(body);
-    // A row of particles has none about itself, and nothing could be solved with it.
+    // A row of particles has no inertia about itself, which would make it singular.
     float least = 1e-5 * mass * sim.diameter * sim.diameter;
     return Composite(mass, fetchCentre(body), mat3(traceOf(moments) + least) - moments);
 }
 
-/// From what hangs on it, which is done.
+/// Adds a finished body to its parent.
 void collect(uint k, bool pinned)
 {
     uint parent = animatedBodies[k].parent;
@@ -46,7 +46,7 @@ void storeInertia(uint entry, mat3 inertia)
     driveInertias[2u * entry + 1u].xyz = offDiagonalOf(inertia);
 }
 
-/// About the joint that a body hangs on.
+/// The inertia that a body's drive turns, about the joint on which the body hangs.
 mat3 drivenInertia(AnimatedBody at, Composite below, Composite all, bool held)
 {
     vec3 anchor = fetchCentre(at.mover) + rotate(fetchRotation(at.mover), at.anchor.xyz - at.centre.xyz);

@@ -1,4 +1,4 @@
-// One thread a driven joint: the torque between its bodies from where they are now, and what that adds to the joint's
+// One thread a driven joint: the torque between its bodies from where they are now, and its stiffness in the joint's
 // block.
 #include "sim/common/kernel.glsl"
 #include "sim/drive/drive_spring.glsl"
@@ -10,7 +10,7 @@ BUFFER(vec4, DriveStates, driveStates);
 BUFFER(vec4, DriveStiffness, driveStiffness);
 BUFFER(vec4, RowAngularImpulses, newRowAngularImpulses);
 
-/// What a spring turns about the axes that are free; of one that is given, nothing but those axes.
+/// The inertia that a spring turns about its free axes; for a spring of given stiffness, 1 about these axes.
 mat3 springInertia(JointDrive drive, vec4 rotation)
 {
     mat3 inertia = drive.isGiven == 1u ? mat3(1) : fetchInertia(drive.body, 0u);

@@ -1,5 +1,5 @@
-// One thread a driven joint, where a substep begins: how far it is from its clip, and how much that has changed in the
-// substep before; and whether its greatest torque has held it for too long.
+// One thread a driven joint, at the start of a substep: its distance from its clip, the change of that in the substep
+// before, and whether it has been at its greatest torque for too long.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
 #include "sim/drive/drive_states.glsl"
@@ -28,7 +28,7 @@ void main()
     bool bounded = driveStates[state + DRIVE_CHANGE].w < 1.0;
     float held = bounded ? driveStates[state + DRIVE_HELD].x + sim.substepTime : 0.0;
     driveStates[state + DRIVE_HELD].x = held;
-    // Whoever else writes here writes the same.
+    // Other threads that write here write the same value.
     if (held > puppets[drive.puppet].knockTime) newPuppetStates[2u * drive.puppet].z = 1u;
     driveStates[state + DRIVE_TARGET] = texelFetch(clipBodyTurns, int(drive.body));
 }

@@ -1,4 +1,4 @@
-// One thread a pin: the force and the torque on its body from where it is now, and what they add to the block of the
+// One thread a pin: the force and the torque on its body from where it is now, and its stiffness in the block of the
 // body's joint.
 #include "sim/common/kernel.glsl"
 #include "sim/drive/drive_spring.glsl"
@@ -13,8 +13,8 @@ BUFFER(vec4, RowAngularImpulses, newRowAngularImpulses);
 
 struct Pull {
     vec3 force, torque;   // [N], [N m]
-    float squaredTime;    // by which they count [s2]
-    float move;           // what it adds to the resistance to moves [kg] ...
+    float squaredTime;    // factor of forces [s2]
+    float move;           // resistance that it adds to moves [kg] ...
     mat3 turn;            // ... and to turns [kg m2]
 };
 

@@ -1,5 +1,5 @@
-// One thread a pin, where a substep begins: how far its body is from its clip, how much that has changed in the substep
-// before, and what the pin gave in it.
+// One thread a pin, at the start of a substep: its body's distance from its clip, the change of that in the substep
+// before, and the pin's force and torque in that.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/fields.glsl"
 #include "sim/common/bodies/mover_poses.glsl"

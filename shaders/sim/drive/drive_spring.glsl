@@ -1,4 +1,4 @@
-// A spring and a damper between where something is and where its clip has it, as they are at the end of the substep.
+// A spring and a damper between something and its clip, at their places at the end of the substep.
 #include "math/symmetric.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/bodies/mover_info.glsl"
@@ -11,10 +11,10 @@ READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
 uniform samplerBuffer driveLevels;
 uniform samplerBuffer driveInertias;
 
-/// A substep of what a spring moves.
+/// Time step of a spring.
 struct SpringTime {
     bool second;           // order of its time integration
-    float squaredTime;     // by which forces count [s2]
+    float squaredTime;     // factor of forces [s2]
 };
 
 SpringTime springTime(uint body)
@@ -23,27 +23,27 @@ SpringTime springTime(uint body)
     return SpringTime(assembly.order == 2u, accelerationFactor(assembly) * sim.substepTime * sim.substepTime);
 }
 
-/// How fast a difference changes: BDF2's, as of the velocities of what it is between.
+/// The rate of change of a difference: by BDF2 if the velocities of the two use it.
 /// @param change in this substep. @param last in the one before.
 vec3 rateOf(vec3 change, vec3 last, SpringTime time)
 {
     return (time.second ? 1.5 * change - 0.5 * last : change) / sim.substepTime;
 }
 
-/// What a spring adds to the inertia that it moves, over what it is a multiple of, for its force to be that at the
+/// What a spring adds to the resistance to moves, as a multiple of what it moves, so that its force is that at the
 /// substep's end.
 float implicitPart(float stiffness, float damping, SpringTime time)
 {
     return time.squaredTime * (stiffness + (time.second ? 1.5 : 1.0) * damping / sim.substepTime);
 }
 
-/// The part of a force that is given where it has a greatest size.
+/// The part of a force that a limit on its size leaves.
 float boundedPart(vec3 force, float greatest)
 {
     return min(1.0, greatest / max(length(force), 1e-20));
 }
 
-/// 1 where a block has changed so much that it should be factored anew.
+/// 1 if a block has changed so much that it should be factored anew.
 float isStale(vec3 before, vec3 now)
 {
     const float MOST_CHANGE = 0.1;
@@ -56,7 +56,7 @@ vec4 turnedNow(uint body)
     return quaternionProduct(fetchRotationDelta(body), fetchRotation(body));
 }
 
-/// What an animated body's drive turns, or its pin [kg m2].
+/// The inertia that an animated body's drive or its pin turns [kg m2].
 mat3 fetchInertia(uint body, uint pin)
 {
     int first = int(4u * body + 2u * pin);

@@ -1,4 +1,4 @@
-// One thread a puppet: how strong the drives and pins of each of its bodies are in the substep.
+// One thread a puppet: the strength of the drives and pins of each of its bodies in the substep.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
@@ -10,9 +10,9 @@ READ_BUFFER(Puppet, Puppets, puppets);
 READ_BUFFER(AnimatedBody, AnimatedBodies, animatedBodies);
 READ_BUFFER(Counters, CountersBlock, counters);
 uniform samplerBuffer strengthKeys;      // time [s], strength; 1: smooth
-uniform usamplerBuffer limpSubsteps;     // of bodies; the same once they were caught; when
+uniform usamplerBuffer limpSubsteps;     // when bodies go limp; the same after they were caught; when they are caught
 uniform usamplerBuffer puppetOrder;
-uniform samplerBuffer driveHits;         // what a blow has taken of a body's strength
+uniform samplerBuffer driveHits;         // strength of a body that a blow has taken
 uniform samplerBuffer clipBodyPlaces;
 BUFFER(float, DriveLevels, driveLevels);
 BUFFER(uvec4, PuppetStates, puppetStates);
@@ -20,7 +20,7 @@ BUFFER(uvec4, PuppetStates, puppetStates);
 BUFFER(uvec2, AssemblyCalm, assemblyCalm);   // steps, island
 #endif
 
-/// What its keys say.
+/// Strength by the puppet's keys.
 float strengthAt(Puppet puppet, float time)
 {
     if (puppet.keyCount == 0u) return 1.0;
@@ -32,7 +32,7 @@ float strengthAt(Puppet puppet, float time)
     return mix(before.y, next.y, part);
 }
 
-/// Stores what blows have taken of each body, and of its neighbours by a falloff.
+/// Stores the strength that blows have taken from each body, and with a falloff from its neighbours.
 void spreadHits(Puppet puppet)
 {
     uint first = puppet.firstBody, end = first + puppet.bodyCount;
@@ -47,7 +47,7 @@ void spreadHits(Puppet puppet)
     }
 }
 
-/// Whether its first body is too far from its clip while it is driven.
+/// Whether a driven puppet's first body is too far from its clip.
 bool isTornAway(Puppet puppet, PuppetState s, uint root, bool limp)
 {
     uint m = animatedBodies[root].mover;
@@ -78,7 +78,7 @@ void main()
         acts = acts || !isLimp;
     }
 #ifdef SLEEP
-    // A clip that goes on moves what is driven to it.
+    // A clip that keeps moving moves the bodies that are driven to it.
     uint assembly = fetchMover(animatedBodies[root].mover).assembly;
     if (acts) assemblyCalm[assembly] = uvec2(0u, assembly);
 #endif

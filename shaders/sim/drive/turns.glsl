@@ -1,7 +1,7 @@
-// Turns as vectors, and by how much a body is turned away from where a clip has it.
+// Turns as vectors, and how far a body is turned away from its clip.
 #include "math/quaternion.glsl"
 
-/// The turn of a quaternion, at most half a one [rad].
+/// The turn of a quaternion, at most a half turn [rad].
 vec3 turnOfQuaternion(vec4 q)
 {
     if (q.w < 0.0) q = -q;
@@ -9,7 +9,7 @@ vec3 turnOfQuaternion(vec4 q)
     return (s > 1e-7 ? 2.0 * atan(s, q.w) / s : 2.0) * q.xyz;
 }
 
-/// From one to another.
+/// The turn from one rotation to another.
 vec3 turnBetween(vec4 from, vec4 to)
 {
     return turnOfQuaternion(quaternionProduct(to, conjugate(from)));

@@ -1,6 +1,6 @@
-// One thread: what each emitter does in this step, by the number of the step alone: how many layers are due, and how
-// many particles they take from its pool. The time in layers is a 64-bit integer of 2^-32 layers, so that no layer is
-// late or lost.
+// One thread: what each emitter does in this step, which depends on the number of the step alone: how many layers are
+// due, and how many particles they take from its pool. Time in layers is a 64-bit integer of 2^-32 layers, so that no
+// layer is late or lost.
 #include "sim/common/kernel.glsl"
 #include "sim/emitter/emitters.glsl"
 #include "sim/common/groups.glsl"
@@ -38,7 +38,7 @@ void main()
         uvec2 now = layerTime(e, steps);
         uint layers = layersAt(e, steps), due = layers - layersAt(e, steps - 1u);
         EmitterState state;
-        // A layer needs all of its particles; one for which some are missing is left out.
+        // A layer needs all of its particles; an incomplete one is left out.
         state.taken = min(due, inactive / e.pointCount) * e.pointCount;
         uint left = inactive - state.taken, wanted = (layersAt(e, steps + 1u) - layers) * e.pointCount;
         state.retired = e.takesOldest != 0u ? min(max(wanted, left) - left, e.poolCount - inactive) : 0u;

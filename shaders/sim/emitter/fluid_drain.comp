@@ -1,5 +1,5 @@
 // One thread a fluid particle, those of pools in the order of their lists: makes it inactive if it is in a drain, and
-// notes for the next step which ones are inactive. Drains are stored behind the colliders.
+// notes inactive particles for the next step. Drains are stored after the colliders.
 #include "sim/common/kernel.glsl"
 #include "sim/emitter/emitters.glsl"
 #include "sim/common/contacts/colliders.glsl"

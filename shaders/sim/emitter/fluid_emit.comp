@@ -1,5 +1,5 @@
 // One thread a particle that is to leave an emitter in this step. Its layer left the nozzle at its own moment of the
-// step, and the particle starts where it has come to since. Where something else stands it stays inactive.
+// step, and the particle starts where it has moved to since. If something else is there, it stays inactive.
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/fluid_grid.glsl"
 #include "sim/common/grid/grid.glsl"
@@ -15,8 +15,9 @@ BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
 BUFFER(uint, FluidTotals, totals);
 
-/// Whether nothing is in the way at x. The cells say who may be near, as of the start of the step; where they are now
-/// stands in positions. What this step emits is in no cell. @param room  Fluid particles have to be this far away [m].
+/// Whether nothing is in the way at x. The cells, made at the start of the step, say which particles may be near;
+/// `positions` has their current places. Particles of this step are in no cell. @param room  Fluid particles have to be
+/// this far away [m].
 bool hasRoom(vec3 x, float room)
 {
     uint slots = texelFetch(cellStarts, int(gridMask() + 1u)).x;
@@ -26,7 +27,7 @@ bool hasRoom(vec3 x, float room)
         uvec2 cells = aroundCells(cell, range);
         uint end = texelFetch(cellStarts, int(cells.y)).x;
         for (uint index = texelFetch(cellStarts, int(cells.x)).x; index < end; ++index) {
-            // The first cells are listed once more behind the last.
+            // The first cells are listed again after the last.
             uint i = texelFetch(slotParticles, int(index < slots ? index : index - slots)).x;
             FluidPosition other = fluidPosition(positions[i]);
             vec3 r = x - other.position;
@@ -47,7 +48,7 @@ void main()
     Emitter e = emitters[k];
     uint laterLayers = state.taken / e.pointCount - 1u - q / e.pointCount;
     float t = state.age + float(laterLayers) * e.interval;   // since it left the nozzle
-    // As the solver's steps would have brought it here.
+    // The fall as the solver's steps would have computed it.
     vec3 fall = sim.gravity.xyz * t;
     vec3 nozzle = texelFetch(nozzlePoints, int(e.firstPoint + q % e.pointCount)).xyz;
     vec3 x = nozzle + t * e.velocity.xyz + 0.5 * (t + sim.substepTime) * fall;

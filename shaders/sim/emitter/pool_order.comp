@@ -1,5 +1,5 @@
-// One thread a chunk of the pools' lists: moves its particles to where they stand in the list after this step. Inactive
-// ones come first, and those that this step emits go to the end. Where an emitter may take its oldest particles again,
+// One thread a chunk of the pools' lists: moves its particles to their places in the list after this step. Inactive
+// ones come first, and those that this step emits go to the end. If an emitter may take its oldest particles again,
 // those become inactive.
 #include "sim/common/kernel.glsl"
 #include "sim/emitter/emitters.glsl"
@@ -24,7 +24,7 @@ void main()
     uint steps = stepsDone(counters[0].substep), from = orderBefore(steps), to = orderAfter(steps);
     for (uint j = chunk * SCAN_CHUNK - start; j < min((chunk + 1u) * SCAN_CHUNK - start, count); ++j) {
         bool inactive = texelFetch(poolInactive, int(start + j)).x != 0u;
-        // Its index with all inactive ones first. The step takes the first `taken` of them.
+        // Its index if all inactive ones come first. The step takes the first `taken` of them.
         uint index = inactive ? before : state.inactive + (j - before);
         before += inactive ? 1u : 0u;
         uint particle = poolOrder[from + start + j];

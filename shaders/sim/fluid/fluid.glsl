@@ -48,9 +48,9 @@ vec2 wallFraction(float z)
 }
 
 /// The fraction of the kernel that a solid particle of diameter d at the distance r covers, and its slope over r
-/// [1/m2]. A layer of such particles, a diameter apart, covers on the mean what a half space does that ends a radius
+/// [1/m2]. A layer of such particles, a diameter apart, covers on average as much as a half space that ends a radius
 /// from their centres: 2 pi / d^2 times the integral of this times r from z + d / 2 on is wallFraction(z). So every
-/// particle displaces the volume of its cell, at faces as at edges, in plates and alone.
+/// particle displaces the volume of its cell, at faces and edges, in plates and alone.
 vec2 solidFraction(float r, float d)
 {
     float bounded = max(r, 0.25 * d), inverse = 1.0 / sim.fluidReach;
@@ -59,14 +59,14 @@ vec2 solidFraction(float r, float d)
     float bend = t4 * inverse * inverse * (105.0 - 189.0 * t + 84.0 * t2);
     float scale = sim.solidCover * d * d / (6.2831853 * bounded);
     vec2 covered = scale * vec2(slope, -(bend + slope / bounded) / bounded);
-    // Lists of neighbours end before the kernel does: it fades to nothing there, smoothly.
+    // Lists of neighbours end before the kernel does, so the fraction fades out smoothly there.
     float width = 0.2 * d, u = clamp((sim.fluidListReach - r) / width, 0.0, 1.0), fade = u * u * (3.0 - 2.0 * u);
     float steep = u > 0.0 && u < 1.0 ? -6.0 * u * (1.0 - u) / width : 0.0;
     return vec2(covered.x * fade, covered.y * fade + covered.x * steep / bounded);
 }
 
-/// How much a solid particle at the distance r counts for a fluid one, where several solid particles share the force on
-/// it or the direction out of them.
+/// The weight of a solid particle at the distance r for a fluid one, when several solid particles share the force on it
+/// or the direction out of them.
 float solidWeight(float r)
 {
     float a = max(1.0 - r / sim.fluidListReach, 0.0);

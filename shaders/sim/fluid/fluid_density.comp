@@ -33,7 +33,7 @@ void add(inout Sums sums, vec3 x, float inverseReach, uint slot)
 
 Sums sumsOver(uint k, uint count, vec3 x)
 {
-    // A list whose length is no multiple of four ends with the slot itself: taken away again.
+    // A list whose length is not a multiple of four ends with the slot itself, which is subtracted again.
     Sums sums = Sums(1.0 - float(-count & 3u), 0.0, vec3(0));
     float inverseReach = 1.0 / sim.fluidReach, steepness = fluidSteepness();
     for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
@@ -58,9 +58,9 @@ void main()
     WallCover walls = wallCover(k, x);
     float density = sums.fraction + walls.fraction + solids.fraction;
     vec3 own = sums.gradient + walls.gradient + solids.slope;
-    // The constraints around are all met at once, each as if alone: beyond this they overshoot.
+    // All constraints around are solved at once, each as if alone: larger errors than this would overshoot.
     float tooMuch = clamp(density - 1.0, 0.0, MOST_FLUID_ERROR);
-    // Where the slopes of solids cancel, as between two of them, no direction leads out: a harder push does not help.
+    // Where the slopes of solids cancel, as between two of them, there is no way out: a harder push does not help.
     float opposed = max(solids.squares - dot(solids.slope, solids.slope), 0.0);
     float lambda = -FLUID_RELAXATION * tooMuch / (dot(own, own) + opposed + sums.squares + sim.fluidSoftness);
     newSlotPressures[k] = pack(SlotPressure(x, lambda / max(fetchMass(i).inverseMass, 1e-20)));

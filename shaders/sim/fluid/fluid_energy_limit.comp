@@ -1,5 +1,5 @@
-// One work group: tells the host where fluids have more energy than what was there at the start and what solids can
-// have given them. START: notes what was there.
+// One work group: tells the host if fluids have more energy than they had at the start plus what solids can have given
+// them. START: notes the energy at the start.
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/group_sum.glsl"
 

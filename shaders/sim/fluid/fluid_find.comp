@@ -1,6 +1,6 @@
-// One thread a slot: its neighbours, between which fluids act. Solid particles list fluid ones only. The grid and
-// packed positions both wrap: where fluid has spread wider than the grid, lists hold some that only look near, which do
-// nothing.
+// One thread a slot: finds the neighbours between which fluids act. Solid particles list fluid ones only. The grid and
+// packed positions both wrap: if fluid has spread wider than the grid, lists contain some particles that only look
+// near, which have no effect.
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/fluid_grid.glsl"
 #include "sim/common/grid/grid.glsl"
@@ -13,7 +13,7 @@ BUFFER(uvec2, SlotCounts, newSlotCounts);
 BUFFER(uvec4, SlotNeighbours, newSlotNeighbours);
 BUFFER(Counters, CountersBlock, counters);
 
-/// Lists the fluid neighbours of a batch, from the front of the list on. @param counts  What is listed so far.
+/// Lists the fluid neighbours of a batch, from the front of the list on. @param counts  Numbers listed so far.
 /// @param four  The last four listed, with the slot itself where there are fewer.
 void listFluids(uint k, uint slots, inout NeighbourCounts counts, inout uvec4 four)
 {

@@ -1,5 +1,5 @@
-// One thread a slot: a fluid particle becomes faster by what force fields and the air do to it in the substep; gravity
-// is part of where it is predicted to be. The air drags at drops and surfaces, not at what is inside.
+// One thread a slot: adds what force fields and the air do to a fluid particle's velocity in the substep; gravity is
+// part of its prediction. The air drags at drops and surfaces, not at particles inside.
 #include "sim/common/kernel.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/fluid/fluid_slots.glsl"
@@ -11,7 +11,7 @@ uniform samplerBuffer positions;
 BUFFER(vec4, Velocities, velocities);
 BUFFER(vec4, SlotPositions, newSlotPositions);
 
-/// Which part of a particle the air reaches, by the density around it.
+/// The part of a particle that the air reaches, by the density around it.
 float exposure(uint k)
 {
     return 1.0 - smoothstep(ALONE_DENSITY, SURFACE_DENSITY, fetchSlotWalls(k).density);
@@ -28,7 +28,7 @@ void main()
     vec3 x = texelFetch(positions, int(i)).xyz;
     FieldSum fields = fieldsAt(x);
     vec3 wind = airVelocity(x) + fields.blown - own.velocity;
-    // A drop as large as the particle is a sphere of its volume.
+    // A drop of one particle is a sphere of the particle's volume.
     float drag = sim.dropDrag * sim.wind.w * fetchMass(i).inverseMass * exposure(k);
     vec3 gained = sim.substepTime * (fields.acceleration + dragAcceleration(wind, vec3(drag)));
     velocities[i] = pack(FluidVelocity(own.velocity + gained, 0.0));

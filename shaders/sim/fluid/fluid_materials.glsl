@@ -1,11 +1,11 @@
-// What materials do as fluids.
+// Properties of materials as fluids.
 
 uniform samplerBuffer fluidMaterials;
 
-/// What a material does as a fluid.
+/// Properties of a material as a fluid.
 struct FluidMaterial {
-    float smoothing;   // part of its difference to its neighbours that a step takes from a velocity, 0 ... 1
-    float tension;     // what particles that attract each other get in a substep, over fluidAttraction() [kg m]
+    float smoothing;   // part of the difference to its neighbours that a step takes from a velocity, 0 ... 1
+    float tension;     // impulse of two particles that attract each other in a substep, over fluidAttraction() [kg m]
 };
 
 FluidMaterial fetchFluidMaterial(uint material)

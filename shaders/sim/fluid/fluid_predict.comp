@@ -1,5 +1,5 @@
-// One thread a fluid particle: where it is predicted to be at the end of the step's first substep if no pressure acts;
-// for the substeps that follow, fluid_pressure says so. RELAX: where it is.
+// One thread a fluid particle: its predicted position at the end of the step's first substep without pressure; for
+// later substeps, fluid_pressure predicts it. RELAX: its position.
 #include "sim/common/kernel.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/fluid/fluid_slots.glsl"

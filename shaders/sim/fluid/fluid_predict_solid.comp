@@ -1,5 +1,5 @@
-// One thread a solid particle: where fluids see it, which is where its mover is predicted to bring it in the substep.
-// RELAX: where it is.
+// One thread a solid particle: its position for fluids, which is where its mover is predicted to bring it in the
+// substep. RELAX: its current position.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/movers.glsl"
 #include "sim/common/particles.glsl"

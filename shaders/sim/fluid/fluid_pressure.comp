@@ -1,7 +1,7 @@
 // One thread a slot: moves its fluid particle by the pressures around it (Macklin and Mueller 2013, eq. 12, with
 // masses: a pair exchanges the impulse (lambda_i + lambda_j) grad W, so momentum is kept), ends its substep, and
-// predicts where it comes to in the next. RELAX: moves it without making it any faster, a little on the way that it has
-// come in the passes before, so that what the walls press out of a column comes up it in few passes.
+// predicts the next. RELAX: moves it without changing its velocity, and a little further along its moves of earlier
+// passes, so that what the walls press out of a column rises through it in few passes.
 #include "sim/common/kernel.glsl"
 #include "sim/common/nan_report.glsl"
 #include "sim/common/particles.glsl"
@@ -21,7 +21,7 @@ BUFFER(uint, FluidLargestPush, fluidLargestPush);
 BUFFER(Counters, CountersBlock, counters);
 #endif
 
-/// Out of the colliders, at least a quarter of the rest distance away from them.
+/// Pushes x out of the colliders, at least a quarter of the rest distance away from them.
 vec3 outside(uint k, vec3 x)
 {
     for (NearColliders near = nearColliders(k); nextCollider(near);) {
@@ -31,9 +31,9 @@ vec3 outside(uint k, vec3 x)
     return x;
 }
 
-/// The speed that the particle may come to, for one that had the speed `before` and would have `now`. Whatever pushes
-/// it out from between solids, or a solid and a wall, in one substep would make it as fast as that takes. It keeps the
-/// speed that they or it had, and gets a little more.
+/// The highest speed that a particle may reach if it had the speed `before` and would have `now`. Being pushed out
+/// between solids, or a solid and a wall, in one substep would make it as fast as that takes. It keeps the largest
+/// speed that it or they had, and gets a little more.
 float mostSpeed(uint k, vec3 x, float before, float now)
 {
     float gain = MOST_SQUEEZE * sim.substepTime, fastest = before;
@@ -65,8 +65,8 @@ void main()
 #ifdef RELAX
     positions[i].xyz = x;
     vec3 move = x - before;
-    // It stays among those neighbours and walls for which it has been listed, and between no solids that it would be
-    // squeezed out of in the first step.
+    // It stays among the neighbours and walls that are listed for it, and does not go between solids that would squeeze
+    // it out in the first step.
     move *= min(1.0, 0.1 * sim.fluidSpacing / max(length(move), 1e-20));
     newSlotPositions[k].xyz = fetchCounts(k).solids > 0u ? x : x + FLUID_MOMENTUM * move;
     atomicMax(fluidLargestPush[0], floatBitsToUint(length(push)));

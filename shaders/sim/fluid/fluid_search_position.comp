@@ -1,5 +1,4 @@
-// One thread a particle: the position for which the neighbours of fluids are found, which is where it is in the middle
-// of the step.
+// One thread a particle: the position for which fluids' neighbours are found: where it is in the middle of the step.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_state.glsl"
 #include "sim/common/particles.glsl"

@@ -1,7 +1,7 @@
 // Slots: all particles in the order of the cells of the fluids' grid, so that neighbours stand together. A slot's
 // neighbours within sim.fluidListReach are listed once a step. A fluid particle's list has fluid neighbours from its
 // front on and solid ones from its end on; a solid particle's list has fluid neighbours only.
-// A kernel that stores into a buffer that has a sampler here calls its block new...
+// A kernel that stores into a buffer with a sampler here calls its block new...
 #include "sim/common/fluid_particles.glsl"
 
 uniform usamplerBuffer slotParticles;
@@ -21,7 +21,7 @@ uint fetchParticleSlot(uint particle)
     return texelFetch(particleSlots, int(particle)).x;
 }
 
-/// How many neighbours a slot lists.
+/// The number of neighbours that a slot lists.
 struct NeighbourCounts {
     uint fluids, solids;
 };
@@ -37,14 +37,14 @@ uvec2 pack(NeighbourCounts counts)
     return uvec2(counts.fluids, counts.solids);
 }
 
-/// The same for what acts between fluid particles, or on them: none in the slot of a solid particle.
+/// The same for forces between or on fluid particles: zero in the slot of a solid particle.
 NeighbourCounts fetchFluidCounts(uint slot, uint particle)
 {
     return isFluid(particle) ? fetchCounts(slot) : NeighbourCounts(0u, 0u);
 }
 
-// Lists of neighbours have four slots in a texel. Texels of NEIGHBOUR_BLOCK slots stand side by side, so that threads
-// that read their lists together read memory in order.
+// Lists of neighbours have four slots in a texel. Texels of NEIGHBOUR_BLOCK slots are interleaved, so that threads that
+// read their lists together read memory in order.
 
 /// The texel of a slot's neighbours 4 four .. 4 four + 3. The next four are NEIGHBOUR_BLOCK texels further.
 uint neighbourTexel(uint slot, uint four)
@@ -52,13 +52,13 @@ uint neighbourTexel(uint slot, uint four)
     return (slot / NEIGHBOUR_BLOCK * (sim.fluidSlots / 4u) + four) * NEIGHBOUR_BLOCK + slot % NEIGHBOUR_BLOCK;
 }
 
-/// Four fluid neighbours. Behind the last one the slot itself is listed.
+/// Four fluid neighbours. After the last one the slot itself is listed.
 uvec4 fetchNeighbours(uint texel)
 {
     return texelFetch(slotNeighbours, int(texel));
 }
 
-/// Of the solid neighbours the nth.
+/// The nth solid neighbour.
 uint fetchSolidNeighbour(uint slot, uint n)
 {
     uint k = sim.fluidSlots - 1u - n;

@@ -1,5 +1,5 @@
-// One thread a solid particle: the impulse with which the fluid around it presses it, opposite to what fluid_pressure
-// gives to the fluid.
+// One thread a solid particle: the impulse of the fluid around it, opposite to the one that fluid_pressure gives to the
+// fluid.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/particles.glsl"
@@ -12,8 +12,8 @@ BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(Assembly, AssemblyState, assemblies);
 READ_BUFFER(Counters, CountersBlock, counters);
 
-/// The impulse of the fluid particle in a slot on a solid one at x: the solid's part, by its weight, of what all solids
-/// there have to take.
+/// The impulse of the fluid particle in a slot on a solid one at x: the solid's share, by its weight, of what all
+/// solids there receive.
 vec3 impulseOf(vec3 x, uint slot)
 {
     SlotPressure fluid = fetchSlotPressure(slot);
@@ -32,7 +32,7 @@ void main()
         impulse += impulseOf(x, slots.x) + impulseOf(x, slots.y) + impulseOf(x, slots.z) + impulseOf(x, slots.w);
     }
     if (impulse == vec3(0)) return;
-    // As contacts do: its assembly ends the substep to first order.
+    // Like contacts, this makes its assembly end the substep by first order.
     assemblies[fetchParticle(i).assembly].lastContact = counters[0].substep - 1u;
     particleImpulses[fetchRank(i).rank].xyz += impulse;
 }

@@ -1,6 +1,6 @@
-// One thread a slot: viscosity, as velocities that even out (Macklin and Mueller 2013, eq. 17, XSPH). The strength is
-// that of the fluid's viscosity: c = 6 nu t / <r^2> spreads momentum in the time t as the kinematic viscosity nu does,
-// <r^2> being the kernel's mean.
+// One thread a slot: viscosity, as smoothing of velocities (Macklin and Mueller 2013, eq. 17, XSPH). The strength
+// follows from the fluid's viscosity: c = 6 nu t / <r^2> spreads momentum in the time t as the kinematic viscosity nu
+// does, <r^2> being the kernel's mean.
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"
@@ -9,7 +9,7 @@
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, Velocities, velocities);
 
-/// What the neighbour in a slot gives to the velocity. Of two masses the lighter takes more, so that momentum is kept.
+/// The change of velocity by the neighbour in a slot. Of two masses the lighter changes more, so that momentum is kept.
 vec3 changeBy(SlotPosition at, SlotVelocity own, uint slot)
 {
     SlotVelocity other = fetchSlotVelocity(slot);

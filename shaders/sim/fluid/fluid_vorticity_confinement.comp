@@ -9,7 +9,7 @@
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, Velocities, velocities);
 
-/// What a neighbour adds to the gradient of the vorticity's size.
+/// A neighbour's part of the gradient of the vorticity's size.
 vec3 gradientBy(vec3 x, float size, uint slot)
 {
     vec3 r = x - fetchSlotPosition(slot).position;
@@ -29,9 +29,9 @@ void main()
         for (int c = 0; c < 4; ++c) gradient += gradientBy(x, own.size, slots[c]);
     }
     if (count == 0u || fluidVelocity(velocities[i]).timeHeld > 0.0) return;
-    // Where the vorticity is the same all around there is no middle to drive it about.
+    // If the vorticity is the same all around, there is no centre of rotation.
     vec3 towards = gradient / (length(gradient) + 0.01 * own.size / sim.fluidSpacing + 1e-6);
-    // At most a tenth of what it differs by from its neighbours.
+    // At most a tenth of its difference to its neighbours.
     float strength = min(sim.vorticity * own.size, 0.1);
     velocities[i].xyz += strength * sim.fluidSpacing * cross(towards, own.vorticity);
 }

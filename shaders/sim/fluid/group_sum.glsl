@@ -2,7 +2,7 @@
 
 shared float groupParts[GROUP_SIZE];
 
-/// The sum of what all threads of the group give, in the first of them.
+/// The sum of the threads' parts, returned in the first thread of the group.
 float groupSum(float part)
 {
     uint thread = gl_LocalInvocationIndex;

@@ -1,5 +1,5 @@
-// Candidates for the neighbours of a slot, from the rows of cells around it in batches of 32, and which of them are
-// near enough.
+// Candidates for the neighbours of a slot, from the rows of cells around it in batches of 32, and the test whether they
+// are near enough.
 #include "sim/fluid/packed_positions.glsl"
 
 uniform usamplerBuffer fluidSorted;      // packed positions by slot, four in a texel
@@ -19,7 +19,7 @@ Seeker seekerAt(uint code)
     return Seeker(packedCoordinates(code), solid ? vec2(reach.y * reach.y, -1.0) : reach * reach);
 }
 
-/// Of 32 candidates from a multiple of four on, as bits: those near enough, and those that are solid.
+/// Bits of 32 candidates from a multiple of four on: those near enough, and those that are solid.
 struct Hits {
     uint near, solid;
 };
@@ -49,7 +49,7 @@ Hits hitsFrom(Seeker seeker, uint first, uvec2 range)
     return hits;
 }
 
-/// Of a row of cells beside a position those that come near enough: the first, and the one behind the last.
+/// The candidates of a row of cells beside a position that come near enough: first and end.
 /// @param at  The position, in cells
 uvec2 rowNear(vec3 at, int range)
 {
@@ -61,8 +61,8 @@ uvec2 rowNear(vec3 at, int range)
     return uvec2(first, first + (square > 0.0 ? uint(ends.y - ends.x + 1) : 0u));
 }
 
-// The batch: of each row, the index of its first candidate, and as bits those that are neighbours. Global, so that all
-// lanes of a vector can list their next hit in the same round, whatever row it is of.
+// The batch: for each row, the index of its first candidate, and bits of those that are neighbours. Global, so that all
+// lanes of a vector can list their next hit in the same round, whatever row it is in.
 uint firsts[AROUND_RANGES], fluids[AROUND_RANGES], solids[AROUND_RANGES];
 
 /// The candidates from `batch` on of all rows around slot k.
@@ -76,7 +76,7 @@ uint findBatch(Seeker seeker, vec3 at, uint k, uint slots, uint batch, out bool 
         uvec2 ends = uvec2(texelFetch(cellStarts, int(cells.x)).x, texelFetch(cellStarts, int(cells.y)).x);
         uint first = (ends.x & ~3u) + batch;
         Hits hits = hitsFrom(seeker, first, ends);
-        // Not itself, which stands at two indices: behind the last slot the first ones are listed again.
+        // Excludes the slot itself, which has two indices: after the last slot the first ones are listed again.
         uvec2 own = uvec2(k, k + slots) - first;
         hits.near &= ~((own.x < 32u ? 1u << own.x : 0u) | (own.y < 32u ? 1u << own.y : 0u));
         firsts[range] = first;

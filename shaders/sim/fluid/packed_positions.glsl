@@ -1,5 +1,5 @@
 // Positions in the fluids' grid packed into 32 bits: ten bits an axis, wrapped every four cells, and whether they are
-// of solid particles. Neighbours are less than two cells apart, so that the difference of two is known.
+// of solid particles. Neighbours are less than two cells apart, so their difference is unambiguous.
 
 #define QUANTA_PER_CELL 256.0
 #define PACKED_SOLID 0x40000000u

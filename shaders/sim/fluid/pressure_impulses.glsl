@@ -1,9 +1,9 @@
-// What fluid neighbours do to a fluid particle.
+// Impulses of fluid neighbours on a fluid particle.
 #include "sim/fluid/fluid_materials.glsl"
 
-/// What the particle in another slot gives by pressure, in units of the kernel's steepness. s_corr (eq. 13) adds to the
-/// multipliers of particles that are too near to each other a fraction of them, so that it does nothing where nothing
-/// is too dense.
+/// The pressure impulse of the particle in another slot, in units of the kernel's steepness. s_corr (eq. 13) is a
+/// fraction of the multipliers of particles that are too near to each other, added to them, so that it has no effect
+/// where nothing is too dense.
 vec3 pressureOf(SlotPressure own, float inverseReach, uint slot)
 {
     SlotPressure other = fetchSlotPressure(slot);
@@ -12,7 +12,7 @@ vec3 pressureOf(SlotPressure own, float inverseReach, uint slot)
     return (own.lambda + other.lambda) * (1.0 + FLUID_REPULSION * crowd2 * crowd2) * (a * a * a) * r;
 }
 
-/// What it gives by surface tension: particles of one fluid attract each other.
+/// Its surface tension impulse: particles of one fluid attract each other.
 vec3 tensionOf(SlotPressure own, uint material, float tension, uint slot)
 {
     vec3 offset = own.position - fetchSlotPressure(slot).position;
@@ -25,7 +25,7 @@ struct FluidImpulses {
     vec3 tension;    // [kg m]; TENSION: of a world that has any
 };
 
-/// What the fluid neighbours of slot k give together.
+/// Sum of the impulses of the fluid neighbours of slot k.
 FluidImpulses fluidImpulses(uint k, uint count, SlotPressure own)
 {
     FluidImpulses sum = FluidImpulses(vec3(0), vec3(0));

@@ -1,5 +1,5 @@
 // What the kernels of fluids know of the particle in each slot (sim/fluid/fluid_slots.glsl): fetch...() reads a struct,
-// pack() makes of it what to store. Here the samplers have the buffers' names, so a kernel that stores into one of them
+// pack() converts it for storing. The samplers here have the buffers' names, so a kernel that stores into one of them
 // calls its block new...
 #include "sim/fluid/walls/slot_covers.glsl"
 
@@ -12,7 +12,7 @@ uniform usamplerBuffer slotMaterials;
 /// Where it is predicted to be at the end of the substep.
 struct SlotPosition {
     vec3 position;    // [m]
-    float mass;       // [kg]; nobody asks for that of a solid particle
+    float mass;       // [kg]; not used for a solid particle
 };
 
 SlotPosition fetchSlotPosition(uint slot)
@@ -43,7 +43,7 @@ vec4 pack(SlotVelocity s)
     return vec4(s.velocity, s.smoothing);
 }
 
-/// How its surroundings swirl.
+/// How the fluid around it swirls.
 struct SlotVorticity {
     vec3 vorticity;   // [1/s]
     float size;       // its length
@@ -62,7 +62,7 @@ vec4 pack(SlotVorticity s)
 
 /// The multiplier of its density constraint.
 struct SlotPressure {
-    vec3 position;    // where it was worked out [m]
+    vec3 position;    // the position that lambda was computed for [m]
     float lambda;     // <= 0 [kg m2]
 };
 

@@ -1,10 +1,10 @@
-// What the air does to cloth: pressure across each triangle, friction along it.
+// The air's force on cloth: pressure across each triangle, friction along it.
 
 uniform usamplerBuffer clothRanges;      // per loose mover: its first triangle, and how many
 uniform usamplerBuffer clothTriangles;   // particles of a triangle's corners, once for each corner
 uniform samplerBuffer positions;         // when the step began
 
-/// Of one node of cloth, for its third of each triangle. @param wind past it [m/s].
+/// Drag of one node of cloth, for its third of each triangle. @param wind past it [m/s].
 vec3 clothDrag(uint m, vec3 wind)
 {
     uvec2 range = texelFetch(clothRanges, int(m - sim.bodyCount)).xy;

@@ -1,5 +1,5 @@
-// One thread a mover: how gravity, force fields and the air accelerate it in the substep. Fields are those where its
-// velocity brings it, as BDF2 takes forces at the substep's end.
+// One thread a mover: how gravity, force fields and the air accelerate it in the substep. Fields are evaluated where
+// its velocity brings it, as BDF2 takes forces at the substep's end.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/fields.glsl"

@@ -1,11 +1,11 @@
-// What keeps Newton's method for trees of joints on its way where light bodies carry heavy ones: these turn far for a
-// small error, past where it is linear, and further answers only turn them to and fro.
+// Damps Newton's method for trees of joints where light bodies carry heavy ones: these turn far for a small error,
+// beyond the linear range, and further answers only turn them to and fro.
 #include "sim/common/bodies/movers.glsl"
 #include "math/spatial.glsl"
 #include "sim/joint/joint_info.glsl"
 
-/// What a body carries as if it moved alone. @param carried the mass of it and of all that hangs on it. @returns what
-/// is beyond a hundred times its own [kg].
+/// The load that a body carries, as if it moved alone. @param carried the mass of it and of all that hangs on it.
+/// @returns the part of that beyond a hundred times its own mass [kg].
 float loadOn(uint k, mat3 carried)
 {
     const float LIGHT = 100.0;
@@ -13,8 +13,8 @@ float loadOn(uint k, mat3 carried)
 }
 
 /// Levenberg and Marquardt's damping (Nocedal and Wright 2006, 10.3): such a body resists its next turn by a part of
-/// its load, which so takes more of the error. Where answers converge turns vanish, and with them this: it changes how
-/// a solution is found, not what it is. @param turn the last one [rad]. @returns what to add to its inertia [kg m2].
+/// its load, which thus takes more of the error. As answers converge, turns and this damping vanish: it changes how a
+/// solution is found, not the solution. @param turn the last one [rad]. @returns what to add to its inertia [kg m2].
 float turnDamping(uint k, mat3 carried, float turn)
 {
     const float PER_RADIAN = 5.0, MOST = 0.1;   // parts of the load

@@ -1,4 +1,4 @@
-// What drives and pins add to the blocks of their joints (shaders/sim/drive).
+// Stiffness that drives and pins add to the blocks of their joints (shaders/sim/drive).
 #include "math/spatial.glsl"
 #include "shared/drive_types.h"
 #include "sim/joint/joint_info.glsl"
@@ -23,7 +23,7 @@ Inertia pinStiffness(uint joint)
     return Inertia(mat3(t.w), mat3(0), symmetricMatrix(t.xyz, driveTexel(joint, 3u).xyz));
 }
 
-/// Whether they are others than those that a tree was factored with.
+/// Whether they differ from those that a tree was factored with.
 bool drivesChanged(JointTree tree)
 {
     for (uint k = tree.first; k < tree.end; ++k)

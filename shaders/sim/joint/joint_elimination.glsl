@@ -1,8 +1,8 @@
-// What of a body, with all that hangs on it, is seen through its joint.
+// The inertia of a body, with all that hangs on it, that is seen through its joint.
 #include "sim/joint/joint_factors.glsl"
 #include "sim/joint/joint_info.glsl"
 
-/// What a joint passes on of all that it holds, seen from there. @param stops what its limits add to d.
+/// The inertia that a joint passes on, seen from there. @param stops what its limits add to d.
 Inertia handedOnBy(inout JointFactor f, uint freedom, mat3 stops)
 {
     Inertia m = f.inertia;
@@ -10,7 +10,7 @@ Inertia handedOnBy(inout JointFactor f, uint freedom, mat3 stops)
     mat3 d = m.d + stops;
     if (freedom == JOINT_BALL) {
         f.free = choleskyOf(d);
-        // Where no limit holds, nothing of turns: not even rounding, which light bodies would take for an inertia.
+        // Without a limit, passes on nothing for turns: not even rounding, which would be an inertia for light bodies.
         passed = Inertia(withoutTurns(m, f.free), stops * solve(f.free, m.b), stops - stops * solve(f.free, stops));
     }
     if (freedom == JOINT_HINGE) {

@@ -1,4 +1,4 @@
-// What a solve takes back: how far a joint is open now, but for what the substep keeps of it. And the moves of bodies.
+// The error that a solve corrects: how far a joint is open, less what the substep keeps of it. And bodies' moves.
 #include "sim/joint/joint_pose.glsl"
 
 BUFFER(vec4, MoverMoves, newMoverMoves);

@@ -1,9 +1,8 @@
-// One thread a tree of joints: from the leaves to the root each body, with all that hangs on it, is seen from its
-// joint, which passes on what it does not let go (Featherstone 2008, articulated bodies). Once a substep; joint_solve
-// makes use of it. RESPONSES: of a world where something asks how bodies answer to forces. LIMITS: of one where joints
-// are limited. DRIVES: where they are driven. AGAIN: later in a substep, where bodies have turned away from how they
-// were eliminated, or other springs hold than before. LAST: in the last of several
-// iterations.
+// One thread a tree of joints: from the leaves to the root, each joint passes on the inertia of its body, with all that
+// hangs on it, except for the motions that it leaves free (Featherstone 2008, articulated bodies). Runs once a substep;
+// joint_solve uses it. RESPONSES: of a world where something needs to know how bodies answer to forces. LIMITS: of one
+// where joints are limited. DRIVES: where they are driven. AGAIN: later in a substep, where bodies have turned since
+// their elimination, or other springs hold than before. LAST: in the last of several iterations.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_elimination.glsl"
@@ -25,7 +24,7 @@ BUFFER(vec4, JointInertias, jointInertias);
 #include "sim/joint/joint_again.glsl"
 #endif
 
-/// What hangs on a body that does not respond is held by it.
+/// A body that does not respond holds what hangs on it.
 void factor(uint k)
 {
     Joint joint = fetchJoint(k);

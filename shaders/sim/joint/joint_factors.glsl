@@ -1,14 +1,14 @@
-// What the joints of a tree have been eliminated to in a substep (joint_factor).
+// Factors of the joints of a tree in a substep (joint_factor).
 #include "math/spatial_solve.glsl"
 #include "shared/joint_records.h"
 
 struct JointFactor {
     Inertia inertia;   // of the body with all that hangs on it, seen from the joint
-    Cholesky free;     // of what resists turns where a ball lets go; of a hinge its first pivot, about the axis
+    Cholesky free;     // of a ball's resistance to free turns; for a hinge only its first pivot, about the axis
     vec3 arm;          // from the body's centre to the joint [m]
     vec3 parentArm;    // from its parent's
     vec3 axis;         // of a hinge
-    Motion kept;       // the part of the joint's error that this substep does not take back
+    Motion kept;       // the part of the joint's error that this substep does not correct
 };
 
 #define STORE_JOINT_FACTOR(factors, joint, f) \
@@ -40,7 +40,7 @@ vec3 freeTurn(JointFactor f, uint freedom, vec3 torque)
     return freedom == JOINT_HINGE ? f.free.inversePivots.x * dot(f.axis, torque) * f.axis : vec3(0);
 }
 
-/// Of a body that nothing holds, what it is with all that hangs on it.
+/// Factors of a body that nothing holds, with all that hangs on it.
 #define STORE_ROOT_FACTOR(factors, joint, m) \
     factors[ROOT_FACTOR_TEXELS * (joint)] = vec4((m).turn.inversePivots, (m).b[2].x); \
     factors[ROOT_FACTOR_TEXELS * (joint) + 1u] = vec4((m).turn.lower, (m).b[2].y); \

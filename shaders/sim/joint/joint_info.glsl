@@ -1,12 +1,12 @@
-// What joints are (sim/solver/layout/joint_trees.h), and what of it may change. Joints that close loops stand behind
-// all others.
+// What joints are (sim/solver/layout/joint_trees.h), and which of it may change. Joints that close loops come after all
+// others.
 #include "shared/joint_records.h"
 #include "sim/common/bodies/mover_info.glsl"
 
 uniform usamplerBuffer jointInfo;        // two texels each
-uniform usamplerBuffer jointFreedoms;    // JOINT_*; a torn joint holds nothing any more: JOINT_NONE
+uniform usamplerBuffer jointFreedoms;    // JOINT_*; JOINT_NONE for a torn joint, which holds nothing any more
 uniform samplerBuffer jointPlaces;       // arm, the parent's; axes, the parent's
-// Read once a thread, so that it is this one that is no texture: joint_solve has all 16.
+// Each thread reads it once, so this one is no texture: joint_solve has all 16.
 READ_BUFFER(uvec4, JointTrees, jointTrees);   // first joint, end; first loop, end
 
 struct JointTree {
@@ -31,8 +31,7 @@ uint fetchFreedom(uint joint)
     return texelFetch(jointFreedoms, int(joint)).x;
 }
 
-/// Whether no body of a tree answers to anything. What does not is closed upwards: all that it hangs on does not
-/// either.
+/// Whether no body of a tree responds. If a body does not respond, neither does anything that it hangs on.
 bool treeRests(JointTree tree)
 {
     for (uint k = tree.first; k < tree.end; ++k)

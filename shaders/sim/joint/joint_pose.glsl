@@ -1,4 +1,4 @@
-// Where a joint's two bodies have it, and how far they are apart.
+// Where each of a joint's two bodies has the joint, and how far these places are apart.
 #include "sim/common/bodies/movers.glsl"
 #include "sim/joint/joint_info.glsl"
 #include "math/spatial.glsl"
@@ -31,7 +31,7 @@ vec3 turnBetween(vec4 from, vec4 to, uint freedom)
     return (turn.w < 0.0 ? -2.0 : 2.0) * turn.xyz;
 }
 
-/// By how far the body has left its parent at the joint: at the start of the substep ...
+/// How far the body has left its parent at the joint: at the start of the substep ...
 Motion startError(JointSide body, JointSide parent, uint freedom)
 {
     return Motion(body.point.centre - parent.point.centre + (body.point.arm - parent.point.arm),

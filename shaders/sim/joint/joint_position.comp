@@ -1,5 +1,5 @@
-// One thread a particle that bodies share: it stands at the mean of their goals (section 4), or where a body
-// that stays has it.
+// One thread a particle that bodies share: puts it at the mean of their goals (section 4), or where a body that does
+// not move has it.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/shared_goals.glsl"

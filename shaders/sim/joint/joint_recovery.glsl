@@ -1,15 +1,15 @@
-// What a substep takes back of an error that a joint has when it begins: a part, and no faster than at a walk.
+// The part of a joint's initial error that a substep corrects, no faster than at a walk.
 #include "math/spatial.glsl"
 
-/// The part of an error that is kept. @param error its size. @param most how much may be taken back in a second.
+/// The part of an error that is kept. @param error its size. @param most the most that is corrected in a second.
 float keptPart(float error, float most)
 {
     const float CORRECTION = 0.5;
     return 1.0 - min(CORRECTION, most * sim.substepTime / max(error, 1e-20));
 }
 
-/// Of the excess of a rigid stop. What is beyond a limit is not apart, and may take its time; at 20 rad/s a load of
-/// 100 : 1 would be flung back.
+/// The part of a rigid stop's excess that is kept. A joint beyond a limit is not open, and may take its time; 20 rad/s
+/// would fling back a load of 100 : 1.
 float keptOfExcess(float excess)
 {
     const float MOST_TURNING = 1.0;   // [rad/s]

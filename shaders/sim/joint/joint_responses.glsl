@@ -1,5 +1,5 @@
-// How each body of a tree answers to a force, with all that its joints move along: from the root on, as its parent does
-// at the joint, and by what its joint leaves free.
+// The motion of each body of a tree for a force on it, with all that its joints move along: from the root on, its
+// parent's response at the joint, plus what its joint leaves free.
 BUFFER(vec4, BodyResponses, bodyResponses);
 
 void storeResponse(uint body, Response w)

@@ -1,5 +1,4 @@
-// The rows of the channel in which joints keep the impulses with which they hold. MANY_PUSHES: a row may be pushed
-// more than once by one thread.
+// The rows of the channel that store the impulses of joints. MANY_PUSHES: a thread may push a row more than once.
 #include "sim/joint/joint_info.glsl"
 #include "math/spatial.glsl"
 
@@ -10,7 +9,7 @@ uniform samplerBuffer lastRowAngularImpulses;
 BUFFER(vec4, RowAngularImpulses, newRowAngularImpulses);
 #endif
 
-// Where each row is pushed once, what was there comes by a texture, which llvmpipe reads three times as fast.
+// If each row is pushed once, its old value is read from a texture, which llvmpipe does three times as fast.
 #ifdef MANY_PUSHES
 #define ROW(name, row) new##name[row].xyz
 #else
@@ -35,7 +34,7 @@ void clearRow(uint row)
 #endif
 }
 
-/// It holds nothing any more.
+/// Clears the rows of a joint that holds nothing any more.
 void clearRows(Joint joint)
 {
     clearRow(joint.row);

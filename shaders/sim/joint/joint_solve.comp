@@ -1,7 +1,7 @@
-// One thread a tree of joints: the impulses with which all its joints hold, at once, and where they bring its bodies: a
-// Newton step of their positions (Deul et al. 2018). LOOPS: of a world where joints close loops; joint_loop_solve then
-// moves the bodies. LIMITS: where joints are limited. FIRST: of a substep. TURNS: where trees may be eliminated again,
-// and may take only a part of their answer.
+// One thread a tree of joints: computes the impulses of all its joints at once, and moves its bodies by them: a Newton
+// step of their positions (Deul et al. 2018). LOOPS: of a world where joints close loops; joint_loop_solve then moves
+// the bodies. LIMITS: where joints are limited. FIRST: of a substep. TURNS: where trees may be eliminated again, and
+// may take only a part of their answer.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_loads.glsl"
 #include "sim/joint/joint_error.glsl"
@@ -16,8 +16,8 @@ layout(local_size_x = TREE_GROUP_SIZE) in;
 #include "sim/joint/joint_step.glsl"
 #endif
 
-/// The torque that a hinge remembers has turned about the hinge itself since its body turned: it would drive the joint.
-/// @returns what takes that back.
+/// As a hinge's body turns, the hinge's remembered torque gets a part about the hinge itself, which would drive the
+/// joint. @returns the torque that cancels this part.
 vec3 strayTorque(uint k)
 {
     vec3 stray = vec3(0);
@@ -33,7 +33,7 @@ vec3 strayTorque(uint k)
     return stray;
 }
 
-/// What a body and its joint ask for.
+/// Passes on the load of a body and its joint.
 void ask(uint k)
 {
     Joint joint = fetchJoint(k);

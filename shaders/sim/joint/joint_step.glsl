@@ -1,10 +1,10 @@
-// How far a tree goes in one step of Newton's method.
+// Length of a tree's step of Newton's method.
 #include "sim/joint/joint_damping.glsl"
 #include "sim/joint/joint_sweeps.glsl"
 
 BUFFER(float, TreeTurns, treeTurns);
 
-/// What was passed to the parent has been made use of when the parent answers: the force at the joint takes its place.
+/// Once the parent answers, the force that was passed to it is no longer needed: the force at the joint replaces it.
 void storeAnswer(uint k, Answer answer)
 {
     storeHandedForce(k, answer.held);
@@ -16,7 +16,7 @@ Answer loadAnswer(uint k)
 }
 
 /// Stores the answers of all bodies of a tree, and how far it turns. @returns the part of them that it takes, so that
-/// no body that carries far more than itself turns further than it may.
+/// no body that carries far more than itself turns too far.
 float partToTake(uint index, JointTree tree)
 {
     const float MOST_LOADED_TURN = 0.08;   // [rad]

@@ -1,9 +1,9 @@
-// What the sweeps over a tree leave for each other, of each joint: what its body asks of its parent, what the body is
-// asked itself, how it moves in this sweep, and, where joints close loops, in all sweeps of a solve.
+// Values that the sweeps over a tree pass to each other, per joint: what its body asks of its parent, what is asked of
+// the body, its motion in this sweep, and, if joints close loops, its motion in all sweeps of a solve.
 #include "math/spatial.glsl"
 #include "shared/joint_records.h"
 
-// An image: a software driver reads and writes whole texels of it faster than of a storage block.
+// An image: a software driver reads and writes whole texels of it faster than those of a storage block.
 layout(rgba32f) restrict uniform imageBuffer jointSweeps;
 
 #define SWEEP_PASSED 0u

@@ -1,6 +1,6 @@
-// A tree of joints solved for given forces and errors: from the leaves to the root what each body asks of its parent,
-// then motions from the root to the leaves (Featherstone 2008, articulated bodies). A body that does not respond asks
-// for nothing, and what it does in the substep it has done before: its motion here is zero.
+// Solves a tree of joints for given forces and errors: passes forces from the leaves to the root, then motions from the
+// root to the leaves (Featherstone 2008, articulated bodies). A body that does not respond passes no force, and has
+// done its motion of the substep before: here it is zero.
 #include "sim/joint/joint_factors.glsl"
 #include "sim/joint/joint_info.glsl"
 #include "sim/joint/joint_sweep_records.glsl"
@@ -16,7 +16,7 @@ JointFactor fetchJointFactor(uint joint)
 #undef TEXEL
 }
 
-/// Of the record its `kept` alone.
+/// Only the `kept` of a record.
 Motion fetchJointKept(uint joint)
 {
     int first = int(JOINT_FACTOR_TEXELS * joint);
@@ -33,13 +33,13 @@ FactoredInertia fetchRootFactor(uint joint)
 #undef TEXEL
 }
 
-/// How a body moves at its joint, and the force that its joint needs for it.
+/// The motion of a body at its joint, and the force of its joint for it.
 struct Answer {
     Motion motion;
     Force held;
 };
 
-/// @param given what the joint gives: the parent's motion there, less the joint's error. @param f on the body.
+/// @param given motion that the joint gives: its parent's there, less the joint's error. @param f on the body.
 Answer answerTo(JointFactor factor, uint freedom, Motion given, Force f)
 {
     Inertia m = factor.inertia;
@@ -49,7 +49,7 @@ Answer answerTo(JointFactor factor, uint freedom, Motion given, Force f)
     return Answer(motion, Force(needed.t - f.t, needed.r - f.r));
 }
 
-/// Hands the force on a body, what hangs on it asks for, and what its joint's error asks for, to its parent.
+/// Passes the force on a body, those of what hangs on it, and the one for its joint's error to its parent.
 /// @param stop the torque of the joint's limits.
 void passForce(uint k, Force own, Motion error, vec3 stop)
 {
@@ -68,7 +68,7 @@ void passForce(uint k, Force own, Motion error, vec3 stop)
     storeAsked(k, Asked(own, error));
 }
 
-/// The force at a joint, but for that of its limits, and the motion of its body, whose parent has moved already.
+/// The force at a joint, without that of its limits, and the motion of its body, whose parent has moved already.
 Answer follow(uint k)
 {
     Joint joint = fetchJoint(k);

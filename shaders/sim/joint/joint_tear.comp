@@ -1,6 +1,6 @@
-// One thread a tree of joints: of those that bore more in the substep than they can, the one that did most holds
-// nothing any more, which relieves the others. Its body is then the root of what hangs on it, in the same tree; its
-// particles stay with the first of their bodies.
+// One thread a tree of joints: of those that bore more in the substep than they can, the most loaded one tears, which
+// relieves the others. Its body is then the root of what hangs on it, in the same tree; its particles stay with the
+// first of their bodies.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/joint/joint_rows.glsl"
@@ -13,7 +13,7 @@ BUFFER(vec4, JointLoads, jointLoads);
 BUFFER(uvec2, ParticleLinks, newParticleLinks);
 #ifdef FILTERS
 #include "sim/common/bodies/body_filters.glsl"
-uniform usamplerBuffer jointFilters;      // two bodies each, which no longer pass each other when it tears
+uniform usamplerBuffer jointFilters;      // two bodies each, which collide again when it tears
 BUFFER(uint, FilterBits, newFilterBits);
 
 void forbid(uint body, uint other)
@@ -34,8 +34,8 @@ JointStrength fetchJointStrength(uint joint)
     return JointStrength(uintBitsToFloat(t.x), uintBitsToFloat(t.y), t.z, t.w);
 }
 
-/// The mean of what a joint bears now and bore a substep ago: where second order begins, it bears too little and then
-/// too much.
+/// The mean of a joint's loads now and a substep ago: where second order begins, the load is first too low and then too
+/// high.
 vec3 meanLoad(uint entry, vec3 load)
 {
     vec3 mean = 0.5 * (jointLoads[entry].xyz + load);
@@ -43,7 +43,7 @@ vec3 meanLoad(uint entry, vec3 load)
     return mean;
 }
 
-/// How much of what a joint can bear it bears, 0 for one that is torn.
+/// A joint's load as a fraction of its strength, 0 if it is torn.
 float loadOf(uint k, float squaredTime)
 {
     Joint joint = fetchJoint(k);

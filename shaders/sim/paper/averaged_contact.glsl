@@ -1,5 +1,5 @@
-// One contact of the paper's solver: how it moves a particle, before the average over all contacts of that.
-// STABILIZE: for the overlap at the start of the substep, which leaves without adding speed.
+// One contact of the paper's solver: its move of a particle, before averaging over all of the particle's contacts.
+// STABILIZE: for the overlap at the start of the substep, which is corrected without adding speed.
 #include "shared/paper_constants.h"
 #include "sim/common/contacts/contacts.glsl"
 
@@ -16,9 +16,9 @@ struct Push {
     float acting;        // how many contacts act
 };
 
-/// How far this pass has to push a contact apart [m], <= 0. An overlap is all that is known of the load that presses
-/// it, so the first `maxCorrection` of an old one push with speed and the rest is left to stabilization. What is deeper
-/// than `deepOverlap` carries nothing any more, it only has to come out.
+/// How far this pass has to push a contact apart [m], <= 0. The load on a contact shows only as its overlap, so the
+/// first `maxCorrection` of an old one pushes with speed and the rest is left to stabilization. A contact deeper than
+/// `deepOverlap` carries nothing any more, it only has to come out.
 float contactError(float gap, float startGap)
 {
     float old = max(-startGap, 0.0);
@@ -46,7 +46,7 @@ Push contactPush(vec3 normal, float gap, float startGap, vec3 slide, vec2 fricti
     return push;
 }
 
-/// What the contact of two particles asks of one.
+/// What the contact of two particles asks of one of them.
 /// @param sides of the pair. @param first whether `own` is the first of it.
 /// @param touching nearer than this they overlap [m].
 Push pairPush(Side own, Side other, bool first, ContactSides sides, float touching)

@@ -1,6 +1,6 @@
-// How much of a body the particles move that contacts push.
+// How much of a body the pushed particles move.
 
-/// Sums of their fractions, in 1 / FRACTION_PARTS.
+/// Sums of the particles' fractions, in 1 / FRACTION_PARTS.
 struct BodyActingSums {
     uint now;       // being counted in this iteration
     uint last;      // of the last one

@@ -19,7 +19,7 @@ void main()
     if (b >= sim.bodyCount) return;
     bodyActing[b] = BodyActingSums(0u, bodyActing[b].now);
     if (!responds(b)) {
-        moverMoves[b] = vec4(0);   // the sums hold nothing but rounding
+        moverMoves[b] = vec4(0);   // its sums hold nothing but rounding
         return;
     }
     BodyStart start = fetchBodyStart(b);

@@ -1,4 +1,4 @@
-// Where shape matching sees the particles of a body, for its mass centre and the matrix A of eq. 9.
+// Positions of a body's particles for shape matching: for its mass centre and the matrix A of eq. 9.
 #include "sim/common/bodies/links.glsl"
 #include "sim/paper/body_starts.glsl"
 
@@ -11,8 +11,8 @@ struct LinkPosition {
     vec3 arm;            // from the body's centre then [m]
 };
 
-/// @param isShared whether other bodies own the particle too. It starts at the mean of their goals then, and is further
-/// from this body's by what draws the body there (joint_goals).
+/// @param isShared whether other bodies own the particle, too. Then it starts at the mean of their goals, and is moved
+/// further away from this body's goal by the pull that draws the body there (joint_goals).
 LinkPosition linkPosition(uint l, LinkValues link, bool isShared)
 {
     vec3 move = texelFetch(moved, int(link.particle)).xyz;

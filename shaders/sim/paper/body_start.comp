@@ -1,4 +1,4 @@
-// One thread a body: notes where it is at the start of the substep, from where it has not moved yet.
+// One thread a body: notes its place at the start of the substep, before it moves.
 #include "sim/common/kernel.glsl"
 #include "sim/paper/body_starts.glsl"
 

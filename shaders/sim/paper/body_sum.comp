@@ -1,7 +1,6 @@
 // One thread a body: how far its mass centre c moves in the substep and the matrix A of eq. 9, summed over its block of
-// links. A is taken about the centre before the substep: as the r of a body sum to zero, it needs no other. The
-// centre's move is summed from the particles' moves alone, about its last value, so that rounding never reaches the
-// momentum.
+// links. A is taken about the centre before the substep, which suffices since the r of a body sum to zero. The centre's
+// move is summed from the particles' moves alone, about its last value, so that rounding never reaches the momentum.
 #include "sim/common/kernel.glsl"
 #include "sim/paper/body_sums.glsl"
 

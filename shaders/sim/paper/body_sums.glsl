@@ -1,4 +1,4 @@
-// What is summed over the links of a body: how far its mass centre has moved, and the matrix A of eq. 9.
+// The sums over the links of a body: how far its mass centre has moved, and the matrix A of eq. 9.
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/paper/body_shape.glsl"
 
@@ -15,7 +15,7 @@ void addLink(inout BodySum sum, Body body, uint k, vec3 last)
     sum.a += outerProduct(link.mass * position.arm, link.r);
 }
 
-/// How far that moves the centre [m].
+/// The move of the centre [m].
 vec3 meanMove(vec4 centre)
 {
     return centre.xyz / centre.w;

@@ -1,7 +1,7 @@
 // One thread a particle: one iteration of count-averaged Jacobi over its contacts (eqs. 3-7; Macklin et al. 2014, 4.2).
-// The match of a body averages over all its particles once more, which over-relaxation makes up for, as far as the body
-// does not answer by more than is asked. STABILIZE: how far it is to be moved out of the overlaps that it starts in
-// (their 4.4).
+// The match of a body averages over all its particles once more; over-relaxation makes up for that, as far as the body
+// does not answer by more than is asked. STABILIZE: how far the particle has to move out of the overlaps that it starts
+// in (their 4.4).
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/particles.glsl"
@@ -12,11 +12,11 @@
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(BodyActingSums, BodyActing, bodyActing);
 BUFFER(Assembly, AssemblyState, assemblies);
-BUFFER(vec4, Moved, moved);              // as predicted, with what contacts ask for [m]; STABILIZE: only that
+BUFFER(vec4, Moved, moved);              // predicted move plus what contacts ask for [m]; STABILIZE: only the latter
 READ_BUFFER(Counters, CountersBlock, counters);
 
-/// How many times as far as its contacts ask a particle of a body is moved, since the match passes on only its
-/// fraction. Counts it among those that are pushed.
+/// The factor by which a particle of a body is moved further than its contacts ask, since the match passes on only its
+/// fraction. Also counts it as pushed.
 float bodyRelaxation(uint i, uint body, Push push)
 {
     float fraction = fetchArm(i).worstInverseMass / fetchMass(i).inverseMass;

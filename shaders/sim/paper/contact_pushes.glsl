@@ -1,4 +1,4 @@
-// What all contacts of a particle ask of it together.
+// The sum of what a particle's contacts ask of it.
 #include "sim/common/contacts/colliders.glsl"
 #include "sim/common/contacts/list_ranges.glsl"
 #include "sim/common/contacts/touch.glsl"

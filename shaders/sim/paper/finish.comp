@@ -1,6 +1,6 @@
-// One thread a particle: velocity and position at the end of the substep. BDF2 where the prediction was and nothing
-// has touched since (second order would answer a shock one and a half times), else move / h. Bodies put their
-// particles, so that they stay rigid whatever the iterations have left, and no rounding of moves adds up.
+// One thread a particle: velocity and position at the end of the substep. BDF2 if the prediction used it and nothing
+// has touched the particle since (second order would answer a shock one and a half times), else move / h. Bodies place
+// their particles, so that they stay rigid whatever error the iterations leave, and no rounding of moves adds up.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/bodies/mover_info.glsl"

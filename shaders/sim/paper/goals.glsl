@@ -1,12 +1,12 @@
-// Where shape matching wants a particle of a body.
+// Goals of shape matching for the particles of a body.
 #include "sim/common/bodies/links.glsl"
 #include "sim/paper/body_starts.glsl"
 
 uniform samplerBuffer moverMoves;        // of the centre since the substep began
 uniform samplerBuffer moverRotationDeltas;
 
-/// How far the goal of r has moved in the substep [m]. From the rotation delta, not from two positions, so that
-/// rounding stays as small as the move.
+/// How far the goal of r has moved in the substep [m]. Computed from the rotation delta instead of two positions, which
+/// keeps rounding errors as small as the move.
 vec3 goalMove(uint body, vec3 r)
 {
     vec3 arm = rotate(fetchBodyStart(body).rotation, r);
@@ -14,7 +14,7 @@ vec3 goalMove(uint body, vec3 r)
     return movedByTurn(texelFetch(moverMoves, int(body)).xyz, delta, arm);
 }
 
-/// Where the goal of r is now [m].
+/// The current goal of r [m].
 vec3 goalPosition(uint body, vec3 r)
 {
     BodyStart start = fetchBodyStart(body);

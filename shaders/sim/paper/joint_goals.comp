@@ -1,6 +1,6 @@
 // One thread a shared particle: its move to the mean of its goals (paper, section 4): the joint. In the next match of
-// each body it stands beyond the mean, by as much as brings the body's goal to it: with its own mass alone it would
-// draw a body of 27 by a thirtieth of the gap. STABILIZE: it starts from the mean.
+// each body it is placed so far beyond the mean that the body's goal gets there: its own mass alone would draw a body
+// of 27 by a thirtieth of the gap. STABILIZE: it starts from the mean.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/owners.glsl"

@@ -1,6 +1,6 @@
-// One thread a partial sum: one round of the paper's reduction (eq. 10): every second partial sum of a block takes in
-// its neighbour `stride` links on. After ceil(log2 p) steps the first link of a block holds the sum. CENTRES: of the
-// first of a link's three terms only.
+// One thread a partial sum: one round of the paper's reduction (eq. 10): every second partial sum of a block adds its
+// neighbour `stride` links on. After ceil(log2 p) steps the first link of a block holds the sum. CENTRES: only for the
+// first of a link's three terms.
 #include "sim/common/kernel.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;

@@ -1,6 +1,5 @@
-// One thread a particle: how far it would move in the substep if nothing touched it. BDF2 (second-order velocities)
-// where nothing touched its assembly lately, else symplectic Euler. Asks for a new search when it would leave its
-// margin.
+// One thread a particle: how far it would move in the substep if nothing touched it. BDF2 (second-order velocities) if
+// nothing touched its assembly lately, else symplectic Euler. Asks for a new search if it would leave its margin.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/bodies/mass_scaling.glsl"
@@ -10,7 +9,7 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
-uniform samplerBuffer searchPositions;   // for which its contacts were found
+uniform samplerBuffer searchPositions;   // positions for which contacts were found
 uniform samplerBuffer velocities;
 uniform samplerBuffer oldMoves;
 uniform samplerBuffer oldVelocities;

@@ -1,4 +1,4 @@
-// What `predicted` holds of a particle: how far it moves in the substep, as far as that is known.
+// Contents of `predicted`: how far a particle moves in the substep, as far as that is known.
 
 struct PredictedMove {
     vec3 move;                  // x* - x [m]

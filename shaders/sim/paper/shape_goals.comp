@@ -1,5 +1,5 @@
-// One thread a particle: its move to its goal Q r + c (eq. 8). Particles that bodies share are joint_goals' business.
-// STABILIZE: it starts from there, and its predicted move with it (Macklin et al. 2014, 4.4: that adds no velocity).
+// One thread a particle: its move to its goal Q r + c (eq. 8). joint_goals does this for shared particles. STABILIZE:
+// it starts from there, and its predicted move with it (Macklin et al. 2014, 4.4: that adds no velocity).
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/particles.glsl"

@@ -1,10 +1,10 @@
-// Releases that wait for something to happen to a body. What watches for it has a thread for each release and body, and
-// runs at the end of a substep; mover_release lets go at the start of the next one.
+// Releases that wait for something to happen to a body. Kernels that watch for it have a thread for each release and
+// body, and run at the end of a substep; mover_release lets go at the start of the next one.
 #include "shared/release_types.h"
 #include "sim/common/bodies/assemblies.glsl"
 
 uniform usamplerBuffer releaseWatches;   // release, body
-uniform usamplerBuffer releaseEntries;   // which of bodyReleases each release lets go
+uniform usamplerBuffer releaseEntries;   // entries of bodyReleases that each release lets go
 READ_BUFFER(Release, Releases, releases);
 BUFFER(uvec2, BodyReleases, bodyReleases);
 #ifdef PUPPETS
@@ -24,10 +24,10 @@ ReleaseWatch fetchReleaseWatch(uint index)
     return ReleaseWatch(t.x, t.y);
 }
 
-/// Lets go of a release's bodies in the next substep, where they still are held or animated.
+/// Lets go of a release's bodies in the next substep, if they are still held or animated.
 void letGo(Release release)
 {
-    // The least counts, whoever says it first.
+    // The least number counts, whichever thread writes first.
     for (uint k = release.firstEntry; k < release.entryEnd; ++k)
         atomicMin(bodyReleases[texelFetch(releaseEntries, int(k)).x].y, counters[0].substep);
 #ifdef PUPPETS
@@ -39,7 +39,7 @@ void letGo(Release release)
 #endif
 }
 
-/// The same of what something touches: it begins by first order, as what is touched does.
+/// The same for a body that something touches: it starts with first order, like other touched bodies.
 void letGoTouched(Release release, uint assembly)
 {
     letGo(release);

@@ -1,7 +1,7 @@
 // One thread a release by an impulse and a body of it: sums what contacts with others have given to the body in the
-// last substeps, as many as a step has, and lets go where that is enough. A blow takes two substeps, which may be of
-// two steps. What answers to nothing has the impulses of its contacts all the same, opposite to those on the other
-// side. BOUNCES: of a world with restitution, which adds to them.
+// last substeps, as many as a step has, and lets go if that is enough. A blow takes two substeps, which may be in two
+// steps. A body that answers to nothing still has the impulses of its contacts, opposite to those on the other side.
+// BOUNCES: of a world with restitution, which adds to them.
 #include "sim/common/kernel.glsl"
 #include "sim/release/release.glsl"
 #include "sim/release/release_pairs.glsl"
@@ -14,7 +14,7 @@ uniform samplerBuffer pairRestitutions;
 uniform samplerBuffer colliderRestitutions;
 #endif
 uniform samplerBuffer lastReleaseImpulses;
-BUFFER(vec4, ReleaseImpulses, releaseImpulses);   // substeps a watch, that take turns [N s]
+BUFFER(vec4, ReleaseImpulses, releaseImpulses);   // one per substep of a step and watch, overwritten in turn [N s]
 
 #ifdef BOUNCES
 #define BOUNCE(restitutions, index) fetchImpulse(restitutions, index).normal
@@ -22,7 +22,7 @@ BUFFER(vec4, ReleaseImpulses, releaseImpulses);   // substeps a watch, that take
 #define BOUNCE(restitutions, index) 0.0
 #endif
 
-/// A contact's impulse in the substep [N s]: what touches moves by first order. @param bounce what restitution adds to
+/// A contact's impulse in the substep [N s]: touched bodies move by first order. @param bounce what restitution adds to
 /// its normal part, or below 0 [N s].
 vec3 impulseOf(Impulse solved, float bounce)
 {

@@ -1,6 +1,6 @@
-// One thread a body that may be let go: of one that is in this substep, how its velocity changes. BEFORE: at the start
-// of the substep, what it is. After that, by how much it has changed beyond what gravity, wind, fields and contacts
-// (fluids and ropes, too) give, which part of that its joints did, and how much contacts gave.
+// One thread a body that may be let go: if it is let go in this substep, notes how its velocity changes. BEFORE: at the
+// start of the substep, notes the velocity. After it, notes the change beyond what gravity, wind, fields and contacts
+// (also with fluids and ropes) give, the part of that from joints, and the change by contacts.
 #define BODIES
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/body_rows.glsl"
@@ -30,7 +30,7 @@ void main()
     Mover body = fetchMover(release.x);
     Assembly assembly = fetchAssembly(body.assembly);
     bool second = assembly.order == 2u && assembly.lastContact + 1u != counters[0].substep;
-    // What an impulse of one kg m does to the velocity of the body: BDF2's is that of one and a half moves.
+    // The velocity that an impulse of one kg m gives to the body: for BDF2, that of one and a half moves.
     float response = (second ? 1.5 : 1.0) * body.inverseMass / sim.substepTime;
     vec3 contacts = response * fetchField(bodyPushes, release.x).t;
     vec3 given = sim.substepTime * outsideAcceleration(release.x) + contacts;

@@ -19,9 +19,9 @@ BodyPairs pairsOf(Mover body, uint parity)
     return BodyPairs(first, second, first.y - first.x + second.y - second.x);
 }
 
-/// A contact as the body has it.
+/// A contact, seen from the body.
 struct BodyPair {
-    uint index;          // of its impulse; NONE: there was no room for it
+    uint index;          // of its impulse; NONE if there was no room for it
     uint own, other;     // particles
     float side;          // 1: the body's particle is the first, else -1
 };
@@ -38,7 +38,7 @@ BodyPair pairAt(BodyPairs list, uint k, uint parity)
                     isFirst ? pair.second : pair.first, isFirst ? 1.0 : -1.0);
 }
 
-/// Whether a mover is of another object than the body that a release watches.
+/// Whether a mover belongs to another object than the body that a release watches.
 bool isAnother(Release release, uint mover)
 {
     return mover < release.firstBody || mover >= release.bodyEnd;

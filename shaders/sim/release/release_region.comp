@@ -1,4 +1,4 @@
-// One thread a release by a region and a body of it: lets go where the centre of a particle of the body is in it.
+// One thread a release by a region and a body of it: lets go if the centre of a particle of the body is in the region.
 #include "sim/common/kernel.glsl"
 #include "sim/release/release.glsl"
 #include "sim/common/bodies/mover_info.glsl"

@@ -1,5 +1,5 @@
-// One thread a release by touch and a body of it: lets go where a particle of the body touches one of those that are
-// named. They push each other, or overlap where neither answers to that.
+// One thread a release by touch and a body of it: lets go if a particle of the body touches a named one: if they push
+// each other, or overlap without either answering.
 #include "sim/common/kernel.glsl"
 #include "sim/release/release.glsl"
 #include "sim/release/release_pairs.glsl"

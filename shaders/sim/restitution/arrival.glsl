@@ -1,4 +1,4 @@
-// How fast points of movers are, now and when they met.
+// Velocities of points of movers, now and when they met.
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_state.glsl"
 #include "sim/common/outside.glsl"
@@ -7,7 +7,7 @@ uniform samplerBuffer oldMoverMoves;
 uniform samplerBuffer oldMoverVelocities;
 uniform samplerBuffer moverSolvedVelocities;
 
-/// The angular velocity of a velocity field, of axes turned about as far as these. The field is a chord, which points
+/// The angular velocity of a velocity field whose body's axes have turned to `axes`. The field is a chord, which points
 /// inwards by half a substep's turn: its size is that of the turn, its axis that of its antisymmetric part.
 vec3 spinOf(mat3 f, mat3 axes)
 {
@@ -16,7 +16,7 @@ vec3 spinOf(mat3 f, mat3 axes)
     return turn * (size / max(length(turn), 1e-20));
 }
 
-/// Of a mover's point, turned as it is now [m/s].
+/// Velocity of a mover's point, turned as it is now [m/s].
 vec3 pointVelocity(Field velocity, uint mover, vec3 r)
 {
     if (!IS_BODY(mover)) return velocity.t;
@@ -29,17 +29,17 @@ vec3 velocityNow(uint mover, vec3 r)
     return pointVelocity(fetchField(moverVelocities, mover), mover, r);
 }
 
-/// After the substep's solve, before anything bounced [m/s].
+/// Velocity after the substep's solve, before anything bounced [m/s].
 vec3 velocitySolved(uint mover, vec3 r)
 {
     return pointVelocity(fetchField(moverSolvedVelocities, mover), mover, r);
 }
 
-/// How a mover's point would have met a contact, and how it came there.
+/// How a mover's point would have met a contact, and its way there.
 struct Arrival {
     vec3 velocity;   // before the substep, of the body turned as it is now [m/s]
     vec3 way;        // in the substep [m]
-    vec3 pull;       // acceleration of what nothing holds [m/s2]
+    vec3 pull;       // acceleration if nothing holds it [m/s2]
 };
 
 Arrival arrivalOf(uint mover, vec3 r)
@@ -50,7 +50,7 @@ Arrival arrivalOf(uint mover, vec3 r)
                    responds(mover) ? outsideAcceleration(mover) : vec3(0));
 }
 
-/// The speed at which two meet [m/s]: what pulls speeds them up on their way there, v^2 = v0^2 + 2 g s.
+/// The speed at which two points meet [m/s]: accelerations add to it on the way, v^2 = v0^2 + 2 g s.
 float approachOf(Arrival a, Arrival b, vec3 normal)
 {
     float speed = -dot(normal, a.velocity - b.velocity);

@@ -31,7 +31,7 @@ void main()
 #if defined(LEDGER)
     float solved = dot(normal, velocitySolved(sides.mover, arm.r) - surfaceVelocity), work = 0.0;
 #ifdef MOVING
-    // What the solver's impulse has cost is what the mover lost and what the collider's motion added.
+    // The solver's impulse costs the energy that the mover lost plus what the collider's motion added.
     work = dot(fetchImpulse(colliderImpulses, index).whole / sim.substepTime, surfaceVelocity);
 #endif
     colliderLedgers[q] = vec4(gainOf(max(last.normal, 0.0), solved, dot(normal, now), 1.0), work, 0);

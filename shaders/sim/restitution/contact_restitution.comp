@@ -17,7 +17,7 @@ BUFFER(vec4, PairRestitutions, pairRestitutions);
 READ_BUFFER(Counters, CountersBlock, counters);
 
 #ifdef LEDGER
-/// Gains, and how much more of what the solver took from both the first side may give back than it lost itself [J].
+/// Gains, and how much more of both sides' loss to the solver the first may give back than its own loss [J].
 /// @param solver its impulse on the first side [kg m/s].
 vec4 ledgerOf(uvec2 movers, vec3 rA, vec3 rB, vec3 normal, Impulse last, float now, vec3 solver)
 {

@@ -1,5 +1,5 @@
-// One thread a mover: adds what its collisions' impulses change to its velocity. DETECT: counts them, and notes the
-// velocity without them.
+// One thread a mover: adds the change by its collisions' impulses to its velocity. DETECT: counts the impulses, and
+// notes the velocity without them.
 #define PAIR_IMPULSES pairRestitutions
 #define COLLIDER_IMPULSES colliderRestitutions
 #include "sim/common/kernel.glsl"
@@ -16,7 +16,7 @@ BUFFER(float, MoverRestitutionSplits, moverRestitutionSplits);
 #endif
 READ_BUFFER(Counters, CountersBlock, counters);
 
-/// Of the velocity field of a body, for impulses that sum to p and p r^T in its own axes.
+/// The change of a body's velocity field, for impulses that sum to p and p r^T in its own axes.
 Field velocityChange(uint body, Field impulse)
 {
     InverseInertia inertia = fetchInverseInertia(body);

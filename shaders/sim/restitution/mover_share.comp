@@ -1,5 +1,5 @@
-// One thread a mover: which share of its collisions' impulses its energy affords. Their whole gain, s a + s^2 b, must
-// not exceed what the substep took from it.
+// One thread a mover: the share of its collisions' impulses that its energy affords. Their whole gain, s a + s^2 b,
+// must not exceed what the substep took from it.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/fields.glsl"

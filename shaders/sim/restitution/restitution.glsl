@@ -1,15 +1,15 @@
-// Restitution, after a substep: an impulse gives each collision the speed of separation that it owes to the speed of
-// approach before the substep (Mueller et al. 2020, "Detailed Rigid Body Simulation with Extended Position Based
-// Dynamics", 3.6). DETECT: only notes which contacts collide, so that they can be counted. EAGER: every other iteration
-// takes longer steps. They suit collisions of which a body has many; a single one is done after the first iteration.
-// LEDGER: what the impulses give and cost of energy. SHARE: scales them to what the movers can afford.
+// Restitution, after a substep: an impulse gives each collision its speed of separation, by the speed of approach
+// before the substep (Mueller et al. 2020, "Detailed Rigid Body Simulation with Extended Position Based Dynamics",
+// 3.6). DETECT: only notes which contacts collide, so that they can be counted. EAGER: every other iteration takes
+// longer steps. They suit bodies with many collisions; a single collision is done after the first iteration. LEDGER:
+// energy that the impulses give and cost. SHARE: scales them to what the movers can afford.
 #include "sim/common/contacts/contacts.glsl"
 #include "sim/restitution/arrival.glsl"
 
 uniform samplerBuffer moverRestitutionSplits;
 uniform samplerBuffer moverRestitutionShares;
 
-/// Over how many impulses a mover's mass is split; 0: it does not respond.
+/// Number of impulses over which a mover's mass is split; 0: it does not respond.
 float restitutionSplits(uint mover)
 {
     return texelFetch(moverRestitutionSplits, int(mover)).x;
@@ -21,8 +21,8 @@ vec2 restitutionShares(uint mover)
     return !responds(mover) ? vec2(1) : texelFetch(moverRestitutionShares, int(mover)).xy;
 }
 
-/// What a contact's impulse does to the energy of its sides, s of it: s linear + s^2 square [J]. With a side that does
-/// not respond all of it is the other's, else half of it.
+/// The energy that a part s of a contact's impulse adds to each side: s linear + s^2 square [J]. If one side does not
+/// respond, the other gets all of it, else half.
 /// @param impulse [kg m/s]. @param solved, now relative velocities along the normal, without the impulses and with.
 vec2 gainOf(float impulse, float solved, float now, float part)
 {
@@ -36,8 +36,8 @@ Impulse sharedRestitution(Impulse last, vec3 normal, vec3 solver, vec2 shares)
     return Impulse((shares.x - 1.0) * sum * normal + (shares.y - 1.0) * solver, shares.x * sum);
 }
 
-/// The impulse of a contact after this iteration: `whole` is what it adds, `normal` all that there is so far, or
-/// ABOUT_TO_ACT where it is yet to come.
+/// The impulse of a contact after this iteration: `whole` is what it adds, `normal` the sum so far, or ABOUT_TO_ACT if
+/// it is yet to come.
 /// @param last after the iteration before. @param impulse the contact's normal impulse in the substep [kg m].
 /// @param approach before the substep. @param now relative velocity [m/s].
 /// @param inverseMass of both sides, each split over its impulses [1/kg].

@@ -1,17 +1,17 @@
 // Higham and Noferini 2016: the quaternion of the orthogonal part of A is the dominant eigenvector of a symmetric 4x4
-// matrix K made of A. The adjugate of lambda I - K, lambda just above the largest eigenvalue, takes any quaternion
-// nearly there; what A does not determine (a line's twist) it keeps. K is built anew around each quaternion found: that
-// is (0, 0, 0, 1) there, only the adjugate's last column is needed, and small rotations have small rounding.
+// matrix K made of A. The adjugate of lambda I - K, with lambda just above the largest eigenvalue, takes any quaternion
+// nearly there; it keeps what A does not determine (a line's twist). K is built anew around each quaternion found:
+// there that is (0, 0, 0, 1), so only the adjugate's last column is needed, and small rotations have small rounding.
 
-/// The columns of a symmetric m's adjugate, the rows of any other's.
+/// The columns of the adjugate of a symmetric m; for any other m, the rows.
 mat3 adjugate(mat3 m)
 {
     return mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
 }
 
-/// The largest eigenvalue of the K of an `a` of Frobenius norm 1: its characteristic polynomial is
-/// (lambda^2 - 1)^2 - 8 det(a) lambda - 4 |adj a|^2. Newton's method runs from above, and on u = lambda^2 - 1: that is
-/// small where a body is nearly straight and lambda itself nearly a double root.
+/// The largest eigenvalue of the K of an `a` of Frobenius norm 1: its characteristic polynomial is (lambda^2 - 1)^2 - 8
+/// det(a) lambda - 4 |adj a|^2. Newton's method starts above it, and solves for u = lambda^2 - 1, which is small if a
+/// body is nearly straight and lambda itself nearly a double root.
 float largestEigenvalue(mat3 a)
 {
     mat3 minors = adjugate(a);
@@ -31,8 +31,8 @@ vec4 matchedRotationDelta(mat3 a, vec4 start, vec4 delta)
 {
     float size = sqrt(dot(a[0], a[0]) + dot(a[1], a[1]) + dot(a[2], a[2]));
     a /= max(size, 1e-18);
-    // Far more than rounding, so that rounding twists no line; each round leaves of what is missing this fraction
-    // of lambda, over the distance to the next eigenvalue.
+    // The offset is far larger than rounding, so that rounding twists no line; each round leaves of the remaining error
+    // this fraction of lambda, over the distance to the next eigenvalue.
     float lambda = (1.0 + 1e-4) * largestEigenvalue(a);
     for (int k = 0; k < 3; ++k) {
         mat3 b = a * transpose(matrixFromQuaternion(quaternionProduct(delta, start)));

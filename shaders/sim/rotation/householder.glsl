@@ -1,11 +1,11 @@
 // The paper's polar decomposition (eqs. 11-17): Q = A M^(-1/2), M = A^T A = E lambda E^T by the QR algorithm with
-// Householder reflections. Flat and straight bodies get virtual particles (eq. 18), scaled by A and only where A is
-// rank deficient: taken everywhere they would brake every rotation. M squares what rounding does to A, so that a step
-// of Newton's method follows: a pendulum would be kept swinging by the rest.
+// Householder reflections. Flat and straight bodies get virtual particles (eq. 18), scaled by A and only if A is rank
+// deficient: elsewhere they would brake every rotation. M squares the rounding of A, so a step of Newton's method
+// follows: otherwise the error would keep a pendulum swinging.
 
 #define QR_ITERATIONS 24
 
-/// The reflection I - 2 v v^T / v^T v that zeroes m's column `k` below the diagonal.
+/// The reflection I - 2 v v^T / v^T v that zeroes column `k` of m below the diagonal.
 mat3 householder(mat3 m, int k)
 {
     vec3 v = m[k];
@@ -16,8 +16,8 @@ mat3 householder(mat3 m, int k)
     return square > 1e-30 ? mat3(1) - (2.0 / square) * outerProduct(v, v) : mat3(1);
 }
 
-/// The eigenvalue of the 2x2 block that ends at `k` that is nearer to its last element (Wilkinson's shift): with it a
-/// few iterations do, without it close eigenvalues would take hundreds.
+/// The eigenvalue of the 2x2 block ending at `k` that is nearer to its last element (Wilkinson's shift): with it a few
+/// iterations suffice; without it close eigenvalues would take hundreds.
 float shift(mat3 m, int k)
 {
     float d = 0.5 * (m[k - 1][k - 1] - m[k][k]), b = m[k][k - 1];

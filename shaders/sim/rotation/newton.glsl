@@ -1,4 +1,4 @@
-// Newton's method from the last rotation on.
+// Newton's method, starting from the last rotation.
 
 vec4 matchedRotationDelta(mat3 a, vec4 start, vec4 delta)
 {

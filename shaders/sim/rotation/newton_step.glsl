@@ -1,8 +1,8 @@
 // Newton's method on trace(R^T A) (the torque of Mueller et al. 2016, divided by the Hessian trace(S) I - S instead of
-// by trace(S), so that long bodies converge about their axis too); where the Hessian is not positive, Mueller's own
-// step. Kept is the rotation delta since the substep began, so that rounding is as small as that is.
+// by trace(S), so that long bodies converge about their axis too); Mueller's own step if the Hessian is not positive.
+// Stores the rotation since the substep began, which keeps rounding errors small.
 
-/// What a torque is divided by. @param s the symmetric part of A R^T.
+/// The divisor of a torque. @param s the symmetric part of A R^T.
 mat3 rotationHessian(mat3 s)
 {
     float trace = s[0][0] + s[1][1] + s[2][2];

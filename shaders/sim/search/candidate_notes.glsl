@@ -1,4 +1,4 @@
-// Where the search notes what it finds.
+// Storage for what the search finds.
 #include "sim/common/contacts/contact_lists.glsl"
 #include "sim/search/candidates.glsl"
 

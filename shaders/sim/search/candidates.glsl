@@ -4,8 +4,8 @@
 struct Candidate {
     uint first;     // particle
     uint second;    // particle or collider
-    uint place;     // how many contacts of its kind its first particle found before
-    uint arrival;   // how many pairs had found its second particle before; NONE: of a collider
+    uint place;     // number of contacts of its kind that its first particle had found before
+    uint arrival;   // number of pairs that had found its second particle before; NONE: a contact with a collider
 };
 
 Candidate unpackCandidate(uvec4 t)

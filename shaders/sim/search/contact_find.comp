@@ -1,6 +1,6 @@
-// One thread a particle, in cell order: the particles ahead of it that it may touch (paper, section 3.1: nearer than
-// 1.2 diameters), none of its bodies, or of its assembly that overlaps it at rest. contact_find_far finds the fast; the
-// first thread sets how many work groups that takes.
+// One thread a particle, in cell order: finds the particles ahead of it that it may touch (paper, section 3.1: nearer
+// than 1.2 diameters), none of its own body, and of its assembly none that overlaps it at rest. contact_find_far serves
+// fast particles; the first thread sets its number of work groups.
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/fluid_grid.glsl"
 #include "sim/common/grid/grid.glsl"
@@ -11,8 +11,8 @@
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(uvec4, Dispatches, dispatches);
 
-/// The particles ahead, range after range, as one sequence: long loops over all leave fewer lanes of a software driver
-/// idle than a loop for each range.
+/// The particles ahead, range after range, as one sequence: long loops over all of them leave fewer lanes of a software
+/// driver idle than a loop for each range.
 struct Sequence {
     uint begins[FORWARD_RANGES];    // index of a range's first particle in the sequence
     uint offsets[FORWARD_RANGES];   // from there to its index in the sorted arrays
@@ -33,7 +33,7 @@ Sequence sequenceAhead(ivec3 cell, uint k)
     return s;
 }
 
-/// The index in the sorted arrays of the sequence's particle c, and which range it is of.
+/// The index in the sorted arrays of the sequence's particle c, and its range.
 uint indexOf(Sequence s, uint c, out int range)
 {
     uint offset = s.offsets[0];
@@ -46,8 +46,8 @@ uint indexOf(Sequence s, uint c, out int range)
     return c + offset;
 }
 
-/// Which of the 32 particles from the sequence's `first` on are nearer than sim.contactReach and outside a window, as
-/// bits: branch-free, the few hits are visited afterwards.
+/// Bits of those of the 32 particles from the sequence's `first` on that are nearer than sim.contactReach and outside a
+/// window: branch-free, the few hits are visited afterwards.
 uint hitsFrom(Sequence s, uint first, vec3 position, FilterWindow window)
 {
     uint hits = 0u, n = min(s.count - min(s.count, first), 32u);
@@ -61,7 +61,7 @@ uint hitsFrom(Sequence s, uint first, vec3 position, FilterWindow window)
     return hits;
 }
 
-/// Takes the first of 64 bits away. @returns which it was.
+/// Clears the first of 64 bits that is set. @returns its index.
 uint takeFirst(inout uvec2 bits)
 {
     bool low = bits.x != 0u;

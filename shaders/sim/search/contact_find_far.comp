@@ -1,5 +1,5 @@
-// One thread a fast particle: the particles that it may touch, all around and further than contact_find looks. Of two
-// fast ones the one of lower rank finds the other.
+// One thread a fast particle: finds the particles that it may touch, all around and further away than contact_find
+// looks. Of two fast ones the one of lower rank finds the other.
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/fluid_grid.glsl"
 #include "sim/common/grid/grid.glsl"
@@ -28,9 +28,9 @@ bool isContact(uint own, SortedParticle other, vec3 r, float reach)
            speaks(own, other.particle, r, both);
 }
 
-#define ROWS 25   // of cells, looked into one after the other before anything is done about what is there
+#define ROWS 25   // of cells; looked up one after another before any of their particles is handled
 
-/// Of a row the particles of one block of 32: the first, and those behind the last.
+/// The particles of a row in one block of 32: first and end.
 uvec2 blockOf(ivec3 cell, int row, uint block)
 {
     uvec2 cells = farCells(cell, row);
@@ -63,7 +63,7 @@ struct Seeker {
 bool findIn(Seeker own, int start, uint block, inout uint count)
 {
     float farthest = sim.contactReach + own.reach + sim.farReach;
-    uint hits[ROWS], rows = 0u;   // of each row; the rows that have any, since few have
+    uint hits[ROWS], rows = 0u;   // of each row; the rows with hits, since these are few
     bool more = false;
     for (int row = 0; row < ROWS; ++row) {
         uvec2 range = blockOf(own.cell, start + row, block);

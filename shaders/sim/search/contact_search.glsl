@@ -1,4 +1,4 @@
-// What a search for contacts knows about particles, and where it notes what it finds.
+// Data of particles for the contact search, and storage for what it finds.
 #include "math/quaternion.glsl"
 #include "sim/common/contacts/touch.glsl"
 #include "sim/common/contacts/round_bodies.glsl"
@@ -22,8 +22,8 @@ SortedParticle fetchSortedParticle(uint k)
     return unpackSortedParticle(texelFetch(sortedParticles, int(k)).x);
 }
 
-/// Whether a particle of a ball or capsule is nearer to a point than all others of it, or as near. The body is a cubic
-/// lattice; it suffices to ask the neighbours. @param towards from the particle to the point, in the body's axes [m].
+/// Whether no other particle of a ball or capsule is nearer to a point than this one. The body is a cubic lattice, so
+/// only the neighbours are checked. @param towards from the particle to the point, in the body's axes [m].
 bool nearestOfRound(uint body, vec3 r, vec3 towards)
 {
     RoundBody round = fetchRound(body);
@@ -37,8 +37,8 @@ bool nearestOfRound(uint body, vec3 r, vec3 towards)
     return true;
 }
 
-/// Of a pair that is less than sim.contactReach apart whether it is near enough, and speaks for its bodies: of a ball
-/// or capsule only the nearest particle does. @param difference from j to i [m].
+/// Whether a pair that is less than sim.contactReach apart is near enough, and speaks for its bodies: of a ball or
+/// capsule only the nearest particle does. @param difference from j to i [m].
 bool speaks(uint i, uint j, vec3 difference, float further)
 {
 #ifdef ROUNDS
@@ -54,7 +54,7 @@ bool speaks(uint i, uint j, vec3 difference, float further)
 #endif
 }
 
-/// Notes a pair. @param place how many its first particle has found before.
+/// Notes a pair. @param place the number of pairs that its first particle has found before.
 void notePair(uint first, uint second, uint place)
 {
     uint arrival = atomicAdd(listCounts[listIndex(LIST_AS_SECOND, fetchRank(second).rank)], 1u);

@@ -1,5 +1,5 @@
-// Most of what is near a particle belongs to its mover or to one that it never touches (Body::filtered). A window tells
-// these apart without a look at the particles.
+// Most particles near another belong to its mover or to one that it never touches (Body::filtered). A window recognizes
+// them by their movers alone.
 #include "sim/search/sorted_particles.glsl"
 
 /// 32 movers from `first` on, in names as of sortedMover(): those with a bit never touch a particle.

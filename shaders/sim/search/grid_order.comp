@@ -1,5 +1,5 @@
-// One thread a particle: copies it into the sorted arrays, cells in order and each cell by particle id, so that
-// everything that is later summed over neighbours is summed in one order.
+// One thread a particle: copies it into the sorted arrays, cells in order and each cell by particle id, so that later
+// sums over neighbours always have the same order.
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/cell_rank.glsl"
 #include "sim/common/bodies/mover_info.glsl"

@@ -1,5 +1,5 @@
-// One thread a mover: asks for a new search when its farthest particle has come too far from where its contacts were
-// found. Where bodies are animated, whether there is anything else, which could answer to a contact.
+// One thread a mover: asks for a new search if its farthest particle is too far from where its contacts were found.
+// Where bodies are animated, also notes whether there is any mover that could answer to a contact.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/mover_info.glsl"
@@ -11,7 +11,7 @@ uniform samplerBuffer searchCentres;
 uniform samplerBuffer searchRotations;
 BUFFER(Counters, CountersBlock, counters);
 
-/// How far its farthest particle has come since its candidates were found, at most.
+/// An upper bound of how far its farthest particle has moved since its candidates were found.
 float drift(uint m, SearchCentre found, vec3 centre, vec4 rotation)
 {
     vec4 since = quaternionProduct(rotation, conjugate(texelFetch(searchRotations, int(m))));

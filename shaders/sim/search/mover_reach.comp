@@ -1,5 +1,5 @@
-// One thread a mover: by how much further it looks for contacts than others, because it will soon have left its margin
-// (a fast mover; the pace of all would else be set by a few).
+// One thread a mover: how much further it looks for contacts than others, if it will soon leave its margin (a fast
+// mover: otherwise a few would set the pace of all).
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/mover_info.glsl"
@@ -14,8 +14,8 @@ void main()
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
     float radius = moverRadius(m);
-    // search_centre looks ahead by three quarters of the margin: the margin lasts for 1.75 times its length.
-    // Rotations are not looked ahead of.
+    // search_centre looks ahead by three quarters of the margin, so the margin lasts for 1.75 times its length. It does
+    // not look ahead of rotations.
     float path = length(fetchMove(m).shift) / 1.75 +
                  2.0 * length(fetchRotationDelta(m).xyz) * radius;
     bool farSighted = counters[0].farSighted == 1u;

@@ -1,6 +1,6 @@
-// One thread a mover: where it stands when its contacts are found, and how far it may drift from there. That lies
-// ahead, where it is going, by most of its margin, so that it stays near for longer. FROM_POSITIONS: of the paper's
-// solver, which has this for particles; only how the mover is turned.
+// One thread a mover: its place for finding contacts, and how far it may drift from there. The place lies ahead on its
+// way, by most of its margin, so that it stays near for longer. FROM_POSITIONS: of the paper's solver, which has places
+// per particle; only the mover's rotation.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/movers.glsl"
 #include "sim/common/contacts/search_margin.glsl"

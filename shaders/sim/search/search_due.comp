@@ -1,5 +1,5 @@
-// One thread: counts the substep and sets the sizes of the dispatches that find contact candidates, to zero where
-// nobody has used up its margin, or nobody is there to answer to a contact.
+// One thread: counts the substep and sets the sizes of the dispatches that find contact candidates, to zero if nothing
+// has used up its margin, or nothing could answer to a contact.
 #include "sim/common/kernel.glsl"
 #include "sim/common/groups.glsl"
 

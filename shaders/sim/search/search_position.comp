@@ -1,4 +1,4 @@
-// One thread a particle: the position for which its contacts are found (search_centre), and an empty count of the pairs
+// One thread a particle: the position for which its contacts are found (search_centre), and a zero count of the pairs
 // that will refer to it. FROM_POSITIONS: of the paper's solver, its predicted position.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/contact_lists.glsl"

@@ -8,7 +8,7 @@ uniform samplerBuffer restPositions;
 /// Where a particle is in its assembly.
 struct RestPosition {
     vec3 position;   // in the rest pose [m]
-    float margin;    // nearer than 1 + this there, in distances of touch, particles never touch
+    float margin;    // particles nearer than 1 + this at rest, in distances of touch, never touch
 };
 
 RestPosition fetchRestPosition(uint i)
@@ -33,7 +33,7 @@ bool passEachOther(uint a, uint b)
 }
 #endif
 
-/// Whether a body has both, or each is of one of two that never touch.
+/// Whether one body has both, or two bodies that never touch have one each.
 bool areTogether(uint i, uint j)
 {
     OwnerRange a = fetchOwners(i), b = fetchOwners(j);
@@ -48,7 +48,7 @@ bool areTogether(uint i, uint j)
     return same && owned;
 }
 
-/// Whether two particles may touch: of one assembly only where they do not touch or overlap at rest.
+/// Whether two particles may touch: within an assembly only if they do not touch or overlap at rest.
 bool mayTouch(uint i, uint j)
 {
     if (fetchParticle(i).assembly != fetchParticle(j).assembly) return true;

@@ -1,4 +1,4 @@
-// What the search knows of particles in the order of cells.
+// Data of particles for the search, in the order of cells.
 
 /// As in sortedPositions.
 struct SortedPosition {
@@ -13,7 +13,7 @@ SortedPosition unpackSortedPosition(vec4 t)
 
 // The mover's index is stored as a float's bits, with an offset: a GPU may flush the denormals that small indices would
 // be. It stays below the NaNs.
-// What is told where to be has one name, so that none of it finds another.
+// All movers that are told where to be share one name, so that none of them finds another.
 uint sortedMover(uint mover, bool told)
 {
     return 0x01000000u + (told ? sim.moverCount : mover);

@@ -1,15 +1,15 @@
-// What sleeps. An assembly (what joints connect; a loose particle is one) counts the steps for which it was calm. Its
-// count is at most one more than the least count of what it touches, so it also tells over how many contacts the
-// nearest thing that moves is away. At calmSteps the assembly sleeps: sleep_state tells its movers, which then stay
-// where they are, keep their impulses, and answer to nothing. An island is what touches; its name is the lowest index
-// of its assemblies. It wakes as a whole.
-// Freezing (paper, section 3.1) is the same for each assembly by itself: it counts the steps for which all its
+// Sleep. An assembly (bodies that joints connect; a loose particle is one) counts its calm steps. Its count is at most
+// one more than the least count of those that it touches, so it also tells over how many contacts the nearest moving
+// one is away. At calmSteps the assembly sleeps: sleep_state tells its movers, which then stay where they are, keep
+// their impulses, and answer to nothing. An island is a set of assemblies that touch; its name is the lowest of their
+// indices. It wakes as a whole.
+// Freezing (paper, section 3.1) does the same for each assembly by itself: it counts the steps in which all its
 // particles have stayed near where they were, and wakes alone when a neighbour has moved away.
 #include "sim/common/bodies/mover_info.glsl"
 
 uniform usamplerBuffer assemblyCalm;
 
-/// For how long an assembly has been calm. BUFFER(Calm, AssemblyCalm, ...) stores it.
+/// Calm steps of an assembly. BUFFER(Calm, AssemblyCalm, ...) stores it.
 struct Calm {
     uint steps;
     uint island;     // the name of its island
@@ -26,7 +26,7 @@ bool sleeps(Calm calm)
     return calm.steps >= sim.calmSteps;
 }
 
-/// Whether a mover falls asleep and wakes with its assembly: all but what is held or told how to move.
+/// Whether a mover falls asleep and wakes with its assembly: all except held and animated ones.
 bool mayRest(uint m)
 {
     uint state = texelFetch(moverStates, int(m)).x;

@@ -1,5 +1,5 @@
-// One thread a mover: whether its farthest particle has moved too far from where its assembly began to count its calm
-// steps (paper, section 3.1: freezing). If so, the assembly begins to count anew, from where it is now.
+// One thread a mover: checks whether its farthest particle has moved too far from where its assembly began to count its
+// calm steps (paper, section 3.1: freezing). If so, the assembly starts a new count from its current place.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/bodies/mover_poses.glsl"

@@ -1,4 +1,4 @@
-// One thread an assembly: for how many steps all its particles have stayed where they are. It freezes after calmSteps.
+// One thread an assembly: counts the steps in which its particles have stayed in place. It freezes after calmSteps.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/sleep/calm.glsl"
@@ -18,5 +18,5 @@ void main()
     calms[a].steps = calm.steps;
     assemblyNext[a].steps = sim.calmSteps;
     islandsWoken[a] = 0u;
-    if (sleeps(calm)) assemblies[a].order = 1u;   // with which it will wake
+    if (sleeps(calm)) assemblies[a].order = 1u;   // for when it wakes
 }

@@ -1,5 +1,5 @@
-// One thread a contact with a collider, touching or about to: nothing is calm beside one that moves. WAKE: in a
-// substep, it wakes the island of what sleeps.
+// One thread a contact with a collider, touching or about to: a moving collider keeps what is beside it from being
+// calm. WAKE: in a substep, it wakes the island of a sleeping mover.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/collider_moves.glsl"
 #include "sim/common/contacts/contacts.glsl"

@@ -1,4 +1,4 @@
-// One thread a contact between particles: what touches is an island, as calm as the least calm of it and with one name.
+// One thread a contact between particles: touching assemblies are an island, as calm as the least calm, with one name.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/contacts.glsl"
 #include "sim/sleep/calm.glsl"
@@ -15,7 +15,7 @@ void main()
     if (q >= counters[0].pairCount) return;
     uvec2 movers = fetchContactSides(pairSides, q).movers;
     bool touching = fetchImpulse(pairImpulses, counters[0].listParity * sim.pairCapacity + q).normal > 0.0;
-    // Nothing passes through what is held.
+    // Held bodies connect no islands.
     if (!touching || !mayRest(movers.x) || !mayRest(movers.y)) return;
     uint a = fetchMover(movers.x).assembly, b = fetchMover(movers.y).assembly;
     Calm calmA = fetchCalm(a), calmB = fetchCalm(b);

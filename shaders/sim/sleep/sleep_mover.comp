@@ -1,4 +1,4 @@
-// One thread a mover: bounds for how many steps its assembly has been calm, by whether this mover is.
+// One thread a mover: limits its assembly's calm steps, by whether this mover is calm.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/fields.glsl"
 #include "sim/common/bodies/bodies.glsl"

@@ -1,4 +1,4 @@
-// One thread an assembly: takes over what sleep_mover and sleep_island found. One that has moved lately is an
+// One thread an assembly: takes over what sleep_mover and sleep_island found. An assembly that has moved lately is an
 // island of its own.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
@@ -20,5 +20,5 @@ void main()
     calms[a] = calm;
     assemblyNext[a] = Calm(sim.calmSteps, a);
     islandsWoken[a] = 0u;
-    if (sleeps(calm)) assemblies[a].order = 1u;   // with which it will wake
+    if (sleeps(calm)) assemblies[a].order = 1u;   // for when it wakes
 }

@@ -1,5 +1,5 @@
-// One thread an assembly: wakes with its island, and then has all movers start from their contacts' impulses, as after
-// a search.
+// One thread an assembly: wakes with its island, and then makes all movers start from their contacts' impulses, as
+// after a search.
 #include "sim/common/kernel.glsl"
 #include "sim/common/groups.glsl"
 #include "sim/sleep/calm.glsl"
@@ -16,7 +16,7 @@ void main()
     Calm calm = calms[a];
     if (!sleeps(calm) || texelFetch(islandsWoken, int(calm.island)).x == 0u) return;
 #ifdef FREEZE
-    calms[a].steps = 1u;   // it has not moved itself, and wakes nobody
+    calms[a].steps = 1u;   // it has not moved itself, so it wakes no other
 #else
     calms[a] = Calm(0u, a);
 #endif

@@ -1,4 +1,4 @@
-// One thread a contact between particles, touching or about to: what moves wakes the island of what sleeps.
+// One thread a contact between particles, touching or about to: a moving side wakes the island of a sleeping one.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/contacts.glsl"
 #include "sim/sleep/calm.glsl"

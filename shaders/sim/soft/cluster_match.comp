@@ -1,8 +1,8 @@
-// One thread a cluster of a soft body: its centre c, the linear map F nearest to its particles (Mueller et al. 2005,
-// A = sum of m (x - c) r^T times the inverse moments), F's rotation R, and how it pulls a particle: by
-// m (pull r - grip (x - c - F r)), where pull is Hooke's law for R^T F - 1 and grip holds what is not linear. As
-// (F - R) F^T is symmetric, it turns nothing; as the r of a cluster sum to zero, it moves nothing as a whole.
-// FIRST_ITERATION: of a substep; before it, a plastic cluster flows.
+// One thread a cluster of a soft body: its centre c, the linear map F nearest to its particles (Mueller et al. 2005, A
+// = sum of m (x - c) r^T times the inverse moments), F's rotation R, and its pull on a particle: m (pull r - grip (x -
+// c - F r)), where pull is Hooke's law for R^T F - 1 and grip holds the nonlinear part. As (F - R) F^T is symmetric,
+// the pull turns nothing; as the r of a cluster sum to zero, it moves nothing as a whole. FIRST_ITERATION: of a
+// substep; before it, a plastic cluster flows.
 #include "sim/common/kernel.glsl"
 #include "sim/rotation/rotation_delta.glsl"
 #include "sim/common/bodies/assemblies.glsl"
@@ -14,7 +14,7 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, ClusterRotations, clusterRotations);
-BUFFER(vec4, ClusterRests, clusterRests);   // three columns a cluster: what it has flowed by
+BUFFER(vec4, ClusterRests, clusterRests);   // three columns a cluster: the map by which it has flowed
 BUFFER(vec4, ClusterPulls, newClusterPulls);
 
 mat3 restOf(uint c)
@@ -22,7 +22,7 @@ mat3 restOf(uint c)
     return mat3(clusterRests[3u * c].xyz, clusterRests[3u * c + 1u].xyz, clusterRests[3u * c + 2u].xyz);
 }
 
-/// The rotation of the map, and its strain in the axes at rest, after what it has flowed by.
+/// The rotation of the map, and its strain in the axes at rest, both without the plastic flow.
 mat3 rotationOf(uint c, mat3 map, mat3 rest, mat3 empty, out mat3 strain)
 {
     vec4 q = clusterRotations[c];
@@ -40,7 +40,7 @@ void main()
     uint c = gl_GlobalInvocationID.x;
     if (c >= sim.clusterCount) return;
     Cluster info = fetchCluster(c);
-    // Positions are from the first particle, so that rounding is as small as the cluster is.
+    // Positions are relative to the first particle, which keeps rounding errors as small as the cluster.
     uint first = fetchRank(fetchLink(info.linkStart).particle).mover;
     vec3 origin = texelFetch(moverCentres, int(first)).xyz, centre = vec3(0);
     mat3 now = mat3(0), before = mat3(0);
@@ -60,7 +60,7 @@ void main()
     mat3 next = matter.creep > 0.0 ? flowed(matter, rest, strain) : rest;
     for (int column = 0; column < 3; ++column) clusterRests[3u * c + uint(column)] = vec4(next[column], 0);
 #endif
-    // A force f displaces by h^2 f / m at the end of a substep, of BDF2 by less.
+    // At the end of a substep a force f displaces by h^2 f / m, with BDF2 by less.
     float h = sim.substepTime, factor = accelerationFactor(fetchAssembly(info.assembly));
     float grip = moments.inverseExtent * (factor * h * h * matter.shear);
     mat3 stress = (factor * h * h) * rotation * hooke(matter, strain) * transpose(inverse(rest)) +

@@ -1,7 +1,7 @@
-// One thread a particle of a soft body: the impulse that its clusters give it together, implicit in time: one iteration
-// (of Chebyshev's; each has its own root) of p = h^2 f(x + p / m). The whole body has one divisor, so that what sums to
-// zero keeps doing so. The smoothest strains ask for 1 as the divisor, the steepest for 1 + steepest. FIRST_ITERATION:
-// of a substep, from no impulse.
+// One thread a particle of a soft body: the sum of its clusters' impulses, implicit in time: one iteration (of
+// Chebyshev's; each has its own root) of p = h^2 f(x + p / m). The whole body has one divisor, so that sums of zero
+// stay zero. The smoothest strains ask for 1 as the divisor, the steepest for 1 + steepest. FIRST_ITERATION: of a
+// substep, starts from no impulse.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/links.glsl"
 #include "sim/common/bodies/mover_info.glsl"
@@ -54,7 +54,7 @@ void main()
     vec3 change = (wanted - last) / max(1.0, root * (1.0 + steepest));
     softImpulses[i] = vec4(last + change, 0);
     particleImpulses[own.rank] = texelFetch(lastParticleImpulses, int(own.rank)) + vec4(change, 0);
-    if (!responds(own.mover)) return;   // its clusters pull on what holds it
+    if (!responds(own.mover)) return;   // its clusters pull on the body that holds it
     moved.shift += fetchMover(own.mover).inverseMass * change;
     moverMoves[own.mover] = packMove(moved);
 }

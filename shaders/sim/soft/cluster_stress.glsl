@@ -1,4 +1,4 @@
-// Elastic stress of a cluster of a soft body, by the linear map F that is nearest to where its particles are.
+// Elastic stress of a cluster of a soft body, by the linear map F nearest to its particles' places.
 
 float trace(mat3 m)
 {
@@ -16,16 +16,16 @@ mat3 hooke(SoftMatter matter, mat3 strain)
     return matter.shear * strain + mat3(matter.dilation * trace(strain));
 }
 
-/// Viscous stress times the substep, in the axes at rest: of Green's strain, which rotations leave alone. It does not
-/// grow with how far the cluster is drawn out, so that it stays stable.
+/// Viscous stress times the substep, in the axes at rest: of Green's strain, which rotations do not change. It does not
+/// grow with the cluster's stretch, so that it stays stable.
 mat3 viscousStress(SoftMatter matter, mat3 map, mat3 mapBefore)
 {
     mat3 change = 0.5 * (transpose(map) * map - transpose(mapBefore) * mapBefore);
     return (matter.damping / max(1.0, squaredNorm(map) / 3.0)) * hooke(matter, change);
 }
 
-/// What a cluster has flowed by after a substep, from before (Mueller et al. 2005, section 4.3): by a fraction
-/// of the strain beyond `yield`, at constant volume.
+/// The map by which a cluster has flowed after a substep, from the one before (Mueller et al. 2005, section 4.3): by a
+/// fraction of the strain beyond `yield`, at constant volume.
 mat3 flowed(SoftMatter matter, mat3 rest, mat3 strain)
 {
     float size = sqrt(squaredNorm(strain));

@@ -1,4 +1,4 @@
-// Clusters of soft bodies: what never changes about them, and what pulls their particles.
+// Clusters of soft bodies: what never changes about them, and their pull on particles.
 #include "sim/common/bodies/bodies.glsl"
 
 uniform usamplerBuffer clusterInfo;
@@ -12,7 +12,7 @@ Cluster fetchCluster(uint c)
     return Cluster(t.x, t.y, t.z, t.w);
 }
 
-/// How the masses of a cluster lie at rest.
+/// Distribution of a cluster's mass at rest.
 struct ClusterMoments {
     mat3 inverse;         // of the sum of m r r^T [1/(kg m2)]; zero along empty directions
     mat3 empty;           // the sum of d d^T over directions d in which it has no extent

@@ -23,7 +23,7 @@ Strand fetchStrand(uint strand)
 /// What never changes about a node.
 struct NodeInfo {
     uint mover, rank, particle;
-    // [1/kg]; of a particle of a body: over how many nodes its mass is split. 0: it does not respond.
+    // [1/kg]; for a particle of a body, number of nodes over which its mass is split. 0: it does not respond.
     float inverseMass;
 };
 
@@ -33,7 +33,7 @@ NodeInfo fetchNodeInfo(uint node)
     return NodeInfo(t.x, t.y, t.z, responds(t.x) ? uintBitsToFloat(t.w) : 0.0);
 }
 
-/// Whether nothing of a strand responds.
+/// Whether no node of a strand responds.
 bool rests(Strand strand)
 {
     for (uint node = strand.first; node <= strand.last; ++node)
@@ -72,7 +72,7 @@ DistanceNode fetchNode(uint node)
 #endif
 }
 
-/// From one to another, now [m].
+/// The vector from one node to another, now [m].
 vec3 between(DistanceNode a, DistanceNode b)
 {
     return b.point.centre - a.point.centre + (b.point.arm - a.point.arm) + (b.point.move - a.point.move);

@@ -3,7 +3,7 @@
 #include "sim/common/bodies/body_responses.glsl"
 #include "sim/strand/distance_nodes.glsl"
 
-/// How an impulse of 1 along n moves the node [1/kg]: of a body, 1/M n + (I^-1 (r x n)) x r.
+/// The move of the node by an impulse of 1 along n [1/kg]: for a body, 1/M n + (I^-1 (r x n)) x r.
 vec3 response(DistanceNode node, vec3 n)
 {
 #ifdef BODIES
@@ -23,7 +23,7 @@ vec3 response(DistanceNode node, vec3 n)
     return node.info.inverseMass * n;
 }
 
-/// The matrix that gives the impulse for a move of the node [kg]; zero of one that nothing moves.
+/// The matrix that gives the impulse for a move of the node [kg]; zero if nothing moves it.
 mat3 massOf(DistanceNode node)
 {
     bool held = node.info.inverseMass == 0.0;

@@ -35,12 +35,12 @@ vec4 pack(EliminatedLink s)
     return vec4(s.multiplier, s.residual, s.torn, s.divisor);
 }
 
-/// From the sweep that eliminates to the one that moves.
+/// Passed from the sweep that eliminates to the one that moves.
 struct DistanceFactor {
     vec3 n;          // unit, along the link
-    float turning;   // what turning it costs, k [kg]
+    float turning;   // resistance to turning it, k [kg]
     mat3 inverse;    // B of its second node
-    vec3 r;          // what that node is asked for [kg m]
+    vec3 r;          // impulse asked of that node [kg m]
 };
 
 #define STORE_DISTANCE_FACTOR(factors, k, factor) \
@@ -57,7 +57,7 @@ struct DistanceFactor {
         (factor).r[line] = values.w; \
     }
 
-/// What resists the link's turning, k (1 - n n^T).
+/// Resistance to the link's turning, k (1 - n n^T).
 mat3 turningMass(vec3 n, float turning)
 {
     return mat3(turning) - turning * outerProduct(n, n);

@@ -1,8 +1,8 @@
-// One thread a strand: one Newton step of its XPBD distances, all at once (Macklin et al. 2016, eq. 17), with the
-// turning of the links that are under tension (the second derivatives, Tournier et al. 2015), without which a light
-// rope under a heavy load shakes itself apart. From the end to the start each node and its link are eliminated, which
-// leaves the one before it with a mass matrix; then moves and multipliers follow from the start to the end.
-// FIRST_ITERATION: of a substep, where the tension that the last one ended with may tear.
+// One thread a strand: one Newton step of its XPBD distances, all at once (Macklin et al. 2016, eq. 17), including the
+// turning of links under tension (the second derivatives, Tournier et al. 2015), without which a light rope under a
+// heavy load shakes itself apart. From the end to the start each node and its link are eliminated, which adds a mass
+// matrix to the node before; then moves and multipliers follow from the start to the end. FIRST_ITERATION: of a
+// substep, in which the final tension of the last one may tear links.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/strand/distance_response.glsl"
@@ -15,9 +15,9 @@ BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(vec4, DistanceStates, distanceStates);
 BUFFER(vec4, DistanceFactors, distanceFactors);
 
-/// Keep the matrix regular, the larger at a fixed end: where a taut strand is held at both.
+/// These keep the matrix regular, the larger one at a fixed end: for a taut strand held at both.
 const float REGULAR = 1e-5, REGULAR_END = 1e-3;
-/// What turning may hold back, over the mass of its nodes: more would be lost to rounding.
+/// The most resistance to turning, relative to the mass of its nodes: more would be lost to rounding.
 const float MOST_TURNING = 30.0;
 
 void push(uint node, vec3 impulse)
@@ -28,7 +28,7 @@ void push(uint node, vec3 impulse)
     if (info.mover >= sim.bodyCount) newMoverMoves[info.mover].xyz += info.inverseMass * impulse;
 }
 
-/// Eliminates from the end on. Of the node b of a link: A dx = r + f; with its link B = (A + k P)^-1, P = 1 - n n^T.
+/// Eliminates from the end on. For the node b of a link: A dx = r + f; with its link B = (A + k P)^-1, P = 1 - n n^T.
 /// @returns the move of the first node.
 vec3 eliminate(Strand strand, float squaredTime)
 {

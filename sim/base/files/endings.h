@@ -5,18 +5,18 @@
 
 namespace knuckle {
 
-/// What a name ends in, with its dot and in small letters, as ".mp4"; empty where that is no kind of file: letters and
-/// digits, one of them a letter at least, so that "v1.2" has none.
+/// The ending of a name, with its dot and in lower case, such as ".mp4"; empty if it is not that of a kind of file,
+/// which has letters and digits, at least one of them a letter: "v1.2" has none.
 std::string endingOf(const std::string& path);
 
-/// Refuses an output whose name has another ending than these, unless it is a stream.
-/// @param option that it was given by, as "--preview ". @param what it holds, as "a picture". @param endings the first
-/// of which is advised; an empty one: without an ending as well.
-/// @throws InputError with the list of what is known.
+/// Refuses an output with any other ending, unless it is a stream.
+/// @param option with which it was given, such as "--preview ". @param what it holds, such as "a picture". @param
+/// endings the first is advised; an empty one allows no ending.
+/// @throws InputError with the list of known endings.
 void requireEnding(const std::string& option, const std::string& path, const char* what,
                    const std::vector<const char*>& endings);
 
-/// Refuses what is to be a folder and ends as a file does, unless there is one or the name has a slash at its end.
+/// Refuses a folder's name that ends like a file's, unless the folder exists or the name ends with a slash.
 /// @throws InputError.
 void requireFolder(const std::string& option, const std::string& path);
 

@@ -12,17 +12,17 @@ namespace knuckle {
 
 namespace {
 
-/// A signal's handler must not allocate, nor read what another thread may free: places that are always there.
+/// A signal handler must not allocate, nor read memory that another thread may free: so these places always exist.
 struct Place {
     enum : int { Free, Changing, Used };
     std::atomic<int> state = Free;
     pid_t child = 0;  // 0: a file
     std::array<char, PATH_MAX> file;
 };
-constexpr int MOST = 256;  // beyond them nothing is noted
+constexpr int MOST = 256;  // further ones are not noted
 std::array<Place, MOST> places;
 
-/// @returns the index of a place that `fill` was called with, -1 for none.
+/// @returns the index of the place passed to `fill`, -1 if all are taken.
 template <typename Fill>
 int take(Fill fill)
 {
@@ -60,7 +60,7 @@ Leftover::~Leftover()
 
 void clearLeftovers()
 {
-    // Programs first: one of them may be about to make its file.
+    // Programs first: one of them may be about to create its file.
     for (const Place& place : places)
         if (place.state == Place::Used && place.child != 0) kill(place.child, SIGKILL);
     for (const Place& place : places)

@@ -6,8 +6,8 @@
 
 namespace knuckle {
 
-/// What must not outlive the program: a temporary file, or a program that was started. Known to clearLeftovers() until
-/// it is destroyed, which by itself removes and ends nothing.
+/// A temporary file or a started program that must not outlive this program. clearLeftovers() knows it until it is
+/// destroyed, which by itself removes and ends nothing.
 class Leftover {
 public:
     /// @param temporaryFile an absolute path.
@@ -21,7 +21,7 @@ private:
     int place_ = -1;
 };
 
-/// Kills the programs and removes the files of all Leftovers; for a signal's handler that ends the program at once.
+/// Kills the programs and removes the files of all Leftovers; for a signal handler that ends the program at once.
 void clearLeftovers();
 
 }  // namespace knuckle

@@ -22,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t BLOCK = size_t{1} << 16;  // bytes that are written at once
+constexpr size_t BLOCK = size_t{1} << 16;  // bytes written at once
 
-/// Short whatever the name that it will have: that may be as long as the file system takes. Unique to this process.
+/// Short, since the final name may be as long as the file system allows. Unique to this process.
 std::string temporaryNameIn(const std::string& folder)
 {
     static std::atomic<uint32_t> count = 0;
@@ -49,7 +49,7 @@ int OutputFile::openBeside()
 {
     const std::string folder = folderOf(place_.path);
     std::error_code failure;
-    // The folder of what a link names is not ours to make.
+    // A link's target folder is not made.
     if (!place_.linked) fs::create_directories(folder, failure);
     int file = -1;
     do {
@@ -80,7 +80,7 @@ void OutputFile::write(std::string_view bytes)
 
 void OutputFile::flush()
 {
-    // What is mounted by itself is written over in place.
+    // A file mounted by itself is overwritten in place.
     if (!std::exchange(emptied_, true) && isStream() && !place_.path.empty()) {
         struct stat facts = {};
         if (fstat(file_, &facts) == 0 && S_ISREG(facts.st_mode) && ftruncate(file_, 0) != 0) failWriting(errno);
@@ -128,7 +128,7 @@ void requireWritableFolder(const std::string& folder)
     std::error_code error;
     fs::create_directories(place.path, error);
     if (error && !fs::is_directory(place.path)) fail("made", error.message());
-    // Asking for the permission bits would not notice a read-only file system.
+    // Permission bits would not show a read-only file system.
     const std::string probe = temporaryNameIn(place.path);
     const int file = create(probe);
     if (file < 0) fail("written to", std::strerror(errno));

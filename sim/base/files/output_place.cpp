@@ -31,7 +31,7 @@ constexpr size_t SHOWN = 160;  // characters of a path
     throw InputError(fmt::format("{} cannot be written: {}; choose another place", given, std::strerror(error)));
 }
 
-/// Absolute and without links as far as it is there, the rest as it stands.
+/// Absolute and without links as far as it exists; the rest is unchanged.
 fs::path canonical(const fs::path& path, const std::string& given)
 {
     std::error_code error;
@@ -51,7 +51,7 @@ std::optional<int> descriptorIn(const fs::path& folder, const std::string& name)
     return digits ? std::optional(std::stoi(name)) : std::nullopt;
 }
 
-/// A file that something was mounted on, as docker's -v does, cannot be renamed over.
+/// Whether a file is a mount point, as with docker's -v: it cannot be replaced by renaming.
 bool isMounted(const std::string& path)
 {
     struct statx facts = {};
@@ -63,7 +63,7 @@ OutputPlace::Kind kindOf(const OutputPlace& place, bool asFolder)
     using Kind = OutputPlace::Kind;
     struct stat facts = {};
     if (stat(place.path.c_str(), &facts) != 0) {
-        // A folder on the way that is none is told when it is to be made.
+        // A parent that is no folder is reported when it has to be made.
         if (errno != ENOENT && errno != ENOTDIR) fail(place.given, errno);
         return asFolder ? Kind::Folder : Kind::File;
     }
@@ -75,7 +75,7 @@ OutputPlace::Kind kindOf(const OutputPlace& place, bool asFolder)
     return S_ISREG(facts.st_mode) && !isMounted(place.path) ? Kind::File : Kind::Stream;
 }
 
-/// Standard output for an output alone: what is printed goes to standard error from now on. @returns a copy of it.
+/// Reserves standard output for an output: from now on the program prints to standard error. @returns a copy of it.
 int takeStandardOutput()
 {
     static int taken = -1;
@@ -91,7 +91,7 @@ int takeStandardOutput()
     return taken < 0 ? -1 : fcntl(taken, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
 }
 
-/// Without a reader, opening a FIFO would wait where no signal is seen.
+/// Without a reader, opening a FIFO would block and ignore signals.
 int openWithReader(const std::string& path)
 {
     using namespace std::chrono_literals;

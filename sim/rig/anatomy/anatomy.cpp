@@ -15,10 +15,10 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float UPRIGHT = 0.7f;  // a trunk's height is this share of its length at least
-constexpr float APART = 1e-3f;   // two bones, not one twice [m]
+constexpr float UPRIGHT = 0.7f;  // the least height of a trunk, over its length
+constexpr float APART = 1e-3f;   // two bones at least this far apart are not the same twice [m]
 
-/// Where limbs of a part begin.
+/// Where the limbs of a part begin.
 std::vector<Vector3f> placesOf(const Model& model, std::span<const BoneAnatomy> anatomy, BodyPart part)
 {
     std::vector<Vector3f> places;
@@ -38,7 +38,7 @@ Vector3f meanOf(const std::vector<Vector3f>& places)
     return sum / static_cast<float>(places.size());
 }
 
-/// From where right limbs of a part begin to where left ones do, level and unit; 0 where they are not as many.
+/// From the right limbs of a part to its left ones, level and unit; 0 if their numbers differ.
 Vector3f acrossPart(const Model& model, std::span<const BoneAnatomy> anatomy, BodyPart part)
 {
     Vector3f across = Vector3f::Zero();

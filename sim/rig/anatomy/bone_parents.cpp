@@ -10,7 +10,7 @@ namespace knuckle {
 
 namespace {
 
-/// A thigh on a spine belongs to the hips unless they are farther off than this [distance from the spine].
+/// A thigh on a spine belongs to the hips unless they are further off than this [distance from the spine].
 constexpr float NEARER_HIPS = 1.25f;
 constexpr float SAME = 1e-3f;  // two bones that begin at one place [m]
 
@@ -46,8 +46,8 @@ private:
         return -1;
     }
 
-    /// The limb that moves as a control does, for what hangs on that: it begins where the control does and is on it or
-    /// of its name. -1 for none, and where the one that asks begins there itself.
+    /// The limb that moves like a control, for bones that hang on the control: it begins at the same place, and hangs
+    /// on the control or has its name. -1 for none, or if the asking bone begins there itself.
     int32_t standIn(uint32_t control, uint32_t asks) const
     {
         if (apart(asks, control) < SAME) return -1;
@@ -69,7 +69,7 @@ private:
         return bone >= 0;
     }
 
-    /// Feet and hands that hang on a control instead of their limb, fingers that hang beside their hand.
+    /// Reattaches feet and hands that hang on a control instead of their limb, and fingers that hang beside their hand.
     void reattach(uint32_t b)
     {
         using enum BodyPart;
@@ -93,7 +93,7 @@ private:
         if (part == UpperArm || part == Forearm) own.part = ofForeLeg(own.part);
     }
 
-    /// What has its place at the end of a limb, as its name says, or as a leaf that hangs on nothing may.
+    /// Whether a bone belongs at the end of a limb, by its name, or perhaps as a leaf that hangs on nothing.
     bool isEnd(uint32_t b) const
     {
         using enum BodyPart;
@@ -138,7 +138,7 @@ private:
         if (thigh || arm) own.parent = above;
     }
 
-    /// Whether a limb hangs on nothing that has skin.
+    /// Whether a limb hangs on no limb that has skin.
     bool isAdrift(uint32_t b) const
     {
         int32_t above = anatomy_[b].parent;
@@ -146,7 +146,7 @@ private:
         return above < 0 && hasBody_[b];
     }
 
-    /// Where a limb belongs whose bones hang on none with skin; -1 where nothing is called so.
+    /// The limb of the trunk for a limb whose bones hang on none with skin; -1 if no name tells it.
     int32_t onTrunk(uint32_t b) const
     {
         const BoneAnatomy& own = anatomy_[b];
@@ -167,7 +167,7 @@ private:
         return on >= 0 && hangsOn(on, b) ? -1 : on;
     }
 
-    /// Of the trunk between a bone and the hips the nearest; -1 for none.
+    /// The nearest bone of the trunk between a bone and the hips; -1 for none.
     int32_t nearerToHips(uint32_t b) const
     {
         const int32_t hips = nearestOf(BodyPart::Hips, 0, b);
@@ -186,7 +186,7 @@ private:
     const BoneTree& tree_;
     const std::vector<BoneName>& names_;
     std::vector<BoneAnatomy>& anatomy_;
-    std::vector<uint8_t> hasBody_;  ///< Whether a limb or what is part of it has skin.
+    std::vector<uint8_t> hasBody_;  ///< Whether a limb, or a part of it, has skin.
 };
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace knuckle {
 
-/// Fills the parents of limbs, whose parts, roles and owners are known: what their bones hang on, or where these hang
-/// on nothing of the body, what their part of a body does.
+/// Fills the parents of limbs, whose parts, roles and owners are known: the limbs that their bones hang on, or if these
+/// hang on nothing of the body, those that their part of a body hangs on.
 void readParents(const BoneTree& tree, const std::vector<BoneName>& names, std::vector<BoneAnatomy>& anatomy);
 
 }  // namespace knuckle

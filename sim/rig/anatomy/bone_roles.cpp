@@ -50,7 +50,7 @@ private:
         const bool onHead = above >= 0 && anatomy_[above].part == BodyPart::Head;
         if (hasPart(b)) return continues(b) ? BoneRole::Twist : onHead ? BoneRole::Attached : BoneRole::Limb;
         const bool carriesParts = tree_.below(b, counts) >= 0;
-        // A pelvis of one side, a hip that has a thigh below.
+        // A pelvis of one side is a hip with a thigh below.
         const bool halfHip = name.side != 0 && (name.part == NamedPart::Hips || name.part == NamedPart::Spine ||
                                                 (name.part == NamedPart::Hip && !name.isTwist));
         if (halfHip || (name.isAttached && !carriesParts)) return BoneRole::Attached;
@@ -69,7 +69,8 @@ private:
         return above >= 0 && anatomy_[above].part == part && anatomy_[above].side == anatomy_[b].side;
     }
 
-    /// Of several bones of one part on one bone, the one that a helper or a piece of a palm belongs to; -1 for none.
+    /// Of several bones of one part on one bone, the main one, which helpers or pieces of a palm belong to; -1 for
+    /// none.
     int32_t mainOf(uint32_t b) const
     {
         const BoneAnatomy& own = anatomy_[b];
@@ -102,7 +103,7 @@ private:
         return owner < 0 ? nearestLimb(b) : static_cast<uint32_t>(owner);
     }
 
-    /// In the skeleton, of equally near ones that nearest in space; the bone itself where there is none.
+    /// Nearest in the skeleton, of equally near ones that nearest in space; the bone itself if there is none.
     uint32_t nearestLimb(uint32_t b) const
     {
         const std::vector<uint32_t> steps = tree_.stepsFrom(b);
@@ -115,7 +116,7 @@ private:
         return nearest;
     }
 
-    /// The limb of a twist: of its side and, where it says so, of its part.
+    /// The limb of a twist: of its side and, if its name says one, of its part.
     int32_t twisted(uint32_t b, uint32_t above) const
     {
         const int side = anatomy_[b].side;
@@ -158,7 +159,7 @@ private:
     const std::vector<BoneName>& names_;
     const std::map<uint32_t, BoneRole>& wanted_;
     std::vector<BoneAnatomy>& anatomy_;
-    std::vector<uint32_t> below_;  ///< Per bone, how many with skin are below.
+    std::vector<uint32_t> below_;  ///< Per bone, how many bones below have skin.
 };
 
 }  // namespace

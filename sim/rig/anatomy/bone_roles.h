@@ -9,7 +9,7 @@
 
 namespace knuckle {
 
-/// Fills role, owner and parent of bones whose parts are known. @param wanted roles that stand.
+/// Fills role, owner and parent of bones whose parts are known. @param wanted roles that are given.
 void readRoles(const BoneTree& tree, const std::vector<BoneName>& names, const std::map<uint32_t, BoneRole>& wanted,
                std::vector<BoneAnatomy>& anatomy);
 

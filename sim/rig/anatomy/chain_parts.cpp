@@ -6,7 +6,7 @@ namespace knuckle {
 
 namespace {
 
-/// What the names of a skeleton say, bone by bone from the root.
+/// Reads parts from the names of a skeleton, bone by bone from the root.
 class NamedParts {
 public:
     NamedParts(const BoneTree& tree, const std::vector<BoneName>& names, std::vector<BoneAnatomy>& anatomy)
@@ -25,14 +25,14 @@ public:
     }
 
 private:
-    /// Twists and what is attached say nothing about the bones around them.
+    /// Whether a bone says something about the bones around it; twists and attached bones do not.
     bool speaks(uint32_t b) const
     {
         if (names_[b].isControl && !(tree_.hasSkin && tree_.deforms[b])) return false;
         return (!names_[b].isAttached || carriesLimb(b)) && !(names_[b].isTwist && repeats(b));
     }
 
-    /// What is called after a muscle or clothes, but is the upper half of a limb.
+    /// Whether a bone named after a muscle or clothes is the upper half of a limb.
     bool carriesLimb(uint32_t b) const
     {
         const NamedPart own = names_[b].part, below = nameBelow(b);
@@ -40,7 +40,7 @@ private:
         return own == NamedPart::Thigh && below == NamedPart::Shin && partAbove(b) != BodyPart::Thigh;
     }
 
-    /// Whether a limb's bone that is no twist has the same words: a neck's twists may be all of it.
+    /// Whether a limb's bone that is no twist has the same words: the twists of a neck may be all of it.
     bool repeats(uint32_t b) const
     {
         const BoneName& own = names_[b];
@@ -50,7 +50,7 @@ private:
         return own.part == NamedPart::None;
     }
 
-    /// A finger without a side is of the hand's.
+    /// A finger without a side has the hand's.
     int sideOf(uint32_t b) const
     {
         if (names_[b].side != 0 || tree_.parents[b] < 0) return names_[b].side;
@@ -144,7 +144,7 @@ private:
         return behindFoot || names_[b].side != 0 ? BodyPart::Toe : BodyPart::Other;
     }
 
-    /// Whether both sides, neck or head are below a bone of neither side, so that it is of the trunk.
+    /// Whether both sides, neck or head are below a bone of neither side, so that it belongs to the trunk.
     bool isCentral(uint32_t b) const
     {
         if (names_[b].side != 0) return false;
@@ -159,7 +159,7 @@ private:
                                 has([](const BoneName& name) { return name.side < 0; }));
     }
 
-    /// Hips that are there twice are each one of a side.
+    /// If there are two hips, each is one of a side.
     bool hasRival(uint32_t b) const
     {
         if (tree_.parents[b] < 0) return false;

@@ -10,8 +10,8 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float MUCH = 0.35f;    // of a turn that shows an axis [rad]
-constexpr float ASIDE = 0.035f;  // of a turn about other axes that is no turn [rad]
+constexpr float MUCH = 0.35f;    // least turn that shows an axis [rad]
+constexpr float ASIDE = 0.035f;  // turns about other axes up to this do not count [rad]
 
 std::vector<Vector3f> turnsOf(const Model& model, uint32_t bone, uint32_t parent)
 {

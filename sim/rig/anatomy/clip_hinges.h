@@ -6,8 +6,8 @@
 
 namespace knuckle {
 
-/// Limbs of no known part, and levers, that all clips turn about one axis against what they hang on, and by much, get
-/// that axis.
+/// Gives limbs of no known part, and levers, their axis if all clips turn them about one axis against their parents,
+/// and far enough.
 void readClipHinges(const Model& model, std::vector<BoneAnatomy>& anatomy);
 
 }  // namespace knuckle

@@ -33,7 +33,7 @@ std::vector<Turns> clipTurns(const Model& model, uint32_t bone, uint32_t parent)
 
 Turns mirrored(Turns turns, const Eigen::Vector3f& across)
 {
-    // A turn's axis is no direction: its image points the other way.
+    // A turn's axis is not a direction: its image points the other way.
     for (Eigen::Quaternionf& turn : turns) turn.vec() = 2 * turn.vec().dot(across) * across - turn.vec();
     return turns;
 }

@@ -11,11 +11,11 @@ namespace knuckle {
 
 namespace {
 
-constexpr float NAMES = 1.2f;         // what names of sides say: toes, a face, or two other signs outweigh them
-constexpr float SURE = 0.5f;          // the least that turns sides which nobody names
-constexpr float WORTH_A_NOTE = 1.0f;  // what disagrees
+constexpr float NAMES = 1.2f;         // weight of names of sides: toes, a face, or two other signs outweigh them
+constexpr float SURE = 0.5f;          // the least balance that turns sides without names
+constexpr float WORTH_A_NOTE = 1.0f;  // the least weight of contrary signs
 
-/// Whether names say sides of limbs: 1 those that the anatomy has, -1 the opposite ones, 0 none.
+/// How names of sides agree with the anatomy: 1 with its sides, -1 with the opposite ones, 0 no names of sides.
 int saidSides(const Model& model, std::span<const BoneAnatomy> anatomy)
 {
     int sum = 0;

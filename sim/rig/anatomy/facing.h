@@ -8,11 +8,11 @@
 
 namespace knuckle {
 
-/// What says that a figure looks where the sides of its limbs have it look, and what says the opposite.
+/// Signs that a figure faces the way that the sides of its limbs say, and signs of the opposite.
 struct Facing {
     std::vector<std::string> agree, disagree;  ///< "toes", "face", "knees", ...
-    float balance = 0.0f;                      ///< Of what agrees over what does not, each by how much it says.
-    float against = 0.0f;                      ///< The same of what does not agree.
+    float balance = 0.0f;                      ///< The weights of what agrees minus those of what disagrees.
+    float against = 0.0f;                      ///< The weights of what disagrees.
 };
 
 /// Counts the signs of a figure with limbs on both sides: toes before ankles, face bones before the head, knees before
@@ -20,14 +20,14 @@ struct Facing {
 /// and in clips bent knees and steps.
 Facing readFacing(const Model& model, std::span<const BoneAnatomy> anatomy);
 
-/// Whether signs tell it, whatever names say.
+/// Whether signs tell which way the figure faces, regardless of names.
 bool isFacingKnown(const Model& model, std::span<const BoneAnatomy> anatomy);
 
-/// Turns round the sides of figures whose names call left what is right, as one sees them who faces it. Sides that
-/// nobody names are turned by less.
+/// Swaps the sides of figures whose names say left for right, as seen by a viewer who faces the figure. Sides without
+/// names need weaker signs.
 void settleSides(const Model& model, std::vector<BoneAnatomy>& anatomy);
 
-/// A note of which signs won over which; empty where hardly any disagrees.
+/// A note about which signs won over which; empty if hardly any disagrees.
 std::string facingNote(const Model& model, std::span<const BoneAnatomy> anatomy);
 
 }  // namespace knuckle

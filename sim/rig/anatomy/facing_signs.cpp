@@ -15,15 +15,15 @@ using enum BodyPart;
 
 namespace {
 
-// How much signs say.
+// Weights of signs.
 constexpr float TOES = 1.5f, FACE = 1.5f, KNEES = 1.0f, ELBOWS = 0.75f, THUMBS = 0.75f, TAIL = 0.75f, TRUNK = 2.0f,
                 CLIP_KNEES = 1.5f, STEPS = 1.0f;
-constexpr float TOLD = 0.5f;       // a sign of less is not named
-constexpr float LONG_TOES = 0.3f;  // of a foot's length, by which its front is longer than its heel
-constexpr float BEFORE = 0.03f;    // of the figure's size: a face before its head
-constexpr float BENT = 0.04f;      // of a limb's length, its middle off the straight line
-constexpr float AHEAD = 0.25f;     // of the figure's size: a creature's head before its hips
-constexpr float STEP = 0.5f;       // of a leg's length, the way that steps go
+constexpr float TOLD = 0.5f;       // signs with a smaller weight are not named
+constexpr float LONG_TOES = 0.3f;  // of a foot's length, by which its front has to be longer than its heel
+constexpr float BEFORE = 0.03f;    // of the figure's size: how far a face has to be before the head
+constexpr float BENT = 0.04f;      // of a limb's length: how far its middle has to be off the straight line
+constexpr float AHEAD = 0.25f;     // of the figure's size: how far a creature's head has to be before its hips
+constexpr float STEP = 0.5f;       // of a leg's length: how far steps have to go
 constexpr const char* FACE_WORDS[] = {"eye",  "brow",  "eyebrow", "eyelid", "nose",  "nostril", "mouth", "lip",
                                       "chin", "cheek", "tongue",  "tooth",  "teeth", "beak",    "jaw",   "whisker"};
 
@@ -68,7 +68,7 @@ private:
         return has(1) && has(-1);
     }
 
-    /// @param says 1 and more: surely as sides say, -1 and less: surely the opposite; NaN: nothing.
+    /// @param says 1 or more: surely the sides, -1 or less: surely the opposite; NaN: nothing.
     void add(const char* name, float weight, float says)
     {
         if (!std::isfinite(says)) return;
@@ -79,7 +79,7 @@ private:
         (counts > 0 ? facing_.agree : facing_.disagree).emplace_back(name);
     }
 
-    /// Of where limbs of a part begin; not a number for none.
+    /// The mean of where limbs of a part begin; NaN if there are none.
     Vector3f meanOf(BodyPart part) const
     {
         Vector3f sum = Vector3f::Zero();
@@ -98,7 +98,7 @@ private:
         return limb >= 0 && anatomy_[limb].part == part ? limb : -1;
     }
 
-    /// By how much feet, toes included, reach farther forward from the ankle than back.
+    /// How much further feet, with toes, reach forward from the ankle than back.
     float toes() const
     {
         float sum = 0.0f, count = 0.0f;
@@ -146,7 +146,7 @@ private:
     }
 
     /// How far the joint between two parts of limbs lies before the straight line from the first's head to where the
-    /// second ends, in parts of what shows a bend.
+    /// second ends, relative to the least that shows a bend.
     float bends(BodyPart upper, BodyPart lower) const
     {
         float sum = 0.0f, count = 0.0f;
@@ -197,7 +197,7 @@ private:
         return sum / count;
     }
 
-    /// Where the figure looks in a pose.
+    /// The direction that the figure faces in a pose.
     Vector3f forwardIn(const std::vector<Matrix4f>& pose, uint32_t hips) const
     {
         const Eigen::Matrix3f turn =
@@ -226,7 +226,7 @@ private:
         return sum / count / BENT;
     }
 
-    /// How far clips go forward by their steps, in legs: the foot that stands goes back beneath the hips.
+    /// How far clips go forward by their steps, in leg lengths: the standing foot goes back beneath the hips.
     float steps() const
     {
         std::vector<uint32_t> feet;

@@ -10,9 +10,9 @@ namespace knuckle {
 
 namespace {
 
-constexpr float LOW = 0.25f;           // of a leg's height, its foot
+constexpr float LOW = 0.25f;           // of a leg's height: height of its foot
 constexpr std::ptrdiff_t FINGERS = 3;  // of a hand at least
-constexpr float TRUNK = 0.15f;         // of a figure's size its upright trunk at least
+constexpr float TRUNK = 0.15f;         // of a figure's size: the least height of its upright trunk
 
 class FigureParts {
 public:
@@ -35,7 +35,7 @@ public:
 private:
     BodyPart partAbove(uint32_t b) const { return knuckle::partAbove(tree_, anatomy_, b); }
 
-    /// Arms without a side of what has no legs, no head and no hand of several fingers are a machine's.
+    /// Arms without a side, in a skeleton without legs, head or a hand of several fingers, are levers of a machine.
     void callLevers()
     {
         const auto isAnimals = [](const BoneAnatomy& bone) {
@@ -52,7 +52,7 @@ private:
             if (isLimbPart(bone.part)) bone.part = BodyPart::Lever;
     }
 
-    /// What is below a foot is a toe and above a shin a thigh, whatever their words: "Leg_Tip", "Leg_Knee".
+    /// A bone below a foot is a toe, one above a shin a thigh, whatever their names: "Leg_Tip", "Leg_Knee".
     void orderChains()
     {
         using enum BodyPart;
@@ -69,14 +69,14 @@ private:
         }
     }
 
-    /// Whether a limb that nothing of a leg is above goes on in a shin.
+    /// Whether a bone with no part of a leg above it is followed by a shin.
     bool carriesShin(uint32_t b) const
     {
         using enum BodyPart;
         const BodyPart part = anatomy_[b].part, above = partAbove(b);
         const int32_t parent = tree_.parents[b];
         if ((part != Shin && part != Foot && part != Toe) || anatomy_[b].side == 0 || !tree_.deforms[b]) return false;
-        // What nobody names may be the thigh.
+        // An unnamed bone may be the thigh.
         const bool unknown = parent >= 0 && tree_.deforms[parent] && anatomy_[parent].part == Other;
         if (unknown || (isLimbPart(above) && above != Coxa)) return false;
         const int32_t next = tree_.below(b, [&](uint32_t other) {
@@ -85,8 +85,8 @@ private:
         return next >= 0 && anatomy_[next].part == Shin;
     }
 
-    /// Of a limb whose bones are numbered the third is its foot or hand where nothing is called so, of a creature's leg
-    /// only next to the ground.
+    /// If a limb's bones are numbered and none is called foot or hand, the third one is, for a creature's leg only near
+    /// the ground.
     void callEnds()
     {
         const bool upright = std::ranges::count(anatomy_, BodyPart::Thigh, &BoneAnatomy::part) <= 2;
@@ -121,7 +121,7 @@ private:
         return tree_.heads[b].y() - lowest < LOW * (tree_.heads[thigh].y() - lowest);
     }
 
-    /// Four legs, of which the front ones are arms: what hangs on a shoulder, or of two on a side the one next to the
+    /// Of four legs, the front ones are arms: those that hang on a shoulder, or of two on a side the one next to the
     /// head.
     void callForeLegs()
     {
@@ -154,7 +154,8 @@ private:
 
     void call(uint32_t b, BodyPart part) { anatomy_[b].part = part, anatomy_[b].source = AnatomySource::Name; }
 
-    /// What carries the thighs, where nothing is called hips: a root, or the first of a spine. No spine is above them.
+    /// If no bone is called hips, they are the bone that carries the thighs: a root, or the first of a spine. No spine
+    /// is above them.
     void findHips()
     {
         const uint32_t thigh = firstOf(BodyPart::Thigh);
@@ -170,7 +171,7 @@ private:
             if (anatomy_[b].part == BodyPart::Spine) anatomy_[b].part = BodyPart::Other;
     }
 
-    /// What lies between hips and neck is spine, whatever it is called.
+    /// Bones between hips and neck are spine, whatever their names.
     void closeSpine()
     {
         const auto isTrunk = [&](uint32_t b) {
@@ -188,7 +189,7 @@ private:
         }
     }
 
-    /// The first bone of a spine that has skin, of several the one nearest to a thigh; beyond the last for none.
+    /// The first bone of a spine that has skin, of several the one nearest to a thigh; the number of bones for none.
     uint32_t lowestSpine(uint32_t thigh) const
     {
         uint32_t lowest = tree_.size();
@@ -201,7 +202,7 @@ private:
         return lowest;
     }
 
-    /// Of a spine that does not carry the arms what begins above them is the neck, and the highest of it the head.
+    /// In a spine that does not carry the arms, the bones above them are the neck, and the highest the head.
     void findHeadAbove(uint32_t arm)
     {
         const auto height = [&](uint32_t b) { return tree_.heads[b].y(); };
@@ -216,7 +217,7 @@ private:
         if (highest < tree_.size()) call(highest, BodyPart::Head);
     }
 
-    /// A spine that goes on past the last shoulders, where nothing is called head: neck, and head at its end.
+    /// If no bone is called head, a spine that continues past the last shoulders is the neck, with the head at its end.
     void findHead()
     {
         if (firstOf(BodyPart::Head) < tree_.size()) return;

@@ -13,9 +13,9 @@ namespace {
 
 using enum BodyPart;
 
-constexpr float AT_END = 0.5f;      // of a limb's length: what is as near is at it
+constexpr float AT_END = 0.5f;      // of a limb's length: bones as near as this are at its end
 constexpr float OTHER_KIND = 2.0f;  // a foot is this much farther from an arm than from a leg
-constexpr int CONTRADICTION = 2;    // front against back, in words that agree
+constexpr int CONTRADICTION = 2;    // "front" against "back" counts as this many words that agree
 constexpr std::array PLACES{"front", "back", "middle"};
 
 bool isPlace(const std::string& word)
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    /// Parts that the end may hang on. Fingers, toes and halves of limbs have one only.
+    /// Parts that the end may hang on. Fingers, toes and halves of limbs have only one.
     bool isWanted(BodyPart other, uint32_t limb) const
     {
         switch (part_) {
@@ -82,7 +82,7 @@ private:
         const BoneAnatomy& bone = anatomy_[limb];
         if (limb == end_ || bone.role != BoneRole::Limb || !hasBody_[limb] || bone.side != anatomy_[end_].side)
             return false;
-        // Of a shin of several bones the lowest has the foot.
+        // Of a shin of several bones, the lowest has the foot.
         const bool lower = bone.part == Shin || bone.part == Forearm;
         return isWanted(bone.part, limb) && (!lower || isLast(limb)) && !hangsOn(limb);
     }
@@ -98,7 +98,7 @@ private:
         return true;
     }
 
-    /// Whether another bone is already what this one would be there.
+    /// Whether the limb already has another bone of the same kind.
     bool isTaken(uint32_t limb) const
     {
         if (part_ == Finger || part_ == Toe) return false;
@@ -118,8 +118,7 @@ private:
         return bone >= 0;
     }
 
-    /// What the names of a limb say besides what and on which side it is. Where none speaks of a place arms are in
-    /// front.
+    /// Words in the names of a limb other than its part and side. If none names a place, arms are in front.
     std::vector<std::string> wordsOf(uint32_t limb) const
     {
         std::vector<std::string> words;
@@ -143,7 +142,7 @@ private:
         return count;
     }
 
-    /// From the end's head to the limb, which runs from its head as far as its skin does [m].
+    /// Distance of the end's head from the limb, which runs from its head as far as its skin does [m].
     float distance(uint32_t limb) const
     {
         const Eigen::Vector3f way = tree_.tips[limb] - tree_.heads[limb], from = tree_.heads[end_] - tree_.heads[limb];

@@ -14,9 +14,9 @@ namespace knuckle {
 
 namespace {
 
-constexpr float IN_BODY = 1.5f;  // d: a joint is in a body that has a particle as near as this
+constexpr float IN_BODY = 1.5f;  // d: a joint is in a body with a particle as near as this
 
-/// Hands over the drafts, also those that gave way to joints: they are in no body, and numberAsAdded() leaves them out.
+/// Hands over the drafts, including those that gave way to joints: they are in no body, so numberAsAdded() drops them.
 void collect(const std::vector<ParticleDraft>& particles, Actor& actor)
 {
     for (uint32_t p = 0; p < particles.size(); ++p) {
@@ -63,8 +63,8 @@ void addJoints(Actor& actor, std::vector<ParticleDraft>& particles, const JointP
                             plan.strength});
 }
 
-/// An arm hangs on a collar bone so short that it sits in the chest, and turns there like what hangs on the chest
-/// itself: the two never touch.
+/// Filters arms from the chest: an arm on a very short collar bone sits in the chest, and turns there like a body that
+/// hangs on the chest itself.
 void passShortBodies(Actor& actor)
 {
     for (const ActorJoint& joint : actor.joints) {
@@ -80,8 +80,8 @@ void passShortBodies(Actor& actor)
     }
 }
 
-/// The lattice of a figure mirrors as it does, having a layer on its plane of symmetry, and stands on the ground where
-/// its soles do, half a particle above them.
+/// The lattice of a figure shares its symmetry, with a layer on the plane, and stands on the ground: the lowest layer
+/// is half a particle above the soles.
 VoxelOptions latticeOf(const Figure& figure, const Solid& solid, VoxelOptions options)
 {
     if (figure.model.bones.empty()) return options;

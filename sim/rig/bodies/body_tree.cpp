@@ -12,10 +12,10 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float TOUCH = 1.8f;        // lattice neighbours, diagonals included, are nearer than this [d]
-constexpr float LOOSE = 2.6f;        // bodies farther apart than this do not touch [d]
+constexpr float TOUCH = 1.8f;        // lattice neighbours, including diagonal ones, are nearer than this [d]
+constexpr float LOOSE = 2.6f;        // bodies further apart than this do not touch [d]
 constexpr float NEAR_JOINT = 2.5f;   // a bone's head is its joint up to this distance from its body [d]
-constexpr size_t PAIR_LIMIT = 1500;  // particles a side when two bodies' distance is measured
+constexpr size_t PAIR_LIMIT = 1500;  // particles a side for measuring the distance of two bodies
 
 using Particles = std::vector<uint32_t>;
 
@@ -36,7 +36,7 @@ bool isBelow(const std::vector<BodyDraft>& drafts, int32_t body, int32_t ancesto
     return body == ancestor;
 }
 
-// Tells what hangs on what.
+// Decides what hangs on what.
 class Roots {
 public:
     Roots(std::vector<BodyDraft>& drafts, const BoneTree& tree, std::span<const BoneAnatomy> anatomy,
@@ -47,7 +47,7 @@ public:
 
     int32_t root() const { return root_; }
 
-    // Joins the trees of a skeleton with several roots: the trunk's first, then always the root next that is nearest to
+    // Joins the trees of a skeleton with several roots: starts from the trunk's, then always adds the root nearest to
     // the main tree.
     void join(std::vector<std::string>& notes)
     {
@@ -63,7 +63,7 @@ public:
                 child = b;
             }
             if (child < 0) return;
-            // Of the main tree, which it is no part of yet.
+            // The root is not part of the main tree yet.
             const bool apart = best.contact.distance > LOOSE * voxels_.diameter;
             const int32_t atHead = apart ? bodyAtHead(child, best.unfit) : -1;
             drafts_[child].parent = atHead >= 0 ? atHead : best.body;
@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    // A body to hang on: how little it fits, how many bones away it is, how near its particles come.
+    // A body to hang on: how badly it fits, number of bones to it, distance of the particles.
     struct Candidate {
         int32_t body = -1;
         int unfit = 0;
@@ -90,7 +90,7 @@ private:
     const BoneAnatomy& boneOf(int32_t body) const { return anatomy_[drafts_[body].bone]; }
     bool isSided(int32_t body) const { return boneOf(body).side != 0; }
 
-    // The hips, where they are a root, else the parentless body that most particles hang from, of none but limbs one.
+    // The hips, if they are a root, else the parentless body that most particles hang from, preferably not a limb.
     int32_t mainRoot() const
     {
         std::vector<size_t> weight(drafts_.size(), 0);
@@ -108,8 +108,8 @@ private:
         return best;
     }
 
-    // 0 for what a body may well hang on: a limb on the trunk, its ends on what is of its side. Never on the other
-    // side's, where anything else is there.
+    // 0 for a body that fits: the trunk for a limb, its own side for a limb's end. 2 for the other side, the last
+    // resort.
     int unfitness(int32_t body, int32_t other) const
     {
         using enum BodyPart;
@@ -138,7 +138,7 @@ private:
         return best;
     }
 
-    // The body whose particles are at the bone's head; none where no body that fits as well is that near.
+    // The body whose particles are at the bone's head; none if no body that fits as well is that near.
     int32_t bodyAtHead(int32_t body, int unfit) const
     {
         float nearest = TOUCH * voxels_.diameter;

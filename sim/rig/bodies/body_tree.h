@@ -16,14 +16,13 @@ struct Contact {
     Eigen::Vector3f middle{0, 0, 0};                          ///< Mean of the middles of the nearest pairs
 };
 
-/// Of bodies with thousands of particles only every n-th particle is compared.
+/// For bodies with thousands of particles, compares only every n-th one.
 Contact contactOf(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b, const Voxels& voxels);
 
-/// Makes one tree of the bodies, parents first. Its root is the hips, else what most hangs on. Further roots join the
-/// body nearest in the skeleton, of equally near ones that nearest in space, limbs one of the trunk and none one of the
-/// other side; where that is apart from them and another is at their bone's head (a foot on a control), they join that.
-/// Joints whose bone's head is away from both bodies
-/// move to where they meet.
+/// Makes one tree of the bodies, parents first. Its root is the hips, else the body that most hangs on. Further roots
+/// join the body nearest in the skeleton, of equally near ones that nearest in space: limbs join the trunk, and none
+/// joins the other side. If that body is apart from them and another is at their bone's head (a foot on a control),
+/// they join the latter. Joints whose bone's head is away from both bodies move to where these meet.
 void arrangeTree(std::vector<BodyDraft>& drafts, const BoneTree& tree, std::span<const BoneAnatomy> anatomy,
                  const Voxels& voxels, std::vector<std::string>& notes);
 

@@ -23,25 +23,25 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float FINER = 0.8f;         // of a diameter that is too large, where nothing else is known
+constexpr float FINER = 0.8f;         // factor for a diameter that is too large, if nothing else is known
 constexpr double ISLAND_PART = 0.25;  // a cut-off part below this share of its body changes sides
-constexpr double APART_PART = 0.9;    // one that hangs apart below this share of the largest
+constexpr double APART_PART = 0.9;    // a part that hangs apart does so below this share of the largest
 constexpr float LOOSE = 2.6f;         // d: from all else of its body
 
-constexpr size_t FEW = 6;           // bodies that are told one by one
-constexpr std::ptrdiff_t ENDS = 4;  // of bodies that may be a figure with arms and legs
-constexpr float LYING = 1.5f;       // of a figure's height its depth, if it lies
+constexpr size_t FEW = 6;           // bodies up to which each is named
+constexpr std::ptrdiff_t ENDS = 4;  // least outermost bodies of a figure with arms and legs
+constexpr float LYING = 1.5f;       // depth over height of a figure that lies
 
 using Particles = std::vector<uint32_t>;
 
-// The voxels' lattice again: each particle in the middle of a cell of its own, whatever was rounded.
+// The voxels' lattice, reconstructed: each particle is in the middle of its own cell, whatever the rounding.
 class VoxelCells {
 public:
     explicit VoxelCells(const Voxels& voxels) : voxels_(voxels), cells_(voxels.diameter)
     {
         for (uint32_t p = 0; p < voxels.positions.size(); ++p) cells_.add(place(p), p);
     }
-    // Calls visit(index) for the particle and those beside it.
+    // Calls visit(index) for the particle and its neighbours.
     template <typename Visit>
     void forEachAround(uint32_t particle, Visit visit) const
     {
@@ -67,7 +67,7 @@ bool isApart(const Particles& part, const std::vector<Particles>& parts, const s
     });
 }
 
-// Where the skin's weights cut a bone's particles into pieces, small ones and such as hang apart go to other bones
+// If the skin's weights cut a bone's particles into pieces, small pieces and those that hang apart go to other bones
 // whose particles they touch.
 void moveIslands(std::vector<uint32_t>& bones, const Voxels& voxels)
 {
@@ -132,7 +132,7 @@ std::vector<BodyDraft> draftBodies(const Figure& figure, BoneCut& cut)
     return drafts;
 }
 
-/// Says which limbs of arms and legs have no joint, and what gives them one.
+/// Notes which limbs of arms and legs have no joint, and how to give them one.
 void noteLost(const Figure& figure, const BoneCut& cut, float diameter, std::vector<std::string>& notes)
 {
     const std::vector<BoneAnatomy>& anatomy = figure.anatomy;
@@ -152,7 +152,7 @@ void noteLost(const Figure& figure, const BoneCut& cut, float diameter, std::vec
     }
 }
 
-/// Says which bodies hang elsewhere than their bones do.
+/// Notes which bodies hang elsewhere than their bones.
 void noteReattached(const Figure& figure, const std::vector<BodyDraft>& drafts, std::vector<std::string>& notes)
 {
     const std::vector<BoneAnatomy>& anatomy = figure.anatomy;
@@ -172,7 +172,7 @@ void noteReattached(const Figure& figure, const std::vector<BodyDraft>& drafts, 
     else notes.push_back(fmt::format("Joined to what their parts of a body belong to: {}.", shortList(names)));
 }
 
-/// Says what was not read from names.
+/// Notes what was not read from names.
 void noteSources(const Figure& figure, std::vector<std::string>& notes)
 {
     const Model& model = figure.model;
@@ -190,7 +190,7 @@ void noteSources(const Figure& figure, std::vector<std::string>& notes)
         notes.push_back(fmt::format("Hinges, since clips turn them about one axis: {}.", shortList(hinges)));
 }
 
-/// Says what helps where nothing tells which bones are limbs.
+/// Notes a remedy if nothing tells which bones are limbs.
 void noteUnknown(const Figure& figure, const std::vector<BodyDraft>& drafts, std::vector<std::string>& notes)
 {
     const auto isKnown = [](const BoneAnatomy& bone) {

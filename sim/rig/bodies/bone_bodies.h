@@ -10,8 +10,8 @@
 namespace knuckle {
 
 /// Cuts the particles into one body per limb that is large enough, arranged as a tree with one root. `notes` gets a
-/// sentence for whatever was joined elsewhere than the skeleton says. Of a figure with symmetry both sides are cut
-/// alike, and may get or lose particles.
+/// sentence for each body that joins elsewhere than its bone. Both sides of a symmetric figure are cut alike, which may
+/// add or remove particles.
 std::vector<BodyDraft> cutIntoBodies(const Figure& figure, const Solid& solid, Voxels& voxels,
                                      std::vector<std::string>& notes);
 

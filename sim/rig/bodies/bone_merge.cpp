@@ -17,7 +17,7 @@ bool isLarge(const std::vector<uint32_t>& particles, const Voxels& voxels)
     return spansSpace(positions, voxels.diameter);
 }
 
-/// Bones, those farther out first.
+/// Bones, outer ones first.
 std::vector<uint32_t> outerFirst(std::span<const BoneAnatomy> anatomy)
 {
     std::vector<uint32_t> order(anatomy.size()), depth(anatomy.size(), 0);
@@ -37,7 +37,7 @@ void join(BoneCut& cut, const BoneTree& tree, uint32_t from, uint32_t to)
     cut.merged[from].clear();
 }
 
-/// The bone with a large body that is nearest in the skeleton; `bone` itself where there is none.
+/// The bone with a large body that is nearest in the skeleton; `bone` itself if there is none.
 uint32_t nearestLarge(const BoneCut& cut, const BoneTree& tree, const Voxels& voxels, uint32_t bone)
 {
     const std::vector<uint32_t> steps = tree.stepsFrom(bone);

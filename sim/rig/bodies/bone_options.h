@@ -8,10 +8,10 @@
 
 namespace knuckle {
 
-/// @throws InputError for a name or pattern that fits no bone of the model.
+/// @throws InputError for a name or pattern that matches no bone of the model.
 void checkBoneNames(const Model& model, const ArticulationOptions& options);
 
-/// What the options want bones to be, by index: those of `keep` limbs, those of `merge` attached.
+/// Roles of bones by the options, by index: limbs for those of `keep`, attached for those of `merge`.
 std::map<uint32_t, BoneRole> rolesWanted(const Model& model, const ArticulationOptions& options);
 
 }  // namespace knuckle

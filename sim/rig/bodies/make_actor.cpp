@@ -31,13 +31,13 @@ Actor actorOf(const Figure& figure, const Solid& solid, ActorOptions options, fl
     return figure.model.isSplit ? partBodies(figure.model, solid, options) : articulate(figure, solid, options);
 }
 
-/// Limbs are as thick as they are, whatever roles somebody gave their bones.
+/// Thicknesses of limbs, which do not depend on roles that options give to bones.
 std::vector<LimbThickness> thicknessesOf(const Figure& figure)
 {
     return limbThicknesses(figure.wanted.empty() ? figure : readFigure(figure.model));
 }
 
-/// Nothing where not one particle fits.
+/// Nothing if not a single particle fits.
 std::optional<Actor> actorIfAny(const Figure& figure, const Solid& solid, const ActorOptions& options, float diameter)
 {
     try {
@@ -47,7 +47,7 @@ std::optional<Actor> actorIfAny(const Figure& figure, const Solid& solid, const 
     }
 }
 
-/// Diameters between which the wanted count lies, as far as is known.
+/// Diameters that bracket the wanted count, as far as known.
 class Bracket {
 public:
     explicit Bracket(double wanted) : wanted_(wanted) {}
@@ -58,8 +58,8 @@ public:
         side.diameter = diameter;
         side.count = count;
     }
-    /// Where to look next: by the cube of the diameter from the last one, or between two, by turns where the count
-    /// should be reached and in the middle, since it jumps as layers come and go.
+    /// The next diameter: from the last one by the cube of the diameter, or between two, alternately where the count
+    /// should be reached and in the middle, since the count jumps as layers come and go.
     double next(double diameter, double count, int round) const
     {
         if (fine_.diameter == 0.0 || coarse_.diameter == 0.0) return diameter * std::cbrt(count / wanted_);
@@ -97,7 +97,7 @@ Actor actorOfCount(const Figure& figure, const Solid& solid, const ActorOptions&
     return best ? *best : actorOf(figure, solid, options, static_cast<float>(diameter));
 }
 
-/// Tells which limbs are less than two particles thick.
+/// Notes which limbs are less than two particles thick.
 void noteThinLimbs(const Figure& figure, std::span<const LimbThickness> limbs, Actor& actor)
 {
     std::vector<std::string> names;
@@ -112,13 +112,13 @@ void noteThinLimbs(const Figure& figure, std::span<const LimbThickness> limbs, A
                                           shortList(names), thinnest / THIN));
 }
 
-/// The number of particles that a model has at a diameter, from that at another: as its volume says.
+/// The number of particles at a diameter, estimated by volume from that at another.
 double scaledCount(const Actor& actor, float diameter)
 {
     return static_cast<double>(actor.particles.size()) * std::pow(double{actor.diameter} / diameter, 3);
 }
 
-/// As thick limbs as FEWEST to MOST particles allow.
+/// An actor with limbs as many particles thick as FEWEST to MOST particles allow.
 Actor actorByLimbs(const Figure& figure, const Solid& solid, const ActorOptions& options, float diameter)
 {
     const Actor coarse = actorOf(figure, solid, options, 0.0f);

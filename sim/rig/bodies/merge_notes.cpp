@@ -13,7 +13,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr size_t ROW = 3;  // bones of one part that are counted, not named
+constexpr size_t ROW = 3;  // from so many bones of one part on, they are counted, not named
 
 constexpr std::array<std::pair<BodyPart, const char*>, 4> ROWS{
     {{BodyPart::Finger, "fingers"}, {BodyPart::Toe, "toes"}, {BodyPart::Tail, "tails"}, {BodyPart::Wing, "wings"}}};

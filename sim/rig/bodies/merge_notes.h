@@ -8,8 +8,8 @@
 
 namespace knuckle {
 
-/// Says which bones have no body of their own, and why: a sentence for each body and reason. Fingers and other rows of
-/// bones are counted, of other names the first few are told; ActorBody::mergedBones has all of them.
+/// Notes which bones have no body of their own, and why: a sentence for each body and reason. Fingers and other rows of
+/// bones are counted, of other bones the first few are named; ActorBody::mergedBones has all of them.
 void noteMerged(const Figure& figure, const std::vector<BodyDraft>& drafts, std::vector<std::string>& notes);
 
 }  // namespace knuckle

@@ -12,12 +12,12 @@ namespace knuckle {
 
 namespace {
 
-constexpr size_t FEWEST = 12;  // particles of a part that is a body
+constexpr size_t FEWEST = 12;  // least particles of a part that is a body
 
 using Particles = std::vector<uint32_t>;
 
-/// Tells whose a particle is: of the part that it is inside of, else of the one whose surface is nearest. Where two
-/// touch their surfaces are equally near.
+/// Finds the part of a particle: the one that it is inside of, else the one whose surface is nearest. Where two parts
+/// touch, their surfaces are equally near.
 class PartFinder {
 public:
     explicit PartFinder(const Model& model) : model_(model), triangles_(model.bones.size())
@@ -51,7 +51,7 @@ private:
     std::vector<TriangleTree> trees_;
 };
 
-/// The parts that are bodies: all that have particles enough, or of none the one that has the most.
+/// The parts that are bodies: those with enough particles, or if there are none the one with the most.
 std::vector<uint32_t> largeParts(const std::vector<Particles>& particles)
 {
     std::vector<uint32_t> large;
@@ -64,7 +64,7 @@ std::vector<uint32_t> largeParts(const std::vector<Particles>& particles)
     return large;
 }
 
-/// The one of some parts that has the particle nearest to a point.
+/// Among some parts, the one with the particle nearest to a point.
 uint32_t nearestPart(const std::vector<uint32_t>& parts, const std::vector<Particles>& particles, const Voxels& voxels,
                      const Vector3f& point)
 {

@@ -7,9 +7,9 @@
 
 namespace knuckle {
 
-/// Fills a model that was split into parts (Model::isSplit) with particles: each part is a body of those that are in it
-/// or nearest to its surface, without a joint. All stand on one lattice, so parts that touch do not overlap. A part of
-/// less than a dozen particles belongs to the nearest larger one; `notes` says which.
+/// Fills a model that was split into parts (Model::isSplit) with particles: each part is a body, without a joint, of
+/// the particles in it or nearest to its surface. All are on one lattice, so parts that touch do not overlap. A part of
+/// less than a dozen particles joins the nearest larger one; `notes` says which.
 /// @throws InputError as voxelize() does.
 Actor partBodies(const Model& model, const Solid& solid, const ActorOptions& options);
 

@@ -11,16 +11,16 @@ namespace knuckle {
 namespace {
 
 constexpr float ACROSS = 2.5f;       // particles, of the thinnest limb
-constexpr float MIDDLE_PART = 0.3f;  // of a bone's length on each side of its middle that is looked at
-constexpr float SHORTEST = 0.05f;    // of the model's size: a limb; fingers are shorter
-constexpr float SLENDER = 1.0f;      // at least so long beside its thickness
+constexpr float MIDDLE_PART = 0.3f;  // of a bone's length: the range on each side of its middle that is measured
+constexpr float SHORTEST = 0.05f;    // of the model's size: the shortest limb; fingers are shorter
+constexpr float SLENDER = 1.0f;      // least length over thickness
 
 struct Patch {
     Vector3f across;  // from the bone's line [m]
     float area;
 };
 
-/// Twice the mean distance from the middle of what lies around a bone [m]; 0 where nothing does.
+/// Twice the mean distance from the middle of the surface around a bone [m]; 0 if there is none.
 float thicknessOf(const std::vector<Patch>& patches)
 {
     Vector3f middle = Vector3f::Zero();

@@ -14,12 +14,11 @@ struct LimbThickness {
     float length = 0.0f;     ///< From the bone's head to its child's [m].
 };
 
-/// Of all forearms, shins, upper arms and thighs, or where none is known of all bones with a child that are longer than
-/// thick and no finger's size; in the order of bones.
+/// Of all forearms, shins, upper arms and thighs, or if none is known of all bones with a child that are longer than
+/// thick and larger than a finger; in the order of bones.
 std::vector<LimbThickness> limbThicknesses(const Figure& figure);
 
-/// The particle diameter at which the thinnest of the limbs has two and a half particles across it [m]; 0 where there
-/// are none.
+/// The particle diameter that puts two and a half particles across the thinnest of the limbs [m]; 0 for none.
 float limbDiameter(std::span<const LimbThickness> limbs);
 
 }  // namespace knuckle

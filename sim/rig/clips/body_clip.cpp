@@ -17,8 +17,8 @@ namespace knuckle {
 
 namespace {
 
-constexpr float LEVEL = 0.5f;   // height of a pivot, of its mean distance to joints: less is level
-constexpr float ALIKE = 0.02f;  // off in the mean, of the mean distance of joints from the pivot
+constexpr float LEVEL = 0.5f;   // height of a pivot over its mean distance to joints, below which it is level with them
+constexpr float ALIKE = 0.02f;  // most mean offset of joints, over their mean distance from the pivot
 
 using Eigen::Matrix3f;
 using Eigen::Matrix4f;
@@ -31,8 +31,8 @@ Quaternionf turnOf(const Matrix4f& pose)
 
 /// How a skeleton's motion becomes an actor's.
 struct Mapping {
-    std::vector<uint32_t> bones;       ///< Per body the one that moves it, or NO_INDEX.
-    std::vector<Quaternionf> aligned;  ///< Per body: from the actor's rest pose to how the skeleton's would have it.
+    std::vector<uint32_t> bones;       ///< Per body, the bone that moves it, or NO_INDEX.
+    std::vector<Quaternionf> aligned;  ///< Per body, from the actor's rest pose to the skeleton's.
     Quaternionf facing{1, 0, 0, 0};    ///< From the skeleton's directions to the actor's.
     float scale = 1.0f;                ///< Of ways.
     Vector3f pivot{0, 0, 0};           ///< In the skeleton's rest pose [m].
@@ -55,7 +55,7 @@ float lowestOf(const Model& model)
     return low;
 }
 
-/// The lowest that any bone gets in a clip: where its ground is [m].
+/// The lowest height of any bone in a clip: its ground [m].
 float groundOf(const Clip& clip)
 {
     float low = std::numeric_limits<float>::max();
@@ -71,7 +71,7 @@ Vector3f pivotAt(const Mapping& map, const Model& source, const std::vector<Matr
     return (motion * map.pivot.homogeneous()).head<3>();
 }
 
-/// Of all keys; turns of joints are as their types let them be.
+/// Converts all keys; joints turn only as their types allow.
 ActorClip convert(const Actor& actor, const Model& source, const Clip& clip, const Mapping& map)
 {
     ActorClip out;
@@ -101,7 +101,7 @@ ActorClip convert(const Actor& actor, const Model& source, const Clip& clip, con
     return out;
 }
 
-/// Joints that hang on each body; of a universal joint's cross those behind it.
+/// Joints that hang on each body; for a universal joint's cross, those beyond it.
 std::vector<std::vector<uint32_t>> childrenOf(const Actor& actor)
 {
     std::vector<std::vector<uint32_t>> children(actor.bodies.size());
@@ -135,7 +135,7 @@ Limb limbOf(const Actor& actor, const Model& source, const Mapping& map, const s
     return limb;
 }
 
-/// Turns limbs that point elsewhere at rest. Ends go with what they hang on.
+/// Turns limbs that point elsewhere at rest. Ends turn with what they hang on.
 void alignLimbs(const Actor& actor, const Model& source, Mapping& map)
 {
     const auto children = childrenOf(actor);
@@ -157,7 +157,7 @@ void alignLimbs(const Actor& actor, const Model& source, Mapping& map)
     }
 }
 
-/// Joints of the actor, and where the bones are that move what hangs on them, from the pivots of both at rest.
+/// A joint of the actor and the bone that moves what hangs on it, from the pivots of both at rest.
 struct JointPair {
     Vector3f ours, theirs;
 };
@@ -174,8 +174,8 @@ std::vector<JointPair> jointPairs(const Actor& actor, const Model& source, const
     return pairs;
 }
 
-/// How large the actor is beside the skeleton: by how high both pivots are over the lowest joint, which keeps feet from
-/// sliding; of what has its joints at one height, by how far they reach.
+/// The actor's size relative to the skeleton's: by the height of both pivots over the lowest joint, which keeps feet
+/// from sliding; if all joints are at one height, by their reach.
 float scaleOf(const std::vector<JointPair>& pairs)
 {
     float ours = 0.0f, theirs = 0.0f, ourReach = 0.0f, theirReach = 0.0f;
@@ -191,7 +191,7 @@ float scaleOf(const std::vector<JointPair>& pairs)
     return ourReach > 0.0f && theirReach > 0.0f ? ourReach / theirReach : 1.0f;
 }
 
-/// Whether both have the same rest pose at the same height, but for their units.
+/// Whether both have the same rest pose at the same height, up to their units.
 bool standsAlike(const Actor& actor, const std::vector<JointPair>& pairs, const Mapping& map)
 {
     float reach = 0.0f, off = 0.0f;

@@ -10,25 +10,25 @@
 
 namespace knuckle {
 
-/// A clip of a skeleton as a motion of an actor's bodies, whose joints hold: of what a bone does, hinges take the turn
-/// about their axis and stiff joints none.
+/// A clip of a skeleton as a motion of an actor's bodies that keeps joints together: hinges take only a bone's turn
+/// about their axis, stiff joints nothing.
 struct ActorClip {
     BodyClip clip;
-    std::vector<std::string> notes;  ///< What of it does not fit, one sentence each.
+    std::vector<std::string> notes;  ///< What does not fit, one sentence each.
 };
 
-/// The point of the first body whose way a clip keeps: the middle of its joints, at rest [m].
+/// The point of the first body whose path a clip keeps: the middle of its joints, at rest [m].
 Vector3f pivotOf(const Actor& actor);
 
-/// Of the model that the actor is made of.
+/// A clip of the model that the actor is made of.
 ActorClip ownClip(const Actor& actor, const Model& model, const Clip& clip);
 
-/// Of another skeleton: bones that have the same name, but for a prefix and case, or are the same part of a body, turn
-/// what they are of the actor. Limbs that point elsewhere at rest are turned to match, heights are scaled by those of
-/// the hips, and the way begins where the actor stands. @throws InputError where no bone fits, with names of both.
+/// A clip of another skeleton: its bones turn the actor's bodies that have the same name, up to a prefix and case, or
+/// are the same part of a body. Limbs that point elsewhere at rest are turned to match, heights are scaled by those of
+/// the hips, and the motion begins where the actor stands. @throws InputError if no bone fits, with names of both.
 ActorClip foreignClip(const Actor& actor, const Figure& source, const Clip& clip);
 
-/// Of one body against the one that it hangs on, key by key.
+/// Turns of one body against the one that it hangs on, key by key.
 std::vector<Quaternionf> turnsOf(const BodyClip& clip, uint32_t body);
 
 }  // namespace knuckle

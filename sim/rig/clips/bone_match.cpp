@@ -23,7 +23,7 @@ std::string plainName(const std::string& name)
 /// A part and its side.
 using PartKey = std::pair<BodyPart, int>;
 
-/// Of each part, in order from the root: several of a spine.
+/// Bones of each part, in order from the root: a spine has several.
 std::map<PartKey, std::vector<uint32_t>> partsOf(const std::vector<BoneAnatomy>& anatomy)
 {
     std::map<PartKey, std::vector<uint32_t>> parts;
@@ -80,7 +80,7 @@ std::vector<uint32_t> matchBones(const ActorAnatomy& actor, const Figure& source
     for (const auto& [part, ours] : partsOf(actor.bones)) {
         const auto found = theirs.find(part);
         if (found == theirs.end()) continue;
-        // The last of both are alike: the chest, the wrist.
+        // Aligns the last bones of both: the chest, the wrist.
         const size_t n = ours.size(), m = found->second.size();
         for (size_t i = 0; i < n; ++i)
             if (match[ours[i]] == NO_INDEX) match[ours[i]] = found->second[((i + 1) * m + n - 1) / n - 1];

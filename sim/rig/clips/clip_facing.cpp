@@ -22,7 +22,7 @@ Quaternionf facingOf(const ActorAnatomy& actor, const Figure& source, const std:
     int alike = 0;
     for (size_t body = 0; body < bones.size(); ++body)
         if (bones[body] != NO_INDEX) alike += theirs[bones[body]].side * actor.bones[body].side;
-    // Of two skeletons with the same names only one may be known to have its sides the other way round.
+    // Of two skeletons with the same names, perhaps only one is known to have its sides swapped.
     const bool turned = alike < 0 && !(actor.isFacingKnown && isFacingKnown(source.model, theirs));
     return facingFrom(turned ? Vector3f(-source.left) : source.left, leftOf(actor.skeleton, actor.bones));
 }

@@ -6,7 +6,7 @@
 
 namespace knuckle {
 
-/// The turn about the vertical from where another skeleton looks at rest to where the actor does.
+/// The turn about the vertical from the direction that another skeleton faces at rest to that of the actor.
 /// @param bones of matchBones().
 Quaternionf facingOf(const ActorAnatomy& actor, const Figure& source, const std::vector<uint32_t>& bones);
 

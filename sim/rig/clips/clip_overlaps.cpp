@@ -8,12 +8,12 @@ namespace knuckle {
 
 namespace {
 
-/// Keys of a clip that are looked at, at most.
+/// Most keys of a clip to check.
 constexpr uint32_t LOOKS = 64;
 /// Particles nearer than this lie in each other [diameters].
 constexpr float OVERLAP = 0.9f;
 
-/// Of each body its motion from the rest pose at a key; the first stands where it does at rest.
+/// The motion of each body from the rest pose at a key; the first stays where it is at rest.
 std::vector<Pose> posesAt(const Actor& actor, const JointTurns& joints, const BodyClip& clip, uint32_t key)
 {
     std::vector<Pose> poses(actor.bodies.size());
@@ -27,7 +27,7 @@ std::vector<Pose> posesAt(const Actor& actor, const JointTurns& joints, const Bo
     return poses;
 }
 
-/// The particles of a body that no other has.
+/// Per body, the particles that no other body has.
 std::vector<std::vector<uint32_t>> ownParticles(const Actor& actor)
 {
     std::vector<uint32_t> owners(actor.particles.size());
@@ -84,7 +84,7 @@ std::vector<Placed> placedAt(const Actor& actor, const std::vector<std::vector<u
     return placed;
 }
 
-/// Of two bodies, in how many looks they overlap.
+/// Two bodies, and in how many checked keys they overlap.
 struct PairLooks {
     std::array<uint32_t, 2> bodies;
     uint32_t overlaps = 0;

@@ -8,8 +8,8 @@
 
 namespace knuckle {
 
-/// Pairs of an actor's bodies that lie in each other in more than half of a clip: limp, they would be pushed apart.
-/// None that Actor::filtered or a joint with limits names already.
+/// Pairs of an actor's bodies that overlap in more than half of a clip: limp, they would be pushed apart. Without those
+/// in Actor::filtered or at a joint with limits.
 std::vector<std::array<uint32_t, 2>> overlapsIn(const Actor& actor, const BodyClip& clip);
 
 }  // namespace knuckle

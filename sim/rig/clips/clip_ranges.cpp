@@ -22,7 +22,7 @@ namespace knuckle {
 
 namespace {
 
-/// What the joint is called after; NO_INDEX for none.
+/// The bone that the joint is named after; NO_INDEX for none.
 uint32_t boneOf(const Model& model, const std::string& name)
 {
     const auto bone = std::ranges::find(model.bones, name, &Bone::name);
@@ -46,8 +46,8 @@ std::vector<uint32_t> oppositeJoints(const Figure& figure, const Actor& actor)
     return opposite;
 }
 
-/// Which joints turn farther than their limits go, and how far: "forearm.L by 81 degrees".
-/// @param leftOut per joint [rad]. @returns empty where none does.
+/// Lists the joints that turn beyond their limits, and how far: "forearm.L by 81 degrees".
+/// @param leftOut per joint [rad]. @returns empty if there are none.
 std::string farJoints(const Actor& actor, const std::vector<float>& leftOut)
 {
     std::vector<std::string> joints;
@@ -57,7 +57,7 @@ std::string farJoints(const Actor& actor, const std::vector<float>& leftOut)
     return joints.empty() ? "" : shortList(joints);
 }
 
-/// Per joint what clips may do beyond its limits.
+/// Per joint, how far clips may go beyond its limits.
 std::vector<Leeway> leeways(const Figure& figure, const Actor& actor)
 {
     std::vector<Leeway> leeways;
@@ -78,7 +78,7 @@ JointType halfType(JointType type)
     return type == JointType::Universal ? JointType::Hinge : type;
 }
 
-/// The limits as needsOf() makes them of what lasts.
+/// The limits that needsOf() makes from lasting turns.
 JointLimits widened(const ActorJoint& joint, const LastingTurns& lasting)
 {
     JointLimits limits = joint.limits;
@@ -86,7 +86,7 @@ JointLimits widened(const ActorJoint& joint, const LastingTurns& lasting)
     return limits;
 }
 
-/// Puts a body's turns into a clip, neighbours in time on one side of the sphere.
+/// Puts a body's turns into a clip, with neighbours in time on the same side of the sphere.
 void putTurns(BodyClip& clip, uint32_t body, const Turns& turns)
 {
     for (size_t key = 0; key < turns.size(); ++key) {
@@ -118,14 +118,14 @@ ClipNeeds rangesInClips(const Figure& figure, const Actor& actor, const Articula
             most = std::max(most, lasting.leftOut);
             for (Turns& part : lasting.parts) turns.push_back(std::move(part));
         };
-        float elsewhere = 0.0f;  // what the other side leaves out is told there
+        float elsewhere = 0.0f;  // what the other side leaves out is noted there
         for (const BodyClip& clip : clips) {
             add(turnsOf(clip, joint.child), clip.rate, leftOut[j]);
             if (opposite[j] == NO_INDEX) continue;
             const Turns others = turnsOf(clip, actor.joints[opposite[j]].child);
             add(mirrored(others, figure.mirror->plane.across), clip.rate, elsewhere);
         }
-        // A turn about the limb is measured from the middle of its cone, so that comes first.
+        // A turn about the limb is measured from the middle of its cone, so the cone comes first.
         for (const Turns& clip : turns)
             if (joint.type == JointType::Ball) leanTo(needs.limits[j], joint.axis, clip);
         for (const Turns& clip : turns) takeIn(needs.limits[j], joint.type, joint.axis, clip);
@@ -160,7 +160,7 @@ std::string holdWithinLimits(const Actor& actor, BodyClip& clip)
 
 ClipNeeds needsOf(const Actor& actor, std::span<const BodyClip* const> clips)
 {
-    Actor widened = actor;  // a pair that one clip has kept apart no later one has to
+    Actor widened = actor;  // a pair filtered for one clip is not needed again for later ones
     for (const BodyClip* clip : clips) {
         for (ActorJoint& joint : widened.joints)
             takeIn(joint.limits, halfType(joint.type), joint.axis, turnsOf(*clip, joint.child));

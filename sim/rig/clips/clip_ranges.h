@@ -19,13 +19,13 @@ struct ClipNeeds {
     std::vector<std::string> notes;                 ///< What is not allowed, one sentence each.
 };
 
-/// Of the model's own clips: limits that take in every turn with 5 degrees to spare, those of both sides alike, but for
-/// what lastingTurns() leaves out, which is a note. What is no part of a person's body has limits that are GUESSED.
-/// Limits that somebody gave stay as they are.
+/// Needs of the model's own clips: limits that include every turn with 5 degrees to spare, equal for both sides, except
+/// for turns that lastingTurns() leaves out, which are noted. Parts that a person's body does not have get limits that
+/// are GUESSED. Limits that options give stay.
 ClipNeeds rangesInClips(const Figure& figure, const Actor& actor, const ArticulationOptions& options);
 
-/// Of clips that are going to be played: limits that take in every turn with 5 degrees to spare, and pairs of bodies
-/// that overlap in most of one.
+/// Needs of clips that will be played: limits that include every turn with 5 degrees to spare, and pairs of bodies that
+/// overlap in most of one.
 ClipNeeds needsOf(const Actor& actor, std::span<const BodyClip* const> clips);
 inline ClipNeeds needsOf(const Actor& actor, const BodyClip& clip)
 {
@@ -33,12 +33,11 @@ inline ClipNeeds needsOf(const Actor& actor, const BodyClip& clip)
     return needsOf(actor, clips);
 }
 
-/// Gives the actor what its clips need.
+/// Gives the actor the limits and filtered pairs that clips need.
 void allow(Actor& actor, const ClipNeeds& needs);
 
-/// Leaves out of a clip what the limits of its actor's joints are not widened for, before needsOf(): what
-/// lastingTurns() leaves out is held where the limits will be. @returns a sentence about it, empty where all of the
-/// clip fits.
+/// Removes from a clip the turns for which joint limits are not widened, before needsOf(): turns that lastingTurns()
+/// leaves out are held at the future limits. @returns a sentence about it, empty if the whole clip fits.
 std::string holdWithinLimits(const Actor& actor, BodyClip& clip);
 
 }  // namespace knuckle

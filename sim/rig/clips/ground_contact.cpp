@@ -9,11 +9,11 @@ namespace knuckle {
 
 namespace {
 
-constexpr float LIFTED = 0.03f;   // of the figure's height: from here on above the ground nothing of it touches
+constexpr float LIFTED = 0.03f;   // of the figure's height: above the ground by more than this, nothing touches
 constexpr float TOUCHING = 0.5f;  // [diameters] above the lowest particle
-constexpr float SLOW = 0.15f;     // up or down [m/s]: of what counts half
+constexpr float SLOW = 0.15f;     // up or down [m/s]: at this speed a particle counts half
 
-/// Where the particles of an actor are at the keys of a clip.
+/// Finds where the particles of an actor are at the keys of a clip.
 class Poser {
 public:
     Poser(const Actor& actor, const BodyClip& clip)

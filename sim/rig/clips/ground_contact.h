@@ -7,7 +7,7 @@
 
 namespace knuckle {
 
-/// Over the ground: x and z.
+/// A place on the ground: x and z.
 using Ground = Eigen::Vector2f;
 
 inline Ground groundOf(const Vector3f& p)
@@ -15,14 +15,15 @@ inline Ground groundOf(const Vector3f& p)
     return {p.x(), p.z()};
 }
 
-/// What of a figure touches the ground between two keys of a clip: the middle of it at both, in the clip's own frame.
+/// The part of a figure that touches the ground between two keys of a clip: its middle at both, in the clip's own
+/// frame.
 struct GroundContact {
     Ground before{0, 0}, after{0, 0};
-    bool isThere = false;  ///< Whether anything does.
+    bool isThere = false;  ///< Whether anything touches.
 };
 
-/// Per key but the last: from it to the next. What is within half a diameter of a figure's lowest point touches, unless
-/// that is high above the lowest of the clip; what moves up or down counts less.
+/// Per key except the last: the contact from it to the next. Particles within half a diameter of a figure's lowest
+/// point touch, unless that is high above the lowest point of the clip; those that move up or down count less.
 std::vector<GroundContact> groundContacts(const Actor& actor, const BodyClip& clip);
 
 }  // namespace knuckle

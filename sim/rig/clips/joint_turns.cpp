@@ -11,7 +11,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr float MUCH = 0.35f;  // of a turn to leave out without a word [rad]
+constexpr float MUCH = 0.35f;  // of a turn: leaving out more is noted [rad]
 
 /// The part of a turn that is about an axis.
 Quaternionf twistAbout(const Vector3f& axis, const Quaternionf& turn)
@@ -21,7 +21,7 @@ Quaternionf twistAbout(const Vector3f& axis, const Quaternionf& turn)
     return twist.norm() > 1e-6f ? twist.normalized() : Quaternionf::Identity();
 }
 
-/// The turn about an axis that brings one direction as near as it can to another.
+/// The turn about an axis that brings one direction nearest to another.
 Quaternionf turnAbout(const Vector3f& axis, const Vector3f& from, const Vector3f& to)
 {
     const Vector3f across = axis.cross(from);

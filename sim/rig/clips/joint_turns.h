@@ -9,24 +9,24 @@
 
 namespace knuckle {
 
-/// Turns of an actor's bodies, key after key, as its joints let them be.
+/// Turns of an actor's bodies, key after key, as its joints allow them.
 class JointTurns {
 public:
     explicit JointTurns(const Actor& actor);
 
-    /// Bodies, each behind what it hangs on.
+    /// Bodies, each after the one that it hangs on.
     const std::vector<uint32_t>& order() const { return order_; }
-    /// How a body is turned from the rest pose, where anybody says so; else it goes with its parent.
+    /// A body's turn from the rest pose, if there is any; otherwise it goes with its parent.
     using Wanted = std::function<std::optional<Quaternionf>(uint32_t)>;
     /// Adds a key. @param turns gets each body's turn against its parent.
     void addKey(const Wanted& wanted, std::vector<Quaternionf>& turns);
-    /// Which joints had to leave out much of what the clip says.
+    /// Notes joints that had to leave out much of a clip's turns.
     std::vector<std::string> notes(const std::string& clip) const;
 
 private:
-    /// What of a turn against its parent a body's joint lets be.
+    /// The part of a turn against its parent that a body's joint allows.
     Quaternionf held(uint32_t body, const Quaternionf& relative);
-    /// Of a universal joint's cross, whose second axis goes where the body behind it has it.
+    /// The turn of a universal joint's cross, whose second axis follows the body beyond it.
     Quaternionf crossTurn(uint32_t cross, const Quaternionf& parent, const Wanted& wanted) const;
 
     const Actor& actor_;

@@ -13,11 +13,11 @@ namespace knuckle {
 
 namespace {
 
-constexpr float AHEAD = 0.5f;         // of the path that a figure looks towards, in its heights of the pivot
-constexpr float TURNING = 0.2f;       // [s] in which it takes back most of what it looks elsewhere
-constexpr float LEAST_SPEED = 0.02f;  // [m/s] of feet that carry anything
+constexpr float AHEAD = 0.5f;         // of the path: how far ahead a figure looks, in heights of the pivot
+constexpr float TURNING = 0.2f;       // [s] in which it corrects most of its deviation from that direction
+constexpr float LEAST_SPEED = 0.02f;  // [m/s] of feet that carry a figure
 
-/// About y, as seen from above with z downwards; a yaw of BodyClip's turns.
+/// Turns about y, as seen from above with z downwards; a yaw of BodyClip's turns.
 Ground turned(float yaw, const Ground& p)
 {
     const float c = std::cos(yaw), s = std::sin(yaw);
@@ -34,13 +34,13 @@ float nearestTurn(float angle)
     return std::remainder(angle, WHOLE_TURN);
 }
 
-/// Where the frame of a clip stands over the ground.
+/// Place and direction of a clip's frame on the ground.
 struct Frame {
     Ground place{0, 0};
     float yaw = 0.0f;
 
     Ground operator()(const Ground& p) const { return place + turned(yaw, p); }
-    /// Turns and moves so that a point of the clip that was at `before` stays where it is while it goes to `after`.
+    /// Turns and moves so that a point of the clip stays in place while it moves from `before` to `after` in the clip.
     void hold(const Ground& before, const Ground& after, float turn)
     {
         const Ground fixed = (*this)(before);
@@ -49,7 +49,7 @@ struct Frame {
     }
 };
 
-/// A line of points over the ground that goes straight on behind its end.
+/// A line of points on the ground that continues straight beyond its end.
 class Path {
 public:
     explicit Path(const Ground& start) : points_{start} {}
@@ -59,7 +59,7 @@ public:
     }
     bool leadsAnywhere() const { return points_.size() > 1; }
     Ground direction(size_t leg) const { return (points_[leg + 1] - points_[leg]).normalized(); }
-    /// What somebody at a place is to look at, so far ahead. Whom it has passed it does not go back to.
+    /// The point that a figure looks at, so far ahead. It does not return to legs that it has passed.
     Ground target(const Ground& from, float ahead)
     {
         const size_t last = points_.size() - 2;
@@ -101,13 +101,13 @@ BodyClip emptyCopy(const BodyClip& clip)
     return copy;
 }
 
-/// What a key to the next moves by while no foot is down: as between the last two that had one down.
+/// Moves from one key to the next; while no foot is down, as between the last two keys with one down.
 class Gait {
 public:
     Gait(const Actor& actor, const BodyClip& clip) : contacts_(groundContacts(actor, clip))
     {
         Ground last(0, 0);
-        for (int round = 0; round < 2; ++round)  // what comes before the first contact goes as the round's end
+        for (int round = 0; round < 2; ++round)  // keys before the first contact move like the round's end
             for (size_t k = 0; k < contacts_.size(); ++k) {
                 GroundContact& contact = contacts_[k];
                 const Ground root = groundOf(clip.roots[k]), next = groundOf(clip.roots[k + 1]);
@@ -117,7 +117,7 @@ public:
                     continue;
                 }
                 contact.before = root;
-                contact.after = next - last;  // held, it goes on by `last`
+                contact.after = next - last;  // when held, it moves on by `last`
             }
     }
     bool isOnFeet() const { return isAnyThere_; }
@@ -177,7 +177,7 @@ TravelClip travelAlong(const Actor& actor, const BodyClip& clip, const std::vect
         const float off = nearestTurn(yawTowards(line.target(root, ahead) - root) - facing - frame.yaw);
         gait.go(frame, key, share * off);
         if (++key < round) continue;
-        // The last key is the first of the next round.
+        // The last key is the first one of the next round.
         const Ground end = frame(groundOf(clip.roots[round]));
         key = 0;
         frame.place = end - turned(frame.yaw, groundOf(clip.roots[0]));

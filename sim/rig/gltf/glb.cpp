@@ -7,8 +7,8 @@ namespace knuckle {
 
 namespace {
 
-/// The bones of a model. A skin wants one root, so what has several gets a node above them.
-/// @returns the node of the first one; the others follow.
+/// Adds the bones of a model. A skin wants one root, so several roots get a node above them. @returns the node of the
+/// first bone; the others follow.
 size_t addBones(GltfFile& file, const Model& model, GltfJson& roots)
 {
     const size_t first = file.count("nodes");

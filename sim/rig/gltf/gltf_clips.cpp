@@ -10,9 +10,9 @@ namespace knuckle {
 namespace {
 
 constexpr float SAME_PLACE = 1e-5f;  // of a bone against its parent [m]
-constexpr float UNSCALED = 1e-5f;    // from the identity, of what a rotation times its transpose is
+constexpr float UNSCALED = 1e-5f;    // deviation from the identity of a rotation times its transpose
 
-/// Times of a clip's keys, of which tracks with the same keys share an accessor.
+/// Times of a clip's keys; tracks with the same keys share an accessor.
 class KeyTimes {
 public:
     explicit KeyTimes(const Clip& clip) : times_(clip.keyTimes.begin(), clip.keyTimes.end()) {}

@@ -32,14 +32,14 @@ void appendTo(std::vector<float>& list, const Vector& v)
     list.insert(list.end(), v.data(), v.data() + v.size());
 }
 
-/// A binary glTF 2.0 file in the making: its JSON, and the buffer that it refers to.
+/// A binary glTF 2.0 file under construction: its JSON, and the buffer that it refers to.
 class GltfFile {
 public:
     GltfFile();
 
     /// Appends to one of the root's lists ("nodes", "meshes", ...). @returns its index.
     size_t append(const char* list, GltfJson entry);
-    /// The same, but where the list has had such an entry from this function before that stands for it.
+    /// The same, but reuses an equal entry that this function has appended before.
     size_t appendOnce(const char* list, GltfJson entry);
     size_t count(const char* list) const { return root.contains(list) ? root[list].size() : 0; }
 
@@ -54,7 +54,7 @@ public:
                                         {"count", values.size() / components},
                                         {"type", type}});
     }
-    /// Tells the least and greatest values of an accessor.
+    /// Sets the least and greatest values of an accessor.
     void setBounds(size_t accessor, GltfJson low, GltfJson high);
     /// Appends a picture. @param bytes of a PNG file.
     size_t addPng(const std::string& bytes, const std::string& name);

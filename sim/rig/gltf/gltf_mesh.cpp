@@ -52,7 +52,7 @@ void addLooks(GltfFile& file, const ModelSurface& surface, GltfJson& attributes)
     if (colored) attributes["COLOR_0"] = file.addAccessor(colors, 3, GLTF_FLOAT, "VEC3", GLTF_ARRAY_BUFFER);
 }
 
-/// The four largest weights of a vertex, which add up to one.
+/// Adds the four largest weights of a vertex, scaled to sum to one.
 void addWeights(GltfFile& file, const Model& model, GltfJson& attributes)
 {
     std::vector<uint16_t> joints;

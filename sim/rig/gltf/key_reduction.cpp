@@ -14,7 +14,7 @@ float errorOf(const Eigen::Quaternionf& a, const Eigen::Quaternionf& b, float pa
     return a.slerp(part, b).angularDistance(truth);
 }
 
-/// Whether one line from a key to another will do for all between.
+/// Whether a straight line between two keys is good enough for all between.
 template <typename Value>
 bool spans(std::span<const float> times, std::span<const Value> values, size_t from, size_t to, float tolerance)
 {
@@ -25,7 +25,7 @@ bool spans(std::span<const float> times, std::span<const Value> values, size_t f
     return true;
 }
 
-/// Each line as long as it may be: twice as far while it spans, then the farthest by bisection.
+/// Makes each line as long as possible: doubles it while it fits, then finds the end by bisection.
 template <typename Value>
 std::vector<size_t> reduced(std::span<const float> times, std::span<const Value> values, float tolerance)
 {

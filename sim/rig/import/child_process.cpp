@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int EXIT_NO_MEMORY = 101;
 constexpr int EXIT_EXCEPTION = 102;
 
-/// @param beyond how much the hard limit is above the soft one, which only signals.
+/// @param beyond how far the hard limit is above the soft one, which only signals.
 void limit(int resource, uint64_t value, uint64_t beyond = 0)
 {
     rlimit current{};
@@ -39,7 +39,8 @@ void limit(int resource, uint64_t value, uint64_t beyond = 0)
 void setLimits(const ChildLimits& limits, uint64_t addressSpace)
 {
     limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, static_cast<uint64_t>(limits.seconds), 1);  // at once it would be SIGKILL instead of SIGXCPU
+    limit(RLIMIT_CPU, static_cast<uint64_t>(limits.seconds), 1);  // with equal limits it would be SIGKILL instead of
+                                                                  // SIGXCPU
 #if !defined(__SANITIZE_ADDRESS__)
     limit(RLIMIT_AS, addressSpace + limits.extraMemory);  // the sanitizer has already reserved terabytes
 #else
@@ -68,7 +69,7 @@ bool writeAll(int file, const void* data, size_t size)
     return true;
 }
 
-// Ends in _exit: no destructor or exit handler of the parent may run twice.
+// Ends in _exit: destructors and exit handlers of the parent must not run twice.
 [[noreturn]] void childMain(const std::function<std::vector<uint8_t>()>& work, const ChildLimits& limits,
                             uint64_t addressSpace, int pipe)
 {
@@ -90,7 +91,7 @@ bool writeAll(int file, const void* data, size_t size)
 
 enum class Reading { Done, TooLate, TooMuch };
 
-// Everything the child writes until it closes the pipe.
+// Reads everything that the child writes until it closes the pipe.
 Reading readAll(int pipe, const ChildLimits& limits, std::vector<uint8_t>& bytes)
 {
     const auto deadline = Clock::now() + std::chrono::seconds(limits.seconds);

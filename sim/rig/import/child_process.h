@@ -16,10 +16,10 @@ struct ChildLimits {
 struct ChildResult {
     bool ok = false;
     std::vector<uint8_t> bytes;  ///< What the work returned.
-    std::string failure;         ///< Why there is none: "crashed", "took more than 60 s", ...
+    std::string failure;         ///< Why there is no result: "crashed", "took more than 60 s", ...
 };
 
-/// Runs `work` in a forked copy of this process, its output silenced, and hands its result back through a pipe.
+/// Runs `work` in a forked copy of this process, with its output silenced, and returns its result through a pipe.
 ///
 /// The child has one thread and copies of this process's locks. glibc makes malloc and stdio usable there, and `work`
 /// must not touch anything else that another thread might hold (a GL context above all). @throws RunError if no

@@ -23,11 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// What assimp's readers say where a file ends too early.
+/// Words of assimp's readers for a file that ends too early.
 constexpr std::array CUT_OFF_WORDS{"end of file", "eof",          "out of range",      "exceeds size", "too small",
                                    "truncated",   "keyword \"\"", "invalid number of", "malformed xml"};
 
-/// What they say of files that are whole and hold no mesh.
+/// Words for whole files without a mesh.
 constexpr std::array NO_MESH_WORDS{"no root node",      "came out empty", "unable to extract mesh",
                                    "no valid vertices", "no vertices",    "no objects dictionary",
                                    "no meshes",         "no geometry",    "no valid geometry",
@@ -38,7 +38,7 @@ bool holdsAny(const std::string& text, std::span<const char* const> words)
     return std::ranges::any_of(words, [&](const char* word) { return text.find(word) != std::string::npos; });
 }
 
-/// The version that an FBX file says it has, 7400 for 7.4; 0 if it says none.
+/// The version in an FBX file, 7400 for 7.4; 0 if there is none.
 uint32_t fbxVersion(const std::string& path)
 {
     constexpr size_t BINARY_VERSION_AT = 23, LOOKED_THROUGH = 4096;
@@ -84,7 +84,7 @@ void checkBuffer(const fs::path& folder, const Json& buffer)
                                      size, wanted));
 }
 
-/// The file's name with another ending.
+/// The file's name with another extension.
 std::string renamed(const std::string& path, const char* extension)
 {
     return fs::path(path).filename().replace_extension(extension).string();
@@ -117,7 +117,7 @@ void checkGltf(const std::string& path)
         for (const Json& buffer : json.value("buffers", Json::array()))
             checkBuffer(fs::path(path).parent_path(), buffer);
     } catch (const Json::exception&) {
-        // A field of another type: assimp says which.
+        // A field has another type: assimp reports it.
     }
 }
 

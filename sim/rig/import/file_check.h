@@ -6,17 +6,17 @@
 
 namespace knuckle {
 
-/// That a file may be a model, and that the files which it names and needs are there and whole.
-/// @throws InputError saying what is not, and what to do.
+/// Checks that a file may be a model, and that the files that it needs exist and are whole.
+/// @throws InputError with the defect and the remedy.
 void checkParts(const std::string& path);
 
-/// Of a file of which no body can be made.
+/// For a file that no body can be made of.
 inline constexpr const char* NO_MESH = "it holds neither triangles nor a skeleton: export a mesh";
 
-/// What to say of a file that assimp could not read, for a reason that it gave.
+/// The message for a file that assimp could not read, by assimp's reason.
 std::string unreadableBecause(const std::string& reason);
 
-/// Tells which material files of an .obj are not there.
+/// Notes which material files of an .obj are missing.
 void noteMissingMaterials(const std::string& path, ModelSurface& surface);
 
 }  // namespace knuckle

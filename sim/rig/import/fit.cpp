@@ -15,9 +15,9 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float LARGEST_FIGURE = 20.0f;                  // taller than this cannot be meant in metres [m]
-constexpr float SMALLEST = 0.005f, LARGEST = 200.0f;     // sizes that a guess may lead to [m]
-constexpr float PERSON = 1.7f;                           // what a skeleton without a mesh stands for [m]
+constexpr float LARGEST_FIGURE = 20.0f;                  // a taller figure cannot be in metres [m]
+constexpr float SMALLEST = 0.005f, LARGEST = 200.0f;     // range of guessed sizes [m]
+constexpr float PERSON = 1.7f;                           // height of a skeleton without a mesh [m]
 constexpr float ODDLY_SMALL = 0.4f, ODDLY_LARGE = 4.0f;  // of a figure with a skeleton [m]
 constexpr float FAR_AWAY = 10.0f;                        // from the origin, in sizes of the model
 
@@ -35,7 +35,7 @@ constexpr Unit CAPTURE_UNITS[] = {{"metres", 1.0f},
                                   {"feet", 0.3048f},
                                   {"units of 56.4 mm", 0.0254f / 0.45f}};
 
-/// Around the mesh, or the bones' heads where there is none.
+/// Bounds of the mesh, or of the bones' heads without a mesh.
 Eigen::AlignedBox3f boundsOf(const Model& model)
 {
     Eigen::AlignedBox3f bounds;
@@ -57,8 +57,8 @@ void transform(Model& model, const Eigen::Affine3f& similarity)
             for (Eigen::Matrix4f& matrix : pose) matrix = similarity * matrix;
 }
 
-/// Guesses the file's unit: for a figure too large for metres one that gives a plausible size, for a skeleton without a
-/// mesh the one that makes it as tall as a person.
+/// Guesses the file's unit: for a figure too large for metres, one that gives a plausible size; for a skeleton without
+/// a mesh, the one that makes it as tall as a person.
 const Unit& guessUnit(const Model& model, float size)
 {
     if (model.triangles.empty())
@@ -85,7 +85,7 @@ float scaleOf(Model& model, const ModelFit& fit, const Vector3f& size)
     return unit.metres;
 }
 
-/// Where nobody said how large a figure is, one that is no person's size is asked about.
+/// Notes a figure that is no person's size if no option gives its size.
 void questionSize(Model& model, const Vector3f& size)
 {
     const float largest = size.maxCoeff();

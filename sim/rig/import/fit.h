@@ -5,9 +5,9 @@
 
 namespace knuckle {
 
-/// Brings a model into metres, +Y up, and where the fit wants it. `notes` gets a sentence for what was guessed, and
-/// for a figure whose size is odd.
-/// @throws InputError for a model without a size, or one that would be too small or too large.
+/// Converts a model to metres, +Y up, and places it as the fit says. `notes` gets a sentence for each guess, and for a
+/// figure of an odd size.
+/// @throws InputError for a model without a size, or one that would become too small or too large.
 void fitModel(Model& model, const ModelFit& fit);
 
 }  // namespace knuckle

@@ -28,7 +28,7 @@ namespace {
 constexpr uint8_t HOLDS_MODEL = 0, HOLDS_MESSAGE = 1, HOLDS_SKELETONS = 2;
 constexpr uintmax_t FILE_LIMIT = 512ull << 20;  // [bytes]
 
-/// Names in old formats are in whatever letters their program had; all that is written of them is UTF-8.
+/// Names in old formats have any encoding; everything written of them is UTF-8.
 void makeTextsValid(Model& model)
 {
     const auto fix = [](std::string& text) { text = validText(text); };
@@ -48,7 +48,7 @@ void makeTextsValid(Model& model)
         for (std::string& note : *notes) fix(note);
 }
 
-/// Whether bones stand at more than one place: nodes of a scene without meshes may be cameras and groups.
+/// Whether bones are at more than one place: nodes of a scene without meshes may be cameras and groups.
 bool hasSkeleton(const Model& model)
 {
     for (uint32_t b = 1; b < model.bones.size(); ++b) {
@@ -117,7 +117,7 @@ void checkFile(const std::string& path)
     if (error || size == 0) {
         throw InputError(fmt::format("{}: is empty: export the model again", path));
     }
-    // Binary glTF says how long it is; assimp reads what is left of a shorter one.
+    // Binary glTF states its length; of a shorter file assimp reads what is left.
     std::array<char, 12> header{};
     std::ifstream(path, std::ios::binary).read(header.data(), header.size());
     uint32_t promised = 0;
@@ -131,7 +131,7 @@ void checkFile(const std::string& path)
     }
 }
 
-// Names in broken files may hold anything; the message stays one line that a terminal can show.
+// Names in broken files may contain anything; the message stays one line that a terminal can show.
 std::string oneLine(std::string text)
 {
     std::replace_if(

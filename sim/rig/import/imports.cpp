@@ -6,7 +6,7 @@ namespace knuckle {
 
 namespace {
 
-/// Whether a model that was read with some options has all that others ask for.
+/// Whether a model that was read with some options contains all that other options ask for.
 bool serves(const ImportOptions& had, const ImportOptions& wanted)
 {
     return had.fit == wanted.fit && had.pick == wanted.pick && had.clips >= wanted.clips &&

@@ -10,14 +10,14 @@
 
 namespace knuckle {
 
-/// The models of a run: each is read once, however many ask for it.
+/// The models of a run: each is read once, however many callers need it.
 class Imports {
 public:
-    /// As importModel(). What was read with more than is asked for, clips or how it looks, is given with that.
+    /// As importModel(). A model that was read with more than requested, such as clips or looks, is returned with that.
     /// @throws InputError as importModel().
     std::shared_ptr<const Model> read(const std::string& path, const ImportOptions& options);
 
-    /// How often a file was read.
+    /// The number of reads.
     size_t count() const { return models_.size(); }
 
 private:

@@ -10,7 +10,7 @@ namespace knuckle {
 
 namespace {
 
-// One list of fields for both ways: `Archive` writes or reads each.
+// One list of fields for both directions: `Archive` writes or reads each.
 class Writer {
 public:
     std::vector<uint8_t> bytes;
@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    // How many elements follow; none if there cannot be so many.
+    // The number of elements that follow; none if there cannot be so many.
     size_t count(size_t elementSize)
     {
         uint64_t n = 0;

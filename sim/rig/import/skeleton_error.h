@@ -4,7 +4,7 @@
 
 namespace knuckle {
 
-/// A file has several skeletons and nobody said which, or none of the name that was given.
+/// A file has several skeletons and none is picked, or has none of the given name.
 struct SkeletonError : InputError {
     using InputError::InputError;
 };

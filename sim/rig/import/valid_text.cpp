@@ -7,7 +7,7 @@ namespace knuckle {
 
 namespace {
 
-/// How many bytes the character has that begins there; 0: it is none.
+/// The length in bytes of the character that begins there; 0: invalid.
 size_t characterAt(std::string_view text, size_t place)
 {
     const auto byteAt = [&](size_t i) { return i < text.size() ? static_cast<uint8_t>(text[i]) : uint8_t{0}; };
@@ -17,7 +17,7 @@ size_t characterAt(std::string_view text, size_t place)
     const size_t length = lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
     for (size_t i = 1; i < length; ++i)
         if ((byteAt(place + i) & 0xC0) != 0x80) return 0;
-    // Longer than need be, halves of pairs, beyond the last character.
+    // Longer than necessary, halves of pairs, beyond the last character.
     const bool isOdd = (lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) ||
                        (lead == 0xF0 && second < 0x90) || (lead == 0xF4 && second > 0x8F);
     return isOdd ? 0 : length;

@@ -5,7 +5,7 @@
 
 namespace knuckle {
 
-/// Text as UTF-8: what is none of it is taken for Latin-1, byte by byte.
+/// Text as UTF-8: invalid bytes are taken for Latin-1.
 std::string validText(std::string_view text);
 
 }  // namespace knuckle

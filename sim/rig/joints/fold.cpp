@@ -10,13 +10,12 @@ namespace knuckle {
 
 namespace {
 
-constexpr float BENT = 0.15f;          // sine of the rest bend from which a fold is taken from it
-constexpr float STRONGLY_BENT = 0.5f;  // ... also where bodies do not fold so
-constexpr float CLIP_BENT =
-    0.25f;                       // sine of the bend of clips, root of the mean square, from which it is taken from them
-constexpr float ONE_WAY = 0.8f;  // of the squares of bends in clips that their sum is at least
-constexpr float SAME_WAY = 0.7f;  // cosine between the ways of the rest pose and of clips that agree
-constexpr float ACROSS = 0.8f;    // cosine with the limb from which a direction does not lie across it
+constexpr float BENT = 0.15f;          // sine of the bend at rest above which a fold is taken from it
+constexpr float STRONGLY_BENT = 0.5f;  // ... even against the way that bodies fold
+constexpr float CLIP_BENT = 0.25f;  // sine of the root mean square bend of clips, above which a fold is taken from them
+constexpr float ONE_WAY = 0.8f;     // least sum of bends in clips, over the sum of their squares
+constexpr float SAME_WAY = 0.7f;    // cosine above which the ways of the rest pose and of clips agree
+constexpr float ACROSS = 0.8f;      // cosine with the limb below which a direction lies across it
 
 Vector3f usualFold(const LimbStance& limb)
 {
@@ -30,7 +29,7 @@ Vector3f usualFold(const LimbStance& limb)
     return perpendicular(wanted, limb.along);
 }
 
-/// The way that leads farther from straight: in the plane of both, whatever the bend.
+/// The direction that leads further from straight, in the plane of both parts.
 std::optional<Vector3f> foldAtRest(const LimbStance& limb, const Vector3f& usual)
 {
     const float bend = limb.above.cross(limb.along).norm(), straight = limb.above.dot(limb.along);
@@ -45,7 +44,7 @@ std::optional<Vector3f> foldAtRest(const LimbStance& limb, const Vector3f& usual
 
 std::optional<Vector3f> foldInClips(const LimbStance& limb, std::span<const Turns> clips)
 {
-    // What bends far counts most. Thumbs are spread at rest: what a finger does is seen from there.
+    // Large bends count most. Thumbs are spread at rest, so a finger's bends are measured from its rest pose.
     const Vector3f& straight = limb.part == BodyPart::Finger ? limb.along : limb.above;
     Vector3f sum = Vector3f::Zero();
     float total = 0.0f, count = 0.0f;

@@ -12,15 +12,15 @@ namespace knuckle {
 namespace {
 
 // Lengths in diameters.
-constexpr float CROWDED = 0.7f;        // an ordinary particle nearer to a shared one than this gives way
-constexpr float SUPPORT = 0.8f;        // a place on a hinge's axis is used if a particle stands this near
+constexpr float CROWDED = 0.7f;        // an ordinary particle this near to a shared one gives way
+constexpr float SUPPORT = 0.8f;        // a place on a hinge's axis is used if a particle is this near
 constexpr float FACING = 1.2f;         // face to face on the lattice
-constexpr float NEIGHBOUR = 1.5f;      // beyond the lattice's edge neighbours, short of its corner ones
+constexpr float NEIGHBOUR = 1.5f;      // further than the lattice's edge neighbours, nearer than its corner ones
 constexpr float FLEXION_START = 0.3f;  // the notch of a hinge begins this far behind the axis
 constexpr float FLEXION_REACH = 5.0f;  // and ends here, so that it stays at the joint
 constexpr size_t LONGEST_HINGE = 5;    // particles
 constexpr size_t STIFF_COUNT = 4;
-constexpr double KEPT_PART = 0.6;  // a child that would keep less than this is left alone
+constexpr double KEPT_PART = 0.6;  // a child that would keep less than this is left unchanged
 
 using Particles = std::vector<ParticleDraft>;
 
@@ -40,7 +40,7 @@ std::vector<uint32_t> particlesOf(const Particles& particles, uint32_t body)
     return found;
 }
 
-// Particles of one body that stand within `reach` of a free particle of the other.
+// Particles of one body within `reach` of a free particle of the other.
 std::vector<uint32_t> facing(const Particles& particles, uint32_t body, uint32_t other, float reach)
 {
     const std::vector<uint32_t> own = particlesOf(particles, body), others = particlesOf(particles, other);
@@ -78,7 +78,7 @@ bool keepsEnough(const Particles& particles, uint32_t body, size_t dropped)
     return count - static_cast<double>(dropped) >= std::max(KEPT_PART * count, 5.0);
 }
 
-// A particle at exactly this place, shared by the bodies; ordinary ones of theirs that crowd it give way.
+// Puts a particle at exactly this place, shared by the bodies; their ordinary particles that crowd it give way.
 uint32_t place(Particles& particles, const Vector3f& position, std::vector<uint32_t> bodies, float diameter)
 {
     float signedDistance = 0.0f, nearest = std::numeric_limits<float>::infinity();
@@ -98,7 +98,7 @@ uint32_t place(Particles& particles, const Vector3f& position, std::vector<uint3
     return static_cast<uint32_t>(particles.size() - 1);
 }
 
-// As many places on the axis, a diameter apart, as particles support; two at least.
+// Places on the axis, a diameter apart, as many as particles support; at least two.
 std::vector<Vector3f> hingePlaces(const Particles& particles, const JointPlan& plan, float diameter)
 {
     const auto placesFor = [&](size_t count) {
@@ -124,7 +124,7 @@ std::vector<Vector3f> hingePlaces(const Particles& particles, const JointPlan& p
     return placesFor(2);
 }
 
-// One layer of the child steps back from the parent, so that a ball joint can swing until the two sides meet.
+// Removes one layer of the child next to the parent, so that a ball joint can swing until the two sides meet.
 void clearLayer(Particles& particles, const JointPlan& plan, float diameter)
 {
     const std::vector<uint32_t> layer = facing(particles, plan.child, plan.parent, FACING * diameter);
@@ -133,7 +133,8 @@ void clearLayer(Particles& particles, const JointPlan& plan, float diameter)
     }
 }
 
-// A notch of 45 degrees to either side behind a hinge lets it bend; in front the two sides keep it from bending back.
+// Cuts a notch of 45 degrees to either side behind a hinge so that it can bend; in front the two sides prevent bending
+// back.
 void clearNotch(Particles& particles, const JointPlan& plan, float diameter)
 {
     for (const uint32_t body : {plan.parent, plan.child}) {
@@ -164,7 +165,7 @@ bool collinear(const Particles& particles, const std::vector<uint32_t>& chosen, 
     return spread < 0.25f * diameter * diameter;
 }
 
-// Four of the particles where the two bodies meet, as far from each other as they stand.
+// Four of the particles where the two bodies meet, as far apart from each other as possible.
 std::vector<uint32_t> spread(const Particles& particles, const JointPlan& plan, float diameter)
 {
     std::vector<uint32_t> candidates = facing(particles, plan.parent, plan.child, NEIGHBOUR * diameter);
@@ -212,7 +213,7 @@ std::vector<uint32_t> makeStiff(Particles& particles, const JointPlan& plan, flo
 std::vector<uint32_t> makeUniversal(Particles& particles, const JointPlan& plan, float diameter, uint32_t crossBody)
 {
     const Vector3f cross = plan.along.cross(plan.axis).normalized();
-    // The particle in the middle is placed first: those of both sides must leave room for it.
+    // Places the middle particle first: those of both sides must leave room for it.
     const uint32_t middle = place(particles, plan.anchor, {plan.parent, plan.child, crossBody}, diameter);
     particles[middle].bodies = {crossBody};
     std::vector<uint32_t> shared;

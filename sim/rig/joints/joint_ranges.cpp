@@ -15,11 +15,11 @@ namespace knuckle {
 namespace {
 
 constexpr float SPARE = LIMIT_SPARE;
-constexpr float WIDEST = 175 * DEGREE;  // a limit's end, either way
+constexpr float WIDEST = 175 * DEGREE;  // the largest limit, either way
 constexpr float ROUND = 330 * DEGREE;   // of a clip that goes all the way round
-constexpr float MORE = 15 * DEGREE;     // of a hinge than its clips show, beside SPARE
+constexpr float MORE = 15 * DEGREE;     // further turn of a hinge beyond its clips, besides SPARE
 
-/// A range as tables have it: from straight, the way that it bends.
+/// A range as in tables: from straight, in the bending direction.
 TurnRange bendRange(float lowest, float highest, float bend)
 {
     return {std::min(lowest * DEGREE - bend, -SPARE), std::max(highest * DEGREE - bend, SPARE)};
@@ -34,14 +34,14 @@ JointLimits cone(const Vector3f& middle, float swing, float twist)
     return limits;
 }
 
-/// A knee of a creature folds 40 degrees at least, and goes half of the way to straight.
+/// A creature's knee folds at least 40 degrees, and stretches half way to straight.
 TurnRange creatureBend(const LimbStance& s)
 {
     const float bend = s.bend / DEGREE, back = std::min(bend, std::max(20.0f, bend / 2));
     return bendRange(bend - back, std::max(140.0f, bend + 40), s.bend);
 }
 
-/// What swings otherwise than that of an upright figure.
+/// Ranges that differ from those of an upright figure.
 std::optional<JointLimits> ofCreature(const LimbStance& s)
 {
     JointLimits limits;
@@ -62,10 +62,10 @@ JointLimits ofPart(const LimbStance& s)
     const float share = 1.0f / static_cast<float>(s.segments);
     JointLimits limits;
     switch (s.part) {
-        // Flexion 80, extension 25, to a side 35, turn 45, of all segments together.
+        // Flexion 80, extension 25, to a side 35, turn 45, for all segments together.
         case BodyPart::Spine:
             return cone(s.along + std::tan(27 * share * DEGREE) * s.forward, 5 + 45 * share, 45 * share);
-        // Each way 45, turn 60.
+        // 45 each way, turn 60.
         case BodyPart::Neck:
         case BodyPart::Head: return cone(s.along, 5 + 45 * share, 60 * share);
         case BodyPart::Clavicle: return cone(s.along, 20, 15);
@@ -89,7 +89,7 @@ JointLimits ofPart(const LimbStance& s)
     }
 }
 
-/// The angles about an axis of turns that follow each other, which may be beyond half a turn. @param near the first.
+/// The angles about an axis of consecutive turns, which may exceed half a turn. @param near the first.
 std::optional<TurnRange> anglesOf(const Vector3f& axis, std::span<const Quaternionf> turns, float near)
 {
     std::optional<TurnRange> range;
@@ -200,7 +200,7 @@ void takeIn(JointLimits& limits, JointType type, const Vector3f& axis, std::span
     if (type == JointType::Hinge) return widen(limits.bend, axis, turns);
     if (type != JointType::Ball) return;
     const Vector3f middle = limits.cone.isZero() ? axis : limits.cone.normalized();
-    // What is left of a turn when the axis has swung to the middle of its cone.
+    // The rest of a turn after the axis has swung to the middle of its cone.
     const Quaternionf lean = turnBetween(axis, middle);
     std::vector<Quaternionf> twists;
     for (const Quaternionf& turn : turns) {

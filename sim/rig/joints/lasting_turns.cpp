@@ -10,15 +10,15 @@ namespace knuckle {
 namespace {
 
 constexpr float MOMENT = 0.1f;  // [s]
-constexpr float HELD = 1e-4f;   // that a turn has been changed by [rad]
+constexpr float HELD = 1e-4f;   // least change of a turn that counts as held [rad]
 
 float beyond(const TurnRange& range, float angle)
 {
     return angle > range.highest ? angle - range.highest : std::min(angle - range.lowest, 0.0f);
 }
 
-/// Marks the keys of what goes beyond limits for a moment or by far.
-/// @param off of each key how far, below 0 at a range's lower end [rad].
+/// Marks keys beyond the limits for a moment or by far.
+/// @param off per key how far, below 0 at a range's lower end [rad].
 void markWild(const std::vector<float>& off, float rate, const Leeway& leeway, std::vector<bool>& wild, float& leftOut)
 {
     const auto isBeyond = [&](size_t key, float side) { return key < off.size() && side * off[key] > leeway.moment; };
@@ -37,7 +37,7 @@ void markWild(const std::vector<float>& off, float rate, const Leeway& leeway, s
     }
 }
 
-/// A range without what is to spare at its ends, its middle at least.
+/// A range less the spare at its ends, at least its middle.
 TurnRange inner(const TurnRange& range)
 {
     if (!range.bounded()) return range;
@@ -63,7 +63,7 @@ Turns clamped(const JointLimits& limits, JointType type, const Vector3f& axis, c
     return held;
 }
 
-/// Of each key how many keys away the next one is that was held, `most` where none is nearer.
+/// Per key, the number of keys to the nearest held one, at most `most`.
 std::vector<int> keysToHeld(const Turns& turns, const Turns& held, int most)
 {
     std::vector<int> away(turns.size(), most);
@@ -76,7 +76,7 @@ std::vector<int> keysToHeld(const Turns& turns, const Turns& held, int most)
     return away;
 }
 
-/// The mean of a key and those around it, which count less the farther away they are.
+/// The mean of a key and those around it, weighted less with their distance.
 Quaternionf meanAround(const Turns& turns, int key, int reach)
 {
     const Quaternionf& middle = turns[key];

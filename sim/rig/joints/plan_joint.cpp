@@ -17,7 +17,7 @@ namespace knuckle {
 
 namespace {
 
-/// The direction in which the body leaves its joint: towards the next joint, of a finger's last body towards its next
+/// The direction in which the body leaves its joint: towards the next joint, for a finger's last body towards its next
 /// bone, else towards its middle.
 Vector3f directionOf(const BodyCut& cut, uint32_t body)
 {
@@ -61,7 +61,7 @@ LimbStance stanceOf(const BodyCut& cut, const JointPlan& plan)
     return stance;
 }
 
-/// What clips do with a joint, and with the one on the other side.
+/// Turns of a joint in clips, with those of the joint on the other side.
 std::vector<Turns> turnsOf(const BodyCut& cut, const JointPlan& plan)
 {
     const uint32_t child = cut.drafts[plan.child].bone, parent = cut.drafts[plan.parent].bone;
@@ -75,7 +75,7 @@ std::vector<Turns> turnsOf(const BodyCut& cut, const JointPlan& plan)
     return turns;
 }
 
-/// The limits of a joint of a body, where its type is the one that it has there.
+/// The limits of a joint of a body, if its type is the usual one there.
 JointLimits rangeOf(const BodyCut& cut, const JointPlan& plan)
 {
     const BoneAnatomy& bone = cut.boneOf(plan.child);
@@ -95,7 +95,7 @@ JointType typeOf(const BoneAnatomy& bone, bool limited)
     return limited && hasRange(bone.part) ? rangedType(bone.part) : jointTypeOf(bone.part);
 }
 
-/// Which way the joint lies, and about what it turns.
+/// Sets the joint's direction and axis.
 void placeJoint(const BodyCut& cut, JointPlan& plan)
 {
     const BoneAnatomy& bone = cut.boneOf(plan.child);
@@ -133,7 +133,7 @@ JointPlan planJoint(const BodyCut& cut, uint32_t body, const ArticulationOptions
         plan.twistAxis = axis->normalized();
         plan.turnAbout(plan.twistAxis);
     }
-    // Bodies that limits keep apart pass through each other, and need no room to turn in.
+    // Bodies that limits keep apart do not collide, and need no room to turn.
     plan.clear = options.clearJoints && !plan.limits.any();
     lockNarrowRanges(plan);
     return plan;

@@ -19,8 +19,8 @@ struct BodyCut {
     const BoneAnatomy& boneOf(uint32_t body) const { return figure.anatomy[drafts[body].bone]; }
 };
 
-/// The joint of a body with what it hangs on: as options say, else as its part of a body and clips do.
-/// @throws InputError for a limit that is not one of the joint's type.
+/// The joint between a body and what it hangs on: by options, else by its part of a body and by clips.
+/// @throws InputError for a limit that the joint's type does not have.
 JointPlan planJoint(const BodyCut& cut, uint32_t body, const ArticulationOptions& options);
 
 }  // namespace knuckle

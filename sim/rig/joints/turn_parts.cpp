@@ -9,7 +9,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr float UNSURE = 0.35f;  // cosine of half the swing beyond which the turn about an axis says nothing
+constexpr float UNSURE = 0.35f;  // cosine of half the swing below which the turn about an axis is undetermined
 
 float middleOf(const TurnRange& range)
 {
@@ -37,7 +37,7 @@ TurnReader::TurnReader(const JointLimits& limits, JointType type, const Vector3f
 
 float TurnReader::follow(float angle) const
 {
-    // What went round is back in its range.
+    // Brings an angle that went round back into its range.
     const float home = middleOf(range_) + std::remainder(angle - middleOf(range_), WHOLE_TURN);
     if (range_.bounded() && home >= range_.lowest && home <= range_.highest) return home;
     return last_ + std::remainder(angle - last_, WHOLE_TURN);

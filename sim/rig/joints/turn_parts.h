@@ -6,22 +6,22 @@
 
 namespace knuckle {
 
-/// How far limits reach beyond what clips do and beyond the rest pose [rad].
+/// How far limits extend beyond clips and the rest pose [rad].
 inline constexpr float LIMIT_SPARE = 5 * HALF_TURN / 180;
 
 /// The angle of a turn about an axis, within half a turn either way [rad]. @param axis unit.
 float turnAbout(const Vector3f& axis, const Quaternionf& turn);
 
-/// Whether it is known: what swings the axis by nearly half a turn says nothing of it.
+/// Whether that angle is determined: it is not if the axis swings by nearly half a turn.
 bool isSureAbout(const Vector3f& axis, const Quaternionf& turn);
 
-/// A joint's turn as its limits take it: of a ball about the axis first, then a swing of the axis; of a hinge the
-/// former alone.
+/// A joint's turn in terms of its limits: for a ball, first about the axis, then a swing of the axis; for a hinge only
+/// the former.
 struct TurnParts {
     float swing = 0.0f;       ///< Of a ball's axis from the middle of its cone [rad].
-    Vector3f about{0, 0, 0};  ///< What it swings about, unit.
-    float twist = 0.0f;       ///< About the axis [rad]; goes on beyond half a turn as keys do.
-    bool isTwistSure = true;  ///< Else it is that of the key before.
+    Vector3f about{0, 0, 0};  ///< The axis of the swing, unit.
+    float twist = 0.0f;       ///< About the axis [rad]; continues beyond half a turn over keys.
+    bool isTwistSure = true;  ///< Otherwise it is that of the key before.
 };
 
 /// Takes turns apart, key after key.
@@ -36,7 +36,7 @@ public:
     Quaternionf turnOf(const TurnParts& parts) const;
 
 private:
-    /// Of a key whose angle within half a turn is known.
+    /// The continuous angle for a key whose angle within half a turn is given.
     float follow(float angle) const;
 
     bool isBall_;

@@ -8,17 +8,17 @@
 
 namespace knuckle {
 
-/// A body before its joints are made: a bone, and the particles that it and the bones merged into it took.
+/// A body before its joints are made: a bone, and the particles of it and of the bones merged into it.
 struct BodyDraft {
     std::string name;
     uint32_t bone = NO_INDEX;
     int32_t parent = -1;              ///< Into the list of drafts; parents come first.
     std::vector<uint32_t> particles;  ///< Into Voxels, ascending.
     std::vector<uint32_t> mergedBones;
-    Eigen::Vector3f anchor{0, 0, 0};  ///< Where its joint with the parent sits [m].
+    Eigen::Vector3f anchor{0, 0, 0};  ///< Place of its joint with the parent [m].
 };
 
-/// Four or more points that do not lie in one plane, give or take a tenth of a diameter.
+/// Whether four or more points do not lie in one plane, within a tenth of a diameter.
 bool spansSpace(const std::vector<Eigen::Vector3f>& points, float diameter);
 
 }  // namespace knuckle

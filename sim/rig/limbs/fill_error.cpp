@@ -11,8 +11,8 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float FINEST = 1.0f / 60.0f;  // of the longest side: the lattice that the volume is measured on
-constexpr float FARTHEST = 2.0f;        // d: a surface farther off counts as this
+constexpr float FINEST = 1.0f / 60.0f;  // of the longest side: spacing of the lattice that measures the volume
+constexpr float FARTHEST = 2.0f;        // d: a surface further away counts as this far
 
 double volumeOf(const Solid& solid, float spacing)
 {

@@ -5,12 +5,12 @@
 
 namespace knuckle {
 
-/// How well an actor's particles stand for a mesh.
+/// How well an actor's particles represent a mesh.
 struct FillError {
-    double volume = 0.0;   ///< Of the particles, as cubes of a diameter, over that of the solid; infinite where that
+    double volume = 0.0;   ///< Of the particles, as cubes of a diameter, over that of the solid; infinite if the latter
                            ///< is 0.
-    double surface = 0.0;  ///< How much farther or nearer than half a diameter the nearest particle is from the mesh,
-                           ///< root of the mean square over the surface [diameters].
+    double surface = 0.0;  ///< Root mean square over the surface, of the nearest particle's distance less half a
+                           ///< diameter [diameters].
 };
 
 FillError fillError(const Actor& actor, const Solid& solid);

@@ -16,12 +16,12 @@ using Places = std::vector<Vector3f>;
 
 namespace {
 
-constexpr float ALIKE = 0.5f;         // d: distances to the surface of two that mirror each other
-constexpr float BETTER = 0.95f;       // of the grid's surface error
-constexpr float AWAY = 0.5f;          // d: from joints, where other bodies are part of the surface
+constexpr float ALIKE = 0.5f;         // d: difference of distances to the surface of two mirrored particles
+constexpr float BETTER = 0.95f;       // of the grid's surface error, to be better
+constexpr float AWAY = 0.5f;          // d: distance from joints, where other bodies are part of the surface
 constexpr size_t MOST_SAMPLES = 300;  // of a limb's surface
 
-/// What is filled along its bone where it is slender.
+/// Parts that are filled along their bone if they are slender.
 bool isLimb(BodyPart part)
 {
     switch (part) {
@@ -39,7 +39,7 @@ bool isLimb(BodyPart part)
     }
 }
 
-/// Which body of a figure what is.
+/// The bodies of bones, particles and triangles of a figure.
 class Bodies {
 public:
     Bodies(const Figure& figure, const Solid& solid, const std::vector<BodyDraft>& drafts, const Voxels& voxels)
@@ -57,7 +57,7 @@ public:
     uint32_t ofParticle(uint32_t particle) const { return ofParticle_[particle]; }
     uint32_t ofTriangle(uint32_t triangle) { return ofBone_[owner_.atMiddleOf(triangle)]; }
 
-    /// Whether a place is in a body: by the skin, and beside a particle that the grid gave it.
+    /// Whether a place is in a body: by the skin, and next to one of its particles on the grid.
     bool holds(uint32_t body, const Vector3f& place)
     {
         bool beside = false;
@@ -102,7 +102,7 @@ Places between(const LimbFrame& frame, const Places& surface, float diameter)
     return some;
 }
 
-/// The places nearest to the skin of all patterns; none where the grid's are as good.
+/// The places nearest to the skin among all patterns; none if the grid's are as good.
 Places bestPlaces(const LimbFrame& frame, const Places& grid, const Places& surface, float diameter,
                   const std::function<bool(const Vector3f&)>& belongs)
 {
@@ -118,7 +118,7 @@ Places bestPlaces(const LimbFrame& frame, const Places& grid, const Places& surf
     return best;
 }
 
-/// On which side of a plane all of a limb is: 1, -1; 0 where it is on both.
+/// The side of a plane that all of a limb is on: 1, -1; 0 if it is on both.
 float sideOf(const Places& grid, const MirrorPlane& plane)
 {
     const auto isLeft = [&](const Vector3f& place) { return plane.distance(place) > 0.0f; };
@@ -126,7 +126,7 @@ float sideOf(const Places& grid, const MirrorPlane& plane)
     return left == std::ssize(grid) ? 1.0f : left == 0 ? -1.0f : 0.0f;
 }
 
-/// The images of places, if they fit there as these do here.
+/// The images of places, if these fit as well as the places do.
 Places imagesOf(const Places& places, const Mirror& mirror, const Solid& solid, float diameter)
 {
     Places images;
@@ -138,7 +138,7 @@ Places imagesOf(const Places& places, const Mirror& mirror, const Solid& solid, 
     return images;
 }
 
-/// Puts the new places where the grid's particles of their bodies were.
+/// Replaces the grid's particles of the bodies by the new places.
 void replace(const Solid& solid, const Bodies& bodies, const LimbPlaces& places, std::vector<BodyDraft>& drafts,
              Voxels& voxels)
 {

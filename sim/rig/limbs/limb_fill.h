@@ -8,9 +8,8 @@
 
 namespace knuckle {
 
-/// Fills long limbs anew, each on a lattice of its own along its bone, where that is nearer to the skin than the grid
-/// that they were cut from; feet, trunk and head stay on the grid. Limbs that are images of each other get
-/// images of the same particles.
+/// Refills long limbs, each on its own lattice along its bone, if that is nearer to the skin than the grid that they
+/// were cut from; feet, trunk and head stay on the grid. Limbs that are images of each other get mirrored particles.
 void fillAlongBones(const Figure& figure, const Solid& solid, std::vector<BodyDraft>& drafts, Voxels& voxels);
 
 }  // namespace knuckle

@@ -11,7 +11,7 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr float SLENDER = 1.2f;     // length over thickness
-constexpr float LENGTHWISE = 0.8f;  // cosine with a limb of what is no good direction across it
+constexpr float LENGTHWISE = 0.8f;  // cosine with a limb above which a direction does not lie across it
 
 /// Sets where the limb ends, and whether anything hangs there.
 void findEnd(const std::vector<BodyDraft>& drafts, uint32_t body, const Voxels& voxels,

@@ -26,13 +26,13 @@ Spacing spacingOf(const LimbFrame& frame, const SlicePattern& pattern, float dia
     const float slices = std::max(std::round(frame.length() / diameter), 1.0f);
     spacing.along = frame.leaf ? diameter : frame.length() / slices;
     const float area = diameter * diameter * diameter / spacing.along;
-    // A triangular lattice has sqrt(3) / 2 of the area of squares of its spacing.
+    // A triangular lattice has sqrt(3) / 2 of the area of a square one of equal spacing.
     spacing.inRow = std::sqrt(pattern.hexagonal ? area / 0.8660254f : area);
     spacing.ofRows = area / spacing.inRow;
     return spacing;
 }
 
-/// Where in a slice particles stand, as far as `radius` from the bone [m].
+/// Places of particles in a slice, up to `radius` from the bone [m].
 std::vector<Vector2f> slicePlaces(const SlicePattern& pattern, const Spacing& spacing, float radius)
 {
     std::vector<Vector2f> places;

@@ -12,7 +12,7 @@ class LimbOwner {
 public:
     /// Refers to the figure, whose model has a skin.
     explicit LimbOwner(const Figure& figure) : figure_(figure), sums_(figure.anatomy.size()) {}
-    /// The bone that weighs most there with all that is part of its body; of equal ones the first.
+    /// The bone that weighs most there, with all that is part of its body; of equal ones the first.
     uint32_t at(const SurfacePoint& point);
     uint32_t atMiddleOf(uint32_t triangle);
 

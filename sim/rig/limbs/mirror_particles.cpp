@@ -12,8 +12,8 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr float ON_PLANE = 0.25f;   // d
-constexpr float SAME_POINT = 0.1f;  // d: a particle's image and the particle there
-constexpr float ALIKE = 0.5f;       // d: distances to the surface at a particle and at its image
+constexpr float SAME_POINT = 0.1f;  // d: distance of a particle's image from the particle there
+constexpr float ALIKE = 0.5f;       // d: difference of distances to the surface at a particle and at its image
 constexpr float NEXT = 1.2f;        // d: face to face on the lattice
 
 /// Indices of the particles by place.
@@ -37,8 +37,8 @@ private:
     Cells cells_;
 };
 
-/// What lies on the plane and is of a bone beside it. Between two bones that are each other's images it belongs to the
-/// trunk where this is next to it, else to neither, as on the seam of two legs that touch.
+/// Particles on the plane that belong to a bone beside it. Between two bones that mirror each other they belong to an
+/// adjacent trunk, else to neither, as on the seam of two legs that touch.
 class Seam {
 public:
     Seam(const Mirror& mirror, const std::vector<int32_t>& parents, const Voxels& voxels,

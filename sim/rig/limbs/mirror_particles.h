@@ -7,11 +7,11 @@
 
 namespace knuckle {
 
-/// Where the solid is its own image within half a particle's diameter, gives the side of the plane that looks down its
-/// normal the images of the other side's particles, and their bones.
+/// Where the solid is symmetric within half a particle's diameter, replaces the particles and bones on the negative
+/// side of the plane by images of those of the other side.
 /// @param bones per particle.
-/// @param parents of bones: what lies on the plane belongs to a bone on it where this is next to it. What stands
-/// between two bones that are images of each other is left out elsewhere.
+/// @param parents of bones: particles on the plane belong to an adjacent bone on the plane; elsewhere, those between
+/// two bones that mirror each other are left out.
 void mirrorParticles(const Solid& solid, const Mirror& mirror, const std::vector<int32_t>& parents, Voxels& voxels,
                      std::vector<uint32_t>& bones);
 

@@ -11,8 +11,8 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float WINDING = 0.35f;  // d: from the bone
-// By quarters, so that two particles between the joints at its ends already leave the plane of these.
+constexpr float WINDING = 0.35f;  // d: radius about the bone
+// By quarter turns, so that two particles between the joints at its ends already leave the joints' plane.
 constexpr std::array<std::array<float, 2>, 4> DIRECTIONS{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 }  // namespace
@@ -33,7 +33,7 @@ void windRods(const Figure& figure, const Solid& solid, Voxels& voxels, std::vec
         if (count < ROD_PARTICLES) continue;
         isRod[limb] = 1;
         const Vector3f along = way.normalized(), across = acrossLimb(along, figure.forward);
-        // Rods of both sides wind as images of each other.
+        // Rods of both sides wind as mirror images.
         const Vector3f beside = along.cross(across) * (anatomy[limb].side < 0 ? -1.0f : 1.0f);
         for (int k = 0; k < count; ++k) {
             const auto& [u, v] = DIRECTIONS[static_cast<size_t>(k) % DIRECTIONS.size()];

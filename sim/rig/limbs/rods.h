@@ -10,9 +10,9 @@ namespace knuckle {
 /// The fewest particles along a rod: those that can span space.
 inline constexpr int ROD_PARTICLES = 4;
 
-/// Makes bodies of limbs so thin that the grid has no body in them: as many particles along their bones as these are
-/// diameters long, wound about them, since a straight row has no turn. Limbs shorter than that stay as they are.
-/// @param bones per particle its limb.
+/// Makes bodies of limbs so thin that they have none on the grid: one particle per diameter along their bones, wound
+/// about them, since a straight row cannot turn about itself. Shorter limbs stay as they are. @param bones per particle
+/// its limb.
 void windRods(const Figure& figure, const Solid& solid, Voxels& voxels, std::vector<uint32_t>& bones);
 
 }  // namespace knuckle

@@ -8,9 +8,9 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float GAP = 0.9f;  // d: the grid's particle stays where none is as near as this
+constexpr float GAP = 0.9f;  // d: the grid's particle stays if none is this near
 
-/// Particles so far, by place.
+/// The particles so far, by place.
 class Crowd {
 public:
     explicit Crowd(float diameter) : diameter_(diameter), cells_(diameter) {}

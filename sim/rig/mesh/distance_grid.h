@@ -7,11 +7,11 @@
 
 namespace knuckle {
 
-/// The signed distance grid of a mesh, for a collider: distances to its triangles, inside by the generalized winding
-/// number, so that it may have holes and triangles may face either way. Two cells of room lie around the mesh.
+/// The signed distance grid of a mesh, for a collider: distances to its triangles, with the sign by generalized winding
+/// number, so that it may have holes and triangles may face either way. It extends two cells beyond the mesh.
 /// @param cell [m], > 0.
-/// @throws InputError for a mesh that encloses no point of the grid, or when more than MAX_GRID_VALUES are needed, with
-/// the cell that would do.
+/// @throws InputError for a mesh that encloses no point of the grid, or if more than MAX_GRID_VALUES are needed, with a
+/// cell that works.
 ColliderGrid makeDistanceGrid(std::span<const Eigen::Vector3f> vertices, std::span<const Triangle> triangles,
                               float cell);
 

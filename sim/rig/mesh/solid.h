@@ -7,7 +7,7 @@
 
 namespace knuckle {
 
-/// A mesh as the body that it bounds. Refers to the mesh's arrays.
+/// A mesh as the boundary of a solid. Refers to the mesh's arrays.
 class Solid {
 public:
     /// @throws InputError for a mesh that is empty or has no size.
@@ -20,7 +20,8 @@ public:
     float signedDistance(const Eigen::Vector3f& point) const;
 
     /// Calls visit(point, normal, triangle) for points all over the surface, less than `spacing` [m] apart along the
-    /// edges of triangles; those without an area are left out. @returns how many: it stops above `limit`.
+    /// edges of triangles; triangles without an area are left out. @returns the number of points: it stops above
+    /// `limit`.
     template <typename Visit>
     double forEachSample(float spacing, double limit, Visit visit) const
     {

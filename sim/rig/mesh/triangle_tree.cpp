@@ -14,17 +14,17 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr uint32_t LEAF_SIZE = 6;
-// A cluster counts as one dipole from this many times its reach on (Barill et al. 2018).
+// A cluster counts as one dipole beyond this multiple of its reach (Barill et al. 2018).
 constexpr float FAR_FACTOR = 2.0f;
 constexpr uint32_t STACK_DEPTH = 64;
-constexpr float COINCIDENT = 1.0001f;  // distances of surfaces that lie on each other
+constexpr float COINCIDENT = 1.0001f;  // ratio of distances of surfaces that coincide
 
 float boxDistanceSquared(const Vector3f& low, const Vector3f& high, const Vector3f& point)
 {
     return (low - point).cwiseMax(point - high).cwiseMax(0.0f).squaredNorm();
 }
 
-// The foot of the point on the edge from corner i to corner j, as weights of the three corners.
+// The foot of the point's perpendicular on the edge from corner i to corner j, as weights of the three corners.
 Vector3f onEdge(int i, int j, float alongNumerator, float alongDenominator)
 {
     Vector3f weights = Vector3f::Zero();
@@ -45,7 +45,7 @@ double solidAngle(const std::array<Vector3f, 3>& corners, const Vector3f& point)
     const double numerator = a.dot(b.cross(c));
     const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
     if (numerator == 0.0 && denominator <= 0.0) {
-        return 0.0;  // the point lies in the triangle's plane and within it: neither sign is right
+        return 0.0;  // the point is in the triangle: neither sign is right
     }
     return std::atan2(numerator, denominator) / (2.0 * std::numbers::pi);
 }
@@ -123,7 +123,7 @@ void TriangleTree::summarize(Node& node, uint32_t first, uint32_t count) const
     }
 }
 
-// Median split on the longest side, so that the depth is log2 of the count whatever the mesh looks like.
+// Median split on the longest side, so that the depth is log2 of the count for any mesh.
 uint32_t TriangleTree::build(uint32_t first, uint32_t count)
 {
     const uint32_t index = static_cast<uint32_t>(nodes_.size());

@@ -41,7 +41,7 @@ public:
     bool inside(const Eigen::Vector3f& point) const;
     /// The nearest point of the surface. The tree must not be empty. Ties go to the triangle met first.
     SurfacePoint nearest(const Eigen::Vector3f& point) const;
-    /// The same, of surfaces that lie on each other that of what the point is inside of.
+    /// The same, but of surfaces that coincide, the one whose inside contains the point.
     SurfacePoint nearestAround(const Eigen::Vector3f& point) const;
 
 private:
@@ -57,7 +57,7 @@ private:
     uint32_t build(uint32_t first, uint32_t count);
     void summarize(Node& node, uint32_t first, uint32_t count) const;
     std::array<Eigen::Vector3f, 3> corners(uint32_t triangle) const;
-    /// The nearest point of triangles that are accepted, nearer than `reach`; NO_INDEX for none.
+    /// The nearest point of accepted triangles, nearer than `reach`; NO_INDEX for none.
     template <typename Accept>
     SurfacePoint search(const Eigen::Vector3f& point, float reach, Accept accept) const;
 

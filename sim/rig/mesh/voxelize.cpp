@@ -21,13 +21,13 @@ constexpr double CELL_LIMIT = 5e7;         // lattice points looked at
 constexpr double SAMPLE_LIMIT = 2e7;       // surface samples looked at
 constexpr float DEFAULT_DIAMETER = 0.03f;  // of the longest side
 
-// The cubic lattice over a mesh, and which of its points are taken.
+// The cubic lattice over a mesh, and its points that are taken.
 class Lattice {
 public:
     Lattice(const Eigen::AlignedBox3f& bounds, const Vector3f& centre, float spacing) : spacing_(spacing)
     {
         const Vector3f half = (bounds.max() - centre).cwiseMax(centre - bounds.min());
-        // One point beyond the bounds on each side, since a thin part's layer may stand outside.
+        // One point beyond the bounds on each side, since a thin part's layer may be outside.
         const Eigen::Vector3d reach = (half / spacing).cast<double>().array().ceil() + 1.0;
         const double cells = (2.0 * reach.array() + 1.0).prod();
         if (!(cells <= CELL_LIMIT)) {
@@ -45,7 +45,7 @@ public:
         return (static_cast<size_t>(cell.z()) * counts_.y() + cell.y()) * counts_.x() + cell.x();
     }
     Vector3f position(const Vector3i& cell) const { return origin_ + spacing_ * cell.cast<float>(); }
-    // Rounded slightly downwards: of a plate midway between two layers of the lattice, all points go to the same layer.
+    // Rounds slightly downwards: for a plate midway between two layers of the lattice, all points go to the same layer.
     Vector3i round(const Vector3f& p) const
     {
         const Vector3f cell = ((p - origin_) / spacing_).array() + 0.45f;
@@ -57,7 +57,7 @@ public:
         count_ += taken(cell) ? 0 : 1;
         taken_[index(cell)] = 1;
     }
-    // Is a taken point nearer to p than `reach` (below one spacing)?
+    // Whether a taken point is nearer to p than `reach` (below one spacing).
     bool covered(const Vector3f& p, float reach) const
     {
         const Vector3i centre = round(p);
@@ -99,7 +99,7 @@ private:
 constexpr float PROBES[] = {0.03f, 0.06f, 0.12f, 0.25f, 0.5f, 0.75f, 1.0f, 1.25f, 1.5f, 1.75f};
 constexpr float DEEPEST = PROBES[std::size(PROBES) - 1];
 
-// How deep the solid goes behind a surface sample, at most DEEPEST [d]; 0 for an open sheet.
+// The depth of the solid behind a surface sample, at most DEEPEST [d]; 0 for an open sheet.
 float probeDepth(const TriangleTree& tree, const Vector3f& sample, const Vector3f& inward, float diameter)
 {
     float depth = 0.0f;
@@ -112,11 +112,11 @@ float probeDepth(const TriangleTree& tree, const Vector3f& sample, const Vector3
     return depth;
 }
 
-// Takes the lattice point nearest to the middle of a part that is too thin for the lattice, if none is there.
+// Takes the lattice point nearest to the middle of a part that is too thin for the lattice, if none is taken there.
 void keepThinPart(Lattice& lattice, const TriangleTree& tree, const Vector3f& sample, const Vector3f& normal)
 {
     const float d = lattice.spacing();
-    // Most samples end here: a taken point lies just behind them.
+    // Most samples end here: a taken point is just behind them.
     if (lattice.covered(sample - 0.5f * d * normal, 0.75f * d) || lattice.covered(sample, 0.5f * d)) {
         return;
     }
@@ -127,7 +127,7 @@ void keepThinPart(Lattice& lattice, const TriangleTree& tree, const Vector3f& sa
         }
         if (depth > 0.0f || side > 0.0f) {
             const Vector3f middle = sample + 0.5f * depth * d * side * normal;
-            // Half the diagonal of a cell is 0.87: with less, nothing could cover the middle of a cell.
+            // Half the diagonal of a cell is 0.87: with less, no point might cover the middle of a cell.
             if (!lattice.covered(middle, 0.9f * d)) {
                 lattice.take(lattice.round(middle));
             }
@@ -148,12 +148,12 @@ void keepThinParts(Lattice& lattice, const Solid& solid)
                                      lattice.spacing()));
 }
 
-// Points of the lattice along each axis that are looked at together where no surface is among them.
+// Points of the lattice along each axis that are tested together if no surface is among them.
 constexpr int BLOCK = 4;
-// From whole numbers, of a winding number with no hole nearby.
+// Distance from a whole number, for a winding number with no hole nearby.
 constexpr double CLOSED = 0.05;
 
-// Whether what lies within `reach` of the middle is inside as a whole, or outside.
+// Whether everything within `reach` of the middle is inside, or everything outside.
 bool isAllOrNothing(const TriangleTree& tree, const Vector3f& middle, float reach)
 {
     if (tree.nearest(middle).distance <= reach) return false;
@@ -178,7 +178,7 @@ Lattice fill(const Solid& solid, const VoxelOptions& options, float diameter)
     return lattice;
 }
 
-// Depth [d] that half a diameter inwards must add for a side to be the only nearest one.
+// Extra depth [d] half a diameter inwards, from which a side counts as the only nearest one.
 constexpr float DEEPER = 0.15f;
 
 Vector3f outwardOf(const Solid& solid, const Vector3f& point, float distance, const Vector3f& nearest, float diameter)

@@ -62,7 +62,7 @@ std::vector<uint32_t> bodiesOfBones(const Actor& actor, const Model& model)
         throw InputError(fmt::format("no body of the actor '{}' is a bone of the model '{}': make the actor anew of it "
                                      "with knuckle voxelize",
                                      actor.name, model.name));
-    // The first body is the one that the others hang on.
+    // The others hang on the first body.
     std::ranges::replace(bodies, NO_INDEX, 0u);
     return bodies;
 }

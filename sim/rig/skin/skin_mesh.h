@@ -9,17 +9,17 @@
 
 namespace knuckle {
 
-/// The weights of a vertex by whom its bones belong to, heaviest first. @param owners per bone.
+/// The weights of a vertex summed by owners of its bones, heaviest first. @param owners per bone.
 std::vector<std::pair<uint32_t, float>> weightsByOwner(const SkinWeights& skin, std::span<const uint32_t> owners);
 
-/// Per bone of a model, the body of its actor that moves it: that which it became or was merged into, else that of the
-/// nearest bone above that has one, else the first.
-/// @throws InputError where the actor has several bodies and none of them is a bone of the model.
+/// Per bone of a model, the body of its actor that moves it: the one that it became or was merged into, else that of
+/// the nearest bone above that has one, else the first.
+/// @throws InputError if the actor has several bodies and none of them is a bone of the model.
 std::vector<uint32_t> bodiesOfBones(const Actor& actor, const Model& model);
 
-/// The mesh of an actor's own model, skinned to its bodies: each vertex to the four that weigh most.
+/// The mesh of an actor's own model, skinned to its bodies: each vertex to the four with the largest weights.
 /// @param model read with ImportOptions::surface, at the scale that the actor was made with.
-/// @throws InputError for a model that has no mesh to draw, or is another than the actor's.
+/// @throws InputError for a model that has no mesh to draw, or is not the actor's.
 SkinMesh makeSkinMesh(const Actor& actor, const Model& model);
 
 }  // namespace knuckle

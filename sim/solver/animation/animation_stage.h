@@ -5,8 +5,8 @@
 
 namespace knuckle {
 
-/// Bodies and colliders that clips move (World::animations, World::colliderMotions). All keys are uploaded once; where
-/// a clip is follows from the number of the substep.
+/// Bodies and colliders that clips move (World::animations, World::colliderMotions). All keys are uploaded once; the
+/// number of the substep says where each clip is.
 class AnimationStage : public Stage {
 public:
     static bool isNeeded(const World& world) { return !world.animations.empty() || !world.colliderMotions.empty(); }
@@ -14,21 +14,22 @@ public:
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
-    /// At the start of a step in which there are fluids: how far colliders come in it.
+    /// At the start of a step of a world with fluids: how far colliders move in it.
     void lookAhead(Recorder& recorder) const;
-    /// After the predictions: how far animated bodies come in the substep, and colliders, which are at its end then.
+    /// After the predictions: moves animated bodies and colliders to where clips have them at the substep's end.
     void animate(Recorder& recorder) const;
 
     Buffer<gpu::vec4> clipTurns;               ///< Per clip, key and body: its turn.
     Buffer<gpu::vec4> clipRoots;               ///< Per clip and key: where the pivot is [m].
     Buffer<gpu::AnimatedBody> animatedBodies;  ///< Grouped by animation, in the order of its object's bodies.
-    Buffer<gpu::Animation> animations;         ///< Where its object stands, and its plays; then those
-                                               ///< of colliders.
+    Buffer<gpu::Animation> animations;         ///< Place of its object, and its plays; animations of colliders come
+                                               ///< after those of objects.
     Buffer<gpu::ClipPlay> clipPlays;           ///< Per animation in order of time.
-    Buffer<gpu::vec4> clipBodyTurns;   ///< Per animated body, where any is driven: its turn at the substep's end.
-    Buffer<gpu::vec4> clipBodyPlaces;  ///< The same: where its centre is then [m], and its rotation.
+    Buffer<gpu::vec4> clipBodyTurns;           ///< Per animated body, if any is driven: its turn at the substep's end.
+    Buffer<gpu::vec4> clipBodyPlaces;          ///< The same: its centre at that time [m], and its rotation.
     Buffer<gpu::MovingCollider> movingColliders;  ///< Where each stands in the frame that moves.
-    Buffer<gpu::vec4> colliderFounds;  ///< Per moving collider: where it was in the last search; w: its count.
+    Buffer<gpu::vec4> colliderFounds;  ///< Per moving collider: its place in the last search; w: the number of that
+                                       ///< search.
 
 private:
     void addBodies(const StageSetup& setup);

@@ -26,11 +26,12 @@ struct Movers {
     std::vector<gpu::vec4> moments, inertias, rounds;       ///< Of bodies.
 };
 
-/// The particles of a body move as one: the linear field nearest to their velocities, by least squares.
+/// Adds the velocity field of a body: its particles move as the linear field nearest to their velocities (least
+/// squares).
 void addVelocityField(std::vector<gpu::vec4>& out, const World& world, const Body& body, const BodyMass& mass)
 {
     Vector3d momentum = Vector3d::Zero();
-    Matrix3d cross = Matrix3d::Zero(), moments = Matrix3d::Zero();  // of the particles, whatever they stand for
+    Matrix3d cross = Matrix3d::Zero(), moments = Matrix3d::Zero();  // of the particles, even for a ball or capsule
     for (uint32_t l = body.linkStart; l < body.linkStart + body.linkCount; ++l) {
         const Vector3d v = world.links[l].mass * world.particles[world.links[l].particle].velocity.cast<double>();
         momentum += v;
@@ -99,7 +100,7 @@ Movers makeMovers(const World& world, const Layout& layout)
     return movers;
 }
 
-/// The substep that a body responds in first, NO_SUBSTEP where it is not held or animated until a time.
+/// The first substep in which a body responds; NO_SUBSTEP if it is not held or animated until a time.
 uint32_t releaseOf(const World& world, const Body& body)
 {
     return world.settings.substepAt(body.releaseTime);

@@ -4,22 +4,22 @@
 
 namespace knuckle {
 
-/// Movers (bodies and loose particles): how they would move, what acts on them, and how they did move. Fields as in
+/// Movers (bodies and loose particles): their predictions, the impulses on them, and their moves. Fields as in
 /// shaders/sim/common/bodies/fields.glsl.
 class BodyStage : public Stage {
 public:
-    /// @param onParticles whether anything acts on single particles, beside contacts and joints.
+    /// @param onParticles whether anything besides contacts and joints acts on single particles.
     BodyStage(const StageSetup& setup, bool onParticles);
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
     void predict(Recorder& recorder) const;
-    /// The last impulses of contacts again, by the lists of a new search.
+    /// Applies the last impulses of contacts again, in the order of a new search's lists.
     void warmStart(Recorder& recorder) const;
     /// Sums the impulses of an iteration, and matches each mover to them.
     void solve(Recorder& recorder) const;
     void integrate(Recorder& recorder) const;
-    /// Particles where their bodies have them, at the end of a step.
+    /// Puts particles where their bodies have them, at the end of a step.
     void placeParticles(Recorder& recorder) const;
 
     // What never changes.
@@ -39,15 +39,16 @@ public:
     Buffer<gpu::vec4> moverVelocities, oldMoverVelocities;  ///< Fields [m/s]; the second: a substep before.
     Buffer<gpu::vec4> oldMoverMoves;                        ///< Field: the last substep's move [m].
     // Within a substep, per mover.
-    Buffer<gpu::vec4> moverMoves;           ///< Of c since it began [m]; w: over how many impulses its mass is split.
+    Buffer<gpu::vec4> moverMoves;           ///< Move of c since it began [m]; w: number of impulses over which its mass
+                                            ///< is split.
     Buffer<gpu::vec4> moverRotationDeltas;  ///< The rotation since it began: a quaternion.
     Buffer<gpu::vec4> bodyPushes;           ///< Per body, a field: what contacts and its particles add to it [kg m].
-    Buffer<gpu::vec4> bodyParticlePushes;   ///< Of it what acts on its particles, where anything does.
-    Buffer<gpu::vec4> bodyLoads;         ///< Per body, four, of those with joints: what acts on it, how hard it turns.
+    Buffer<gpu::vec4> bodyParticlePushes;   ///< The part of it that acts on its particles, if anything does.
+    Buffer<gpu::vec4> bodyLoads;         ///< Per body with joints, four: what acts on it, and how hard it is to turn.
     Buffer<gpu::vec4> moverPredictions;  ///< Field: the untouched move, A of eq. 9 after it.
     Buffer<gpu::vec4> moverImpulses;     ///< Field: what its contacts add to it [kg m].
     Buffer<gpu::vec4> moverChanges;      ///< Field: how they last changed; w of the first: relaxation.
-    Buffer<gpu::vec4> particleImpulses;  ///< Per particle, by rank: what acts on it alone [kg m].
+    Buffer<gpu::vec4> particleImpulses;  ///< Per particle, by rank: impulse that acts on it alone [kg m].
     // The channel of constraints (row_plan.h).
     Buffer<gpu::uvec2> bodyRows;           ///< Per body: its first row, and how many.
     Buffer<gpu::vec4> rowArms;             ///< Per row: where in the body it acts [m].

@@ -4,8 +4,8 @@
 
 namespace knuckle {
 
-/// Colliders, and behind them the drains of fluids and the regions of releases. It has no kernels: contacts, fluids and
-/// releases read it, and AnimationStage writes where colliders are that clips move.
+/// Colliders, then drains of fluids, then regions of releases. It has no kernels: contacts, fluids and releases read
+/// it, and AnimationStage moves the colliders that clips move.
 class ColliderStage : public Stage {
 public:
     /// @throws DeviceError when the device's limits are too small for the grids of meshes and heightfields.
@@ -16,9 +16,9 @@ public:
     Buffer<gpu::Collider> colliders;   ///< Colliders, drains, regions of releases.
     Buffer<gpu::vec4> colliderPlaces;  ///< Of each its position [m] and orientation.
     Buffer<float> gridValues;          ///< Of all ColliderGrids, one after another.
-    Buffer<gpu::vec4> colliderMoves;   ///< Per collider, where any moves: how far its place and its farthest point
-                                       ///< come in the substep [m]; its turn.
-    Buffer<float> colliderAheads;      ///< The same: how far its farthest point comes in the step [m].
+    Buffer<gpu::vec4> colliderMoves;   ///< Per collider, if any moves: how far its place and its farthest point move in
+                                       ///< the substep [m]; its turn.
+    Buffer<float> colliderAheads;      ///< The same: how far its farthest point moves in the step [m].
 };
 
 }  // namespace knuckle

@@ -22,7 +22,7 @@ void ContactStage::setParameters(const StageSetup& setup)
     gpu::StepParameters& p = setup.parameters;
     p.correction = 0.06f;
     if (byImpulses_) p.maxCorrection = 0.25f * p.substepTime;
-    // What a substep keeps of an impulse, of what it differs by from its mean, and of the mean.
+    // Per substep, the parts that an impulse, its difference from its mean, and the mean keep.
     const float iterations = static_cast<float>(s.iterations);
     p.warmStart = std::pow(0.985f, 1.0f / iterations);
     p.impulseDamping = 1.0f - std::pow(0.95f, 1.0f / iterations);

@@ -4,8 +4,7 @@
 
 namespace knuckle {
 
-/// Contacts between particles and with colliders: what they are made of, and their impulses. "Halves" as in
-/// SearchStage.
+/// Contacts between particles and with colliders: their data and their impulses. "Halves" as in SearchStage.
 class ContactStage : public Stage {
 public:
     explicit ContactStage(const StageSetup& setup);
@@ -13,7 +12,7 @@ public:
     void addBuffers(BufferTable& table) override;
     void makeLists(const Gpu& gpu) override;
 
-    /// What contacts of a new search are made of, with the impulses that they had.
+    /// Fills in the data of a new search's contacts, and gives them their old impulses.
     void prepare(Recorder& recorder) const;
     /// One iteration of the impulses.
     void solve(Recorder& recorder) const;
@@ -23,7 +22,7 @@ public:
                                  ///< and hidden axes (shaders/sim/common/contacts/flat_faces.glsl).
     Buffer<gpu::vec4> pairArms;  ///< Per pair, two: place in the body, worst inverse mass there.
     Buffer<gpu::vec4> pairImpulses;    ///< Halves: the whole impulse, its normal part [kg m].
-    Buffer<float> pairMeans;           ///< Halves: the mean of its normal part lately [kg m].
+    Buffer<float> pairMeans;           ///< Halves: the recent mean of its normal part [kg m].
     Buffer<gpu::uvec4> colliderSides;  ///< Per contact with a collider: mover, collider, frictions, fraction.
     Buffer<gpu::vec4> colliderArms, colliderImpulses;  ///< As for pairs.
     Buffer<float> colliderMeans;                       ///< As for pairs.

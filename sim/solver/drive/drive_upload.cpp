@@ -39,7 +39,7 @@ std::vector<Driven> drivenJoints(const World& world, const Puppet& puppet)
     return driven;
 }
 
-/// Index into the trees' joints of the one between two bodies, or, without a second one, of a body's own.
+/// Index into the trees' joints of the joint between two bodies, or, if only one is given, of its own.
 uint32_t treeJointOf(const JointTrees& trees, uint32_t a, uint32_t b = NO_INDEX)
 {
     const auto found = std::ranges::find_if(trees.joints, [&](const JointTrees::Joint& joint) {
@@ -182,7 +182,7 @@ void addPins(DriveUpload& out, const StageSetup& setup, const Puppet& puppet, ui
     }
 }
 
-/// When a body of a puppet is limp, before and after it was caught, and when that is.
+/// When a body of a puppet goes limp, before and after it was caught, and when it is caught.
 gpu::uvec4 limpTimes(const Settings& settings, const Puppet& puppet, uint32_t body)
 {
     if (!puppet.caught) return {settings.substepAt(puppet.limpTimes[body]), NO_SUBSTEP, NO_SUBSTEP, 0};

@@ -7,7 +7,7 @@
 
 namespace knuckle {
 
-/// What the buffers of the same meaning in DriveStage begin with.
+/// The initial contents of DriveStage's buffers.
 struct DriveUpload {
     std::vector<gpu::Puppet> puppets;
     std::vector<gpu::JointDrive> drives;
@@ -19,7 +19,7 @@ struct DriveUpload {
 
 DriveUpload driveUpload(const StageSetup& setup);
 
-/// Of the channel: two for each driven joint, one for each pin.
+/// Reserves rows of the channel: two for each driven joint, one for each pin.
 void reserveDriveRows(RowPlan& rows, const World& world);
 
 }  // namespace knuckle

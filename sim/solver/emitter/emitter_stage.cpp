@@ -10,8 +10,8 @@ namespace knuckle {
 
 namespace {
 
-/// Fluid nearer than this share of the pitch is in the way of what leaves a nozzle. Into fluid at rest, one lets out
-/// 98 % of its flow with 0.25, 84 % with 0.4, nothing with 0.5.
+/// Fluid nearer than this share of the pitch blocks a particle that leaves a nozzle. A nozzle inside fluid at rest
+/// emits 98 % of its flow with 0.25, 84 % with 0.4, nothing with 0.5.
 constexpr float ROOM = 0.25f;
 
 uint32_t wholeChunks(uint32_t count)
@@ -30,7 +30,7 @@ struct Fixed {
 gpu::Emitter packEmitter(const Emitter& e, const World& world)
 {
     const double step = world.settings.timeStep, rate = 1.0 / e.interval();
-    // Emitters work at the end of a step: nothing can leave before the end of the first.
+    // Emitters work at the end of a step, so nothing leaves before the end of the first.
     const double first = std::max(1.0, std::ceil(e.start / step));
     const Fixed past((first * step - e.start) * rate), perStep(step * rate);
     gpu::Emitter out{};
@@ -76,7 +76,7 @@ void EmitterStage::uploadPools(const StageSetup& setup)
         order.resize(wholeChunks(static_cast<uint32_t>(order.size())), NO_INDEX);
         chunks.resize(order.size() / SCAN_CHUNK, static_cast<uint32_t>(all.size()));
         all.push_back(emitter);
-        // One more chunk at the end, whose prefix sum is the sum of all.
+        // One more chunk at the end: its prefix sum is the total.
         p.poolCapacity = static_cast<uint32_t>(order.size() + SCAN_CHUNK);
         inactive.resize(order.size(), 0);
     }

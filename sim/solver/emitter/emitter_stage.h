@@ -6,7 +6,7 @@
 namespace knuckle {
 
 /// Emitters and drains, which end a step, and the fluid particles that are inactive until an emitter takes them
-/// (shaders/sim/emitter/emitters.glsl). The host has no part in it: what is due follows from the number of the step.
+/// (shaders/sim/emitter/emitters.glsl). The host does nothing: the number of the step says what is due.
 class EmitterStage : public Stage {
 public:
     static bool isNeeded(const World& world)
@@ -18,15 +18,16 @@ public:
     void addBuffers(BufferTable& table) override;
 
     void endStep(Recorder& recorder) const;
-    /// Fluid particles that are there, that came and that left since the start. Stalls until the GPU is done.
+    /// Counts of active fluid particles, and of those emitted and drained since the start. Stalls until the GPU is
+    /// done.
     void measure(Measures& out) const;
 
     Buffer<gpu::Emitter> emitters;            ///< What never changes about each.
     Buffer<gpu::EmitterState> emitterStates;  ///< Per emitter, within a step.
     Buffer<gpu::vec4> nozzlePoints;           ///< Where layers leave [m].
-    Buffer<uint32_t> poolOrder;               ///< Halves: the particles of each pool, whose turn it is first.
-    Buffer<uint32_t> poolInactive;            ///< Per place in it: 1 if it was inactive after the last step.
-    Buffer<uint32_t> poolSums, poolChunks;    ///< Per chunk of it: inactive before, emitter.
+    Buffer<uint32_t> poolOrder;               ///< Halves: the particles of each pool, next to leave first.
+    Buffer<uint32_t> poolInactive;            ///< Per place in the pool: 1 if it was inactive after the last step.
+    Buffer<uint32_t> poolSums, poolChunks;    ///< Per chunk of the pool: inactive particles before it; its emitter.
     Buffer<uint32_t> fluidTotals;             ///< Particles that came, that left.
 
 private:

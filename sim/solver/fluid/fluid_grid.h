@@ -6,7 +6,7 @@
 
 namespace knuckle {
 
-/// Kernels of the variant FLUIDS work on the neighbour grid of fluids: what they declare of a grid is that one's.
+/// Kernels of the variant FLUIDS use the fluids' own neighbour grid instead of the one that they declare.
 inline Renames gridRenames(const Defines& variant)
 {
     if (std::ranges::none_of(variant, [](const auto& define) { return define.first == "FLUIDS"; })) return {};

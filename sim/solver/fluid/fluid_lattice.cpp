@@ -15,7 +15,7 @@ using Eigen::AlignedBox3f;
 
 constexpr float INF = std::numeric_limits<float>::infinity();
 
-/// Moves a face of `limits` inwards to a plane that looks along an axis.
+/// Moves a face of `limits` inwards to a plane that faces along an axis.
 void limitAt(AlignedBox3f& limits, const Collider& plane)
 {
     const Vector3f normal = plane.orientation * Vector3f::UnitY();
@@ -25,7 +25,7 @@ void limitAt(AlignedBox3f& limits, const Collider& plane)
     }
 }
 
-/// The same for a box collider that covers at least half of a face of `limits`: a wall, up to its far side.
+/// The same for a box collider that covers at least half of a face of `limits`: the face moves to the wall's far side.
 void limitAt(AlignedBox3f& limits, const AlignedBox3f& box, const AlignedBox3f& wall)
 {
     const Vector3f common = box.intersection(wall).sizes();
@@ -37,25 +37,25 @@ void limitAt(AlignedBox3f& limits, const AlignedBox3f& box, const AlignedBox3f& 
     }
 }
 
-/// The box that particles can be in if they pass no wall, and a little more, as predictions may be behind one.
+/// The box that particles cannot leave without passing a wall, and a margin, as predictions may lie behind a wall.
 AlignedBox3f limitsOf(const World& world, const AlignedBox3f& box, float margin)
 {
     AlignedBox3f limits(Vector3f::Constant(-INF), Vector3f::Constant(INF));
     for (const Collider& collider : world.colliders)
         if (collider.shape == ColliderShape::Plane) limitAt(limits, collider);
         else limitAt(limits, box, colliderBounds(world, collider));
-    const AlignedBox3f all = limits.merged(box);  // nothing ends behind the particles themselves
+    const AlignedBox3f all = limits.merged(box);  // the box always contains the particles themselves
     return {all.min() - Vector3f::Constant(margin), all.max() + Vector3f::Constant(margin)};
 }
 
-/// Cells along each axis that a box covers, and those beside them that a search reaches.
+/// Number of cells along each axis that a box covers, with those beside them that a search reaches.
 Eigen::Vector3d cellsOf(const AlignedBox3f& box, float cell)
 {
     const Eigen::Vector3d sizes = box.sizes().cast<double>() / cell;
     return {std::ceil(FINE_CELLS * sizes.x()) + 1 + FINE_CELLS, std::ceil(sizes.y()) + 2, std::ceil(sizes.z()) + 2};
 }
 
-/// The largest of a family of boxes, boxOf(0) .. boxOf(1), each around those before it, for which the cells suffice.
+/// The largest box of a growing family boxOf(0) .. boxOf(1) for which the cells suffice.
 template <class Family>
 AlignedBox3f largest(float cell, uint32_t cells, const Family& boxOf)
 {

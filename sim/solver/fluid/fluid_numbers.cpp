@@ -12,14 +12,14 @@ namespace knuckle {
 namespace {
 
 constexpr uint32_t FIRST_NEIGHBOURS = 64;
-/// Of the smoothing kernel [rest distances]. Below 2.2 the sums depend so much on how particles happen to lie that
-/// water under pressure rubs like sand; above 2.5 the multipliers overshoot.
+/// Radius of the smoothing kernel [rest distances]. Below 2.2 the sums depend so much on the particles' arrangement
+/// that water under pressure rubs like sand; above 2.5 the multipliers overshoot.
 constexpr float FLUID_REACH = 2.2f;
-/// A sum over a lattice divided by the same sum over fluid at rest, whose particles lie less evenly.
+/// A sum over a lattice divided by the same sum over fluid at rest, whose particles are less regular.
 constexpr double DISORDER = 1.01;
 
-/// Sums over a cubic lattice of spacing `spacing` of Wendland's kernel of support `reach` without its constant, and of
-/// the squares of its slope: the density and the denominator of lambda that fluids are filled with.
+/// Sums over a cubic lattice of Wendland's kernel without its constant, and of the squares of its slope: the density
+/// and the denominator of lambda for the lattice that fluids start in.
 struct LatticeSums {
     LatticeSums(double spacing, double reach)
     {
@@ -44,9 +44,9 @@ double wallFraction(double z, double reach)
     return std::pow(t, 6) * (3.5 - 4.5 * t + 1.5 * t * t);
 }
 
-/// By how much more the listed particles of a layer have to cover for a fluid particle next to it: the list, and with
-/// it solidFraction() of sim/fluid/fluid.glsl, fades out before the kernel ends. With 0.88 of that bodies float as deep
-/// as they are dense.
+/// Factor by which the listed particles of a layer must cover more for a fluid particle next to it, because both the
+/// list and solidFraction() of sim/fluid/fluid.glsl fade out before the kernel ends. With 0.88 of that, bodies float as
+/// deep as their density says.
 float solidCover(const gpu::StepParameters& p)
 {
     constexpr double CALIBRATION = 0.88;
@@ -79,8 +79,8 @@ void setFluidParameters(gpu::StepParameters& p, const World& world)
     p.fluidSlots = FIRST_NEIGHBOURS;
     p.fluidSpacing = world.fluidSpacing;
     p.fluidReach = FLUID_REACH * world.fluidSpacing;
-    // Neighbours stay listed for a step; what comes nearer then hardly counts yet. Solids reach a radius beyond their
-    // centres.
+    // Neighbours stay listed for a step; one that comes nearer meanwhile hardly counts yet. Solids reach a radius
+    // beyond their centres.
     p.fluidListReach = std::max(p.fluidReach, 1.1f * world.diameter());
     p.solidCover = solidCover(p);
     p.inverseFluidCell = 1.0f / p.fluidListReach;
@@ -90,7 +90,7 @@ void setFluidParameters(gpu::StepParameters& p, const World& world)
     p.fluidSoftness = static_cast<float>(0.01 * lattice.slopes / (lattice.density * lattice.density));
 }
 
-// The least keeps resting fluids quiet; explicit steps are stable below 1.
+// LEAST keeps resting fluids quiet; explicit steps are stable below 1.
 float smoothing(const gpu::StepParameters& p, const Material& material, float time)
 {
     constexpr double LEAST = 0.03, MOST = 0.9;
@@ -100,8 +100,8 @@ float smoothing(const gpu::StepParameters& p, const Material& material, float ti
 }
 
 // A pair force f(r) at the number density n gives the surface tension pi n^2 / 8 times the integral of f r^4 (Fowler
-// 1937; Rowlinson and Widom 1982, eq. 4.99) where positions are independent; fluidAttraction's is 0.0074777 reach^5.
-// Those of a fluid are not: measured on puddles, it gives 1 / CORRELATION of that.
+// 1937; Rowlinson and Widom 1982, eq. 4.99) if positions are independent; fluidAttraction's is 0.0074777 reach^5. In a
+// fluid they are not: measurements on puddles give 1 / CORRELATION of that.
 float tension(const gpu::StepParameters& p, const Material& material)
 {
     constexpr double CORRELATION = 1.26;

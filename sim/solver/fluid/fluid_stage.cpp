@@ -14,11 +14,11 @@ namespace knuckle {
 
 namespace {
 
-/// Filters between two looks at what is left: the pressure of the walls goes about a particle far in each.
+/// Passes between two checks of the remaining push: in each, wall pressure spreads by about a particle.
 constexpr int RELAXATIONS = 24;
-/// Where no way leads out, as in a closed box that is too full, more would not help.
+/// Most checks: more would not help if nothing can get out, as in a closed box that is too full.
 constexpr int MOST_LOOKS = 80;
-/// Fluid is at rest when none would start faster than this [m/s].
+/// Fluid is at rest when no particle would start faster than this [m/s].
 constexpr float STARTS_WITH = 0.02f;
 
 bool hasTensionIn(const World& world)
@@ -159,7 +159,7 @@ std::vector<float> FluidStage::densities() const
     const std::vector<gpu::vec4> walls = slotWalls.download();
     const std::vector<uint32_t> particles = slotParticles.download();
     std::vector<float> densities;
-    // What is inactive has no slot.
+    // Inactive particles have no slot.
     uint32_t slots = 0;
     fluidCellStarts.read(&slots, sizeof slots, (parameters_.fluidCellMask + 1) * sizeof slots);
     for (size_t k = 0; k < slots; ++k)

@@ -5,8 +5,9 @@
 
 namespace knuckle {
 
-/// Fluids: position based fluids (Macklin and Mueller 2013) on the particles that stand behind all others. They are no
-/// movers; what they press solids with goes through BodyStage::particleImpulses. A slot is a particle's place in the
+/// Fluids: position based fluids (Macklin and Mueller 2013) on the particles that come after all others. They are not
+/// movers; their pressure on solids goes through BodyStage::particleImpulses. A slot is a particle's place in the
+/// order of the cells of the fluids' own grid.
 /// order of the cells of the fluids' own grid.
 class FluidStage : public Stage {
 public:
@@ -17,19 +18,19 @@ public:
     void addBuffers(BufferTable& table) override;
     void reserve(gpu::StepParameters& parameters, const gpu::Counters& counters) const override;
 
-    /// Makes the buffers of slots anew, with the room that the parameters say. @throws DeviceError as the constructor.
+    /// Makes the buffers of slots anew, with the capacities of the parameters. @throws DeviceError as the constructor.
     void makeLists(const Gpu& gpu) override;
-    /// Once, before the first step: a lattice that fills a tank is too dense at its walls and at solids. Here it makes
-    /// room without gaining speed; within a step, the same displacement would become speed. It goes on until nothing is
-    /// left that would, and stalls for the GPU to know.
+    /// Once, before the first step: a lattice that fills a tank is too dense at its walls and at solids. This spreads
+    /// it without gaining speed; within a step, the same displacement would become speed. It repeats until no particle
+    /// would gain speed, and stalls to read that from the GPU.
     void relax(Recorder& recorder);
-    /// Once a step: who is whose neighbour; viscosity and vorticity confinement.
+    /// Once a step: finds neighbours; viscosity and vorticity confinement.
     void beginStep(Recorder& recorder) const;
     /// One iteration of pressures, after the movers have been predicted. Afterwards fluid particles are at their
     /// positions of the substep's end.
     /// @param first of the step
     void substep(Recorder& recorder, bool first) const;
-    /// Of the last substep, each fluid particle's density over that at rest, in no order that matters. Stalls until the
+    /// Densities of the fluid particles in the last substep over that at rest, in no particular order. Stalls until the
     /// GPU is done.
     std::vector<float> densities() const;
 
@@ -40,15 +41,16 @@ public:
     Buffer<uint32_t> slotParticles, particleSlots;  ///< Each other's inverse.
     Buffer<gpu::uvec2> slotCounts;                  ///< Fluid and solid neighbours.
     Buffer<gpu::uvec4> slotNeighbours;              ///< fluidSlots a slot (fluid_slots.glsl).
-    Buffer<uint32_t> slotColliders;                 ///< Bits: those nearby.
+    Buffer<uint32_t> slotColliders;                 ///< Bits of nearby colliders.
     Buffer<gpu::vec4> fluidMaterials;               ///< Per material: smoothing, tension.
     Buffer<uint32_t> slotMaterials;                 ///< Index into World::materials.
     Buffer<gpu::vec4> slotVelocities;               ///< When neighbours were found [m/s]; w: smoothing.
     Buffer<gpu::vec4> slotPositions;                ///< Predicted [m]; w: mass [kg].
     Buffer<gpu::vec4> slotPressures;                ///< Position; w: lambda [kg m2].
     Buffer<gpu::vec4> slotVorticities;              ///< [1/s]; w: its length.
-    Buffer<uint32_t> fluidLargestPush;              ///< One: of a pass before the first step [m], as bits of a float.
-    Buffer<gpu::vec4> slotWalls, slotSolids;        ///< Gradients of what walls and solids add to the density.
+    Buffer<uint32_t> fluidLargestPush;              ///< One: largest push of a pass before the first step [m], as bits
+                                                    ///< of a float.
+    Buffer<gpu::vec4> slotWalls, slotSolids;        ///< Gradients of the density from walls and solids.
 
 private:
     void list(Recorder& recorder) const;

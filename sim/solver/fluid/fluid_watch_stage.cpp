@@ -8,12 +8,12 @@ namespace knuckle {
 
 namespace {
 
-/// What fluid may gain as its lattice gives way and by rounding: that of one that moves so fast [m/s], and this share
-/// of what it would have if all of it fell to its lowest particle.
+/// Allowances for fluid whose lattice gives way, and for rounding: the kinetic energy of this speed [m/s], and this
+/// share of the energy that fluid gains if all of it falls to its lowest particle.
 constexpr float SPEED_FROM_NOTHING = 1.0f, SHARE_FROM_NOTHING = 0.1f;
 
-/// An upper bound of what fluids may gain: from solids that fall to their floor or are already moving, from the pull
-/// of their surface, and from nothing [J].
+/// An upper bound of the energy that fluids may gain [J]: from solids that fall to the fluids' lowest level or already
+/// move, from surface tension, and from the allowances above.
 float mostGain(const World& world)
 {
     const Vector3f& gravity = world.settings.gravity;

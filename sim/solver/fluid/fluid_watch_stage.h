@@ -4,22 +4,24 @@
 
 namespace knuckle {
 
-/// Fluids that nothing drives only ever lose energy. Where theirs rises all the same, by more than solids can have
-/// given them, a kernel reports PROBLEM_FLUID_ENERGY.
+/// Fluids that nothing drives only lose energy. If theirs rises by more than solids can have given them, a kernel
+/// reports PROBLEM_FLUID_ENERGY.
 class FluidWatchStage : public Stage {
 public:
-    /// For worlds without emitters, drains, clips, moving colliders, wind and fields, which give fluids what they like.
+    /// For worlds without emitters, drains, clips, moving colliders, wind, fields or vorticity, which may add any
+    /// energy.
     static bool isNeeded(const World& world);
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
-    /// Once, before the first step: notes how much energy there is.
+    /// Once, before the first step: notes the energy.
     void begin(Recorder& recorder) const;
-    /// Compares with it, at the end of a step.
+    /// Compares the energy with it, at the end of a step.
     void watch(Recorder& recorder) const;
 
     Buffer<float> fluidEnergySums;    ///< Per GROUP_SIZE fluid particles: kinetic and potential energy [J].
-    Buffer<float> fluidEnergyLimits;  ///< What they may have in all [J], and of it what is not theirs at the start.
+    Buffer<float> fluidEnergyLimits;  ///< The most energy that they may have, and the part of it that is not theirs at
+                                      ///< the start [J].
 
 private:
     void sum(Recorder& recorder) const;

@@ -5,8 +5,8 @@
 
 namespace knuckle {
 
-/// What accelerates from outside beside gravity: wind and force fields (World::wind, World::forceFields). Whatever asks
-/// how a mover is accelerated asks outsideAcceleration() (shaders/sim/common/outside.glsl).
+/// Accelerations from outside other than gravity: wind and force fields (World::wind, World::forceFields). Kernels get
+/// a mover's whole acceleration from outsideAcceleration() (shaders/sim/common/outside.glsl).
 class ForceStage : public Stage {
 public:
     static bool isNeeded(const World& world) { return hasForces(world); }
@@ -14,16 +14,16 @@ public:
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
-    /// At the start of a substep: how movers are accelerated in it.
+    /// At the start of a substep: computes how movers are accelerated in it.
     void find(Recorder& recorder) const;
-    /// At its end: makes fluids faster by what acts on them.
+    /// At its end: accelerates fluids.
     void actOnFluids(Recorder& recorder) const;
 
     Buffer<gpu::ForceField> forceFields;
     Buffer<gpu::GustWave> gustWaves;
-    Buffer<gpu::vec4> moverDrags;          ///< Of dragsOf() [1/m].
-    Buffer<gpu::uvec2> clothRanges;        ///< Per loose mover, where there is cloth: its first triangle, how many.
-    Buffer<gpu::uvec4> clothTriangles;     ///< Particles of its corners, once for each corner that moves by itself.
+    Buffer<gpu::vec4> moverDrags;          ///< From dragsOf() [1/m].
+    Buffer<gpu::uvec2> clothRanges;        ///< Per loose mover, if there is cloth: its first triangle, how many.
+    Buffer<gpu::uvec4> clothTriangles;     ///< Particles of a triangle's corners, listed once for each loose corner.
     Buffer<gpu::vec4> moverAccelerations;  ///< Gravity's, fields' and the air's in this substep [m/s2].
 
 private:

@@ -28,7 +28,7 @@ bool isLimited(const World& world, const JointTrees::Joint& joint)
     return joint.joint != NO_INDEX && world.joints[joint.joint].limits.any();
 }
 
-/// The two bodies that a joint keeps from touching: where it is half of a universal one, those past the cross.
+/// The two bodies that a joint keeps from touching; for half of a universal joint, those beyond the cross.
 gpu::uvec2 partedBy(const World& world, const JointTrees::Joint& joint)
 {
     const auto past = [&](uint32_t body, uint32_t from) {
@@ -43,8 +43,8 @@ gpu::uvec2 partedBy(const World& world, const JointTrees::Joint& joint)
     return b == NO_INDEX ? gpu::uvec2{a, a} : gpu::uvec2{a, b};
 }
 
-/// Of short trees one elimination is enough, whatever hangs on them: pairs of 50,000 : 1 swing with gaps below 0.05 %
-/// of a diameter.
+/// Short trees need only one elimination, whatever hangs on them: pairs of 50,000 : 1 swing with gaps below 0.05 % of a
+/// diameter.
 bool hasLongTree(const JointTrees& trees)
 {
     constexpr uint32_t SHORT = 3;

@@ -10,8 +10,8 @@ namespace knuckle {
 ///                                      jointInfo[joint]    body, parent, rows, children; loops stand behind all others
 ///                                      jointFreedoms, jointPlaces, jointLimits, jointStrengths [joint]
 ///
-/// Records, in texels of 16 bytes (shaders/shared/joint_records.h), and who hands them to whom in a substep, for a tree
-/// of a root and two bodies:
+/// Records, in texels of 16 bytes (shaders/shared/joint_records.h), and how kernels pass them on in a substep, for a
+/// tree of a root and two bodies:
 ///
 ///     joint_factor, from the leaves up:             joint_solve, up:            and down:
 ///
@@ -24,32 +24,32 @@ namespace knuckle {
 ///         |  ^ jointInertias                              |  ^ passed force           |  v     the force that holds
 ///       body    <- bodyLoads                          body                        body
 ///
-/// A joint that closes a loop is a force between two bodies of the tree: joint_loop_factor tries how far each unit of
-/// it moves them apart (loopFactors, 10), joint_loop_solve takes back what is left of its error. With limits,
-/// jointLimitStates (4) are springs that only push, in the same blocks. joint_factor runs again where others hold than
-/// before, or bodies have turned (treeTurns). Where something asks how bodies answer to forces with all that hangs on
-/// them, joint_factor leaves bodyResponses (9). joint_tear compares jointLoads (2) with what joints bear.
+/// A joint that closes a loop is a force between two bodies of the tree: joint_loop_factor finds how far a unit of it
+/// moves them apart (loopFactors, 10), joint_loop_solve corrects the rest of its error. Limits (jointLimitStates, 4)
+/// are springs that only push, in the same blocks. joint_factor runs again when other limits hold than before, or
+/// bodies have turned (treeTurns). If something needs to know how bodies answer to forces with all that hangs on them,
+/// joint_factor stores bodyResponses (9). joint_tear compares jointLoads (2) with the joints' strengths.
 class JointStage : public Stage {
 public:
     explicit JointStage(const StageSetup& setup);
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
-    /// One for each body of a joint that can move.
+    /// Reserves a row for each body of a joint that can move.
     static void reserveRows(RowPlan& rows, const World& world, const Layout& layout);
 
-    /// How the bodies of each tree answer to each other; once in a substep.
+    /// Factors how the bodies of each tree answer to each other; once in a substep.
     void factor(Recorder& recorder) const;
-    /// The same where bodies have turned too far since, or limits have been reached or left; in each iteration.
+    /// The same for trees whose bodies have turned too far since, or whose limits have changed; in each iteration.
     /// @param last whether it is the last of several iterations, in which no rigid limit lets go.
     void factorAgain(Recorder& recorder, bool last) const;
-    /// Moves bodies by what acts on them and to where their joints hold. @param first in the substep.
+    /// Moves bodies by the impulses on them and to where their joints hold. @param first in the substep.
     void solve(Recorder& recorder, bool first = false) const;
-    /// Joints that bore too much let go; at the end of a substep.
+    /// Tears joints that bore too much; at the end of a substep.
     void tear(Recorder& recorder) const;
-    /// Per particle of a world whether a joint that shared it is torn; empty where none can tear. Stalls until the GPU
-    /// is done.
+    /// Per particle of a world, whether a joint that shared it is torn; empty if none can tear. Stalls until the GPU is
+    /// done.
     std::vector<bool> tornParticles(const World& world) const;
-    /// Shared particles to the mean of where their bodies have them, at the end of a step.
+    /// Puts shared particles at the mean of where their bodies have them, at the end of a step.
     void placeParticles(Recorder& recorder) const;
 
     Buffer<uint32_t> sharedParticles;  ///< The particles of two or more bodies.
@@ -58,19 +58,20 @@ public:
     Buffer<gpu::Joint> jointInfo;         ///< Per joint, those that close loops last.
     Buffer<uint32_t> jointFreedoms;       ///< Per joint: JOINT_*; of a torn one JOINT_NONE.
     Buffer<gpu::vec4> jointPlaces;        ///< Per joint: arms in the two bodies [m], axes in the two.
-    Buffer<gpu::vec4> jointFactors;       ///< Per joint of a tree: what its body and all that hangs on it add up to.
-    Buffer<gpu::vec4> rootFactors;        ///< Per joint of a tree: how its body answers where nothing holds it.
+    Buffer<gpu::vec4> jointFactors;       ///< Per joint of a tree: its body with all that hangs on it.
+    Buffer<gpu::vec4> rootFactors;        ///< Per joint of a tree: how its body answers if nothing holds it.
     Buffer<float> treeTurns;              ///< Per tree: the largest turn of a body in the last solve [rad], squared.
-    Buffer<gpu::vec4> jointInertias;      ///< Per joint of a tree: what of its body its parent sees.
-    Buffer<gpu::vec4> jointSweeps;        ///< Per joint of a tree: what the sweeps leave for each other.
+    Buffer<gpu::vec4> jointInertias;      ///< Per joint of a tree: the inertia of its body that its parent sees.
+    Buffer<gpu::vec4> jointSweeps;        ///< Per joint of a tree: values that the sweeps pass to each other.
     Buffer<gpu::vec4> loopFactors;        ///< Per joint that closes a loop: how its ends move apart.
-    Buffer<gpu::JointRange> jointLimits;  ///< Per joint, where any has limits.
+    Buffer<gpu::JointRange> jointLimits;  ///< Per joint, if any has limits.
     Buffer<gpu::vec4> jointLimitStates;   ///< Per joint: where its limits stop it, and how hard.
-    Buffer<gpu::uvec4> jointStrengths;    ///< Per joint: bits of force [N], torque [N m]; first of jointParticles, end.
-    Buffer<gpu::uvec2> jointFilters;  ///< Bodies that touch each other once it is torn; of a world where joints tear.
-    Buffer<uint32_t> jointParticles;  ///< Those that its bodies share; of a world where joints tear.
-    Buffer<gpu::vec4> jointLoads;     ///< Per joint: what it bore in the substep before [N], [N m].
-    Buffer<gpu::vec4> bodyResponses;  ///< Per body: how it answers to forces with what its joints move along.
+    Buffer<gpu::uvec4> jointStrengths;    ///< Per joint: bits of force [N], torque [N m] at which it tears; first of
+                                          ///< jointParticles, end.
+    Buffer<gpu::uvec2> jointFilters;      ///< Bodies that touch each other once it is torn; if joints can tear.
+    Buffer<uint32_t> jointParticles;      ///< Particles that its bodies share; if joints can tear.
+    Buffer<gpu::vec4> jointLoads;         ///< Per joint: its load in the substep before [N], [N m].
+    Buffer<gpu::vec4> bodyResponses;      ///< Per body: its motion for a force on it, with what its joints move along.
 
 private:
     void uploadTrees(const StageSetup& setup);

@@ -29,8 +29,8 @@ Matrix3d roundMoments(const RoundShape& round, double mass)
     return Vector3d(across, along, across).asDiagonal();
 }
 
-/// Gives particles in a line the moment about it that balls have, and leaves that across as it is: what touches or
-/// holds them beside the line turns them about it. @param moments their sum of m r r^T [kg m2].
+/// Particles in a line have no inertia about it; this adds that of balls and keeps the others, since contacts and
+/// joints beside the line can turn them about it. @param moments their sum of m r r^T [kg m2].
 Matrix3d thickened(const Matrix3d& moments, double mass, double diameter)
 {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(moments);

@@ -12,7 +12,7 @@ struct BodyMass {
     double mass = 0.0;                                         ///< [kg]
     double radius = 0.0;                                       ///< To the farthest particle's centre [m].
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();         ///< Sum of m r r^T [kg m2].
-    Eigen::Matrix3d inverseInertia = Eigen::Matrix3d::Zero();  ///< Zero where it cannot turn [1/(kg m2)].
+    Eigen::Matrix3d inverseInertia = Eigen::Matrix3d::Zero();  ///< Zero if it cannot turn [1/(kg m2)].
 };
 
 BodyMass bodyMass(const World& world, const Body& body);

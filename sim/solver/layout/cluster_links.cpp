@@ -17,7 +17,8 @@ ClusterMoments clusterMoments(const World& world, const Cluster& cluster)
         out.mass += world.clusterLinks[l].mass;
         sum += world.clusterLinks[l].mass * r * r.transpose();
     }
-    // A layer two particles thick has an extent of a quarter of a diameter squared; what is flatter counts as that.
+    // A layer two particles thick has an extent of a quarter of a diameter squared; flatter clusters count as that
+    // thick.
     const double thin = 0.25 * world.diameter() * world.diameter();
     out.extent = std::max(sum.trace() / (3.0 * out.mass), thin);
     const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(sum / out.mass);

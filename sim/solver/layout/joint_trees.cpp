@@ -15,7 +15,7 @@ uint32_t freedomOf(JointType type)
     return type == JointType::Ball ? JOINT_BALL : type == JointType::Hinge ? JOINT_HINGE : JOINT_STIFF;
 }
 
-/// A joint of the world, or the particles of it that close a loop, seen from one of its bodies.
+/// A joint of the world, or those of its particles that close a loop, seen from one of its bodies.
 JointTrees::Joint jointOf(const World& world, uint32_t index, const std::vector<uint32_t>& particles, uint32_t body)
 {
     const Joint& record = world.joints[index];
@@ -31,7 +31,7 @@ JointTrees::Joint jointOf(const World& world, uint32_t index, const std::vector<
     return joint;
 }
 
-/// Adds the tree of a body that is in none yet, from a joint or without one, breadth first.
+/// Adds the tree of a body that is in none yet, starting from a joint or without one, breadth first.
 class TreeGrower {
 public:
     TreeGrower(const World& world, const std::vector<uint32_t>& connecting, JointTrees& out)
@@ -54,7 +54,7 @@ public:
                 if (world_.bodies[b].motion == motion) growFrom(b);
     }
 
-    /// Behind the trees: what other joints hold in addition, grouped by tree.
+    /// Adds, after the trees, the loops: joints that hold in addition, grouped by tree.
     void closeLoops(const std::vector<LoopJoint>& closing)
     {
         std::vector<std::vector<JointTrees::Joint>> loops(out_.trees.size());
@@ -87,7 +87,7 @@ private:
         return jointOf(world_, joint, world_.joints[joint].particles, body);
     }
 
-    /// Whether a body may be held while its parent responds: it then holds what hangs on it, but also its parent.
+    /// Whether a body may be held while its parent responds: then it holds both what hangs on it and its parent.
     bool isHeldLonger(const JointTrees::Joint& joint) const
     {
         if (joint.parentJoint == NO_INDEX) return false;
@@ -109,7 +109,7 @@ private:
         return loop;
     }
 
-    /// The tree of a body that nothing holds for ever: one that is held at first is its root.
+    /// Grows the tree of a body that nothing holds for ever; a body that is held at first becomes its root.
     void growFrom(uint32_t body)
     {
         if (neverResponds(world_.bodies[body]) || jointsOfBody_[body].empty() || treeJointOfBody_[body] != NO_INDEX)
@@ -150,7 +150,7 @@ private:
 
     const World& world_;
     JointTrees& out_;
-    std::vector<std::vector<uint32_t>> jointsOfBody_;  ///< Those that connect, of World::joints.
+    std::vector<std::vector<uint32_t>> jointsOfBody_;  ///< Per body, the joints of World::joints that connect it.
     std::vector<uint32_t> treeJointOfBody_, treeOfBody_;
 };
 

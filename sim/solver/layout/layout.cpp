@@ -9,8 +9,8 @@ namespace knuckle {
 
 namespace {
 
-/// Per particle: where its body's lattice ends. Bodies with joints are not flat (docs/decisions), nor is any in
-/// the paper's solver.
+/// Per particle: where its body's lattice ends. Bodies with joints are not flat (docs/decisions), and in the paper's
+/// solver none are.
 std::vector<uint32_t> latticeEndsOf(const World& world)
 {
     const bool flat = world.settings.solver == SolverKind::Impulse;
@@ -21,7 +21,7 @@ std::vector<uint32_t> latticeEndsOf(const World& world)
     return ends;
 }
 
-/// Marks the particles of balls and capsules. Of those at the same place along the centre line, one stands for all at
+/// Marks the particles of balls and capsules. Among those at the same place along the centre line, only one meets
 /// colliders.
 void markRounds(const World& world, std::vector<uint32_t>& ends)
 {
@@ -130,7 +130,7 @@ void Layout::listShared()
 {
     for (uint32_t i = 0; i < owners.size(); ++i)
         if (owners[i].size() > 1) sharedParticles.push_back(i);
-    // Particles of equally many bodies together, so that the lanes of a vector do the same amount of work.
+    // Groups particles with equal numbers of bodies, so that the lanes of a vector do the same amount of work.
     std::stable_sort(sharedParticles.begin(), sharedParticles.end(),
                      [&](uint32_t a, uint32_t b) { return owners[a].size() < owners[b].size(); });
 }

@@ -8,8 +8,8 @@
 
 namespace knuckle {
 
-/// Where everything of a World stands in the solver's arrays. Made from the World alone, before anything is uploaded,
-/// so that uploads need no order and read nothing back.
+/// Places of everything of a World in the solver's arrays. Made from the World alone, before anything is uploaded, so
+/// that uploads may happen in any order and read nothing back.
 struct Layout {
     /// A link in the order of the GPU's array, and its body.
     struct Owner {
@@ -20,12 +20,12 @@ struct Layout {
 
     uint32_t solidCount = 0;                 ///< Particles that are no fluid; they come first.
     uint32_t bodyCount = 0, looseCount = 0;  ///< Movers: bodies, then loose particles in the order of particles.
-    uint32_t linkCount = 0;                  ///< Of bodies; those of clusters stand behind them.
-    uint32_t assemblyCount = 0;              ///< With one for each loose particle that belongs to none.
+    uint32_t linkCount = 0;                  ///< Of bodies; those of clusters come after them.
+    uint32_t assemblyCount = 0;              ///< Including one for each loose particle without an assembly.
     uint32_t moverCount() const { return bodyCount + looseCount; }
-    /// Where a body stands in heldBodies; NO_INDEX where it does not.
+    /// Place of a body in heldBodies; NO_INDEX if it is not there.
     uint32_t heldIndex(uint32_t body) const;
-    uint32_t colliderCount = 0;  ///< Drains stand behind them.
+    uint32_t colliderCount = 0;  ///< Drains come after them.
     bool hasGrids = false;       ///< Whether any collider is a grid.
     bool hasRounds = false;      ///< Whether any body is a ball or a capsule.
     bool hasFlatFaces = false;   ///< Whether any particle's lattice ends are known.
@@ -38,9 +38,10 @@ struct Layout {
     std::vector<uint32_t> linkOrder;        ///< World::links in the GPU's order: a body's shared ones come last.
     std::vector<float> worstInverseMasses;  ///< Per World::links: see worstInverseMasses() [1/kg].
     std::vector<uint32_t> ownLinkCounts;    ///< Per body: links before the first shared one.
-    std::vector<uint32_t> freeBodies, jointedBodies;  ///< Those that may respond, without joints and with.
-    std::vector<uint32_t> firstAnimated;     ///< Per animation its first body among all that clips move; their number.
-    std::vector<uint32_t> heldBodies;        ///< Those that are held or animated and may be let go.
+    std::vector<uint32_t> freeBodies, jointedBodies;  ///< Bodies that may respond, without joints and with.
+    std::vector<uint32_t> firstAnimated;     ///< Per animation, its first body among all that clips move; then their
+                                             ///< number.
+    std::vector<uint32_t> heldBodies;        ///< Bodies that are held or animated and may be let go.
     std::vector<std::vector<Owner>> owners;  ///< Per particle: its links, in their order.
     std::vector<uint32_t> sharedParticles;   ///< Particles of two or more bodies, those of fewer bodies first.
     JointTrees jointTrees;

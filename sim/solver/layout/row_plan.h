@@ -9,19 +9,19 @@
 
 namespace knuckle {
 
-/// Which rows of the channel belong to whom. Through it constraints act on bodies: each kind reserves rows, one for
+/// Assigns rows of the channel, through which constraints act on bodies: each kind of constraint reserves rows, one for
 /// each impulse on a body, and writes them in every iteration; mover_solve sums the rows of a body without knowing
 /// kinds. Made from the World alone.
 class RowPlan {
 public:
     /// A row for an impulse at `arm` from the body's centre, in its axes [m]. @param kind of the constraint.
     void reserve(const std::string& kind, uint32_t body, const Vector3f& arm);
-    /// The same for one with an angular impulse, too, or with that alone.
+    /// The same for a row with an angular impulse as well, or only that.
     void reserveAngular(const std::string& kind, uint32_t body, const Vector3f& arm = {0, 0, 0});
-    /// Gives all that is reserved its place: the rows of a body together, in the order of their reservation.
+    /// Places all reserved rows: the rows of a body together, in the order of their reservation.
     void place(uint32_t bodyCount);
 
-    /// The rows of a kind in the order of their reservation, once they have places; none where it reserved none.
+    /// The rows of a kind in the order of their reservation, after place(); empty if it reserved none.
     std::vector<uint32_t> rowsOf(const std::string& kind) const;
     const std::vector<gpu::uvec2>& bodies() const { return bodies_; }  ///< Per body: its first row, and how many.
     const std::vector<Vector3f>& arms() const { return arms_; }        ///< Per row, once they have places [m].

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float INTERVAL = 0.05f;  // [s]
 
-/// Until when clips surely move all of an object [s].
+/// The time until which clips certainly move all of an object [s].
 float animatedUntil(const World& world, const Object& object, float duration)
 {
     for (uint32_t b = object.bodyStart; b < object.bodyEnd(); ++b) {
@@ -52,7 +52,7 @@ void raiseByColliders(AnimatedDepth& deepest, const World& world, const std::vec
         }
 }
 
-/// How far two objects are in each other: the least extent of what both fill.
+/// How far two objects overlap: the least extent of the space that both fill.
 float depthBetween(const World& world, const Placed& a, const Placed& b)
 {
     const float d = world.diameter();
@@ -71,7 +71,7 @@ float depthBetween(const World& world, const Placed& a, const Placed& b)
     return filled.isEmpty() ? 0.0f : filled.sizes().minCoeff() + d - least;
 }
 
-/// Of those from an index on.
+/// Compares with the objects from an index on.
 void raiseByOthers(AnimatedDepth& deepest, const World& world, const std::vector<std::optional<Placed>>& placed,
                    size_t index, float time)
 {

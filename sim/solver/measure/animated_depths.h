@@ -7,17 +7,17 @@
 
 namespace knuckle {
 
-/// Where what clips move goes through something that it cannot push away.
+/// An animated object that passes through something it cannot push away.
 struct AnimatedDepth {
     uint32_t object = 0;
     uint32_t other = NO_INDEX;  ///< Another animated object; none: a collider.
     uint32_t collider = NO_INDEX;
-    float depth = 0.0f;  ///< The farthest that the surface of a particle is within it [m].
+    float depth = 0.0f;  ///< The farthest that a particle's surface is inside the other [m].
     float time = 0.0f;   ///< When [s].
 };
 
-/// Of each animated object, until any of it may be let go, the deepest in a collider, and in another animated object.
-/// Looked for twenty times a second; what is less than a diameter deep is left out. @param duration [s].
+/// Per animated object, its deepest overlap with a collider and with another animated object, until any of it may be
+/// let go. Checked twenty times a second; overlaps below a diameter are left out. @param duration [s].
 std::vector<AnimatedDepth> animatedDepths(const World& world, float duration);
 
 }  // namespace knuckle

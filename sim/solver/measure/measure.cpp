@@ -89,7 +89,7 @@ Depths jointGaps(const World& world, const ParticleState& particles, const std::
     return gaps;
 }
 
-/// How far a particle of a body is from where the rigid motion that fits all of them best has it; shared ones left out.
+/// Largest distance of a body's particle from its place in the best rigid fit to all of them; shared ones left out.
 float worstShapeError(const World& world, const ParticleState& particles)
 {
     double worst = 0.0;
@@ -160,9 +160,9 @@ BodyState bodyState(const World& world, const Body& body, const ParticleState& p
         offset += link.mass * (rotation * link.restOffset).cast<double>();
         mass += link.mass;
     });
-    if (mass == 0.0) return state;  // torn joints have left it nothing
+    if (mass == 0.0) return state;  // torn joints took all its particles
     const Vector3d mean = momentum / mass, middle = offset / mass;
-    // The velocity field of a rigid body through the particles that it has.
+    // The angular velocity of the rigid body's velocity field through the particles that it has.
     Vector3d angular = Vector3d::Zero();
     Matrix3d inertia = Matrix3d::Zero();
     eachLink([&](const Link& link) {

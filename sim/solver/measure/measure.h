@@ -9,8 +9,8 @@ namespace knuckle {
 BodyState bodyState(const World& world, const Body& body, const ParticleState& particles, const Vector3f& centre,
                     const Quaternionf& rotation);
 
-/// Contacts, gaps and energies of a state (all but ropes and cloth), on the host: every pair of particles that may
-/// touch, independently of the solver's own lists.
+/// Contacts, gaps and energies of a state (all but ropes and cloth), on the host: checks every pair of particles that
+/// may touch, independently of the solver's own lists.
 Measures measureState(const World& world, const std::vector<Collider>& colliders, const ParticleState& particles,
                       const std::vector<BodyState>& bodies);
 
@@ -18,14 +18,13 @@ Measures measureState(const World& world, const std::vector<Collider>& colliders
 float worstJointGap(const World& world, const ParticleState& particles, const std::vector<BodyState>& bodies,
                     const Object& object);
 
-/// The part of it that is about soft bodies, against their shape at the start.
+/// Adds the measures of soft bodies, against their shape at the start.
 void measureSoftBodies(Measures& out, const World& world, const ParticleState& particles);
 
-/// The part of it that is about ropes and cloth. @param torn per distance of all rows, in their order
-/// (tornDistances).
+/// Adds the measures of ropes and cloth. @param torn per distance of all rows, in their order (tornDistances).
 void measureDistances(Measures& out, const World& world, const ParticleState& particles, const std::vector<bool>& torn);
 
-/// The part of it that is about fluids. @param densities of their particles, over those at rest.
+/// Adds the measures of fluids. @param densities of their particles, over those at rest.
 void measureFluids(Measures& out, const std::vector<float>& densities);
 
 /// Signed distance of a point to a collider's surface [m], negative inside.

@@ -22,7 +22,7 @@ void ReleaseLog::add(const std::vector<LetGo>& gone)
         figures.time = when.first * substep;
         figures.bodies = static_cast<uint32_t>(bodies.size());
         Eigen::Vector3d change = Eigen::Vector3d::Zero(), held = Eigen::Vector3d::Zero();
-        double blow = 0.0;  // from outside of them, by contacts and what still holds them [N s]
+        double blow = 0.0;  // impulse from contacts and from the joints to what is still held [N s]
         for (const LetGo* one : bodies) {
             const double mass = world_.bodies[one->body].mass;
             blow += mass * one->changeByContacts;

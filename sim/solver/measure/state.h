@@ -8,7 +8,7 @@
 namespace knuckle {
 
 struct ParticleState {
-    /// Whether a body that has a particle at rest no longer has it.
+    /// Whether a joint has torn and the body has lost the link's particle.
     bool lost(const World& world, const Link& link) const
     {
         return !torn.empty() && torn[link.particle] && world.particles[link.particle].body != link.body;
@@ -16,9 +16,9 @@ struct ParticleState {
 
     std::vector<Vector3f> positions;   ///< [m]
     std::vector<Vector3f> velocities;  ///< [m/s]
-    std::vector<bool> inactive;        ///< Fluid particles that no emitter has yet let out, or that a drain took.
+    std::vector<bool> inactive;        ///< Fluid particles that no emitter has let out yet, or that a drain took.
     std::vector<bool>
-        torn;  ///< Those of torn joints, which the first of their bodies has kept. Empty: no joint can tear.
+        torn;  ///< Particles of torn joints, which stay with the first of their bodies. Empty: no joint can tear.
 };
 
 struct BodyState {
@@ -33,9 +33,9 @@ struct Measures {
     uint32_t contactCount = 0;     ///< Pairs of particles that overlap, each once, and particle-collider overlaps.
     float meanPenetration = 0.0f;  ///< Over the overlapping contacts.
     float worstPenetration = 0.0f;
-    float meanJointGap = 0.0f;  ///< Distance between the places two bodies want a shared particle at.
+    float meanJointGap = 0.0f;  ///< Distance between the places at which two bodies want a shared particle.
     float worstJointGap = 0.0f;
-    float worstShapeError = 0.0f;  ///< How far a body's particle is from where a rigid motion of all has it.
+    float worstShapeError = 0.0f;  ///< Largest distance of a particle from the rigid motion of its body.
     float meanSoftStrain = 0.0f;   ///< Of clusters of soft bodies by mass: sqrt(sum of (principal stretch - 1)^2).
     float worstSoftStrain = 0.0f;
     float softVolumeError = 0.0f;   ///< The largest change of a soft body's volume, as a share of it.

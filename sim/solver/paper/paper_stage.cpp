@@ -6,10 +6,10 @@ namespace knuckle {
 
 namespace {
 
-/// Per link of a shared particle: how far beyond the mean of its bodies' goals it stands in the body's match, in
-/// distances of goal and mean. At the mean itself, with its own small mass, it would hardly move the body. Instead it
-/// draws all its bodies as one and the same mass would that moves them to the mean in an iteration, split over the
-/// shared particles of each. One mass for all keeps momentum. Per link in the GPU's order.
+/// Per link of a shared particle: how far the particle is placed beyond the mean of its bodies' goals for the body's
+/// match, in distances of goal and mean. At the mean itself its small mass would hardly move the body. Instead it acts
+/// as one mass, the same for all its bodies and split over the shared particles of each, that moves them to the mean in
+/// an iteration. One mass for all keeps momentum. In the GPU's order of links.
 std::vector<float> linkGainsOf(const World& world, const Layout& layout)
 {
     std::vector<float> sharedOfBody(world.bodies.size()), inverse(world.particles.size());
@@ -38,13 +38,13 @@ std::vector<float> linkGainsOf(const World& world, const Layout& layout)
 
 ReductionKind chosenReduction(const StageSetup& setup)
 {
-    // Group reductions cost llvmpipe twelve times the plain loop; a GPU gains by them (docs/decisions).
+    // Group reductions cost llvmpipe twelve times the plain loop; a GPU gains from them (docs/decisions).
     const ReductionKind asked = setup.world.settings.reduction;
     if (asked != ReductionKind::Auto) return asked;
     return setup.gpu.device().software ? ReductionKind::Thread : ReductionKind::Group;
 }
 
-/// Every second partial sum of a block takes in the next, then every fourth, and so on.
+/// Every second partial sum of a block adds the next, then every fourth, and so on.
 std::vector<PaperStage::ReductionStep> planReduction(const World& world, std::vector<uint32_t>& links)
 {
     std::vector<PaperStage::ReductionStep> steps;

@@ -16,29 +16,29 @@ public:
     /// Stabilization, iterations, velocities and positions.
     void solve(Recorder& recorder) const;
 
-    /// A step of eq. 10: the links whose partial sum takes in another's.
+    /// A step of eq. 10: the links whose partial sum adds another's.
     struct ReductionStep {
         uint32_t begin = 0, end = 0;  ///< In reductionLinks.
-        uint32_t stride = 1;          ///< How many links on the other stands.
+        uint32_t stride = 1;          ///< The other link is so many links further.
     };
     std::vector<ReductionStep> reductionSteps;  ///< ceil(log2 p), p being the links of the largest body (eq. 10).
 
     Buffer<gpu::vec4> oldMoves, oldVelocities;  ///< The last substep's move, the velocity before it: for BDF2.
     Buffer<gpu::vec4> predicted;                ///< Move since the substep began, x* - x.
-    Buffer<gpu::vec4> moved;                    ///< The same with what contacts ask for.
+    Buffer<gpu::vec4> moved;                    ///< The same plus what contacts ask for.
     Buffer<gpu::vec4> bodyStarts;               ///< Per body, two: centre and rotation when the substep began.
     Buffer<gpu::vec4> bodyMatrices;             ///< Per body: three columns of A.
-    Buffer<gpu::uvec2> bodyActing;    ///< Per body: what moves it with the particles that contacts push, being
-                                      ///< summed; of the last iteration (contact_average.comp).
-    Buffer<float> linkGains;          ///< Per link of a shared particle: by how much further than the mean of goals
-                                      ///< it stands in the match, in distances of goal and mean.
-    Buffer<gpu::vec4> linkPulls;      ///< ... where that is from the mean [m].
+    Buffer<gpu::uvec2> bodyActing;    ///< Per body: how much of it the pushed particles move; the sum of this iteration
+                                      ///< and that of the last (contact_average.comp).
+    Buffer<float> linkGains;          ///< Per link of a shared particle: how far beyond the mean of goals it is placed
+                                      ///< in the match, in distances of goal and mean.
+    Buffer<gpu::vec4> linkPulls;      ///< ... and that offset from the mean [m].
     Buffer<gpu::vec4> linkTerms;      ///< Per link, three: eq. 10.
-    Buffer<uint32_t> reductionLinks;  ///< Of each ReductionStep, one after another.
+    Buffer<uint32_t> reductionLinks;  ///< Links of each ReductionStep, one step after another.
 
 private:
     void stabilize(Recorder& recorder) const;
-    /// Each body to its particles: eqs. 9-18.
+    /// Matches each body to its particles: eqs. 9-18.
     void match(Recorder& recorder) const;
     /// The sums of eq. 9 by eq. 10.
     void reduceInSteps(Recorder& recorder) const;

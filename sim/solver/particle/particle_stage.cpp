@@ -8,7 +8,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr float NO_SELF_CONTACT = 1e9f;  // a margin [diameters] that nothing is beyond
+constexpr float NO_SELF_CONTACT = 1e9f;  // a margin [diameters] that is always large enough
 
 }  // namespace
 

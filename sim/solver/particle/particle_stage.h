@@ -4,7 +4,7 @@
 
 namespace knuckle {
 
-/// Particles: where they are, and what never changes about them. It has no kernels; bodies and fluids move them.
+/// Particles: their positions, and what never changes about them. It has no kernels; bodies and fluids move them.
 class ParticleStage : public Stage {
 public:
     explicit ParticleStage(const StageSetup&) {}

@@ -13,7 +13,7 @@ bool hasCause(const World& world, ReleaseCause cause)
     return std::ranges::any_of(world.releases, [&](const Release& release) { return release.cause == cause; });
 }
 
-/// Those of a release's bodies that are a puppet's and go limp by it, among all that clips move.
+/// Adds those bodies of a release that belong to a puppet and go limp with it, as indices among all animated bodies.
 void addLimps(std::vector<uint32_t>& limps, const StageSetup& setup, const Release& release)
 {
     if (release.driven) return;

@@ -6,8 +6,7 @@ namespace knuckle {
 
 namespace {
 
-// Solves, each a plain round and an eager one. With finding collisions, the energy ledger and the shares that leaves
-// seven rounds.
+// Solves, each a plain round and an eager one. Detection, the energy ledger and the shares leave room for seven rounds.
 constexpr uint32_t SOLVES = 2;
 
 }  // namespace
@@ -25,7 +24,7 @@ RestitutionStage::RestitutionStage(const StageSetup& setup)
 
 void RestitutionStage::upload(const StageSetup& setup)
 {
-    // Twice what gravity gives in a substep: what rests does not bounce.
+    // Twice what gravity gives in a substep, so that resting bodies do not bounce.
     gpu::StepParameters& p = setup.parameters;
     p.restitutionThreshold = std::max(2.0f * setup.world.settings.gravity.norm() * p.substepTime, 0.02f);
     moverRestitutionSplits = {"moverRestitutionSplits", setup.layout.moverCount()};

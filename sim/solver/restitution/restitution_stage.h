@@ -4,7 +4,8 @@
 
 namespace knuckle {
 
-/// Restitution (shaders/sim/restitution/restitution.glsl): after a substep, the speeds with which collisions part.
+/// Restitution (shaders/sim/restitution/restitution.glsl): after a substep, gives collisions their speeds of
+/// separation.
 class RestitutionStage : public Stage {
 public:
     /// Whether any material of the world has restitution.
@@ -16,13 +17,15 @@ public:
 
     void apply(Recorder& recorder) const;
 
-    Buffer<gpu::vec4> pairRestitutions, colliderRestitutions;  ///< As pairImpulses: last change, all of it [kg m/s].
+    Buffer<gpu::vec4> pairRestitutions, colliderRestitutions;  ///< As pairImpulses: the last change and the sum [kg
+                                                               ///< m/s].
     Buffer<gpu::vec4> pairLedgers, colliderLedgers;            ///< Energy: linear and square gain, what the first side
                                                                ///< may give back beyond its loss [J].
-    Buffer<gpu::vec4> moverSolvedVelocities;                   ///< Fields without them [m/s].
-    Buffer<float> moverRestitutionSplits;                      ///< Per mover: over how many of them its mass is split.
-    Buffer<gpu::vec4> moverRestitutionShares;                  ///< Which shares its energy affords of them and of the
-                                                               ///< solver's impulses.
+    Buffer<gpu::vec4> moverSolvedVelocities;                   ///< Velocity fields without restitution [m/s].
+    Buffer<float> moverRestitutionSplits;                      ///< Per mover: number of collisions' impulses over which
+                                                               ///< its mass is split.
+    Buffer<gpu::vec4> moverRestitutionShares;                  ///< Per mover: the shares of these impulses and of the
+                                                               ///< solver's impulses that its energy affords.
 
 private:
     void iterate(Recorder& recorder, const Kernel& pairs, const Kernel& colliders, const Kernel& movers) const;

@@ -13,10 +13,10 @@ namespace knuckle {
 namespace {
 
 constexpr uint64_t MOST_PARTICLES = 1u << 23;  // contacts have 23 bits for a mover
-// How far particles may be from each other where one touches the other's box [diameters]: in the middle of four of a
-// face root 1.5, less what it may sink in before it is found; root 2 would find all neighbours across two faces.
+// Largest distance of two particles of which one touches the other's box [diameters]: root 1.5 in the middle of four of
+// a face, less the depth that it may sink in before it is found; root 2 would find all neighbours across two faces.
 constexpr float FLAT_TOUCH = 1.2f;
-// The same of a ball or capsule: between its particles, its surface is up to a diameter further out than they are.
+// The same for a ball or capsule: between its particles, its surface is up to a diameter further out than they are.
 constexpr float ROUND_TOUCH = 1.7f;
 
 }  // namespace
@@ -34,7 +34,7 @@ void SearchStage::upload(const StageSetup& setup)
     uploadFilters(setup.world);
     const uint32_t movers = setup.layout.moverCount();
     const std::vector<gpu::vec4> unturned(movers, gpu::vec4{0, 0, 0, 1});
-    // All of them, for a solver that does not look which are near.
+    // All colliders, for a solver that does not look which are near.
     const uint32_t colliders = setup.layout.colliderCount;
     const std::vector<uint32_t> all(movers, colliders < 32 ? (1u << colliders) - 1u : ~0u);
     searchPositions = {"searchPositions", setup.world.particles.size()};
@@ -66,9 +66,9 @@ void SearchStage::uploadFilters(const World& world)
     filterBits = {"filterBits", std::span<const uint32_t>(words)};
 }
 
-/// How far contacts are looked for, and for how long they stay good. Neighbours rarely use up their margins both and
-/// against each other, so each may drift by more than half of it. The paper's particles may drift by a quarter: the
-/// iterations move them further by as much.
+/// Sets how far the search looks for contacts, and how long they stay valid. Neighbours rarely both use up their
+/// margins against each other, so each may drift by more than half of it. The paper's particles may drift by a quarter:
+/// the iterations move them further by as much.
 void SearchStage::setParameters(const StageSetup& setup)
 {
     const Settings& s = setup.world.settings;
@@ -139,7 +139,7 @@ void SearchStage::addBuffers(BufferTable& table)
     table.add(Lifetime::Constant, bodyFilters);
     table.add(Lifetime::State, filterBits, searchPositions, searchCentres, searchRotations, listStarts, pairs,
               pairReferences, colliderPairs);
-    table.add(Lifetime::State, cellCounts, cellSums, listCounts, listSums);  // they begin a search with zeros
+    table.add(Lifetime::State, cellCounts, cellSums, listCounts, listSums);  // zero at the start of a search
     table.add(Lifetime::Scratch, moverReaches, fastParticles, moverColliders, particleCells, cellStarts, cellMembers,
               sortedPositions, sortedParticles, candidates, pairArrivals);
 }

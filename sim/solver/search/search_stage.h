@@ -4,9 +4,9 @@
 
 namespace knuckle {
 
-/// Who may touch whom: the neighbour grid, and the lists of contacts (shaders/sim/common/contacts/contact_lists.glsl).
-/// It searches only when something has left its margin, which kernels decide. "Halves": of the current search and the
-/// one before.
+/// Which particles may touch: the neighbour grid, and the lists of contacts
+/// (shaders/sim/common/contacts/contact_lists.glsl). It searches only when something has left its margin, which kernels
+/// decide. "Halves": of the current search and the previous one.
 class SearchStage : public Stage {
 public:
     explicit SearchStage(const StageSetup& setup);
@@ -14,30 +14,29 @@ public:
     void addBuffers(BufferTable& table) override;
     void reserve(gpu::StepParameters& parameters, const gpu::Counters& counters) const override;
 
-    /// Makes the lists anew, with the room that the parameters say. @throws DeviceError when the device allows less.
+    /// Makes the lists anew, with the capacities of the parameters. @throws DeviceError when the device allows less.
     void makeLists(const Gpu& gpu) override;
-    /// Counts the substep. All of a substep's search where there are no solid particles.
+    /// Counts the substep. In a world without solid particles this is the whole search.
     void count(Recorder& recorder) const;
-    /// Up to the lists of pairs; ContactStage prepares what they are made of.
+    /// Finds contacts and lists pairs; ContactStage prepares their data.
     void find(Recorder& recorder) const;
 
-    Buffer<gpu::vec4> searchPositions;                 ///< Per particle: where contacts were found for.
-    Buffer<gpu::vec4> searchCentres, searchRotations;  ///< The same of a mover; w: how far it may drift [m].
+    Buffer<gpu::vec4> searchPositions;                 ///< Per particle: the position for which contacts were found.
+    Buffer<gpu::vec4> searchCentres, searchRotations;  ///< The same for a mover; w: how far it may drift [m].
     Buffer<float> moverReaches;                        ///< Per mover: how much further it looks for contacts [m].
-    Buffer<uint32_t> fastParticles;                    ///< Those of movers that do.
+    Buffer<uint32_t> fastParticles;                    ///< Particles of movers that look further.
     Buffer<uint32_t> moverColliders;                   ///< Per mover, bits: colliders that it may touch.
     Buffer<gpu::uvec2> particleCells;                  ///< Cell, arrival in it.
     Buffer<uint32_t> cellCounts, cellSums, cellStarts, cellMembers;  ///< Per cell, chunk, cell, particle.
     Buffer<gpu::vec4> sortedPositions;                  ///< In the order of cells; w: bits of the mover's index.
     Buffer<uint32_t> sortedParticles;                   ///< Twice the particle's index, and 1 if it is fast.
     Buffer<gpu::uvec4> candidates;                      ///< Contacts as they are found: first, second, place, arrival.
-    Buffer<uint32_t> listCounts, listSums, listStarts;  ///< Three lists of ranks; the last in halves.
+    Buffer<uint32_t> listCounts, listSums, listStarts;  ///< Three lists by rank; the last in halves.
     Buffer<gpu::uvec2> pairs;                           ///< Halves of pairCapacity: first and second particle.
-    Buffer<uint32_t> pairArrivals, pairReferences;      ///< Pairs by their second particle; the latter in order.
+    Buffer<uint32_t> pairArrivals, pairReferences;      ///< By second particle, as they were found and in order.
     Buffer<gpu::uvec2> colliderPairs;                   ///< Halves of colliderPairCapacity: particle, collider.
-    Buffer<gpu::uvec4>
-        bodyFilters;              ///< Per body: its first bit in filterBits; its object's first body, the last's end.
-    Buffer<uint32_t> filterBits;  ///< A bit a body and body of its object: they never touch (Body::filtered).
+    Buffer<gpu::uvec4> bodyFilters;  ///< Per body: its first bit in filterBits; first and end of its object's bodies.
+    Buffer<uint32_t> filterBits;     ///< A bit a body and body of its object: they never touch (Body::filtered).
 
 private:
     void uploadFilters(const World& world);
@@ -45,7 +44,7 @@ private:
     void makeGrid(gpu::StepParameters& parameters);
 
     const gpu::StepParameters& parameters_;
-    /// Bodies of the paper's solver are particles until the end of a step.
+    /// The first: the solver is the paper's, whose bodies are particles until the end of a step.
     bool byParticles_, hasSolids_, hasColliders_;
     Defines kind_ = byParticles_ ? Defines{{"FROM_POSITIONS", "1"}} : Defines{};
     Pass drift_{*this, "search/mover_drift", {}, hasSolids_ && !byParticles_};

@@ -7,9 +7,9 @@ namespace knuckle {
 
 namespace {
 
-// Steps for which an assembly has to be calm before it sleeps, at least.
+// Least number of calm steps before an assembly sleeps.
 constexpr uint32_t CALM_STEPS = 30;
-// For how long what freezes has to be calm [s].
+// Time for which an assembly has to be calm before it freezes [s].
 constexpr float FREEZE_SECONDS = 1.0f;
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 namespace knuckle {
 
-/// Sleep of islands (Settings::sleepSpeed), or freezing of assemblies by themselves (Settings::freeze); see
+/// Sleep of islands (Settings::sleepSpeed), or freezing of single assemblies (Settings::freeze); see
 /// shaders/sim/sleep/calm.glsl.
 class SleepStage : public Stage {
 public:
@@ -13,14 +13,14 @@ public:
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
-    /// What moves wakes what it comes near, in each substep after the search.
+    /// Wakes what a moving assembly comes near, in each substep after the search.
     void wake(Recorder& recorder) const;
-    /// What has been calm for long falls asleep, or freezes: at a step's end, when particles are placed.
+    /// Puts to sleep or freezes what has been calm for long: at a step's end, when particles are placed.
     void endStep(Recorder& recorder) const;
 
-    Buffer<gpu::uvec2> assemblyCalm, assemblyNext;  ///< Per assembly: steps that it was calm, name of its island.
+    Buffer<gpu::uvec2> assemblyCalm, assemblyNext;  ///< Per assembly: number of calm steps, name of its island.
     Buffer<uint32_t> islandsWoken;                  ///< By name: 1 if something woke it in this step.
-    Buffer<gpu::vec4> calmCentres, calmRotations;   ///< Per mover: where its assembly counts its calm steps from.
+    Buffer<gpu::vec4> calmCentres, calmRotations;   ///< Per mover: where its assembly began to count its calm steps.
 
 private:
     const gpu::StepParameters& parameters_;

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Lame's two over the density, and what is worked out of them.
+/// Lame's two parameters over the density, and values computed from them.
 gpu::SoftMatter matterOf(const World& world, const SoftBody& soft)
 {
     const Material& material = world.materials[soft.material];
@@ -31,7 +31,7 @@ gpu::SoftMatter matterOf(const World& world, const SoftBody& soft)
     return out;
 }
 
-/// The most that a cluster's pull on a particle grows by with its displacement, per mass [1/s2].
+/// The largest growth of a cluster's pull on a particle with its displacement, per mass [1/s2].
 double steepness(const gpu::SoftMatter& matter, const ClusterMoments& moments)
 {
     const double hardest = moments.mass * moments.inverse.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff();
@@ -84,7 +84,7 @@ void SoftStage::uploadClusters(const StageSetup& setup)
     std::vector<gpu::SoftMatter> matter;
     for (const SoftBody& soft : world.softBodies) {
         matter.push_back(matterOf(world, soft));
-        std::vector<double> steep(soft.particleCount);  // of each particle, by the fractions of its mass
+        std::vector<double> steep(soft.particleCount);  // per particle, weighted by the clusters' fractions of its mass
         for (uint32_t c = soft.clusterStart; c < soft.clusterStart + soft.clusterCount; ++c) {
             const Cluster& cluster = world.clusters[c];
             infos.push_back(

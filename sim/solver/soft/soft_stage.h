@@ -5,7 +5,7 @@
 namespace knuckle {
 
 /// Soft bodies: overlapping clusters that are matched to their particles and pull them (Mueller et al. 2005). Their
-/// links stand in BodyStage::links behind those of bodies.
+/// links follow those of bodies in BodyStage::links.
 class SoftStage : public Stage {
 public:
     static bool isNeeded(const World& world);

@@ -9,7 +9,7 @@ namespace knuckle {
 
 namespace {
 
-// A soft distance that may tear does so at this many times its length.
+// A soft distance that may tear does so at this multiple of its length.
 constexpr float TEAR_STRETCH = 1.5f;
 
 constexpr float NEVER = std::numeric_limits<float>::max();
@@ -20,7 +20,7 @@ bool isReversed(const World& world, const Strand& strand)
     return isFixed(world, world.particles[strand.particles.back()]);
 }
 
-/// Per strand, its colour: the first whose strands share no particle with it that can move.
+/// Per strand, its colour: the first in which no strand shares a moving particle with it.
 std::vector<uint32_t> colorsOf(const World& world)
 {
     std::vector<std::vector<uint32_t>> taken(world.particles.size());
@@ -87,7 +87,7 @@ void StrandStage::upload(const StageSetup& setup)
     const std::vector<uint32_t> colors = colorsOf(world), counts = nodeCounts(world);
     std::vector<uint32_t> order(world.strands.size());
     std::iota(order.begin(), order.end(), 0u);
-    // Of a colour the long ones first: the threads of a vector then do as much.
+    // In each colour the long ones come first, so that the threads of a vector do equal work.
     std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
         if (colors[a] != colors[b]) return colors[a] < colors[b];
         return world.strands[a].particles.size() > world.strands[b].particles.size();

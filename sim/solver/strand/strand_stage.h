@@ -6,7 +6,7 @@
 namespace knuckle {
 
 /// Ropes and cloth: strands of distance constraints (World::strands), each solved at once by one thread. Strands are
-/// coloured: no two of a colour have a particle in common that moves, so that each may move its own in place.
+/// coloured: no two of a colour share a particle that moves, so each may move its own in place.
 class StrandStage : public Stage {
 public:
     /// Strands that are solved together.
@@ -23,7 +23,7 @@ public:
     const std::vector<Color>& colors() const { return colors_; }
     /// One dispatch a colour. @param first whether it is the first iteration of its substep.
     void solve(Recorder& recorder, bool first) const;
-    /// The part of the measures that is about ropes and cloth. Stalls until the GPU is done.
+    /// Adds the measures of ropes and cloth. Stalls until the GPU is done.
     void measure(Measures& out, const World& world, const ParticleState& particles) const;
     /// Per distance of all strands of the World, in its order, whether it is torn. Stalls until the GPU is done.
     std::vector<bool> tornDistances(const World& world) const;
@@ -32,7 +32,7 @@ public:
     Buffer<gpu::uvec4> distanceNodes;   ///< Mover, rank, particle, inverse mass or split (distance_nodes.glsl).
     Buffer<gpu::vec4> distanceLinks;    ///< Per node, to the next: rest length, compliance; force, length that tear.
     Buffer<gpu::vec4> distanceStates;   ///< Per node, to the next: multiplier [kg m], tension [N], 1 if torn.
-    Buffer<gpu::vec4> distanceFactors;  ///< Per node, within a dispatch.
+    Buffer<gpu::vec4> distanceFactors;  ///< Per node; used only within a dispatch.
 
 private:
     std::vector<Color> colors_;

@@ -12,7 +12,7 @@ namespace knuckle {
 
 namespace {
 
-/// Below this a round of a clip that comes back to its start does not turn [rad].
+/// A round of a clip that returns to its start and turns by less than this does not turn [rad].
 constexpr float LEAST_YAW = 0.01f;
 
 float yawOf(const Quaternionf& turn)
@@ -25,7 +25,7 @@ Quaternionf aboutY(float yaw)
     return Quaternionf(Eigen::AngleAxisf(yaw, Vector3f::UnitY()));
 }
 
-/// The motion that brings one place with a direction to another.
+/// The motion that brings one place and direction to another.
 GroundMotion motionBetween(const Pose& from, const Pose& to)
 {
     GroundMotion motion;
@@ -41,7 +41,7 @@ Pose moved(const GroundMotion& motion, const Pose& pose)
     return {motion.apply(pose.translation), aboutY(motion.yaw) * pose.rotation};
 }
 
-/// Its pivot and its turn, before it is put anywhere.
+/// A clip's pivot and turn, before it is placed in the world.
 Pose rootAt(const BodyClip& clip, const ClipPlay& play, const GroundMotion& round, double time)
 {
     const ClipTime at = clipTime(clip, play, time);
@@ -62,7 +62,7 @@ GroundMotion roundOf(const BodyClip& clip, const ClipPlay& play)
     return motionBetween({clip.roots[0], clip.turns[0]}, {clip.roots[last], clip.turns[last * clip.bodyCount]});
 }
 
-/// The plays that count at a time, and how much the later one does.
+/// The plays that are active at a time, and the weight of the later one.
 struct Mix {
     size_t before = 0, now = 0;
     float part = 1.0f;

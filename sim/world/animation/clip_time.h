@@ -4,21 +4,21 @@
 
 namespace knuckle {
 
-/// Between which keys of a clip a moment is.
+/// The keys of a clip around a moment.
 struct ClipTime {
-    uint32_t key = 0;     ///< At or before it.
-    float part = 0.0f;    ///< Of the way to the next, 0 ... 1.
-    uint32_t rounds = 0;  ///< That it was played through before.
+    uint32_t key = 0;     ///< At or before the moment.
+    float part = 0.0f;    ///< Of the way to the next key, 0 ... 1.
+    uint32_t rounds = 0;  ///< Completed rounds before it.
 };
 
 /// @param time since the start of the simulation [s], not before the play's.
 ClipTime clipTime(const BodyClip& clip, const ClipPlay& play, double time);
 
-/// The spline of Catmull and Rom through the keys; before the first and behind the last key they go on straight.
+/// Catmull-Rom spline through the keys; continues straight before the first and beyond the last key.
 Vector3f sampleRoot(const BodyClip& clip, const ClipTime& at);
 Quaternionf sampleTurn(const BodyClip& clip, const ClipTime& at, uint32_t body);
 
-/// The turn that is a part of the way from one to another.
+/// The turn at a part of the way from one to another.
 Quaternionf mixed(const Quaternionf& from, const Quaternionf& to, float part);
 
 }  // namespace knuckle

@@ -9,22 +9,22 @@ namespace knuckle {
 
 struct Collider;
 
-/// Colliders that move together as a clip of one body says, whatever they meet.
+/// Colliders that a clip of one body moves together, whatever they meet.
 struct ColliderMotion {
     uint32_t firstCollider = 0;
-    std::vector<Pose> places;  ///< Of those from the first on, in the frame that moves.
-    Pose pose;                 ///< Of that frame in the world, where the clip leaves it as it is.
+    std::vector<Pose> places;  ///< Of its colliders, from the first on, in the moving frame.
+    Pose pose;                 ///< Of that frame in the world, before the clip moves it.
     ClipPlay play;
 };
 
 /// The motion of its frame, as that of an object with one body.
 Animation animationOf(const ColliderMotion& motion);
 
-/// Colliders of a world where they are at a time [s]. What shaders/sim/animation does on the GPU, which a test holds it
-/// to.
+/// Colliders of a world at their places at a time [s]. The GPU does the same in shaders/sim/animation; a test compares
+/// both.
 std::vector<Collider> collidersAt(const World& world, double time);
 
-/// The part of validate() that is about them. @throws InputError, std::logic_error.
+/// Validates collider motions. @throws InputError, std::logic_error.
 void validateColliderMotions(const World& world);
 
 }  // namespace knuckle

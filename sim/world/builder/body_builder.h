@@ -15,27 +15,27 @@ class BodyBuilder : public virtual WorldDraft {
 public:
     /// All bodies and joints up to endObject() belong to one object named `name`.
     void beginObject(std::string name);
-    /// A rigid body of particles at `positions` (rest pose of the object) [m]. `surface`: of each particle; where it is
-    /// empty, a box lattice has a box's, and anything else none. `round`: the ball or capsule that they fill, by whose
-    /// volume it weighs. @returns the body's index.
+    /// A rigid body of particles at `positions` (rest pose of the object) [m]. `surface`: of each particle; if empty, a
+    /// box lattice gets a box's, any other body none. `round`: the ball or capsule that they fill, whose volume gives
+    /// its mass. @returns the body's index.
     /// @throws std::logic_error for an empty span or a position that is not finite.
     uint32_t addBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
                      Motion motion = Motion::Dynamic, std::span<const SurfaceDistance> surface = {},
                      const RoundShape& round = {});
-    /// Holds a body where it is put, for ever or until a time [s], when it is let go from rest.
+    /// Holds a body in place, for ever or until a time [s], when it is let go from rest.
     void holdBody(uint32_t body, float releaseTime = std::numeric_limits<float>::infinity());
     /// Particle::selfMargin for all particles of the open object [diameters].
     void setSelfMargin(float margin);
-    /// The body is the cross of a universal joint: its particles touch no other of their assembly, and it has most of
-    /// the mass of those that it shares.
+    /// Marks the body as the cross of a universal joint: its particles touch no others of their assembly, and it gets
+    /// most of the mass of those that it shares.
     void markCross(uint32_t body);
-    /// Two bodies of one object never touch (Body::filtered).
+    /// Makes two bodies of one object never touch (Body::filtered).
     void filterPair(uint32_t body, uint32_t other);
     /// Places the open object; `velocity` [m/s] and `spin` [rad/s] about its mass centre. @returns the object's index.
     uint32_t endObject(const Pose& pose = {}, const Vector3f& velocity = {0, 0, 0}, const Vector3f& spin = {0, 0, 0});
-    /// The particles that a body was given so far and shares with no other.
+    /// The particles of a body so far that it does not share.
     std::vector<uint32_t> ownParticles(uint32_t body) const;
-    /// Objects that are there wear a mesh, which moves with their bodies.
+    /// Gives existing objects a mesh, which moves with their bodies.
     void addSkin(const std::shared_ptr<const SkinMesh>& mesh, std::span<const uint32_t> objects, SkinUse use);
 };
 

@@ -10,14 +10,14 @@ namespace knuckle {
 
 namespace {
 
-/// Weight of a body when the masses of shared particles are split. The cross of a universal joint is light; with a
-/// larger part of those masses it is nearer to its neighbours, and the impulses between them converge sooner.
+/// Weight of a body when the masses of shared particles are split. The cross of a universal joint is light; a larger
+/// part of those masses makes it more like its neighbours, so that the impulses between them converge sooner.
 float shareWeight(const Body& body)
 {
     return body.isCross ? 6.0f : 1.0f;
 }
 
-/// Bodies with joints keep their particles' shape: limbs overlap around joints.
+/// Removes round shapes of bodies with joints, which keep their particles' shape: limbs overlap around joints.
 void dropJointedRounds(World& world)
 {
     std::vector<uint32_t> bodies(world.assemblyCount);
@@ -30,7 +30,7 @@ void dropJointedRounds(World& world)
 
 void WorldBuilder::assignAssemblies()
 {
-    // Bodies that share a particle are of one assembly; the smallest body index names it until it is numbered.
+    // Bodies that share a particle belong to one assembly; until it is numbered, the smallest body index names it.
     DisjointSets sets(world_.bodies.size());
     owners_.resize(world_.particles.size());
     for (uint32_t b = 0; b < bodyParticles_.size(); ++b)
@@ -95,7 +95,7 @@ void WorldBuilder::weighRounds()
 World WorldBuilder::build()
 {
     if (objectOpen_) throw std::logic_error("build(): the last object is still open");
-    // A particle that any fixed body owns is fixed: that body must come first in its list of owners.
+    // A particle of any fixed body is fixed: that body must come first in its list of owners.
     for (uint32_t b = 0; b < bodyParticles_.size(); ++b)
         if (world_.bodies[b].motion == Motion::Fixed)
             for (uint32_t p : bodyParticles_[b]) world_.particles[p].body = b;

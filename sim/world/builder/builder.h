@@ -11,11 +11,11 @@
 
 namespace knuckle {
 
-/// Builds a World of all kinds of matter.
+/// Builds a World with all kinds of matter.
 ///
-/// Indices handed out stay valid. Bodies, joints and particles are added in the rest pose of their object, then
-/// placed as a whole: beginObject(), addBody()..., addJoint()..., endObject(pose, velocity). A call out of this order,
-/// or with an index of nothing, is a std::logic_error.
+/// Returned indices stay valid. Bodies, joints and particles are added in the rest pose of their object, then placed as
+/// a whole: beginObject(), addBody()..., addJoint()..., endObject(pose, velocity). A call out of this order, or with an
+/// index that does not exist, is a std::logic_error.
 class WorldBuilder : public JointBuilder,
                      public MotionBuilder,
                      public ColliderBuilder,
@@ -26,14 +26,16 @@ public:
     /// @param particleRadius [m], > 0.
     explicit WorldBuilder(float particleRadius, const Settings& settings = {}) : WorldDraft(particleRadius, settings) {}
 
-    /// Groups links by body, fills centres, masses and assemblies, and validates. The builder is spent afterwards.
+    /// Groups links by body, fills centres, masses and assemblies, and validates. Afterwards the builder must not be
+    /// used.
     World build();
 
 private:
-    /// World::joints, once links are made: what is shared by whom, and what was said of it.
+    /// Fills World::joints, once links exist: from shared particles and descriptions.
     void recordJoints();
     void assignAssemblies();
-    /// Balls and capsules weigh density times volume. Not among fluids, in which they displace their particles' cells.
+    /// Balls and capsules weigh density times volume. Not in a world with fluids, in which they displace their
+    /// particles' cells.
     void weighRounds();
     void makeBodyLinks(uint32_t bodyIndex);
     /// The part of a particle's mass that counts in one of its bodies, 0 ... 1.

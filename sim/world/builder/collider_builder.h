@@ -8,8 +8,8 @@ namespace knuckle {
 class ColliderBuilder : public virtual WorldDraft {
 public:
     void addCollider(const Collider& collider);
-    /// From the start the last `count` colliders move together as a clip says, beginning where that has them at 0.
-    /// @param pose of the frame that moves, where they stand.
+    /// From the start, a clip moves the last `count` colliders together, beginning at its place at time 0.
+    /// @param pose of the moving frame at the place of the colliders.
     void moveColliders(uint32_t count, const Pose& pose, const ClipPlay& play);
     /// @returns its index, for Collider::grid.
     uint32_t addColliderGrid(ColliderGrid grid);

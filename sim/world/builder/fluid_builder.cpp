@@ -26,8 +26,8 @@ float depthOf(const std::vector<Particle>& particles, const Vector3f& up, float 
     return spacing * static_cast<float>(layers.size());
 }
 
-/// Whether a fluid particle has room at x: no solid one is nearer than `apart`, and they do not surround it, as those
-/// of a body's lattice surround the middle of a cell.
+/// Whether a fluid particle has room at x: no solid particle is nearer than `apart`, and they do not surround x like
+/// the lattice of a body surrounds the middle of a cell.
 bool hasRoom(const World& world, const Cells& solids, const Vector3f& x, float apart)
 {
     const std::vector<uint32_t> near = solids.allNear(world.particles, x, 0.95f * world.diameter());
@@ -40,7 +40,7 @@ bool hasRoom(const World& world, const Cells& solids, const Vector3f& x, float a
     return near.size() < 4 || sum.norm() >= 0.35f * static_cast<float>(near.size());
 }
 
-/// The largest pressure that surface tension makes in any of the fluids, over its density [m2/s2].
+/// The largest pressure from surface tension in any of the fluids, over its density [m2/s2].
 float mostCohesion(const std::vector<Material>& materials, float spacing)
 {
     float most = 0.0f;

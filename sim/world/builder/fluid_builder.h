@@ -6,23 +6,23 @@
 
 namespace knuckle {
 
-/// Fluids, and what they come from and go to.
+/// Fluids, emitters and drains.
 class FluidBuilder : public virtual WorldDraft {
 public:
-    /// Fluid particles of a fluid material. They come behind all others, whenever they are added; build() leaves out
-    /// those that overlap other particles.
+    /// Adds fluid particles of a fluid material. They come after all others, whenever they are added; build() leaves
+    /// out those that overlap other particles.
     void addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material);
-    /// Sets the rest distance of fluids [diameters], 0.3 ... 0.6. To be called before addFluid().
+    /// Sets the rest distance of fluids [diameters], 0.3 ... 0.6. Must be called before addFluid().
     void setFluidSpacing(float spacing);
     float fluidSpacing() const { return world_.fluidSpacing; }
-    /// Its pool comes behind all fluids. @throws std::logic_error unless its material is a fluid.
+    /// Its pool comes after all fluids. @throws std::logic_error unless its material is a fluid.
     void addEmitter(Emitter emitter);
     /// A plane, box, sphere or capsule in which fluids vanish.
     void addDrain(const Region& region) { world_.drains.push_back(region); }
     uint32_t fluidCount() const { return static_cast<uint32_t>(fluid_.size()); }
 
 protected:
-    /// Those that overlap nothing, and the pools of emitters; chooses the substeps that they need.
+    /// Adds fluid particles that overlap nothing, and the pools of emitters; chooses the substeps that they need.
     void placeFluid();
 
 private:

@@ -4,12 +4,12 @@
 
 namespace knuckle {
 
-/// What acts from outside beside gravity.
+/// Accelerations from outside other than gravity.
 class ForceBuilder : public virtual WorldDraft {
 public:
-    /// Air, which drags and moves.
+    /// Sets the air, which drags and moves.
     void setWind(const Wind& wind) { world_.wind = wind; }
-    /// What blows needs air: still one, where setWind() has said nothing.
+    /// A field that blows needs air: calm air without setWind().
     void addForceField(const ForceField& field);
 };
 

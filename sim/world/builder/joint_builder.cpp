@@ -30,7 +30,7 @@ void JointBuilder::addUniversal(uint32_t parent, uint32_t child, const JointSpec
 {
     const JointPlaces places = jointPlaces(spec, world_.diameter());
     const uint32_t cross = addBody(spec.name + ".cross", places.middle, world_.bodies[parent].material);
-    // Where the axes cross, all three bodies share a particle: it carries the load, the light cross only the twist.
+    // All three bodies share a particle where the axes cross: it carries the load, the light cross only the twist.
     shareAt(places.middle, parent, cross);
     shareParticle(bodyParticles_[cross].front(), child);
     shareAt(places.sharedWithParent, parent, cross);
@@ -61,7 +61,7 @@ void JointBuilder::describeJoint(JointDraft draft)
 
 uint32_t JointBuilder::findOrCreate(const Vector3f& position, uint32_t bodyA, uint32_t bodyB)
 {
-    // Just under half a diameter: a place midway between two lattice points gets a particle of its own.
+    // Just under half a diameter, so that a place midway between two lattice points gets its own particle.
     float nearest = 0.49f * world_.diameter();
     uint32_t found = NO_INDEX;
     for (uint32_t body : {bodyA, bodyB})

@@ -12,11 +12,11 @@ namespace knuckle {
 struct JointSpec {
     JointType type = JointType::Ball;
     std::string name;
-    Vector3f anchor{0, 0, 0};  ///< Where the joint sits [m].
+    Vector3f anchor{0, 0, 0};  ///< Place of the joint [m].
     Vector3f axis{0, 0, 1};    ///< Hinge: its axis. Universal: the axis of the hinge at the parent.
-    Vector3f along{1, 0, 0};   ///< From parent to child, perpendicular to axis; fixed up if it is not.
-    /// Hinge: which side of the plane of axis and `along` is blocked by limiting particles: +1 (the side of
-    /// along x axis), -1 (the other) or 0 (free on both sides).
+    Vector3f along{1, 0, 0};   ///< From parent to child; made perpendicular to axis if it is not.
+    /// Hinge: the side of the plane of axis and `along` that limiting particles block: +1 (the side of along x axis),
+    /// -1 (the other) or 0 (none).
     int limitSide = 0;
     JointLimits limits;
     JointStrength strength;
@@ -25,12 +25,12 @@ struct JointSpec {
 /// Joints between bodies, by sharing particles (paper, section 4).
 class JointBuilder : public BodyBuilder {
 public:
-    /// Joins two bodies by particles shared between them. Particles of either within half a diameter of a place the
-    /// joint needs become the shared ones; elsewhere new particles are made.
+    /// Joins two bodies by particles that both share. Particles of either within half a diameter of a required place
+    /// become shared ones; elsewhere new particles are made.
     void addJoint(uint32_t parent, uint32_t child, const JointSpec& spec);
     /// Makes an existing particle part of one more body: the paper's joint itself.
     void shareParticle(uint32_t particle, uint32_t body);
-    /// Says what is known of a joint that is made by shareParticle(); build() finds its particles and frames.
+    /// Describes a joint that shareParticle() makes; build() finds its particles and frames.
     void describeJoint(JointDraft draft);
 
 private:

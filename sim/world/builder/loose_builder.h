@@ -8,13 +8,13 @@
 
 namespace knuckle {
 
-/// What is no rigid body: grains, soft bodies, and the distances of ropes and cloth.
+/// Matter other than rigid bodies: grains, soft bodies, and the distances of ropes and cloth.
 class LooseBuilder : public virtual WorldDraft {
 public:
-    /// A particle of no body: a grain. @returns its index.
+    /// A particle without a body: a grain. @returns its index.
     uint32_t addLooseParticle(const Particle& particle);
-    /// A soft body of particles at `positions` (rest pose of the object) [m], as elastic as its material.
-    /// @param pinned indices into `positions`: these particles stay where they are put.
+    /// A soft body of particles at `positions` (rest pose of the object) [m], with the elasticity of its material.
+    /// @param pinned indices into `positions`: these particles stay in place.
     /// @returns the soft body's index. @throws std::logic_error for an empty span or a position that is not finite.
     uint32_t addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
                          std::span<const uint32_t> pinned = {});

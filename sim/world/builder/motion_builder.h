@@ -7,17 +7,17 @@
 
 namespace knuckle {
 
-/// Clips, and what moves by them, is driven to them and is let go.
+/// Clips, and bodies that move by them, are driven to them and are let go.
 class MotionBuilder : public virtual WorldDraft {
 public:
     /// @returns its index, for ClipPlay::clip.
     uint32_t addClip(BodyClip clip);
-    /// From the start the bodies of an object that is there move as its clips say. Their joints form a tree.
+    /// From the start, clips move the bodies of an existing object. Their joints must form a tree.
     void animate(Animation animation);
     /// Drives an animated object to its clips while it responds.
     void drive(Puppet puppet) { world_.puppets.push_back(std::move(puppet)); }
-    /// Lets go of a body at a time [s], once more if that is after it was caught. @param driven whether a puppet's is
-    /// driven from then on, or limp.
+    /// Lets go of a body at a time [s]; a time after it was caught lets go of it again. @param driven whether a
+    /// puppet's body is driven from then on, else limp.
     void letGo(uint32_t body, float time, bool driven);
     /// Lets go of a body that is held or animated at a time [s].
     void releaseBody(uint32_t body, float time);
@@ -25,7 +25,7 @@ public:
     void addRelease(Release release);
 
 private:
-    /// Puts what is animated where its clips begin, with the velocity that they have there.
+    /// Puts animated bodies where their clips begin, with the velocity there.
     void poseAnimated(const Animation& animation);
     /// As linksOf(), before build() records the joints.
     std::vector<AnimatedLink> draftedLinks(const Animation& animation) const;

@@ -8,7 +8,7 @@ namespace knuckle {
 
 namespace {
 
-/// Of two descriptions of one pair's joint the weaker strength holds, and the limits that there are.
+/// Merges two descriptions of one pair's joint: the weaker strength holds, and all limits.
 void merge(JointDraft& into, const JointDraft& from)
 {
     JointStrength& strength = into.joint.strength;
@@ -21,7 +21,7 @@ void merge(JointDraft& into, const JointDraft& from)
     into.cone = same ? from.cone : Vector3f(-from.axis);
 }
 
-/// Described joints by their pairs of bodies, and what is shared by pairs of which nobody said anything.
+/// Joints by pairs of bodies: the described ones, and those of pairs that share particles without a description.
 class JointList {
 public:
     explicit JointList(const World& world) : world_(world) {}
@@ -41,7 +41,7 @@ public:
         covered_.connect(particle, a, b);
     }
 
-    /// After all of those: adds a joint where none connects the two through the particle.
+    /// After all of those: adds a joint if none connects the two through the particle.
     void shareOtherwise(uint32_t particle, uint32_t a, uint32_t b)
     {
         if (!covered_.connect(particle, a, b)) return;

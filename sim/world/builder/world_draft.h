@@ -8,26 +8,26 @@
 
 namespace knuckle {
 
-/// A World in the making, which the builders of all kinds of matter share.
+/// A World under construction, which the builders of all kinds of matter share.
 class WorldDraft {
 public:
     uint32_t addMaterial(Material material);
     const Material& material(uint32_t index) const { return world_.materials.at(index); }
     uint32_t particleCount() const { return static_cast<uint32_t>(world_.particles.size()); }
     float diameter() const { return world_.diameter(); }
-    /// What a particle of a material weighs: density times diameter cubed [kg].
+    /// The mass of a particle of a material: density times diameter cubed [kg].
     float particleMass(uint32_t material) const;
-    /// The world built so far: particles are placed, links and assemblies are not made before build().
+    /// The world built so far: particles are placed; links and assemblies do not exist before build().
     const World& world() const { return world_; }
 
 protected:
-    WorldDraft() = default;  // never of a draft that is built: WorldBuilder gives the arguments
+    WorldDraft() = default;  // never used for a built draft: WorldBuilder passes the arguments
     WorldDraft(float particleRadius, const Settings& settings);
     ~WorldDraft() = default;
     WorldDraft(WorldDraft&&) = default;
 
     uint32_t newParticle(const Vector3f& position, uint32_t material);
-    /// As newParticle for each. @throws std::logic_error for what addBody() and addSoftBody() refuse.
+    /// As newParticle for each. @throws std::logic_error for input that addBody() and addSoftBody() refuse.
     std::vector<uint32_t> newParticles(const std::string& name, std::span<const Vector3f> positions, uint32_t material);
     void requireObject(const char* what) const;
 

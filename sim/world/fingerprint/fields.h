@@ -7,8 +7,8 @@
 /// Which fields of a World a run depends on.
 namespace knuckle {
 
-/// The fields of a struct that count. Each binding names all of its fields: it does not compile when one is added, so
-/// that nobody forgets to say whether that one counts.
+/// The fields of a struct that count. Each binding names all fields of its struct: it does not compile when one is
+/// added, so that nobody forgets to decide whether that one counts.
 template <typename... T>
 auto counting(const T&... fields)
 {
@@ -84,7 +84,7 @@ inline auto fieldsOf(const Region& r)
 
 inline auto fieldsOf(const Collider& c)
 {
-    // A binding takes no struct that has a base.
+    // A binding cannot take a struct with a base.
     struct Own {
         decltype(c.grid) grid;
         decltype(c.staticFriction) sticking;

@@ -33,7 +33,7 @@ public:
         for (const Scalar value : vector) add(value);
     }
     void add(const Quaternionf& rotation) { add(rotation.coeffs()); }
-    /// With its length, so that what ends one list does not begin the next.
+    /// Includes its length, so that the end of one list is not taken for the start of the next.
     template <typename T>
     void add(const std::vector<T>& list)
     {

@@ -26,7 +26,7 @@ Cell cellAt(const Vector3f& offset, float diameter)
     return {static_cast<int>(place.x()), static_cast<int>(place.y()), static_cast<int>(place.z())};
 }
 
-/// What particles cover, seen along each axis [m2]. @param offsets in the body at rest [m].
+/// The area that particles cover, seen along each axis [m2]. @param offsets in the body at rest [m].
 Vector3f silhouette(const std::vector<Vector3f>& offsets, float diameter)
 {
     Vector3f areas;
@@ -55,7 +55,7 @@ Vector3f dragOf(const World& world, const Body& body)
     return half * float(SPHERE_DRAG) * Vector3f(end + side, end, end + side);
 }
 
-/// To each particle of a soft body, its share of the body's surface by those of its six sides without a neighbour.
+/// Gives each particle of a soft body its share of the surface, by how many of its six sides have no neighbour.
 void addSoft(const World& world, const SoftBody& soft, std::vector<float>& areas)
 {
     std::set<Cell> cells;
@@ -70,7 +70,7 @@ void addSoft(const World& world, const SoftBody& soft, std::vector<float>& areas
                 beside[axis] += step;
                 open += cells.contains(beside) ? 0 : 1;
             }
-        // Seen from all sides, a body covers a quarter of its surface (Cauchy).
+        // Averaged over all directions, a body covers a quarter of its surface (Cauchy).
         areas[p] = 0.25f * static_cast<float>(open) * float(BLOCK_DRAG) * world.diameter() * world.diameter();
     }
 }

@@ -14,7 +14,7 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr uint32_t WAVES = 16;
-constexpr float SHORTEST = 1.0f / 12;  // wave, of the longest
+constexpr float SHORTEST = 1.0f / 12;  // shortest wave, over the longest
 
 Vector3f direction(std::mt19937& random)
 {

@@ -16,10 +16,10 @@ namespace knuckle {
 namespace {
 
 constexpr float FREE = HALF_TURN;
-/// A narrower cone is a hinge along the axis. [rad]
+/// A narrower cone would be a hinge along the axis. [rad]
 constexpr float LEAST_SWING = 0.999f * FREE / 180;
 
-/// @returns what is wrong with a joint's limits; empty where nothing is.
+/// @returns what is wrong with a joint's limits; empty if nothing is.
 std::string faultOf(const Joint& joint)
 {
     const TurnLimits& limits = joint.limits;
@@ -51,7 +51,7 @@ bool isValid(const JointSide& side)
     return side.arm.allFinite() && std::abs(side.frame.norm() - 1.0f) < 1e-3f;
 }
 
-/// Sharing particles is what holds: the record must say the same.
+/// Sharing particles is what holds bodies together: the record must match it.
 void validateRecord(const World& world, const Joint& joint)
 {
     const auto require = [&](bool holds, const char* what) {
@@ -67,7 +67,7 @@ void validateRecord(const World& world, const Joint& joint)
                 "its particles must belong to both bodies");
 }
 
-/// The bodies of each shared particle hang together by joints that have it.
+/// Checks that joints with it connect all bodies of each shared particle.
 void validateCover(const World& world)
 {
     SharedParticles covered;

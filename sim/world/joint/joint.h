@@ -21,34 +21,34 @@ using Eigen::Vector3f;
 
 enum class JointType : uint32_t { Ball, Hinge, Stiff, Universal };
 
-/// Angles of one axis from the rest pose, right-handed [rad]. The rest pose, 0, belongs to it.
+/// Angles about one axis from the rest pose, right-handed [rad]. They include the rest pose, 0.
 struct TurnRange {
     float lowest = -HALF_TURN;
     float highest = HALF_TURN;
     bool bounded() const { return lowest > -HALF_TURN || highest < HALF_TURN; }
 };
 
-/// How far a joint lets its child turn against its parent, in the words of its type. None by default.
+/// How far a joint lets its child turn against its parent, in terms of its type. No limits by default.
 struct JointLimits {
     float swing = HALF_TURN;  ///< Ball: how far the child's axis may leave the cone's middle [rad], > 0.
-    Vector3f cone{0, 0, 0};  ///< Ball: the cone's middle, the parent's, in the rest pose; 0: where the axis is at rest.
-    TurnRange twist;         ///< Ball: about the child's axis.
-    TurnRange bend;          ///< Hinge: about its axis. Universal: about that of the hinge at the parent.
-    TurnRange secondBend;    ///< Universal: about that of the hinge at the child.
+    Vector3f cone{0, 0, 0};   ///< Ball: the middle of the cone, fixed in the parent, in the rest pose; 0: the axis at
+                              ///< rest.
+    TurnRange twist;          ///< Ball: about the child's axis.
+    TurnRange bend;           ///< Hinge: about its axis. Universal: about that of the hinge at the parent.
+    TurnRange secondBend;     ///< Universal: about that of the hinge at the child.
     /// Of the spring behind a limit [N m/rad], > 0; infinity: rigid.
     float stiffness = std::numeric_limits<float>::infinity();
 
     bool any() const;
-    /// The limits that are set and that a joint of this type does not have: "swing".
+    /// The limits that are set although a joint of this type does not have them: "swing".
     std::vector<std::string> misplacedIn(JointType type) const;
 };
 
-/// Of a universal joint those of its two hinges, at the parent and at the child.
+/// The limits of a universal joint's two hinges, at the parent and at the child.
 std::pair<JointLimits, JointLimits> hingeLimits(const JointLimits& universal);
 
-/// The same of any joint, as the solver takes it: how far x of the child's frame may leave x of the parent's, and how
-/// far the child may turn about it (a swing to the axis and a twist about it make every turn). Of a hinge the twist
-/// alone.
+/// Limits of any joint in the solver's form: how far x of the child's frame may leave x of the parent's, and how far
+/// the child may turn about it (a swing of the axis and a twist about it make up any turn). A hinge only has the twist.
 struct TurnLimits {
     float swing = HALF_TURN;  ///< [rad]
     TurnRange twist;
@@ -56,10 +56,11 @@ struct TurnLimits {
     bool any() const { return swing < HALF_TURN || twist.bounded(); }
 };
 
-/// What a joint bears: pulled or turned harder, it tears for good.
+/// The load that a joint bears: beyond it, the joint tears for good.
 struct JointStrength {
     float force = std::numeric_limits<float>::infinity();   ///< [N], > 0.
-    float torque = std::numeric_limits<float>::infinity();  ///< Where it holds turns, at its limits too [N m], > 0.
+    float torque = std::numeric_limits<float>::infinity();  ///< In directions in which it holds turns, including its
+                                                            ///< limits [N m], > 0.
     bool tears() const;
 };
 
@@ -67,15 +68,15 @@ struct JointStrength {
 struct JointSide {
     Vector3f arm{0, 0, 0};  ///< From the body's centre to the middle of the shared particles [m].
     Quaternionf frame{1, 0, 0,
-                      0};  ///< From the joint's axes; a hinge turns about x. Those of both sides agree at rest,
-                           ///< but for a cone that leans.
+                      0};  ///< From the joint's axes; a hinge turns about x. Both sides agree at rest, unless a cone
+                           ///< leans.
 };
 
-/// Two bodies that share particles, which is what holds them together (paper, section 4): the record of it. A universal
-/// joint is two hinges, one on each side of its cross (Body::isCross).
+/// Two bodies that share particles, which hold them together (paper, section 4): the record of it. A universal joint is
+/// two hinges, one on each side of its cross (Body::isCross).
 struct Joint {
     std::string name;
-    JointType type = JointType::Ball;  ///< How its particles let it turn: a ball, a hinge, or stiff.
+    JointType type = JointType::Ball;  ///< How its particles let it turn: as a ball, a hinge, or not at all.
     uint32_t parent = NO_INDEX, child = NO_INDEX;
     std::vector<uint32_t> particles = {};  ///< That both bodies share, ascending.
     JointSide parentSide = {}, childSide = {};
@@ -85,20 +86,20 @@ struct Joint {
     bool connects(uint32_t a, uint32_t b) const { return std::minmax(a, b) == std::minmax(parent, child); }
 };
 
-/// A joint as it is told, before its bodies have their links.
+/// A joint as described, before its bodies have links.
 struct JointDraft {
     Joint joint;
-    /// Where limits are: the child's axis and the middle of the parent's cone, in the rest pose, unit.
+    /// For limits: the child's axis and the middle of the parent's cone, in the rest pose, unit.
     Vector3f axis{0, 0, 0}, cone{0, 0, 0};
 };
 
 /// Sets a joint's limits from those of its type. @param axis of a hinge, or a ball's child's; unit, in the rest pose.
 void setLimits(JointDraft& draft, const JointLimits& limits, const Vector3f& axis);
 
-/// How many joints a world has, a universal one counted once.
+/// The number of joints in a world; a universal joint counts once.
 size_t jointCount(const World& world);
 
-/// The part of validate() that is about joints. @throws InputError, std::logic_error.
+/// Validates joints. @throws InputError, std::logic_error.
 void validateJoints(const World& world);
 
 }  // namespace knuckle

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Matrix3f;
 
-/// Where particles stand in a body [m].
+/// Places of particles in a body [m].
 std::vector<Vector3f> armsIn(const World& world, uint32_t body, const std::vector<uint32_t>& particles)
 {
     const auto first = world.links.begin() + world.bodies[body].linkStart;
@@ -31,7 +31,7 @@ Vector3f meanOf(const std::vector<Vector3f>& places)
     return sum / static_cast<float>(places.size());
 }
 
-/// The rotation that brings places about their mean nearest to others about theirs.
+/// The rotation that best fits places about their mean to others about theirs.
 Quaternionf fitted(const std::vector<Vector3f>& from, const std::vector<Vector3f>& to)
 {
     const Vector3f meanFrom = meanOf(from), meanTo = meanOf(to);
@@ -90,7 +90,7 @@ JointFit fitJoint(const World& world, const Joint& joint, uint32_t body, const s
         axis = joint.childSide.frame * Vector3f::UnitX();
         cone = joint.parentSide.frame * Vector3f::UnitX();
     }
-    // Seen from the parent, x of both sides is turned about, so that the angles are the same.
+    // Seen from the parent, x of both sides is reversed, so that angles are the same.
     if (isChild) return fitJoint(world, body, joint.parent, particles, axis, cone);
     return fitJoint(world, body, joint.child, particles, -cone, -axis);
 }

@@ -6,20 +6,19 @@
 
 namespace knuckle {
 
-/// How two bodies meet at particles that both have.
+/// How two bodies meet at particles that they share.
 struct JointFit {
     JointType type = JointType::Ball;
     JointSide body, parent;
 };
 
-/// What particles let a body turn against another follows from how they lie: one place holds it together, a line lets
-/// it turn about itself, a face not at all.
-/// @param axis where limits are, the body's axis in the rest pose, and `cone` the middle of the other's cone: unit;
-/// else 0.
+/// How far particles let a body turn against another follows from their arrangement: one place makes a ball, a line a
+/// hinge about itself, a face holds all turns.
+/// @param axis for limits, the body's axis in the rest pose, and `cone` the middle of the other's cone: unit; else 0.
 JointFit fitJoint(const World& world, uint32_t body, uint32_t parent, const std::vector<uint32_t>& particles,
                   const Vector3f& axis, const Vector3f& cone);
 
-/// The same of a joint that is recorded, seen from one of its bodies, at some of its particles.
+/// The same for a recorded joint, seen from one of its bodies, at some of its particles.
 JointFit fitJoint(const World& world, const Joint& joint, uint32_t body, const std::vector<uint32_t>& particles);
 
 }  // namespace knuckle

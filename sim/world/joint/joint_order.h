@@ -8,7 +8,7 @@
 
 namespace knuckle {
 
-/// Which bodies of shared particles already hang together.
+/// Keeps track of which bodies of shared particles are connected.
 class SharedParticles {
 public:
     /// @returns whether the two were not connected through this particle before.
@@ -21,16 +21,16 @@ private:
 /// A joint between bodies that other joints connect already.
 struct LoopJoint {
     uint32_t joint = 0;               ///< Of World::joints.
-    std::vector<uint32_t> particles;  ///< Those through which nothing before it holds its bodies together.
+    std::vector<uint32_t> particles;  ///< Those through which no earlier joint holds its bodies together.
 };
 
 /// Which joints connect bodies as trees, and which close loops in them.
 struct JointOrder {
     std::vector<uint32_t> connecting;  ///< Of World::joints.
-    std::vector<LoopJoint> loops;      ///< Those that hold anything in addition.
+    std::vector<LoopJoint> loops;      ///< Joints that hold anything in addition.
 };
 
-/// Bodies that never respond count as one; what lies between two of them is left out.
+/// Bodies that never respond count as one; joints between two of them are left out.
 JointOrder orderJoints(const World& world);
 
 }  // namespace knuckle

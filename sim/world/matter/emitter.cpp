@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// Layers are this much wider than the nozzle. At exactly the density of rest, rounding alone would make pressure.
+/// Layers are wider than the nozzle by this factor. At exactly the rest density, rounding alone would cause pressure.
 constexpr float WIDER = 1.01f;
 
 /// Distance between layers: the volume of a layer's particles over the nozzle's area.
@@ -32,7 +32,7 @@ std::vector<Vector3f> latticeByDistance(float offset, int reach)
     return points;
 }
 
-/// The first points, ending with a whole ring of points as far from the origin, about `wanted` of them.
+/// The first points, about `wanted` of them, ending with a complete ring of points at one distance from the origin.
 std::vector<Vector3f> wholeRings(std::vector<Vector3f> points, double wanted)
 {
     size_t best = 0;

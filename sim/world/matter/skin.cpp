@@ -46,7 +46,7 @@ TexturePicture halved(const TexturePicture& picture)
                     const uint32_t column = std::min(2 * x + corner % 2, picture.width - 1);
                     const uint32_t row = std::min(2 * y + corner / 2, picture.height - 1);
                     const float value = picture.rgba[size_t{4} * (size_t{row} * picture.width + column) + channel];
-                    // Colours by their squares, which are nearly light; alpha as it is.
+                    // Averages squares of colours, which are nearly linear in light; alpha is averaged as it is.
                     sum += channel < 3 ? value * value : value;
                 }
                 const float mean = channel < 3 ? std::sqrt(0.25f * sum) : 0.25f * sum;

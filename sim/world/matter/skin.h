@@ -14,32 +14,32 @@ namespace knuckle {
 /// Sides of texture pictures are 1 ... TEXTURE_SIDE pixels.
 inline constexpr uint32_t TEXTURE_SIDE = 1024;
 
-/// Rows from the top, four bytes a pixel: red, green, blue as in sRGB, and alpha.
+/// Rows from the top, four bytes a pixel: red, green, blue in sRGB, and alpha.
 struct TexturePicture {
     uint32_t width = 0, height = 0;  ///< [pixels]
     std::vector<uint8_t> rgba;
 };
 
-/// The picture at half its sides, rounded down, of one pixel at least: the next level of its mipmap.
+/// The picture at half its sides, rounded down, at least one pixel: the next level of its mipmap.
 TexturePicture halved(const TexturePicture& picture);
 
-/// What is beyond an edge of a picture; TEXTURE_... of shaders/shared/constants.h.
+/// What continues a picture beyond its edge; TEXTURE_... of shaders/shared/constants.h.
 enum class TextureWrap : uint8_t {
     Repeat,
-    Mirror,  ///< The picture again, the other way round.
+    Mirror,  ///< The picture mirrored.
     Clamp,   ///< The pixels at the edge.
 };
 
-/// Where in the picture a place is, 0 ... 1, both in parts of its side.
+/// The place within the picture, 0 ... 1; both are fractions of its side.
 float wrapped(float place, TextureWrap wrap);
 
-/// How a part of a mesh looks.
+/// Looks of a part of a mesh.
 struct SkinMaterial {
     std::string name;
-    Eigen::Vector3f color{0.8f, 0.8f, 0.8f};  ///< Linear RGB, 0-1; a texture's and a vertex's are multiplied by it.
+    Eigen::Vector3f color{0.8f, 0.8f, 0.8f};  ///< Linear RGB, 0-1; multiplied by the colours of texture and vertex.
     uint32_t texture = NO_INDEX;              ///< Index of its picture, or none.
-    bool twoSided = true;                     ///< Seen from behind as well.
-    float alphaCutoff = 0.0f;                 ///< What of the picture has less alpha is not there, 0 ... 1.
+    bool twoSided = true;                     ///< Also seen from behind.
+    float alphaCutoff = 0.0f;                 ///< Pixels with less alpha are not drawn, 0 ... 1.
     std::array<TextureWrap, 2> wrap{};        ///< Along u and v.
 };
 
@@ -62,14 +62,14 @@ struct SkinMesh {
     std::vector<TexturePicture> textures;
 };
 
-/// What a skin does to the particles of those who wear it.
+/// How a skin is drawn with its wearers' particles.
 enum class SkinUse {
     Hide,   ///< The mesh is drawn instead of them.
     Cover,  ///< The mesh is drawn with them.
-    Paint,  ///< They have its colours, and it is not drawn.
+    Paint,  ///< They get its colours, and it is not drawn.
 };
 
-/// A mesh and those who wear it.
+/// A mesh and the objects that wear it.
 struct Skin {
     std::shared_ptr<const SkinMesh> mesh;
     std::vector<uint32_t> objects;  ///< Indices into World::objects.
@@ -83,7 +83,7 @@ inline bool isDrawn(const Skin& skin)
 
 struct World;
 
-/// The part of validate() that is about skins. @throws std::logic_error.
+/// Validates skins. @throws std::logic_error.
 void validateSkins(const World& world);
 
 }  // namespace knuckle

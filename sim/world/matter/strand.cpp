@@ -68,7 +68,7 @@ void joinStrandAssemblies(World& world)
         for (uint32_t index : strand.particles)
             sets.unite(world.particles[strand.particles[0]].assembly, world.particles[index].assembly);
     }
-    // Numbered anew, without gaps.
+    // Numbers them anew, without gaps.
     std::vector<uint32_t> number(sets.size(), NO_INDEX);
     std::vector<bool> joined(sets.size(), false);
     world.assemblyCount = 0;

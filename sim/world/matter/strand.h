@@ -8,9 +8,9 @@ namespace knuckle {
 
 struct World;
 
-/// What the distances of a strand are for.
+/// The purpose of a strand's distances.
 enum class DistanceKind : uint32_t {
-    Stretch,  ///< Between neighbours: what a rope or a piece of cloth is made of. At most a diameter each.
+    Stretch,  ///< Between neighbours: the threads of a rope or a piece of cloth. At most a diameter each.
     Shear,    ///< Across the cells of a cloth.
     Bend,     ///< Between second neighbours.
 };
@@ -22,19 +22,19 @@ struct Strand {
     std::vector<uint32_t> particles;  ///< At least two, none twice.
     std::vector<float> restLengths;   ///< To the next particle, one less than those [m], > 0.
     float compliance = 0.0f;          ///< Of each distance [m/N], >= 0; 0: rigid.
-    /// Tension at which a distance breaks for good [N], > 0. Where it is finite, distances of Shear and Bend break also
-    /// at one and a half times their length: they are soft, and would keep torn pieces together.
+    /// Tension at which a distance breaks for good [N], > 0. If finite, distances of Shear and Bend also break at one
+    /// and a half times their length: they are soft, and would keep torn pieces together.
     float tearForce = std::numeric_limits<float>::infinity();
 };
 
-/// Particle::selfMargin of what strands are made of: neighbours stand at a diameter and must not touch each other.
+/// Particle::selfMargin for strands: neighbours are a diameter apart and must not touch each other.
 inline constexpr float ROPE_MARGIN = 0.1f;
 
 /// Makes one assembly of everything that strands connect, so that particles nearer than a diameter at the start do not
-/// touch each other, and velocities are of the same order in all of it. The world's start becomes the rest pose.
+/// touch each other, and velocities have the same order throughout. The world's start becomes the rest pose.
 void joinStrandAssemblies(World& world);
 
-/// The part of validate() that is about strands.
+/// Validates strands.
 void validateStrands(const World& world);
 
 }  // namespace knuckle

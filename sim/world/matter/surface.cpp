@@ -11,7 +11,7 @@ namespace {
 
 constexpr float TIE = 0.01f;
 
-/// SurfaceDistance::ends of a particle that far from the outermost on each side [m].
+/// SurfaceDistance::ends of a particle at these distances from the outermost ones on each side [m].
 uint32_t latticeEnds(const Vector3f& fromLow, const Vector3f& toHigh, float diameter)
 {
     uint32_t ends = 0;

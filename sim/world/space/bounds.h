@@ -6,9 +6,9 @@
 
 namespace knuckle {
 
-/// Around all particles as spheres [m]; empty where there are none.
+/// Bounds of all particles as spheres [m]; empty if there are none.
 Eigen::AlignedBox3f particleBounds(const World& world);
-/// Around a collider that ends somewhere: any but a plane [m].
+/// Bounds of a collider that has an end: any except a plane [m].
 Eigen::AlignedBox3f colliderBounds(const World& world, const Collider& collider);
 
 }  // namespace knuckle

@@ -24,15 +24,15 @@ public:
         const Eigen::Vector3i c = (x * inverseSize_).array().floor().cast<int>();
         return {c.x(), c.y(), c.z()};
     }
-    /// What was added into each cell, in the order of the cells.
+    /// The members of each cell, in the order of the cells.
     const std::map<Cell, std::vector<uint32_t>>& members() const { return members_; }
-    /// What was added into the cell `k` of the 27 around a cell; nothing: null.
+    /// The members of the cell `k` of the 27 around a cell; null if there are none.
     const std::vector<uint32_t>* around(const Cell& cell, int k) const
     {
         const auto found = members_.find({cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1});
         return found == members_.end() ? nullptr : &found->second;
     }
-    /// Calls visit(index) for what was added into the 27 cells around x.
+    /// Calls visit(index) for all members of the 27 cells around x.
     template <typename Visit>
     void forEachAround(const Eigen::Vector3f& x, Visit visit) const
     {
@@ -42,7 +42,7 @@ public:
             for (uint32_t i : *members) visit(i);
         }
     }
-    /// Those of the members whose particles stand nearer to x than `distance`, a cell at most.
+    /// The members whose particles are nearer to x than `distance`, which is at most a cell.
     std::vector<uint32_t> allNear(const std::vector<Particle>& particles, const Eigen::Vector3f& x,
                                   float distance) const
     {

@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr float OPPOSITE = -0.99f;  // cosine below which floats have too few digits for a turn
-constexpr float STEEP = 0.999f;     // height of a direction beside which up says nothing
+constexpr float STEEP = 0.999f;     // height of a direction above which up is no reference
 
 }  // namespace
 
@@ -20,7 +20,7 @@ Quaternionf turnBetween(const Vector3f& from, const Vector3f& to)
     if (a.isZero() || b.isZero()) return Quaternionf::Identity();
     if (a.dot(b) > OPPOSITE) return Quaternionf::FromTwoVectors(from, to);
     const Vector3d axis = a.cross(b);
-    // 1 + a.b, from what two opposite directions leave of each other.
+    // 1 + a.b, computed from the small sum of two nearly opposite directions.
     const double w = 0.5 * (a + b).squaredNorm();
     Quaterniond turn(w, axis.x(), axis.y(), axis.z());
     if (!(turn.norm() > 0.0)) turn.vec() = a.unitOrthogonal();

@@ -6,7 +6,7 @@
 
 namespace knuckle::test {
 
-/// To an exporter that needs bodies alone.
+/// Adds a frame to an exporter that needs only bodies.
 inline void addFrame(Exporter& out, const World& world, const std::vector<BodyState>& bodies)
 {
     out.frame({.world = world, .bodies = &bodies});

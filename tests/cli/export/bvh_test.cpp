@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Isometry3f;
 
-/// Hips, spine, an arm of two, and a tail that hangs on nothing.
+/// Hips, spine, an arm of two bones, and a tail without a parent.
 Rig figure()
 {
     Rig rig;
@@ -35,7 +35,7 @@ Rig figure()
     return rig;
 }
 
-/// Bones that turn about their heads by up to a whole turn, while the first and the last fly about.
+/// Bones that turn about their heads by up to a full turn, while the first and the last move freely.
 std::vector<std::vector<Isometry3f>> motionsOf(const Rig& rig, int count)
 {
     std::mt19937 random(3);
@@ -46,7 +46,7 @@ std::vector<std::vector<Isometry3f>> motionsOf(const Rig& rig, int count)
         for (const Bone& bone : rig.model.bones) {
             const Vector3f head = bone.restPose.block<3, 1>(0, 3);
             const Vector3f axis = Vector3f(some(random), some(random), some(random)).normalized();
-            // Some straight up or down, where turns about Z and Y are one.
+            // Some point straight up or down, where turns about Z and Y are the same.
             const float angle = f % 4 == 0 ? 0.5f * static_cast<float>(M_PI) : 3.0f * some(random);
             const Eigen::AngleAxisf turn(angle, f % 4 == 0 ? Vector3f(Vector3f::UnitX()) : axis);
             Isometry3f motion(Eigen::Translation3f(head) * turn * Eigen::Translation3f(-head));
@@ -63,7 +63,7 @@ TEST(Bvh, ReadBackEveryJointIsWhereItWas)
 {
     const TempFolder folder;
     const Rig rig = figure();
-    // Each pose is held for a while, since import samples clips anew.
+    // Holds each pose for a while, since import samples clips anew.
     constexpr size_t POSES = 20, HELD = 8;
     const auto poses = motionsOf(rig, POSES);
     std::vector<std::vector<Isometry3f>> frames;

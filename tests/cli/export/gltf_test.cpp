@@ -57,7 +57,7 @@ TEST(GltfExport, ReadBackTheSkeletonMovesAsTheBodiesDid)
         const auto found = std::ranges::find(after.bones, bone.name, &Bone::name);
         ASSERT_NE(found, after.bones.end()) << bone.name;
         for (size_t k = 0; k < clip.keyTimes.size(); ++k) {
-            // Import samples between frames as well, where a line cuts the arc short.
+            // Import also samples between frames, where a line cuts the arc short.
             const double frame = 30.0 * clip.keyTimes[k];
             if (std::abs(frame - std::round(frame)) > 1e-3) continue;
             ++checked;
@@ -66,7 +66,7 @@ TEST(GltfExport, ReadBackTheSkeletonMovesAsTheBodiesDid)
             const Vector3f wanted = Eigen::AngleAxisf(angle, Vector3f(1, 2, 0.5f).normalized()) * head +
                                     Vector3f(0, angle, 0);
             const Vector3f is = clip.poses[k][static_cast<size_t>(found - after.bones.begin())].block<3, 1>(0, 3);
-            // Places and turns may be off by 0.01 mm and 2e-5 of 2 m.
+            // Places may be off by 0.01 mm, and turns by 2e-5 of 2 m.
             ASSERT_LT((is - wanted).norm(), 1e-4f) << bone.name << " at " << clip.keyTimes[k];
         }
     }
@@ -92,7 +92,7 @@ TEST(GltfExport, CopiesShareTheirMesh)
     EXPECT_LT(sizeOf(3), 1.2 * static_cast<double>(sizeOf(1)));
 }
 
-/// A crate without a skeleton: as an actor, and as a rigid thing that is drawn in its mesh.
+/// A crate without a skeleton: as an actor, and as a rigid object that is drawn by its mesh.
 TEST(GltfExport, WhatHasNoSkeletonKeepsItsMesh)
 {
     const TempFolder folder;

@@ -11,14 +11,14 @@ constexpr double RATE = 480;     // keys of the clip [1/s]
 constexpr double LET_GO = 0.25;  // [s]
 constexpr uint32_t SUBSTEPS = 24;
 
-/// An arm that hangs from what stays, and is turned by a clip until it is let go. Angles are from hanging down.
+/// An arm that hangs from a fixed body; a clip turns it until it is let go. Angles are from hanging down.
 struct Turned {
-    double from = 0.0;   ///< Where it is let go [rad].
-    double speed = 0.0;  ///< With which it is turned until then [rad/s].
+    double from = 0.0;   ///< Angle at which it is let go [rad].
+    double speed = 0.0;  ///< Speed at which it is turned until then [rad/s].
     uint32_t substeps = SUBSTEPS;
 };
 
-/// A cube that stays, and one that a hinge joins to it.
+/// A fixed cube, and one joined to it by a hinge.
 WorldBuilder hingedArm(uint32_t substeps = SUBSTEPS)
 {
     Settings settings;
@@ -66,7 +66,7 @@ double sn(double u, double k)
     return std::sin(phi);
 }
 
-/// How far the arm is from where the pendulum of AMPLITUDE has it, at worst in a full swing [rad].
+/// Largest distance of the arm from the pendulum of AMPLITUDE in a full swing [rad].
 double worstError(const Turned& turned)
 {
     const World world = armOf(turned);
@@ -97,21 +97,21 @@ double speedAt(double angle)
 
 }  // namespace
 
-/// The clip holds the arm still, or has it at the speed that the pendulum has there, on its way up or down.
+/// The clip holds the arm still, or moves it at the pendulum's speed there, upwards or downwards.
 TEST(AnimatedPendulum, AnArmThatIsLetGoFollowsTheEllipticFunction)
 {
     for (const double degrees : {120.0, 60.0, -45.0}) {
         const double angle = degrees * M_PI / 180;
         const double error = worstError({angle, std::abs(angle) < AMPLITUDE ? speedAt(angle) : 0.0});
         std::printf("let go at %.0f degrees: off by %.4f of the amplitude\n", degrees, error / AMPLITUDE);
-        // BDF2 sees gravity set in with a jump and loses half a substep of it, h = 1/1440 s: of 8.8 rad/s at most
-        // w^2 h / 2 = 0.014, w^2 = 39 / s2. That makes 0.15 % of the amplitude, and with K' / K = 0.36 / rad 0.11 % of
-        // the period, in which the fastest arm, 2 w k = 10.8 rad/s, comes 0.016 rad far: 1 % in all. Measured 0.04 %.
+        // For BDF2 gravity starts abruptly, and it loses half a substep of that, h = 1/1440 s: of 8.8 rad/s at most w^2
+        // h / 2 = 0.014, w^2 = 39 / s2. This is 0.15 % of the amplitude, and with K' / K = 0.36 / rad 0.11 % of the
+        // period, in which the fastest arm, 2 w k = 10.8 rad/s, moves 0.016 rad: 1 % in all. Measured 0.04 %.
         EXPECT_LT(error, 0.01 * AMPLITUDE) << "let go at " << degrees;
     }
 }
 
-/// At the most substeps gravity turns it by 2e-6 rad in each: rounding of its axes would make 4 % of the amplitude.
+/// With the most substeps, gravity turns it by 2e-6 rad in each: rounding of its axes would be 4 % of the amplitude.
 TEST(AnimatedPendulum, ManySubstepsAreMoreExact)
 {
     // A substep is 3/8 of the one above: 0.15 %. Measured 0.05 %.

@@ -14,7 +14,7 @@ void addRow(WorldBuilder& builder)
     builder.endObject();
 }
 
-/// Every body swings by itself, the first one goes on a curve and turns as it goes. @param pace of all [rad/s].
+/// Every body swings by itself; the first one moves on a curve and turns on the way. @param pace of all [rad/s].
 BodyClip swinging(float pace, float seconds, float rate = 60.0f)
 {
     BodyClip clip{"swinging", rate, BODIES};
@@ -41,7 +41,7 @@ Animation rowAnimation(std::vector<ClipPlay> plays)
     return animation;
 }
 
-/// @param h of a step, which is one substep [s].
+/// @param h length of a step, which is one substep [s].
 Settings singleSteps(float h)
 {
     Settings settings = weightless();
@@ -50,13 +50,13 @@ Settings singleSteps(float h)
     return settings;
 }
 
-/// A clip that keeps its shape and goes straight on. @param way in `seconds` [m].
+/// A clip that keeps its shape and moves straight. @param way in `seconds` [m].
 BodyClip straight(const Vector3f& way, float seconds)
 {
     return {"straight", 1 / seconds, 1, {Vector3f::Zero(), way}, {Quaternionf::Identity(), Quaternionf::Identity()}};
 }
 
-/// A box that moves as told for ever, its middle at the pivot. @returns its object's index.
+/// A box that a clip moves for ever, with its middle at the pivot. @returns its object's index.
 uint32_t addMoved(WorldBuilder& builder, const Eigen::Vector3i& counts, const Pose& pose, BodyClip clip,
                   bool loop = false)
 {
@@ -101,7 +101,7 @@ TEST(Animation, BodiesAreWhereTheirClipsHaveThem)
     }
 }
 
-/// At ten moments of a clip: momentum goes on, of the whole and of each body, and no joint gapes.
+/// At ten moments of a clip: the momentum of the whole and of each body continues, and no joint opens.
 TEST(Animation, WhatIsLetGoMovesOnAsItsClip)
 {
     constexpr float H = 1.0f / 480;
@@ -120,8 +120,8 @@ TEST(Animation, WhatIsLetGoMovesOnAsItsClip)
         const std::vector<BodyState> told = solver.readBodies();
         solver.step();
         const std::vector<BodyState> free = solver.readBodies();
-        // What holds the joints changes a body's speed by no more than its acceleration in the clip, up to 6^2 rad/s2
-        // at an arm of a metre, in a step: 36 H = 0.08 m/s of 3.
+        // Joints change a body's speed by no more than its acceleration in the clip, up to 6^2 rad/s2 at an arm of a
+        // metre, in a step: 36 H = 0.08 m/s of 3.
         for (uint32_t b = 0; b < BODIES; ++b)
             EXPECT_LT((free[b].velocity - told[b].velocity).norm(), 0.08f) << "at " << time << " body " << b;
         float gap = 0.0f;
@@ -130,13 +130,13 @@ TEST(Animation, WhatIsLetGoMovesOnAsItsClip)
             gap = std::max(gap, solver.measure().worstJointGap / DIAMETER);
         }
         momentumBefore(world, solver.readParticles(), after);
-        // BDF2's speed of a step is exact to (6 H)^2 of the speeds, 2e-4.
+        // BDF2's speed of a step is accurate to (6 H)^2 of the speeds, 2e-4.
         EXPECT_LT((after - momentum).norm(), 1e-3 * scale) << "at " << time;
         EXPECT_LT(gap, 0.01f) << "at " << time;
     }
 }
 
-/// Two boxes that meet: nothing answers, so nobody looks for contacts after the first search, until one is let go.
+/// Two boxes that meet: neither responds, so there is only the first search for contacts, until one is let go.
 TEST(Animation, NothingIsSoughtUntilSomethingAnswers)
 {
     WorldBuilder builder = makeBuilder(weightless());
@@ -152,7 +152,7 @@ TEST(Animation, NothingIsSoughtUntilSomethingAnswers)
     EXPECT_GT(solver.readBodies()[met].velocity.x(), 1.9f) << "pushed by what met it";
 }
 
-/// A piston of endless mass gives what it meets (1 + e) times its own speed.
+/// A piston of infinite mass gives a body (1 + e) times its own speed.
 TEST(Animation, APistonGivesABlockTheSpeedOfTheClosedForm)
 {
     for (const float e : {0.0f, 0.8f}) {
@@ -171,7 +171,7 @@ TEST(Animation, APistonGivesABlockTheSpeedOfTheClosedForm)
     }
 }
 
-/// What lies on a turntable at r slides off where w^2 r is above mu g.
+/// A body on a turntable at r slides off if w^2 r is above mu g.
 TEST(Animation, ATurntableCarriesABlockUpToTheSpeedOfFriction)
 {
     constexpr float R = 2.5f, MU = 0.5f;  // particles push at their centres: R is known to half a diameter
@@ -184,7 +184,7 @@ TEST(Animation, ATurntableCarriesABlockUpToTheSpeedOfFriction)
             turning.turns.emplace_back(Eigen::AngleAxisf(static_cast<float>(M_PI) / 12 * k, Vector3f::UnitY()));
         }
         addMoved(builder, {61, 1, 61}, {}, std::move(turning), true);
-        // From the speed of the table on.
+        // Starts at the speed of the table.
         addBox(builder, {2, 2, 2}, {{R, 1.5f * DIAMETER, 0}}, {0, 0, -w * R}, {0, w, 0});
         const World world = builder.build();
         Solver solver(gpu(), world);

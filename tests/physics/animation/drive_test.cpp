@@ -20,7 +20,7 @@ struct Limb {
     float at = 1e6f;      ///< [s]
     bool parentFree = false;
     JointType type = JointType::Hinge;
-    float pin = 0.0f;  ///< Frequency of that of the parent [Hz].
+    float pin = 0.0f;  ///< Frequency of the parent's pin [Hz].
 
     World world() const;
 };
@@ -70,7 +70,7 @@ double angleOf(Solver& solver)
     return 2.0 * std::atan2(turn.z(), turn.w());
 }
 
-/// Of a limb about the hinge: mass times arm [kg m], inertia [kg m2].
+/// A limb's data about the hinge: mass times arm [kg m], inertia [kg m2].
 struct Lever {
     double moment = 0.0, inertia = 0.0;
 };
@@ -88,8 +88,8 @@ Lever leverOf(const World& world)
     return lever;
 }
 
-/// What a step of the target's angle does, from where it happens on: when the limb passes its new target, and how far
-/// it is away from it between.
+/// Response to a step of the target's angle: when the limb passes its new target, and its largest distance from it in
+/// between.
 struct Ringing {
     std::vector<double> crossings, extremes;
 };
@@ -141,12 +141,12 @@ TEST(Drive, HoldsALimbWhereStaticsHasIt)
                 const double stiffness = std::pow(2 * PI * 1.5, 2) * lever.inertia;
                 double wanted = 0.0;
                 for (int i = 0; i < 100; ++i) wanted = lever.moment * GRAVITY * std::cos(wanted) / stiffness;
-                // What is left of the swing after 37 rad of a spring without overshoot is nothing.
+                // After 37 rad of a spring without overshoot, nothing is left of the swing.
                 EXPECT_NEAR(-angleOf(solver), wanted, 0.005 * wanted) << density << " " << substeps;
             }
 }
 
-/// A damped spring that takes the target's speed for its own: it passes the new target and comes back.
+/// A damped spring that includes the target's speed: it passes the new target and comes back.
 TEST(Drive, RingsAtItsFrequencyAndDamping)
 {
     for (const bool parentFree : {false, true})
@@ -170,7 +170,7 @@ TEST(Drive, RingsAtItsFrequencyAndDamping)
         }
 }
 
-/// A limb that is to turn half round, and is turned by its greatest torque T all the way: T t^2 / (2 inertia).
+/// A limb that has to turn by half a turn, with its greatest torque T all the way: T t^2 / (2 inertia).
 TEST(Drive, TurnsNoHarderThanItMay)
 {
     Limb limb{.settings = weightless(), .spring = {.frequency = 10.0f, .greatestTorque = 2.0f}};
@@ -182,11 +182,11 @@ TEST(Drive, TurnsNoHarderThanItMay)
     const double inertia = leverOf(world).inertia, seconds = std::sqrt(2 * 0.5 * inertia / 2.0);
     const double steps = std::floor(seconds / world.settings.timeStep), t = steps * world.settings.timeStep;
     run(solver, world, t);
-    // The target jumps within the first substep, which may be over or not: t is known to one, 2 / (8 steps).
+    // The target jumps within the first substep, which may be over or not: t is known within one, 2 / (8 steps).
     EXPECT_NEAR(angleOf(solver), t * t / inertia, 0.02 * t * t / inertia);
 }
 
-/// No strength, load or substep makes it swing: a limb of a ton on a joint of 1e8 N m/rad stays where it is told.
+/// No strength, load or substep makes it swing: a limb of a ton on a joint of 1e8 N m/rad stays at its target.
 TEST(Drive, IsStableHoweverStiff)
 {
     for (const float stiffness : {1e3f, 1e5f, 1e8f})
@@ -202,15 +202,15 @@ TEST(Drive, IsStableHoweverStiff)
                 run(solver, world, 0.9);
                 const Lever lever = leverOf(world);
                 const double most = lever.moment * GRAVITY / double{stiffness};
-                if (most > 0.2) continue;  // it hangs
-                // Of 0.3 rad what single precision has of a turn, 1e-6 times the stiffness, over the weight.
+                if (most > 0.2) continue;  // it hangs down
+                // The spring gives way by the weight's moment over its stiffness; single precision adds 1e-4 rad.
                 EXPECT_NEAR(angleOf(solver), 0.3, most + 1e-4) << stiffness << " " << density << " " << substeps;
                 run(solver, world, 2.1);
                 EXPECT_NEAR(angleOf(solver), -0.4, most + 1e-3) << stiffness << " " << density << " " << substeps;
             }
 }
 
-/// A pinned body hangs as far below its place as all that it holds weighs: g / (2 pi f)^2.
+/// A pinned body hangs below its place by the weight of all that it holds: g / (2 pi f)^2.
 TEST(Drive, APinHoldsWhatHangsOnIt)
 {
     Limb limb{.settings = {}, .spring = {.frequency = 5.0f}};

@@ -38,8 +38,8 @@ class LiftWithSleepers : public testing::TestWithParam<bool> {};
 
 }  // namespace
 
-/// The keys of two seconds of standing differ by nothing, so what stands on it sleeps; when it starts, however slowly,
-/// nobody sleeps on. 8 mm/s are below what counts as calm.
+/// The keys of two seconds of standing are equal, so cubes on it sleep; when it starts, however slowly, they wake. 8
+/// mm/s is below the threshold of calm.
 TEST_P(LiftWithSleepers, WhatSleepsOnALiftGoesWithItWhenItStarts)
 {
     for (const float speed : {0.5f, 0.008f}) {
@@ -55,7 +55,7 @@ TEST_P(LiftWithSleepers, WhatSleepsOnALiftGoesWithItWhenItStarts)
     }
 }
 
-/// Once it stands again they sleep again.
+/// They sleep again once it stands.
 TEST_P(LiftWithSleepers, TheySleepAgainWhereItStops)
 {
     const World world = waitingLift(resting(GetParam()), 0.2f);

@@ -9,8 +9,8 @@ namespace {
 
 constexpr float HALF = 1.5f * DIAMETER;  // of a cube of three particles [m]
 
-/// A cube at rest in the way of a piston, on a floor or weightless. @param after how long after they meet [s].
-/// @returns how fast the cube is then [m/s], and how far its face is from the piston's [m].
+/// A cube at rest in the way of a piston, on a floor or weightless. @param after time since they meet [s].
+/// @returns the cube's speed then [m/s], and its face's distance from the piston's [m].
 std::pair<float, float> struckBy(float speed, float restitution, bool onFloor, double after)
 {
     WorldBuilder builder(DIAMETER / 2, onFloor ? Settings() : weightless());
@@ -48,19 +48,19 @@ float distanceOnTable(float share)
 
 }  // namespace
 
-/// Nothing stops a piston, so what it meets at rest leaves with (1 + e) times its speed: it parts from it at e v.
+/// Nothing stops a piston, so a body at rest gets (1 + e) times its speed, and parts from it at e v.
 TEST(MovingCollider, APistonGivesWhatBouncesOffItsSpeedAndWhatTheBounceAdds)
 {
-    // Seven rounds of restitution leave a hundredth of what they change (Restitution.TwoThatCollide...).
+    // Seven rounds of restitution leave a hundredth of their change (Restitution.TwoThatCollide...).
     for (const float speed : {0.5f, 2.0f}) {
         const float after = struckBy(speed, 0.8f, false, 0.2).first;
         EXPECT_NEAR(after, 1.8f * speed, 0.02f * 1.8f * speed) << speed << " m/s";
     }
 }
 
-/// What it meets with a restitution of 0 it pushes along. A blow leaves up to a tenth more than that, as a wall does,
-/// which friction takes in 0.1 v / (mu g), 0.2 s at 10 m/s; until they meet again it takes as long again.
-/// 10 m/s are 0.42 diameters in a substep, more than the margin in which contacts are looked for.
+/// It pushes along a body with a restitution of 0. A blow leaves up to a tenth more speed than that, as a wall does,
+/// which friction takes in 0.1 v / (mu g), 0.2 s at 10 m/s; it takes as long again until they meet again. 10 m/s are
+/// 0.42 diameters in a substep, more than the margin of the search for contacts.
 TEST(MovingCollider, APistonPushesAlongWhatItMeetsHoweverFastItIs)
 {
     for (const float speed : {0.5f, 2.0f, 10.0f}) {
@@ -85,25 +85,25 @@ TEST(MovingCollider, ALiftCarriesWhatStandsOnIt)
             run(solver, world, world.settings.timeStep);
             const BodyState cube = solver.readBodies()[0];
             const float t = static_cast<float>(step) * world.settings.timeStep;
-            // What it sinks in by under its weight, and the way of a substep of its last acceleration.
+            // It sinks in under its weight, and lags by the last acceleration's way in a substep.
             ASSERT_NEAR(cube.position.y() - HALF, 0.5f * acceleration * t * t, 0.02f * DIAMETER) << "at " << t;
         }
-        // The speed of the last substep, half of which is 1/480 s ago.
+        // The speed of the last substep, whose middle is 1/480 s ago.
         EXPECT_NEAR(solver.readBodies()[0].velocity.y(), acceleration, 0.02f * std::abs(acceleration));
     }
 }
 
-/// A table holds what turns with it while w^2 r < mu g.
+/// A table takes a body along while w^2 r < mu g.
 TEST(MovingCollider, ATurningTableCarriesWhatFrictionHoldsAndLosesTheRest)
 {
-    // Ten per cent below and above: w^2 r is 0.81 and 1.21 of mu g. What slides gains distance by more than what is
-    // left, 0.21 mu g, for 2 s: metres.
+    // Ten per cent below and above: w^2 r is 0.81 and 1.21 of mu g. A sliding cube moves outwards by at least the
+    // excess, 0.21 mu g, for 2 s: metres.
     EXPECT_NEAR(distanceOnTable(0.9f), 0.6f, 0.01f);
     EXPECT_GT(distanceOnTable(1.1f), 1.0f);
 }
 
-/// A ball on a belt at 1 m/s that rolls without slipping: friction spins it up until its lowest point goes with the
-/// belt. Of a solid ball with I = 2/5 m r^2 the centre then has 2/7 of the belt's speed.
+/// A ball on a belt at 1 m/s that rolls without slipping: friction spins it up until its lowest point moves with the
+/// belt. The centre of a solid ball with I = 2/5 m r^2 then has 2/7 of the belt's speed.
 TEST(MovingCollider, ABallOnABeltIsLeftWithTwoSeventhsOfItsSpeed)
 {
     WorldBuilder builder = makeBuilder();
@@ -124,8 +124,8 @@ TEST(MovingCollider, ABallOnABeltIsLeftWithTwoSeventhsOfItsSpeed)
     EXPECT_NEAR(ball.velocity.x() - (-ball.angularVelocity.z() * round.radius), 1.0f, 0.02f);
 }
 
-/// A wall of a tank moves in by a quarter of its width: the water stands as high as in a tank that is as wide from the
-/// start, and none is behind the wall.
+/// A wall of a tank moves in by a quarter of its width: the water rises to its height in a tank of this width, and none
+/// is behind the wall.
 TEST(MovingCollider, AWallThatMovesInRaisesTheWater)
 {
     Tank tank(16, 9, 8);

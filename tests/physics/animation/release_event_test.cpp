@@ -8,7 +8,7 @@ namespace knuckle::test {
 
 namespace {
 
-constexpr float SPEED = 2.0f;  ///< Of what hits [m/s].
+constexpr float SPEED = 2.0f;  ///< Of the striking cube [m/s].
 constexpr float MASS = 27.0f;  ///< Of a cube of 3 x 3 x 3 particles [kg].
 
 Release byImpulse(std::vector<uint32_t> bodies, float impulse)
@@ -19,7 +19,7 @@ Release byImpulse(std::vector<uint32_t> bodies, float impulse)
     return release;
 }
 
-/// @param touched first particle and end of what they touch.
+/// @param touched first particle and end of those that trigger it.
 Release byTouch(std::vector<uint32_t> bodies, std::pair<uint32_t, uint32_t> touched)
 {
     Release release;
@@ -61,13 +61,13 @@ std::pair<uint32_t, uint32_t> addCube(WorldBuilder& builder, const Vector3f& pla
     return {first, builder.particleCount()};
 }
 
-/// When a substep begins [s].
+/// The start of a substep [s].
 double timeOf(const World& world, const LetGo& gone)
 {
     return gone.substep * double{world.settings.timeStep} / world.settings.substeps;
 }
 
-/// What was let go in a time [s].
+/// Bodies let go within a time [s].
 std::vector<LetGo> simulate(const World& world, double seconds)
 {
     Solver solver(gpu(), world);
@@ -78,11 +78,11 @@ std::vector<LetGo> simulate(const World& world, double seconds)
 
 }  // namespace
 
-/// A cube at speed v gives one that is held m v (1 + e), and no more.
+/// A cube at speed v gives a held one m v (1 + e), and no more.
 TEST(ReleaseEvent, AnImpulseIsWhatABlowBrings)
 {
     for (const float e : {0.0f, 0.8f})
-        for (const float start : {0.3f, 0.311f, 0.325f})  // so that blows fall into other parts of a step
+        for (const float start : {0.3f, 0.311f, 0.325f})  // so that blows fall into different parts of a step
             for (const float part : {0.97f, 1.03f}) {
                 WorldBuilder builder = makeBuilder(weightless());
                 Material bouncing = builder.material(0);
@@ -100,7 +100,7 @@ TEST(ReleaseEvent, AnImpulseIsWhatABlowBrings)
             }
 }
 
-/// A cube that lies on one that is held gives it m g t in a step of t.
+/// A cube on a held one gives it m g t in a step of t.
 TEST(ReleaseEvent, ALoadGivesItsWeightInEachStep)
 {
     for (const float part : {0.9f, 1.1f}) {
@@ -114,8 +114,8 @@ TEST(ReleaseEvent, ALoadGivesItsWeightInEachStep)
     }
 }
 
-/// What moves at a speed meets something that is free, or held, as it does not answer either; what else it
-/// touches does not let it go.
+/// A moving body meets one that is free, or held, as it does not respond either; other bodies that it touches do not
+/// let go of it.
 TEST(ReleaseEvent, ATouchIsOfWhatIsNamed)
 {
     constexpr float GAP = 0.5f;
@@ -130,7 +130,7 @@ TEST(ReleaseEvent, ATouchIsOfWhatIsNamed)
         const std::vector<LetGo> gone = simulate(world, 1.0);
         ASSERT_EQ(gone.size(), 1u) << held;
         EXPECT_EQ(gone[0].body, moved);
-        // A diameter between the centres of two balls that are 0.05 and 0.02 m beside each other is 0.084 m along x.
+        // One diameter between the centres of two balls at a lateral distance of 0.05 and 0.02 m is 0.084 m along x.
         EXPECT_NEAR(timeOf(world, gone[0]), GAP + 0.008f, 0.013f) << held;
     }
 }
@@ -176,7 +176,7 @@ TEST(ReleaseEvent, WhicheverIsFirstCounts)
     EXPECT_LT(solver.measure().worstJointGap, 0.01f * DIAMETER);
 }
 
-/// Beyond the blow that lets it go, nothing changes how a body moves.
+/// Apart from the blow that lets it go, nothing changes a body's motion.
 TEST(ReleaseEvent, WhatTouchesAndIsLetGoMovesOnButForTheBlow)
 {
     WorldBuilder builder = makeBuilder();

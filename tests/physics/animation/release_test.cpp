@@ -15,7 +15,7 @@ Settings second()
     return settings;
 }
 
-/// Cubes joined in a row along x, of which some are held until TIME. @param fixed those that are held for ever.
+/// Cubes joined in a row along x, some of them held until TIME. @param fixed those held for ever.
 World heldChain(uint32_t bodies, JointType type, const std::vector<uint32_t>& held, const std::vector<uint32_t>& fixed,
                 const Settings& settings = second())
 {
@@ -73,7 +73,7 @@ TEST(Release, ABoxFallsFromTheMomentAtWhichItIsLetGo)
 
 TEST(Release, APendulumThatIsLetGoSwingsWithItsPeriod)
 {
-    // A cube on a hinge to one that stays, held level until TIME.
+    // A cube on a hinge to a fixed one, held level until TIME.
     const World world = heldChain(2, JointType::Hinge, {1}, {0});
     Solver solver(gpu(), world);
     run(solver, world, TIME);
@@ -91,7 +91,7 @@ TEST(Release, APendulumThatIsLetGoSwingsWithItsPeriod)
         if (now <= 0.0) time -= world.settings.timeStep * now / (now - before);
         before = now;
     }
-    // The first substep of first order is worth half a substep of 1/480 s.
+    // The first substep of first order counts as half a substep of 1/480 s.
     EXPECT_NEAR(time, quarter, 0.006 * quarter);
     EXPECT_EQ(solver.readBodies()[0].position, world.bodies[0].position);
 }
@@ -116,7 +116,7 @@ TEST_P(ReleasedChain, HangsFromWhatHoldsItAndFallsFreelyAfterwards)
         const Totals after = totals(world, state);
         double mass = 0.0;
         for (const Particle& p : world.particles) mass += p.mass;
-        // Momentum gains m g t and nothing else, but for the rounding of some 240 substeps.
+        // Momentum gains only m g t, apart from the rounding of some 240 substeps.
         const Eigen::Vector3d gained = after.momentum - before.momentum + Eigen::Vector3d(0, mass * GRAVITY * 0.5, 0);
         EXPECT_LT(gained.norm(), 0.006 * mass * GRAVITY * 0.5) << "half a substep's fall";
         const Vector3f way = massCentre(world, state) - from - 0.5f * (before.momentum / mass).cast<float>();

@@ -18,7 +18,7 @@ constexpr uint32_t KEYS = 60, WILD = 30;
 
 enum class Way { Bend, Cone, Twist };
 
-/// A turn that is far beyond a joint's limits.
+/// A turn far beyond a joint's limits.
 Quaternionf wildTurn(const ActorJoint& joint, Way way)
 {
     if (way == Way::Bend) return Quaternionf(Eigen::AngleAxisf(joint.limits.bend.lowest - 80 * DEGREE, joint.axis));
@@ -29,7 +29,7 @@ Quaternionf wildTurn(const ActorJoint& joint, Way way)
     return reader.turnOf(parts);
 }
 
-/// At rest but for three keys.
+/// At rest except for three keys.
 BodyClip wildClip(const Actor& actor, const ActorJoint& joint, Way way)
 {
     BodyClip clip{"wild", RATE, static_cast<uint32_t>(actor.bodies.size())};
@@ -40,7 +40,7 @@ BodyClip wildClip(const Actor& actor, const ActorJoint& joint, Way way)
     return clip;
 }
 
-/// How far a joint is within its limits; below 0 beyond them [rad].
+/// The distance of a joint from its limits; below 0 beyond them [rad].
 float roomOf(const World& world, const std::string& name, const std::vector<BodyState>& bodies)
 {
     const Joint& joint = *std::ranges::find(world.joints, name, &Joint::name);

@@ -25,7 +25,7 @@ World column(uint32_t& water)
     return builder.build();
 }
 
-/// How far the lowest layer reaches: half of a row of five is ahead of it [m].
+/// The front of the lowest layer: half of a row of five is ahead of it [m].
 double frontOf(const World& world, const ParticleState& state)
 {
     std::vector<float> ahead;
@@ -58,11 +58,11 @@ TEST(DamBreak, TheFrontAdvancesAsMartinAndMoyceMeasuredAndEnergyFalls)
         EXPECT_LT(front, 1 + 2 * time + 0.1) << "nothing is faster than Ritter's 2 sqrt(g h)";
         for (; next < measured.size() && measured[next].first <= time; ++next) {
             const double here = last + (front - last) * (measured[next].first - before) / (time - before);
-            // The experiment's column starts late, since the sheet that holds it must burn away first: some 0.2 widths.
+            // The experiment's column starts late, since the sheet that holds it must first burn away: some 0.2 widths.
             EXPECT_NEAR(here, measured[next].second + 0.1, 0.25) << "at " << measured[next].first;
         }
     }
-    // Before the first step the lattice makes room at the walls, which lifts it by some per cent.
+    // Before the first step the lattice expands at the walls, which lifts it by a few per cent.
     EXPECT_LT(highest, 1.03 * start);
 }
 

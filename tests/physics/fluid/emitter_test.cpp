@@ -77,7 +77,7 @@ TEST(Emitter, TheFlowIsDensityTimesAreaTimesSpeed)
         const ParticleState state = solver.readParticles();
         for (size_t i = 0; i < world.particles.size(); ++i)
             if (!state.inactive[i]) mass += world.particles[i].mass;
-        // To within a layer, since the first leaves at time 0.
+        // Within a layer, since the first leaves at time 0.
         const double area = std::numbers::pi * radius * radius;
         EXPECT_NEAR(mass, 1000.0 * area * 3.0, 1.01 * jet.layer() * world.particles[0].mass) << radius;
     }
@@ -85,7 +85,8 @@ TEST(Emitter, TheFlowIsDensityTimesAreaTimesSpeed)
 
 TEST(Emitter, AJetFliesAlongItsParabola)
 {
-    // One that gets thinner as it falls, and one that slows down first, where the layers behind press on those ahead.
+    // One jet that gets thinner as it falls, and one that first slows down, in which layers behind press on those
+    // ahead.
     for (const Vector3f& velocity : {Vector3f(4, 0, 0), Vector3f(3, 3, 0)}) {
         Jet jet;
         jet.aim(discNozzle(0.11f, jet.spacing), velocity);
@@ -102,8 +103,8 @@ TEST(Emitter, AJetFliesAlongItsParabola)
                 middle += (state.positions[k * jet.layer() + i] - NOZZLE) / static_cast<float>(jet.layer());
             const auto t = static_cast<float>(0.75 - k * jet.emitter.interval());
             const Vector3f wanted = t * velocity - 0.5f * 9.81f * t * t * Vector3f::UnitY();
-            // Of the way that the tip has come, some 3 m, 1 % and, for the tip of what slows down, 4 %: what follows is
-            // faster and pushes it.
+            // Tolerance for the tip's way of some 3 m: 1 %, and 4 % for the tip that slows down, since faster fluid
+            // pushes it from behind.
             EXPECT_LT((middle - wanted).norm(), velocity.y() == 0.0f ? 0.03f : 0.12f) << "layer " << k;
             mean += (middle - wanted).norm() / static_cast<float>(layers);
         }
@@ -123,7 +124,8 @@ TEST(Emitter, AStreamFromATapToADrainHoldsItsFlowTimesTheTimeOfTheFall)
     Solver solver(gpu(), world);
     run(solver, world, 2.0);
     const Measures measures = solver.measure();
-    // 1.5 = t + g t^2 / 2; each second 1 / 0.05 layers of 16. The ends of the stream are known to a layer and a step's.
+    // 1.5 = t + g t^2 / 2; each second 1 / 0.05 layers of 16. The ends of the stream are uncertain by a layer and a
+    // step's.
     const double fall = (std::sqrt(1.0 + 2.0 * GRAVITY * 1.5) - 1.0) / GRAVITY;
     EXPECT_NEAR(measures.fluidCount, 16.0 * 20.0 * fall, 16.0 * 2.0);
     EXPECT_EQ(measures.fluidEmitted, 16u * 41u) << "what was drained flows again";
@@ -146,7 +148,7 @@ TEST(Emitter, WaitsWhileItsPoolIsEmptyOrTakesTheOldestAgain)
         const ParticleState state = solver.readParticles();
         EXPECT_LE(living(state), 43u);
         EXPECT_GE(living(state), 36u);
-        // Only the last particles are still active, so none is further than the pool's layers reach.
+        // Only the last particles are still active, so none is further away than the pool's layers reach.
         for (size_t i = 0; i < state.positions.size(); ++i) {
             if (!oldest || state.inactive[i]) continue;
             EXPECT_LT(state.positions[i].x() - NOZZLE.x(), 0.05f * 11.5f);
@@ -180,7 +182,7 @@ TEST(Emitter, JetsThatMeetKeepTheirMomentum)
         given += world.particles[i].mass * velocity;
         energy += 0.5 * world.particles[i].mass * velocity.squaredNorm();
     }
-    // As for fluids without emitters: only the rounding of the pairs' impulses.
+    // As in fluids without emitters: only the rounding of the pairs' impulses.
     EXPECT_LT((sum.momentum - given).norm(), 5e-5 * sum.speedSum);  // measured 6e-6
     EXPECT_LT(solver.measure().kineticEnergy, energy) << "the collision takes energy, it has none to give";
 }
@@ -196,7 +198,7 @@ TEST(Emitter, AFullTankWithAnInletAtItsFloorAndAnOverflowStaysAsFull)
     for (Vector3f& place : places) place += 0.5f * d * Vector3f(wide, layers, wide);
     jet.builder.addFluid(places, {0, 0, 0}, jet.emitter.material);
     jet.aim(rectangleNozzle(4 * d, 4 * d, d), {0, 1, 0}, {0.5f * width, 2 * d, 0.5f * width});
-    // What stands higher than the surface by a particle flows off.
+    // Fluid higher than the surface by a particle flows off.
     Collider overflow;
     overflow.position.y() = d * (layers + 1);
     overflow.orientation = Quaternionf::FromTwoVectors(Vector3f::UnitY(), -Vector3f::UnitY());

@@ -40,14 +40,14 @@ TEST(FluidForces, ADropWithoutWeightBecomesABall)
     float farthest = 0.0f;
     for (const Vector3f& x : state.positions) farthest = std::max(farthest, (x - centre).norm());
     // A ball of the same volume, 0.125 m3, has a radius of 0.310 m; the cube's corners were at 0.39 m. The outermost
-    // particles stand half a rest distance inside, and the surface is uneven by a particle.
+    // particles are half a rest distance inside, and the surface is uneven by a particle.
     EXPECT_LT(farthest, 0.310f + 0.5f * builder.fluidSpacing());
     EXPECT_NEAR(centre.x(), 0.25f, 8e-5f);  // measured 1e-5
     const Totals after = totals(world, state);
     EXPECT_LT(after.momentum.norm(), 1e-4 * world.particles[0].mass * 1000.0);
 }
 
-/// How thick a puddle is in its middle [m] that has spread on a floor, between walls that it does not wet.
+/// Thickness in the middle of a puddle [m] that has spread on a floor, between walls that it does not wet.
 double puddleThickness(float surfaceTension, int wide, int layers)
 {
     WorldBuilder builder = makeBuilder();
@@ -74,7 +74,7 @@ double puddleThickness(float surfaceTension, int wide, int layers)
 TEST(FluidForces, APuddleIsAsThickAsItsTensionHoldsUp)
 {
     // E = rho g A H / 2 + 2 sigma A / H is least at H = 2 sqrt(sigma / (rho g)): 0.20 m and 0.40 m. Particles lie in
-    // layers of 0.05 m, and whole ones hold: to half of one.
+    // complete layers of 0.05 m: half a layer of tolerance.
     for (float tension : {100.0f, 400.0f}) {
         const double truth = 2.0 * std::sqrt(tension / (1000.0 * GRAVITY));
         EXPECT_NEAR(puddleThickness(tension, 50, tension > 200.0f ? 7 : 3), truth, 0.025) << tension;
@@ -97,7 +97,7 @@ TEST(FluidForces, ADeepPoolKeepsItsDensityAndVolume)
     EXPECT_LT(solver.measure().meanDensityError, 0.01f);
 }
 
-/// The part of a swirl's energy that is left after a second, in a closed box without gravity.
+/// The part of a swirl's energy left after a second, in a closed box without gravity.
 double keptEnergy(float vorticity)
 {
     Settings settings = weightless();
@@ -113,7 +113,7 @@ double keptEnergy(float vorticity)
     builder.addFluid(block(builder, wide, wide, wide), {0, 0, 0}, addFluidMaterial(builder));
     World world = builder.build();
     for (Particle& p : world.particles) {
-        // Rolls that do not cross the walls, and keep their volume.
+        // Rolls that do not cross the walls, and preserve volume.
         const Eigen::Vector2f a = std::numbers::pi_v<float> / width * p.position.head<2>();
         p.velocity = {std::sin(a.x()) * std::cos(a.y()), -std::cos(a.x()) * std::sin(a.y()), 0};
     }

@@ -14,10 +14,10 @@ TEST(Fluid, WaterAtRestKeepsItsDensityAndVolumeAndIsQuiet)
     Solver solver(gpu(), world);
     run(solver, world, 3.0);
     const ParticleState state = solver.readParticles();
-    // The mean height of what fills a tank to H is H/2; 13 layers of 0.05 m.
+    // The mean height of a fluid that fills a tank to H is H/2; 13 layers of 0.05 m.
     EXPECT_NEAR(2.0 * meanHeight(world, state, tank.fluids[0]), 0.65, 0.02 * 0.65);
     EXPECT_LT(solver.measure().meanDensityError, 0.01f);
-    // A particle's weight gives it gravity times a substep, 0.02 m/s, that the pressures take back.
+    // Weight gives a particle gravity times a substep, 0.02 m/s, which pressures take back.
     EXPECT_LT(rootMeanSquareSpeed(state), 0.05);
 }
 
@@ -61,7 +61,7 @@ TEST(Fluid, ThinAndSmallBodiesFloatAsDeepAsTheyAreDense)
         const World world = tank.builder.build();
         Solver solver(gpu(), world);
         run(solver, world, 3.0);
-        double sum = 0.0;  // over a second: small bodies bob
+        double sum = 0.0;  // averaged over a second: small bodies bob
         for (int k = 0; k < 10; ++k) {
             run(solver, world, 0.1);
             sum += submergedIn(world, solver.readBodies()[0], DIAMETER * counts.cast<float>(), tank.width * tank.depth);
@@ -72,13 +72,13 @@ TEST(Fluid, ThinAndSmallBodiesFloatAsDeepAsTheyAreDense)
 
 TEST(Fluid, TheLighterOfTwoRises)
 {
-    // The lighter begins below, and everything at rest: nothing happens for a second.
+    // The lighter fluid starts below, with everything at rest: nothing happens for a second.
     Tank tank(9, 12, 9, {600.0f, 1000.0f});
     const World world = tank.builder.build();
     Solver solver(gpu(), world);
     run(solver, world, 7.0);
     const ParticleState state = solver.readParticles();
-    // Apart, their mean heights would differ by half of the 0.6 m; drops of either stay in the other for long.
+    // When separated, their mean heights would differ by half of the 0.6 m; drops of each stay in the other for long.
     EXPECT_GT(meanHeight(world, state, tank.fluids[0]) - meanHeight(world, state, tank.fluids[1]), 0.15);
 }
 
@@ -87,7 +87,7 @@ TEST(Fluid, FloorsThatCoincideAreOne)
     double heights[3];
     for (int more = 0; more < 3; ++more) {
         Tank tank(8, 8, 8);
-        // One at the same place, one 2 mm below it, as drawn floors are laid.
+        // One at the same place, or one 2 mm below it, as floors for drawing are placed.
         for (int k = 0; k < more; ++k)
             addPlane(tank.builder, {0, -0.002f * static_cast<float>(k), 0}, Vector3f::UnitY());
         const World world = tank.builder.build();
@@ -98,8 +98,8 @@ TEST(Fluid, FloorsThatCoincideAreOne)
         // As quiet as water on one floor.
         EXPECT_LT(rootMeanSquareSpeed(state), 0.05) << more << " more";
     }
-    // Counted twice, the floor keeps water off by a third of a rest distance more, 8 % of 0.2 m; counted twice at the
-    // edges only, by some 2 %.
+    // If it counted twice, the floor would keep water off by a third of a rest distance more, 8 % of 0.2 m; if it
+    // counted twice at the edges only, by some 2 %.
     // Measured 0.
     for (int more : {1, 2}) EXPECT_NEAR(heights[more], heights[0], 0.001 * heights[0]) << more << " more";
 }
@@ -120,7 +120,7 @@ TEST(Fluid, KeepsItsMomentumWithABodyInIt)
     const Totals before = totals(world, solver.readParticles());
     run(solver, world, 1.0);
     const Totals after = totals(world, solver.readParticles());
-    // Pressures come in opposite pairs; what rounding leaves of some 500 substeps stays below 1e-4, as for bodies.
+    // Pressures come in opposite pairs; the rounding of some 500 substeps stays below 1e-4, as for bodies.
     EXPECT_LT((after.momentum - before.momentum).norm(), 1e-4 * before.speedSum);
 }
 

@@ -22,7 +22,7 @@ std::vector<Vector3f> drum()
     return places;
 }
 
-/// The drum turns as it is told, from the start; four fifths of it are full of a fluid at rest. Nothing has weight.
+/// A clip turns the drum from the start; a fluid at rest fills four fifths of it. Without gravity.
 World turningDrum(float viscosity)
 {
     WorldBuilder builder = makeBuilder(weightless());
@@ -45,7 +45,7 @@ World turningDrum(float viscosity)
     return builder.build();
 }
 
-/// Of the fluid in the drum, about the axis.
+/// Data of the fluid in the drum, about the axis.
 struct Turning {
     double momentum = 0.0, energy = 0.0, inertia = 0.0;
     uint32_t outside = 0;  ///< Particles that have come through the walls.
@@ -69,16 +69,16 @@ Turning turningOf(const World& world, const ParticleState& state)
     return sum;
 }
 
-/// What became of the work of the drum.
+/// Balance of the drum's work.
 struct Balance {
-    double taken = 0.0;       ///< The share that viscosity and damping took, on the mean of the last second.
-    double leastTaken = 0.0;  ///< What they took at any moment, as a share of the work for a solid.
-    double turns = 0.0;       ///< Angular momentum over that of a solid that turns with the drum, likewise.
-    double energy = 0.0;      ///< Energy over the solid's, likewise.
+    double taken = 0.0;       ///< The share that viscosity and damping took, averaged over the last second.
+    double leastTaken = 0.0;  ///< The least that they took at any moment, over the work for a solid.
+    double turns = 0.0;       ///< Angular momentum over that of a solid that turns with the drum, averaged likewise.
+    double energy = 0.0;      ///< Energy over the solid's, averaged likewise.
     uint32_t outside = 0;     ///< At the end.
 };
 
-/// Nothing but the drum turns the fluid, so its work is its speed times the angular momentum that the fluid has got.
+/// Only the drum turns the fluid, so its work is its speed times the fluid's gain of angular momentum.
 Balance balanceOf(float viscosity, double seconds)
 {
     const World world = turningDrum(viscosity);
@@ -103,8 +103,8 @@ Balance balanceOf(float viscosity, double seconds)
 
 }  // namespace
 
-/// A drum that turns at w brings what is in it from rest to I w, with the work I w^2; I w^2 / 2 is what the fluid has,
-/// and the other half is what viscosity took, however it did so.
+/// A drum that turns at w brings its contents from rest to I w, with the work I w^2; the fluid gets I w^2 / 2, and
+/// viscosity takes the other half, in whatever way.
 TEST(Paddle, HalfOfTheWorkThatBringsAFluidToTurnIsTaken)
 {
     const Balance syrup = balanceOf(50.0f, 5.0);
@@ -114,14 +114,14 @@ TEST(Paddle, HalfOfTheWorkThatBringsAFluidToTurnIsTaken)
     EXPECT_GT(syrup.leastTaken, -0.03);
 }
 
-/// A paddle throws ahead what it hits, so water gets more than half of the work at first; it has never more than all.
+/// A paddle throws water ahead, so water first gets more than half of the work; it never has more than all of it.
 TEST(Paddle, WaterGetsNoEnergyThatTheDrumDoesNotGive)
 {
     const Balance water = balanceOf(0.001f, 5.0);
     EXPECT_NEAR(water.turns, 1.0, 0.03);
-    EXPECT_LE(water.outside, 3u);        // of 1280: in one of seven starts one is pressed through a corner
-    EXPECT_GT(water.leastTaken, -0.03);  // measured -0.012, in the second frame: it leaves its lattice
-    // Its slosh in the corners goes on: measured 1.29 times the energy of turning alone.
+    EXPECT_LE(water.outside, 3u);        // of 1280: in one of seven starts one particle is pressed through a corner
+    EXPECT_GT(water.leastTaken, -0.03);  // measured -0.012, in the second frame: the fluid leaves its lattice
+    // It keeps sloshing in the corners: measured 1.29 times the energy of turning alone.
     EXPECT_GT(water.energy, 1.0);
     EXPECT_LT(water.energy, 1.6);
 }

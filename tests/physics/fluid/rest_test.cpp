@@ -9,12 +9,12 @@ namespace {
 
 struct Basin {
     const char* name;
-    int wide, layers, deep;  ///< Rest distances.
-    bool isCut = false;      ///< Two upright walls at 45 degrees make a corner of it.
+    int wide, layers, deep;  ///< In rest distances.
+    bool isCut = false;      ///< Two upright walls at 45 degrees turn it into a corner.
 };
 
-// A lattice that fills them stands too near to their walls: in narrow ones nearly all of it, so that it has to rise by
-// a tenth of its height.
+// A lattice that fills them is too near to their walls: in narrow ones nearly all of it, so that it has to rise by a
+// tenth of its height.
 constexpr Basin BASINS[] = {{"wide", 12, 3, 12},   {"narrow", 3, 16, 4},        {"tall", 4, 24, 3},
                             {"shallow", 12, 2, 8}, {"corner", 10, 6, 10, true}, {"pipe", 24, 3, 3}};
 
@@ -58,12 +58,12 @@ TEST_P(FluidRest, ComesInEveryBasin)
             const ParticleState state = solver.readParticles();
             last = rootMeanSquareSpeed(state);
             fastest = std::max(fastest, last);
-            // What it falls as it packs more closely than the lattice did. Nothing may add to it; 0.5 % is what the
-            // pressure of the deepest pool holds.
+            // It falls as it packs more closely than the lattice. Nothing may add energy; 0.5 % is the pressure energy
+            // of the deepest pool.
             ASSERT_LT(energyOf(world, state), 1.005 * start + 1e-3) << of.name << " at " << 0.1 * k << " s";
         }
-        // With the fewest substeps the tallest is 6 % too dense, and its middle falls by as much of 0.6 m:
-        // sqrt(2 g 0.036 m).
+        // With the fewest substeps the tallest is 6 % too dense, so its middle falls by that share of 0.6 m: sqrt(2 g
+        // 0.036 m).
         EXPECT_LT(fastest, 0.84) << of.name;
         EXPECT_LT(last, 0.25) << of.name;
         RecordProperty(of.name, std::to_string(last));
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Substeps, FluidRest, testing::Values(1, 2, 3, 5, 8, 13,
 
 TEST(FluidEnergy, ThatRisesFromNothingEndsTheRun)
 {
-    // A closed box with twice as much water as it holds: what presses it together would throw it about for ever.
+    // A closed box with twice as much water as it holds: the pressure would throw it about forever.
     Tank tank(4, 8, 4);
     addPlane(tank.builder, {0, 0.2f, 0}, -Vector3f::UnitY());
     const World world = tank.builder.build();
@@ -90,7 +90,7 @@ TEST(FluidEnergy, ThatRisesFromNothingEndsTheRun)
 
 TEST(FluidEnergy, ThatBodiesGiveIsNone)
 {
-    // A stone of a tonne a cubic metre and more falls by two metres into little water: it splashes as high as it may.
+    // A stone of a tonne a cubic metre or more falls by two metres into little water: it may splash to any height.
     Tank tank(16, 3, 16);
     Material stone;
     stone.density = 8000.0f;

@@ -4,8 +4,8 @@
 
 namespace knuckle::test {
 
-/// A tank with its floor at y = 0 and one corner at the origin, filled to `layers` particles; several fluids, of equal
-/// shares, from the first at the bottom up.
+/// A tank with its floor at y = 0 and one corner at the origin, filled to `layers` particles; several fluids have equal
+/// shares, the first one at the bottom.
 struct Tank {
     Tank(int wide, int layers, int deep, const std::vector<float>& densities = {1000.0f},
          const Settings& settings = {});
@@ -20,12 +20,12 @@ void addPlane(WorldBuilder& builder, const Vector3f& place, const Vector3f& norm
 /// Adds the floor y = 0 and, facing the middle, walls at x = 0, `width` and z = 0, `depth` [m].
 void addWalls(WorldBuilder& builder, float width, float depth);
 Vector3f lattice(int x, int y, int z);
-/// Of all particles, those of bodies too [m/s].
+/// Of all particles, including those of bodies [m/s].
 double rootMeanSquareSpeed(const ParticleState& state);
 double meanHeight(const World& world, const ParticleState& state, uint32_t material);
-/// The share of a box's volume that lies below `level`, from 8000 points of it. @param size edges of the box [m].
+/// The share of a box's volume below `level`, from 8000 points of it. @param size edges of the box [m].
 double submerged(const BodyState& body, const Vector3f& size, double level);
-/// How deep a box that floats alone in a tank of that area lies in it: the level rises by what it displaces.
+/// The depth at which a box floats alone in a tank of that area: it raises the level by what it displaces.
 double submergedIn(const World& world, const BodyState& body, const Vector3f& size, double area);
 
 }  // namespace knuckle::test

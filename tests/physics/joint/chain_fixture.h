@@ -4,23 +4,23 @@
 
 namespace knuckle::test {
 
-/// From the middle of a cube of 3 x 3 x 3 to the next one's, with a layer between them for the joint [m].
+/// From the middle of a cube of 3 x 3 x 3 to that of the next, with a layer between them for the joint [m].
 inline constexpr float PITCH = 0.4f;
 
 struct ChainSpec {
     uint32_t bodies = 10;
     JointType type = JointType::Ball;
-    float load = 1.0f;  ///< How many times as heavy the last one is.
+    float load = 1.0f;  ///< Mass of the last one, over the others'.
     Vector3f along{0, -1, 0};
     JointStrength strength = {};
     JointLimits limits = {};
-    std::vector<uint32_t> alsoHeavy = {};  ///< Other bodies that are as heavy as the last.
+    std::vector<uint32_t> alsoHeavy = {};  ///< Further bodies as heavy as the last.
     bool bothEnds = false;                 ///< Whether the last body is fixed, too; the first always is.
 };
 
-/// Adds such cubes in a row from the origin, as one object.
+/// Adds a row of such cubes from the origin, as one object.
 void addChain(WorldBuilder& builder, const ChainSpec& spec);
-/// Nothing but a chain.
+/// A world with only a chain.
 World chain(const ChainSpec& spec);
 
 }  // namespace knuckle::test

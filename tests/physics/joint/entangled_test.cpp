@@ -11,7 +11,7 @@ namespace {
 constexpr uint32_t FIGURES = 50, ROW = 10, BODIES = 9;
 
 /// A torso with two arms and two legs, of two bodies each: balls at the torso, hinges at elbows and knees.
-/// @param anchors gets where each of its bodies is joined, from its middle [m].
+/// @param anchors gets the places of joints of each body, from its middle [m].
 void addFigure(WorldBuilder& builder, const Vector3f& place, std::vector<Vector3f>& anchors)
 {
     builder.beginObject("figure");
@@ -42,7 +42,7 @@ void addFigure(WorldBuilder& builder, const Vector3f& place, std::vector<Vector3
     builder.endObject({place, Quaternionf::Identity()});
 }
 
-/// Turns what hangs on a joint about it. Hinges turn about z.
+/// Turns everything that hangs on a joint about it. Hinges turn about z.
 void fold(World& world, uint32_t figure, const std::vector<Vector3f>& anchors, std::mt19937& random)
 {
     const auto any = [&] { return static_cast<float>(random()) / 2147483648.0f - 1.0f; };
@@ -72,7 +72,7 @@ void fold(World& world, uint32_t figure, const std::vector<Vector3f>& anchors, s
     }
 }
 
-/// Kinetic and in gravity, of each figure [J].
+/// Kinetic and gravitational energy of each figure [J].
 std::vector<double> energies(const World& world, const ParticleState& state)
 {
     std::vector<double> sums(FIGURES, 0.0);
@@ -86,8 +86,8 @@ std::vector<double> energies(const World& world, const ParticleState& state)
 
 }  // namespace
 
-/// Figures folded into themselves at random, most with limbs through limbs and through the torso: whatever holds them
-/// so gives them no energy, and they come to rest.
+/// Figures randomly folded into themselves, most with limbs through limbs and through the torso: their entanglement
+/// gives them no energy, and they come to rest.
 TEST(Entangled, FiguresComeToRest)
 {
     WorldBuilder builder = makeBuilder();
@@ -117,7 +117,7 @@ TEST(Entangled, FiguresComeToRest)
     }
     const double most = *std::max_element(rise.begin(), rise.end());
     EXPECT_LT(most, 0.01 * mass * GRAVITY * 1.3);  // measured 0.006
-    EXPECT_LT(fastest, 1.0);                       // measured 0.6: one whose limbs still come apart
+    EXPECT_LT(fastest, 1.0);                       // measured 0.6: one whose limbs are still coming apart
     EXPECT_LT(sum / static_cast<double>(world.bodies.size()), 0.02);
 }
 

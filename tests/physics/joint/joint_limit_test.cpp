@@ -7,20 +7,20 @@ namespace knuckle::test {
 
 namespace {
 
-/// How far within its limit a stop that held goes on holding: 0.005 rad [degrees].
+/// How far within its limit a stop that held still holds: 0.005 rad [degrees].
 constexpr float TOUCH = 0.29f;
 
 struct LimitedPair {
     JointType type = JointType::Ball;
     JointLimits limits;
-    float load = 1.0f;  ///< How many times as heavy as A body B is.
+    float load = 1.0f;  ///< Mass of body B over that of A.
     bool fixed = true;  ///< Whether A never moves.
     Pose pose;
     Vector3f spin{0, 0, 0};
     Settings settings;
 };
 
-/// Two cubes with room between them to fold by a right angle.
+/// Two cubes with enough room between them to fold by a right angle.
 World limitedPair(const LimitedPair& spec)
 {
     WorldBuilder builder = makeBuilder(spec.settings);
@@ -42,7 +42,7 @@ struct Turn {
     float bend = 0.0f;   ///< About z [degrees].
 };
 
-/// Of the second body against the first.
+/// The turn of the second body against the first.
 Turn turnOf(Solver& solver)
 {
     const auto bodies = solver.readBodies();
@@ -66,7 +66,7 @@ TEST(JointLimit, AHingeFallsToItsLimitAndStaysThere)
             run(solver, world, 0.1);
             lowest = std::min(lowest, turnOf(solver).bend);
         }
-        // It arrives with 3 rad/s, 0.7 degrees a substep; what is left of a stop's give is below a hundredth of that.
+        // It arrives with 3 rad/s, 0.7 degrees a substep; the remaining give of a stop is below a hundredth of that.
         EXPECT_GT(lowest, -30.05f) << load;
         EXPECT_NEAR(turnOf(solver).bend, -30, TOUCH) << load;  // measured 0.07
         EXPECT_LT(solver.readBodies()[1].angularVelocity.norm(), 1e-3f) << load;
@@ -84,7 +84,7 @@ TEST(JointLimit, AConeIsTheSameInEightDirections)
         Solver solver(gpu(), world);
         run(solver, world, 2.0);
         EXPECT_NEAR(turnOf(solver).swing, 40, TOUCH) << k;  // measured 0.05
-        // Nothing twists it but rounding and how the bodies' lattices meet the directions.
+        // Only rounding and the directions of the bodies' lattices twist it.
         EXPECT_NEAR(turnOf(solver).twist, 0, 1) << k;
     }
 }
@@ -111,9 +111,9 @@ TEST(JointLimit, ABallTwistsNoFurtherThanItsRange)
         const World world = limitedPair(spec);
         Solver solver(gpu(), world);
         run(solver, world, 1.0);
-        // It is stopped in the substep that would pass the limit, of 6 rad/s / 240 Hz.
+        // It is stopped in the substep that would pass the limit, at 6 rad/s / 240 Hz.
         EXPECT_NEAR(turnOf(solver).twist, spin > 0 ? -20 : 50, 1.5) << spin;
-        // What it had is in the fixed body.
+        // The fixed body has taken its momentum.
         EXPECT_LT(solver.readBodies()[1].angularVelocity.norm(), 0.01f) << spin;  // measured 4e-4, 7e-3
     }
 }
@@ -159,7 +159,7 @@ TEST(JointLimit, ASoftLimitGivesAsItsStiffnessSays)
         const World world = limitedPair(spec);
         Solver solver(gpu(), world);
         run(solver, world, 4.0);
-        // Of what swings exp(-8 / s * 4 s) and less is left; the rest is what a damped hinge creeps.
+        // Of swings, exp(-8 / s * 4 s) or less is left; the rest is the creep of a damped hinge.
         EXPECT_NEAR(-turnOf(solver).bend, restAngle(world, stiffness, 20), 0.005) << stiffness;  // measured 0.0005
     }
 }
@@ -172,7 +172,7 @@ double kinetic(const World& world, const ParticleState& state)
     return sum;
 }
 
-/// Bent at rest, and pulled straight as it spins, as far as its hinges let it.
+/// Bent at rest, and straightened by its spin as far as its hinges allow.
 World spinningBracket(float spin)
 {
     WorldBuilder builder = makeBuilder(weightless());
@@ -196,7 +196,7 @@ World spinningBracket(float spin)
     return builder.build();
 }
 
-/// Each substep of first order costs half the square of what it turns; so it must not be caught in each anew.
+/// Each substep of first order costs half the square of its turn; so limits must not catch it anew in each.
 TEST(JointLimit, AFreeFigureAtItsLimitsKeepsItsAngularMomentum)
 {
     for (const float spin : {4.0f, 5.1f, 8.0f}) {
@@ -207,7 +207,7 @@ TEST(JointLimit, AFreeFigureAtItsLimitsKeepsItsAngularMomentum)
         const auto bodies = solver.readBodies();
         for (const uint32_t end : {0u, 2u}) {
             const Quaternionf turn = bodies[1].rotation.conjugate() * bodies[end].rotation;
-            // At 4 rad/s it is thrown back a little: measured 0.2, else 0.013.
+            // At 4 rad/s it is thrown back a little: measured 0.2, otherwise 0.013.
             EXPECT_NEAR(std::abs(2 * std::atan2(turn.z(), turn.w())) / DEGREE, 20, spin < 5.0f ? 1.0 : 0.1) << end;
         }
         const Totals last = totals(world, solver.readParticles());
@@ -242,7 +242,7 @@ TEST(JointLimit, AWhippingChainGainsNoEnergyFromItsLimits)
     for (uint32_t l = end.linkStart; l < end.linkStart + end.linkCount; ++l)
         world.particles[world.links[l].particle].velocity += Vector3f(-1, 4, 2);
     Solver solver(gpu(), world);
-    run(solver, world, 1.0 / 60);  // the shared particles' two velocities have become one
+    run(solver, world, 1.0 / 60);  // the two velocities of shared particles have become one
     const Totals first = totals(world, solver.readParticles());
     double energy = kinetic(world, solver.readParticles());
     for (int i = 0; i < 10; ++i) {
@@ -251,7 +251,7 @@ TEST(JointLimit, AWhippingChainGainsNoEnergyFromItsLimits)
         EXPECT_LT(now, 1.01 * energy) << i;
         energy = now;
     }
-    // Each blow ends a substep of the whole figure to first order, which costs some 1e-4 of its turn.
+    // Each blow reduces a substep of the whole figure to first order, which costs some 1e-4 of its turn.
     const Totals last = totals(world, solver.readParticles());
     EXPECT_LT((last.angularMomentum - first.angularMomentum).norm(), 0.05 * first.angularMomentum.norm());
     EXPECT_LT((last.momentum - first.momentum).norm(), 2e-4 * first.speedSum);  // measured 3e-5

@@ -9,11 +9,12 @@ namespace knuckle::test {
 
 namespace {
 
-/// Looked at again and again for a while.
+/// Worst values seen during a run.
 struct Watched {
-    float motion = 0.0f;   ///< How far the last body went from where it was at first [m].
+    float motion = 0.0f;   ///< Largest distance of the last body from its first place [m].
     float gap = 0.0f;      ///< The worst of all joints [diameters].
-    float stretch = 0.0f;  ///< By how much the last body is further from the first than when straight, as a share.
+    float stretch = 0.0f;  ///< Extension of the distance between first and last body beyond that when straight, as a
+                           ///< share.
     double speed = 0.0;    ///< The fastest body's [m/s].
 };
 
@@ -41,7 +42,7 @@ struct Load {
 
 class HangingChain : public testing::TestWithParam<Load> {};
 
-/// In a line under its suspension nothing has to move at all.
+/// In a line under its suspension nothing has to move.
 TEST_P(HangingChain, IsAtRest)
 {
     const ChainSpec spec{.bodies = GetParam().bodies, .load = GetParam().load};
@@ -70,7 +71,7 @@ TEST(JointLoad, AChainThatFallsFromTheLevelKeepsItsJointsShut)
         const Watched seen = watch(solver, world, spec, 2.0);
         EXPECT_LT(seen.gap, 1e-3f) << load;      // measured 3e-4
         EXPECT_LT(seen.stretch, 1e-6f) << load;  // measured 0
-        // The whole fall, into a whip's end with the light chain: a third of the length would do by itself.
+        // The whole fall, into a whip's end with the light chain: a third of the length would be enough.
         EXPECT_GT(seen.motion, 2.0f) << load;
     }
 }
@@ -82,9 +83,9 @@ struct Swing {
 
 class SwungChain : public testing::TestWithParam<Swing> {};
 
-/// Down, up on the other side, where it goes slack, and back: joints stay shut in every frame, no energy comes from
+/// Down, up on the other side, where it goes slack, and back: joints stay closed in every frame, no energy appears from
 /// nowhere.
-/// @param most the gap that is allowed [diameters].
+/// @param most the tolerated gap [diameters].
 void expectShutSwing(const ChainSpec& spec, float most)
 {
     const World world = chain(spec);
@@ -109,7 +110,7 @@ TEST_P(SwungChain, StaysShutWithAnyLoad)
                     0.003f);  // measured 3e-4
 }
 
-/// Another one in the middle, and light bodies between both.
+/// A second load in the middle, and light bodies between both.
 class TwiceLoadedChain : public SwungChain {};
 
 TEST_P(TwiceLoadedChain, StaysShut)
@@ -119,7 +120,7 @@ TEST_P(TwiceLoadedChain, StaysShut)
         0.003f);  // measured 3e-4
 }
 
-/// Light bodies at their limits between what is fixed and the load.
+/// Light bodies at their limits between the fixed body and the load.
 class LimitedChain : public SwungChain {};
 
 TEST_P(LimitedChain, StaysShut)
@@ -128,8 +129,8 @@ TEST_P(LimitedChain, StaysShut)
     limits.swing = 30 * DEGREE;
     limits.twist = limits.secondBend = {-20 * DEGREE, 20 * DEGREE};
     limits.bend = {-30 * DEGREE, 40 * DEGREE};
-    // A ball's limits reach each other's corner in an order that rounding decides: of chains at 36 places the worst
-    // gaped by 0.47 diameters for a moment, 31 by less than 0.1. Measured 0.06 of universals, 2e-4 of hinges.
+    // A ball's limits reach each other's corner in an order that depends on rounding: of chains at 36 places the worst
+    // opened by 0.47 diameters for a moment, 31 by less than 0.1. Measured 0.06 for universals, 2e-4 for hinges.
     expectShutSwing(
         {.bodies = 6, .type = GetParam().type, .load = GetParam().load, .along = {1, 0, 0}, .limits = limits},
         GetParam().type == JointType::Ball ? 0.7f : 0.1f);
@@ -178,7 +179,8 @@ TEST(JointLoad, ABeamOfStiffJointsDoesNotDroop)
     }
 }
 
-/// All joints between bodies that the ground holds at both ends: none has to give, each may hold any part of the load.
+/// All joints are between bodies that the ground holds at both ends: none has to give, each may hold any part of the
+/// load.
 TEST(JointLoad, AStiffBeamThatIsHeldTwiceIsAtRest)
 {
     ChainSpec spec{.bodies = 7, .type = JointType::Stiff, .along = {1, 0, 0}, .bothEnds = true};
@@ -206,12 +208,12 @@ TEST(JointLoad, ABridgeCarriesWhatFallsOnIt)
     Solver solver(gpu(), world);
     const Watched seen = watch(solver, world, spec, 1.5);
     EXPECT_LT(seen.gap, 0.025f);  // measured 0.003
-    // Nothing is faster than what falls freely for so long.
+    // Nothing is faster than in free fall for that time.
     EXPECT_LT(seen.speed, GRAVITY * 1.5);
     EXPECT_GT(solver.readBodies()[block].position.y(), -2.0f) << "fell through";
 }
 
-/// A joint that something has forced open closes at a bounded speed and is at rest afterwards.
+/// A joint that was forced open closes at a bounded speed and is at rest afterwards.
 TEST(JointLoad, AnOpenJointClosesWithoutAKick)
 {
     const ChainSpec spec{.bodies = 3};
@@ -226,7 +228,7 @@ TEST(JointLoad, AnOpenJointClosesWithoutAKick)
     EXPECT_GT(before, 0.4f);
     const Watched seen = watch(solver, world, spec, 2.0);
     EXPECT_LT(solver.measure().worstJointGap, 1e-6f * DIAMETER);  // measured 2e-9
-    // Each side of it comes at no more than the joint's speed, 1 m/s; turning bodies add to it.
+    // Each side moves at no more than the joint's speed, 1 m/s; turning bodies add to it.
     EXPECT_LT(seen.speed, 2.0);
     double left = 0.0;
     for (const BodyState& body : solver.readBodies()) left = std::max<double>(left, body.velocity.norm());

@@ -9,7 +9,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// Of bodies from one on [kg].
+/// Mass of the bodies from one on [kg].
 float massFrom(const World& world, uint32_t body)
 {
     float mass = 0;
@@ -32,15 +32,15 @@ TEST(JointTear, AChainTearsWhereItBearsMoreThanItCan)
     Solver tears(gpu(), weak);
     run(tears, weak, 0.5);
     const auto bodies = tears.readBodies();
-    // It tears at the end of the second substep, when it bore the load for two, and then all of it falls freely;
-    // velocities of second order take half a substep more to begin.
+    // It tears at the end of the second substep, after bearing the load for two, and then all of it falls freely;
+    // velocities of second order start half a substep later.
     const double h = double{weak.settings.timeStep} / weak.settings.substeps;
     for (uint32_t b = 1; b < 5; ++b) {
         const float fallen = weak.bodies[b].position.y() - bodies[b].position.y();
         EXPECT_NEAR(fallen, 0.5 * GRAVITY * 0.25, 2.6 * GRAVITY * 0.5 * h) << b;
         EXPECT_NEAR(bodies[b].velocity.y(), -GRAVITY * 0.5, 3 * GRAVITY * h) << b;
     }
-    // The joint that is torn has no gap, the others hold.
+    // The torn joint has no gap, the others hold.
     EXPECT_LT(tears.measure().worstJointGap, 3e-6f * DIAMETER);  // measured 3e-7
 }
 
@@ -61,7 +61,8 @@ TEST(JointTear, ABeamTearsWhereItIsBentHarderThanItCan)
     }
 }
 
-/// Two cubes that circle about each other hold each other with m r w^2; let go, they fly on straight and spin on.
+/// Two cubes that circle about each other hold each other with m r w^2; without the joint, they fly on straight and
+/// spin on.
 TEST(JointTear, WhatFliesApartKeepsItsMomentum)
 {
     constexpr float SPIN = 5.0f;
@@ -74,7 +75,7 @@ TEST(JointTear, WhatFliesApartKeepsItsMomentum)
     const float pull = whole.bodies[0].mass * arm * SPIN * SPIN;
     for (const bool tears : {false, true}) {
         WorldBuilder builder = makeBuilder(settings);
-        // At the start, half of the pull in a substep of first order, then more of it.
+        // The first substep, of first order, has half of the pull, later ones more.
         pair.joint.strength.force = (tears ? 0.98f : 1.5f) * pull;
         addJointedPair(builder, pair, {}, {0, 0, 0}, {0, 0, SPIN});
         const World world = builder.build();
@@ -87,7 +88,7 @@ TEST(JointTear, WhatFliesApartKeepsItsMomentum)
             EXPECT_NEAR(apart, 2 * arm, 3e-7f);  // measured 3e-8
             continue;
         }
-        // Straight, from the first substep on; the two turn clear of each other without touching.
+        // Straight, from the first substep on; the two pass each other without touching.
         EXPECT_NEAR(apart, 2 * arm * std::hypot(1.0f, SPIN), 0.02f * apart);
         EXPECT_NEAR(bodies[1].angularVelocity.z(), SPIN, 0.005f * SPIN);  // measured 6e-4
         double linear = 0.0, angular = 0.0;
@@ -103,8 +104,8 @@ TEST(JointTear, WhatFliesApartKeepsItsMomentum)
     }
 }
 
-/// Held at both ends it closes a loop through the ground. Of its joints, which bear about as much, one tears and
-/// relieves the others.
+/// Held at both ends, it forms a loop through the ground. Its joints bear about equal loads; one tears and relieves the
+/// others.
 TEST(JointTear, ABridgeTearsAndSwingsDown)
 {
     ChainSpec spec{.bodies = 9, .along = {1, 0, 0}, .bothEnds = true};
@@ -124,14 +125,14 @@ TEST(JointTear, ABridgeTearsAndSwingsDown)
     EXPECT_EQ(std::ranges::count_if(world.joints, [&](const Joint& joint) { return state.torn[joint.particles[0]]; }),
               1);
     EXPECT_LT(solver.readBodies()[block].position.y(), -5.0f) << "it was caught";
-    // Nothing is faster than what falls freely all the time.
+    // Nothing is faster than in free fall for all that time.
     EXPECT_LT(fastest, 3 + GRAVITY * 1.5);
     // One end holds what hangs from it.
     EXPECT_GT(std::max(solver.readBodies()[1].position.y(), solver.readBodies()[7].position.y()), -PITCH);
 }
 
-/// A body stands on another that it may pass while they are joined. Once the joint is torn it lies on the layer that
-/// was between them, which is the lower one's.
+/// A body stands on another that it may pass while they are joined. After the joint tears, it lies on the layer between
+/// them, which belongs to the lower one.
 TEST(JointTear, WhatPassedEachOtherTouchesOnceItIsTorn)
 {
     for (const bool tears : {false, true}) {
@@ -148,7 +149,7 @@ TEST(JointTear, WhatPassedEachOtherTouchesOnceItIsTorn)
     }
 }
 
-/// A hinge that falls against its limit, where it would be held by a torque.
+/// A hinge that falls against its limit, where a torque would hold it.
 TEST(JointTear, AHingeTearsAtItsLimit)
 {
     for (const bool tears : {false, true}) {

@@ -21,7 +21,7 @@ struct Energy {
     double least = INFINITY, rise = 0.0;  ///< The rise over the least so far [J].
 };
 
-/// Looked at every tenth of a second, so many times.
+/// Measures every tenth of a second, this many times.
 Energy watchEnergy(Solver& solver, const World& world, int times)
 {
     Energy seen;
@@ -54,7 +54,7 @@ TEST(Joint, AHingeTurnsAboutItsAxisOnly)
         widest = std::max(widest, std::abs(turn.z()));
         forbidden = std::max(forbidden, turn.head<2>().norm());
     }
-    // It falls until the cubes touch; the load is across the axis.
+    // It falls until the cubes touch; the load is perpendicular to the axis.
     EXPECT_GT(widest, 30.0);
     EXPECT_LT(forbidden, 1.5e-4);  // measured 1.7e-5
 }
@@ -85,7 +85,7 @@ TEST(Joint, ALimitedHingeStaysStraightOnItsBlockedSide)
 
 TEST(Joint, ABallTwistsFreely)
 {
-    // B alone turns about the line between the bodies. Asked: 90 % of the rate after 2 s.
+    // B alone turns about the line between the bodies. Required: 90 % of the rate after 2 s.
     World world = jointedPair(JointType::Ball, weightless());
     for (Particle& particle : world.particles)
         if (particle.body == 1) particle.velocity = Vector3f(4, 0, 0).cross(particle.position);
@@ -105,8 +105,8 @@ TEST(Joint, ABallSwingsUntilContactStopsIt)
         run(solver, world, 0.1);
         widest = std::max(widest, turnBetween(solver.readBodies()).norm());
     }
-    // The lower edges, sqrt(2) diameters from the pivot and 135 degrees apart from it, meet at one diameter:
-    // 90 - 2 asin(1/(2 sqrt 2)) = 48.6 degrees; lattice edges let it go a little further when it swings.
+    // The lower edges, sqrt(2) diameters from the pivot and 135 degrees apart as seen from it, meet at one diameter: 90
+    // - 2 asin(1/(2 sqrt 2)) = 48.6 degrees; lattice edges let it swing a little further.
     EXPECT_GT(widest, 40.0);
     EXPECT_LT(widest, 60.0);
 }
@@ -141,7 +141,7 @@ TEST(Joint, GapsAreSmallAtRest)
     }
 }
 
-/// Arms one particle thick: nothing but their particles' size gives them a moment about themselves.
+/// Arms one particle thick: only their particles' size gives them a moment about themselves.
 TEST(Joint, ThinLimbsGetNoEnergy)
 {
     for (int k = 0; k < 4; ++k) {
@@ -165,7 +165,7 @@ TEST(Joint, ThinLimbsGetNoEnergy)
         const double rise = watchEnergy(solver, world, 30).rise;
         double mass = 0.0;
         for (const Particle& p : world.particles) mass += p.mass;
-        // What a blow makes sink in is pushed out again.
+        // Parts that sink in by a blow are pushed out again.
         EXPECT_LT(rise, mass * GRAVITY * 0.004 * DIAMETER) << k;  // measured 5e-4
     }
 }
@@ -197,8 +197,8 @@ World figureWithElbows(const Vector3f& spin)
 
 TEST(Joint, AHingeDrivesNothing)
 {
-    // Nothing acts on it: its energy never rises, its angular momentum stays. What a hinge held a substep ago is not
-    // across it any more when it has turned, and what then lies along it would drive it.
+    // Nothing acts on it: its energy never rises, and its angular momentum is constant. After a hinge has turned, its
+    // last torque is no longer perpendicular to its axis; the part along it would drive the hinge.
     for (const Vector3f& spin : {Vector3f(3, 12, 5), Vector3f(9, 2, 9)}) {
         const World world = figureWithElbows(spin);
         Solver solver(gpu(), world);

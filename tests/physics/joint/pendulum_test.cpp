@@ -63,7 +63,7 @@ Swing measure(const World& world, double expectedPeriod)
     return swing;
 }
 
-/// The period within 1 % of the lattice's own, 90 % of the amplitude left after ten swings.
+/// Checks that the period is within 1 % of the lattice's own, and that 90 % of the amplitude is left after ten swings.
 void expectSwings(const Eigen::Vector3i& counts)
 {
     double reducedLength = 0.0;
@@ -83,8 +83,8 @@ TEST(Pendulum, ACubeOnAHingeSwingsWithItsPeriod)
 
 TEST(Pendulum, ARodOfOneMetreSwingsWithItsPeriod)
 {
-    // Eleven layers reach from 0 to 1 m. Lattice: I/(m l) = (2 n + 1)/(3 n) * L with n = 10, 0.7 m, and the width's
-    // share; the continuum's 2/3 m gives 1.638 s.
+    // Eleven layers extend from 0 to 1 m. Lattice: I/(m l) = (2 n + 1)/(3 n) * L with n = 10, 0.7 m, and the width's
+    // part; the continuum's 2/3 m gives 1.638 s.
     expectSwings({3, 11, 3});
 }
 

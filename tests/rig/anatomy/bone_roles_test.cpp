@@ -20,7 +20,7 @@ Rig figure(const std::string& prefix)
                      with("$spine > $thigh.{}=thigh > $shin.{}=shin > $foot.{}=foot")}});
 }
 
-/// Each bone as a control, and at the same place one with skin, on what `parent` says of the control.
+/// Each bone as a control, and at the same place one with skin, on the parent that `parent` gives for the control.
 Rig doubled(int32_t (*parent)(const Rig& controls, uint32_t control))
 {
     Rig rig;
@@ -37,7 +37,7 @@ Rig doubled(int32_t (*parent)(const Rig& controls, uint32_t control))
     return rig;
 }
 
-/// Every bone with skin hangs on the one with the name that its control's parent has.
+/// Every bone with skin hangs on the one named like its control's parent.
 void expectTree(const Rig& rig)
 {
     const Rig figure_ = figure("DEF-");

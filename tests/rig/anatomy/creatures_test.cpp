@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// The bones of legs, by the heads of the left one, on both sides of what carries them. Names have {} for the side.
+/// Adds the bones of legs on both sides of their carrier, by the heads of the left one. Names have {} for the side.
 void addLegs(Rig& rig, int32_t carrier, const std::vector<std::string>& names, const Vector3f& from)
 {
     for (const int side : {1, -1}) {
@@ -124,12 +124,12 @@ TEST(Creatures, FiguresOnTwoLegsAreUpright)
     EXPECT_TRUE(isUpright(rig.model, readAnatomy(rig.model)));
     addLegs(rig, int32_t(rig.add("chest", hips, {0, 1.3f, 0})), {"upper_arm.{}", "forearm.{}"}, {0.2f, 1.4f, 0.1f});
     EXPECT_TRUE(isUpright(rig.model, readAnatomy(rig.model)));
-    // Bones that are there twice, at one place, are no further legs.
+    // Duplicate bones at one place are no further legs.
     addLegs(rig, hips, {"thigh_d.{}", "shin_d.{}", "foot_d.{}"}, {0.1f, 0.9f, 0});
     EXPECT_TRUE(isUpright(rig.model, readAnatomy(rig.model)));
 }
 
-/// A creature's body with a figure's on its front: the spine goes on to the last shoulders.
+/// A creature's body with a figure's at its front: the spine reaches the last shoulders.
 TEST(Creatures, ASpineReachesToTheShouldersFarthestFromTheHips)
 {
     Rig rig = quadruped({"shoulder.{}", "front_thigh.{}", "front_shin.{}", "front_foot.{}"},

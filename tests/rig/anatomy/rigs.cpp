@@ -8,7 +8,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// Where the part of the left side begins, of a figure of 1.75 m that looks along +z.
+/// The start of each part of the left side, of a figure of 1.75 m that faces +z.
 const std::map<std::string, Eigen::Vector3f> PLACES = {
     {"hips", {0, 0.95f, 0}},        {"spine", {0, 1.05f, 0}},        {"neck", {0, 1.45f, 0}},
     {"head", {0, 1.55f, 0}},        {"clavicle", {0.04f, 1.41f, 0}}, {"upperArm", {0.18f, 1.40f, 0}},

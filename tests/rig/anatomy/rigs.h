@@ -8,9 +8,8 @@
 
 namespace knuckle::test {
 
-/// A program's names for a humanoid's bones. Chains run from a bone that is there, or from a root, outwards:
-/// "Hips > {}UpLeg=thigh > {}Leg=shin", each new bone with what it should be read as. {} stands for a side; such chains
-/// are there twice.
+/// A program's names for a humanoid's bones. Chains run outwards from an existing bone, or from a root: "Hips >
+/// {}UpLeg=thigh > {}Leg=shin", each new bone with its expected reading. {} stands for a side; such chains exist twice.
 struct Convention {
     std::string name;
     std::string left, right;
@@ -25,8 +24,8 @@ inline void PrintTo(const Convention& convention, std::ostream* out)
 
 const std::vector<Convention>& conventions();
 
-/// A humanoid without a surface, whose bones stand where their parts are, and what each bone should be read as.
-/// Everything but what should be a control has skin.
+/// A humanoid without a surface, with bones at the places of their parts, and the expected reading of each bone.
+/// Everything except controls has skin.
 struct Rig {
     Model model;
     std::vector<std::string> expected;  ///< Per bone, the word behind its name.

@@ -60,7 +60,7 @@ TEST(Articulate, kneesTurnAboutTheAxisFromLeftToRight)
 TEST(Articulate, kneesHaveRoomBehindAndNoneInFront)
 {
     ArticulationOptions options;
-    options.limited = false;  // with limits a thigh and a shin pass through each other
+    options.limited = false;  // with limits a thigh and a shin may overlap
     const Actor actor = make(makeHumanoid(), 0.03f, options);
     for (const ActorJoint& joint : actor.joints) {
         if (!joint.name.starts_with("shin")) {

@@ -64,7 +64,7 @@ TEST(BodiesOfBones, secondRootJoinsTheNearestBody)
     EXPECT_EQ(actor.joints.size(), 1u);
 }
 
-/// Boxes of 0.5 m, each of a bone that has its head where the box begins.
+/// Boxes of 0.5 m, each of a bone whose head is where the box begins.
 struct Boxes {
     Model model;
 

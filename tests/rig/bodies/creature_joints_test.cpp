@@ -47,7 +47,8 @@ const ActorJoint& jointOf(const Actor& actor, const Model& model, const std::str
     throw std::logic_error("no joint " + bone);
 }
 
-/// Which way a joint moves what hangs on it when it folds: limits are from the rest pose, positive that way.
+/// The direction in which a folding joint moves what hangs on it: limits are from the rest pose, positive in that
+/// direction.
 Vector3f foldOf(const Actor& actor, const ActorJoint& joint)
 {
     EXPECT_EQ(joint.type, JointType::Hinge) << joint.name;
@@ -161,7 +162,7 @@ TEST(CreatureJoints, EveryPoseOfEveryClipIsWithinTheLimits)
     }
 }
 
-/// A foot that a clip turns down by 80 degrees, the other one not.
+/// A clip turns one foot down by 80 degrees, and not the other one.
 TEST(CreatureJoints, LimitsHoldWhatClipsDoOnBothSides)
 {
     Model model = makeHumanoid();

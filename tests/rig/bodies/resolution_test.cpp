@@ -27,7 +27,7 @@ Model tubes(const std::vector<std::pair<std::string, float>>& namesAndRadii)
                 const float turn = 2.0f * std::numbers::pi_v<float> * static_cast<float>(s) / SIDES;
                 const float y = bone.restPose(1, 3) - LENGTH * static_cast<float>(r) / RINGS;
                 const float radius = namesAndRadii[b].second;
-                // Beside its bone, since few bones are in the middle of what they move.
+                // Beside its bone, since bones are seldom in the middle of their skin.
                 model.vertices.push_back({0.01f + radius * std::cos(turn), y, radius * std::sin(turn)});
                 SkinWeights skin;
                 skin.bones[0] = b;

@@ -35,7 +35,7 @@ const Actor& actor()
     return made;
 }
 
-/// Its bones under other names, larger, and looking elsewhere.
+/// Its bones under other names, larger, and facing elsewhere.
 Model disguised(const std::map<std::string, std::string>& names, float scale, float yaw)
 {
     Model model = figure();
@@ -91,7 +91,7 @@ TEST(BodyClip, BodiesTurnAsTheirBonesWhereJointsLetThem)
             const ActorBody& body = actor().bodies[b];
             const Quaternionf& turn = clip.turns[k * clip.bodyCount + b];
             whole[b] = body.parent < 0 ? turn : whole[body.parent] * turn;
-            // Balls and the first body are where their bones are; behind a hinge only that, too.
+            // Balls and the first body are at their bones' places; beyond a hinge only the hinge itself.
             const auto bone = std::ranges::find(figure().bones, body.name, &Bone::name) - figure().bones.begin();
             const Eigen::Matrix3f wanted = dance.poses[k][bone].topLeftCorner<3, 3>() *
                                            figure().bones[bone].restPose.topLeftCorner<3, 3>().transpose();
@@ -118,7 +118,7 @@ TEST(BodyClip, TheSameDanceComesFromASkeletonOfOtherNamesSizeAndDirection)
         EXPECT_LT(foreign.clip.turns[i].angularDistance(own.turns[i]), 5e-3f)
             << actor().bodies[body].name << " key " << i / own.bodyCount;
     }
-    // The way begins where the figure stands, and is as far.
+    // The path begins at the figure's place, and has the same length.
     for (size_t k = 0; k < own.roots.size(); ++k) {
         const Vector3f moved = own.roots[k] - own.roots[0];
         EXPECT_LT((foreign.clip.roots[k] - foreign.clip.roots[0] - moved).norm(), 0.01f * moved.norm() + 1e-3f) << k;
@@ -127,7 +127,7 @@ TEST(BodyClip, TheSameDanceComesFromASkeletonOfOtherNamesSizeAndDirection)
     EXPECT_NEAR(foreign.clip.roots[0].z(), pivotOf(actor()).z(), 1e-4f);
 }
 
-/// Its feet need not be its lowest bones, its body may be no higher than they are: a spider's is.
+/// Its feet may not be its lowest bones, and its body may be no higher than they are, as a spider's.
 TEST(BodyClip, AClipOfTheSameSkeletonIsPlayedAsItIs)
 {
     for (const Model& model : {makeDog(), makeSpider()}) {

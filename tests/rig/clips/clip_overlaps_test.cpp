@@ -27,7 +27,7 @@ uint32_t bodyNamed(const Actor& actor, const std::string& name)
     return static_cast<uint32_t>(std::ranges::find(actor.bodies, name, &ActorBody::name) - actor.bodies.begin());
 }
 
-/// The figure stands still, but that some of its first keys have its left arm turned back, through its chest.
+/// The figure stands still, except that some of the first keys turn its left arm back through its chest.
 BodyClip throughTheChest(const Actor& actor, uint32_t keys)
 {
     BodyClip clip{.name = "still", .rate = 30.0f, .bodyCount = static_cast<uint32_t>(actor.bodies.size())};
@@ -48,7 +48,7 @@ TEST(ClipOverlaps, BodiesThatLieInEachOtherInMostOfAClipNeverTouch)
     ASSERT_FALSE(neverTouch(actor, arm, chest));
     allow(actor, needsOf(actor, throughTheChest(actor, KEYS / 2 + 1)));
     EXPECT_TRUE(neverTouch(actor, arm, chest));
-    // Its shins are as far from each other as they were, and limits are there already between a shin and its thigh.
+    // Its shins are as far from each other as before, and a shin and its thigh have limits already.
     EXPECT_FALSE(neverTouch(actor, bodyNamed(actor, "shin.L"), bodyNamed(actor, "shin.R")));
     for (const auto& [a, b] : actor.filtered) {
         EXPECT_LT(a, b);

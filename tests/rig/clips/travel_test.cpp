@@ -22,7 +22,7 @@ namespace {
 
 using Eigen::Vector2f;
 
-/// A figure with a clip that goes over the ground, and the same clip on the spot.
+/// A figure with a clip that moves over the ground, and the same clip on the spot.
 struct Walker {
     Walker(const Model& model, const std::string& clipName, float diameter)
     {
@@ -44,7 +44,7 @@ struct Walker {
     float speed = 0.0f;
 };
 
-/// How the particles of an actor move as a clip has them.
+/// Motion of an actor's particles in a clip.
 class Played {
 public:
     Played(const Actor& actor, const BodyClip& clip, bool loop) : builder_(0.5f * actor.diameter)
@@ -63,8 +63,8 @@ public:
         for (const Link& link : world_.links) places[link.particle] = poses[link.body].apply(link.restOffset);
         return places;
     }
-    /// The farthest that a particle goes over the ground while it is within a centimetre of it [m]. Soles of spheres
-    /// roll by some millimetres.
+    /// The farthest that a particle moves over the ground while within a centimetre of it [m]. Soles of spheres roll by
+    /// some millimetres.
     float sliding(double seconds) const
     {
         constexpr int RATE = 120;
@@ -97,7 +97,7 @@ void expectOnItsFeet(const Model& model, const std::string& clip, float diameter
     SCOPED_TRACE(model.name + " " + clip);
     const Walker walker(model, clip, diameter);
     const TravelClip travel = travelOnFeet(walker.actor, walker.onTheSpot);
-    // Its clip was made to go so fast; feet that come down and lift say it to some per cent.
+    // Its clip was made for this speed; feet that come down and lift give it within a few per cent.
     EXPECT_NEAR(travel.speed, walker.speed, 0.05f * walker.speed);
     const float slid = Played(walker.actor, walker.onTheSpot, true).sliding(walker.going.duration());
     const float slides = Played(walker.actor, travel.clip, true).sliding(2.0 * walker.going.duration());
@@ -106,7 +106,7 @@ void expectOnItsFeet(const Model& model, const std::string& clip, float diameter
     for (uint32_t k = 0; k < travel.clip.keyCount(); ++k)
         EXPECT_EQ(travel.clip.roots[k].y(), walker.onTheSpot.roots[k].y());
     EXPECT_EQ(travel.clip.turns.size(), walker.onTheSpot.turns.size());
-    // What goes already goes on as it does, but for what it slides.
+    // A moving clip continues unchanged, except for its sliding.
     EXPECT_NEAR(travelOnFeet(walker.actor, walker.going).speed, walker.speed, 0.05f * walker.speed);
 }
 
@@ -137,14 +137,14 @@ TEST(Travel, AlongAPathItTurnsAboutTheFootThatStands)
                                                             : std::abs(p.z() - 2.0f);
         off = std::max(off, distance);
     }
-    // It looks half a metre ahead and so cuts corners by a few centimetres, and sways by as much.
+    // It looks half a metre ahead, so it cuts corners by a few centimetres, and sways by as much.
     EXPECT_LT(off, 0.25f);
     EXPECT_NEAR(way, 6.0f * travel.speed, 0.08f * 6.0f * travel.speed);
     const Vector3f end = travel.clip.roots.back() - travel.clip.roots[travel.clip.keyCount() - 60];
     EXPECT_GT(end.x(), 0.9f * Vector2f(end.x(), end.z()).norm()) << "straight on behind its end";
     // Heel and toe of a foot of 0.25 m turn about its middle as the figure does, by 30 degrees in a step.
     EXPECT_LT(Played(walker.actor, travel.clip, false).sliding(6.0), 0.07f);
-    // The middle of what stands does not move at all: of a figure that turns on straight legs the same as above.
+    // The middle of the standing foot does not move; for a figure that turns on straight legs the same as above.
     EXPECT_LT(Played(walker.actor, travelAlong(walker.actor, walker.onTheSpot, {{0, 9}}, 0.0f, 4.0f).clip, false)
                   .sliding(4.0),
               0.02f);

@@ -4,14 +4,14 @@
 namespace knuckle::test {
 namespace {
 
-/// The figure with some of its bones hung on others, in the order of the list given.
+/// The figure with some of its bones hung on others, in the order of the list.
 BoxBones rehung(BoxBones bones, const std::vector<std::pair<std::string, std::string>>& parents)
 {
     for (const auto& [name, parent] : parents) boneOf(bones, name).parent = parent;
     return bones;
 }
 
-/// Without the box of a bone.
+/// The figure without the box of a bone.
 BoxBones emptied(BoxBones bones, const std::string& name)
 {
     boneOf(bones, name).half.setZero();
@@ -25,14 +25,14 @@ Actor made(const BoxBones& bones)
     return actor;
 }
 
-/// Both sides hang on one body, which is the trunk's.
+/// Expects both sides on one body of the trunk.
 void expectOn(const Actor& actor, const std::string& limb, const std::string& trunk)
 {
     EXPECT_EQ(parentOf(actor, limb + ".L"), trunk) << limb;
     EXPECT_EQ(parentOf(actor, limb + ".R"), trunk) << limb;
 }
 
-/// The same, and their bones are known to belong there.
+/// The same, and that their bones are known to belong there.
 void expectOf(const BoxBones& bones, const std::string& limb, const std::string& trunk)
 {
     const Model model = boxFigure(bones);
@@ -53,7 +53,7 @@ TEST(AdriftLimbs, OfASpineWithoutSkinHangOnTheHipsBelowIt)
     const Actor actor = made(emptied(boxPerson(), "spine"));
     expectOn(actor, "upper_arm", "hips");
     EXPECT_EQ(parentOf(actor, "head"), "hips");
-    // As their bones do: nothing of it is a guess.
+    // As their bones do: none of it is a guess.
     for (const std::string& note : actor.notes) EXPECT_EQ(note.find("is joined to"), note.npos) << note;
 }
 
@@ -83,7 +83,7 @@ TEST(AdriftLimbs, WithoutAnyNameOfTheTrunkNeverHangOnTheOtherSide)
         for (std::string* name : {&bone.name, &bone.parent})
             if (*name == "hips" || *name == "spine") *name = *name == "hips" ? "lump" : "lump2";
     }
-    // With the trunk's bodies, and where nothing but a head is there.
+    // With the trunk's bodies, and with nothing but a head there.
     for (const BoxBones& figure : {bones, emptied(emptied(bones, "lump"), "lump2")}) {
         const Actor actor = made(figure);
         for (const ActorJoint& joint : actor.joints) {

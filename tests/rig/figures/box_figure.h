@@ -20,17 +20,18 @@ using BoxBones = std::vector<BoxBone>;
 /// A model of bones in the order given, which need not be parents first.
 Model boxFigure(const BoxBones& bones);
 
-/// Of 1.7 m in a T-pose, looking along +z: hips, spine, head, and on both sides thigh, shin, foot, upper_arm, forearm.
+/// A person of 1.7 m in a T-pose, facing +z: hips, spine, head, and on both sides thigh, shin, foot, upper_arm,
+/// forearm.
 BoxBones boxPerson();
-/// Of 0.9 m, looking along +z: Hips, Torso, Neck, Head, Tail, and FrontLeg, FrontLowLeg, FrontFoot, BackLeg ... ".L".
+/// A dog of 0.9 m, facing +z: Hips, Torso, Neck, Head, Tail, and FrontLeg, FrontLowLeg, FrontFoot, BackLeg ... ".L".
 BoxBones boxDog();
 
 /// The bone of a name. @throws std::out_of_range.
 BoxBone& boneOf(BoxBones& bones, const std::string& name);
 uint32_t indexOf(const Model& model, const std::string& bone);
-/// The bone that a limb belongs to, as readAnatomy() says before bodies are joined; "nothing" for none.
+/// The limb of a bone in readAnatomy(), before bodies are joined; "nothing" for none.
 std::string ownerOf(const Model& model, const std::string& bone);
-/// The body that a body hangs on: "none" of the first one, "no body" where there is none of the name.
+/// The body that a body hangs on: "none" for the first one, "no body" if no body has the name.
 std::string parentOf(const Actor& actor, const std::string& body);
 const ActorJoint& jointOf(const Actor& actor, const std::string& name);
 const ActorBody& bodyOf(const Actor& actor, const std::string& name);

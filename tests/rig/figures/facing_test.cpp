@@ -7,7 +7,7 @@
 namespace knuckle::test {
 namespace {
 
-/// Left called right and right left.
+/// The figure with left and right exchanged in names.
 BoxBones swapped(BoxBones bones)
 {
     for (BoxBone& bone : bones) {
@@ -19,7 +19,7 @@ BoxBones swapped(BoxBones bones)
     return bones;
 }
 
-/// As it is without feet, or with some that are as long behind the ankle as before it.
+/// The figure without feet, or with feet as long behind the ankle as before it.
 BoxBones withoutToes(BoxBones bones)
 {
     for (BoxBone& bone : bones)
@@ -27,7 +27,7 @@ BoxBones withoutToes(BoxBones bones)
     return bones;
 }
 
-/// Moved to where it looks along -z, which a figure in a file may.
+/// Turned to face -z, as a figure in a file may.
 BoxBones turnedRound(BoxBones bones)
 {
     for (BoxBone& bone : bones)
@@ -70,7 +70,7 @@ TEST(Facing, HipsLeanOutwardsToTheSideOnWhichTheyAre)
 TEST(Facing, WithoutOtherSignsNamesSayIt)
 {
     EXPECT_LT(kneeAxis(make(boxFigure(withoutToes(swapped(boxPerson()))), 0.04f)).x(), -0.99f);
-    // Of a figure whose toes alone contradict names that a face and knees confirm they do not win.
+    // The toes of a figure alone do not outweigh names that a face and knees confirm.
     BoxBones bones = boxPerson();
     for (BoxBone& bone : bones)
         if (bone.name.starts_with("foot")) bone.centre.z() = -bone.centre.z();
@@ -145,7 +145,7 @@ TEST(Facing, KneesThatClipsBendSayIt)
 
 TEST(Facing, AClipOfAnotherSkeletonTurnsAFigureTheWayItLooks)
 {
-    // The actor's sides are called as one sees them, those of the clip's file are not, or by other words.
+    // The actor's names give sides as a viewer sees them, those of the clip's file do not, or use other words.
     const Actor actor = make(boxFigure(swapped(boxPerson())), 0.04f);
     Model source = squatting(boxFigure(boxPerson()));
     for (Bone& bone : source.bones) bone.name = "x:" + bone.name;

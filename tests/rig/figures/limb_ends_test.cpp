@@ -11,7 +11,7 @@ Actor made(const BoxBones& bones)
     return actor;
 }
 
-/// The dog with its feet on the root, by other names, and all bones in another order if wanted.
+/// The dog with its feet on the root, renamed, and with all bones in reversed order if requested.
 BoxBones dogWithFeetAtRoot(const std::string& front, const std::string& back, bool reversed)
 {
     BoxBones bones = boxDog();
@@ -26,7 +26,7 @@ BoxBones dogWithFeetAtRoot(const std::string& front, const std::string& back, bo
     return bones;
 }
 
-/// Of a dog whose feet hang on its root, by these names: each goes to the leg of its end and side.
+/// For a dog whose feet hang on its root, with these names: each goes to the leg of its end and side.
 void expectFeetOnTheirLegs(const std::string& front, const std::string& back, bool reversed)
 {
     const BoxBones bones = dogWithFeetAtRoot(front, back, reversed);
@@ -60,7 +60,7 @@ TEST(LimbEnds, FeetThatDoNotSayWhichTheyAreGoWhereTheyStand)
 
 TEST(LimbEnds, WordsWinOverWhereTheyStand)
 {
-    // A foot's bone begins at its control, which stands at the other leg.
+    // A foot's bone begins at its control, which is at the other leg.
     BoxBones bones = dogWithFeetAtRoot("FrontFoot", "BackFoot", false);
     for (const std::string side : {".L", ".R"}) {
         boneOf(bones, "FrontFoot" + side).head.z() = -0.3f;
@@ -88,7 +88,7 @@ TEST(LimbEnds, NumbersSayWhichLegAFootIsOf)
                              {0.5f * x, 0.45f, z},
                              {0.5f * x, 0.28f, z},
                              {0.05f, 0.18f, 0.05f}});
-            // Each begins at the leg before.
+            // Each begins at the preceding leg.
             bones.push_back(
                 {"Foot" + n + side, "root", {0.5f * x, 0.1f, z + 0.25f}, {0.5f * x, 0.05f, z}, {0.06f, 0.05f, 0.08f}});
         }
@@ -154,7 +154,7 @@ struct Chain {
     std::vector<BodyPart> parts;
 };
 
-/// A figure whose legs have other bones; x of the left ones is positive.
+/// A figure with other bones in its legs; x of the left ones is positive.
 Model withLegs(const std::vector<std::string>& names)
 {
     BoxBones bones = boxPerson();

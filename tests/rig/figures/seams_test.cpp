@@ -71,7 +71,7 @@ TEST(Seams, LegsKeepToTheirSide)
 
 TEST(Seams, APieceThatHangsApartGoesToWhatItTouches)
 {
-    // A weight at the end of a long arm follows the trunk by mistake, a third of what does.
+    // A weight at the end of a long arm wrongly follows the trunk, a third of the trunk's size.
     BoxBones bones = blocks(0);
     for (BoxBone& bone : bones)
         if (bone.name.starts_with("Arm")) bone.centre.y() = 0.83f, bone.half.y() = 0.5f;

@@ -9,7 +9,7 @@
 namespace knuckle::test {
 namespace {
 
-/// What a clip of one second, at 60 keys a second, does with a limb of a person on its left, from half a second on.
+/// Turns of a person's left limb in a clip of one second, at 60 keys a second, from half a second on.
 struct Excursion {
     std::string bone;
     Vector3f about;
@@ -75,7 +75,7 @@ bool hasNote(const Actor& actor)
     });
 }
 
-/// Whether a ball's limits hold a turn.
+/// Whether a ball's limits include a turn.
 bool holds(const ActorJoint& joint, const Quaternionf& turn)
 {
     TurnReader reader(joint.limits, joint.type, joint.axis);
@@ -128,7 +128,7 @@ TEST(WildKeys, ShouldersTakeInWhatLastsAndNoMoment)
     }
 }
 
-/// A tail's range is a guess: by far there is nothing that it cannot do.
+/// A tail's range is a guess: no turn that lasts is too far for it.
 TEST(WildKeys, NothingThatLastsIsTooFarForATail)
 {
     Model model = boxFigure(boxDog());
@@ -150,7 +150,7 @@ TEST(WildKeys, AClipThatIsPlayedIsHeldWhereLimitsEnd)
 {
     for (const Excursion& excursion : {bentElbow(86, 12, 80), armBehindBack(3), twistedArm(3)}) {
         const Model model = personWith(excursion);
-        // Played by an actor that was made without it, and by one that was not.
+        // Played by an actor that was made without the clip, and by one that was made with it.
         for (const bool own : {true, false}) {
             Model bare = model;
             bare.clips.clear();

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// How a BVH figure is written.
+/// The style in which a BVH figure is written.
 struct Written {
     const char* name = "Hips";
     float unit = 100.0f;        ///< Per metre.
@@ -49,7 +49,7 @@ public:
         return fmt::format("ROOT {}\n{{\n{}CHANNELS 6 {} {}\n{}}}\n", how_.name, offset({0, 0, 0}),
                            channels("position"), channels("rotation"), body);
     }
-    /// Of one frame.
+    /// The values of one frame.
     std::string values() const
     {
         const Vector3f at = turned({0, 0.93f, 0});
@@ -113,7 +113,7 @@ bool isTold(const Model& model, const std::string& words)
                                [&](const std::string& note) { return note.find(words) != std::string::npos; });
 }
 
-// From the soles to the crown 1.71 m, with what is around the bones as well.
+// Checks that it is 1.71 m from the soles to the crown, including the flesh around the bones.
 void expectStanding(const Model& model, const std::string& what)
 {
     EXPECT_NEAR(sizeOf(model).y(), 1.8f, 0.12f) << what;
@@ -130,7 +130,7 @@ TEST(Bvh, FiguresStandWhicheverAxisIsUp)
         expectStanding(model, up);
         EXPECT_TRUE(isTold(model, fmt::format("The figure stands along {}: that was taken for up.", up)));
         EXPECT_FALSE(isTold(model, "none that a body has")) << up;
-        // In its clip as at rest.
+        // In its clip as well as at rest.
         const auto head = std::ranges::find(model.bones, "Head", &Bone::name) - model.bones.begin();
         const auto foot = std::ranges::find(model.bones, "LeftFoot", &Bone::name) - model.bones.begin();
         const auto& pose = model.clips.at(0).poses[0];
@@ -140,7 +140,7 @@ TEST(Bvh, FiguresStandWhicheverAxisIsUp)
 
 TEST(Bvh, AFigureThatLiesInItsClipLies)
 {
-    // Turned by 90 degrees about x: along z, while its rest stands along y.
+    // Turned by 90 degrees about x: lies along z, while its rest pose stands along y.
     const Model model = import(bvh({{.lies = {0, 90, 0}}}));
     expectStanding(model, "rest");
     EXPECT_FALSE(isTold(model, "taken for up"));
@@ -182,7 +182,7 @@ TEST(Bvh, WordsInSmallLettersAndNamesOfTwoWordsAreRead)
         for (size_t at = shouted.find(from); at != std::string::npos; at = shouted.find(from, at + 1))
             shouted.replace(at, std::string(from).size(), to);
     EXPECT_EQ(import(shouted).bones.size(), plain.bones.size());
-    // Names that are the same once their spaces are gone stay two.
+    // Names that become equal without their spaces stay distinct.
     const PreparedBvh two = prepareBvh(
         "HIERARCHY ROOT a_b { OFFSET 0 0 0 CHANNELS 0 JOINT a b { OFFSET 0 1 0 CHANNELS 0 "
         "End Site { OFFSET 0 1 0 } } } MOTION Frames: 0 Frame Time: 1",
@@ -217,7 +217,7 @@ TEST(Bvh, AllOfSeveralRootsAreOneWhereThatIsAskedFor)
     const Model all = import(text, {.pick = {.skeleton = "*"}}), first = import(bvh({{.name = "A"}})),
                 second = import(bvh({{.name = "B", .lies = {0, 0, 40}}}));
     ASSERT_EQ(all.bones.size(), 1 + first.bones.size() + second.bones.size());
-    // Joints of one name move each as their columns say.
+    // Joints of one name each move by their own columns.
     for (const Model* one : {&first, &second}) {
         const size_t from = 1 + (one == &second ? first.bones.size() : 0);
         for (size_t b = 0; b < one->bones.size(); ++b) {

@@ -7,7 +7,7 @@
 
 namespace knuckle {
 
-/// A chain of bones up from the ground at x, a box on each.
+/// A chain of bones up from the ground at x, with a box on each.
 inline Model chain(const std::string& name, int bones, float x)
 {
     Model model;
@@ -42,7 +42,7 @@ inline Clip clipOf(const Model& model, const std::string& name, float angle)
     return clip;
 }
 
-/// One of three bones with a material, a clip, and vertices of two bones.
+/// A chain of three bones with a material, a clip, and vertices of two bones.
 inline Model paintedChain()
 {
     Model model = chain("hips", 3, 0);

@@ -20,7 +20,7 @@ struct Joint {
     Vector3f place;  ///< [m], z up.
 };
 
-/// A person of 1.7 m whose last bones end nowhere.
+/// A person of 1.7 m whose last bones have no ends.
 const std::vector<Joint> PERSON{{"hips", -1, {0, 0, 0.95f}},
                                 {"spine", 0, {0, 0, 1.15f}},
                                 {"chest", 1, {0, 0, 1.3f}},
@@ -50,7 +50,7 @@ std::string words(const Vector3f& v, const char* between)
     return std::to_string(v.x()) + between + std::to_string(v.y()) + between + std::to_string(v.z());
 }
 
-/// A clip of Doom 3: text, its skeleton in the frame of the clip. A forearm bends.
+/// A clip of Doom 3: text, with its skeleton in the frame of the clip. A forearm bends.
 std::string md5anim()
 {
     const std::string count = std::to_string(PERSON.size());
@@ -75,7 +75,7 @@ std::string md5anim()
     return text + "}\n\n" + bounds + "}\n\n" + base + "}\n" + frames;
 }
 
-/// The same as glTF, without a mesh, and with what scenes hold beside a skeleton. @param moved the joint that turns.
+/// The same as glTF, without a mesh, and with other things that scenes contain. @param moved the joint that turns.
 std::string gltf(size_t moved)
 {
     std::string nodes = R"({ "name": "Scene", "children": [1, 3] },
@@ -112,7 +112,7 @@ std::string gltfKeys()
     return bytes;
 }
 
-/// That it is a person, standing, with a head, hands and feet; and that a clip moves it.
+/// Checks that it is a standing person with a head, hands and feet, and that a clip moves it.
 void expectPerson(const Model& model, const std::string& clip)
 {
     std::vector<std::string> names;
@@ -148,7 +148,7 @@ TEST(ClipFile, AGltfWithoutAMeshIsOneToo)
 {
     const test::TempFolder folder;
     folder.write("wave.bin", gltfKeys());
-    // The hips do not move, or do.
+    // With fixed hips, and with moving ones.
     for (const size_t moved : {size_t{6}, size_t{0}})
         expectPerson(importModel(folder.write("wave.gltf", gltf(moved))), "wave");
 }

@@ -12,7 +12,7 @@
 
 namespace knuckle::test {
 
-/// A binary glTF taken apart, to be changed and put together again.
+/// A binary glTF taken apart, to be changed and reassembled.
 struct EditedGlb {
     nlohmann::json root;
     std::string buffer;
@@ -39,7 +39,7 @@ struct EditedGlb {
                word(buffer.size()) + std::string("BIN\0", 4) + buffer;
     }
 
-    /// The numbers of an accessor to floats.
+    /// The numbers of an accessor of floats.
     std::vector<float> floats(size_t accessor, size_t components) const
     {
         const nlohmann::json& entry = root["accessors"].at(accessor);
@@ -49,7 +49,7 @@ struct EditedGlb {
         return values;
     }
 
-    /// Appends an accessor to numbers. @param stride 0: they lie one behind the other. @returns its index.
+    /// Appends an accessor of numbers. @param stride 0: they are contiguous. @returns its index.
     template <typename T>
     size_t add(const std::vector<T>& values, size_t components, int componentType, const std::string& type,
                size_t stride = 0)
@@ -71,7 +71,7 @@ struct EditedGlb {
         return root["accessors"].size() - 1;
     }
 
-    /// Appends a mesh and a node that shows it.
+    /// Appends a mesh and a node with it.
     size_t addMesh(const std::string& name, const TriangleMesh& mesh)
     {
         std::vector<float> places;

@@ -51,8 +51,8 @@ Model import(const std::vector<FbxJoint>& joints)
     return importModel(folder.write("figure.fbx", fbxText(joints)), options);
 }
 
-/// The file's poses at its keys, and at rest, against FBX's own formulas: places to 1e-4 of the figure's height, which
-/// is what assimp's floats leave, turns to 1e-3.
+/// Compares the file's poses at its keys, and at rest, with FBX's own formulas: places to 1e-4 of the figure's height,
+/// the precision of assimp's floats, turns to 1e-3.
 void expectPosed(const std::vector<FbxJoint>& joints, const std::string& what)
 {
     const Model model = import(joints);
@@ -79,7 +79,7 @@ void expectPosed(const std::vector<FbxJoint>& joints, const std::string& what)
 
 TEST(Fbx, PreAndPostRotationActOnceInClips)
 {
-    // As Mixamo writes it; with what a reader treats as zero absent, zero, and not zero.
+    // In Mixamo's style; with values that readers may treat as zero absent, zero, and not zero.
     for (const auto& rest :
          {std::optional<Vector3d>{}, std::optional<Vector3d>{{0, 0, 0}}, std::optional<Vector3d>{{15, -10, 30}}}) {
         std::vector<FbxJoint> joints = figure();
@@ -136,7 +136,7 @@ TEST(Fbx, AxesWithoutCurvesAreWhatTheNodeSaysOrTold)
     expectPosed(joints, "no pivots");
     const auto notes = [&] { return import(joints).clips.at(0).notes; };
     EXPECT_TRUE(notes().empty());
-    // Of a node with pivots assimp does not say which axes have curves.
+    // For a node with pivots assimp does not tell which axes have curves.
     thigh.rotationPivot = Vector3d(0.05, -0.1, 0.02);
     const std::string end = ", or nothing but the default, which is played; the node says otherwise. Bake all axes if "
                             "that is not meant.",
@@ -168,7 +168,7 @@ TEST(Fbx, ScaleIsInheritedAsTheNodeSays)
 
 TEST(Fbx, AScaleOnEveryJointIsNotMultipliedWhereItIsNotInherited)
 {
-    // As Maya writes a skeleton in metres under a node that scales it: each joint takes back its parent's scale.
+    // In Maya's style, a skeleton in metres under a node that scales it: each joint undoes its parent's scale.
     std::vector<FbxJoint> joints = figure();
     for (FbxJoint& joint : joints) {
         joint.scaling = Vector3d(0.01, 0.01, 0.01);

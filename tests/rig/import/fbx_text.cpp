@@ -45,12 +45,12 @@ std::string model(const FbxJoint& j, size_t id)
            "}\n}\n";
 }
 
-/// What an animated property adds to a file: objects and how they are connected.
+/// Additions to a file by an animated property: objects and their connections.
 struct Curves {
     std::string objects, connections;
     size_t next = 6000;
 
-    /// @param axes for which there are curves.
+    /// @param axes that have curves.
     void add(const std::vector<Vector3d>& keys, const std::string& axes, size_t owner, const char* letter,
              const char* target)
     {

@@ -7,7 +7,7 @@
 
 namespace knuckle::test {
 
-/// A node of an FBX file. Angles in degrees. What is not given is not written, so that readers take its default.
+/// A node of an FBX file. Angles in degrees. Members without a value are not written, so that readers use defaults.
 struct FbxJoint {
     std::string name;
     int parent = -1;
@@ -17,7 +17,7 @@ struct FbxJoint {
     std::optional<int> order;                        ///< 0 XYZ, 1 XZY, 2 YZX, 3 YXZ, 4 ZXY, 5 ZYX.
     std::optional<int> inherit;                      ///< "InheritType".
     std::vector<Eigen::Vector3d> turns, moves;       ///< Keys of Lcl Rotation and Lcl Translation, half a second apart.
-    std::string turnAxes = "xyz", moveAxes = "xyz";  ///< For which there are curves.
+    std::string turnAxes = "xyz", moveAxes = "xyz";  ///< Axes with curves.
 };
 
 /// An ASCII FBX 7.4 file of joints without a mesh, in metres, with one clip.

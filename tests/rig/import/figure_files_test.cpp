@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Figures as files have them.
+/// Figures as files contain them.
 class FigureFiles : public testing::Test {
 protected:
     Model import(EditedGlb& glb, const std::string& skeleton = "") const
@@ -80,7 +80,7 @@ TEST_F(FigureFiles, SoDoTheyBelowAnArmatureThatIsTurnedAndScaled)
 {
     const Json armature{
         {"name", "Armature"}, {"rotation", {-0.70710678f, 0, 0, 0.70710678f}}, {"scale", {0.01f, 0.01f, 0.01f}}};
-    // As Blender has them: centimetres, z up.
+    // In Blender's form: centimetres, z up.
     const auto inCentimetres = [&](EditedGlb glb) {
         hold(glb, {{"name", "up"}, {"rotation", {0.70710678f, 0, 0, 0.70710678f}}, {"scale", {100, 100, 100}}});
         hold(glb, armature);
@@ -106,7 +106,7 @@ TEST_F(FigureFiles, BindMatricesThatAreNoPoseSayNothing)
         }
         const Model model = import(glb);
         EXPECT_FALSE(hasNote(model, "another pose"));
-        // The thigh is where its node has it.
+        // The thigh is at its node's place.
         const auto shin = boneHead(model, indexOf(model, "shin.L")), thigh = boneHead(model, indexOf(model, "thigh.L"));
         EXPECT_GT((shin - thigh).head<1>().norm() + std::abs((shin - thigh).z()), 0.2f);
     }
@@ -161,7 +161,7 @@ TEST_F(FigureFiles, WhatStoodBesideAnExportedFigureIsNotOfIt)
     EXPECT_TRUE(hasNote(model, "Of 4 skeletons only nodes[0] was taken."));
     EXPECT_EQ(import(beside, "body#2").bones.size(), 1u);
     EXPECT_EQ(import(beside, ALL_SKELETONS).bones.size(), expected.bones.size() + 3);
-    // Elsewhere a bone beside a figure is its prop.
+    // In other files a bone beside a figure is its prop.
     EditedGlb props(toGlb(models));
     EXPECT_EQ(import(props).bones.size(), expected.bones.size() + 3);
 }

@@ -13,7 +13,7 @@ namespace {
 
 class FileCheck : public testing::Test {
 protected:
-    /// What is said of a file, without its path.
+    /// The error message for a file, without its path.
     std::string refusal(const std::string& name, const std::string& text) const
     {
         const std::string path = folder.write(name, text);

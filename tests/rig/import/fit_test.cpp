@@ -25,7 +25,7 @@ Model stick(const Vector3f& low, const Vector3f& high)
     return model;
 }
 
-/// Mesh, skeleton and clips must have gone the same way.
+/// Checks that mesh, skeleton and clips have moved together.
 void expectAt(const Model& model, const Vector3f& low, const Vector3f& high)
 {
     const float close = 1e-5f * (1.0f + high.norm());

@@ -53,7 +53,7 @@ std::string sequenceStream(const std::vector<uint32_t>& corners)
     return {bytes.begin(), bytes.end()};
 }
 
-/// A chain whose numbers are only there compressed: the buffer that they would lie in has no bytes.
+/// A chain whose numbers exist only compressed: the buffer for the uncompressed ones has no bytes.
 class Meshopt : public test::SurfaceImport {
 protected:
     static EditedGlb figure() { return EditedGlb(toGlb(paintedChain())); }
@@ -79,17 +79,17 @@ protected:
         glb.primitive()["indices"] = glb.add(list, 1, UNSIGNED_INT, "SCALAR");
         return list;
     }
-    /// The numbers of an accessor to floats.
+    /// The numbers of an accessor of floats.
     static std::vector<float> floats(const EditedGlb& glb, const Json& accessor, size_t components)
     {
         const size_t index = static_cast<size_t>(&accessor - &glb.root["accessors"][0]);
         return glb.floats(index, components);
     }
-    /// Has an accessor show a stream of so many elements.
+    /// Makes an accessor refer to a stream of that many elements.
     static Json& compress(EditedGlb& glb, Json& accessor, const std::string& stream, size_t count, size_t stride,
                           const std::string& mode, const std::string& filter = "")
     {
-        constexpr size_t ROOM = 100000;  // of a buffer that is not there
+        constexpr size_t ROOM = 100000;  // of a buffer without bytes
         if (glb.root["buffers"].size() == 1)
             glb.root["buffers"].push_back({{"byteLength", ROOM}, {"extensions", {{EXTENSION, {{"fallback", true}}}}}});
         glb.buffer.resize((glb.buffer.size() + 3) / 4 * 4, '\0');
@@ -118,7 +118,7 @@ protected:
             EXPECT_LT((model.surface.vertices[v].normal - wanted.surface.vertices[v].normal).norm(), CLOSE) << v;
             EXPECT_EQ(model.skin[v].bones, wanted.skin[v].bones) << v;
         }
-        // A stream of triangles may begin with another of their corners.
+        // A stream of triangles may start each with another corner.
         ASSERT_EQ(model.triangles.size(), wanted.triangles.size());
         for (size_t t = 0; t < wanted.triangles.size(); ++t) {
             Triangle turned = model.triangles[t];
@@ -140,7 +140,7 @@ TEST_F(Meshopt, AttributesAreReadAndWhatFiltersDidToThem)
     Json& places = accessorOf(packed, "POSITION");
     std::vector<float> values = floats(packed, places, 3);
     const size_t count = values.size() / 3;
-    // Of 2^E M the exponent in the highest byte, M in the others. The library's own encoder takes other arguments in
+    // For 2^E M: the exponent in the highest byte, M in the others. The library's own encoder has other arguments in
     // each version.
     constexpr int EXPONENT = -20;
     std::vector<uint32_t> exponential;
@@ -225,7 +225,7 @@ TEST_F(Meshopt, ADamagedStreamIsRefusedUnlessItsBytesAreThereAsWell)
     packed["byteLength"] = 10000000;
     EXPECT_NE(refusal(glb).find("past the end of their buffer"), std::string::npos) << refusal(glb);
 
-    // A view of bytes that are there, too.
+    // A view that also has its bytes.
     packed = whole;
     packed["byteLength"] = stream.size() / 2;
     Json plain = glb.root["bufferViews"][plainView];

@@ -17,7 +17,7 @@ using test::EditedGlb;
 
 constexpr int BYTE = 5120, UNSIGNED_BYTE = 5121, SHORT = 5122, UNSIGNED_SHORT = 5123;
 
-/// Numbers of glTF that are no floats, and what a file may leave out or have compressed.
+/// Numbers of glTF that are not floats, or that a file omits or compresses.
 class GltfNumbers : public test::SurfaceImport {
 protected:
     /// A chain with a clip and places in pictures.
@@ -35,7 +35,7 @@ protected:
         attributes["COLOR_0"] = glb.add(colors, 3, 5126, "VEC3");
         return glb;
     }
-    /// Makes integers that stand for 0 ... 1 (-1 ... 1) of the numbers that `reference` names.
+    /// Converts the numbers that `reference` names to integers for 0 ... 1 (-1 ... 1).
     template <typename T>
     static void pack(EditedGlb& glb, Json& reference, size_t components, int type, size_t stride = 0)
     {
@@ -157,7 +157,7 @@ TEST_F(GltfNumbers, BindMatricesMayBeLeftOut)
     EditedGlb glb = figure();
     glb.root["skins"][0].erase("inverseBindMatrices");
     const Model model = import(glb);
-    // What has none stands in the space of its bones: the uppermost box is one metre above where it was.
+    // Without one, it is in the space of its bones: the uppermost box is one metre higher than before.
     float top = 0.0f;
     for (const Vector3f& v : model.vertices) top = std::max(top, v.y());
     EXPECT_NEAR(top, 1.5f + 0.75f * 1.0f, 1e-3f);

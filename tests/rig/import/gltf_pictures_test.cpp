@@ -48,10 +48,10 @@ std::string tga()
 
 const std::string KTX2 = std::string("\xabKTX 20\xbb\r\n\x1a\n", 12) + std::string(68, '\0');
 
-/// What becomes of the texture of a chain.
+/// Import of the texture of a chain.
 class GltfPictures : public testing::Test {
 protected:
-    /// @param texture the JSON of it. @param images what they are, by bytes.
+    /// @param texture its JSON. @param images their bytes.
     Model import(const Json& texture, const std::vector<std::string>& images) const
     {
         EditedGlb glb(toGlb(paintedChain()));

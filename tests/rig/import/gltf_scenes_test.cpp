@@ -16,7 +16,7 @@ using Eigen::Vector3f;
 using Json = nlohmann::json;
 using test::EditedGlb;
 
-/// What stands in a scene and how it moves.
+/// Contents of a scene and their motion.
 class GltfScenes : public testing::Test {
 protected:
     Model import(EditedGlb& glb) const { return importModel(folder_.write("scene.glb", glb.bytes())); }
@@ -29,7 +29,7 @@ protected:
             Eigen::AngleAxisf(0.75f, Vector3f::UnitZ()).toRotationMatrix();
         return model;
     }
-    /// Puts all that stands in a scene below one node.
+    /// Puts everything in a scene below one node.
     static Json& below(EditedGlb& glb, const Json& node)
     {
         Json holder = node;
@@ -39,7 +39,7 @@ protected:
         return glb.root["nodes"].back();
     }
     static void addToScene(EditedGlb& glb, size_t node) { glb.root["scenes"][0]["nodes"].push_back(node); }
-    /// Appends a clip of one key after the other to a node: straight, or as `interpolation` says.
+    /// Appends a clip with several keys of a node: linear, or with an `interpolation`.
     static void addClip(EditedGlb& glb, size_t node, const std::string& path, const std::vector<float>& times,
                         const std::vector<float>& values, const std::string& interpolation = "LINEAR")
     {

@@ -43,7 +43,7 @@ protected:
         }
         return "was read";
     }
-    // One line that begins with the file's name.
+    // Expects an error of one line that begins with the file's name.
     void expectRefused(const std::string& path, const std::string& part) const
     {
         const std::string message = refusal(path);
@@ -79,7 +79,7 @@ std::string walker(const std::string& frames, const std::string& row)
     return std::string(WALKER_BVH) + "MOTION\nFrames: " + frames + "\nFrame Time: 0.05\n" + row + "\n" + row + "\n";
 }
 
-// The limit on memory is off under the address sanitizer, which ends the child in its own way.
+// The limit on memory is off with the address sanitizer, which ends the child in its own way.
 #if defined(__SANITIZE_ADDRESS__)
 const char* const MEMORY = "the importer";
 #else
@@ -88,7 +88,7 @@ const char* const MEMORY = "memory";
 
 const std::string STILL = "0 90 0 0 0 0 0 0 0 0 0 0";
 
-// The humanoid's file with something in its JSON or its numbers replaced by text of the same length.
+// The humanoid's file with a part of its JSON or its numbers replaced by text of the same length.
 std::string damaged(const std::string& from, const std::string& to)
 {
     std::string glb = toGlb(makeHumanoid());

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// Boxes in the words of an .obj: each face has corners of its own, as programs write them for sharp edges.
+/// Boxes in the format of an .obj: each face has its own corners, as programs write them for sharp edges.
 class ObjBoxes {
 public:
     ObjBoxes& object(const std::string& name)
@@ -141,7 +141,7 @@ TEST_F(Parts, OfFewParticlesGoToTheNearest)
     EXPECT_TRUE(actor.bodies[0].mergedBones.empty());
     EXPECT_EQ(actor.bodies[1].mergedBones, std::vector<std::string>{"bolt"});
     EXPECT_EQ(actor.notes, std::vector<std::string>{"Parts of less than 12 particles went to the nearest: bolt."});
-    // So coarse that none is large: all are of one.
+    // So coarse that no part is large: all become one body.
     EXPECT_EQ(make(import(boxes.text), 0.6f).bodies.size(), 1u);
 }
 

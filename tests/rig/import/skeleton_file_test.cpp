@@ -41,7 +41,7 @@ std::string hips(const std::string& offset, const std::string& headEnd)
                      leg("Left", "15") + leg("Right", "-15"));
 }
 
-/// @param body what hangs on the root. @param turns degrees by which each joint turns about z, in the second frame.
+/// @param body text of what hangs on the root. @param turns of each joint about z in the second frame [degrees].
 std::string bvh(const std::string& root, const std::string& body, const std::vector<float>& turns)
 {
     std::string still = "0 0 0 0 0 0", moved = "0 0 0 0 0 0";
@@ -73,7 +73,7 @@ TEST(SkeletonFile, whatLeadsToTheHipsHasNoBody)
         EXPECT_NE(body.name, "Trajectory");
         EXPECT_EQ(std::ranges::count(body.mergedBones, "Trajectory"), 0) << body.name;
     }
-    // Between the feet, which are 0.3 m apart, nothing stands.
+    // Between the feet, which are 0.3 m apart, there is nothing.
     for (const Vector3f& p : actor.particles) EXPECT_FALSE(p.y() < 0.6f && std::abs(p.x()) < 0.02f) << p.transpose();
 }
 
@@ -113,7 +113,7 @@ TEST(SkeletonFile, restPoseThatIsNoneIsReplacedByAClipsPose)
         lowest = std::min(lowest, bone.restPose(1, 3));
     }
     EXPECT_NEAR(lowest, 0.0f, 0.01f);
-    // Between the two frames the import has poses of its own; the first that stands is taken.
+    // Between the two frames the import has poses of its own; it takes the first standing one.
     EXPECT_GT(highest, 1.2f);
 }
 
@@ -123,7 +123,7 @@ TEST(SkeletonFile, goodRestPoseStays)
     for (const std::string& note : model.notes) EXPECT_EQ(note.find("rest pose"), std::string::npos) << note;
 }
 
-/// What goes on four or six legs is longer than high.
+/// Creatures with four or six legs are longer than high.
 TEST(SkeletonFile, restPosesOfCreaturesStay)
 {
     for (Model model : {makeDog(), makeSpider()}) {

@@ -23,8 +23,8 @@ std::string shift(float x, float y)
     return "1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, " + std::to_string(x) + ", " + std::to_string(y) + ", 0, 1;;";
 }
 
-/// A chain of three bones in the words of a DirectX file, the first at x, with two meshes that all three move.
-/// @param top "2": how high they are.
+/// A chain of three bones in the format of a DirectX file, the first at x, with two meshes that all three move.
+/// @param top "2": their height.
 std::string chainOfX(float x, const std::string& top)
 {
     std::string text = "Frame root { FrameTransformMatrix { " + shift(x, 0) +
@@ -55,7 +55,7 @@ protected:
         options.pick.skeleton = skeleton;
         return importModel(write(models), options);
     }
-    /// Without the file's path.
+    /// The error message without the file's path.
     std::string refusal(const std::vector<Model>& models, const std::string& skeleton) const
     {
         const std::string message = test::messageOf<SkeletonError>([&] { import(models, skeleton); });

@@ -12,7 +12,7 @@
 
 namespace knuckle::test {
 
-/// Imports changed glTF files with their surfaces, or tells why they are refused.
+/// Imports changed glTF files with their surfaces, or returns why they are refused.
 class SurfaceImport : public testing::Test {
 protected:
     Model import(EditedGlb& glb) const

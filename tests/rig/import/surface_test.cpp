@@ -23,7 +23,7 @@ std::string smallPicture()
     return tga;
 }
 
-/// A square in the plane of x and y with a corner of the picture at each of its own; no normals.
+/// A square in the x-y plane with a corner of the picture at each of its corners; no normals.
 const char* const SQUARE = "mtllib looks.mtl\nusemtl paint\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
                            "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
 
@@ -93,8 +93,8 @@ TEST_F(Surface, WhatAPicturesAlphaLeavesOutIsNotThere)
     EXPECT_EQ(square("map_Kd paint.tga\nmap_d paint.tga\n").surface.materials.at(0).alphaCutoff, 0.5f);
 }
 
-/// A triangle whose second channel of places is 1, 0.5; 2, 0.5; 1, 1, which the material doubles, turns by a quarter
-/// anticlockwise about the picture's upper left corner and shifts.
+/// A triangle whose second channel of places is 1, 0.5; 2, 0.5; 1, 1; the material doubles it, turns it by a quarter
+/// anticlockwise about the picture's upper left corner and shifts it.
 const char* const SHIFTED = R"({ "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }],
     "nodes": [{ "mesh": 0 }], "buffers": [{ "uri": "shifted.bin", "byteLength": 84 }],
     "bufferViews": [{ "buffer": 0, "byteLength": 36 }, { "buffer": 0, "byteOffset": 36, "byteLength": 24 },
@@ -135,7 +135,7 @@ TEST_F(Surface, APictureIsShiftedAndWrappedAsItsMaterialSays)
     EXPECT_EQ(back.surface.materials.at(0).wrap, material.wrap);
 }
 
-/// The triangle without its second places and its picture, of a material of that JSON.
+/// The triangle without its second places and its picture, with a material of that JSON.
 std::string trianglePainted(const std::string& material)
 {
     std::string text = SHIFTED;

@@ -10,7 +10,7 @@ namespace {
 
 const Vector3f FORWARD(0, 0, 1), DOWN(0, -1, 0);
 
-/// A limb below a straight one, bent forward by so much.
+/// A limb below a straight one, bent forward by this angle.
 LimbStance bent(BodyPart part, float degrees, bool upright)
 {
     LimbStance limb{.part = part, .above = DOWN, .upright = upright};
@@ -53,7 +53,7 @@ TEST(Fold, WhatClipsDoWinsOverEverything)
     const LimbStance straight = bent(BodyPart::Forearm, 0, false), back = bent(BodyPart::Forearm, -15, true);
     EXPECT_LT(foldDirection(straight, bending(0, -60)).z(), -0.99f);
     EXPECT_GT(foldDirection(back, bending(0, 80)).z(), 0.9f);
-    // As far one way as the other says nothing, and so does a little.
+    // Bends of equal size both ways tell nothing, and so do small ones.
     EXPECT_GT(foldDirection(straight, bending(-60, 60)).z(), 0.99f);
     EXPECT_GT(foldDirection(straight, bending(0, -10)).z(), 0.99f);
 }
@@ -87,7 +87,7 @@ TEST(Fold, LeversTurnInTheirUprightPlane)
         const LimbStance lever{.part = BodyPart::Lever, .along = along};
         EXPECT_GT(std::abs(along.cross(foldDirection(lever, {})).dot(x)), 0.99f);
     }
-    // One that is bent at rest shows its plane.
+    // A limb that is bent at rest shows its plane.
     const LimbStance bent{.part = BodyPart::Lever, .above = {0, 1, 0}, .along = Vector3f(1, 3, 0).normalized()};
     EXPECT_GT(std::abs(bent.along.cross(foldDirection(bent, {})).z()), 0.99f);
 }

@@ -103,7 +103,7 @@ TEST(JointRanges, LessThanFiveDegreesIsALockedAxis)
     EXPECT_EQ(first.type, JointType::Hinge);
     EXPECT_LT((first.axis - Vector3f(1, 0, 0)).norm(), 1e-6f);
     EXPECT_EQ(second.type, JointType::Hinge);
-    // The axis at the child is square to the first and to the limb.
+    // The axis at the child is perpendicular to the first one and to the limb.
     EXPECT_LT((second.axis - Vector3f(0, 0, 1)).norm(), 1e-6f);
     EXPECT_NEAR(second.limits.bend.highest, 20 * DEGREE, 1e-6f);
 
@@ -114,7 +114,7 @@ TEST(JointRanges, LessThanFiveDegreesIsALockedAxis)
     EXPECT_EQ(springy.type, JointType::Hinge) << "a spring behind a limit is to be felt";
 }
 
-/// About z, in steps of 30 degrees.
+/// Turns about z, in steps of 30 degrees.
 std::vector<Quaternionf> turning(float from, float to)
 {
     std::vector<Quaternionf> turns;
@@ -132,7 +132,7 @@ TEST(JointRanges, OnlyWhatGoesRoundInAClipHasNoLimits)
         takeIn(elbow, JointType::Hinge, {0, 0, 1}, turns);
         return elbow.bend;
     };
-    // -175 degrees are 185 for an elbow: a little more than it has.
+    // -175 degrees are 185 for an elbow: a little more than its range.
     EXPECT_NEAR(after({turn(-175, {0, 0, 1})}).lowest, -5 * DEGREE, 1e-5f);
     EXPECT_NEAR(after({turn(-175, {0, 0, 1})}).highest, 175 * DEGREE, 1e-5f);
     EXPECT_NEAR(after(turning(0, 150)).highest, 155 * DEGREE, 1e-4f);
@@ -140,7 +140,7 @@ TEST(JointRanges, OnlyWhatGoesRoundInAClipHasNoLimits)
     EXPECT_NEAR(after(turning(0, 240)).lowest, -5 * DEGREE, 1e-5f);
     EXPECT_FALSE(after(turning(0, 360)).bounded());
     EXPECT_FALSE(after(turning(180, -180)).bounded());
-    // A swing of half a turn says nothing of the turn about the axis.
+    // A swing of half a turn does not determine the turn about the axis.
     EXPECT_NEAR(after({turn(178, {1, 0.02f, 0.02f})}).highest, 146 * DEGREE, 1e-5f);
 }
 
@@ -174,7 +174,7 @@ TEST(JointRanges, ACreaturesLegsSwingAboutWhereTheyAre)
     const JointLimits leg = ordinaryRange({.part = BodyPart::UpperArm, .along = along, .upright = false});
     EXPECT_LT((leg.cone - along).norm(), 1e-5f);
     EXPECT_NEAR(leg.swing, 50 * DEGREE, 1e-5f);
-    // A knee that is bent by 62 degrees goes half of the way back, one by 120 folds 40 more.
+    // A knee bent by 62 degrees stretches half way; one bent by 120 folds 40 more.
     const auto knee = [](float bend) {
         return ordinaryRange({.part = BodyPart::Shin, .bend = bend * DEGREE, .upright = false}).bend;
     };

@@ -22,8 +22,8 @@ Quaternionf turn(float degrees, const Vector3f& axis)
 struct Limited {
     JointType type;
     JointLimits limits;
-    Vector3f about;  ///< What a turn is about that goes beyond them.
-    float end;       ///< Where they end [degrees].
+    Vector3f about;  ///< Axis of a turn beyond the limits.
+    float end;       ///< End of the limits [degrees].
 };
 
 std::vector<Limited> limitedJoints()
@@ -52,7 +52,7 @@ LastingTurns lastingOf(const Limited& joint, const Turns& turns)
     return lastingTurns(joint.limits, joint.type, AXIS, turns, RATE);
 }
 
-/// How far the farthest of some turns is beyond the end of the limits [degrees].
+/// How far the farthest of some turns exceeds the limits [degrees].
 float farthest(const Limited& joint, const Turns& turns)
 {
     float most = -1000;
@@ -121,7 +121,7 @@ TEST(HeldTurns, StayAsTheyAreWhereTheyFit)
     }
 }
 
-/// An elbow that spins stands at its end until it is back in its range.
+/// An elbow that spins stays at its end until it is back in its range.
 TEST(HeldTurns, WhatGoesRoundComesBack)
 {
     const Limited hinge = limitedJoints()[0];

@@ -15,8 +15,8 @@ uint32_t addBone(Model& model, const std::string& name, int32_t parent, const Ve
     return static_cast<uint32_t>(model.bones.size() - 1);
 }
 
-/// Hips, and a leg that points down, forward and to the side. The program's own capsules: a thigh of 0.045 and a shin
-/// of 0.033 of the figure's size, which is 1.72 m, in radius.
+/// Hips, and a leg that points down, forward and to the side. Uses the program's own capsules: a thigh of 0.045 and a
+/// shin of 0.033 of the figure's size, which is 1.72 m, in radius.
 Model leg()
 {
     Model model;
@@ -43,7 +43,7 @@ bool isShared(const Actor& actor, uint32_t particle)
                                [&](const ActorJoint& joint) { return contains(joint.sharedParticles, particle); });
 }
 
-/// Of the particles in the middle third of a limb, their distances from its bone, each once, give or take 1 %.
+/// The distinct distances, within 1 %, of the particles in the middle third of a limb from its bone.
 std::set<int> distancesFromBone(const Actor& actor, const std::string& name, const Vector3f& head, const Vector3f& end)
 {
     std::set<int> distances;
@@ -61,7 +61,8 @@ TEST(LimbFill, limbIsRingsAroundItsBone)
 {
     ActorOptions options{.name = {}, .voxels = {.diameter = 0.045f}, .articulation = {}};
     const Vector3f head(0.35f, 0.65f, 0.2f), end(0.5f, 0.18f, 0.1f);
-    // 2.5 diameters across: one ring about one particle, or four, at one distance. Particles of the grid are anywhere.
+    // 2.5 diameters across: one ring about one particle, or four, at one distance. Particles of the grid may be
+    // anywhere.
     const Actor along = makeActor(leg(), options);
     EXPECT_LE(distancesFromBone(along, "shin.L", head, end).size(), 3u);
     expectSound(along);
@@ -86,7 +87,7 @@ TEST(LimbFill, bothSidesOfAFigureAreImages)
                     float nearest = 1.0f;
                     for (const uint32_t q : other.particles)
                         nearest = std::min(nearest, (actor.particles[q] - image).norm());
-                    // The skeleton's plane is known to the rounding of its bones' places.
+                    // The skeleton's plane is known within the rounding of its bones' places.
                     EXPECT_LT(nearest, 1e-4f) << body.name << " at " << diameter;
                 }
             }

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-// A bone 1.06 m long that points nowhere in particular; eleven diameters of 0.1 m are 1.1 m.
+// A bone 1.06 m long in a general direction; eleven diameters of 0.1 m are 1.1 m.
 LimbFrame tiltedFrame()
 {
     LimbFrame frame;
@@ -56,8 +56,8 @@ TEST(LimbLattice, firstAndLastSliceAreAtTheJoints)
 
 TEST(LimbLattice, eachPlaceStandsForACubeOfADiameter)
 {
-    // 12 slices, each 0.9636 d thick, of cylinders of 6 to 9 diameters across. How many places a circle holds jumps by
-    // a tenth as it grows; of ten circles that is 3 % in the mean.
+    // 12 slices, each 0.9636 d thick, of cylinders of 6 to 9 diameters across. The number of places in a circle jumps
+    // by a tenth as it grows; for ten circles that is 3 % on average.
     LimbFrame frame = tiltedFrame();
     frame.radius = 0.5f;
     for (const SlicePattern& pattern : SLICE_PATTERNS) {

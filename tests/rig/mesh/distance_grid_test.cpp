@@ -29,12 +29,12 @@ TEST(DistanceGrid, OfASphereHasItsDistancesWithinAShareOfACell)
 {
     const ColliderGrid grid = gridOf(sphereMesh(1.0f), 0.1f);
     for (int i = 0; i < 2000; ++i) {
-        // Points all over the shell from 0.5 to 1.15, in no order.
+        // Points all over the shell from 0.5 to 1.15, without order.
         const float t = static_cast<float>(i), height = 2.0f * std::fmod(t * 0.618f, 1.0f) - 1.0f;
         const float ring = std::sqrt(1.0f - height * height), radius = 0.5f + 0.65f * std::fmod(t * 0.755f, 1.0f);
         const Eigen::Vector3f point = radius * Eigen::Vector3f(ring * std::cos(t), height, ring * std::sin(t));
         // A trilinear interpolant is off by 3/8 of the cell squared times the curvature, 2 at the radius 0.5; the mesh
-        // lies within 0.0022 of the sphere.
+        // is within 0.0022 of the sphere.
         EXPECT_NEAR(meshDistance(grid, point), radius - 1.0f, 0.375f * 0.01f * 2.0f + 0.0025f);
     }
 }

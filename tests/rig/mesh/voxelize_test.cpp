@@ -34,8 +34,8 @@ TEST(TriangleTree, windingNumberOfAFarClusterIsCloseToTheExactSum)
     for (int i = 0; i < 60; ++i) {
         const float t = static_cast<float>(i);
         const Vector3f point(1.7f * std::sin(1.3f * t), 1.7f * std::sin(2.1f * t + 1.0f), 1.7f * std::sin(0.7f * t));
-        // The dipole leaves the second moment out: about (1/2)^2 of a cluster's own share, which is below 0.06 here,
-        // and the errors of clusters around the point mostly cancel.
+        // The dipole omits the second moment: about (1/2)^2 of a cluster's own part, which is below 0.06 here, and the
+        // errors of clusters around the point mostly cancel.
         EXPECT_NEAR(tree.windingNumber(point), exactWinding(mesh, point), 0.02) << point.transpose();
     }
 }
@@ -85,8 +85,8 @@ TEST(Voxelize, signedDistancesOfASphereAreThoseOfTheFormula)
 {
     const Voxels voxels = fillMesh(sphereMesh(1.0f, 48), 0.1f);
     for (size_t p = 0; p < voxels.positions.size(); ++p) {
-        // The sagitta of a facet of angle pi / 48 both ways: 1 - cos(pi / 96) twice, about 0.0011, a little more
-        // where facets are not square.
+        // Twice the sagitta of a facet of angle pi / 48 both ways: 1 - cos(pi / 96), about 0.0011, a little more for
+        // facets that are not square.
         EXPECT_NEAR(voxels.signedDistances[p], voxels.positions[p].norm() - 1.0f, 0.0025f);
     }
 }

@@ -7,7 +7,7 @@
 namespace knuckle {
 namespace {
 
-/// Bones of these names in a row, each the child of the one before.
+/// Bones with these names in a row, each the child of the one before.
 Model chainOf(const std::vector<std::string>& names)
 {
     Model model;

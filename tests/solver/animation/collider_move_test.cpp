@@ -20,7 +20,7 @@ BodyClip wild(uint32_t seed, float rate)
     return clip;
 }
 
-/// Colliders of which some move: one by itself, two together, and one that does not between them.
+/// Some moving colliders: one by itself, two together, and a static one between them.
 World movingColliders()
 {
     World world = mixedWorld();
@@ -40,7 +40,7 @@ World movingColliders()
     return world;
 }
 
-/// After so many substeps, `fixture`'s kernel runs once more. @returns the time at which it ends [s].
+/// Runs `fixture`'s kernel once more after that many substeps. @returns the time at which it ends [s].
 double moveAfter(KernelFixture& fixture, uint32_t substeps, const Defines& variant = {})
 {
     gpu::Counters counters = fixture.counters();
@@ -70,7 +70,7 @@ TEST(ColliderMove, CollidersAreWhereTheirClipsHaveThem)
     }
 }
 
-/// What a point of it came from is where the same point was before.
+/// The previous place of a point is where the same point was before.
 TEST(ColliderMove, TheMoveOfASubstepLeadsFromPlaceToPlace)
 {
     KernelFixture fixture(movingColliders());
@@ -93,12 +93,12 @@ TEST(ColliderMove, TheMoveOfASubstepLeadsFromPlaceToPlace)
     }
 }
 
-/// A search is due when the farthest point has come further than the margin from where the last search found it.
+/// A search is due when the farthest point is further than the margin from its place in the last search.
 TEST(ColliderMove, AsksForASearchWhenItHasComeTooFarSinceTheLast)
 {
     constexpr float SPEED = 0.099f;
     World world = mixedWorld();
-    // It goes 0.02 m, the margin, in 48.5 substeps of 1/240 s.
+    // It moves 0.02 m, the margin, in 48.5 substeps of 1/240 s.
     world.clips = {{"slow", 1.0f, 1, {{0, 0, 0}, {1, 0, 0}}, {Quaternionf::Identity(), Quaternionf::Identity()}}};
     world.colliders.resize(1);
     world.colliderMotions = {{0, {Pose{}}, Pose{}, {.clip = 0, .speed = SPEED}}};
@@ -109,7 +109,7 @@ TEST(ColliderMove, AsksForASearchWhenItHasComeTooFarSinceTheLast)
     for (uint32_t substep = 0; substep < 4 * margin; ++substep) {
         moveAfter(fixture, substep);
         gpu::Counters counters = fixture.counters();
-        // Where it is at the end of the substep against where it was at that of the search.
+        // Its place at the end of the substep against that at the end of the search's substep.
         const uint32_t since = searched == 0 ? substep + 1 : substep - searched;
         EXPECT_EQ(counters.due == 1, since > margin) << "substep " << substep;
         if (counters.due == 0) continue;
@@ -120,7 +120,7 @@ TEST(ColliderMove, AsksForASearchWhenItHasComeTooFarSinceTheLast)
     EXPECT_EQ(fixture.counters().searchCount, 3u);
 }
 
-/// Its clip samples a turn with some rounding between keys that are all the same.
+/// Its clip samples a turn with some rounding between equal keys.
 TEST(ColliderMove, WhatStandsStandsStill)
 {
     World world = movingColliders();

@@ -4,7 +4,7 @@
 
 namespace knuckle::test {
 
-/// A rounding of single precision, as a share of what is rounded.
+/// Rounding of single precision, relative to the rounded number.
 inline constexpr double EPSILON = 0x1p-24;
 
 /// A linear field over a mover (shaders/sim/common/bodies/fields.glsl), in double precision: t + f r.
@@ -19,7 +19,7 @@ struct Field {
         t += p;
         f += p * r.transpose();
     }
-    /// At most as large is what is added up at r.
+    /// An upper bound of the sum of sizes at r.
     double size(const Vector3d& r) const { return t.norm() + f.norm() * r.norm(); }
 };
 
@@ -42,27 +42,27 @@ public:
     bool isBody(uint32_t mover) const { return mover < world.bodies.size(); }
     bool isFixed(uint32_t mover) const { return isBody(mover) && world.bodies[mover].motion == Motion::Fixed; }
     double radius(uint32_t mover) const;
-    /// All bodies count as if they had no joints, those that are fixed for ever too.
+    /// Makes all bodies count as free of joints, including those fixed for ever.
     void treatAllAsFree();
-    /// A kernel that is compiled for each kind: for bodies without joints, then for loose particles.
+    /// Runs a kernel that is compiled for each kind: for bodies without joints, then for loose particles.
     void forFreeAndLoose(const std::string& kernel, const Defines& defines = {});
-    /// Where the shaders have a mover's field in an array of fields.
+    /// The shaders' index of a mover's field in an array of fields.
     uint32_t fieldStart(uint32_t mover) const;
     Field field(const std::vector<gpu::vec4>& fields, uint32_t mover) const;
     /// Random fields, t within +-ofT and the entries of f within +-ofF.
     std::vector<gpu::vec4> randomFields(float ofT, float ofF, uint32_t seed) const;
-    /// What three impulses on particles of each mover add up to, each moving the mover's mass by up to `move` [m].
+    /// Sums of three impulses on particles of each mover, each of which moves the mover's mass by up to `move` [m].
     std::vector<gpu::vec4> randomImpulses(float move, uint32_t seed) const;
-    /// Per mover a move within +-`move` [m], w as given, and a turn by up to `angle`, none for loose particles.
+    /// Sets per mover a move within +-`move` [m], w as given, and a turn by up to `angle`, none for loose particles.
     void setMoves(float move, float angle, float w);
-    /// All assemblies were last touched in this substep, and go by this order.
+    /// Sets for all assemblies the substep of the last contact and the order.
     void setAssemblies(uint32_t lastContact, uint32_t order);
 
     Vector3d centre(uint32_t mover) const { return vec3(centres[mover]).cast<double>(); }
     Eigen::Quaterniond rotation(uint32_t mover) const { return quaternion(rotations[mover]).cast<double>(); }
-    /// From the mover's centre to r, as the substep began.
+    /// From the mover's centre to r, at the start of the substep.
     Vector3d arm(uint32_t mover, const Vector3d& r) const { return rotation(mover) * r; }
-    /// How far the point r of a mover has moved by setMoves.
+    /// The move of the point r of a mover by setMoves.
     Vector3d moveOf(uint32_t mover, const Vector3d& r) const;
 
     std::vector<std::vector<Part>> parts;  ///< Per mover.
@@ -78,8 +78,8 @@ private:
 /// matrix (Horn 1987; Higham and Noferini 2016).
 Eigen::Quaterniond nearestRotation(const Matrix3d& a);
 
-/// How far `found` is from a rotation that is nearest to `a`, over what `a` determines: all of it, the direction of a
-/// straight body, or nothing. @param moments sum of m r r^T: its rank tells which.
+/// How far `found` is from a rotation nearest to `a`, as far as `a` determines it: completely, only the direction of a
+/// straight body, or not at all. @param moments sum of m r r^T: its rank tells which.
 double rotationError(const Eigen::Quaterniond& found, const Matrix3d& a, const Matrix3d& moments);
 
 }  // namespace knuckle::test

@@ -7,7 +7,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// mover_integrate and particle_position against what each particle by itself would do.
+/// Compares mover_integrate and particle_position with the motion of each particle by itself.
 class MoverIntegrate : public testing::Test {
 protected:
     MoverIntegrate()
@@ -23,7 +23,7 @@ protected:
         fixture.treatAllAsFree();
     }
     double h() const { return fixture.stages.parameters.substepTime; }
-    /// Every particle's new velocity is `wanted` of the move it makes and the one before.
+    /// Checks that every particle's new velocity is `wanted` of its move and the previous one.
     template <typename Wanted>
     void expectVelocities(Wanted wanted)
     {
@@ -41,7 +41,7 @@ protected:
         }
     }
 
-    /// Runs with a mover's move that is not a number. @returns the particle that is reported.
+    /// Runs with a mover's move that is not a number. @returns the reported particle.
     uint32_t reportOf(uint32_t mover)
     {
         fixture.setAssemblies(0, 1);
@@ -87,7 +87,7 @@ TEST_F(MoverIntegrate, EveryParticleEndsWhereItsMoveTookIt)
         for (const Part& part : fixture.parts[m]) {
             const Vector3d from = fixture.centre(m) + fixture.arm(m, part.r), move = fixture.moveOf(m, part.r);
             const Vector3d to = vec3(centres[m]).cast<double>() + quaternion(rotations[m]).cast<double>() * part.r;
-            // Half a metre, rounded a few times; the rotation is made a unit again.
+            // Half a metre, rounded a few times; the rotation is normalized.
             ASSERT_LT((to - (fixed ? from : Vector3d(from + move))).norm(), 5e-7) << "mover " << m;
             const Vector3d kept = fixture.field(keptMoves, m).at(part.r);
             const Vector3d wanted = fixed ? Vector3d(0, 0, 0) : move;
@@ -115,7 +115,7 @@ TEST_F(MoverIntegrate, DampingAndTheGreatestSpeedBoundTheVelocitiesOfAllParticle
     fixture.stages.parameters.damping = 0.5f;
     fixture.stages.parameters.maxSpeed = 1.0f;
     fixture.setParameters();
-    // A body is slowed as a whole, by what its farthest particle could have at most: it stays rigid.
+    // A body is slowed as a whole, by its farthest particle's highest possible speed: it stays rigid.
     std::vector<double> shares;
     uint32_t slowed = 0, free = 0;
     for (uint32_t m = 0; m < fixture.moverCount(); ++m) {

@@ -7,7 +7,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// Bodies with joints do not move by themselves: what acts on them goes to their tree.
+/// Bodies with joints do not move by themselves: their loads go to their tree.
 class MoverLoad : public MoverSolve {
 protected:
     struct Load {
@@ -48,7 +48,7 @@ TEST_F(MoverLoad, IsWhatABodyWouldStillHaveToGo)
         const double size = fixture.masses[m] * (prediction.t.norm() + shift.norm()) + sizes[m] + 0.004 * rowCount(m);
         EXPECT_LE((found.force - force).norm(), rounding * size) << "body " << m;
         EXPECT_LE((found.torque - torque).norm(), 2 * rounding * a.norm()) << "body " << m;
-        // Small shares keep what nothing can turn regular.
+        // Small parts keep bodies regular that nothing can turn.
         const double least = 1e-5 * DIAMETER * DIAMETER * fixture.masses[m];
         const Matrix3d hessian = ((1 + 1e-5) * s.trace() + least) * Matrix3d::Identity() - s;
         EXPECT_LE((found.hessian - hessian).norm(), 4 * rounding * a.norm()) << "body " << m;

@@ -7,7 +7,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// Ten bodies that are let go in the substeps 1, 2, 3 ... ; every third is not held at all.
+/// Ten bodies that are let go in the substeps 1, 2, 3 ... ; every third one is not held.
 World heldWorld()
 {
     World world = joinedWorld(70, {{0, 1}, {1, 2}}, {});
@@ -37,7 +37,7 @@ TEST(MoverRelease, LetsGoOfABodyInTheSubstepThatIsItsTime)
         for (uint32_t b = 0; b < after.size(); ++b)
             EXPECT_EQ(after[b], b == substep ? MOVER_DYNAMIC : before[b]) << "body " << b << " in substep " << substep;
         EXPECT_EQ(fixture.counters().due, 1u);
-        // What was let go begins by first order.
+        // Bodies start with first order after their release.
         const auto infos = fixture.stages.bodies.moverInfo.download();
         EXPECT_EQ(fixture.stages.particles.assemblyState.download()[infos[substep].assembly].x, substep - 1);
     }

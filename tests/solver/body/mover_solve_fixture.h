@@ -34,7 +34,7 @@ protected:
         rowImpulses = randomVectors(b.bodies.rowImpulses.size(), 0.002f, 113);
         fill(b.bodies.rowImpulses, rowImpulses);
     }
-    /// For all bodies as if they had no joints, and loose particles.
+    /// Solves all bodies as if without joints, and loose particles.
     void solveAll(const Defines& defines = {})
     {
         fixture.treatAllAsFree();
@@ -42,7 +42,7 @@ protected:
         fixture.run("body/body_solve", fixture.stages.parameters.freeBodyCount, with(defines, "ROWS"));
         fixture.run("body/loose_solve", fixture.moverCount() - fixture.stages.parameters.bodyCount, defines);
     }
-    /// For bodies with joints, whose predictions are relative to where they started.
+    /// Loads bodies with joints, whose predictions are relative to their starts.
     void loadJointed()
     {
         std::vector<gpu::vec4> relative = predictions;
@@ -66,7 +66,7 @@ protected:
         const auto count = static_cast<float>(fixture.parts[m].size());
         return fixture.parts[m][static_cast<size_t>(random.between(0, 0.999f) * count)];
     }
-    /// Of a particle of the mover, at its place in it, with an impulse that moves the mover by about a millimetre.
+    /// A contact of a particle of the mover, at its place, with an impulse that moves the mover by about a millimetre.
     TestContact anyContact(uint32_t m, Random& random) const
     {
         const Part& part = anyPart(m, random);
@@ -76,7 +76,7 @@ protected:
         if (kind > 2) c.impulse = packed(random.inCube(0.001f * mass), random.between(0.1f, 1));
         return c;
     }
-    /// Some four contacts on two thirds of all movers, by the particles that they own.
+    /// Makes about four contacts on each of two thirds of all movers, with the particles that they own.
     void makeContacts()
     {
         Random random(114);
@@ -115,7 +115,7 @@ protected:
         }
         for (const TestContact& c : fixture.colliderContacts) add(c.first, c.firstArm, c.impulse, 1);
     }
-    /// The sums of the iteration before, so that they change now by `ratio` times how they did then.
+    /// Sets the sums of the iteration before such that the current change is `ratio` times the previous one.
     void makeOldSums()
     {
         changes = fixture.randomImpulses(0.001f, 115);
@@ -136,14 +136,14 @@ protected:
         fill(fixture.stages.bodies.moverImpulses, oldSums);
         fill(fixture.stages.bodies.moverChanges, changes);
     }
-    /// It shrinks where changes turn about and lose less than a tenth, and grows else; anew where nothing acts.
+    /// It shrinks if changes alternate and lose less than a tenth, otherwise it grows; it restarts if nothing acts.
     float wantedRelaxation(uint32_t m) const
     {
         if (counts[m] == 0) return INITIAL_RELAXATION;
         if (ratios[m] < -0.9) return std::max(0.8f * relaxations[m], 1.0f);
         return std::min(1.05f * relaxations[m], MOST_RELAXATION);
     }
-    /// Where the mover goes: by its prediction and the impulses on it, matched to A + p r^T.
+    /// Checks where the mover goes: by its prediction and the impulses on it, matched to A + p r^T.
     void expectMatch(uint32_t m, const Field& impulse, double size, double splits)
     {
         const Field prediction = fixture.field(predictions, m);

@@ -42,7 +42,7 @@ TEST_F(MoverSolve, TheRelaxationFollowsHowTheSumsChange)
         if (fixture.isFixed(m)) continue;
         EXPECT_FLOAT_EQ(found[fixture.fieldStart(m)].w, wantedRelaxation(m)) << "mover " << m << ", " << ratios[m];
         const Field change = fixture.field(found, m), old = fixture.field(oldSums, m);
-        // Of two sums that are rounded.
+        // Of two rounded sums.
         const double rounding = EPSILON * (counts[m] + 4) * (sizes[m] + old.t.norm());
         EXPECT_LE((change.t - (sums[m].t - old.t)).norm(), rounding) << "mover " << m;
     }
@@ -102,7 +102,7 @@ TEST_F(MoverSolve, FixedBodiesStay)
     }
 }
 
-/// The first of a pair gets what the second loses, to the last bit: momentum is kept.
+/// The first of a pair gets exactly what the second loses, so momentum is kept.
 TEST_F(MoverSolve, APairsImpulsesOnItsTwoMoversCancelExactly)
 {
     std::vector<TestContact> pairs;

@@ -7,8 +7,8 @@ namespace knuckle::test {
 
 namespace {
 
-/// mover_predict against what each particle by itself would do: the field of a mover must give what the same formula
-/// gives for the velocities and moves of its particles.
+/// Compares mover_predict with single particles: the field of a mover must give the result of the same formula for the
+/// velocities and moves of its particles.
 class MoverPredict : public testing::Test {
 protected:
     explicit MoverPredict(const Settings& settings = {}) : fixture(mixedWorld(settings))
@@ -28,7 +28,7 @@ protected:
     double h() const { return fixture.stages.parameters.substepTime; }
     Vector3d g() const { return vec3(fixture.stages.parameters.gravity).cast<double>(); }
 
-    /// A particle's move by itself, and the size of what it is a sum of.
+    /// A particle's move by itself, and the size of its summands.
     struct Move {
         Vector3d move;
         double size;
@@ -42,7 +42,7 @@ protected:
         return {last.at(r) / 3 + h() * (8 * v.at(r) - 2 * old.at(r) + 4 * h() * g()) / 9,
                 last.size(r) / 3 + h() * (8 * v.size(r) + 2 * old.size(r) + 4 * h() * g().norm()) / 9};
     }
-    /// How a body's axes would move.
+    /// The predicted move of a body's axes.
     Matrix3d predictedAxes(uint32_t m, bool second) const
     {
         const Matrix3d v = fixture.field(velocities, m).f, old = fixture.field(oldVelocities, m).f;
@@ -64,12 +64,12 @@ protected:
             moments += part.mass * part.r * part.r.transpose();
         }
         if (fixture.isBody(m)) {
-            // Particles in a line count as thicker than their centres are.
+            // Particles in a line count as thicker than their centres.
             const Matrix3d thicker = bodyMass(fixture.world, fixture.world.bodies[m]).moments - moments;
             a += (fixture.rotation(m).toRotationMatrix() + predictedAxes(m, second)) * thicker;
             moments += thicker;
         }
-        // Some 16 operations, each off by a rounding of at most the sizes of what is added.
+        // Some 16 operations, each with a rounding of at most the size of its operands.
         const Field found = fixture.field(predictions, m), impulse = fixture.field(impulses, m);
         EXPECT_LE((found.t - move).norm(), 16 * EPSILON * moveSize);
         EXPECT_LE((found.f - a).norm(), 16 * EPSILON * matrixSize);
@@ -163,7 +163,7 @@ TEST_F(MoverPredict, WhatIsFixedOrAsleepStaysAndWhatIsAnimatedIsLeftToItsAnimati
     }
 }
 
-/// Contacts as found a turn and a shift ago.
+/// Contacts found a turn and a shift ago.
 class MoverDrift : public testing::Test {
 protected:
     bool isDue(uint32_t mover, const Vector3f& shift, float angle)
@@ -195,13 +195,13 @@ TEST_F(MoverDrift, ContactsAreDueWhenTheFarthestParticleMayHaveLeftItsMargin)
         EXPECT_FALSE(isDue(m, {0, 0.0099f, 0}, 0));
         EXPECT_TRUE(isDue(m, {0, 0.0101f, 0}, 0));
     }
-    // A turn takes the farthest particle along a chord.
+    // A turn moves the farthest particle along a chord.
     const float angle = 2 * std::asin(0.01f / (2 * static_cast<float>(fixture.radius(0))));
     EXPECT_FALSE(isDue(0, {0, 0, 0}, 0.99f * angle));
     EXPECT_TRUE(isDue(0, {0, 0, 0}, 1.01f * angle));
     EXPECT_FALSE(isDue(0, {0.0049f, 0, 0}, 0.5f * angle));
     EXPECT_TRUE(isDue(0, {0.0051f, 0, 0}, 0.5f * angle));
-    // Fixed bodies go nowhere.
+    // Fixed bodies do not move.
     for (uint32_t m = 0; m < fixture.moverCount(); ++m)
         EXPECT_FALSE(fixture.isFixed(m) && isDue(m, {0, 1, 0}, 0)) << "mover " << m;
 }

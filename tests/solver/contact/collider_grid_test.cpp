@@ -7,7 +7,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// Random values, 0.4 m wide or so: no shape, but every kernel must read them alike.
+/// Random values, within about 0.4 m: no shape, but all kernels must read them alike.
 ColliderGrid randomGrid(Random& random)
 {
     ColliderGrid grid;
@@ -66,13 +66,13 @@ TEST(ColliderGrid, TheKernelsSeeTheDistanceOfTheReferenceAndItsGradient)
             if (p.x() < 0 || p.z() < 0 || p.x() > size.x() || p.z() > size.z()) continue;
             if (!field && (p.y() < 0 || p.y() > size.y())) continue;
             ++checked;
-            // No other direction leads up as steeply, but where a step crosses into the next cell.
+            // No other direction leads up as steeply, except where a step crosses into the next cell.
             const float up = distance(x + 0.0005f * normal) - distance(x - 0.0005f * normal);
             const Vector3f aside = (normal + 0.5f * normal.unitOrthogonal()).normalized();
             smooth += up >= distance(x + 0.0005f * aside) - distance(x - 0.0005f * aside) - 1e-6f;
         }
         EXPECT_GT(checked, 20u);
-        // A heightfield's normal is that of the plane; its distance bends with the surface.
+        // A heightfield's normal is that of the plane; its distance curves with the surface.
         EXPECT_GT(smooth, (c == 0 ? 0.5 : 0.85) * checked);
     }
     gpu().checkErrors();

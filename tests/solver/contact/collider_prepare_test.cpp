@@ -11,7 +11,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// Particles at random places among the colliders: their contacts, listed in both halves of the lists in turn.
+/// Contacts of particles at random places among the colliders, listed alternately in both halves of the lists.
 class ColliderPrepare : public testing::Test {
 protected:
     ColliderPrepare() : fixture(colliderWorld())
@@ -33,7 +33,7 @@ protected:
         const auto first = all.begin() + static_cast<std::ptrdiff_t>(start());
         return {first, first + fixture.counters().colliderPairCount};
     }
-    /// The same of what the particles found.
+    /// The same, from what the particles found.
     std::vector<gpu::uvec2> wantedContacts() const
     {
         auto candidates = fixture.stages.search.candidates.download();
@@ -137,7 +137,7 @@ TEST_F(ColliderPrepare, AContactKnowsItsMoverColliderArmAndFriction)
         const Collider& collider = fixture.world.colliders[c];
         ASSERT_EQ(sides[q].x, places[i].x) << "contact " << q;
         ASSERT_EQ(sides[q].y, c) << "contact " << q;
-        // Its surface, half a diameter from a ball's centre, or the corner or face of its box.
+        // Its surface is half a diameter from a ball's centre, or it is the corner or face of its box.
         const Vector3f fromCentre = vec3(arms[q]) - vec3(offsets[i]);
         const bool mayBeCorner = ends[i] % LATTICE_ENDS != 0;
         if (!mayBeCorner) {

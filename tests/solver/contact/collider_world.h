@@ -19,8 +19,8 @@ inline Collider colliderOf(ColliderShape shape, const Vector3f& position = {0, 0
     return c;
 }
 
-/// Colliders of each shape, turned and shifted, where particles are. More than four are smaller and stand apart, so
-/// that none but the one plane among them is near many particles.
+/// Colliders of each shape, turned and shifted, at the places of particles. More than four are smaller and apart, so
+/// that only the plane among them is near many particles.
 inline World colliderWorld(uint32_t count = 4)
 {
     World world = mixedWorld();
@@ -38,7 +38,7 @@ inline World colliderWorld(uint32_t count = 4)
     return world;
 }
 
-/// Has `sim/test_collider.comp` write colliderSurface() of each position, for the collider in location 0, to
+/// Makes `sim/test_collider.comp` write colliderSurface() of each position, for the collider in location 0, to
 /// `velocities`.
 inline void writeColliderKernel()
 {

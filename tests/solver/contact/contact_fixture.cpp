@@ -112,7 +112,7 @@ void ContactFixture::setColliderContacts(std::vector<TestContact> contacts)
     setLists();
 }
 
-/// Where the lists of each rank begin (shaders/sim/common/contacts/contact_lists.glsl), and the references of second
+/// Sets the starts of each rank's lists (shaders/sim/common/contacts/contact_lists.glsl), and the references of second
 /// particles.
 void ContactFixture::setLists()
 {

@@ -4,7 +4,7 @@
 
 namespace knuckle::test {
 
-/// A contact of a particle with another or with a collider, as the kernels hold it.
+/// A contact of a particle with another or with a collider, in the kernels' terms.
 struct TestContact {
     uint32_t first = 0, second = 0;  ///< Particles; the second may be a collider.
     Vector3f firstArm{0, 0, 0}, secondArm{0, 0, 0};
@@ -12,8 +12,8 @@ struct TestContact {
     float firstFraction = 1, secondFraction = 1;    ///< Of them along the normal; of pairs multiples of 1/8191,
                                                     ///< with colliders of 1/65535.
     float staticFriction = 0, kineticFriction = 0;  ///< Halves.
-    uint32_t hidden = 0;            ///< Axes of the bodies along which their lattices go on, three bits each.
-    bool kin = false;               ///< Both particles of one assembly, as the lists tell it.
+    uint32_t hidden = 0;            ///< Axes of the bodies along which their lattices continue, three bits each.
+    bool kin = false;               ///< Both particles belong to one assembly, as the lists say.
     gpu::vec4 impulse{0, 0, 0, 0};  ///< Before the kernel runs.
     float mean = 0;                 ///< Of its normal part.
 };
@@ -21,14 +21,14 @@ struct TestContact {
 /// mixedWorld with a plane and a sphere.
 World worldWithColliders(const Settings& settings = {});
 
-/// Movers with contacts of one's own making in the lists, which need not be near each other.
+/// Movers with arbitrary contacts in the lists, which need not be near each other.
 class ContactFixture : public MoverFixture {
 public:
     /// With a plane and a sphere.
     explicit ContactFixture(const Settings& settings = {});
     explicit ContactFixture(World worldIn);
 
-    /// Puts the contacts into the lists of the second half, each in its place by rank.
+    /// Puts the contacts into the lists of the second half, each at its place by rank.
     void setPairs(std::vector<TestContact> contacts);
     void setColliderContacts(std::vector<TestContact> contacts);
     std::vector<gpu::vec4> pairImpulses() const { return secondHalf(stages.contacts.pairImpulses, pairs.size()); }
@@ -49,7 +49,7 @@ public:
     {
         return moveOf(moverOf[particle], arm.cast<double>());
     }
-    /// The arm at which a particle's mover is at `place` when the substep begins.
+    /// The arm for which a particle's mover has `place` at the start of the substep.
     Vector3f armTo(uint32_t particle, const Vector3f& place) const;
 
     std::vector<TestContact> pairs, colliderContacts;  ///< In the order of the lists.

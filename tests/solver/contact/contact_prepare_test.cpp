@@ -9,10 +9,10 @@ namespace knuckle::test {
 
 namespace {
 
-/// Of a pair's mover; the upper bits tell the way out (shaders/sim/common/contacts/one_sided.glsl).
+/// For a pair's mover; the upper bits are the exit direction (shaders/sim/common/contacts/one_sided.glsl).
 constexpr uint32_t MOVERS = 0x7fffffu;
 
-/// What each pair is made of, and what it remembers.
+/// Data and memory of each pair.
 class ContactPrepare : public testing::Test {
 protected:
     void find()
@@ -57,7 +57,7 @@ TEST_F(ContactPrepare, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChang
     }
     fill(fixture.stages.contacts.pairImpulses, impulses);
     fill(fixture.stages.contacts.pairMeans, means);
-    // What lay ahead lies behind in the mirror. Some pairs part, some come together.
+    // Particles that lay ahead lie behind in the mirror. Some pairs part, some come together.
     const auto shifts = randomVectors(fixture.count(), 0.06f, 12);
     auto mirrored = fixture.found;
     for (uint32_t i = 0; i < fixture.count(); ++i) mirrored[i] = packed(vec3(shifts[i]) - vec3(mirrored[i]));
@@ -100,7 +100,7 @@ TEST_F(ContactPrepare, PairsThatLastKeepTheirImpulsesAlsoWhenTheirParticlesChang
 TEST_F(ContactPrepare, PairsWithoutAPushAreAboutToActWhereTheyOverlap)
 {
     find();
-    // The same places again: all pairs last, some with nothing, some with the mark already.
+    // The same places again: all pairs stay, some without impulses, some already with the mark.
     auto impulses = fixture.stages.contacts.pairImpulses.download();
     const auto found = pairs();
     size_t first = start();
@@ -140,7 +140,7 @@ TEST_F(ContactPrepare, APairKnowsItsMoversArmsAndFriction)
             const gpu::vec4& wanted = offsets[side == 0 ? i : j];
             ASSERT_EQ(vec3(arm), vec3(wanted)) << "pair " << q;
         }
-        // Half of the sum; of two loose particles, 2 / pi of that.
+        // Half of the sum; for two loose particles, 2 / pi of that.
         const bool loose = std::min(sides[q].x & MOVERS, sides[q].y & MOVERS) >= fixture.world.bodies.size();
         const float share = loose ? 1.0f / static_cast<float>(M_PI) : 0.5f;
         const Eigen::Vector2f frictions = halves(sides[q].z);

@@ -9,7 +9,8 @@
 
 namespace knuckle::test {
 
-/// What an impulse on a body meets at a place, all in the body's axes (shaders/sim/contact/contact_mass.glsl).
+/// Inverse masses that an impulse on a body meets at a place, all in the body's axes
+/// (shaders/sim/contact/contact_mass.glsl).
 struct SideMass {
     double normal;  ///< Along the normal [1/kg].
     double worst;   ///< The larger of that and the one along the worst tangent [1/kg].
@@ -27,15 +28,16 @@ inline SideMass sideMass(double inverseMass, const Matrix3d& inverseInertia, con
     return {along, std::max(along, eigen.eigenvalues()[1])};
 }
 
-/// What of a particle touches a collider, in its body's axes (shaders/sim/common/contacts/collider_point.glsl).
+/// The part of a particle that touches a collider, in its body's axes
+/// (shaders/sim/common/contacts/collider_point.glsl).
 struct ColliderTouch {
     Vector3d r;           ///< The particle's centre, or the corner of its box [m].
     double radius = 0.0;  ///< How far its surface is from there [m].
     bool sure = true;     ///< Not so near a limit that rounding decides.
 };
 
-/// @param ends latticeEnds of the particle. @param place of a point of the body. @param normal in the body's axes where
-/// the particle is. @param distance of a place to the collider [m].
+/// @param ends latticeEnds of the particle. @param place of a point of the body. @param normal in the body's axes at
+/// the particle. @param distance of a place to the collider [m].
 inline ColliderTouch colliderTouch(uint32_t ends, const Vector3d& particle, const Vector3d& normal,
                                    const std::function<Vector3d(const Vector3d&)>& place,
                                    const std::function<double(const Vector3d&)>& distance)

@@ -9,17 +9,17 @@
 
 namespace knuckle::test {
 
-/// A contact as solveContact sees it (shaders/sim/contact/contact_impulse.glsl), worked out in double precision.
+/// A contact as seen by solveContact (shaders/sim/contact/contact_impulse.glsl), in double precision.
 struct Situation {
     Vector3d normal, slide;
     double gap, startGap, leaving;
     bool kin = false;
     double inverseMass, worstMass;
     bool sure = true;
-    double places;  ///< Size of the positions whose differences gap and slide are [m]: it sets the rounding.
+    double places;  ///< Size of the positions whose differences are gap and slide [m]: it determines the rounding.
 };
 
-/// What an impulse becomes, and how sure that is.
+/// A new impulse and its certainty.
 struct Answer {
     Vector3d impulse;
     double w, mean;
@@ -35,15 +35,16 @@ protected:
     ContactSolve()
     {
         fixture.setMoves(0.002f, 0.005f, SPLITS);
-        fixture.stages.parameters.maxCorrection = 2e-4f;  // of the depths below, some come under it and some do not
+        fixture.stages.parameters.maxCorrection = 2e-4f;  // some of the depths below are smaller and some are not
         fixture.setParameters();
     }
     const gpu::StepParameters& step() const { return fixture.stages.parameters; }
-    /// Contacts act (w != 0) where they were counted; those with a normal part carry a friction of up to it.
+    /// Contacts act (w != 0) if they were counted; those with a normal part carry a friction of up to it.
     void addImpulse(TestContact& c, Random& random) const
     {
         const float kind = random.between(0, 4), size = 0.005f / (c.firstMass + c.secondMass + 0.01f);
-        c.mean = std::max(random.between(-size, size), 0.0f);  // what carries nothing now may have lately
+        c.mean = std::max(random.between(-size, size), 0.0f);  // a contact that carries nothing now may have done so
+                                                               // lately
         if (kind < 1) return;
         c.impulse = packed(random.inCube(kind < 1.5f ? 0.1f * size : 0.0f), ABOUT_TO_ACT);
         if (kind < 2) return;
@@ -63,7 +64,7 @@ protected:
         const auto count = static_cast<float>(fixture.world.particles.size());
         return static_cast<uint32_t>(random.between(0, 0.999f) * count);
     }
-    /// 1501 pairs of particles of different movers, from `deepest` [m] to a centimetre apart; every seventh of one
+    /// 1501 pairs of particles of different movers, from `deepest` [m] to a centimetre apart; every seventh within one
     /// assembly.
     void makePairs(float deepest = 0.01f)
     {
@@ -87,7 +88,7 @@ protected:
         }
         fixture.setPairs(std::move(list));
     }
-    /// 777 contacts of movers with the plane and the ball, each of another particle, which is where the contact has it.
+    /// 777 contacts of movers with the plane and the ball, each of a different particle, at the contact's place.
     void makeColliderContacts()
     {
         Random random(102);
@@ -121,7 +122,7 @@ protected:
         }
         return out;
     }
-    /// What is near a face or an edge is as far as from that, by the nearer of both, and stays so.
+    /// If a side is near a face or an edge, the distance is measured from that, for the nearer of both, and stays so.
     void flatten(Situation& s, const TestContact& c, const Vector3d& apart) const
     {
         const Vector3d a = withoutAxes(apart, fixture.moverOf[c.first], c.hidden & 7);
@@ -174,14 +175,14 @@ protected:
         s.leaving = move.dot(s.normal);
         s.gap = distance(start + move) - touch.radius;
         s.startGap = distance(start) - touch.radius;
-        // Friction is where the surfaces are.
+        // Friction acts at the surfaces.
         s.slide = fixture.moveOf(mover, touch.r - touch.radius * (turned.conjugate() * s.normal));
         s.worstMass = SPLITS * c.firstMass;
         s.inverseMass = s.worstMass * c.firstFraction;
         s.places = 2 * c.firstArm.norm() + start.norm() + 2 * from.norm() + 0.5;
         return s;
     }
-    /// How far a penetration may be taken back: a bounded share, less where a side leaves already.
+    /// How far a penetration may be corrected: a bounded share, less if a side is leaving already.
     double recovery(const Situation& s, double depth) const
     {
         const double speed = s.leaving / step().substepTime;
@@ -189,8 +190,8 @@ protected:
                                     : std::clamp(1.0 - speed / LEAVING_SPEED, double(LEAST_RECOVERY), 1.0);
         return std::min(step().correction * depth, step().maxCorrection * slowed);
     }
-    /// The normal part fades towards its mean, takes the old penetration back by that, and all that came with this
-    /// substep; where both have sunk, it may pull. Coulomb's cone about it. Only counted contacts act; the others are
+    /// The normal part fades towards its mean, corrects the old penetration by its share, and all that came with this
+    /// substep; it may pull if both have sunk. Coulomb's cone about it. Only counted contacts act; the others are
     /// counted when they are about to overlap.
     Answer answer(const TestContact& c, const Situation& s) const
     {
@@ -211,8 +212,8 @@ protected:
             normal -= (s.gap + allowed) / s.inverseMass;
             tangent -= s.slide / s.worstMass;
         }
-        // Differences of places are off by some 16 roundings of those; the normal by as much over the distance, which
-        // turns normal part and tangent into each other; the rest by some 8 roundings of itself.
+        // Differences of places are off by some 16 roundings; the normal by that over the distance, which mixes normal
+        // part and tangent; the rest by some 8 roundings of itself.
         const double error = 16 * EPSILON * s.places, turn = error / (DIAMETER / 2) + 8 * EPSILON;
         const double whole = old.norm() + tangent.norm() + (acts ? (std::abs(s.gap) + depth) / s.inverseMass : 0.0);
         out.tolerance = turn * whole + (acts ? 2 * error / s.inverseMass : 0.0);
@@ -252,7 +253,7 @@ protected:
             if (a.w == 0.0 && c.impulse.w == 0.0f) ++waiting;
             if (a.w < 0.0) ++soon;
         }
-        // Every case is met by more than a few.
+        // Every case occurs more than a few times.
         for (uint32_t met : {sticking, sliding, released, waiting, soon}) EXPECT_GT(met, contacts.size() / 40);
         EXPECT_LT(edges, contacts.size() / 100);
     }

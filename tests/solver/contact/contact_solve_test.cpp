@@ -25,7 +25,7 @@ TEST_F(ContactSolve, WhatHasSunkIsHeldByNoMoreThanRecoveryPushes)
         const double pull = -vec3(found[q]).cast<double>().dot(s.normal);
         const double size = vec3(found[q]).cast<double>().norm();
         const bool mayPull = !c.kin && s.startGap < (SUNK - 1) * DIAMETER && c.impulse.w != 0.0f;
-        // Cut off by the bound itself; the normal is off by 1e-5 (see below).
+        // The bound itself cuts it off; the normal is off by 1e-5 (see below).
         ASSERT_LE(pull, (mayPull ? step().maxCorrection / s.inverseMass : 0.0) + 1e-5 * size + 1e-12) << "pair " << q;
         pulling += pull > 1e-4 * size;
     }
@@ -68,7 +68,7 @@ TEST_F(ContactSolve, AnOldPenetrationIsTakenBackByItsShareAndNoFasterThanTheBoun
     for (size_t q = 0; q < found.size(); ++q) {
         const Situation s = ofPair(fixture.pairs[q]);
         if (s.startGap > -1e-4) continue;
-        // How far the impulse takes both sides apart.
+        // How far the impulse moves both sides apart.
         const double apart = found[q].w * s.inverseMass, share = -step().correction * s.startGap;
         const double most = step().maxCorrection * (s.kin ? LIMB_RECOVERY : 1.0f);
         EXPECT_NEAR(apart, std::min(share, most), 2e-6) << "pair " << q;

@@ -4,9 +4,9 @@
 
 namespace knuckle::test {
 
-/// Two bodies, loose particles, 137 fluid particles that belong to nobody, and three emitters: one of wide layers, one
-/// that takes its oldest again, and one that stops. No pool is a multiple of a chunk of the lists (SCAN_CHUNK). Two
-/// drains and, before them in the same list, two colliders.
+/// Two bodies, loose particles, 137 fluid particles without an emitter, and three emitters: one of wide layers, one
+/// that reuses its oldest particles, and one that stops. No pool is a multiple of a chunk of the lists (SCAN_CHUNK).
+/// Two drains and, before them in the same list, two colliders.
 class EmitterFixture : public KernelFixture {
 public:
     EmitterFixture();
@@ -22,16 +22,16 @@ public:
     /// Runs sim/emitter/<name> as in a world with pools.
     void runPools(const std::string& name, uint64_t threads, const Defines& more = {});
 
-    /// So many steps are done when the one at hand ends; which half of the list it reads follows from that.
+    /// Sets the number of steps done at the end of the current one, which decides the half of the list that it reads.
     void setSteps(uint32_t steps);
     uint32_t before() const { return (steps_ & 1) * poolCapacity(); }
     uint32_t after() const { return poolCapacity() - before(); }
     /// Shuffles each pool's list, each half by itself.
     void shuffle(uint32_t seed);
-    /// Makes some particles of the pools inactive, `share` of them at random, and sums them up as a step does.
+    /// Makes some particles of the pools inactive, `share` of them at random, and sums them as a step does.
     void deactivate(float share, uint32_t seed);
     uint32_t inactiveOf(uint32_t k) const;
-    /// What came and what left until now.
+    /// Sets how many particles came and left until now.
     void setTotals(uint32_t came, uint32_t left);
     std::vector<uint32_t> totals() { return stage().fluidTotals.download(); }
     void setStates(const std::vector<gpu::EmitterState>& states) { fill(stage().emitterStates, states); }

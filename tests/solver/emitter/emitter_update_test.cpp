@@ -7,7 +7,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// What an emitter has done until a step ends, in double precision.
+/// State of an emitter at the end of a step, in double precision.
 struct Clock {
     uint64_t layers = 0;
     double age = 0.0;  ///< Since the last layer left [s].
@@ -29,7 +29,7 @@ protected:
         clock.sure = std::abs(past - std::round(past)) > 1e-6 + steps * 0x1p-33;
         return clock;
     }
-    /// @returns whether all of it was sure.
+    /// @returns whether everything was certain.
     bool expectStates(uint32_t steps)
     {
         fixture.setSteps(steps);
@@ -44,7 +44,7 @@ protected:
             const auto due = static_cast<uint32_t>(now.layers - last.layers);
             const auto next = static_cast<uint32_t>(then.layers - now.layers);
             const uint32_t taken = std::min(due, inactive / points) * points, left = inactive - taken;
-            // As many of the oldest as the next step lacks.
+            // The number of oldest particles that the next step lacks.
             uint32_t retired = next * points > left ? next * points - left : 0;
             retired = e.takesOldest ? std::min(retired, e.pool - inactive) : 0;
             EXPECT_EQ(states[k].taken, taken) << "emitter " << k << " in step " << steps;
@@ -85,7 +85,7 @@ TEST_F(EmitterUpdate, EachStepTakesTheLayersThatAreDueOfWhatThePoolHas)
     for (uint32_t due : layers) EXPECT_GT(due, 100u);
 }
 
-/// After 18 days the clock still knows a layer's time to a thousandth.
+/// After 18 days the clock still has a layer's time to a thousandth.
 TEST_F(EmitterUpdate, NoLayerIsLateAfterManySteps)
 {
     fixture.setTotals(250, 77);

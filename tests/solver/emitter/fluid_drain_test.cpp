@@ -6,7 +6,7 @@ namespace {
 
 class FluidDrain : public testing::Test {
 protected:
-    /// How deep a place is in the drains [m]; negative outside of all.
+    /// The depth of a place in the drains [m]; negative outside of all.
     double depth(const gpu::vec4& place) const
     {
         double deepest = -1e9;

@@ -14,7 +14,7 @@ protected:
     {
         fixture.shuffle(451);
         fixture.deactivate(0.8f, 452);
-        // Of several layers, so that some meet what is there.
+        // Of several layers, so that some meet existing particles.
         states.resize(3);
         const uint32_t layers[] = {3, 1, 5};
         uint32_t candidates = 0;
@@ -42,7 +42,7 @@ protected:
         const uint32_t place = fixture.poolStart(k) + fixture.emitter(k).pool - states[k].taken + q;
         return fixture.order[fixture.after() + place];
     }
-    /// Cells are of where all were when the step began.
+    /// Cells have the places at the start of the step.
     void fillGrid()
     {
         auto old = fixture.positions;
@@ -64,7 +64,7 @@ protected:
         fixture.runPools("common/grid/grid_scatter", count, fluids);
         fixture.runPools("fluid/fluid_order", count, fluids);
     }
-    /// How much more room there is at x than a particle needs [m], by all that is there.
+    /// The excess of room at x over what a particle needs [m], among all present.
     double room(uint32_t k, const Vector3d& x) const
     {
         const Nozzle& nozzle = fixture.emitter(k).nozzle;

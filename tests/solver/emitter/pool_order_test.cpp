@@ -8,7 +8,7 @@ namespace {
 
 class PoolOrder : public testing::Test {
 protected:
-    /// Takes a third of the inactive ones of each pool, and takes back some of the oldest.
+    /// Takes a third of the inactive particles of each pool, and takes back some of the oldest.
     std::vector<gpu::EmitterState> someStates() const
     {
         std::vector<gpu::EmitterState> states(fixture.emitterCount());
@@ -19,7 +19,7 @@ protected:
         }
         return states;
     }
-    /// The lists after the step, and who has been taken back.
+    /// Checks the lists after the step, and which particles have been taken back.
     void expectOrder(uint32_t steps)
     {
         fixture.setSteps(steps);
@@ -38,7 +38,7 @@ protected:
                 (fixture.inactive[j] != 0 ? list : active).push_back(fixture.order[fixture.before() + j]);
             retired.insert(retired.end(), active.begin(), active.begin() + states[k].retired);
             list.insert(list.end(), active.begin(), active.end());
-            // What the step emits is the youngest from now on.
+            // Particles that the step emits are the youngest from now on.
             std::rotate(list.begin(), list.begin() + states[k].taken, list.end());
             std::copy(list.begin(), list.end(), wanted.begin() + fixture.after() + fixture.poolStart(k));
         }

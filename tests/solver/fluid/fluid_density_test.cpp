@@ -8,7 +8,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// Of sums of some fifty neighbours in single precision.
+/// Rounding of sums of some fifty neighbours in single precision.
 constexpr double ROUNDING = 2e-5;
 
 /// The share of the kernel behind a plane at z (physics.md).
@@ -18,13 +18,13 @@ double wallFraction(double z, double reach)
     return 3.5 * std::pow(t, 6) - 4.5 * std::pow(t, 7) + 1.5 * std::pow(t, 8);
 }
 
-/// What covers the kernel of a particle: its share, the slope of that, and the sum of squares of slopes.
+/// Cover of a particle's kernel: the share, its slope, and the sum of squares of slopes.
 struct Cover {
     double share = 0.0, squares = 0.0;
     Vector3d slope = Vector3d::Zero();
 };
 
-/// With a grid that wraps too early as well, whose lists hold particles that are far away.
+/// Also with a grid that wraps too early, whose lists contain particles far away.
 class FluidDensity : public testing::TestWithParam<bool> {
 protected:
     FluidDensity()
@@ -51,8 +51,8 @@ protected:
         }
         return cover;
     }
-    /// d^2 / (2 pi r) times what a wall's share grows by at r - d / 2, nearer than d / 2 what it does there, down to
-    /// nothing within the last fifth of a diameter of the lists' reach.
+    /// d^2 / (2 pi r) times the growth of a wall's share at r - d / 2; below d / 2 that of d / 2; fading to nothing
+    /// within the last fifth of a diameter of the lists' reach.
     double solidFraction(double r) const
     {
         const double d = parameters().diameter, far = std::max(r, 0.25 * d), reach = parameters().fluidReach;
@@ -62,7 +62,7 @@ protected:
         return -parameters().solidCover * d * d / (2.0 * std::numbers::pi * far) * slope * u * u * (3.0 - 2.0 * u);
     }
     static double weight(double r, double reach) { return std::pow(std::max(1.0 - r / reach, 0.0), 2); }
-    /// The slope only across the surface that the particles nearby form together, if they lie on one side; squares: by
+    /// The slope only across the surface that the nearby particles form together, if they lie on one side; squares: by
     /// how much the slopes of each exceed that.
     Cover bySolids(uint32_t i, double& weights) const
     {
@@ -76,7 +76,7 @@ protected:
             const double slope = FluidFixture::derivative([&](double x) { return solidFraction(x); }, far);
             cover.slope += slope * r.normalized();
             cover.squares += slope * slope;
-            // Where the share no longer grows the slope goes on.
+            // Where the share no longer grows, the slope continues.
             usual = usual && far > 0.25 * parameters().diameter;
             way += w * r.normalized();
             weights += w;
@@ -87,7 +87,7 @@ protected:
         cover.squares = std::max(cover.squares - cover.slope.squaredNorm(), 0.0);
         return cover;
     }
-    /// The plane below and the one at the side, at right angles: what both cover counts once.
+    /// The plane below and the one at the side, at right angles: their common part counts once.
     Cover byWalls(uint32_t i) const
     {
         const double reach = parameters().fluidReach;
@@ -140,7 +140,7 @@ TEST_P(FluidDensity, SolidParticlesHaveNoPressure)
 
 TEST_P(FluidDensity, SolidsAreGivenWhatTheyGive)
 {
-    // fluid_pressure moves a fluid particle by lambda times solids' slope; fluid_solid_coupling gives that back by
+    // fluid_pressure moves a fluid particle by lambda times solids' slope; fluid_solid_coupling returns that by
     // weights.
     fill(fixture.stages.bodies.particleImpulses, std::vector<gpu::vec4>(fixture.count()));
     fixture.forParticles("fluid/fluid_solid_coupling");

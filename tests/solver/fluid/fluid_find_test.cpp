@@ -18,7 +18,7 @@ protected:
     }
     bool wrapped() const { return GetParam(); }
     uint32_t particle(uint32_t slot) const { return fixture.slotParticles[slot]; }
-    /// What a slot lists, as particles: its fluid neighbours or its solid ones, which stand at the end.
+    /// The particles that a slot lists: its fluid neighbours or its solid ones, which are at the end.
     std::vector<uint32_t> listed(uint32_t slot, bool fluid) const
     {
         const gpu::uvec2 counts = fixture.slotCounts[slot];
@@ -28,15 +28,15 @@ protected:
         std::sort(found.begin(), found.end());
         return found;
     }
-    /// How far apart two particles may act on each other [m].
+    /// Largest distance at which two particles may act on each other [m].
     double limit(uint32_t i, bool fluid) const
     {
         const gpu::StepParameters& p = fixture.parameters();
         return fluid && fixture.isFluid(i) ? p.fluidReach : p.fluidListReach;
     }
-    /// Twice the two quanta of packed places (256 a cell) that a limit is raised by.
+    /// Twice the two quanta of packed places (256 a cell) by which limits are raised.
     double slack() const { return 4.0 / (256.0 * fixture.parameters().inverseFluidCell); }
-    /// Of what a particle lists, those that only look near: three cells away or more.
+    /// Listed particles that only look near: three cells away or more.
     std::vector<uint32_t> farOff(uint32_t i, const std::vector<uint32_t>& found) const
     {
         std::vector<uint32_t> far;
@@ -112,7 +112,7 @@ TEST_P(FluidFind, BehindItsLastFluidNeighbourASlotListsItself)
 
 TEST_P(FluidFind, WhatHasNoRoomIsReported)
 {
-    // Told of less room than the stages have: lists are as far apart as it says.
+    // The kernel is told of less room than the stages have, so lists have that distance.
     fixture.stages.parameters.fluidSlots = 32;
     fixture.setParameters();
     const auto whole = fixture.slotCounts;

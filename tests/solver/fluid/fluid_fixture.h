@@ -4,10 +4,10 @@
 
 namespace knuckle::test {
 
-/// A block, a plate, loose particles and water and oil, 1033 particles in all (no multiple of any group size), thrown
-/// together at random on both sides of the origin, as dense as water at rest on the mean; a plane below and one at the
-/// side. Lists have room for all neighbours. What kernels read is written from here, so that each is tested by itself;
-/// "neighbours" are those of brute force.
+/// A block, a plate, loose particles and water and oil, 1033 particles in all (no multiple of any group size), mixed at
+/// random on both sides of the origin, on average as dense as water at rest; a plane below and one at the side. Lists
+/// have room for all neighbours. The inputs of kernels are written from here, so that each is tested by itself;
+/// "neighbours" are found by brute force.
 class FluidFixture : public KernelFixture {
 public:
     explicit FluidFixture(const Settings& settings = {});
@@ -21,10 +21,10 @@ public:
 
     /// Gives every particle a slot and every slot its neighbours, as the step does.
     void findNeighbours();
-    /// How the fluids' grid is wrapped: wide enough for its place, or so early that particles look near to each other
-    /// that are not. Before findNeighbours().
+    /// Sets how the fluids' grid is wrapped: wide enough for its contents, or so early that distant particles look near
+    /// to each other. To be called before findNeighbours().
     void wrap(bool early);
-    /// Moves everything; before findNeighbours().
+    /// Moves everything; to be called before findNeighbours().
     void setPlaces(const std::vector<gpu::vec4>& positions);
     /// Runs a kernel on all slots.
     void forSlots(const std::string& name, const Defines& defines = {}) { run(name, count(), defines); }
@@ -43,20 +43,21 @@ public:
         for (uint32_t k = 0; k < sorted.size(); ++k) values[slotParticles[k]] = sorted[k];
         return values;
     }
-    /// Entry n of a slot's list, sim/fluid/fluid_slots.glsl written anew.
+    /// Entry n of a slot's list, sim/fluid/fluid_slots.glsl implemented anew.
     uint32_t entry(uint32_t slot, uint32_t n) const;
     /// Other particles of one kind that are nearer than `reach` [m].
     std::vector<uint32_t> near(uint32_t particle, bool fluid, double reach) const;
     /// Fluid particles that its kernel reaches.
     std::vector<uint32_t> fluidNear(uint32_t particle) const { return near(particle, true, parameters().fluidReach); }
 
-    /// W times a particle's volume at the distance r, and its derivative by r [1/m]: sim/fluid/fluid.glsl written anew.
+    /// W times a particle's volume at the distance r, and its derivative by r [1/m]: sim/fluid/fluid.glsl implemented
+    /// anew.
     double share(double r) const;
     double slope(double r) const
     {
         return derivative([&](double x) { return share(x); }, r);
     }
-    /// By a central difference, for the reference not to repeat the shaders' formulas.
+    /// By a central difference, so that the reference does not repeat the shaders' formulas.
     template <typename Function>
     static double derivative(const Function& function, double x)
     {

@@ -12,7 +12,7 @@ namespace {
 constexpr float CELL = 0.11f;
 constexpr uint32_t CELLS = 1u << 16;
 
-/// A box of fluid between (0, 0, 0) and `size` [m], with what is around it.
+/// A box of fluid between (0, 0, 0) and `size` [m], with its surroundings.
 World basin(const Vector3f& size, const std::vector<Collider>& colliders)
 {
     WorldBuilder builder(0.05f);
@@ -34,7 +34,7 @@ Collider wall(const Vector3f& middle, const Vector3f& size)
     return collider;
 }
 
-/// Whether each cell that a box touches, and each that is searched from there, has an index of its own.
+/// Whether each cell that a box touches, and each that is searched from there, has its own index.
 bool isPlain(const FluidLattice& lattice)
 {
     const Eigen::Array3f scale = Eigen::Array3f(FINE_CELLS, 1, 1) / CELL;

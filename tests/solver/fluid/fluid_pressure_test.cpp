@@ -10,7 +10,7 @@ namespace {
 
 constexpr double ROUNDING = 1e-5;
 
-/// Random pressures as of particles that are up to twice too dense; starts a little off the places.
+/// Random pressures of particles up to twice too dense; starts are slightly off the places.
 class FluidPressure : public testing::Test {
 protected:
     FluidPressure()

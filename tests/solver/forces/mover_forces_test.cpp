@@ -20,7 +20,7 @@ ForceField fieldOf(FieldKind kind, FieldFalloff falloff, ColliderShape shape, Ra
     return field;
 }
 
-/// Fields of each kind in each shape, one before and one after its time, and gusts about everything that moves.
+/// Fields of each kind in each shape, one before and one after its time, and gusts around all movers.
 World windyWorld()
 {
     WorldBuilder builder(DIAMETER / 2);
@@ -56,7 +56,7 @@ World windyWorld()
     return builder.build();
 }
 
-/// mover_forces against sums in double precision.
+/// Compares mover_forces with sums in double precision.
 class MoverForces : public testing::Test {
 protected:
     MoverForces() : fixture(windyWorld())

@@ -143,7 +143,7 @@ Eigen::MatrixXd JointFixture::system(std::vector<uint32_t>& firstRow) const
             parent.block(3, 3, count - 3, 3) = -axes.rightCols(count - 3).transpose();
         }
         k.block(firstRow[j], 6 * joints[j].body, count, 6) = own;
-        // What is fixed stays, whatever its joints ask for.
+        // Fixed bodies stay, whatever their joints ask for.
         if (!isFixed(joints[j].parent)) k.block(firstRow[j], 6 * joints[j].parent, count, 6) = parent;
     }
     k.topRightCorner(unknowns, size - unknowns) = k.bottomLeftCorner(size - unknowns, unknowns).transpose();

@@ -7,7 +7,7 @@
 namespace knuckle::test {
 
 /// Joints in the middle of a substep: bodies that have left their joints by some millimetres and degrees, with random
-/// forces on them; and what a dense solve in double precision makes of it.
+/// forces on them; and the result of a dense solve in double precision.
 class JointFixture : public MoverFixture {
 public:
     /// A small motion or a force of a body: a place, then a turn about it.
@@ -20,12 +20,12 @@ public:
         std::vector<Vector6d> motions;  ///< Per body.
         std::vector<Vector6d> held;     ///< Per joint of trees().all(): the force on its body, at the joint.
     };
-    /// The least M-weighted motion, M x = f + J^T held, that takes back what the substep does of the joints' errors,
-    /// J x = left - error.
+    /// The least M-weighted motion, M x = f + J^T held, that corrects the substep's part of the joints' errors, J x =
+    /// left - error.
     Solution solution() const;
-    /// The motions of `body` under a unit force in each direction on it, where joints stay shut.
+    /// The motions of `body` for a unit force in each direction on it, with closed joints.
     Matrix6d response(uint32_t body) const;
-    /// How far a joint's body has left its parent: now, or when the substep began.
+    /// How far a joint's body has left its parent: now, or at the start of the substep.
     Vector6d error(const JointTrees::Joint& joint, bool atStart) const;
     /// The part of an error that is left.
     Vector6d left(const JointTrees::Joint& joint) const;
@@ -33,16 +33,16 @@ public:
     /// The kernels of a substep, then of an iteration.
     void solve(bool loops, const Defines& more = {});
     const JointTrees& trees() const { return stages.layout.jointTrees; }
-    /// A body's place or arm within it as they are now.
+    /// A body's place or arm within it at present.
     Vector3d armNow(uint32_t body, const Vector3f& arm) const;
 
     std::vector<Vector6d> forces;              ///< Per body.
     std::vector<Matrix3d> hessians;            ///< Per body, symmetric [kg m2].
-    std::vector<gpu::vec4> rows, angularRows;  ///< What the channel has before.
+    std::vector<gpu::vec4> rows, angularRows;  ///< Contents of the channel before.
 
 private:
     void uploadLoads();
-    /// Per joint: what takes back the torque that a hinge remembers about its own axis.
+    /// Per joint: the correction of the torque that a hinge remembers about its own axis.
     std::vector<Vector3d> strayTorques() const;
     /// K of K [x; -held] = [f; J x]. @param firstRow of each joint.
     Eigen::MatrixXd system(std::vector<uint32_t>& firstRow) const;

@@ -12,14 +12,14 @@ namespace {
 
 using Vector6d = JointFixture::Vector6d;
 
-/// Single precision, times what the inertias and arms of a tree differ by.
+/// Single precision, times the ratio of inertias and arms in a tree.
 constexpr double ROUNDING = 1e-5;
 
 struct JointCase {
     const char* name;
     World (*world)();
     bool loops;
-    double tolerance;  ///< Of motions and forces, as a share of the largest.
+    double tolerance;  ///< Of motions and forces, relative to the largest.
 };
 
 World chainHeldTwice()
@@ -55,7 +55,7 @@ protected:
         jointInfo = fixture.stages.joints.jointInfo.download();
     }
 
-    /// What the channel's rows of a joint gained: the linear part, the angular one.
+    /// What the channel's rows of a joint gained: linear and angular parts.
     Vector6d gained(uint32_t row) const
     {
         Vector6d g;
@@ -86,7 +86,7 @@ TEST_P(JointSolve, BodiesMoveAsADenseSolveOfAllTheirJointsSays)
                                         quaternion(fixture.turns[b]).cast<double>().conjugate();
         const Eigen::AngleAxisd angle(turn);
         motion.tail<3>() = angle.angle() * angle.axis();
-        // Differences of moves and of quaternions about 1 are rounded themselves.
+        // Differences of moves and of quaternions about 1 have rounding themselves.
         EXPECT_LT((motion - wanted.motions[b]).norm(), GetParam().tolerance * largest + 4 * EPSILON) << "body " << b;
     }
     EXPECT_GT(largest, 1e-3);
@@ -111,7 +111,7 @@ TEST_P(JointSolve, WhatABodyGainsItsParentLoses)
     for (size_t j = 0; j < joints.size(); ++j) {
         const gpu::Joint own = jointInfo[j];
         if (joints[j].freedom == JOINT_NONE || own.parentRow == NO_INDEX) continue;
-        // Each was added to what stood there.
+        // Each was added to the old contents.
         const double size = vec3(rows[own.row]).norm() + vec3(rows[own.parentRow]).norm() + 0.2;
         EXPECT_LT((gained(own.row) + gained(own.parentRow)).norm(), 4 * EPSILON * size) << "joint " << j;
     }
@@ -120,7 +120,7 @@ TEST_P(JointSolve, WhatABodyGainsItsParentLoses)
 TEST_P(JointSolve, EachBodyAnswersToAForceWithAllThatItsJointsMoveAlong)
 {
     const auto found = fixture.stages.joints.bodyResponses.download();
-    // Loops do not count: what asks is drawn to a tree.
+    // Loops do not count: responses belong to the tree.
     if (GetParam().loops) return;
     for (const JointTrees::Joint& joint : fixture.trees().joints) {
         const JointFixture::Matrix6d w = fixture.response(joint.body);
@@ -146,7 +146,7 @@ TEST_P(JointSolve, OthersStay)
     }
 }
 
-// A loop is kept regular by 1e-4 of its own answer.
+// A loop is kept regular by 1e-4 of its own response.
 INSTANTIATE_TEST_SUITE_P(Worlds, JointSolve,
                          testing::Values(JointCase{"branched", branched, false, ROUNDING},
                                          JointCase{"mixed", mixed, false, ROUNDING},
@@ -155,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(Worlds, JointSolve,
                                          JointCase{"chainHeldTwice", chainHeldTwice, true, 1e-3}),
                          [](const auto& tested) { return tested.param.name; });
 
-/// The world with some bodies that do not respond, found and solved.
+/// The world with some bodies that do not respond, prepared and solved.
 class JointSolveHeld : public testing::Test {
 protected:
     /// @param held by body.
@@ -188,7 +188,7 @@ TEST_F(JointSolveHeld, ATreeThatSleepsStays)
 
 TEST_F(JointSolveHeld, ABodyThatDoesNotRespondHoldsWhatHangsOnIt)
 {
-    // The same chain, once held by a body that is fixed for ever, once by one that only is for now.
+    // The same chain, held once by a body that is fixed for ever, once by one that is fixed for now.
     const std::vector<Joining> chain = {{0, 1}, {1, 2, JointType::Hinge}, {2, 3, JointType::Stiff}, {3, 4}};
     // Joints remember nothing, since the two worlds have different rows.
     const auto forget = [](JointFixture& f) {

@@ -12,7 +12,7 @@ namespace {
 constexpr float LOWEST = -0.3f, HIGHEST = 0.2f, SWING = 0.4f;
 constexpr double STIFFNESS = 40.0;  ///< Of every second hinge [N m/rad].
 
-/// Hinges and balls with limits, each of a body that a fixed one holds; more than a work group has threads.
+/// Hinges and balls with limits, each of a body on a fixed one; more than the threads of a work group.
 World limitedPairs()
 {
     std::vector<Joining> joints;
@@ -32,7 +32,7 @@ World limitedPairs()
     return world;
 }
 
-/// How far a joint exceeds its limits, and the axes about which its body turns on beyond them.
+/// How far a joint exceeds its limits, and the axes about which its body turns further beyond them.
 struct Excess {
     double swing = -4.0, turn = -4.0;
     Vector3d swingAxis = Vector3d::Zero(), turnAxis = Vector3d::Zero();
@@ -79,13 +79,13 @@ protected:
         excess.turnAxis = (above ? 1.0 : -1.0) / (1.0 + middle.dot(axis)) * (middle + axis);
         return excess;
     }
-    /// Half of what exceeds a limit is taken back, at most at 1 rad/s.
+    /// Half of the excess over a limit is corrected, at most at 1 rad/s.
     double kept(double excess) const
     {
         const double h = fixture.stages.parameters.substepTime;
         return excess <= 0.0 ? 0.0 : excess * (1.0 - std::min(0.5, 1.0 * h / excess));
     }
-    /// Of the body against turns about its joint.
+    /// The body's inertia against turns about its joint.
     Matrix3d inertiaAt(const JointTrees::Joint& joint) const
     {
         const Vector3d arm = fixture.rotation(joint.body) * joint.side.arm.cast<double>();
@@ -105,7 +105,7 @@ protected:
         gpu().checkErrors();
         stops = fixture.stages.joints.jointLimitStates.download();
     }
-    /// All hinges to where they exceed their upper limit by so much, at the start of the substep. The others stay.
+    /// Turns all hinges beyond their upper limit by this much, at the start of the substep. The others stay.
     void turnHingesTo(float excess)
     {
         for (const JointTrees::Joint& joint : joints) {
@@ -117,7 +117,7 @@ protected:
         fill(fixture.stages.bodies.moverRotations, fixture.rotations);
     }
     static float memory(size_t joint) { return joint % 4 == 0 ? 1.0f : 0.0f; }
-    /// As if a substep before had left all stops holding as hard.
+    /// As if an earlier substep had left all stops holding equally hard.
     void holdAll()
     {
         stops.assign(JOINT_LIMIT_TEXELS * joints.size(), {0, 0, 0, 0});
@@ -128,7 +128,7 @@ protected:
         }
         fill(fixture.stages.joints.jointLimitStates, stops);
     }
-    /// @returns how many rigid hinges' stops hold, and how many soft ones'.
+    /// @returns the numbers of rigid and of soft hinges' stops that hold.
     std::pair<uint32_t, uint32_t> countHolding() const
     {
         std::pair<uint32_t, uint32_t> count{0, 0};
@@ -193,7 +193,7 @@ TEST_F(JointLimitStates, ARigidOneThatHeldGoesOnFromWhereItIs)
         turnHingesTo(excess);
         holdAll();
         factor();
-        const bool goesOn = excess > -0.005f;  // as far as a stop may be away from its limit and still hold
+        const bool goesOn = excess > -0.005f;  // how far a stop may be from its limit and still hold
         EXPECT_EQ(countHolding(), std::make_pair(goesOn ? 15u : 0u, 0u));
         for (size_t j = 0; j < joints.size(); ++j) {
             if (joints[j].freedom != JOINT_HINGE) continue;
@@ -212,7 +212,7 @@ TEST_F(JointLimitStates, WhatPullsLetsGoButARigidOneNotInTheLastIteration)
         fixture.setMoves(0.0f, 0.0f, 1.0f);
         factor();
         EXPECT_EQ(countHolding(), std::make_pair(15u, 15u));
-        // Bodies turn back, to within their limits.
+        // Turns bodies back, to within their limits.
         auto turns = fixture.turns;
         for (const JointTrees::Joint& joint : joints) {
             const Vector3f x = quaternion(fixture.rotations[joint.parent]) * joint.parentSide.frame * Vector3f::UnitX();
@@ -227,7 +227,7 @@ TEST_F(JointLimitStates, WhatPullsLetsGoButARigidOneNotInTheLastIteration)
 TEST_F(JointLimitStates, WhatTurnedOntoAStopInTheSubstepIsOfFirstOrder)
 {
     fixture.setAssemblies(0, 2);
-    // All bodies come from the rest pose in this substep, to where they stood in the others.
+    // All bodies come from the rest pose in this substep, to their places in the others.
     auto starts = fixture.rotations, turns = fixture.turns;
     for (const JointTrees::Joint& joint : joints) {
         const Quaternionf rest = quaternion(fixture.rotations[joint.parent]) * joint.parentSide.frame *

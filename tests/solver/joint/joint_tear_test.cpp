@@ -8,7 +8,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// Chains of four and rings of four, more than a work group has threads; the strength of each joint is drawn.
+/// Chains of four and rings of four, more than the threads of a work group; the strength of each joint is random.
 World drawnWorld()
 {
     std::vector<Joining> joints;
@@ -27,7 +27,7 @@ World drawnWorld()
     return world;
 }
 
-/// The drawn world with drawn loads, ready for one dispatch of the kernel.
+/// The random world with random loads, ready for one dispatch of the kernel.
 struct LoadedJoints {
     explicit LoadedJoints(uint32_t order) : fixture(drawnWorld()), joints(fixture.trees().all())
     {
@@ -47,7 +47,7 @@ struct LoadedJoints {
         const double h = fixture.stages.parameters.substepTime;
         return factor * h * h;
     }
-    /// What of its strength a joint bears: the mean of its loads now and a substep ago.
+    /// A joint's load over its strength: the mean of its loads now and a substep ago.
     double loadOf(size_t j, double factor) const
     {
         if (joints[j].freedom == JOINT_NONE) return 0.0;
@@ -59,7 +59,7 @@ struct LoadedJoints {
         return std::max(mean(fixture.rows[row], lastLoads[2 * j]) / strength.force,
                         mean(fixture.angularRows[row], lastLoads[2 * j + 1]) / strength.torque);
     }
-    /// Of each tree the joint that bears most of what it can, if that is too much.
+    /// For each tree the most loaded joint, if its load is too large.
     std::vector<bool> wanted(double factor) const
     {
         std::vector<bool> torn(joints.size());

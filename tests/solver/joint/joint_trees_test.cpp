@@ -10,7 +10,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// What holds of every tree: parents stand before children, the children of a body together.
+/// Checks properties of every tree: parents come before children, the children of a body are together.
 void expectTrees(const JointTrees& trees)
 {
     std::vector<uint32_t> timesChild(trees.joints.size());
@@ -47,7 +47,7 @@ Vector3f place(const World& world, uint32_t body, const Vector3f& arm)
     return world.bodies[body].position + world.bodies[body].rotation * arm;
 }
 
-/// In the rest pose a joint's two sides agree, in place and in axes.
+/// Checks that a joint's two sides agree in the rest pose, in place and in axes.
 void expectAtRest(const World& world, const JointTrees::Joint& joint)
 {
     const Vector3f own = place(world, joint.body, joint.side.arm),
@@ -55,7 +55,7 @@ void expectAtRest(const World& world, const JointTrees::Joint& joint)
     EXPECT_LT((own - other).norm(), 1e-6f) << "body " << joint.body;
     const Quaternionf frame = world.bodies[joint.body].rotation * joint.side.frame;
     const Quaternionf parentFrame = world.bodies[joint.parent].rotation * joint.parentSide.frame;
-    // The acos in angularDistance turns a rounding into its root.
+    // The acos in angularDistance turns a rounding error into its root.
     EXPECT_LT(frame.angularDistance(parentFrame), 2e-3f) << "body " << joint.body;
 }
 

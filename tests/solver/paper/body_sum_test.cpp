@@ -7,14 +7,14 @@ namespace knuckle::test {
 
 namespace {
 
-/// What a reduction leaves in the stages of a body, in double precision, and how far single precision may be off.
+/// Results of a reduction in the stages of a body, in double precision, and the tolerance for single precision.
 struct BodySums {
     Vector3d move = Vector3d::Zero();
     Matrix3d a = Matrix3d::Zero();
     double moveTolerance = 0.0, matrixTolerance = 0.0;
 };
 
-/// Random moves on top of random places, which the paper's solver leaves off their goals.
+/// Random moves on top of random places, off the goals of the paper's solver.
 class BodySum : public testing::Test {
 protected:
     BodySum() : fixture(mixedWorld(byThePaper()))
@@ -34,8 +34,8 @@ protected:
         for (uint32_t k = 0; k < fixture.world.bodies.size(); ++k) expected.push_back(reference(k));
     }
 
-    /// Eq. 9 about the centre before the substep, and the mean of the particles' moves. Shared ones are pulled, and
-    /// move from where the body had them.
+    /// Eq. 9 about the centre before the substep, and the mean of the particles' moves. Shared particles are pulled,
+    /// and move from where the body had them.
     BodySums reference(uint32_t body)
     {
         Stages& b = fixture.stages;

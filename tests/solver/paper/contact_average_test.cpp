@@ -8,7 +8,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// What a particle's contacts ask of it, in double precision; not sure where rounding decides a case.
+/// What a particle's contacts ask of it, in double precision; not sure if rounding decides a case.
 struct Wanted {
     Vector3d move = Vector3d::Zero();
     double acting = 0.0;
@@ -82,9 +82,10 @@ protected:
                                           PARITY * fixture.stages.parameters.pairCapacity * sizeof(gpu::uvec2));
     }
     bool stabilize() const { return GetParam() == Pass::Stabilize; }
-    /// What part of a particle's move its body follows with there: its mass over the effective mass of the body.
+    /// The part of a particle's move that its body follows there: the particle's mass over the effective mass of the
+    /// body.
     double share(uint32_t i) const { return double(restOffsets[i].w) * double(fixture.world.particles[i].mass); }
-    /// As much as the body takes without answering by more than what is asked, at most 1.7 times but to stabilize.
+    /// As much as the body takes without answering by more than is asked, at most 1.7 times unless stabilizing.
     double relaxation(uint32_t i) const
     {
         const Particle& p = fixture.world.particles[i];
@@ -96,7 +97,7 @@ protected:
     Vector3d start(uint32_t i) const { return vec3(starts[i]).cast<double>(); }
     Vector3d move(uint32_t i) const { return vec3(moves[i]).cast<double>(); }
     bool isFixed(uint32_t i) const { return knuckle::isFixed(fixture.world, fixture.world.particles[i]); }
-    /// As predict has it for contacts, scaled.
+    /// As predict gives it to contacts, scaled.
     double inverseMass(uint32_t i) const { return double(moves[i].w); }
     double sideShare(uint32_t own, uint32_t other) const
     {

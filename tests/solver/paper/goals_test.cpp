@@ -36,7 +36,7 @@ protected:
         const Vector3d arm = start.cast<double>() * link.restOffset.cast<double>();
         return vec3(moves[link.body]).cast<double>() + quaternion(turns[link.body]).cast<double>() * arm - arm;
     }
-    /// The mean of the goals of a particle's bodies; of a loose or fixed one, the move that it has.
+    /// The mean of the goals of a particle's bodies; for a loose or fixed one, its own move.
     std::vector<Vector3d> wantedMoves() const
     {
         std::vector<Vector3d> wanted(moved.size(), Vector3d::Zero());

@@ -8,7 +8,7 @@ namespace knuckle::test {
 namespace {
 
 constexpr uint32_t SUBSTEP = 9;
-/// Of a movement of some centimetres: a few roundings of 2^-24.
+/// For a movement of some centimetres: a few roundings of 2^-24.
 constexpr float ROUNDING = 2e-8f;
 
 /// The paper's predict and finish on random states of particles of every kind, in the tenth substep of a run.
@@ -33,7 +33,7 @@ protected:
         fixture.setCounters(now);
     }
     bool isFixed(size_t i) const { return knuckle::isFixed(fixture.world, fixture.world.particles[i]); }
-    /// All assemblies were last touched in this substep, and go by this order.
+    /// Sets for all assemblies the substep of the last contact and the order.
     void setAssemblies(uint32_t lastContact, uint32_t order)
     {
         const size_t count = fixture.stages.particles.assemblyState.size();
@@ -41,7 +41,7 @@ protected:
     }
     float h() const { return fixture.stages.parameters.substepTime; }
     Vector3f g() const { return vec3(fixture.stages.parameters.gravity); }
-    /// Every particle's predicted move is `wanted`, a fixed one's zero.
+    /// Checks that every particle's predicted move is `wanted`, zero for a fixed one.
     template <typename Wanted>
     void expectMoves(Wanted wanted, uint32_t order)
     {
@@ -59,7 +59,7 @@ protected:
         }
     }
     Vector3f firstOrder(size_t i) const { return h() * (vec3(velocities[i]) + h() * g()); }
-    /// Every moving particle's new velocity is `wanted`; fixed ones have none.
+    /// Checks that every moving particle's new velocity is `wanted`; fixed ones have none.
     template <typename Wanted>
     void expectVelocities(Wanted wanted)
     {
@@ -136,7 +136,7 @@ TEST_F(PredictFirstOrder, ASearchIsDueWhereSomebodyWouldLeaveItsMargin)
     const float drift = fixture.stages.parameters.drift;
     EXPECT_FLOAT_EQ(drift, 0.05f * DIAMETER) << "a quarter of the margin between two, half of one's own";
     for (float far : {0.99f, 1.01f}) {
-        // All but one where they are looked for; that one next to it.
+        // All but one at their searched places; that one next to its place.
         std::vector<gpu::vec4> found;
         for (size_t i = 0; i < positions.size(); ++i) found.push_back(packed(vec3(positions[i]) + vec3(predicted[i])));
         const size_t mover = positions.size() / 2;
@@ -194,7 +194,7 @@ TEST_F(Finish, ParticlesOfBodiesStandWhereTheyPutThemAndOthersMove)
     fill(fixture.stages.bodies.moverRotations, rotations);
     fixture.forParticles("paper/finish");
     const auto found = fixture.stages.particles.positions.download();
-    // One that bodies share stands at the mean of where they have it.
+    // A shared particle is at the mean of where its bodies have it.
     std::vector<Vector3d> goals(found.size(), Vector3d::Zero());
     for (const Link& link : fixture.world.links) {
         const Vector3f place = vec3(centres[link.body]) + quaternion(rotations[link.body]) * link.restOffset;

@@ -14,15 +14,15 @@ constexpr int ROWS = 12;
 constexpr uint32_t PAIRS = 12;
 constexpr int STEPS = 150;
 
-/// A Plackett-Burman design of twelve rows: any two columns have all four pairs of levels. Those that are taken below
-/// also meet all values of the rows modulo three.
+/// A Plackett-Burman design of twelve rows: any two columns have all four pairs of levels. The columns used below also
+/// meet all values of the rows modulo three.
 bool level(int row, int column)
 {
     static constexpr const char* FIRST = "++-+++---+-";
     return row < ROWS - 1 && FIRST[(row + 11 - column) % 11] == '+';
 }
 
-/// The alternatives of a row: every two values of two different settings meet in some row.
+/// The alternatives of a row: any two values of two different settings meet in some row.
 Settings rowOf(SolverKind solver, int row)
 {
     Settings s = paperSettings();

@@ -12,7 +12,7 @@ namespace {
 constexpr double DEGREE = std::numbers::pi / 180.0;
 const Defines NEWTON, HOUSEHOLDER = {{"HOUSEHOLDER", "1"}}, HIGHAM = {{"HIGHAM", "1"}};
 
-/// One body's task: find the rotation of `a`, having been at `start` when the substep began.
+/// One body's task: to find the rotation of `a`, from `start` at the beginning of the substep.
 struct Case {
     Matrix3d a;
     Quaternionf start;
@@ -25,7 +25,7 @@ Matrix3d stretch(const Vector3d& values, Random& random)
     return axes * values.asDiagonal() * axes.transpose();
 }
 
-/// A body with this stretch that has turned by `degrees` about a random axis since the substep began.
+/// A body with this stretch, turned by `degrees` about a random axis since the substep began.
 Case turned(const Vector3d& values, double degrees, Random& random)
 {
     const Quaternionf start = random.rotation();
@@ -35,10 +35,10 @@ Case turned(const Vector3d& values, double degrees, Random& random)
 
 struct Nearest {
     Eigen::Quaterniond rotation;
-    double gap;  ///< Torque over rotation: s2 + s3 over the size of `a`; s3 < 0 where `a` is mirrored.
+    double gap;  ///< Torque over rotation: s2 + s3 over the size of `a`; s3 < 0 if `a` is mirrored.
 };
 
-/// The proper rotation nearest to `a`, by its singular values: not by the 4x4 matrix that one of the methods takes.
+/// The proper rotation nearest to `a`, by its singular values: independent of one method's 4x4 matrix.
 Nearest nearest(const Matrix3d& a)
 {
     const Eigen::JacobiSVD<Matrix3d> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -51,12 +51,12 @@ class Rotation : public testing::Test {
 protected:
     Rotation() : fixture(mixedWorld(byThePaper())), count(fixture.world.bodies.size())
     {
-        // All bodies are cases, those too that the world has fixed.
+        // All bodies are cases, including those fixed in the world.
         fill(fixture.stages.bodies.moverStates,
              std::vector<uint32_t>(fixture.stages.bodies.moverStates.size(), MOVER_DYNAMIC));
     }
 
-    /// Runs the kernel by this method on one case a body. @returns where each body ends.
+    /// Runs the kernel with this method on one case per body. @returns each body's final rotation.
     std::vector<Eigen::Quaterniond> solve(const Defines& method, const std::vector<Case>& cases)
     {
         Stages& b = fixture.stages;
@@ -100,8 +100,8 @@ protected:
         for (size_t k = 0; k < list.size(); ++k)
             EXPECT_LT(found[k].angularDistance(nearest(list[k].a).rotation), tolerance) << "body " << k;
     }
-    /// Some eight roundings in the torque of A and as many in the quaternions; besides, each of the three rounds leaves
-    /// a turn its share of 1e-4 lambda (turn_higham.glsl) over the distance 2 gap to the next eigenvalue.
+    /// Some eight roundings in the torque of A and as many in the quaternions; in addition, each of the three rounds
+    /// leaves of a turn 1e-4 lambda (higham.glsl) over the distance 2 gap to the next eigenvalue.
     void expectHigham(const std::vector<Case>& list)
     {
         const auto found = solve(HIGHAM, list);
@@ -117,7 +117,7 @@ protected:
 };
 
 // Single precision gives a rotation to some 1e-6; the stretches below have gaps of at least a tenth of their size,
-// which makes ten times that. The Newton steps converge quadratically from what a substep turns.
+// which makes this ten times larger. The Newton steps converge quadratically from a substep's turn.
 constexpr double ROUNDING = 1e-5;
 
 TEST_F(Rotation, SolidBodiesTurnAsTheOracleSays)
@@ -181,7 +181,7 @@ TEST_F(Rotation, AFlatBodyTurnsAsTheOracleSays)
     expectOracle(NEWTON, list, ROUNDING);
 }
 
-/// What the paper's virtual particles make of A: c (as a share of its size) times the last rotation (eq. 18).
+/// A with the paper's virtual particles: adds c (as a share of its size) times the last rotation (eq. 18).
 Matrix3d withVirtualParticles(const Case& c, double share)
 {
     return c.a + share * c.a.norm() * c.start.cast<double>().toRotationMatrix();
@@ -205,8 +205,8 @@ TEST_F(Rotation, VirtualParticlesTurnStraightBodiesByHouseholder)
     for (size_t k = 0; k < list.size(); ++k) {
         const Eigen::Quaterniond wanted = nearestRotation(
             withVirtualParticles(list[k], fixture.stages.parameters.virtualParticles));
-        // The two small singular values are c and c cos 20 deg: their squares' ratio, 0.88, is what one QR iteration
-        // gains, and 24 leave 0.88^24 = 5 % of what is between them.
+        // The two small singular values are c and c cos 20 deg: one QR iteration gains the ratio of their squares,
+        // 0.88, and 24 leave 0.88^24 = 5 % of the difference.
         const Vector3d line = list[k].a.transpose() * (list[k].a * Vector3d(1, 2, 3));
         EXPECT_LT((found[k] * line - wanted * line).norm() / line.norm(), 0.05) << "body " << k;
         EXPECT_LT(found[k].angularDistance(wanted), 0.05) << "body " << k;
@@ -221,7 +221,7 @@ TEST_F(Rotation, AStraightBodyFollowsItsLineWithoutTwist)
         const Quaternionf start = r.rotation();
         const Vector3d line = axes.direction().cast<double>();
         lines.push_back(line);
-        // Turned across the line, so that the way there has no twist.
+        // Turned perpendicular to the line, so that the way there has no twist.
         const Vector3d now = start.cast<double>() * line;
         const Vector3d across = now.cross(r.direction().cast<double>()).normalized();
         const Vector3d there = Eigen::AngleAxisd(20.0 * DEGREE, across) * now;
@@ -234,8 +234,8 @@ TEST_F(Rotation, AStraightBodyFollowsItsLineWithoutTwist)
             const Vector3d there = list[k].a * lines[k] / 0.3;
             EXPECT_LT((found[k] * lines[k] - there).norm(), ROUNDING) << "body " << k;
             const auto shortest = Eigen::Quaterniond::FromTwoVectors(list[k].start.cast<double>() * lines[k], there);
-            // Each of Newton's three steps turns across the line to first order only: some hundredths of the 20
-            // degrees. Higham's lets through the torque's eight roundings over 1e-4: 0.3 degrees in half an angle.
+            // Each of Newton's three steps turns perpendicular to the line only to first order: some hundredths of the
+            // 20 degrees. Higham's lets through the torque's eight roundings over 1e-4: 0.3 degrees in half an angle.
             EXPECT_LT(found[k].angularDistance(shortest * list[k].start.cast<double>()), 0.5 * DEGREE) << "body " << k;
         }
     }
@@ -247,8 +247,8 @@ TEST_F(Rotation, ABodyThatHasNotTurnedStaysWhereItIs)
     for (const Defines& method : {NEWTON, HOUSEHOLDER, HIGHAM}) expectOracle(method, list, 2e-6);
 }
 
-/// Bodies of about as long as wide, thinnest along x, hardly strained: QR, which sorts eigenvalues from large to small,
-/// is amid turning them around.
+/// Bodies about as long as wide, thinnest along x, hardly strained: QR, which sorts eigenvalues from large to small, is
+/// in the middle of exchanging them.
 TEST_F(Rotation, ABodyThatIsThinnestAlongItsFirstAxisTurnsAsTheOracleSays)
 {
     double ratio = 1.0;

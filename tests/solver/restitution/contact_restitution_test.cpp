@@ -11,7 +11,7 @@ protected:
     {
         return std::max(fixture.restitution(c.first), fixture.restitution(c.second));
     }
-    /// What an impulse along the normal meets, each side's mass split over its impulses.
+    /// The inverse mass for an impulse along the normal, with each side's mass split over its impulses.
     double inverseMass(const TestContact& c) const
     {
         return fixture.splits[fixture.moverOf[c.first]] * c.firstMass * c.firstFraction +
@@ -65,13 +65,13 @@ TEST_F(ContactRestitution, TheLedgerHasWhatTheImpulsesGiveAndWhatOneSideTookFrom
         ASSERT_NEAR(found[q].x, part * impulse * s.solved, tolerance + 1e-12) << "pair " << q;
         ASSERT_NEAR(found[q].y, part * impulse * (s.now - s.solved) / 2, tolerance + 1e-12) << "pair " << q;
         fixed += hasFixed(c);
-        // What the solver's impulse does to a side that begins with gravity's share, and to the other.
+        // The effect of the solver's impulse on a side that begins with gravity's part, and on the other.
         const Vector3d solver = vec3(c.impulse).cast<double>() / fixture.h(), pull = fixture.h() * fixture.gravity();
         const auto work = [&](uint32_t m, const Vector3f& r) {
             const Vector3d at = fixture.armOf(m, r);
             return solver.dot(fixture.before.known[m].at(at) + pull + fixture.solved.known[m].at(at)) / 2;
         };
-        // The work on both is taken from both alike: half of their difference is what the first has taken too much.
+        // The work on both is taken from both equally: half of their difference is the first side's excess.
         const double wanted = hasFixed(c) ? 0.0 : (work(a, c.firstArm) + work(b, c.secondArm)) / 2;
         ASSERT_NEAR(found[q].z, wanted, solver.norm() * s.speedError + 1e-12) << "pair " << q;
     }
@@ -90,7 +90,7 @@ TEST_F(ContactRestitution, ImpulsesAreScaledToWhatThePoorerSideAffords)
         double ours = 1.0, solvers = 1.0;
         for (uint32_t particle : {c.first, c.second}) {
             const uint32_t m = fixture.moverOf[particle];
-            if (!fixture.responds(m) && ++alone) continue;  // what is fixed affords everything
+            if (!fixture.responds(m) && ++alone) continue;  // fixed movers afford everything
             ours = std::min(ours, static_cast<double>(fixture.shares[m].x));
             solvers = std::min(solvers, static_cast<double>(fixture.shares[m].y));
         }

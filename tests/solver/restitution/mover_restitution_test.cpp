@@ -7,7 +7,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// What acts on a mover: its impulses with their arms in its axes, in all lists.
+/// Everything that acts on a mover: its impulses with their arms in its axes, in all lists.
 struct Acting {
     Vector3d impulse = Vector3d::Zero();
     Vector3d torque = Vector3d::Zero();  ///< In the world's axes.
@@ -91,7 +91,7 @@ TEST_F(MoverRestitution, ImpulsesChangeVelocitiesByMassAndInertia)
     }
 }
 
-/// The closed form: of one collision, one iteration gives the speed of parting, and momentum is kept.
+/// The closed form: for a single collision, one iteration gives the speed of parting, and momentum is kept.
 TEST_F(MoverRestitution, ASingleCollisionPartsWithItsShareOfTheSpeedOfApproach)
 {
     // Two loose particles that meet head on.

@@ -7,11 +7,11 @@ namespace knuckle::test {
 
 namespace {
 
-/// What a mover's energy affords, in double precision.
+/// Energy that a mover affords, in double precision.
 struct Purse {
     Vector3d ledger = Vector3d::Zero();
     double budget = 0.0, push = 0.0;  ///< [J]
-    double error = 0.0;               ///< Of the budget by rounding [J].
+    double error = 0.0;               ///< Of the budget, by rounding [J].
 };
 
 class MoverShare : public Restitution {
@@ -94,7 +94,7 @@ TEST_F(MoverShare, TheGainIsWithinWhatTheSubstepTook)
         }
         const Purse& p = purses[m];
         const double budget = std::max(p.budget, 0.0), share = largestShare(p.ledger, budget);
-        // The share moves with the budget by one over the slope of the gain there; at no budget by its root.
+        // The share changes with the budget by one over the slope of the gain there; without a budget by its root.
         const double slope = std::abs(p.ledger.x() + 2 * share * p.ledger.y());
         const double tolerance = 8 * EPSILON + std::min(p.error / std::max(slope, 1e-20), std::sqrt(p.error));
         ASSERT_NEAR(found[m].x, share, tolerance) << "mover " << m;

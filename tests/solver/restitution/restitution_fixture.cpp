@@ -55,7 +55,7 @@ RestitutionFixture::RestitutionFixture() : ContactFixture(bouncyWorld())
     setRestitutions(206);
 }
 
-/// A field of velocity is the chord of the last substep's turn: how far the axes came, over its time.
+/// A velocity field is the chord of the last substep's turn: the move of the axes, over its time.
 Velocities RestitutionFixture::randomVelocities(float ofT, float ofSpin, uint32_t seed) const
 {
     Random random(seed);
@@ -81,7 +81,7 @@ Velocities RestitutionFixture::randomVelocities(float ofT, float ofSpin, uint32_
     return out;
 }
 
-/// A third carries nothing in the substep; the solver's impulses [kg m] are in any direction.
+/// A third carries nothing in the substep; the solver's impulses [kg m] have any direction.
 void RestitutionFixture::addState(TestContact& c, Random& random, float levels) const
 {
     c.firstArm = isBody(moverOf[c.first]) ? random.inCube(0.1f) : Vector3f(0, 0, 0);
@@ -169,7 +169,7 @@ void RestitutionFixture::addSide(Collision& out, uint32_t mover, const Vector3f&
     const Vector3d from = armOf(mover, r);
     out.now += sign * out.normal.dot(now.known[mover].at(from));
     out.solved += sign * out.normal.dot(solved.known[mover].at(from));
-    // Of velocities of some rounded steps each, the angular ones of axes of five.
+    // For velocities of some rounded steps each, the angular ones from five of the axes.
     for (const Velocities* v : {&before, &now, &solved})
         out.speedError = std::max(out.speedError, 32 * EPSILON * v->known[mover].size(from));
     if (!responds(mover)) return;
@@ -178,7 +178,7 @@ void RestitutionFixture::addSide(Collision& out, uint32_t mover, const Vector3f&
     pull += sign * gravity();
 }
 
-/// v^2 = v0^2 + 2 g s, of both along the normal.
+/// v^2 = v0^2 + 2 g s, for both along the normal.
 void RestitutionFixture::finish(Collision& out, const Vector3d& arrival, const Vector3d& way,
                                 const Vector3d& pull) const
 {

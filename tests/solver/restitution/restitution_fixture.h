@@ -7,7 +7,7 @@
 
 namespace knuckle::test {
 
-/// How a mover moves, in double precision.
+/// Motion of a mover, in double precision.
 struct Velocity {
     Vector3d t = Vector3d::Zero();     ///< Of its centre [m/s].
     Vector3d spin = Vector3d::Zero();  ///< [rad/s]
@@ -16,13 +16,13 @@ struct Velocity {
     double size(const Vector3d& arm) const { return t.norm() + spin.norm() * arm.norm(); }
 };
 
-/// One velocity per mover, as the host knows them and as the shaders do.
+/// One velocity per mover, in the forms of the host and of the shaders.
 struct Velocities {
     std::vector<Velocity> known;
     std::vector<gpu::vec4> fields;
 };
 
-/// How a contact's two sides meet and move along its normal, with bounds of what single precision makes of it.
+/// How a contact's two sides meet and move along its normal, with bounds of the error of single precision.
 struct Collision {
     Vector3d normal;
     double approach = 0.0, now = 0.0, solved = 0.0;  ///< [m/s]
@@ -31,8 +31,8 @@ struct Collision {
     bool sure = true;                                ///< Not so near to a limit that rounding decides.
 };
 
-/// Movers in the middle of collisions: 1501 contacts between particles and 777 with colliders, which have what the
-/// kernels of restitution read, all at random. What is fixed has no velocity.
+/// Movers in the middle of collisions: 1501 contacts between particles and 777 with colliders, with random inputs for
+/// the kernels of restitution. Fixed movers have no velocity.
 class RestitutionFixture : public ContactFixture {
 public:
     RestitutionFixture();
@@ -40,11 +40,11 @@ public:
     double h() const { return stages.parameters.substepTime; }
     Vector3d gravity() const { return vec3(stages.parameters.gravity).cast<double>(); }
     bool responds(uint32_t mover) const { return !isFixed(mover); }
-    /// Of the point of a mover at an arm of a contact.
+    /// The arm of a mover's point at a contact.
     Vector3d armOf(uint32_t mover, const Vector3f& r) const { return arm(mover, r.cast<double>()); }
     Collision ofPair(const TestContact& c) const;
     Collision ofCollider(const TestContact& c) const;
-    /// The impulses so far: a third none, a third yet to come, a third some.
+    /// The impulses so far: a third none, a third pending, a third non-zero.
     void setRestitutions(uint32_t seed);
 
     std::vector<gpu::vec4> pairRestitutions() const;
@@ -63,7 +63,7 @@ private:
     void makeColliderContacts();
     void addState(TestContact& c, Random& random, float levels) const;
     Vector3d particleArm(uint32_t particle) const;
-    /// Of a side in the direction of the normal; adds to the errors.
+    /// Adds one side's part in the direction of the normal, and its errors.
     void addSide(Collision& out, uint32_t mover, const Vector3f& r, double sign, Vector3d& arrival, Vector3d& way,
                  Vector3d& pull) const;
     void finish(Collision& out, const Vector3d& arrival, const Vector3d& way, const Vector3d& pull) const;
@@ -71,7 +71,7 @@ private:
     std::vector<gpu::vec4> masses_, offsets_;
 };
 
-/// What an impulse should be after a kernel, and how much rounding may change.
+/// The expected impulse after a kernel, and its tolerance.
 struct Bounce {
     Vector3d whole = Vector3d::Zero();
     double w = 0.0;
@@ -94,15 +94,15 @@ void expectBounces(const std::vector<gpu::vec4>& found, const Wanted& wanted)
         ASSERT_LE((vec3(found[q]).cast<double>() - b.whole).norm(), 3 * b.tolerance) << "contact " << q;
         ++(b.w == 0.0 ? nothing : b.w < 0.0 ? waiting : acting);
     }
-    // Every case is met by more than a few.
+    // Every case occurs more than a few times.
     for (uint32_t met : {nothing, waiting, acting}) EXPECT_GT(met, found.size() / 20);
     EXPECT_LT(edges, found.size() / 50);
 }
 
 class Restitution : public testing::Test {
 protected:
-    /// After DETECT: what meets fast while it carries is about to act, and nothing else. @param collisionOf,
-    /// restitutionOf a contact. @param enough at least so many act, and carry but are too slow.
+    /// After DETECT: contacts that meet fast while they carry are about to act, and no others. @param collisionOf,
+    /// restitutionOf a contact. @param enough the least number that act, and that carry but are too slow.
     template <typename CollisionOf, typename RestitutionOf>
     void expectDetection(const std::vector<gpu::vec4>& found, const std::vector<TestContact>& contacts,
                          const CollisionOf& collisionOf, const RestitutionOf& restitutionOf, uint32_t enough)

@@ -11,7 +11,7 @@ namespace {
 /// Places up to half a metre and sums of three products: 16 roundings of 2^-24 of a metre, four times over for bodies.
 constexpr float ROUNDING = 4e-6f;
 
-/// Movers at random places, with their particles around them. The parameter: how many colliders there are.
+/// Movers at random places, with their particles around them. The parameter: the number of colliders.
 class ColliderFind : public testing::TestWithParam<uint32_t> {
 protected:
     ColliderFind() : fixture(colliderWorld(GetParam()))
@@ -47,7 +47,7 @@ protected:
         return colliders;
     }
     /// Compares with the distances to all colliders. @param reach per mover: how much further it looks [m].
-    /// @returns how many contacts had to be found, per collider.
+    /// @returns the number of contacts to find, per collider.
     std::vector<uint32_t> expectAllInReach(const std::vector<float>& reach)
     {
         const auto colliders = download();
@@ -121,7 +121,7 @@ std::string colliderCountName(const testing::TestParamInfo<uint32_t>& count)
     return "Of" + std::to_string(count.param);
 }
 
-// As many bits as a mover has, one less and more, and twice around.
+// As many as a mover has bits, one less and more, and more than twice that.
 INSTANTIATE_TEST_SUITE_P(Colliders, ColliderFind, testing::Values(4u, 31u, 32u, 33u, 70u), colliderCountName);
 
 }  // namespace

@@ -24,7 +24,7 @@ protected:
             for (uint32_t j : noted[i]) ++times[std::minmax(i, j)];
         return times;
     }
-    /// Compares what was found with all pairs of particles. @returns those that had to be found.
+    /// Compares the found pairs with all pairs of particles. @returns those that had to be found.
     std::vector<Pair> expectAllPairsOnce()
     {
         auto times = timesFound();
@@ -76,7 +76,7 @@ TEST_P(ContactFind, FastMoversFindAllInTheirReachOnce)
 
 TEST_P(ContactFind, FastMoversLookIntoEveryCellUpToTwoAway)
 {
-    // Two loose particles in cells that are so far apart, near each other's, for each such pair of cells.
+    // Two loose particles in cells this far apart, each near the other's cell, for each such pair of cells.
     const gpu::StepParameters& p = fixture.stages.parameters;
     auto positions = fixture.found;
     std::vector<float> reaches(p.moverCount, 0.0f);
@@ -134,8 +134,8 @@ TEST_P(ContactFind, SecondParticlesCountTheirPairsAndNumberThem)
 
 TEST_P(ContactFind, TheRulesOfWhatTouchesAllMatterHere)
 {
-    // Near each other and not of one first body, but excluded, by each rule alone: else the tests above would prove
-    // less than they say.
+    // Pairs near each other, not of one first body, but excluded by each rule alone: otherwise the tests above would
+    // prove less than they claim.
     uint32_t crosses = 0, overlaps = 0, margins = 0, shared = 0, neighbours = 0;
     const auto& particles = fixture.world.particles;
     for (uint32_t i = 0; i < fixture.count(); ++i)

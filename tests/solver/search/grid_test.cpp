@@ -79,7 +79,7 @@ TEST_P(Grid, CellsStartAtThePrefixSumOfTheCounts)
     const auto counts = histogram();
     std::vector<uint32_t> starts(counts.size());
     std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0u);
-    // The first cells stand once more behind the last.
+    // The first cells are listed again after the last.
     starts.push_back(static_cast<uint32_t>(places.size()));
     for (uint32_t cell = 0; cell < WRAPPED_CELLS; ++cell) {
         if (GetParam() == GridKind::Lattice) {
@@ -121,7 +121,7 @@ TEST_P(Grid, TellsOfEachSortedParticleWhatTheSearchNeeds)
 
 TEST_P(Grid, SortsTheSameWhenParticlesArriveInAnotherOrder)
 {
-    // Scatter once more with the arrivals of each cell reversed, as another thread order could have left them.
+    // Scatters once more with the arrivals of each cell reversed, as another thread order could have left them.
     const auto before = ids();
     auto cells = fixture.stages.search.particleCells.download();
     const auto counts = histogram();

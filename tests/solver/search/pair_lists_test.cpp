@@ -29,7 +29,7 @@ protected:
         const auto half = static_cast<std::ptrdiff_t>(values.size() / 2);
         return {values.begin() + parity() * half, values.begin() + (parity() + 1) * half};
     }
-    /// Every pair by rank of its first particle, each particle's in the order in which they were noted.
+    /// All pairs by rank of the first particle, those of each particle in the order in which they were noted.
     std::vector<gpu::uvec2> wantedPairs() const
     {
         std::vector<gpu::uvec2> pairs;
@@ -37,8 +37,8 @@ protected:
             for (uint32_t j : noted[i]) pairs.push_back({i, j});
         return pairs;
     }
-    /// Which pairs each particle is the second of, in ascending order, by rank; those that there is no room for stand
-    /// for none, at the end of each rank.
+    /// The pairs in which each particle is the second, in ascending order, by rank; pairs without room are NO_INDEX, at
+    /// the end of each rank.
     std::vector<uint32_t> wantedReferences() const
     {
         const auto pairs = wantedPairs();
@@ -56,14 +56,14 @@ protected:
     std::vector<std::vector<uint32_t>> noted;
 };
 
-/// The first of `values` are those wanted, the rest were left alone.
+/// Checks that `values` begin with those wanted, and that the rest is unchanged.
 void expectBegins(const std::vector<uint32_t>& values, const std::vector<uint32_t>& wanted, uint32_t untouched)
 {
     for (size_t k = 0; k < values.size(); ++k)
         ASSERT_EQ(values[k], k < wanted.size() ? wanted[k] : untouched) << "place " << k;
 }
 
-/// The pairs in the first `end` places are those wanted, the rest were left alone.
+/// Checks that the pairs in the first `end` places are those wanted, and that the rest is unchanged.
 void expectPairs(const std::vector<gpu::uvec2>& pairs, size_t start, const std::vector<gpu::uvec2>& wanted, size_t end,
                  gpu::uvec2 untouched)
 {
@@ -162,7 +162,7 @@ TEST_P(PairLists, MorePairsThanThereIsRoomForAreReportedAndLeftOut)
 
 TEST_P(PairLists, ReferencesAreTheSameInEveryRunEvenWhereThereIsNoRoom)
 {
-    // What the arrivals held before comes from another search, in an order of its own.
+    // The old contents of the arrivals come from another search, with its own order.
     constexpr uint32_t ROOM = 1001;
     fixture.narrow(fixture.stages.parameters.candidateCapacity, ROOM, fixture.stages.parameters.colliderPairCapacity);
     find();

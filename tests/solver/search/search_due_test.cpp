@@ -16,7 +16,7 @@ class SearchDue : public testing::Test {
 protected:
     SearchDue() : fixture(mixedWorld())
     {
-        // More than the world has, so that lists of all lengths take several groups.
+        // More than in the world, so that lists of all lengths take several groups.
         fixture.stages.parameters.particleCount = 30001;
         fixture.stages.parameters.moverCount = 20011;
         fixture.setParameters();
@@ -29,7 +29,7 @@ protected:
         counters.fastListed = 2;
         counters.candidateCount = 3;
         counters.pairCount = 55;
-        // What the last search left.
+        // Leftovers of the last search.
         fill(fixture.stages.dispatches, std::vector<gpu::uvec4>(DISPATCH_COUNT, gpu::uvec4{9, 1, 1, 0}));
     }
     void run()
@@ -57,7 +57,7 @@ protected:
         // Their sizes are known later.
         for (uint32_t dispatch : {DISPATCH_NEW_PAIRS, DISPATCH_NEW_COLLIDER_PAIRS, DISPATCH_FAST, DISPATCH_CANDIDATES})
             EXPECT_EQ(sizes[dispatch].x, 0u) << "dispatch " << dispatch;
-        // The contacts of the last search, which are solved where there is no new one.
+        // The contacts of the last search, which are solved if there is no new one.
         for (uint32_t dispatch : {DISPATCH_PAIRS, DISPATCH_COLLIDER_PAIRS}) EXPECT_EQ(sizes[dispatch].x, 9u);
         EXPECT_EQ(counters.pairCount, 55u);
         EXPECT_EQ(counters.listParity, found ? 0u : 1u);

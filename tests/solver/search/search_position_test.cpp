@@ -8,7 +8,7 @@ namespace knuckle::test {
 
 namespace {
 
-/// Movers that have moved and turned at random since the substep began, from not at all to too far to look ahead.
+/// Movers that have moved and turned at random since the substep began, from zero to too far to look ahead.
 class SearchPosition : public testing::Test {
 protected:
     explicit SearchPosition(const Settings& settings = {}) : fixture(mixedWorld(settings))
@@ -47,8 +47,8 @@ protected:
         counters.fastCount = fast;
         fixture.setCounters(counters);
     }
-    /// Where the mover's centre is put ahead of where it is now: as far as it comes in lookAhead substeps, at most by
-    /// three quarters of what it may drift.
+    /// How far the mover's centre is put ahead of its place now: its way in lookAhead substeps, at most three quarters
+    /// of its margin.
     Vector3d ahead(uint32_t m, double drift) const
     {
         const Vector3d move = vec3(moves[m]).cast<double>();
@@ -81,7 +81,7 @@ protected:
     {
         auto fast = fixture.stages.search.fastParticles.download();
         fast.resize(fixture.counters().fastListed);
-        for (uint32_t& entry : fast) entry >>= 1;  // the lowest bit: whether it is told where to be
+        for (uint32_t& entry : fast) entry >>= 1;  // the lowest bit: whether its clip tells its place
         std::sort(fast.begin(), fast.end());
         return fast;
     }
@@ -94,7 +94,8 @@ protected:
         uint32_t fast = 0, later = 0, none = 0, most = 0;
         for (uint32_t m = 0; m < movers(); ++m) {
             const double radius = m < parameters().bodyCount ? moments[3 * m].w : 0.0;
-            // A way of 1.75 times what the place lies ahead of its start, and a turn that nothing looks ahead of.
+            // A way of 1.75 times the distance of the place ahead of its start, and a turn, which is not looked ahead
+            // of.
             const double way = vec3(moves[m]).cast<double>().norm() / 1.75 +
                                2.0 * quaternion(turns[m]).cast<double>().vec().norm() * radius;
             const double missing = longer * parameters().horizon * way - parameters().drift;
@@ -154,7 +155,8 @@ TEST_F(SearchPosition, NobodyReachesFurtherWhereTooManyWouldHaveTo)
 
 TEST_F(SearchPosition, TheGridAgreesOnWhoIsFastHoweverLittleAMoverReaches)
 {
-    // contact_find leaves to contact_find_far those that grid_order calls fast: nobody may be both's or neither's.
+    // contact_find leaves the particles that grid_order calls fast to contact_find_far: none may belong to both or
+    // neither.
     for (size_t m = 0; m < reaches.size(); ++m) reaches[m] = std::pow(10.0f, -static_cast<float>(m % 20));
     fill(fixture.stages.search.moverReaches, reaches);
     setFastCount(0);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr uint32_t CAPACITY = 100000;
 
-/// Every other joint's bodies never touch.
+/// Makes the bodies of every other joint never touch.
 World withNeighbours(World world)
 {
     for (size_t j = 0; j < world.joints.size(); j += 2) {

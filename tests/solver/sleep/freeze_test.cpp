@@ -22,13 +22,13 @@ protected:
         fill(fixture.stages.sleep->calmCentres, oldCentres);
         fill(fixture.stages.sleep->calmRotations, oldRotations);
     }
-    /// A loose particle is where it stands; its mover may be a step behind.
+    /// A loose particle has its own place; its mover may be a step behind.
     Vector3d centre(uint32_t mover) const
     {
         if (fixture.isBody(mover)) return fixture.centre(mover);
         return vec3(positions[fixture.parts[mover][0].particle]).cast<double>();
     }
-    /// The farthest that a particle of a mover can have come: a chord of the turn at most.
+    /// An upper bound of how far a mover's particles move: a chord of the turn.
     double moved(uint32_t mover) const
     {
         const Eigen::Quaterniond old = quaternion(oldRotations[mover]).cast<double>();

@@ -4,8 +4,8 @@
 
 namespace knuckle::test {
 
-/// Assemblies (gpu::uvec2: steps that they were calm, name of their island) that move, are calm or sleep, at random,
-/// and 1501 contacts between them.
+/// Assemblies (gpu::uvec2: calm steps, name of their island) that move, are calm or sleep, at random, and 1501 contacts
+/// between them.
 class SleepFixture : public ContactFixture {
 public:
     /// @param freezes each assembly by itself, instead of islands that sleep.
@@ -20,7 +20,7 @@ public:
     void forAssemblies(const std::string& name, const Defines& more = {}) { runSleep(name, assemblyCount(), more); }
     void setCalms(const std::vector<gpu::uvec2>& values);
     void setNext(const std::vector<gpu::uvec2>& values);
-    /// As many as a frame's start has, or each anything that an update may find.
+    /// Counts as at the start of a frame, or any that an update may find.
     std::vector<gpu::uvec2> randomCalms(uint32_t seed) const;
     std::vector<gpu::uvec2> nextCalms() const { return stages.sleep->assemblyNext.download(); }
     void expectCalms(const std::vector<gpu::uvec2>& found, const std::vector<gpu::uvec2>& wanted) const;

@@ -23,7 +23,7 @@ TEST_F(Sleep, AnAssemblyIsAsCalmAsTheLeastCalmOfItsMovers)
     std::vector<gpu::uvec2> wanted;
     for (uint32_t a = 0; a < fixture.assemblyCount(); ++a) wanted.push_back({fixture.calmSteps(), a});
     fixture.setNext(wanted);
-    // Half are slow; of bodies it is the spin that says so.
+    // Half are slow; for bodies this depends on their spin.
     auto velocities = fixture.randomFields(0.005f, 0.12f, 311);
     Random random(312);
     const double limit = fixture.stages.parameters.sleepSpeed;
@@ -69,7 +69,7 @@ TEST_F(Sleep, AnUpdateTakesOverWhatAStepHasFoundAndBeginsAnew)
     std::vector<gpu::uvec2> wanted, fresh;
     for (uint32_t a = 0; a < fixture.assemblyCount(); ++a) {
         const uint32_t steps = std::min(fixture.next[a].x, fixture.calmSteps());
-        // What has moved lately is an island of its own.
+        // An assembly that has moved lately is an island of its own.
         wanted.push_back({steps, steps < fixture.calmSteps() / 2 ? a : fixture.next[a].y});
         fresh.push_back({fixture.calmSteps(), a});
     }
@@ -102,7 +102,7 @@ TEST_F(Sleep, ACountTellsOverHowManyContactsTheNearestThingThatMovesIsAway)
     for (uint32_t k = 0; k < COUNT; ++k) {
         const gpu::uvec2 calm = found[fixture.assemblyOf(fixture.moverOf[first + k])];
         EXPECT_EQ(calm.x, std::min(k, fixture.calmSteps())) << "particle " << k;
-        // The last one that moved lately gives the island behind it its name.
+        // The last one that has moved lately gives the island after it its name.
         const uint32_t name = std::min(k, fixture.calmSteps() / 2 - 1);
         EXPECT_EQ(calm.y, fixture.assemblyOf(fixture.moverOf[first + name])) << "particle " << k;
     }

@@ -10,7 +10,7 @@ class SleepWake : public testing::Test {
 protected:
     std::vector<uint32_t> woken() const { return fixture.stages.sleep->islandsWoken.download(); }
     gpu::uvec4 moversDispatch() const { return fixture.stages.dispatches.download()[DISPATCH_MOVERS]; }
-    /// Some islands are woken, and the movers are not asked for yet.
+    /// Wakes some islands; the movers are not requested yet.
     std::vector<uint32_t> wakeSome(uint32_t ofHundred)
     {
         std::vector<uint32_t> some(fixture.assemblyCount());

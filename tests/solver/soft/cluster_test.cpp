@@ -9,7 +9,7 @@ namespace {
 
 constexpr float ROOT = 0.7f;
 
-/// Soft bodies that are solid, even, flat, straight, round and plastic, between other things: no number of clusters or
+/// Soft bodies that are solid, even, flat, straight, round and plastic, among other things: no number of clusters or
 /// particles is a multiple of a group.
 World softWorld()
 {
@@ -45,7 +45,7 @@ Matrix3d columns(const std::vector<gpu::vec4>& values, size_t first)
     return out;
 }
 
-/// What the kernels should find of a cluster, in double precision.
+/// Expected results of the kernels for a cluster, in double precision.
 struct Wanted {
     Matrix3d map, rotation, strain, pull;
     Vector3d centre;
@@ -148,7 +148,7 @@ TEST_F(ClusterKernels, AClusterIsMatchedAndPullsAsTheReferenceSays)
     for (uint32_t c = 0; c < fixture.world.clusters.size(); ++c) {
         SCOPED_TRACE("cluster " + std::to_string(c));
         const Wanted w = wanted(c);
-        // Rotations to 1e-5 (rotation_test.cpp); a line's twist is open, and R times its only direction is not.
+        // Rotations to 1e-5 (rotation_test.cpp); a line's twist is undetermined, but R times its only direction is not.
         const Matrix3d rotation = quaternion(rotations[c]).cast<double>().toRotationMatrix();
         EXPECT_LT(((rotation - w.rotation) * w.map.transpose()).norm(), 2e-5 * w.map.norm());
         const Vector3d centre = (vec3(pulls[5 * c]) + vec3(pulls[5 * c + 1])).cast<double>();
@@ -224,7 +224,7 @@ TEST_F(ClusterKernels, TheImpulsesOfABodyNeitherMoveNorTurnIt)
             torque += (place(i) - origin).cross(p);
             size += p.norm();
         }
-        // Single precision; rotations are found to some 1e-6 of what pulls, on arms of up to 0.7 m.
+        // Single precision; rotations are found to some 1e-6 of the pull, on arms of up to 0.7 m.
         EXPECT_LE(sum.norm(), 3e-6 * size);
         EXPECT_LE(torque.norm(), 1e-5 * size);
         EXPECT_EQ(size > 0.0, soft.clusterCount > 0);

@@ -94,7 +94,7 @@ protected:
         assemblies = orders;
     }
 
-    /// What the solver takes for its inverse mass; 0: nothing moves it.
+    /// The solver's value for its inverse mass; 0: nothing moves it.
     double share(uint32_t node) const
     {
         const bool fixed = isBody(node) && fixture.world.bodies[nodes[node].x].motion == Motion::Fixed;
@@ -112,7 +112,7 @@ protected:
         const Vector3d turned = isBody(node) ? Vector3d(quaternion(turns[m]).cast<double>() * arm(node)) : arm(node);
         return vec3(centres[m]).cast<double>() + vec3(moves[m]).cast<double>() + turned;
     }
-    /// How an impulse moves a node [1/kg].
+    /// The move of a node by an impulse [1/kg].
     Matrix3d response(uint32_t node) const
     {
         const uint32_t m = nodes[node].x;
@@ -224,8 +224,8 @@ TEST_P(DistanceSolve, ARowIsSolvedAsAllItsEquationsAtOnce)
             const Wanted w = wanted(strands[s]);
             double size = 0.0;
             for (const Vector3d& p : w.pushes) size = std::max(size, p.norm());
-            // Single precision: elimination of links that are 1e5 times as stiff along as what keeps them regular loses
-            // a few digits of seven.
+            // Single precision: eliminating links that are 1e5 times stiffer along than their regularization loses a
+            // few of seven digits.
             const double tolerance = 1e-3 * size + 1e-9;
             for (uint32_t k = strands[s].x; k <= strands[s].y; ++k) {
                 const Vector3d& p = w.pushes[k - strands[s].x];

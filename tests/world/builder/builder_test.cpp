@@ -33,7 +33,7 @@ TEST(Builder, SubstepsFollowTheDiameterUnlessTold)
         builder.addLooseParticle({});
         return builder.build().settings.substeps;
     };
-    // 4.5 m/s come 75 mm far in a step of 1/60 s: 3.75 fifths of 0.1 m, 9.4 of 0.04 m.
+    // 4.5 m/s are 75 mm in a step of 1/60 s: 3.75 fifths of 0.1 m, 9.4 of 0.04 m.
     EXPECT_EQ(substeps(0.05f), 4u);
     EXPECT_EQ(substeps(0.02f), 10u);
     EXPECT_EQ(substeps(0.5f), 4u);
@@ -128,7 +128,7 @@ TEST(Builder, ACrossHasMostOfTheMassThatItShares)
     for (const Link& link : world.links) {
         const Particle& particle = world.particles[link.particle];
         sums[link.particle] += link.mass;
-        // Six parts of eight where three bodies share, of seven where two do.
+        // Six eighths if three bodies share it, six sevenths if two do.
         if (world.bodies[link.body].isCross) {
             EXPECT_NEAR(link.mass, particle.mass * (particle.bodyCount == 3 ? 0.75f : 6.0f / 7.0f), 1e-6f);
         }
@@ -159,7 +159,7 @@ TEST(Builder, BodiesConnectedByJointsAreOneAssemblyAndLooseParticlesNone)
     builder.beginObject("chain");
     for (int k = 0; k < 4; ++k) builder.addBody("link", cubeAt({4.0f * static_cast<float>(k), 0, 0}), 0);
     JointSpec spec;
-    // The last to the first, so that numbers must spread through the chain.
+    // From the last to the first, so that numbers must spread through the chain.
     for (uint32_t k : {2u, 0u}) {
         spec.anchor = {(4.0f * static_cast<float>(k) + 2.0f) * DIAMETER, 0, 0};
         builder.addJoint(k + 1, k, spec);

@@ -71,7 +71,7 @@ TEST(Clusters, EveryParticleThatHasANeighbourIsInOne)
 
 TEST(Clusters, LimbsThatAreNearButNotConnectedAreNotGlued)
 {
-    // Two rods of one particle's width side by side with one place free between them, then joined at one end.
+    // Two rods one particle wide, side by side with one free place between them, then joined at one end.
     std::vector<Vector3f> positions;
     for (const Vector3f& p : boxLattice({1, 9, 1}, DIAMETER))
         for (float side : {0.0f, 2.0f}) positions.push_back(p + DIAMETER * Vector3f(side, 4, 0));

@@ -4,7 +4,7 @@ namespace knuckle::test {
 
 namespace {
 
-// An anchor and a frame that is no coordinate frame: axis u, direction from A to B w, and the third one v = w x u.
+// An anchor and a general frame: axis u, direction from A to B w, and the third one v = w x u.
 const Vector3f ANCHOR(0.3f, -0.2f, 0.7f);
 const Quaternionf TURN(Eigen::AngleAxisf(0.8f, Vector3f(1, 2, 3).normalized()));
 const Vector3f U = TURN * Vector3f::UnitZ();
@@ -16,8 +16,8 @@ JointPlaces placesOf(JointType type, int limitSide = 0)
     JointSpec spec;
     spec.type = type;
     spec.anchor = ANCHOR;
-    spec.axis = 3.0f * U;              // neither of unit length
-    spec.along = 2.0f * W + 0.5f * U;  // nor perpendicular
+    spec.axis = 3.0f * U;              // both not of unit length
+    spec.along = 2.0f * W + 0.5f * U;  // and not perpendicular
     spec.limitSide = limitSide;
     return jointPlaces(spec, DIAMETER);
 }

@@ -74,7 +74,7 @@ TEST(JointRecord, BothSidesAgreeAtRest)
             // Sums of a few dozen floats of some decimetres.
             EXPECT_LT((parent - child).norm(), 1e-7f) << jointTypeName(type);
             EXPECT_LT(parent.norm(), 1e-7f) << "where the joint was put";
-            // The acos in angularDistance turns a rounding into its root.
+            // The acos in angularDistance turns a rounding error into its root.
             EXPECT_LT(joint.parentSide.frame.angularDistance(joint.childSide.frame), 1e-3f) << jointTypeName(type);
         }
     }

@@ -63,7 +63,7 @@ TEST(Lattice, ACapsuleWithoutHeightIsASphere)
 TEST(Lattice, ACapsuleIsASphereWithAShaft)
 {
     // Each layer of the shaft is the sphere's middle layer: 13 points of Z^2 with norm <= 2. A half height of 3
-    // diameters takes the sphere apart at its middle and puts 6 more layers there.
+    // diameters splits the sphere at its middle and inserts 6 more layers there.
     const auto points = capsuleLattice(2.5f * DIAMETER, 3.0f * DIAMETER, DIAMETER);
     EXPECT_EQ(points.size(), 33u + 6u * 13u);
     for (const Vector3f& p : points) {
@@ -75,8 +75,8 @@ TEST(Lattice, ACapsuleIsASphereWithAShaft)
 
 TEST(Lattice, AFineSphereHasTheVolumeOfItsParticles)
 {
-    // Points within a radius R of n diameters: 4/3 pi n^3, off by the lattice points near the surface, whose share is
-    // below one layer of a hundredth: measured figures of Gauss's circle problem at n = 12 stay below 2 %.
+    // Points within a radius R of n diameters: 4/3 pi n^3, off by the lattice points near the surface. In
+    // Gauss's circle problem for balls that is below 2 % at n = 12.
     const auto points = sphereLattice(12.5f * DIAMETER, DIAMETER);
     const double ball = 4.0 / 3.0 * std::numbers::pi * 12.0 * 12.0 * 12.0;
     EXPECT_NEAR(static_cast<double>(points.size()) / ball, 1.0, 0.02);

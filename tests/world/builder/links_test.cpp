@@ -79,7 +79,7 @@ TEST(Links, SplitMassesOfAllLinksSumToTheMassOfAllParticles)
         double links = 0.0, bodies = 0.0;
         for (const Link& link : world.links) links += link.mass;
         for (const Body& body : world.bodies) bodies += body.mass;
-        // Sums of some 60 numbers of which each is exact or half an exact one.
+        // Sums of some 60 numbers, each of which is exact or half an exact one.
         EXPECT_NEAR(links, PARTICLE_MASS * static_cast<double>(world.particles.size()), 1e-4) << jointTypeName(type);
         EXPECT_NEAR(bodies, links, 1e-4) << jointTypeName(type);
     }

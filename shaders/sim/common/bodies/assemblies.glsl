@@ -1,5 +1,5 @@
-// What a substep knows of an assembly (what joints connect; a loose particle is one). A kernel that stores it declares
-// BUFFER(Assembly, AssemblyState, assemblies).
+// State of an assembly in a substep (bodies that joints connect; a loose particle is one). A kernel that stores it
+// declares BUFFER(Assembly, AssemblyState, assemblies).
 
 uniform usamplerBuffer assemblyState;
 
@@ -8,7 +8,7 @@ struct Assembly {
     uint order;         // of the time integration in this substep: 1, or 2 for BDF2
 };
 
-/// Of a kernel that stores assemblies, too: `states` is lastAssemblyState.
+/// @param states lastAssemblyState, if the kernel also stores assemblies.
 Assembly fetchAssembly(usamplerBuffer states, uint assembly)
 {
     uvec2 t = texelFetch(states, int(assembly)).xy;
@@ -20,7 +20,7 @@ Assembly fetchAssembly(uint assembly)
     return fetchAssembly(assemblyState, assembly);
 }
 
-/// By how much of h^2 times an acceleration it moves in a substep of h: BDF2 takes 4/9 of it.
+/// The factor of h^2 by which an acceleration moves it in a substep of h: 4/9 for BDF2.
 float accelerationFactor(Assembly assembly)
 {
     return assembly.order == 2u ? 4.0 / 9.0 : 1.0;

@@ -25,7 +25,7 @@ float bodyRadius(uint b)
     return texelFetch(bodyMoments, int(3u * b)).w;
 }
 
-/// The same of any mover: a loose particle is its own centre [m].
+/// The same for any mover: a loose particle is its own centre [m].
 float moverRadius(uint m)
 {
     return m < sim.bodyCount ? bodyRadius(m) : 0.0;

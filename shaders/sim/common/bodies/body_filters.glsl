@@ -4,7 +4,7 @@ uniform usamplerBuffer bodyFilters;
 
 struct BodyFilters {
     uint firstBit;             // of filterBits, a multiple of 32
-    uint firstBody, endBody;   // of its object; none where the body filters none
+    uint firstBody, endBody;   // of its object; zero if the body filters none
 };
 
 BodyFilters fetchBodyFilters(uint body)
@@ -13,7 +13,7 @@ BodyFilters fetchBodyFilters(uint body)
     return BodyFilters(t.x, t.y, t.z);
 }
 
-/// The bit that says whether a body filters another; NONE where none does.
+/// The bit that says whether a body filters another; NONE if there is none.
 uint passBit(uint body, uint other)
 {
     BodyFilters own = fetchBodyFilters(body);

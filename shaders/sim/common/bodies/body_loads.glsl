@@ -1,5 +1,5 @@
-// What acts on bodies that joints hold, beyond what their moves answer to already, in the axes of the world. Its last
-// two texels are the hessian: xx, yy, zz, xy; xz, yz.
+// Loads on bodies that joints hold, beyond what their moves already answer, in the axes of the world. The last two
+// texels are the hessian: xx, yy, zz, xy; xz, yz.
 #include "shared/joint_records.h"
 #include "sim/common/bodies/bodies.glsl"
 
@@ -8,7 +8,7 @@ uniform samplerBuffer bodyLoads;
 struct BodyLoad {
     vec3 force;     // [kg m]
     vec3 torque;    // about the centre [kg m2]
-    mat3 hessian;   // how hard it is to turn; the inertia of a body that nothing pulls apart [kg m2]
+    mat3 hessian;   // how hard it is to turn; the inertia, if nothing pulls the body apart [kg m2]
 };
 
 BodyLoad fetchBodyLoad(uint body)

@@ -1,5 +1,5 @@
 // How bodies that joints connect answer to forces together: per body the motion of its centre for a force on it, with
-// all that its joints move along. Zero of a body without joints.
+// all that its joints move along. Zero for a body without joints.
 #include "math/spatial.glsl"
 #include "shared/joint_records.h"
 

@@ -1,6 +1,6 @@
 // The channel through which constraints act on bodies. Each kind of constraint has reserved rows (sim/solver/layout/
-// row_plan.h), one for each of its impulses on a body, and stores them in every iteration; what sums them does not know
-// kinds. ANGULAR: of a world where rows have angular impulses, too.
+// row_plan.h), one for each of its impulses on a body, and stores them in every iteration; the sum over them does not
+// depend on kinds. ANGULAR: of a world where rows have angular impulses, too.
 #include "sim/common/bodies/fields.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
 
@@ -28,7 +28,7 @@ Field rowSum(uint body, vec4 rotation)
 #endif
     }
 #ifdef ANGULAR
-    // The antisymmetric half of p r^T turns a body: of an angular impulse there is nothing else.
+    // The antisymmetric half of p r^T turns a body; an angular impulse consists of this half only.
     mat3 axes = matrixFromQuaternion(rotation);
     angular *= 0.5;
     sum.f += mat3(cross(angular, axes[0]), cross(angular, axes[1]), cross(angular, axes[2]));

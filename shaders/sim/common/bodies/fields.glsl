@@ -1,5 +1,5 @@
-// Linear fields over a body: each particle of it has t + f r, r its place in the body. Positions, moves, velocities and
-// what shape matching sums are of this kind, so a rigid body is predicted, matched and finished without a visit to its
+// Linear fields over a body: each particle has t + f r, r being its place in the body. Positions, moves, velocities and
+// the sums of shape matching are such fields, so a rigid body is predicted, matched and finished without a visit to its
 // particles. Loose particles have t only.
 
 // A kernel may be for bodies or for loose particles alone.
@@ -30,16 +30,16 @@ Field fetchField(samplerBuffer fields, uint mover)
     return field;
 }
 
-/// Beside the field of how a mover's contact impulses changed last (moverChanges): the relaxation of its contacts.
+/// The relaxation of a mover's contacts, stored beside the last change of its contact impulses (moverChanges).
 float fetchRelaxation(samplerBuffer changes, uint mover)
 {
     return texelFetch(changes, int(fieldStart(mover))).w;
 }
 
-/// Stores it, after the field. A macro as the next.
+/// Stores it, after the field. A macro like the next.
 #define STORE_RELAXATION(changes, mover, relaxation) changes[fieldStart(mover)].w = relaxation;
 
-/// The fastest particle of a mover with this velocity field, whose farthest is `radius` away, is not faster than this.
+/// An upper bound of the speed of a mover's particles with this velocity field; the farthest is `radius` away.
 float fastestOf(Field v, float radius)
 {
     return length(v.t) + radius * sqrt(dot(v.f[0], v.f[0]) + dot(v.f[1], v.f[1]) + dot(v.f[2], v.f[2]));

@@ -1,7 +1,7 @@
 // Mass scaling (Macklin et al. 2014, 5.2): contacts see masses m exp(-k h), so that the lower of two moves less and
 // piles converge sooner. It breaks momentum: MASS_SCALING, of a world that asks for it.
 
-/// How many times the inverse mass of a mover at `centre` contacts see.
+/// The factor by which contacts scale the inverse mass of a mover at `centre`.
 float contactScale(vec3 centre)
 {
 #ifdef MASS_SCALING

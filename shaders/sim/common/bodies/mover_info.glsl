@@ -1,5 +1,5 @@
-// What a mover is, and what it does now: whether it answers to impulses, and whether it moves. All kernels ask no more
-// than that; only the room `sleep` knows why something rests.
+// What a mover is, and its state: whether it answers to impulses, and whether it moves. Kernels ask no more than that;
+// only the room `sleep` knows why something rests.
 
 uniform usamplerBuffer moverInfo;
 uniform usamplerBuffer moverStates;      // MOVER_*
@@ -16,14 +16,14 @@ float moverMass(uint m)
     return 1.0 / fetchMover(m).inverseMass;
 }
 
-/// Whether a mover answers to what acts on it. Its mass is there all the same: only this says so.
+/// Whether a mover answers to what acts on it. Only this says so: its mass is set in any case.
 bool responds(uint m)
 {
     return texelFetch(moverStates, int(m)).x == MOVER_DYNAMIC;
 }
 
-/// Whether a mover answers to nothing until somebody lets it go. Two of these are no contact, but
-/// where it matters what they touch (TOUCHES).
+/// Whether a mover answers to nothing until it is let go. Two of these make no contact, except where it matters what
+/// they touch (TOUCHES).
 bool isTold(uint m)
 {
 #ifdef TOUCHES
@@ -34,7 +34,7 @@ bool isTold(uint m)
 #endif
 }
 
-/// Whether a mover moves: what responds does, and what is animated, as it is told.
+/// Whether a mover moves: one that responds does, and an animated one moves as its clip says.
 bool moves(uint m)
 {
     return texelFetch(moverStates, int(m)).x <= MOVER_ANIMATED;

@@ -17,8 +17,8 @@ vec4 fetchRotation(uint mover)
 /// How far a mover has come since the start of the substep.
 struct MoverMove {
     vec3 shift;     // of its centre [m]
-    // As contacts see it: over how many impulses its mass is split, scaled (mass_scaling.glsl), over the relaxation.
-    // 0: it does not respond, or nothing has been summed yet.
+    // Number of impulses over which contacts see its mass split, scaled (mass_scaling.glsl), over the relaxation. 0: it
+    // does not respond, or nothing has been summed yet.
     float splits;
 };
 

@@ -9,7 +9,7 @@ struct PointState {
     vec3 velocity;   // [m/s]
 };
 
-/// Of the point of a mover at r in its axes.
+/// State of the point of a mover at r in its axes.
 PointState pointState(uint mover, vec3 r)
 {
     Field velocity = fetchField(moverVelocities, mover);

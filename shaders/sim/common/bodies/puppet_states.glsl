@@ -1,5 +1,5 @@
-// What happens to a driven object, in two texels of puppetStates: phase, the substep in which that began, whether it is
-// knocked out; bits of where its clips are put since it was caught.
+// State of a driven object, in two texels of puppetStates: phase, the substep in which that began, whether it is
+// knocked out; bits of where its clips are put after it was caught.
 #include "shared/drive_types.h"
 
 struct PuppetState {
@@ -18,7 +18,7 @@ struct PuppetState {
     states[2u * (puppet)] = uvec4((s).phase, (s).since, (s).knocked, 0u); \
     states[2u * (puppet) + 1u] = uvec4(floatBitsToUint((s).shift), floatBitsToUint((s).yaw));
 
-/// How far a puppet's time since its phase began is to a duration [s], slowly at both ends: 0 ... 1.
+/// The part of a duration [s] that has passed since a puppet's phase began, eased at both ends: 0 ... 1.
 float easedPart(PuppetState s, uint substep, float duration)
 {
     return smoothstep(0.0, max(duration, 1e-6), float(substep - s.since) * sim.substepTime);

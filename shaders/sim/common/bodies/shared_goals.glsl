@@ -1,4 +1,4 @@
-// Where the bodies that share a particle want it: each has a goal for it, and it stands at their mean.
+// Goals of shared particles: each body has a goal for the particle, which stands at their mean.
 #include "sim/common/bodies/links.glsl"
 #include "sim/common/bodies/mover_state.glsl"
 #include "sim/common/bodies/owners.glsl"
@@ -10,7 +10,8 @@ PointState ownersGoal(uint entry)
     return pointState(owner.body, fetchLink(owner.link).r);
 }
 
-/// The mean of the goals of a particle, summed from the first, so that rounding stays as small as what is between them.
+/// The mean of a particle's goals, summed relative to the first, which keeps rounding errors as small as their
+/// distances.
 PointState meanGoal(uint particle)
 {
     OwnerRange owners = fetchOwners(particle);

@@ -56,8 +56,8 @@ vec4 meshSurface(vec3 p, vec3 low, vec3 cell, uvec4 grid)
     return vec4(far > 0.0 ? away / far : normal, far);
 }
 
-/// The plane that touches the bilinear surface above or below the point; beyond the field's edge, the block of which
-/// the field is the top.
+/// The plane that touches the bilinear surface above or below the point; beyond the field's edge, the block below the
+/// field.
 vec4 heightfieldSurface(vec3 p, vec3 low, vec3 cell, uvec4 grid)
 {
     GridPoint at = gridPoint(p, low, cell, grid);

@@ -1,5 +1,5 @@
-// How colliders move in the substep, at whose end they are where colliderPlaces has them. MOVING: of a world in which
-// any moves.
+// How colliders move in the substep; at its end they are where colliderPlaces has them. MOVING: of a world in which any
+// moves.
 #include "sim/common/contacts/colliders.glsl"
 
 #ifdef MOVING
@@ -8,7 +8,7 @@ uniform samplerBuffer colliderMoves;     // two a collider: shift [m], w: of its
 struct ColliderMove {
     vec3 shift;          // of its place [m]
     vec4 turn;           // about it
-    float farthest;      // what any of its points has come, at most [m]
+    float farthest;      // an upper bound of how far its points have moved [m]
 };
 
 ColliderMove fetchColliderMove(uint index)
@@ -18,7 +18,7 @@ ColliderMove fetchColliderMove(uint index)
 }
 #endif
 
-/// How far the point of a collider that is now at x has come [m].
+/// How far the collider's point that is now at x has moved [m].
 vec3 surfaceMove(uint index, vec3 x)
 {
 #ifdef MOVING

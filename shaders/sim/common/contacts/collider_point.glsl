@@ -1,12 +1,12 @@
-// What of a particle touches a collider: its ball, the corner of its box, or of a ball or capsule the ball about a
-// point of its centre line.
+// The part of a particle that touches a collider: its ball, the corner of its box, or, of a ball or capsule, the ball
+// about a point of its centre line.
 #include "shared/contact_constants.h"
 #include "sim/common/contacts/colliders.glsl"
 #include "sim/common/contacts/contact_point.glsl"
 
-/// The corner of a box that a particle of it has, in the body's axes, from the particle [m]: half a diameter along each
-/// axis along which the lattice ends there. A lattice of one layer ends on both sides: then the lower one counts, and
-/// neither where it stands upright.
+/// From a particle to the corner of its box, in the body's axes [m]: half a diameter along each axis along which the
+/// lattice ends there. A lattice of one layer ends on both sides: then the lower one counts, and neither if it stands
+/// upright.
 /// @param normal of the collider, in the body's axes.
 vec3 boxCorner(uint ends, vec3 normal)
 {
@@ -24,7 +24,7 @@ Reference colliderReference(uint particle, uint mover, uint collider, vec3 centr
         return Reference(onLine(body, ball.r), body.radius, true);
     }
     uint ends = texelFetch(latticeEnds, int(particle)).x;
-    // Corners that bounce would gain energy by their friction.
+    // Corners that bounce would gain energy from their friction.
     if (ends == LATTICE_ENDS || ends == 0u || fetchMass(particle).restitution > 0.0) return ball;
     ColliderSurface atBall = colliderSurface(collider, centre + rotate(rotation, ball.r));
     vec3 corner = ball.r + boxCorner(ends, rotate(conjugate(rotation), atBall.normal));

@@ -1,8 +1,8 @@
 // The lists of contacts. A contact between particles is a pair, listed with its first particle: particles by rank (by
-// body, then by id), so that a body's pairs stand together. Its second particle refers to it from a list of references,
-// which are NONE where there was no room for the pair.
+// body, then by id), so that a body's pairs stand together. A list of references leads from its second particle to the
+// pair; a reference is NONE if there was no room for the pair.
 // Contacts with colliders are a third list. listStarts has where the entries of each rank begin, for the three lists
-// one after the other; the two halves of everything take turns, so that a new search finds the old impulses.
+// one after another; the two halves of all lists alternate, so that a new search finds the old impulses.
 
 #define LIST_AS_FIRST 0u
 #define LIST_AS_SECOND 1u

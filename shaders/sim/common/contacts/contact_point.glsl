@@ -1,12 +1,12 @@
-// What of a contact's two sides touches: of a particle its ball or its box's face, of a ball or capsule the surface
-// about its centre line. The impulses of balls and capsules act where the surfaces meet, so that what one side gets of
-// angular momentum the other loses, and friction has the arm that it has. Between other particles they act at the
-// centres: towers of boxes sway otherwise (docs/physics.md, friction).
+// The parts of a contact's two sides that touch: a particle's ball or its box's face; of a ball or capsule, the surface
+// about its centre line. The impulses of balls and capsules act where the surfaces meet, so that angular momentum is
+// kept and friction has its true arm. Between other particles they act at the centres: towers of boxes sway otherwise
+// (docs/physics.md, friction).
 #include "sim/common/contacts/contacts.glsl"
 #include "sim/common/contacts/round_bodies.glsl"
 #include "sim/common/contacts/touch.glsl"
 
-/// The point of a mover that a contact is reckoned from, and how far its surface is from there.
+/// The point of a mover that a contact is measured from, and how far its surface is from there.
 struct Reference {
     vec3 r;          // in the mover's axes [m]
     float radius;    // [m]
@@ -31,7 +31,7 @@ References referencesOf(Pair pair, uvec2 movers, bool sameAssembly, vec3 differe
     RoundBody a = fetchRound(refs.a.round ? movers.x : 0u), b = fetchRound(refs.b.round ? movers.y : 0u);
     if (refs.a.round) refs.a.radius = a.radius;
     if (refs.b.round) refs.b.radius = b.radius;
-    // Of two lines: each point nearest to the other in turn, from the particles on.
+    // For two lines: alternately finds each point nearest to the other, starting from the particles.
     for (int k = 0; k < 3; ++k) {
         vec3 atB = rotate(rotationB, refs.b.r - rB) - difference;
         if (refs.a.round) refs.a.r = onLine(a, rA + rotate(conjugate(rotationA), atB));
@@ -41,7 +41,7 @@ References referencesOf(Pair pair, uvec2 movers, bool sameAssembly, vec3 differe
     return refs;
 }
 
-/// The exit direction of a pair: the surface of a ball or capsule says by itself which way is out.
+/// The exit direction of a pair; none for a ball or capsule, whose surface gives the normal.
 ExitDirection exitOf(References refs, ExitDirection exit)
 {
     if (refs.a.round || refs.b.round) exit.direction = vec3(0);
@@ -63,8 +63,8 @@ Meeting meetingOf(vec3 difference, Separation separation, References refs)
     return Meeting(fromA, fromA + difference);
 }
 
-/// How far a ball's or capsule's contact lies ahead of its middle, as its rolling friction asks: where the normal
-/// impulse stops it from rolling, but no further than that friction times the radius.
+/// How far a ball's or capsule's contact lies ahead of its middle by rolling friction: where the normal impulse stops
+/// the rolling, at most that friction times the radius.
 /// @param last how far it lay ahead. @param roll of the centre line since the start of the substep [m].
 /// @param impulse the normal one [kg m]. @param inverseMass as the contact's worst [1/kg].
 vec3 rollingOffset(float most, vec3 last, vec3 roll, vec3 normal, float impulse, float inverseMass)

@@ -1,5 +1,5 @@
-// What the buffers of contacts hold. What a contact is made of is found with it (contact_prepare, collider_prepare);
-// each iteration only changes its impulse.
+// Contents of the buffers of contacts. The search sets a contact's data (contact_prepare, collider_prepare); each
+// iteration only changes its impulse.
 #include "sim/common/contacts/flat_faces.glsl"
 #include "sim/common/contacts/impulses.glsl"
 #include "sim/common/particles.glsl"

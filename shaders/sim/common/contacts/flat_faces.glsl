@@ -1,12 +1,12 @@
-// Boxes of particles have flat faces for what touches them. Where the lattice of a box goes on beside a particle, the
-// distance of another particle counts from the line or the plane through the lattice, so that nothing is caught by its
-// bumps. The axes along which the lattice goes on are the hidden axes. They are found with the pair, three bits for
-// each side; a contact's direction has no part along them.
+// Boxes of particles have flat faces for contacts. Where the lattice of a box continues beside a particle, the distance
+// of another particle is measured from the line or the plane through the lattice, so that its bumps catch nothing. The
+// axes along which the lattice continues are the hidden axes. They are found with the pair, three bits for each side; a
+// contact's direction has no part along them.
 #include "shared/contact_constants.h"
 #include "math/quaternion.glsl"
 #include "sim/common/contacts/one_sided.glsl"
 
-/// The axes along which a lattice goes on from a particle towards another that is beside it. What is further off is
+/// The axes along which a lattice continues from a particle towards another one beside it. One that is further off is
 /// nearer to another particle of the lattice: several contacts would carry what one should.
 /// @param ends of the lattice at the particle, bits 2 k and 2 k + 1: towards - and + along axis k.
 /// @param towards the other particle, in the body's axes [m]. @param pitch of the lattice [m].
@@ -36,7 +36,7 @@ FlatDifference flatDifference(vec3 difference, vec4 rotationA, vec4 rotationB, u
     vec3 nearest = dot(a, a) < dot(b, b) ? a : b;
     float least = LEAST_FLAT * touch;
     if (dot(nearest, nearest) <= least * least) return FlatDifference(difference, -1.0);
-    // Of two faces the middle between both.
+    // Between two faces, the middle of both.
     return FlatDifference(nearest, clamp(0.5 + 5.0 * (length(a) - length(b)) / touch, 0.0, 1.0));
 }
 

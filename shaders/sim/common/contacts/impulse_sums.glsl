@@ -1,5 +1,5 @@
-// Sums of the impulses on a mover that are found anew in each search, or act on its particles, as linear fields: p and
-// p r^T.
+// Sums of the impulses on a mover that each search finds anew, or that act on its particles, as linear fields: p and p
+// r^T.
 #include "sim/common/contacts/contacts.glsl"
 #include "sim/common/bodies/fields.glsl"
 #include "sim/common/contacts/list_ranges.glsl"
@@ -32,7 +32,7 @@ void add(inout Sum sum, Impulse impulse, float side, Arm arm)
     sum.acting += impulse.normal != 0.0 ? 1.0 : 0.0;
 }
 
-/// What its contacts add to a mover, and how many will act next.
+/// Sum of the impulses of a mover's contacts, and the number of contacts that will act next.
 Sum contactSum(Mover mover, uint parity)
 {
     Sum sum = Sum(Field(vec3(0), mat3(0)), 0.0);
@@ -54,7 +54,7 @@ Sum contactSum(Mover mover, uint parity)
     return sum;
 }
 
-/// What fluids, ropes and soft bodies add to a mover through its particles (ON_PARTICLES: of a world that has any).
+/// Sum of the impulses of fluids, ropes and soft bodies on a mover's particles (ON_PARTICLES: of a world that has any).
 Field particleSum(Mover mover)
 {
     Field sum = Field(vec3(0), mat3(0));

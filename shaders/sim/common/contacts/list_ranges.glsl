@@ -19,7 +19,7 @@ uvec2 listRange(uint parity, uint list, uint rank, uint count)
     return min(uvec2(listEntry(parity, index), listEntry(parity, index + count)) - before, uvec2(capacity));
 }
 
-/// How many entries a list has, which may be more than there is room for.
+/// The number of a list's entries, which may exceed its capacity.
 uint listTotal(uint parity, uint list)
 {
     return listEntry(parity, listIndex(list + 1u, 0u)) - listEntry(parity, listIndex(list, 0u));

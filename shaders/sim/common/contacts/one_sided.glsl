@@ -1,7 +1,7 @@
 // One-sided contacts (Macklin et al. 2014, 5.1). A particle of a body knows the exit direction, which leads to the
-// nearest point of the body's surface. What has come into the body leaves it in that direction, instead of being held
-// between the particles of its lattice. Which particle of a pair decides is settled when the pair is found
-// (sim/contact/exit_direction.glsl); the direction, turned as the body was then, is packed into the upper bits of the
+// nearest point of the body's surface. A particle inside the body leaves it in that direction, instead of being held
+// between the particles of its lattice. The search settles which particle of a pair decides
+// (sim/contact/exit_direction.glsl) and packs the direction, turned as the body was then, into the upper bits of the
 // pair's movers.
 #include "shared/contact_constants.h"
 #include "math/octahedron.glsl"
@@ -12,7 +12,7 @@
 #define EXIT_SAME_ASSEMBLY 0x800000u     // with the first mover
 #define EXIT_DEEP_INSIDE 0x80000000u     // with the second mover
 
-/// In which direction the first particle of a pair leaves the other's body, or the other leaves its body backwards.
+/// The direction in which the first particle of a pair leaves the other's body, or minus that of the second one.
 struct ExitDirection {
     vec3 direction;      // unit, or zero for none
     bool deepInside;     // both particles lie so far below their surfaces that they would not touch outside
@@ -42,9 +42,9 @@ struct OneSidedNormal {
 };
 
 /// The normal of a contact by the exit direction:
-/// - the exit direction itself where both particles are deep inside, or where they are so near to each other that the
-///   direction between them says nothing, or the friction of the particles around would hold what has sunk there;
-/// - the direction between the two, mirrored, where that points into the body.
+/// - the exit direction itself if both particles are deep inside, or if they are so near to each other that the
+///   direction between them says nothing, or the friction of the particles around would hold a sunk particle;
+/// - the direction between the two, mirrored, if that points into the body.
 /// @param difference from the second particle to the first, `apart` long [m].
 /// @param touch the distance at which the two touch [m].
 OneSidedNormal oneSidedNormal(vec3 difference, float apart, ExitDirection exit, float touch)
@@ -57,7 +57,7 @@ OneSidedNormal oneSidedNormal(vec3 difference, float apart, ExitDirection exit, 
     return OneSidedNormal(exits ? exit.direction : mirrored, exits || facing < 0.0);
 }
 
-/// From the second of two points to the first; for two that are at most a rounding error apart: up.
+/// Direction from the second of two points to the first; up, if they are at most a rounding error apart.
 vec3 contactNormal(vec3 difference, float apart)
 {
     return apart > 1e-7 ? difference / apart : vec3(0, 1, 0);

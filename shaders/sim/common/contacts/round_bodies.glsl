@@ -1,5 +1,5 @@
-// Balls and capsules of particles are smooth: what touches them meets the surface about their centre line, not the
-// balls of their particles. A particle of such a body only says where it is touched. ROUNDS: of a world that has any.
+// Balls and capsules of particles are smooth: contacts meet the surface about their centre line, not the balls of their
+// particles. A particle of such a body only says where it is touched. ROUNDS: of a world that has any.
 
 uniform samplerBuffer bodyRounds;
 uniform usamplerBuffer latticeEnds;

@@ -1,4 +1,4 @@
-// For which positions contact candidates were found, and how far movers may drift from there until they are found anew.
+// Positions for which contact candidates were found, and how far movers may drift from there until the next search.
 
 struct SearchCentre {
     vec3 position;   // of the mover's centre [m]
@@ -16,7 +16,7 @@ vec4 packSearchCentre(SearchCentre centre)
     return vec4(centre.position, centre.margin);
 }
 
-/// By how much the margin of a mover is wider than that of all [m]; above 0 for fast ones.
+/// By how much the margin of a mover exceeds the common one [m]; above 0 for fast ones.
 float extraMargin(SearchCentre centre)
 {
     return centre.margin - sim.drift;

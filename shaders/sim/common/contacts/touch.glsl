@@ -1,5 +1,5 @@
-// How near a particle comes to what it touches. All particles have one size today; contacts ask here for those of the
-// particles at hand, so that they could have several. The search looks as far as the largest need it.
+// How near a particle comes to what it touches. All particles have one size today; contacts ask here for the size of
+// each particle, so that there could be several. The search looks as far as the largest need.
 
 /// From a particle's centre to its surface [m].
 float particleRadius(uint i)
@@ -7,7 +7,7 @@ float particleRadius(uint i)
     return 0.5 * sim.diameter;
 }
 
-/// How far apart the centres of two particles are that just touch [m].
+/// The distance of the centres of two particles that just touch [m].
 float touchDistance(uint i, uint j)
 {
     return sim.diameter;

@@ -5,7 +5,7 @@ uniform usamplerBuffer cellStarts;
 uniform usamplerBuffer cellMembers;
 uniform usamplerBuffer particleCells;
 
-/// The place, and where it stands once more if its cell is one of the first (sim/common/grid/grid.glsl), else NONE.
+/// The place, and the second place of a particle whose cell is one of the first (sim/common/grid/grid.glsl), else NONE.
 uvec2 placeInCells(uint particle)
 {
     uint cell = texelFetch(particleCells, int(particle)).x;

@@ -1,5 +1,5 @@
-// FLUIDS: the same passes over the neighbour grid of fluids, which holds all active particles. It is always a
-// lattice, and finer along x. The host gives these kernels that grid's buffers.
+// FLUIDS: the same passes over the neighbour grid of fluids, which holds all active particles. It is always a lattice,
+// and finer along x. The host gives these kernels that grid's buffers.
 
 #ifdef FLUIDS
 #undef GRID_HASH
@@ -20,7 +20,7 @@ vec3 inverseGridCell() { return vec3(sim.inverseCellSize); }
 #define CELLS_ALONG 1
 #endif
 
-// Whether a particle is in no cell, by what grid_count wrote of it.
+// Whether a particle is in no cell, according to grid_count.
 #if defined(FLUIDS) && defined(POOL)
 bool isNowhere(uint cell) { return cell == NONE; }
 #else

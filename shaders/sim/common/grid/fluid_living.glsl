@@ -1,6 +1,6 @@
-// How many particles have a slot: the solid ones and the fluid ones that are there. POOL: a world with emitters or
-// drains, where fluid particles may be inactive, which their positions' w says, and keep their velocity for as long as
-// their velocities' w says: what has just left a nozzle has more of its fluid behind it, which no particles stand for.
+// How many particles have a slot: all solid ones and the active fluid ones. POOL: a world with emitters or drains.
+// There w of a fluid particle's position says whether it is inactive, and w of its velocity how long it keeps that
+// velocity: more fluid, which no particles stand for, follows a particle that has just left a nozzle.
 
 /// Room for slots.
 uint slotCapacity()
@@ -24,7 +24,7 @@ uint slotCount()
 }
 #endif
 
-/// Whether a fluid particle at that place is none.
+/// Whether a fluid particle at that place is inactive.
 bool isInactive(vec4 place)
 {
 #ifdef POOL
@@ -34,7 +34,7 @@ bool isInactive(vec4 place)
 #endif
 }
 
-/// For how long a particle of this velocity is still held [s].
+/// How long a particle of this velocity is still held [s].
 float timeHeld(vec4 velocity)
 {
 #ifdef POOL

@@ -1,5 +1,5 @@
 // The neighbour grid: which cell a position is in, and the half of its neighbourhood in which a particle looks for
-// others, so that each pair is found once: what follows it in its own cell, and the cells that lie ahead.
+// others, so that each pair is found once: the particles after it in its own cell, and the cells that lie ahead.
 
 ivec3 cellOf(vec3 x)
 {
@@ -12,9 +12,9 @@ ivec3 cellOf(vec3 x)
 #include "sim/common/grid/grid_lattice.glsl"
 #endif
 
-// Ranges of cells: each has a first cell and the one behind its last, in the order of the sorted particles.
+// Ranges of cells: each has a first cell and an end, in the order of the sorted particles.
 
-// Ahead, each pair of particles in one of the two directions; range 0 begins with the own cell.
+// Ranges ahead, which find each pair of particles once; range 0 begins with the own cell.
 #define FORWARD_RANGES (RANGES_AROUND(3) - FORWARD_OFFSET)
 
 bool inForwardRange(ivec3 c, int range, vec3 x)

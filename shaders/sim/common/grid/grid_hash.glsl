@@ -10,7 +10,7 @@ uint cellIndex(ivec3 c)
     return (73856093u * u.x ^ 19349663u * u.y ^ 83492791u * u.z) & gridMask();
 }
 
-/// Of the cube of width^3 cells around c.
+/// A cell of the cube of width^3 cells around c.
 ivec3 cellAround(ivec3 c, int range, int width)
 {
     return c + ivec3(range % width, range / width % width, range / (width * width)) - width / 2;
@@ -22,7 +22,7 @@ uvec2 cellsAround(ivec3 c, int range, int width)
     return uvec2(first, first + 1u);
 }
 
-// Two of the cells may share a bucket: only what lies in the cell asked for counts.
+// Two of the cells may share a bucket: only particles in the cell asked for count.
 bool inRangeAround(ivec3 c, int range, int width, vec3 x)
 {
     return cellOf(x) == cellAround(c, range, width);

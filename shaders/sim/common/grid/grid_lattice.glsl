@@ -1,7 +1,7 @@
 // Cells of the grid where they are a lattice (GridKind::Lattice).
 
 // A lattice wrapped onto a line. Neighbours in x are neighbours on the line, so three cells are one range, or three
-// times CELLS_ALONG; the first WRAPPED_CELLS cells stand again behind the last, so that a range never wraps.
+// times CELLS_ALONG; the first WRAPPED_CELLS cells are repeated after the last, so that a range never wraps.
 #define RANGES_AROUND(width) (width * width)
 #define FORWARD_OFFSET 4
 
@@ -12,7 +12,7 @@ uint cellIndex(ivec3 c)
     return (u.x + strides.x * u.y + strides.y * u.z) & gridMask();
 }
 
-/// Of the rows along x around c that reach as far as `width` cells.
+/// One of the rows of `width` cells along x around c.
 uvec2 cellsAround(ivec3 c, int range, int width)
 {
     int ahead = width / 2 * CELLS_ALONG;

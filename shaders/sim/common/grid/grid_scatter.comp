@@ -1,5 +1,5 @@
-// One thread a particle: its id into its cell, in the order of arrival (which differs from run to run). Together they
-// empty the counts of the cells for the next search.
+// One thread a particle: puts its id into its cell, in the order of arrival (which differs from run to run). The
+// threads together clear the counts of the cells for the next search.
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/fluid_grid.glsl"
 

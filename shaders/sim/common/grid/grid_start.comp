@@ -1,5 +1,5 @@
-// One thread a chunk of cells: where each cell's particles start in the sorted arrays. The first cells are listed
-// once more behind the last (see sim/common/grid/grid.glsl).
+// One thread a chunk of cells: where each cell's particles start in the sorted arrays. The first cells are listed again
+// after the last (see sim/common/grid/grid.glsl).
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/fluid_grid.glsl"
 #include "sim/common/grid/scan.glsl"

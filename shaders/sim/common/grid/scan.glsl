@@ -1,5 +1,5 @@
-// Which values a prefix sum is over: how many particles each cell of the grid holds, or (LISTS) how many contacts each
-// particle has in the lists of contact_lists.glsl, or (POOLS) which particles of the pools' lists are
+// The values that a prefix sum runs over: the number of particles in each cell of the grid, or (LISTS) the number of
+// contacts of each particle in the lists of contact_lists.glsl, or (POOLS) which particles of the pools' lists are
 // inactive.
 #include "sim/common/grid/fluid_grid.glsl"
 

@@ -5,7 +5,7 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer SCAN_VALUES;
-layout(std430) coherent buffer SCAN_BLOCK { uint SCAN_SUMS[]; };   // behind the sums: how many groups have finished
+layout(std430) coherent buffer SCAN_BLOCK { uint SCAN_SUMS[]; };   // after the sums: how many groups have finished
 shared bool isLast;
 
 uint sumOfChunk(uint chunk)

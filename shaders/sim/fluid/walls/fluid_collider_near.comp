@@ -18,7 +18,7 @@ void main()
     if (k >= slotCount()) return;
     uint i = fetchSlotParticle(k);
     vec3 x = texelFetch(fluidSearchPositions, int(i)).xyz;
-    // Where it is in the middle of the step; half of its path lies on each side, and half as much again may be added.
+    // Its position in the middle of the step; half of its path lies on each side, and may grow by half as much again.
     float halfPath = sim.lookAhead * sim.substepTime * length(texelFetch(velocities, int(i)).xyz);
     float reach = sim.fluidListReach + 1.5 * halfPath;
     uint near = 0u;

@@ -6,7 +6,7 @@ uniform usamplerBuffer slotColliders;    // bit k for colliders k, k + 32, ...
 /// Visits each collider near a slot: `for (NearColliders n = nearColliders(k); nextCollider(n);) ... n.index`.
 struct NearColliders {
     uint bits;    // of the slot
-    uint left;    // of them those not yet visited in this block
+    uint left;    // those not yet visited in this block
     uint block;   // first of 32 colliders
     uint index;   // the collider
 };

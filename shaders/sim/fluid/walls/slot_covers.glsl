@@ -1,12 +1,12 @@
-// What walls and solids add to the density in each slot; as slot_values.glsl.
+// Density that walls and solids add in each slot; see slot_values.glsl.
 
 uniform samplerBuffer slotWalls;
 uniform samplerBuffer slotSolids;
 
-/// What walls and everything else add to its density.
+/// Density that walls and everything else add.
 struct SlotWallCover {
-    vec3 gradient;    // of the density constraint, by what walls cover of the kernel [1/m]
-    float density;    // over the density at rest, of all together
+    vec3 gradient;    // of the density constraint, from walls [1/m]
+    float density;    // total density over the density at rest
 };
 
 SlotWallCover fetchSlotWalls(uint slot)
@@ -20,9 +20,9 @@ vec4 pack(SlotWallCover s)
     return vec4(s.gradient, s.density);
 }
 
-/// What solid particles add to its density.
+/// Density that solid particles add.
 struct SlotSolidCover {
-    vec3 gradient;    // of the density constraint, by what they cover of the kernel [1/m]
+    vec3 gradient;    // of the density constraint, from solids [1/m]
     float inverseWeight;   // one over the sum of solidWeight() over them; 0: there are none
 };
 

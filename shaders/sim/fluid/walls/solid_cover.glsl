@@ -1,6 +1,6 @@
-// What solid particles cover of the smoothing kernel of a fluid one.
+// The part of a fluid particle's smoothing kernel that solid particles cover.
 
-/// By how much they add to its density, and how that changes with its position.
+/// The density that they add, and how that changes with its position.
 struct SolidCover {
     vec3 slope;      // of the fraction [1/m]
     float fraction;  // of the kernel
@@ -8,9 +8,9 @@ struct SolidCover {
     float squares;   // sum of the squares of the slopes of each [1/m2]
 };
 
-/// The cover by the solid neighbours of slot k, of a particle at x. The slope is taken across the surface that they
-/// form together: along it, their bumps would hold the fluid. In a gap or a hole they form no surface, and the slope
-/// has to be that of the fraction, or what came in slowly would be shot out.
+/// The cover by the solid neighbours of slot k, for a particle at x. The slope is taken across the surface that they
+/// form together: along it, their bumps would hold the fluid. In a gap or a hole they form no surface; there the slope
+/// has to be that of the fraction, or a particle that came in slowly would be shot out.
 SolidCover solidCover(uint k, uint count, vec3 x)
 {
     SolidCover cover = SolidCover(vec3(0), 0.0, 0.0, 0.0);

@@ -1,5 +1,5 @@
-// What static colliders cover of the smoothing kernel. It is the gradient of one function of where walls are: else a
-// particle that goes round in a corner would gain energy each time.
+// The part of the smoothing kernel that static colliders cover. Its slope is the gradient of one function of the walls'
+// places: otherwise a particle that goes round in a corner would gain energy each time.
 
 struct WallCover {
     vec3 gradient;   // of the fraction [1/m]
@@ -8,7 +8,7 @@ struct WallCover {
 
 struct Wall {
     vec3 normal;
-    float fraction, slope;   // what it covers by itself, and how that changes along its normal [1/m]
+    float fraction, slope;   // what it covers alone, and the change of that along its normal [1/m]
 };
 
 Wall wallOf(uint index, vec3 x)
@@ -18,14 +18,14 @@ Wall wallOf(uint index, vec3 x)
     return Wall(surface.normal, covered.x, covered.y);
 }
 
-/// The share of what a wall covers that walls before it do not.
+/// The share of what a wall covers that earlier walls do not cover.
 struct Uncovered {
-    float share, byOwn;   // and how that changes with what the wall covers
-    vec3 byOthers;        // and with where they are [1/m]
+    float share, byOwn;   // its change with what the wall covers
+    vec3 byOthers;        // and, through what the others cover, with position [1/m]
 };
 
-/// Takes away what another wall covers of it: of walls at right angles the product, of parallel ones the smaller, none
-/// of walls that face each other.
+/// Subtracts what another wall covers of it: for walls at right angles the product, for parallel ones the smaller,
+/// nothing for walls that face each other.
 Uncovered without(Uncovered left, Wall wall, Wall other)
 {
     float along = dot(wall.normal, other.normal), alike = max(along, 0.0), crossing = 1.0 - abs(along);

@@ -1,4 +1,4 @@
-// What stops do while the joints of a tree are solved.
+// The stops' part in solving the joints of a tree.
 #include "sim/joint/limits/joint_limit_states.glsl"
 #include "sim/joint/joint_sweeps.glsl"
 
@@ -7,7 +7,7 @@ void storeHeld(uint joint, JointLimitState s)
     newJointLimitStates[JOINT_LIMIT_TEXELS * joint + LIMIT_HELD].xy = vec2(s.held[0], s.held[1]);
 }
 
-/// Of a stop what this dispatch has stored of it.
+/// The state of a stop, with what this dispatch has stored.
 JointLimitState loadLimitState(uint joint)
 {
     JointLimitState s = fetchLimitState(joint);
@@ -16,14 +16,14 @@ JointLimitState loadLimitState(uint joint)
     return s;
 }
 
-/// What a joint's stops have added to its rows before this dispatch.
+/// The torque that a joint's stops have added to its rows before this dispatch.
 vec3 oldLimitTorque(uint joint)
 {
     return texelFetch(lastJointLimitStates, int(JOINT_LIMIT_TEXELS * joint + LIMIT_TORQUE)).xyz;
 }
 
 /// The torque that a joint's stops add before anything moves: what they would hold where the body is now, less what
-/// they held. Its rows get it with what moving adds, by limitTorqueOf().
+/// they held. limitTorqueOf() adds it to the rows, together with what motion adds.
 vec3 limitTorque(uint k)
 {
     JointRange limits = fetchJointLimits(k);
@@ -41,8 +41,8 @@ vec3 limitTorque(uint k)
     return torqueOf(s) - oldLimitTorque(k);
 }
 
-/// The torque that they add to the joint's rows: by limitTorque(), and as the joint turns by a part of what this sweep
-/// has given to its bodies.
+/// The torque that stops add to the joint's rows: that of limitTorque(), and that for the joint's turn by a part of
+/// what this sweep has given to its bodies.
 vec3 limitTorqueOf(uint k, Answer answer, float part)
 {
     if (!isLimited(fetchJointLimits(k))) return vec3(0);

@@ -1,18 +1,18 @@
 // Where limits stop a joint: at most two turns at once, out of its cone and about its axis. A stop is a spring that
-// only pushes back and is solved with the joints of its tree; a rigid one remembers what it held, so that nothing is
-// left of how far it gave.
+// only pushes back and is solved with the joints of its tree; a rigid one remembers what it held, so that it does not
+// give in the end.
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/joint/joint_pose.glsl"
 #include "sim/joint/joint_recovery.glsl"
 
 uniform samplerBuffer jointLimits;     // swing, lowest and highest turn [rad]; stiffness [N m/rad], 0: rigid
-// As the dispatch before left them, which llvmpipe reads three times as fast.
+// As the dispatch before left them; llvmpipe reads these three times as fast.
 uniform samplerBuffer lastJointLimitStates;
 BUFFER(vec4, JointLimitStates, newJointLimitStates);
 
-/// The axes of the swing's and of the turn's stop, about which the body turns on beyond it; and how hard each holds, 0
-/// where it does not [kg m2]. What each holds [kg m2], how much of its excess is kept [rad]. What both add to the joint
-/// now; and which part of what they hold is left in the next substep.
+/// The axes of the swing's and of the turn's stop, about which the body turns further beyond it; and the hardness of
+/// each, 0 if it does not hold [kg m2]. What each holds [kg m2], how much of its excess is kept [rad]. What both add to
+/// the joint now; and the part of what they hold that is left in the next substep.
 #define LIMIT_AXES 0u
 #define LIMIT_HELD 2u
 #define LIMIT_TORQUE 3u
@@ -30,7 +30,7 @@ bool isLimited(JointRange limits)
     return limits.swing < PI || limits.highest < PI || limits.lowest > -PI;
 }
 
-/// How far a joint exceeds its limits, negative within them, and the turn of its body that leads further.
+/// How far a joint exceeds its limits, negative within them, and the turn of its body that leads further out.
 struct Excess {
     vec3 swingAxis, turnAxis;
     float swing, turn;   // [rad]
@@ -41,7 +41,7 @@ float wrapped(float angle)
     return angle - 2.0 * PI * round(angle / (2.0 * PI));
 }
 
-/// A turn is a swing of the axis and then a turn about it: about what is midway between both places of the axis.
+/// A turn is a swing of the axis and then a turn about it; the latter is about the middle of both places of the axis.
 /// @param from, to the joint's axes in the parent and in the body.
 Excess excessOver(JointRange limits, vec4 from, vec4 to)
 {
@@ -53,7 +53,7 @@ Excess excessOver(JointRange limits, vec4 from, vec4 to)
         b.swing = atan(sine, along) - limits.swing;
         b.swingAxis = across / sine;
     }
-    // Of a swing by half a turn, any turn about the axis is made.
+    // With a swing by half a turn, the turn about the axis is undetermined.
     if ((limits.highest < PI || limits.lowest > -PI) && along > -0.98) {
         float centre = 0.5 * (limits.lowest + limits.highest);
         float angle = centre + wrapped(2.0 * atan(turn.x, turn.w) - centre);
@@ -71,7 +71,7 @@ struct JointLimitState {
     float kept[2];       // [rad]
 };
 
-/// As it was before this dispatch.
+/// The state before this dispatch.
 JointLimitState fetchLimitState(uint joint)
 {
     int first = int(JOINT_LIMIT_TEXELS * joint);

@@ -3,9 +3,9 @@
 
 BUFFER(Assembly, AssemblyState, assemblies);
 
-/// The part of what its stops held that a joint remembers in the next substep. What they give is a hundredth of what
-/// moves all that hangs on it, which contacts may press much harder; but where a light body carries a heavy one,
-/// what a blow has left would throw that back. @param carried the mass that hangs on the joint [kg].
+/// The part of what its stops held that a joint remembers in the next substep. Stops give by a hundredth of what moves
+/// all that hangs on them, and contacts may press the latter much harder; but where a light body carries a heavy one,
+/// the rest of a blow would throw that back. @param carried the mass that hangs on the joint [kg].
 float memoryOf(Joint joint, float carried)
 {
     const float LIGHT = 10.0;
@@ -14,8 +14,8 @@ float memoryOf(Joint joint, float carried)
     return carried > LIGHT * lighter ? 0.0 : 1.0;
 }
 
-/// What a joint's stops add to its resistance to turns: a rigid one, much more than the body with all that hangs on it
-/// has by itself. @param inertia of that, seen from the joint.
+/// The resistance to turns that a joint's stops add: for a rigid one, much more than that of the body with all that
+/// hangs on it. @param inertia of that, seen from the joint.
 mat3 limitStiffness(uint k, Inertia inertia)
 {
     const float RIGID = 100.0;

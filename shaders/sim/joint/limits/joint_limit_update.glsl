@@ -1,29 +1,29 @@
-// Which stops hold: those that their joint leans on or has passed.
+// Decides which stops hold: those that their joint leans on or has passed.
 #include "sim/joint/limits/joint_limit_stiffness.glsl"
 
-/// Where a substep begins all are looked for; later in it, those that have come to hold or pull.
+/// A substep begins by checking all stops; later, it checks those that have come to hold or pull.
 #ifdef AGAIN
 const bool BEGINS = false;
 #else
 const bool BEGINS = true;
 #endif
-/// Whether a rigid stop that pulls lets go. It shows once what its body hangs on and touches has answered; in the last
-/// iteration nobody would see where that leads.
+/// Whether a rigid stop that pulls lets go. That it pulls shows only once the bodies around have answered; in the last
+/// iteration nothing could answer to letting go.
 #if defined(AGAIN) && !defined(LAST)
 const bool LETS_GO = true;
 #else
 const bool LETS_GO = false;
 #endif
 
-/// How far within its limit a stop that held may be and go on holding [rad].
+/// How far within its limit a stop that held may be and still hold [rad].
 const float TOUCH = 0.005;
-/// The part of that which a substep leaves: the rest brings the joint nearer to its limit.
+/// The part of that distance that a substep leaves: the rest brings the joint nearer to its limit.
 const float LEANING = 0.9;
-/// What turns onto a stop no faster than this leans on it [rad/s].
+/// A joint that turns onto a stop no faster than this leans on it [rad/s].
 const float MOST_LEANING = 1.0;
 
-/// A stop that held in the substep before goes on holding, from where it is: if those of a chain were all looked for
-/// anew, they would hold in one substep and not in the next. @param memory the part of what it held that is left.
+/// A stop that held in the substep before continues to hold, from where it is: if the stops of a chain were all checked
+/// anew, they would hold in every other substep. @param memory the part of what it held that is left.
 void beginLimit(inout JointLimitState s, int i, float excess, bool rigid, float memory)
 {
     if (excess < -TOUCH) s.hardness[i] = 0.0;
@@ -33,7 +33,7 @@ void beginLimit(inout JointLimitState s, int i, float excess, bool rigid, float 
     s.held[i] *= goesOn ? memory : 0.0;
 }
 
-/// @param start its excess when the substep began. @returns whether it holds now and did not, or the other way round.
+/// @param start its excess when the substep began. @returns whether it has begun or ceased to hold.
 bool updateLimit(inout JointLimitState s, int i, vec3 axis, float excess, float start, bool rigid)
 {
     bool held = s.hardness[i] > 0.0, holds = excess > s.kept[i];
@@ -43,19 +43,19 @@ bool updateLimit(inout JointLimitState s, int i, vec3 axis, float excess, float 
     if (!holds) s.hardness[i] = s.held[i] = 0.0;
     if (holds && !held) {
         s.hardness[i] = 1.0;
-        // What would pass it is stopped where it is; a way to go in one substep would be its speed after it.
+        // A joint that would pass a stop is stopped where it is; a way to go in one substep would become its speed.
         if (rigid) s.kept[i] = min(s.kept[i], start);
     }
     return holds != held;
 }
 
-/// Whether a stop that has come to hold has stopped a turn, and not just been leaned on.
+/// Whether a stop that has come to hold has stopped a turn, rather than just been leaned on.
 bool hasStopped(JointLimitState s, int i, float excess, float start)
 {
     return s.hardness[i] > 0.0 && excess - start > MOST_LEANING * sim.substepTime;
 }
 
-/// @returns whether another set of stops of a joint holds than before.
+/// @returns whether the set of a joint's stops that hold has changed.
 bool updateJointLimits(uint k)
 {
     JointRange limits = fetchJointLimits(k);
@@ -74,14 +74,14 @@ bool updateJointLimits(uint k)
     bool swing = updateLimit(s, 0, now.swingAxis, now.swing, first.swing, rigid);
     bool turn = updateLimit(s, 1, now.turnAxis, now.turn, first.turn, rigid);
     storeLimitState(k, s);
-    // As with contacts: second order would answer what stops it one and a half times. What only leans on it may be
-    // thrown back as far as that is.
+    // As with contacts, second order would answer to the stop one and a half times. A joint that only leans on the stop
+    // may be thrown back that far.
     if ((swing && hasStopped(s, 0, now.swing, first.swing)) || (turn && hasStopped(s, 1, now.turn, first.turn)))
         assemblies[fetchMover(joint.body).assembly].order = 1u;
     return swing || turn;
 }
 
-/// @returns whether another set of stops of a tree holds than before.
+/// @returns whether the set of a tree's stops that hold has changed.
 bool updateLimits(JointTree tree)
 {
     bool changed = false;

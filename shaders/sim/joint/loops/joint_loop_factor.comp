@@ -1,5 +1,5 @@
-// One thread a tree of joints: of its joints that close loops, how far their ends move apart for each force between
-// them that they can have. After joint_factor, once a substep.
+// One thread a tree of joints: for each of its loops, how far the ends move apart for each force that they can have
+// between them. After joint_factor, once a substep.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/joint/joint_pose.glsl"
@@ -10,7 +10,7 @@
 layout(local_size_x = TREE_GROUP_SIZE) in;
 BUFFER(vec4, LoopFactors, newLoopFactors);
 
-/// How far a loop gives, as a share of how far its ends move for a force, and of how far its body alone would.
+/// How far a loop gives, as a share of how far its ends, and its body alone, would move for a force.
 vec2 giveOf(Inertia w, uint body)
 {
     const float REGULAR = 1e-4;
@@ -19,7 +19,7 @@ vec2 giveOf(Inertia w, uint body)
                 REGULAR * (traceOf(w.d) + alone.diagonal.x + alone.diagonal.y + alone.diagonal.z));
 }
 
-/// Of a hinge, nothing about its axis; of a ball, no turn.
+/// The part that a joint holds: a hinge holds nothing about its axis, a ball no turn.
 Inertia heldPart(Inertia w, vec2 give, uint freedom, vec3 axis)
 {
     w.a += mat3(give.x);
@@ -33,7 +33,7 @@ Inertia heldPart(Inertia w, vec2 give, uint freedom, vec3 axis)
     return w;
 }
 
-/// What each unit force between the ends moves them apart.
+/// How far each unit force between the ends moves them apart.
 Inertia triedApart(JointTree tree, uint loop, uint freedom, vec3 arm, vec3 parentArm)
 {
     Inertia w = Inertia(mat3(0), mat3(0), mat3(0));

@@ -1,5 +1,5 @@
-// One thread a tree of joints, after joint_solve: each of its loops in turn takes back its error by a force between its
-// ends, which the tree answers to as a whole; then the bodies move.
+// One thread a tree of joints, after joint_solve: each of its loops in turn corrects its error by a force between its
+// ends, to which the whole tree answers; then the bodies move.
 #define MANY_PUSHES
 #include "sim/common/kernel.glsl"
 #include "sim/joint/joint_error.glsl"
@@ -36,7 +36,7 @@ void closeLoop(JointTree tree, uint loop)
     if (freedom == JOINT_HINGE) error.r -= factor.axis * dot(factor.axis, error.r);
     Motion pull = solve(factored(factor.apart), Force(-error.t, -error.r));
 #ifdef ANGULAR
-    // What its remembered torque has about the hinge since that has turned would drive it.
+    // The part of its remembered torque about the turned hinge would drive the hinge.
     if (freedom == JOINT_HINGE) pull.r -= factor.axis * dot(factor.axis, newRowAngularImpulses[row].xyz);
 #endif
     pushBoth(loop, Force(pull.t, pull.r));

@@ -3,20 +3,20 @@
 #include "shared/joint_records.h"
 #include "sim/joint/joint_sweeps.glsl"
 
-/// How a loop's ends answer.
+/// How the ends of a loop answer to forces between them.
 struct LoopFactor {
-    Inertia apart;     // what its ends move for a force that it holds with, as an inverse
+    Inertia apart;     // motion of its ends per force, factored as an inverse
     vec3 arm;          // from the body's centre to the joint [m]
     vec3 parentArm;    // from its parent's
     vec3 axis;         // of a hinge
-    Motion kept;       // the part of its error that this substep does not take back
-    // How far it gives: too little to be seen, but where the tree holds its ends already, what the loop holds would
-    // else grow without end.
+    Motion kept;       // the part of its error that this substep does not correct
+    // How far it gives: invisibly little, but if the tree holds its ends already, its force would otherwise grow
+    // without bound.
     float givenMove;   // [1/kg]
     float givenTurn;   // [1/(kg m2)]
 };
 
-/// Of World's joints those that close loops stand behind the trees'.
+/// In World's joints, those that close loops come after the trees'.
 uint loopEntry(uint loop)
 {
     return LOOP_FACTOR_TEXELS * (loop - sim.treeJointCount);
@@ -41,7 +41,7 @@ uint loopEntry(uint loop)
                vec3(GET(6).w, GET(7).w, GET(8).w), Motion(GET(7).xyz, GET(8).xyz), GET(9).x, GET(9).y)
 
 /// Whether a loop is between a body and its child in the tree: it stands in for the joint between the two while the
-/// child does not respond, since what hangs on the child is then all that the tree's joint holds.
+/// child does not respond, since the tree's joint then holds only what hangs on the child.
 bool standsIn(Joint joint)
 {
     return joint.parentJoint != NONE && fetchJoint(joint.parentJoint).parent == joint.body;
@@ -55,7 +55,7 @@ bool loopActs(uint loop)
     return fetchFreedom(loop) != JOINT_NONE && (standsIn(joint) ? body && !parent : body || parent);
 }
 
-/// From the leaves to the root, with no other force than that between the ends of a loop.
+/// From the leaves to the root, passes only the force between the ends of a loop.
 void passLoopForce(JointTree tree, uint loop, vec3 arm, vec3 parentArm, Force f)
 {
     Motion none = Motion(vec3(0), vec3(0));

@@ -36,7 +36,7 @@ std::vector<std::string> tokensOf(std::string_view name)
     return tokens;
 }
 
-/// Whether the text is nothing but known words, which are added, the longest first.
+/// Whether the text consists of known words, which are added, the longest first.
 bool splitCompound(std::string_view text, std::vector<std::string>& words)
 {
     if (text.empty()) return true;
@@ -70,7 +70,7 @@ void addWords(const std::string& token, std::vector<std::string>& words)
     words.insert(words.end(), found.begin(), found.end());
 }
 
-/// An arm or a leg with a word that says which half; a torso's lower half is the hips.
+/// An arm or a leg, with a word for one of its halves; a torso's lower half is the hips.
 NamedPart halved(NamedPart part, bool upper, bool lower, bool fore)
 {
     switch (part) {
@@ -81,7 +81,7 @@ NamedPart halved(NamedPart part, bool upper, bool lower, bool fore)
     }
 }
 
-/// A corner of what stands on four legs.
+/// A corner of a body on four legs.
 struct Corner {
     std::string_view word;
     const char* place;
@@ -97,7 +97,7 @@ const Corner* cornerOf(const std::string& text)
     return corner == std::end(CORNERS) ? nullptr : corner;
 }
 
-/// Which of several limbs a word speaks of; empty for one that says nothing of it.
+/// The place among several limbs that a word names; empty if it names none.
 std::string placeWord(const std::string& text)
 {
     if (const Corner* corner = cornerOf(text)) return corner->place;
@@ -171,9 +171,9 @@ BoneName readBoneName(std::string_view name)
     }
     for (std::string& number : numbersIn(name)) read.others.push_back(std::move(number));
     std::ranges::sort(read.others);
-    // "LeftHandIndex1": behind a hand's word, a finger's is one.
+    // "LeftHandIndex1": after a hand's word, a finger's counts.
     if (weak == NamedPart::MaybeFinger && read.part == NamedPart::Hand) read.part = NamedPart::Finger;
-    // "back_trochantin.L": at a limb, back is a place.
+    // "back_trochantin.L": for a limb, back is a place.
     if (weak == NamedPart::Spine && unknown && read.side != 0) weak = NamedPart::None;
     if (read.part == NamedPart::None) read.part = weak != NamedPart::None ? weak : muscle;
     // "FL_upper"

@@ -6,8 +6,8 @@
 
 namespace knuckle {
 
-/// What the words of a bone's name speak of. Hip, Shoulder, Leg and Arm mean different bones in different programs;
-/// the bones around them decide (chain_parts.h).
+/// What the words of a bone's name mean. Hip, Shoulder, Leg and Arm mean different bones in different programs; the
+/// bones around them decide (chain_parts.h).
 enum class NamedPart {
     None,
     Hips,
@@ -22,7 +22,7 @@ enum class NamedPart {
     Forearm,
     Hand,
     Finger,
-    MaybeFinger,  ///< "middle", "ring": a finger behind a hand.
+    MaybeFinger,  ///< "middle", "ring": a finger after a hand.
     Leg,
     Coxa,
     Thigh,
@@ -41,14 +41,14 @@ struct BoneName {
     bool isTwist = false;     ///< Takes a share of a limb's turn.
     bool isControl = false;   ///< A handle of the animator's: inverse kinematics, poles, trajectories.
     bool isAttached = false;  ///< Face, hair, clothes, props.
-    bool isEnd = false;       ///< Says where a chain ends.
-    /// What else it says, in order: which of several such limbs it is of. "front", "back" and "middle" whatever words
-    /// stand for them, numbers, words that nobody knows.
+    bool isEnd = false;       ///< Marks the end of a chain.
+    /// Its other words, in order, which tell several such limbs apart: "front", "back" and "middle" for all words of
+    /// the same meaning, numbers, unknown words.
     std::vector<std::string> others;
 };
 
-/// Lower-case words of a name: namespaces (`mixamorig:`) and digits are dropped, camel case and compounds of known
-/// words ("lhipjoint", "upperarm") taken apart, Japanese words translated.
+/// Lower-case words of a name: drops namespaces (`mixamorig:`) and digits, takes camel case and compounds of known
+/// words ("lhipjoint", "upperarm") apart, translates Japanese words.
 std::vector<std::string> wordsOf(std::string_view name);
 
 BoneName readBoneName(std::string_view name);

@@ -13,7 +13,7 @@ bool matchesPattern(std::string_view name, std::string_view pattern)
             ++p;
             ++n;
         } else if (star != std::string_view::npos) {
-            // The last star takes one letter more.
+            // Lets the last star match one more letter.
             p = star + 1;
             n = ++taken;
         } else {

@@ -7,11 +7,11 @@
 
 namespace knuckle {
 
-/// Whether a name is the pattern's: `*` stands for any letters, also none, and `?` for any one.
+/// Whether a name matches the pattern: `*` stands for any letters, or none, and `?` for any one.
 bool matchesPattern(std::string_view name, std::string_view pattern);
 
-/// The entry for a name: the one that is the name itself, else of the patterns that match it the longest, of equally
-/// long ones the first in order; nullptr for none.
+/// The entry for a name: the one of exactly this name, else the longest pattern that matches it, of equally long ones
+/// the first in order; nullptr for none.
 template <typename Value>
 const Value* findByPattern(const std::map<std::string, Value>& entries, const std::string& name)
 {

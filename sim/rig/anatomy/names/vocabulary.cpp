@@ -70,7 +70,7 @@ constexpr Entry JAPANESE[] = {
 struct Words {
     WordUse use;
     NamedPart part;
-    std::string_view list;  ///< Apart by spaces.
+    std::string_view list;  ///< Separated by spaces.
 };
 
 constexpr Words WORDS[] = {
@@ -98,7 +98,7 @@ constexpr Words WORDS[] = {
     {WordUse::Attached, NamedPart::None,
      "breast boob bust pectoral pec butt buttock glute belly stomach muscle tricep trapezius lat deltoid corrective "
      "heel adj"},
-    // Muscles, and what some call the limb itself.
+    // Muscles, which some use as names of the limb itself.
     {WordUse::Attached, NamedPart::UpperArm, "bicep"},
     {WordUse::Attached, NamedPart::Thigh, "quad quadricep"},
     {WordUse::Part, NamedPart::Hips, "hips pelvis pelvic"},

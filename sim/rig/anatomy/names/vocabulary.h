@@ -11,14 +11,14 @@ namespace knuckle {
 /// What a word does in a bone's name.
 enum class WordUse {
     Part,      ///< Names a part.
-    WeakPart,  ///< Names one where no other word does: "back", "body".
+    WeakPart,  ///< Names a part if no other word does: "back", "body".
     Left,
     Right,
     Upper,
     Lower,
-    Fore,  ///< Of an arm the lower one, of a leg the front one.
+    Fore,  ///< The lower half of an arm, or a front leg.
     Twist,
-    Piece,  ///< Of a limb, where another word names one: "HipPart1".
+    Piece,  ///< A piece of a limb, if another word names one: "HipPart1".
     Control,
     Attached,
     End,
@@ -30,7 +30,7 @@ struct Word {
     NamedPart part = NamedPart::None;
 };
 
-/// The word, or the one of which it is the plural; lower case. None for a word that no rig's bones share.
+/// The word, or the one whose plural it is; lower case. None for a word that rigs do not share.
 std::optional<Word> findWord(std::string_view word);
 
 /// The name with the Japanese words of MikuMikuDance's bones in English.

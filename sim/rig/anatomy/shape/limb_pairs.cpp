@@ -8,12 +8,13 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float ALIKE = 0.75f;  // the shorter of two that mirror each other is this share of the longer at least
-constexpr float OFF = 0.25f;    // the ends of two that do are this far off each other's images at most [length]
+constexpr float ALIKE = 0.75f;  // the least ratio of the lengths of two that mirror each other
+constexpr float OFF = 0.25f;    // the most that the ends of two that do are off each other's images [length]
 
-constexpr float POSED = 0.2f;      // ... which counts as this far off where only their poses differ
-constexpr size_t LIMB = 3;         // bones of a limb at least that goes on in what it holds
-constexpr float POSED_OFF = 0.1f;  // of those, off each other's images at the first head, and of their bones [length]
+constexpr float POSED = 0.2f;      // ... which counts as this far off if only their poses differ
+constexpr size_t LIMB = 3;         // least bones of a limb that continues in what it holds
+constexpr float POSED_OFF = 0.1f;  // the most that the first heads of those are off each other's images, and that bone
+                                   // lengths differ [length]
 
 /// The longest way down from each bone [m].
 std::vector<float> reaches(const BoneTree& tree)
@@ -52,8 +53,8 @@ BoneChain chainAlong(const BoneTree& tree, const std::vector<float>& reach, uint
     }
 }
 
-/// How many bones of two that begin at each other's images are as long: so far they mirror each other but for their
-/// pose, and what one holds in its hand.
+/// The number of bones, of two chains that begin at each other's images, with equal lengths: up to there they mirror
+/// each other except for their pose; beyond may be what one holds in its hand.
 size_t alike(const BoneTree& tree, const MirrorPlane& plane, const BoneChain& a, const BoneChain& b)
 {
     const float apart = POSED_OFF * std::min(a.length, b.length);
@@ -92,7 +93,7 @@ Vector3f middleOf(const BoneTree& tree, const BoneChain& chain)
     return sum / static_cast<float>(chain.bones.size());
 }
 
-/// Whether a bone is of the trunk: next to the plane, with bones on both sides of it below.
+/// Whether a bone belongs to the trunk: next to the plane, with bones on both sides of it below.
 bool isCentral(const BoneTree& tree, const MirrorPlane& plane, float beside, uint32_t bone)
 {
     if (std::abs(plane.distance(tree.heads[bone])) > beside) return false;

@@ -10,20 +10,20 @@ namespace knuckle {
 struct BoneChain {
     std::vector<uint32_t> bones;
     float length = 0.0f;  ///< Of all its segments [m].
-    size_t fork = 0;      ///< Into bones: the first from which several go on, or the last.
+    size_t fork = 0;      ///< Into bones: the first after which the chain branches, or the last.
 };
 
 /// Two chains from one bone that mirror each other.
 struct LimbPair {
     uint32_t base = 0;
-    std::array<BoneChain, 2> chains;  ///< The first lies where the plane's distance is positive.
+    std::array<BoneChain, 2> chains;  ///< The first is where the plane's distance is positive.
     float lowest = 0.0f;              ///< Height of the end [m].
 
     float length() const { return chains[0].length; }
     size_t count() const { return std::min(chains[0].bones.size(), chains[1].bones.size()); }
 };
 
-/// From a bone down the longest way, over bones that carry skin.
+/// The longest way down from a bone, over bones that carry skin.
 BoneChain chainFrom(const BoneTree& tree, uint32_t bone);
 
 /// Pairs of two or more bones each, in the order of the bones that they hang on.

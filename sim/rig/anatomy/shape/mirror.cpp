@@ -18,7 +18,7 @@ std::vector<uint32_t> nearestImages(const BoneTree& tree, const MirrorPlane& pla
         const Vector3f image = plane.mirrored(tree.heads[b]);
         float nearest = reach;
         for (uint32_t other = 0; other < tree.size(); ++other) {
-            // Of bones at one place the image is the one as far from the root, and a bone its own before another's.
+            // Of bones at one place, the image is the one as far from the root, and a bone prefers itself.
             const float distance = (tree.heads[other] - image).norm();
             if (depths[other] != depths[b] || !(distance < nearest || (other == b && distance <= nearest))) continue;
             nearest = distance;

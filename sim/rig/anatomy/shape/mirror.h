@@ -9,14 +9,14 @@
 
 namespace knuckle {
 
-/// A skeleton's plane of symmetry, and which bone is which one's image in it.
+/// A skeleton's plane of symmetry, and the image of each bone in it.
 struct Mirror {
     MirrorPlane plane;
     std::vector<uint32_t> images;  ///< Per bone: itself if it lies on the plane, NO_INDEX if it has none.
 
-    /// The axis that the plane is across, where it is one; -1.
+    /// The axis that the plane is perpendicular to; -1 if none.
     int axis() const;
-    /// Bones whose limbs are not each other's images have none: somebody wants one side otherwise.
+    /// Removes images between bones whose limbs are not each other's images: options want one side to differ.
     void keepAlike(std::span<const BoneAnatomy> anatomy);
 };
 

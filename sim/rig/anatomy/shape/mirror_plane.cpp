@@ -9,8 +9,8 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr float SAME_PLACE = 0.05f;   // a bone's mirror image is this near to another bone [size]
-constexpr float BESIDE = 0.01f;       // what is farther from the plane lies to a side of it [size]
-constexpr size_t MOST_GUESSES = 24;   // directions that are tried
+constexpr float BESIDE = 0.01f;       // bones further from the plane lie to a side of it [size]
+constexpr size_t MOST_GUESSES = 24;   // directions to try
 constexpr int32_t FEWEST_IMAGES = 4;  // bones beside the plane that have an image
 
 /// How many bones beside a plane have an image, and how many have none.
@@ -18,7 +18,7 @@ struct Images {
     int32_t found = 0, missing = 0;
 };
 
-/// A bone's image is another bone, as far from the root and of the other side: a hind leg is none of a front leg.
+/// A bone's image is another bone, as far from the root and of the other side: a hind leg is not one of a front leg.
 Images imagesIn(const BoneTree& tree, const std::vector<uint32_t>& depths, const MirrorPlane& plane, float size)
 {
     Images images;
@@ -51,7 +51,8 @@ Vector3f middleOf(const BoneTree& tree)
     return sum / std::max(count, 1.0f);
 }
 
-/// Through the middle of all bones, across the axes and ways between bones on the same one; then halfway between these.
+/// Planes through the middle of all bones, across the axes and lines between siblings; then planes halfway between
+/// siblings.
 std::vector<MirrorPlane> guesses(const BoneTree& tree, const Vector3f& middle, float size)
 {
     std::vector<MirrorPlane> planes{{Vector3f::UnitX(), middle.x()}, {Vector3f::UnitZ(), middle.z()}};
@@ -93,7 +94,7 @@ std::optional<MirrorPlane> findMirrorPlane(const BoneTree& tree)
     int32_t most = 0, images = 0;
     for (const MirrorPlane& plane : guesses(tree, middle, size)) {
         const auto [found, missing] = imagesIn(tree, depths, plane, size);
-        // One off the middle, where much is on one side alone, has to be better by far.
+        // A plane off the middle, as with much on one side alone, has to be much better.
         const bool central = std::abs(plane.distance(middle)) < BESIDE * size;
         const int32_t counts = found - missing;
         if ((images > 0 && counts <= most) || (!central && counts < most + 2 * FEWEST_IMAGES)) continue;

@@ -15,8 +15,8 @@ struct MirrorPlane {
     Eigen::Vector3f mirrored(const Eigen::Vector3f& point) const { return point - 2 * distance(point) * across; }
 };
 
-/// The plane in which most bones have a mirror image, of the other side where names say sides, and fewest have none; no
-/// plane where hardly any has.
+/// The plane in which most bones have a mirror image, of the other side if names give sides, and fewest have none; none
+/// if hardly any bone has an image.
 std::optional<MirrorPlane> findMirrorPlane(const BoneTree& tree);
 
 /// The longest side of the box around all bones' heads [m].

@@ -33,7 +33,7 @@ Region regionOf(BodyPart part)
     }
 }
 
-/// The skeleton without what is called hair, clothes and props: a cape is no limb. What most of it hangs on stays.
+/// The skeleton without bones called hair, clothes or props: a cape is no limb. Bones on which most of it hangs stay.
 BoneTree withoutAttached(BoneTree tree, const std::vector<BoneName>& names)
 {
     std::vector<uint8_t> cut(tree.size(), 0);
@@ -50,7 +50,7 @@ BoneTree withoutAttached(BoneTree tree, const std::vector<BoneName>& names)
     return tree;
 }
 
-/// Adds what the shape says to what names say.
+/// Adds the shape's parts to those from names.
 class ShapeFill {
 public:
     ShapeFill(const BoneTree& tree, const std::vector<BoneName>& names, const std::vector<BoneAnatomy>& shape,
@@ -91,7 +91,7 @@ private:
         if (anatomy_[b].side == 0) anatomy_[b].side = shape_[b].side;
     }
 
-    /// Whether names leave a part of such limbs open, or all of them, and the shape has something to say of them.
+    /// Whether names leave a part of such limbs open, or all of them, and the shape knows a silent bone of them.
     bool isOpen(Region region, const std::vector<BodyPart>& whole) const
     {
         bool any = false, says = false;
@@ -110,7 +110,7 @@ private:
         return !any;
     }
 
-    /// Whether the shape sees the long limbs of a region that are named, and says of no bone of it something else than
+    /// Whether the shape sees the named long limbs of a region, and contradicts no name in it.
     /// its name.
     bool agrees(Region region) const
     {
@@ -129,8 +129,8 @@ private:
         return true;
     }
 
-    /// Whether a bone's name says nothing of what it is. What is called after clothes may be part of a trunk, or carry
-    /// what is named.
+    /// Whether a bone's name does not say what it is. A bone named after clothes may be part of a trunk, or carry named
+    /// bones.
     bool isSilent(uint32_t b) const
     {
         const BoneName& name = names_[b];
@@ -147,7 +147,7 @@ private:
     std::vector<BoneAnatomy>& anatomy_;
 };
 
-/// Gives limbs that are named without a side the one on which they are. @returns whether there are any.
+/// Gives limbs named without a side the side that they are on. @returns whether there are any.
 bool takeSides(const std::vector<BoneAnatomy>& shape, std::vector<BoneName>& names)
 {
     bool any = false;

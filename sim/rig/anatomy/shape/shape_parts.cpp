@@ -12,15 +12,15 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float GROUND = 0.2f;     // ends of legs are this near to the lowest [height]
+constexpr float GROUND = 0.2f;     // ends of legs are at most this far above the lowest [height]
 constexpr float DOWN = 0.3f;       // ... and begin this far above their ends [length]
-constexpr float FOOT = 0.2f;       // a foot begins this near to the ground [height of the leg]
-constexpr float SHORT = 0.45f;     // a first bone of a leg that is shorter is part of the hip [next one]
+constexpr float FOOT = 0.2f;       // a foot begins at most this far above the ground [height of the leg]
+constexpr float SHORT = 0.45f;     // a shorter first bone of a leg is part of the hip [next one]
 constexpr size_t MOST_NECKS = 3;   // of a chain up to the head
 constexpr size_t PONYTAIL = 2;     // its bones at least
 constexpr float ARM = 0.75f;       // the usual length of arms [length of legs]
 constexpr float ALIKE = 0.1f;      // logarithm of the ratio of two pairs' lengths that are both arms
-constexpr float LONG_WING = 0.2f;  // pairs that are shorter are feelers and ears [size]
+constexpr float LONG_WING = 0.2f;  // shorter pairs are feelers and ears [size]
 
 class ShapeParts {
 public:
@@ -76,7 +76,7 @@ private:
         }
     }
 
-    /// The ways from the pelvis to the bones that other limbs hang on.
+    /// Marks the ways from the pelvis to the bones that other limbs hang on.
     void markTrunk()
     {
         for (const std::vector<LimbPair>* pairs : {&legs_, &others_}) {
@@ -91,7 +91,7 @@ private:
         trunk_[pelvis_] = 0;
     }
 
-    /// Single chains that leave the trunk: the highest has the head, the others are tails.
+    /// Single chains that leave the trunk: the highest is the head's, the others are tails.
     void readEnds()
     {
         std::vector<BoneChain> ends;
@@ -110,7 +110,7 @@ private:
         }
     }
 
-    /// Above shoulders, the bone beside whose skin that of all further ones is small: these are a ponytail.
+    /// Above the shoulders, the bone with much more skin than all further ones: these are a ponytail.
     size_t crownOf(const BoneChain& chain, size_t last) const
     {
         const int32_t base = tree_.parents[chain.bones.front()];
@@ -143,7 +143,7 @@ private:
         return chain.bones.size() >= 3 && segment(0) < SHORT * segment(1);
     }
 
-    /// The first joint next to the ground; of a leg that has no foot the number of its bones.
+    /// The first joint near the ground; the number of bones for a leg without a foot.
     size_t footOf(const LimbPair& pair, const BoneChain& chain) const
     {
         const float root = tree_.heads[chain.bones.front()].y() - pair.lowest;
@@ -152,8 +152,8 @@ private:
         return foot;
     }
 
-    /// Where a limb's part begins, as names of any of its parts say: how many bones from the chain's first; -1 where
-    /// they say nothing or not the same.
+    /// Where a limb's part begins, by names of any of its parts: number of bones from the chain's first; -1 if names do
+    /// not say, or contradict each other.
     int placeOf(const BoneChain& chain, const std::vector<BodyPart>& parts, size_t part) const
     {
         int place = -1;
@@ -172,7 +172,7 @@ private:
         size_t first = chain.bones.size() >= 5 && startsShort(chain) ? 1 : 0, foot = first + 2;
         if (legs_.size() > 1) {
             foot = footOf(pair, chain);
-            // A front leg has its shoulder blade, others begin with a short piece.
+            // A front leg has its shoulder blade; other legs begin with a short piece.
             const bool blade = fore && foot >= 3;
             first = foot >= 3 && (fore || startsShort(chain)) ? 1 : 0;
             if (first > 0) call(chain.bones[0], blade ? BodyPart::Clavicle : BodyPart::Coxa);
@@ -201,7 +201,7 @@ private:
         callBelow(chain.bones[next - 1], BodyPart::Finger);
     }
 
-    /// Of four legs the two next to the head.
+    /// Whether a leg is one of the two next to the head, of four.
     bool isForeLeg(const LimbPair& pair) const
     {
         if (legs_.size() != 2) return false;
@@ -213,7 +213,7 @@ private:
         return away(pair) < away(other);
     }
 
-    /// How far from the length of arms.
+    /// How much its length differs from that of arms.
     float unlikeArms(const LimbPair& pair) const
     {
         return pair.length() <= 0.0f ? INFINITY : std::abs(std::log(pair.length() / (ARM * legs_.front().length())));
@@ -237,7 +237,7 @@ private:
         }
     }
 
-    /// Where it looks: from heels to toes; of a creature from its hips to its head.
+    /// The direction that it faces: from heels to toes; for a creature from its hips to its head.
     Vector3f forward() const
     {
         Vector3f way = Vector3f::Zero();
@@ -250,7 +250,7 @@ private:
         return way - way.dot(plane_.across) * plane_.across - way.y() * Vector3f::UnitY();
     }
 
-    /// Whether the left is where the plane's distance is positive: as names say, else as it looks.
+    /// Whether the left is where the plane's distance is positive: by names, else by the direction that it faces.
     bool leftIsPositive() const
     {
         float said = 0.0f;

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double SAMPLES_PER_SECOND = 60.0;
-constexpr double DEFAULT_TICKS = 25.0;    // per second, where the file does not say
+constexpr double DEFAULT_TICKS = 25.0;    // per second, if the file gives none
 constexpr double LONGEST = 3600.0;        // [s]
 constexpr unsigned MOST_KEYS = 500000;    // of one bone
 constexpr size_t MATRIX_LIMIT = 1000000;  // bone poses of all clips together, 64 MB
@@ -43,7 +43,7 @@ Quaterniond between(const Quaterniond& a, const Quaterniond& b, double t)
     return a.slerp(t, b);
 }
 
-// The value at a time in ticks; before the first and after the last key it stays that of the key.
+// The value at a time in ticks; constant before the first and after the last key.
 template <typename Key>
 auto sampleKeys(const Key* keys, unsigned count, double time)
 {
@@ -60,7 +60,7 @@ Matrix4d sampleChannel(const aiNodeAnim& channel, const Eigen::Matrix3d& correct
 {
     Eigen::Affine3d restAffine(rest);
     Vector3d position = restAffine.translation();
-    // What is mirrored is so along all axes, as where assimp takes matrices apart.
+    // Mirrors all axes, like assimp where it takes matrices apart.
     const double sign = rest.topLeftCorner<3, 3>().determinant() < 0.0 ? -1.0 : 1.0;
     const Vector3d restScale = rest.topLeftCorner<3, 3>().colwise().norm();
     Vector3d scale = sign * restScale;
@@ -81,14 +81,14 @@ Matrix4d sampleChannel(const aiNodeAnim& channel, const Eigen::Matrix3d& correct
     return m;
 }
 
-/// What a clip does with a node.
+/// A clip's motion of a node.
 struct NodeMotion {
     const aiNodeAnim* channel = nullptr;
     Eigen::Matrix3d correction = Eigen::Matrix3d::Identity();  ///< FbxChannel::correction.
     bool isContained = false;                                  ///< In the channel of a node below.
 };
 
-// Per node what moves it, if anything. Where a mesh and a bone have the same name, the channel is the bone's.
+// Per node, its motion, if any. If a mesh and a bone have the same name, the channel is the bone's.
 std::vector<NodeMotion> motionsByNode(const aiAnimation& animation, const NodeTable& table)
 {
     std::map<std::string, uint32_t> nodeByName;
@@ -157,7 +157,7 @@ unsigned mostKeys(const aiAnimation& animation)
     return most;
 }
 
-/// Whether any channel is of a bone.
+/// Whether any channel moves a bone.
 bool movesBones(const std::vector<NodeMotion>& motions, const NodeTable& table)
 {
     for (size_t n = 0; n < motions.size(); ++n)
@@ -165,7 +165,7 @@ bool movesBones(const std::vector<NodeMotion>& motions, const NodeTable& table)
     return false;
 }
 
-/// Its name; of those of one name that come later with a number, as skeletons have.
+/// The animation's name; later ones of the same name get a number, like skeletons.
 std::string nameOf(const aiAnimation& animation, const Model& model)
 {
     const std::string name = animation.mName.length > 0
@@ -180,7 +180,7 @@ std::string nameOf(const aiAnimation& animation, const Model& model)
     return free;
 }
 
-/// Whether a channel makes anything larger or smaller than it is at rest.
+/// Whether a channel changes the size of anything from that at rest.
 bool scales(const aiNodeAnim& channel, const Matrix4d& rest)
 {
     constexpr double SAME = 0.01;  // of a scale
@@ -236,7 +236,7 @@ void convertClip(const aiAnimation& animation, const NodeTable& table, size_t ke
     if (!(clip.duration >= 0.0) || !std::isfinite(clip.duration))
         return refuse("has no keys, or none at sensible times");
     if (clip.duration > LONGEST) return refuse(fmt::format("lasts {:.0f} s, more than {:.0f}", clip.duration, LONGEST));
-    // A little less, so that rounding adds no sample, which would move all others off the file's keys.
+    // A little less, so that rounding does not add a sample, which would move all others off the file's keys.
     const size_t wanted = static_cast<size_t>(std::ceil(clip.duration * SAMPLES_PER_SECOND - 1e-3)) + 1;
     const size_t count = std::min(wanted, std::max<size_t>(keyLimit, 2));
     if (count < wanted) {

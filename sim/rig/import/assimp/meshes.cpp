@@ -53,7 +53,7 @@ std::vector<std::vector<Influence>> influencesOf(const aiMesh& mesh, SkinNotes& 
     return influences;
 }
 
-// The strongest eight, scaled to sum 1.
+// Keeps the strongest eight, scaled to sum 1.
 void normalize(std::vector<Influence>& influences, SkinNotes& notes)
 {
     std::stable_sort(influences.begin(), influences.end(),
@@ -96,13 +96,13 @@ void addVertex(const Vector4d& position, const aiMesh& mesh, Model& model)
     model.vertices.push_back(position.head<3>().cast<float>());
 }
 
-/// 1 for a matrix that keeps right hands, -1 for one that makes left ones of them.
+/// 1 for a matrix that keeps right-handedness, -1 for one that mirrors.
 double handOf(const Matrix4d& matrix)
 {
     return matrix.topLeftCorner<3, 3>().determinant() < 0.0 ? -1.0 : 1.0;
 }
 
-/// @param hands per vertex: handOf() what moves it. Triangles of vertices that are mirrored are turned round.
+/// @param hands per vertex: handOf() its matrix. Reverses triangles whose vertices are mirrored.
 void addTriangles(const aiMesh& mesh, size_t firstVertex, const std::vector<double>& hands, Model& model)
 {
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {

@@ -19,8 +19,8 @@ namespace knuckle {
 
 namespace {
 
-/// Gives the bytes of a changed glTF and of what was added to it; other files as they are, those that it names in the
-/// words of an URI by what these stand for.
+/// Gives assimp the bytes of a changed glTF and of the data added to it; other files unchanged, with names decoded from
+/// URIs.
 class GltfFiles : public Assimp::DefaultIOSystem {
 public:
     GltfFiles(std::string path, PreparedGltf prepared) : path_(std::move(path)), prepared_(std::move(prepared)) {}

@@ -14,9 +14,9 @@ class Importer;
 
 namespace knuckle {
 
-/// What is to be known of a file that was changed for assimp.
+/// Facts about a file that was changed for assimp.
 struct FileNames {
-    std::map<std::string, std::string> originals;  ///< Names of the file, by those that stand for them.
+    std::map<std::string, std::string> originals;  ///< The file's names, by those that replace them.
     std::vector<std::string> notes, missing;       ///< For the model; for its surface.
 };
 

@@ -29,7 +29,7 @@ namespace knuckle {
 
 namespace {
 
-/// From here on an edge without normals of its own is drawn sharp [degrees].
+/// An edge without its own normals is drawn sharp above this angle [degrees].
 constexpr float CREASE = 60.0f;
 
 }  // namespace
@@ -39,8 +39,7 @@ Model readScene(const std::string& path, bool surface, const ModelPick& pick)
     checkParts(path);
     Assimp::Importer importer;
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-    // Importers of some games' formats look for further files beside the given one. None of them is needed but for what
-    // is drawn.
+    // Importers of some games' formats look for further files beside the given one. Only those for drawing are needed.
     const int looks = surface ? 0 : aiComponent_TEXTURES | aiComponent_MATERIALS;
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, looks | aiComponent_LIGHTS | aiComponent_CAMERAS);
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, CREASE);
@@ -52,10 +51,10 @@ Model readScene(const std::string& path, bool surface, const ModelPick& pick)
     if (scene == nullptr || scene->mRootNode == nullptr) {
         const std::string reason = importer.GetErrorString();
         if (reason.find("bad_alloc") != std::string::npos) {
-            throw std::bad_alloc();  // assimp caught it and made it a message; out of memory has a message of its own
+            throw std::bad_alloc();  // assimp made it a message; running out of memory has its own
         }
         std::string line = reason.substr(0, reason.find('\n'));
-        // A line of what was read from memory is none of the file.
+        // This prefix names a line of data in memory, which is not one of the file.
         constexpr std::string_view IN_MEMORY = "$$$___magic___$$$";
         if (line.starts_with(IN_MEMORY) && line.find(" - ") != std::string::npos) line.erase(0, line.find(" - ") + 3);
         line.erase(line.find_last_not_of(". ") + 1);
@@ -65,7 +64,7 @@ Model readScene(const std::string& path, bool surface, const ModelPick& pick)
     model.name = std::filesystem::path(path).stem().string();
     NodeTable table = listNodes(*scene);
     table.originals = std::move(names.originals);
-    // Of an MD5 clip assimp makes a mesh of needles.
+    // Assimp turns an MD5 clip into a mesh of needles.
     const bool isClip = lowercase(std::filesystem::path(path).extension().string()) == ".md5anim";
     table.isBare = scene->mNumMeshes == 0 || isClip;
     table.isOfParts = !pick.split;

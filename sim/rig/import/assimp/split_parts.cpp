@@ -43,7 +43,7 @@ std::vector<Run> runsOf(const aiScene& scene, const NodeTable& table)
     return runs;
 }
 
-/// Joins what triangles connect, and corners of one node at the same place.
+/// Joins vertices that triangles connect, and those of one node at the same place.
 DisjointSets connected(const Model& model, const std::vector<Run>& runs)
 {
     DisjointSets sets(model.vertices.size());
@@ -64,7 +64,7 @@ DisjointSets connected(const Model& model, const std::vector<Run>& runs)
     return sets;
 }
 
-/// Numbers where several parts have one name.
+/// Numbers parts that share a name.
 std::vector<std::string> numbered(const std::vector<std::string>& names)
 {
     std::map<std::string, int> counts, seen;

@@ -21,7 +21,7 @@ constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
 constexpr std::string_view SPACES = " \t\r\n\f\v";
 constexpr size_t MOST_CHANNELS = 64;  // of one joint; more is no number of channels
 
-/// Takes a text apart as assimp does: into words, of which braces are some.
+/// Splits a text into words like assimp; braces are words, too.
 class Words {
 public:
     explicit Words(std::string_view text) : text_(text) {}
@@ -38,7 +38,7 @@ public:
         }
         return taken(end);
     }
-    /// What stands before the next brace, without the spaces around it.
+    /// The text before the next brace, without the spaces around it.
     std::string upToBrace()
     {
         skipSpaces();
@@ -63,12 +63,12 @@ private:
 
 /// One ROOT with all that hangs on it, in assimp's words.
 struct Hierarchy {
-    std::string name;  ///< As users call it.
+    std::string name;  ///< The user's name for it.
     std::string text;
     size_t joints = 0, channels = 0;
 };
 
-/// Reads hierarchies; any of its functions gives nothing for what is no BVH.
+/// Reads hierarchies; all its functions return nothing for text that is not BVH.
 class HierarchyReader {
 public:
     explicit HierarchyReader(Words& words) : words_(words) {}
@@ -126,7 +126,7 @@ private:
         return true;
     }
 
-    /// A name without spaces, that no other joint has.
+    /// A name without spaces that no other joint has.
     std::string oneWord(const std::string& name)
     {
         std::string word = name;
@@ -143,7 +143,7 @@ private:
     std::set<std::string> used_;
 };
 
-/// Numbers that commas part, parted by spaces. One within a number stays.
+/// Numbers separated by spaces instead of commas. A comma within a number stays.
 std::string withoutCommas(std::string numbers)
 {
     for (size_t at = numbers.find(','); at != std::string::npos; at = numbers.find(',', at + 1))
@@ -151,7 +151,7 @@ std::string withoutCommas(std::string numbers)
     return numbers;
 }
 
-/// The columns from `first` on, as many as `count`, of a motion of `all` columns, with its head in assimp's letters.
+/// The columns first .. first + count - 1 of a motion of `all` columns, with a header in assimp's spelling.
 std::string motion(Words& words, size_t first, size_t count, size_t all)
 {
     std::string text = "MOTION\n";
@@ -179,7 +179,7 @@ std::string joinedText(const std::vector<Hierarchy>& roots)
     return text + "}\n";
 }
 
-/// Which of several hierarchies is asked for.
+/// The index of the requested hierarchy.
 size_t pick(const std::vector<Hierarchy>& roots, const std::string& skeleton, std::vector<std::string>& notes)
 {
     if (roots.size() == 1) return 0;
@@ -223,7 +223,7 @@ PreparedBvh prepareBvh(std::string text, const std::string& skeleton)
     const size_t columns = areJoined ? all : roots[taken].channels;
     prepared.text = "HIERARCHY\n" + (areJoined ? joinedText(roots) : roots[taken].text);
     prepared.text += word == "motion" ? motion(words, before, columns, all)
-                                      : "MOTION\nFrames: 0\nFrame Time: 1\n";  // assimp asks for one
+                                      : "MOTION\nFrames: 0\nFrame Time: 1\n";  // assimp needs one
     prepared.originals = std::move(reader.originals);
     return prepared;
 }

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What is read, or changes nothing that is.
+/// Extensions that are read, or that change nothing that is read.
 constexpr std::array KNOWN{"EXT_meshopt_compression", "KHR_meshopt_compression",    "EXT_texture_webp",
                            "KHR_texture_basisu",      "KHR_draco_mesh_compression", "KHR_lights_punctual",
                            "KHR_mesh_quantization",   "KHR_texture_transform",      "KHR_xmp_json_ld"};

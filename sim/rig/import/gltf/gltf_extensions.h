@@ -7,13 +7,13 @@
 
 namespace knuckle {
 
-/// Gives textures whose only picture is WebP (EXT_texture_webp) that one.
+/// Makes textures whose only picture is WebP (EXT_texture_webp) use it.
 void supplyPictures(GltfSource& source);
 
-/// Sentences on what of a glTF nobody here reads: extensions that it requires.
+/// Sentences on required extensions that nothing here reads.
 std::vector<std::string> unreadExtensions(const GltfSource& source);
 
-/// The same on pictures of kinds that are not decoded, as KTX2.
+/// The same for pictures of kinds that are not decoded, such as KTX2.
 std::vector<std::string> unreadPictures(const GltfSource& source);
 
 }  // namespace knuckle

@@ -72,7 +72,7 @@ struct Elements {
     }
 };
 
-/// @param where has a "bufferView" and perhaps a "byteOffset". @throws InputError where it ends before `count`.
+/// @param where has a "bufferView" and perhaps a "byteOffset". @throws InputError if it ends before `count`.
 Elements elementsOf(GltfSource& source, const Json& where, int type, size_t components, size_t count)
 {
     const auto view = where.at("bufferView").get<size_t>();
@@ -104,7 +104,7 @@ void replaceSparse(GltfSource& source, const Json& sparse, int type, bool isFrac
     }
 }
 
-/// Replaces references to accessors of integers by those to floats.
+/// Replaces references to accessors of integers by references to accessors of floats.
 class Converter {
 public:
     explicit Converter(GltfSource& source) : source_(source) {}
@@ -127,7 +127,7 @@ public:
     {
         for (auto& [name, reference] : attributes.items()) {
             const std::string kind = name.substr(0, name.find('_'));
-            // What these stand for is a part of 1, even where the file forgets to say so.
+            // These are fractions of 1, even if the file forgets to say so.
             const bool isFraction = kind == "WEIGHTS" || kind == "COLOR";
             if (isFraction || kind == "POSITION" || kind == "NORMAL" || kind == "TANGENT" || kind == "TEXCOORD")
                 convert(reference, isFraction);
@@ -167,12 +167,12 @@ GltfFloats readFloats(GltfSource& source, size_t index, bool isFraction)
 void supplyFloats(GltfSource& source)
 {
     Converter converter(source);
-    // A copy is changed: adding accessors moves what is in the root.
+    // Changes copies: adding accessors moves the root's entries.
     Json meshes = source.list("meshes"), animations = source.list("animations");
     const Json before = Json::array({meshes, animations});
     for (Json& mesh : meshes) {
         for (Json& primitive : mesh.at("primitives")) {
-            // What is compressed is elsewhere.
+            // Compressed data are elsewhere.
             if (primitive.value("extensions", Json::object()).contains("KHR_draco_mesh_compression")) continue;
             if (primitive.contains("attributes")) converter.convertAttributes(primitive["attributes"]);
             if (!primitive.contains("targets")) continue;

@@ -13,12 +13,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr float JUMP = 1e-4f;               // how long one takes, of the time between two keys
+constexpr float JUMP = 1e-4f;               // duration of a jump, over the time between two keys
 constexpr float PIECES_PER_SECOND = 60.0f;  // of a curve
 constexpr float MOST_PIECES = 600.0f;       // between two keys
 constexpr size_t VALUE_LIMIT = 20000000;    // of one sampler
 
-/// Keys as they are in the making.
+/// Keys under construction.
 struct Keys {
     std::vector<float> times, values;
     size_t components = 1;
@@ -88,7 +88,7 @@ void supplyLinearKeys(GltfSource& source)
 {
     Json animations = source.list("animations");
     for (Json& animation : animations) {
-        std::map<size_t, bool> isTurn;  // by sampler; weights of shapes are left alone
+        std::map<size_t, bool> isTurn;  // by sampler; weights of shapes are not changed
         for (const Json& channel : animation.value("channels", Json::array())) {
             const std::string path = channel.at("target").value("path", std::string());
             if (path == "rotation" || path == "translation" || path == "scale")

@@ -4,8 +4,8 @@
 
 namespace knuckle {
 
-/// Replaces keys between which values jump (STEP) or follow a curve (CUBICSPLINE) by ones between which they run
-/// straight: assimp takes all keys for such. @throws InputError for keys that reach past the end of their buffer.
+/// Replaces keys with jumps (STEP) or curves (CUBICSPLINE) between them by linear ones, since assimp takes all keys for
+/// linear. @throws InputError for keys that reach past the end of their buffer.
 void supplyLinearKeys(GltfSource& source);
 
 }  // namespace knuckle

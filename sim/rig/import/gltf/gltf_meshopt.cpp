@@ -25,7 +25,7 @@ const Json* extensionOf(const Json& entry, const char* name)
     return found == extensions->end() ? nullptr : &*found;
 }
 
-/// Undoes what was done to elements before they were compressed. @returns whether it is known.
+/// Undoes the filter that was applied to elements before compression. @returns whether the filter is known.
 bool undoFilter(const std::string& filter, std::string& bytes, size_t count, size_t stride)
 {
     if (filter == "NONE") return true;
@@ -44,7 +44,7 @@ bool undoFilter(const std::string& filter, std::string& bytes, size_t count, siz
     return false;
 }
 
-/// Nothing for what is no stream of meshopt.
+/// Nothing for bytes that are not a meshopt stream.
 std::optional<std::string> decoded(const Json& compression, std::string_view from)
 {
     const auto count = compression.at("count").get<size_t>(), stride = compression.at("byteStride").get<size_t>();
@@ -63,7 +63,7 @@ std::optional<std::string> decoded(const Json& compression, std::string_view fro
     return bytes;
 }
 
-/// Whether the bytes that a view shows are there without decompressing.
+/// Whether the bytes of a view are also stored uncompressed.
 bool isPlain(const GltfSource& source, const Json& view, const char* extension)
 {
     const auto buffer = view.at("buffer").get<size_t>();

@@ -4,8 +4,8 @@
 
 namespace knuckle {
 
-/// Replaces buffer views that are compressed with meshopt (EXT_meshopt_compression) by what they stand for. One that
-/// cannot be decompressed and has plain bytes as well keeps these. @throws InputError where it has none.
+/// Decompresses buffer views that are compressed with meshopt (EXT_meshopt_compression). A view that cannot be
+/// decompressed keeps its plain bytes, if it has any. @throws InputError if it has none.
 void decodeMeshopt(GltfSource& source);
 
 }  // namespace knuckle

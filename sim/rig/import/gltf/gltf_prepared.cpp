@@ -24,7 +24,7 @@ Json extensionOf(const Json& entry, const char* name)
     return entry.value("extensions", Json::object()).value(name, Json());
 }
 
-/// What KHR_materials_pbrSpecularGlossiness calls diffuse is the colour where there is no other.
+/// If a material has no other colour, uses the diffuse one of KHR_materials_pbrSpecularGlossiness.
 void supplyColors(GltfSource& source)
 {
     if (!source.root.contains("materials")) return;
@@ -38,7 +38,7 @@ void supplyColors(GltfSource& source)
     }
 }
 
-/// Where a file has no scene all of its nodes are one.
+/// In a file without a scene, all nodes form one.
 void supplyScene(GltfSource& source)
 {
     const Json& nodes = source.list("nodes");
@@ -69,7 +69,7 @@ PreparedGltf prepareGltf(const std::string& path)
         try {
             step(*source);
         } catch (const Json::exception&) {
-            // A field of another type or none: assimp says what is wrong, or needs it not.
+            // A field is missing or has another type: assimp reports it, or does not need it.
         }
     }
     if (source->root == before) return prepared;

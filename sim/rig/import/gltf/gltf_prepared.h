@@ -6,15 +6,15 @@
 
 namespace knuckle {
 
-/// A glTF file as assimp gets it.
+/// A glTF file as passed to assimp.
 struct PreparedGltf {
-    std::string bytes;                             ///< The whole file; empty: it is no glTF, or fine as it is.
-    std::string added;                             ///< What GltfSource::ADDED_FILE holds, which `bytes` may name.
-    std::map<std::string, std::string> originals;  ///< By the new name of a joint: what it was called.
-    std::vector<std::string> notes, missing;       ///< What of the model, and of its pictures, nobody reads.
+    std::string bytes;                             ///< The whole file; empty if it is not glTF, or needs no change.
+    std::string added;                             ///< Contents of GltfSource::ADDED_FILE, which `bytes` may name.
+    std::map<std::string, std::string> originals;  ///< By the new name of a joint: its old name.
+    std::vector<std::string> notes, missing;       ///< Parts of the model, and of its pictures, that nothing reads.
 };
 
-/// Changes in memory what assimp would not understand. @throws InputError for what is damaged.
+/// Changes in memory what assimp would misread. @throws InputError for damaged data.
 PreparedGltf prepareGltf(const std::string& path);
 
 }  // namespace knuckle

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The weights of a mesh: its own, or those of the one node that shows it.
+/// The weights of a mesh: its own, or those of the only node that shows it.
 std::vector<float> weightsOf(const GltfSource& source, size_t index)
 {
     std::vector<float> weights = source.list("meshes")[index].value("weights", std::vector<float>());

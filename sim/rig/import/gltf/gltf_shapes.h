@@ -4,8 +4,8 @@
 
 namespace knuckle {
 
-/// Moves vertices as the shapes (morph targets) say that a file has in use from the start, and drops all shapes.
-/// @throws InputError for shapes that reach past the end of their buffer or are of other sizes than their mesh.
+/// Moves vertices by the shapes (morph targets) that a file uses from the start, and drops all shapes. @throws
+/// InputError for shapes that reach past the end of their buffer or have other sizes than their mesh.
 void applyShapes(GltfSource& source);
 
 }  // namespace knuckle

@@ -12,13 +12,13 @@
 
 namespace knuckle {
 
-/// A glTF file, of text or binary, that can be changed in memory before it is read.
+/// A glTF file, text or binary, that can be changed in memory before it is read.
 class GltfSource {
 public:
-    /// The name of a file that does not exist: what is added.
+    /// Name of the added data, a file that does not exist.
     static constexpr const char* ADDED_FILE = "knuckle-added-floats.bin";
 
-    /// @returns nothing for what is no glTF, or has no JSON that can be read.
+    /// @returns nothing for a file that is not glTF, or whose JSON cannot be read.
     static std::unique_ptr<GltfSource> open(const std::string& path);
 
     GltfSource(const GltfSource&) = delete;
@@ -28,10 +28,10 @@ public:
 
     /// The entries of one of the root's lists; none if it has no such list.
     const nlohmann::json& list(const char* name) const;
-    /// The bytes that a view shows. @throws InputError where its buffer is not there or ends before it.
+    /// The bytes of a view. @throws InputError if its buffer is missing or too short.
     std::string_view viewBytes(size_t view);
-    /// Those of a range, {"buffer", "byteOffset", "byteLength"}; they stay where they are until something is added.
-    /// @throws InputError likewise.
+    /// The bytes of a range, {"buffer", "byteOffset", "byteLength"}; valid until something is added. @throws InputError
+    /// likewise.
     std::string_view rangeBytes(const nlohmann::json& range);
     /// Whether the file holds a buffer, or names another file for it.
     bool hasBuffer(size_t buffer) const;
@@ -40,9 +40,9 @@ public:
     /// Appends an accessor to floats. @param type "SCALAR", "VEC3", ... of so many components.
     size_t addFloats(const std::vector<float>& values, size_t components, const std::string& type);
 
-    /// The whole file with its JSON as it is now.
+    /// The whole file with its current JSON.
     std::string bytes() const;
-    /// What ADDED_FILE holds.
+    /// Contents of ADDED_FILE.
     const std::string& added() const { return added_; }
 
 private:
@@ -54,10 +54,10 @@ private:
     size_t jsonStart_ = 0, jsonLength_ = 0;
     std::map<size_t, std::string> read_;  ///< Buffers that are not in the file itself.
     std::string added_;
-    size_t addedBuffer_ = 0;  ///< Its index, once there is something.
+    size_t addedBuffer_ = 0;  ///< Its index, once there are added data.
 };
 
-/// A name in a glTF, with its %20 as what they stand for.
+/// A name in a glTF, with escapes such as %20 decoded.
 std::string decodedUri(std::string_view uri);
 
 }  // namespace knuckle

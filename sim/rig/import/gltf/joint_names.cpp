@@ -16,7 +16,7 @@ std::string nameOf(const Json& node)
     return name != node.end() && name->is_string() ? name->get<std::string>() : std::string();
 }
 
-/// The nodes whose names tell them apart.
+/// The nodes that need distinct names.
 std::set<size_t> namedNodes(const Json& gltf)
 {
     std::set<size_t> nodes;

@@ -15,13 +15,13 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr float FOLDED = 0.3f;       // second longest over longest side of the bounds
-constexpr float UPRIGHT = 0.4f;      // height of the head over the feet, of the longest side
-constexpr float LONG = 0.1f;         // the same of what stands on its legs, however long it is
-constexpr float HANGING = 0.8f;      // height of a leg, of its length: less hangs not down
-constexpr float APART = 0.05f;       // left from right, of the longest side
+constexpr float UPRIGHT = 0.4f;      // height of the head over the feet, over the longest side
+constexpr float LONG = 0.1f;         // the same for a figure that stands on its legs, however long it is
+constexpr float HANGING = 0.8f;      // height of a hanging leg, over its length
+constexpr float APART = 0.05f;       // distance of left from right, over the longest side
 constexpr float SAME_PLACE = 1e-3f;  // of the size: a marker and its end
 constexpr size_t FEWEST_MARKERS = 15;
-constexpr double MARKER_PART = 0.8;  // of all bones, those that end on one and the same
+constexpr double MARKER_PART = 0.8;  // of all bones, those that end on the same one
 
 using BonePoses = std::vector<Eigen::Matrix4f>;
 
@@ -45,7 +45,7 @@ struct Middle {
     Vector3f mean() const { return sum / count; }
 };
 
-/// Whether most of a figure's legs hang down from their hips, as those of what goes on four do at rest.
+/// Whether most of a figure's legs hang down from their hips, as those of four-legged ones do at rest.
 bool standsOnLegs(const Model& model, const BonePoses& pose, const std::vector<BoneAnatomy>& anatomy)
 {
     int down = 0;
@@ -73,7 +73,7 @@ bool isPose(const Model& model, const BonePoses& pose, const std::vector<BoneAna
         if (anatomy[b].side > 0) left.add(headIn(pose[b]));
         if (anatomy[b].side < 0) right.add(headIn(pose[b]));
     }
-    // What has more than two legs bears its head where it likes.
+    // A figure with more than two legs may hold its head anywhere.
     const bool hasMany = std::ranges::count(anatomy, BodyPart::Thigh, &BoneAnatomy::part) > 2;
     const bool isBody = !hasMany && heads.count > 0 && feet.count > 0 && left.count > 0 && right.count > 0;
     if (isBody) {
@@ -85,7 +85,7 @@ bool isPose(const Model& model, const BonePoses& pose, const std::vector<BoneAna
     return size[1] > FOLDED * size[2];
 }
 
-/// Refuses points that all hang on one and the same.
+/// Refuses points that all hang on the same one.
 void refuseMarkers(const Model& model)
 {
     const BoneTree tree(model);

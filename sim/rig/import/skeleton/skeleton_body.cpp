@@ -18,16 +18,16 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr int SIDES = 8;             // of a capsule, around
+constexpr int SIDES = 8;             // around a capsule
 constexpr int CAP_RINGS = 2;         // of each of its ends
 constexpr float SAME_PLACE = 1e-3f;  // of the figure's size
-constexpr float THICK_PART = 0.5f;   // a capsule, but the skull, is no thicker than this share of its length ...
-constexpr float SIDEWAYS = 0.5f;     // cosine of a skull with its neck, below which it lies on its side
+constexpr float THICK_PART = 0.5f;   // a capsule, except the skull, is no thicker than this share of its length ...
+constexpr float SIDEWAYS = 0.5f;     // cosine between skull and neck, below which the skull lies on its side
 constexpr float THINNEST = 0.012f;   // ... unless that would be thinner than this share of the figure's size
 
-// Of an adult's ends, where no bone says how long they are [of the figure's size].
+// Lengths of an adult's ends, if no bone gives them [of the figure's size].
 constexpr float HEAD_LENGTH = 0.09f, HAND_LENGTH = 0.08f, FOOT_LENGTH = 0.09f, FOOT_DROP = 0.02f;
-// In names of bones that are ends themselves.
+// Words in names of bones that are ends themselves.
 constexpr std::array END_WORDS{"end", "nub", "site", "tip"};
 
 struct Thickness {
@@ -108,8 +108,8 @@ void addCapsule(Model& model, const Vector3f& a, const Vector3f& b, float radius
 }
 
 /// Bones between a scene's root and the figure: a chain from a root to the first bone that branches, such as a
-/// trajectory on the ground and what leads up to the hips, and whatever else the hips hang on. No part of a body is
-/// among them.
+/// trajectory on the ground and the way up to the hips, and anything else that the hips hang on. They include no part
+/// of a body.
 std::vector<uint8_t> columnsOf(const BoneTree& tree, const std::vector<BoneAnatomy>& anatomy)
 {
     std::vector<uint8_t> columns(tree.size(), 0);
@@ -132,7 +132,7 @@ std::vector<uint8_t> columnsOf(const BoneTree& tree, const std::vector<BoneAnato
     return columns;
 }
 
-/// Where a head, hand or foot ends on which no bone hangs that says so.
+/// The end of a head, hand or foot without a bone that marks it.
 std::optional<Vector3f> unsaidEnd(const Model& model, const BoneTree& tree, const BoneAnatomy& anatomy, uint32_t bone,
                                   const Vector3f& forward, float size)
 {
@@ -151,8 +151,8 @@ std::optional<Vector3f> unsaidEnd(const Model& model, const BoneTree& tree, cons
     }
 }
 
-/// Where the capsule of a bone's child ends: at the child, but for a skull that the file lays on its side, as some
-/// recorders do, which goes on as the neck does.
+/// The end of the capsule towards a bone's child: the child, except for a skull that the file lays on its side, as some
+/// recorders do; such a skull continues in the direction of the neck.
 Vector3f capsuleEnd(const Model& model, const BoneTree& tree, const std::vector<BoneAnatomy>& anatomy, uint32_t child)
 {
     const uint32_t bone = static_cast<uint32_t>(tree.parents[child]);

@@ -12,10 +12,11 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float ALONG = 0.8f;   // cosine of head over feet and an axis, for a figure that stands along it
+constexpr float ALONG = 0.8f;   // cosine between the direction from feet to head and the axis that a figure stands
+                                // along
 constexpr size_t SAMPLES = 64;  // of a clip
 
-/// From the feet to the head of a figure.
+/// The direction from the feet to the head of a figure.
 class Stature {
 public:
     explicit Stature(std::span<const BoneAnatomy> anatomy)
@@ -42,7 +43,7 @@ private:
     std::vector<size_t> heads_, feet_;
 };
 
-/// The axis that a figure stands along, as a unit vector; 0 if along none.
+/// The axis that a figure stands along, as a unit vector; 0 for none.
 Vector3f axisAlong(const Vector3f& stature)
 {
     Eigen::Index axis = 0;

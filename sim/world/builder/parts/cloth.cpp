@@ -36,7 +36,7 @@ public:
 private:
     bool inside(int k, int j) const { return k >= 0 && k < columns_ && j >= 0 && j < rows_; }
 
-    /// From node (k, j) on by (stepK, stepJ) until the edge.
+    /// Adds a row from node (k, j) in steps of (stepK, stepJ) to the edge.
     void add(DistanceKind kind, int k, int j, int stepK, int stepJ)
     {
         Strand row;

@@ -10,7 +10,7 @@
 
 namespace knuckle {
 
-/// What cloth is like. Compliances are of each distance [m/N], >= 0; those of Stretch and Shear are the same for a
+/// Properties of cloth. Compliances are of each distance [m/N], >= 0; those of Stretch and Shear are the same for a
 /// square piece of any size (1 over Young's modulus times thickness).
 struct ClothSpec {
     float stretchCompliance = 0.0f;                                 ///< Along the threads.
@@ -41,13 +41,13 @@ struct GridSheet : ClothSheet {
 };
 GridSheet gridSheet(float width, float depth, float diameter, const ClothSpec& spec);
 
-/// A sheet of triangles: vertices that coincide become one, edges longer than a diameter are halved. Edges are joined
-/// to rows that run as straight as they can; shear is left to the triangles, bending to the corners opposite each edge.
+/// A sheet of triangles: coincident vertices are merged, edges longer than a diameter are halved. Edges are joined to
+/// rows as straight as possible; triangles give shear, the corners opposite each edge bending.
 /// @throws InputError when it would have more than `limit` nodes, or no triangle with an area.
 ClothSheet meshSheet(std::span<const Vector3f> vertices, std::span<const std::array<uint32_t, 3>> triangles,
                      float diameter, const ClothSpec& spec, size_t limit);
 
-/// Adds a sheet as an object. @param held nodes that stay where they are put. @returns the object's index.
+/// Adds a sheet as an object. @param held nodes that stay in place. @returns the object's index.
 /// @throws InputError for a tie longer than a diameter.
 uint32_t addCloth(WorldBuilder& builder, const std::string& name, const ClothSheet& sheet, const ClothSpec& spec,
                   std::span<const uint32_t> held, std::span<const ClothTie> ties, const Pose& pose = {},

@@ -19,9 +19,9 @@ Pair ordered(uint32_t a, uint32_t b)
     return {std::min(a, b), std::max(a, b)};
 }
 
-/// Vertices nearer than this to each other are one [diameters].
+/// Vertices nearer to each other than this are merged [diameters].
 constexpr float WELD = 1e-3f;
-/// Two edges that go on in one row bend by no more than 60 degrees.
+/// Two consecutive edges of a row bend by no more than 60 degrees.
 constexpr float STRAIGHT = 0.5f;
 
 struct Mesh {
@@ -87,7 +87,7 @@ bool refine(Mesh& mesh, float longest)
     return true;
 }
 
-/// Joins pairs of nodes to rows that run on as straight as they can, each pair in one of them.
+/// Joins pairs of nodes to rows as straight as possible, each pair in one row.
 class StrandFinder {
 public:
     StrandFinder(const std::vector<Vector3f>& nodes, const std::vector<Pair>& pairs)
@@ -182,7 +182,7 @@ ClothSheet meshSheet(std::span<const Vector3f> vertices, std::span<const Triangl
         }
     }
     if (!(area > 0.0f)) throw InputError("the cloth's mesh has no area; give one with triangles");
-    // Vertices without a triangle, or with slivers only, get a little mass too: masses must be above zero.
+    // Vertices without a triangle, or only with slivers, get a little mass, too: masses must be above zero.
     const float least = 1e-3f * area / static_cast<float>(mesh.nodes.size());
     for (float& share : sheet.areas) share = std::max(share, least);
     sheet.nodes = std::move(mesh.nodes);

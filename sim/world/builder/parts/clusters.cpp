@@ -16,7 +16,7 @@ using Members = std::vector<uint32_t>;
 using Cell = Cells::Cell;
 
 constexpr float NEIGHBOUR_DISTANCE = 1.8f;  // diameters: lattice neighbours by a face, an edge or a corner
-constexpr float LATTICE_SLACK = 0.25f;      // diameters: how far from its layer a particle still counts to it
+constexpr float LATTICE_SLACK = 0.25f;      // diameters: how far off its layer a particle may be and still belong to it
 
 bool areNeighbours(const Vector3f& a, const Vector3f& b, float diameter)
 {
@@ -75,8 +75,8 @@ std::vector<Members> withoutContained(std::vector<Members> clusters, size_t part
     return kept;
 }
 
-/// Particles that stand off the lattice may be neighbours without being in a common box. Where nothing else connects
-/// them, they get a cluster of their own.
+/// Gives pairs of neighbours without a common box a cluster of their own if nothing else connects them: particles off
+/// the lattice may be such.
 void bridgeGaps(std::vector<Members>& clusters, std::span<const Vector3f> positions, float diameter)
 {
     DisjointSets sets(positions.size());

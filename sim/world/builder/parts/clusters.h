@@ -8,12 +8,12 @@
 
 namespace knuckle {
 
-/// Particles along an edge of a cluster: with fewer it could not tell when it is bent. Neighbours share a layer.
+/// Particles along an edge of a cluster: with fewer it could not detect bending. Neighbours share a layer.
 inline constexpr uint32_t CLUSTER_SIZE = 3;
 
 /// Overlapping pieces of a body: boxes of `size` particles an edge that share a layer with their neighbours, each cut
-/// into parts that hang together (gaps below 1.8 diameters), so that limbs which are near are not glued. Every particle
-/// that has a neighbour is in one, and what hangs together is held together.
+/// into connected parts (gaps below 1.8 diameters), so that limbs close to each other are not glued. Every particle
+/// with a neighbour is in a cluster, and clusters connect all that is connected.
 /// @param positions at rest [m]. @param size >= 2. @returns indices of particles, in increasing order.
 std::vector<std::vector<uint32_t>> makeClusters(std::span<const Vector3f> positions, float diameter,
                                                 uint32_t size = CLUSTER_SIZE);

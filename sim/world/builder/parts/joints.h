@@ -6,7 +6,7 @@
 
 namespace knuckle {
 
-/// Where a joint puts its particles (paper, section 4 and figure 3), in the frame of its JointSpec [m].
+/// Places of a joint's particles (paper, section 4 and figure 3), in the frame of its JointSpec [m].
 struct JointPlaces {
     std::vector<Vector3f> shared;  ///< Shared by both bodies; universal: empty.
     std::vector<Vector3f> limits;  ///< Hinge: the parent's own particles beside the axis, which block one side.

@@ -41,7 +41,7 @@ std::vector<Vector3f> boxLattice(const Eigen::Vector3i& counts, float diameter)
 
 std::vector<Vector3f> sphereLattice(float radius, float diameter)
 {
-    // A particle reaches half a diameter beyond its centre; 1e-4 more keeps the lattice symmetric under rounding.
+    // A particle extends half a diameter beyond its centre; 1e-4 more keeps the lattice symmetric under rounding.
     const float reach = radius - 0.5f * diameter + 1e-4f * diameter;
     const int n = cells(radius, diameter);
     return latticeWhere({n, n, n}, diameter, [&](const Vector3f& p) { return p.norm() <= std::max(reach, 0.0f); });

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 /// A chain that hangs at rest, described by the forces in its links, in units of a node's weight. All links pull
 /// sideways by `pull`. The first pulls down by `first`, each further one by 1 less, as it carries one node less. A link
-/// points along its force.
+/// has the direction of its force.
 struct Chain {
     uint32_t count;
     double pull, first;
@@ -91,7 +91,7 @@ void checkRope(const RopeSpec& spec, float distance)
                         spec.length, distance));
 }
 
-/// Adds a rope: its particles, a fixed body of one particle for each end that is fixed, and its distances.
+/// Adds a rope: its particles, a fixed body of one particle for each fixed end, and its distances.
 class RopeBuilder {
 public:
     RopeBuilder(WorldBuilder& builder, const RopeSpec& spec)

@@ -23,8 +23,8 @@ std::vector<bool> crossings(const World& world)
     return out;
 }
 
-/// The speed at which something may meet the cloth of a world: what it has, and what it gains as it falls to the lowest
-/// of the cloth [m/s]. 0 where there is no cloth.
+/// The highest speed at which something may hit the cloth of a world: its own, plus what it gains by falling to the
+/// lowest point of the cloth [m/s]. 0 without cloth.
 float clothImpactSpeed(const World& world)
 {
     const Vector3f& gravity = world.settings.gravity;
@@ -42,8 +42,8 @@ float clothImpactSpeed(const World& world)
     return std::sqrt(fastest);
 }
 
-/// The longest substep in which n iterations follow the pull of a material [s]: h (h + damping) k = 3/4 n^2, k being
-/// the steepest pull of a cluster of 3 x 3 x 3 particles per mass and displacement.
+/// The longest substep in which n iterations can follow the pull of a material [s]: h (h + damping) k = 3/4 n^2, k
+/// being the steepest pull of a cluster of 3 x 3 x 3 particles per mass and displacement.
 float longestSubstep(const World& world, const Material& material)
 {
     const Elasticity& e = material.elasticity;

@@ -9,7 +9,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Of a bone that hangs on the hips of a figure, beside its limbs.
+/// The anatomy of a bone that hangs on the hips of a figure, beside its limbs.
 BoneAnatomy onHips(const std::string& name)
 {
     Rig rig = makeRig(conventions().front());

@@ -57,7 +57,7 @@ TEST(ShapeFill, ALimbThatIsNamedWithoutASideHasThatOfItsPlace)
 
 TEST(ShapeFill, NamesSayWhichBoneOfALimbIsWhich)
 {
-    // By the number of its bones the first would be a collar bone, and what comes behind the hand one, too.
+    // By the number of its bones the first would be a collar bone, and so would the one after the hand.
     expectRead("L", "R",
                {"Hips=hips > Spine=spine > Neck=neck > Head=head", "Spine > Xa.{}=upperArm > Forearm.{}=forearm",
                 "Forearm.{} > Xb.{}=hand > Xc.{}=finger", "Hips > Thigh.{}=thigh > Shin.{}=shin > Foot.{}=foot"});

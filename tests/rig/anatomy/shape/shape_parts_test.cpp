@@ -23,7 +23,7 @@ struct Nameless : Rig {
         if (sidesNamed && head.x() != 0.0f) name += head.x() > 0.0f ? ".L" : ".R";
         return add(name, parent, Eigen::AngleAxisf(yaw, Vector3f::UnitY()) * head, is, (head.x() > 0) - (head.x() < 0));
     }
-    /// A chain on both sides, by the heads of the left one.
+    /// Adds a chain on both sides, by the heads of the left one.
     void limbs(uint32_t base, const std::vector<Vector3f>& heads, const std::vector<std::string>& parts)
     {
         for (const float side : {1.0f, -1.0f}) {
@@ -60,7 +60,7 @@ Nameless humanoid(float yaw, bool sidesNamed, bool clavicles)
     return rig;
 }
 
-/// A creature that looks along +z, with as many pairs of legs, the first at its tail.
+/// A creature that faces +z, with that many pairs of legs, the first at its tail.
 Nameless creature(int pairs)
 {
     Nameless rig;
@@ -85,7 +85,7 @@ const std::map<std::string, BodyPart> PARTS = {
     {"forearm", BodyPart::Forearm}, {"upperArm", BodyPart::UpperArm}, {"wing", BodyPart::Wing},
     {"finger", BodyPart::Finger},   {"coxa", BodyPart::Coxa}};
 
-/// @param first, end of the bones that are looked at.
+/// @param first, end of the bones to compare.
 void expectRead(const Rig& rig, uint32_t first = 0, uint32_t end = NO_INDEX)
 {
     const std::vector<BoneAnatomy> anatomy = readAnatomy(rig.model);
@@ -126,7 +126,8 @@ TEST(ShapeParts, ACreatureHasMoreLegsAndATail)
     for (const int pairs : {2, 3, 4}) expectRead(creature(pairs));
 }
 
-/// Eight legs that begin with a short piece, rise to the knee and have their tips, not their last heads, on the ground.
+/// Eight legs that begin with a short piece, rise to the knee and have their tips on the ground, rather than their last
+/// heads.
 TEST(ShapeParts, LegsOfASpiderEndInTheirShins)
 {
     for (const bool feet : {false, true}) {
@@ -207,7 +208,7 @@ TEST(ShapeParts, AFigureMayWalkSitAndCarrySomething)
         carries.sides.back() = 1;
     }
     expectRead(carries, 0, uint32_t(parent) - 7);
-    // ... also where nobody says what it is.
+    // ... also if no name says what it is.
     for (uint32_t b = 0; b < carries.model.bones.size(); ++b) carries.model.bones[b].name = "x" + std::to_string(b);
     expectRead(carries, 0, uint32_t(parent) - 7);
 }
@@ -219,7 +220,7 @@ TEST(ShapeParts, OfSeveralPairsOnAFiguresTrunkThoseAsLongAsArmsAreArms)
     const auto chest = uint32_t(rig.model.bones[std::ranges::find(rig.expected, "neck") - rig.expected.begin()].parent);
     rig.limbs(chest, {{0.05f, 1.4f, -0.1f}, {0.5f, 1.7f, -0.3f}, {1.2f, 1.6f, -0.4f}}, {"wing", "wing", "wing"});
     expectRead(rig);
-    // On the spine below the chest, whose own arms are longer ways down.
+    // On the spine below the chest, whose own arms are longer chains.
     Nameless four = humanoid(0, false, true);
     four.limbs(uint32_t(four.model.bones[chest].parent),
                {{0.05f, 1.2f, 0}, {0.18f, 1.2f, 0}, {0.45f, 1.18f, 0}, {0.7f, 1.18f, 0}}, arm);

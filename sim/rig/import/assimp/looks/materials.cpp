@@ -25,10 +25,10 @@ namespace fs = std::filesystem;
 
 constexpr uintmax_t PICTURE_FILE_LIMIT = 256ull << 20;  // [bytes]
 constexpr size_t PIXEL_LIMIT = 16u << 20;               // of all pictures of a model
-constexpr float NOTHING_LEFT = 2.0f;                    // a cutoff that no alpha reaches
-constexpr float BLENDED_CUTOFF = 0.5f;                  // of what the file says is blended
+constexpr float NOTHING_LEFT = 2.0f;                    // a cutoff above any alpha
+constexpr float BLENDED_CUTOFF = 0.5f;                  // for materials that the file blends
 
-/// Reads each picture of a scene once, whatever number of materials names it.
+/// Reads each picture of a scene once, however many materials name it.
 class TextureReader {
 public:
     TextureReader(const aiScene& scene, const std::string& modelPath, Model& model)
@@ -36,7 +36,7 @@ public:
     {
     }
 
-    /// @returns the index of its picture; NO_INDEX, and a note, where it cannot be had.
+    /// @returns the index of its picture; NO_INDEX, and a note, if it cannot be read.
     uint32_t read(const std::string& name)
     {
         const auto [entry, isNew] = indices_.emplace(name, NO_INDEX);
@@ -97,7 +97,7 @@ private:
         return picture;
     }
 
-    /// Where the file says, or right beside it: paths in models are often those of another computer.
+    /// The file at the given path, or right beside the model: paths in models are often those of another computer.
     std::optional<fs::path> beside(std::string name) const
     {
         std::ranges::replace(name, '\\', '/');
@@ -117,7 +117,7 @@ private:
     std::map<std::string, uint32_t> indices_;
 };
 
-/// What is not given as linear is as it was picked on a screen.
+/// Colours that are not given as linear are sRGB, as picked on a screen.
 Eigen::Vector3f plainColor(const aiColor4D& color, bool isLinear)
 {
     Eigen::Vector3f rgb(color.r, color.g, color.b);
@@ -126,7 +126,7 @@ Eigen::Vector3f plainColor(const aiColor4D& color, bool isLinear)
     return isLinear ? rgb : Eigen::Vector3f(rgb.unaryExpr(&linearOfSrgb<float>));
 }
 
-/// The color that its picture is multiplied by. What is black and glows has that of its glow.
+/// The color that multiplies the picture. A black material that glows has the color of its glow.
 struct MaterialColor {
     Eigen::Vector3f rgb{0.8f, 0.8f, 0.8f};
     float alpha = 1.0f;
@@ -145,7 +145,7 @@ MaterialColor colorOf(const aiMaterial& material)
     return {plainColor(glow, isLinear), found.alpha, true};
 }
 
-/// A file that says nothing does not mean that backs are not there.
+/// Both sides are visible if the file says nothing.
 bool isTwoSided(const aiMaterial& material)
 {
     int twoSided = 1;
@@ -163,7 +163,7 @@ float alphaCutoffOf(const aiMaterial& material)
     return std::isfinite(cutoff) ? std::clamp(cutoff, 0.0f, NOTHING_LEFT) : 0.0f;
 }
 
-/// What the alpha of the picture alone, 1 where there is none, must reach.
+/// The cutoff for the picture's alpha alone, which is 1 without a picture.
 float cutoffOf(const SkinMaterial& material, float alpha)
 {
     const float cutoff = alpha > 0.0f ? std::min(material.alphaCutoff / std::min(alpha, 1.0f), NOTHING_LEFT)
@@ -178,15 +178,15 @@ TextureWrap wrapOf(aiTextureMapMode mode)
                : (mode == aiTextureMapMode_Clamp ? TextureWrap::Clamp : TextureWrap::Repeat);
 }
 
-/// Whether the same picture tells where a material is not there, as in FBX.
+/// Whether the same picture also cuts out parts of the material, as in FBX.
 bool isCutOut(const aiMaterial& material, const aiString& picture)
 {
     aiString opacity;
     return material.GetTexture(aiTextureType_OPACITY, 0, &opacity) == aiReturn_SUCCESS && opacity == picture;
 }
 
-/// glTF's KHR_texture_transform, from what assimp makes of it for places whose v is upwards. (Its own step that moves
-/// places loses shifts.)
+/// glTF's KHR_texture_transform, from assimp's version of it for places whose v points upwards. (Assimp's own step that
+/// moves places loses shifts.)
 Eigen::Affine2f movedBy(const aiUVTransform& transform)
 {
     const float cosine = std::cos(-transform.mRotation), sine = std::sin(-transform.mRotation);
@@ -199,7 +199,7 @@ Eigen::Affine2f movedBy(const aiUVTransform& transform)
     return moved.matrix().allFinite() ? moved : Eigen::Affine2f::Identity();
 }
 
-/// @param picture gets what is said of its place.
+/// @param picture gets where the picture's places are.
 SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures, ConvertedMaterial& picture)
 {
     SkinMaterial converted;

@@ -9,15 +9,15 @@
 
 namespace knuckle {
 
-/// What became of a material of the scene.
+/// The result of converting a material of the scene.
 struct ConvertedMaterial {
-    uint32_t index = NO_INDEX;  ///< In ModelSurface::materials; NO_INDEX where no mesh has it.
-    unsigned uvChannel = 0;     ///< Of the places in its picture.
-    Eigen::Affine2f moved = Eigen::Affine2f::Identity();  ///< Where it has them, v downwards.
+    uint32_t index = NO_INDEX;                            ///< In ModelSurface::materials; NO_INDEX if no mesh has it.
+    unsigned uvChannel = 0;                               ///< Of its picture's places.
+    Eigen::Affine2f moved = Eigen::Affine2f::Identity();  ///< From the mesh's places to the picture's, v downwards.
 };
 
-/// Fills the materials that the scene's meshes have which are taken, and reads their textures. @returns per material of
-/// the scene.
+/// Fills the materials of those of the scene's meshes that are part of the model, and reads their textures. @returns
+/// per material of the scene.
 std::vector<ConvertedMaterial> convertMaterials(const aiScene& scene, const NodeTable& table, const std::string& path,
                                                 Model& model);
 

@@ -15,8 +15,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// How a matrix turns normals, to a factor above 0: with the inverse transposed, which exists of what is flat as well
-/// when it is made of cofactors.
+/// The matrix for normals, up to a factor above 0: the inverse transposed, made of cofactors so that flat matrices have
+/// one, too.
 Matrix3d normalMatrix(const Matrix4d& matrix)
 {
     const Matrix3d m = matrix.topLeftCorner<3, 3>();
@@ -25,7 +25,7 @@ Matrix3d normalMatrix(const Matrix4d& matrix)
     return m.determinant() < 0.0 ? Matrix3d(-cofactors) : cofactors;
 }
 
-/// Turns the normals of one mesh as its vertices are.
+/// Turns the normals of one mesh in the way of its vertices.
 class NormalTurner {
 public:
     NormalTurner(const aiMesh& mesh, uint32_t node, const NodeTable& table) : rigid_(normalMatrix(table.globals[node]))
@@ -59,7 +59,7 @@ private:
 Eigen::Vector2f uvOf(const aiVector3D& uv, const Eigen::Affine2f& moved)
 {
     const Eigen::Vector2f place = moved * Eigen::Vector2f(uv.x, 1.0f - uv.y);
-    // Further repetitions would leave floats no digits for the place in the picture.
+    // With more repetitions, floats would have no digits left for the place in the picture.
     return place.allFinite() && place.cwiseAbs().maxCoeff() < 1e4f ? place : Eigen::Vector2f(0, 0);
 }
 

@@ -8,7 +8,7 @@
 
 namespace knuckle {
 
-/// Fills Model::surface for the vertices that convertMeshes() added. What of a texture cannot be had is a note.
+/// Fills Model::surface for the vertices that convertMeshes() added. Textures that cannot be read are noted.
 /// @param path of the model's file.
 void convertSurface(const aiScene& scene, const NodeTable& table, const std::string& path, Model& model);
 

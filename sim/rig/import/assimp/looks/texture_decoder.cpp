@@ -1,4 +1,4 @@
-// stb's decoder for textures, of this file only: that of frames (render/picture) is another, with other settings.
+// stb's decoder for textures, for this file only: frames (render/picture) use another one with other settings.
 #include "sim/rig/import/assimp/looks/texture_decoder.h"
 
 #pragma GCC diagnostic push
@@ -30,7 +30,7 @@ bool isSizeRead(int width, int height)
     return width >= 1 && height >= 1 && std::max(width, height) <= DECODED_SIDE;
 }
 
-/// Nothing for what is no WebP, or damaged. Of an animation there is no picture.
+/// Nothing for bytes that are not WebP, or damaged. Animations give no picture.
 std::optional<TexturePicture> decodeWebp(std::span<const uint8_t> bytes)
 {
     int width = 0, height = 0;

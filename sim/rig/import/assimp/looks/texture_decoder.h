@@ -8,10 +8,10 @@
 
 namespace knuckle {
 
-/// Sides up to which pictures are decoded [pixels].
+/// Longest sides of pictures that are decoded [pixels].
 inline constexpr int DECODED_SIDE = 8192;
 
-/// A picture of the kinds PNG, JPEG, TGA, BMP and PSD, in the size that it has.
+/// Decodes a PNG, JPEG, TGA, BMP or PSD picture, in its own size.
 /// @returns nothing for bytes that are damaged, of another kind, or larger than DECODED_SIDE.
 std::optional<TexturePicture> decodeTexture(std::span<const uint8_t> bytes);
 

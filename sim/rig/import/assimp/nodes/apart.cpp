@@ -10,9 +10,9 @@ namespace knuckle {
 
 namespace {
 
-constexpr float MOVES = 0.2f;   // from this weight on a bone says where a vertex is
-constexpr double NEAR = 0.15;   // what may stand out of a figure's bounds, of their diagonal
-constexpr double BELOW = 0.02;  // what is not above this part of its height is what it stands on
+constexpr float MOVES = 0.2f;   // from this weight on a bone determines where a vertex is
+constexpr double NEAR = 0.15;   // how far a part may stick out of a figure's bounds, over their diagonal
+constexpr double BELOW = 0.02;  // the figure stands on meshes that are all below this part of its height
 
 Eigen::Vector4d placeOf(const aiMesh& mesh, unsigned vertex)
 {
@@ -20,7 +20,7 @@ Eigen::Vector4d placeOf(const aiMesh& mesh, unsigned vertex)
     return {p.x, p.y, p.z, 1.0};
 }
 
-/// Around the meshes that are skinned to a skeleton.
+/// Bounds of the meshes that are skinned to a skeleton.
 Eigen::AlignedBox3d figureBounds(const aiScene& scene, const NodeTable& table)
 {
     Eigen::AlignedBox3d box;

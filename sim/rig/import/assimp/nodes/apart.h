@@ -9,8 +9,8 @@
 
 namespace knuckle {
 
-/// Fills NodeTable::apart: where meshes are skinned to a figure, those that hang on no bone and are not within its
-/// bounds, as floors are.
+/// Fills NodeTable::apart if meshes are skinned to a figure: with meshes such as floors, which hang on no bone and are
+/// not within the figure's bounds.
 void leaveApart(const aiScene& scene, NodeTable& table, std::vector<std::string>& notes);
 
 }  // namespace knuckle

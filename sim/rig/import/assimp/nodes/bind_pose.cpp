@@ -20,10 +20,10 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr size_t FEWEST = 4;         // bones that make a pose
-constexpr double TURNED = 0.15;      // of a bone against its parent that is another pose [rad]
+constexpr double TURNED = 0.15;      // a bone turned by more against its parent is in another pose [rad]
 constexpr size_t FEWEST_TURNED = 2;  // bones
-constexpr double SAME_SCALE = 0.02;  // of a node's axes beside those of its bind matrix
-constexpr double BETTER = 0.05;      // of the size, by which a place in the scene has to fit better
+constexpr double SAME_SCALE = 0.02;  // largest difference between a node's scale and that of its bind matrix
+constexpr double BETTER = 0.05;      // of the size: how much better a place in the scene has to fit
 
 Vector3d placeOf(const Matrix4d& m)
 {
@@ -43,7 +43,7 @@ double angleBetween(const Matrix3d& a, const Matrix3d& b)
 /// Where the bones of one mesh are when it is bound, in its own space, by node.
 using Bind = std::map<uint32_t, Matrix4d>;
 
-/// Empty for matrices that are no pose: not finite, flat, or all the same.
+/// Empty if the matrices are no pose: not finite, flat, or all the same.
 Bind bindOf(const aiMesh& mesh, const NodeTable& table)
 {
     Bind bind;
@@ -64,7 +64,7 @@ public:
         for (const auto& [node, place] : bind_) box_.extend(placeOf(table.globals[node]));
     }
 
-    /// Whether its bones are turned otherwise against each other than the nodes are, and but for that alike.
+    /// Whether the bind pose turns bones against each other differently from the nodes, and is otherwise alike.
     bool isOther() const
     {
         size_t turned = 0;
@@ -82,8 +82,8 @@ public:
         return bind_.size() >= FEWEST && turned >= FEWEST_TURNED;
     }
 
-    /// From the mesh's space to the model's: that of the scene, the mesh's node or what holds the skeleton where bones
-    /// are about where their nodes are, else so that the first bone stays.
+    /// From the mesh's space to the model's: that of the scene, of the mesh's node or of the skeleton's parent node if
+    /// it puts bones about where their nodes are, else the one that keeps the first bone in place.
     Matrix4d placement() const
     {
         const uint32_t root = bind_.begin()->first;
@@ -111,7 +111,7 @@ private:
         return parent;
     }
 
-    /// How far bones are from their nodes in the mean, in the figure's size.
+    /// The mean distance of bones from their nodes, over the figure's size.
     double misfit(const Matrix4d& place) const
     {
         double sum = 0.0;

@@ -9,8 +9,8 @@
 
 namespace knuckle {
 
-/// Where nodes stand in a frame of a clip, gives bones the pose in which meshes are bound to them (NodeTable::globals),
-/// unless their bind matrices are none. Which is a note.
+/// If nodes are in the pose of a clip's frame, puts bones into the pose in which meshes are bound to them
+/// (NodeTable::globals), unless their bind matrices are no pose. Notes which pose it takes.
 void takeBindPose(const aiScene& scene, NodeTable& table, std::vector<std::string>& notes);
 
 }  // namespace knuckle

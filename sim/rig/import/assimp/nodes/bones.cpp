@@ -20,20 +20,20 @@ namespace knuckle {
 namespace {
 
 constexpr size_t BONE_LIMIT = 4096;
-constexpr double SAME = 1e-3;  // of two ways to skin a mesh, in its size
+constexpr double SAME = 1e-3;  // difference of two ways to skin a mesh, in its size
 
 using NodesByName = std::map<std::string, std::vector<uint32_t>>;
 
-/// Tells which of several figures whose bones have the same names each mesh belongs to: the one whose bones move it
-/// least from where it stands, of equal ones that which hangs nearest to it. Where that leaves a figure without a mesh,
-/// they are dealt out in the order of the file.
+/// Finds the figure of each mesh if several figures have bones of the same names: the one whose bones move the mesh
+/// least from its place, of equal ones the one that it hangs nearest to. If that leaves a figure without a mesh, meshes
+/// are assigned in the order of the file.
 class NamesakeFinder {
 public:
     NamesakeFinder(const NodeTable& table, const NodesByName& byName) : table_(table), byName_(byName) {}
 
     void add(const aiMesh& mesh, uint32_t node)
     {
-        // A single bone may have the name of a mesh.
+        // A single bone may share its name with a mesh.
         const std::span bones(mesh.mBones, mesh.mNumBones);
         const size_t figures = bones.size() < FEWEST_SKINNED ? 1 : nodesOf(*bones.front()).size();
         const auto isShared = [&](const aiBone* bone) { return nodesOf(*bone).size() == figures; };
@@ -68,7 +68,7 @@ public:
 private:
     const std::vector<uint32_t>& nodesOf(const aiBone& bone) const { return byName_.at(bone.mName.C_Str()); }
 
-    /// How far bones move the corners of a mesh's bounds from where it stands, in parts of its size.
+    /// How far bones move the corners of a mesh's bounds from their place, over its size.
     double offset(const aiMesh& mesh, uint32_t node, size_t figure) const
     {
         Eigen::AlignedBox3d box;
@@ -97,11 +97,11 @@ private:
 
     const NodeTable& table_;
     const NodesByName& byName_;
-    std::map<size_t, std::vector<std::pair<const aiMesh*, size_t>>> meshes_;  ///< By how many figures there are.
+    std::map<size_t, std::vector<std::pair<const aiMesh*, size_t>>> meshes_;  ///< By number of figures.
 };
 
-/// Where a skeleton without a mesh begins: below what only holds it, as scenes and armatures do, which no clip moves
-/// and from which nothing else branches.
+/// The first node of a skeleton without a mesh: below nodes that only hold it, such as scenes and armatures, which no
+/// clip moves and from which nothing else branches.
 uint32_t skeletonTop(const aiScene& scene, const NodeTable& table)
 {
     std::set<std::string> moved;

@@ -19,9 +19,9 @@ namespace {
 
 constexpr std::string_view PIVOT = "_$AssimpFbx$_";
 constexpr double SAME = 1e-9;       // of a scale that is 1
-constexpr double SINGULAR = 1e-12;  // of a determinant, in the cube of the longest column
+constexpr double SINGULAR = 1e-12;  // of a determinant, over the cube of the longest column
 
-/// What the name of a node says after that of its FBX node: "PreRotation"; empty for the FBX node's own.
+/// The part of a node's name after that of its FBX node: "PreRotation"; empty for the FBX node's own name.
 std::string_view partName(const aiNode& node)
 {
     const std::string_view name(node.mName.data, node.mName.length);
@@ -40,7 +40,7 @@ bool isGeometric(const aiNode& node)
     return partName(node).starts_with("Geometric");
 }
 
-/// The parts before the node of an FBX node's own name, the nearest first.
+/// The parts before the node with the FBX node's own name, the nearest first.
 std::vector<const aiNode*> partsBefore(const aiNode& node)
 {
     std::vector<const aiNode*> parts;
@@ -58,7 +58,7 @@ FbxInherit inheritOf(const aiNode& node)
     return type == 2 ? FbxInherit::NotTheParents : FbxInherit::AsMatrices;
 }
 
-/// Of a matrix that scales first and then turns: both.
+/// Takes a matrix that scales first and then turns apart.
 struct TurnAndScale {
     explicit TurnAndScale(const Matrix3d& m)
         : scale((m.determinant() < 0.0 ? -1.0 : 1.0) * m.colwise().norm().transpose()),
@@ -69,18 +69,18 @@ struct TurnAndScale {
     Matrix3d turn;
 };
 
-/// How an FBX node stands in the world, without its place.
+/// Turn and scale of an FBX node in the world.
 struct Standing {
     Matrix3d turn = Matrix3d::Identity();   ///< All rotations, without scales.
-    Matrix3d scale = Matrix3d::Identity();  ///< What all scales came to, before the turn.
+    Matrix3d scale = Matrix3d::Identity();  ///< The product of all scales, before the turn.
     Vector3d own = Vector3d::Ones();        ///< The node's own scale.
 };
 
-/// The axis of which all keys are `missing` though the node has something else; -1: none.
+/// The axis whose keys are all `missing` although the node has another value; -1: none.
 template <typename Key, typename Value>
 int axisOf(const Key* keys, unsigned count, const Vector3d& own, double missing, const Value& valueOf)
 {
-    constexpr double ZERO = 1e-5;  // what floats make of a rotation of none
+    constexpr double ZERO = 1e-5;  // a rotation of none, as floats have it
     for (int axis = 0; axis < 3; ++axis)
         if (count > 0 && std::abs(own[axis] - missing) > ZERO &&
             std::all_of(keys, keys + count, [&](const Key& key) { return double(valueOf(key)[axis]) == missing; }))
@@ -154,7 +154,7 @@ std::vector<Matrix4d> FbxNodes::place(const std::vector<Matrix4d>& locals, const
             const double longest = linear.colwise().norm().maxCoeff();
             const bool isPlain = node.inherit == FbxInherit::AsMatrices || parent.scale.isIdentity(SAME);
             if (!isPlain && std::abs(linear.determinant()) > SINGULAR * longest * longest * longest) {
-                // The whole row is to end where it should: what leads to its first part makes up for it.
+                // The whole row has to end in the right place: the matrix before its first part compensates.
                 Matrix4d wanted = above * own;
                 wanted.topLeftCorner<3, 3>() = standing.turn * standing.scale;
                 above = wanted * own.inverse();
@@ -180,7 +180,7 @@ FbxChannel fbxChannel(const aiNode& node)
     for (const aiNode* part : partsBefore(node)) {
         if (isGeometric(*part)) continue;
         channel.contained.push_back(part);
-        // This node holds the inverse: once to take back what the channel has, once for what it should have.
+        // This node holds the inverse: once to undo the channel's wrong one, once as the correct one.
         const Matrix3d inverse = toEigen(part->mTransformation).topLeftCorner<3, 3>();
         if (partName(*part) == "PostRotation") channel.correction = inverse * inverse;
     }

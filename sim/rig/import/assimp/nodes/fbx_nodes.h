@@ -8,60 +8,60 @@
 #include <string>
 #include <vector>
 
-// What assimp makes of FBX's nodes. A node of FBX places itself by
-//   T Roff Rp Rpre R Rpost^-1 Rp^-1 Soff Sp S Sp^-1, and what hangs on it alone by G besides
-// (FBX SDK, "Computing transformation matrices"); of those parts that are not 1 assimp makes a row of nodes, "Hips"
+// How assimp represents FBX's nodes. A node of FBX places itself by
+//   T Roff Rp Rpre R Rpost^-1 Rp^-1 Soff Sp S Sp^-1, and its attributes, but not its children, also by G
+// (FBX SDK, "Computing transformation matrices"); assimp makes a row of nodes from those parts that are not 1: "Hips"
 // after "Hips_$AssimpFbx$_PreRotation" and so on.
 namespace knuckle {
 
 /// Whether assimp made a node of that name for a part of an FBX node's transform.
 bool isPivot(const std::string& name);
 
-/// FBX's "InheritType": in which order a node takes in the scale of what it hangs on, after the rotations.
+/// FBX's "InheritType": the order in which a node applies its parent's scale and rotations.
 enum class FbxInherit {
     AfterRotation,  ///< 0, RrSs: R r S s.
     AsMatrices,     ///< 1, RSrs: R S r s, as in most formats.
-    NotTheParents   ///< 2, Rrs: without the scale that the parent itself has.
+    NotTheParents   ///< 2, Rrs: without the parent's own scale.
 };
 
 /// An FBX node and the row of nodes that assimp made of it.
 struct FbxNode {
-    std::vector<uint32_t> parts;  ///< In order, the last of its own name; without those of G.
+    std::vector<uint32_t> parts;  ///< In order, the one with its own name last; without those of G.
     int32_t parent = -1;          ///< The FbxNode that it hangs on, -1: none.
     FbxInherit inherit = FbxInherit::AsMatrices;
 };
 
-/// The nodes of a scene as lists, parents first, by which FBX's are found and placed.
+/// The nodes of a scene as lists, parents first, for finding and placing FBX's nodes.
 struct FbxNodes {
     FbxNodes() = default;
     /// @param parents per node its parent, or -1.
     FbxNodes(const std::vector<const aiNode*>& nodes, const std::vector<int32_t>& parents);
 
-    /// Whether every node is placed by its parent's matrix times its own: always so outside FBX.
+    /// Whether every node's place is its parent's matrix times its own: always true outside FBX.
     bool areChains() const { return list.empty(); }
     /// Nodes to the world. @param locals per node: to its parent.
     std::vector<Eigen::Matrix4d> place(const std::vector<Eigen::Matrix4d>& locals,
                                        const std::vector<int32_t>& parents) const;
 
-    std::vector<FbxNode> list;    ///< Empty where no node inherits its parent's scale in FBX's other ways.
-    std::vector<int32_t> nodeOf;  ///< Per node: of which FbxNode it is the first part, or -1.
+    std::vector<FbxNode> list;    ///< Empty if no node inherits its parent's scale in FBX's other ways.
+    std::vector<int32_t> nodeOf;  ///< Per node: the FbxNode whose first part it is, or -1.
 };
 
-/// Where a skinned mesh stands in its node: G of the FBX node, which its bind matrices do not hold. 1 elsewhere.
+/// The offset of a skinned mesh in its node: G of the FBX node, which bind matrices do not contain. 1 elsewhere.
 Eigen::Matrix4d geometricOffset(const aiNode& node);
 
-/// What a channel of a clip says of an FBX node. Where assimp joins the parts of T, Rpre, R, Rpost and S to one channel
-/// for the last node of the row, the nodes before it are still there; and it forgets to invert Rpost.
+/// A clip's channel for an FBX node. If assimp joins the parts of T, Rpre, R, Rpost and S into one channel for the last
+/// node of the row, it keeps the nodes before it; and it forgets to invert Rpost.
 struct FbxChannel {
-    std::vector<const aiNode*> contained;  ///< Nodes that the channel stands for as well.
-    /// By which rotations of the channel are to be multiplied on the right.
+    std::vector<const aiNode*> contained;  ///< Nodes that the channel also includes.
+    /// To be multiplied to the channel's rotations on the right.
     Eigen::Matrix3d correction = Eigen::Matrix3d::Identity();
 };
 FbxChannel fbxChannel(const aiNode& node);
 
-/// Where a clip has no curve for an axis of a part T, R or S that stands in a row, assimp takes 0 (1 of scale) instead
-/// of what the node says. @returns the axes of whose keys that may be said, as "Lcl Translation of Hips along y"; empty
-/// where there are none.
+/// If a clip has no curve for an axis of a part T, R or S in a row, assimp uses 0 (1 for scale) instead of the node's
+/// value. @returns the axes whose keys may be affected, such as "Lcl Translation of Hips along y"; empty if there are
+/// none.
 std::string axisWithoutKeys(const aiNode& node, const aiNodeAnim& channel);
 
 }  // namespace knuckle

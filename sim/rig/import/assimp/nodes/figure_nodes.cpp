@@ -12,7 +12,7 @@ namespace {
 
 using enum NamedPart;
 
-constexpr size_t FEWEST_PAIRS = 2;  // parts of limbs that are there on both sides
+constexpr size_t FEWEST_PAIRS = 2;  // parts of limbs that exist on both sides
 
 bool isUpper(NamedPart part)
 {
@@ -24,7 +24,7 @@ bool isLower(NamedPart part)
     return part == Forearm || part == Hand || part == Shin || part == Foot;
 }
 
-/// What the nodes of a scene are called after.
+/// Parts of a body that the names of a scene's nodes mean.
 class NamedNodes {
 public:
     explicit NamedNodes(const NodeTable& table) : table_(table)
@@ -32,8 +32,8 @@ public:
         for (uint32_t n = 0; n < table.nodes.size(); ++n) names_.push_back(readBoneName(table.nameOf(n)));
     }
 
-    /// The node that is a part of a body which moves a mesh: of a bone and its mesh that have the name of one part the
-    /// bone. NO_INDEX: none is.
+    /// The node of a part of a body that moves a mesh: if a bone and its mesh are both named after the part, the bone.
+    /// NO_INDEX: none.
     uint32_t boneOf(uint32_t mesh) const
     {
         auto n = static_cast<int32_t>(mesh);
@@ -44,9 +44,8 @@ public:
         return static_cast<uint32_t>(isMesh && isAlike(parent, n) ? parent : n);
     }
 
-    /// Whether such bones are a figure's: limbs on both sides, with a head or hips or so that lower halves hang on
-    /// upper
-    /// ones.
+    /// Whether such bones form a figure: limbs on both sides, with a head or hips or with lower halves that hang on
+    /// upper ones.
     bool isFigure(const std::set<uint32_t>& bones) const
     {
         std::set<std::pair<NamedPart, int>> parts;

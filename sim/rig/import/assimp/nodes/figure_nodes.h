@@ -8,8 +8,8 @@
 
 namespace knuckle {
 
-/// Of a scene of rigid parts that no clip moves: the nodes that names call parts of a body and that meshes hang on, and
-/// one that leads to all where some parts hang on none. None where they are no figure.
+/// In a scene of rigid parts that no clip moves: the nodes with meshes that are named after parts of a body, and one
+/// above all if some parts hang on none. Empty if they form no figure.
 std::vector<uint32_t> figureNodes(const NodeTable& table);
 
 }  // namespace knuckle

@@ -9,7 +9,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr double STILL = 1e-5;  // of what keys say, by which it may vary where nothing moves
+constexpr double STILL = 1e-5;  // variation of key values that still counts as no motion
 
 template <typename Key>
 bool varies(const Key* keys, unsigned count)
@@ -36,7 +36,7 @@ std::set<std::string> movedNames(const aiScene& scene)
     return moved;
 }
 
-/// The node that moves with what hangs on another: itself or one above; NO_INDEX: none does.
+/// The node that moves together with another node's meshes: itself or one above; NO_INDEX: none.
 uint32_t moverOf(uint32_t node, const NodeTable& table, const std::set<std::string>& moved)
 {
     uint32_t mover = node;

@@ -8,8 +8,8 @@
 
 namespace knuckle {
 
-/// Of a scene of rigid parts: the nodes that clips move and that meshes hang on, and one that leads to all where some
-/// parts stand still. None if no clip moves any part.
+/// In a scene of rigid parts: the nodes with meshes that clips move, and one above all if some parts stand still. Empty
+/// if no clip moves any part.
 std::vector<uint32_t> movedNodes(const aiScene& scene, const NodeTable& table);
 
 }  // namespace knuckle

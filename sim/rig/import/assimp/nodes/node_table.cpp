@@ -16,7 +16,7 @@ namespace {
 constexpr size_t NODE_LIMIT = 100000;
 constexpr size_t DEPTH_LIMIT = 1000;
 
-// FBX keeps the up axis as metadata and the data as they are.
+// FBX keeps the up axis as metadata and leaves the data unchanged.
 Eigen::Matrix4d uprightFrom(const aiScene& scene)
 {
     int32_t upAxis = 1;

@@ -10,7 +10,7 @@
 namespace knuckle {
 
 /// Calls visit(mesh, node) for each mesh that a node shows, in the order in which Model::vertices has them. A skinned
-/// one is shown once: it stands where its bones are, whichever node names it.
+/// mesh is shown once: it is where its bones are, whichever node names it.
 void forEachMesh(const aiScene& scene, const NodeTable& table,
                  const std::function<void(const aiMesh&, uint32_t)>& visit);
 

@@ -19,17 +19,17 @@ namespace knuckle {
 
 namespace {
 
-constexpr size_t FEWEST_OWN = 2;  // bones of a figure in an export of a run that has no larger one
+constexpr size_t FEWEST_OWN = 2;  // least bones of a figure in an export of a run without a larger one
 
-/// Bones below one root, or below several that a mesh connects.
+/// Bones below one root, or below several roots that a mesh connects.
 struct Skeleton {
     std::string name;                    ///< Of the root with the most bones below it.
     uint32_t root = 0;                   ///< Its node.
     std::vector<uint32_t> nodes, roots;  ///< Of all its bones, ascending.
-    size_t skinned = 0;                  ///< The most bones that one mesh is skinned to.
+    size_t skinned = 0;                  ///< The largest number of bones that one mesh is skinned to.
 };
 
-/// Finds the skeletons of a scene by joining the trees of bones that a mesh spans.
+/// Finds the skeletons of a scene by joining the trees of bones that share a mesh.
 class SkeletonFinder {
 public:
     SkeletonFinder(const aiScene& scene, const NodeTable& table)
@@ -88,7 +88,7 @@ private:
     std::vector<std::string> names_;
     std::vector<uint32_t> rootOf_;        ///< Per node.
     DisjointSets joined_;                 ///< Roots of one skeleton.
-    std::map<uint32_t, size_t> skinned_;  ///< By root: of how many bones a mesh is.
+    std::map<uint32_t, size_t> skinned_;  ///< By root: the number of a mesh's bones.
 };
 
 std::string listed(std::span<const Skeleton> skeletons)
@@ -104,7 +104,7 @@ bool isWanted(const Skeleton& skeleton, const std::string& pattern)
     return skeleton.name == pattern || matchesPattern(skeleton.name, pattern);
 }
 
-/// Controls and props go with the figure that hangs nearest to them in the tree of nodes, unless two are as near.
+/// Gives controls and props to the figure that they hang nearest to in the tree of nodes, unless two are equally near.
 void giveAway(const std::vector<Skeleton>& others, const NodeTable& table, std::vector<Skeleton>& figures)
 {
     for (const Skeleton& other : others) {
@@ -118,7 +118,7 @@ void giveAway(const std::vector<Skeleton>& others, const NodeTable& table, std::
     }
 }
 
-/// Whether the file is an export of a run, in which each object has a skeleton of its own, of one bone or more.
+/// Whether the file is an export of a run, in which each object has its own skeleton, of one bone or more.
 bool isOwnExport(const aiScene& scene)
 {
     aiString generator;
@@ -135,7 +135,7 @@ std::vector<uint32_t> pickSkeleton(const aiScene& scene, const ModelPick& pick, 
     if (pick.skeleton == ALL_SKELETONS || (table.isBare && pick.skeleton.empty())) return all;
     const std::vector<Skeleton> skeletons = SkeletonFinder(scene, table).find();
     const bool isOwn = isOwnExport(scene) && !table.isBare;
-    // Pairs that stand in an export beside a figure are none.
+    // In an export, pairs beside a figure are no figures.
     const auto isFigure = [](const Skeleton& s) { return s.skinned >= FEWEST_SKINNED; };
     const size_t fewest = isOwn && std::ranges::none_of(skeletons, isFigure) ? FEWEST_OWN : FEWEST_SKINNED;
     std::vector<Skeleton> figures, others;

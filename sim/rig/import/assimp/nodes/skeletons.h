@@ -10,10 +10,10 @@
 
 namespace knuckle {
 
-/// The nodes that become bones: of a file with several skeletons those of the one that is picked.
-/// Several skeletons are what has a mesh each, skinned to three of its bones or more, where no mesh is skinned to
-/// bones of two; in an export of a run what else stands beside a single figure is left out, too.
-/// @throws SkeletonError where that is not said, or where there is none of the name.
+/// The nodes that become bones; in a file with several skeletons, those of the picked one. Several skeletons exist if
+/// each has a mesh skinned to three of its bones or more, and no mesh is skinned to bones of two; in an export of a
+/// run, everything besides a single figure is left out, too.
+/// @throws SkeletonError if none is picked, or there is none of the name.
 std::vector<uint32_t> pickSkeleton(const aiScene& scene, const ModelPick& pick, NodeTable& table,
                                    std::vector<std::string>& notes);
 
