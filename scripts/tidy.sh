@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Runs clang-tidy by .clang-tidy on sources that have changed since the commit named in scripts/tidy_passed, and on
-# those
-# that include a changed header, directly or not. --all: on all sources, and writes the commit's name when they pass.
-# FOLDER...: on the sources of these. --list: only lists the sources. Tests are left out, except with
+# those that include a changed header, directly or not. --all: on all sources, and writes the commit's name when they
+# pass. FOLDER...: on the sources of these. --list: only lists the sources. Tests are left out, except with
 # `scripts/tidy.sh tests` (checks: tests/.clang-tidy). Takes about seven seconds of a core for each source.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
