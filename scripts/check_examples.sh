@@ -11,6 +11,7 @@ root=$PWD failed=0
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 ln -s "$root/assets" "$work/assets"
+mkdir "$work/out"
 
 # A document's line that is not among what was said. single_spaces, so that columns may be as wide as they like.
 single_spaces() { tr -s ' ' | sed 's/^ //; s/ $//'; }

@@ -5,10 +5,13 @@
 #include <csignal>
 #include <cstdio>
 #include <new>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
+#include "app/json/json.h"
 #include "app/run/crash.h"
 #include "app/run/interrupt.h"
 #include "app/run/tell.h"
@@ -42,6 +45,16 @@ void addCommonOptions(CLI::App& program, CommonOptions& common)
     program.add_flag("--quiet,-q", common.quiet, "Print errors only");
 }
 
+/// @throws InputError for a line with a word that should be a command.
+void refuseUnknownCommand(const CLI::App& program)
+{
+    const std::vector<std::string> left = program.remaining();
+    if (left.empty() || left[0].starts_with('-') || !program.get_subcommands().empty()) return;
+    std::vector<std::string> commands;
+    for (const CLI::App* command : program.get_subcommands({})) commands.push_back(command->get_name());
+    throw InputError(fmt::format("{} is no command; {}; see knuckle --help", left[0], suggestion(left[0], commands)));
+}
+
 int parseAndRun(int argc, char** argv)
 {
     CommonOptions common;
@@ -63,6 +76,7 @@ int parseAndRun(int argc, char** argv)
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
+        refuseUnknownCommand(program);
         throw InputError(fmt::format("{}; see knuckle --help", error.what()));
     }
     refuseEmptyValues(program);

@@ -198,7 +198,10 @@ void SchemaCheck::checkKeys(const Json& node, const Json& value, const std::stri
         const std::string name = key;
         if (value.contains(name)) continue;
         const Json& child = schema_.resolve(properties[name]);
-        fail(pointer, fmt::format("\"{}\" is missing; add it: {}", name, child["description"].get<std::string>()));
+        const std::string remedy = child.contains("enum")
+                                       ? suggestion("", child["enum"].get<std::vector<std::string>>())
+                                       : fmt::format("add it: {}", child["description"].get<std::string>());
+        fail(pointer, fmt::format("\"{}\" is missing; {}", name, remedy));
     }
 }
 

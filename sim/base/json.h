@@ -1,15 +1,9 @@
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
 namespace knuckle {
 
 /// @throws std::logic_error unless it holds.
-inline void requireJson(bool holds, const char* condition)
-{
-    if (!holds) throw std::logic_error(std::string("JSON is read against its form: ") + condition);
-}
+void requireJson(bool holds, const char* condition);
 
 }  // namespace knuckle
 

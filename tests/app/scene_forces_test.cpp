@@ -64,7 +64,8 @@ TEST_F(SceneForces, AreRefusedWhereTheyMeanNothing)
               "/fields/0/stop: 1 s is not after start, 2 s; raise it or lower the other");
     EXPECT_EQ(errorOf(R"("fields": [{ "shape": "plane", "kind": "push", "falloff": "linear" }])"),
               "/fields/0/falloff: \"linear\" is unknown; known: none");
-    EXPECT_EQ(errorOf(R"("fields": [{ "shape": "sphere" }])").substr(0, 33), "/fields/0: \"kind\" is missing; add");
+    EXPECT_EQ(errorOf(R"("fields": [{ "shape": "sphere" }])"),
+              "/fields/0: \"kind\" is missing; known: pull, push, swirl, blow");
     EXPECT_EQ(errorOf(R"("wind": { "gusts": 3 })"), "/wind/gusts: 3 is above the maximum 2");
     EXPECT_EQ(errorOf(R"("wind": {}, "solver": "paper")"),
               "wind and fields are for the method \"impulse\"; take the preset \"paper\" away, or them");

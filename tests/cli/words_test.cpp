@@ -12,6 +12,16 @@ using test::RunResult;
 /// Arguments of options: endings, numbers, nothing.
 using Words = test::CliTest;
 
+TEST_F(Words, ThatAreNoCommandAreRefusedWithTheNearest)
+{
+    RunResult result = run({"rendr", scene});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err, "knuckle: rendr is no command; did you mean \"render\"?; see knuckle --help\n");
+    result = run({});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err, "knuckle: A subcommand is required; see knuckle --help\n");
+}
+
 TEST_F(Words, OfAnotherKindOfFileAreRefusedWithTheListOfWhatIsKnown)
 {
     const std::string films = "films are written as .mp4, .mov or .mkv, frames into a folder";
