@@ -7,6 +7,7 @@
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_places.h"
 #include "app/scene/scene_repeat.h"
+#include "sim/base/errors.h"
 #include "sim/rig/bodies/make_actor.h"
 #include "tests/places.h"
 #include "tests/temp_folder.h"
@@ -128,6 +129,17 @@ TEST(Scene, PaintsFluidsBlueUnlessTold)
         const bool blue = material.name == "brine" || material.name == "water";
         EXPECT_EQ(material.color.z() > 2 * material.color.x(), blue) << material.name;
     }
+}
+
+TEST(Scene, LeavesOutFluidThatBeginsInColliders)
+{
+    // Spacing 0.05 m: 20 x 20 x 20 points, of which 8 x 8 x 8 are in the middle 0.4 m.
+    const std::string water = R"("objects": [{ "type": "fluid", "shape": "box", "size": [1, 1, 1] }],)";
+    const auto box = [&](const char* size) {
+        return "{ " + water + R"("fluidSpacing": 0.5, "colliders": [{ "type": "box", "size": )" + size + " }] }";
+    };
+    EXPECT_EQ(load(box("[0.4, 0.4, 0.4]")).world.fluidCount, 8000u - 512u);
+    EXPECT_THROW(load(box("[2, 2, 2]")), InputError);
 }
 
 TEST(FrameSteps, AreAsNearToTheTimeStepAsCanBe)

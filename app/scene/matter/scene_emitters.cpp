@@ -10,7 +10,7 @@
 #include "app/scene/scene_limits.h"
 #include "app/scene/scene_materials.h"
 #include "app/scene/scene_places.h"
-#include "sim/solver/measure/measure.h"
+#include "sim/world/collider_distance.h"
 #include "sim/world/space/cells.h"
 
 namespace knuckle {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim/solver/measure/measure.h"
+#include "sim/world/collider_distance.h"
 
 namespace knuckle {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "sim/world/collider_distance.h"
 #include "sim/world/space/cells.h"
 
 namespace knuckle {
@@ -132,14 +133,6 @@ bool mayTouch(const World& world, uint32_t a, uint32_t b)
             if ((hasFirst && inBody(world, b, other)) || (hasSecond && inBody(world, a, other))) return false;
     }
     return true;
-}
-
-float colliderDistance(const World& world, const Collider& c, const Vector3f& point)
-{
-    const Vector3f p = c.orientation.conjugate() * (point - c.position);
-    if (c.shape == ColliderShape::Mesh) return meshDistance(world.colliderGrids[c.grid], p);
-    if (c.shape == ColliderShape::Heightfield) return heightfieldDistance(world.colliderGrids[c.grid], p);
-    return regionDistance(c, point);
 }
 
 BodyState bodyState(const World& world, const Body& body, const ParticleState& particles, const Vector3f& centre,

@@ -27,9 +27,6 @@ void measureDistances(Measures& out, const World& world, const ParticleState& pa
 /// Adds the measures of fluids. @param densities of their particles, over those at rest.
 void measureFluids(Measures& out, const std::vector<float>& densities);
 
-/// Signed distance of a point to a collider's surface [m], negative inside.
-float colliderDistance(const World& world, const Collider& collider, const Vector3f& point);
-
 /// Whether two particles may touch: not of one body, and of one assembly only if they do not overlap at rest.
 bool mayTouch(const World& world, uint32_t a, uint32_t b);
 

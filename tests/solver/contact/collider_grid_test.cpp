@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "sim/solver/measure/measure.h"
+#include "sim/world/collider_distance.h"
 #include "tests/solver/contact/collider_world.h"
 
 namespace knuckle::test {

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "shared/contact_constants.h"
-#include "sim/solver/measure/measure.h"
+#include "sim/world/collider_distance.h"
 #include "tests/solver/contact/collider_world.h"
 #include "tests/solver/search/search_test.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/solver/measure/measure.h"
+#include "sim/world/collider_distance.h"
 #include "tests/solver/contact/collider_world.h"
 
 namespace knuckle::test {
