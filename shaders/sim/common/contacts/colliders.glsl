@@ -31,6 +31,12 @@ uint colliderShape(Collider collider)
     return uint(collider.size.w);
 }
 
+/// A point of the world in a collider's own frame [m].
+vec3 inColliderFrame(ColliderPlace place, vec3 x)
+{
+    return rotate(conjugate(place.orientation), x - place.position);
+}
+
 /// Static and kinetic.
 vec2 fetchColliderFriction(uint index)
 {
@@ -48,7 +54,7 @@ ColliderSurface colliderSurface(uint index, vec3 x)
     Collider c = colliderAt(index);
     uint shape = colliderShape(c);
     ColliderPlace place = fetchColliderPlace(index);
-    vec3 p = rotate(conjugate(place.orientation), x - place.position);
+    vec3 p = inColliderFrame(place, x);
     vec3 normal = vec3(0, 1, 0);
     float gap = p.y;
     if (shape == COLLIDER_BOX) {
@@ -87,8 +93,7 @@ float colliderBound(uint index, vec3 x)
     Collider c = colliderAt(index);
     if (colliderShape(c) == COLLIDER_HEIGHTFIELD) return -1e9;
     if (colliderShape(c) == COLLIDER_MESH) {
-        ColliderPlace place = fetchColliderPlace(index);
-        vec3 p = rotate(conjugate(place.orientation), x - place.position);
+        vec3 p = inColliderFrame(fetchColliderPlace(index), x);
         float outside = length(outsideGrid(p, c.gridLow.xyz, c.size.xyz, c.grid));
         if (outside > 0.0) return outside;
     }
