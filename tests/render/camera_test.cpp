@@ -152,7 +152,7 @@ TEST(Camera, AStateThatDoesNotFitIsRefused)
         RendererState bad = good;
         bad.lookedAt = 7.0;
         spoil(bad);
-        const std::string message = messageOf<std::logic_error>([&] { renderer.loadState(bad); });
+        std::string message = messageOf<std::logic_error>([&] { renderer.loadState(bad); });
         EXPECT_TRUE(renderer.saveState().buffers == good.buffers && renderer.saveState().lookedAt == good.lookedAt);
         return message;
     };

@@ -17,7 +17,7 @@ std::string complaint(const std::function<void(World&)>& spoil)
     World world = jointedCubes({});
     world.colliders.emplace_back();
     spoil(world);
-    const std::string message = messageOf<Error>([&] { validate(world); });
+    std::string message = messageOf<Error>([&] { validate(world); });
     EXPECT_EQ(message.find('\n'), std::string::npos) << "more than one line";
     return message;
 }

@@ -64,7 +64,7 @@ Vector3f foldOf(const Actor& actor, const ActorJoint& joint)
 void expectDogsLegs(const Actor& actor)
 {
     for (const char side : {'L', 'R'}) {
-        const auto joint = [&](std::string bone) -> const ActorJoint& {
+        const auto joint = [&](const std::string& bone) -> const ActorJoint& {
             return jointOf(actor, dog(), bone + "." + side);
         };
         EXPECT_GT(foldOf(actor, joint("front_lower_leg")).z(), 0.7f);

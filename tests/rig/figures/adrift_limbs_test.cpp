@@ -20,7 +20,7 @@ BoxBones emptied(BoxBones bones, const std::string& name)
 
 Actor made(const BoxBones& bones)
 {
-    const Actor actor = make(boxFigure(bones), 0.04f);
+    Actor actor = make(boxFigure(bones), 0.04f);
     expectSound(actor);
     return actor;
 }

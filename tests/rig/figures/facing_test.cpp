@@ -37,7 +37,8 @@ BoxBones turnedRound(BoxBones bones)
 
 Vector3f kneeAxis(const Actor& actor)
 {
-    const Vector3f left = jointOf(actor, "shin.L").axis, right = jointOf(actor, "shin.R").axis;
+    Vector3f left = jointOf(actor, "shin.L").axis;
+    const Vector3f right = jointOf(actor, "shin.R").axis;
     EXPECT_GT(left.dot(right), 0.99f);
     return left;
 }

@@ -6,7 +6,7 @@ namespace {
 
 Actor made(const BoxBones& bones)
 {
-    const Actor actor = make(boxFigure(bones), 0.035f);
+    Actor actor = make(boxFigure(bones), 0.035f);
     expectSound(actor);
     return actor;
 }

@@ -31,7 +31,7 @@ std::string webp()
 {
     uint8_t* bytes = nullptr;
     const size_t size = WebPEncodeLosslessRGBA(pixels().data(), SIDE, SIDE, 4 * SIDE, &bytes);
-    const std::string file(reinterpret_cast<const char*>(bytes), size);
+    std::string file(reinterpret_cast<const char*>(bytes), size);
     WebPFree(bytes);
     return file;
 }

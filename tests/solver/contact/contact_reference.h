@@ -42,7 +42,7 @@ inline ColliderTouch colliderTouch(uint32_t ends, const Vector3d& particle, cons
                                    const std::function<Vector3d(const Vector3d&)>& place,
                                    const std::function<double(const Vector3d&)>& distance)
 {
-    const ColliderTouch ball{particle, DIAMETER / 2};
+    ColliderTouch ball{particle, DIAMETER / 2};
     if (ends == LATTICE_ENDS || ends == 0) return ball;
     Vector3d corner = particle;
     for (int axis = 0; axis < 3; ++axis) {
