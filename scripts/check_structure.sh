@@ -39,7 +39,7 @@ if grep -rn --include='*.h' --include='*.cpp' '#include <nlohmann/' app render s
   echo 'include "sim/base/json.h" instead' >&2
   failed=1
 fi
-for part in sim/base sim/world sim/gpu sim/solver sim/rig render app/commands app/run app/scene; do
+for part in sim/base sim/world sim/gpu sim/solver sim/rig render app/commands app/film app/run app/scene app/states; do
   refuse $part '(sim|app)/api/'
 done
 refuse render 'sim/rig/|app/'
@@ -47,7 +47,9 @@ refuse render/picture 'render/(spheres|colliders|view|output)/'
 refuse render/view 'render/(spheres|colliders|picture|output)/'
 refuse render/skins 'render/(spheres|colliders|view|output)/'
 refuse render/output 'render/(spheres|colliders|view)/'
-refuse app/run 'app/(commands|bench)/'
+refuse app/run 'app/(commands|bench|film)/'
+refuse app/film 'app/(commands|bench)/'
+refuse app/states 'app/(commands|bench|film|run)/'
 refuse app/bench 'app/commands/'
 refuse app/export 'app/(commands|run)/'
 refuse app/scene 'app/(commands|run|export)/'

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.h"
+#include "app/states/states_text.h"
 
 namespace knuckle {
 
@@ -32,6 +33,12 @@ void printThreads()
                    cores, wakeTime(cores));
 }
 
+int printFile(const std::string& file)
+{
+    fmt::print("{}", statesText(StatesFile(file)));
+    return EXIT_FINE;
+}
+
 int info(const CommonOptions& common)
 {
     fmt::print("knuckle {}\n\nDevices:\n", KNUCKLE_VERSION);
@@ -58,10 +65,13 @@ int info(const CommonOptions& common)
 
 void addInfoCommand(CommandLine line)
 {
-    auto* command = line.program.add_subcommand("info", "List the devices, and the limits of the chosen one");
+    auto* command = line.program.add_subcommand(
+        "info", "List the devices, and the limits of the chosen one; or tell what is in a file");
     command->fallthrough();
-    command->footer("Exit code 3, with the reason, when no device can be used.");
-    command->callback([=] { line.chosen = [=] { return info(line.common); }; });
+    command->footer("Without FILE: exit code 3, with the reason, when no device can be used.");
+    auto file = std::make_shared<std::string>();
+    command->add_option("FILE", *file, "A file of states, as --record and --save-state write them");
+    command->callback([=] { line.chosen = [=] { return file->empty() ? info(line.common) : printFile(*file); }; });
 }
 
 }  // namespace knuckle

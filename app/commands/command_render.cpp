@@ -2,13 +2,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/export/exporters.h"
 #include "app/files/assets.h"
-#include "app/run/film_outputs.h"
+#include "app/film/film_outputs.h"
+#include "app/film/replay.h"
 #include "app/run/tell.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
@@ -18,8 +20,8 @@ namespace knuckle {
 namespace {
 
 struct RenderOptions {
-    std::string scene, frames, size, framesPerSecond;
-    std::vector<std::string> outputs, sets, exports;
+    std::string scene, frames, size, framesPerSecond, from;
+    std::vector<std::string> outputs, sets, exports, records;
     FilmOptions film;
 };
 
@@ -45,37 +47,80 @@ std::string defaultOutput(const Scene& scene)
 }
 
 /// @throws InputError for outputs that would overwrite inputs or each other.
-void requireOwnPaths(const std::string& file, const Scene& scene, const FilmOptions& film, const Exporters& exporters,
-                     const CommonOptions& common)
+void requireOwnPaths(const RenderOptions& options, const std::string& file, const Scene& scene, const FilmOptions& film,
+                     const Exporters& exporters, const CommonOptions& common)
 {
     RunPaths paths;
     paths.reads(file);
+    if (!options.from.empty()) paths.reads(options.from);
     for (const std::string& named : scene.files) paths.readsModel(named);
     if (!common.shaderFolder.empty()) paths.readsFolder(common.shaderFolder);
     addOutputs(film, exporters, scene, paths);
     paths.check();
 }
 
-int renderScene(const RenderOptions& options, const CommonOptions& common)
+/// @throws InputError.
+RecordOptions recordOptions(const RenderOptions& options)
 {
-    const std::string file = findAsset(options.scene);
-    FilmOptions film = options.film;
+    RecordOptions record = options.film.record;
+    if (options.records.size() > 1) throw InputError("--record: is given more than once; one file of states is enough");
+    if (!options.records.empty()) record.states = parseRecord(options.records[0]);
+    for (const auto& [option, path] : {std::pair{"--record states=", record.states}, {"--save-state ", record.last}})
+        if (!path.empty()) requireEnding(option, path, "a file of states", {".states"});
+    return record;
+}
+
+/// What of the command line changes the scene.
+std::vector<Override> overridesOf(const RenderOptions& options)
+{
     std::vector<Override> overrides;
     for (const std::string& text : options.sets) overrides.push_back(parseOverride(text));
     if (!options.size.empty()) addSize(options.size, overrides);
     if (!options.framesPerSecond.empty())
         overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
-    if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
-    Exporters exporters = makeExporters(options.exports);
+    return overrides;
+}
+
+/// @throws InputError for options that make no sense together.
+void checkOptions(const RenderOptions& options, const FilmOptions& film)
+{
     if (!film.stats.empty()) requireEnding("--stats ", film.stats, "a file of figures", {".json", ".txt", ""});
     for (const std::string& path : options.outputs) isFilm(path);  // reports a wrong one at once
+    if (options.from.empty()) {
+        if (options.scene.empty()) throw InputError("SCENE is required, or --from; see knuckle render --help");
+        return;
+    }
+    if (film.record.any() || !film.stats.empty() || film.hash)
+        throw InputError("--from: nothing is simulated, so there is nothing to record, to measure or to hash; leave "
+                         "out --record, --save-state, --stats and --hash");
+}
+
+int renderScene(const RenderOptions& options, const CommonOptions& common)
+{
+    FilmOptions film = options.film;
+    std::vector<Override> overrides = overridesOf(options);
+    if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
+    Exporters exporters = makeExporters(options.exports);
+    film.record = recordOptions(options);
+    checkOptions(options, film);
+    std::optional<StatesFile> states;
+    std::string named = options.scene;
+    if (!options.from.empty()) states.emplace(options.from);
+    if (states && named.empty()) {
+        const SceneSource& source = states->facts().source;
+        named = source.file;
+        overrides.insert(overrides.begin(), source.changes.begin(), source.changes.end());
+    }
+    film.source = {named, overrides};
+    const std::string file = findAsset(named);
     const Scene scene = loadScene(file, overrides, needsOf(exporters).surfaces);
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
-            tellUser(fmt::format("knuckle: warning: {}: {}", options.scene, warning));
+            tellUser(fmt::format("knuckle: warning: {}: {}", named, warning));
     film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
-    requireOwnPaths(file, scene, film, exporters, common);
-    runFilm(scene, film, common, std::move(exporters));
+    requireOwnPaths(options, file, scene, film, exporters, common);
+    if (states) replayFilm(*states, scene, film, common, std::move(exporters));
+    else runFilm(scene, film, common, std::move(exporters));
     return EXIT_FINE;
 }
 
@@ -102,7 +147,7 @@ void addRenderCommand(CommandLine line)
     command->fallthrough();
     command->footer(NOTES + exportHelp() + MORE_NOTES);
     auto options = std::make_shared<RenderOptions>();
-    command->add_option("SCENE", options->scene, "A scene file, see docs/scene.md")->required();
+    command->add_option("SCENE", options->scene, "A scene file, see docs/scene.md");
     // One value per option, so that the scene may follow it.
     using Words = std::vector<std::string>;
     const auto list = [command](const char* name, Words& values, const char* words, const char* type) {
@@ -120,6 +165,19 @@ void addRenderCommand(CommandLine line)
          "Change a field of the scene, as solver.substeps=8, or /solver/substeps=8 as errors tell it", "PATH=VALUE");
     command->add_option("--stats", options->film.stats, "Write figures of the run")->type_name("FILE");
     list("--export", options->exports, "Write particles, bodies or measures of each frame", "KIND=PATH");
+    command
+        ->add_option("--from", options->from,
+                     "Draw frames of this file of states, without simulating; SCENE, if given, says how")
+        ->type_name("FILE.states");
+    list("--record", options->records, "Write what is drawn of each frame, and whole states, to go on or draw from",
+         "states=FILE.states");
+    command
+        ->add_option("--record-every", options->film.record.every,
+                     "Frames from one whole state to the next [those of a second]")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--save-state", options->film.record.last, "Write the last frame and its whole state")
+        ->type_name("FILE.states");
     command->add_flag("--hash", options->film.hash, "Print the hash of the last state");
     command->callback([=] { line.chosen = [=] { return renderScene(*options, line.common); }; });
 }

@@ -18,6 +18,7 @@
 #include "app/scene/scene_objects.h"
 #include "app/scene/scene_picture.h"
 #include "sim/base/errors.h"
+#include "sim/base/fnv_hash.h"
 
 namespace knuckle {
 
@@ -45,6 +46,16 @@ std::optional<FinestActor> finestActor(SceneFiles& files, const Json& objects)
     return finest;
 }
 
+/// A longer film of the same scene has the same hash.
+uint64_t hashOf(Json root)
+{
+    root.erase("duration");
+    root.erase("description");
+    FnvHash hash;
+    hash.add(std::string_view(root.dump()));
+    return hash.value();
+}
+
 /// Properties of the scene that do not belong to the world.
 Scene headingOf(const JsonFile& file)
 {
@@ -55,6 +66,7 @@ Scene headingOf(const JsonFile& file)
     scene.description = root["description"];
     scene.duration = root["duration"];
     scene.framesPerSecond = root["fps"];
+    scene.documentHash = hashOf(root);
     return scene;
 }
 

@@ -32,6 +32,7 @@ struct Scene {
     std::vector<std::string> files;     ///< All files read for it, except its own.
     std::vector<std::string> notes;     ///< Deviations from the file, one sentence each.
     std::vector<std::string> warnings;  ///< Things not drawn as the file says: a run prints these, too.
+    uint64_t documentHash = 0;          ///< Of the file with all defaults, except `duration` and `description`.
     uint32_t stepsPerFrame = 1;         ///< World::settings.timeStep is 1 / (framesPerSecond * stepsPerFrame).
 
     /// Frame 1 shows time 0.

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "sim/base/errors.h"
+#include "sim/base/fnv_hash.h"
 
 namespace knuckle {
 
@@ -33,6 +34,16 @@ std::string ResolvedShader::translate(const std::string& log) const
         copied = static_cast<size_t>(it->position() + it->length());
     }
     return out + log.substr(copied);
+}
+
+uint64_t ShaderSource::hash() const
+{
+    FnvHash hash;
+    for (const auto& [path, text] : embeddedShaders()) {
+        hash.add(std::string_view(path));
+        hash.add(std::string_view(read(path)));
+    }
+    return hash.value();
 }
 
 std::string ShaderSource::read(const std::string& path) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,8 @@ public:
     /// Text of `path` (below shaders/) under `#version 430 core` and the defines, each `#include "path"` once.
     /// @throws DeviceError for a missing file.
     ResolvedShader resolve(const std::string& path, const Defines& defines = {}) const;
+    /// Of the text of all shaders.
+    uint64_t hash() const;
 
 private:
     std::string read(const std::string& path) const;

@@ -20,14 +20,6 @@ constexpr uint32_t STEPS_KEPT = 16;
 /// Problems that lists with too little room report.
 constexpr uint32_t OVERFLOWS = PROBLEM_CANDIDATES | PROBLEM_PAIRS | PROBLEM_FLUID;
 
-std::vector<Vector3f> unpack(const std::vector<gpu::vec4>& values)
-{
-    std::vector<Vector3f> out;
-    out.reserve(values.size());
-    for (const gpu::vec4& v : values) out.emplace_back(v.x, v.y, v.z);
-    return out;
-}
-
 }  // namespace
 
 struct Solver::Impl {
@@ -137,29 +129,30 @@ ParticleView Solver::view() const
     return view;
 }
 
+ViewState Solver::readView()
+{
+    const Stages& s = impl_->stages;
+    ViewState view{s.particles.positions.download(),      s.particles.velocities.download(),
+                   s.bodies.moverCentres.download(),      s.bodies.moverRotations.download(),
+                   s.colliders.colliderPlaces.download(), s.joints.tornParticles(impl_->world)};
+    // Movers that are no bodies come after them.
+    view.bodyCentres.resize(impl_->world.bodies.size());
+    view.bodyRotations.resize(impl_->world.bodies.size());
+    view.colliderPlaces.resize(2 * impl_->world.colliders.size());
+    return view;
+}
+
 ParticleState Solver::readParticles()
 {
-    const std::vector<gpu::vec4> positions = impl_->stages.particles.positions.download();
-    ParticleState state{unpack(positions),
-                        unpack(impl_->stages.particles.velocities.download()),
-                        {},
-                        impl_->stages.joints.tornParticles(impl_->world)};
-    for (const gpu::vec4& position : positions) state.inactive.push_back(position.w != 0.0f);
-    return state;
+    const Stages& s = impl_->stages;
+    return particleState({.positions = s.particles.positions.download(),
+                          .velocities = s.particles.velocities.download(),
+                          .torn = s.joints.tornParticles(impl_->world)});
 }
 
 std::vector<BodyState> Solver::readBodies()
 {
-    const ParticleState particles = readParticles();
-    const auto centres = impl_->stages.bodies.moverCentres.download();
-    const auto rotations = impl_->stages.bodies.moverRotations.download();
-    std::vector<BodyState> states;
-    for (size_t b = 0; b < impl_->world.bodies.size(); ++b) {
-        const Quaternionf rotation(rotations[b].w, rotations[b].x, rotations[b].y, rotations[b].z);
-        const Vector3f centre(centres[b].x, centres[b].y, centres[b].z);
-        states.push_back(bodyState(impl_->world, impl_->world.bodies[b], particles, centre, rotation));
-    }
-    return states;
+    return bodyStates(impl_->world, readView());
 }
 
 std::vector<Collider> Solver::readColliders()

@@ -10,6 +10,7 @@
 #include "sim/solver/list_room.h"
 #include "sim/solver/measure/releases.h"
 #include "sim/solver/measure/state.h"
+#include "sim/solver/measure/view_state.h"
 #include "sim/solver/particle_view.h"
 #include "sim/solver/stages_state.h"
 #include "sim/world/world.h"
@@ -48,6 +49,7 @@ public:
 
     ParticleView view() const;
     // Everything below stalls until the GPU is done.
+    ViewState readView();
     ParticleState readParticles();
     std::vector<BodyState> readBodies();
     /// The world's colliders at their current places.

@@ -10,7 +10,7 @@
 #include <set>
 #include <thread>
 
-#include "app/run/film_run.h"
+#include "app/film/film_run.h"
 #include "shared/counters.h"
 #include "tests/places.h"
 #include "tests/temp_folder.h"

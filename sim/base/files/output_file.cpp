@@ -104,6 +104,18 @@ void OutputFile::commit()
     leftover_.reset();
 }
 
+void OutputFile::commitDurably()
+{
+    flush();
+    if (fsync(file_) != 0 && errno != EINVAL) failWriting(errno);  // EINVAL: a stream
+    const bool named = !temporary_.empty();
+    commit();
+    const int folder = named ? open(folderOf(place_.path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
+    if (folder < 0) return;
+    fsync(folder);  // some file systems cannot: then the name comes when they see fit
+    close(folder);
+}
+
 void OutputFile::failWriting(int error) const
 {
     if (error == EPIPE) throw RunError(fmt::format("{} cannot be written: its reader has gone", place_.given));

@@ -25,6 +25,8 @@ public:
     void write(std::string_view bytes);
     /// Completes the file. @throws RunError.
     void commit();
+    /// The same, and waits until the file and its name are on the disk.
+    void commitDurably();
 
     bool isStream() const { return place_.kind == OutputPlace::Kind::Stream; }
     /// For another program that writes the file: its temporary name, if it is no stream.

@@ -26,12 +26,9 @@ ColliderPlace fetchColliderPlace(uint index)
     return ColliderPlace(texelFetch(colliderPlaces, first).xyz, texelFetch(colliderPlaces, first + 1));
 }
 
-uint colliderShape(Collider collider)
-{
-    return uint(collider.size.w);
-}
+uint colliderShape(Collider collider) { return uint(collider.size.w); }
 
-/// A point of the world in a collider's own frame [m].
+/// A point of the world, as a collider sees it [m].
 vec3 inColliderFrame(ColliderPlace place, vec3 x)
 {
     return rotate(conjugate(place.orientation), x - place.position);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/export/exporters.h"
+#include "app/film/recording.h"
 #include "app/run/open_gpu.h"
 #include "app/scene/scene_file.h"
 
@@ -24,6 +25,8 @@ struct FilmOptions {
     std::vector<std::string> outputs;  ///< Folders for PNG frames, and .mp4 films.
     FrameRange frames;
     std::string stats;  ///< Empty: none.
+    RecordOptions record;
+    SceneSource source;  ///< Where the scene came from, for recordings.
     bool hash = false;
     std::optional<bool> drawAside;  ///< On a separate thread; none: if that is faster.
 };

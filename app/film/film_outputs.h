@@ -6,8 +6,8 @@
 
 #include "app/export/exporters.h"
 #include "app/files/run_paths.h"
-#include "app/run/film_run.h"
-#include "app/run/frame_drawing.h"
+#include "app/film/film_run.h"
+#include "app/film/frame_drawing.h"
 #include "sim/base/files/output_file.h"
 
 namespace knuckle {

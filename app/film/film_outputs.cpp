@@ -1,4 +1,4 @@
-#include "app/run/film_outputs.h"
+#include "app/film/film_outputs.h"
 
 #include <fmt/format.h>
 
@@ -32,7 +32,8 @@ void addOutputs(const FilmOptions& options, const Exporters& exporters, const Sc
         else paths.writesFrames(path, ".png");
     }
     for (const auto& exporter : exporters) exporter->addPaths(scene, paths);
-    if (!options.stats.empty()) paths.writes(options.stats);
+    for (const std::string& path : {options.stats, options.record.states, options.record.last})
+        if (!path.empty()) paths.writes(path);
 }
 
 FilmOutputs::FilmOutputs(const Scene& scene, const FilmOptions& options, Exporters chosen)

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/run/run_figures.h"
+#include "app/film/run_figures.h"
 #include "app/scene/scene_file.h"
 #include "render/frame_snapshot.h"
 #include "render/output/frame_sink.h"
@@ -34,6 +34,10 @@ public:
     virtual void wait() = 0;
     /// After wait().
     virtual const DrawingFigures& figures() const = 0;
+    /// What the renderer carries on after the last frame taken; waits for it.
+    virtual RendererState saveState() = 0;
+    /// @throws std::logic_error as Renderer::loadState().
+    virtual void loadState(const RendererState& state) = 0;
 };
 
 /// Draws on the thread that made it, which also simulates.
@@ -45,6 +49,8 @@ public:
     void fetch() override;
     void wait() override { fetch(); }
     const DrawingFigures& figures() const override { return figures_; }
+    RendererState saveState() override { return renderer_.saveState(); }
+    void loadState(const RendererState& state) override { renderer_.loadState(state); }
 
 private:
     Gpu& gpu_;
@@ -65,6 +71,8 @@ public:
     void fetch() override {}
     void wait() override { thread_.drain(); }
     const DrawingFigures& figures() const override { return drawing_->figures(); }
+    RendererState saveState() override;
+    void loadState(const RendererState& state) override;
 
 private:
     /// One is drawn, the next one waits.

@@ -1,4 +1,4 @@
-#include "app/run/film_run.h"
+#include "app/film/film_run.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,14 +7,15 @@
 #include <optional>
 #include <utility>
 
+#include "app/film/film_outputs.h"
+#include "app/film/run_figures.h"
 #include "app/run/counted.h"
-#include "app/run/film_outputs.h"
 #include "app/run/interrupt.h"
 #include "app/run/progress.h"
-#include "app/run/run_figures.h"
 #include "app/run/stopwatch.h"
 #include "app/run/tell.h"
 #include "sim/base/errors.h"
+#include "sim/base/fnv_hash.h"
 #include "sim/solver/workload.h"
 
 namespace knuckle {
@@ -33,6 +34,8 @@ public:
         if (timed) noteFigures();
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
         if (!common.quiet) tellLeftOut();
+        if (options.record.any())
+            recording_.emplace(options.record, scene, factsOf(scene, *gpu_, options.source), range_.last);
         figures_.device = gpu_->device().name;
         figures_.driverThreads = gpu_->threads();
     }
@@ -55,6 +58,7 @@ public:
         figures_.totalSeconds = progress_.seconds();
         if (drawing_) figures_.drawing = drawing_->figures();
         for (const auto& exporter : outputs_.exporters) exporter->finish();
+        if (recording_) recording_->finish();
         finishStats();
         return figures_;
     }
@@ -136,20 +140,28 @@ private:
         const bool wanted = frame >= range_.first;
         const double time = static_cast<double>(frame - 1) / scene_.framesPerSecond;
         if (drawing_) drawing_->take(solver_.view(), {frame, time, wanted});
-        if (!wanted) return;
-        exportFrame(frame);
+        const FrameRecord record = readBack(frame, wanted);
+        if (wanted) exportFrame(record, scene_.world, outputs_.needs, outputs_.exporters);
+        if (recording_) recording_->frame(record);
     }
 
-    void exportFrame(uint64_t number)
+    /// @param exported whether exporters get the frame.
+    FrameRecord readBack(uint64_t frame, bool exported)
     {
-        ParticleState particles;
-        std::vector<BodyState> bodies;
-        Measures measures;
-        ExportFrame frame{.number = number, .world = scene_.world};
-        if (outputs_.needs.particles) frame.particles = &(particles = solver_.readParticles());
-        if (outputs_.needs.bodies) frame.bodies = &(bodies = solver_.readBodies());
-        if (outputs_.needs.measures) frame.measures = &(measures = solver_.measure());
-        for (const auto& exporter : outputs_.exporters) exporter->frame(frame);
+        const ExportNeeds needs = exported ? outputs_.needs : ExportNeeds{};
+        FrameRecord record{.number = frame};
+        if (needs.particles || (recording_ && recording_->wantsView(frame))) record.view = solver_.readView();
+        else if (needs.bodies) record.bodies = solver_.readBodies();
+        if (needs.measures) record.measures = solver_.measure();
+        if (recording_ && recording_->wantsState(frame)) record.state = saveState(frame);
+        return record;
+    }
+
+    RunState saveState(uint64_t frame)
+    {
+        RunState state{.frame = frame, .solver = solver_.saveState()};
+        if (drawing_) state.renderer = drawing_->saveState();
+        return state;
     }
 
     void finishStats()
@@ -168,6 +180,7 @@ private:
     Solver solver_;
     std::unique_ptr<FrameDrawing> drawing_;
     std::optional<ReleaseLog> releases_;
+    std::optional<Recording> recording_;
     Progress progress_;
     RunFigures figures_;
 };

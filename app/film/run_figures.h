@@ -32,7 +32,4 @@ struct RunFigures {
 /// The text of `--stats`: JSON.
 std::string statsText(const RunFigures& figures, const World& world, Solver& solver);
 
-/// A state hash in its only printed form: 16 hexadecimal digits.
-std::string hashText(uint64_t hash);
-
 }  // namespace knuckle

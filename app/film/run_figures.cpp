@@ -1,8 +1,7 @@
-#include "app/run/run_figures.h"
-
-#include <fmt/format.h>
+#include "app/film/run_figures.h"
 
 #include "app/export/measures.h"
+#include "sim/base/fnv_hash.h"
 
 namespace knuckle {
 
@@ -36,11 +35,6 @@ Json releasesJson(const std::vector<ReleaseFigures>& releases, const World& worl
 }
 
 }  // namespace
-
-std::string hashText(uint64_t hash)
-{
-    return fmt::format("{:016x}", hash);
-}
 
 std::string statsText(const RunFigures& figures, const World& world, Solver& solver)
 {

@@ -1,4 +1,4 @@
-#include "app/run/frame_drawing.h"
+#include "app/film/frame_drawing.h"
 
 #include "app/run/stopwatch.h"
 
@@ -56,6 +56,20 @@ void DrawingThread::take(const ParticleView& view, const Frame& frame)
         snapshot.end();
         drawing_->fetch();
     });
+}
+
+RendererState DrawingThread::saveState()
+{
+    RendererState state;
+    thread_.push([&] { state = drawing_->saveState(); });
+    thread_.drain();
+    return state;
+}
+
+void DrawingThread::loadState(const RendererState& state)
+{
+    thread_.push([&] { drawing_->loadState(state); });
+    thread_.drain();
 }
 
 }  // namespace knuckle

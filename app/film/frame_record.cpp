@@ -1,0 +1,23 @@
+#include "app/film/frame_record.h"
+
+#include <stdexcept>
+
+namespace knuckle {
+
+void exportFrame(const FrameRecord& record, const World& world, const ExportNeeds& needs, const Exporters& exporters)
+{
+    std::optional<ParticleState> particles;
+    std::optional<std::vector<BodyState>> bodies = record.bodies;
+    if (needs.particles && record.view) particles = particleState(*record.view);
+    if (needs.bodies && !bodies && record.view) bodies = bodyStates(world, *record.view);
+    if ((needs.particles && !particles) || (needs.bodies && !bodies) || (needs.measures && !record.measures))
+        throw std::logic_error("a frame lacks what its exporters need");
+    const ExportFrame frame{.number = record.number,
+                            .world = world,
+                            .particles = particles ? &*particles : nullptr,
+                            .bodies = bodies ? &*bodies : nullptr,
+                            .measures = record.measures ? &*record.measures : nullptr};
+    for (const auto& exporter : exporters) exporter->frame(frame);
+}
+
+}  // namespace knuckle

@@ -1,0 +1,90 @@
+#include "app/film/replay.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/film/film_outputs.h"
+#include "app/film/frame_record.h"
+#include "app/run/counted.h"
+#include "app/run/interrupt.h"
+#include "app/run/progress.h"
+#include "render/stored_view.h"
+#include "sim/base/errors.h"
+#include "sim/base/fnv_hash.h"
+#include "sim/world/fingerprint/fingerprint.h"
+
+namespace knuckle {
+
+namespace {
+
+void requireSameWorld(const StatesFile& states, const Scene& scene)
+{
+    const RunFacts& facts = states.facts();
+    if (facts.fingerprint.world != hashText(fingerprint(scene.world)))
+        throw InputError(
+            fmt::format("{}: is of another world than this scene, made of {}: what is simulated must be "
+                        "the same; leave SCENE out to take it as it was, and change its picture with --set",
+                        states.path(), facts.source.file));
+    if (facts.framesPerSecond != scene.framesPerSecond)
+        throw InputError(fmt::format("{}: has {} frames a second, the scene {}; set fps={}", states.path(),
+                                     facts.framesPerSecond, scene.framesPerSecond, facts.framesPerSecond));
+}
+
+/// The file's frames among those wanted.
+std::vector<uint64_t> chosenFrames(const StatesFile& states, const FrameRange& range)
+{
+    std::vector<uint64_t> chosen;
+    for (const uint64_t frame : states.frames())
+        if (frame >= range.first && (range.last == 0 || frame <= range.last)) chosen.push_back(frame);
+    if (chosen.empty())
+        throw InputError(states.frames().empty()
+                             ? states.path() + ": has no frames to draw"
+                             : fmt::format("--frames {}:{}: {} has frames {} to {}; choose among them", range.first,
+                                           range.last, states.path(), states.frames().front(), states.frames().back()));
+    return chosen;
+}
+
+}  // namespace
+
+void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions& options, const CommonOptions& common,
+                Exporters exporters)
+{
+    requireSameWorld(states, scene);
+    if (needsOf(exporters).measures)
+        throw InputError(fmt::format("--export measures: {} does not hold what they are measured from; export them in "
+                                     "the run that simulates",
+                                     states.path()));
+    const std::vector<uint64_t> frames = chosenFrames(states, options.frames);
+    const FilmOutputs outputs(scene, options, std::move(exporters));
+    const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(scene.render)});
+    StoredView stored(scene.world);
+    DrawingHere drawing(*gpu, scene, outputs.sinks, false);
+    const ViewCoding coding(scene.world);
+    Progress progress("frame", frames.size(), common.quiet);
+    const InterruptGuard interrupt;
+    uint64_t done = 0;
+    // A camera that follows has seen every frame before those that are drawn.
+    for (const uint64_t frame : states.frames()) {
+        if (frame > frames.back()) break;
+        const bool wanted = frame >= frames.front();
+        FrameRecord record{.number = frame, .view = coding.unpack(states.blocks(), frame)};
+        const double time = static_cast<double>(frame - 1) / scene.framesPerSecond;
+        drawing.take(stored.upload(*record.view), {frame, time, wanted});
+        if (!wanted) continue;
+        exportFrame(record, scene.world, outputs.needs, outputs.exporters);
+        drawing.fetch();
+        interrupt.check();
+        progress.update(++done);
+    }
+    for (const auto& sink : outputs.sinks) sink->finish();
+    gpu->checkErrors();
+    for (const auto& exporter : outputs.exporters) exporter->finish();
+    if (!common.quiet)
+        fmt::print("{} of {} drawn in {}: {}\n", counted(frames.size(), "frame"), states.path(),
+                   durationText(progress.seconds()), fmt::join(options.outputs, ", "));
+}
+
+}  // namespace knuckle

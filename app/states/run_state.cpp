@@ -1,0 +1,101 @@
+#include "app/states/run_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <span>
+
+#include "app/json/json.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr std::string_view SOLVER = "solver/", RENDERER = "renderer/";
+
+std::string stateBlock(uint64_t frame, std::string_view part)
+{
+    return fmt::format("state {}/{}", frame, part);
+}
+
+void packBuffers(uint64_t frame, std::string_view folder, const BufferState& buffers, std::vector<std::string>& blocks)
+{
+    for (const auto& [name, bytes] : buffers)
+        blocks.push_back(packBlock(stateBlock(frame, std::string(folder) + name), std::span(bytes), BlockKind::Words));
+}
+
+BufferState unpackBuffers(const BlockReader& file, const std::string& folder)
+{
+    BufferState buffers;
+    for (const BlockReader::Block& block : file.list())
+        if (block.name.starts_with(folder)) buffers[block.name.substr(folder.size())] = file.read(block.name);
+    return buffers;
+}
+
+/// Numbers N of blocks "<word> N/<part>".
+std::vector<uint64_t> numbersOf(const BlockReader& file, std::string_view word, std::string_view part)
+{
+    std::vector<uint64_t> numbers;
+    for (const BlockReader::Block& block : file.list()) {
+        const std::string_view name = block.name;
+        if (!name.starts_with(word)) continue;
+        uint64_t number = 0;
+        const char* end = name.data() + name.size();
+        const auto [rest, error] = std::from_chars(name.data() + word.size(), end, number);
+        if (error == std::errc() && std::string_view(rest, static_cast<size_t>(end - rest)) == part)
+            numbers.push_back(number);
+    }
+    std::ranges::sort(numbers);
+    return numbers;
+}
+
+}  // namespace
+
+std::vector<std::string> packState(const RunState& state)
+{
+    Json about = {{"started", state.solver.started}, {"drawn", state.renderer.has_value()}};
+    if (state.renderer && state.renderer->lookedAt) about["lookedAt"] = *state.renderer->lookedAt;
+    std::vector<std::string> blocks{
+        packText(stateBlock(state.frame, "about"), about.dump()),
+        packArray(stateBlock(state.frame, "parameters"), std::span(&state.solver.stages.parameters, 1))};
+    packBuffers(state.frame, SOLVER, state.solver.stages.buffers, blocks);
+    if (state.renderer) packBuffers(state.frame, RENDERER, state.renderer->buffers, blocks);
+    return blocks;
+}
+
+RunState unpackState(const BlockReader& file, uint64_t frame)
+{
+    const std::string name = stateBlock(frame, "about");
+    if (!file.has(name)) {
+        const std::vector<uint64_t> there = statesOf(file);
+        file.refuse(there.empty() ? "has no whole state"
+                                  : fmt::format("has no whole state of frame {}; it has those of {}", frame,
+                                                fmt::join(there, ", ")));
+    }
+    const Json about = parseJson(file.readText(name), file.path());
+    RunState state;
+    state.frame = frame;
+    state.solver.started = about.value("started", false);
+    const auto parameters = file.readArray<gpu::StepParameters>(stateBlock(frame, "parameters"));
+    if (parameters.size() != 1) file.refuse("was written by another version of the program");
+    state.solver.stages.parameters = parameters[0];
+    state.solver.stages.buffers = unpackBuffers(file, stateBlock(frame, SOLVER));
+    if (!about.value("drawn", false)) return state;
+    state.renderer.emplace();
+    if (about.contains("lookedAt")) state.renderer->lookedAt = about["lookedAt"].get<double>();
+    state.renderer->buffers = unpackBuffers(file, stateBlock(frame, RENDERER));
+    return state;
+}
+
+std::vector<uint64_t> statesOf(const BlockReader& file)
+{
+    return numbersOf(file, "state ", "/about");
+}
+
+std::vector<uint64_t> framesOf(const BlockReader& file)
+{
+    return numbersOf(file, "frame ", "/positions");
+}
+
+}  // namespace knuckle

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/states/block_file.h"
+#include "render/renderer.h"
+#include "sim/solver/solver.h"
+
+namespace knuckle {
+
+/// All that a run carries on from a frame to the next.
+struct RunState {
+    uint64_t frame = 1;  ///< The frame that shows it.
+    SolverState solver;
+    std::optional<RendererState> renderer = {};  ///< None: nothing was drawn.
+};
+
+/// Blocks "state N/...".
+std::vector<std::string> packState(const RunState& state);
+/// @throws InputError if the file has no such state.
+RunState unpackState(const BlockReader& file, uint64_t frame);
+/// Frames of which there is a whole state, in order.
+std::vector<uint64_t> statesOf(const BlockReader& file);
+/// Frames that can be drawn, in order.
+std::vector<uint64_t> framesOf(const BlockReader& file);
+
+}  // namespace knuckle

@@ -1,0 +1,53 @@
+#include "app/states/states_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace knuckle {
+
+namespace {
+
+/// "1 to 600", "1, 61, 121", "none".
+std::string listText(const std::vector<uint64_t>& numbers)
+{
+    if (numbers.empty()) return "none";
+    const bool gapless = numbers.back() - numbers.front() + 1 == numbers.size();
+    if (gapless && numbers.size() > 2) return fmt::format("{} to {}", numbers.front(), numbers.back());
+    return fmt::format("{}", fmt::join(numbers, ", "));
+}
+
+std::string megabytes(uint64_t bytes)
+{
+    return fmt::format("{:.2f} MB", 1e-6 * static_cast<double>(bytes));
+}
+
+}  // namespace
+
+std::string statesText(const StatesFile& states)
+{
+    const RunFacts& facts = states.facts();
+    const RunFingerprint& print = facts.fingerprint;
+    uint64_t frames = 0, whole = 0;
+    for (const BlockReader::Block& block : states.blocks().list()) {
+        if (block.name.starts_with("frame ")) frames += block.stored;
+        if (block.name.starts_with("state ")) whole += block.stored;
+    }
+    std::vector<std::string> changes;
+    for (const Override& change : facts.source.changes)
+        changes.push_back(fmt::format(" --set {}={}", change.path, change.value.dump()));
+    std::string text = fmt::format("{}: states of the scene \"{}\"\n", states.path(), facts.sceneName);
+    const auto line = [&](const char* word, const std::string& value) {
+        text += fmt::format("  {:<14}{}\n", word, value);
+    };
+    line("scene", facts.source.file + fmt::format("{}", fmt::join(changes, "")));
+    line("time", fmt::format("{} frames a second, {} steps a frame", facts.framesPerSecond, facts.stepsPerFrame));
+    line("particles", fmt::format("{} of {:.4g} m; {} bodies", facts.particles, facts.diameter, facts.bodies));
+    line("frames", fmt::format("{}, {}", listText(states.frames()), megabytes(frames)));
+    line("whole states", fmt::format("{}, {}", listText(states.states()), megabytes(whole)));
+    line("program", fmt::format("{}, build {}, shaders {}", print.program, print.build, print.shaders));
+    line("device", fmt::format("{}, {}", print.device, print.driver));
+    line("world", print.world);
+    return text;
+}
+
+}  // namespace knuckle

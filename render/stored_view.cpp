@@ -1,0 +1,36 @@
+#include "render/stored_view.h"
+
+#include <stdexcept>
+
+namespace knuckle {
+
+StoredView::StoredView(const World& world)
+    : world_(world), positions_("stored positions", world.particles.size()),
+      velocities_("stored velocities", world.particles.size()), centres_("stored centres", world.bodies.size()),
+      rotations_("stored rotations", world.bodies.size()), colliders_("stored colliders", 2 * world.colliders.size())
+{
+}
+
+ParticleView StoredView::upload(const ViewState& state)
+{
+    const auto fill = [](Buffer<gpu::vec4>& buffer, const std::vector<gpu::vec4>& values) {
+        if (values.size() != buffer.size()) throw std::logic_error("the stored state is of another world");
+        if (!values.empty()) buffer.upload(values);
+        return buffer.id();
+    };
+    ParticleView view;
+    view.positions = fill(positions_, state.positions);
+    view.velocities = fill(velocities_, state.velocities);
+    view.bodyCentres = fill(centres_, state.bodyCentres);
+    view.bodyRotations = fill(rotations_, state.bodyRotations);
+    view.colliderPlaces = fill(colliders_, state.colliderPlaces);
+    view.particleCount = static_cast<uint32_t>(world_.particles.size());
+    view.bodyCount = static_cast<uint32_t>(world_.bodies.size());
+    view.colliderCount = static_cast<uint32_t>(world_.colliders.size());
+    view.solidCount = world_.solidCount();
+    view.radius = world_.particleRadius;
+    view.fluidSpacing = world_.fluidSpacing;
+    return view;
+}
+
+}  // namespace knuckle

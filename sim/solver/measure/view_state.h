@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shared/vector_types.h"
+#include "sim/solver/measure/state.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// What a renderer and exports read of a state, on the host, bit by bit; see ParticleView.
+struct ViewState {
+    std::vector<gpu::vec4> positions{};       ///< Of each particle: xyz [m], w: 0, or 1 for an inactive one.
+    std::vector<gpu::vec4> velocities{};      ///< xyz [m/s].
+    std::vector<gpu::vec4> bodyCentres{};     ///< Of each body: xyz [m].
+    std::vector<gpu::vec4> bodyRotations{};   ///< Quaternions xyzw from the rest pose.
+    std::vector<gpu::vec4> colliderPlaces{};  ///< Of each collider: xyz [m]; quaternion xyzw.
+    std::vector<bool> torn{};                 ///< As ParticleState::torn.
+};
+
+/// @param view its positions, velocities and torn particles are enough.
+ParticleState particleState(const ViewState& view);
+/// As World::bodies.
+std::vector<BodyState> bodyStates(const World& world, const ViewState& view);
+
+}  // namespace knuckle
