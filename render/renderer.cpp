@@ -160,6 +160,7 @@ void Renderer::look(const ParticleView& view, double time)
 {
     impl_->attach(view);
     impl_->aimCamera(time);
+    impl_->view.fit(impl_->timer);  // then what is carried on does not tell whether the frame was drawn
 }
 
 Image Renderer::readImage()

@@ -19,8 +19,10 @@ namespace knuckle {
 
 namespace {
 
+constexpr double DEFAULT_CHECKPOINT_SECONDS = 30.0;
+
 struct RenderOptions {
-    std::string scene, frames, size, framesPerSecond, from;
+    std::string scene, frames, size, framesPerSecond, from, resume;
     std::vector<std::string> outputs, sets, exports, records;
     FilmOptions film;
 };
@@ -81,6 +83,46 @@ std::vector<Override> overridesOf(const RenderOptions& options)
     return overrides;
 }
 
+/// @throws InputError.
+CheckpointOptions checkpointOptions(const RenderOptions& options)
+{
+    CheckpointOptions checkpoint = options.film.checkpoint;
+    checkpoint.resume = !options.resume.empty();
+    checkpoint.loose = options.resume == "loose";
+    if (checkpoint.resume && !checkpoint.loose && options.resume != "strict")
+        throw InputError(fmt::format("--resume={}: must be --resume or --resume=loose", options.resume));
+    if (checkpoint.resume && !checkpoint.seconds) checkpoint.seconds = DEFAULT_CHECKPOINT_SECONDS;
+    return checkpoint;
+}
+
+/// Tells the checkpoint which outputs the run has. @throws InputError for an output that no later run can go on with.
+void nameOutputs(FilmOptions& film, const RenderOptions& options)
+{
+    std::vector<std::string>& words = film.checkpoint.words;
+    const auto add = [&](const std::string& option, const std::string& value) {
+        if (!value.empty()) words.push_back(option + " " + value);
+    };
+    for (const std::string& path : film.outputs) {
+        if (OutputPlace::of(path).kind == OutputPlace::Kind::Stream)
+            throw InputError(fmt::format("--checkpoint: -o {} is a stream, with which no later run can go on; name a "
+                                         "file or a folder",
+                                         path));
+        add("-o", path);
+        film.checkpoint.folders.push_back(isFilm(path) ? folderOf(OutputPlace::of(path).path) : path);
+    }
+    for (const std::string& word : options.exports) {
+        add("--export", word);
+        const OutputPlace place = OutputPlace::of(word.substr(word.find('=') + 1));
+        film.checkpoint.folders.push_back(place.kind == OutputPlace::Kind::Folder ? place.path : folderOf(place.path));
+    }
+    for (const std::string& path : {film.record.states, film.record.last})
+        if (!path.empty()) film.checkpoint.folders.push_back(folderOf(OutputPlace::of(path).path));
+    add("--record states=", film.record.states);
+    if (film.record.every > 0) add("--record-every", std::to_string(film.record.every));
+    add("--save-state", film.record.last);
+    add("--frames", std::to_string(film.frames.first) + ":");
+}
+
 /// @throws InputError for options that make no sense together.
 void checkOptions(const RenderOptions& options, const FilmOptions& film)
 {
@@ -90,9 +132,9 @@ void checkOptions(const RenderOptions& options, const FilmOptions& film)
         if (options.scene.empty()) throw InputError("SCENE is required, or --from; see knuckle render --help");
         return;
     }
-    if (film.record.any() || !film.stats.empty() || film.hash)
-        throw InputError("--from: nothing is simulated, so there is nothing to record, to measure or to hash; leave "
-                         "out --record, --save-state, --stats and --hash");
+    if (film.record.any() || !film.stats.empty() || film.hash || film.checkpoint.seconds)
+        throw InputError("--from: nothing is simulated, so there is nothing to record, to measure or to go on with; "
+                         "leave out --record, --save-state, --stats, --hash, --checkpoint and --resume");
 }
 
 int renderScene(const RenderOptions& options, const CommonOptions& common)
@@ -102,6 +144,7 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
     Exporters exporters = makeExporters(options.exports);
     film.record = recordOptions(options);
+    film.checkpoint = checkpointOptions(options);
     checkOptions(options, film);
     std::optional<StatesFile> states;
     std::string named = options.scene;
@@ -118,6 +161,7 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", named, warning));
     film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
+    if (film.checkpoint.seconds) nameOutputs(film, options);
     requireOwnPaths(options, file, scene, film, exporters, common);
     if (states) replayFilm(*states, scene, film, common, std::move(exporters));
     else runFilm(scene, film, common, std::move(exporters));
@@ -128,7 +172,7 @@ constexpr const char* NOTES =
     "Frame 1 shows time 0. --frames 100:120 simulates up to frame 100 without drawing. -o may be given more than\n"
     "once, for frames and a film of the same run; a film needs the program ffmpeg.\n"
     "Ctrl-C finishes the frame and stops: frames and PLY files are kept, films and other exports, which are not\n"
-    "finished, are not.\n\n";
+    "finished, are not. With --checkpoint 30 --resume the same command goes on from there, and from any other end.\n\n";
 
 constexpr const char* MORE_NOTES =
     "--stats FILE                  JSON: device, passes with ms, particles, how deep contacts are, how far joints\n"
@@ -178,6 +222,14 @@ void addRenderCommand(CommandLine line)
         ->check(CLI::PositiveNumber);
     command->add_option("--save-state", options->film.record.last, "Write the last frame and its whole state")
         ->type_name("FILE.states");
+    command
+        ->add_option("--checkpoint", options->film.checkpoint.seconds,
+                     "Write a checkpoint after as many seconds, and when stopped, into OUTPUT.checkpoint")
+        ->type_name("SECONDS")
+        ->check(numberBetween(0.0, 1e6));
+    command->add_flag("--resume{strict}", options->resume,
+                      "Go on from the checkpoint of an earlier run of the same command, if there is one; "
+                      "--resume=loose: also on another driver or with another version, with other bits");
     command->add_flag("--hash", options->film.hash, "Print the hash of the last state");
     command->callback([=] { line.chosen = [=] { return renderScene(*options, line.common); }; });
 }

@@ -36,14 +36,27 @@ void addOutputs(const FilmOptions& options, const Exporters& exporters, const Sc
         if (!path.empty()) paths.writes(path);
 }
 
-FilmOutputs::FilmOutputs(const Scene& scene, const FilmOptions& options, Exporters chosen)
+FilmOutputs::FilmOutputs(const Scene& scene, const FilmOptions& options, const FrameRange& range, Exporters chosen,
+                         Checkpoint* checkpoint)
     : exporters(std::move(chosen)), needs(needsOf(exporters))
 {
-    for (const std::string& path : options.outputs)
-        sinks.push_back(isFilm(path) ? filmSink(path, scene.render.width, scene.render.height, scene.framesPerSecond)
-                                     : pngSink(path));
+    for (size_t k = 0; k < options.outputs.size(); ++k)
+        sinks.push_back(makeSink(scene, options.outputs[k], k, range, checkpoint));
     for (const auto& exporter : exporters) exporter->begin(scene);
     if (!options.stats.empty()) stats.emplace(options.stats);
+}
+
+std::unique_ptr<FrameSink> FilmOutputs::makeSink(const Scene& scene, const std::string& path, size_t output,
+                                                 const FrameRange& range, Checkpoint* checkpoint) const
+{
+    if (!isFilm(path)) return pngSink(path, checkpoint != nullptr ? checkpoint->pictures(output, path) : nullptr);
+    return filmSink(path, {scene.render.width, scene.render.height, scene.framesPerSecond},
+                    {range.first, range.last, checkpoint != nullptr ? checkpoint->film(output) : nullptr});
+}
+
+bool FilmOutputs::wantsPicture(uint64_t frame) const
+{
+    return std::ranges::any_of(sinks, [&](const auto& sink) { return sink->wants(frame); });
 }
 
 }  // namespace knuckle

@@ -27,8 +27,17 @@ struct FilmOutputs {
     ExportNeeds needs;  ///< Of all exporters.
     std::optional<OutputFile> stats;
 
+    /// @param range of the frames to draw. @param checkpoint keeps what is drawn; null: nothing is kept.
     /// @throws InputError for outputs that cannot be written.
-    FilmOutputs(const Scene& scene, const FilmOptions& options, Exporters chosen);
+    FilmOutputs(const Scene& scene, const FilmOptions& options, const FrameRange& range, Exporters chosen,
+                Checkpoint* checkpoint = nullptr);
+
+    /// Whether a frame is needed for any picture.
+    bool wantsPicture(uint64_t frame) const;
+
+private:
+    std::unique_ptr<FrameSink> makeSink(const Scene& scene, const std::string& path, size_t output,
+                                        const FrameRange& range, Checkpoint* checkpoint) const;
 };
 
 }  // namespace knuckle

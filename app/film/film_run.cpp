@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/export/frame_export.h"
 #include "app/film/film_outputs.h"
 #include "app/film/run_figures.h"
 #include "app/run/counted.h"
@@ -26,9 +27,9 @@ namespace {
 class FilmRun {
 public:
     FilmRun(const Scene& scene, const FilmOptions& options, const CommonOptions& common, Exporters exporters)
-        : scene_(scene), options_(options), range_(clampRange(scene, options.frames)),
-          outputs_(scene, options, std::move(exporters)), gpu_(openGpu(common, work())), solver_(*gpu_, scene.world),
-          progress_("frame", range_.last, common.quiet)
+        : scene_(scene), options_(options), range_(options.frames.of(scene)), checkpoint_(openCheckpoint()),
+          outputs_(scene, options, range_, std::move(exporters), checkpoint_.get()), gpu_(openGpu(common, work())),
+          solver_(*gpu_, scene.world), progress_("frame", range_.last, common.quiet), quiet_(common.quiet)
     {
         const bool timed = outputs_.stats.has_value();
         if (timed) noteFigures();
@@ -38,17 +39,25 @@ public:
             recording_.emplace(options.record, scene, factsOf(scene, *gpu_, options.source), range_.last);
         figures_.device = gpu_->device().name;
         figures_.driverThreads = gpu_->threads();
+        if (checkpoint_) resume();
     }
 
     RunFigures run()
     {
         // Until the first frames exist, shaders are compiled, and there is nothing to finish.
         std::optional<InterruptGuard> interrupt;
-        for (uint64_t frame = 1; frame <= range_.last; ++frame) {
+        for (uint64_t frame = done_ + 1; frame <= range_.last; ++frame) {
             if (frame > 1) advance(frame);
             takeFrame(frame);
-            if (frame == WARM_UP) interrupt.emplace();
-            if (interrupt) interrupt->check();
+            if (frame == done_ + WARM_UP) interrupt.emplace();
+            const bool stopped = interrupt && interrupt->isSignalled();
+            if (checkpoint_ && (stopped || frame == range_.last || checkpoint_->isDue())) saveCheckpoint(frame);
+            if (stopped) {
+                if (checkpoint_ && !quiet_)
+                    tellUser(fmt::format("knuckle: note: {} has all up to frame {}; --resume goes on from there",
+                                         checkpointPath(options_.outputs[0]), frame));
+                throw Interrupted{};
+            }
             progress_.update(frame);
         }
         if (drawing_) drawing_->wait();
@@ -68,14 +77,36 @@ public:
 private:
     static constexpr uint64_t WARM_UP = 2;
 
-    static FrameRange clampRange(const Scene& scene, FrameRange range)
+    std::unique_ptr<Checkpoint> openCheckpoint() const
     {
-        const uint64_t count = scene.frameCount();
-        if (range.last == 0) range.last = count;
-        if (range.first <= range.last && range.last <= count) return range;
-        throw InputError(fmt::format("--frames {}:{}: the scene has frames 1 to {}; choose among them or raise "
-                                     "/duration",
-                                     range.first, range.last, count));
+        if (!options_.checkpoint.seconds) return nullptr;
+        return std::make_unique<Checkpoint>(options_.checkpoint, options_.outputs, range_.first, scene_.world);
+    }
+
+    /// Takes the state of an earlier run, if there is one, and gives its frames to exporters and recordings.
+    void resume()
+    {
+        const std::optional<RunState> state = checkpoint_->begin(fingerprintOf(scene_, *gpu_), range_.last);
+        if (!quiet_)
+            for (const std::string& note : checkpoint_->notes()) tellUser("knuckle: note: " + note);
+        if (!state) return;
+        try {
+            solver_.loadState(state->solver);
+            if (drawing_ && state->renderer) drawing_->loadState(*state->renderer);
+        } catch (const std::logic_error& error) {
+            throw InputError(fmt::format("{}: cannot go on from the other run's state: {}; begin anew without --resume",
+                                         checkpointPath(options_.outputs[0]), error.what()));
+        }
+        done_ = state->frame;
+        progress_.begin(done_);
+        checkpoint_->replay([&](const FrameRecord& record) { give(record); });
+    }
+
+    void saveCheckpoint(uint64_t frame)
+    {
+        if (drawing_) drawing_->wait();
+        for (const auto& sink : outputs_.sinks) sink->flush();
+        checkpoint_->save(saveState(frame));
     }
 
     /// The average work of a frame.
@@ -139,9 +170,15 @@ private:
     {
         const bool wanted = frame >= range_.first;
         const double time = static_cast<double>(frame - 1) / scene_.framesPerSecond;
-        if (drawing_) drawing_->take(solver_.view(), {frame, time, wanted});
+        if (drawing_) drawing_->take(solver_.view(), {frame, time, wanted && outputs_.wantsPicture(frame)});
         const FrameRecord record = readBack(frame, wanted);
-        if (wanted) exportFrame(record, scene_.world, outputs_.needs, outputs_.exporters);
+        if (checkpoint_) checkpoint_->log(record);
+        give(record);
+    }
+
+    void give(const FrameRecord& record)
+    {
+        if (record.number >= range_.first) exportFrame(record, scene_.world, outputs_.needs, outputs_.exporters);
         if (recording_) recording_->frame(record);
     }
 
@@ -175,6 +212,7 @@ private:
     const Scene& scene_;
     const FilmOptions& options_;
     FrameRange range_;
+    std::unique_ptr<Checkpoint> checkpoint_;
     FilmOutputs outputs_;
     std::unique_ptr<Gpu> gpu_;
     Solver solver_;
@@ -183,28 +221,11 @@ private:
     std::optional<Recording> recording_;
     Progress progress_;
     RunFigures figures_;
+    bool quiet_;
+    uint64_t done_ = 0;  ///< Frames that an earlier run has done.
 };
 
 }  // namespace
-
-FrameRange FrameRange::parse(const std::string& text)
-{
-    const auto number = [&](const std::string& part, uint64_t missing) {
-        if (part.empty()) return missing;
-        const bool digits = part.size() <= 9 && part.find_first_not_of("0123456789") == std::string::npos;
-        if (!digits || std::stoull(part) == 0) {
-            throw InputError(fmt::format("--frames {}: must be A:B, frames from 1, for instance 1:60", text));
-        }
-        return static_cast<uint64_t>(std::stoull(part));
-    };
-    const size_t colon = text.find(':');
-    if (colon == std::string::npos) return {number(text.empty() ? "?" : text, 0), number(text, 0)};
-    const FrameRange range{number(text.substr(0, colon), 1), number(text.substr(colon + 1), 0)};
-    if (range.last != 0 && range.last < range.first) {
-        throw InputError(fmt::format("--frames {}: the last frame comes before the first; exchange them", text));
-    }
-    return range;
-}
 
 void runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions& common, Exporters exporters)
 {

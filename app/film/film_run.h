@@ -5,20 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "app/checkpoint/checkpoint.h"
 #include "app/export/exporters.h"
+#include "app/film/frame_range.h"
 #include "app/film/recording.h"
 #include "app/run/open_gpu.h"
 #include "app/scene/scene_file.h"
 
 namespace knuckle {
-
-/// First and last frame to draw, from 1.
-struct FrameRange {
-    uint64_t first = 1, last = 0;  ///< last 0: the scene's last.
-
-    /// Reads "A:B", "A:", ":B" or "A". @throws InputError.
-    static FrameRange parse(const std::string& text);
-};
 
 /// Options of `knuckle render` apart from the scene.
 struct FilmOptions {
@@ -26,6 +20,7 @@ struct FilmOptions {
     FrameRange frames;
     std::string stats;  ///< Empty: none.
     RecordOptions record;
+    CheckpointOptions checkpoint;
     SceneSource source;  ///< Where the scene came from, for recordings.
     bool hash = false;
     std::optional<bool> drawAside;  ///< On a separate thread; none: if that is faster.

@@ -27,7 +27,8 @@ void DrawingHere::fetch()
     renderer_.timer().collect();
     figures_.passes = renderer_.timer().totals();
     gpu_.checkErrors();
-    for (const auto& sink : sinks_) sink->write(image, *unread_);
+    for (const auto& sink : sinks_)
+        if (sink->wants(*unread_)) sink->write(image, *unread_);
     unread_.reset();
 }
 

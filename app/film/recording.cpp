@@ -31,8 +31,8 @@ void Recording::frame(const FrameRecord& record)
 {
     for (std::optional<StatesWriter>* writer : {&states_, &end_}) {
         if (!*writer || (writer == &end_ && !isLast(record.number))) continue;
-        if (record.view) (*writer)->addFrame(record.number, *record.view);
-        if (record.state) (*writer)->addState(*record.state);
+        if (record.view && wantsView(record.number)) (*writer)->addFrame(record.number, *record.view);
+        if (record.state && wantsState(record.number)) (*writer)->addState(*record.state);
     }
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/film/frame_record.h"
+#include "app/states/frame_record.h"
 #include "app/states/states_file.h"
 
 namespace knuckle {

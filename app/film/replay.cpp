@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/export/frame_export.h"
 #include "app/film/film_outputs.h"
-#include "app/film/frame_record.h"
 #include "app/run/counted.h"
 #include "app/run/interrupt.h"
 #include "app/run/progress.h"
@@ -58,7 +58,7 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
                                      "the run that simulates",
                                      states.path()));
     const std::vector<uint64_t> frames = chosenFrames(states, options.frames);
-    const FilmOutputs outputs(scene, options, std::move(exporters));
+    const FilmOutputs outputs(scene, options, {frames.front(), frames.back()}, std::move(exporters));
     const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(scene.render)});
     StoredView stored(scene.world);
     DrawingHere drawing(*gpu, scene, outputs.sinks, false);

@@ -56,6 +56,11 @@ InterruptGuard::~InterruptGuard()
     graceful = false;
 }
 
+bool InterruptGuard::isSignalled() const
+{
+    return signalled;
+}
+
 void InterruptGuard::check() const
 {
     if (signalled) throw Interrupted{};

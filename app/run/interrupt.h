@@ -20,6 +20,7 @@ public:
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
+    bool isSignalled() const;
     /// @throws Interrupted after a signal.
     void check() const;
 };

@@ -44,7 +44,7 @@ double Progress::seconds() const
 void Progress::update(uint64_t done)
 {
     const auto now = Clock::now();
-    if (done <= WARM_UP) {
+    if (done <= first_ + WARM_UP) {
         rateStart_ = now;
         rateDone_ = done;
     }

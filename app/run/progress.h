@@ -16,6 +16,8 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
+    /// Some were done before the start: they say nothing of the rate.
+    void begin(uint64_t done) { first_ = done; }
     void update(uint64_t done);
     /// Since the start [s].
     double seconds() const;
@@ -26,7 +28,7 @@ private:
     uint64_t total_;
     bool shown_, terminal_, dirty_ = false;
     Clock::time_point start_ = Clock::now(), last_ = start_, rateStart_ = start_;
-    uint64_t rateDone_ = 0;  ///< At rateStart_.
+    uint64_t first_ = 0, rateDone_ = 0;  ///< Done at the start, and at rateStart_.
 };
 
 /// "12 s", "3 min 05 s", "2 h 10 min".

@@ -45,23 +45,31 @@ void BlockWriter::commitDurably()
 
 BlockReader::BlockReader(const std::string& path) : path_(path)
 {
-    file_ = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    struct stat facts = {};
-    if (file_ < 0 || fstat(file_, &facts) != 0) refuse(fmt::format("cannot be read: {}", std::strerror(errno)));
-    try {
-        if (!S_ISREG(facts.st_mode)) refuse("is not a regular file; name a file of states");
-        fileBytes_ = static_cast<uint64_t>(facts.st_size);
-        readHeader();
-        for (uint64_t offset = BLOCK_FILE_START; offset != 0;) offset = readBlock(offset);
-    } catch (...) {
-        close(file_);
-        throw;
-    }
+    openFile();
+    for (uint64_t offset = BLOCK_FILE_START; !ended_;) offset = readBlock(offset);
 }
 
-BlockReader::~BlockReader()
+BlockReader::BlockReader(const std::string& path, uint64_t bytes) : path_(path)
 {
-    close(file_);
+    openFile();
+    if (fileBytes_ < bytes) refuse(fmt::format("ends after {} bytes of {}; it was cut", fileBytes_, bytes));
+    fileBytes_ = bytes;
+    uint64_t offset = BLOCK_FILE_START;
+    while (offset < bytes && !ended_) offset = readBlock(offset);
+    if (ended_) refuse("ends too early; make it anew");
+}
+
+BlockReader::~BlockReader() = default;
+
+void BlockReader::openFile()
+{
+    file_ = FileDescriptor(open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat facts = {};
+    if (file_.get() < 0 || fstat(file_.get(), &facts) != 0)
+        refuse(fmt::format("cannot be read: {}", std::strerror(errno)));
+    if (!S_ISREG(facts.st_mode)) refuse("is not a regular file; name a file of states");
+    fileBytes_ = static_cast<uint64_t>(facts.st_size);
+    readHeader();
 }
 
 void BlockReader::readHeader()
@@ -93,7 +101,8 @@ uint64_t BlockReader::readBlock(uint64_t offset)
     if (header->isEnd) {
         if (header->bytes != blocks_.size() || nameAt != fileBytes_)
             refuse("has other bytes after its end mark, or lacks blocks; make it anew");
-        return 0;
+        ended_ = true;
+        return nameAt;
     }
     if (next > fileBytes_) cut();
     uint32_t checksum = 0;
@@ -140,7 +149,7 @@ std::string BlockReader::bytesAt(uint64_t offset, uint64_t count) const
 {
     std::string bytes(count, '\0');
     for (uint64_t done = 0; done < count;) {
-        const ssize_t got = pread(file_, bytes.data() + done, count - done, static_cast<off_t>(offset + done));
+        const ssize_t got = pread(file_.get(), bytes.data() + done, count - done, static_cast<off_t>(offset + done));
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) refuse(got < 0 ? fmt::format("cannot be read: {}", std::strerror(errno)) : "was cut while read");
         done += static_cast<uint64_t>(got);

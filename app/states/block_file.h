@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/states/block_pack.h"
+#include "sim/base/files/file_descriptor.h"
 #include "sim/base/files/output_file.h"
 
 namespace knuckle {
@@ -44,6 +45,8 @@ public:
     /// @throws InputError, one line with the file, if it is missing, no file of blocks, of a newer version, cut or
     /// damaged.
     explicit BlockReader(const std::string& path);
+    /// The first bytes of a file that is still written: whole blocks, without the end mark.
+    BlockReader(const std::string& path, uint64_t bytes);
     ~BlockReader();
     BlockReader(const BlockReader&) = delete;
     BlockReader& operator=(const BlockReader&) = delete;
@@ -77,12 +80,14 @@ private:
     };
     size_t find(std::string_view name) const;
     std::string bytesAt(uint64_t offset, uint64_t count) const;
+    void openFile();
     void readHeader();
-    /// Checks the block at `offset` and adds it. @returns the offset after it, 0 after the end mark.
+    /// Checks the block at `offset` and adds it. @returns the offset after it.
     uint64_t readBlock(uint64_t offset);
 
     std::string path_;
-    int file_ = -1;
+    FileDescriptor file_;
+    bool ended_ = false;  ///< The end mark was read.
     uint64_t fileBytes_ = 0;
     std::vector<Block> blocks_;
     std::vector<Place> places_;

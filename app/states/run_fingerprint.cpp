@@ -3,12 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 
-#include "app/states/block_pack.h"
+#include "app/states/file_checksum.h"
 #include "sim/base/errors.h"
 #include "sim/base/fnv_hash.h"
 #include "sim/world/fingerprint/fingerprint.h"
@@ -33,19 +29,6 @@ constexpr std::array FIELDS{
     Field{"scene", "the hash of the scene's file", &RunFingerprint::scene, false},
     Field{"files", "the hash of the scene's models", &RunFingerprint::files, false},
 };
-
-/// CRC-32 and size of a file.
-std::string fileHash(const std::string& path)
-{
-    const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file) throw InputError(fmt::format("{} cannot be read: {}", path, std::strerror(errno)));
-    std::string piece(size_t{1} << 20, '\0');
-    uint32_t checksum = 0;
-    uint64_t bytes = 0;
-    for (size_t got = 0; (got = std::fread(piece.data(), 1, piece.size(), file.get())) > 0; bytes += got)
-        checksum = crc32({piece.data(), got}, checksum);
-    return fmt::format("{:08x}.{:x}", checksum, bytes);
-}
 
 std::vector<std::string> differ(const RunFingerprint& here, const RunFingerprint& there, bool statesOnly)
 {
@@ -85,9 +68,9 @@ RunFingerprint RunFingerprint::read(const Json& json, const std::string& file)
 
 RunFingerprint fingerprintOf(const Scene& scene, const Gpu& gpu)
 {
-    static const std::string build = fileHash("/proc/self/exe");
+    static const std::string build = fileChecksum("/proc/self/exe");
     FnvHash files;
-    for (const std::string& file : scene.files) files.add(std::string_view(fileHash(file)));
+    for (const std::string& file : scene.files) files.add(std::string_view(fileChecksum(file)));
     return {.program = programVersion(),
             .build = build,
             .shaders = hashText(gpu.shaders().hash()),

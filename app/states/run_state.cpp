@@ -64,10 +64,15 @@ std::vector<std::string> packState(const RunState& state)
     return blocks;
 }
 
+bool hasState(const BlockReader& file, uint64_t frame)
+{
+    return file.has(stateBlock(frame, "about"));
+}
+
 RunState unpackState(const BlockReader& file, uint64_t frame)
 {
     const std::string name = stateBlock(frame, "about");
-    if (!file.has(name)) {
+    if (!hasState(file, frame)) {
         const std::vector<uint64_t> there = statesOf(file);
         file.refuse(there.empty() ? "has no whole state"
                                   : fmt::format("has no whole state of frame {}; it has those of {}", frame,

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "render/output/frame_keep.h"
 #include "render/picture/image.h"
 
 namespace knuckle {
@@ -17,20 +18,38 @@ inline constexpr size_t MAX_UNWRITTEN = 4;
 class FrameSink {
 public:
     virtual ~FrameSink() = default;
+    /// Whether it lacks the frame: one of an earlier run may be kept.
+    virtual bool wants(uint64_t /*number*/) { return true; }
     /// @param number as in frame_0001.png. Blocks while several frames wait. @throws RunError from the writer.
     virtual void write(Image image, uint64_t number) = 0;
+    /// Waits until all that was given is written. @throws RunError.
+    virtual void flush() = 0;
     /// Waits for everything. @throws RunError when a frame could not be written (disk full, ffmpeg failed).
     virtual void finish() = 0;
 };
 
 /// frame_0001.png ... in `folder`, which is made if missing. @throws InputError if it cannot be written to.
-std::unique_ptr<FrameSink> pngSink(const std::string& folder);
+/// @param keep must outlive it; null: nothing is kept.
+std::unique_ptr<FrameSink> pngSink(const std::string& folder, PictureKeep* keep = nullptr);
 /// Endings of films that can be written.
 inline constexpr std::array FILM_ENDINGS{".mp4", ".mov", ".mkv"};
 
-/// H.264, yuv420p, through the ffmpeg program; an OutputFile, complete after finish(). A stream gets the format of its
-/// name's ending, else MP4, in fragments that need no seeking.
+struct FilmFormat {
+    uint32_t width = 0, height = 0;
+    double framesPerSecond = 60.0;
+    std::string container = "mp4";  ///< ffmpeg's name of it; a sink takes the one of its path.
+};
+
+/// The frames of a film. @param keep must outlive the film's sink; null: nothing is kept.
+struct FilmPart {
+    uint64_t first = 0, last = 0;  ///< 0: the first and the last that are written.
+    FilmKeep* keep = nullptr;
+};
+
+/// H.264, yuv420p, through the ffmpeg program; an OutputFile, complete after finish(). Its bytes depend on nothing but
+/// the pictures and ffmpeg. A stream gets the format of its name's ending, else MP4, in fragments that need no seeking,
+/// and keeps nothing.
 /// @throws InputError if ffmpeg is missing or the film cannot be written, and for another ending.
-std::unique_ptr<FrameSink> filmSink(const std::string& path, uint32_t width, uint32_t height, double framesPerSecond);
+std::unique_ptr<FrameSink> filmSink(const std::string& path, const FilmFormat& format, const FilmPart& part = {});
 
 }  // namespace knuckle

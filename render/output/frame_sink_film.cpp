@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/output/ffmpeg.h"
+#include "render/output/film_segments.h"
 #include "render/output/frame_sink.h"
 #include "render/output/task_thread.h"
 #include "sim/base/errors.h"
@@ -13,70 +14,34 @@ namespace knuckle {
 
 namespace {
 
-std::string formatOf(const std::string& path)
+std::string containerOf(const std::string& path)
 {
     const std::string ending = endingOf(path);
     return ending == ".mkv" ? "matroska" : ending == ".mov" ? "mov" : "mp4";
 }
 
-/// ffmpeg's output and its format.
-std::vector<std::string> outputArguments(const std::string& path, const OutputFile& file)
+void checkSize(const Image& image, const FilmFormat& format, uint64_t number)
 {
-    const std::string format = formatOf(path);
-    std::vector<std::string> arguments{"-f", format};
-    if (format != "matroska") {
-        arguments.emplace_back("-movflags");
-        arguments.emplace_back(file.isStream() ? "frag_keyframe+empty_moov+default_base_moof" : "+faststart");
-    }
-    arguments.push_back(file.isStream() ? "pipe:1" : "file:" + file.temporaryName());
-    return arguments;
+    if (image.width != format.width || image.height != format.height)
+        throw RunError(fmt::format("frame {} is {}x{}, but the film is {}x{}", number, image.width, image.height,
+                                   format.width, format.height));
 }
 
-std::vector<std::string> encoderArguments(uint32_t width, uint32_t height, double framesPerSecond)
-{
-    // Without -xerror ffmpeg reports success for a film that did not fit on the disk.
-    std::vector<std::string> arguments = {"-hide_banner", "-loglevel",
-                                          "error",        "-xerror",
-                                          "-nostdin",     "-y",
-                                          "-f",           "rawvideo",
-                                          "-pix_fmt",     "rgb24",
-                                          "-video_size",  fmt::format("{}x{}", width, height),
-                                          "-framerate",   fmt::format("{}", framesPerSecond),
-                                          "-i",           "pipe:0",
-                                          "-an"};
-    const auto add = [&](std::initializer_list<const char*> more) {
-        arguments.insert(arguments.end(), more.begin(), more.end());
-    };
-    // Chroma at half the resolution needs even sizes.
-    if (width % 2 != 0 || height % 2 != 0) add({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"});
-    add({"-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "18", "-preset", "veryfast"});
-    return arguments;
-}
-
-std::vector<std::string> joined(std::vector<std::string> list, const std::vector<std::string>& more)
-{
-    list.insert(list.end(), more.begin(), more.end());
-    return list;
-}
-
-class FilmSink : public FrameSink {
+/// Into a stream, in one piece.
+class StreamSink : public FrameSink {
 public:
-    FilmSink(const std::string& ffmpeg, const std::string& path, uint32_t width, uint32_t height,
-             double framesPerSecond)
-        : width_(width), height_(height), file_(path),
-          ffmpeg_(ffmpeg, joined(encoderArguments(width, height, framesPerSecond), outputArguments(path, file_)),
-                  file_.isStream() ? file_.descriptor() : -1, shownPath(path))
+    StreamSink(const std::string& ffmpeg, const std::string& path, FilmFormat format)
+        : format_(std::move(format)), file_(path),
+          ffmpeg_(ffmpeg, arguments(format_), file_.descriptor(), shownPath(path))
     {
     }
 
     void write(Image image, uint64_t number) override
     {
-        if (image.width != width_ || image.height != height_)
-            throw RunError(fmt::format("frame {} is {}x{}, but the film is {}x{}", number, image.width, image.height,
-                                       width_, height_));
+        checkSize(image, format_, number);
         writer_.push([this, image = std::move(image)] { ffmpeg_.write(image.rgb.data(), image.rgb.size()); });
     }
-
+    void flush() override { writer_.drain(); }
     void finish() override
     {
         writer_.drain();
@@ -85,25 +50,75 @@ public:
     }
 
 private:
-    uint32_t width_, height_;
-    // The order matters: first the thread ends, then ffmpeg is stopped, then its output is removed.
+    static std::vector<std::string> arguments(const FilmFormat& format)
+    {
+        std::vector<std::string> list = encoderArguments(format);
+        list.insert(list.end(), {"-f", format.container});
+        // A stream has no way back.
+        if (format.container != "matroska")
+            list.insert(list.end(), {"-movflags", "frag_keyframe+empty_moov+default_base_moof"});
+        list.emplace_back("pipe:1");
+        return list;
+    }
+
+    FilmFormat format_;
+    // The order matters: first the thread ends, then ffmpeg is stopped, then its output is closed.
     OutputFile file_;
     Ffmpeg ffmpeg_;
     TaskThread writer_{MAX_UNWRITTEN};
 };
 
+class FilmSink : public FrameSink {
+public:
+    FilmSink(const std::string& ffmpeg, const std::string& path, const FilmFormat& format, const FilmPart& part)
+        : format_(format), first_(part.first), last_(part.last), file_(path),
+          own_(part.keep != nullptr ? nullptr : temporaryKeep(path)),
+          segments_(ffmpeg, format, shownPath(path), part.keep != nullptr ? *part.keep : *own_)
+    {
+    }
+
+    bool wants(uint64_t number) override { return own_ != nullptr || segments_.wants(number - first_); }
+    void write(Image image, uint64_t number) override
+    {
+        checkSize(image, format_, number);
+        if (first_ == 0) first_ = number;
+        last_ = std::max(last_, number);
+        writer_.push([this, index = number - first_, image = std::move(image)] { segments_.write(index, image.rgb); });
+    }
+    void flush() override { writer_.drain(); }
+    void finish() override
+    {
+        writer_.drain();
+        segments_.finish(last_ - first_ + 1, file_.temporaryName());
+        file_.commit();
+    }
+
+private:
+    FilmFormat format_;
+    uint64_t first_, last_;
+    // The order matters: first the thread ends, then ffmpeg is stopped, then its outputs are removed.
+    OutputFile file_;
+    std::unique_ptr<FilmKeep> own_;
+    FilmSegments segments_;
+    TaskThread writer_{MAX_UNWRITTEN};
+};
+
 }  // namespace
 
-std::unique_ptr<FrameSink> filmSink(const std::string& path, uint32_t width, uint32_t height, double framesPerSecond)
+std::unique_ptr<FrameSink> filmSink(const std::string& path, const FilmFormat& wanted, const FilmPart& part)
 {
-    if (OutputPlace::of(path).kind != OutputPlace::Kind::Stream && !std::ranges::count(FILM_ENDINGS, endingOf(path)))
+    const bool stream = OutputPlace::of(path).kind == OutputPlace::Kind::Stream;
+    if (!stream && !std::ranges::count(FILM_ENDINGS, endingOf(path)))
         throw InputError(fmt::format("film {}: its kind is not known; name it .mp4, .mov or .mkv", shownPath(path)));
     const std::string ffmpeg = findProgram("ffmpeg");
     if (ffmpeg.empty())
         throw InputError(fmt::format("film {}: the program ffmpeg is not in PATH; install it (apt install ffmpeg), or "
                                      "write PNG frames with -o FOLDER",
                                      shownPath(path)));
-    return std::make_unique<FilmSink>(ffmpeg, path, width, height, framesPerSecond);
+    FilmFormat format = wanted;
+    format.container = containerOf(path);
+    if (stream) return std::make_unique<StreamSink>(ffmpeg, path, format);
+    return std::make_unique<FilmSink>(ffmpeg, path, format, part);
 }
 
 }  // namespace knuckle

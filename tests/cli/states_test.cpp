@@ -109,8 +109,8 @@ TEST_F(States, AreRefusedInOneLine)
             "--export measures: run.states does not hold what they are measured from; export them in the run that "
             "simulates");
     refused({"--from", "run.states", "--hash"},
-            "--from: nothing is simulated, so there is nothing to record, to measure or to hash; leave out --record, "
-            "--save-state, --stats and --hash");
+            "--from: nothing is simulated, so there is nothing to record, to measure or to go on with; leave out "
+            "--record, --save-state, --stats, --hash, --checkpoint and --resume");
     refused({"tiny.json", "--record", "states"}, "--record states: must be states=FILE");
     refused({"tiny.json", "--save-state", "end.png"},
             "--save-state end.png: a file of states is written as .states; name it so, or - for standard output");

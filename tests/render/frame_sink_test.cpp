@@ -103,7 +103,7 @@ TEST_F(FrameSinkTest, AFolderThatCannotBeMadeIsAnInputError)
     std::ofstream(at("file")) << "x";
     EXPECT_THROW(pngSink(at("file/frames")), InputError);
     EXPECT_THROW(pngSink("/proc/frames"), InputError);
-    EXPECT_THROW(filmSink(at("file/film.mp4"), 16, 16, 30), InputError);
+    EXPECT_THROW(filmSink(at("file/film.mp4"), {16, 16, 30}), InputError);
 }
 
 TEST_F(FrameSinkTest, AFullDiskIsARunErrorAndLeavesNoHalfWrittenFrame)
@@ -122,7 +122,7 @@ TEST_F(FrameSinkTest, AFullDiskIsARunErrorAndLeavesNoHalfWrittenFrame)
 TEST_F(FrameSinkTest, AFilmAppearsWholeAndAtItsSize)
 {
     if (findProgram("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
-    const auto sink = filmSink(at("film.mp4"), 33, 21, 30.0);
+    const auto sink = filmSink(at("film.mp4"), {33, 21, 30.0});
     for (uint64_t i = 1; i <= 5; ++i) sink->write(noise(33, 21, static_cast<uint32_t>(i)), i);
     EXPECT_FALSE(fs::exists(at("film.mp4")));
     sink->finish();
@@ -134,7 +134,7 @@ TEST_F(FrameSinkTest, AnAbandonedFilmLeavesNothing)
 {
     if (findProgram("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
     {
-        const auto sink = filmSink(at("film.mp4"), 32, 32, 30.0);
+        const auto sink = filmSink(at("film.mp4"), {32, 32, 30.0});
         sink->write(noise(32, 32), 1);
         EXPECT_THROW(sink->write(noise(16, 16), 2), RunError);
     }
@@ -146,7 +146,7 @@ TEST_F(FrameSinkTest, AFullDiskStopsAFilmWithOneLine)
     if (findProgram("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
     EXPECT_EQ(onFullDisk(20000,
                          [&] {
-                             const auto sink = filmSink(at("film.mp4"), 256, 256, 30.0);
+                             const auto sink = filmSink(at("film.mp4"), {256, 256, 30.0});
                              for (uint64_t i = 1; i <= 40; ++i)
                                  sink->write(noise(256, 256, static_cast<uint32_t>(i)), i);
                              sink->finish();
@@ -169,7 +169,7 @@ TEST_F(FrameSinkTest, WithoutFfmpegAFilmIsAnInputErrorThatSaysWhatToInstall)
 {
     const PathIs path(folder_.string());
     try {
-        filmSink(at("film.mp4"), 32, 32, 30.0);
+        filmSink(at("film.mp4"), {32, 32, 30.0});
         FAIL() << "made a film without ffmpeg";
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("ffmpeg"), std::string::npos);
@@ -183,7 +183,7 @@ TEST_F(FrameSinkTest, WhatFfmpegSaysReachesTheUserInOneLine)
     std::ofstream(at("bin/ffmpeg")) << "#!/bin/sh\necho 'the encoder is broken' >&2\necho 'really' >&2\nexit 3\n";
     fs::permissions(at("bin/ffmpeg"), fs::perms::owner_all);
     const PathIs path(at("bin"));
-    const auto sink = filmSink(at("film.mp4"), 512, 512, 30.0);
+    const auto sink = filmSink(at("film.mp4"), {512, 512, 30.0});
     try {
         // More than a pipe holds, so that a write fails after the reader has closed.
         for (uint64_t i = 1; i <= 8; ++i) sink->write(noise(512, 512), i);
@@ -197,7 +197,7 @@ TEST_F(FrameSinkTest, WhatFfmpegSaysReachesTheUserInOneLine)
 
 TEST_F(FrameSinkTest, AFilmOfUnknownKindIsRefused)
 {
-    EXPECT_THROW(filmSink(at("film.gif"), 32, 32, 30.0), InputError);
+    EXPECT_THROW(filmSink(at("film.gif"), {32, 32, 30.0}), InputError);
 }
 
 TEST(CompareImages, CountsWhatDiffers)

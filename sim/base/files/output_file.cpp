@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -24,11 +25,17 @@ namespace fs = std::filesystem;
 
 constexpr size_t BLOCK = size_t{1} << 16;  // bytes written at once
 
-/// Short, since the final name may be as long as the file system allows. Unique to this process.
+/// Short, since the final name may be as long as the file system allows.
+std::string temporaryPrefix(pid_t process)
+{
+    return fmt::format(".knuckle.{}.", process);
+}
+
+/// Unique to this process.
 std::string temporaryNameIn(const std::string& folder)
 {
     static std::atomic<uint32_t> count = 0;
-    return fmt::format("{}/.knuckle.{}.{}", folder, getpid(), ++count);
+    return fmt::format("{}/{}{}", folder, temporaryPrefix(getpid()), ++count);
 }
 
 int create(const std::string& path)
@@ -127,6 +134,16 @@ void writeFile(const std::string& path, std::string_view bytes)
     OutputFile file(path);
     file.write(bytes);
     file.commit();
+}
+
+void removeTemporaries(const std::string& folder, pid_t process)
+{
+    if (process <= 0 || process == getpid() || kill(process, 0) == 0 || errno == EPERM) return;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename();
+        if (name.starts_with(temporaryPrefix(process))) unlink(entry.path().c_str());
+    }
 }
 
 void requireWritableFolder(const std::string& folder)

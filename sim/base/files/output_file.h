@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,6 +51,9 @@ private:
 
 /// Writes a whole file. @throws as OutputFile.
 void writeFile(const std::string& path, std::string_view bytes);
+
+/// Removes temporary files that a process left in a folder; nothing if it still runs.
+void removeTemporaries(const std::string& folder, pid_t process);
 
 /// Makes the folder and its parents if missing and tries to write there. @throws InputError with the system's reason,
 /// or if it is no folder.

@@ -64,9 +64,9 @@ BoxBones boxPerson()
                    {"spine", "hips", {0, 1.1f, 0}, {0, 1.25f, 0}, {0.15f, 0.15f, 0.1f}},
                    {"head", "spine", {0, 1.45f, 0}, {0, 1.58f, 0}, {0.1f, 0.13f, 0.11f}}};
     for (const auto& [side, x] : SIDES) {
-        const auto add = [&, s = std::string(side)](const std::string& name, const std::string& parent,
-                                                    const Vector3f& head, const Vector3f& centre,
-                                                    const Vector3f& half) {
+        const auto add = [&bones, s = std::string(side), x = x](const std::string& name, const std::string& parent,
+                                                                const Vector3f& head, const Vector3f& centre,
+                                                                const Vector3f& half) {
             const bool trunk = parent == "hips" || parent == "spine";
             const Vector3f mirror(x, 1, 1);
             bones.push_back(

@@ -1,4 +1,4 @@
-#include "app/film/frame_record.h"
+#include "app/export/frame_export.h"
 
 #include <stdexcept>
 

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "app/export/exporters.h"
 #include "app/states/run_state.h"
 #include "sim/solver/measure/view_state.h"
 
@@ -18,8 +17,5 @@ struct FrameRecord {
     std::optional<Measures> measures = {};
     std::optional<RunState> state = {};
 };
-
-/// Hands a frame to exporters. The record must have what they need.
-void exportFrame(const FrameRecord& record, const World& world, const ExportNeeds& needs, const Exporters& exporters);
 
 }  // namespace knuckle
