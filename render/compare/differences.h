@@ -27,7 +27,7 @@ struct Differences {
     double max = 0.0;                           ///< The largest of all channels.
     uint64_t differing = 0;                     ///< Pixels that are not the same to the last bit.
     uint64_t changed = 0;                       ///< Pixels of which a channel differs by more than the threshold.
-    std::vector<uint8_t> marks;  ///< Per pixel: 0 the same, 1 differing, 2 changed; width * height.
+    std::vector<uint8_t> marks;                 ///< Per pixel: 0 the same, 1 differing, 2 changed; width * height.
 };
 
 /// The larger of the differences of a pixel's four channels; not a number against itself is none, against a number the

@@ -97,9 +97,9 @@ private:
         thread_local LightTile a, b;
         FlipTile tile(filters_);
         for (uint32_t i = 0; i < exposures_.count; ++i) {
-            const float step = exposures_.count > 1 ? (exposures_.stop - exposures_.start) /
-                                                          static_cast<float>(exposures_.count - 1)
-                                                    : 0.0f;
+            const float step = exposures_.count > 1
+                                   ? (exposures_.stop - exposures_.start) / static_cast<float>(exposures_.count - 1)
+                                   : 0.0f;
             const float gain = std::exp2(exposures_.start + static_cast<float>(i) * step);
             load(a_, part, gain, a);
             load(b_, part, gain, b);

@@ -53,7 +53,8 @@ std::vector<float> balanced(const Weights& weights)
     for (const double weight : weights) (weight > 0.0 ? positive : negative) += std::fabs(weight);
     std::vector<float> kernel;
     kernel.reserve(weights.size());
-    for (const double weight : weights) kernel.push_back(static_cast<float>(weight / (weight > 0 ? positive : negative)));
+    for (const double weight : weights)
+        kernel.push_back(static_cast<float>(weight / (weight > 0 ? positive : negative)));
     return kernel;
 }
 

@@ -39,10 +39,10 @@ const Plane& FlipTile::errors(LightTile& a, LightTile& b)
         const float distance = hyabDistance(color(a_), color(b_));
         const float edges = std::fabs(a_.edge.values[i] - b_.edge.values[i]);
         const float points = std::fabs(a_.point.values[i] - b_.point.values[i]);
-        const float feature =
-            std::pow(std::max(edges, points) / std::numbers::sqrt2_v<float>, FEATURE_EXPONENT);
-        errors_.values[i] =
-            distance > 0.0f ? std::pow(std::min(1.0f, colorError(distance, largestDistance_)), 1.0f - feature) : 0.0f;
+        const float feature = std::pow(std::max(edges, points) / std::numbers::sqrt2_v<float>, FEATURE_EXPONENT);
+        errors_.values[i] = distance > 0.0f
+                                ? std::pow(std::min(1.0f, colorError(distance, largestDistance_)), 1.0f - feature)
+                                : 0.0f;
     }
     return errors_;
 }

@@ -20,7 +20,7 @@ public:
 private:
     /// What is compared of one picture.
     struct Seen {
-        LightTile colors;    ///< As the eye takes them in, in CIELAB with the Hunt effect.
+        LightTile colors;   ///< As the eye takes them in, in CIELAB with the Hunt effect.
         Plane edge, point;  ///< How strong edges and points are there.
     };
     void see(LightTile& light, Seen& seen);

@@ -81,8 +81,8 @@ std::vector<DifferencePlace> findPlaces(const std::vector<uint8_t>& marks, uint3
     }
     std::vector<DifferencePlace> places;
     for (const auto& [set, bounds] : found)
-        places.push_back({{bounds.left, bounds.top, bounds.right - bounds.left + 1, bounds.bottom - bounds.top + 1},
-                          bounds.pixels});
+        places.push_back(
+            {{bounds.left, bounds.top, bounds.right - bounds.left + 1, bounds.bottom - bounds.top + 1}, bounds.pixels});
     std::ranges::stable_sort(places, [](const DifferencePlace& p, const DifferencePlace& q) {
         return std::tuple(q.pixels, p.box.y, p.box.x) < std::tuple(p.pixels, q.box.y, q.box.x);
     });

@@ -64,8 +64,8 @@ Verdict judge(const PictureComparison& comparison, const CompareLimits& limits)
         check(comparison.tile.score, limits.tile, fmt::format("the tile {} scores", boxWords(comparison.tile.box)));
         check(comparison.flip.mean, limits.flip, "mean FLIP");
         if (limits.ssim && comparison.ssim.mean < *limits.ssim)
-            verdict.reasons.push_back(fmt::format("mean SSIM {} (at least {})", number(comparison.ssim.mean),
-                                                  number(*limits.ssim)));
+            verdict.reasons.push_back(
+                fmt::format("mean SSIM {} (at least {})", number(comparison.ssim.mean), number(*limits.ssim)));
     }
     verdict.equal = verdict.reasons.empty();
     return verdict;
@@ -74,8 +74,9 @@ Verdict judge(const PictureComparison& comparison, const CompareLimits& limits)
 std::string verdictLine(const PictureComparison& comparison, const Verdict& verdict)
 {
     const Differences& differences = comparison.differences;
-    const std::string ignored =
-        comparison.antialiased > 0 ? fmt::format("; {} of edges ignored", count(comparison.antialiased, "pixel")) : "";
+    const std::string ignored = comparison.antialiased > 0
+                                    ? fmt::format("; {} of edges ignored", count(comparison.antialiased, "pixel"))
+                                    : "";
     if (!verdict.equal) return fmt::format("different: {}{}", fmt::join(verdict.reasons, "; "), ignored);
     if (comparison.identical())
         return fmt::format("equal: {} compared, none differs{}", count(comparison.compared, "pixel"), ignored);

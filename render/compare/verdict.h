@@ -14,13 +14,13 @@ namespace knuckle {
 /// pixel of an edge. They find what is small and there: a few pixels that stand alone, a thing of the size of an icon, a
 /// picture that has become 3 % brighter.
 struct CompareLimits {
-    std::optional<uint64_t> pixels;        ///< Changed pixels.
-    std::optional<double> share = 0.005;   ///< Changed pixels as a share of the compared ones, 0-1.
-    std::optional<double> mean = 1.0;      ///< Mean difference, 0-255.
-    std::optional<double> largest;         ///< Largest difference of a channel, 0-255.
-    std::optional<double> tile = 1.0;      ///< Score of the worst tile.
-    std::optional<double> flip = 0.05;     ///< Mean of FLIP, 0-1.
-    std::optional<double> ssim;            ///< At least, -1 to 1.
+    std::optional<uint64_t> pixels;       ///< Changed pixels.
+    std::optional<double> share = 0.005;  ///< Changed pixels as a share of the compared ones, 0-1.
+    std::optional<double> mean = 1.0;     ///< Mean difference, 0-255.
+    std::optional<double> largest;        ///< Largest difference of a channel, 0-255.
+    std::optional<double> tile = 1.0;     ///< Score of the worst tile.
+    std::optional<double> flip = 0.05;    ///< Mean of FLIP, 0-1.
+    std::optional<double> ssim;           ///< At least, -1 to 1.
 };
 
 struct Verdict {

@@ -77,12 +77,12 @@ ExrChannels findChannels(const Imf::ChannelList& channels, const std::string& na
         const Imf::Channel* channel = channels.findChannel(found.names[c]);
         if (channel->xSampling != 1 || channel->ySampling != 1)
             failPicture(name, fmt::format("its channel {} is stored coarser than the picture; write all channels at "
-                                          "full size", found.names[c]));
+                                          "full size",
+                                          found.names[c]));
         if (channel->type != Imf::HALF) found.bits = 32;
         any = any || c < 3;
     }
-    if (found.grey && (has("RY") || has("BY")))
-        failPicture(name, "it is luminance with chroma; write it as RGB");
+    if (found.grey && (has("RY") || has("BY"))) failPicture(name, "it is luminance with chroma; write it as RGB");
     if (!any) failPicture(name, "it has no channel R, G, B or Y; write colours");
     return found;
 }
@@ -108,8 +108,8 @@ void readChannels(Imf::InputFile& file, const ExrChannels& channels, const Imath
     for (size_t c = 0; c < 4; ++c) {
         if (channels.names[c].empty()) continue;
         char* first = reinterpret_cast<char*>(picture.rgba.data() + c) + origin;
-        frame.insert(channels.names[c], Imf::Slice(Imf::FLOAT, first, static_cast<size_t>(stride),
-                                                   static_cast<size_t>(rowStride)));
+        frame.insert(channels.names[c],
+                     Imf::Slice(Imf::FLOAT, first, static_cast<size_t>(stride), static_cast<size_t>(rowStride)));
     }
     file.setFrameBuffer(frame);
     file.readPixels(data.min.y, data.max.y);

@@ -67,10 +67,8 @@ bool readPixels(JpegFile& file)
 {
     if (setjmp(file.jump)) return false;
     jpeg_decompress_struct& codec = file.codec;
-    if (codec.jpeg_color_space == JCS_YCbCr || codec.jpeg_color_space == JCS_GRAYSCALE)
-        codec.out_color_space = JCS_RGB;
-    else if (codec.num_components == 4)
-        codec.out_color_space = JCS_CMYK;
+    if (codec.jpeg_color_space == JCS_YCbCr || codec.jpeg_color_space == JCS_GRAYSCALE) codec.out_color_space = JCS_RGB;
+    else if (codec.num_components == 4) codec.out_color_space = JCS_CMYK;
     jpeg_start_decompress(&codec);
     file.rowSize = static_cast<size_t>(codec.output_width) * static_cast<size_t>(codec.output_components);
     file.pixels.resize(file.rowSize * codec.output_height);

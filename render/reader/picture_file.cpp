@@ -59,8 +59,8 @@ void checkPictureSize(uint64_t width, uint64_t height, const std::string& name)
     if (width == 0 || height == 0) failPicture(name, "it has no pixels");
     const uint64_t most = MAX_PICTURE_PIXELS;
     if (width > most || height > most || width * height > most)
-        failPicture(name, fmt::format("{} x {} pixels are more than the {} that fit; cut or shrink it", width, height,
-                                      most));
+        failPicture(name,
+                    fmt::format("{} x {} pixels are more than the {} that fit; cut or shrink it", width, height, most));
     const uint64_t needed = width * height * PIXEL_BYTES, available = availableMemory();
     if (available != 0 && needed > available)
         failPicture(name, fmt::format("{} x {} pixels need {} MiB, and {} MiB of memory are free; cut or shrink it",
