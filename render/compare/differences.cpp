@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "render/compare/parallel.h"
@@ -32,7 +31,7 @@ RowSums sumsOfRow(const float* a, const float* b, uint32_t width, float threshol
 {
     RowSums row;
     for (uint32_t x = 0; x < width; ++x, a += 4, b += 4) {
-        if (std::memcmp(a, b, 4 * sizeof(float)) == 0) continue;
+        if (a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3]) continue;
         float worst = 0.0f;
         for (size_t c = 0; c < 4; ++c) {
             const float difference = channelDifference(a[c], b[c]);

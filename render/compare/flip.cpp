@@ -40,8 +40,10 @@ struct StepTable {
     {
         if (!(encoded > 0.0f)) return 0.0f;
         if (encoded >= 1.0f) return 1.0f;
-        const float step = encoded * 255.0f, nearest = std::floor(step + 0.5f);
-        return std::fabs(step - nearest) < 1e-4f ? light[static_cast<size_t>(nearest)] : linearOfSrgb(encoded);
+        const float step = encoded * 255.0f;
+        const int nearest = static_cast<int>(step + 0.5f);
+        return std::fabs(step - static_cast<float>(nearest)) < 1e-4f ? light[static_cast<size_t>(nearest)]
+                                                                     : linearOfSrgb(encoded);
     }
 };
 
@@ -117,15 +119,25 @@ private:
         static const StepTable steps;
         const uint32_t reach = filters_.reach;
         for (Plane& plane : tile) plane.resize(part.width + 2 * reach, part.height + 2 * reach);
+        const uint32_t width = tile[0].width;
+        std::vector<size_t> columns(width);
+        for (uint32_t x = 0; x < width; ++x)
+            columns[x] = 4 * static_cast<size_t>(
+                                 std::clamp<int64_t>(int64_t{part.x} + x - reach, 0, int64_t{picture.width} - 1));
         for (uint32_t y = 0; y < tile[0].height; ++y) {
             const size_t row = std::clamp<int64_t>(int64_t{part.y} + y - reach, 0, int64_t{picture.height} - 1);
-            for (uint32_t x = 0; x < tile[0].width; ++x) {
-                const size_t column = std::clamp<int64_t>(int64_t{part.x} + x - reach, 0, int64_t{picture.width} - 1);
-                const float* pixel = &picture.rgba[(row * picture.width + column) * 4];
-                for (size_t c = 0; c < 3; ++c) {
-                    const float shown = pixel[c] + (1.0f - pixel[3]) * settings_.background[c];
-                    tile[c].row(y)[x] = hdr_ ? toneMapAces(gain * lightOf(shown)) : steps.of(shown);
-                }
+            const float* const pixels = &picture.rgba[row * picture.width * 4];
+            float *red = tile[0].row(y), *green = tile[1].row(y), *blue = tile[2].row(y);
+            for (uint32_t x = 0; x < width; ++x) {
+                const float* pixel = pixels + columns[x];
+                const float clear = 1.0f - pixel[3];
+                const auto light = [&](size_t c) {
+                    const float shown = pixel[c] + clear * settings_.background[c];
+                    return hdr_ ? toneMapAces(gain * lightOf(shown)) : steps.of(shown);
+                };
+                red[x] = light(0);
+                green[x] = light(1);
+                blue[x] = light(2);
             }
         }
     }

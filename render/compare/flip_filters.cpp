@@ -76,6 +76,25 @@ void addFeatureFilters(double pixelsPerDegree, FlipFilters& filters)
     filters.reach = std::max(filters.reach, static_cast<uint32_t>(radius));
 }
 
+/// Adds rows times the kernel's weights to a row. Four at a time, so that the sum is not loaded and stored for each.
+/// @param step from one row to the next.
+void addWeighted(const float* rows, size_t step, const std::vector<float>& kernel, float scale, uint32_t width,
+                 float* __restrict to)
+{
+    size_t k = 0;
+    for (; k + 4 <= kernel.size(); k += 4) {
+        const float *a = rows + k * step, *b = a + step, *c = b + step, *d = c + step;
+        const float u = kernel[k] * scale, v = kernel[k + 1] * scale, w = kernel[k + 2] * scale,
+                    z = kernel[k + 3] * scale;
+        for (uint32_t x = 0; x < width; ++x) to[x] += (u * a[x] + v * b[x]) + (w * c[x] + z * d[x]);
+    }
+    for (; k < kernel.size(); ++k) {
+        const float* from = rows + k * step;
+        const float weight = kernel[k] * scale;
+        for (uint32_t x = 0; x < width; ++x) to[x] += weight * from[x];
+    }
+}
+
 }  // namespace
 
 FlipFilters makeFlipFilters(double pixelsPerDegree)
@@ -109,13 +128,9 @@ void filterRows(const Plane& in, const std::vector<float>& kernel, uint32_t reac
     out.resize(in.width - 2 * reach, in.height);
     const uint32_t first = reach - static_cast<uint32_t>(kernel.size() / 2);
     for (uint32_t y = 0; y < in.height; ++y) {
-        float* __restrict to = out.row(y);
+        float* to = out.row(y);
         std::fill_n(to, out.width, 0.0f);
-        for (size_t k = 0; k < kernel.size(); ++k) {
-            const float* __restrict from = in.row(y) + first + k;
-            const float weight = kernel[k];
-            for (uint32_t x = 0; x < out.width; ++x) to[x] += weight * from[x];
-        }
+        addWeighted(in.row(y) + first, 1, kernel, 1.0f, out.width, to);
     }
 }
 
@@ -124,13 +139,9 @@ void filterColumns(const Plane& in, const std::vector<float>& kernel, uint32_t r
     out.resize(in.width, in.height - 2 * reach);
     const uint32_t first = reach - static_cast<uint32_t>(kernel.size() / 2);
     for (uint32_t y = 0; y < out.height; ++y) {
-        float* __restrict to = out.row(y);
+        float* to = out.row(y);
         if (!add) std::fill_n(to, out.width, 0.0f);
-        for (size_t k = 0; k < kernel.size(); ++k) {
-            const float* __restrict from = in.row(y + first + static_cast<uint32_t>(k));
-            const float weight = kernel[k] * scale;
-            for (uint32_t x = 0; x < out.width; ++x) to[x] += weight * from[x];
-        }
+        addWeighted(in.row(y + first), in.width, kernel, scale, out.width, to);
     }
 }
 

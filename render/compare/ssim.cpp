@@ -13,7 +13,7 @@ constexpr uint32_t WINDOW = 11;
 constexpr double DEVIATION = 1.5;
 constexpr double C1 = 0.01 * 0.01, C2 = 0.03 * 0.03;
 /// Rows of windows that a thread takes at a time.
-constexpr uint32_t BAND = 16;
+constexpr uint32_t BAND = 40;
 
 std::vector<double> windowWeights(uint32_t size)
 {
@@ -32,8 +32,9 @@ double lumaOf(const float* pixel, const std::array<float, 3>& background)
 {
     std::array<double, 3> shown{};
     for (size_t c = 0; c < 3; ++c) {
-        const double value = static_cast<double>(pixel[c] + (1.0f - pixel[3]) * background[c]);
-        shown[c] = std::isnan(value) ? 0.0 : std::clamp(value, 0.0, 1.0);
+        const float value = pixel[c] + (1.0f - pixel[3]) * background[c];
+        // In this order what is no number counts as 0.
+        shown[c] = static_cast<double>(std::min(1.0f, std::max(0.0f, value)));
     }
     return 0.299 * shown[0] + 0.587 * shown[1] + 0.114 * shown[2];
 }
@@ -83,27 +84,35 @@ public:
 private:
     using Means = std::array<std::vector<double>, 5>;
 
-    /// Weighted means along a row of a, b, a a, b b and a b, for each window's place.
-    void meansOfRow(uint32_t y, Means& means) const
+    /// Adds rows times weights to a row. @param step from one row to the next.
+    static void addWeighted(const double* rows, size_t step, const std::vector<double>& weights, uint32_t width,
+                            double* __restrict to)
     {
-        std::vector<double> a(a_.width), b(a_.width);
+        size_t k = 0;
+        for (; k + 2 <= weights.size(); k += 2) {
+            const double *a = rows + k * step, *b = a + step;
+            for (uint32_t x = 0; x < width; ++x) to[x] += weights[k] * a[x] + weights[k + 1] * b[x];
+        }
+        for (; k < weights.size(); ++k)
+            for (uint32_t x = 0; x < width; ++x) to[x] += weights[k] * rows[k * step + x];
+    }
+
+    /// Weighted means along a row of a, b, a a, b b and a b, for each window's place, into row i of `means`.
+    void meansOfRow(uint32_t y, uint32_t i, Means& means) const
+    {
+        Means values;
+        for (std::vector<double>& value : values) value.resize(a_.width);
         for (uint32_t x = 0; x < a_.width; ++x) {
             const size_t at = (static_cast<size_t>(y) * a_.width + x) * 4;
-            a[x] = lumaOf(&a_.rgba[at], background_);
-            b[x] = lumaOf(&b_.rgba[at], background_);
+            const double a = lumaOf(&a_.rgba[at], background_), b = lumaOf(&b_.rgba[at], background_);
+            values[0][x] = a;
+            values[1][x] = b;
+            values[2][x] = a * a;
+            values[3][x] = b * b;
+            values[4][x] = a * b;
         }
-        for (std::vector<double>& mean : means) mean.assign(columns_, 0.0);
-        for (size_t k = 0; k < across_.size(); ++k) {
-            const double weight = across_[k];
-            for (uint32_t x = 0; x < columns_; ++x) {
-                const double u = a[x + k], v = b[x + k];
-                means[0][x] += weight * u;
-                means[1][x] += weight * v;
-                means[2][x] += weight * u * u;
-                means[3][x] += weight * v * v;
-                means[4][x] += weight * u * v;
-            }
-        }
+        for (size_t m = 0; m < means.size(); ++m)
+            addWeighted(values[m].data(), 1, across_, columns_, &means[m][static_cast<size_t>(i) * columns_]);
     }
 
     bool isMarked(uint32_t first, uint32_t last) const
@@ -118,16 +127,15 @@ private:
         BandResult band;
         const auto height = static_cast<uint32_t>(down_.size());
         if (!isMarked(first, last + height - 1)) return band;
-        std::vector<Means> rows(last - first + height - 1);
-        for (uint32_t i = 0; i < rows.size(); ++i) meansOfRow(first + i, rows[i]);
-        Means sums;
+        const uint32_t rows = last - first + height - 1;
+        Means means, sums;
+        for (std::vector<double>& mean : means) mean.resize(static_cast<size_t>(rows) * columns_);
+        for (uint32_t i = 0; i < rows; ++i) meansOfRow(first + i, i, means);
         for (uint32_t y = first; y < last; ++y) {
             for (size_t m = 0; m < sums.size(); ++m) {
                 sums[m].assign(columns_, 0.0);
-                for (uint32_t k = 0; k < height; ++k) {
-                    const std::vector<double>& row = rows[y - first + k][m];
-                    for (uint32_t x = 0; x < columns_; ++x) sums[m][x] += down_[k] * row[x];
-                }
+                addWeighted(&means[m][static_cast<size_t>(y - first) * columns_], columns_, down_, columns_,
+                            sums[m].data());
             }
             for (uint32_t x = 0; x < columns_; ++x) {
                 const double value = similarity({sums[0][x], sums[1][x], sums[2][x], sums[3][x], sums[4][x]});
