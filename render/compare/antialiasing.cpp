@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/compare/differences.h"
+#include "render/compare/neighbours.h"
 
 namespace knuckle {
 
@@ -11,6 +11,8 @@ namespace {
 
 /// Pixels that differ by no more steps than this are the same: dithering, rounding.
 constexpr float SAME = 1.01f;
+/// So many steps a pixel may lie outside of its neighbours in the other picture.
+constexpr double SLACK = 2.0;
 /// So many neighbours are the same in a flat area, and no more than so many along an edge.
 constexpr int FLAT = 3, ALONG_EDGE = 2;
 
@@ -79,6 +81,8 @@ bool isEdgePixel(const Picture& picture, const Picture& other, uint32_t x, uint3
 
 bool isAntialiasedEdge(const Picture& a, const Picture& b, uint32_t x, uint32_t y)
 {
+    for (size_t c = 0; c < 4; ++c)
+        if (outsideNeighbours(a, b, x, y, c) > SLACK || outsideNeighbours(b, a, x, y, c) > SLACK) return false;
     return isEdgePixel(a, b, x, y) || isEdgePixel(b, a, x, y);
 }
 

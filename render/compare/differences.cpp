@@ -10,7 +10,7 @@ namespace knuckle {
 
 namespace {
 
-/// What 8-bit steps are found by must not hang on the last bit of a float.
+/// Whether 8-bit steps are more than a whole number must not hang on the last bit of a float.
 constexpr float TOLERANCE = 1e-3f;
 
 float channelDifference(float a, float b)
@@ -40,7 +40,7 @@ RowSums sumsOfRow(const float* a, const float* b, uint32_t width, float threshol
             worst = std::max(worst, difference);
         }
         if (worst <= 0.0f) continue;
-        const bool changed = worst > threshold + TOLERANCE;
+        const bool changed = worst > threshold;
         ++row.differing;
         row.changed += changed ? 1 : 0;
         marks[x] = changed ? 2 : 1;
@@ -62,6 +62,7 @@ Differences findDifferences(const Picture& a, const Picture& b, float threshold,
     Differences result;
     result.marks.resize(a.pixelCount());
     std::vector<RowSums> rows(a.height);
+    if (threshold > 0.0f) threshold += TOLERANCE;
     forEachParallel(a.height, threads, [&](size_t y) {
         const size_t first = y * a.width;
         rows[y] = sumsOfRow(&a.rgba[first * 4], &b.rgba[first * 4], a.width, threshold, &result.marks[first]);

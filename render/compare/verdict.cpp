@@ -10,6 +10,9 @@ namespace knuckle {
 
 namespace {
 
+/// A limit of whole steps must not hang on the last bits of floats.
+constexpr double LAST_BITS = 1e-4;
+
 /// Four digits that count, so that what is not 0 is not shown as 0.
 std::string number(double value)
 {
@@ -56,7 +59,7 @@ Verdict judge(const PictureComparison& comparison, const CompareLimits& limits)
     } else {
         checkChanged(comparison, limits, verdict.reasons);
         const auto check = [&](double value, const std::optional<double>& limit, const std::string& words) {
-            if (limit && value > *limit)
+            if (limit && value > *limit + (*limit > 0.0 ? LAST_BITS : 0.0))
                 verdict.reasons.push_back(fmt::format("{} {} (at most {})", words, number(value), number(*limit)));
         };
         check(comparison.differences.mean, limits.mean, "mean difference of 255");
