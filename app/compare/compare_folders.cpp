@@ -127,8 +127,7 @@ void printPairs(const CompareRun& run, const FolderNames& names, const std::vect
     if (!names.added.empty()) rest += fmt::format(", {} new{}", names.added.size(), run.allowNew ? " (allowed)" : "");
     const auto failed = std::ranges::count_if(pairs, [](const Pair& pair) { return !pair.error.empty(); });
     if (failed > 0) rest += fmt::format(", {} cannot be read", failed);
-    fmt::print("{} of {} image{} differ{}{}\n", different, pairs.size(), pairs.size() == 1 ? "" : "s",
-               different == 1 ? "s" : "", rest);
+    fmt::print("{} of {} images {}{}\n", different, pairs.size(), different == 1 ? "differs" : "differ", rest);
 }
 
 void printJson(const CompareRun& run, const FolderNames& names, std::vector<Pair>& pairs, bool equal)

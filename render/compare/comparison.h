@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/compare/differences.h"
-#include "render/compare/flip.h"
+#include "render/compare/flip/flip.h"
 #include "render/compare/ignored.h"
 #include "render/compare/places.h"
 #include "render/compare/ssim.h"

@@ -9,8 +9,8 @@
 
 namespace knuckle {
 
-/// Calls act(i) for all i below `count`, in any order, on up to `threads` threads, this one among them. What it computes
-/// must go to a place of its own for each i, so that results do not depend on the number of threads.
+/// Calls act(i) for all i below `count`, in any order, on up to `threads` threads, this one among them. What it
+/// computes must go to a place of its own for each i, so that results do not depend on the number of threads.
 /// @throws the exception of the lowest i that threw.
 template <typename Act>
 void forEachParallel(size_t count, unsigned threads, const Act& act)

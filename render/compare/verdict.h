@@ -11,8 +11,8 @@ namespace knuckle {
 /// Up to where two pictures count as equal. Each that is not empty must hold.
 ///
 /// The defaults let pass what two drivers make of one scene: roundings of one or two steps of 255, and here and there a
-/// pixel of an edge. They find what is small and there: a few pixels that stand alone, a thing of the size of an icon, a
-/// picture that has become 3 % brighter.
+/// pixel of an edge. They find what is small and there: a few pixels that stand alone, a thing of the size of an icon,
+/// a picture that has become 3 % brighter.
 struct CompareLimits {
     std::optional<uint64_t> pixels;       ///< Changed pixels.
     std::optional<double> share = 0.005;  ///< Changed pixels as a share of the compared ones, 0-1.

@@ -70,7 +70,7 @@ TEST_F(CompareFolders, TellsTheWorstFirstAndWhatIsMissing)
 TEST_F(CompareFolders, ComparesOnlyNamesThatMatch)
 {
     EXPECT_EQ(compare({"--pattern", "same.*"}).code, 0);
-    EXPECT_EQ(compare({"--pattern", "same.*"}).out, "0 of 1 image differ\n");
+    EXPECT_EQ(compare({"--pattern", "same.*"}).out, "0 of 1 images differ\n");
     EXPECT_EQ(linesOf(compare({"--pattern", "sub/*"}).out).back(), "2 of 2 images differ");
     EXPECT_EQ(linesOf(compare({"--pattern", "little.png", "--pattern", "same.png"}).out).back(),
               "1 of 2 images differs");

@@ -1,12 +1,12 @@
-#include "render/compare/flip.h"
+#include "render/compare/flip/flip.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "render/compare/comparison.h"
-#include "render/compare/flip_colors.h"
-#include "render/compare/flip_filters.h"
+#include "render/compare/flip/flip_colors.h"
+#include "render/compare/flip/flip_filters.h"
 #include "tests/compare/made_pictures.h"
 
 namespace knuckle::test {

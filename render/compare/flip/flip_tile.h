@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/compare/flip_colors.h"
-#include "render/compare/flip_filters.h"
+#include "render/compare/flip/flip_colors.h"
+#include "render/compare/flip/flip_filters.h"
 
 namespace knuckle {
 

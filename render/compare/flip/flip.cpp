@@ -1,9 +1,9 @@
-#include "render/compare/flip.h"
+#include "render/compare/flip/flip.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "render/compare/flip_tile.h"
+#include "render/compare/flip/flip_tile.h"
 #include "render/compare/parallel.h"
 #include "sim/base/colors.h"
 

@@ -1,4 +1,4 @@
-#include "render/compare/flip_filters.h"
+#include "render/compare/flip/flip_filters.h"
 
 #include <algorithm>
 #include <cmath>

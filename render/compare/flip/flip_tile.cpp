@@ -1,4 +1,4 @@
-#include "render/compare/flip_tile.h"
+#include "render/compare/flip/flip_tile.h"
 
 #include <numbers>
 
