@@ -20,7 +20,6 @@ struct CompareWords {
     CompareRun run;
     std::string limits, mask, background = "000000";
     std::vector<std::string> ignored, ignoredColors;
-    double pixels = -1.0;
 };
 
 /// "X,Y,WxH". @throws InputError.
@@ -63,7 +62,6 @@ int compare(const CompareWords& words, bool quiet)
         run.settings.ignored.colors.push_back(parseColor("--ignore-color", word));
     const std::array<uint8_t, 3> background = parseColor("--background", words.background);
     for (size_t c = 0; c < 3; ++c) run.settings.flip.background[c] = static_cast<float>(background[c]) / STEPS;
-    if (words.pixels >= 0.0) run.given.pixels = static_cast<uint64_t>(words.pixels);
     if (!words.limits.empty()) run.file = readLimits(words.limits);
     if (!words.mask.empty()) run.settings.ignored.mask = std::make_shared<const Picture>(readPicture(words.mask));
     std::error_code ignored;
@@ -95,13 +93,13 @@ void addLimits(CLI::App& command, CompareWords& words)
     GivenLimits& given = words.run.given;
     const auto limit = [&command](const char* name, auto& value, double lowest, double highest, const char* text) {
         command.add_option(name, value, text)
-            ->check(numberBetween(lowest, highest))
+            ->check(numberBetween(lowest, highest).description(""))
             ->type_name("N")
             ->group("What counts as equal");
     };
     limit("--threshold", given.threshold, 0, 255, "A pixel has changed where a channel differs by more, 0-255 [8]");
     limit("--max-changed", given.share, 0, 1, "Share of the pixels that may have changed, 0-1 [0.005]");
-    limit("--max-pixels", words.pixels, 0, static_cast<double>(MAX_PICTURE_PIXELS),
+    limit("--max-pixels", given.pixels, 0, static_cast<double>(MAX_PICTURE_PIXELS),
           "How many pixels may have changed; replaces --max-changed, unless that is given, too");
     limit("--max-mean", given.mean, 0, 255, "Mean difference over all pixels and channels, 0-255 [1]");
     limit("--max-difference", given.largest, 0, 255, "Largest difference of a channel, 0-255 [any]");
@@ -139,7 +137,7 @@ void addIgnored(CLI::App& command, CompareWords& words)
     command
         .add_option("--pixels-per-degree", words.run.settings.flip.pixelsPerDegree,
                     "How many pixels a degree of sight holds, for FLIP [67.02]")
-        ->check(numberBetween(1, 1000))
+        ->check(numberBetween(1, 1000).description(""))
         ->type_name("N")
         ->group("What is compared");
     command

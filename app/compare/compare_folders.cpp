@@ -48,9 +48,7 @@ std::set<std::string> imagesIn(const std::string& folder, const std::vector<std:
 /// One image of both folders.
 struct Pair {
     std::string name, error;  ///< `error`: why it could not be read; empty where it was.
-    PictureComparison comparison;
-    Verdict verdict;
-    Json json;
+    ComparedImages images;
 };
 
 struct FolderNames {
@@ -80,20 +78,18 @@ void writeBeside(const std::string& folder, const std::string& name, const std::
 
 Pair comparePair(const CompareRun& run, const std::string& name)
 {
-    Pair pair{name, {}, {}, {}, {}};
+    Pair pair{name, {}, {}};
     try {
-        ComparedImages images = compareImageFiles(run, (fs::path(run.first) / name).string(),
-                                                  (fs::path(run.second) / name).string(), name, 1);
-        if (!images.verdict.equal) {
-            writeBeside(run.difference, name, images.differencePng);
-            writeBeside(run.heatmap, name, images.heatmapPng);
+        pair.images = compareImageFiles(run, (fs::path(run.first) / name).string(),
+                                        (fs::path(run.second) / name).string(), name, 1);
+        if (!pair.images.verdict.equal) {
+            writeBeside(run.difference, name, pair.images.differencePng);
+            writeBeside(run.heatmap, name, pair.images.heatmapPng);
         }
-        if (run.json) pair.json = comparisonToJson(images, run.settings);
-        pair.comparison = std::move(images.comparison);
-        pair.verdict = std::move(images.verdict);
         // Figures of single pixels are large, and there may be thousands of images.
-        pair.comparison.differences.marks = {};
-        pair.comparison.flip.errors = {};
+        pair.images.comparison.differences.marks = {};
+        pair.images.comparison.flip.errors = {};
+        pair.images.differencePng = pair.images.heatmapPng = {};
     } catch (const InputError& error) {
         pair.error = error.what();
     }
@@ -104,21 +100,21 @@ Pair comparePair(const CompareRun& run, const std::string& name)
 void sortWorstFirst(std::vector<Pair>& pairs)
 {
     std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) {
-        if (p.verdict.equal != q.verdict.equal) return q.verdict.equal;
-        if (p.comparison.sameSize() != q.comparison.sameSize()) return q.comparison.sameSize();
-        if (p.comparison.tile.score != q.comparison.tile.score)
-            return p.comparison.tile.score > q.comparison.tile.score;
-        return p.comparison.flip.mean > q.comparison.flip.mean;
+        if (p.images.verdict.equal != q.images.verdict.equal) return q.images.verdict.equal;
+        if (p.images.comparison.sameSize() != q.images.comparison.sameSize()) return q.images.comparison.sameSize();
+        if (p.images.comparison.tile.score != q.images.comparison.tile.score)
+            return p.images.comparison.tile.score > q.images.comparison.tile.score;
+        return p.images.comparison.flip.mean > q.images.comparison.flip.mean;
     });
 }
 
 void printPairs(const CompareRun& run, const FolderNames& names, const std::vector<Pair>& pairs, size_t different)
 {
     for (const Pair& pair : pairs) {
-        if (!pair.error.empty() || pair.verdict.equal) continue;
-        const std::string places = placesLine(pair.comparison);
-        fmt::print("{}: {}{}{}\n", pair.name, verdictLine(pair.comparison, pair.verdict), places.empty() ? "" : "; ",
-                   places);
+        if (!pair.error.empty() || pair.images.verdict.equal) continue;
+        const std::string places = placesLine(pair.images.comparison);
+        fmt::print("{}: {}{}{}\n", pair.name, verdictLine(pair.images.comparison, pair.images.verdict),
+                   places.empty() ? "" : "; ", places);
     }
     for (const std::string& name : names.missing) fmt::print("{}: missing in {}\n", name, run.second);
     for (const std::string& name : names.added) fmt::print("{}: new, not in {}\n", name, run.first);
@@ -130,14 +126,14 @@ void printPairs(const CompareRun& run, const FolderNames& names, const std::vect
     fmt::print("{} of {} images {}{}\n", different, pairs.size(), different == 1 ? "differs" : "differ", rest);
 }
 
-void printJson(const CompareRun& run, const FolderNames& names, std::vector<Pair>& pairs, bool equal)
+void printJson(const CompareRun& run, const FolderNames& names, const std::vector<Pair>& pairs, bool equal)
 {
     Json json = {{"first", run.first},       {"second", run.second}, {"verdict", equal ? "equal" : "different"},
                  {"missing", names.missing}, {"new", names.added},   {"unreadable", Json::array()},
                  {"images", Json::array()}};
-    for (Pair& pair : pairs) {
+    for (const Pair& pair : pairs) {
         Json entry = {{"name", pair.name}};
-        if (pair.error.empty()) entry.update(pair.json);
+        if (pair.error.empty()) entry.update(comparisonToJson(pair.images, run.settings));
         else entry["error"] = pair.error;
         json[pair.error.empty() ? "images" : "unreadable"].push_back(std::move(entry));
     }
@@ -171,7 +167,7 @@ int compareFolders(const CompareRun& run)
                     [&](size_t i) { pairs[i] = comparePair(run, names.both[i]); });
     sortWorstFirst(pairs);
     const auto different = std::ranges::count_if(
-        pairs, [](const Pair& pair) { return pair.error.empty() && !pair.verdict.equal; });
+        pairs, [](const Pair& pair) { return pair.error.empty() && !pair.images.verdict.equal; });
     const bool equal = different == 0 && names.missing.empty() && (names.added.empty() || run.allowNew);
     if (run.json) printJson(run, names, pairs, equal);
     else if (!run.quiet) printPairs(run, names, pairs, static_cast<size_t>(different));

@@ -90,7 +90,7 @@ ExrChannels findChannels(const Imf::ChannelList& channels, const std::string& na
 /// The window that a viewer shows, and what is stored outside it: nothing of the file goes unseen.
 Imath::Box2i shownWindow(const Imf::Header& header, const std::string& name)
 {
-    const Imath::Box2i data = header.dataWindow();
+    const Imath::Box2i& data = header.dataWindow();
     Imath::Box2i window = header.displayWindow();
     window.extendBy(data);
     const auto extent = [](int low, int high) { return static_cast<uint64_t>(int64_t{high} - low + 1); };

@@ -19,7 +19,8 @@ namespace knuckle {
 namespace {
 
 constexpr size_t MAX_BYTES = size_t{2} << 30;
-constexpr size_t PIXEL_BYTES = 4 * sizeof(float);
+/// A pixel of the picture, of what its decoder holds meanwhile, and of what a comparison makes of it.
+constexpr size_t PIXEL_BYTES = 32;
 
 /// Memory that the system can still give [bytes]; 0: not known.
 uint64_t availableMemory()

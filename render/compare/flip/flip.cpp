@@ -40,8 +40,8 @@ struct StepTable {
     {
         if (!(encoded > 0.0f)) return 0.0f;
         if (encoded >= 1.0f) return 1.0f;
-        const float step = encoded * 255.0f;
-        const int nearest = static_cast<int>(step + 0.5f);
+        const float step = encoded * 255.0f, above = step + 0.5f;
+        const int nearest = static_cast<int>(above);
         return std::fabs(step - static_cast<float>(nearest)) < 1e-4f ? light[static_cast<size_t>(nearest)]
                                                                      : linearOfSrgb(encoded);
     }

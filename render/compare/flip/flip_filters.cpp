@@ -64,8 +64,8 @@ void addFeatureFilters(double pixelsPerDegree, FlipFilters& filters)
     const int radius = static_cast<int>(std::ceil(3.0 * deviation));
     const Weights smooth = gaussian(radius, 0.5 / (deviation * deviation));
     Weights edge = smooth, point = smooth;
-    for (int x = -radius; x <= radius; ++x) {
-        const auto i = static_cast<size_t>(x + radius);
+    for (size_t i = 0; i < smooth.size(); ++i) {
+        const double x = static_cast<double>(i) - radius;
         edge[i] *= -x;
         point[i] *= x * x / (deviation * deviation) - 1.0;
     }
