@@ -62,6 +62,8 @@ int compare(const CompareWords& words, bool quiet)
         run.settings.ignored.colors.push_back(parseColor("--ignore-color", word));
     const std::array<uint8_t, 3> background = parseColor("--background", words.background);
     for (size_t c = 0; c < 3; ++c) run.settings.flip.background[c] = static_cast<float>(background[c]) / STEPS;
+    for (const std::string& input : {words.limits, words.mask})
+        if (!input.empty()) run.otherInputs.push_back(input);
     if (!words.limits.empty()) run.file = readLimits(words.limits);
     if (!words.mask.empty()) run.settings.ignored.mask = std::make_shared<const Picture>(readPicture(words.mask));
     std::error_code ignored;

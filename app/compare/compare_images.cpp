@@ -135,6 +135,7 @@ int compareTwoImages(const CompareRun& run)
     RunPaths paths;
     paths.reads(run.first);
     paths.reads(run.second);
+    for (const std::string& input : run.otherInputs) paths.reads(input);
     PictureOutput difference("--difference ", run.difference, paths), heatmap("--heatmap ", run.heatmap, paths);
     paths.check();
     difference.open();

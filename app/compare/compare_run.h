@@ -11,7 +11,8 @@ namespace knuckle {
 
 /// What `knuckle compare` was told.
 struct CompareRun {
-    std::string first, second;  ///< Two images, or two folders.
+    std::string first, second;             ///< Two images, or two folders.
+    std::vector<std::string> otherInputs;  ///< Files that no output may replace: a mask, limits.
     CompareSettings settings;
     LimitsFile file;
     GivenLimits given;                  ///< On the command line, which comes before the file.

@@ -150,6 +150,7 @@ TEST_F(Compare, WritesPicturesOfTheDifference)
     EXPECT_EQ(compare({"--difference", "x.png", "--heatmap", "x.png"}).code, 2);
     EXPECT_EQ(compare({"--heatmap", "grey.png"}).code, 2);
     EXPECT_EQ(compare({"--heatmap", "h.jpg"}).code, 2);
+    EXPECT_EQ(compare({"--mask", "d.png", "--difference", "./d.png"}).code, 2) << "a mask is an input, too";
 }
 
 TEST_F(Compare, PrintsAllFiguresAsJson)

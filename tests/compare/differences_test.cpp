@@ -86,6 +86,15 @@ TEST(Places, AreJoinedAcrossSmallGapsAndSortedBySize)
     EXPECT_TRUE(findPlaces(marks, 100, 60, 3).empty());
 }
 
+TEST(Places, OfOneRowAreJoinedByTheSameGap)
+{
+    const auto marks = marksOf(40, 1, {{3, 0, 2, 1}, {9, 0, 1, 1}, {15, 0, 1, 1}});
+    const std::vector<DifferencePlace> places = findPlaces(marks, 40, 1, 2);
+    ASSERT_EQ(places.size(), 2u);
+    EXPECT_EQ(places[0].box.width, 7u);
+    EXPECT_EQ(places[1].box.x, 15u);
+}
+
 TEST(Places, OfARingAreOne)
 {
     const auto marks = marksOf(50, 50, {{5, 5, 40, 1}, {5, 44, 40, 1}, {5, 5, 1, 40}, {44, 5, 1, 40}});
@@ -178,6 +187,18 @@ TEST(Antialiasing, IsToldFromAMoveOfTwoPixels)
     EXPECT_LE(edges * 2, changed) << "moved by 2.5 pixels";
     edges = countEdges(a, flatPicture(60, 60, {30, 30, 30}), changed);
     EXPECT_LE(edges * 5, changed) << "gone";
+}
+
+TEST(Antialiasing, IsNotWhatIsFlatBesideAnEdge)
+{
+    // Where three areas meet, of which one has changed: its corner has a darker and a brighter neighbour, too.
+    const auto areas = [](int third) {
+        return madePicture(40, 40, [third](uint32_t x, uint32_t y) {
+            const int step = x < 10 ? 0 : y < 20 ? 200 : third;
+            return std::array<int, 3>{step, step, step};
+        });
+    };
+    EXPECT_FALSE(isAntialiasedEdge(areas(100), areas(120), 10, 20));
 }
 
 }  // namespace

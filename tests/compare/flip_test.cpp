@@ -70,19 +70,24 @@ TEST(Flip, OfAnEdgeAndADotIsThatOfThePapersFormulas)
 
 TEST(Flip, DoesNotDependOnThreadsOrOnWherePartsMeet)
 {
-    // Wider than two of the parts that are worked on at a time: what spans their border is as elsewhere.
-    Picture a = flatPicture(300, 140, {90, 60, 30});
-    Picture b = a;
-    for (const uint32_t x : {60u, 128u, 200u}) fillBox(b, x - 2, 60, 4, 4, {200, 60, 200});
-    const FlipResult one = flipOf(a, b), two = flipOf(a, b, {}, 2);
-    EXPECT_EQ(one.errors, two.errors);
-    EXPECT_EQ(one.mean, two.mean);
-    for (uint32_t y = 40; y < 90; ++y)
-        for (int x = -20; x < 20; ++x) {
-            const auto at = [&](int column) { return one.errors[y * 300 + static_cast<uint32_t>(column + x)]; };
-            ASSERT_FLOAT_EQ(at(60), at(128)) << x << "," << y;
-            ASSERT_FLOAT_EQ(at(60), at(200)) << x << "," << y;
-        }
+    // Wider than two of the parts of 128 pixels that are worked on at a time: what lies on either side of their border,
+    // or on both, is as elsewhere.
+    const Picture a = flatPicture(300, 140, {90, 60, 30});
+    for (const uint32_t place : {124u, 126u, 128u}) {
+        Picture b = a;
+        for (const uint32_t x : {60u, place, 200u}) fillBox(b, x, 60, 4, 4, {200, 60, 200});
+        const FlipResult one = flipOf(a, b), two = flipOf(a, b, {}, 2);
+        EXPECT_EQ(one.errors, two.errors);
+        EXPECT_EQ(one.mean, two.mean);
+        for (uint32_t y = 40; y < 90; ++y)
+            for (int x = -20; x < 20; ++x) {
+                const auto at = [&](uint32_t box) {
+                    return one.errors[y * 300 + static_cast<uint32_t>(static_cast<int>(box) + x)];
+                };
+                ASSERT_FLOAT_EQ(at(60), at(place)) << place << ": " << x << "," << y;
+                ASSERT_FLOAT_EQ(at(60), at(200)) << place << ": " << x << "," << y;
+            }
+    }
 }
 
 TEST(FlipFilters, HaveTheSumsThatTheyAreDefinedBy)
