@@ -75,7 +75,7 @@ TEST(Flip, DoesNotDependOnThreadsOrOnWherePartsMeet)
     const Picture a = flatPicture(300, 140, {90, 60, 30});
     for (const uint32_t place : {124u, 126u, 128u}) {
         Picture b = a;
-        for (const uint32_t x : {60u, place, 200u}) fillBox(b, x, 60, 4, 4, {200, 60, 200});
+        for (const uint32_t x : {30u, place}) fillBox(b, x, 60, 4, 4, {200, 60, 200});
         const FlipResult one = flipOf(a, b), two = flipOf(a, b, {}, 2);
         EXPECT_EQ(one.errors, two.errors);
         EXPECT_EQ(one.mean, two.mean);
@@ -84,8 +84,7 @@ TEST(Flip, DoesNotDependOnThreadsOrOnWherePartsMeet)
                 const auto at = [&](uint32_t box) {
                     return one.errors[y * 300 + static_cast<uint32_t>(static_cast<int>(box) + x)];
                 };
-                ASSERT_FLOAT_EQ(at(60), at(place)) << place << ": " << x << "," << y;
-                ASSERT_FLOAT_EQ(at(60), at(200)) << place << ": " << x << "," << y;
+                ASSERT_FLOAT_EQ(at(30), at(place)) << place << ": " << x << "," << y;
             }
     }
 }
