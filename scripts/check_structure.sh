@@ -44,6 +44,8 @@ for part in sim/base sim/world sim/gpu sim/solver sim/rig render app/commands ap
 done
 refuse render 'sim/rig/|app/'
 refuse render/picture 'render/(spheres|colliders|view|output)/'
+refuse render/reader 'render/(colliders|compare|marks|output|picture|skins|spheres|view)/'
+refuse render/compare 'render/(colliders|marks|output|skins|spheres|view)/'
 refuse render/view 'render/(spheres|colliders|picture|output)/'
 refuse render/skins 'render/(spheres|colliders|view|output)/'
 refuse render/output 'render/(spheres|colliders|view)/'

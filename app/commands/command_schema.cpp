@@ -9,17 +9,20 @@ namespace knuckle {
 
 void addSchemaCommand(CommandLine line)
 {
-    auto* command = line.program.add_subcommand("schema",
-                                                "Print the JSON Schema (draft 7) of scene, actor or joint files");
+    auto* command = line.program.add_subcommand(
+        "schema", "Print the JSON Schema (draft 7) of scene, actor, joint or limit files");
     command->fallthrough();
     command->footer("Examples:\n"
                     "  knuckle schema > scene.schema.json   for editors that complete and check as you type\n"
                     "  knuckle schema actor                 what `knuckle voxelize -o` writes\n"
-                    "  knuckle schema joints                what `knuckle voxelize --joints` reads");
+                    "  knuckle schema joints                what `knuckle voxelize --joints` reads\n"
+                    "  knuckle schema limits                what `knuckle compare --limits` reads");
     auto document = std::make_shared<std::string>("scene");
     auto markdown = std::make_shared<bool>(false);
-    command->add_option("DOCUMENT", *document, "Which: scene, actor (actor files), joints (joint overrides)")
-        ->check(CLI::IsMember({"scene", "actor", "joints"}))
+    command
+        ->add_option("DOCUMENT", *document,
+                     "Which: scene, actor (actor files), joints (joint overrides), limits (of compare)")
+        ->check(CLI::IsMember({"scene", "actor", "joints", "limits"}))
         ->capture_default_str();
     command->add_flag("--markdown", *markdown, "As a page of tables, docs/scene.md");
     command->callback([=] {

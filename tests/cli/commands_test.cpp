@@ -91,7 +91,7 @@ TEST_F(Cli, ChecksEveryScene)
 
 TEST_F(Cli, PrintsItsSchemas)
 {
-    for (const char* document : {"scene", "actor", "joints"}) {
+    for (const char* document : {"scene", "actor", "joints", "limits"}) {
         const RunResult result = run({"schema", document});
         EXPECT_EQ(result.code, 0);
         EXPECT_NO_THROW(parseJson(result.out, document));
@@ -127,28 +127,6 @@ TEST_F(Cli, EndsAsFiltersDoWhenItsReaderGoesAway)
         EXPECT_EQ(result.err, "") << words.front();
     }
     EXPECT_EQ(run({"render", "none.json"}, {.inChild = closedPipe(STDERR_FILENO)}).code, 2);
-}
-
-TEST_F(Cli, ComparesImages)
-{
-    Image image{64, 64, std::vector<uint8_t>(64 * 64 * 3, 100)};
-    writePng(folder.path("a.png"), image);
-    image.rgb[300] = 200;  // one pixel of 4096: 0.024 %, less than the tolerated 0.1 %
-    writePng(folder.path("b.png"), image);
-    EXPECT_EQ(run({"compare", "a.png", "a.png"}).code, 0);
-    EXPECT_EQ(run({"compare", "a.png", "b.png"}).code, 0);
-    const RunResult strict = run({"compare", "a.png", "b.png", "--max-changed", "0", "--difference", "d.png"});
-    EXPECT_EQ(strict.code, 4);
-    EXPECT_TRUE(strict.out.starts_with("different: 0.0244 %")) << strict.out;
-    EXPECT_EQ(readImage(folder.path("d.png")).width, 64u);
-    EXPECT_EQ(run({"compare", "a.png", "b.png", "--max-changed", "0", "--threshold", "100"}).code, 0);
-
-    writePng(folder.path("small.png"), {8, 8, std::vector<uint8_t>(8 * 8 * 3, 100)});
-    for (const char* other : {"small.png", "none.png", "tiny.json"}) {
-        const RunResult result = run({"compare", "a.png", other});
-        EXPECT_EQ(result.code, 2) << other;
-        EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
-    }
 }
 
 }  // namespace

@@ -1,0 +1,65 @@
+#include "app/compare/limits_file.h"
+
+#include "app/schema/schema.h"
+#include "sim/rig/anatomy/names/name_pattern.h"
+
+namespace knuckle {
+
+namespace {
+
+GivenLimits limitsOf(const Json& json)
+{
+    GivenLimits limits;
+    const auto take = [&json](const char* key, auto& value) {
+        if (const auto found = json.find(key); found != json.end())
+            value = found->get<typename std::remove_reference_t<decltype(value)>::value_type>();
+    };
+    take("threshold", limits.threshold);
+    take("pixels", limits.pixels);
+    take("share", limits.share);
+    take("mean", limits.mean);
+    take("largest", limits.largest);
+    take("tile", limits.tile);
+    take("flip", limits.flip);
+    take("ssim", limits.ssim);
+    return limits;
+}
+
+}  // namespace
+
+void GivenLimits::applyTo(float& newThreshold, CompareLimits& limits) const
+{
+    if (threshold) newThreshold = static_cast<float>(*threshold);
+    if (pixels) {
+        limits.pixels = pixels;
+        limits.share.reset();
+    }
+    if (share) limits.share = share;
+    if (mean) limits.mean = mean;
+    if (largest) limits.largest = largest;
+    if (tile) limits.tile = tile;
+    if (flip) limits.flip = flip;
+    if (ssim) limits.ssim = ssim;
+}
+
+void LimitsFile::applyTo(const std::string& name, float& threshold, CompareLimits& limits) const
+{
+    general.applyTo(threshold, limits);
+    const GivenLimits* found = findByPattern(names, name);
+    if (found == nullptr) found = findByPattern(names, name.substr(name.rfind('/') + 1));
+    if (found != nullptr) found->applyTo(threshold, limits);
+}
+
+LimitsFile readLimits(const std::string& path)
+{
+    static const Schema schema("limits.schema.json");
+    JsonFile file = readJsonFile(path);
+    schema.complete(file);
+    LimitsFile limits;
+    if (const auto general = file.root.find("default"); general != file.root.end()) limits.general = limitsOf(*general);
+    if (const auto names = file.root.find("names"); names != file.root.end())
+        for (const auto& [pattern, json] : names->items()) limits.names[pattern] = limitsOf(json);
+    return limits;
+}
+
+}  // namespace knuckle
