@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <fstream>
 
 #include "app/commands/commands.h"
+#include "app/states/picture_labels.h"
 #include "app/states/states_text.h"
+#include "render/reader/picture_file.h"
 
 namespace knuckle {
 
@@ -35,7 +38,16 @@ void printThreads()
 
 int printFile(const std::string& file)
 {
-    fmt::print("{}", statesText(StatesFile(file)));
+    std::string start(4, '\0');
+    std::ifstream(file, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (start != "\x89PNG") {
+        fmt::print("{}", statesText(StatesFile(file)));
+        return EXIT_FINE;
+    }
+    const Picture picture = readPicture(file);
+    const std::string lines = labelLines(picture.text);
+    fmt::print("{}: {} x {} pixels, {} bits a channel\n{}", file, picture.width, picture.height, picture.bitDepth,
+               lines.empty() ? "  says nothing of where it comes from\n" : lines);
     return EXIT_FINE;
 }
 
@@ -70,7 +82,7 @@ void addInfoCommand(CommandLine line)
     command->fallthrough();
     command->footer("Without FILE: exit code 3, with the reason, when no device can be used.");
     auto file = std::make_shared<std::string>();
-    command->add_option("FILE", *file, "A file of states, as --record and --save-state write them");
+    command->add_option("FILE", *file, "A file of states, or a frame as PNG");
     command->callback([=] { line.chosen = [=] { return file->empty() ? info(line.common) : printFile(*file); }; });
 }
 

@@ -47,9 +47,12 @@ FilmOutputs::FilmOutputs(const Scene& scene, const FilmOptions& options, const F
 }
 
 std::unique_ptr<FrameSink> FilmOutputs::makeSink(const Scene& scene, const std::string& path, size_t output,
-                                                 const FrameRange& range, Checkpoint* checkpoint) const
+                                                 const FrameRange& range, Checkpoint* checkpoint)
 {
-    if (!isFilm(path)) return pngSink(path, checkpoint != nullptr ? checkpoint->pictures(output, path) : nullptr);
+    if (!isFilm(path)) {
+        hasFolders_ = true;
+        return pngSink(path, checkpoint != nullptr ? checkpoint->pictures(output, path) : nullptr);
+    }
     return filmSink(path, {scene.render.width, scene.render.height, scene.framesPerSecond},
                     {range.first, range.last, checkpoint != nullptr ? checkpoint->film(output) : nullptr});
 }

@@ -34,10 +34,14 @@ struct FilmOutputs {
 
     /// Whether a frame is needed for any picture.
     bool wantsPicture(uint64_t frame) const;
+    /// Whether its pictures have labels.
+    bool hasLabels() const { return hasFolders_; }
 
 private:
     std::unique_ptr<FrameSink> makeSink(const Scene& scene, const std::string& path, size_t output,
-                                        const FrameRange& range, Checkpoint* checkpoint) const;
+                                        const FrameRange& range, Checkpoint* checkpoint);
+
+    bool hasFolders_ = false;
 };
 
 }  // namespace knuckle

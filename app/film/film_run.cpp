@@ -15,6 +15,7 @@
 #include "app/run/progress.h"
 #include "app/run/stopwatch.h"
 #include "app/run/tell.h"
+#include "app/states/picture_labels.h"
 #include "sim/base/errors.h"
 #include "sim/base/fnv_hash.h"
 #include "sim/solver/workload.h"
@@ -35,8 +36,8 @@ public:
         if (timed) noteFigures();
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
         if (!common.quiet) tellLeftOut();
-        if (options.record.any())
-            recording_.emplace(options.record, scene, factsOf(scene, *gpu_, options.source), range_.last);
+        facts_ = factsOf(scene, *gpu_, options.source);
+        if (options.record.any()) recording_.emplace(options.record, scene, facts_, range_.last);
         figures_.device = gpu_->device().name;
         figures_.driverThreads = gpu_->threads();
         if (checkpoint_) resume();
@@ -86,7 +87,7 @@ private:
     /// Takes the state of an earlier run, if there is one, and gives its frames to exporters and recordings.
     void resume()
     {
-        const std::optional<RunState> state = checkpoint_->begin(fingerprintOf(scene_, *gpu_), range_.last);
+        const std::optional<RunState> state = checkpoint_->begin(facts_.fingerprint, range_.last);
         if (!quiet_)
             for (const std::string& note : checkpoint_->notes()) tellUser("knuckle: note: " + note);
         if (!state) return;
@@ -170,7 +171,12 @@ private:
     {
         const bool wanted = frame >= range_.first;
         const double time = static_cast<double>(frame - 1) / scene_.framesPerSecond;
-        if (drawing_) drawing_->take(solver_.view(), {frame, time, wanted && outputs_.wantsPicture(frame)});
+        if (drawing_) {
+            const bool drawn = wanted && outputs_.wantsPicture(frame);
+            const bool labelled = drawn && outputs_.hasLabels();
+            drawing_->take(solver_.view(),
+                           {frame, time, drawn, labelled ? labelsOf(facts_, frame, solver_.stateHash()) : PngText()});
+        }
         const FrameRecord record = readBack(frame, wanted);
         if (checkpoint_) checkpoint_->log(record);
         give(record);
@@ -218,6 +224,7 @@ private:
     Solver solver_;
     std::unique_ptr<FrameDrawing> drawing_;
     std::optional<ReleaseLog> releases_;
+    RunFacts facts_;
     std::optional<Recording> recording_;
     Progress progress_;
     RunFigures figures_;

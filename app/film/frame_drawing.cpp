@@ -1,5 +1,7 @@
 #include "app/film/frame_drawing.h"
 
+#include <utility>
+
 #include "app/run/stopwatch.h"
 
 namespace knuckle {
@@ -15,7 +17,7 @@ void DrawingHere::take(const ParticleView& view, const Frame& frame)
     if (!frame.drawn) return renderer_.look(view, frame.time);
     const Stopwatch watch(figures_.seconds);
     renderer_.draw(view, frame.time);
-    unread_ = frame.number;
+    unread_ = frame;
     ++figures_.frames;
 }
 
@@ -23,12 +25,13 @@ void DrawingHere::fetch()
 {
     if (!unread_) return;
     const Stopwatch watch(figures_.seconds);
-    const Image image = renderer_.readImage();
+    Image image = renderer_.readImage();
+    image.text = std::move(unread_->labels);
     renderer_.timer().collect();
     figures_.passes = renderer_.timer().totals();
     gpu_.checkErrors();
     for (const auto& sink : sinks_)
-        if (sink->wants(*unread_)) sink->write(image, *unread_);
+        if (sink->wants(unread_->number)) sink->write(image, unread_->number);
     unread_.reset();
 }
 

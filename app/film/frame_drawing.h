@@ -19,6 +19,7 @@ struct Frame {
     uint64_t number = 1;  ///< As in frame_0001.png.
     double time = 0.0;    ///< [s]
     bool drawn = true;    ///< Otherwise only the camera sees it.
+    PngText labels = {};  ///< Of its file.
 };
 
 using FrameSinks = std::vector<std::unique_ptr<FrameSink>>;
@@ -56,7 +57,7 @@ private:
     Gpu& gpu_;
     const FrameSinks& sinks_;
     Renderer renderer_;
-    std::optional<uint64_t> unread_;  ///< The frame drawn last.
+    std::optional<Frame> unread_;  ///< The frame drawn last.
     DrawingFigures figures_;
 };
 

@@ -11,6 +11,7 @@
 #include "app/run/counted.h"
 #include "app/run/interrupt.h"
 #include "app/run/progress.h"
+#include "app/states/picture_labels.h"
 #include "render/stored_view.h"
 #include "sim/base/errors.h"
 #include "sim/base/fnv_hash.h"
@@ -61,6 +62,7 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
     const FilmOutputs outputs(scene, options, {frames.front(), frames.back()}, std::move(exporters));
     const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(scene.render)});
     StoredView stored(scene.world);
+    const RunFacts facts = factsOf(scene, *gpu, options.source);
     DrawingHere drawing(*gpu, scene, outputs.sinks, false);
     const ViewCoding coding(scene.world);
     Progress progress("frame", frames.size(), common.quiet);
@@ -72,7 +74,9 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
         const bool wanted = frame >= frames.front();
         FrameRecord record{.number = frame, .view = coding.unpack(states.blocks(), frame)};
         const double time = static_cast<double>(frame - 1) / scene.framesPerSecond;
-        drawing.take(stored.upload(*record.view), {frame, time, wanted});
+        const bool labelled = wanted && outputs.hasLabels();
+        drawing.take(stored.upload(*record.view),
+                     {frame, time, wanted, labelled ? labelsOf(facts, frame, stateHash(*record.view)) : PngText()});
         if (!wanted) continue;
         exportFrame(record, scene.world, outputs.needs, outputs.exporters);
         drawing.fetch();

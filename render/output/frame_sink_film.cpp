@@ -91,6 +91,7 @@ public:
         writer_.drain();
         segments_.finish(last_ - first_ + 1, file_.temporaryName());
         file_.commit();
+        own_.reset();
     }
 
 private:

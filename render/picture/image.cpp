@@ -1,6 +1,7 @@
 #include "render/picture/image.h"
 
 #include <fmt/format.h>
+#include <libdeflate.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
@@ -27,6 +28,22 @@ constexpr int CHANNELS = 3;
 constexpr int UP_FILTER = 2;
 /// Differences are small: without a factor their picture would be black.
 constexpr int DIFFERENCE_GAIN = 8;
+
+/// Big-endian, as all numbers of a PNG.
+std::string pngNumber(uint32_t number)
+{
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 0xff);
+    return bytes;
+}
+
+/// An iTXt chunk, uncompressed, without a language.
+std::string textChunk(const std::string& keyword, const std::string& text)
+{
+    const std::string body = keyword + std::string(5, '\0') + text, checked = "iTXt" + body;
+    return pngNumber(static_cast<uint32_t>(body.size())) + checked +
+           pngNumber(libdeflate_crc32(0, checked.data(), checked.size()));
+}
 
 struct Free {
     void operator()(void* memory) const { std::free(memory); }
@@ -86,7 +103,11 @@ std::string encodePng(uint32_t width, uint32_t height, uint32_t channels, std::s
 
 std::string pngOf(const Image& image)
 {
-    return encodePng(image.width, image.height, CHANNELS, image.rgb);
+    std::string png = encodePng(image.width, image.height, CHANNELS, image.rgb), chunks;
+    for (const auto& [keyword, text] : image.text) chunks += textChunk(keyword, text);
+    // After the signature and the header, which are of fixed length.
+    constexpr size_t HEADER_END = 8 + 25;
+    return png.insert(HEADER_END, chunks);
 }
 
 void writePng(const std::string& path, const Image& image)

@@ -3,14 +3,19 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace knuckle {
 
+/// Text chunks of a PNG file: keywords of up to 79 letters of Latin, and their texts in UTF-8.
+using PngText = std::vector<std::pair<std::string, std::string>>;
+
 /// 8-bit sRGB pixels, top row first.
 struct Image {
     uint32_t width = 0, height = 0;
-    std::vector<uint8_t> rgb;  ///< width * height * 3
+    std::vector<uint8_t> rgb = {};  ///< width * height * 3
+    PngText text = {};              ///< Of its file; not read back.
 };
 
 /// @throws InputError (missing, not an image) or RunError (disk full; nothing is left half-written).

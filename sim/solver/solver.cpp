@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <bit>
-
 #include "sim/base/errors.h"
-#include "sim/base/fnv_hash.h"
 #include "sim/solver/measure/measure.h"
 #include "sim/solver/state_copy.h"
 #include "sim/solver/step.h"
@@ -182,11 +179,7 @@ Measures Solver::measure()
 
 uint64_t Solver::stateHash()
 {
-    FnvHash hash;
-    for (const auto* buffer : {&impl_->stages.particles.positions, &impl_->stages.particles.velocities})
-        for (const gpu::vec4& v : buffer->download())
-            for (const float value : {v.x, v.y, v.z}) hash.add(std::bit_cast<uint32_t>(value));
-    return hash.value();
+    return impl_->stages.stateHash.hash(impl_->timer);
 }
 
 SolverState Solver::saveState() const

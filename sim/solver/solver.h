@@ -55,7 +55,7 @@ public:
     /// The world's colliders at their current places.
     std::vector<Collider> readColliders();
     Measures measure();
-    /// FNV-1a over the bits of all positions and velocities.
+    /// Of the bits of all positions and velocities, see shaders/shared/state_hash.h; reads 8 bytes.
     uint64_t stateHash();
     SolverState saveState() const;
     /// @throws std::logic_error if it is not from a solver of the same World.

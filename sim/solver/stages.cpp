@@ -111,7 +111,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
 
 std::vector<Stage*> Stages::all()
 {
-    std::vector<Stage*> stages{&particles, &colliders, &search, &contacts, &bodies, &joints};
+    std::vector<Stage*> stages{&particles, &colliders, &search, &contacts, &bodies, &joints, &stateHash};
     const auto add = [&](auto& stage) {
         if (stage) stages.push_back(&*stage);
     };

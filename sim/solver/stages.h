@@ -16,6 +16,7 @@
 #include "sim/solver/list_room.h"
 #include "sim/solver/paper/paper_stage.h"
 #include "sim/solver/particle/particle_stage.h"
+#include "sim/solver/particle/state_hash_stage.h"
 #include "sim/solver/release/release_stage.h"
 #include "sim/solver/restitution/restitution_stage.h"
 #include "sim/solver/search/search_stage.h"
@@ -77,6 +78,7 @@ public:
     ContactStage contacts;
     BodyStage bodies;
     JointStage joints;
+    StateHashStage stateHash;
     std::optional<AnimationStage> animations;
     std::optional<DriveStage> drives;
     std::optional<ForceStage> forces;

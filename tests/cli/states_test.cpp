@@ -75,6 +75,23 @@ TEST_F(States, AreTold)
     EXPECT_NE(end.out.find("device        llvmpipe"), std::string::npos) << end.out;
 }
 
+TEST_F(States, AreNamedByTheFramesThatShowThem)
+{
+    record();
+    const RunResult frame = run({"info", "run/frame_0003.png"});
+    ASSERT_EQ(frame.code, 0) << frame.err;
+    EXPECT_TRUE(frame.out.starts_with("run/frame_0003.png: 64 x 36 pixels, 8 bits a channel\n"));
+    for (const char* line :
+         {"  scene         tiny\n", "  frame         3\n", "  device        llvmpipe", "  program       knuckle "})
+        EXPECT_NE(frame.out.find(line), std::string::npos) << frame.out;
+    const RunResult hash = run({"render", "tiny.json", "-o", "run", "--frames", "3:3", "--hash", "--quiet"});
+    const std::string printed = hash.out.substr(std::string("state hash ").size());
+    EXPECT_NE(frame.out.find("  state hash    " + printed), std::string::npos) << frame.out << hash.out;
+    writePng(folder.path("plain.png"), {2, 1, {1, 2, 3, 4, 5, 6}});
+    EXPECT_EQ(run({"info", "plain.png"}).out,
+              "plain.png: 2 x 1 pixels, 8 bits a channel\n  says nothing of where it comes from\n");
+}
+
 TEST_F(States, DoNotChangeTheRun)
 {
     const auto hash = [&](std::vector<std::string> more) {

@@ -37,12 +37,12 @@ protected:
 
 TEST_F(Stop, WhileShadersAreCompiledIsAtOnce)
 {
-    // ffmpeg starts before the first shader, and leaves a file.
-    const std::string path = ffmpeg("touch started\nexec cat >/dev/null");
+    // Outputs are opened before the first shader: their folder is made.
+    const std::string path = ffmpeg("exec cat >/dev/null");
     const RunResult result = run({"-q", "render", scene, "-o", "film.mp4", "--export", "ply=ply"},
                                  {.environment = {path, "MESA_SHADER_CACHE_DISABLE=1"},
                                   .signalAfterFile = SIGTERM,
-                                  .waitFor = folder.path("started")});
+                                  .waitFor = folder.path("ply")});
     EXPECT_EQ(result.code, 130);
     EXPECT_EQ(result.err, "knuckle: stopped; what was finished is kept\n");
     EXPECT_TRUE(hiddenFiles().empty());

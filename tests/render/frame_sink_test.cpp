@@ -11,7 +11,9 @@
 #include <fstream>
 
 #include "render/output/ffmpeg.h"
+#include "render/output/film_segments.h"
 #include "sim/base/errors.h"
+#include "tests/temp_folder.h"
 
 namespace knuckle::test {
 namespace {
@@ -128,6 +130,30 @@ TEST_F(FrameSinkTest, AFilmAppearsWholeAndAtItsSize)
     sink->finish();
     EXPECT_GT(fs::file_size(at("film.mp4")), 500u);
     EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(FrameSinkTest, AFilmOfSeveralSegmentsHasAllFramesAtTheirTimes)
+{
+    if (findProgram("ffprobe").empty()) GTEST_SKIP() << "ffmpeg is not installed";
+    constexpr uint64_t FRAMES = 2 * SEGMENT_FRAMES + 7;
+    for (const std::string film : {"film.mp4", "film.mov", "film.mkv"}) {
+        std::string first;
+        for (int round = 0; round < 2; ++round) {
+            const auto sink = filmSink(at(film), {16, 16, 7.0});
+            for (uint64_t i = 1; i <= FRAMES; ++i) sink->write(noise(16, 16, static_cast<uint32_t>(i)), i);
+            sink->finish();
+            if (round == 0) first = readText(at(film));
+        }
+        EXPECT_TRUE(readText(at(film)) == first) << "other bytes the second time";
+        const std::string command = "ffprobe -loglevel error -show_entries frame=pts_time -of csv=p=0 " + at(film) +
+                                    " | tr -d , > " + at("times");
+        ASSERT_EQ(std::system(command.c_str()), 0);
+        std::ifstream times(at("times"));
+        uint64_t count = 0;
+        // Matroska counts milliseconds.
+        for (double time; times >> time; ++count) EXPECT_NEAR(time, static_cast<double>(count) / 7.0, 0.0006) << film;
+        EXPECT_EQ(count, FRAMES) << film;
+    }
 }
 
 TEST_F(FrameSinkTest, AnAbandonedFilmLeavesNothing)

@@ -1,5 +1,8 @@
 #include "sim/solver/measure/view_state.h"
 
+#include <bit>
+
+#include "shared/state_hash.h"
 #include "sim/solver/measure/measure.h"
 
 namespace knuckle {
@@ -34,6 +37,23 @@ std::vector<BodyState> bodyStates(const World& world, const ViewState& view)
             bodyState(world, world.bodies[b], particles, {c.x, c.y, c.z}, Quaternionf(q.w, q.x, q.y, q.z)));
     }
     return states;
+}
+
+uint64_t stateHash(const ViewState& view)
+{
+    uint32_t low = 0, high = 0;
+    for (uint32_t i = 0; i < view.positions.size(); ++i) {
+        const gpu::vec4 &x = view.positions[i], &v = view.velocities[i];
+        const auto hashOf = [&](uint32_t seed) {
+            uint32_t hash = gpu::mixedHash(seed, i);
+            for (const float value : {x.x, x.y, x.z, v.x, v.y, v.z})
+                hash = gpu::mixedHash(hash, std::bit_cast<uint32_t>(value));
+            return hash;
+        };
+        low += hashOf(STATE_HASH_LOW);
+        high += hashOf(STATE_HASH_HIGH);
+    }
+    return joinedHash(low, high);
 }
 
 }  // namespace knuckle

@@ -19,6 +19,14 @@ struct ViewState {
     std::vector<bool> torn{};                 ///< As ParticleState::torn.
 };
 
+/// The two sums of a state's hash as one number; see shaders/shared/state_hash.h.
+inline uint64_t joinedHash(uint32_t low, uint32_t high)
+{
+    return uint64_t{high} << 32 | low;
+}
+/// The same hash as Solver::stateHash().
+uint64_t stateHash(const ViewState& view);
+
 /// @param view its positions, velocities and torn particles are enough.
 ParticleState particleState(const ViewState& view);
 /// As World::bodies.
