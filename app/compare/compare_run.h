@@ -23,15 +23,14 @@ struct CompareRun {
     std::string difference, heatmap;    ///< PNG files, of folders folders; empty: none.
     std::vector<std::string> patterns;  ///< Of names in folders; empty: all that end as images do.
     bool allowNew = false, json = false, quiet = false;
-    std::string report, junit;  ///< Files; empty: none.
-    bool reportAll = false;     ///< Equal images have pictures in the report, too.
-    std::optional<double>
-        reportMegabytes;       ///< Pictures are left out of a larger report; none: DEFAULT_REPORT_MEGABYTES.
-    bool annotations = false;  ///< For GitHub, on standard output.
+    std::string report, junit;              ///< Files; empty: none.
+    bool reportAll = false;                 ///< Equal images have pictures in the report, too.
+    std::optional<double> reportMegabytes;  ///< Beyond it pictures are left out.
+    bool annotations = false;               ///< For GitHub, on standard output.
 };
 
-/// Reads, compares and judges two images: `Different`, `Equal`, or `Unreadable` with what is wrong as its line. Pictures
-/// are made as far as `run` asks for any.
+/// Reads, compares and judges two images: `Different`, `Equal`, or `Unreadable` with what is wrong as its line.
+/// Pictures are made as far as `run` asks for any.
 /// @param name by which limits are looked up.
 ReportEntry compareImageFiles(const CompareRun& run, const std::string& first, const std::string& second,
                               const std::string& name, unsigned threads);

@@ -111,7 +111,7 @@ function pointIn(event) {
 
 // One finger moves the divider or the picture, two zoom.
 const pointers = new Map();
-let movesDivider = false;
+let movesDivider = false, dividerBefore = 0.5;
 
 stage.addEventListener("pointerdown", event => {
   if (event.button !== 0) return;
@@ -119,6 +119,8 @@ stage.addEventListener("pointerdown", event => {
   pointers.set(event.pointerId, point);
   movesDivider = pointers.size === 1 && !divider.hidden &&
     (event.target === divider || !stage.classList.contains("zoomed"));
+  if (pointers.size === 1) dividerBefore = dividerAt;
+  else setDivider(dividerBefore);   // The first finger of two has moved it.
   if (movesDivider) setDivider(point.x / panes[0].element.clientWidth);
   event.target.setPointerCapture(event.pointerId);
 });

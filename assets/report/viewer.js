@@ -50,7 +50,8 @@ function setSize(image) {
 
 function update() {
   const { image } = state, mode = modeOf(image), hasPictures = Object.keys(image.pictures).length > 0;
-  stage.hidden = byId("values").hidden = !hasPictures;
+  stage.hidden = byId("values").hidden = byId("tools").hidden = !hasPictures;
+  byId("modes").hidden = Object.keys(image.pictures).length < 2;
   byId("empty").hidden = hasPictures;
   byId("empty").textContent = image.empty;
   showPictures(image, mode);
@@ -134,7 +135,11 @@ function setFilter(filter) {
     const button = make("button", { type: "button", value: image.index }, make("bdi", { textContent: image.name }),
       make("small", { className: "status", textContent: image.status }));
     button.dataset.status = image.status;
-    button.addEventListener("click", () => showImage(image));
+    button.addEventListener("click", () => {
+      showImage(image);
+      // On a phone the list is below.
+      if (byId("view").getBoundingClientRect().top < 0) byId("view").scrollIntoView();
+    });
     return make("li", {}, button);
   }));
   if (shown.length > 0 && !shown.includes(state.image)) showImage(shown[0]);
@@ -174,7 +179,7 @@ function readValues(event) {
     parts.push(`\n${name.padEnd(10)} `, swatch, (value[3] < 255 ? value : value.slice(0, 3)).join(" "));
   }
   if (values.reference && values.output)
-    parts.push("   output − reference " + values.output.map((v, i) => v - values.reference[i])
+    parts.push("\ndifference   " + values.output.map((v, i) => v - values.reference[i])
       .slice(0, values.reference[3] < 255 || values.output[3] < 255 ? 4 : 3)
       .map(v => (v > 0 ? "+" : "") + v).join(" ").replaceAll("-", "−"));
   byId("values").replaceChildren(...parts);

@@ -10,8 +10,9 @@ namespace knuckle {
 /// How much brighter differences are shown than they are.
 constexpr float DIFFERENCE_GAIN = 8.0f;
 
-/// |first - second| per channel, brightened by DIFFERENCE_GAIN to be seen; where alpha differs more, all channels show that.
-/// Black where `comparison` says that pixels count as equal. The pictures are those it was made of, of one size.
+/// |first - second| per channel, DIFFERENCE_GAIN times as bright to be seen; where alpha differs more, all channels
+/// show that. Black where `comparison` says that pixels count as equal. The pictures are those it was made of, of one
+/// size.
 Image differencePicture(const Picture& first, const Picture& second, const PictureComparison& comparison);
 
 /// FLIP's errors by heatColors(). @param comparison with FLIP, of one size.

@@ -1,86 +1,13 @@
 // The page in headless Chromium; skipped where there is none. scripts/report_test.sh keeps screenshots.
-#include <gtest/gtest.h>
+#include <cmath>
 
-#include "app/report/entry_list.h"
-#include "app/report/report_page.h"
-#include "tests/compare/made_pictures.h"
-#include "tests/report/browser.h"
-#include "tests/report/made_entries.h"
+#include "tests/report/browser_fixture.h"
 
 namespace knuckle {
 namespace {
 
-using Status = ReportEntry::Status;
 using test::Json;
-
-/// With the names of images in the order of the report: another size, two places, a little, and a name for each of the
-/// others.
-class ReportInBrowser : public testing::TestWithParam<bool> {
-protected:
-    void SetUp() override
-    {
-        if (test::Browser::program().empty()) GTEST_SKIP() << "no chromium here, which shows the page";
-        EntryList list(100'000'000);
-        Picture places = test::madeSceneWithBox(40, 20, 30, 30);
-        test::fillBox(places, 140, 70, 6, 4, {0, 0, 0});
-        list.add(test::madeEntry("sub/places.png", test::madeScene(), places));
-        list.add(test::madeEntry("size.png", test::madeScene(), test::flatPicture(80, 60, {90, 20, 160})));
-        list.add(
-            test::madeEntry("little" + test::oddNames()[0], test::madeScene(), test::madeSceneWithBox(3, 3, 6, 6)));
-        list.add(test::madeSingle("gone" + test::oddNames()[1], test::madeScene(), Status::Missing));
-        list.add(test::madeSingle("more.png", places, Status::New));
-        list.add(test::madeEntry("same.png", places, places));
-        writeReport(report_.path("report.html"), {"golden and out", {{"reference", "golden"}, {"output", "out"}}},
-                    list.take());
-        phone_ = GetParam();
-        std::unique_ptr<test::Browser>& browser = phone_ ? phoneBrowser : desktopBrowser;
-        if (!browser)
-            browser = phone_ ? std::make_unique<test::Browser>(390, 844, true)
-                             : std::make_unique<test::Browser>(1280, 800, false);
-        browser_ = browser.get();
-        browser_->emulate("prefers-color-scheme", "light");
-    }
-    static void TearDownTestSuite()
-    {
-        phoneBrowser.reset();
-        desktopBrowser.reset();
-    }
-    /// Opens an image and waits for its pictures.
-    void open(const std::string& hash = "#image-2.slider")
-    {
-        browser_->open(report_.path("report.html"), hash);
-        ASSERT_TRUE(browser_->waitFor("document.querySelector('#name').textContent !== ''"));
-        settle();
-    }
-    void settle() { browser_->evaluate("new Promise(done => setTimeout(done, 150))"); }
-    Json value(const std::string& expression) { return browser_->evaluate(expression); }
-    std::string text(const std::string& selector)
-    {
-        return value("document.querySelector('" + selector + "').textContent");
-    }
-    bool isShown(const std::string& selector)
-    {
-        return value("document.querySelector('" + selector + "').checkVisibility()");
-    }
-    double number(const std::string& expression) { return value(expression); }
-    double zoom() { return number("Number(stage.style.getPropertyValue('--s'))"); }
-    void shoot(const std::string& name) { browser_->screenshot((phone_ ? "phone_" : "desktop_") + name); }
-    /// Where a pixel of the picture is on the screen: its middle.
-    std::pair<double, double> placeOf(int x, int y)
-    {
-        const Json place = value(
-            "(() => { const r = document.querySelector('.half:not([hidden]) img').getBoundingClientRect(), s = "
-            "Number(stage.style.getPropertyValue('--s')); return [r.x + " +
-            std::to_string(x) + ".5 * s, r.y + " + std::to_string(y) + ".5 * s]; })()");
-        return {place.at(0), place.at(1)};
-    }
-
-    // A browser takes a second to start.
-    static inline std::unique_ptr<test::Browser> phoneBrowser, desktopBrowser;
-    test::TempFolder report_;
-    test::Browser* browser_ = nullptr;
-    bool phone_ = false;
-};
+using test::ReportInBrowser;
 
 TEST_P(ReportInBrowser, ShowsTheWorstFirst)
 {
@@ -197,12 +124,12 @@ TEST_P(ReportInBrowser, ZoomsAndReadsPixels)
     if (phone_) browser_->drag(atX, atY, atX, atY);
     else browser_->moveTo(atX, atY);
     // x, 2 y and x + y of the scene; the output is white there.
-    EXPECT_EQ(text("#values"),
-              "50,30\nreference  50 60 16\noutput     255 255 255   output − reference +205 +195 +239");
+    EXPECT_EQ(text("#values"), "50,30\nreference  50 60 16\noutput     255 255 255\ndifference   +205 +195 +239");
     shoot("zoomed");
     const double shift = number("Number(stage.style.getPropertyValue('--x'))");
     browser_->drag(atX, atY, atX + 50, atY + 5);
     EXPECT_NE(number("Number(stage.style.getPropertyValue('--x'))"), shift) << "a larger picture is moved";
+    EXPECT_EQ(number("Number(document.querySelector('#divider').ariaValueNow)"), 50) << "two fingers do not move it";
     browser_->press("0");
     EXPECT_NEAR(zoom(), fit, 1e-6);
 }
@@ -241,7 +168,7 @@ TEST_P(ReportInBrowser, Filters)
     EXPECT_EQ(shown(), 1);
     EXPECT_TRUE(text("#name").starts_with("gone\"><img"));
     EXPECT_EQ(text("#position"), "1 / 1");
-    EXPECT_EQ(value("document.querySelector('#modes [value=slider]').disabled"), true) << "there is one picture";
+    EXPECT_FALSE(isShown("#modes")) << "there is one picture";
     settle();
     shoot("missing");
     browser_->press("f");
@@ -249,6 +176,7 @@ TEST_P(ReportInBrowser, Filters)
     browser_->press("f");
     EXPECT_EQ(text("#name"), "same.png");
     EXPECT_FALSE(isShown("#stage"));
+    EXPECT_FALSE(isShown("#tools"));
     EXPECT_EQ(text("#empty"), "no pictures: equal");
     shoot("equal");
     browser_->press("f");
@@ -282,6 +210,9 @@ TEST_P(ReportInBrowser, FollowsKeys)
     EXPECT_FALSE(isShown("#help"));
     browser_->click("#list li:nth-child(3) button");
     EXPECT_EQ(text("#position"), "3 / 6");
+    EXPECT_GE(number("document.querySelector('#view').getBoundingClientRect().top"), -1) << "the image is seen";
+    settle();
+    shoot("chosen");
 }
 
 TEST_P(ReportInBrowser, IsATableWithoutScripts)
