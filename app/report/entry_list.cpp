@@ -1,6 +1,7 @@
 #include "app/report/entry_list.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace knuckle {
 
@@ -16,14 +17,17 @@ std::vector<ReportEntry> EntryList::take()
 {
     const std::lock_guard lock(mutex_);
     trim();
-    held_ = 0;
+    held_ = sorted_ = 0;
     return std::move(entries_);
 }
 
 /// What is beyond the limit stays so when more comes before it: so pictures can be dropped while entries are added.
 void EntryList::trim()
 {
-    std::sort(entries_.begin(), entries_.end(), isWorse);
+    const auto added = entries_.begin() + static_cast<std::ptrdiff_t>(sorted_);
+    std::sort(added, entries_.end(), isWorse);
+    std::inplace_merge(entries_.begin(), added, entries_.end(), isWorse);
+    sorted_ = entries_.size();
     size_t before = 0;
     held_ = 0;
     for (ReportEntry& entry : entries_) {

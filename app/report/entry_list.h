@@ -23,6 +23,7 @@ private:
     std::mutex mutex_;
     std::vector<ReportEntry> entries_;
     size_t limit_ = 0, held_ = 0;
+    size_t sorted_ = 0;  ///< So many entries are in order.
 };
 
 }  // namespace knuckle

@@ -68,7 +68,11 @@ function update() {
   byId("blink-run").setAttribute("aria-pressed", state.blinks);
   clearInterval(blinkTimer);
   if (mode === "blink" && state.blinks) blinkTimer = setInterval(showOther, 700);
-  history.replaceState(null, "", `#image-${image.index + 1}.${state.mode}`);
+  try {
+    history.replaceState(null, "", `#image-${image.index + 1}.${state.mode}`);
+  } catch {
+    // Some browsers allow a hundred in half a minute, and none in a page within another one.
+  }
 }
 
 function showOther() {

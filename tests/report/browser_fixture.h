@@ -13,8 +13,8 @@
 
 namespace knuckle::test {
 
-/// A report of six images, on a desktop or, with true, on a phone: another size, two places that differ, one with a name
-/// that would be a script, a missing, a new and an equal one. It stands in this order.
+/// A report of six images, on a desktop or, with true, on a phone: in this order another size, two places that differ,
+/// one with a name that would be a script, a missing, a new and an equal one.
 class ReportInBrowser : public testing::TestWithParam<bool> {
 protected:
     void SetUp() override
