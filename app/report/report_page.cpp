@@ -67,7 +67,7 @@ size_t pictureBytesOf(double megabytes)
 
 void writeReport(OutputFile& file, const ReportHead& head, const std::vector<ReportEntry>& entries)
 {
-    const auto text = [&file](std::string value) { return [&file, value] { file.write(value); }; };
+    const auto text = [&file](const std::string& value) { return [&file, value] { file.write(value); }; };
     const auto part = [](const char* name) { return std::string(embeddedReport().at(name)); };
     const bool failed = std::ranges::any_of(entries, [](const ReportEntry& entry) { return entry.failed(); });
     const auto rows = [&] {

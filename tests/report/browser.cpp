@@ -46,7 +46,7 @@ std::string Browser::program()
     const char* path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');)
-        if (const std::string file = folder + "/chromium"; access(file.c_str(), X_OK) == 0) return file;
+        if (std::string file = folder + "/chromium"; access(file.c_str(), X_OK) == 0) return file;
     return "";
 }
 

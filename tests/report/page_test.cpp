@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <limits>
 #include <regex>
 #include <set>
 
@@ -77,7 +79,7 @@ TEST(ReportPage, ShowsTransparencyAndWhatIsBeyondWhite)
     for (size_t i = 0; i < 8; ++i) EXPECT_NEAR(shown.rgba[i], picture.rgba[i], 1e-3) << i;
     Picture light = test::flatPicture(1, 1, {0, 0, 0});
     light.hdr = true;
-    light.rgba = {7.5f, -1.0f, std::nanf(""), 1.0f};
+    light.rgba = {7.5f, -1.0f, std::numeric_limits<float>::quiet_NaN(), 1.0f};
     const Picture cut = picturesOf(pageOf({test::madeSingle("a.exr", light, Status::New)})).at(0);
     EXPECT_EQ(cut.rgba, (std::vector<float>{1.0f, 0.0f, 0.0f, 1.0f}));
 }
