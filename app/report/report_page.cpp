@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -37,10 +38,10 @@ std::string leftOutWords(const std::vector<ReportEntry>& entries)
         bytes += entry.leftOutBytes;
     }
     if (count == 0) return "";
-    return fmt::format(
-        "<p class=\"left-out\">Pictures of {} image{}, those that differ least, are left out: the report "
-        "would have {:.0f} MB more.</p>\n",
-        count, count == 1 ? "" : "s", static_cast<double>(bytes) * 4 / 3 * 1e-6 + 0.5);
+    const std::string images = count == 1 ? "the last image that has any"
+                                          : fmt::format("the last {} images that have any", count);
+    return fmt::format("<p class=\"left-out\">Pictures of {} are left out: the report would have {:.0f} MB more.</p>\n",
+                       images, std::ceil(static_cast<double>(bytes) / static_cast<double>(pictureBytesOf(1.0))));
 }
 
 /// Writes the page, with what stands for each {{word}} in its place. What is put in is not looked at again.

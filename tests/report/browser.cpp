@@ -52,6 +52,7 @@ std::string Browser::program()
 
 Browser::Browser(int width, int height, bool phone) : phone_(phone)
 {
+    std::signal(SIGPIPE, SIG_IGN);  // A browser that has ended is an error like others.
     std::array<int, 2> to{}, from{};
     if (pipe2(to.data(), O_CLOEXEC) != 0 || pipe2(from.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
     process_ = fork();
@@ -70,7 +71,14 @@ Browser::Browser(int width, int height, bool phone) : phone_(phone)
 
 Browser::~Browser()
 {
-    kill(process_, SIGKILL);
+    try {
+        session_.clear();
+        call("Browser.close");
+        // It ends when it has written its profile, which is removed afterwards.
+        while (true) read();
+    } catch (const std::exception&) {
+        kill(process_, SIGKILL);
+    }
     waitpid(process_, nullptr, 0);
     close(toBrowser_);
     close(fromBrowser_);
