@@ -79,7 +79,7 @@ ReportEntry comparePair(const CompareRun& run, const std::string& name)
         writeBeside(run.difference, name, entry.pictures.difference);
         writeBeside(run.heatmap, name, entry.pictures.heatmap);
     }
-    if (run.report.empty()) entry.pictures = {};
+    if (run.report.empty()) entry.pictures.drop();
     return entry;
 }
 

@@ -87,7 +87,7 @@ void compareFiles(const CompareRun& run, ReportEntry& entry, unsigned threads)
     const std::string secondBytes = readPictureBytes(entry.outputPath);
     const bool same = firstBytes == secondBytes;
     const Picture a = decodePicture(firstBytes, entry.referencePath);
-    firstBytes = {};
+    std::string().swap(firstBytes);
     const std::optional<Picture> other = same ? std::nullopt
                                               : std::optional(decodePicture(secondBytes, entry.outputPath));
     const Picture& b = other ? *other : a;
@@ -123,9 +123,9 @@ ReportEntry compareImageFiles(const CompareRun& run, const std::string& first, c
         entry.line = error.what();
         if (!run.report.empty()) readPictures(entry);
     }
-    // Figures of single pixels are large, and there may be thousands of images.
-    entry.comparison.differences.marks = {};
-    entry.comparison.flip.errors = {};
+    // Figures of single pixels are large, and there may be thousands of images. Not = {}, which keeps the memory.
+    entry.comparison.differences.marks = std::vector<uint8_t>();
+    entry.comparison.flip.errors = std::vector<float>();
     return entry;
 }
 

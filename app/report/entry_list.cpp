@@ -36,7 +36,7 @@ void EntryList::trim()
         if (before <= limit_) {
             held_ += bytes;
         } else {
-            entry.pictures = {};
+            entry.pictures.drop();
             entry.leftOutBytes = bytes;
         }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -15,6 +16,8 @@ struct ReportPictures {
     std::string difference, heatmap;  ///< See difference_pictures.h.
 
     size_t bytes() const { return reference.size() + output.size() + difference.size() + heatmap.size(); }
+    /// Frees their memory, which strings keep where an empty one is assigned.
+    void drop() { const ReportPictures dropped = std::exchange(*this, {}); }
 };
 
 /// What is told beside an image or a report: a name and its value, such as "driver of the reference".

@@ -1,6 +1,6 @@
 #include <filesystem>
 
-#include "app/json/json.h"
+#include "app/compare/compare_run.h"
 #include "render/picture/image.h"
 #include "tests/cli/cli_fixture.h"
 
@@ -105,6 +105,16 @@ TEST_F(CompareReport, LeavesOutPicturesThatAreTooMany)
                           "--report-size\n");
     EXPECT_EQ(picturesIn("r.html"), 0u);
     EXPECT_NE(written("r.html").find("Pictures of the last 3 images that have any are left out"), std::string::npos);
+}
+
+TEST_F(CompareReport, KeepsNoFiguresOfSinglePixels)
+{
+    const ReportEntry entry = compareImageFiles({}, folder.path("golden/changed.png"), folder.path("out/changed.png"),
+                                                "changed.png", 1);
+    EXPECT_EQ(entry.status, ReportEntry::Status::Different);
+    EXPECT_EQ(entry.comparison.differences.marks.capacity(), 0u) << "of thousands of images that is much";
+    EXPECT_EQ(entry.comparison.flip.errors.capacity(), 0u);
+    EXPECT_EQ(entry.pictures.bytes(), 0u);
 }
 
 TEST_F(CompareReport, AnnotatesForGithub)

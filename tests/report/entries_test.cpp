@@ -83,6 +83,7 @@ TEST(ReportEntries, KeepPicturesOfTheWorstOnly)
         std::vector<size_t> kept;
         for (const ReportEntry& entry : list.take()) {
             kept.push_back(entry.pictures.bytes());
+            EXPECT_TRUE(entry.leftOutBytes == 0 || entry.pictures.output.capacity() < 20) << "memory is freed";
             EXPECT_EQ(entry.pictures.bytes() + entry.leftOutBytes,
                       static_cast<size_t>((10 - entry.comparison.tile.score) * 10));
         }
