@@ -18,7 +18,7 @@ namespace {
 /// Words of options, before they are understood.
 struct CompareWords {
     CompareRun run;
-    std::string limits, mask, background = "000000";
+    std::string limits, mask, annotations, background = "000000";
     std::vector<std::string> ignored, ignoredColors;
 };
 
@@ -57,6 +57,7 @@ int compare(const CompareWords& words, bool quiet)
 {
     CompareRun run = words.run;
     run.quiet = quiet;
+    run.annotations = !words.annotations.empty();
     for (const std::string& word : words.ignored) run.settings.ignored.boxes.push_back(parseBox(word));
     for (const std::string& word : words.ignoredColors)
         run.settings.ignored.colors.push_back(parseColor("--ignore-color", word));
@@ -66,6 +67,10 @@ int compare(const CompareWords& words, bool quiet)
         if (!input.empty()) run.otherInputs.push_back(input);
     if (!words.limits.empty()) run.file = readLimits(words.limits);
     if (!words.mask.empty()) run.settings.ignored.mask = std::make_shared<const Picture>(readPicture(words.mask));
+    if (run.report.empty() && (run.reportAll || run.reportMegabytes))
+        throw InputError("--report-all and --report-size are for --report; name its file, or leave them out");
+    if (run.json && run.annotations)
+        throw InputError("--json and --annotations both print to standard output; leave one of them out");
     std::error_code ignored;
     const bool folders = std::filesystem::is_directory(run.first, ignored) &&
                          std::filesystem::is_directory(run.second, ignored);
@@ -87,7 +92,8 @@ constexpr const char* FOOTER =
     "  knuckle compare a.png b.png --threshold 0 --max-pixels 0     any difference counts\n"
     "  knuckle compare a.png b.png --ignore 0,0,200x40 --ignore-antialiasing\n"
     "  knuckle compare a.exr b.exr --max-flip 0.02 --heatmap flip.png\n"
-    "  knuckle compare golden out --limits limits.json --difference failures --json > report.json\n\n"
+    "  knuckle compare golden out --limits limits.json --difference failures --json > report.json\n"
+    "  knuckle compare golden out --report report.html --junit report.xml --annotations github\n\n"
     "docs/compare.md says what each figure is, and `knuckle schema limits` what a file of limits holds.";
 
 void addLimits(CLI::App& command, CompareWords& words)
@@ -149,6 +155,31 @@ void addIgnored(CLI::App& command, CompareWords& words)
         ->group("What is compared");
 }
 
+void addReports(CLI::App& command, CompareWords& words)
+{
+    const char* group = "Reports";
+    command.add_option("--report", words.run.report, "Write a page of what differs, to look at in a browser")
+        ->type_name("OUT.html")
+        ->group(group);
+    command.add_flag("--report-all", words.run.reportAll, "Equal images with their pictures, too")->group(group);
+    command
+        .add_option("--report-size", words.run.reportMegabytes,
+                    fmt::format("Leave out pictures, of what differs least, beyond so many MB [{:g}]",
+                                DEFAULT_REPORT_MEGABYTES))
+        ->check(numberBetween(0, 2000).description(""))
+        ->type_name("MB")
+        ->group(group);
+    command.add_option("--junit", words.run.junit, "Write a test case for each image, in JUnit's XML")
+        ->type_name("OUT.xml")
+        ->group(group);
+    command
+        .add_option("--annotations", words.annotations,
+                    "Print a line for each image that differs, as a service reads it")
+        ->check(CLI::IsMember({"github"}).description(""))
+        ->type_name("github")
+        ->group(group);
+}
+
 }  // namespace
 
 void addCompareCommand(CommandLine line)
@@ -166,6 +197,7 @@ void addCompareCommand(CommandLine line)
         ->type_name("OUT.png");
     command->add_option("--heatmap", words->run.heatmap, "Write a picture of FLIP's errors; of folders a folder")
         ->type_name("OUT.png");
+    addReports(*command, *words);
     command->add_flag("--json", words->run.json, "Print all figures as JSON, also with --quiet");
     command->callback([=] { line.chosen = [=] { return compare(*words, line.common.quiet); }; });
 }

@@ -5,7 +5,8 @@
 #include <set>
 #include <thread>
 
-#include "app/compare/compare_run.h"
+#include "app/compare/compare_outputs.h"
+#include "app/report/report_pictures.h"
 #include "app/run/exit_codes.h"
 #include "app/run/tell.h"
 #include "render/compare/parallel.h"
@@ -45,12 +46,6 @@ std::set<std::string> imagesIn(const std::string& folder, const std::vector<std:
     return names;
 }
 
-/// One image of both folders.
-struct Pair {
-    std::string name, error;  ///< `error`: why it could not be read; empty where it was.
-    ComparedImages images;
-};
-
 struct FolderNames {
     std::vector<std::string> both, missing, added;
 };
@@ -76,66 +71,69 @@ void writeBeside(const std::string& folder, const std::string& name, const std::
     writeFile((fs::path(folder) / fs::path(name).replace_extension(".png")).string(), png);
 }
 
-Pair comparePair(const CompareRun& run, const std::string& name)
+ReportEntry comparePair(const CompareRun& run, const std::string& name)
 {
-    Pair pair{name, {}, {}};
-    try {
-        pair.images = compareImageFiles(run, (fs::path(run.first) / name).string(),
-                                        (fs::path(run.second) / name).string(), name, 1);
-        if (!pair.images.verdict.equal) {
-            writeBeside(run.difference, name, pair.images.differencePng);
-            writeBeside(run.heatmap, name, pair.images.heatmapPng);
-        }
-        // Figures of single pixels are large, and there may be thousands of images.
-        pair.images.comparison.differences.marks = {};
-        pair.images.comparison.flip.errors = {};
-        pair.images.differencePng = pair.images.heatmapPng = {};
-    } catch (const InputError& error) {
-        pair.error = error.what();
+    ReportEntry entry = compareImageFiles(run, (fs::path(run.first) / name).string(),
+                                          (fs::path(run.second) / name).string(), name, 1);
+    if (entry.status == ReportEntry::Status::Different) {
+        writeBeside(run.difference, name, entry.pictures.difference);
+        writeBeside(run.heatmap, name, entry.pictures.heatmap);
     }
-    return pair;
+    if (run.report.empty()) entry.pictures.drop();
+    return entry;
 }
 
-/// Other sizes first, then by the worst tile and the mean of FLIP; names decide where those are equal.
-void sortWorstFirst(std::vector<Pair>& pairs)
+/// An image that only one of the folders has.
+ReportEntry singleImage(const CompareRun& run, const std::string& name, ReportEntry::Status status)
 {
-    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) {
-        if (p.images.verdict.equal != q.images.verdict.equal) return q.images.verdict.equal;
-        if (p.images.comparison.sameSize() != q.images.comparison.sameSize()) return q.images.comparison.sameSize();
-        if (p.images.comparison.tile.score != q.images.comparison.tile.score)
-            return p.images.comparison.tile.score > q.images.comparison.tile.score;
-        return p.images.comparison.flip.mean > q.images.comparison.flip.mean;
+    ReportEntry entry;
+    entry.name = name;
+    entry.status = status;
+    if (status == ReportEntry::Status::Missing) {
+        entry.referencePath = (fs::path(run.first) / name).string();
+        entry.line = "missing in " + run.second;
+    } else {
+        entry.outputPath = (fs::path(run.second) / name).string();
+        entry.line = "new, not in " + run.first;
+        entry.allowed = run.allowNew;
+    }
+    if (!run.report.empty()) readPictures(entry);
+    return entry;
+}
+
+/// Compares what both folders have, and looks at what only one has, one image on each core.
+void compareAll(const CompareRun& run, const FolderNames& names, CompareOutputs& outputs)
+{
+    const size_t pairs = names.both.size(), known = pairs + names.missing.size();
+    forEachParallel(known + names.added.size(), std::max(1u, std::thread::hardware_concurrency()), [&](size_t i) {
+        if (i < pairs) outputs.add(comparePair(run, names.both[i]));
+        else if (i < known) outputs.add(singleImage(run, names.missing[i - pairs], ReportEntry::Status::Missing));
+        else outputs.add(singleImage(run, names.added[i - known], ReportEntry::Status::New));
     });
 }
 
-void printPairs(const CompareRun& run, const FolderNames& names, const std::vector<Pair>& pairs, size_t different)
+void printEntries(const std::vector<ReportEntry>& entries)
 {
-    for (const Pair& pair : pairs) {
-        if (!pair.error.empty() || pair.images.verdict.equal) continue;
-        const std::string places = placesLine(pair.images.comparison);
-        fmt::print("{}: {}{}{}\n", pair.name, verdictLine(pair.images.comparison, pair.images.verdict),
-                   places.empty() ? "" : "; ", places);
-    }
-    for (const std::string& name : names.missing) fmt::print("{}: missing in {}\n", name, run.second);
-    for (const std::string& name : names.added) fmt::print("{}: new, not in {}\n", name, run.first);
-    std::string rest;
-    if (!names.missing.empty()) rest += fmt::format(", {} missing", names.missing.size());
-    if (!names.added.empty()) rest += fmt::format(", {} new{}", names.added.size(), run.allowNew ? " (allowed)" : "");
-    const auto failed = std::ranges::count_if(pairs, [](const Pair& pair) { return !pair.error.empty(); });
-    if (failed > 0) rest += fmt::format(", {} cannot be read", failed);
-    fmt::print("{} of {} images {}{}\n", different, pairs.size(), different == 1 ? "differs" : "differ", rest);
+    using Status = ReportEntry::Status;
+    for (const ReportEntry& entry : entries)
+        if (entry.status != Status::Equal && entry.status != Status::Unreadable)
+            fmt::print("{}: {}\n", entry.name, entry.line);
+    fmt::print("{}\n", summaryOf(entries));
 }
 
-void printJson(const CompareRun& run, const FolderNames& names, const std::vector<Pair>& pairs, bool equal)
+void printJson(const CompareRun& run, const FolderNames& names, const std::vector<ReportEntry>& entries, bool equal)
 {
     Json json = {{"first", run.first},       {"second", run.second}, {"verdict", equal ? "equal" : "different"},
                  {"missing", names.missing}, {"new", names.added},   {"unreadable", Json::array()},
                  {"images", Json::array()}};
-    for (const Pair& pair : pairs) {
-        Json entry = {{"name", pair.name}};
-        if (pair.error.empty()) entry.update(comparisonToJson(pair.images, run.settings));
-        else entry["error"] = pair.error;
-        json[pair.error.empty() ? "images" : "unreadable"].push_back(std::move(entry));
+    for (const ReportEntry& entry : entries) {
+        using Status = ReportEntry::Status;
+        if (entry.status == Status::Missing || entry.status == Status::New) continue;
+        Json image = {{"name", entry.name}};
+        const bool readable = entry.status != Status::Unreadable;
+        if (readable) image.update(comparisonToJson(entry, run.settings));
+        else image["error"] = entry.line;
+        json[readable ? "images" : "unreadable"].push_back(std::move(image));
     }
     fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
@@ -161,23 +159,27 @@ int compareFolders(const CompareRun& run)
 {
     checkOutput("--difference ", run.difference, run);
     checkOutput("--heatmap ", run.heatmap, run);
+    RunPaths paths;
+    CompareOutputs outputs(run, paths);
     const FolderNames names = namesOf(run);
-    std::vector<Pair> pairs(names.both.size());
-    forEachParallel(pairs.size(), std::max(1u, std::thread::hardware_concurrency()),
-                    [&](size_t i) { pairs[i] = comparePair(run, names.both[i]); });
-    sortWorstFirst(pairs);
-    const auto different = std::ranges::count_if(
-        pairs, [](const Pair& pair) { return pair.error.empty() && !pair.images.verdict.equal; });
-    const bool equal = different == 0 && names.missing.empty() && (names.added.empty() || run.allowNew);
-    if (run.json) printJson(run, names, pairs, equal);
-    else if (!run.quiet) printPairs(run, names, pairs, static_cast<size_t>(different));
-    bool failed = false;
-    for (const Pair& pair : pairs) {
-        if (pair.error.empty()) continue;
-        tellUser("knuckle: " + pair.error);
-        failed = true;
+    for (const auto& [folder, only] : {std::pair{&run.first, &names.missing}, std::pair{&run.second, &names.added}})
+        for (const auto* list : {&names.both, only})
+            for (const std::string& name : *list) paths.reads((fs::path(*folder) / name).string());
+    outputs.open();
+    compareAll(run, names, outputs);
+    const std::vector<ReportEntry> entries = outputs.finish();
+    const bool equal = std::ranges::none_of(entries, [](const ReportEntry& entry) {
+        return entry.failed() && entry.status != ReportEntry::Status::Unreadable;
+    });
+    if (run.json) printJson(run, names, entries, equal);
+    else if (!run.quiet) printEntries(entries);
+    bool unreadable = false;
+    for (const ReportEntry& entry : entries) {
+        if (entry.status != ReportEntry::Status::Unreadable) continue;
+        tellUser("knuckle: " + entry.line);
+        unreadable = true;
     }
-    if (failed) return EXIT_INPUT;
+    if (unreadable) return EXIT_INPUT;
     return equal ? EXIT_FINE : EXIT_DIFFERENT;
 }
 

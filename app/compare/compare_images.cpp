@@ -4,20 +4,19 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/compare/compare_run.h"
+#include "app/compare/compare_outputs.h"
 #include "app/files/run_paths.h"
+#include "app/report/report_pictures.h"
 #include "app/run/exit_codes.h"
 #include "render/compare/difference_pictures.h"
 #include "render/reader/picture_file.h"
+#include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
 #include "sim/base/files/output_file.h"
 
 namespace knuckle {
 
 namespace {
-
-/// The largest places are listed, the others counted.
-constexpr size_t MOST_PLACES = 100;
 
 Json boxToJson(const PixelBox& box)
 {
@@ -43,7 +42,7 @@ Json differencesToJson(const PictureComparison& comparison)
 Json placesToJson(const PictureComparison& comparison)
 {
     Json places = Json::array();
-    for (size_t i = 0; i < std::min(MOST_PLACES, comparison.places.size()); ++i) {
+    for (size_t i = 0; i < std::min(MOST_LISTED_PLACES, comparison.places.size()); ++i) {
         Json place = boxToJson(comparison.places[i].box);
         place["pixels"] = comparison.places[i].pixels;
         places.push_back(std::move(place));
@@ -76,37 +75,65 @@ private:
     std::optional<OutputFile> file_;
 };
 
-}  // namespace
-
-ComparedImages compareImageFiles(const CompareRun& run, const std::string& first, const std::string& second,
-                                 const std::string& name, unsigned threads)
+/// Compares and judges the entry's files. @throws InputError.
+void compareFiles(const CompareRun& run, ReportEntry& entry, unsigned threads)
 {
     CompareSettings settings = run.settings;
     settings.threads = threads;
     CompareLimits limits;
-    run.file.applyTo(name, settings.threshold, limits);
+    run.file.applyTo(entry.name, settings.threshold, limits);
     run.given.applyTo(settings.threshold, limits);
-    ComparedImages images;
-    std::string firstBytes = readPictureBytes(first);
-    const std::string secondBytes = readPictureBytes(second);
+    std::string firstBytes = readPictureBytes(entry.referencePath);
+    const std::string secondBytes = readPictureBytes(entry.outputPath);
     const bool same = firstBytes == secondBytes;
-    const Picture a = decodePicture(firstBytes, first);
-    firstBytes = {};
-    const std::optional<Picture> other = same ? std::nullopt : std::optional(decodePicture(secondBytes, second));
+    const Picture a = decodePicture(firstBytes, entry.referencePath);
+    std::string().swap(firstBytes);
+    const std::optional<Picture> other = same ? std::nullopt
+                                              : std::optional(decodePicture(secondBytes, entry.outputPath));
     const Picture& b = other ? *other : a;
-    images.comparison = same ? identicalPictures(a, settings) : comparePictures(a, b, settings);
-    images.verdict = judge(images.comparison, limits);
-    if (!images.comparison.sameSize()) return images;
-    if (!run.difference.empty()) images.differencePng = pngOf(differencePicture(a, b, images.comparison));
-    if (!run.heatmap.empty()) images.heatmapPng = pngOf(heatmapPicture(images.comparison));
-    return images;
+    entry.comparison = same ? identicalPictures(a, settings) : comparePictures(a, b, settings);
+    entry.verdict = judge(entry.comparison, limits);
+    const bool reported = !run.report.empty() && (run.reportAll || !entry.verdict.equal);
+    if (reported) {
+        entry.pictures.reference = shownPng(a);
+        entry.pictures.output = shownPng(b);
+    }
+    if (!entry.comparison.sameSize()) return;
+    if (reported || !run.difference.empty())
+        entry.pictures.difference = pngOf(differencePicture(a, b, entry.comparison));
+    if (reported || !run.heatmap.empty()) entry.pictures.heatmap = pngOf(heatmapPicture(entry.comparison));
 }
 
-Json comparisonToJson(const ComparedImages& images, const CompareSettings& settings)
+}  // namespace
+
+ReportEntry compareImageFiles(const CompareRun& run, const std::string& first, const std::string& second,
+                              const std::string& name, unsigned threads)
 {
-    const PictureComparison& comparison = images.comparison;
-    Json json = {{"verdict", images.verdict.word()},
-                 {"reasons", images.verdict.reasons},
+    ReportEntry entry;
+    entry.name = name;
+    entry.referencePath = first;
+    entry.outputPath = second;
+    try {
+        compareFiles(run, entry, threads);
+        entry.status = entry.verdict.equal ? ReportEntry::Status::Equal : ReportEntry::Status::Different;
+        const std::string places = entry.verdict.equal ? "" : placesLine(entry.comparison);
+        entry.line = verdictLine(entry.comparison, entry.verdict) + (places.empty() ? "" : "; " + places);
+    } catch (const InputError& error) {
+        entry.status = ReportEntry::Status::Unreadable;
+        entry.line = error.what();
+        if (!run.report.empty()) readPictures(entry);
+    }
+    // Figures of single pixels are large, and there may be thousands of images. Not = {}, which keeps the memory.
+    entry.comparison.differences.marks = std::vector<uint8_t>();
+    entry.comparison.flip.errors = std::vector<float>();
+    return entry;
+}
+
+Json comparisonToJson(const ReportEntry& entry, const CompareSettings& settings)
+{
+    const PictureComparison& comparison = entry.comparison;
+    Json json = {{"verdict", entry.verdict.word()},
+                 {"reasons", entry.verdict.reasons},
                  {"width", comparison.width},
                  {"height", comparison.height}};
     if (!comparison.sameSize()) {
@@ -135,25 +162,32 @@ int compareTwoImages(const CompareRun& run)
     RunPaths paths;
     paths.reads(run.first);
     paths.reads(run.second);
-    for (const std::string& input : run.otherInputs) paths.reads(input);
     PictureOutput difference("--difference ", run.difference, paths), heatmap("--heatmap ", run.heatmap, paths);
-    paths.check();
+    CompareOutputs outputs(run, paths);
     difference.open();
     heatmap.open();
+    outputs.open();
     const std::string name = std::filesystem::path(run.first).filename().string();
-    const ComparedImages images = compareImageFiles(run, run.first, run.second, name, run.settings.threads);
-    difference.finish(images.differencePng);
-    heatmap.finish(images.heatmapPng);
-    if (run.json) {
-        Json json = {{"first", run.first}, {"second", run.second}};
-        json.update(comparisonToJson(images, run.settings));
-        fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
-    } else if (!run.quiet) {
-        fmt::print("{}\n", verdictLine(images.comparison, images.verdict));
-        const std::string places = placesLine(images.comparison);
-        if (!images.verdict.equal && !places.empty()) fmt::print("{}\n", places);
+    ReportEntry entry = compareImageFiles(run, run.first, run.second, name, run.settings.threads);
+    const bool readable = entry.status != ReportEntry::Status::Unreadable;
+    if (readable) {
+        difference.finish(entry.pictures.difference);
+        heatmap.finish(entry.pictures.heatmap);
     }
-    return images.verdict.equal ? EXIT_FINE : EXIT_DIFFERENT;
+    if (readable && run.json) {
+        Json json = {{"first", run.first}, {"second", run.second}};
+        json.update(comparisonToJson(entry, run.settings));
+        fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+    } else if (readable && !run.quiet) {
+        fmt::print("{}\n", verdictLine(entry.comparison, entry.verdict));
+        const std::string places = placesLine(entry.comparison);
+        if (!entry.verdict.equal && !places.empty()) fmt::print("{}\n", places);
+    }
+    const std::string line = entry.line;
+    outputs.add(std::move(entry));
+    const std::vector<ReportEntry> entries = outputs.finish();
+    if (!readable) throw InputError(line);
+    return entries.front().verdict.equal ? EXIT_FINE : EXIT_DIFFERENT;
 }
 
 }  // namespace knuckle

@@ -8,9 +8,6 @@ namespace knuckle {
 
 namespace {
 
-constexpr float GAIN = 8.0f;
-
-/// From 0 to 1 at equal steps, with even growing lightness, so that it reads in grey as well.
 constexpr std::array<std::array<float, 3>, 9> HEAT{{{0, 0, 4},
                                                     {28, 16, 68},
                                                     {79, 18, 123},
@@ -28,13 +25,18 @@ uint8_t byteOf(float value)
 
 }  // namespace
 
+const std::array<std::array<float, 3>, 9>& heatColors()
+{
+    return HEAT;
+}
+
 Image differencePicture(const Picture& first, const Picture& second, const PictureComparison& comparison)
 {
     Image image{first.width, first.height, std::vector<uint8_t>(first.pixelCount() * 3)};
     for (size_t i = 0; i < first.pixelCount(); ++i) {
         if (comparison.differences.marks[i] == 0) continue;
         const auto difference = [&](size_t c) {
-            const float steps = std::fabs(first.rgba[i * 4 + c] - second.rgba[i * 4 + c]) * STEPS * GAIN;
+            const float steps = std::fabs(first.rgba[i * 4 + c] - second.rgba[i * 4 + c]) * STEPS * DIFFERENCE_GAIN;
             return std::isfinite(steps) ? steps : 255.0f;
         };
         for (size_t c = 0; c < 3; ++c) image.rgb[i * 3 + c] = byteOf(std::max(difference(c), difference(3)));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "render/compare/differences.h"
 
 namespace knuckle {
@@ -12,6 +14,8 @@ struct DifferencePlace {
 
 /// Regions are joined across gaps of this many pixels.
 constexpr uint32_t PLACE_GAP = 4;
+/// The largest regions are listed, the others counted.
+constexpr size_t MOST_LISTED_PLACES = 100;
 
 /// The regions of changed pixels, those with most pixels first, of equal ones the upper, then the left one.
 /// @param marks of Differences. @param least a pixel counts from this mark on.

@@ -13,20 +13,9 @@ namespace {
 /// A limit of whole steps must not hang on the last bits of floats.
 constexpr double LAST_BITS = 1e-4;
 
-/// Four digits that count, so that what is not 0 is not shown as 0.
-std::string number(double value)
-{
-    return fmt::format("{:.4g}", value);
-}
-
 std::string count(uint64_t pixels, const char* what)
 {
     return fmt::format("{} {}{}", pixels, what, pixels == 1 ? "" : "s");
-}
-
-std::string boxWords(const PixelBox& box)
-{
-    return fmt::format("at {},{}, {} x {}", box.x, box.y, box.width, box.height);
 }
 
 std::string changedWords(const PictureComparison& comparison)
@@ -45,10 +34,20 @@ void checkChanged(const PictureComparison& comparison, const CompareLimits& limi
     else if (limits.share && share > *limits.share)
         reasons.push_back(fmt::format("{} ({:.0f} may, {} %)", changedWords(comparison),
                                       std::floor(*limits.share * static_cast<double>(comparison.compared)),
-                                      number(100.0 * *limits.share)));
+                                      shortNumber(100.0 * *limits.share)));
 }
 
 }  // namespace
+
+std::string shortNumber(double value)
+{
+    return fmt::format("{:.4g}", value);
+}
+
+std::string boxWords(const PixelBox& box)
+{
+    return fmt::format("at {},{}, {} x {}", box.x, box.y, box.width, box.height);
+}
 
 Verdict judge(const PictureComparison& comparison, const CompareLimits& limits)
 {
@@ -60,15 +59,16 @@ Verdict judge(const PictureComparison& comparison, const CompareLimits& limits)
         checkChanged(comparison, limits, verdict.reasons);
         const auto check = [&](double value, const std::optional<double>& limit, const std::string& words) {
             if (limit && value > *limit + (*limit > 0.0 ? LAST_BITS : 0.0))
-                verdict.reasons.push_back(fmt::format("{} {} (at most {})", words, number(value), number(*limit)));
+                verdict.reasons.push_back(
+                    fmt::format("{} {} (at most {})", words, shortNumber(value), shortNumber(*limit)));
         };
         check(comparison.differences.mean, limits.mean, "mean difference of 255");
         check(comparison.differences.max, limits.largest, "largest difference of 255");
         check(comparison.tile.score, limits.tile, fmt::format("the tile {} scores", boxWords(comparison.tile.box)));
         check(comparison.flip.mean, limits.flip, "mean FLIP");
         if (limits.ssim && comparison.ssim.mean < *limits.ssim)
-            verdict.reasons.push_back(
-                fmt::format("mean SSIM {} (at least {})", number(comparison.ssim.mean), number(*limits.ssim)));
+            verdict.reasons.push_back(fmt::format("mean SSIM {} (at least {})", shortNumber(comparison.ssim.mean),
+                                                  shortNumber(*limits.ssim)));
     }
     verdict.equal = verdict.reasons.empty();
     return verdict;
@@ -85,7 +85,8 @@ std::string verdictLine(const PictureComparison& comparison, const Verdict& verd
         return fmt::format("equal: {} compared, none differs{}", count(comparison.compared, "pixel"), ignored);
     return fmt::format("equal: {} of {} pixels differ, {} by more than {:g} of 255; mean {}, largest {}, FLIP {}{}",
                        differences.differing, comparison.compared, differences.changed, comparison.threshold,
-                       number(differences.mean), number(differences.max), number(comparison.flip.mean), ignored);
+                       shortNumber(differences.mean), shortNumber(differences.max), shortNumber(comparison.flip.mean),
+                       ignored);
 }
 
 std::string placesLine(const PictureComparison& comparison)

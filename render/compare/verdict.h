@@ -39,4 +39,9 @@ std::string verdictLine(const PictureComparison& comparison, const Verdict& verd
 /// "the difference is in 3 places, the largest at 412,230, 60 x 40"; empty where there is none.
 std::string placesLine(const PictureComparison& comparison);
 
+/// Four digits that count, so that what is not 0 is not shown as 0.
+std::string shortNumber(double value);
+/// "at 412,230, 60 x 40".
+std::string boxWords(const PixelBox& box);
+
 }  // namespace knuckle

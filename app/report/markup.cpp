@@ -1,0 +1,64 @@
+#include "app/report/markup.h"
+
+#include <cstddef>
+#include <cstdint>
+
+#include "sim/rig/import/valid_text.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr const char* REPLACEMENT = "\uFFFD";
+
+/// What stands for a character of its own meaning; nothing for others.
+const char* entityOf(char c)
+{
+    switch (c) {
+        case '&': return "&amp;";
+        case '<': return "&lt;";
+        case '>': return "&gt;";
+        case '"': return "&quot;";
+        case '\'': return "&#39;";
+        case '\t': return "&#9;";
+        case '\n': return "&#10;";
+        case '\r': return "&#13;";
+        default: return static_cast<uint8_t>(c) < 0x20 || c == 0x7F ? REPLACEMENT : nullptr;
+    }
+}
+
+}  // namespace
+
+std::string escapedMarkup(std::string_view text)
+{
+    const std::string valid = validText(text);
+    std::string escaped;
+    for (size_t i = 0; i < valid.size(); ++i) {
+        const std::string_view next = std::string_view(valid).substr(i, 3);
+        if (const char* entity = entityOf(valid[i])) {
+            escaped += entity;
+        } else if (next == "\xEF\xBF\xBE" || next == "\xEF\xBF\xBF") {
+            escaped += REPLACEMENT;
+            i += 2;
+        } else {
+            escaped += valid[i];
+        }
+    }
+    return escaped;
+}
+
+std::string toBase64(std::string_view bytes)
+{
+    constexpr std::string_view DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (size_t i = 0; i < bytes.size(); i += 3) {
+        uint32_t bits = 0;
+        for (size_t k = 0; k < 3; ++k)
+            bits = bits << 8 | (i + k < bytes.size() ? static_cast<uint8_t>(bytes[i + k]) : 0u);
+        for (size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : DIGITS[bits >> (18 - 6 * k) & 63];
+    }
+    return text;
+}
+
+}  // namespace knuckle
