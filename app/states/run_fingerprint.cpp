@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 
 #include "app/states/file_checksum.h"
 #include "sim/base/errors.h"
@@ -70,7 +71,9 @@ RunFingerprint fingerprintOf(const Scene& scene, const Gpu& gpu)
 {
     static const std::string build = fileChecksum("/proc/self/exe");
     FnvHash files;
-    for (const std::string& file : scene.files) files.add(std::string_view(fileChecksum(file)));
+    // An actor does without the model that it was made of.
+    for (const std::string& file : scene.files)
+        files.add(std::string_view(std::filesystem::exists(file) ? fileChecksum(file) : "missing"));
     return {.program = programVersion(),
             .build = build,
             .shaders = hashText(gpu.shaders().hash()),

@@ -17,7 +17,7 @@ class BlockFile : public testing::Test {
 protected:
     std::string write(const std::vector<std::string>& blocks) const
     {
-        const std::string path = folder_.path("file.states");
+        std::string path = folder_.path("file.states");
         BlockWriter writer(path);
         for (const std::string& block : blocks) writer.add(block);
         writer.commit();
