@@ -8,6 +8,7 @@
 #include "app/files/run_paths.h"
 #include "app/report/report_pictures.h"
 #include "app/run/exit_codes.h"
+#include "app/states/picture_labels.h"
 #include "render/compare/difference_pictures.h"
 #include "render/reader/picture_file.h"
 #include "sim/base/errors.h"
@@ -17,6 +18,8 @@
 namespace knuckle {
 
 namespace {
+
+constexpr const char* ORIGINS = "the pictures are";
 
 Json boxToJson(const PixelBox& box)
 {
@@ -75,6 +78,17 @@ private:
     std::optional<OutputFile> file_;
 };
 
+/// Where a difference is, and where the pictures come from.
+std::vector<std::string> moreLines(const ReportEntry& entry)
+{
+    std::vector<std::string> lines;
+    const std::string places = entry.verdict.equal ? "" : placesLine(entry.comparison);
+    if (!places.empty()) lines.push_back(places);
+    for (const auto& [name, value] : entry.notes)
+        if (name == ORIGINS) lines.push_back("they are " + value);
+    return lines;
+}
+
 /// Compares and judges the entry's files. @throws InputError.
 void compareFiles(const CompareRun& run, ReportEntry& entry, unsigned threads)
 {
@@ -93,6 +107,8 @@ void compareFiles(const CompareRun& run, ReportEntry& entry, unsigned threads)
     const Picture& b = other ? *other : a;
     entry.comparison = same ? identicalPictures(a, settings) : comparePictures(a, b, settings);
     entry.verdict = judge(entry.comparison, limits);
+    const std::string origins = entry.verdict.equal ? "" : originsLine(a.text, b.text);
+    if (!origins.empty()) entry.notes.emplace_back(ORIGINS, origins);
     const bool reported = !run.report.empty() && (run.reportAll || !entry.verdict.equal);
     if (reported) {
         entry.pictures.reference = shownPng(a);
@@ -116,8 +132,8 @@ ReportEntry compareImageFiles(const CompareRun& run, const std::string& first, c
     try {
         compareFiles(run, entry, threads);
         entry.status = entry.verdict.equal ? ReportEntry::Status::Equal : ReportEntry::Status::Different;
-        const std::string places = entry.verdict.equal ? "" : placesLine(entry.comparison);
-        entry.line = verdictLine(entry.comparison, entry.verdict) + (places.empty() ? "" : "; " + places);
+        entry.line = verdictLine(entry.comparison, entry.verdict);
+        for (const std::string& more : moreLines(entry)) entry.line += "; " + more;
     } catch (const InputError& error) {
         entry.status = ReportEntry::Status::Unreadable;
         entry.line = error.what();
@@ -180,8 +196,7 @@ int compareTwoImages(const CompareRun& run)
         fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
     } else if (readable && !run.quiet) {
         fmt::print("{}\n", verdictLine(entry.comparison, entry.verdict));
-        const std::string places = placesLine(entry.comparison);
-        if (!entry.verdict.equal && !places.empty()) fmt::print("{}\n", places);
+        for (const std::string& more : moreLines(entry)) fmt::print("{}\n", more);
     }
     const std::string line = entry.line;
     outputs.add(std::move(entry));

@@ -14,5 +14,9 @@ namespace knuckle {
 PngText labelsOf(const RunFacts& facts, uint64_t frame, uint64_t stateHash);
 /// The same for `knuckle info FRAME.png`, a line each. @param text of a PNG, by keyword. Empty: it says nothing.
 std::string labelLines(const std::map<std::string, std::string>& text);
+/// What two frames say of why they may differ: other drivers, programs or states; or that the state is the same, so
+/// that what was drawn differs. Empty if they say nothing.
+std::string originsLine(const std::map<std::string, std::string>& first,
+                        const std::map<std::string, std::string>& second);
 
 }  // namespace knuckle

@@ -92,6 +92,21 @@ TEST_F(States, AreNamedByTheFramesThatShowThem)
               "plain.png: 2 x 1 pixels, 8 bits a channel\n  says nothing of where it comes from\n");
 }
 
+TEST_F(States, TellWhetherSimulatingOrDrawingDiffers)
+{
+    const auto compared = [&](const std::string& change) {
+        EXPECT_EQ(run({"render", "tiny.json", "-o", "a", "--frames", "4", "-q"}).code, 0);
+        EXPECT_EQ(run({"render", "tiny.json", "-o", "b", "--frames", "4", "-q", "--set", change}).code, 0);
+        const RunResult result = run({"compare", "a/frame_0004.png", "b/frame_0004.png"});
+        EXPECT_EQ(result.code, 4);
+        return result.out;
+    };
+    const std::string drawn = compared("light.direction=[1,-1,0]"), simulated = compared("objects.0.position.1=0.6");
+    EXPECT_NE(drawn.find("they are of the same state, so what was drawn differs\n"), std::string::npos) << drawn;
+    EXPECT_NE(simulated.find("they are of different states, so what was simulated differs: "), std::string::npos)
+        << simulated;
+}
+
 TEST_F(States, DoNotChangeTheRun)
 {
     const auto hash = [&](std::vector<std::string> more) {
