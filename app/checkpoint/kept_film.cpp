@@ -68,7 +68,7 @@ std::vector<uint8_t> KeptFilm::readFrame(uint64_t index)
 void KeptFilm::keepFrame(uint64_t index, const std::vector<uint8_t>& rgb)
 {
     BlockWriter writer(framePath(index));
-    writer.add(packBlock(PICTURE, std::as_bytes(std::span(rgb)), BlockKind::Text));
+    writer.add(packBlock(PICTURE, std::as_bytes(std::span(rgb)), BlockKind::Quick));
     writer.commit();
     const std::lock_guard lock(mutex_);
     frames_.insert(index);

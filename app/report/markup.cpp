@@ -47,18 +47,4 @@ std::string escapedMarkup(std::string_view text)
     return escaped;
 }
 
-std::string toBase64(std::string_view bytes)
-{
-    constexpr std::string_view DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (size_t i = 0; i < bytes.size(); i += 3) {
-        uint32_t bits = 0;
-        for (size_t k = 0; k < 3; ++k)
-            bits = bits << 8 | (i + k < bytes.size() ? static_cast<uint8_t>(bytes[i + k]) : 0u);
-        for (size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : DIGITS[bits >> (18 - 6 * k) & 63];
-    }
-    return text;
-}
-
 }  // namespace knuckle

@@ -9,7 +9,4 @@ namespace knuckle {
 /// nothing begins a tag or an entity, and without the characters that XML has not.
 std::string escapedMarkup(std::string_view text);
 
-/// RFC 4648, with padding.
-std::string toBase64(std::string_view bytes);
-
 }  // namespace knuckle

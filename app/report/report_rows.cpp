@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/report/markup.h"
+#include "sim/base/base64.h"
 
 namespace knuckle {
 

@@ -18,7 +18,7 @@ constexpr std::string_view MAGIC("knuckle blocks\r\n", 16);
 constexpr uint32_t BLOCK_MARK = 0x314b4c42, END_MARK = 0x31444e45;  // "BLK1", "END1"
 enum Encoding : uint32_t { PLAIN, PACKED, PACKED_PLANES };
 /// Level 1 packs as fast as a state is read from a GPU; higher ones gain a few percent.
-constexpr int LEVEL = 1;
+constexpr int LEVEL = 1, QUICK_LEVEL = -20;
 constexpr size_t WORD = 4;
 
 template <typename T>
@@ -100,21 +100,24 @@ std::string packBlock(std::string_view name, std::span<const std::byte> bytes, B
     const bool byPlane = kind == BlockKind::Words;
     const std::vector<char> planes = byPlane ? toPlanes(bytes) : std::vector<char>();
     const void* source = byPlane ? static_cast<const void*>(planes.data()) : bytes.data();
-    std::string packed(ZSTD_compressBound(bytes.size()), '\0');
-    const size_t size = ZSTD_compress(packed.data(), packed.size(), source, bytes.size(), LEVEL);
+    const size_t room = ZSTD_compressBound(bytes.size());
+    const auto buffer = std::make_unique_for_overwrite<char[]>(room);
+    const int level = kind == BlockKind::Quick ? QUICK_LEVEL : LEVEL;
+    const size_t size = ZSTD_compress(buffer.get(), room, source, bytes.size(), level);
     BlockHeader header;
     header.nameBytes = static_cast<uint32_t>(name.size());
     header.bytes = bytes.size();
-    if (ZSTD_isError(size) == 0 && size < bytes.size()) {
-        header.encoding = byPlane ? PACKED_PLANES : PACKED;
-        packed.resize(size);
-    } else {
-        packed.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    }
+    const bool smaller = ZSTD_isError(size) == 0 && size < bytes.size();
+    if (smaller) header.encoding = byPlane ? PACKED_PLANES : PACKED;
+    const std::string_view packed = smaller
+                                        ? std::string_view(buffer.get(), size)
+                                        : std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     header.stored = packed.size();
     header.checksum = crc32(packed, crc32(name));
     const std::array<char, BlockHeader::SIZE> start = header.write();
-    return std::string(start.data(), start.size()).append(name).append(packed);
+    std::string block;
+    block.reserve(start.size() + name.size() + packed.size());
+    return block.append(start.data(), start.size()).append(name).append(packed);
 }
 
 std::string packText(std::string_view name, std::string_view text)
@@ -151,7 +154,8 @@ std::optional<std::vector<std::byte>> unpackBlock(const BlockHeader& header, std
 
 uint32_t crc32(std::string_view bytes, uint32_t before)
 {
-    return libdeflate_crc32(before, bytes.data(), bytes.size());
+    // The library takes a null pointer for a new sum.
+    return bytes.empty() ? before : libdeflate_crc32(before, bytes.data(), bytes.size());
 }
 
 }  // namespace knuckle

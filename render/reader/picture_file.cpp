@@ -12,6 +12,7 @@
 
 #include "render/reader/decoders.h"
 #include "sim/base/errors.h"
+#include "sim/base/files/file_descriptor.h"
 #include "sim/base/files/output_place.h"
 
 namespace knuckle {
@@ -32,21 +33,6 @@ uint64_t availableMemory()
         if (word == "MemAvailable:" && facts >> kibibytes) return kibibytes << 10;
     return 0;
 }
-
-class Descriptor {
-public:
-    explicit Descriptor(int file) : file_(file) {}
-    ~Descriptor()
-    {
-        if (file_ >= 0) close(file_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int get() const { return file_; }
-
-private:
-    int file_;
-};
 
 }  // namespace
 
@@ -88,7 +74,7 @@ std::string readPictureBytes(const std::string& path)
     const auto fail = [&](const char* reason) {
         throw InputError(fmt::format("image {} cannot be opened: {}", shownPath(path), reason));
     };
-    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
+    const FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
     if (file.get() < 0) fail(std::strerror(errno));
     struct stat facts = {};
     if (fstat(file.get(), &facts) == 0 && S_ISDIR(facts.st_mode)) fail("it is a folder; name a picture in it");

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "sim/base/base64.h"
 #include "tests/report/made_entries.h"
 
 namespace knuckle::test {

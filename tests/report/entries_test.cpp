@@ -6,6 +6,7 @@
 #include "app/report/entry_list.h"
 #include "app/report/junit.h"
 #include "app/report/markup.h"
+#include "sim/base/base64.h"
 #include "tests/compare/made_pictures.h"
 #include "tests/report/made_entries.h"
 

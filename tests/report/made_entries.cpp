@@ -65,24 +65,6 @@ std::vector<std::string> oddNames()
             "100 %, a: b::c.png"};
 }
 
-std::string fromBase64(std::string_view text)
-{
-    constexpr std::string_view DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    uint32_t bits = 0;
-    int count = 0;
-    for (const char c : text) {
-        const size_t digit = DIGITS.find(c);
-        if (digit == std::string_view::npos) continue;
-        bits = bits << 6 | static_cast<uint32_t>(digit);
-        count += 6;
-        if (count < 8) continue;
-        count -= 8;
-        bytes += static_cast<char>(bits >> count & 0xff);
-    }
-    return bytes;
-}
-
 namespace {
 
 constexpr std::array<std::string_view, 4> VOID_TAGS{"meta", "img", "br", "input"};

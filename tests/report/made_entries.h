@@ -21,8 +21,6 @@ Picture madeSceneWithBox(uint32_t left, uint32_t top, uint32_t width, uint32_t h
 /// Names that would break out of HTML, XML or annotations.
 std::vector<std::string> oddNames();
 
-std::string fromBase64(std::string_view text);
-
 /// What is wrong with the tags, attributes and entities of HTML or XML; empty where each tag is closed in order.
 std::string markupProblem(std::string_view text, bool html);
 size_t countOf(std::string_view text, std::string_view part);

@@ -7,6 +7,7 @@
 
 #include "app/report/report_page.h"
 #include "render/reader/picture_file.h"
+#include "sim/base/base64.h"
 #include "tests/compare/made_pictures.h"
 #include "tests/report/made_entries.h"
 #include "tests/temp_folder.h"
@@ -37,7 +38,7 @@ std::vector<Picture> picturesOf(const std::string& page)
     std::vector<Picture> pictures;
     for (size_t i = page.find(START); i != std::string::npos; i = page.find(START, i + 1)) {
         const size_t text = i + START.size();
-        const std::string bytes = test::fromBase64(std::string_view(page).substr(text, page.find('"', text) - text));
+        const std::string bytes = fromBase64(std::string_view(page).substr(text, page.find('"', text) - text));
         pictures.push_back(decodePicture(bytes, "picture"));
     }
     return pictures;

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "sim/base/base64.h"
 #include "sim/base/errors.h"
 #include "sim/base/lowercase.h"
 #include "sim/rig/gltf/component_types.h"
@@ -40,24 +41,6 @@ std::string wholeFile(const fs::path& path)
 {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::string fromBase64(std::string_view text)
-{
-    constexpr std::string_view DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    uint32_t bits = 0;
-    int count = 0;
-    for (const char c : text) {
-        const size_t digit = DIGITS.find(c);
-        if (digit == std::string_view::npos) continue;
-        bits = bits << 6 | static_cast<uint32_t>(digit);
-        count += 6;
-        if (count < 8) continue;
-        count -= 8;
-        bytes += static_cast<char>(bits >> count & 0xff);
-    }
-    return bytes;
 }
 
 }  // namespace
