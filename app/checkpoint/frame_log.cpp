@@ -76,16 +76,10 @@ void FrameLog::add(const std::vector<std::string>& blocks)
 {
     uint64_t end = bytes_;
     for (const std::string& block : blocks) {
-        for (std::string_view left = block; !left.empty();) {
-            const ssize_t written = write(file_.get(), left.data(), left.size());
-            if (written < 0 && errno == EINTR) continue;
-            if (written <= 0) {
-                const int error = written < 0 ? errno : ENOSPC;
-                cutTo(bytes_);
-                errno = error;
-                fail();
-            }
-            left.remove_prefix(static_cast<size_t>(written));
+        if (const int error = writeAll(file_.get(), block); error != 0) {
+            cutTo(bytes_);
+            errno = error;
+            fail();
         }
         end += block.size();
     }

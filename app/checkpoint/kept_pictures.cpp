@@ -2,18 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <fstream>
-#include <iterator>
+#include <filesystem>
+
+#include "app/states/file_checksum.h"
 
 namespace knuckle {
 
 namespace {
-
-std::string sumOf(std::string_view bytes)
-{
-    return fmt::format("{:08x} {}", crc32(bytes), bytes.size());
-}
 
 std::string prefixOf(size_t output)
 {
@@ -36,7 +31,7 @@ bool KeptPictures::has(uint64_t number)
 void KeptPictures::written(uint64_t number, std::string_view bytes)
 {
     const std::lock_guard lock(mutex_);
-    whole_[number] = sumOf(bytes);
+    whole_[number] = checksumOf(bytes);
     news_.insert(number);
 }
 
@@ -46,9 +41,8 @@ void KeptPictures::check(const BlockReader& log)
     for (const BlockReader::Block& block : log.list()) {
         if (!block.name.starts_with(prefix)) continue;
         const uint64_t frame = std::stoull(block.name.substr(prefix.size()));
-        std::ifstream file(fmt::format("{}/frame_{:04}.png", folder_, frame), std::ios::binary);
-        const std::string bytes(std::istreambuf_iterator<char>(file), {}), sum = log.readText(block.name);
-        if (sumOf(bytes) == sum) whole_[frame] = sum;
+        const std::string file = fmt::format("{}/frame_{:04}.png", folder_, frame), sum = log.readText(block.name);
+        if (std::filesystem::exists(file) && fileChecksum(file) == sum) whole_[frame] = sum;
     }
 }
 

@@ -7,6 +7,7 @@
 #include "app/states/picture_labels.h"
 #include "app/states/states_text.h"
 #include "render/reader/picture_file.h"
+#include "sim/base/cores.h"
 
 namespace knuckle {
 

@@ -96,7 +96,7 @@ CheckpointOptions checkpointOptions(const RenderOptions& options)
 }
 
 /// Tells the checkpoint which outputs the run has. @throws InputError for an output that no later run can go on with.
-void nameOutputs(FilmOptions& film, const RenderOptions& options)
+void nameOutputs(FilmOptions& film, const RenderOptions& options, const Scene& scene)
 {
     std::vector<std::string>& words = film.checkpoint.words;
     const auto add = [&](const std::string& option, const std::string& value) {
@@ -120,6 +120,7 @@ void nameOutputs(FilmOptions& film, const RenderOptions& options)
     add("--record states=", film.record.states);
     if (film.record.every > 0) add("--record-every", std::to_string(film.record.every));
     add("--save-state", film.record.last);
+    add("--size", fmt::format("{}x{}", scene.render.width, scene.render.height));
     add("--frames", std::to_string(film.frames.first) + ":");
 }
 
@@ -161,7 +162,7 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", named, warning));
     film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
-    if (film.checkpoint.seconds) nameOutputs(film, options);
+    if (film.checkpoint.seconds) nameOutputs(film, options, scene);
     requireOwnPaths(options, file, scene, film, exporters, common);
     if (states) replayFilm(*states, scene, film, common, std::move(exporters));
     else runFilm(scene, film, common, std::move(exporters));

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <thread>
 
 #include "app/compare/compare_outputs.h"
 #include "app/report/report_pictures.h"
 #include "app/run/exit_codes.h"
 #include "app/run/tell.h"
 #include "render/compare/parallel.h"
+#include "sim/base/cores.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
 #include "sim/base/files/output_file.h"
@@ -105,7 +105,7 @@ ReportEntry singleImage(const CompareRun& run, const std::string& name, ReportEn
 void compareAll(const CompareRun& run, const FolderNames& names, CompareOutputs& outputs)
 {
     const size_t pairs = names.both.size(), known = pairs + names.missing.size();
-    forEachParallel(known + names.added.size(), std::max(1u, std::thread::hardware_concurrency()), [&](size_t i) {
+    forEachParallel(known + names.added.size(), usableCores(), [&](size_t i) {
         if (i < pairs) outputs.add(comparePair(run, names.both[i]));
         else if (i < known) outputs.add(singleImage(run, names.missing[i - pairs], ReportEntry::Status::Missing));
         else outputs.add(singleImage(run, names.added[i - known], ReportEntry::Status::New));

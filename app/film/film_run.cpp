@@ -36,7 +36,7 @@ public:
         if (timed) noteFigures();
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
         if (!common.quiet) tellLeftOut();
-        facts_ = factsOf(scene, *gpu_, options.source);
+        if (outputs_.hasLabels() || checkpoint_ || options.record.any()) facts_ = factsOf(scene, *gpu_, options.source);
         if (options.record.any()) recording_.emplace(options.record, scene, facts_, range_.last);
         figures_.device = gpu_->device().name;
         figures_.driverThreads = gpu_->threads();

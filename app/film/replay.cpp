@@ -62,7 +62,7 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
     const FilmOutputs outputs(scene, options, {frames.front(), frames.back()}, std::move(exporters));
     const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(scene.render)});
     StoredView stored(scene.world);
-    const RunFacts facts = factsOf(scene, *gpu, options.source);
+    const RunFacts facts = outputs.hasLabels() ? factsOf(scene, *gpu, options.source) : RunFacts();
     DrawingHere drawing(*gpu, scene, outputs.sinks, false);
     const ViewCoding coding(scene.world);
     Progress progress("frame", frames.size(), common.quiet);

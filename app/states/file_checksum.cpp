@@ -12,6 +12,20 @@
 
 namespace knuckle {
 
+namespace {
+
+std::string checksumText(uint32_t checksum, uint64_t bytes)
+{
+    return fmt::format("{:08x}-{:x}", checksum, bytes);
+}
+
+}  // namespace
+
+std::string checksumOf(std::string_view bytes)
+{
+    return checksumText(crc32(bytes), bytes.size());
+}
+
 std::string fileChecksum(const std::string& path)
 {
     const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
@@ -21,7 +35,7 @@ std::string fileChecksum(const std::string& path)
     uint64_t bytes = 0;
     for (size_t got = 0; (got = std::fread(piece.data(), 1, piece.size(), file.get())) > 0; bytes += got)
         checksum = crc32({piece.data(), got}, checksum);
-    return fmt::format("{:08x}-{:x}", checksum, bytes);
+    return checksumText(checksum, bytes);
 }
 
 }  // namespace knuckle

@@ -5,6 +5,7 @@
 
 #include "render/compare/antialiasing.h"
 #include "render/compare/parallel.h"
+#include "sim/base/cores.h"
 
 namespace knuckle {
 
@@ -12,7 +13,7 @@ namespace {
 
 unsigned threadsOf(const CompareSettings& settings)
 {
-    return settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
+    return settings.threads > 0 ? settings.threads : usableCores();
 }
 
 PictureComparison sizesOf(const Picture& first, const Picture& second, const CompareSettings& settings)

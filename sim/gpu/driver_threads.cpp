@@ -1,7 +1,6 @@
 #include "sim/gpu/driver_threads.h"
 
 #include <fmt/format.h>
-#include <sched.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,6 +9,8 @@
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include "sim/base/cores.h"
 
 namespace knuckle {
 
@@ -115,13 +116,6 @@ double wakeTime(uint32_t threads)
         sum += seconds(start);
     }
     return 1000.0 * sum / rounds;
-}
-
-uint32_t usableCores()
-{
-    cpu_set_t set;
-    if (sched_getaffinity(0, sizeof(set), &set) == 0) return static_cast<uint32_t>(CPU_COUNT(&set));
-    return std::max(1u, std::thread::hardware_concurrency());
 }
 
 std::string driverThreadsSetting()

@@ -45,9 +45,6 @@ DriverThreads chooseDriverThreads(const FrameWork& work, uint32_t cores, double 
 /// since on a busy machine a few wakes take as long as all others together.
 double wakeTime(uint32_t threads);
 
-/// Cores that this process may run on, at least 1.
-uint32_t usableCores();
-
 /// The variable's value, empty if not set.
 std::string driverThreadsSetting();
 

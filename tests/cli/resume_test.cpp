@@ -195,7 +195,10 @@ TEST_F(Resume, IsRefusedForAnotherRun)
     refused({"--set", "objects.0.position.1=0.4"}, "was left by another run: the hash of the scene's world is ");
     refused({"--set", "camera.fieldOfView=20"}, "was left by another run: the hash of the scene's file is ");
     refused({"--export", "bodies=other.csv"}, "was left by a run with other outputs, -o out/f -o out/film.mp4 ");
-    const std::string lock = readText(checkpoint("lock"));
+    // A film's frames of another size are of no use, however loose.
+    const RunResult resized = render({"--size", "32x18", "--resume=loose", "--quiet"});
+    EXPECT_EQ(resized.code, 2);
+    EXPECT_NE(resized.err.find("was left by a run with other outputs, -o out/f "), std::string::npos) << resized.err;
     // A change of the picture's settings goes on when the user wants it so.
     EXPECT_EQ(render({"--set", "camera.fieldOfView=20", "--resume=loose", "--quiet"}).code, 0);
     EXPECT_EQ(render({"--resume=no"}).err, "knuckle: --resume=no: must be --resume or --resume=loose\n");

@@ -2,9 +2,23 @@
 
 #include <unistd.h>
 
+#include <cerrno>
+#include <string_view>
 #include <utility>
 
 namespace knuckle {
+
+/// Writes all bytes. @returns 0, or the system's error.
+inline int writeAll(int descriptor, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return written < 0 ? errno : ENOSPC;
+        bytes.remove_prefix(static_cast<size_t>(written));
+    }
+    return 0;
+}
 
 /// Owns an open file.
 class FileDescriptor {

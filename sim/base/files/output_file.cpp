@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "sim/base/errors.h"
+#include "sim/base/files/file_descriptor.h"
 
 namespace knuckle {
 
@@ -61,15 +62,16 @@ int OutputFile::openBeside()
     int file = -1;
     do {
         temporary_ = temporaryNameIn(folder);
+        leftover_.emplace(temporary_);  // before it exists: a signal may come in between
         file = create(temporary_);
     } while (file < 0 && errno == EEXIST);
     if (file < 0) {
         const int own = errno, error = failure && !fs::is_directory(folder) ? failure.value() : own;
         temporary_.clear();
+        leftover_.reset();
         throw InputError(
             fmt::format("{} cannot be written: {}; choose another place", place_.given, std::strerror(error)));
     }
-    leftover_.emplace(temporary_);
     return file;
 }
 
@@ -92,12 +94,7 @@ void OutputFile::flush()
         struct stat facts = {};
         if (fstat(file_, &facts) == 0 && S_ISREG(facts.st_mode) && ftruncate(file_, 0) != 0) failWriting(errno);
     }
-    for (std::string_view left = unwritten_; !left.empty();) {
-        const ssize_t written = ::write(file_, left.data(), left.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) failWriting(written < 0 ? errno : ENOSPC);
-        left.remove_prefix(static_cast<size_t>(written));
-    }
+    if (const int error = writeAll(file_, unwritten_); error != 0) failWriting(error);
     unwritten_.clear();
 }
 
@@ -159,6 +156,7 @@ void requireWritableFolder(const std::string& folder)
     if (error && !fs::is_directory(place.path)) fail("made", error.message());
     // Permission bits would not show a read-only file system.
     const std::string probe = temporaryNameIn(place.path);
+    const Leftover leftover(probe);
     const int file = create(probe);
     if (file < 0) fail("written to", std::strerror(errno));
     close(file);
