@@ -220,7 +220,7 @@ void addRenderCommand(CommandLine line)
         ->add_option("--record-every", options->film.record.every,
                      "Frames from one whole state to the next [those of a second]")
         ->type_name("N")
-        ->check(CLI::PositiveNumber);
+        ->check(numberBetween(1.0, 1e6));
     command->add_option("--save-state", options->film.record.last, "Write the last frame and its whole state")
         ->type_name("FILE.states");
     command

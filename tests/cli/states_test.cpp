@@ -143,6 +143,8 @@ TEST_F(States, AreRefusedInOneLine)
     refused({"--from", "run.states", "--hash"},
             "--from: nothing is simulated, so there is nothing to record, to measure or to go on with; leave out "
             "--record, --save-state, --stats, --hash, --checkpoint and --resume");
+    refused({"tiny.json", "--record-every", "0"},
+            "--record-every: 0 is out of range; give one from 1 to 1e+06; see knuckle --help");
     refused({"tiny.json", "--record", "states"}, "--record states: must be states=FILE");
     refused({"tiny.json", "--save-state", "end.png"},
             "--save-state end.png: a file of states is written as .states; name it so, or - for standard output");
