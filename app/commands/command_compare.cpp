@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cctype>
-#include <charconv>
 #include <filesystem>
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/compare/compare_run.h"
+#include "app/compare/ignored_words.h"
 #include "render/reader/picture_file.h"
 #include "sim/base/errors.h"
 
@@ -18,47 +17,15 @@ namespace {
 /// Words of options, before they are understood.
 struct CompareWords {
     CompareRun run;
-    std::string limits, mask, annotations, background = "000000";
+    std::string limits, mask, background = "000000";
     std::vector<std::string> ignored, ignoredColors;
 };
-
-/// "X,Y,WxH". @throws InputError.
-PixelBox parseBox(const std::string& word)
-{
-    std::array<uint32_t, 4> numbers{};
-    const char* at = word.data();
-    const char* const end = at + word.size();
-    const std::string_view between = ",,x";
-    bool good = true;
-    for (size_t i = 0; i < numbers.size() && good; ++i) {
-        const auto [next, error] = std::from_chars(at, end, numbers[i]);
-        good = error == std::errc() && (i == 3 ? next == end : next != end && *next == between[i]);
-        at = next + (good && i < 3 ? 1 : 0);
-    }
-    if (!good || numbers[2] == 0 || numbers[3] == 0)
-        throw InputError(
-            fmt::format("--ignore {}: must be X,Y,WxH in pixels from the top left, such as 10,20,64x32", word));
-    return {numbers[0], numbers[1], numbers[2], numbers[3]};
-}
-
-/// "RRGGBB", perhaps after a #. @throws InputError.
-std::array<uint8_t, 3> parseColor(const std::string& option, const std::string& word)
-{
-    const std::string digits = word.starts_with('#') ? word.substr(1) : word;
-    const bool good = digits.size() == 6 && std::ranges::all_of(digits, [](unsigned char c) { return isxdigit(c); });
-    if (!good)
-        throw InputError(fmt::format("{} {}: must be a colour as RRGGBB in hexadecimal, such as ff00ff", option, word));
-    std::array<uint8_t, 3> color{};
-    for (size_t c = 0; c < 3; ++c) color[c] = static_cast<uint8_t>(std::stoi(digits.substr(2 * c, 2), nullptr, 16));
-    return color;
-}
 
 int compare(const CompareWords& words, bool quiet)
 {
     CompareRun run = words.run;
     run.quiet = quiet;
-    run.annotations = !words.annotations.empty();
-    for (const std::string& word : words.ignored) run.settings.ignored.boxes.push_back(parseBox(word));
+    for (const std::string& word : words.ignored) run.settings.ignored.boxes.push_back(parseBox("--ignore", word));
     for (const std::string& word : words.ignoredColors)
         run.settings.ignored.colors.push_back(parseColor("--ignore-color", word));
     const std::array<uint8_t, 3> background = parseColor("--background", words.background);
@@ -67,10 +34,7 @@ int compare(const CompareWords& words, bool quiet)
         if (!input.empty()) run.otherInputs.push_back(input);
     if (!words.limits.empty()) run.file = readLimits(words.limits);
     if (!words.mask.empty()) run.settings.ignored.mask = std::make_shared<const Picture>(readPicture(words.mask));
-    if (run.report.empty() && (run.reportAll || run.reportMegabytes))
-        throw InputError("--report-all and --report-size are for --report; name its file, or leave them out");
-    if (run.json && run.annotations)
-        throw InputError("--json and --annotations both print to standard output; leave one of them out");
+    checkReportOptions(run.reports, run.json);
     std::error_code ignored;
     const bool folders = std::filesystem::is_directory(run.first, ignored) &&
                          std::filesystem::is_directory(run.second, ignored);
@@ -155,31 +119,6 @@ void addIgnored(CLI::App& command, CompareWords& words)
         ->group("What is compared");
 }
 
-void addReports(CLI::App& command, CompareWords& words)
-{
-    const char* group = "Reports";
-    command.add_option("--report", words.run.report, "Write a page of what differs, to look at in a browser")
-        ->type_name("OUT.html")
-        ->group(group);
-    command.add_flag("--report-all", words.run.reportAll, "Equal images with their pictures, too")->group(group);
-    command
-        .add_option("--report-size", words.run.reportMegabytes,
-                    fmt::format("Leave out pictures, of what differs least, beyond so many MB [{:g}]",
-                                DEFAULT_REPORT_MEGABYTES))
-        ->check(numberBetween(0, 2000).description(""))
-        ->type_name("MB")
-        ->group(group);
-    command.add_option("--junit", words.run.junit, "Write a test case for each image, in JUnit's XML")
-        ->type_name("OUT.xml")
-        ->group(group);
-    command
-        .add_option("--annotations", words.annotations,
-                    "Print a line for each image that differs, as a service reads it")
-        ->check(CLI::IsMember({"github"}).description(""))
-        ->type_name("github")
-        ->group(group);
-}
-
 }  // namespace
 
 void addCompareCommand(CommandLine line)
@@ -197,7 +136,7 @@ void addCompareCommand(CommandLine line)
         ->type_name("OUT.png");
     command->add_option("--heatmap", words->run.heatmap, "Write a picture of FLIP's errors; of folders a folder")
         ->type_name("OUT.png");
-    addReports(*command, *words);
+    addReportOptions(*command, words->run.reports);
     command->add_flag("--json", words->run.json, "Print all figures as JSON, also with --quiet");
     command->callback([=] { line.chosen = [=] { return compare(*words, line.common.quiet); }; });
 }

@@ -33,4 +33,38 @@ void refuseEmptyValues(const CLI::App& program)
                                              option->get_positional() ? option->get_name(true) : option->get_name()));
 }
 
+void addReportOptions(CLI::App& command, ReportOptions& options)
+{
+    const char* group = "Reports";
+    command.add_option("--report", options.report, "Write a page of what differs, to look at in a browser")
+        ->type_name("OUT.html")
+        ->group(group);
+    command.add_flag("--report-all", options.reportAll, "Equal images with their pictures, too")->group(group);
+    command
+        .add_option("--report-size", options.reportMegabytes,
+                    fmt::format("Leave out pictures, of what differs least, beyond so many MB [{:g}]",
+                                DEFAULT_REPORT_MEGABYTES))
+        ->check(numberBetween(0, 2000).description(""))
+        ->type_name("MB")
+        ->group(group);
+    command.add_option("--junit", options.junit, "Write a test case for each image, in JUnit's XML")
+        ->type_name("OUT.xml")
+        ->group(group);
+    command
+        .add_option_function<std::string>(
+            "--annotations", [&options](const std::string&) { options.annotations = true; },
+            "Print a line for each image that differs, as a service reads it")
+        ->check(CLI::IsMember({"github"}).description(""))
+        ->type_name("github")
+        ->group(group);
+}
+
+void checkReportOptions(const ReportOptions& options, bool json)
+{
+    if (options.report.empty() && (options.reportAll || options.reportMegabytes))
+        throw InputError("--report-all and --report-size are for --report; name its file, or leave them out");
+    if (json && options.annotations)
+        throw InputError("--json and --annotations both print to standard output; leave one of them out");
+}
+
 }  // namespace knuckle

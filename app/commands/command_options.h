@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "app/compare/report_outputs.h"
+
 /// What options of several commands share.
 namespace knuckle {
 
@@ -11,5 +13,10 @@ CLI::Validator numberBetween(double lowest, double highest);
 
 /// After parsing: @throws InputError for an option of the program or its command with an empty value.
 void refuseEmptyValues(const CLI::App& program);
+
+/// --report, --report-all, --report-size, --junit, --annotations.
+void addReportOptions(CLI::App& command, ReportOptions& options);
+/// After parsing. @param json whether --json is given. @throws InputError for options that make no sense together.
+void checkReportOptions(const ReportOptions& options, bool json);
 
 }  // namespace knuckle

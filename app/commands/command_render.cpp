@@ -28,18 +28,6 @@ struct RenderOptions {
 };
 
 /// "640x360" as two overrides, so that the schema checks the range.
-void addSize(const std::string& text, std::vector<Override>& overrides)
-{
-    const size_t cross = text.find('x');
-    const std::string width = text.substr(0, cross), height = cross == std::string::npos ? "" : text.substr(cross + 1);
-    for (const std::string& side : {width, height}) {
-        if (!side.empty() && side.size() < 9 && side.find_first_not_of("0123456789") == std::string::npos) continue;
-        throw InputError(fmt::format("--size {}: must be WIDTHxHEIGHT in pixels, for instance 1280x720", text));
-    }
-    overrides.push_back({"render.width", std::stoul(width)});
-    overrides.push_back({"render.height", std::stoul(height)});
-}
-
 std::string defaultOutput(const Scene& scene)
 {
     std::string name = scene.name;
@@ -77,7 +65,11 @@ std::vector<Override> overridesOf(const RenderOptions& options)
 {
     std::vector<Override> overrides;
     for (const std::string& text : options.sets) overrides.push_back(parseOverride(text));
-    if (!options.size.empty()) addSize(options.size, overrides);
+    if (!options.size.empty()) {
+        const auto [width, height] = parsePictureSize(options.size);
+        overrides.push_back({"render.width", width});
+        overrides.push_back({"render.height", height});
+    }
     if (!options.framesPerSecond.empty())
         overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
     return overrides;

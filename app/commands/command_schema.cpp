@@ -10,19 +10,20 @@ namespace knuckle {
 void addSchemaCommand(CommandLine line)
 {
     auto* command = line.program.add_subcommand(
-        "schema", "Print the JSON Schema (draft 7) of scene, actor, joint or limit files");
+        "schema", "Print the JSON Schema (draft 7) of scene, actor, joint, limit or golden files");
     command->fallthrough();
     command->footer("Examples:\n"
                     "  knuckle schema > scene.schema.json   for editors that complete and check as you type\n"
                     "  knuckle schema actor                 what `knuckle voxelize -o` writes\n"
                     "  knuckle schema joints                what `knuckle voxelize --joints` reads\n"
-                    "  knuckle schema limits                what `knuckle compare --limits` reads");
+                    "  knuckle schema limits                what `knuckle compare --limits` reads\n"
+                    "  knuckle schema golden                a golden.json of `knuckle golden`");
     auto document = std::make_shared<std::string>("scene");
     auto markdown = std::make_shared<bool>(false);
     command
         ->add_option("DOCUMENT", *document,
-                     "Which: scene, actor (actor files), joints (joint overrides), limits (of compare)")
-        ->check(CLI::IsMember({"scene", "actor", "joints", "limits"}))
+                     "Which: scene, actor (actor files), joints (joint overrides), limits (of compare), golden")
+        ->check(CLI::IsMember({"scene", "actor", "joints", "limits", "golden"}))
         ->capture_default_str();
     command->add_flag("--markdown", *markdown, "As a page of tables, docs/scene.md");
     command->callback([=] {

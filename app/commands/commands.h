@@ -24,6 +24,7 @@ void addVoxelizeCommand(CommandLine line);
 void addCheckCommand(CommandLine line);
 void addCompareCommand(CommandLine line);
 void addBenchCommand(CommandLine line);
+void addGoldenCommand(CommandLine line);
 void addInfoCommand(CommandLine line);
 void addSchemaCommand(CommandLine line);
 

@@ -31,7 +31,7 @@ constexpr const char* EXAMPLES =
     "\n"
     "Exit codes:\n"
     "  0 done   1 the run failed (disk full, state became invalid)   2 bad input or options\n"
-    "  3 no usable OpenGL 4.3 device   4 the images differ (compare)   130 stopped by Ctrl-C\n";
+    "  3 no usable OpenGL 4.3 device   4 images or states differ (compare, golden)   130 stopped by Ctrl-C\n";
 
 void addCommonOptions(CLI::App& program, CommonOptions& common)
 {
@@ -68,8 +68,8 @@ int parseAndRun(int argc, char** argv)
     program.get_formatter()->column_width(34);
     addCommonOptions(program, common);
     const CommandLine line{program, common, chosen};
-    for (const auto add : {addRenderCommand, addVoxelizeCommand, addCheckCommand, addCompareCommand, addBenchCommand,
-                           addInfoCommand, addSchemaCommand}) {
+    for (const auto add : {addRenderCommand, addVoxelizeCommand, addCheckCommand, addCompareCommand, addGoldenCommand,
+                           addBenchCommand, addInfoCommand, addSchemaCommand}) {
         add(line);
     }
     try {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <set>
 
-#include "app/compare/compare_outputs.h"
+#include "app/compare/compare_run.h"
 #include "app/report/report_pictures.h"
 #include "app/run/exit_codes.h"
 #include "app/run/tell.h"
@@ -79,7 +79,7 @@ ReportEntry comparePair(const CompareRun& run, const std::string& name)
         writeBeside(run.difference, name, entry.pictures.difference);
         writeBeside(run.heatmap, name, entry.pictures.heatmap);
     }
-    if (run.report.empty()) entry.pictures.drop();
+    if (run.reports.report.empty()) entry.pictures.drop();
     return entry;
 }
 
@@ -97,12 +97,12 @@ ReportEntry singleImage(const CompareRun& run, const std::string& name, ReportEn
         entry.line = "new, not in " + run.first;
         entry.allowed = run.allowNew;
     }
-    if (!run.report.empty()) readPictures(entry);
+    if (!run.reports.report.empty()) readPictures(entry);
     return entry;
 }
 
 /// Compares what both folders have, and looks at what only one has, one image on each core.
-void compareAll(const CompareRun& run, const FolderNames& names, CompareOutputs& outputs)
+void compareAll(const CompareRun& run, const FolderNames& names, ReportOutputs& outputs)
 {
     const size_t pairs = names.both.size(), known = pairs + names.missing.size();
     forEachParallel(known + names.added.size(), usableCores(), [&](size_t i) {
@@ -160,14 +160,16 @@ int compareFolders(const CompareRun& run)
     checkOutput("--difference ", run.difference, run);
     checkOutput("--heatmap ", run.heatmap, run);
     RunPaths paths;
-    CompareOutputs outputs(run, paths);
+    for (const std::string& input : run.otherInputs) paths.reads(input);
+    ReportOutputs outputs(run.reports, paths);
     const FolderNames names = namesOf(run);
     for (const auto& [folder, only] : {std::pair{&run.first, &names.missing}, std::pair{&run.second, &names.added}})
         for (const auto* list : {&names.both, only})
             for (const std::string& name : *list) paths.reads((fs::path(*folder) / name).string());
+    paths.check();
     outputs.open();
     compareAll(run, names, outputs);
-    const std::vector<ReportEntry> entries = outputs.finish();
+    const std::vector<ReportEntry> entries = outputs.finish(headOf(run), suiteOf(run));
     const bool equal = std::ranges::none_of(entries, [](const ReportEntry& entry) {
         return entry.failed() && entry.status != ReportEntry::Status::Unreadable;
     });

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/compare/compare_outputs.h"
+#include "app/compare/compare_run.h"
 #include "app/files/run_paths.h"
 #include "app/report/report_pictures.h"
 #include "app/run/exit_codes.h"
@@ -89,14 +89,13 @@ std::vector<std::string> moreLines(const ReportEntry& entry)
     return lines;
 }
 
-/// Compares and judges the entry's files. @throws InputError.
+/// Reads, compares and judges the entry's files. @throws InputError.
 void compareFiles(const CompareRun& run, ReportEntry& entry, unsigned threads)
 {
-    CompareSettings settings = run.settings;
-    settings.threads = threads;
-    CompareLimits limits;
-    run.file.applyTo(entry.name, settings.threshold, limits);
-    run.given.applyTo(settings.threshold, limits);
+    PictureWork work{run.settings, {}, !run.difference.empty(), !run.heatmap.empty()};
+    work.settings.threads = threads;
+    run.file.applyTo(entry.name, work.settings.threshold, work.limits);
+    run.given.applyTo(work.settings.threshold, work.limits);
     std::string firstBytes = readPictureBytes(entry.referencePath);
     const std::string secondBytes = readPictureBytes(entry.outputPath);
     const bool same = firstBytes == secondBytes;
@@ -104,23 +103,48 @@ void compareFiles(const CompareRun& run, ReportEntry& entry, unsigned threads)
     std::string().swap(firstBytes);
     const std::optional<Picture> other = same ? std::nullopt
                                               : std::optional(decodePicture(secondBytes, entry.outputPath));
-    const Picture& b = other ? *other : a;
-    entry.comparison = same ? identicalPictures(a, settings) : comparePictures(a, b, settings);
-    entry.verdict = judge(entry.comparison, limits);
-    const std::string origins = entry.verdict.equal ? "" : originsLine(a.text, b.text);
-    if (!origins.empty()) entry.notes.emplace_back(ORIGINS, origins);
-    const bool reported = !run.report.empty() && (run.reportAll || !entry.verdict.equal);
-    if (reported) {
-        entry.pictures.reference = shownPng(a);
-        entry.pictures.output = shownPng(b);
-    }
-    if (!entry.comparison.sameSize()) return;
-    if (reported || !run.difference.empty())
-        entry.pictures.difference = pngOf(differencePicture(a, b, entry.comparison));
-    if (reported || !run.heatmap.empty()) entry.pictures.heatmap = pngOf(heatmapPicture(entry.comparison));
+    judgePictures(entry, a, other ? *other : a, work, run.reports);
 }
 
 }  // namespace
+
+void judgePictures(ReportEntry& entry, const Picture& reference, const Picture& output, const PictureWork& work,
+                   const ReportOptions& reports)
+{
+    PictureComparison& comparison = entry.comparison;
+    comparison = &reference == &output ? identicalPictures(reference, work.settings)
+                                       : comparePictures(reference, output, work.settings);
+    entry.verdict = judge(comparison, work.limits);
+    entry.status = entry.verdict.equal ? ReportEntry::Status::Equal : ReportEntry::Status::Different;
+    const std::string origins = entry.verdict.equal ? "" : originsLine(reference.text, output.text);
+    if (!origins.empty()) entry.notes.emplace_back(ORIGINS, origins);
+    entry.line = verdictLine(comparison, entry.verdict);
+    for (const std::string& more : moreLines(entry)) entry.line += "; " + more;
+    const bool reported = reports.shows(entry);
+    if (reported) {
+        entry.pictures.reference = shownPng(reference);
+        entry.pictures.output = shownPng(output);
+    }
+    if (comparison.sameSize()) {
+        if (reported || work.difference)
+            entry.pictures.difference = pngOf(differencePicture(reference, output, comparison));
+        if (reported || work.heatmap) entry.pictures.heatmap = pngOf(heatmapPicture(comparison));
+    }
+    // Figures of single pixels are large, and there may be thousands of images. Not = {}, which keeps the memory.
+    comparison.differences.marks = std::vector<uint8_t>();
+    comparison.flip.errors = std::vector<float>();
+}
+
+ReportHead headOf(const CompareRun& run)
+{
+    return {fmt::format("{} and {}", run.first, run.second),
+            {{"reference", run.first}, {"output", run.second}, {"made by", "knuckle " KNUCKLE_VERSION}}};
+}
+
+std::string suiteOf(const CompareRun& run)
+{
+    return fmt::format("knuckle compare {} {}", run.first, run.second);
+}
 
 ReportEntry compareImageFiles(const CompareRun& run, const std::string& first, const std::string& second,
                               const std::string& name, unsigned threads)
@@ -131,17 +155,11 @@ ReportEntry compareImageFiles(const CompareRun& run, const std::string& first, c
     entry.outputPath = second;
     try {
         compareFiles(run, entry, threads);
-        entry.status = entry.verdict.equal ? ReportEntry::Status::Equal : ReportEntry::Status::Different;
-        entry.line = verdictLine(entry.comparison, entry.verdict);
-        for (const std::string& more : moreLines(entry)) entry.line += "; " + more;
     } catch (const InputError& error) {
         entry.status = ReportEntry::Status::Unreadable;
         entry.line = error.what();
-        if (!run.report.empty()) readPictures(entry);
+        if (!run.reports.report.empty()) readPictures(entry);
     }
-    // Figures of single pixels are large, and there may be thousands of images. Not = {}, which keeps the memory.
-    entry.comparison.differences.marks = std::vector<uint8_t>();
-    entry.comparison.flip.errors = std::vector<float>();
     return entry;
 }
 
@@ -179,7 +197,9 @@ int compareTwoImages(const CompareRun& run)
     paths.reads(run.first);
     paths.reads(run.second);
     PictureOutput difference("--difference ", run.difference, paths), heatmap("--heatmap ", run.heatmap, paths);
-    CompareOutputs outputs(run, paths);
+    for (const std::string& input : run.otherInputs) paths.reads(input);
+    ReportOutputs outputs(run.reports, paths);
+    paths.check();
     difference.open();
     heatmap.open();
     outputs.open();
@@ -200,7 +220,7 @@ int compareTwoImages(const CompareRun& run)
     }
     const std::string line = entry.line;
     outputs.add(std::move(entry));
-    const std::vector<ReportEntry> entries = outputs.finish();
+    const std::vector<ReportEntry> entries = outputs.finish(headOf(run), suiteOf(run));
     if (!readable) throw InputError(line);
     return entries.front().verdict.equal ? EXIT_FINE : EXIT_DIFFERENT;
 }

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/compare/limits_file.h"
+#include "app/compare/report_outputs.h"
 #include "app/json/json.h"
 #include "app/report/report_entry.h"
 
 namespace knuckle {
-
-/// How large reports become where nothing else is said.
-constexpr double DEFAULT_REPORT_MEGABYTES = 100.0;
 
 /// What `knuckle compare` was told.
 struct CompareRun {
@@ -23,11 +20,24 @@ struct CompareRun {
     std::string difference, heatmap;    ///< PNG files, of folders folders; empty: none.
     std::vector<std::string> patterns;  ///< Of names in folders; empty: all that end as images do.
     bool allowNew = false, json = false, quiet = false;
-    std::string report, junit;              ///< Files; empty: none.
-    bool reportAll = false;                 ///< Equal images have pictures in the report, too.
-    std::optional<double> reportMegabytes;  ///< Beyond it pictures are left out.
-    bool annotations = false;               ///< For GitHub, on standard output.
+    ReportOptions reports;
 };
+
+/// What is told and shown of two images.
+struct PictureWork {
+    CompareSettings settings = {};
+    CompareLimits limits = {};
+    bool difference = false, heatmap = false;  ///< Wanted whatever the report shows.
+};
+
+/// Compares and judges an entry's two pictures. Fills in all but names and paths, with pictures as far as they are
+/// wanted. @throws InputError for a mask of another size.
+void judgePictures(ReportEntry& entry, const Picture& reference, const Picture& output, const PictureWork& work,
+                   const ReportOptions& reports);
+
+/// The title of a report, and JUnit's suite, of what was compared.
+ReportHead headOf(const CompareRun& run);
+std::string suiteOf(const CompareRun& run);
 
 /// Reads, compares and judges two images: `Different`, `Equal`, or `Unreadable` with what is wrong as its line.
 /// Pictures are made as far as `run` asks for any.

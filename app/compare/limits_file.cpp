@@ -7,7 +7,7 @@ namespace knuckle {
 
 namespace {
 
-GivenLimits limitsOf(const Json& json)
+GivenLimits givenBy(const Json& json)
 {
     GivenLimits limits;
     const auto take = [&json](const char* key, auto& value) {
@@ -50,16 +50,21 @@ void LimitsFile::applyTo(const std::string& name, float& threshold, CompareLimit
     if (found != nullptr) found->applyTo(threshold, limits);
 }
 
+LimitsFile limitsOf(const Json& json)
+{
+    LimitsFile limits;
+    if (const auto general = json.find("default"); general != json.end()) limits.general = givenBy(*general);
+    if (const auto names = json.find("names"); names != json.end())
+        for (const auto& [pattern, given] : names->items()) limits.names[pattern] = givenBy(given);
+    return limits;
+}
+
 LimitsFile readLimits(const std::string& path)
 {
     static const Schema schema("limits.schema.json");
     JsonFile file = readJsonFile(path);
     schema.complete(file);
-    LimitsFile limits;
-    if (const auto general = file.root.find("default"); general != file.root.end()) limits.general = limitsOf(*general);
-    if (const auto names = file.root.find("names"); names != file.root.end())
-        for (const auto& [pattern, json] : names->items()) limits.names[pattern] = limitsOf(json);
-    return limits;
+    return limitsOf(file.root);
 }
 
 }  // namespace knuckle

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/json/json.h"
 #include "render/compare/verdict.h"
 
 namespace knuckle {
@@ -26,6 +27,8 @@ struct LimitsFile {
     void applyTo(const std::string& name, float& threshold, CompareLimits& limits) const;
 };
 
+/// @param json of the form of the schema, with `default` and `names`.
+LimitsFile limitsOf(const Json& json);
 /// @throws InputError of one line with the JSON path.
 LimitsFile readLimits(const std::string& path);
 

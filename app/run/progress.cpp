@@ -55,7 +55,7 @@ void Progress::update(uint64_t done)
     if (done > rateDone_) {
         const double rate = static_cast<double>(done - rateDone_) / std::max(1e-9, secondsOf(now - rateStart_));
         const double left = static_cast<double>(total_ - done) / rate;
-        line += fmt::format(", {:.1f} frames/s, {} left", rate, durationText(left));
+        line += fmt::format(", {:.1f} {}s/s, {} left", rate, what_, durationText(left));
     }
     flushStandardOutput();
     if (terminal_) {

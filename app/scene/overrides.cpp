@@ -74,6 +74,17 @@ Override parseOverride(const std::string& text, const std::string& option)
     return {path, parsed};
 }
 
+std::array<uint64_t, 2> parsePictureSize(const std::string& text)
+{
+    const size_t cross = text.find('x');
+    const std::string width = text.substr(0, cross), height = cross == std::string::npos ? "" : text.substr(cross + 1);
+    for (const std::string& side : {width, height}) {
+        if (!side.empty() && side.size() < 9 && side.find_first_not_of("0123456789") == std::string::npos) continue;
+        throw InputError(fmt::format("--size {}: must be WIDTHxHEIGHT in pixels, for instance 1280x720", text));
+    }
+    return {std::stoul(width), std::stoul(height)};
+}
+
 void applyOverride(Json& root, const Override& change)
 {
     // A pointer, as in errors, or words.

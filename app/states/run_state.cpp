@@ -19,10 +19,16 @@ std::string stateBlock(uint64_t frame, std::string_view part)
     return fmt::format("state {}/{}", frame, part);
 }
 
-void packBuffers(uint64_t frame, std::string_view folder, const BufferState& buffers, std::vector<std::string>& blocks)
+std::string cameraBlock(uint64_t frame, std::string_view part)
+{
+    return fmt::format("camera {}/{}", frame, part);
+}
+
+/// @param folder begins the names of the blocks.
+void packBuffers(const std::string& folder, const BufferState& buffers, std::vector<std::string>& blocks)
 {
     for (const auto& [name, bytes] : buffers)
-        blocks.push_back(packBlock(stateBlock(frame, std::string(folder) + name), std::span(bytes), BlockKind::Words));
+        blocks.push_back(packBlock(folder + name, std::span(bytes), BlockKind::Words));
 }
 
 BufferState unpackBuffers(const BlockReader& file, const std::string& folder)
@@ -59,8 +65,8 @@ std::vector<std::string> packState(const RunState& state)
     std::vector<std::string> blocks{
         packText(stateBlock(state.frame, "about"), about.dump()),
         packArray(stateBlock(state.frame, "parameters"), std::span(&state.solver.stages.parameters, 1))};
-    packBuffers(state.frame, SOLVER, state.solver.stages.buffers, blocks);
-    if (state.renderer) packBuffers(state.frame, RENDERER, state.renderer->buffers, blocks);
+    packBuffers(stateBlock(state.frame, SOLVER), state.solver.stages.buffers, blocks);
+    if (state.renderer) packBuffers(stateBlock(state.frame, RENDERER), state.renderer->buffers, blocks);
     return blocks;
 }
 
@@ -91,6 +97,24 @@ RunState unpackState(const BlockReader& file, uint64_t frame)
     if (about.contains("lookedAt")) state.renderer->lookedAt = about["lookedAt"].get<double>();
     state.renderer->buffers = unpackBuffers(file, stateBlock(frame, RENDERER));
     return state;
+}
+
+std::vector<std::string> packCamera(uint64_t frame, const RendererState& camera)
+{
+    Json about = Json::object();
+    if (camera.lookedAt) about["lookedAt"] = *camera.lookedAt;
+    std::vector<std::string> blocks{packText(cameraBlock(frame, "about"), about.dump())};
+    packBuffers(cameraBlock(frame, RENDERER), camera.buffers, blocks);
+    return blocks;
+}
+
+RendererState unpackCamera(const BlockReader& file, uint64_t frame)
+{
+    const Json about = parseJson(file.readText(cameraBlock(frame, "about")), file.path());
+    RendererState camera;
+    if (about.contains("lookedAt")) camera.lookedAt = about["lookedAt"].get<double>();
+    camera.buffers = unpackBuffers(file, cameraBlock(frame, RENDERER));
+    return camera;
 }
 
 std::vector<uint64_t> statesOf(const BlockReader& file)

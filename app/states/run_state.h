@@ -21,6 +21,10 @@ struct RunState {
 std::vector<std::string> packState(const RunState& state);
 /// @throws InputError if the file has no such state.
 RunState unpackState(const BlockReader& file, uint64_t frame);
+/// Blocks "camera N/...": what the renderer carries into a frame.
+std::vector<std::string> packCamera(uint64_t frame, const RendererState& camera);
+/// @throws InputError if the file has none of that frame.
+RendererState unpackCamera(const BlockReader& file, uint64_t frame);
 bool hasState(const BlockReader& file, uint64_t frame);
 /// Frames of which there is a whole state, in order.
 std::vector<uint64_t> statesOf(const BlockReader& file);

@@ -83,6 +83,11 @@ void StatesWriter::addState(const RunState& state)
     add(packState(state));
 }
 
+void StatesWriter::addCamera(uint64_t frame, const RendererState& camera)
+{
+    add(packCamera(frame, camera));
+}
+
 StatesFile::StatesFile(const std::string& path)
     : file_(path), facts_(readFacts(file_)), frames_(framesOf(file_)), states_(statesOf(file_))
 {

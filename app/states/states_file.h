@@ -40,6 +40,7 @@ public:
     StatesWriter(const std::string& path, const Scene& scene, const RunFacts& facts);
     void addFrame(uint64_t frame, const ViewState& view);
     void addState(const RunState& state);
+    void addCamera(uint64_t frame, const RendererState& camera);
     void commit() { file_.commit(); }
 
 private:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <span>
 
@@ -103,6 +104,22 @@ ViewCoding::ViewCoding(const World& world)
     for (size_t p = 0; p < particles_; ++p) owners_[p] = world.particles[p].body;
     for (const Link& link : world.links)
         if (owners_[link.particle] == link.body) arms_[link.particle] = link.restOffset;
+}
+
+ViewCoding::ViewCoding(const BlockReader& file, size_t bodies)
+    : bodies_(bodies), owners_(file.readArray<uint32_t>("bodies/of"))
+{
+    particles_ = owners_.size();
+    const Words arms = file.readArray<uint32_t>("bodies/arms");
+    const auto isWrong = [&](uint32_t owner) { return owner != NO_INDEX && owner >= bodies_; };
+    if (arms.size() != 3 * particles_ || std::ranges::any_of(owners_, isWrong))
+        file.refuse("its blocks \"bodies/...\" do not fit each other");
+    for (size_t p = 0; p < particles_; ++p)
+        arms_.emplace_back(std::bit_cast<float>(arms[p]), std::bit_cast<float>(arms[particles_ + p]),
+                           std::bit_cast<float>(arms[2 * particles_ + p]));
+    for (const BlockReader::Block& block : file.list())
+        if (block.name.starts_with("frame ") && block.name.ends_with("/colliders"))
+            colliders_ = block.bytes / (8 * sizeof(float));
 }
 
 std::vector<std::string> ViewCoding::packBodies() const

@@ -15,6 +15,9 @@ class ViewCoding {
 public:
     /// @param world whose states are coded.
     explicit ViewCoding(const World& world);
+    /// For states of the world that a file was written for. @param bodies their number.
+    /// @throws InputError if the file does not say which particles are whose.
+    ViewCoding(const BlockReader& file, size_t bodies);
 
     /// Blocks that say which particles are whose, for readers without the scene: "bodies/of", "bodies/arms".
     std::vector<std::string> packBodies() const;

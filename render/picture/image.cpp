@@ -21,13 +21,15 @@ extern "C" unsigned char* stbi_write_png_to_mem(const unsigned char* pixels, int
 
 namespace knuckle {
 
+extern thread_local int deflateLevel;
+
 namespace {
+
+constexpr int QUICK_LEVEL = 1, SMALL_LEVEL = 12;
 
 constexpr int CHANNELS = 3;
 /// PNG's "up" filter for every row: spheres repeat downwards as well as sideways, and a fixed filter saves trying all.
 constexpr int UP_FILTER = 2;
-/// Differences are small: without a factor their picture would be black.
-constexpr int DIFFERENCE_GAIN = 8;
 
 /// Big-endian, as all numbers of a PNG.
 std::string pngNumber(uint32_t number)
@@ -101,9 +103,11 @@ std::string encodePng(uint32_t width, uint32_t height, uint32_t channels, std::s
     return {reinterpret_cast<const char*>(bytes.get()), static_cast<size_t>(byteCount)};
 }
 
-std::string pngOf(const Image& image)
+std::string pngOf(const Image& image, PngEffort effort)
 {
+    deflateLevel = effort == PngEffort::Small ? SMALL_LEVEL : QUICK_LEVEL;
     std::string png = encodePng(image.width, image.height, CHANNELS, image.rgb), chunks;
+    deflateLevel = QUICK_LEVEL;
     for (const auto& [keyword, text] : image.text) chunks += textChunk(keyword, text);
     // After the signature and the header, which are of fixed length.
     constexpr size_t HEADER_END = 8 + 25;
@@ -113,32 +117,6 @@ std::string pngOf(const Image& image)
 void writePng(const std::string& path, const Image& image)
 {
     writeFile(path, pngOf(image));
-}
-
-ImageDifference compareImages(const Image& a, const Image& b, uint32_t threshold)
-{
-    if (a.width != b.width || a.height != b.height)
-        throw InputError(fmt::format("the images differ in size: {}x{} and {}x{}; render both at one --size", a.width,
-                                     a.height, b.width, b.height));
-    ImageDifference result;
-    result.picture = {a.width, a.height, std::vector<uint8_t>(a.rgb.size())};
-    uint64_t sum = 0, changed = 0;
-    for (size_t pixel = 0; pixel < a.rgb.size(); pixel += CHANNELS) {
-        uint32_t worst = 0;
-        for (size_t i = pixel; i < pixel + CHANNELS; ++i) {
-            const int difference = std::abs(int(a.rgb[i]) - int(b.rgb[i]));
-            result.picture.rgb[i] = static_cast<uint8_t>(std::min(255, difference * DIFFERENCE_GAIN));
-            sum += static_cast<uint64_t>(difference);
-            worst = std::max(worst, static_cast<uint32_t>(difference));
-        }
-        result.worst = std::max(result.worst, worst);
-        changed += worst > threshold ? 1 : 0;
-    }
-    if (!a.rgb.empty()) {
-        result.meanAbsolute = static_cast<double>(sum) / static_cast<double>(a.rgb.size());
-        result.changedFraction = static_cast<double>(changed) * CHANNELS / static_cast<double>(a.rgb.size());
-    }
-    return result;
 }
 
 }  // namespace knuckle

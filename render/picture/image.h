@@ -21,8 +21,12 @@ struct Image {
 /// @throws InputError (missing, not an image) or RunError (disk full; nothing is left half-written).
 Image readImage(const std::string& path);
 void writePng(const std::string& path, const Image& image);
+
+/// Quick: frames are written once and viewed, and small files would take several times as long.
+enum class PngEffort { Quick, Small };
+
 /// The bytes of a PNG file.
-std::string pngOf(const Image& image);
+std::string pngOf(const Image& image, PngEffort effort = PngEffort::Quick);
 /// The same for raw pixels. @param channels 3: RGB, 4: with alpha. @param pixels width * height * channels, top row
 /// first.
 std::string encodePng(uint32_t width, uint32_t height, uint32_t channels, std::span<const uint8_t> pixels);
@@ -35,15 +39,5 @@ struct GreyImage {
 
 /// 8 or 16 bits a channel; the luminance of a coloured image. @throws InputError as readImage() does.
 GreyImage readGreyImage(const std::string& path);
-
-struct ImageDifference {
-    double meanAbsolute = 0.0;     ///< Mean over all channels, 0-255.
-    uint32_t worst = 0;            ///< Largest channel difference, 0-255.
-    double changedFraction = 0.0;  ///< Share of pixels with a channel that differs by more than the threshold, 0-1.
-    Image picture;                 ///< |a - b| per channel, brightened to be visible.
-};
-
-/// @throws InputError when the sizes differ.
-ImageDifference compareImages(const Image& a, const Image& b, uint32_t threshold);
 
 }  // namespace knuckle

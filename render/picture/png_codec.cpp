@@ -3,14 +3,18 @@
 
 #include <cstdlib>
 
-namespace {
+namespace knuckle {
 
-/// zlib at the lowest level: frames are written once and viewed, and deflate takes half the time.
-constexpr int DEFLATE_LEVEL = 1;
+/// libdeflate's level for pictures that this thread encodes; image.cpp sets it.
+thread_local int deflateLevel = 1;
+
+}  // namespace knuckle
+
+namespace {
 
 unsigned char* compressZlib(unsigned char* data, int byteCount, int* compressedBytes, int)
 {
-    libdeflate_compressor* compressor = libdeflate_alloc_compressor(DEFLATE_LEVEL);
+    libdeflate_compressor* compressor = libdeflate_alloc_compressor(knuckle::deflateLevel);
     if (compressor == nullptr) return nullptr;
     const auto size = static_cast<size_t>(byteCount);
     const size_t bound = libdeflate_zlib_compress_bound(compressor, size);

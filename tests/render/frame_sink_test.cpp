@@ -226,25 +226,5 @@ TEST_F(FrameSinkTest, AFilmOfUnknownKindIsRefused)
     EXPECT_THROW(filmSink(at("film.gif"), {32, 32, 30.0}), InputError);
 }
 
-TEST(CompareImages, CountsWhatDiffers)
-{
-    Image a{4, 2, std::vector<uint8_t>(24, 100)}, b = a;
-    b.rgb[0] = 110;
-    b.rgb[4] = 97;
-    const ImageDifference difference = compareImages(a, b, 5);
-    EXPECT_DOUBLE_EQ(difference.meanAbsolute, 13.0 / 24.0);
-    EXPECT_EQ(difference.worst, 10u);
-    EXPECT_DOUBLE_EQ(difference.changedFraction, 1.0 / 8.0);
-    EXPECT_EQ(difference.picture.rgb[0], 80u);
-    EXPECT_EQ(difference.picture.rgb[4], 24u);
-    EXPECT_DOUBLE_EQ(compareImages(a, a, 0).changedFraction, 0.0);
-}
-
-TEST(CompareImages, RefusesDifferentSizes)
-{
-    const Image a{4, 2, std::vector<uint8_t>(24)}, b{2, 4, std::vector<uint8_t>(24)};
-    EXPECT_THROW(compareImages(a, b, 0), InputError);
-}
-
 }  // namespace
 }  // namespace knuckle::test

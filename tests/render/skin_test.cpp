@@ -263,7 +263,9 @@ SkinMesh tube()
 
 RenderSettings aside()
 {
-    return lookFrom({2.0f, 1.6f, 3.2f}, {0.2f, 0.9f, 0}, 192, 144);
+    RenderSettings settings = lookFrom({2.0f, 1.6f, 3.2f}, {0.2f, 0.9f, 0}, 192, 144);
+    settings.skinError = 0.0f;  // the triangles of coarse levels depend on the library's version
+    return settings;
 }
 
 TEST(Golden, ASkinAtRest)

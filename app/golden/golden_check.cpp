@@ -1,0 +1,189 @@
+#include "app/golden/golden_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "app/compare/compare_run.h"
+#include "app/golden/golden_images.h"
+#include "app/golden/golden_scene.h"
+#include "app/report/report_pictures.h"
+#include "render/compare/parallel.h"
+#include "render/reader/picture_file.h"
+#include "sim/base/cores.h"
+#include "sim/base/errors.h"
+#include "sim/base/fnv_hash.h"
+
+namespace knuckle {
+
+namespace {
+
+using Status = ReportEntry::Status;
+using Kind = GoldenItem::Kind;
+
+Picture pictureOf(const Image& image)
+{
+    return knuckle::pictureOf(image.width, image.height, image.rgb);
+}
+
+/// Checks the frames of a scene's golden.
+class SceneCheck {
+public:
+    SceneCheck(const Golden& golden, const CheckOptions& options, Gpu& gpu, const InterruptGuard& interrupt)
+        : golden_(golden), options_(options), device_(gpu.device()), reference_(chooseReference(golden, device_)),
+          record_(golden.recorded.at(reference_.key)), stored_(golden.statesFile(reference_.key)),
+          scene_(golden, options.changes, gpu, interrupt)
+    {
+        for (const uint64_t frame : golden.frames)
+            if (!options.until || frame <= *options.until) frames_.push_back(frame);
+    }
+
+    CheckedGolden run()
+    {
+        if (options_.states) scene_.simulate(frames_, false, [&](const GoldenScene::Simulated& at) { checkState(at); });
+        if (options_.pictures)
+            for (const uint64_t frame : frames_)
+                add(Kind::Drawing, frame, [&](GoldenItem& item) { checkPicture(item); });
+        return {reference_, std::move(items_)};
+    }
+
+private:
+    /// Adds an item, with what is wrong in place of what `fill` could not do.
+    template <typename Fill>
+    void add(Kind kind, uint64_t frame, const Fill& fill)
+    {
+        GoldenItem item{.kind = kind, .golden = golden_.name, .stem = golden_.frameStem(frame), .frame = frame};
+        item.entry.name = fmt::format("{}/{} {}", golden_.name, item.stem, kindWord(kind));
+        item.entry.referencePath = golden_.reference(item.stem, reference_.key);
+        item.entry.allowed = !reference_.own &&
+                             (kind == Kind::Physics ? golden_.statesAdvisory : golden_.picturesAdvisory);
+        try {
+            fill(item);
+        } catch (const InputError& error) {
+            item.entry.status = Status::Unreadable;
+            item.entry.line = error.what();
+        }
+        item.entry.line = fmt::format("{}: {}", kindWord(kind), item.entry.line);
+        addNotes(item.entry);
+        items_.push_back(std::move(item));
+    }
+
+    void addNotes(ReportEntry& entry) const
+    {
+        entry.notes.emplace_back("reference of", record_.device + ", " + record_.driver);
+        entry.notes.emplace_back("this run's device", device_.name + ", " + device_.version);
+        if (!reference_.own) entry.notes.emplace_back("nearest reference", reference_.key);
+        if (entry.status != Status::Equal)
+            entry.notes.emplace_back("accept by", fmt::format("knuckle golden update {}", golden_.folder));
+    }
+
+    void checkState(const GoldenScene::Simulated& at)
+    {
+        add(Kind::Physics, at.frame, [&](GoldenItem& item) {
+            const auto known = record_.states.find(at.frame);
+            if (known == record_.states.end())
+                throw InputError(fmt::format("{}: has no state of frame {}; `knuckle golden update` adds it",
+                                             golden_.path(), at.frame));
+            item.state.emplace();
+            if (hashText(at.solver.stateHash()) == known->second) {
+                item.entry.line = "the same bits";
+                return;
+            }
+            const StoredFrame stored = stored_.read(at.frame);
+            const ViewState now = at.solver.readView();
+            item.state = compareStates(scene_.scene().world, stored.view, now, golden_.states);
+            const bool within = item.state->isWithin(golden_.states);
+            item.entry.status = within ? Status::Equal : Status::Different;
+            item.entry.line = (within ? "within limits: " : "different: ") +
+                              differenceWords(*item.state, golden_.states);
+            item.entry.verdict.equal = within;
+            if (!within && !options_.reports.report.empty() && item.state->sameKind) showStates(item, stored, now);
+        });
+    }
+
+    /// Both states as pictures, for the report.
+    void showStates(GoldenItem& item, const StoredFrame& stored, ViewState now)
+    {
+        const std::string line = item.entry.line;
+        const Verdict verdict = item.entry.verdict;
+        compact(now, scene_.scene());
+        judgePictures(item.entry, pictureOf(scene_.draw(stored)), pictureOf(scene_.draw(stored, now)),
+                      PictureWork{.settings = settings()}, {.report = options_.reports.report, .reportAll = true});
+        item.entry.line = line;
+        item.entry.status = Status::Different;
+        item.entry.verdict = verdict;
+        item.entry.notes.emplace_back("pictures", "of the stored state and of this run's, both drawn now");
+    }
+
+    void checkPicture(GoldenItem& item)
+    {
+        const Picture reference = readPicture(item.entry.referencePath);
+        PictureWork work{.settings = settings()};
+        golden_.pictures.applyTo(item.stem, work.settings.threshold, work.limits);
+        judgePictures(item.entry, reference, pictureOf(scene_.draw(stored_.read(item.frame))), work, options_.reports);
+    }
+
+    CompareSettings settings() const
+    {
+        CompareSettings settings = golden_.settings;
+        settings.threads = 1;
+        return settings;
+    }
+
+    const Golden& golden_;
+    const CheckOptions& options_;
+    const DeviceInfo& device_;
+    ChosenReference reference_;
+    const GoldenRecord& record_;
+    StoredFrames stored_;
+    GoldenScene scene_;
+    std::vector<uint64_t> frames_;
+    std::vector<GoldenItem> items_;
+};
+
+}  // namespace
+
+bool CheckedGolden::failed() const
+{
+    return std::ranges::any_of(items, [](const GoldenItem& item) { return item.entry.failed(); });
+}
+
+CheckedGolden checkGolden(const Golden& golden, const CheckOptions& options, Gpu* gpu, const InterruptGuard& interrupt)
+{
+    try {
+        if (!golden.ofScene()) return checkImages(golden, options);
+        return SceneCheck(golden, options, *gpu, interrupt).run();
+    } catch (const InputError& error) {
+        CheckedGolden checked;
+        GoldenItem item{.golden = golden.name};
+        item.entry.name = golden.name;
+        item.entry.status = Status::Unreadable;
+        item.entry.line = error.what();
+        checked.items.push_back(std::move(item));
+        return checked;
+    }
+}
+
+std::unique_ptr<Gpu> openFor(const std::vector<Golden>& goldens, const CommonOptions& common)
+{
+    if (std::ranges::none_of(goldens, &Golden::ofScene)) return nullptr;
+    // No threads of the driver: each core has a golden of its own.
+    return openGpu(common, FrameWork{});
+}
+
+void forEachGolden(size_t count, const Gpu* gpu, const std::function<void(size_t, Gpu*)>& act)
+{
+    forEachParallel(count, usableCores(), [&](size_t i) {
+        const auto own = gpu != nullptr ? Gpu::sharingWith(*gpu) : nullptr;
+        act(i, own.get());
+    });
+}
+
+const char* kindWord(GoldenItem::Kind kind)
+{
+    constexpr std::array<const char*, 3> WORDS{"physics", "drawing", "image"};
+    return WORDS.at(static_cast<size_t>(kind));
+}
+
+}  // namespace knuckle

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/golden/golden_check.h"
+
+namespace knuckle {
+
+/// Compares the pictures of another program, which a command makes anew. @throws InputError where it fails.
+CheckedGolden checkImages(const Golden& golden, const CheckOptions& options);
+
+/// Runs the golden's command, if it has one, in its folder.
+/// @throws InputError if it fails, or leaves an image of before as it was.
+void makeImages(const Golden& golden);
+
+}  // namespace knuckle

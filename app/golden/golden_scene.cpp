@@ -1,0 +1,80 @@
+#include "app/golden/golden_scene.h"
+
+#include <fmt/format.h>
+
+#include "app/files/assets.h"
+#include "sim/base/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+Scene loadGoldenScene(const Golden& golden, const std::vector<Override>& changes)
+{
+    std::vector<Override> all = golden.changes;
+    all.insert(all.end(), changes.begin(), changes.end());
+    Scene scene = loadScene(findAsset(golden.scene), all);
+    // The triangles of coarse levels depend on a library's version.
+    scene.render.skinError = 0.0f;
+    if (golden.frames.back() > scene.frameCount())
+        throw InputError(fmt::format("{}: /frames: {} is beyond the scene's last frame, {}; name others", golden.path(),
+                                     golden.frames.back(), scene.frameCount()));
+    return scene;
+}
+
+}  // namespace
+
+GoldenScene::GoldenScene(const Golden& golden, const std::vector<Override>& changes, Gpu& gpu,
+                         const InterruptGuard& interrupt)
+    : scene_(loadGoldenScene(golden, changes)), gpu_(gpu), stored_(scene_.world), interrupt_(interrupt)
+{
+}
+
+RunFacts GoldenScene::facts(const Golden& golden) const
+{
+    // Not by its path from here, so that the file's bytes do not depend on the folder in which the program runs.
+    return factsOf(scene_, gpu_, {golden.document["scene"], golden.changes});
+}
+
+void GoldenScene::simulate(const std::vector<uint64_t>& frames, bool withCamera,
+                           const std::function<void(const Simulated&)>& show)
+{
+    Solver solver(gpu_, scene_.world);
+    std::optional<Renderer> camera;
+    if (withCamera) camera.emplace(gpu_, scene_.world, scene_.render);
+    auto next = frames.begin();
+    for (uint64_t frame = 1; next != frames.end(); ++frame) {
+        for (uint32_t i = 0; frame > 1 && i < scene_.stepsPerFrame; ++i) solver.step();
+        if (frame > 1) solver.checkCounters(frame);
+        if (frame == *next) {
+            show({frame, solver, camera ? &*camera : nullptr});
+            ++next;
+        }
+        if (camera) camera->look(solver.view(), timeOf(frame));
+        interrupt_.check();
+    }
+    gpu_.checkErrors();
+}
+
+Image GoldenScene::draw(const StoredFrame& frame)
+{
+    return draw(frame, frame.view);
+}
+
+Image GoldenScene::draw(const StoredFrame& frame, const ViewState& view)
+{
+    const World& world = scene_.world;
+    if (view.positions.size() != world.particles.size() || view.bodyCentres.size() != world.bodies.size() ||
+        view.colliderPlaces.size() != 2 * world.colliders.size())
+        throw InputError("the scene has other particles, bodies or colliders than the stored state, so that it cannot "
+                         "be drawn");
+    if (!renderer_) renderer_.emplace(gpu_, world, scene_.render);
+    renderer_->loadState(frame.camera);
+    renderer_->draw(stored_.upload(view), timeOf(frame.number));
+    Image image = renderer_->readImage();
+    gpu_.checkErrors();
+    interrupt_.check();
+    return image;
+}
+
+}  // namespace knuckle

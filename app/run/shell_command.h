@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace knuckle {
+
+/// How a command of the user's shell ended.
+struct ShellResult {
+    std::string failure = {};   ///< Empty: it succeeded; else "failed with exit code 3", "was ended by signal 9".
+    std::string output = {};    ///< All that it wrote.
+    std::string lastLine = {};  ///< Of that.
+};
+
+/// Runs a line in /bin/sh and waits for it. @param folder in which it runs. @param environment "NAME=value", in
+/// addition to the program's own. @throws InputError if it cannot be started.
+ShellResult runShell(const std::string& line, const std::string& folder,
+                     const std::vector<std::string>& environment = {});
+
+}  // namespace knuckle

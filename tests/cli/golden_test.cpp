@@ -1,0 +1,300 @@
+#include <sys/stat.h>
+
+#include <filesystem>
+
+#include "render/picture/image.h"
+#include "tests/cli/cli_fixture.h"
+
+namespace knuckle::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A golden of the tiny scene, in golden/tiny: frames 1 and 4.
+class GoldenTest : public CliTest {
+protected:
+    void add(const std::vector<std::string>& more = {})
+    {
+        std::vector<std::string> words{"golden", "add", "tiny.json", "--frames", "first,4", "--size", "96x54", "-q"};
+        words.insert(words.end(), more.begin(), more.end());
+        const RunResult result = run(words);
+        ASSERT_EQ(result.code, 0) << result.err;
+    }
+    RunResult check(std::vector<std::string> more = {}) const
+    {
+        more.insert(more.begin(), {"golden", "check"});
+        return run(more);
+    }
+    /// Replaces words in a file of the test's folder.
+    void edit(const std::string& file, const std::string& before, const std::string& after) const
+    {
+        std::string text = readText(folder.path(file));
+        const size_t at = text.find(before);
+        ASSERT_NE(at, std::string::npos) << file << " has no " << before;
+        folder.write(file, text.replace(at, before.size(), after));
+    }
+    void pretendOtherDriver() const { edit("golden/tiny/golden.json", "\"driver\": \"", "\"driver\": \"other "); }
+    static bool has(const RunResult& result, const std::string& words)
+    {
+        return result.out.find(words) != std::string::npos;
+    }
+
+    static constexpr const char* STATES = "golden/tiny/states@llvmpipe.states";
+};
+
+TEST_F(GoldenTest, IsEqualToWhatMadeIt)
+{
+    add();
+    EXPECT_EQ(listFolder(folder.path("golden")),
+              (std::vector<std::string>{"tiny", "tiny/frame_0001@llvmpipe.png", "tiny/frame_0004@llvmpipe.png",
+                                        "tiny/golden.json", "tiny/states@llvmpipe.states"}));
+    const RunResult result = check();
+    EXPECT_EQ(result.code, 0) << result.out << result.err;
+    EXPECT_EQ(result.out, "1 golden: 0 of 2 states and 0 of 2 pictures differ\n");
+    EXPECT_EQ(result.err, "");
+    for (const char* threads : {"LP_NUM_THREADS=0", "LP_NUM_THREADS=2", "LP_NATIVE_VECTOR_WIDTH=128"})
+        EXPECT_EQ(run({"golden", "check"}, {.environment = {threads}}).out, result.out) << threads;
+    // The pictures are those of the film.
+    ASSERT_EQ(run({"render", "tiny.json", "-o", "out", "--size", "96x54", "-q"}).code, 0);
+    EXPECT_EQ(run({"compare", "out/frame_0004.png", "golden/tiny/frame_0004@llvmpipe.png", "--threshold", "0",
+                   "--max-pixels", "0"})
+                  .code,
+              0);
+}
+
+TEST_F(GoldenTest, TellsPhysicsFromDrawing)
+{
+    add();
+    const RunResult drawn = check({"--set", "light.direction=[-0.2,0.85,0.6]"});
+    EXPECT_EQ(drawn.code, 4);
+    EXPECT_TRUE(has(drawn, "tiny/frame_0001: drawing: different: ")) << drawn.out;
+    EXPECT_TRUE(has(drawn, "the difference is in ")) << drawn.out;
+    EXPECT_FALSE(has(drawn, "physics")) << drawn.out;
+    EXPECT_TRUE(has(drawn, "0 of 2 states and 2 of 2 pictures differ\nto accept: knuckle golden update golden tiny\n"));
+    const RunResult moved = check({"--set", "solver.gravity=[0,-9.7,0]"});
+    EXPECT_EQ(moved.code, 4);
+    EXPECT_TRUE(has(moved, "tiny/frame_0004: physics: different: ")) << moved.out;
+    EXPECT_FALSE(has(moved, "frame_0001")) << moved.out;
+    EXPECT_FALSE(has(moved, "drawing")) << moved.out;
+    EXPECT_TRUE(has(moved, "1 of 2 states and 0 of 2 pictures differ\n")) << moved.out;
+}
+
+TEST_F(GoldenTest, TellsHowFarParticlesAre)
+{
+    add();
+    // Pairs of the scene have a diameter of 0.1 m: 0.05 m are half of one.
+    const RunResult moved = check({"--states", "--set", "objects.0.position=[0.05,0.3,0]"});
+    EXPECT_EQ(moved.code, 4);
+    EXPECT_TRUE(has(moved, "more than 0.0034 diameters from where they were, most of \"pair\" (")) << moved.out;
+    EXPECT_TRUE(has(moved, "; the farthest, particle ")) << moved.out;
+    EXPECT_TRUE(has(moved, " of \"pair\", by 0.5 diameters, at ")) << moved.out;
+    edit("golden/tiny/golden.json", "\"recorded\"", "\"states\": { \"distance\": 0.51 }, \"recorded\"");
+    EXPECT_EQ(check({"--states", "--set", "objects.0.position=[0.05,0.3,0]"}).code, 0);
+    EXPECT_EQ(check({"--states", "--set", "objects.0.position=[0.06,0.3,0]"}).code, 4);
+}
+
+TEST_F(GoldenTest, TellsThatTheSceneHasOtherParticles)
+{
+    add();
+    edit("tiny.json", "}],\n        \"render\"",
+         "},\n{ \"type\": \"rigid\", \"shape\": \"sphere\", \"radius\": 0.2 }],\n\"render\"");
+    const RunResult result = check();
+    EXPECT_EQ(result.code, 2) << result.out;
+    EXPECT_TRUE(has(result, "physics: different: it has ")) << result.out;
+    EXPECT_NE(result.err.find("drawing: the scene has other particles, bodies or colliders than the stored state"),
+              std::string::npos)
+        << result.err;
+}
+
+TEST_F(GoldenTest, UpdateWritesOnlyWhatFailed)
+{
+    add();
+    const std::string first = folder.path("golden/tiny/frame_0001@llvmpipe.png"),
+                      last = folder.path("golden/tiny/frame_0004@llvmpipe.png");
+    const auto before = fs::last_write_time(first);
+    const RunResult nothing = run({"golden", "update"});
+    EXPECT_EQ(nothing.out, "0 of 1 goldens written anew\n") << nothing.err;
+    edit("tiny.json", "[0, 0.3, 0]", "[0, 0.3, 0], \"velocity\": [0, -1, 0]");
+    const RunResult result = run({"golden", "update"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(has(result, "tiny: accepts frame_0004: physics: different: ")) << result.out;
+    EXPECT_TRUE(has(result, "1 of 1 goldens written anew\n")) << result.out;
+    EXPECT_EQ(check().code, 0);
+    // Its velocity differs from the first frame on, its places do not.
+    EXPECT_TRUE(has(result, "frame_0001: physics: different: bits differ, of velocities or by roundings"))
+        << result.out;
+    EXPECT_GE(fs::last_write_time(first), before);
+    writePng(last, {96, 54, std::vector<uint8_t>(size_t{96} * 54 * 3)});
+    const auto states = fs::last_write_time(folder.path(STATES));
+    const RunResult drawn = run({"golden", "update"});
+    EXPECT_TRUE(has(drawn, "tiny: wrote frame_0004@llvmpipe.png, golden.json\n")) << drawn.out;
+    EXPECT_EQ(fs::last_write_time(folder.path(STATES)), states);
+    EXPECT_EQ(check().code, 0);
+}
+
+TEST_F(GoldenTest, OfAnotherDriverIsNamedAndAdvisory)
+{
+    add();
+    pretendOtherDriver();
+    const RunResult same = check();
+    EXPECT_EQ(same.code, 0);
+    EXPECT_TRUE(has(same, "no references of llvmpipe")) << same.out;
+    EXPECT_TRUE(has(same, ": compared with those of llvmpipe\n")) << same.out;
+    const RunResult moved = check({"--set", "solver.gravity=[0,-9.7,0]"});
+    EXPECT_EQ(moved.code, 0);
+    EXPECT_TRUE(has(moved, "advisory: tiny/frame_0004: physics: different: ")) << moved.out;
+    EXPECT_TRUE(has(moved, ", 1 difference advisory\n")) << moved.out;
+    // Pictures are drawn from stored states, and count.
+    EXPECT_EQ(check({"--set", "render.exposure=1.2"}).code, 4);
+    edit("golden/tiny/golden.json", "\"recorded\"",
+         "\"elsewhere\": { \"states\": \"fail\", \"pictures\": \"advisory\" }, \"recorded\"");
+    EXPECT_EQ(check({"--set", "solver.gravity=[0,-9.7,0]"}).code, 4);
+    EXPECT_EQ(check({"--set", "render.exposure=1.2"}).code, 0);
+}
+
+TEST_F(GoldenTest, UpdateRefusesAnotherDriverUnlessTold)
+{
+    add();
+    pretendOtherDriver();
+    const RunResult refused = run({"golden", "update"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("golden/tiny/golden.json: its references are of llvmpipe"), std::string::npos);
+    EXPECT_NE(refused.err.find("--other-driver beside keeps both, --other-driver replace only these\n"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_TRUE(isOneLine(refused.err));
+    ASSERT_EQ(run({"golden", "update", "--other-driver", "beside"}).code, 0);
+    const std::vector<std::string> files = listFolder(folder.path("golden/tiny"));
+    EXPECT_EQ(files.size(), 7u);
+    EXPECT_TRUE(files[1].starts_with("frame_0001@llvmpipe.png") || files[0].starts_with("frame_0001@llvmpipe-"));
+    const RunResult own = check();
+    EXPECT_EQ(own.code, 0);
+    EXPECT_FALSE(has(own, "no references of")) << own.out;
+}
+
+TEST_F(GoldenTest, ThatIsDamagedIsToldInOneLineEach)
+{
+    add();
+    const std::string states = readText(folder.path(STATES));
+    folder.write(STATES, states.substr(0, states.size() / 2));
+    const RunResult cut = check();
+    EXPECT_EQ(cut.code, 2);
+    EXPECT_NE(cut.err.find("knuckle: tiny: golden/tiny/states@llvmpipe.states: "), std::string::npos) << cut.err;
+    EXPECT_TRUE(isOneLine(cut.err)) << cut.err;
+    fs::remove(folder.path(STATES));
+    EXPECT_TRUE(isOneLine(check().err));
+    folder.write(STATES, states);
+    fs::remove(folder.path("golden/tiny/frame_0004@llvmpipe.png"));
+    const RunResult gone = check();
+    EXPECT_EQ(gone.code, 2);
+    EXPECT_TRUE(gone.err.starts_with("knuckle: tiny/frame_0004 drawing: drawing: ")) << gone.err;
+    EXPECT_TRUE(isOneLine(gone.err)) << gone.err;
+    ASSERT_EQ(run({"golden", "update", "-q"}).code, 0);
+    EXPECT_EQ(check().code, 0);
+}
+
+TEST_F(GoldenTest, RefusesWrongInput)
+{
+    const auto refused = [&](const std::vector<std::string>& words, const std::string& message) {
+        expectError(run(words), 2, message);
+    };
+    refused({"golden", "check"}, "no folder golden here; name the folder of the goldens");
+    refused({"golden", "check", "nowhere"}, "no folder nowhere; name the folder of the goldens first");
+    fs::create_directory(folder.path("empty"));
+    refused({"golden", "check", "empty"}, "no golden.json in empty or below; `knuckle golden add` makes one");
+    add();
+    refused({"golden", "check", "tyni"}, "no golden tyni in golden; did you mean \"tiny\"?");
+    refused({"golden", "add", "tiny.json"},
+            "golden/tiny/golden.json is there already; `knuckle golden update` makes its "
+            "references anew, --name gives another name");
+    refused({"golden", "add", "tiny.json", "--name", "other", "--frames", "5"},
+            "--frames 5: 5 must be first, middle, last or a number from 1 to 4");
+    refused({"golden", "check", "--states", "--pictures"},
+            "--states and --pictures leave nothing out together; leave out one, or both");
+    const std::string path = "golden/tiny/golden.json";
+    edit(path, "\"frames\"", "\"framse\"");
+    refused({"golden", "check"}, path + ": /framse: unknown field; did you mean \"frames\"?");
+    edit(path, "\"framse\": [\n    1,\n    4", "\"frames\": [\n    4,\n    1");
+    refused({"golden", "check"}, path + ": /frames: must be in order, each frame once");
+    edit(path, "\n    4,\n    1", "\n    1,\n    9");
+    const RunResult late = check();
+    EXPECT_EQ(late.code, 2);
+    EXPECT_EQ(late.err, "knuckle: tiny: golden/tiny/golden.json: /frames: 9 is beyond the scene's last frame, 4; name "
+                        "others\n");
+    edit(path, "{", "{ \"images\": [\"a.png\"],");
+    refused({"golden", "check"}, path + ": /: must have either \"scene\" or \"images\"");
+}
+
+TEST_F(GoldenTest, WritesAReportForPeopleAndPrograms)
+{
+    add();
+    const RunResult result = check({"--set", "solver.gravity=[0,-9,0]", "--set", "light.direction=[-0.2,0.85,0.6]",
+                                    "--report", "report.html", "--junit", "report.xml", "--json"});
+    EXPECT_EQ(result.code, 4) << result.err;
+    for (const char* words : {"\"verdict\": \"different\"", "\"reference\": \"llvmpipe\"", "\"kind\": \"physics\"",
+                              "\"moved\": ", "\"kind\": \"drawing\"", "\"flip\": "})
+        EXPECT_TRUE(has(result, words)) << words;
+    const std::string page = readText(folder.path("report.html")), junit = readText(folder.path("report.xml"));
+    for (const char* words : {"tiny/frame_0004 physics", "tiny/frame_0001 drawing", "knuckle golden update golden/tiny",
+                              "reference of", "this run&#39;s device", "data:image/png;base64"})
+        EXPECT_NE(page.find(words), std::string::npos) << words;
+    EXPECT_NE(junit.find("tests=\"4\" failures=\"3\" errors=\"0\""), std::string::npos) << junit;
+    EXPECT_EQ(check({"--report", "golden/tiny/golden.json"}).code, 2);
+}
+
+/// Pictures of another program.
+class GoldenImages : public GoldenTest {
+protected:
+    static Image grey(uint8_t value) { return {24, 16, std::vector<uint8_t>(size_t{24} * 16 * 3, value)}; }
+    void addImages(const std::string& command)
+    {
+        writePng(folder.path("bright.png"), grey(200));
+        writePng(folder.path("dark.png"), grey(40));
+        fs::create_directory(folder.path("out"));
+        const RunResult result = run({"golden", "add", "out/logo.png", "--command", command});
+        ASSERT_EQ(result.code, 0) << result.err;
+    }
+};
+
+TEST_F(GoldenImages, AreMadeAnewByTheirCommand)
+{
+    addImages("cp bright.png out/logo.png");
+    EXPECT_EQ(listFolder(folder.path("golden/logo")), (std::vector<std::string>{"golden.json", "logo.png"}));
+    EXPECT_EQ(check().out, "1 golden: 0 of 1 pictures differ\n");
+    writePng(folder.path("bright.png"), grey(203));
+    const RunResult result = check();
+    EXPECT_EQ(result.code, 4);
+    EXPECT_TRUE(has(result, "logo/logo: image: different: ")) << result.out;
+    EXPECT_EQ(run({"golden", "update"}).code, 0);
+    EXPECT_EQ(check().code, 0);
+}
+
+TEST_F(GoldenImages, SayWhatTheirCommandDidNotDo)
+{
+    addImages("cp bright.png out/logo.png");
+    edit("golden/logo/golden.json", "cp bright.png", "echo no paint left >&2; exit 3; cp dark.png");
+    const RunResult failed = check();
+    EXPECT_EQ(failed.code, 2);
+    EXPECT_EQ(failed.err,
+              "knuckle: logo: golden/logo/golden.json: /command: echo no paint left >&2; exit 3; cp dark.png "
+              "out/logo.png failed with exit code 3; its last line: no paint left\n");
+    edit("golden/logo/golden.json", "exit 3; cp dark.png out/logo.png", "true");
+    const RunResult idle = check();
+    EXPECT_EQ(idle.code, 2);
+    EXPECT_NE(idle.err.find("did not write out/logo.png\n"), std::string::npos) << idle.err;
+}
+
+TEST_F(GoldenTest, SuggestsLimitsFromWhatMakesNoDifference)
+{
+    add();
+    const RunResult result = run({"golden", "suggest", "--repeats", "1", "--write"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(has(result, "tiny: pictures differed by: mean 0")) << result.out;
+    EXPECT_TRUE(has(result, "checks could run: repeats, threads, widths of vectors, drivers\n")) << result.out;
+    EXPECT_NE(readText(folder.path("golden/tiny/golden.json")).find("\"tile\": 0.25"), std::string::npos);
+    EXPECT_EQ(check().code, 0);
+    EXPECT_EQ(check({"--set", "render.exposure=1.01"}).code, 4);
+}
+
+}  // namespace
+}  // namespace knuckle::test
