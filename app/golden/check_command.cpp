@@ -88,6 +88,7 @@ public:
         return text;
     }
     bool failed() const { return !failed_.empty(); }
+    bool differs() const { return states_.different + pictures_.different > 0; }
     bool unreadable() const { return unreadable_ > 0; }
     /// The command that accepts what failed.
     std::string remedy(const GoldenChoice& choice) const
@@ -109,12 +110,16 @@ private:
     std::vector<std::string> failed_;
 };
 
+std::string nameOf(const GoldenItem& item)
+{
+    return item.stem.empty() ? item.golden : item.golden + "/" + item.stem;
+}
+
 void printLines(const CheckedGolden& checked)
 {
     for (const GoldenItem& item : checked.items) {
         if (item.entry.status == Status::Equal || item.entry.status == Status::Unreadable) continue;
-        fmt::print("{}{}: {}\n", item.entry.allowed ? "advisory: " : "",
-                   item.stem.empty() ? item.golden : item.golden + "/" + item.stem, item.entry.line);
+        fmt::print("{}{}: {}\n", item.entry.allowed ? "advisory: " : "", nameOf(item), item.entry.line);
     }
 }
 
@@ -170,12 +175,12 @@ int checkGoldens(const GoldenChoice& choice, const CheckOptions& options, bool j
         for (const CheckedGolden& golden : checked) printLines(golden);
         tellStandIns(checked, gpu.get());
         fmt::print("{}\n", summary.text(goldens.size()));
-        if (summary.failed()) fmt::print("to accept: {}\n", summary.remedy(choice));
+        if (summary.differs()) fmt::print("to accept: {}\n", summary.remedy(choice));
     }
     for (CheckedGolden& golden : checked)
         for (GoldenItem& item : golden.items) {
             if (item.entry.status == Status::Unreadable)
-                tellUser(fmt::format("knuckle: {}: {}", item.entry.name, item.entry.line));
+                tellUser(fmt::format("knuckle: {}: {}", nameOf(item), item.entry.line));
             outputs.add(std::move(item.entry));
         }
     ReportHead head{"Goldens of " + choice.folder, {{"made by", "knuckle " KNUCKLE_VERSION}}};

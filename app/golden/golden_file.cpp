@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -70,6 +71,11 @@ std::map<std::string, GoldenRecord> readRecords(const JsonFile& file)
 {
     std::map<std::string, GoldenRecord> records;
     for (const auto& [key, json] : file.root["recorded"].items()) {
+        const auto isPlain = [](unsigned char letter) {
+            return std::isalnum(letter) != 0 || letter == '-' || letter == '.';
+        };
+        if (!std::ranges::all_of(key, isPlain))
+            failAt(file.path, "/recorded", fmt::format("\"{}\" must have only letters, digits, - and .", key));
         GoldenRecord record{json["driver"], json["device"], json["program"], {}};
         for (const auto& [frame, hash] : json["states"].items()) {
             if (frame.empty() || frame.size() > 7 || frame.find_first_not_of("0123456789") != std::string::npos)

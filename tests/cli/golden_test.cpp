@@ -187,7 +187,7 @@ TEST_F(GoldenTest, ThatIsDamagedIsToldInOneLineEach)
     fs::remove(folder.path("golden/tiny/frame_0004@llvmpipe.png"));
     const RunResult gone = check();
     EXPECT_EQ(gone.code, 2);
-    EXPECT_TRUE(gone.err.starts_with("knuckle: tiny/frame_0004 drawing: drawing: ")) << gone.err;
+    EXPECT_TRUE(gone.err.starts_with("knuckle: tiny/frame_0004: drawing: ")) << gone.err;
     EXPECT_TRUE(isOneLine(gone.err)) << gone.err;
     ASSERT_EQ(run({"golden", "update", "-q"}).code, 0);
     EXPECT_EQ(check().code, 0);
@@ -221,6 +221,8 @@ TEST_F(GoldenTest, RefusesWrongInput)
     EXPECT_EQ(late.code, 2);
     EXPECT_EQ(late.err, "knuckle: tiny: golden/tiny/golden.json: /frames: 9 is beyond the scene's last frame, 4; name "
                         "others\n");
+    edit(path, "\"llvmpipe\": {", "\"../up\": {");
+    refused({"golden", "check"}, path + ": /recorded: \"../up\" must have only letters, digits, - and .");
     edit(path, "{", "{ \"images\": [\"a.png\"],");
     refused({"golden", "check"}, path + ": /: must have either \"scene\" or \"images\"");
 }
