@@ -88,7 +88,8 @@ TEST(Schema, WordsAreThoseOfTheEnums)
 
 TEST(Schema, EveryFieldIsDescribedAndEveryObjectClosed)
 {
-    for (const char* file : {"scene.schema.json", "actor.schema.json", "joints.schema.json"}) {
+    for (const char* file :
+         {"scene.schema.json", "actor.schema.json", "joints.schema.json", "limits.schema.json", "golden.schema.json"}) {
         const Schema schema(file);
         forEachProperty(schema.root(), file, [&](const std::string& pointer, const Json& property) {
             const Json& node = schema.resolve(property);
@@ -99,6 +100,12 @@ TEST(Schema, EveryFieldIsDescribedAndEveryObjectClosed)
             EXPECT_EQ(node["additionalProperties"], false) << file << " " << name;
         }
     }
+}
+
+TEST(Schema, GoldensHaveTheLimitsOfComparedImages)
+{
+    EXPECT_EQ(Schema("golden.schema.json").root()["definitions"]["limits"],
+              Schema("limits.schema.json").root()["definitions"]["limits"]);
 }
 
 TEST(Schema, DefaultsKeepTheirOwnRules)

@@ -1,46 +1,12 @@
-#include <sys/stat.h>
-
 #include <filesystem>
 
 #include "render/picture/image.h"
-#include "tests/cli/cli_fixture.h"
+#include "tests/cli/golden_fixture.h"
 
 namespace knuckle::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A golden of the tiny scene, in golden/tiny: frames 1 and 4.
-class GoldenTest : public CliTest {
-protected:
-    void add(const std::vector<std::string>& more = {})
-    {
-        std::vector<std::string> words{"golden", "add", "tiny.json", "--frames", "first,4", "--size", "96x54", "-q"};
-        words.insert(words.end(), more.begin(), more.end());
-        const RunResult result = run(words);
-        ASSERT_EQ(result.code, 0) << result.err;
-    }
-    RunResult check(std::vector<std::string> more = {}) const
-    {
-        more.insert(more.begin(), {"golden", "check"});
-        return run(more);
-    }
-    /// Replaces words in a file of the test's folder.
-    void edit(const std::string& file, const std::string& before, const std::string& after) const
-    {
-        std::string text = readText(folder.path(file));
-        const size_t at = text.find(before);
-        ASSERT_NE(at, std::string::npos) << file << " has no " << before;
-        folder.write(file, text.replace(at, before.size(), after));
-    }
-    void pretendOtherDriver() const { edit("golden/tiny/golden.json", "\"driver\": \"", "\"driver\": \"other "); }
-    static bool has(const RunResult& result, const std::string& words)
-    {
-        return result.out.find(words) != std::string::npos;
-    }
-
-    static constexpr const char* STATES = "golden/tiny/states@llvmpipe.states";
-};
 
 TEST_F(GoldenTest, IsEqualToWhatMadeIt)
 {
@@ -242,48 +208,6 @@ TEST_F(GoldenTest, WritesAReportForPeopleAndPrograms)
         EXPECT_NE(page.find(words), std::string::npos) << words;
     EXPECT_NE(junit.find("tests=\"4\" failures=\"3\" errors=\"0\""), std::string::npos) << junit;
     EXPECT_EQ(check({"--report", "golden/tiny/golden.json"}).code, 2);
-}
-
-/// Pictures of another program.
-class GoldenImages : public GoldenTest {
-protected:
-    static Image grey(uint8_t value) { return {24, 16, std::vector<uint8_t>(size_t{24} * 16 * 3, value)}; }
-    void addImages(const std::string& command)
-    {
-        writePng(folder.path("bright.png"), grey(200));
-        writePng(folder.path("dark.png"), grey(40));
-        fs::create_directory(folder.path("out"));
-        const RunResult result = run({"golden", "add", "out/logo.png", "--command", command});
-        ASSERT_EQ(result.code, 0) << result.err;
-    }
-};
-
-TEST_F(GoldenImages, AreMadeAnewByTheirCommand)
-{
-    addImages("cp bright.png out/logo.png");
-    EXPECT_EQ(listFolder(folder.path("golden/logo")), (std::vector<std::string>{"golden.json", "logo.png"}));
-    EXPECT_EQ(check().out, "1 golden: 0 of 1 pictures differ\n");
-    writePng(folder.path("bright.png"), grey(203));
-    const RunResult result = check();
-    EXPECT_EQ(result.code, 4);
-    EXPECT_TRUE(has(result, "logo/logo: image: different: ")) << result.out;
-    EXPECT_EQ(run({"golden", "update"}).code, 0);
-    EXPECT_EQ(check().code, 0);
-}
-
-TEST_F(GoldenImages, SayWhatTheirCommandDidNotDo)
-{
-    addImages("cp bright.png out/logo.png");
-    edit("golden/logo/golden.json", "cp bright.png", "echo no paint left >&2; exit 3; cp dark.png");
-    const RunResult failed = check();
-    EXPECT_EQ(failed.code, 2);
-    EXPECT_EQ(failed.err,
-              "knuckle: logo: golden/logo/golden.json: /command: echo no paint left >&2; exit 3; cp dark.png "
-              "out/logo.png failed with exit code 3; its last line: no paint left\n");
-    edit("golden/logo/golden.json", "exit 3; cp dark.png out/logo.png", "true");
-    const RunResult idle = check();
-    EXPECT_EQ(idle.code, 2);
-    EXPECT_NE(idle.err.find("did not write out/logo.png\n"), std::string::npos) << idle.err;
 }
 
 TEST_F(GoldenTest, SuggestsLimitsFromWhatMakesNoDifference)
