@@ -1,7 +1,7 @@
 #include <filesystem>
 
 #include "render/picture/image.h"
-#include "tests/cli/golden_fixture.h"
+#include "tests/cli/golden/golden_fixture.h"
 
 namespace knuckle::test {
 namespace {
