@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -19,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *PICTURE = "picture", *FRAME = "frame_", *SEGMENT = "segment_";
+constexpr const char *PICTURE = "picture", *CHANGES = "changes", *FRAME = "frame_", *SEGMENT = "segment_";
 
 /// A name that tells whether the file is whole.
 std::string segmentName(uint64_t segment, const std::string& path)
@@ -33,6 +34,19 @@ std::optional<uint64_t> numberAfter(const std::string& name, const std::string& 
     unsigned long long number = 0;
     if (!name.starts_with(word) || std::sscanf(name.c_str() + word.size(), "%llu", &number) != 1) return {};
     return number;
+}
+
+/// The first frame of the segment of a frame.
+uint64_t firstOf(uint64_t index)
+{
+    return index - index % SEGMENT_FRAMES;
+}
+
+/// The bits in which two pictures differ; and with them the one from the other. @param b of the same size.
+std::vector<uint8_t> differing(std::vector<uint8_t> a, const std::vector<uint8_t>& b)
+{
+    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) a[i] ^= b[i];
+    return a;
 }
 
 }  // namespace
@@ -62,14 +76,24 @@ bool KeptFilm::hasFrame(uint64_t index)
 
 std::vector<uint8_t> KeptFilm::readFrame(uint64_t index)
 {
-    return BlockReader(framePath(index)).readArray<uint8_t>(PICTURE);
+    const BlockReader file(framePath(index));
+    if (!file.has(CHANGES)) return file.readArray<uint8_t>(PICTURE);
+    return differing(file.readArray<uint8_t>(CHANGES), readFrame(firstOf(index)));
 }
 
 void KeptFilm::keepFrame(uint64_t index, const std::vector<uint8_t>& rgb)
 {
+    const uint64_t first = firstOf(index);
+    const bool changes = index != first && firstIndex_ == first && first_.size() == rgb.size();
     BlockWriter writer(framePath(index));
-    writer.add(packBlock(PICTURE, std::as_bytes(std::span(rgb)), BlockKind::Quick));
+    const std::vector<uint8_t> kept = changes ? differing(rgb, first_) : std::vector<uint8_t>();
+    writer.add(
+        packBlock(changes ? CHANGES : PICTURE, std::as_bytes(std::span(changes ? kept : rgb)), BlockKind::Quick));
     writer.commit();
+    if (index == first) {
+        first_ = rgb;
+        firstIndex_ = first;
+    }
     const std::lock_guard lock(mutex_);
     frames_.insert(index);
 }
@@ -88,6 +112,7 @@ void KeptFilm::endSegment(uint64_t segment, const std::string& name)
 
 void KeptFilm::check()
 {
+    std::set<uint64_t> changed;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
         const std::string name = entry.path().filename(), path = entry.path();
         if (const auto segment = numberAfter(name, SEGMENT)) {
@@ -95,13 +120,15 @@ void KeptFilm::check()
             else std::remove(path.c_str());
         } else if (const auto frame = numberAfter(name, FRAME)) {
             try {
-                const BlockReader whole(path);
+                if (BlockReader(path).has(CHANGES)) changed.insert(*frame - 1);
                 frames_.insert(*frame - 1);
             } catch (const InputError&) {
                 std::remove(path.c_str());
             }
         }
     }
+    for (const uint64_t index : changed)
+        if (!frames_.contains(firstOf(index))) frames_.erase(index);
 }
 
 void KeptFilm::forget()

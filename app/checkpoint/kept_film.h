@@ -10,7 +10,8 @@
 namespace knuckle {
 
 /// A film's segments, and the frames of the one that is not complete, in a folder of their own. Each file says itself
-/// whether it is whole. Used by the run and by the thread that writes.
+/// whether it is whole. Frames are kept as what differs from the first of their segment, which takes half the time.
+/// Used by the run and by the thread that writes.
 class KeptFilm : public FilmKeep {
 public:
     /// Makes the folder.
@@ -35,6 +36,9 @@ private:
     std::mutex mutex_;
     std::map<uint64_t, std::string> segments_;
     std::set<uint64_t> frames_;
+    // Only of the thread that writes.
+    std::vector<uint8_t> first_;  ///< The first frame of a segment; empty: this process has not made it.
+    uint64_t firstIndex_ = 0;
 };
 
 }  // namespace knuckle
