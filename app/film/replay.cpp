@@ -43,8 +43,8 @@ std::vector<uint64_t> chosenFrames(const StatesFile& states, const FrameRange& r
     if (chosen.empty())
         throw InputError(states.frames().empty()
                              ? states.path() + ": has no frames to draw"
-                             : fmt::format("--frames {}:{}: {} has frames {} to {}; choose among them", range.first,
-                                           range.last, states.path(), states.frames().front(), states.frames().back()));
+                             : fmt::format("--frames {}:{}: {} has frames {} to {}; choose among them",
+                                           std::max<uint64_t>(range.first, 1), range.last, states.path(), states.frames().front(), states.frames().back()));
     return chosen;
 }
 

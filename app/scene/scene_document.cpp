@@ -35,6 +35,18 @@ SceneDocument readSceneDocument(const std::string& path, const std::vector<Overr
     return completed(readJsonFile(path), overrides);
 }
 
+SceneDocument storedSceneDocument(const std::string& path, const std::string& text)
+{
+    return completed({path, parseJson(text, path)}, {});
+}
+
+std::string textOf(const SceneDocument& document)
+{
+    Json root = document.file.root;
+    if (!document.givesDiameter) root.erase("diameter");
+    return root.dump();
+}
+
 Settings loadSettings(const std::string& preset, const std::vector<std::string>& changes)
 {
     std::vector<Override> overrides;

@@ -19,6 +19,11 @@ struct SceneDocument {
 /// @throws InputError, one line with the file and the JSON pointer of the fault.
 SceneDocument readSceneDocument(const std::string& path, const std::vector<Override>& overrides);
 
+/// The same for a document that was completed before.
+SceneDocument storedSceneDocument(const std::string& path, const std::string& text);
+/// The document as text, for storedSceneDocument().
+std::string textOf(const SceneDocument& document);
+
 /// The solver's settings from a preset's name and changes of its fields, as in a scene's `solver`.
 /// @throws InputError as readSceneDocument(), and for a change of anything else.
 Settings loadSettings(const std::string& preset, const std::vector<std::string>& changes);

@@ -19,6 +19,7 @@ std::string runText(const Scene& scene, const RunFacts& facts)
                       {"scene", facts.sceneName},
                       {"file", facts.source.file},
                       {"set", changes},
+                      {"document", parseJson(facts.document, facts.source.file)},
                       {"fps", facts.framesPerSecond},
                       {"stepsPerFrame", facts.stepsPerFrame},
                       {"diameter", facts.diameter},
@@ -39,7 +40,8 @@ RunFacts readFacts(const BlockReader& file)
                        .stepsPerFrame = run.at("stepsPerFrame"),
                        .particles = run.at("particles"),
                        .bodies = run.at("bodies").size(),
-                       .diameter = run.at("diameter")};
+                       .diameter = run.at("diameter"),
+                       .document = run.contains("document") ? run["document"].dump() : ""};
         for (const auto& [path, value] : run.at("set").items()) facts.source.changes.push_back({path, value});
         return facts;
     } catch (const Json::exception& error) {
@@ -58,7 +60,8 @@ RunFacts factsOf(const Scene& scene, const Gpu& gpu, SceneSource source)
             .stepsPerFrame = scene.stepsPerFrame,
             .particles = scene.world.particles.size(),
             .bodies = scene.world.bodies.size(),
-            .diameter = scene.world.diameter()};
+            .diameter = scene.world.diameter(),
+            .document = scene.document};
 }
 
 StatesWriter::StatesWriter(const std::string& path, const Scene& scene, const RunFacts& facts)

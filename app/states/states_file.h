@@ -27,7 +27,8 @@ struct RunFacts {
     double framesPerSecond = 60.0;
     uint32_t stepsPerFrame = 1;
     uint64_t particles = 0, bodies = 0;
-    double diameter = 0.0;  ///< Of particles [m].
+    double diameter = 0.0;      ///< Of particles [m].
+    std::string document = {};  ///< Scene::document; empty: an earlier version has written it.
 };
 
 /// Of a run of this scene.
