@@ -11,6 +11,7 @@
 #include "app/files/assets.h"
 #include "app/json/json.h"
 #include "app/run/counted.h"
+#include "app/scene/scene_document.h"
 #include "app/states/states_file.h"
 #include "sim/base/fnv_hash.h"
 #include "sim/world/fingerprint/fingerprint.h"
@@ -96,7 +97,10 @@ void requireSameKind(const Scene& scene, const World& other, const StatesFile& s
 bool haveSameCamera(const Scene& scene, const RunFacts& facts)
 {
     if (facts.document.empty()) return false;
-    return parseJson(facts.document, facts.source.file)["camera"] == parseJson(scene.document, scene.file)["camera"];
+    const auto camera = [](const std::string& document, const std::string& file) {
+        return storedSceneDocument(file, document).file.root["camera"];
+    };
+    return camera(facts.document, facts.source.file) == camera(scene.document, scene.file);
 }
 
 /// "a, b and 3 more".

@@ -20,6 +20,7 @@ SceneDocument completed(JsonFile file, const std::vector<Override>& overrides)
         applyOverride(file.root, change);
     }
     SceneDocument document{std::move(file)};
+    document.given = document.file.root;
     document.givesDiameter = document.file.root.is_object() && document.file.root.contains("diameter");
     schema.complete(document.file);
     const Json& root = document.file.root;
@@ -38,13 +39,6 @@ SceneDocument readSceneDocument(const std::string& path, const std::vector<Overr
 SceneDocument storedSceneDocument(const std::string& path, const std::string& text)
 {
     return completed({path, parseJson(text, path)}, {});
-}
-
-std::string textOf(const SceneDocument& document)
-{
-    Json root = document.file.root;
-    if (!document.givesDiameter) root.erase("diameter");
-    return root.dump();
 }
 
 Settings loadSettings(const std::string& preset, const std::vector<std::string>& changes)

@@ -62,7 +62,7 @@ Scene headingOf(const SceneDocument& document)
     const Json& root = document.file.root;
     Scene scene;
     scene.file = document.file.path;
-    scene.document = textOf(document);
+    scene.document = document.given.dump();
     scene.name = root["name"];
     if (scene.name.empty()) scene.name = std::filesystem::path(scene.file).stem().string();
     scene.description = root["description"];

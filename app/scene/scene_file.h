@@ -31,7 +31,7 @@ struct Scene {
     std::string file;  ///< Its path.
     std::string name;
     std::string description;
-    std::string document;  ///< JSON with all changes and defaults, from which the scene can be read again.
+    std::string document;  ///< JSON with all changes, from which the scene can be read again.
     std::optional<SceneStart> start;
     World world;
     RenderSettings render;
