@@ -11,7 +11,6 @@
 #include "app/files/assets.h"
 #include "app/json/json.h"
 #include "app/run/counted.h"
-#include "app/scene/scene_document.h"
 #include "app/states/states_file.h"
 #include "sim/base/fnv_hash.h"
 #include "sim/world/fingerprint/fingerprint.h"
@@ -92,15 +91,6 @@ void requireSameKind(const Scene& scene, const World& other, const StatesFile& s
         failAt(scene.file, "/fluidSpacing",
                fmt::format("{} has fluids of {:g} diameters; take the same", states.path(),
                            other.fluidSpacing / other.diameter()));
-}
-
-bool haveSameCamera(const Scene& scene, const RunFacts& facts)
-{
-    if (facts.document.empty()) return false;
-    const auto camera = [](const std::string& document, const std::string& file) {
-        return storedSceneDocument(file, document).file.root["camera"];
-    };
-    return camera(facts.document, facts.source.file) == camera(scene.document, scene.file);
 }
 
 /// "a, b and 3 more".

@@ -64,6 +64,9 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
     StoredView stored(scene.world);
     const RunFacts facts = outputs.hasLabels() ? factsOf(scene, *gpu, options.source) : RunFacts();
     DrawingHere drawing(*gpu, scene, outputs.sinks, false);
+    const uint64_t begin = states.frames().front();
+    if (hasState(states.blocks(), begin) && haveSameCamera(scene, states.facts()))
+        if (const auto seen = unpackState(states.blocks(), begin).renderer) drawing.loadState(*seen);
     const ViewCoding coding(scene.world);
     Progress progress("frame", frames.size(), common.quiet);
     const InterruptGuard interrupt;

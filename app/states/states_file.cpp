@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "app/scene/scene_document.h"
+
 namespace knuckle {
 
 namespace {
@@ -62,6 +64,15 @@ RunFacts factsOf(const Scene& scene, const Gpu& gpu, SceneSource source)
             .bodies = scene.world.bodies.size(),
             .diameter = scene.world.diameter(),
             .document = scene.document};
+}
+
+bool haveSameCamera(const Scene& scene, const RunFacts& facts)
+{
+    if (facts.document.empty()) return false;
+    const auto camera = [](const std::string& document, const std::string& file) {
+        return storedSceneDocument(file, document).file.root["camera"];
+    };
+    return camera(facts.document, facts.source.file) == camera(scene.document, scene.file);
 }
 
 StatesWriter::StatesWriter(const std::string& path, const Scene& scene, const RunFacts& facts)

@@ -34,6 +34,9 @@ struct RunFacts {
 /// Of a run of this scene.
 RunFacts factsOf(const Scene& scene, const Gpu& gpu, SceneSource source);
 
+/// Whether a scene has the camera of the run, so that one that moves may go on as it did there.
+bool haveSameCamera(const Scene& scene, const RunFacts& facts);
+
 /// Writes the states of a run: what is drawn of each frame, and whole states from which a run can go on.
 class StatesWriter {
 public:

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "shared/constants.h"
 #include "shared/drive_types.h"
@@ -32,14 +33,19 @@ void carryStates(const Carrying& c)
     writeState(c.to, "moverStates", to);
 }
 
-/// Per body, when it is let go again after it was caught; NO_SUBSTEP of others.
-std::vector<uint32_t> releasesAgain(const StagesOf& of)
+/// When bodies that were caught are let go again; of others nothing.
+std::map<uint32_t, uint32_t> releasesAgain(const Carrying& c)
 {
-    std::vector<uint32_t> again(of.world.bodies.size(), NO_SUBSTEP);
-    for (const Puppet& puppet : of.world.puppets)
-        for (uint32_t b = 0; puppet.caught && b < objectOf(of.world, puppet).bodyCount; ++b)
-            again[objectOf(of.world, puppet).bodyStart + b] =
-                of.world.settings.substepAt(puppet.caught->releaseTimes[b]);
+    std::map<uint32_t, uint32_t> again;
+    if (!c.has("puppetStates")) return again;
+    const World& world = c.after.world;
+    const auto states = readState<gpu::uvec4>(c.to, "puppetStates");
+    for (size_t p = 0; p < world.puppets.size(); ++p) {
+        const Puppet& puppet = world.puppets[p];
+        if (!puppet.caught || states[2 * p].x != PUPPET_CAUGHT) continue;
+        for (uint32_t b = 0; b < objectOf(world, puppet).bodyCount; ++b)
+            again[objectOf(world, puppet).bodyStart + b] = world.settings.substepAt(puppet.caught->releaseTimes[b]);
+    }
     return again;
 }
 
@@ -48,7 +54,7 @@ void carryBodyReleases(const Carrying& c)
 {
     if (!c.to.buffers.contains("bodyReleases")) return;
     const auto states = readState<uint32_t>(c.to, "moverStates");
-    const std::vector<uint32_t> again = releasesAgain(c.after);
+    const std::map<uint32_t, uint32_t> again = releasesAgain(c);
     const auto from = c.has("bodyReleases") ? readState<gpu::uvec2>(c.from, "bodyReleases") : std::vector<gpu::uvec2>();
     auto to = readState<gpu::uvec2>(c.to, "bodyReleases");
     const std::vector<uint32_t>& held = c.maps.of(Per::Held);
@@ -61,8 +67,7 @@ void carryBodyReleases(const Carrying& c)
             when = std::min(c.rescaled(std::min(was, c.earlierSubstep)), c.substep > 0 ? c.substep - 1 : 0);
             continue;
         }
-        // Animated again: its first release is over.
-        if (known && was > c.earlierSubstep && when < c.substep && again[body] != NO_SUBSTEP) when = again[body];
+        if (const auto caught = again.find(body); caught != again.end()) when = caught->second;
         if (when < c.substep || was == c.earlierSubstep) when = c.substep;
     }
     writeState(c.to, "bodyReleases", to);
@@ -122,9 +127,9 @@ void carryPuppets(const Carrying& c)
 void carryReleases(const Carrying& c)
 {
     carryStates(c);
+    carryPuppets(c);
     carryBodyReleases(c);
     carryLimp(c);
-    carryPuppets(c);
 }
 
 }  // namespace knuckle
