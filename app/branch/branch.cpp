@@ -32,8 +32,7 @@ constexpr size_t NAMES_TOLD = 8;
 std::string rangeText(const std::vector<uint64_t>& frames)
 {
     const bool all = frames.back() - frames.front() + 1 == frames.size() && frames.size() > 2;
-    return all ? fmt::format("{} to {}", frames.front(), frames.back())
-               : fmt::format("{}", fmt::join(frames, ", "));
+    return all ? fmt::format("{} to {}", frames.front(), frames.back()) : fmt::format("{}", fmt::join(frames, ", "));
 }
 
 uint64_t frameOf(const Scene& scene, const StatesFile& states)
@@ -59,11 +58,13 @@ void requireSameScale(const Scene& scene, const StatesFile& states)
 {
     const RunFacts& facts = states.facts();
     if (facts.framesPerSecond != scene.framesPerSecond)
-        fail(scene, "from", fmt::format("{} has {} frames a second, the scene {}; set /fps to {}", states.path(),
-                                        facts.framesPerSecond, scene.framesPerSecond, facts.framesPerSecond));
+        fail(scene, "from",
+             fmt::format("{} has {} frames a second, the scene {}; set /fps to {}", states.path(),
+                         facts.framesPerSecond, scene.framesPerSecond, facts.framesPerSecond));
     if (static_cast<float>(facts.diameter) != scene.world.diameter())
-        fail(scene, "from", fmt::format("{} has particles of {:g} m, the scene of {:g} m; set /diameter to {:g}",
-                                        states.path(), facts.diameter, scene.world.diameter(), facts.diameter));
+        fail(scene, "from",
+             fmt::format("{} has particles of {:g} m, the scene of {:g} m; set /diameter to {:g}", states.path(),
+                         facts.diameter, scene.world.diameter(), facts.diameter));
 }
 
 /// The scene of the states, as it was in their run.
@@ -71,12 +72,14 @@ World worldOf(const Scene& scene, const StatesFile& states)
 {
     const RunFacts& facts = states.facts();
     if (facts.document.empty())
-        fail(scene, "from", states.path() + " does not hold the scene of its run, as this version writes it; record it "
-                                            "again");
+        fail(scene, "from",
+             states.path() + " does not hold the scene of its run, as this version writes it; record it "
+                             "again");
     Scene other = loadStoredScene(findAsset(facts.source.file), facts.document);
     if (hashText(fingerprint(other.world)) != facts.fingerprint.world)
-        fail(scene, "from", fmt::format("{} is of a world that {} and its models do not make any more; record it again",
-                                        states.path(), facts.source.file));
+        fail(scene, "from",
+             fmt::format("{} is of a world that {} and its models do not make any more; record it again", states.path(),
+                         facts.source.file));
     return std::move(other.world);
 }
 
@@ -84,9 +87,10 @@ void requireSameKind(const Scene& scene, const World& other, const StatesFile& s
 {
     for (const World* world : {&scene.world, &other})
         if (world->settings.solver == SolverKind::Paper)
-            fail(scene, "from", fmt::format("{} is of another world than the scene, and the paper's solver cannot take "
-                                            "one over into another; use the solver \"default\" in both",
-                                            states.path()));
+            fail(scene, "from",
+                 fmt::format("{} is of another world than the scene, and the paper's solver cannot take "
+                             "one over into another; use the solver \"default\" in both",
+                             states.path()));
     if (scene.world.fluidCount > 0 && other.fluidCount > 0 && scene.world.fluidSpacing != other.fluidSpacing)
         failAt(scene.file, "/fluidSpacing",
                fmt::format("{} has fluids of {:g} diameters; take the same", states.path(),
@@ -118,6 +122,9 @@ std::string Branch::note() const
     text += parts.empty() ? "nothing is as it was" : fmt::format("{} as they were", fmt::join(parts, " and "));
     if (!same.added.empty()) text += "; new: " + namesText(same.added);
     if (!same.gone.empty()) text += "; gone: " + namesText(same.gone);
+    const auto isNumber = [](const std::string& name) { return name.starts_with("object_"); };
+    if (std::ranges::any_of(same.added, isNumber) && std::ranges::any_of(same.gone, isNumber))
+        text += "; objects without a name go by their number, so put new ones at the end";
     return text;
 }
 

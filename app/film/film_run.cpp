@@ -122,8 +122,9 @@ private:
         there.world = facts_.fingerprint.world;
         const std::vector<std::string> different = stateDifferences(facts_.fingerprint, there);
         if (!different.empty())
-            tellUser(fmt::format("knuckle: note: {} was written elsewhere, so bits differ from that run's: {}",
-                                 branch.file, fmt::join(different, ", ")));
+            tellUser(
+                fmt::format("knuckle: note: {} is of another program or driver, so bits may differ from that run's: {}",
+                            branch.file, fmt::join(different, ", ")));
     }
 
     void saveCheckpoint(uint64_t frame)

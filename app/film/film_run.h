@@ -25,7 +25,7 @@ struct FilmOptions {
     SceneSource source;  ///< Where the scene came from, for recordings.
     bool hash = false;
     const Branch* branch = nullptr;  ///< Where the scene goes on from; null: it begins at time 0.
-    std::optional<bool> drawAside;  ///< On a separate thread; none: if that is faster.
+    std::optional<bool> drawAside;   ///< On a separate thread; none: if that is faster.
 };
 
 /// Simulates the scene and writes its frames and all other requested outputs. Checks every output first.

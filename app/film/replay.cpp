@@ -44,7 +44,8 @@ std::vector<uint64_t> chosenFrames(const StatesFile& states, const FrameRange& r
         throw InputError(states.frames().empty()
                              ? states.path() + ": has no frames to draw"
                              : fmt::format("--frames {}:{}: {} has frames {} to {}; choose among them",
-                                           std::max<uint64_t>(range.first, 1), range.last, states.path(), states.frames().front(), states.frames().back()));
+                                           std::max<uint64_t>(range.first, 1), range.last, states.path(),
+                                           states.frames().front(), states.frames().back()));
     return chosen;
 }
 

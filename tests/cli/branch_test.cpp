@@ -68,8 +68,9 @@ TEST_F(Branches, OfTheSameSceneHaveItsBits)
         write("same.json", both(), fmt::format(R"({{ "from": "run.states", "frame": {} }})", frame), camera);
         const RunResult result = render({"same.json", "-o", "same", "--export", "bodies=same.csv", "--hash"});
         ASSERT_EQ(result.code, 0) << result.err;
-        EXPECT_NE(result.err.find(fmt::format("knuckle: note: goes on from run.states, frame {}: all as it was\n", frame)),
-                  std::string::npos)
+        EXPECT_NE(
+            result.err.find(fmt::format("knuckle: note: goes on from run.states, frame {}: all as it was\n", frame)),
+            std::string::npos)
             << result.err;
         EXPECT_EQ(lines("same.csv", 1), lines("run.csv", frame));
         expectSamePictures("same", "run", frame, 30);
@@ -83,12 +84,13 @@ TEST_F(Branches, ShowWhatBothHaveAsItWasAndWhatIsNewWhereTheSceneSays)
 {
     record();
     write("ball.json", std::string(BALL) + ", " + both(), R"({ "from": "run.states", "frame": 17 })");
-    const RunResult result =
-        render({"ball.json", "-o", "ball", "--export", "bodies=ball.csv", "--export", "ply=ball_ply"});
+    const RunResult result = render(
+        {"ball.json", "-o", "ball", "--export", "bodies=ball.csv", "--export", "ply=ball_ply"});
     ASSERT_EQ(result.code, 0) << result.err;
-    EXPECT_NE(result.err.find("knuckle: note: goes on from run.states, frame 17: 2 bodies and 27 loose particles as they "
-                              "were; new: ball\n"),
-              std::string::npos)
+    EXPECT_NE(
+        result.err.find("knuckle: note: goes on from run.states, frame 17: 2 bodies and 27 loose particles as they "
+                        "were; new: ball\n"),
+        std::string::npos)
         << result.err;
     const auto withoutNumbers = [](std::vector<std::string> rows) {
         for (std::string& row : rows) row.erase(0, row.find(',', row.find(',') + 1));
@@ -122,8 +124,9 @@ TEST_F(Branches, AreRunsThemselves)
     record();
     write("ball.json", both() + ", " + BALL, R"({ "from": "run.states", "frame": 17 })");
     const auto branch = [&](const std::string& out, std::vector<std::string> more) {
-        std::vector<std::string> words{"ball.json", "-o", out, "--export", "bodies=" + out + ".csv", "--record",
-                                       "states=" + out + ".states", "-q"};
+        std::vector<std::string> words{
+            "ball.json", "-o", out, "--export", "bodies=" + out + ".csv", "--record", "states=" + out + ".states",
+            "-q"};
         words.insert(words.end(), more.begin(), more.end());
         const RunResult result = render(words);
         EXPECT_EQ(result.code, 0) << result.err;
@@ -175,16 +178,18 @@ TEST_F(Branches, AreRefusedInOneLine)
             "run.json: is not a file of states, as --record and --save-state write them");
     refused(R"({ "from": "run.states", "frame": 31 })", {},
             "other.json: /start/frame: run.states has frames 1 to 30; choose among them");
-    refused(R"({ "from": "run.states", "frame": 1.5 })", {}, "other.json: /start/frame: is 1.5 (a number), must be an integer");
+    refused(R"({ "from": "run.states", "frame": 1.5 })", {},
+            "other.json: /start/frame: is 1.5 (a number), must be an integer");
     refused(good, {"--set", "duration=0.2"},
             "other.json: /duration: 0.2 s end with frame 12, before frame 17, with which the scene begins; raise it");
     refused(good, {"--set", "fps=30"},
             "other.json: /start/from: run.states has 60 frames a second, the scene 30; set /fps to 60");
     refused(good, {"--set", "diameter=0.09"},
             "other.json: /start/from: run.states has particles of 0.1 m, the scene of 0.09 m; set /diameter to 0.1");
-    refused(good, {"--set", "solver=paper"},
-            "other.json: /start/from: run.states is of another world than the scene, and the paper's solver cannot take "
-            "one over into another; use the solver \"default\" in both");
+    refused(
+        good, {"--set", "solver=paper"},
+        "other.json: /start/from: run.states is of another world than the scene, and the paper's solver cannot take "
+        "one over into another; use the solver \"default\" in both");
     write("other.json", both(), good);
     expectError(render({"other.json", "--frames", "3:20"}), 2,
                 "--frames 3:20: the scene has frames 17 to 30; choose among them or raise /duration");

@@ -72,7 +72,7 @@ void carryContacts(const Carrying& c)
     const std::vector<uint32_t> particles = inverse(c.maps.of(Per::Particle), c.before.world.particles.size());
     const std::vector<uint32_t> colliders = inverse(c.same.colliders, c.before.world.colliders.size());
     const List pairs{"pairs", "pairImpulses", "pairMeans", now.pairCapacity, counters.pairCount, then.pairCapacity};
-    const List walls{"colliderPairs", "colliderImpulses",        "colliderMeans",
+    const List walls{"colliderPairs",          "colliderImpulses",         "colliderMeans",
                      now.colliderPairCapacity, counters.colliderPairCount, then.colliderPairCapacity};
     const std::vector<Contact> kept = keptContacts(c, pairs, counters.listParity, particles, particles);
     const std::vector<Contact> keptWalls = keptContacts(c, walls, counters.listParity, particles, colliders);

@@ -15,7 +15,7 @@ namespace {
 struct Carried {
     const char* name;
     Per kind;
-    size_t words;      ///< Of an element.
+    size_t words;       ///< Of an element.
     int timePower = 0;  ///< Its values are proportional to this power of the substep.
 };
 
@@ -53,20 +53,20 @@ constexpr std::array CARRIED{
 
 /// What carryContacts(), carryReleases() and carryCounted() do.
 constexpr std::array BY_HAND{
-    "assemblyState", "bodyReleases", "colliderImpulses", "colliderMeans", "colliderPairs", "countersBlock",
-    "dispatches",    "filterBits",   "fluidTotals",      "jointFreedoms", "limpSubsteps",  "listStarts",
-    "moverStates",   "pairImpulses", "pairMeans",        "pairs",         "particleLinks", "poolInactive",
-    "poolOrder",     "puppetStates",
+    "assemblyState", "bodyReleases",  "colliderImpulses", "colliderMeans", "colliderPairs",
+    "countersBlock", "dispatches",    "filterBits",       "fluidTotals",   "jointFreedoms",
+    "limpSubsteps",  "listStarts",    "moverStates",      "pairImpulses",  "pairMeans",
+    "pairs",         "particleLinks", "poolInactive",     "poolOrder",     "puppetStates",
 };
 
 /// What begins anew: the next search, step or count of calm steps fills it. Clips say where colliders are, the world
 /// what `step` holds; what fluids may gain is found again.
 constexpr std::array ANEW{
-    "assemblyCalm",    "assemblyNext",      "bodyActing",     "calmCentres",     "calmRotations",   "cellCounts",
-    "cellSums",        "colliderAheads",    "colliderArms",   "colliderFounds",  "colliderMoves",   "colliderPlaces",
-    "colliderSides",   "emitterStates",     "fluidCellCounts", "fluidCellSums",  "fluidEnergyLimits", "islandsWoken",
-    "linkPulls",       "listCounts",        "listSums",       "oldMoves",        "oldVelocities",   "pairArms",
-    "pairReferences",  "pairSides",         "poolSums",       "releaseImpulses", "searchCentres",   "searchPositions",
+    "assemblyCalm",    "assemblyNext",   "bodyActing",      "calmCentres",     "calmRotations",     "cellCounts",
+    "cellSums",        "colliderAheads", "colliderArms",    "colliderFounds",  "colliderMoves",     "colliderPlaces",
+    "colliderSides",   "emitterStates",  "fluidCellCounts", "fluidCellSums",   "fluidEnergyLimits", "islandsWoken",
+    "linkPulls",       "listCounts",     "listSums",        "oldMoves",        "oldVelocities",     "pairArms",
+    "pairReferences",  "pairSides",      "poolSums",        "releaseImpulses", "searchCentres",     "searchPositions",
     "searchRotations", "step",
 };
 

@@ -172,8 +172,8 @@ void ElementMaps::mapLoose(const StagesOf& before, const StagesOf& after, const 
     std::vector<uint32_t>& distances = make(Per::Distance, now.distanceStates.size());
     for (uint32_t s = 0; s < same.strands.size(); ++s)
         for (size_t k = 0; same.strands[s] != NO_INDEX && k < after.world.strands[s].restLengths.size(); ++k)
-            distances[now.stateOf(after.world, s, k)] =
-                static_cast<uint32_t>(then.stateOf(before.world, same.strands[s], k));
+            distances[now.stateOf(after.world, s, k)] = static_cast<uint32_t>(
+                then.stateOf(before.world, same.strands[s], k));
 }
 
 }  // namespace knuckle

@@ -187,8 +187,9 @@ private:
         for (uint32_t e = 0; e < std::max(before_.emitters.size(), after_.emitters.size()); ++e) {
             const std::string name = "/emitters/" + std::to_string(e);
             const bool was = e < before_.emitters.size(), is = e < after_.emitters.size();
-            const bool same = was && is && before_.materials[before_.emitters[e].material].name ==
-                                               after_.materials[after_.emitters[e].material].name;
+            const bool same = was && is &&
+                              before_.materials[before_.emitters[e].material].name ==
+                                  after_.materials[after_.emitters[e].material].name;
             if (same) found_.kept.push_back(name);
             if (is && !same) found_.added.push_back(name);
             if (was && !same) found_.gone.push_back(name);
@@ -204,9 +205,8 @@ private:
     {
         std::vector<bool> taken(before_.colliders.size());
         const auto isSame = [](const Collider& a, const Collider& b) {
-            return a.shape == b.shape && a.position == b.position &&
-                   a.orientation.coeffs() == b.orientation.coeffs() && a.halfExtents == b.halfExtents &&
-                   a.radius == b.radius && a.halfHeight == b.halfHeight;
+            return a.shape == b.shape && a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs() &&
+                   a.halfExtents == b.halfExtents && a.radius == b.radius && a.halfHeight == b.halfHeight;
         };
         for (const Collider& collider : after_.colliders) {
             uint32_t same = 0;
