@@ -106,9 +106,10 @@ void Checkpoint::beginAnew(bool keepFrames)
     }
 }
 
-void Checkpoint::replay(const std::function<void(const FrameRecord&)>& give) const
+void Checkpoint::replay(uint64_t first, const std::function<void(const FrameRecord&)>& give) const
 {
-    for (uint64_t frame = 1; earlier_ && frame <= facts_.frame; ++frame) give(unpackRecord(*earlier_, frame, coding_));
+    for (uint64_t frame = first; earlier_ && frame <= facts_.frame; ++frame)
+        give(unpackRecord(*earlier_, frame, coding_));
 }
 
 void Checkpoint::log(const FrameRecord& record)

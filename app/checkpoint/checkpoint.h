@@ -43,8 +43,8 @@ public:
     std::optional<RunState> begin(const RunFingerprint& fingerprint, uint64_t last);
     /// For the user: what begin() found, a line each.
     const std::vector<std::string>& notes() const { return notes_; }
-    /// Gives the records of all frames up to the state's, in order.
-    void replay(const std::function<void(const FrameRecord&)>& give) const;
+    /// Gives the records of all frames from the run's first up to the state's, in order.
+    void replay(uint64_t first, const std::function<void(const FrameRecord&)>& give) const;
 
     /// @throws RunError (full disk).
     void log(const FrameRecord& record);

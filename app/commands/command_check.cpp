@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <memory>
 
+#include "app/branch/branch.h"
 #include "app/commands/commands.h"
 #include "app/files/assets.h"
 #include "app/run/counted.h"
@@ -28,7 +30,9 @@ int check(const std::vector<std::string>& paths, const std::vector<Override>& ov
     for (const std::string& path : paths) {
         try {
             const Scene scene = loadScene(findAsset(path), overrides);
+            const std::unique_ptr<Branch> branch = openBranch(scene);
             if (quiet) continue;
+            if (branch) fmt::print("{}: note: {}\n", path, branch->note());
             for (const std::string& note : scene.notes) fmt::print("{}: note: {}\n", path, note);
             for (const std::string& warning : scene.warnings) fmt::print("{}: warning: {}\n", path, warning);
             const World& world = scene.world;

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -113,7 +114,7 @@ void nameOutputs(FilmOptions& film, const RenderOptions& options, const Scene& s
     if (film.record.every > 0) add("--record-every", std::to_string(film.record.every));
     add("--save-state", film.record.last);
     add("--size", fmt::format("{}x{}", scene.render.width, scene.render.height));
-    add("--frames", std::to_string(film.frames.first) + ":");
+    add("--frames", std::to_string(std::max<uint64_t>(film.frames.first, 1)) + ":");
 }
 
 /// @throws InputError for options that make no sense together.
@@ -153,6 +154,8 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", named, warning));
+    const std::unique_ptr<Branch> branch = states ? nullptr : openBranch(scene);
+    film.branch = branch.get();
     film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
     if (film.checkpoint.seconds) nameOutputs(film, options, scene);
     requireOwnPaths(options, file, scene, film, exporters, common);

@@ -28,19 +28,22 @@ namespace {
 class FilmRun {
 public:
     FilmRun(const Scene& scene, const FilmOptions& options, const CommonOptions& common, Exporters exporters)
-        : scene_(scene), options_(options), range_(options.frames.of(scene)), checkpoint_(openCheckpoint()),
+        : scene_(scene), options_(options), begin_(options.branch ? options.branch->frame : 1),
+          range_(options.frames.of(scene, begin_)), checkpoint_(openCheckpoint()),
           outputs_(scene, options, range_, std::move(exporters), checkpoint_.get()), gpu_(openGpu(common, work())),
-          solver_(*gpu_, scene.world), progress_("frame", range_.last, common.quiet), quiet_(common.quiet)
+          solver_(*gpu_, options.branch ? options.branch->world(scene) : scene.world),
+          progress_("frame", range_.last, common.quiet), quiet_(common.quiet), done_(begin_ - 1)
     {
         const bool timed = outputs_.stats.has_value();
         if (timed) noteFigures();
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
         if (!common.quiet) tellLeftOut();
-        if (outputs_.hasLabels() || checkpoint_ || options.record.any()) facts_ = factsOf(scene, *gpu_, options.source);
-        if (options.record.any()) recording_.emplace(options.record, scene, facts_, range_.last);
+        if (outputs_.hasLabels() || checkpoint_ || options.record.any() || options.branch)
+            facts_ = factsOf(scene, *gpu_, options.source);
+        if (options.record.any()) recording_.emplace(options.record, scene, facts_, begin_, range_.last);
         figures_.device = gpu_->device().name;
         figures_.driverThreads = gpu_->threads();
-        if (checkpoint_) resume();
+        if (!(checkpoint_ && resume()) && options.branch) beginBranch(*options.branch);
     }
 
     RunFigures run()
@@ -48,7 +51,7 @@ public:
         // Until the first frames exist, shaders are compiled, and there is nothing to finish.
         std::optional<InterruptGuard> interrupt;
         for (uint64_t frame = done_ + 1; frame <= range_.last; ++frame) {
-            if (frame > 1) advance(frame);
+            if (frame > begin_) advance(frame);
             takeFrame(frame);
             if (frame == done_ + WARM_UP) interrupt.emplace();
             const bool stopped = interrupt && interrupt->isSignalled();
@@ -64,7 +67,7 @@ public:
         if (drawing_) drawing_->wait();
         for (const auto& sink : outputs_.sinks) sink->finish();
         gpu_->checkErrors();
-        figures_.frames = range_.last;
+        figures_.frames = range_.last - begin_ + 1;
         figures_.totalSeconds = progress_.seconds();
         if (drawing_) figures_.drawing = drawing_->figures();
         for (const auto& exporter : outputs_.exporters) exporter->finish();
@@ -85,12 +88,13 @@ private:
     }
 
     /// Takes the state of an earlier run, if there is one, and gives its frames to exporters and recordings.
-    void resume()
+    /// @returns whether there was one.
+    bool resume()
     {
         const std::optional<RunState> state = checkpoint_->begin(facts_.fingerprint, range_.last);
         if (!quiet_)
             for (const std::string& note : checkpoint_->notes()) tellUser("knuckle: note: " + note);
-        if (!state) return;
+        if (!state) return false;
         try {
             solver_.loadState(state->solver);
             if (drawing_ && state->renderer) drawing_->loadState(*state->renderer);
@@ -100,7 +104,27 @@ private:
         }
         done_ = state->frame;
         progress_.begin(done_);
-        checkpoint_->replay([&](const FrameRecord& record) { give(record); });
+        checkpoint_->replay(begin_, [&](const FrameRecord& record) { give(record); });
+        return true;
+    }
+
+    void beginBranch(const Branch& branch)
+    {
+        if (!quiet_) tellBranch(branch);
+        knuckle::beginBranch(branch, *gpu_, scene_, solver_, drawing_.get());
+        progress_.begin(done_);
+    }
+
+    void tellBranch(const Branch& branch) const
+    {
+        tellUser("knuckle: note: " + branch.note());
+        RunFingerprint there = branch.fingerprint;
+        there.world = facts_.fingerprint.world;
+        const std::vector<std::string> different = stateDifferences(facts_.fingerprint, there);
+        if (!different.empty())
+            tellUser(
+                fmt::format("knuckle: note: {} is of another program or driver, so bits may differ from that run's: {}",
+                            branch.file, fmt::join(different, ", ")));
     }
 
     void saveCheckpoint(uint64_t frame)
@@ -114,8 +138,9 @@ private:
     FrameWork work() const
     {
         const double drawn = outputs_.sinks.empty() ? 0.0 : static_cast<double>(range_.last - range_.first + 1);
+        const auto simulated = static_cast<double>(range_.last - begin_ + 1);
         return {stepWorkload(scene_.world) * scene_.stepsPerFrame,
-                drawingWorkload(scene_.render) * (drawn / static_cast<double>(range_.last))};
+                drawingWorkload(scene_.render) * (drawn / simulated)};
     }
 
     std::unique_ptr<FrameDrawing> openDrawing(bool timed)
@@ -217,6 +242,7 @@ private:
 
     const Scene& scene_;
     const FilmOptions& options_;
+    uint64_t begin_;  ///< The scene's first frame.
     FrameRange range_;
     std::unique_ptr<Checkpoint> checkpoint_;
     FilmOutputs outputs_;
@@ -229,7 +255,7 @@ private:
     Progress progress_;
     RunFigures figures_;
     bool quiet_;
-    uint64_t done_ = 0;  ///< Frames that an earlier run has done.
+    uint64_t done_;  ///< The last frame that an earlier run has done.
 };
 
 }  // namespace

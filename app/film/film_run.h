@@ -7,6 +7,7 @@
 
 #include "app/checkpoint/checkpoint.h"
 #include "app/export/exporters.h"
+#include "app/film/branch_run.h"
 #include "app/film/frame_range.h"
 #include "app/film/recording.h"
 #include "app/run/open_gpu.h"
@@ -23,7 +24,8 @@ struct FilmOptions {
     CheckpointOptions checkpoint;
     SceneSource source;  ///< Where the scene came from, for recordings.
     bool hash = false;
-    std::optional<bool> drawAside;  ///< On a separate thread; none: if that is faster.
+    const Branch* branch = nullptr;  ///< Where the scene goes on from; null: it begins at time 0.
+    std::optional<bool> drawAside;   ///< On a separate thread; none: if that is faster.
 };
 
 /// Simulates the scene and writes its frames and all other requested outputs. Checks every output first.

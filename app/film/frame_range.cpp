@@ -18,20 +18,20 @@ FrameRange FrameRange::parse(const std::string& text)
     };
     const size_t colon = text.find(':');
     if (colon == std::string::npos) return {number(text.empty() ? "?" : text, 0), number(text, 0)};
-    const FrameRange range{number(text.substr(0, colon), 1), number(text.substr(colon + 1), 0)};
+    const FrameRange range{number(text.substr(0, colon), 0), number(text.substr(colon + 1), 0)};
     if (range.last != 0 && range.last < range.first) {
         throw InputError(fmt::format("--frames {}: the last frame comes before the first; exchange them", text));
     }
     return range;
 }
 
-FrameRange FrameRange::of(const Scene& scene) const
+FrameRange FrameRange::of(const Scene& scene, uint64_t begin) const
 {
     const uint64_t count = scene.frameCount();
-    const FrameRange range{first, last == 0 ? count : last};
-    if (range.first <= range.last && range.last <= count) return range;
-    throw InputError(fmt::format("--frames {}:{}: the scene has frames 1 to {}; choose among them or raise /duration",
-                                 range.first, range.last, count));
+    const FrameRange range{first == 0 ? begin : first, last == 0 ? count : last};
+    if (begin <= range.first && range.first <= range.last && range.last <= count) return range;
+    throw InputError(fmt::format("--frames {}:{}: the scene has frames {} to {}; choose among them or raise /duration",
+                                 range.first, range.last, begin, count));
 }
 
 }  // namespace knuckle

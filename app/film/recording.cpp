@@ -18,8 +18,9 @@ std::string parseRecord(const std::string& text)
     return text.substr(WORD.size());
 }
 
-Recording::Recording(const RecordOptions& options, const Scene& scene, const RunFacts& facts, uint64_t last)
-    : last_(last)
+Recording::Recording(const RecordOptions& options, const Scene& scene, const RunFacts& facts, uint64_t first,
+                     uint64_t last)
+    : first_(first), last_(last)
 {
     if (!options.states.empty()) states_.emplace(options.states, scene, facts);
     if (!options.last.empty()) end_.emplace(options.last, scene, facts);

@@ -24,11 +24,14 @@ std::string parseRecord(const std::string& text);
 /// Writes the files of states of a run.
 class Recording {
 public:
-    /// Opens the files. @param last the run's last frame. @throws InputError for a file that cannot be written.
-    Recording(const RecordOptions& options, const Scene& scene, const RunFacts& facts, uint64_t last);
+    /// Opens the files. @param first, last frame of the run. @throws InputError for a file that cannot be written.
+    Recording(const RecordOptions& options, const Scene& scene, const RunFacts& facts, uint64_t first, uint64_t last);
 
     bool wantsView(uint64_t frame) const { return states_ || isLast(frame); }
-    bool wantsState(uint64_t frame) const { return isLast(frame) || (states_ && (frame - 1) % every_ == 0); }
+    bool wantsState(uint64_t frame) const
+    {
+        return isLast(frame) || (states_ && (frame == first_ || (frame - 1) % every_ == 0));
+    }
     /// @param record with a view and a state if they are wanted. @throws RunError from a full disk.
     void frame(const FrameRecord& record);
     void finish();
@@ -37,7 +40,7 @@ private:
     bool isLast(uint64_t frame) const { return frame == last_; }
 
     std::optional<StatesWriter> states_, end_;
-    uint64_t every_ = 1, last_ = 0;
+    uint64_t every_ = 1, first_ = 1, last_ = 0;
 };
 
 }  // namespace knuckle

@@ -43,8 +43,9 @@ std::vector<uint64_t> chosenFrames(const StatesFile& states, const FrameRange& r
     if (chosen.empty())
         throw InputError(states.frames().empty()
                              ? states.path() + ": has no frames to draw"
-                             : fmt::format("--frames {}:{}: {} has frames {} to {}; choose among them", range.first,
-                                           range.last, states.path(), states.frames().front(), states.frames().back()));
+                             : fmt::format("--frames {}:{}: {} has frames {} to {}; choose among them",
+                                           std::max<uint64_t>(range.first, 1), range.last, states.path(),
+                                           states.frames().front(), states.frames().back()));
     return chosen;
 }
 
@@ -64,6 +65,9 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
     StoredView stored(scene.world);
     const RunFacts facts = outputs.hasLabels() ? factsOf(scene, *gpu, options.source) : RunFacts();
     DrawingHere drawing(*gpu, scene, outputs.sinks, false);
+    const uint64_t begin = states.frames().front();
+    if (hasState(states.blocks(), begin) && haveSameCamera(scene, states.facts()))
+        if (const auto seen = unpackState(states.blocks(), begin).renderer) drawing.loadState(*seen);
     const ViewCoding coding(scene.world);
     Progress progress("frame", frames.size(), common.quiet);
     const InterruptGuard interrupt;

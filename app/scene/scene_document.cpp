@@ -20,6 +20,7 @@ SceneDocument completed(JsonFile file, const std::vector<Override>& overrides)
         applyOverride(file.root, change);
     }
     SceneDocument document{std::move(file)};
+    document.given = document.file.root;
     document.givesDiameter = document.file.root.is_object() && document.file.root.contains("diameter");
     schema.complete(document.file);
     const Json& root = document.file.root;
@@ -33,6 +34,11 @@ SceneDocument completed(JsonFile file, const std::vector<Override>& overrides)
 SceneDocument readSceneDocument(const std::string& path, const std::vector<Override>& overrides)
 {
     return completed(readJsonFile(path), overrides);
+}
+
+SceneDocument storedSceneDocument(const std::string& path, const std::string& text)
+{
+    return completed({path, parseJson(text, path)}, {});
 }
 
 Settings loadSettings(const std::string& preset, const std::vector<std::string>& changes)

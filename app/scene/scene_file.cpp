@@ -57,12 +57,14 @@ uint64_t hashOf(Json root)
 }
 
 /// Properties of the scene that do not belong to the world.
-Scene headingOf(const JsonFile& file)
+Scene headingOf(const SceneDocument& document)
 {
-    const Json& root = file.root;
+    const Json& root = document.file.root;
     Scene scene;
+    scene.file = document.file.path;
+    scene.document = document.given.dump();
     scene.name = root["name"];
-    if (scene.name.empty()) scene.name = std::filesystem::path(file.path).stem().string();
+    if (scene.name.empty()) scene.name = std::filesystem::path(scene.file).stem().string();
     scene.description = root["description"];
     scene.duration = root["duration"];
     scene.framesPerSecond = root["fps"];
@@ -96,11 +98,13 @@ uint32_t stepsForFrame(double framesPerSecond, double timeStep)
     return static_cast<uint32_t>(moreIsNearer ? more : fewer);
 }
 
-Scene loadScene(const std::string& path, const std::vector<Override>& overrides, bool drawn)
+namespace {
+
+Scene sceneOf(const SceneDocument& document, bool drawn)
 {
-    const SceneDocument document = readSceneDocument(path, overrides);
     const Json& root = document.file.root;
-    Scene scene = headingOf(document.file);
+    const std::string& path = document.file.path;
+    Scene scene = headingOf(document);
     Settings settings = readFields<Settings>(root["solver"]);
     scene.stepsPerFrame = stepsForFrame(scene.framesPerSecond, settings.timeStep);
     settings.timeStep = static_cast<float>(1.0 / (scene.framesPerSecond * scene.stepsPerFrame));
@@ -132,11 +136,27 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides,
                         scene.world.settings.substeps));
     scene.render = readPicture(document.file, scene.world);
     scene.files = filesOf(context);
+    if (root.contains("start")) {
+        scene.start = {files.beside(root["start"]["from"]), root["start"]["frame"]};
+        scene.files.push_back(scene.start->file);
+    }
     scene.notes = std::move(context.notes);
     scene.warnings = std::move(context.warnings);
     scene.actors = std::move(context.actors);
     scene.imports = files.imports();
     return scene;
+}
+
+}  // namespace
+
+Scene loadScene(const std::string& path, const std::vector<Override>& overrides, bool drawn)
+{
+    return sceneOf(readSceneDocument(path, overrides), drawn);
+}
+
+Scene loadStoredScene(const std::string& path, const std::string& document)
+{
+    return sceneOf(storedSceneDocument(path, document), false);
 }
 
 }  // namespace knuckle

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,19 @@ struct SceneActor {
     std::vector<uint32_t> objects;  ///< Its copies: indices into World::objects.
 };
 
+/// Where a scene goes on from.
+struct SceneStart {
+    std::string file;    ///< Of states.
+    uint64_t frame = 0;  ///< 0: its last.
+};
+
 /// The contents of a scene file.
 struct Scene {
+    std::string file;  ///< Its path.
     std::string name;
     std::string description;
+    std::string document;  ///< JSON with all changes, from which the scene can be read again.
+    std::optional<SceneStart> start;
     World world;
     RenderSettings render;
     double framesPerSecond = 60.0;
@@ -43,6 +53,9 @@ struct Scene {
 /// @throws InputError, one line with the file and the JSON pointer of the fault.
 /// @param drawn whether models are read with their looks, for later drawing.
 Scene loadScene(const std::string& path, const std::vector<Override>& overrides = {}, bool drawn = false);
+
+/// The same from Scene::document. @param path of the scene's file, beside which other files are searched.
+Scene loadStoredScene(const std::string& path, const std::string& document);
 
 /// The number of steps a frame for which 1 / (framesPerSecond * steps) is nearest to `timeStep` [s].
 uint32_t stepsForFrame(double framesPerSecond, double timeStep);

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "app/scene/scene_document.h"
+
 namespace knuckle {
 
 namespace {
@@ -19,6 +21,7 @@ std::string runText(const Scene& scene, const RunFacts& facts)
                       {"scene", facts.sceneName},
                       {"file", facts.source.file},
                       {"set", changes},
+                      {"document", parseJson(facts.document, facts.source.file)},
                       {"fps", facts.framesPerSecond},
                       {"stepsPerFrame", facts.stepsPerFrame},
                       {"diameter", facts.diameter},
@@ -39,7 +42,8 @@ RunFacts readFacts(const BlockReader& file)
                        .stepsPerFrame = run.at("stepsPerFrame"),
                        .particles = run.at("particles"),
                        .bodies = run.at("bodies").size(),
-                       .diameter = run.at("diameter")};
+                       .diameter = run.at("diameter"),
+                       .document = run.contains("document") ? run["document"].dump() : ""};
         for (const auto& [path, value] : run.at("set").items()) facts.source.changes.push_back({path, value});
         return facts;
     } catch (const Json::exception& error) {
@@ -58,7 +62,17 @@ RunFacts factsOf(const Scene& scene, const Gpu& gpu, SceneSource source)
             .stepsPerFrame = scene.stepsPerFrame,
             .particles = scene.world.particles.size(),
             .bodies = scene.world.bodies.size(),
-            .diameter = scene.world.diameter()};
+            .diameter = scene.world.diameter(),
+            .document = scene.document};
+}
+
+bool haveSameCamera(const Scene& scene, const RunFacts& facts)
+{
+    if (facts.document.empty()) return false;
+    const auto camera = [](const std::string& document, const std::string& file) {
+        return storedSceneDocument(file, document).file.root["camera"];
+    };
+    return camera(facts.document, facts.source.file) == camera(scene.document, scene.file);
 }
 
 StatesWriter::StatesWriter(const std::string& path, const Scene& scene, const RunFacts& facts)

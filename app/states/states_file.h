@@ -27,11 +27,15 @@ struct RunFacts {
     double framesPerSecond = 60.0;
     uint32_t stepsPerFrame = 1;
     uint64_t particles = 0, bodies = 0;
-    double diameter = 0.0;  ///< Of particles [m].
+    double diameter = 0.0;      ///< Of particles [m].
+    std::string document = {};  ///< Scene::document; empty: an earlier version has written it.
 };
 
 /// Of a run of this scene.
 RunFacts factsOf(const Scene& scene, const Gpu& gpu, SceneSource source);
+
+/// Whether a scene has the camera of the run, so that one that moves may go on as it did there.
+bool haveSameCamera(const Scene& scene, const RunFacts& facts);
 
 /// Writes the states of a run: what is drawn of each frame, and whole states from which a run can go on.
 class StatesWriter {

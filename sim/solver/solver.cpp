@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/base/errors.h"
+#include "sim/solver/carry/carry_over.h"
 #include "sim/solver/measure/measure.h"
 #include "sim/solver/state_copy.h"
 #include "sim/solver/step.h"
@@ -192,6 +193,20 @@ void Solver::loadState(const SolverState& state)
     impl_->stages.load(state.stages);
     impl_->started = state.started;
     impl_->kept = {};
+}
+
+void Solver::carryOver(const Solver& other, const Counterparts& same, uint64_t steps)
+{
+    Stages &from = other.impl_->stages, &to = impl_->stages;
+    gpu::Counters wanted{};
+    wanted.wantedCandidates = from.parameters.candidateCapacity;
+    wanted.wantedPairs = from.parameters.pairCapacity;
+    wanted.wantedColliderPairs = from.parameters.colliderPairCapacity;
+    to.grow(wanted);
+    const auto substep = static_cast<uint32_t>(steps * impl_->world.settings.substeps);
+    loadState({true, carriedOver({other.impl_->world, from}, {impl_->world, to}, same, substep)});
+    Recorder recorder(impl_->timer, to.dispatches);
+    if (to.fluidWatch) to.fluidWatch->begin(recorder);
 }
 
 uint32_t Solver::searchCount()

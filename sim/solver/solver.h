@@ -13,6 +13,7 @@
 #include "sim/solver/measure/view_state.h"
 #include "sim/solver/particle_view.h"
 #include "sim/solver/stages_state.h"
+#include "sim/world/match/counterparts.h"
 #include "sim/world/world.h"
 
 namespace knuckle {
@@ -60,6 +61,10 @@ public:
     SolverState saveState() const;
     /// @throws std::logic_error if it is not from a solver of the same World.
     void loadState(const SolverState& state);
+    /// Before the first step: takes over from a solver of another world what both have, as it is there, after as many
+    /// steps of this world. All else stays where this world has it; what sleeps wakes, releases that are over happen
+    /// at once. @throws InputError for fluid that has drained away where this world has neither drains nor emitters.
+    void carryOver(const Solver& other, const Counterparts& same, uint64_t steps);
     /// Number of searches for contacts, at most one a substep.
     uint32_t searchCount();
     std::vector<PassTime> passTimes();

@@ -125,6 +125,12 @@ struct Object {
     bool has(uint32_t body) const { return body >= bodyStart && body < bodyEnd(); }
 };
 
+/// Particles without a body that one object of the scene is made of: grains, a rope, cloth, a fluid. Only a name.
+struct LooseGroup {
+    std::string name;
+    uint32_t first = 0, end = 0;  ///< Particles.
+};
+
 /// An obstacle: it stays in place, or moves as World::colliderMotions say, and answers to nothing.
 struct Collider : Region {
     uint32_t grid = NO_INDEX;  ///< Mesh and heightfield: index into World::colliderGrids.
@@ -155,6 +161,7 @@ struct World {
     std::vector<Link> links;
     std::vector<Joint> joints;  ///< At most one per pair of bodies.
     std::vector<Object> objects;
+    std::vector<LooseGroup> looseGroups;
     std::vector<BodyClip> clips;
     std::vector<Animation> animations;
     std::vector<Puppet> puppets;

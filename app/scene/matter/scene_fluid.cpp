@@ -23,12 +23,12 @@ void addFluid(const ObjectEntry& entry)
     WorldBuilder& builder = entry.context.builder;
     requireFluid(entry.context, entry.material, entry.pointer + "/material");
     const std::vector<Vector3f> lattice = fillRegion(entry, builder.fluidSpacing());
-    for (const Pose& pose : entry.poses) {
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         std::vector<Vector3f> positions = lattice;
-        for (Vector3f& position : positions) position = pose.apply(position);
+        for (Vector3f& position : positions) position = entry.poses[copy].apply(position);
         std::erase_if(positions, [&](const Vector3f& x) { return isInCollider(builder.world(), x); });
         if (positions.empty()) entry.fail("", "all of it is inside colliders; move it, or make it larger");
-        builder.addFluid(positions, entry.velocity, entry.material);
+        builder.addFluid(positions, entry.velocity, entry.material, entry.copyName(copy));
     }
 }
 

@@ -43,13 +43,15 @@ void addGrains(const ObjectEntry& entry)
     grain.velocity = entry.velocity;
     grain.material = entry.material;
     grain.mass = builder.particleMass(entry.material);
-    for (const Pose& pose : entry.poses) {
+    for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
+        const uint32_t first = builder.particleCount();
         std::vector<Vector3f> positions = lattice;
         jitterPositions(positions, jitter, seed++);
         for (const Vector3f& position : positions) {
-            grain.position = grain.restPosition = pose.apply(position);
+            grain.position = grain.restPosition = entry.poses[copy].apply(position);
             builder.addLooseParticle(grain);
         }
+        builder.nameLoose(entry.copyName(copy), first);
     }
 }
 

@@ -98,7 +98,9 @@ void addRopes(const ObjectEntry& entry)
         spec.to = entry.poses[copy].apply(to);
         spec.start = readEnd(entry, "start", copy, spec.from);
         spec.end = readEnd(entry, "end", copy, spec.to);
+        const uint32_t first = entry.context.builder.particleCount();
         addRope(entry.context.builder, entry.copyName(copy), spec);
+        entry.context.builder.nameLoose(entry.copyName(copy), first);
     }
 }
 
@@ -133,8 +135,10 @@ void placeCloth(const ObjectEntry& entry, const ClothSheet& sheet, const ClothSp
             const Vector3f inWorld = entry.poses[copy].apply(sheet.nodes[node]);
             ties.push_back({node, findParticle(entry, json, copy, inWorld, 1.0f, fmt::format("/attach/{}", i))});
         }
+        const uint32_t first = entry.context.builder.particleCount();
         addCloth(entry.context.builder, entry.copyName(copy), sheet, spec, held, ties, entry.poses[copy],
                  entry.velocity);
+        entry.context.builder.nameLoose(entry.copyName(copy), first);
     }
 }
 

@@ -144,11 +144,15 @@ std::vector<bool> StrandStage::tornDistances(const World& world) const
     const std::vector<gpu::vec4> states = distanceStates.download();
     for (size_t s = 0; s < world.strands.size(); ++s) {
         const size_t count = world.strands[s].restLengths.size();
-        const bool reversed = isReversed(world, world.strands[s]);
-        for (size_t k = 0; k < count; ++k)
-            torn.push_back(states[starts_[s] + (reversed ? count - 1 - k : k)].z != 0.0f);
+        for (size_t k = 0; k < count; ++k) torn.push_back(states[stateOf(world, s, k)].z != 0.0f);
     }
     return torn;
+}
+
+size_t StrandStage::stateOf(const World& world, size_t strand, size_t distance) const
+{
+    const Strand& own = world.strands[strand];
+    return starts_[strand] + (isReversed(world, own) ? own.restLengths.size() - 1 - distance : distance);
 }
 
 }  // namespace knuckle

@@ -27,6 +27,8 @@ public:
     void measure(Measures& out, const World& world, const ParticleState& particles) const;
     /// Per distance of all strands of the World, in its order, whether it is torn. Stalls until the GPU is done.
     std::vector<bool> tornDistances(const World& world) const;
+    /// Index into distanceStates of a distance of a strand of the World.
+    size_t stateOf(const World& world, size_t strand, size_t distance) const;
 
     Buffer<gpu::uvec4> strands;         ///< First and last node, assembly.
     Buffer<gpu::uvec4> distanceNodes;   ///< Mover, rank, particle, inverse mass or split (distance_nodes.glsl).

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "sim/world/space/cells.h"
 
@@ -77,8 +78,10 @@ Particle FluidBuilder::fluidParticle(uint32_t material) const
     return particle;
 }
 
-void FluidBuilder::addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material)
+void FluidBuilder::addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material,
+                            std::string name)
 {
+    fluidGroups_.push_back({std::move(name), fluidCount(), fluidCount() + static_cast<uint32_t>(positions.size())});
     requireFluid("addFluid", material);
     Particle particle = fluidParticle(material);
     particle.velocity = velocity;
@@ -94,13 +97,28 @@ void FluidBuilder::addEmitter(Emitter emitter)
     world_.emitters.push_back(std::move(emitter));
 }
 
-void FluidBuilder::placeFluid()
+void FluidBuilder::placeFilled()
 {
     Cells solids(world_.diameter());
     for (uint32_t i = 0; i < particleCount(); ++i) solids.add(world_.particles[i].position, i);
     const float apart = fluidClearance(world_);
-    std::erase_if(fluid_, [&](const Particle& p) { return !hasRoom(world_, solids, p.position, apart); });
+    const uint32_t first = particleCount();
+    std::vector<Particle> placed;
+    for (LooseGroup group : fluidGroups_) {
+        const std::span<const Particle> own(&fluid_[group.first], group.end - group.first);
+        group.first = first + static_cast<uint32_t>(placed.size());
+        for (const Particle& p : own)
+            if (hasRoom(world_, solids, p.position, apart)) placed.push_back(p);
+        group.end = first + static_cast<uint32_t>(placed.size());
+        world_.looseGroups.push_back(std::move(group));
+    }
+    fluid_ = std::move(placed);
     world_.particles.insert(world_.particles.end(), fluid_.begin(), fluid_.end());
+}
+
+void FluidBuilder::placeFluid()
+{
+    placeFilled();
     for (const Emitter& emitter : world_.emitters) {
         Particle particle = fluidParticle(emitter.material);
         if (!emitter.nozzle.points.empty()) particle.position = emitter.nozzle.points.front();

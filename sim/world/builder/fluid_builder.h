@@ -10,8 +10,9 @@ namespace knuckle {
 class FluidBuilder : public virtual WorldDraft {
 public:
     /// Adds fluid particles of a fluid material. They come after all others, whenever they are added; build() leaves
-    /// out those that overlap other particles.
-    void addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material);
+    /// out those that overlap other particles. @param name of the object that they are, for World::looseGroups.
+    void addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material,
+                  std::string name = {});
     /// Sets the rest distance of fluids [diameters], 0.3 ... 0.6. Must be called before addFluid().
     void setFluidSpacing(float spacing);
     float fluidSpacing() const { return world_.fluidSpacing; }
@@ -26,6 +27,8 @@ protected:
     void placeFluid();
 
 private:
+    /// Takes away what has no room, and adds the rest to the world's particles and groups.
+    void placeFilled();
     void requireFluid(const char* what, uint32_t material) const;
     Particle fluidParticle(uint32_t material) const;
 };

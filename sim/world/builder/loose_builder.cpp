@@ -10,6 +10,11 @@ uint32_t LooseBuilder::addLooseParticle(const Particle& particle)
     return particleCount() - 1;
 }
 
+void LooseBuilder::nameLoose(std::string name, uint32_t first)
+{
+    world_.looseGroups.push_back({std::move(name), first, particleCount()});
+}
+
 void LooseBuilder::addStrand(Strand row)
 {
     world_.strands.push_back(std::move(row));

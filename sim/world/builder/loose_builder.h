@@ -18,6 +18,8 @@ public:
     /// @returns the soft body's index. @throws std::logic_error for an empty span or a position that is not finite.
     uint32_t addSoftBody(std::string name, std::span<const Vector3f> positions, uint32_t material,
                          std::span<const uint32_t> pinned = {});
+    /// Names particles from `first` up to now as one object's, for World::looseGroups.
+    void nameLoose(std::string name, uint32_t first);
     /// Distances between particles that exist: see addRope() and addCloth().
     void addStrand(Strand row);
     /// A triangle of cloth, for the air. @param corners particles.

@@ -35,7 +35,8 @@ protected:
     std::vector<std::vector<uint32_t>> bodyParticles_;  ///< Per body, the particles in its block, in order.
     std::vector<std::vector<uint32_t>> owners_;         ///< Per particle, its bodies.
     std::vector<JointDraft> joints_;
-    bool choosesSubsteps_ = false;  ///< Settings::substeps was 0.
+    bool choosesSubsteps_ = false;         ///< Settings::substeps was 0.
+    std::vector<LooseGroup> fluidGroups_;  // ranges of the next
     std::vector<Particle> fluid_;
     bool objectOpen_ = false;
     uint32_t objectFirstParticle_ = 0;

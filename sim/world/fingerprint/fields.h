@@ -256,9 +256,9 @@ inline auto fieldsOf(const Emitter& e)
 
 inline auto fieldsOf(const World& w)
 {
-    const auto& [radius, settings, materials, particles, bodies, links, joints, objects, clips, animations, puppets,
-                 releases, colliders, motions, softBodies, clusters, clusterLinks, strands, clothTriangles, grids,
-                 skins, assemblies, spacing, fluids, emitters, drains, wind, forceFields] = w;
+    const auto& [radius, settings, materials, particles, bodies, links, joints, objects, groups, clips, animations,
+                 puppets, releases, colliders, motions, softBodies, clusters, clusterLinks, strands, clothTriangles,
+                 grids, skins, assemblies, spacing, fluids, emitters, drains, wind, forceFields] = w;
     return counting(radius, settings, materials, particles, bodies, links, joints, objects, clips, animations, puppets,
                     releases, colliders, motions, softBodies, clusters, clusterLinks, strands, clothTriangles, grids,
                     assemblies, spacing, fluids, emitters, drains, wind, forceFields);
