@@ -14,6 +14,8 @@ Scene loadGoldenScene(const Golden& golden, const std::vector<Override>& changes
     std::vector<Override> all = golden.changes;
     all.insert(all.end(), changes.begin(), changes.end());
     Scene scene = loadScene(findAsset(golden.scene), all);
+    if (scene.start)
+        failAt(golden.scene, "/start", "goes on from a run's states, which goldens do not have; take it away");
     // The triangles of coarse levels depend on a library's version.
     scene.render.skinError = 0.0f;
     if (golden.frames.back() > scene.frameCount())
