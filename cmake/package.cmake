@@ -2,21 +2,16 @@
 # worlds and their steps; knuckle::knuckle, models and scene files as well. Their headers are in build/include, which
 # stage_headers.cmake makes from ours.
 set(headers ${PROJECT_BINARY_DIR}/include)
-file(GLOB_RECURSE ourHeaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/sim/*.h ${PROJECT_SOURCE_DIR}/app/*.h
-  ${PROJECT_SOURCE_DIR}/render/*.h)
-add_custom_command(OUTPUT ${headers}/staged
-  COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -DOUTPUT=${headers}
-    -P ${PROJECT_SOURCE_DIR}/cmake/stage_headers.cmake
-  COMMAND ${CMAKE_COMMAND} -E touch ${headers}/staged
-  DEPENDS ${ourHeaders} ${PROJECT_SOURCE_DIR}/cmake/stage_headers.cmake
-  COMMENT "Laying out the public headers")
-add_custom_target(knuckle_headers ALL DEPENDS ${headers}/staged)
+# While configuring, and again whenever one of them changes: a build tool looks for changed headers before it runs any
+# command, so a source that includes them would be linked as it was, against libraries with other structs.
+include(cmake/stage_headers.cmake)
+stage_headers(${PROJECT_SOURCE_DIR} ${headers} staged)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${staged})
 
 # knuckle_public(NAME library...): knuckle::NAME, for which the libraries are linked and nothing of theirs is compiled with.
 function(knuckle_public name)
   add_library(knuckle_public_${name} INTERFACE)
   add_library(knuckle::${name} ALIAS knuckle_public_${name})
-  add_dependencies(knuckle_public_${name} knuckle_headers)
   list(TRANSFORM ARGN REPLACE "(.+)" "$<LINK_ONLY:\\1>" OUTPUT_VARIABLE libraries)
   target_link_libraries(knuckle_public_${name} INTERFACE ${libraries} Eigen3::Eigen)
   target_compile_features(knuckle_public_${name} INTERFACE cxx_std_20)

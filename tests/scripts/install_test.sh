@@ -18,7 +18,7 @@ fail() {
 quietly() { "$@" >"$log" 2>&1 || { cat "$log" >&2; fail "failed: $*"; }; }
 
 # What is built may be a part of all: then the rest is left as it is.
-cmake --build "$build" --target knuckle knuckle_headers knuckle_simulation >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+cmake --build "$build" --target knuckle knuckle_simulation >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
 quietly cmake --install "$build" --prefix "$prefix"
 
 headers=$prefix/include
