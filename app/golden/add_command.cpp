@@ -44,7 +44,7 @@ std::vector<uint64_t> parseFrames(const std::string& text, uint64_t count)
         frames.push_back(frame);
     }
     std::ranges::sort(frames);
-    frames.erase(std::ranges::unique(frames).begin(), frames.end());
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     if (frames.empty()) throw InputError("--frames: name some, as first,60,last");
     return frames;
 }
