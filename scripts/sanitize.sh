@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Builds tests with address and undefined-behaviour sanitizers and runs those of the parts that read and convert users'
-# input. With --device it instead runs a few of sim/gpu, sim/solver and render: buffers, programs and lists that grow
-# in a world of each kind of matter; passes, skins, pictures and files. CI runs the former.
+# input, pictures among it. With --device it instead runs files of states and a few of sim/gpu, sim/solver and render:
+# buffers, programs and lists that grow in a world of each kind of matter; passes, skins, pictures and files. CI runs
+# the former.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-suites=(world rig app tools)
-[[ ${1:-} == --device ]] && suites=(solver render)
+suites=(world rig app compare tools)
+[[ ${1:-} == --device ]] && suites=(solver render states)
 bash scripts/install.sh
 cmake --preset asan >/dev/null
 cmake --build --preset asan --target "${suites[@]/#/test_}"
@@ -22,3 +23,4 @@ timeout 1200 build/asan/bin/test_solver --gtest_brief=1 \
     --gtest_filter='RawBuffer.*:Buffer*:Kernel.*:Program.*:ShaderSource.*:Layout.*:*Overflow.*:*LifetimeOf.*'
 timeout 1200 build/asan/bin/test_render --gtest_brief=1 \
     --gtest_filter='DrawPass.*:FrameSinkTest.*:Renderer.*:Skin.*:SkinLods.*:Marks.*'
+timeout 300 build/asan/bin/test_states --gtest_brief=1
