@@ -52,7 +52,13 @@ std::vector<uint64_t> parseFrames(const std::string& text, uint64_t count)
 Json sceneDocument(const AddOptions& options, const fs::path& folder)
 {
     std::vector<Override> changes;
-    for (const std::string& text : options.sets) changes.push_back(parseOverride(text));
+    for (const std::string& text : options.sets) {
+        changes.push_back(parseOverride(text));
+        const std::string& path = changes.back().path;
+        if (path.ends_with("render.width") || path.ends_with("render.height") || path.ends_with("render/width") ||
+            path.ends_with("render/height"))
+            throw InputError(fmt::format("--set {}: the size of a golden's pictures is given by --size", text));
+    }
     const std::string& named = options.inputs[0];
     const Scene scene = loadScene(findAsset(named), changes);
     Json document = {{"scene", seenFrom(folder, findAsset(named))}};
@@ -88,6 +94,9 @@ void checkAddOptions(const AddOptions& options)
         throw InputError("--command makes images of another program; a scene needs none, leave it out");
     if (scenes == 0 && !(options.sets.empty() && options.size.empty()))
         throw InputError("--set and --size are for a scene; leave them out");
+    const fs::path name = fs::path(options.name).lexically_normal();
+    if (name.is_absolute() || (!options.name.empty() && (name == "." || *name.begin() == "..")))
+        throw InputError(fmt::format("--name {}: must be a path below --in {}", options.name, options.folder));
 }
 
 }  // namespace
@@ -103,6 +112,11 @@ int addGolden(const AddOptions& options, const CommonOptions& common)
                                      (folder / GOLDEN_FILE).string()));
     const bool scene = isSceneFile(options.inputs[0]);
     const Json document = scene ? sceneDocument(options, folder) : imagesDocument(options, folder);
+    try {
+        static_cast<void>(document.dump());
+    } catch (const Json::exception&) {
+        throw InputError("a name or a path is no UTF-8, which JSON needs; rename it");
+    }
     Golden golden = parseGolden(folder.string(), name, document);
     const auto gpu = openFor({golden}, common);
     const InterruptGuard interrupt;

@@ -9,6 +9,7 @@
 #include "app/run/counted.h"
 #include "app/run/exit_codes.h"
 #include "app/run/progress.h"
+#include "app/run/shell_command.h"
 #include "app/run/tell.h"
 #include "sim/base/errors.h"
 
@@ -47,9 +48,9 @@ Json itemJson(const GoldenItem& item)
 }
 
 void printJson(const GoldenChoice& choice, const std::vector<Golden>& goldens,
-               const std::vector<CheckedGolden>& checked, bool failed)
+               const std::vector<CheckedGolden>& checked, const char* verdict)
 {
-    Json json = {{"folder", choice.folder}, {"verdict", failed ? "different" : "equal"}, {"goldens", Json::array()}};
+    Json json = {{"folder", choice.folder}, {"verdict", verdict}, {"goldens", Json::array()}};
     for (size_t i = 0; i < checked.size(); ++i) {
         Json items = Json::array();
         for (const GoldenItem& item : checked[i].items) items.push_back(itemJson(item));
@@ -67,9 +68,13 @@ public:
     void add(const Golden& golden, const CheckedGolden& checked)
     {
         for (const GoldenItem& item : checked.items) {
+            if (item.entry.status == Status::Unreadable && item.entry.failed()) {
+                ++unreadable_;
+                continue;
+            }
             Counts& counts = item.kind == GoldenItem::Kind::Physics ? states_ : pictures_;
             ++counts.all;
-            if (item.entry.failed()) ++(item.entry.status == Status::Unreadable ? unreadable_ : counts.different);
+            if (item.entry.failed()) ++counts.different;
             else if (item.entry.status != Status::Equal) ++advisory_;
         }
         if (checked.failed()) failed_.push_back(golden.folder);
@@ -82,21 +87,24 @@ public:
             return counts.all == 0 ? "" : fmt::format("{} of {} {}", counts.different, counts.all, what);
         };
         const std::string states = share(states_, "states"), pictures = share(pictures_, "pictures");
-        text += states + (states.empty() || pictures.empty() ? "" : " and ") + pictures + " differ";
+        if (states.empty() && pictures.empty()) text += "nothing compared";
+        else text += states + (states.empty() || pictures.empty() ? "" : " and ") + pictures + " differ";
         if (unreadable_ > 0) text += fmt::format(", {} cannot be checked", unreadable_);
         if (advisory_ > 0) text += fmt::format(", {} advisory", counted(advisory_, "difference"));
         return text;
     }
     bool failed() const { return !failed_.empty(); }
+    const char* word() const { return differs() ? "different" : unreadable() ? "unreadable" : "equal"; }
     bool differs() const { return states_.different + pictures_.different > 0; }
     bool unreadable() const { return unreadable_ > 0; }
     /// The command that accepts what failed.
     std::string remedy(const GoldenChoice& choice) const
     {
-        std::string command = "knuckle golden update " + choice.folder;
+        std::string command = "knuckle golden update " + quotedForShell(choice.folder);
         if (failed_.size() > MOST_NAMED) return command;
         for (const std::string& folder : failed_)
-            command += " " + std::filesystem::path(folder).lexically_relative(choice.folder).generic_string();
+            command += " " +
+                       quotedForShell(std::filesystem::path(folder).lexically_relative(choice.folder).generic_string());
         return command;
     }
 
@@ -170,12 +178,12 @@ int checkGoldens(const GoldenChoice& choice, const CheckOptions& options, bool j
     }
     Summary summary;
     for (size_t i = 0; i < goldens.size(); ++i) summary.add(goldens[i], checked[i]);
-    if (json) printJson(choice, goldens, checked, summary.failed());
+    if (json) printJson(choice, goldens, checked, summary.word());
     else if (!common.quiet) {
         for (const CheckedGolden& golden : checked) printLines(golden);
         tellStandIns(checked, gpu.get());
         fmt::print("{}\n", summary.text(goldens.size()));
-        if (summary.differs()) fmt::print("to accept: {}\n", summary.remedy(choice));
+        if (summary.differs() && options.changes.empty()) fmt::print("to accept: {}\n", summary.remedy(choice));
     }
     for (CheckedGolden& golden : checked)
         for (GoldenItem& item : golden.items) {

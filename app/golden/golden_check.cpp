@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "app/compare/compare_run.h"
 #include "app/golden/golden_images.h"
 #include "app/golden/golden_scene.h"
-#include "app/report/report_pictures.h"
+#include "app/run/shell_command.h"
+#include "app/states/file_checksum.h"
 #include "render/compare/parallel.h"
 #include "render/reader/picture_file.h"
 #include "sim/base/cores.h"
@@ -27,12 +29,26 @@ Picture pictureOf(const Image& image)
     return knuckle::pictureOf(image.width, image.height, image.rgb);
 }
 
+/// The path of the file of states, if it is the one that golden.json was written with.
+std::string openStates(const Golden& golden, const std::string& key)
+{
+    constexpr const char* REMEDY = "restore it, or accept what is here now by `knuckle golden update`";
+    std::string path = golden.statesFile(key);
+    if (std::error_code ignored; !std::filesystem::is_regular_file(path, ignored))
+        throw InputError(fmt::format("{}: is not there; {}", path, REMEDY));
+    const std::string& recorded = golden.recorded.at(key).file;
+    if (!recorded.empty() && fileChecksum(path) != recorded)
+        throw InputError(
+            fmt::format("{}: is damaged, or not the file that {} was written with; {}", path, GOLDEN_FILE, REMEDY));
+    return path;
+}
+
 /// Checks the frames of a scene's golden.
 class SceneCheck {
 public:
     SceneCheck(const Golden& golden, const CheckOptions& options, Gpu& gpu, const InterruptGuard& interrupt)
         : golden_(golden), options_(options), device_(gpu.device()), reference_(chooseReference(golden, device_)),
-          record_(golden.recorded.at(reference_.key)), stored_(golden.statesFile(reference_.key)),
+          record_(golden.recorded.at(reference_.key)), stored_(openStates(golden, reference_.key)),
           scene_(golden, options.changes, gpu, interrupt)
     {
         for (const uint64_t frame : golden.frames)
@@ -41,7 +57,7 @@ public:
 
     CheckedGolden run()
     {
-        if (options_.states) scene_.simulate(frames_, false, [&](const GoldenScene::Simulated& at) { checkState(at); });
+        if (options_.states) checkStates();
         if (options_.pictures)
             for (const uint64_t frame : frames_)
                 add(Kind::Drawing, frame, [&](GoldenItem& item) { checkPicture(item); });
@@ -75,7 +91,24 @@ private:
         entry.notes.emplace_back("this run's device", device_.name + ", " + device_.version);
         if (!reference_.own) entry.notes.emplace_back("nearest reference", reference_.key);
         if (entry.status != Status::Equal)
-            entry.notes.emplace_back("accept by", fmt::format("knuckle golden update {}", golden_.folder));
+            entry.notes.emplace_back("accept by", "knuckle golden update " + quotedForShell(golden_.folder));
+    }
+
+    void checkStates()
+    {
+        size_t reached = 0;
+        try {
+            scene_.simulate(frames_, false, [&](const GoldenScene::Simulated& at) {
+                checkState(at);
+                ++reached;
+            });
+        } catch (const RunError& error) {
+            add(Kind::Physics, frames_[reached], [&](GoldenItem& item) {
+                item.entry.status = Status::Different;
+                item.entry.verdict.equal = false;
+                item.entry.line = fmt::format("different: the run failed: {}", error.what());
+            });
+        }
     }
 
     void checkState(const GoldenScene::Simulated& at)
@@ -86,13 +119,16 @@ private:
                 throw InputError(fmt::format("{}: has no state of frame {}; `knuckle golden update` adds it",
                                              golden_.path(), at.frame));
             item.state.emplace();
-            if (hashText(at.solver.stateHash()) == known->second) {
+            const StoredFrame stored = stored_.read(at.frame);
+            const ViewState now = at.solver.readView();
+            // The hash is of particles alone.
+            const bool sameParticles = hashText(at.solver.stateHash()) == known->second;
+            if (sameParticles && sameColliders(stored.view, now)) {
                 item.entry.line = "the same bits";
                 return;
             }
-            const StoredFrame stored = stored_.read(at.frame);
-            const ViewState now = at.solver.readView();
             item.state = compareStates(scene_.scene().world, stored.view, now, golden_.states);
+            item.state->sameParticles = sameParticles;
             const bool within = item.state->isWithin(golden_.states);
             item.entry.status = within ? Status::Equal : Status::Different;
             item.entry.line = (within ? "within limits: " : "different: ") +
@@ -118,10 +154,17 @@ private:
 
     void checkPicture(GoldenItem& item)
     {
+        const StoredFrame stored = stored_.read(item.frame);
+        if (const std::string other = scene_.otherWorld(stored.view); !other.empty()) {
+            item.entry.status = Status::Different;
+            item.entry.verdict.equal = false;
+            item.entry.line = "different: " + other;
+            return;
+        }
         const Picture reference = readPicture(item.entry.referencePath);
         PictureWork work{.settings = settings()};
         golden_.pictures.applyTo(item.stem, work.settings.threshold, work.limits);
-        judgePictures(item.entry, reference, pictureOf(scene_.draw(stored_.read(item.frame))), work, options_.reports);
+        judgePictures(item.entry, reference, pictureOf(scene_.draw(stored)), work, options_.reports);
     }
 
     CompareSettings settings() const
@@ -152,6 +195,7 @@ bool CheckedGolden::failed() const
 CheckedGolden checkGolden(const Golden& golden, const CheckOptions& options, Gpu* gpu, const InterruptGuard& interrupt)
 {
     try {
+        if (!golden.problem.empty()) throw InputError(golden.problem);
         if (!golden.ofScene()) return checkImages(golden, options);
         return SceneCheck(golden, options, *gpu, interrupt).run();
     } catch (const InputError& error) {

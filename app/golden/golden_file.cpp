@@ -51,11 +51,23 @@ void readImages(const JsonFile& file, Golden& golden)
                    fmt::format("has two named {}; give them goldens of their own", fs::path(image).stem().string()));
 }
 
+/// Refuses limits for a name that no picture has.
+void checkNames(const JsonFile& file, const Golden& golden)
+{
+    std::vector<std::string> stems;
+    for (const uint64_t frame : golden.frames) stems.push_back(golden.frameStem(frame));
+    for (const std::string& image : golden.images) stems.push_back(fs::path(image).stem().string());
+    for (const auto& [pattern, limits] : golden.pictures.names)
+        if (std::ranges::none_of(stems, [&](const std::string& stem) { return matchesPattern(stem, pattern); }))
+            failAt(file.path, "/pictures/names/" + pattern, "no picture has that name; " + suggestion(pattern, stems));
+}
+
 void readPictures(const JsonFile& file, Golden& golden)
 {
     const auto found = file.root.find("pictures");
     if (found == file.root.end()) return;
     golden.pictures = limitsOf(*found);
+    checkNames(file, golden);
     IgnoredParts& ignored = golden.settings.ignored;
     const std::string place = file.path + ": /pictures/";
     for (const Json& word : found->value("ignore", Json::array()))
@@ -76,10 +88,12 @@ std::map<std::string, GoldenRecord> readRecords(const JsonFile& file)
         };
         if (!std::ranges::all_of(key, isPlain))
             failAt(file.path, "/recorded", fmt::format("\"{}\" must have only letters, digits, - and .", key));
-        GoldenRecord record{json["driver"], json["device"], json["program"], {}};
+        GoldenRecord record{json["driver"], json["device"], json["program"], json["file"]};
         for (const auto& [frame, hash] : json["states"].items()) {
             if (frame.empty() || frame.size() > 7 || frame.find_first_not_of("0123456789") != std::string::npos)
                 failAt(file.path, "/recorded/" + key + "/states", fmt::format("\"{}\" is no frame", frame));
+            if (hash.get<std::string>().find_first_not_of("0123456789abcdef") != std::string::npos)
+                failAt(file.path, "/recorded/" + key + "/states/" + frame, "must be 16 digits of 0-9 and a-f");
             record.states[std::stoul(frame)] = hash;
         }
         records[key] = std::move(record);
@@ -91,6 +105,12 @@ std::map<std::string, GoldenRecord> readRecords(const JsonFile& file)
 bool isNamed(const std::string& golden, const std::string& name)
 {
     return golden == name || golden.starts_with(name + "/") || matchesPattern(golden, name);
+}
+
+std::string lastPart(const std::string& folder)
+{
+    const fs::path path = fs::weakly_canonical(fs::absolute(folder));
+    return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
 /// Paths of the folders below `folder`, or of itself as ".", that have a golden.json; sorted.
@@ -110,6 +130,11 @@ std::set<std::string> foldersOf(const std::string& folder)
 std::string Golden::path() const
 {
     return (fs::path(folder) / GOLDEN_FILE).string();
+}
+
+std::string Golden::imagePath(const std::string& image) const
+{
+    return beside(commandFolder, image);
 }
 
 std::string Golden::frameStem(uint64_t frame) const
@@ -153,6 +178,7 @@ void writeGolden(Golden& golden)
         Json states = Json::object();
         for (const auto& [frame, hash] : record.states) states[std::to_string(frame)] = hash;
         recorded[key] = {{"driver", record.driver}, {"device", record.device}, {"program", record.program}};
+        if (!record.file.empty()) recorded[key]["file"] = record.file;
         if (!states.empty()) recorded[key]["states"] = states;
     }
     golden.document["recorded"] = recorded;
@@ -172,8 +198,13 @@ std::vector<Golden> findGoldens(const std::string& folder, const std::vector<std
     for (const std::string& path : all) {
         const auto named = [&](const std::string& name) { return isNamed(path, name); };
         if (!names.empty() && std::ranges::none_of(names, named)) continue;
-        const fs::path at = path == "." ? fs::path(folder) : fs::path(folder) / path;
-        goldens.push_back(readGolden(at.string(), path == "." ? at.filename().string() : path));
+        const std::string at = path == "." ? folder : (fs::path(folder) / path).string();
+        const std::string own = path == "." ? lastPart(folder) : path;
+        try {
+            goldens.push_back(readGolden(at, own));
+        } catch (const InputError& error) {
+            goldens.push_back({.name = own, .folder = at, .problem = error.what()});
+        }
     }
     return goldens;
 }

@@ -17,7 +17,8 @@ constexpr const char* GOLDEN_FILE = "golden.json";
 /// Where the references of a driver come from.
 struct GoldenRecord {
     std::string driver, device, program;
-    std::map<uint64_t, std::string> states;  ///< hashText() of the state of each frame.
+    std::string file = {};                        ///< Checksum of the file of states; empty: not known.
+    std::map<uint64_t, std::string> states = {};  ///< hashText() of the state of each frame.
 };
 
 /// How far particles may be from where they were. Without a distance, states must have the same bits.
@@ -28,9 +29,10 @@ struct StateLimits {
 
 /// A golden.json: a scene, or pictures of another program. assets/schema/golden.schema.json has every field.
 struct Golden {
-    std::string name = {};    ///< Path of its folder below that of all goldens, or the folder itself.
-    std::string folder = {};  ///< Of its file.
-    Json document = {};       ///< As it stands in the file.
+    std::string name = {};     ///< Path of its folder below that of all goldens, or the folder itself.
+    std::string folder = {};   ///< Of its file.
+    Json document = {};        ///< As it stands in the file.
+    std::string problem = {};  ///< Why the file cannot be used; empty: it can.
 
     std::string scene = {};              ///< Path; empty: pictures of another program.
     std::vector<Override> changes = {};  ///< Of the scene, its size among them.
@@ -48,6 +50,8 @@ struct Golden {
 
     bool ofScene() const { return !scene.empty(); }
     std::string path() const;
+    /// Where an image of another program is.
+    std::string imagePath(const std::string& image) const;
     /// Names of its references, without driver and ending: "frame_0012", or "logo" of "out/logo.png".
     std::string frameStem(uint64_t frame) const;
     /// A reference: FOLDER/STEM@KEY.ENDING, without @ for an empty key. @param ending with its dot.
@@ -61,8 +65,8 @@ Golden readGolden(const std::string& folder, const std::string& name);
 Golden parseGolden(const std::string& folder, const std::string& name, const Json& document);
 /// Writes its document, with what is recorded now. @throws as OutputFile.
 void writeGolden(Golden& golden);
-/// All goldens in a folder and below it that match any of the names or patterns; without any, all. Sorted by name.
-/// @throws InputError where there are none.
+/// All goldens in a folder and below it that match any of the names or patterns; without any, all. Sorted by name. One
+/// that cannot be read has its problem. @throws InputError where there are none.
 std::vector<Golden> findGoldens(const std::string& folder, const std::vector<std::string>& names);
 
 }  // namespace knuckle

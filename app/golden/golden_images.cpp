@@ -1,10 +1,13 @@
 #include "app/golden/golden_images.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
+#include <mutex>
 
 #include "app/compare/compare_run.h"
 #include "app/run/shell_command.h"
@@ -16,11 +19,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<fs::file_time_type> timeOf(const fs::path& file)
+/// What tells a file from one that was written later under its name, a link to it included.
+using FileStamp = std::array<uint64_t, 6>;
+
+FileStamp stampOf(const std::string& file)
 {
-    std::error_code error;
-    const fs::file_time_type time = fs::last_write_time(file, error);
-    return error ? std::nullopt : std::optional(time);
+    FileStamp stamp{};
+    struct stat info = {};
+    const auto note = [&](size_t at) {
+        stamp[at] = info.st_ino;
+        stamp[at + 1] = static_cast<uint64_t>(info.st_ctim.tv_sec);
+        stamp[at + 2] = static_cast<uint64_t>(info.st_ctim.tv_nsec);
+    };
+    if (lstat(file.c_str(), &info) == 0) note(0);
+    if (stat(file.c_str(), &info) == 0) note(3);
+    return stamp;
 }
 
 }  // namespace
@@ -28,17 +41,31 @@ std::optional<fs::file_time_type> timeOf(const fs::path& file)
 void makeImages(const Golden& golden)
 {
     if (golden.command.empty()) return;
-    std::map<std::string, std::optional<fs::file_time_type>> before;
-    for (const std::string& image : golden.images) before[image] = timeOf(fs::path(golden.commandFolder) / image);
+    // Commands may use the same files: only one at a time.
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    std::map<std::string, FileStamp> before;
+    for (const std::string& image : golden.images) before[image] = stampOf(golden.imagePath(image));
     const ShellResult result = runShell(golden.command, golden.commandFolder);
     if (!result.failure.empty())
         throw InputError(fmt::format("{}: /command: {} {}{}", golden.path(), golden.command, result.failure,
                                      result.lastLine.empty() ? "" : "; its last line: " + result.lastLine));
     for (const std::string& image : golden.images) {
-        const auto now = timeOf(fs::path(golden.commandFolder) / image);
-        if (!now || now == before[image])
+        const FileStamp now = stampOf(golden.imagePath(image));
+        if (now[3] == 0 || now == before[image])
             throw InputError(fmt::format("{}: /command: {} did not write {}", golden.path(), golden.command,
-                                         (fs::path(golden.commandFolder) / image).lexically_normal().string()));
+                                         golden.imagePath(image)));
+    }
+}
+
+void requireOwnReferences(const Golden& golden, const std::string& key)
+{
+    for (const std::string& image : golden.images) {
+        const fs::path output = golden.imagePath(image);
+        const std::string reference = golden.reference(output.stem().string(), key, output.extension().string());
+        if (std::error_code ignored; fs::equivalent(reference, output, ignored))
+            throw InputError(fmt::format("{}: /images: {} is its own reference; put the golden into another folder",
+                                         golden.path(), output.string()));
     }
 }
 
@@ -46,19 +73,20 @@ CheckedGolden checkImages(const Golden& golden, const CheckOptions& options)
 {
     CheckedGolden checked;
     if (!options.pictures) return checked;
+    requireOwnReferences(golden, "");
     makeImages(golden);
     CompareRun run;
     run.settings = golden.settings;
     run.file = golden.pictures;
     run.reports = options.reports;
     for (const std::string& image : golden.images) {
-        const fs::path output = fs::path(golden.commandFolder) / image;
+        const fs::path output = golden.imagePath(image);
         GoldenItem item{.kind = GoldenItem::Kind::Image, .golden = golden.name, .stem = output.stem().string()};
         item.entry = compareImageFiles(run, golden.reference(item.stem, "", output.extension().string()),
                                        output.string(), item.stem, 1);
         item.entry.name = golden.name + "/" + item.stem;
         if (item.entry.status != ReportEntry::Status::Equal)
-            item.entry.notes.emplace_back("accept by", fmt::format("knuckle golden update {}", golden.folder));
+            item.entry.notes.emplace_back("accept by", "knuckle golden update " + quotedForShell(golden.folder));
         item.entry.line = fmt::format("{}: {}", kindWord(item.kind), item.entry.line);
         checked.items.push_back(std::move(item));
     }

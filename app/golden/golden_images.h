@@ -11,4 +11,7 @@ CheckedGolden checkImages(const Golden& golden, const CheckOptions& options);
 /// @throws InputError if it fails, or leaves an image of before as it was.
 void makeImages(const Golden& golden);
 
+/// @throws InputError for an image that is the file with which it would be compared.
+void requireOwnReferences(const Golden& golden, const std::string& key);
+
 }  // namespace knuckle

@@ -13,6 +13,7 @@ namespace knuckle {
 /// What of a golden is made anew.
 struct RecordWork {
     std::string key = {};  ///< Of the references; "" for those of another program.
+    bool made = false;     ///< Another program's pictures were made just now.
     bool states = true;    ///< Simulates, and writes the states; otherwise pictures are drawn from those there.
     std::set<uint64_t> frames = {};     ///< Whose pictures are written.
     std::set<std::string> images = {};  ///< Of another program: stems of those that are taken over.

@@ -1,6 +1,7 @@
 #include "app/golden/golden_scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/files/assets.h"
 #include "sim/base/errors.h"
@@ -58,6 +59,20 @@ void GoldenScene::simulate(const std::vector<uint64_t>& frames, bool withCamera,
     gpu_.checkErrors();
 }
 
+std::string GoldenScene::otherWorld(const ViewState& stored) const
+{
+    const World& world = scene_.world;
+    std::vector<std::string> others;
+    const auto compare = [&](const char* what, size_t now, size_t then) {
+        if (now != then) others.push_back(fmt::format("{} {}, not {}", now, what, then));
+    };
+    compare("particles", world.particles.size(), stored.positions.size());
+    compare("bodies", world.bodies.size(), stored.bodyCentres.size());
+    compare("colliders", world.colliders.size(), stored.colliderPlaces.size() / 2);
+    if (others.empty()) return {};
+    return fmt::format("the stored state cannot be drawn: the scene has {}", fmt::join(others, ", "));
+}
+
 Image GoldenScene::draw(const StoredFrame& frame)
 {
     return draw(frame, frame.view);
@@ -66,10 +81,7 @@ Image GoldenScene::draw(const StoredFrame& frame)
 Image GoldenScene::draw(const StoredFrame& frame, const ViewState& view)
 {
     const World& world = scene_.world;
-    if (view.positions.size() != world.particles.size() || view.bodyCentres.size() != world.bodies.size() ||
-        view.colliderPlaces.size() != 2 * world.colliders.size())
-        throw InputError("the scene has other particles, bodies or colliders than the stored state, so that it cannot "
-                         "be drawn");
+    if (const std::string other = otherWorld(view); !other.empty()) throw InputError(other);
     if (!renderer_) renderer_.emplace(gpu_, world, scene_.render);
     renderer_->loadState(frame.camera);
     renderer_->draw(stored_.upload(view), timeOf(frame.number));

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/golden/golden_file.h"
@@ -34,6 +35,8 @@ public:
     void simulate(const std::vector<uint64_t>& frames, bool withCamera,
                   const std::function<void(const Simulated&)>& show);
 
+    /// What the scene has other numbers of than a stored state, so that it cannot be drawn; empty: nothing.
+    std::string otherWorld(const ViewState& stored) const;
     /// The picture of a stored frame. @throws InputError where the scene is another world now.
     Image draw(const StoredFrame& frame);
     /// The same of another state, as the frame's camera sees it.

@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <map>
 
 #include "app/run/counted.h"
 #include "render/compare/verdict.h"
+#include "sim/base/angles.h"
 #include "sim/base/no_index.h"
 
 namespace knuckle {
@@ -15,6 +19,8 @@ namespace {
 
 /// Places of loose particles are stored in steps of up to 1/256 of a diameter: half of one, along three axes.
 constexpr double ROUNDING = 0.0034;
+/// A collider of some ten diameters moves its rim by a diameter when it turns by so much [radians].
+constexpr double TURN_A_DIAMETER = 0.1;
 
 /// "object "ball"", or the material of a loose particle.
 std::string ownerOf(const World& world, size_t particle)
@@ -28,6 +34,17 @@ std::string ownerOf(const World& world, size_t particle)
 double distance(const gpu::vec4& a, const gpu::vec4& b)
 {
     return double{(Vector3f(a.x, a.y, a.z) - Vector3f(b.x, b.y, b.z)).norm()};
+}
+
+/// @returns radians.
+double angleBetween(const gpu::vec4& p, const gpu::vec4& q)
+{
+    return double{Quaternionf(p.w, p.x, p.y, p.z).angularDistance(Quaternionf(q.w, q.x, q.y, q.z))};
+}
+
+bool sameBits(const gpu::vec4& a, const gpu::vec4& b)
+{
+    return std::bit_cast<std::array<uint32_t, 4>>(a) == std::bit_cast<std::array<uint32_t, 4>>(b);
 }
 
 class StateComparison {
@@ -71,12 +88,12 @@ private:
         const double far = distance(stored, now) / double{world_.diameter()};
         ++seen_;
         difference.mean += far;
-        if (far > difference.largest) {
+        if (!(far <= difference.largest)) {
             difference.largest = far;
             difference.farthest = static_cast<uint32_t>(particle);
             difference.place = {now.x, now.y, now.z};
         }
-        return far > limit_;
+        return !(far <= limit_);  // what is no number as well
     }
 
     const World& world_;
@@ -92,7 +109,12 @@ bool StateDifference::isWithin(const StateLimits& limits) const
     if (sameBits) return true;
     if (!sameKind || limits.distance == 0.0) return false;
     return static_cast<double>(moved) <= limits.share * static_cast<double>(particles) && torn == 0 &&
-           colliders <= limits.distance;
+           colliders <= limits.distance && turned <= limits.distance * TURN_A_DIAMETER;
+}
+
+bool sameColliders(const ViewState& stored, const ViewState& now)
+{
+    return std::ranges::equal(stored.colliderPlaces, now.colliderPlaces, sameBits);
 }
 
 StateDifference compareStates(const World& world, const ViewState& stored, const ViewState& now,
@@ -110,9 +132,12 @@ StateDifference compareStates(const World& world, const ViewState& stored, const
     for (size_t p = 0; p < now.positions.size(); ++p) comparison.add(stored.positions[p], now.positions[p], p);
     const auto isTorn = [](const ViewState& view, size_t p) { return p < view.torn.size() && view.torn[p]; };
     for (size_t p = 0; p < now.positions.size(); ++p) difference.torn += isTorn(stored, p) != isTorn(now, p) ? 1 : 0;
-    for (size_t c = 0; c < now.colliderPlaces.size(); c += 2)
+    for (size_t c = 0; c < now.colliderPlaces.size(); c += 2) {
         difference.colliders = std::max(
             difference.colliders, distance(stored.colliderPlaces[c], now.colliderPlaces[c]) / double{world.diameter()});
+        difference.turned = std::max(difference.turned,
+                                     angleBetween(stored.colliderPlaces[c + 1], now.colliderPlaces[c + 1]));
+    }
     return comparison.finish();
 }
 
@@ -128,7 +153,8 @@ std::string differenceWords(const StateDifference& difference, const StateLimits
     }
     std::string words;
     if (difference.moved == 0) {
-        words = difference.largest < ROUNDING
+        words = difference.sameParticles ? "particles have the same bits"
+                : difference.largest < ROUNDING
                     ? "bits differ, of velocities or by roundings: all particles are where they were"
                     : fmt::format("bits differ, though all particles are within {} diameters of where they were",
                                   shortNumber(difference.largest));
@@ -147,8 +173,11 @@ std::string differenceWords(const StateDifference& difference, const StateLimits
         words += fmt::format("; {} came or went", counted(difference.cameOrWent, "particle"));
     if (difference.torn > 0)
         words += fmt::format("; {} of joints torn in only one of them", counted(difference.torn, "particle"));
-    if (difference.colliders > ROUNDING)
+    if (difference.colliders > 0.0)
         words += fmt::format("; a collider is {} diameters from where it was", shortNumber(difference.colliders));
+    if (difference.turned > 0.0)
+        words += fmt::format("; a collider is turned by {} degrees",
+                             shortNumber(degreesOf(static_cast<float>(difference.turned))));
     return words;
 }
 

@@ -29,6 +29,7 @@ struct Variant {
 /// What the pictures of a golden differed by at most, over all variants; and its states.
 struct Seen {
     double mean = 0.0, largest = 0.0, share = 0.0, tile = 0.0, flip = 0.0;
+    uint64_t pictures = 0;                 ///< Compared ones.
     uint64_t states = 0, otherStates = 0;  ///< Compared ones, and those with other bits.
     double distance = 0.0;                 ///< The largest of them [diameters].
     std::set<std::string> problems;
@@ -61,13 +62,6 @@ std::vector<Variant> variantsOf(const CommonOptions& common, unsigned repeats)
     return variants;
 }
 
-std::string quoted(const std::string& word)
-{
-    std::string text = "'";
-    for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
-    return text + "'";
-}
-
 void noteState(const Json& state, Seen& seen)
 {
     ++seen.states;
@@ -80,6 +74,7 @@ void notePicture(const Json& picture, Seen& seen)
 {
     const auto raise = [](double& value, const Json& other) { value = std::max(value, other.get<double>()); };
     if (!picture.contains("mean")) return;
+    ++seen.pictures;
     raise(seen.mean, picture["mean"]);
     raise(seen.largest, picture["largest"]);
     raise(seen.share, picture["share"]);
@@ -88,14 +83,15 @@ void notePicture(const Json& picture, Seen& seen)
 }
 
 /// Adds what one check has seen. @returns whether it could be run.
-bool runVariant(const GoldenChoice& choice, const Variant& variant, std::map<std::string, Seen>& seen)
+bool runVariant(const std::string& folder, const std::vector<std::string>& names, const Variant& variant,
+                std::map<std::string, Seen>& seen)
 {
-    std::string line = quoted(std::filesystem::read_symlink("/proc/self/exe").string()) +
-                       " golden check --json --device " + variant.device + " " + quoted(choice.folder);
-    for (const std::string& name : choice.names) line += " " + quoted(name);
+    std::string line = quotedForShell(std::filesystem::read_symlink("/proc/self/exe").string()) +
+                       " golden check --json --device " + variant.device + " " + quotedForShell(folder);
+    for (const std::string& name : names) line += " " + quotedForShell(name);
     const ShellResult result = runShell(line + " 2>/dev/null", "", variant.environment);
     const Json json = Json::parse(result.output, nullptr, false);
-    if (json.is_discarded()) return false;
+    if (json.is_discarded() || !json.contains("goldens")) return false;
     for (const Json& golden : json["goldens"]) {
         Seen& own = seen[golden["name"]];
         for (const Json& item : golden["items"]) {
@@ -129,6 +125,10 @@ void printSeen(const std::string& name, const Seen& seen)
     if (seen.states > 0)
         fmt::print("{}: {} of {} had other bits{}\n", name, seen.otherStates, counted(seen.states, "state"),
                    seen.otherStates == 0 ? "" : fmt::format(", by up to {} diameters", shortNumber(seen.distance)));
+    if (seen.pictures == 0) {
+        fmt::print("{}: no picture could be compared\n", name);
+        return;
+    }
     fmt::print("{}: pictures differed by: mean {}, share {}, tile {}, FLIP {}; suggested: {}\n", name,
                shortNumber(seen.mean), shortNumber(seen.share), shortNumber(seen.tile), shortNumber(seen.flip),
                suggestionOf(seen).dump());
@@ -139,20 +139,26 @@ void printSeen(const std::string& name, const Seen& seen)
 int suggestLimits(const GoldenChoice& choice, const SuggestOptions& options, const CommonOptions& common)
 {
     std::vector<Golden> goldens = findGoldens(choice.folder, choice.names);
+    // What makes pictures of another program is not run again and again.
+    std::erase_if(goldens, [](const Golden& golden) { return !golden.ofScene(); });
+    if (goldens.empty()) throw InputError(fmt::format("{}: no golden of a scene is chosen", choice.folder));
     const std::vector<Variant> variants = variantsOf(common, options.repeats);
     std::map<std::string, Seen> seen;
     size_t done = 0, tried = 0;
+    std::vector<std::string> names;
+    for (const Golden& golden : goldens)
+        names.push_back(std::filesystem::path(golden.folder).lexically_relative(choice.folder).generic_string());
     Progress progress("check", variants.size(), common.quiet);
     for (const Variant& variant : variants) {
-        if (runVariant(choice, variant, seen)) ++done;
+        if (runVariant(choice.folder, names, variant, seen)) ++done;
         progress.update(++tried);
     }
     if (done == 0) throw DeviceError("no device could check them; see knuckle info");
     for (Golden& golden : goldens) {
         const Seen& own = seen[golden.name];
         if (!common.quiet) printSeen(golden.name, own);
-        if (!options.write) continue;
-        golden.document["pictures"]["default"] = suggestionOf(own);
+        if (!options.write || own.pictures == 0) continue;
+        golden.document["pictures"]["default"].update(suggestionOf(own));
         writeGolden(golden);
     }
     if (!common.quiet)

@@ -3,9 +3,11 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -22,6 +24,8 @@ namespace knuckle {
 namespace {
 
 constexpr size_t MAX_LINE = 300;
+/// A word of these needs no quotes.
+constexpr const char* PLAIN_LETTERS = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
 
 /// Starts it with its output and messages in `output`; @returns an errno.
 int spawnShell(std::string line, const std::string& folder, const std::vector<std::string>& environment, int output,
@@ -32,7 +36,12 @@ int spawnShell(std::string line, const std::string& folder, const std::vector<st
     std::vector<std::string> own = environment;
     std::vector<char*> variables;
     for (std::string& variable : own) variables.push_back(variable.data());
-    for (char** variable = environ; *variable != nullptr; ++variable) variables.push_back(*variable);
+    const auto isReplaced = [&](std::string_view inherited) {
+        const std::string_view name = inherited.substr(0, inherited.find('=') + 1);
+        return std::ranges::any_of(environment, [&](const std::string& other) { return other.starts_with(name); });
+    };
+    for (char** variable = environ; *variable != nullptr; ++variable)
+        if (!isReplaced(*variable)) variables.push_back(*variable);
     variables.push_back(nullptr);
 
     posix_spawn_file_actions_t files;
@@ -55,15 +64,13 @@ int spawnShell(std::string line, const std::string& folder, const std::vector<st
     return error;
 }
 
-std::string readAll(int descriptor)
+/// What a file in memory holds.
+std::string contentOf(int file)
 {
-    std::string text;
-    std::array<char, 65536> buffer{};
-    for (;;) {
-        const ssize_t count = read(descriptor, buffer.data(), buffer.size());
-        if (count == 0 || (count < 0 && errno != EINTR)) return text;
-        if (count > 0) text.append(buffer.data(), static_cast<size_t>(count));
-    }
+    std::string text(static_cast<size_t>(std::max<off_t>(0, lseek(file, 0, SEEK_END))), '\0');
+    const ssize_t count = pread(file, text.data(), text.size(), 0);
+    text.resize(static_cast<size_t>(std::max<ssize_t>(0, count)));
+    return text;
 }
 
 std::string lastLineOf(const std::string& text)
@@ -84,22 +91,26 @@ std::string failureOf(int status)
 
 }  // namespace
 
+std::string quotedForShell(const std::string& word)
+{
+    if (!word.empty() && word.find_first_not_of(PLAIN_LETTERS) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
+    return text + "'";
+}
+
 ShellResult runShell(const std::string& line, const std::string& folder, const std::vector<std::string>& environment)
 {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw RunError(fmt::format("no pipe: {}", std::strerror(errno)));
-    const FileDescriptor output(ends[0]);
+    // Not a pipe, whose end comes only when everything that the command left running has ended.
+    const FileDescriptor output(memfd_create("output of a command", MFD_CLOEXEC));
+    if (output.get() < 0) throw RunError(fmt::format("no room for a command's output: {}", std::strerror(errno)));
     pid_t child = -1;
-    {
-        const FileDescriptor input(ends[1]);
-        if (const int error = spawnShell(line, folder, environment, input.get(), child); error != 0)
-            throw InputError(fmt::format("{} cannot be started in folder {}: {}", line, folder, std::strerror(error)));
-    }
+    if (const int error = spawnShell(line, folder, environment, output.get(), child); error != 0)
+        throw InputError(fmt::format("{} cannot be started in folder {}: {}", line, folder, std::strerror(error)));
     const Leftover leftover(child);
-    ShellResult result{.output = readAll(output.get())};
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    result.failure = failureOf(status);
+    ShellResult result{.failure = failureOf(status), .output = contentOf(output.get())};
     result.lastLine = lastLineOf(result.output);
     return result;
 }

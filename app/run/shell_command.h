@@ -12,8 +12,11 @@ struct ShellResult {
     std::string lastLine = {};  ///< Of that.
 };
 
+/// A word as the shell reads it back.
+std::string quotedForShell(const std::string& word);
+
 /// Runs a line in /bin/sh and waits for it. @param folder in which it runs. @param environment "NAME=value", in
-/// addition to the program's own. @throws InputError if it cannot be started.
+/// place of the program's own. @throws InputError if it cannot be started.
 ShellResult runShell(const std::string& line, const std::string& folder,
                      const std::vector<std::string>& environment = {});
 

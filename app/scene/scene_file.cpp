@@ -95,7 +95,7 @@ uint32_t stepsForFrame(double framesPerSecond, double timeStep)
     const double frame = 1.0 / framesPerSecond;
     const double fewer = std::max(1.0, std::floor(frame / timeStep)), more = fewer + 1.0;
     const bool moreIsNearer = std::abs(frame / more - timeStep) < std::abs(frame / fewer - timeStep);
-    return static_cast<uint32_t>(moreIsNearer ? more : fewer);
+    return static_cast<uint32_t>(moreIsNearer && frame / more >= SHORTEST_TIME_STEP ? more : fewer);
 }
 
 namespace {

@@ -26,6 +26,8 @@ enum class ReductionKind : uint32_t {
 };
 enum class VelocityOrder : uint32_t { First = 1, Second = 2 };
 
+inline constexpr float SHORTEST_TIME_STEP = 1e-4f;  ///< [s]
+
 /// How a step is computed. The defaults work best; paperSettings() gives the paper's own choices.
 struct Settings {
     SolverKind solver = SolverKind::Impulse;

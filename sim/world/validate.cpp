@@ -32,7 +32,7 @@ bool within(float value, float low, float high)
 
 void validateSettings(const Settings& s)
 {
-    require(within(s.timeStep, 1e-4f, 0.1f), "solver time step {} s: must be 0.0001 to 0.1", s.timeStep);
+    require(within(s.timeStep, SHORTEST_TIME_STEP, 0.1f), "solver time step {} s: must be 0.0001 to 0.1", s.timeStep);
     require(s.substeps >= 1 && s.substeps <= 64, "solver substeps {}: must be 1 to 64", s.substeps);
     require(s.iterations >= 1 && s.iterations <= 64, "solver iterations {}: must be 1 to 64", s.iterations);
     require(s.stabilization <= 16, "solver stabilization {}: must be 0 to 16", s.stabilization);

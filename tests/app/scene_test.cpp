@@ -149,6 +149,7 @@ TEST(FrameSteps, AreAsNearToTheTimeStepAsCanBe)
     EXPECT_EQ(stepsForFrame(30, step), 2u);
     EXPECT_EQ(stepsForFrame(24, step), 3u);  // 1/72 is 0.0028 away, 1/48 is 0.0042
     EXPECT_EQ(stepsForFrame(240, step), 1u);
+    EXPECT_EQ(stepsForFrame(60, SHORTEST_TIME_STEP), 166u);  // of 167 each would be shorter than may be
     const Scene scene = load(ONE_BOX, {parseOverride("fps=24")});
     EXPECT_FLOAT_EQ(scene.world.settings.timeStep, 1.0f / 72.0f);
 }

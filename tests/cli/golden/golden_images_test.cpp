@@ -50,5 +50,22 @@ TEST_F(GoldenImages, SayWhatTheirCommandDidNotDo)
     EXPECT_NE(idle.err.find("did not write out/logo.png\n"), std::string::npos) << idle.err;
 }
 
+TEST_F(GoldenImages, DoNotWaitForWhatACommandLeavesRunning)
+{
+    addImages("sleep 30 & cp bright.png out/logo.png");
+    EXPECT_EQ(check().code, 0);
+}
+
+TEST_F(GoldenImages, AreNotTheirOwnReferences)
+{
+    fs::create_directory(folder.path("golden"));
+    fs::create_directory(folder.path("golden/own"));
+    writePng(folder.path("golden/own/logo.png"), grey(9));
+    const RunResult result = run({"golden", "add", "golden/own/logo.png", "--name", "own"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_NE(result.err.find("is its own reference; put the golden into another folder\n"), std::string::npos)
+        << result.err;
+}
+
 }  // namespace
 }  // namespace knuckle::test

@@ -70,6 +70,7 @@ TEST_F(GoldenMutation, OfPhysicsIsCaughtAndNamed)
 {
     expectPhysics(check("quick/hello", {"--set", "solver.gravity=[0,-9.7119,0]"}), "gravity is 1 % less\n");
     expectPhysics(check("quick/hit", {"--set", "solver.substeps=7"}), "one substep less\n");
+    expectPhysics(check("quick/hit", {"--set", "colliders.3.position=[-1.5,0.45,1.65]"}), "a collider has moved\n");
     expectPhysics(checkShader("quick/ragdoll", "--states", "sim/joint/limits/joint_limit_states.glsl",
                               "atan(sine, along) - limits.swing", "atan(sine, along) - limits.swing - 0.0873"),
                   "joints stop 5 degrees earlier\n");
