@@ -117,7 +117,7 @@ TEST_F(ViewCodingTest, RefusesAFrameOfAnotherWorld)
     through(posed(world, random));
     const BlockReader reader(folder.path("view.states"));
     World other = world;
-    other.particles.pop_back();
+    other.particles.push_back(other.particles.back());
     EXPECT_TRUE(
         messageOf<InputError>([&] { ViewCoding(other).unpack(reader, 7); }).ends_with("it is of another scene"));
     EXPECT_EQ(messageOf<InputError>([&] { ViewCoding(world).unpack(reader, 8); }),
