@@ -178,7 +178,7 @@ TEST_F(Branches, TakeAnotherShapeOfOneNameForNew)
         EXPECT_NE(result.out.find(end + "\n"), std::string::npos) << result.out;
     };
     expect(things("[0.9, 0.3, 0.3]", "[1, 0.5]", "rope"), "as they were; new: ball");
-    expect(things("[0.3, 0.9, 0.3]", "[1, 0.5]", "rope"), "new: ball, soft; gone: soft");
+    expect(things("[0.3, 0.9, 0.3]", "[1, 0.5]", "rope"), "new: soft, ball; gone: soft");
     expect(things("[0.9, 0.3, 0.3]", "[0.5, 1]", "rope"), "new: ball, cloth; gone: cloth");
     expect(things("[0.9, 0.3, 0.3]", "[1, 0.5]", "grains"), "new: ball, third; gone: third");
 }

@@ -186,8 +186,7 @@ private:
             const bool fluid = isFluid(after_, now);
             if (fluid != isFluid(before_, then)) continue;
             if (fluid) matchFluid(then, now);
-            else if (then.end - then.first != now.end - now.first ||
-                     !areSame(distancesThen[same[g]], distancesNow[g]))
+            else if (then.end - then.first != now.end - now.first || !areSame(distancesThen[same[g]], distancesNow[g]))
                 continue;
             else
                 for (uint32_t k = 0; k < now.end - now.first; ++k) found_.particles[now.first + k] = then.first + k;
