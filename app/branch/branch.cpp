@@ -83,6 +83,19 @@ World worldOf(const Scene& scene, const StatesFile& states)
     return std::move(other.world);
 }
 
+template <typename Things>
+bool haveSameNames(const Things& one, const Things& other)
+{
+    return std::ranges::equal(one, other, [](const auto& a, const auto& b) { return a.name == b.name; });
+}
+
+/// Whether all by which counterparts() knows things again has the same names in both.
+bool haveSameNames(const World& one, const World& other)
+{
+    return haveSameNames(one.objects, other.objects) && haveSameNames(one.bodies, other.bodies) &&
+           haveSameNames(one.looseGroups, other.looseGroups) && haveSameNames(one.materials, other.materials);
+}
+
 void requireSameKind(const Scene& scene, const World& other, const StatesFile& states)
 {
     for (const World* world : {&scene.world, &other})
@@ -144,9 +157,12 @@ std::unique_ptr<Branch> openBranch(const Scene& scene)
     branch->keepsCamera = haveSameCamera(scene, facts);
     const std::vector<uint64_t>& whole = states.states();
     branch->state = unpackState(states.blocks(), *std::prev(std::ranges::upper_bound(whole, branch->frame)));
-    const bool same = facts.fingerprint.world == hashText(fingerprint(scene.world));
+    auto other = std::make_unique<World>(worldOf(scene, states));
+    // A fingerprint has no names.
+    const bool same = facts.fingerprint.world == hashText(fingerprint(scene.world)) &&
+                      haveSameNames(*other, scene.world);
     if (same && facts.stepsPerFrame == scene.stepsPerFrame) return branch;
-    branch->other = std::make_unique<World>(worldOf(scene, states));
+    branch->other = std::move(other);
     requireSameKind(scene, *branch->other, states);
     branch->same = counterparts(*branch->other, scene.world);
     branch->begin = atTime(scene.world, static_cast<double>(branch->frame - 1) / scene.framesPerSecond);

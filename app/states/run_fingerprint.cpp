@@ -28,7 +28,7 @@ constexpr std::array FIELDS{
     Field{"device", "the device", &RunFingerprint::device, true},
     Field{"world", "the hash of the scene's world", &RunFingerprint::world, true},
     Field{"scene", "the hash of the scene's file", &RunFingerprint::scene, false},
-    Field{"files", "the hash of the scene's models", &RunFingerprint::files, false},
+    Field{"files", "the hash of the files that the scene reads", &RunFingerprint::files, false},
 };
 
 std::vector<std::string> differ(const RunFingerprint& here, const RunFingerprint& there, bool statesOnly)

@@ -157,6 +157,45 @@ TEST_F(Branches, KnowTheSceneOfTheRunThoughItsFileHasChanged)
     EXPECT_NE(result.out.find("; new: ball\n"), std::string::npos) << result.out;
 }
 
+/// As many particles do not make the same thing.
+TEST_F(Branches, TakeAnotherShapeOfOneNameForNew)
+{
+    const auto things = [](const char* soft, const char* cloth, const char* rope) {
+        return fmt::format(R"({{ "type": "soft", "shape": "box", "name": "soft", "size": {}, "position": [0, 2, 0] }},
+            {{ "type": "cloth", "name": "cloth", "size": {}, "position": [3, 2, 0] }},
+            {{ "type": "{}", "name": "third", {} }})",
+                           soft, cloth, std::string(rope) == "rope" ? "rope" : "grains",
+                           std::string(rope) == "rope"
+                               ? R"("from": [6, 1, 0], "to": [6.8, 1, 0])"
+                               : R"("shape": "box", "size": [0.9, 0.1, 0.1], "position": [6, 1, 0])");
+    };
+    write("run.json", things("[0.9, 0.3, 0.3]", "[1, 0.5]", "rope"));
+    ASSERT_EQ(render({"run.json", "-o", "run", "--save-state", "run.states", "-q", "--frames", "1:2"}).code, 0);
+    const auto expect = [&](const std::string& objects, const std::string& end) {
+        write("other.json", objects + ", " + BALL, R"({ "from": "run.states" })");
+        const RunResult result = run({"check", "other.json"});
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_NE(result.out.find(end + "\n"), std::string::npos) << result.out;
+    };
+    expect(things("[0.9, 0.3, 0.3]", "[1, 0.5]", "rope"), "as they were; new: ball");
+    expect(things("[0.3, 0.9, 0.3]", "[1, 0.5]", "rope"), "new: soft, ball; gone: soft");
+    expect(things("[0.9, 0.3, 0.3]", "[0.5, 1]", "rope"), "new: ball, cloth; gone: cloth");
+    expect(things("[0.9, 0.3, 0.3]", "[1, 0.5]", "grains"), "new: ball, third; gone: third");
+}
+
+/// Two scenes that differ in names alone have the same world.
+TEST_F(Branches, TakeARenamedThingForNew)
+{
+    record();
+    std::string renamed = PAIR;
+    renamed.replace(renamed.find("pair"), 4, "twin");
+    write("other.json", renamed + ", " + SAND, R"({ "from": "run.states", "frame": 17 })");
+    const RunResult result = run({"check", "other.json"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("frame 17: 27 loose particles as they were; new: twin; gone: pair\n"), std::string::npos)
+        << result.out;
+}
+
 TEST_F(Branches, AreRefusedInOneLine)
 {
     record();

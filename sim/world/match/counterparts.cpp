@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace knuckle {
@@ -125,10 +127,51 @@ private:
             if (one == NO_INDEX || other == NO_INDEX) return false;
             const SoftBody &then = before_.softBodies[one], &now = after_.softBodies[other];
             if (then.particleCount != now.particleCount || then.clusterCount != now.clusterCount) return false;
+            for (uint32_t k = 0; k < now.clusterCount; ++k)
+                if (!clusterMatches(then, now, k)) return false;
             for (uint32_t k = 0; k < now.particleCount; ++k)
                 pairs.emplace_back(now.particleStart + k, then.particleStart + k);
         }
         return true;
+    }
+
+    /// Whether a cluster of two soft bodies has the same particles at the same places of the rest pose.
+    bool clusterMatches(const SoftBody& then, const SoftBody& now, uint32_t k) const
+    {
+        const Cluster &one = before_.clusters[then.clusterStart + k], &other = after_.clusters[now.clusterStart + k];
+        if (one.linkCount != other.linkCount) return false;
+        for (uint32_t l = 0; l < other.linkCount; ++l) {
+            const Link &a = before_.clusterLinks[one.linkStart + l], &b = after_.clusterLinks[other.linkStart + l];
+            if (a.particle - then.particleStart != b.particle - now.particleStart) return false;
+            if ((a.restOffset - b.restOffset).norm() > SAME * after_.diameter()) return false;
+        }
+        return true;
+    }
+
+    using Distances = std::map<std::tuple<DistanceKind, uint32_t, uint32_t>, float>;  // kind, particles: rest length
+
+    /// Per group, the distances between its own particles, which are counted from its first.
+    static std::vector<Distances> distancesOf(const World& world)
+    {
+        std::vector<uint32_t> groups(world.particles.size(), NO_INDEX);
+        for (uint32_t g = 0; g < world.looseGroups.size(); ++g)
+            for (uint32_t p = world.looseGroups[g].first; p < world.looseGroups[g].end; ++p) groups[p] = g;
+        std::vector<Distances> distances(world.looseGroups.size());
+        for (const Strand& strand : world.strands)
+            for (size_t k = 0; k < strand.restLengths.size(); ++k) {
+                const uint32_t a = strand.particles[k], b = strand.particles[k + 1], g = groups[a];
+                if (g == NO_INDEX || groups[b] != g) continue;
+                const uint32_t first = world.looseGroups[g].first;
+                distances[g].emplace(std::tuple{strand.kind, a - first, b - first}, strand.restLengths[k]);
+            }
+        return distances;
+    }
+
+    bool areSame(const Distances& then, const Distances& now) const
+    {
+        return std::ranges::equal(then, now, [&](const auto& one, const auto& other) {
+            return one.first == other.first && std::abs(one.second - other.second) <= SAME * after_.diameter();
+        });
     }
 
     bool isFluid(const World& world, const LooseGroup& group) const { return group.first >= world.solidCount(); }
@@ -136,13 +179,15 @@ private:
     void matchGroups()
     {
         const std::vector<uint32_t> same = sameNames(before_.looseGroups, after_.looseGroups);
+        const std::vector<Distances> distancesThen = distancesOf(before_), distancesNow = distancesOf(after_);
         for (uint32_t g = 0; g < same.size(); ++g) {
             if (same[g] == NO_INDEX) continue;
             const LooseGroup &then = before_.looseGroups[same[g]], &now = after_.looseGroups[g];
             const bool fluid = isFluid(after_, now);
             if (fluid != isFluid(before_, then)) continue;
             if (fluid) matchFluid(then, now);
-            else if (then.end - then.first != now.end - now.first) continue;
+            else if (then.end - then.first != now.end - now.first || !areSame(distancesThen[same[g]], distancesNow[g]))
+                continue;
             else
                 for (uint32_t k = 0; k < now.end - now.first; ++k) found_.particles[now.first + k] = then.first + k;
             groups_.insert(g);
