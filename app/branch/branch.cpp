@@ -12,6 +12,7 @@
 #include "app/json/json.h"
 #include "app/run/counted.h"
 #include "app/states/states_file.h"
+#include "app/states/states_text.h"
 #include "sim/base/fnv_hash.h"
 #include "sim/world/fingerprint/fingerprint.h"
 #include "sim/world/match/start_world.h"
@@ -28,13 +29,6 @@ constexpr size_t NAMES_TOLD = 8;
     failAt(scene.file, std::string("/start/") + field, message);
 }
 
-/// "1 to 60", "1, 61, 90".
-std::string rangeText(const std::vector<uint64_t>& frames)
-{
-    const bool all = frames.back() - frames.front() + 1 == frames.size() && frames.size() > 2;
-    return all ? fmt::format("{} to {}", frames.front(), frames.back()) : fmt::format("{}", fmt::join(frames, ", "));
-}
-
 uint64_t frameOf(const Scene& scene, const StatesFile& states)
 {
     std::vector<uint64_t> frames;
@@ -42,7 +36,7 @@ uint64_t frameOf(const Scene& scene, const StatesFile& states)
     if (states.states().empty()) fail(scene, "from", states.path() + " has no whole state; record it again");
     const uint64_t frame = scene.start->frame == 0 ? frames.back() : scene.start->frame;
     if (!std::ranges::binary_search(frames, frame))
-        fail(scene, "frame", fmt::format("{} has frames {}; choose among them", states.path(), rangeText(frames)));
+        fail(scene, "frame", fmt::format("{} has frames {}; choose among them", states.path(), framesText(frames)));
     if (states.states().front() > frame)
         fail(scene, "frame",
              fmt::format("{} has no whole state up to frame {}, the first is of frame {}; choose that or a later one",
@@ -165,7 +159,7 @@ std::unique_ptr<Branch> openBranch(const Scene& scene)
     branch->other = std::move(other);
     requireSameKind(scene, *branch->other, states);
     branch->same = counterparts(*branch->other, scene.world);
-    branch->begin = atTime(scene.world, static_cast<double>(branch->frame - 1) / scene.framesPerSecond);
+    branch->begin = atTime(scene.world, scene.timeOf(branch->frame));
     return branch;
 }
 

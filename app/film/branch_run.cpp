@@ -36,7 +36,7 @@ void beginBranch(const Branch& branch, Gpu& gpu, const Scene& scene, Solver& sol
     if (!branch.other) {
         reach(branch, solver, [&](uint64_t frame) {
             if (!keepsCamera) return;
-            const double time = static_cast<double>(frame - 1) / scene.framesPerSecond;
+            const double time = scene.timeOf(frame);
             drawing->take(solver.view(), {.number = frame, .time = time, .drawn = false});
             drawing->fetch();
         });

@@ -195,7 +195,7 @@ private:
     void takeFrame(uint64_t frame)
     {
         const bool wanted = frame >= range_.first;
-        const double time = static_cast<double>(frame - 1) / scene_.framesPerSecond;
+        const double time = scene_.timeOf(frame);
         if (drawing_) {
             const bool drawn = wanted && outputs_.wantsPicture(frame);
             const bool labelled = drawn && outputs_.hasLabels();

@@ -77,7 +77,7 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
         if (frame > frames.back()) break;
         const bool wanted = frame >= frames.front();
         FrameRecord record{.number = frame, .view = coding.unpack(states.blocks(), frame)};
-        const double time = static_cast<double>(frame - 1) / scene.framesPerSecond;
+        const double time = scene.timeOf(frame);
         const bool labelled = wanted && outputs.hasLabels();
         drawing.take(stored.upload(*record.view),
                      {frame, time, wanted, labelled ? labelsOf(facts, frame, stateHash(*record.view)) : PngText()});

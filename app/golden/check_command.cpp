@@ -93,7 +93,6 @@ public:
         if (advisory_ > 0) text += fmt::format(", {} advisory", counted(advisory_, "difference"));
         return text;
     }
-    bool failed() const { return !failed_.empty(); }
     const char* word() const { return differs() ? "different" : unreadable() ? "unreadable" : "equal"; }
     bool differs() const { return states_.different + pictures_.different > 0; }
     bool unreadable() const { return unreadable_ > 0; }
@@ -195,7 +194,7 @@ int checkGoldens(const GoldenChoice& choice, const CheckOptions& options, bool j
     if (gpu) head.notes.emplace_back("this run's device", gpu->device().name + ", " + gpu->device().version);
     outputs.finish(head, "knuckle golden check " + choice.folder);
     if (summary.unreadable()) return EXIT_INPUT;
-    return summary.failed() ? EXIT_DIFFERENT : EXIT_FINE;
+    return summary.differs() ? EXIT_DIFFERENT : EXIT_FINE;
 }
 
 }  // namespace knuckle

@@ -24,9 +24,12 @@ namespace {
 using Status = ReportEntry::Status;
 using Kind = GoldenItem::Kind;
 
-Picture pictureOf(const Image& image)
+/// Of an entry whose pictures were not compared.
+void setDifferent(ReportEntry& entry, const std::string& why)
 {
-    return knuckle::pictureOf(image.width, image.height, image.rgb);
+    entry.status = Status::Different;
+    entry.verdict = {.equal = false, .reasons = {}};
+    entry.line = "different: " + why;
 }
 
 /// The path of the file of states, if it is the one that golden.json was written with.
@@ -90,8 +93,7 @@ private:
         entry.notes.emplace_back("reference of", record_.device + ", " + record_.driver);
         entry.notes.emplace_back("this run's device", device_.name + ", " + device_.version);
         if (!reference_.own) entry.notes.emplace_back("nearest reference", reference_.key);
-        if (entry.status != Status::Equal)
-            entry.notes.emplace_back("accept by", "knuckle golden update " + quotedForShell(golden_.folder));
+        noteRemedy(golden_, entry);
     }
 
     void checkStates()
@@ -103,11 +105,8 @@ private:
                 ++reached;
             });
         } catch (const RunError& error) {
-            add(Kind::Physics, frames_[reached], [&](GoldenItem& item) {
-                item.entry.status = Status::Different;
-                item.entry.verdict.equal = false;
-                item.entry.line = fmt::format("different: the run failed: {}", error.what());
-            });
+            add(Kind::Physics, frames_[reached],
+                [&](GoldenItem& item) { setDifferent(item.entry, fmt::format("the run failed: {}", error.what())); });
         }
     }
 
@@ -129,26 +128,22 @@ private:
             }
             item.state = compareStates(scene_.scene().world, stored.view, now, golden_.states);
             item.state->sameParticles = sameParticles;
-            const bool within = item.state->isWithin(golden_.states);
-            item.entry.status = within ? Status::Equal : Status::Different;
-            item.entry.line = (within ? "within limits: " : "different: ") +
-                              differenceWords(*item.state, golden_.states);
-            item.entry.verdict.equal = within;
-            if (!within && !options_.reports.report.empty() && item.state->sameKind) showStates(item, stored, now);
+            const std::string words = differenceWords(*item.state, golden_.states);
+            if (item.state->isWithin(golden_.states)) {
+                item.entry.line = "within limits: " + words;
+                return;
+            }
+            if (!options_.reports.report.empty() && item.state->sameKind) showStates(item, stored, now);
+            setDifferent(item.entry, words);
         });
     }
 
     /// Both states as pictures, for the report.
     void showStates(GoldenItem& item, const StoredFrame& stored, ViewState now)
     {
-        const std::string line = item.entry.line;
-        const Verdict verdict = item.entry.verdict;
         compact(now, scene_.scene());
         judgePictures(item.entry, pictureOf(scene_.draw(stored)), pictureOf(scene_.draw(stored, now)),
                       PictureWork{.settings = settings()}, {.report = options_.reports.report, .reportAll = true});
-        item.entry.line = line;
-        item.entry.status = Status::Different;
-        item.entry.verdict = verdict;
         item.entry.notes.emplace_back("pictures", "of the stored state and of this run's, both drawn now");
     }
 
@@ -156,9 +151,7 @@ private:
     {
         const StoredFrame stored = stored_.read(item.frame);
         if (const std::string other = scene_.otherWorld(stored.view); !other.empty()) {
-            item.entry.status = Status::Different;
-            item.entry.verdict.equal = false;
-            item.entry.line = "different: " + other;
+            setDifferent(item.entry, other);
             return;
         }
         const Picture reference = readPicture(item.entry.referencePath);
@@ -222,6 +215,12 @@ void forEachGolden(size_t count, const Gpu* gpu, const std::function<void(size_t
         const auto own = gpu != nullptr ? Gpu::sharingWith(*gpu) : nullptr;
         act(i, own.get());
     });
+}
+
+void noteRemedy(const Golden& golden, ReportEntry& entry)
+{
+    if (entry.status == Status::Equal) return;
+    entry.notes.emplace_back("accept by", "knuckle golden update " + quotedForShell(golden.folder));
 }
 
 const char* kindWord(GoldenItem::Kind kind)

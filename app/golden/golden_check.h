@@ -54,6 +54,9 @@ std::unique_ptr<Gpu> openFor(const std::vector<Golden>& goldens, const CommonOpt
 /// own.
 void forEachGolden(size_t count, const Gpu* gpu, const std::function<void(size_t, Gpu*)>& act);
 
+/// Notes in an entry that is not equal by which command it is accepted.
+void noteRemedy(const Golden& golden, ReportEntry& entry);
+
 /// A word for the kind of an item: "physics", "drawing", "image".
 const char* kindWord(GoldenItem::Kind kind);
 

@@ -46,9 +46,9 @@ void readImages(const JsonFile& file, Golden& golden)
     golden.images = root["images"].get<std::vector<std::string>>();
     std::set<std::string> stems;
     for (const std::string& image : golden.images)
-        if (!stems.insert(fs::path(image).stem().string()).second)
+        if (!stems.insert(Golden::imageStem(image)).second)
             failAt(file.path, "/images",
-                   fmt::format("has two named {}; give them goldens of their own", fs::path(image).stem().string()));
+                   fmt::format("has two named {}; give them goldens of their own", Golden::imageStem(image)));
 }
 
 /// Refuses limits for a name that no picture has.
@@ -56,7 +56,7 @@ void checkNames(const JsonFile& file, const Golden& golden)
 {
     std::vector<std::string> stems;
     for (const uint64_t frame : golden.frames) stems.push_back(golden.frameStem(frame));
-    for (const std::string& image : golden.images) stems.push_back(fs::path(image).stem().string());
+    for (const std::string& image : golden.images) stems.push_back(Golden::imageStem(image));
     for (const auto& [pattern, limits] : golden.pictures.names)
         if (std::ranges::none_of(stems, [&](const std::string& stem) { return matchesPattern(stem, pattern); }))
             failAt(file.path, "/pictures/names/" + pattern, "no picture has that name; " + suggestion(pattern, stems));
@@ -135,6 +135,16 @@ std::string Golden::path() const
 std::string Golden::imagePath(const std::string& image) const
 {
     return beside(commandFolder, image);
+}
+
+std::string Golden::imageStem(const std::string& image)
+{
+    return fs::path(image).stem().string();
+}
+
+std::string Golden::imageReference(const std::string& image, const std::string& key) const
+{
+    return reference(imageStem(image), key, fs::path(image).extension().string());
 }
 
 std::string Golden::frameStem(uint64_t frame) const

@@ -52,7 +52,11 @@ struct Golden {
     std::string path() const;
     /// Where an image of another program is.
     std::string imagePath(const std::string& image) const;
-    /// Names of its references, without driver and ending: "frame_0012", or "logo" of "out/logo.png".
+    /// Of "out/logo.png": "logo", the name of its reference without driver and ending.
+    static std::string imageStem(const std::string& image);
+    /// An image's reference.
+    std::string imageReference(const std::string& image, const std::string& key) const;
+    /// The name of a frame's reference, without driver and ending: "frame_0012".
     std::string frameStem(uint64_t frame) const;
     /// A reference: FOLDER/STEM@KEY.ENDING, without @ for an empty key. @param ending with its dot.
     std::string reference(const std::string& stem, const std::string& key, const std::string& ending = ".png") const;

@@ -17,8 +17,6 @@ namespace knuckle {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// What tells a file from one that was written later under its name, a link to it included.
 using FileStamp = std::array<uint64_t, 6>;
 
@@ -61,11 +59,10 @@ void makeImages(const Golden& golden)
 void requireOwnReferences(const Golden& golden, const std::string& key)
 {
     for (const std::string& image : golden.images) {
-        const fs::path output = golden.imagePath(image);
-        const std::string reference = golden.reference(output.stem().string(), key, output.extension().string());
-        if (std::error_code ignored; fs::equivalent(reference, output, ignored))
+        const std::string output = golden.imagePath(image);
+        if (std::error_code ignored; std::filesystem::equivalent(golden.imageReference(image, key), output, ignored))
             throw InputError(fmt::format("{}: /images: {} is its own reference; put the golden into another folder",
-                                         golden.path(), output.string()));
+                                         golden.path(), output));
     }
 }
 
@@ -80,13 +77,10 @@ CheckedGolden checkImages(const Golden& golden, const CheckOptions& options)
     run.file = golden.pictures;
     run.reports = options.reports;
     for (const std::string& image : golden.images) {
-        const fs::path output = golden.imagePath(image);
-        GoldenItem item{.kind = GoldenItem::Kind::Image, .golden = golden.name, .stem = output.stem().string()};
-        item.entry = compareImageFiles(run, golden.reference(item.stem, "", output.extension().string()),
-                                       output.string(), item.stem, 1);
+        GoldenItem item{.kind = GoldenItem::Kind::Image, .golden = golden.name, .stem = Golden::imageStem(image)};
+        item.entry = compareImageFiles(run, golden.imageReference(image, ""), golden.imagePath(image), item.stem, 1);
         item.entry.name = golden.name + "/" + item.stem;
-        if (item.entry.status != ReportEntry::Status::Equal)
-            item.entry.notes.emplace_back("accept by", "knuckle golden update " + quotedForShell(golden.folder));
+        noteRemedy(golden, item.entry);
         item.entry.line = fmt::format("{}: {}", kindWord(item.kind), item.entry.line);
         checked.items.push_back(std::move(item));
     }

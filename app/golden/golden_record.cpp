@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 
 #include "app/golden/golden_images.h"
@@ -17,8 +16,6 @@
 namespace knuckle {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Simulates, and notes the states and where they come from.
 std::vector<StoredFrame> simulateStates(const Golden& golden, GoldenScene& scene, GoldenRecord& record)
@@ -81,11 +78,10 @@ std::vector<std::string> recordImages(Golden& golden, const RecordWork& work)
     if (!work.made) makeImages(golden);
     std::vector<std::string> written;
     for (const std::string& image : golden.images) {
-        const fs::path output = golden.imagePath(image);
-        if (!work.images.contains(output.stem().string())) continue;
-        const std::string bytes = readPictureBytes(output.string());
-        decodePicture(bytes, output.string());  // what cannot be read is no reference
-        written.push_back(golden.reference(output.stem().string(), work.key, output.extension().string()));
+        if (!work.images.contains(Golden::imageStem(image))) continue;
+        const std::string output = golden.imagePath(image), bytes = readPictureBytes(output);
+        decodePicture(bytes, output);  // what cannot be read is no reference
+        written.push_back(golden.imageReference(image, work.key));
         writeFile(written.back(), bytes);
     }
     golden.recorded[work.key];
@@ -97,7 +93,7 @@ std::vector<std::string> recordImages(Golden& golden, const RecordWork& work)
 RecordWork wholeWork(const Golden& golden, const std::string& key)
 {
     RecordWork work{.key = key, .frames = {golden.frames.begin(), golden.frames.end()}};
-    for (const std::string& image : golden.images) work.images.insert(fs::path(image).stem().string());
+    for (const std::string& image : golden.images) work.images.insert(Golden::imageStem(image));
     return work;
 }
 

@@ -53,7 +53,7 @@ void GoldenScene::simulate(const std::vector<uint64_t>& frames, bool withCamera,
             show({frame, solver, camera ? &*camera : nullptr});
             ++next;
         }
-        if (camera) camera->look(solver.view(), timeOf(frame));
+        if (camera) camera->look(solver.view(), scene_.timeOf(frame));
         interrupt_.check();
     }
     gpu_.checkErrors();
@@ -84,7 +84,7 @@ Image GoldenScene::draw(const StoredFrame& frame, const ViewState& view)
     if (const std::string other = otherWorld(view); !other.empty()) throw InputError(other);
     if (!renderer_) renderer_.emplace(gpu_, world, scene_.render);
     renderer_->loadState(frame.camera);
-    renderer_->draw(stored_.upload(view), timeOf(frame.number));
+    renderer_->draw(stored_.upload(view), scene_.timeOf(frame.number));
     Image image = renderer_->readImage();
     gpu_.checkErrors();
     interrupt_.check();

@@ -43,8 +43,6 @@ public:
     Image draw(const StoredFrame& frame, const ViewState& view);
 
 private:
-    double timeOf(uint64_t frame) const { return static_cast<double>(frame - 1) / scene_.framesPerSecond; }
-
     Scene scene_;
     Gpu& gpu_;
     StoredView stored_;

@@ -30,7 +30,6 @@ public:
     explicit StoredFrames(const std::string& path);
     /// @throws InputError if the file has no such frame.
     StoredFrame read(uint64_t frame) const;
-    const RunFacts& facts() const { return file_.facts(); }
 
 private:
     StatesFile file_;

@@ -47,6 +47,8 @@ struct Scene {
 
     /// Frame 1 shows time 0.
     uint64_t frameCount() const;
+    /// [s]
+    double timeOf(uint64_t frame) const { return static_cast<double>(frame - 1) / framesPerSecond; }
 };
 
 /// Reads, checks and builds a scene. Needs no GPU; models are imported and filled with particles.

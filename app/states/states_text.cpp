@@ -7,21 +7,20 @@ namespace knuckle {
 
 namespace {
 
-/// "1 to 600", "1, 61, 121", "none".
-std::string listText(const std::vector<uint64_t>& numbers)
-{
-    if (numbers.empty()) return "none";
-    const bool gapless = numbers.back() - numbers.front() + 1 == numbers.size();
-    if (gapless && numbers.size() > 2) return fmt::format("{} to {}", numbers.front(), numbers.back());
-    return fmt::format("{}", fmt::join(numbers, ", "));
-}
-
 std::string megabytes(uint64_t bytes)
 {
     return fmt::format("{:.2f} MB", 1e-6 * static_cast<double>(bytes));
 }
 
 }  // namespace
+
+std::string framesText(const std::vector<uint64_t>& frames)
+{
+    if (frames.empty()) return "none";
+    const bool gapless = frames.back() - frames.front() + 1 == frames.size();
+    if (gapless && frames.size() > 2) return fmt::format("{} to {}", frames.front(), frames.back());
+    return fmt::format("{}", fmt::join(frames, ", "));
+}
 
 std::string statesText(const StatesFile& states)
 {
@@ -42,8 +41,8 @@ std::string statesText(const StatesFile& states)
     line("scene", facts.source.file + fmt::format("{}", fmt::join(changes, "")));
     line("time", fmt::format("{} frames a second, {} steps a frame", facts.framesPerSecond, facts.stepsPerFrame));
     line("particles", fmt::format("{} of {:.4g} m; {} bodies", facts.particles, facts.diameter, facts.bodies));
-    line("frames", fmt::format("{}, {}", listText(states.frames()), megabytes(frames)));
-    line("whole states", fmt::format("{}, {}", listText(states.states()), megabytes(whole)));
+    line("frames", fmt::format("{}, {}", framesText(states.frames()), megabytes(frames)));
+    line("whole states", fmt::format("{}, {}", framesText(states.states()), megabytes(whole)));
     line("program", fmt::format("{}, build {}, shaders {}", print.program, print.build, print.shaders));
     line("device", fmt::format("{}, {}", print.device, print.driver));
     line("world", print.world);

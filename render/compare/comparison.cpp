@@ -109,4 +109,9 @@ Picture pictureOf(uint32_t width, uint32_t height, const std::vector<uint8_t>& r
     return picture;
 }
 
+Picture pictureOf(const Image& image)
+{
+    return pictureOf(image.width, image.height, image.rgb);
+}
+
 }  // namespace knuckle

@@ -6,6 +6,7 @@
 #include "render/compare/places.h"
 #include "render/compare/ssim.h"
 #include "render/compare/tiles.h"
+#include "render/picture/image.h"
 
 namespace knuckle {
 
@@ -46,5 +47,6 @@ PictureComparison identicalPictures(const Picture& picture, const CompareSetting
 
 /// A picture of a renderer: 8-bit sRGB. @param rgb width * height * 3 bytes, top row first.
 Picture pictureOf(uint32_t width, uint32_t height, const std::vector<uint8_t>& rgb);
+Picture pictureOf(const Image& image);
 
 }  // namespace knuckle

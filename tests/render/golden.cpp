@@ -19,7 +19,7 @@ void expectGolden(const std::string& name, const Image& image)
         writePng(golden, image);
         return;
     }
-    const Picture reference = readPicture(golden), drawn = pictureOf(image.width, image.height, image.rgb);
+    const Picture reference = readPicture(golden), drawn = pictureOf(image);
     const PictureComparison comparison = comparePictures(reference, drawn, {});
     const Verdict verdict = judge(comparison, {});
     if (verdict.equal) return;

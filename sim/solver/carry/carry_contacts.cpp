@@ -50,7 +50,7 @@ void write(const Carrying& c, const List& list, const std::vector<Contact>& cont
     auto pairs = readState<gpu::uvec2>(c.to, list.pairs);
     auto impulses = readState<gpu::vec4>(c.to, list.impulses);
     auto means = readState<float>(c.to, list.means);
-    const auto scale = static_cast<float>(c.longer() * c.longer());
+    const auto scale = static_cast<float>(c.substepRatio() * c.substepRatio());
     for (size_t q = 0; q < contacts.size(); ++q) {
         const gpu::vec4& p = oldImpulses[contacts[q].from];
         pairs[q] = {contacts[q].first, contacts[q].second};

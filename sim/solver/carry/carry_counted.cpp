@@ -16,7 +16,7 @@ void carryAssemblies(const Carrying& c)
     const std::vector<uint32_t>& assemblies = c.maps.of(Per::Assembly);
     for (size_t a = 0; a < assemblies.size(); ++a) {
         const uint32_t was = assemblies[a];
-        if (was == NO_INDEX || c.longer() != 1.0) {
+        if (was == NO_INDEX || c.substepRatio() != 1.0) {
             to[a] = {c.substep > 0 ? c.substep - 1 : NO_SUBSTEP, 1};
             continue;
         }

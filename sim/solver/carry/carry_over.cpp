@@ -75,7 +75,7 @@ void carry(const Carrying& c, const Carried& rule)
     if (!c.has(rule.name)) return;
     const auto from = readState<float>(c.from, rule.name);
     auto to = readState<float>(c.to, rule.name);
-    const auto scale = static_cast<float>(std::pow(c.longer(), rule.timePower));
+    const auto scale = static_cast<float>(std::pow(c.substepRatio(), rule.timePower));
     const std::vector<uint32_t>& map = c.maps.of(rule.kind);
     for (size_t i = 0; i < map.size(); ++i) {
         if (map[i] == NO_INDEX || (i + 1) * rule.words > to.size()) continue;

@@ -22,14 +22,14 @@ struct Carrying {
 
     bool has(const std::string& name) const { return from.buffers.contains(name) && to.buffers.contains(name); }
     /// How much longer a substep is now.
-    double longer() const
+    double substepRatio() const
     {
         return double{after.stages.parameters.substepTime} / double{before.stages.parameters.substepTime};
     }
     /// A substep up to now, counted in those of the later stages.
     uint32_t rescaled(uint32_t earlier) const
     {
-        const double ago = (static_cast<double>(earlierSubstep) - static_cast<double>(earlier)) / longer();
+        const double ago = (static_cast<double>(earlierSubstep) - static_cast<double>(earlier)) / substepRatio();
         return static_cast<uint32_t>(std::max(0.0, static_cast<double>(substep) - std::ceil(ago - 1e-6)));
     }
 };

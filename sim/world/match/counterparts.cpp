@@ -264,19 +264,19 @@ private:
     /// Objects and groups of one name are told once: a rope has both.
     void tellNames()
     {
-        std::set<std::pair<const void*, std::string>> told;
-        const auto tell = [&](const auto& things, const std::set<uint32_t>& matched, std::vector<std::string>& same,
-                              std::vector<std::string>& other) {
-            for (uint32_t i = 0; i < things.size(); ++i) {
-                std::vector<std::string>& names = matched.contains(i) ? same : other;
-                if (told.emplace(&names, things[i].name).second) names.push_back(things[i].name);
-            }
+        std::set<std::string> kept, added, gone;
+        const auto tell = [](const auto& things, const std::set<uint32_t>& matched, bool wanted,
+                             std::set<std::string>& told, std::vector<std::string>& names) {
+            for (uint32_t i = 0; i < things.size(); ++i)
+                if (matched.contains(i) == wanted && told.insert(things[i].name).second)
+                    names.push_back(things[i].name);
         };
-        std::vector<std::string> again;
-        tell(after_.objects, objects_, found_.kept, found_.added);
-        tell(after_.looseGroups, groups_, found_.kept, found_.added);
-        tell(before_.objects, earlierObjects_, again, found_.gone);
-        tell(before_.looseGroups, earlierGroups_, again, found_.gone);
+        tell(after_.objects, objects_, true, kept, found_.kept);
+        tell(after_.looseGroups, groups_, true, kept, found_.kept);
+        tell(after_.objects, objects_, false, added, found_.added);
+        tell(after_.looseGroups, groups_, false, added, found_.added);
+        tell(before_.objects, earlierObjects_, false, gone, found_.gone);
+        tell(before_.looseGroups, earlierGroups_, false, gone, found_.gone);
     }
 
     const World &before_, &after_;
