@@ -57,9 +57,11 @@ void checkNames(const JsonFile& file, const Golden& golden)
     std::vector<std::string> stems;
     for (const uint64_t frame : golden.frames) stems.push_back(golden.frameStem(frame));
     for (const std::string& image : golden.images) stems.push_back(Golden::imageStem(image));
-    for (const auto& [pattern, limits] : golden.pictures.names)
+    for (const auto& named : golden.pictures.names) {
+        const std::string& pattern = named.first;
         if (std::ranges::none_of(stems, [&](const std::string& stem) { return matchesPattern(stem, pattern); }))
             failAt(file.path, "/pictures/names/" + pattern, "no picture has that name; " + suggestion(pattern, stems));
+    }
 }
 
 void readPictures(const JsonFile& file, Golden& golden)
