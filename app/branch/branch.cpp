@@ -121,12 +121,15 @@ std::string Branch::note() const
     const auto kept = [](uint32_t index) { return index != NO_INDEX; };
     const auto bodies = static_cast<uint64_t>(std::ranges::count_if(same.bodies, kept));
     uint64_t loose = 0;
-    for (size_t p = 0; p < same.particles.size(); ++p)
+    for (size_t p = 0; p < begin.solidCount(); ++p)
         loose += kept(same.particles[p]) && begin.particles[p].body == NO_INDEX ? 1 : 0;
     std::vector<std::string> parts;
     if (bodies > 0) parts.push_back(counted(bodies, "body", "bodies"));
     if (loose > 0) parts.push_back(counted(loose, "loose particle"));
+    if (fluid.kept > 0) parts.push_back(counted(fluid.kept, "particle") + " of fluid");
     text += parts.empty() ? "nothing is as it was" : fmt::format("{} as they were", fmt::join(parts, " and "));
+    if (fluid.added > 0) text += "; " + counted(fluid.added, "particle") + " of fluid new at their start";
+    if (fluid.lost > 0) text += "; " + counted(fluid.lost, "particle") + " of fluid gone";
     if (!same.added.empty()) text += "; new: " + namesText(same.added);
     if (!same.gone.empty()) text += "; gone: " + namesText(same.gone);
     const auto isNumber = [](const std::string& name) { return name.starts_with("object_"); };
@@ -160,6 +163,12 @@ std::unique_ptr<Branch> openBranch(const Scene& scene)
     requireSameKind(scene, *branch->other, states);
     branch->same = counterparts(*branch->other, scene.world);
     branch->begin = atTime(scene.world, scene.timeOf(branch->frame));
+    branch->fluid = branchedFluid(states, branch->frame, branch->state, *branch->other, branch->begin, branch->same);
+    if (branch->fluid.drainedForGood)
+        fail(scene, "frame",
+             fmt::format("some of the fluid has drained away by frame {}, and the scene has no drain; keep one, out of "
+                         "the way if nothing is to drain any more",
+                         branch->frame));
     return branch;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/branch/branched_fluid.h"
 #include "app/scene/scene_file.h"
 #include "app/states/run_fingerprint.h"
 #include "app/states/run_state.h"
@@ -21,6 +22,7 @@ struct Branch {
     std::unique_ptr<World> other;  ///< The world of that run; null if it is that of the scene.
     Counterparts same;             ///< If it is another.
     World begin;                   ///< Then the scene's world, with clips at the time of the frame.
+    BranchedFluid fluid;           ///< Then, too.
     bool keepsCamera = false;      ///< Whether both have the same camera, so that it goes on as well.
 
     /// One sentence: what goes on as it was, what is new, what is gone.

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 
 #include "tests/cli/cli_fixture.h"
@@ -194,6 +195,38 @@ TEST_F(Branches, TakeARenamedThingForNew)
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_NE(result.out.find("frame 17: 27 loose particles as they were; new: twin; gone: pair\n"), std::string::npos)
         << result.out;
+}
+
+/// A pool with a drain at its floor, and branches of it: the same, with its fluid elsewhere, and without the drain.
+TEST_F(Branches, TellWhatBecomesOfFluids)
+{
+    const auto pool = [](const char* x) {
+        return fmt::format(R"({{ "type": "fluid", "name": "water", "shape": "box", "size": [0.3, 0.2, 0.2],
+            "position": [{}, 0.3, 0] }})",
+                           x);
+    };
+    const std::string drain = R"("drains": [{ "shape": "box", "size": [4, 0.2, 4], "position": [0, 0.1, 0] }],)";
+    const std::string start = R"({ "from": "pool.states", "frame": 10 })";
+    write("pool.json", pool("0"), {}, drain);
+    ASSERT_EQ(render({"pool.json", "-o", "pool", "--record", "states=pool.states", "--record-every", "5", "-q"}).code,
+              0);
+    write("moved.json", pool("0.5"), start, drain);
+    const RunResult moved = run({"check", "moved.json"});
+    EXPECT_EQ(moved.code, 0) << moved.err;
+    std::smatch told;
+    const std::regex wanted(R"(frame 10: nothing is as it was; (\d+) particles of fluid new at their start; (\d+) )"
+                            R"(particles of fluid gone\n)");
+    ASSERT_TRUE(std::regex_search(moved.out, told, wanted)) << moved.out;
+    EXPECT_LT(std::stoi(told[2]), std::stoi(told[1])) << "what has drained away is not lost by the branch";
+    write("undrained.json", pool("0"), start);
+    for (const char* command : {"check", "render"})
+        expectError(run({command, "undrained.json"}), 2,
+                    "undrained.json: /start/frame: some of the fluid has drained away by frame 10, and the scene has "
+                    "no drain; keep one, out of the way if nothing is to drain any more");
+    write("kept.json", pool("0"), start,
+          R"("drains": [{ "shape": "box", "size": [1, 1, 1], "position": [9, 9, 9] }],)");
+    const RunResult kept = render({"kept.json", "-o", "kept", "-q"});
+    EXPECT_EQ(kept.code, 0) << kept.err;
 }
 
 TEST_F(Branches, AreRefusedInOneLine)

@@ -1,7 +1,7 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include "shared/constants.h"
-#include "sim/base/errors.h"
 #include "sim/solver/carry/carrying.h"
 
 namespace knuckle {
@@ -95,8 +95,7 @@ void carryPools(const Carrying& c)
     const uint32_t filledEnd = now.particleCount + now.fluidFilled;
     const uint32_t drained = inactiveFilled(positions, now.particleCount, filledEnd);
     if (!c.after.stages.emitters) {
-        if (drained > 0)
-            throw InputError("some of its fluid has drained away, which needs drains or emitters; keep one of both");
+        if (drained > 0) throw std::logic_error("fluid has drained away, and this world has no pool to hold it");
         return;
     }
     auto order = readState<uint32_t>(c.to, "poolOrder"), inactive = readState<uint32_t>(c.to, "poolInactive");

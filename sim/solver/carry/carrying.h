@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
-#include <vector>
 
 #include "sim/solver/carry/element_maps.h"
+#include "sim/solver/state_values.h"
 
 namespace knuckle {
 
@@ -34,27 +33,11 @@ struct Carrying {
     }
 };
 
-template <typename T>
-std::vector<T> readState(const StagesState& state, const std::string& name)
-{
-    const std::vector<std::byte>& bytes = state.buffers.at(name);
-    std::vector<T> values(bytes.size() / sizeof(T));
-    if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
-    return values;
-}
-
-template <typename T>
-void writeState(StagesState& state, const std::string& name, const std::vector<T>& values)
-{
-    std::vector<std::byte>& bytes = state.buffers.at(name);
-    if (!values.empty()) std::memcpy(bytes.data(), values.data(), std::min(bytes.size(), values.size() * sizeof(T)));
-}
-
 /// Impulses of the last contacts, in the half of the lists that the next search takes for the old one.
 void carryContacts(const Carrying& carrying);
 /// What is let go or limp, when that happens, and what is caught.
 void carryReleases(const Carrying& carrying);
-/// Order of assemblies, torn joints, pools of emitters, counters. @throws InputError as carriedOver().
+/// Order of assemblies, torn joints, pools of emitters, counters. @throws as carriedOver().
 void carryCounted(const Carrying& carrying);
 
 }  // namespace knuckle
