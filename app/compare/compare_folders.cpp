@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/compare/compare_run.h"
+#include "app/files/files_below.h"
 #include "app/report/report_pictures.h"
 #include "app/run/exit_codes.h"
 #include "app/run/tell.h"
@@ -35,14 +36,8 @@ bool isWanted(const std::string& name, const std::vector<std::string>& patterns)
 /// The images below a folder, by their path in it.
 std::set<std::string> imagesIn(const std::string& folder, const std::vector<std::string>& patterns)
 {
-    std::set<std::string> names;
-    std::error_code error;
-    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        if (std::error_code ignored; entry->is_directory(ignored)) continue;
-        const std::string name = entry->path().lexically_relative(folder).generic_string();
-        if (isWanted(name, patterns)) names.insert(name);
-    }
-    if (error) throw InputError(fmt::format("folder {} cannot be read: {}", folder, error.message()));
+    std::set<std::string> names = filesBelow(folder);
+    std::erase_if(names, [&](const std::string& name) { return !isWanted(name, patterns); });
     return names;
 }
 

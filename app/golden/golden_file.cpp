@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/compare/ignored_words.h"
+#include "app/files/files_below.h"
 #include "app/schema/schema.h"
 #include "render/reader/picture_file.h"
 #include "sim/base/errors.h"
@@ -119,11 +120,9 @@ std::string lastPart(const std::string& folder)
 std::set<std::string> foldersOf(const std::string& folder)
 {
     std::set<std::string> found;
-    std::error_code error;
-    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (entry->path().filename() == GOLDEN_FILE)
-            found.insert(entry->path().parent_path().lexically_relative(folder).generic_string());
-    if (error) throw InputError(fmt::format("folder {} cannot be read: {}", folder, error.message()));
+    for (const fs::path file : filesBelow(folder))
+        if (file.filename() == GOLDEN_FILE)
+            found.insert(file.has_parent_path() ? file.parent_path().generic_string() : ".");
     return found;
 }
 
