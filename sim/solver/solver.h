@@ -63,7 +63,8 @@ public:
     void loadState(const SolverState& state);
     /// Before the first step: takes over from a solver of another world what both have, as it is there, after as many
     /// steps of this world. All else stays where this world has it; what sleeps wakes, releases that are over happen
-    /// at once. @throws std::logic_error for fluid that has drained away where this world has neither drains nor emitters.
+    /// at once. @throws std::logic_error for fluid that has drained away where this world has neither drains nor
+    /// emitters.
     void carryOver(const Solver& other, const Counterparts& same, uint64_t steps);
     /// Number of searches for contacts, at most one a substep.
     uint32_t searchCount();
