@@ -92,8 +92,8 @@ TEST_P(RopeUnderLoad, KeepsTheEnergyOfABody)
     const double kinetic = 0.5 * 27 * speed * speed, start = energyOf(world, solver.readParticles());
     for (int k = 0; k < 20; ++k) {
         run(solver, world, 0.1);
-        // A tenth: twice what fifty swings of a cube on a thick rope lose at four substeps.
-        EXPECT_NEAR(energyOf(world, solver.readParticles()), start, 0.1 * kinetic) << 0.1 * (k + 1) << " s";
+        // Up to a centimetre longer (as above) it hangs 27 kg g 1 cm lower, a hundredth, and shakes by as much.
+        EXPECT_NEAR(energyOf(world, solver.readParticles()), start, 0.02 * kinetic) << 0.1 * (k + 1) << " s";
     }
 }
 

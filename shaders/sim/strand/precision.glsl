@@ -1,5 +1,5 @@
-// What strands are eliminated in. Between a light rope and a heavy load (HEAVY) the mass matrices have entries thousands
-// of times larger along the rope than across it, and along a direction that is no axis, floats lose the smaller ones.
+// What strands are eliminated in. Between a light rope and a heavy load (HEAVY) mass matrices have entries thousands of
+// times larger along the rope than across it, and where the rope is along no axis, floats lose the smaller ones.
 #ifdef HEAVY
 #define REAL double
 #define REAL3 dvec3

@@ -20,6 +20,8 @@ public:
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
+    /// Whether a load is so heavy for its rope that floats lose what is light.
+    bool isHeavy() const { return heavy_; }
     const std::vector<Color>& colors() const { return colors_; }
     /// One dispatch a colour. @param first whether it is the first iteration of its substep.
     void solve(Recorder& recorder, bool first) const;
@@ -37,7 +39,7 @@ public:
     Buffer<gpu::vec4> distanceFactors;  ///< Per node; used only within a dispatch. Of doubles for heavy loads.
 
 private:
-    bool heavy_;  ///< Some loads are so heavy that floats lose what is light.
+    bool heavy_;
     std::vector<Color> colors_;
     std::vector<uint32_t> starts_;  ///< Per strand of the World, its first node; its last if that is fixed.
     Pass first_{*this, "strand/strand_solve", definesOf({{"FIRST_ITERATION", true}, {"HEAVY", heavy_}})};
