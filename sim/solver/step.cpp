@@ -44,12 +44,22 @@
 // go to their goals (shape_goals, joint_goals), once with STABILIZE and then `iterations` times, and finish.
 #include "sim/solver/step.h"
 
+#include <algorithm>
+
 namespace knuckle {
 
 namespace {
 
+/// Light ropes under heavy loads need more of them: with two at few substeps their tension does not settle.
+uint32_t iterationsOf(const Stages& s, const Settings& settings)
+{
+    constexpr uint32_t HEAVY = 4;
+    return s.strands && s.strands->isHeavy() ? std::max(settings.iterations, HEAVY) : settings.iterations;
+}
+
 void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorder, bool first)
 {
+    const uint32_t iterations = iterationsOf(s, settings);
     if (s.forces) s.forces->find(recorder);
     if (s.drives) s.drives->catchAgain(recorder);
     if (s.releases) s.releases->noteBefore(recorder);
@@ -65,13 +75,13 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     if (s.forces) s.forces->actOnFluids(recorder);
     s.joints.factor(recorder);
     s.joints.solve(recorder, true);
-    for (uint32_t i = 0; i < settings.iterations; ++i) {
-        if (s.soft) s.soft->solve(recorder, i, settings.iterations);
+    for (uint32_t i = 0; i < iterations; ++i) {
+        if (s.soft) s.soft->solve(recorder, i, iterations);
         if (s.strands) s.strands->solve(recorder, i == 0);
         s.contacts.solve(recorder);
         if (s.drives) s.drives->pull(recorder);
         s.bodies.solve(recorder);
-        s.joints.factorAgain(recorder, settings.iterations > 1 && i + 1 == settings.iterations);
+        s.joints.factorAgain(recorder, iterations > 1 && i + 1 == iterations);
         s.joints.solve(recorder);
     }
     s.joints.tear(recorder);

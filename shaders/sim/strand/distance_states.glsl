@@ -1,4 +1,5 @@
 // What strand_solve stores of each link.
+#include "sim/strand/precision.glsl"
 
 /// Between iterations.
 struct DistanceState {
@@ -37,28 +38,28 @@ vec4 pack(EliminatedLink s)
 
 /// Passed from the sweep that eliminates to the one that moves.
 struct DistanceFactor {
-    vec3 n;          // unit, along the link
-    float turning;   // resistance to turning it, k [kg]
-    mat3 inverse;    // B of its second node
-    vec3 r;          // impulse asked of that node [kg m]
+    REAL3 n;          // unit, along the link
+    REAL turning;   // resistance to turning it, k [kg]
+    REAL3X3 inverse;    // B of its second node
+    REAL3 r;          // impulse asked of that node [kg m]
 };
 
 #define STORE_DISTANCE_FACTOR(factors, k, factor) \
-    factors[4u * k] = vec4((factor).n, (factor).turning); \
+    factors[4u * k] = REAL4((factor).n, (factor).turning); \
     for (int line = 0; line < 3; ++line) \
-        factors[4u * k + 1u + uint(line)] = vec4((factor).inverse[line], (factor).r[line])
+        factors[4u * k + 1u + uint(line)] = REAL4((factor).inverse[line], (factor).r[line])
 
 #define LOAD_DISTANCE_FACTOR(factors, k, factor) \
     (factor).n = factors[4u * k].xyz; \
     (factor).turning = factors[4u * k].w; \
     for (int line = 0; line < 3; ++line) { \
-        vec4 values = factors[4u * k + 1u + uint(line)]; \
+        REAL4 values = factors[4u * k + 1u + uint(line)]; \
         (factor).inverse[line] = values.xyz; \
         (factor).r[line] = values.w; \
     }
 
 /// Resistance to the link's turning, k (1 - n n^T).
-mat3 turningMass(vec3 n, float turning)
+REAL3X3 turningMass(REAL3 n, REAL turning)
 {
-    return mat3(turning) - turning * outerProduct(n, n);
+    return REAL3X3(turning) - turning * outerProduct(n, n);
 }

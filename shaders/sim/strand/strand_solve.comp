@@ -13,12 +13,16 @@ layout(location = 0) uniform uvec2 range;          // the first strand and the e
 BUFFER(vec4, MoverMoves, newMoverMoves);
 BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(vec4, DistanceStates, distanceStates);
-BUFFER(vec4, DistanceFactors, distanceFactors);
+BUFFER(REAL4, DistanceFactors, distanceFactors);
 
 /// These keep the matrix regular, the larger one at a fixed end: for a taut strand held at both.
 const float REGULAR = 1e-5, REGULAR_END = 1e-3;
 /// The most resistance to turning, relative to the mass of its nodes: more would be lost to rounding.
+#ifdef HEAVY
+const double MOST_TURNING = 1e7;
+#else
 const float MOST_TURNING = 30.0;
+#endif
 
 void push(uint node, vec3 impulse)
 {
@@ -30,41 +34,42 @@ void push(uint node, vec3 impulse)
 
 /// Eliminates from the end on. For the node b of a link: A dx = r + f; with its link B = (A + k P)^-1, P = 1 - n n^T.
 /// @returns the move of the first node.
-vec3 eliminate(Strand strand, float squaredTime)
+REAL3 eliminate(Strand strand, float squaredTime)
 {
     DistanceNode b = fetchNode(strand.last);
-    mat3 mass = massOf(b);
-    vec3 r = vec3(0);
+    REAL3X3 mass = REAL3X3(massOf(b));
+    REAL3 r = REAL3(0);
     for (uint k = strand.last; k-- > strand.first;) {
         DistanceNode a = fetchNode(k);
         DistanceLink link = fetchDistanceLink(k);
         DistanceState state = distanceState(distanceStates[k]);
-        vec3 apart = between(a, b);
-        float linkLength = length(apart);
-        vec3 n = linkLength > 0.0 ? apart / linkLength : vec3(0, 1, 0);
+        REAL3 apart = REAL3(between(a, b));
+        REAL linkLength = length(apart);
+        REAL3 n = linkLength > 0.0 ? apart / linkLength : REAL3(0, 1, 0);
 #ifdef FIRST_ITERATION
         if (state.tension > link.tearForce || linkLength > link.tearLength) state.torn = 1.0;
         state.multiplier = 0.0;
 #endif
         bool held = b.info.inverseMass == 0.0;
-        float compliance = link.compliance / squaredTime, both = dot(n, response(a, n)) + dot(n, response(b, n));
-        float turning = min(max(state.tension, 0.0) * squaredTime / max(linkLength, 1e-9),
-                            MOST_TURNING / max(both, 1e-20));
-        mat3 across = turningMass(n, turning);
-        mat3 inverseB = held ? mat3(0) : inverse(mass + across);
-        vec3 u = n - across * (inverseB * n), asked = inverseB * r;
-        float d = dot(n, inverseB * n) + compliance + (held ? REGULAR_END : REGULAR) * both;
-        float q = link.restLength - linkLength - compliance * state.multiplier - dot(n, asked);
+        REAL compliance = link.compliance / squaredTime;
+        REAL both = dot(n, REAL3(response(a, vec3(n)))) + dot(n, REAL3(response(b, vec3(n))));
+        REAL turning = min(max(state.tension, 0.0) * squaredTime / max(linkLength, REAL(1e-9)),
+                           MOST_TURNING / max(both, REAL(1e-20)));
+        REAL3X3 across = turningMass(n, turning);
+        REAL3X3 inverseB = held ? REAL3X3(0) : inverse(mass + across);
+        REAL3 u = n - across * (inverseB * n), asked = inverseB * r;
+        REAL d = dot(n, inverseB * n) + compliance + (held ? REGULAR_END : REGULAR) * both;
+        REAL q = link.restLength - linkLength - compliance * state.multiplier - dot(n, asked);
         bool none = state.torn != 0.0 || d == 0.0;
-        DistanceFactor factor = DistanceFactor(n, none ? 0.0 : turning, inverseB, r);
+        DistanceFactor factor = DistanceFactor(n, none ? REAL(0) : turning, inverseB, r);
         STORE_DISTANCE_FACTOR(distanceFactors, k, factor);
-        distanceStates[k] = pack(EliminatedLink(state.multiplier, q, state.torn, none ? 0.0 : d));
-        mass = massOf(a);
+        distanceStates[k] = pack(EliminatedLink(state.multiplier, float(q), state.torn, none ? 0.0 : float(d)));
+        mass = REAL3X3(massOf(a));
         if (!none) mass += across - across * inverseB * across + outerProduct(u, u) / d;
-        r = none ? vec3(0) : across * asked - u * (q / d);
+        r = none ? REAL3(0) : across * asked - u * (q / d);
         b = a;
     }
-    return b.info.inverseMass == 0.0 ? vec3(0) : inverse(mass) * r;
+    return b.info.inverseMass == 0.0 ? REAL3(0) : inverse(mass) * r;
 }
 
 void main()
@@ -74,21 +79,21 @@ void main()
     Strand strand = fetchStrand(index);
     if (rests(strand)) return;
     float squaredTime = accelerationFactor(fetchAssembly(strand.assembly)) * sim.substepTime * sim.substepTime;
-    vec3 move = eliminate(strand, squaredTime), before = vec3(0);
+    REAL3 move = eliminate(strand, squaredTime), before = REAL3(0);
     for (uint k = strand.first; k < strand.last; ++k) {
         DistanceFactor f;
         LOAD_DISTANCE_FACTOR(distanceFactors, k, f)
         EliminatedLink link = eliminatedLink(distanceStates[k]);
-        mat3 across = turningMass(f.n, f.turning);
-        vec3 u = f.n - across * (f.inverse * f.n);
-        float change = link.divisor > 0.0 ? (link.residual + dot(u, move)) / link.divisor : 0.0;
-        vec3 next = f.inverse * (f.r + change * f.n + across * move);
-        vec3 pull = change * f.n - across * (next - move);
-        float multiplier = link.multiplier + change;
+        REAL3X3 across = turningMass(f.n, f.turning);
+        REAL3 u = f.n - across * (f.inverse * f.n);
+        REAL change = link.divisor > 0.0 ? (link.residual + dot(u, move)) / link.divisor : REAL(0);
+        REAL3 next = f.inverse * (f.r + change * f.n + across * move);
+        REAL3 pull = change * f.n - across * (next - move);
+        float multiplier = link.multiplier + float(change);
         distanceStates[k] = pack(DistanceState(multiplier, -multiplier / squaredTime, link.torn));
-        push(k, before - pull);
+        push(k, vec3(before - pull));
         before = pull;
         move = next;
     }
-    push(strand.last, before);
+    push(strand.last, vec3(before));
 }

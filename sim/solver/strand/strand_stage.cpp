@@ -48,6 +48,28 @@ std::vector<uint32_t> nodeCounts(const World& world)
     return counts;
 }
 
+/// From this many times the lightest node of a strand on, what is tied to it is heavy: floats fail from 6000 on.
+constexpr float HEAVY_LOAD = 4000.0f;
+
+/// Whether any assembly with strands has bodies of that weight.
+bool hasHeavyLoads(const World& world)
+{
+    std::vector<float> loads(world.assemblyCount, 0.0f), lightest(world.assemblyCount, NEVER);
+    for (const Link& link : world.links)
+        if (world.bodies[link.body].motion != Motion::Fixed)
+            loads[world.particles[link.particle].assembly] += link.mass;
+    for (const Strand& strand : world.strands)
+        for (const uint32_t index : strand.particles) {
+            const Particle& particle = world.particles[index];
+            if (particle.body != NO_INDEX || particle.pinned) continue;
+            lightest[particle.assembly] = std::min(lightest[particle.assembly], particle.mass);
+            loads[particle.assembly] = std::max(loads[particle.assembly], particle.mass);
+        }
+    for (size_t a = 0; a < loads.size(); ++a)
+        if (lightest[a] < NEVER && loads[a] > HEAVY_LOAD * lightest[a]) return true;
+    return false;
+}
+
 struct Uploads {
     std::vector<gpu::uvec4> strands, nodes;
     std::vector<gpu::vec4> links;
@@ -81,6 +103,8 @@ bool StrandStage::isNeeded(const World& world)
     return world.settings.solver == SolverKind::Impulse && !world.strands.empty();
 }
 
+StrandStage::StrandStage(const StageSetup& setup) : heavy_(hasHeavyLoads(setup.world)) {}
+
 void StrandStage::upload(const StageSetup& setup)
 {
     const World& world = setup.world;
@@ -113,14 +137,15 @@ void StrandStage::upload(const StageSetup& setup)
     distanceNodes = {"distanceNodes", std::span<const gpu::uvec4>(uploads.nodes)};
     distanceLinks = {"distanceLinks", std::span<const gpu::vec4>(uploads.links)};
     distanceStates = {"distanceStates", uploads.nodes.size()};
-    distanceFactors = {"distanceFactors", 4 * uploads.nodes.size()};
+    distanceFactors = {"distanceFactors", (heavy_ ? 8 : 4) * uploads.nodes.size()};
 }
 
 void StrandStage::addBuffers(BufferTable& table)
 {
     table.add(Lifetime::Constant, strands, distanceNodes, distanceLinks);
     table.add(Lifetime::State, distanceStates);
-    table.add(Lifetime::Scratch, distanceFactors);
+    ElementType doubles{32, 16, ElementType::Scalar::Float, GL_DOUBLE_VEC4};
+    table.add("distanceFactors", distanceFactors, heavy_ ? doubles : elementType<gpu::vec4>(), Lifetime::Scratch);
 }
 
 void StrandStage::solve(Recorder& recorder, bool first) const

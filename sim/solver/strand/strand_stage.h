@@ -16,10 +16,12 @@ public:
     };
 
     static bool isNeeded(const World& world);
-    explicit StrandStage(const StageSetup&) {}
+    explicit StrandStage(const StageSetup& setup);
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
+    /// Whether a load is so heavy for its rope that floats lose what is light.
+    bool isHeavy() const { return heavy_; }
     const std::vector<Color>& colors() const { return colors_; }
     /// One dispatch a colour. @param first whether it is the first iteration of its substep.
     void solve(Recorder& recorder, bool first) const;
@@ -34,15 +36,17 @@ public:
     Buffer<gpu::uvec4> distanceNodes;   ///< Mover, rank, particle, inverse mass or split (distance_nodes.glsl).
     Buffer<gpu::vec4> distanceLinks;    ///< Per node, to the next: rest length, compliance; force, length that tear.
     Buffer<gpu::vec4> distanceStates;   ///< Per node, to the next: multiplier [kg m], tension [N], 1 if torn.
-    Buffer<gpu::vec4> distanceFactors;  ///< Per node; used only within a dispatch.
+    Buffer<gpu::vec4> distanceFactors;  ///< Per node; used only within a dispatch. Of doubles for heavy loads.
 
 private:
+    bool heavy_;
     std::vector<Color> colors_;
     std::vector<uint32_t> starts_;  ///< Per strand of the World, its first node; its last if that is fixed.
-    Pass first_{*this, "strand/strand_solve", {{"FIRST_ITERATION", "1"}}};
-    Pass later_{*this, "strand/strand_solve"};
-    Pass firstWithBodies_{*this, "strand/strand_solve", {{"FIRST_ITERATION", "1"}, {"BODIES", "1"}}};
-    Pass laterWithBodies_{*this, "strand/strand_solve", {{"BODIES", "1"}}};
+    Pass first_{*this, "strand/strand_solve", definesOf({{"FIRST_ITERATION", true}, {"HEAVY", heavy_}})};
+    Pass later_{*this, "strand/strand_solve", definesOf({{"HEAVY", heavy_}})};
+    Pass firstWithBodies_{*this, "strand/strand_solve",
+                          definesOf({{"FIRST_ITERATION", true}, {"BODIES", true}, {"HEAVY", heavy_}})};
+    Pass laterWithBodies_{*this, "strand/strand_solve", definesOf({{"BODIES", true}, {"HEAVY", heavy_}})};
 };
 
 }  // namespace knuckle
