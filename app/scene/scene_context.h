@@ -40,7 +40,7 @@ struct SceneContext {
     std::map<std::string, std::vector<ParticleRange>> particles = {};  ///< Except fluids', by name of object or copy.
     std::vector<std::string> objectNames = {};                         ///< Without those of copies.
     std::vector<PendingTouch> touches = {};
-    std::vector<size_t> colliderEntries = {};  ///< Per collider of the world: its entry of `colliders`.
+    std::vector<std::string> colliderEntries = {};  ///< Per collider of the world: JSON path of its entry.
 };
 
 /// One entry of a list of the scene (objects, colliders, ...) during construction.
