@@ -16,6 +16,7 @@
 #include "app/scene/matter/scene_fluid.h"
 #include "app/scene/matter/scene_grains.h"
 #include "app/scene/matter/scene_ropes.h"
+#include "app/scene/scene_joints.h"
 #include "app/scene/scene_limits.h"
 #include "app/scene/scene_materials.h"
 #include "app/scene/scene_repeat.h"
@@ -195,7 +196,10 @@ void addObjects(SceneContext& context, const Json& objects)
 {
     for (const bool rows : {false, true})
         for (size_t i = 0; i < objects.size(); ++i)
-            if (isRopeObject(objects[i]) == rows) addObject(context, objects[i], i);
+            if (!isJoint(objects[i]) && isRopeObject(objects[i]) == rows) addObject(context, objects[i], i);
+    context.bodiesOfObjects = static_cast<uint32_t>(context.builder.world().bodies.size());
+    for (size_t i = 0; i < objects.size(); ++i)
+        if (isJoint(objects[i])) addSceneJoint({context, objects[i], fmt::format("/objects/{}", i)}, i);
     addTouches(context);
 }
 

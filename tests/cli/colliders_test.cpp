@@ -19,9 +19,9 @@ TEST_F(Colliders, LetFallWhatIsBesideARaisedContainer)
     folder.write("raised.json", R"({ "duration": 1, "colliders": [ { "type": "plane" },
         { "type": "container", "width": 0.8, "depth": 0.8, "height": 0.5, "position": [0, 1, 0] } ],
         "objects": [ { "type": "rigid", "shape": "box", "position": [3, 2, 0] } ] })");
-    const test::RunResult result = run({"render", "raised.json", "--export", "bodies=b.csv", "--no-frames"});
+    const test::RunResult result = run({"render", "raised.json", "--export", "bodies=b.csv", "-o", "frames", "--frames", "60:60", "--size", "64x36"});
     ASSERT_EQ(result.code, 0) << result.err;
-    EXPECT_NEAR(lastHeight(folder.read("b.csv")), 0.15, 0.002);
+    EXPECT_NEAR(lastHeight(test::readText(folder.path("b.csv"))), 0.15, 0.002);
 }
 
 TEST_F(Colliders, TellOfAnOpenMeshWhatItCountsAs)

@@ -147,7 +147,8 @@ inline auto fieldsOf(const JointSide& s)
 
 inline auto fieldsOf(const Joint& j)
 {
-    const auto& [name, type, parent, child, particles, parentSide, childSide, limits, strength] = j;
+    const auto& [name, type, parent, child, particles, parentSide, childSide, limits, strength, turn] = j;
+    // The turn is that between both sides.
     return counting(type, parent, child, particles, parentSide, childSide, limits, strength);
 }
 

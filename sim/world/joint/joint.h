@@ -82,6 +82,7 @@ struct Joint {
     JointSide parentSide = {}, childSide = {};
     TurnLimits limits = {};
     JointStrength strength = {};
+    Quaternionf turn{1, 0, 0, 0};  ///< At rest, from the child's axes to the parent's; bodies of one object share them.
 
     bool connects(uint32_t a, uint32_t b) const { return std::minmax(a, b) == std::minmax(parent, child); }
 };
@@ -89,7 +90,7 @@ struct Joint {
 /// A joint as described, before its bodies have links.
 struct JointDraft {
     Joint joint;
-    /// For limits: the child's axis and the middle of the parent's cone, in the rest pose, unit.
+    /// For limits: the child's axis and the middle of the parent's cone, in the child's axes at rest, unit.
     Vector3f axis{0, 0, 0}, cone{0, 0, 0};
 };
 
