@@ -41,7 +41,7 @@ struct SceneContext {
     std::map<std::string, std::vector<ParticleRange>> particles = {};  ///< Except fluids', by name of object or copy.
     std::vector<std::string> objectNames = {};                         ///< Without those of copies.
     std::vector<PendingTouch> touches = {};
-    uint32_t bodiesOfObjects = 0;  ///< Without those that joints of the scene add.
+    uint32_t bodiesOfObjects = 0;                                 ///< Without those that joints of the scene add.
     std::vector<std::pair<uint32_t, uint32_t>> joinedPairs = {};  ///< Bodies that joints of the scene hold.
     std::vector<std::string> colliderEntries = {};  ///< Per collider of the world: JSON path of its entry.
 };

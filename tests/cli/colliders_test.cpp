@@ -19,7 +19,8 @@ TEST_F(Colliders, LetFallWhatIsBesideARaisedContainer)
     folder.write("raised.json", R"({ "duration": 1, "colliders": [ { "type": "plane" },
         { "type": "container", "width": 0.8, "depth": 0.8, "height": 0.5, "position": [0, 1, 0] } ],
         "objects": [ { "type": "rigid", "shape": "box", "position": [3, 2, 0] } ] })");
-    const test::RunResult result = run({"render", "raised.json", "--export", "bodies=b.csv", "-o", "frames", "--frames", "60:60", "--size", "64x36"});
+    const test::RunResult result = run(
+        {"render", "raised.json", "--export", "bodies=b.csv", "-o", "frames", "--frames", "60:60", "--size", "64x36"});
     ASSERT_EQ(result.code, 0) << result.err;
     EXPECT_NEAR(lastHeight(test::readText(folder.path("b.csv"))), 0.15, 0.002);
 }
@@ -31,8 +32,9 @@ TEST_F(Colliders, TellOfAnOpenMeshWhatItCountsAs)
         "objects": [ { "type": "rigid", "shape": "box", "position": [3, 2, 0] } ] })");
     test::RunResult result = run({"check", "open.json"});
     EXPECT_EQ(result.code, 0);
-    EXPECT_NE((result.out + result.err).find("/colliders/0: the mesh is open, 1.73 m wide, and counts as solid behind "
-                                             "that; close it, or give it a `thickness` to be a thin wall"),
+    EXPECT_NE((result.out + result.err)
+                  .find("/colliders/0: the mesh is open, 1.73 m wide, and counts as solid behind "
+                        "that; close it, or give it a `thickness` to be a thin wall"),
               std::string::npos)
         << result.out << result.err;
     result = run({"check", "open.json", "--set", "colliders.0.thickness=0.05"});

@@ -36,7 +36,8 @@ TEST_F(SceneJoints, TellWhatIsWrongWithTheirBodiesAndPlace)
             { "type": "rigid", "shape": "box", "name": "door", "position": [0, 1, 0] },
             { "type": "joined", "name": "chain", "position": [3, 1, 0] },
             { "type": "grains", "shape": "box", "size": [0.2, 0.2, 0.2], "name": "sand", "position": [6, 1, 0] },
-            { "type": "joint", "kind": "hinge", )") + entry.joint + "} ] }");
+            { "type": "joint", "kind": "hinge", )") +
+                                       entry.joint + "} ] }");
         expectError(run({"check", "joint.json"}), 2, std::string("joint.json: /objects/3") + entry.message);
     }
 }

@@ -74,9 +74,9 @@ ColliderGrid makeDistanceGrid(std::span<const Vector3f> vertices, std::span<cons
     placeGrid(grid, cell);
     const bool open = widestOpening(vertices, triangles) > 0.0f;
     if (!fillGrid(grid, TriangleTree(vertices, triangles), open))
-        throw InputError(fmt::format(
-            "the mesh encloses no volume that cells of {:g} m see; close it, lower `cell`, or give a sheet a `thickness`",
-            cell));
+        throw InputError(fmt::format("the mesh encloses no volume that cells of {:g} m see; close it, lower `cell`, or "
+                                     "give a sheet a `thickness`",
+                                     cell));
     return grid;
 }
 

@@ -19,8 +19,7 @@ std::vector<uint32_t> firstAtPlace(std::span<const Vector3f> vertices)
     std::map<std::array<float, 3>, uint32_t> places;
     std::vector<uint32_t> firsts;
     for (const Vector3f& v : vertices)
-        firsts.push_back(
-            places.try_emplace({v.x(), v.y(), v.z()}, static_cast<uint32_t>(firsts.size())).first->second);
+        firsts.push_back(places.try_emplace({v.x(), v.y(), v.z()}, static_cast<uint32_t>(firsts.size())).first->second);
     return firsts;
 }
 

@@ -86,7 +86,12 @@ uint32_t JointBuilder::joinPlaced(uint32_t parent, uint32_t child, const JointSp
     const JointPlaces places = jointPlaces(spec, world_.diameter());
     const bool universal = spec.type == JointType::Universal;
     const uint32_t material = world_.bodies.at(child).material;
+    // A pin of the heavier one could outweigh the other body.
+    uint32_t lighter = material;
+    if (parent != NO_INDEX && particleMass(world_.bodies[parent].material) < particleMass(material))
+        lighter = world_.bodies[parent].material;
     beginObject(spec.name);
+    const auto firstAdded = static_cast<uint32_t>(world_.bodies.size());
     if (parent == NO_INDEX)
         parent = addBody("world", universal ? places.sharedWithParent : places.shared, material, Motion::Fixed);
     const auto pinsAt = [&](const std::vector<Vector3f>& wanted, uint32_t first, uint32_t second) {
@@ -94,8 +99,10 @@ uint32_t JointBuilder::joinPlaced(uint32_t parent, uint32_t child, const JointSp
             const auto& own = bodyParticles_[first];
             const auto at = std::ranges::find_if(
                 own, [&](uint32_t p) { return (world_.particles[p].position - place).norm() < 1e-6f; });
-            const uint32_t pin = at != own.end() ? *at : newParticle(place, material);
-            if (!universal) world_.particles[pin].mass = PIN_MASS * particleMass(material);
+            const uint32_t pin = first >= firstAdded && at != own.end() ? *at : newParticle(place, lighter);
+            if (!universal) world_.particles[pin].mass = PIN_MASS * particleMass(lighter);
+            // Pins lie within their bodies, a diameter from some of their particles.
+            world_.particles[pin].touchesAssembly = false;
             for (const uint32_t body : {first, second}) sharePlaced(pin, body);
         }
     };

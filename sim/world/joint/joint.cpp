@@ -29,8 +29,8 @@ std::string faultOf(const Joint& joint)
                            degreesOf(twist.lowest), degreesOf(twist.highest));
     if (!(limits.swing >= LEAST_SWING && limits.swing <= FREE))
         return fmt::format("a swing of {:g} degrees must be 1 to 180; use a hinge for less", degreesOf(limits.swing));
-    const Vector3f axis = joint.childSide.frame * Vector3f::UnitX(), cone = joint.turn.conjugate() *
-                                                                            (joint.parentSide.frame * Vector3f::UnitX());
+    const Vector3f axis = joint.childSide.frame * Vector3f::UnitX(),
+                   cone = joint.turn.conjugate() * (joint.parentSide.frame * Vector3f::UnitX());
     const float leaning = std::acos(std::clamp(axis.dot(cone), -1.0f, 1.0f));
     if (limits.swing < FREE && leaning > limits.swing + 1e-3f)
         return fmt::format("at rest the axis leaves the middle of its cone by {:.3g} degrees, more than the swing of "

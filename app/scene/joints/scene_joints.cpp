@@ -1,4 +1,4 @@
-#include "app/scene/scene_joints.h"
+#include "app/scene/joints/scene_joints.h"
 
 #include <fmt/format.h>
 
@@ -68,7 +68,8 @@ void requireNear(const SceneEntry& entry, const std::vector<uint32_t>& bodies, c
         if (reach.distance <= 2.0f * reach.size) return;
         nearest.distance = std::min(nearest.distance, reach.distance);
     }
-    entry.fail("/at", fmt::format("is {:.3g} m from the nearest of its bodies; put it where they meet", nearest.distance));
+    entry.fail("/at",
+               fmt::format("is {:.3g} m from the nearest of its bodies; put it where they meet", nearest.distance));
 }
 
 /// Any direction across another.
