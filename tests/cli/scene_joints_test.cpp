@@ -23,7 +23,7 @@ TEST_F(SceneJoints, TellWhatIsWrongWithTheirBodiesAndPlace)
         {R"("bodies": ["door", "sand"], "at": [0, 1, 0])",
          "/bodies/1: \"sand\" is not one rigid body; known: world, door, chain/body_1, chain/body_2"},
         {R"("bodies": ["door", "world"], "at": [0, 9, 0])",
-         "/at: is 7.85 m from the nearest of its bodies; put it where they meet"},
+         "/at: is 7.9 m from the nearest of its bodies; put it where they meet"},
         {R"("bodies": ["door", "world"], "at": [0, 1, 0], "axis": [0, 0, 0])",
          "/axis: must not be zero; for instance [0, 0, 1]"},
         {R"("bodies": ["door", "world"], "at": [0, 1, 0], "limits": { "swing": 20 })",
