@@ -42,5 +42,81 @@ TEST_F(SceneJoints, TellWhatIsWrongWithTheirBodiesAndPlace)
     }
 }
 
+TEST_F(SceneJoints, TellWhatIsWrongWithTheirMotorsAndSprings)
+{
+    const struct {
+        const char* joint;
+        const char* message;
+    } cases[] = {
+        {R"("kind": "ball", "motor": { "speed": 3, "torque": 10 })",
+         "/motor: turns a hinge; a ball joint has no one axis to turn about"},
+        {R"("kind": "hinge", "motor": { "torque": 10 })",
+         "/motor: says neither how fast nor where to; give its `speed` or its `angle`"},
+        {R"("kind": "hinge", "motor": { "speed": 3 })",
+         "/motor: \"torque\" is missing; add it: The most with which it turns, brakes and holds; what turns faster for "
+         "another reason is braked by it."},
+        {R"("kind": "hinge", "motor": { "speed": 3, "torque": 0 })", "/motor/torque: 0 must be above 0 [N m]"},
+        {R"("kind": "hinge", "motor": { "speed": -3, "angle": 90, "torque": 10 })",
+         "/motor/speed: must be above 0 beside an `angle`, which says which way to turn"},
+        {R"("kind": "hinge", "motor": { "sped": 3, "angle": 90, "torque": 10 })",
+         "/motor/sped: unknown field; did you mean \"speed\"?"},
+        {R"("kind": "stiff", "spring": { "stiffness": 3 })",
+         "/spring: turns a joint back; a stiff one does not turn; use a hinge, a ball or a universal joint"},
+        {R"("kind": "hinge", "spring": {})",
+         "/spring: neither pulls nor damps; give its `stiffness`, its `damping` or both"},
+        {R"("kind": "hinge", "spring": { "stiffness": 0 })",
+         "/spring: neither pulls nor damps; give it a `stiffness` or a `damping` above 0"},
+        {R"("kind": "ball", "spring": { "stiffness": 3, "angle": 10 })",
+         "/spring/angle: is of a hinge; a ball joint's spring turns it back to where it stood; leave it out"},
+        {R"("kind": "hinge", "spring": { "stiffness": 3 }, "motor": { "speed": 3, "torque": 10 })",
+         "/spring: is beside a `motor`; leave one of the two out"},
+        {R"("kind": "hinge", "spring": { "stiffness": -3 })",
+         "/spring/stiffness: -3 is below the minimum 0 [N m/rad]"},
+    };
+    for (const auto& entry : cases) {
+        folder.write("joint.json", std::string(R"({ "objects": [
+            { "type": "rigid", "shape": "box", "name": "door", "position": [0, 1, 0] },
+            { "type": "joint", "bodies": ["door", "world"], "at": [0, 1, 0], )") +
+                                       entry.joint + "} ] }");
+        expectError(run({"check", "joint.json"}), 2, std::string("joint.json: /objects/1") + entry.message);
+    }
+}
+
+/// Two cranks of the world with a rod between them: one of them may be driven, and both rod's ends.
+TEST_F(SceneJoints, ALoopMayHaveAMotorButNotAtBothEnds)
+{
+    const auto scene = [&](const char* left, const char* right, const char* settings) {
+        folder.write("loop.json", std::string(R"({ "duration": 0.1, )") + settings + R"( "objects": [
+            { "type": "rigid", "shape": "box", "name": "left", "size": [0.1, 0.5, 0.1], "position": [0, 1, 0] },
+            { "type": "rigid", "shape": "box", "name": "right", "size": [0.1, 0.5, 0.1], "position": [1, 1, 0] },
+            { "type": "rigid", "shape": "box", "name": "rod", "size": [1, 0.1, 0.1], "position": [0.5, 1.3, 0] },
+            { "type": "joint", "kind": "hinge", "bodies": ["left", "world"], "at": [0, 0.8, 0])" + left + R"( },
+            { "type": "joint", "kind": "hinge", "bodies": ["right", "world"], "at": [1, 0.8, 0])" + right + R"( },
+            { "type": "joint", "kind": "hinge", "bodies": ["left", "rod"], "at": [0, 1.3, 0] },
+            { "type": "joint", "kind": "hinge", "bodies": ["right", "rod"], "at": [1, 1.3, 0] } ] })");
+        return run({"check", "loop.json"});
+    };
+    constexpr const char* MOTOR = R"(, "motor": { "speed": 3, "torque": 10 })";
+    EXPECT_EQ(scene(MOTOR, "", "").code, 0);
+    EXPECT_EQ(scene("", MOTOR, "").code, 0);
+    expectError(scene(MOTOR, MOTOR, ""), 2,
+                "loop.json: the joint \"object_5\" closes a loop of joints with motors, springs or limits, which cannot "
+                "be; leave one joint of the loop without");
+    expectError(scene(MOTOR, "", R"("solver": "paper",)"), 2,
+                "loop.json: the joint \"object_4\": the paper's solver has no motors; take it away, or use solver method "
+                "impulse");
+}
+
+TEST_F(SceneJoints, AMotorOfAFixedBodyHasNothingToTurn)
+{
+    folder.write("fixed.json", R"({ "objects": [
+        { "type": "rigid", "shape": "box", "name": "door", "position": [0, 1, 0], "fixed": true },
+        { "type": "joint", "kind": "hinge", "bodies": ["door", "world"], "at": [0, 1, 0],
+          "motor": { "speed": 3, "torque": 10 } } ] })");
+    expectError(run({"check", "fixed.json"}), 2,
+                "fixed.json: the joint \"object_2\": its motor has nothing to turn, since both bodies are fixed; free "
+                "one of them");
+}
+
 }  // namespace
 }  // namespace knuckle

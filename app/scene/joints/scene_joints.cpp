@@ -6,6 +6,7 @@
 
 #include "app/json/fields.h"
 #include "app/json/joint_limits.h"
+#include "sim/base/angles.h"
 
 namespace knuckle {
 
@@ -78,6 +79,37 @@ Vector3f across(const Vector3f& axis)
     return axis.unitOrthogonal();
 }
 
+TurnDrive readMotor(const SceneEntry& entry, JointType type)
+{
+    const Json& json = entry.json["motor"];
+    if (type != JointType::Hinge)
+        entry.fail("/motor", fmt::format("turns a hinge; a {} joint has no one axis to turn about", wordOf(type)));
+    const float torque = json["torque"];
+    if (!json.contains("angle")) return speedMotor(json["speed"], torque);
+    const float angle = radiansOf(json["angle"]);
+    if (!json.contains("speed")) return angleMotor(angle, torque);
+    if (json["speed"] <= 0)
+        entry.fail("/motor/speed", "must be above 0 beside an `angle`, which says which way to turn");
+    return angleMotor(angle, torque, json["speed"]);
+}
+
+TurnDrive readSpring(const SceneEntry& entry, JointType type)
+{
+    const Json& json = entry.json["spring"];
+    if (entry.json.contains("motor")) entry.fail("/spring", "is beside a `motor`; leave one of the two out");
+    if (type == JointType::Stiff)
+        entry.fail("/spring", "turns a joint back; a stiff one does not turn; use a hinge, a ball or a universal joint");
+    TurnDrive drive;
+    drive.stiffness = json["stiffness"];
+    drive.damping = json["damping"];
+    drive.angle = radiansOf(json["angle"]);
+    if (!drive.acts()) entry.fail("/spring", "neither pulls nor damps; give it a `stiffness` or a `damping` above 0");
+    if (drive.needsHinge() && type != JointType::Hinge)
+        entry.fail("/spring/angle", fmt::format("is of a hinge; a {} joint's spring turns it back to where it stood; "
+                                                "leave it out", wordOf(type)));
+    return drive;
+}
+
 JointSpec readSpec(const SceneEntry& entry, size_t index)
 {
     const Json& json = entry.json;
@@ -95,6 +127,8 @@ JointSpec readSpec(const SceneEntry& entry, size_t index)
     spec.limits = readLimits(json["limits"]);
     spec.strength = readStrength(json);
     requireLimits(entry.context.path, entry.pointer + "/limits", spec.limits, {spec.type});
+    if (json.contains("motor")) spec.drive = readMotor(entry, spec.type);
+    if (json.contains("spring")) spec.drive = readSpring(entry, spec.type);
     return spec;
 }
 

@@ -22,6 +22,7 @@ void JointBuilder::addJoint(uint32_t parent, uint32_t child, const JointSpec& sp
         shareParticle(newParticle(place, world_.bodies[parent].material), parent);
     JointDraft draft{{spec.name, spec.type, parent, child}};
     draft.joint.strength = spec.strength;
+    draft.joint.drive = spec.drive;
     setLimits(draft, spec.limits, spec.type == JointType::Ball ? alongOf(spec) : spec.axis.normalized());
     describeJoint(std::move(draft));
 }
@@ -39,6 +40,7 @@ void JointBuilder::addUniversal(uint32_t parent, uint32_t child, const JointSpec
     JointDraft first{{spec.name + ".cross", JointType::Hinge, parent, cross}};
     JointDraft second{{spec.name, JointType::Hinge, cross, child}};
     first.joint.strength = second.joint.strength = spec.strength;
+    first.joint.drive = second.joint.drive = spec.drive;
     const Vector3f axis = spec.axis.normalized();
     const auto [atParent, atChild] = hingeLimits(spec.limits);
     setLimits(first, atParent, axis);
@@ -74,6 +76,7 @@ void JointBuilder::describePlaced(uint32_t parent, uint32_t child, const JointSp
     const JointType type = spec.type == JointType::Universal ? JointType::Hinge : spec.type;
     JointDraft draft{{spec.name, type, parent, child}};
     draft.joint.strength = spec.strength;
+    draft.joint.drive = spec.drive;
     draft.joint.turn = turnFrom(its, world_.bodies[parent]);
     setLimits(draft, limits, axis);
     draft.axis = its.rotation.conjugate() * draft.axis;

@@ -20,6 +20,7 @@ struct JointSpec {
     int limitSide = 0;
     JointLimits limits;
     JointStrength strength;
+    TurnDrive drive;  ///< Of both hinges of a universal joint.
 };
 
 /// Joints between bodies, by sharing particles (paper, section 4).

@@ -86,7 +86,7 @@ JointFit fitJoint(const World& world, const Joint& joint, uint32_t body, const s
     const bool isChild = body == joint.child;
     if (isChild && particles == joint.particles) return {joint.type, joint.childSide, joint.parentSide};
     Vector3f axis = Vector3f::Zero(), cone = axis;
-    if (joint.limits.any()) {
+    if (joint.countsAngles()) {
         axis = joint.childSide.frame * Vector3f::UnitX();
         cone = joint.turn.conjugate() * (joint.parentSide.frame * Vector3f::UnitX());
     }
