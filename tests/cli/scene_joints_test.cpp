@@ -70,8 +70,7 @@ TEST_F(SceneJoints, TellWhatIsWrongWithTheirMotorsAndSprings)
          "/spring/angle: is of a hinge; a ball joint's spring turns it back to where it stood; leave it out"},
         {R"("kind": "hinge", "spring": { "stiffness": 3 }, "motor": { "speed": 3, "torque": 10 })",
          "/spring: is beside a `motor`; leave one of the two out"},
-        {R"("kind": "hinge", "spring": { "stiffness": -3 })",
-         "/spring/stiffness: -3 is below the minimum 0 [N m/rad]"},
+        {R"("kind": "hinge", "spring": { "stiffness": -3 })", "/spring/stiffness: -3 is below the minimum 0 [N m/rad]"},
     };
     for (const auto& entry : cases) {
         folder.write("joint.json", std::string(R"({ "objects": [
@@ -90,8 +89,10 @@ TEST_F(SceneJoints, ALoopMayHaveAMotorButNotAtBothEnds)
             { "type": "rigid", "shape": "box", "name": "left", "size": [0.1, 0.5, 0.1], "position": [0, 1, 0] },
             { "type": "rigid", "shape": "box", "name": "right", "size": [0.1, 0.5, 0.1], "position": [1, 1, 0] },
             { "type": "rigid", "shape": "box", "name": "rod", "size": [1, 0.1, 0.1], "position": [0.5, 1.3, 0] },
-            { "type": "joint", "kind": "hinge", "bodies": ["left", "world"], "at": [0, 0.8, 0])" + left + R"( },
-            { "type": "joint", "kind": "hinge", "bodies": ["right", "world"], "at": [1, 0.8, 0])" + right + R"( },
+            { "type": "joint", "kind": "hinge", "bodies": ["left", "world"], "at": [0, 0.8, 0])" +
+                                      left + R"( },
+            { "type": "joint", "kind": "hinge", "bodies": ["right", "world"], "at": [1, 0.8, 0])" +
+                                      right + R"( },
             { "type": "joint", "kind": "hinge", "bodies": ["left", "rod"], "at": [0, 1.3, 0] },
             { "type": "joint", "kind": "hinge", "bodies": ["right", "rod"], "at": [1, 1.3, 0] } ] })");
         return run({"check", "loop.json"});
@@ -99,12 +100,14 @@ TEST_F(SceneJoints, ALoopMayHaveAMotorButNotAtBothEnds)
     constexpr const char* MOTOR = R"(, "motor": { "speed": 3, "torque": 10 })";
     EXPECT_EQ(scene(MOTOR, "", "").code, 0);
     EXPECT_EQ(scene("", MOTOR, "").code, 0);
-    expectError(scene(MOTOR, MOTOR, ""), 2,
-                "loop.json: the joint \"object_5\" closes a loop of joints with motors, springs or limits, which cannot "
-                "be; leave one joint of the loop without");
-    expectError(scene(MOTOR, "", R"("solver": "paper",)"), 2,
-                "loop.json: the joint \"object_4\": the paper's solver has no motors; take it away, or use solver method "
-                "impulse");
+    expectError(
+        scene(MOTOR, MOTOR, ""), 2,
+        "loop.json: the joint \"object_5\" closes a loop of joints with motors, springs or limits, which cannot "
+        "be; leave one joint of the loop without");
+    expectError(
+        scene(MOTOR, "", R"("solver": "paper",)"), 2,
+        "loop.json: the joint \"object_4\": the paper's solver has no motors; take it away, or use solver method "
+        "impulse");
 }
 
 TEST_F(SceneJoints, AMotorOfAFixedBodyHasNothingToTurn)

@@ -177,9 +177,7 @@ std::vector<uint32_t> beginRow(WorldBuilder& builder, int count, const std::func
 World mechanismWorld()
 {
     WorldBuilder builder = sleepyBuilder();
-    TurnDrive spring;
-    spring.stiffness = 40;
-    spring.damping = 1;
+    const TurnDrive spring{.stiffness = 40, .damping = 1};
     const std::vector<TurnDrive> drives = {speedMotor(6, 30), angleMotor(2, 20, 1.5f), spring, spring, spring};
     for (size_t k = 0; k < drives.size(); ++k) {
         const Vector3f place(0, 0.5f, 0.8f * static_cast<float>(k));

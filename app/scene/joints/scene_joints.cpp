@@ -98,7 +98,8 @@ TurnDrive readSpring(const SceneEntry& entry, JointType type)
     const Json& json = entry.json["spring"];
     if (entry.json.contains("motor")) entry.fail("/spring", "is beside a `motor`; leave one of the two out");
     if (type == JointType::Stiff)
-        entry.fail("/spring", "turns a joint back; a stiff one does not turn; use a hinge, a ball or a universal joint");
+        entry.fail("/spring",
+                   "turns a joint back; a stiff one does not turn; use a hinge, a ball or a universal joint");
     TurnDrive drive;
     drive.stiffness = json["stiffness"];
     drive.damping = json["damping"];
@@ -106,7 +107,8 @@ TurnDrive readSpring(const SceneEntry& entry, JointType type)
     if (!drive.acts()) entry.fail("/spring", "neither pulls nor damps; give it a `stiffness` or a `damping` above 0");
     if (drive.needsHinge() && type != JointType::Hinge)
         entry.fail("/spring/angle", fmt::format("is of a hinge; a {} joint's spring turns it back to where it stood; "
-                                                "leave it out", wordOf(type)));
+                                                "leave it out",
+                                                wordOf(type)));
     return drive;
 }
 

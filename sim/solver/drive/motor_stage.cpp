@@ -16,7 +16,8 @@ std::vector<uint32_t> drivenJoints(const World& world, const JointTrees& trees)
 {
     std::vector<uint32_t> driven;
     for (uint32_t k = 0; k < trees.joints.size(); ++k)
-        if (const uint32_t j = trees.joints[k].joint; j != NO_INDEX && world.joints[j].drive.acts()) driven.push_back(k);
+        if (const uint32_t j = trees.joints[k].joint; j != NO_INDEX && world.joints[j].drive.acts())
+            driven.push_back(k);
     return driven;
 }
 

@@ -22,7 +22,7 @@ public:
     /// Computes the torques for where the bodies are now; before joints are factored, and in each iteration.
     void turn(Recorder& recorder) const;
 
-    Buffer<gpu::Motor> motors;
+    Buffer<gpu::Motor> motors;      ///< And springs of joints.
     Buffer<gpu::vec4> motorStates;  ///< Per motor: how its joint is turned, the change of that.
 
 private:

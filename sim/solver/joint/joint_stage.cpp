@@ -210,8 +210,7 @@ void JointStage::addBuffers(BufferTable& table)
     table.addFloatStructs(Lifetime::Constant, jointLimits);
     table.add(Lifetime::Constant, sharedParticles, jointTrees, jointInfo, jointPlaces, jointStrengths, jointParticles,
               jointFilters);
-    table.add(Lifetime::State, jointFreedoms, jointLimitStates, jointLoads, bodyResponses,
-              driveStiffness);
+    table.add(Lifetime::State, jointFreedoms, jointLimitStates, jointLoads, bodyResponses, driveStiffness);
     table.add(Lifetime::Scratch, jointFactors, rootFactors, treeTurns, jointInertias, jointSweeps, loopFactors);
 }
 

@@ -144,7 +144,8 @@ TEST(JointSpring, RingsAsStiffnessAndInertiaSay)
         Wheel wheel = wheelOn(spring(200));
         if (free) {
             WorldBuilder builder = makeBuilder(weightless());
-            for (const float z : {0.0f, 0.5f}) addBox(builder, {8, 8, 3}, {{0, 0, z}}, {}, {0, 0, z > 0 ? -1.0f : 1.0f});
+            for (const float z : {0.0f, 0.5f})
+                addBox(builder, {8, 8, 3}, {{0, 0, z}}, {}, {0, 0, z > 0 ? -1.0f : 1.0f});
             JointSpec spec;
             spec.type = JointType::Hinge;
             spec.anchor = {0, 0, 0.25f};
@@ -181,8 +182,8 @@ TEST(JointSpring, ADamperAloneSlowsExponentially)
     Solver solver(gpu(), world);
     const double time = same.inertia / 20;
     run(solver, world, time);
-    EXPECT_NEAR(speedOf(solver), 3 * std::exp(-std::round(time / world.settings.timeStep) *
-                                              world.settings.timeStep / time), 0.05);
+    EXPECT_NEAR(speedOf(solver),
+                3 * std::exp(-std::round(time / world.settings.timeStep) * world.settings.timeStep / time), 0.05);
 }
 
 /// Balls about any axis, universal joints about their two.
