@@ -84,7 +84,7 @@ TEST_F(SceneJoints, TellWhatIsWrongWithTheirMotorsAndSprings)
 /// Two cranks of the world with a rod between them: one of them may be driven, and both rod's ends.
 TEST_F(SceneJoints, ALoopMayHaveAMotorButNotAtBothEnds)
 {
-    const auto scene = [&](const char* left, const char* right, const char* settings) {
+    const auto check = [&](const char* left, const char* right, const char* settings) {
         folder.write("loop.json", std::string(R"({ "duration": 0.1, )") + settings + R"( "objects": [
             { "type": "rigid", "shape": "box", "name": "left", "size": [0.1, 0.5, 0.1], "position": [0, 1, 0] },
             { "type": "rigid", "shape": "box", "name": "right", "size": [0.1, 0.5, 0.1], "position": [1, 1, 0] },
@@ -98,8 +98,8 @@ TEST_F(SceneJoints, ALoopMayHaveAMotorButNotAtBothEnds)
         return run({"check", "loop.json"});
     };
     constexpr const char* MOTOR = R"(, "motor": { "speed": 3, "torque": 10 })";
-    EXPECT_EQ(scene(MOTOR, "", "").code, 0);
-    EXPECT_EQ(scene("", MOTOR, "").code, 0);
+    EXPECT_EQ(check(MOTOR, "", "").code, 0);
+    EXPECT_EQ(check("", MOTOR, "").code, 0);
     expectError(
         scene(MOTOR, MOTOR, ""), 2,
         "loop.json: the joint \"object_5\" closes a loop of joints with motors, springs or limits, which cannot "

@@ -41,12 +41,12 @@ TurnDrive spring(float stiffness, float damping = 0)
     return drive;
 }
 
-double speedOf(const Solver& solver, uint32_t body = 0)
+double speedOf(Solver& solver, uint32_t body = 0)
 {
     return solver.readBodies()[body].angularVelocity.z();
 }
 
-double angleOf(const Solver& solver, uint32_t body = 0)
+double angleOf(Solver& solver, uint32_t body = 0)
 {
     const Vector3f x = solver.readBodies()[body].rotation * Vector3f::UnitX();
     return std::atan2(x.y(), x.x());
@@ -96,10 +96,15 @@ TEST(Motor, StallsUnderALoadOfMoreThanItsTorque)
         const Wheel arm = wheelOn(speedMotor(0.5f, static_cast<float>(part * moment)), {}, hinge);
         Solver solver(gpu(), arm.world);
         run(solver, arm.world, 0.3);
-        // Free fall from the level, by what is left of the moment.
+        // From the level, by what one leaves of the other.
         const double fallen = 0.5 * (part - 1) * moment / arm.inertia * 0.3 * 0.3;
-        if (part < 1) EXPECT_NEAR(angleOf(solver), fallen, 0.05 * std::abs(fallen));
-        else EXPECT_NEAR(speedOf(solver), 0.5, 0.01);
+        if (part < 1) {
+            EXPECT_NEAR(angleOf(solver), fallen, 0.05 * std::abs(fallen));
+        } else {
+            EXPECT_NEAR(angleOf(solver), fallen, 0.05 * fallen);
+            run(solver, arm.world, 0.5);
+            EXPECT_NEAR(speedOf(solver), 0.5, 0.01);
+        }
     }
 }
 
@@ -112,8 +117,11 @@ TEST(Motor, AngleMotorTurnsThereAndHoldsALoadBelowItsTorqueOnly)
         Solver solver(gpu(), arm.world);
         run(solver, arm.world, 1);
         const double degrees = angleOf(solver) * 180 / M_PI;
-        if (part > 1) EXPECT_NEAR(degrees, -0.8, 0.05);
-        else EXPECT_LT(degrees, -20);
+        if (part > 1) {
+            EXPECT_NEAR(degrees, -0.8, 0.05);
+        } else {
+            EXPECT_LT(degrees, -20);
+        }
     }
 }
 
@@ -132,8 +140,11 @@ TEST(Motor, AngleMotorCountsWholeTurnsAndKeepsToItsSpeed)
         }
         EXPECT_NEAR(turned, angle, 0.02 * angle);
         EXPECT_NEAR(std::abs(angleOf(solver)), M_PI, 0.01);
-        if (std::isfinite(speed)) EXPECT_NEAR(fastest, 2, 0.02);
-        else EXPECT_GT(fastest, 4);
+        if (std::isfinite(speed)) {
+            EXPECT_NEAR(fastest, 2, 0.02);
+        } else {
+            EXPECT_GT(fastest, 4);
+        }
     }
 }
 
@@ -164,7 +175,9 @@ TEST(JointSpring, RingsAsStiffnessAndInertiaSay)
         ASSERT_EQ(at.size(), 9u);
         const double period = 2 * M_PI * std::sqrt(wheel.inertia / 200);
         EXPECT_NEAR((at[8] - at[0]) / 4, period, 0.01 * period);
-        if (free) EXPECT_NEAR(speedOf(solver, 0), -speedOf(solver, 1), 0.01);
+        if (free) {
+            EXPECT_NEAR(speedOf(solver, 0), -speedOf(solver, 1), 0.01);
+        }
     }
 }
 
@@ -200,9 +213,9 @@ TEST(JointSpring, BallsAndUniversalJointsTurnBack)
         Solver solver(gpu(), world);
         run(solver, world, 0.2);
         const auto turned = [&] { return solver.readBodies()[0].rotation.angularDistance(Quaternionf::Identity()); };
-        EXPECT_GT(turned(), 0.05);
+        EXPECT_GT(turned(), 0.01);
         run(solver, world, 12);
-        EXPECT_LT(turned(), 0.01);
+        EXPECT_LT(turned(), 0.001);
     }
 }
 
