@@ -101,11 +101,11 @@ TEST_F(SceneJoints, ALoopMayHaveAMotorButNotAtBothEnds)
     EXPECT_EQ(check(MOTOR, "", "").code, 0);
     EXPECT_EQ(check("", MOTOR, "").code, 0);
     expectError(
-        scene(MOTOR, MOTOR, ""), 2,
+        check(MOTOR, MOTOR, ""), 2,
         "loop.json: the joint \"object_5\" closes a loop of joints with motors, springs or limits, which cannot "
         "be; leave one joint of the loop without");
     expectError(
-        scene(MOTOR, "", R"("solver": "paper",)"), 2,
+        check(MOTOR, "", R"("solver": "paper",)"), 2,
         "loop.json: the joint \"object_4\": the paper's solver has no motors; take it away, or use solver method "
         "impulse");
 }

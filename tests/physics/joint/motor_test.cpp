@@ -219,6 +219,17 @@ TEST(JointSpring, BallsAndUniversalJointsTurnBack)
     }
 }
 
+/// Slower than what falls asleep.
+TEST(Motor, WhatItTurnsStaysAwake)
+{
+    Settings settings = weightless();
+    settings.sleepSpeed = 0.1f;
+    const Wheel wheel = wheelOn(speedMotor(0.05f, 10), settings);
+    Solver solver(gpu(), wheel.world);
+    run(solver, wheel.world, 3);
+    EXPECT_NEAR(angleOf(solver), 0.15, 0.005);
+}
+
 /// A hundred thousand times what turns it in a substep, in both orders of time; beside a limit; under gravity.
 TEST(Motor, NoStiffnessMakesItUnstable)
 {
