@@ -156,7 +156,7 @@ TEST(JointSpring, RingsAsStiffnessAndInertiaSay)
         if (free) {
             WorldBuilder builder = makeBuilder(weightless());
             for (const float z : {0.0f, 0.5f})
-                addBox(builder, {8, 8, 3}, {{0, 0, z}}, {}, {0, 0, z > 0 ? -1.0f : 1.0f});
+                addBox(builder, {8, 8, 3}, {{0, 0, z}}, {0, 0, 0}, {0, 0, z > 0 ? -1.0f : 1.0f});
             JointSpec spec;
             spec.type = JointType::Hinge;
             spec.anchor = {0, 0, 0.25f};
@@ -185,7 +185,7 @@ TEST(JointSpring, RingsAsStiffnessAndInertiaSay)
 TEST(JointSpring, ADamperAloneSlowsExponentially)
 {
     WorldBuilder builder = makeBuilder(weightless());
-    addBox(builder, {8, 8, 3}, {}, {}, {0, 0, 3});
+    addBox(builder, {8, 8, 3}, {}, {0, 0, 0}, {0, 0, 3});
     JointSpec spec;
     spec.type = JointType::Hinge;
     const Wheel same = wheelOn(spring(0, 20));
@@ -204,7 +204,7 @@ TEST(JointSpring, BallsAndUniversalJointsTurnBack)
 {
     for (const JointType type : {JointType::Ball, JointType::Universal}) {
         WorldBuilder builder = makeBuilder(weightless());
-        addBox(builder, {4, 4, 4}, {{0.6f, 0, 0}}, {}, {type == JointType::Ball ? 1.0f : 0.0f, 1, 1});
+        addBox(builder, {4, 4, 4}, {{0.6f, 0, 0}}, {0, 0, 0}, {type == JointType::Ball ? 1.0f : 0.0f, 1, 1});
         JointSpec spec;
         spec.type = type;
         spec.drive = spring(100, 20);
