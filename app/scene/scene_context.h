@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/json/json.h"
@@ -40,7 +41,9 @@ struct SceneContext {
     std::map<std::string, std::vector<ParticleRange>> particles = {};  ///< Except fluids', by name of object or copy.
     std::vector<std::string> objectNames = {};                         ///< Without those of copies.
     std::vector<PendingTouch> touches = {};
-    std::vector<size_t> colliderEntries = {};  ///< Per collider of the world: its entry of `colliders`.
+    uint32_t bodiesOfObjects = 0;                                 ///< Without those that joints of the scene add.
+    std::vector<std::pair<uint32_t, uint32_t>> joinedPairs = {};  ///< Bodies that joints of the scene hold.
+    std::vector<std::string> colliderEntries = {};  ///< Per collider of the world: JSON path of its entry.
 };
 
 /// One entry of a list of the scene (objects, colliders, ...) during construction.

@@ -12,6 +12,7 @@
 #include "app/scene/actors/scene_releases.h"
 #include "app/scene/actors/scene_skins.h"
 #include "app/scene/colliders/scene_motion.h"
+#include "app/scene/joints/scene_joints.h"
 #include "app/scene/matter/scene_fill.h"
 #include "app/scene/matter/scene_fluid.h"
 #include "app/scene/matter/scene_grains.h"
@@ -195,7 +196,10 @@ void addObjects(SceneContext& context, const Json& objects)
 {
     for (const bool rows : {false, true})
         for (size_t i = 0; i < objects.size(); ++i)
-            if (isRopeObject(objects[i]) == rows) addObject(context, objects[i], i);
+            if (!isJoint(objects[i]) && isRopeObject(objects[i]) == rows) addObject(context, objects[i], i);
+    context.bodiesOfObjects = static_cast<uint32_t>(context.builder.world().bodies.size());
+    for (size_t i = 0; i < objects.size(); ++i)
+        if (isJoint(objects[i])) addSceneJoint({context, objects[i], fmt::format("/objects/{}", i)}, i);
     addTouches(context);
 }
 

@@ -28,6 +28,7 @@ struct StepParameters {
     uint puppetCount;               // animated objects that are driven
     uint jointDriveCount;           // their driven joints
     uint pinCount;                  // and their pins
+    uint motorCount;                // motors and springs of joints
     uint linkCount;
     uint assemblyCount;
     uint colliderCount;

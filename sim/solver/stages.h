@@ -8,6 +8,7 @@
 #include "sim/solver/contact/collider_stage.h"
 #include "sim/solver/contact/contact_stage.h"
 #include "sim/solver/drive/drive_stage.h"
+#include "sim/solver/drive/motor_stage.h"
 #include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_stage.h"
 #include "sim/solver/fluid/fluid_watch_stage.h"
@@ -81,6 +82,7 @@ public:
     StateHashStage stateHash;
     std::optional<AnimationStage> animations;
     std::optional<DriveStage> drives;
+    std::optional<MotorStage> motors;
     std::optional<ForceStage> forces;
     std::optional<ReleaseStage> releases;
     std::optional<RestitutionStage> restitution;

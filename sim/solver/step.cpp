@@ -7,7 +7,7 @@
 //
 //   lets go of what is held until now (mover_release), and takes hold of what was caught (drive_catch);
 //   moves animated bodies and colliders (animate, collider_move), and notes how far driven bodies are from their
-//     clips (drive_*, again below);
+//     clips (drive_*, again below) and how far joints of motors are turned (motor_begin);
 //   predicts how far each mover would move if nothing touched it, and adds what its contacts did last (mover_predict,
 //     jointed_predict), and asks for a new search where one has left its margin (mover_drift);
 //   finds contacts, but only when asked: search_due sets the sizes of those dispatches on the GPU, to zero
@@ -18,17 +18,17 @@
 //   moves fluids by their pressures (fluid_*), once;
 //   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, strand_solve moves ropes
 //     and cloth, colour by colour; contact_solve and collider_solve work out impulses, each contact by itself, from
-//     where the movers are, and drive_* the pull of springs towards clips; impulse_sum adds them up for each
-//     body, and body_solve matches it (eqs. 8-9, 11-17) to where they bring its particles, as loose_solve does for
-//     loose particles. For bodies with joints jointed_solve notes what is left to do, and joint_solve answers it for
-//     all bodies of a tree at once, joint_loop_solve for its loops;
+//     where the movers are, drive_* the pull of springs towards clips and motor_turn that of joints' motors;
+//     impulse_sum adds them up for each body, and body_solve matches it (eqs. 8-9, 11-17) to where they bring its
+//     particles, as loose_solve does for loose particles. For bodies with joints jointed_solve notes what is left to
+//     do, and joint_solve answers it for all bodies of a tree at once, joint_loop_solve for its loops;
 //   lets joints tear (joint_tear), and blows weaken what is driven (drive_hit);
 //   ends with velocities and positions (mover_integrate, jointed_integrate), and where materials have restitution,
 //     gives collisions the speeds at which they part (contact_restitution, collider_restitution, mover_restitution);
 //     then looks whether anything has happened that lets go in the next substep (release_*).
 //
 // With Settings::sleepSpeed, assemblies that have been calm for long sleep from the end of a step on (sleep_mover,
-// sleep_island, sleep_update, sleep_state), until something that moves comes near them (sleep_wake_island,
+// sleep_motor, sleep_island, sleep_update, sleep_state), until something that moves comes near them (sleep_wake_island,
 // sleep_wake_assembly, in each substep).
 //
 // A step ends by placing particles where their bodies have them (particle_position); shared ones go to the mean of
@@ -67,6 +67,8 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     if (s.animations) s.animations->animate(recorder);
     if (s.drives) s.drives->begin(recorder);
     if (s.drives) s.drives->pull(recorder);
+    if (s.motors) s.motors->begin(recorder);
+    if (s.motors) s.motors->turn(recorder);
     s.search.find(recorder);
     s.contacts.prepare(recorder);
     if (s.sleep) s.sleep->wake(recorder);
@@ -80,6 +82,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
         if (s.strands) s.strands->solve(recorder, i == 0);
         s.contacts.solve(recorder);
         if (s.drives) s.drives->pull(recorder);
+        if (s.motors) s.motors->turn(recorder);
         s.bodies.solve(recorder);
         s.joints.factorAgain(recorder, iterations > 1 && i + 1 == iterations);
         s.joints.solve(recorder);

@@ -45,8 +45,8 @@ const BadScene BAD_SCENES[] = {
     {"NoObjects", "{}", ": /: \"objects\" is missing; add it: What moves."},
     {"EmptyObjects", R"({"objects": []})", ": /objects: is an array of 0, must be at least 1"},
     {"NoType", OBJECT(R"("shape": "box")"),
-     ": /objects/0: \"type\" is missing; known: rigid, soft, joined, actor, grains, fluid, rope, cloth"},
-    {"UnknownType", OBJECT(R"("type": "joint")"), ": /objects/0/type: \"joint\" is unknown; did you mean \"joined\"?"},
+     ": /objects/0: \"type\" is missing; known: rigid, soft, joined, actor, grains, fluid, rope, cloth, joint"},
+    {"UnknownType", OBJECT(R"("type": "joind")"), ": /objects/0/type: \"joind\" is unknown; did you mean \"joined\"?"},
     {"UnknownShape", OBJECT(R"("type": "rigid", "shape": "cone")"),
      ": /objects/0/shape: \"cone\" is unknown; known: box, sphere, capsule, mesh"},
     {"FixedSoftBody", OBJECT(R"("type": "soft", "shape": "box", "fixed": true)"),
@@ -262,7 +262,9 @@ TEST(SceneFileErrors, TellWhatIsWrongWithTheFilesOfColliders)
                   " cannot be read: Image not of any known type, or corrupt; PNG and JPEG are known");
     folder.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
     EXPECT_EQ(message(R"("type": "mesh", "file": "sheet.obj", "scale": 1)"),
-              place + ": the mesh encloses no volume that cells of 0.1 m see; close it, or lower `cell`");
+              place +
+                  ": the mesh encloses no volume that cells of 0.1 m see; close it, lower `cell`, or give a sheet a "
+                  "`thickness`");
     folder.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
     EXPECT_TRUE(message(R"("type": "mesh", "file": "nan.obj")").starts_with(place + ": "));
 }

@@ -270,6 +270,7 @@ std::vector<Matter> matters()
             {"Animated", animatedWorld},
             {"Driven", drivenWorld},
             {"Moving", movingWorld},
+            {"Mechanism", mechanismWorld},
             {"Everything", [] { return everyWorld(GridKind::Lattice); }}};
 }
 

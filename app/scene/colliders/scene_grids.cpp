@@ -9,6 +9,7 @@
 #include "render/picture/image.h"
 #include "sim/base/errors.h"
 #include "sim/rig/mesh/distance_grid.h"
+#include "sim/rig/mesh/open_edges.h"
 
 namespace knuckle {
 
@@ -64,17 +65,42 @@ Heights readHeights(const SceneEntry& entry)
     return heights;
 }
 
+/// Distance of the values of a mesh's grid [m]. A sheet's middle is a ridge that the grid rounds off by a cell: the
+/// centre of a fluid particle at its side, the nearest of all, must be beyond that.
+float cellOf(const SceneEntry& entry, float thickness)
+{
+    const float given = entry.json["cell"];
+    if (thickness == 0.0f) return given > 0.0f ? given : entry.context.builder.diameter();
+    const float centre = 0.5f * (thickness + entry.context.builder.world().fluidSpacing);
+    if (given > centre)
+        entry.fail("/cell", fmt::format("{:g} m do not see a sheet of {:g} m; lower it to {:.2g} or less, or raise "
+                                        "`thickness`",
+                                        given, thickness, 0.5f * centre));
+    return given > 0.0f ? given : 0.5f * centre;
+}
+
 }  // namespace
 
 void addMeshGrid(const SceneEntry& entry, Collider& collider)
 {
     const Json& json = entry.json;
-    WorldBuilder& builder = entry.context.builder;
-    const std::string file = entry.context.files.existing(json["file"], entry.pointer + "/file");
-    const float given = json["cell"], cell = given > 0.0f ? given : builder.diameter();
+    SceneContext& context = entry.context;
+    WorldBuilder& builder = context.builder;
+    const std::string file = context.files.existing(json["file"], entry.pointer + "/file");
+    const float thickness = json["thickness"], cell = cellOf(entry, thickness);
     atField(entry, "", [&] {
-        const auto model = entry.context.files.model(json, file, false);
+        const auto model = context.files.model(json, file, false);
+        if (thickness > 0.0f) {
+            collider.grid = builder.addColliderGrid(makeSheetGrid(model->vertices, model->triangles, cell, thickness));
+            return;
+        }
         collider.grid = builder.addColliderGrid(makeDistanceGrid(model->vertices, model->triangles, cell));
+        const float opening = widestOpening(model->vertices, model->triangles);
+        if (opening > 2.0f * cell)
+            context.warnings.push_back(fmt::format(
+                "{}: the mesh is open, {:.3g} m wide, and counts as solid behind that; close it, or give it a "
+                "`thickness` to be a thin wall",
+                entry.pointer, opening));
     });
     collider.shape = ColliderShape::Mesh;
 }

@@ -48,7 +48,7 @@ public:
     {
         for (size_t c = 0; c < world().colliders.size(); ++c)
             if (colliderDistance(world(), world().colliders[c], x) < 0.45f * world().fluidSpacing)
-                return fmt::format("/colliders/{}", context_.colliderEntries[c]);
+                return context_.colliderEntries[c];
         const std::optional<uint32_t> particle = solids_.anyNear(world().particles, x, fluidClearance(world()));
         if (particle) return objectOf(context_.builder, *particle);
         return std::nullopt;

@@ -15,4 +15,10 @@ namespace knuckle {
 ColliderGrid makeDistanceGrid(std::span<const Eigen::Vector3f> vertices, std::span<const Triangle> triangles,
                               float cell);
 
+/// The same of a sheet, whether it is closed or not: half of `thickness` [m], > 0, to each side of its triangles is
+/// solid, and nothing else. What is drawn of it is that thick, too. A particle must keep two cells away from its
+/// middle.
+ColliderGrid makeSheetGrid(std::span<const Eigen::Vector3f> vertices, std::span<const Triangle> triangles, float cell,
+                           float thickness);
+
 }  // namespace knuckle

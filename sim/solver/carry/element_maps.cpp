@@ -63,6 +63,7 @@ ElementMaps::ElementMaps(const StagesOf& before, const StagesOf& after, const Co
     mapJoints(before.stages.layout, after.stages.layout);
     mapAnimated(before, after);
     mapDrives(before, after);
+    mapMotors(before, after);
     mapLoose(before, after, same);
 }
 
@@ -157,6 +158,17 @@ void ElementMaps::mapDrives(const StagesOf& before, const StagesOf& after)
         return first;
     };
     make(Per::Puppet, 0) = matched(firstBodies(before.world), firstBodies(after.world), of(Per::Body));
+}
+
+void ElementMaps::mapMotors(const StagesOf& before, const StagesOf& after)
+{
+    if (!before.stages.motors || !after.stages.motors) return;
+    const auto jointsOf = [](const MotorStage& stage) {
+        std::vector<uint32_t> joints;
+        for (const gpu::Motor& motor : stage.motors.download()) joints.push_back(motor.joint);
+        return joints;
+    };
+    make(Per::Motor, 0) = matched(jointsOf(*before.stages.motors), jointsOf(*after.stages.motors), of(Per::TreeJoint));
 }
 
 void ElementMaps::mapLoose(const StagesOf& before, const StagesOf& after, const Counterparts& same)

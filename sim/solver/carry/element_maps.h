@@ -23,6 +23,7 @@ enum class Per {
     Puppet,
     JointDrive,
     Pin,
+    Motor,
     Cluster,
     Distance,  ///< A node of a strand.
     Assembly,
@@ -48,6 +49,7 @@ private:
     void mapRows(const StagesOf& before, const StagesOf& after);
     void mapJoints(const Layout& before, const Layout& after);
     void mapAnimated(const StagesOf& before, const StagesOf& after);
+    void mapMotors(const StagesOf& before, const StagesOf& after);
     void mapDrives(const StagesOf& before, const StagesOf& after);
     void mapLoose(const StagesOf& before, const StagesOf& after, const Counterparts& same);
 

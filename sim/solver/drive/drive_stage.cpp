@@ -38,9 +38,8 @@ void DriveStage::upload(const StageSetup& setup)
     driveStates = {"driveStates", std::span<const gpu::vec4>(out.driveStates)};
     pinStates = {"pinStates", std::span<const gpu::vec4>(out.pinStates)};
     pinsGiven = {"pinsGiven", PIN_GIVEN_TEXELS * out.pins.size()};
-    driveStiffness = {"driveStiffness", DRIVE_STIFFNESS_TEXELS * setup.layout.jointTrees.joints.size()};
-    for (RawBuffer* buffer : std::initializer_list<RawBuffer*>{&driveLevels, &driveHits, &catchOffsets, &puppetStates,
-                                                               &pinsGiven, &driveStiffness})
+    for (RawBuffer* buffer :
+         std::initializer_list<RawBuffer*>{&driveLevels, &driveHits, &catchOffsets, &puppetStates, &pinsGiven})
         buffer->clear();
 }
 
@@ -48,8 +47,8 @@ void DriveStage::addBuffers(BufferTable& table)
 {
     table.add(Lifetime::Constant, puppets, jointDrives, pins, strengthKeys, puppetOrder, caughtReleases);
     table.add(Lifetime::Scratch, composites, carried, driveInertias);
-    table.add(Lifetime::State, limpSubsteps, driveStates, pinStates, pinsGiven, driveStiffness, driveLevels, driveHits,
-              catchOffsets, puppetStates);
+    table.add(Lifetime::State, limpSubsteps, driveStates, pinStates, pinsGiven, driveLevels, driveHits, catchOffsets,
+              puppetStates);
 }
 
 void DriveStage::measure(Measures& out) const

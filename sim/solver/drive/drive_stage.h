@@ -51,7 +51,6 @@ public:
     Buffer<gpu::vec4> driveStates;      ///< Per driven joint: its distance from its clip, its clip, the change.
     Buffer<gpu::vec4> pinStates;        ///< The same per pin, for place and direction.
     Buffer<gpu::vec4> pinsGiven;        ///< Per pin: force [N]; torque [N m]; impulse since the start [N s], work [J].
-    Buffer<gpu::vec4> driveStiffness;   ///< Per joint of a tree: what drives and pins add to its block.
 
 private:
     const gpu::StepParameters& parameters_;

@@ -4,7 +4,10 @@
 #include <bit>
 #include <cmath>
 
+#include "shared/drive_types.h"
 #include "shared/joint_records.h"
+#include "sim/solver/drive/drive_stage.h"
+#include "sim/solver/drive/motor_stage.h"
 #include "sim/solver/pack.h"
 
 namespace knuckle {
@@ -21,6 +24,11 @@ bool tears(const World& world)
 bool limits(const World& world)
 {
     return std::ranges::any_of(world.joints, [](const Joint& joint) { return joint.limits.any(); });
+}
+
+bool drives(const World& world)
+{
+    return DriveStage::isNeeded(world) || MotorStage::isNeeded(world);
 }
 
 bool isLimited(const World& world, const JointTrees::Joint& joint)
@@ -74,7 +82,7 @@ Defines factorVariant(const StageSetup& setup)
 {
     return definesOf({{"RESPONSES", !setup.world.strands.empty()},
                       {"LIMITS", limits(setup.world)},
-                      {"DRIVES", !setup.world.puppets.empty()}});
+                      {"DRIVES", drives(setup.world)}});
 }
 
 }  // namespace
@@ -97,8 +105,8 @@ JointStage::JointStage(const StageSetup& setup)
       needed_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.jointTrees.trees.empty()),
       shared_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.sharedParticles.empty()),
       hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()), hasLimits_(needed_ && limits(setup.world)),
-      tears_(needed_ && tears(setup.world)),
-      again_(needed_ && (hasLimits_ || !setup.world.puppets.empty() || hasLongTree(setup.layout.jointTrees))),
+      drives_(needed_ && drives(setup.world)), tears_(needed_ && tears(setup.world)),
+      again_(needed_ && (hasLimits_ || drives_ || hasLongTree(setup.layout.jointTrees))),
       variant_(solveVariant(setup, hasLoops_, again_)), loopVariant_(loopVariant(setup)),
       factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")),
       rowVariant_(definesOf({{"ANGULAR", setup.rows.hasAngular()}}))
@@ -151,6 +159,8 @@ void JointStage::uploadTrees(const StageSetup& setup)
     loopFactors = {"loopFactors", LOOP_FACTOR_TEXELS * trees.loops.size()};
     bodyResponses = {"bodyResponses", BODY_RESPONSE_TEXELS * size_t{setup.layout.bodyCount}};
     bodyResponses.clear();
+    driveStiffness = {"driveStiffness", drives_ ? DRIVE_STIFFNESS_TEXELS * trees.joints.size() : 0};
+    driveStiffness.clear();
     setup.parameters.treeJointCount = static_cast<uint32_t>(trees.joints.size());
     setup.parameters.jointTreeCount = static_cast<uint32_t>(ranges.size());
 }
@@ -200,7 +210,7 @@ void JointStage::addBuffers(BufferTable& table)
     table.addFloatStructs(Lifetime::Constant, jointLimits);
     table.add(Lifetime::Constant, sharedParticles, jointTrees, jointInfo, jointPlaces, jointStrengths, jointParticles,
               jointFilters);
-    table.add(Lifetime::State, jointFreedoms, jointLimitStates, jointLoads, bodyResponses);
+    table.add(Lifetime::State, jointFreedoms, jointLimitStates, jointLoads, bodyResponses, driveStiffness);
     table.add(Lifetime::Scratch, jointFactors, rootFactors, treeTurns, jointInertias, jointSweeps, loopFactors);
 }
 

@@ -71,6 +71,8 @@ public:
     Buffer<gpu::uvec2> jointFilters;      ///< Bodies that touch each other once it is torn; if joints can tear.
     Buffer<uint32_t> jointParticles;      ///< Particles that its bodies share; if joints can tear.
     Buffer<gpu::vec4> jointLoads;         ///< Per joint: its load in the substep before [N], [N m].
+    Buffer<gpu::vec4> driveStiffness;     ///< Per joint of a tree, if any is driven: what drives, pins and motors add
+                                          ///< to its block.
     Buffer<gpu::vec4> bodyResponses;      ///< Per body: its motion for a force on it, with what its joints move along.
 
 private:
@@ -80,7 +82,7 @@ private:
     void uploadStrengths(const StageSetup& setup);
 
     const gpu::StepParameters& parameters_;
-    bool needed_, shared_, hasLoops_, hasLimits_, tears_, again_;
+    bool needed_, shared_, hasLoops_, hasLimits_, drives_, tears_, again_;
     Defines variant_, loopVariant_, factorVariant_, againVariant_, rowVariant_;
     Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
     Pass refactor_{*this, "joint/joint_factor", againVariant_, again_};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/solver/drive/motor_stage.h"
+
 namespace knuckle {
 
 namespace {
@@ -16,7 +18,8 @@ constexpr float FREEZE_SECONDS = 1.0f;
 
 SleepStage::SleepStage(const StageSetup& setup)
     : parameters_(setup.parameters), freezes_(setup.world.settings.freeze > 0.0f),
-      meetsMoving_(!setup.world.colliderMotions.empty() && setup.layout.solidCount > 0)
+      meetsMoving_(!setup.world.colliderMotions.empty() && setup.layout.solidCount > 0),
+      hasMotors_(MotorStage::isNeeded(setup.world))
 {
 }
 
@@ -59,6 +62,7 @@ void SleepStage::wake(Recorder& recorder) const
 void SleepStage::endStep(Recorder& recorder) const
 {
     if (meetsMoving_) recorder.decided(besideCollider_, DISPATCH_COLLIDER_PAIRS);
+    if (hasMotors_) recorder.perElement(motor_, parameters_.motorCount);
     if (freezes_) {
         recorder.perElement(freezeMover_, parameters_.moverCount);
         recorder.perElement(freezeUpdate_, parameters_.assemblyCount);

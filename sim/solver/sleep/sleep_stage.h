@@ -24,7 +24,7 @@ public:
 
 private:
     const gpu::StepParameters& parameters_;
-    bool freezes_, meetsMoving_;
+    bool freezes_, meetsMoving_, hasMotors_;
     Pass wakeIsland_{*this, "sleep/sleep_wake_island"};
     Pass wakeByCollider_{*this, "sleep/sleep_collider", {{"WAKE", "1"}}, meetsMoving_};
     Pass wakeAssembly_{*this, "sleep/sleep_wake_assembly"};
@@ -34,6 +34,7 @@ private:
     Pass sleepMover_{*this, "sleep/sleep_mover", {}, !freezes_};
     Pass sleepIsland_{*this, "sleep/sleep_island", {}, !freezes_};
     Pass sleepUpdate_{*this, "sleep/sleep_update", {}, !freezes_};
+    Pass motor_{*this, "sleep/sleep_motor", {}, hasMotors_};
     Pass freezeMover_{*this, "sleep/freeze_mover", {}, freezes_};
     Pass freezeUpdate_{*this, "sleep/freeze_update", {}, freezes_};
 };

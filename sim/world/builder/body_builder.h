@@ -33,6 +33,8 @@ public:
     void filterPair(uint32_t body, uint32_t other);
     /// Places the open object; `velocity` [m/s] and `spin` [rad/s] about its mass centre. @returns the object's index.
     uint32_t endObject(const Pose& pose = {}, const Vector3f& velocity = {0, 0, 0}, const Vector3f& spin = {0, 0, 0});
+    /// The particles of a body so far.
+    std::span<const uint32_t> particlesOf(uint32_t body) const { return bodyParticles_.at(body); }
     /// The particles of a body so far that it does not share.
     std::vector<uint32_t> ownParticles(uint32_t body) const;
     /// Gives existing objects a mesh, which moves with their bodies.

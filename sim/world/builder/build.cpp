@@ -65,10 +65,12 @@ void WorldBuilder::makeBodyLinks(uint32_t bodyIndex)
     double mass = 0.0;
     for (uint32_t p : bodyParticles_[bodyIndex]) {
         const Particle& particle = world_.particles[p];
-        Link link{p, bodyIndex, particle.restPosition, particle.mass};
+        const auto foreign = foreignPlaces_.find({bodyIndex, p});
+        const Vector3f& place = foreign != foreignPlaces_.end() ? foreign->second : particle.restPosition;
+        Link link{p, bodyIndex, place, particle.mass};
         if (world_.settings.splitSharedMass) link.mass *= massFraction(p, bodyIndex);
         mass += link.mass;
-        centre += link.mass * particle.restPosition.cast<double>();
+        centre += link.mass * place.cast<double>();
         world_.links.push_back(link);
     }
     centre /= mass;
@@ -79,6 +81,14 @@ void WorldBuilder::makeBodyLinks(uint32_t bodyIndex)
         offset = (offset.cast<double>() - centre).cast<float>();
     }
     body.position += body.rotation * body.restCentre;
+}
+
+void WorldBuilder::restWherePlaced()
+{
+    std::vector<bool> joined(world_.assemblyCount, false);
+    for (const auto& [key, place] : foreignPlaces_) joined[world_.bodies[key.first].assembly] = true;
+    for (Particle& particle : world_.particles)
+        if (particle.assembly != NO_INDEX && joined[particle.assembly]) particle.restPosition = particle.position;
 }
 
 void WorldBuilder::weighRounds()
@@ -103,6 +113,7 @@ World WorldBuilder::build()
     if (fluid_.empty() && world_.emitters.empty()) weighRounds();
     for (uint32_t b = 0; b < world_.bodies.size(); ++b) makeBodyLinks(b);
     recordJoints();
+    restWherePlaced();
     dropJointedRounds(world_);
     makeSoftLinks(world_);
     joinStrandAssemblies(world_);

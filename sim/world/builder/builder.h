@@ -38,6 +38,8 @@ private:
     /// particles' cells.
     void weighRounds();
     void makeBodyLinks(uint32_t bodyIndex);
+    /// Where objects are joined, particles have a common rest pose: their places at the start.
+    void restWherePlaced();
     /// The part of a particle's mass that counts in one of its bodies, 0 ... 1.
     float massFraction(uint32_t particle, uint32_t body) const;
 };

@@ -22,6 +22,7 @@ void JointBuilder::addJoint(uint32_t parent, uint32_t child, const JointSpec& sp
         shareParticle(newParticle(place, world_.bodies[parent].material), parent);
     JointDraft draft{{spec.name, spec.type, parent, child}};
     draft.joint.strength = spec.strength;
+    draft.joint.drive = spec.drive;
     setLimits(draft, spec.limits, spec.type == JointType::Ball ? alongOf(spec) : spec.axis.normalized());
     describeJoint(std::move(draft));
 }
@@ -39,12 +40,92 @@ void JointBuilder::addUniversal(uint32_t parent, uint32_t child, const JointSpec
     JointDraft first{{spec.name + ".cross", JointType::Hinge, parent, cross}};
     JointDraft second{{spec.name, JointType::Hinge, cross, child}};
     first.joint.strength = second.joint.strength = spec.strength;
+    first.joint.drive = second.joint.drive = spec.drive;
     const Vector3f axis = spec.axis.normalized();
     const auto [atParent, atChild] = hingeLimits(spec.limits);
     setLimits(first, atParent, axis);
     setLimits(second, atChild, alongOf(spec).cross(axis));
     describeJoint(std::move(first));
     describeJoint(std::move(second));
+}
+
+namespace {
+
+/// Of the mass of a body's particle, in the joint of bodies of different objects.
+constexpr float PIN_MASS = 0.01f;
+
+Quaternionf turnFrom(const Body& child, const Body& parent)
+{
+    return (parent.rotation.conjugate() * child.rotation).normalized();
+}
+
+}  // namespace
+
+/// A body's position is its object's origin until build().
+void JointBuilder::sharePlaced(uint32_t particle, uint32_t body)
+{
+    const Body& its = world_.bodies[body];
+    shareParticle(particle, body);
+    foreignPlaces_[{body, particle}] = its.rotation.conjugate() * (world_.particles[particle].position - its.position);
+}
+
+void JointBuilder::describePlaced(uint32_t parent, uint32_t child, const JointSpec& spec, const JointLimits& limits,
+                                  const Vector3f& axis)
+{
+    const Body& its = world_.bodies[child];
+    const JointType type = spec.type == JointType::Universal ? JointType::Hinge : spec.type;
+    JointDraft draft{{spec.name, type, parent, child}};
+    draft.joint.strength = spec.strength;
+    draft.joint.drive = spec.drive;
+    draft.joint.turn = turnFrom(its, world_.bodies[parent]);
+    setLimits(draft, limits, axis);
+    draft.axis = its.rotation.conjugate() * draft.axis;
+    draft.cone = its.rotation.conjugate() * draft.cone;
+    describeJoint(std::move(draft));
+}
+
+uint32_t JointBuilder::joinPlaced(uint32_t parent, uint32_t child, const JointSpec& spec)
+{
+    const JointPlaces places = jointPlaces(spec, world_.diameter());
+    const bool universal = spec.type == JointType::Universal;
+    const uint32_t material = world_.bodies.at(child).material;
+    // A pin of the heavier one could outweigh the other body.
+    uint32_t lighter = material;
+    if (parent != NO_INDEX && particleMass(world_.bodies[parent].material) < particleMass(material))
+        lighter = world_.bodies[parent].material;
+    beginObject(spec.name);
+    const auto firstAdded = static_cast<uint32_t>(world_.bodies.size());
+    if (parent == NO_INDEX)
+        parent = addBody("world", universal ? places.sharedWithParent : places.shared, material, Motion::Fixed);
+    const auto pinsAt = [&](const std::vector<Vector3f>& wanted, uint32_t first, uint32_t second) {
+        for (const Vector3f& place : wanted) {
+            const auto& own = bodyParticles_[first];
+            const auto at = std::ranges::find_if(
+                own, [&](uint32_t p) { return (world_.particles[p].position - place).norm() < 1e-6f; });
+            const uint32_t pin = first >= firstAdded && at != own.end() ? *at : newParticle(place, lighter);
+            if (!universal) world_.particles[pin].mass = PIN_MASS * particleMass(lighter);
+            // Pins lie within their bodies, a diameter from some of their particles.
+            world_.particles[pin].touchesAssembly = false;
+            for (const uint32_t body : {first, second}) sharePlaced(pin, body);
+        }
+    };
+    const Vector3f axis = spec.axis.normalized();
+    if (!universal) {
+        pinsAt(places.shared, parent, child);
+        describePlaced(parent, child, spec, spec.limits, axis);
+    } else {
+        const uint32_t cross = addBody("cross", places.middle, material);
+        pinsAt(places.middle, cross, parent);
+        pinsAt(places.middle, cross, child);
+        pinsAt(places.sharedWithParent, parent, cross);
+        pinsAt(places.sharedWithChild, child, cross);
+        markCross(cross);
+        const auto [atParent, atChild] = hingeLimits(spec.limits);
+        describePlaced(parent, cross, spec, atParent, axis);
+        describePlaced(cross, child, spec, atChild, alongOf(spec).cross(axis));
+    }
+    endObject();
+    return parent;
 }
 
 void JointBuilder::shareParticle(uint32_t particle, uint32_t body)

@@ -20,6 +20,7 @@ struct JointSpec {
     int limitSide = 0;
     JointLimits limits;
     JointStrength strength;
+    TurnDrive drive;  ///< Of both hinges of a universal joint.
 };
 
 /// Joints between bodies, by sharing particles (paper, section 4).
@@ -28,6 +29,10 @@ public:
     /// Joins two bodies by particles that both share. Particles of either within half a diameter of a required place
     /// become shared ones; elsewhere new particles are made.
     void addJoint(uint32_t parent, uint32_t child, const JointSpec& spec);
+    /// Joins two bodies of any objects, which are complete; the spec is in the world's frame, and its axes hold as the
+    /// bodies stand. All of the joint's particles are new, and but for those of a universal joint they weigh next to
+    /// nothing. @param parent NO_INDEX: the world. What the joint adds is an object of its name. @returns the parent.
+    uint32_t joinPlaced(uint32_t parent, uint32_t child, const JointSpec& spec);
     /// Makes an existing particle part of one more body: the paper's joint itself.
     void shareParticle(uint32_t particle, uint32_t body);
     /// Describes a joint that shareParticle() makes; build() finds its particles and frames.
@@ -36,6 +41,9 @@ public:
 private:
     uint32_t findOrCreate(const Vector3f& position, uint32_t bodyA, uint32_t bodyB);
     void shareAt(std::span<const Vector3f> places, uint32_t bodyA, uint32_t bodyB);
+    void sharePlaced(uint32_t particle, uint32_t body);
+    void describePlaced(uint32_t parent, uint32_t child, const JointSpec& spec, const JointLimits& limits,
+                        const Vector3f& axis);
     void addUniversal(uint32_t parent, uint32_t child, const JointSpec& spec);
 };
 

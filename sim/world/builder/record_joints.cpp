@@ -73,7 +73,8 @@ void WorldBuilder::recordJoints()
     for (JointDraft& draft : list.drafts) {
         Joint& joint = draft.joint;
         if (!joint.particles.empty()) {
-            const JointFit fit = fitJoint(world_, joint.child, joint.parent, joint.particles, draft.axis, draft.cone);
+            const JointFit fit = fitJoint(world_, joint.child, joint.parent, joint.particles, draft.axis, draft.cone,
+                                          joint.turn);
             joint.type = fit.type;
             joint.childSide = fit.body;
             joint.parentSide = fit.parent;

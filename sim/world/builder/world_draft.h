@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/world/world.h"
@@ -34,6 +36,8 @@ protected:
     World world_;
     std::vector<std::vector<uint32_t>> bodyParticles_;  ///< Per body, the particles in its block, in order.
     std::vector<std::vector<uint32_t>> owners_;         ///< Per particle, its bodies.
+    /// By body and particle: where particles of joints across objects are in the body's rest pose [m].
+    std::map<std::pair<uint32_t, uint32_t>, Vector3f> foreignPlaces_;
     std::vector<JointDraft> joints_;
     bool choosesSubsteps_ = false;         ///< Settings::substeps was 0.
     std::vector<LooseGroup> fluidGroups_;  // ranges of the next

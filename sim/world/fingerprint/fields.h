@@ -145,10 +145,17 @@ inline auto fieldsOf(const JointSide& s)
     return counting(arm, frame);
 }
 
+inline auto fieldsOf(const TurnDrive& d)
+{
+    const auto& [stiffness, damping, angle, speed, greatestTorque, greatestSpeed] = d;
+    return counting(stiffness, damping, angle, speed, greatestTorque, greatestSpeed);
+}
+
 inline auto fieldsOf(const Joint& j)
 {
-    const auto& [name, type, parent, child, particles, parentSide, childSide, limits, strength] = j;
-    return counting(type, parent, child, particles, parentSide, childSide, limits, strength);
+    const auto& [name, type, parent, child, particles, parentSide, childSide, limits, strength, turn, drive] = j;
+    // The turn is that between both sides.
+    return counting(type, parent, child, particles, parentSide, childSide, limits, strength, drive);
 }
 
 inline auto fieldsOf(const Pose& p)

@@ -29,13 +29,37 @@ std::string faultOf(const Joint& joint)
                            degreesOf(twist.lowest), degreesOf(twist.highest));
     if (!(limits.swing >= LEAST_SWING && limits.swing <= FREE))
         return fmt::format("a swing of {:g} degrees must be 1 to 180; use a hinge for less", degreesOf(limits.swing));
-    const Vector3f axis = joint.childSide.frame * Vector3f::UnitX(), cone = joint.parentSide.frame * Vector3f::UnitX();
+    const Vector3f axis = joint.childSide.frame * Vector3f::UnitX(),
+                   cone = joint.turn.conjugate() * (joint.parentSide.frame * Vector3f::UnitX());
     const float leaning = std::acos(std::clamp(axis.dot(cone), -1.0f, 1.0f));
     if (limits.swing < FREE && leaning > limits.swing + 1e-3f)
         return fmt::format("at rest the axis leaves the middle of its cone by {:.3g} degrees, more than the swing of "
                            "{:g}; turn the cone or widen it",
                            degreesOf(leaning), degreesOf(limits.swing));
     if (!(limits.stiffness > 0)) return fmt::format("a stiffness of {} N m/rad must be above 0", limits.stiffness);
+    return {};
+}
+
+/// @returns what is wrong with a joint's drive; empty if nothing is.
+std::string driveFaultOf(const World& world, const Joint& joint)
+{
+    const TurnDrive& drive = joint.drive;
+    const auto isGiven = [](float value) { return std::isfinite(value) && value >= 0; };
+    if (!isGiven(drive.stiffness) || !isGiven(drive.damping))
+        return fmt::format("a stiffness of {} N m/rad and a damping of {} N m s/rad must be 0 or more", drive.stiffness,
+                           drive.damping);
+    if (!std::isfinite(drive.angle) || !std::isfinite(drive.speed)) return "its angle and its speed must be finite";
+    if (!(drive.greatestTorque > 0 && drive.greatestSpeed > 0))
+        return fmt::format("a torque of {} N m and a speed of {} rad/s must be above 0", drive.greatestTorque,
+                           drive.greatestSpeed);
+    if (!drive.acts()) return {};
+    const char* name = drive.isMotor() ? "motor" : "spring";
+    if (world.settings.solver == SolverKind::Paper)
+        return fmt::format("the paper's solver has no {}s; take it away, or use solver method impulse", name);
+    if (joint.type == JointType::Stiff || (drive.needsHinge() && joint.type != JointType::Hinge))
+        return fmt::format("its {} needs a joint that turns so; use a hinge", name);
+    if (neverResponds(world.bodies[joint.parent]) && neverResponds(world.bodies[joint.child]))
+        return fmt::format("its {} has nothing to turn, since both bodies are fixed; free one of them", name);
     return {};
 }
 
@@ -121,7 +145,7 @@ void setLimits(JointDraft& draft, const JointLimits& limits, const Vector3f& axi
     TurnLimits& out = draft.joint.limits;
     if (draft.joint.type == JointType::Ball) out = {limits.swing, limits.twist, limits.stiffness};
     if (draft.joint.type == JointType::Hinge) out = {FREE, limits.bend, limits.stiffness};
-    if (!out.any()) return;
+    if (!draft.joint.countsAngles()) return;
     draft.axis = draft.cone = axis;
     if (draft.joint.type == JointType::Ball && !limits.cone.isZero()) draft.cone = limits.cone.normalized();
 }
@@ -148,6 +172,8 @@ void validateJoints(const World& world)
         if (const std::string fault = faultOf(joint); !fault.empty())
             throw InputError(fmt::format("the joint of \"{}\" and \"{}\": {}", world.bodies[joint.parent].name,
                                          world.bodies[joint.child].name, fault));
+        if (const std::string fault = driveFaultOf(world, joint); !fault.empty())
+            throw InputError(fmt::format("the joint \"{}\": {}", joint.name, fault));
     }
     validateCover(world);
     for (const LoopJoint& loop : orderJoints(world).loops) {
@@ -156,6 +182,10 @@ void validateJoints(const World& world)
             throw InputError(fmt::format("the joint of \"{}\" and \"{}\" closes a loop of joints with limits, which "
                                          "cannot be; leave one joint of the loop without",
                                          world.bodies[joint.parent].name, world.bodies[joint.child].name));
+        if (joint.drive.acts())
+            throw InputError(fmt::format("the joint \"{}\" closes a loop of joints with motors, springs or limits, "
+                                         "which cannot be; leave one joint of the loop without",
+                                         joint.name));
     }
 }
 

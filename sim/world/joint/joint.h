@@ -11,6 +11,7 @@
 
 #include "sim/base/angles.h"
 #include "sim/base/no_index.h"
+#include "sim/world/joint/turn_drive.h"
 
 namespace knuckle {
 
@@ -82,18 +83,23 @@ struct Joint {
     JointSide parentSide = {}, childSide = {};
     TurnLimits limits = {};
     JointStrength strength = {};
+    Quaternionf turn{1, 0, 0, 0};  ///< At rest, from the child's axes to the parent's; bodies of one object share them.
+    TurnDrive drive = {};
 
+    /// Whether its axes have a direction: limits and drives count angles about them.
+    bool countsAngles() const { return limits.any() || drive.acts(); }
     bool connects(uint32_t a, uint32_t b) const { return std::minmax(a, b) == std::minmax(parent, child); }
 };
 
 /// A joint as described, before its bodies have links.
 struct JointDraft {
     Joint joint;
-    /// For limits: the child's axis and the middle of the parent's cone, in the rest pose, unit.
+    /// For limits: the child's axis and the middle of the parent's cone, in the child's axes at rest, unit.
     Vector3f axis{0, 0, 0}, cone{0, 0, 0};
 };
 
-/// Sets a joint's limits from those of its type. @param axis of a hinge, or a ball's child's; unit, in the rest pose.
+/// Sets a joint's limits from those of its type, and its axes, after its drive. @param axis of a hinge, or a ball's
+/// child's; unit, in the rest pose.
 void setLimits(JointDraft& draft, const JointLimits& limits, const Vector3f& axis);
 
 /// The number of joints in a world; a universal joint counts once.

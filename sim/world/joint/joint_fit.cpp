@@ -53,7 +53,7 @@ JointType typeOf(const Vector3f& spread, float diameter)
 }  // namespace
 
 JointFit fitJoint(const World& world, uint32_t body, uint32_t parent, const std::vector<uint32_t>& particles,
-                  const Vector3f& axis, const Vector3f& cone)
+                  const Vector3f& axis, const Vector3f& cone, const Quaternionf& turn)
 {
     const std::vector<Vector3f> own = armsIn(world, body, particles), others = armsIn(world, parent, particles);
     JointFit fit;
@@ -72,10 +72,10 @@ JointFit fitJoint(const World& world, uint32_t body, uint32_t parent, const std:
         leaning = turnBetween(axis, cone);
     }
     fit.body.frame = turnBetween(Vector3f::UnitX(), x);
-    fit.parent.frame = leaning * fit.body.frame;
+    fit.parent.frame = turn * leaning * fit.body.frame;
     if (fit.type == JointType::Hinge) {
-        const Vector3f along = own.back() - own.front(), parentAlong = others.back() - others.front();
-        fit.parent.frame = turnBetween(along, parentAlong) * fit.body.frame;
+        const Vector3f along = turn * (own.back() - own.front()), parentAlong = others.back() - others.front();
+        fit.parent.frame = turnBetween(along, parentAlong) * turn * fit.body.frame;
     }
     if (fit.type == JointType::Stiff) fit.parent.frame = fitted(own, others) * fit.body.frame;
     return fit;
@@ -86,13 +86,14 @@ JointFit fitJoint(const World& world, const Joint& joint, uint32_t body, const s
     const bool isChild = body == joint.child;
     if (isChild && particles == joint.particles) return {joint.type, joint.childSide, joint.parentSide};
     Vector3f axis = Vector3f::Zero(), cone = axis;
-    if (joint.limits.any()) {
+    if (joint.countsAngles()) {
         axis = joint.childSide.frame * Vector3f::UnitX();
-        cone = joint.parentSide.frame * Vector3f::UnitX();
+        cone = joint.turn.conjugate() * (joint.parentSide.frame * Vector3f::UnitX());
     }
     // Seen from the parent, x of both sides is reversed, so that angles are the same.
-    if (isChild) return fitJoint(world, body, joint.parent, particles, axis, cone);
-    return fitJoint(world, body, joint.child, particles, -cone, -axis);
+    if (isChild) return fitJoint(world, body, joint.parent, particles, axis, cone, joint.turn);
+    return fitJoint(world, body, joint.child, particles, joint.turn * -cone, joint.turn * -axis,
+                    joint.turn.conjugate());
 }
 
 }  // namespace knuckle

@@ -10,7 +10,8 @@ namespace knuckle {
 
 namespace {
 
-/// Kruskal's order: first joints without a body that never responds, then those with limits, then those with most
+/// Kruskal's order: first joints without a body that never responds, then those with limits or
+/// drives, then those with most
 /// particles.
 std::vector<uint32_t> sortedJoints(const World& world)
 {
@@ -21,7 +22,7 @@ std::vector<uint32_t> sortedJoints(const World& world)
                   [&](uint32_t j) { return isGround(world.joints[j].parent) && isGround(world.joints[j].child); });
     const auto key = [&](uint32_t j) {
         const Joint& joint = world.joints[j];
-        return std::tuple(isGround(joint.parent) || isGround(joint.child), !joint.limits.any(),
+        return std::tuple(isGround(joint.parent) || isGround(joint.child), !joint.countsAngles(),
                           -static_cast<int64_t>(joint.particles.size()), std::minmax({joint.parent, joint.child}));
     };
     std::ranges::stable_sort(order, {}, key);

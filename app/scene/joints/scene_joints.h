@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/scene/scene_context.h"
+
+namespace knuckle {
+
+/// Whether an entry of `objects` joins bodies of others.
+bool isJoint(const Json& object);
+/// Joins the bodies that it names, which exist. @param index of the entry. @throws InputError.
+void addSceneJoint(const SceneEntry& entry, size_t index);
+
+}  // namespace knuckle
