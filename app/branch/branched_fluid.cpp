@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/states/view_coding.h"
+#include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/state_values.h"
 
 namespace knuckle {
@@ -30,7 +31,7 @@ BranchedFluid branchedFluid(const StatesFile& states, uint64_t frame, const RunS
     BranchedFluid fluid;
     if (before.fluidCount == 0 && after.fluidCount == 0) return fluid;
     const std::vector<bool> active = activeParticles(states, frame, state, before);
-    const bool hasPools = !after.emitters.empty() || !after.drains.empty();
+    const bool hasPools = EmitterStage::isNeeded(after);
     const size_t filledEnd = after.particles.size() - after.pooledCount();
     for (uint32_t p = before.solidCount(); p < before.particles.size(); ++p) fluid.lost += active.at(p) ? 1 : 0;
     for (uint32_t p = after.solidCount(); p < after.particles.size(); ++p) {

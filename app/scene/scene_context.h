@@ -64,6 +64,13 @@ struct SceneEntry {
     }
 };
 
+/// The name of an entry of `objects`: its own, or one by its number.
+inline std::string objectName(const Json& object, size_t index)
+{
+    const std::string name = object["name"];
+    return name.empty() ? "object_" + std::to_string(index + 1) : name;
+}
+
 /// One entry of `objects` while its copies are made.
 struct ObjectEntry : SceneEntry {
     std::string name = {};

@@ -162,8 +162,7 @@ void addJoined(const Entry& entry)
 /// Adds one entry with its copies.
 void addObject(SceneContext& context, const Json& json, size_t index)
 {
-    Entry entry{{context, json, fmt::format("/objects/{}", index)}, json["name"]};
-    if (entry.name.empty()) entry.name = fmt::format("object_{}", index + 1);
+    Entry entry{{context, json, fmt::format("/objects/{}", index)}, objectName(json, index)};
     entry.material = findMaterial(context, json["material"], entry.pointer + "/material");
     readValue(json["velocity"], entry.velocity);
     if (json.contains("spin")) readValue(json["spin"], entry.spin);

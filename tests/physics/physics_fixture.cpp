@@ -65,6 +65,13 @@ void beginRow(WorldBuilder& builder, uint32_t bodies, JointType type)
     builder.setSelfMargin(50.0f);
 }
 
+uint32_t particleAt(const WorldBuilder& builder, const Vector3f& place)
+{
+    for (uint32_t i = builder.particleCount(); i-- > 0;)
+        if ((builder.world().particles[i].position - place).norm() < 0.1f * DIAMETER) return i;
+    return NO_INDEX;
+}
+
 Collider floorPlane(float friction)
 {
     Collider plane;

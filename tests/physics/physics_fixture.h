@@ -29,6 +29,8 @@ World jointedPair(JointType type, const Settings& settings, const Pose& pose = {
 /// Opens an object of cubes in a row along x, joined, that do not touch each other, since a contact ends second order.
 /// The caller may change them, and ends the object.
 void beginRow(WorldBuilder& builder, uint32_t bodies, JointType type);
+/// The particle that is at a place, the last of several. @returns NO_INDEX if there is none.
+uint32_t particleAt(const WorldBuilder& builder, const Vector3f& place);
 Collider floorPlane(float friction = 0.5f);
 
 /// Runs `seconds`, checking the counters after each step.

@@ -83,9 +83,7 @@ TEST_P(RopeUnderLoad, KeepsTheEnergyOfABody)
     addBox(builder, {3, 3, 3}, {{0, -LENGTH - DIAMETER, 0}}, {speed, 0, 0});
     RopeSpec rope = thinRope(builder);
     rope.to = {0, -LENGTH, 0};
-    for (uint32_t i = 0; i < builder.particleCount(); ++i)
-        if ((builder.world().particles[i].position - rope.to).norm() < 0.1f * DIAMETER)
-            rope.end = {RopeEnd::Kind::Attached, i};
+    rope.end = {RopeEnd::Kind::Attached, particleAt(builder, rope.to)};
     addRope(builder, "rope", rope);
     const World world = builder.build();
     Solver solver(gpu(), world);

@@ -29,9 +29,7 @@ uint32_t hangCube(WorldBuilder& builder, const RopeSpec& common, uint32_t materi
     const uint32_t body = builder.addBody("cube", boxLattice({3, 3, 3}, DIAMETER), material);
     builder.endObject({{0, -LENGTH - DIAMETER, 0}});
     // The middle of its upper side.
-    for (uint32_t i = 0; i < builder.particleCount(); ++i)
-        if ((builder.world().particles[i].position - rope.to).norm() < 0.1f * DIAMETER)
-            rope.end = {RopeEnd::Kind::Attached, i};
+    rope.end = {RopeEnd::Kind::Attached, particleAt(builder, rope.to)};
     addRope(builder, "rope", rope);
     return body;
 }

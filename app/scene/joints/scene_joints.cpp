@@ -45,7 +45,6 @@ uint32_t bodyNamed(const SceneEntry& entry, size_t place, uint32_t end)
 /// How far a point is from a body's nearest particle, and the size of the box around the body [m].
 struct Reach {
     float distance = 1e30f, size = 0.0f;
-    uint32_t nearest = NO_INDEX;
 };
 
 Reach reachOf(const WorldBuilder& builder, uint32_t body, const Vector3f& at)
@@ -63,20 +62,13 @@ Reach reachOf(const WorldBuilder& builder, uint32_t body, const Vector3f& at)
 
 void requireNear(const SceneEntry& entry, const std::vector<uint32_t>& bodies, const Vector3f& at)
 {
-    Reach nearest;
+    float nearest = Reach{}.distance;
     for (const uint32_t body : bodies) {
         const Reach reach = reachOf(entry.context.builder, body, at);
         if (reach.distance <= 2.0f * reach.size) return;
-        nearest.distance = std::min(nearest.distance, reach.distance);
+        nearest = std::min(nearest, reach.distance);
     }
-    entry.fail("/at",
-               fmt::format("is {:.3g} m from the nearest of its bodies; put it where they meet", nearest.distance));
-}
-
-/// Any direction across another.
-Vector3f across(const Vector3f& axis)
-{
-    return axis.unitOrthogonal();
+    entry.fail("/at", fmt::format("is {:.3g} m from the nearest of its bodies; put it where they meet", nearest));
 }
 
 TurnDrive readMotor(const SceneEntry& entry, JointType type)
@@ -116,14 +108,13 @@ JointSpec readSpec(const SceneEntry& entry, size_t index)
 {
     const Json& json = entry.json;
     JointSpec spec;
-    spec.name = json["name"];
-    if (spec.name.empty()) spec.name = fmt::format("object_{}", index + 1);
+    spec.name = objectName(json, index);
     readValue(json["kind"], spec.type);
     readValue(json["at"], spec.anchor);
     readValue(json["axis"], spec.axis);
     readValue(json["along"], spec.along);
     if (spec.axis.norm() < 1e-6f) entry.fail("/axis", "must not be zero; for instance [0, 0, 1]");
-    if (spec.along.isZero()) spec.along = across(spec.axis);
+    if (spec.along.isZero()) spec.along = spec.axis.unitOrthogonal();
     if (spec.axis.normalized().cross(spec.along.stableNormalized()).norm() < 1e-3f)
         entry.fail("/along", "must not be along `axis`; leave it out, or turn it across");
     spec.limits = readLimits(json["limits"]);

@@ -1,5 +1,5 @@
 // How a motor's joint is turned.
-#include "shared/drive_types.h"
+#include "shared/motor_types.h"
 #include "sim/drive/turns.glsl"
 
 // Texels of motorStates.

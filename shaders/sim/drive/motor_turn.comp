@@ -1,6 +1,7 @@
 // One thread a motor or a spring of a joint: the torque between its bodies from where they are now, and its stiffness
 // in the joint's block.
 #include "sim/common/kernel.glsl"
+#include "shared/drive_types.h"
 #include "sim/common/bodies/mover_poses.glsl"
 #include "sim/drive/motor_pose.glsl"
 #include "sim/drive/spring_time.glsl"

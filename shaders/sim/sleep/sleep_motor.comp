@@ -2,7 +2,7 @@
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/movers.glsl"
 #include "sim/sleep/calm.glsl"
-#include "shared/drive_types.h"
+#include "shared/motor_types.h"
 
 layout(local_size_x = GROUP_SIZE) in;
 READ_BUFFER(Motor, Motors, motors);

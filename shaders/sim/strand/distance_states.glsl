@@ -38,10 +38,10 @@ vec4 pack(EliminatedLink s)
 
 /// Passed from the sweep that eliminates to the one that moves.
 struct DistanceFactor {
-    REAL3 n;          // unit, along the link
-    REAL turning;   // resistance to turning it, k [kg]
-    REAL3X3 inverse;    // B of its second node
-    REAL3 r;          // impulse asked of that node [kg m]
+    REAL3 n;           // unit, along the link
+    REAL turning;      // resistance to turning it, k [kg]
+    REAL3X3 inverse;   // B of its second node
+    REAL3 r;           // impulse asked of that node [kg m]
 };
 
 #define STORE_DISTANCE_FACTOR(factors, k, factor) \

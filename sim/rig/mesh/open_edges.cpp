@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
+
+#include "sim/base/disjoint_sets.h"
 
 namespace knuckle {
 
@@ -52,24 +53,17 @@ std::vector<Edge> openEdges(const std::vector<Triangle>& triangles)
     return open;
 }
 
-uint32_t rootOf(std::vector<uint32_t>& parents, uint32_t v)
-{
-    while (parents[v] != v) v = parents[v] = parents[parents[v]];
-    return v;
-}
-
 }  // namespace
 
 float widestOpening(std::span<const Vector3f> vertices, std::span<const Triangle> triangles)
 {
     const std::vector<Edge> open = openEdges(welded(vertices, triangles));
-    std::vector<uint32_t> parents(vertices.size());
-    std::iota(parents.begin(), parents.end(), 0u);
-    for (const Edge& edge : open) parents[rootOf(parents, edge[0])] = rootOf(parents, edge[1]);
+    DisjointSets rims(vertices.size());
+    for (const auto& [from, to] : open) rims.unite(from, to);
     std::map<uint32_t, Eigen::AlignedBox3f> boxes;
     float widest = 0.0f;
     for (const Edge& edge : open) {
-        Eigen::AlignedBox3f& box = boxes[rootOf(parents, edge[0])];
+        Eigen::AlignedBox3f& box = boxes[rims.find(edge[0])];
         for (const uint32_t v : edge) box.extend(vertices[v]);
         widest = std::max(widest, box.diagonal().norm());
     }

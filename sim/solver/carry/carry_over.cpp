@@ -5,6 +5,7 @@
 
 #include "shared/drive_types.h"
 #include "shared/joint_records.h"
+#include "shared/motor_types.h"
 #include "sim/solver/carry/carrying.h"
 
 namespace knuckle {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shared/drive_types.h"
+#include "shared/motor_types.h"
 #include "sim/solver/stage.h"
 
 namespace knuckle {

@@ -55,9 +55,8 @@ constexpr float HEAVY_LOAD = 4000.0f;
 bool hasHeavyLoads(const World& world)
 {
     std::vector<float> loads(world.assemblyCount, 0.0f), lightest(world.assemblyCount, NEVER);
-    for (const Link& link : world.links)
-        if (world.bodies[link.body].motion != Motion::Fixed)
-            loads[world.particles[link.particle].assembly] += link.mass;
+    for (const Body& body : world.bodies)
+        if (body.motion != Motion::Fixed) loads[body.assembly] += body.mass;
     for (const Strand& strand : world.strands)
         for (const uint32_t index : strand.particles) {
             const Particle& particle = world.particles[index];

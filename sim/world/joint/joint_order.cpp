@@ -10,9 +10,8 @@ namespace knuckle {
 
 namespace {
 
-/// Kruskal's order: first joints without a body that never responds, then those with limits or
-/// drives, then those with most
-/// particles.
+/// Kruskal's order: first joints without a body that never responds, then those with limits or drives,
+/// then those with most particles.
 std::vector<uint32_t> sortedJoints(const World& world)
 {
     const auto isGround = [&](uint32_t body) { return neverResponds(world.bodies[body]); };

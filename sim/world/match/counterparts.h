@@ -16,11 +16,11 @@ struct Counterparts {
     std::vector<std::string> kept, added, gone;
 };
 
-/// An object is the same if it has the same name, and bodies with the same names and particles; soft
-/// bodies if they have the same clusters; ropes and cloth if they have as many particles and the same rest lengths
-/// between them; grains if they are as many; a fluid if it has the same name, as far as
-/// its particles begin at the same places. Of several with one name the first is the first's. Emitters are the same by
-/// their number and the name of their fluid, colliders by shape and place.
+/// An object is the same if it has the same name, and bodies with the same names and particles; soft bodies if
+/// they have the same clusters; ropes and cloth if they have as many particles and the same rest lengths between them;
+/// grains if they are as many; a fluid if it has the same name, as far as its particles begin at the same places. Of
+/// several with one name the first is the first's. Emitters are the same by their number and the name of their fluid,
+/// colliders by shape and place.
 Counterparts counterparts(const World& before, const World& after);
 
 }  // namespace knuckle

@@ -33,6 +33,20 @@ Wheel wheelOn(const TurnDrive& drive, const Settings& settings = weightless(), c
     return wheel;
 }
 
+const Vector3f ARM_HINGE(-0.8f, 0, 0);
+
+/// The same, hung level beside its hinge, with its weight.
+Wheel armOn(const TurnDrive& drive)
+{
+    return wheelOn(drive, {}, ARM_HINGE);
+}
+
+/// The torque of its weight [N m].
+double armMoment()
+{
+    return armOn(speedMotor(1, 1)).world.bodies[0].mass * GRAVITY * -ARM_HINGE.x();
+}
+
 TurnDrive spring(float stiffness, float damping = 0)
 {
     TurnDrive drive;
@@ -90,10 +104,9 @@ TEST(Motor, AWheelSpeedsUpByTorqueOverInertiaAndKeepsItsSpeed)
 /// An arm level beside its hinge, of weight m g and length l: a torque of 0.9 m g l lowers it, 1.1 lifts it.
 TEST(Motor, StallsUnderALoadOfMoreThanItsTorque)
 {
-    const Vector3f hinge(-0.8f, 0, 0);
-    const double moment = wheelOn(speedMotor(1, 1)).world.bodies[0].mass * GRAVITY * 0.8;
+    const double moment = armMoment();
     for (const double part : {0.9, 1.1}) {
-        const Wheel arm = wheelOn(speedMotor(0.5f, static_cast<float>(part * moment)), {}, hinge);
+        const Wheel arm = armOn(speedMotor(0.5f, static_cast<float>(part * moment)));
         Solver solver(gpu(), arm.world);
         run(solver, arm.world, 0.3);
         // From the level, by what one leaves of the other.
@@ -110,10 +123,9 @@ TEST(Motor, StallsUnderALoadOfMoreThanItsTorque)
 
 TEST(Motor, AngleMotorTurnsThereAndHoldsALoadBelowItsTorqueOnly)
 {
-    const Vector3f hinge(-0.8f, 0, 0);
-    const double moment = wheelOn(speedMotor(1, 1)).world.bodies[0].mass * GRAVITY * 0.8;
+    const double moment = armMoment();
     for (const double part : {0.8, 1.25}) {
-        const Wheel arm = wheelOn(angleMotor(0, static_cast<float>(part * moment)), {}, hinge);
+        const Wheel arm = armOn(angleMotor(0, static_cast<float>(part * moment)));
         Solver solver(gpu(), arm.world);
         run(solver, arm.world, 1);
         const double degrees = angleOf(solver) * 180 / M_PI;
