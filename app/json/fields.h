@@ -143,6 +143,7 @@ void visitFields(Material& m, Visitor&& visit)
     visit("rollingFriction", m.rollingFriction);
     visit("fluid", m.fluid);
     visit("viscosity", m.viscosity);
+    visit("slip", m.slip);
     visit("surfaceTension", m.surfaceTension);
     visit("color", m.color);
     visit("stiffness", m.elasticity.stiffness);

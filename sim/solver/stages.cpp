@@ -94,6 +94,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
     if (SoftStage::isNeeded(world)) soft.emplace(setup_);
     if (StrandStage::isNeeded(world)) strands.emplace(setup_);
     if (FluidStage::isNeeded(world)) fluids.emplace(setup_);
+    if (ViscosityStage::isNeeded(world)) viscosity.emplace(setup_);
     if (FluidWatchStage::isNeeded(world)) fluidWatch.emplace();
     if (EmitterStage::isNeeded(world)) emitters.emplace(setup_);
     if (world.settings.solver == SolverKind::Paper) paper.emplace(setup_);
@@ -127,6 +128,7 @@ std::vector<Stage*> Stages::all()
     add(soft);
     add(strands);
     add(fluids);
+    add(viscosity);
     add(fluidWatch);
     add(emitters);
     add(paper);

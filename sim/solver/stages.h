@@ -12,6 +12,7 @@
 #include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_stage.h"
 #include "sim/solver/fluid/fluid_watch_stage.h"
+#include "sim/solver/fluid/viscosity_stage.h"
 #include "sim/solver/forces/force_stage.h"
 #include "sim/solver/joint/joint_stage.h"
 #include "sim/solver/list_room.h"
@@ -90,6 +91,7 @@ public:
     std::optional<SoftStage> soft;
     std::optional<StrandStage> strands;
     std::optional<FluidStage> fluids;
+    std::optional<ViscosityStage> viscosity;
     std::optional<FluidWatchStage> fluidWatch;
     std::optional<EmitterStage> emitters;
     std::optional<PaperStage> paper;

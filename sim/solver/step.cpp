@@ -15,7 +15,7 @@
 //     sorted into cells by a counting sort (grid_*); each looks for those that lie ahead (contact_find, further for
 //     fast ones: contact_find_far) and for colliders (collider_*); a prefix sum says where each list begins (scan_*,
 //     list_start, pair_list), and each contact gets its data (contact_prepare, collider_prepare);
-//   moves fluids by their pressures (fluid_*), once;
+//   moves fluids by their pressures (fluid_*), once, and slows them by their viscosity (viscous_*);
 //   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, strand_solve moves ropes
 //     and cloth, colour by colour; contact_solve and collider_solve work out impulses, each contact by itself, from
 //     where the movers are, drive_* the pull of springs towards clips and motor_turn that of joints' motors;
@@ -50,6 +50,13 @@ namespace knuckle {
 
 namespace {
 
+void moveFluids(const Stages& s, Recorder& recorder, uint32_t index)
+{
+    if (s.viscosity) s.viscosity->begin(recorder);
+    s.fluids->substep(recorder, index);
+    if (s.viscosity) s.viscosity->solve(recorder);
+}
+
 /// Light ropes under heavy loads need more of them: with two at few substeps their tension does not settle.
 uint32_t iterationsOf(const Stages& s, const Settings& settings)
 {
@@ -57,7 +64,7 @@ uint32_t iterationsOf(const Stages& s, const Settings& settings)
     return s.strands && s.strands->isHeavy() ? std::max(settings.iterations, HEAVY) : settings.iterations;
 }
 
-void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorder, bool first)
+void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorder, uint32_t index)
 {
     const uint32_t iterations = iterationsOf(s, settings);
     if (s.forces) s.forces->find(recorder);
@@ -73,7 +80,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     s.contacts.prepare(recorder);
     if (s.sleep) s.sleep->wake(recorder);
     s.bodies.warmStart(recorder);
-    if (s.fluids) s.fluids->substep(recorder, first);
+    if (s.fluids) moveFluids(s, recorder, index);
     if (s.forces) s.forces->actOnFluids(recorder);
     s.joints.factor(recorder);
     s.joints.solve(recorder, true);
@@ -96,11 +103,11 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
 }
 
 /// In a world without solid particles.
-void fluidSubstep(const Stages& s, Recorder& recorder, bool first)
+void fluidSubstep(const Stages& s, Recorder& recorder, uint32_t index)
 {
     if (s.animations) s.animations->animate(recorder);
     s.search.count(recorder);
-    s.fluids->substep(recorder, first);
+    moveFluids(s, recorder, index);
     if (s.forces) s.forces->actOnFluids(recorder);
 }
 
@@ -110,7 +117,7 @@ void impulseStep(const Stages& s, const Settings& settings, Recorder& recorder)
     if (s.animations) s.animations->lookAhead(recorder);
     if (s.fluids) s.fluids->beginStep(recorder);
     for (uint32_t i = 0; i < settings.substeps; ++i)
-        fluidsOnly ? fluidSubstep(s, recorder, i == 0) : impulseSubstep(s, settings, recorder, i == 0);
+        fluidsOnly ? fluidSubstep(s, recorder, i) : impulseSubstep(s, settings, recorder, i);
     s.bodies.placeParticles(recorder);
     s.joints.placeParticles(recorder);
     if (s.sleep) s.sleep->endStep(recorder);

@@ -65,6 +65,7 @@ void validateMaterials(const World& world)
                 m.staticFriction);
         require(within(m.viscosity, 0.0f, 1e6f), "material \"{}\": viscosity {} Pa s must be 0 to 1e6", m.name,
                 m.viscosity);
+        require(within(m.slip, 0.0f, 1e4f), "material \"{}\": slip length {} m must be 0 to 10000", m.name, m.slip);
         require(within(m.surfaceTension, 0.0f, 1e5f), "material \"{}\": surface tension {} N/m must be 0 to 100000",
                 m.name, m.surfaceTension);
         require(within(m.restitution, 0.0f, 1.0f), "material \"{}\": restitution {} must be 0 to 1", m.name,

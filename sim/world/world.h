@@ -48,6 +48,7 @@ struct Material {
     Vector3f color{0.8f, 0.8f, 0.8f};  ///< Linear RGB, 0-1, used when colouring by material.
     bool fluid = false;                ///< Its particles are loose and flow.
     float viscosity = 0.001f;          ///< Fluids: dynamic [Pa s], >= 0. Water 0.001, honey 10.
+    float slip = 0.0f;                 ///< Fluids: slip length at walls and solids [m], >= 0; thin ones always slip.
     float surfaceTension = 0.0f;       ///< Fluids: of their free surface [N/m], >= 0. Water 0.073.
     Elasticity elasticity = {};        ///< Of soft bodies.
 };

@@ -98,7 +98,8 @@ TEST(Scenes, PotpourriStaysInItsBasin)
 {
     const Scene scene = sceneOf("potpourri", {"objects.0.size=[1.9,0.16,2]", "objects.0.position=[-0.85,0.08,0]"});
     Solver solver(gpu(), scene.world);
-    // Measured: 6.6e-4, 0.69, 0.044, 2.2e-6, 8.8 m/s, 0.012, 1.788 m (the walls are at 1.85), 9.1e-4, 0.64, 0.0030.
+    // Measured: 6.6e-4, 0.69, 0.044, 2.2e-6, 8.8 m/s, 0.012, 1.788 m (the walls are at 1.85), 9.1e-4, 0.64, 0.036
+    // when it splashes.
     Watched falling{.gap = 1.3e-3f,
                     .penetration = 1.4f,
                     .meanPenetration = 0.09f,
@@ -108,10 +109,10 @@ TEST(Scenes, PotpourriStaysInItsBasin)
                     .far = 1.85f,
                     .stretch = 0.0018f,
                     .strain = 1.3f,
-                    .densityError = 0.006f};
+                    .densityError = 0.045f};
     expectWithin(watch(solver, scene, 2, 0), falling);
-    // Measured: 3.3e-6, 0.13, 0.0016, 2.0e-6, 3.4 m/s (a drop), 0.0027 (0.0061 on Debian 13: what drops do differs from
-    // driver to driver), 7.8e-5, 0.12, 0.0012; 0.51 m/s on the mean.
+    // Measured: 3.3e-6, 0.13, 0.0016, 2.0e-6, 3.4 m/s (a drop), 0.013 (what drops do differs from driver
+    // to driver), 7.8e-5, 0.12, 0.0012; 0.51 m/s on the mean.
     Watched sloshing{.gap = 7e-6f,
                      .penetration = 0.26f,
                      .meanPenetration = 0.0031f,
@@ -121,7 +122,7 @@ TEST(Scenes, PotpourriStaysInItsBasin)
                      .far = 1.85f,
                      .stretch = 1.6e-4f,
                      .strain = 0.24f,
-                     .densityError = 0.0024f};
+                     .densityError = 0.02f};
     expectWithin(watch(solver, scene, 2, 0), sloshing);
     EXPECT_LT(meanSpeed(scene, solver), 1.03);
 }

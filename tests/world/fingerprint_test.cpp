@@ -65,6 +65,7 @@ const std::vector<Field>& fields()
                                          FIELD(materials[0].rollingFriction),
                                          FIELD(materials[0].fluid),
                                          FIELD(materials[0].viscosity),
+                                         FIELD(materials[0].slip),
                                          FIELD(materials[0].surfaceTension),
                                          FIELD(materials[0].elasticity.stiffness),
                                          FIELD(materials[0].elasticity.poissonRatio),

@@ -4,6 +4,7 @@
 #include "sim/common/grid/fluid_grid.glsl"
 #include "sim/common/grid/grid.glsl"
 #include "sim/emitter/emitters.glsl"
+#include "sim/common/fluid_past.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer nozzlePoints;
@@ -13,6 +14,7 @@ uniform usamplerBuffer slotParticles;
 READ_BUFFER(Counters, CountersBlock, counters);
 BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
+BUFFER(vec4, FluidPasts, fluidPasts);
 BUFFER(uint, FluidTotals, totals);
 
 /// Whether nothing is in the way at x. The cells, made at the start of the step, say which particles may be near;
@@ -56,6 +58,7 @@ void main()
     uint index = e.poolStart + e.poolCount - state.taken + q;
     uint i = texelFetch(poolOrder, int(orderAfter(stepsDone(counters[0].substep)) + index)).x;
     positions[i] = vec4(x, 0);
+    fluidPasts[i] = pack(FluidPast(x, JUST_EMITTED));
     velocities[i] = pack(FluidVelocity(e.velocity.xyz + fall, max(HELD_LAYERS * e.interval - t, 0.0)));
     atomicAdd(totals[PARTICLES_CAME], 1u);
 }

@@ -1,6 +1,12 @@
 // The smoothing kernel of fluids: Wendland's C2, W(q) = 21 / (2 pi h^3) (1 - q)^4 (1 + 4 q), q = r / h, times the
 // volume of a particle at rest, so that its sum over a fluid at rest is 1.
 
+/// What a wall or solid gives by an evened multiplier. Only across itself, or it would drive what moves along it.
+vec3 across(mat3 even, vec3 gradient)
+{
+    return dot(gradient, even * gradient) / max(dot(gradient, gradient), 1e-20) * gradient;
+}
+
 /// Where a fluid particle is at the end of the substep if no pressure acts [m].
 vec3 predictedPosition(vec3 x, vec3 v)
 {
@@ -38,11 +44,11 @@ float fluidAttraction(float q)
     return max((q - 0.5) * (1.0 - q), 0.0);
 }
 
-/// The fraction of the kernel that lies behind a plane at the distance z, and its slope [1/m]: the integral of W over
-/// the half space, 7/2 T^6 - 9/2 T^7 + 3/2 T^8 with T = 1 - z / h.
+/// The fraction of the kernel that lies behind a plane at the distance z and a little more (FLUID_WALL_GAP), and its
+/// slope [1/m]: the integral of W over the half space, 7/2 T^6 - 9/2 T^7 + 3/2 T^8 with T = 1 - z / h.
 vec2 wallFraction(float z)
 {
-    float t = clamp(1.0 - z / sim.fluidReach, 0.0, 1.0);
+    float t = clamp(1.0 - (z + FLUID_WALL_GAP * sim.fluidSpacing) / sim.fluidReach, 0.0, 1.0);
     float t2 = t * t, t4 = t2 * t2;
     return vec2(t4 * t2 * (3.5 - 4.5 * t + 1.5 * t2), -(t4 * t) / sim.fluidReach * (21.0 - 31.5 * t + 12.0 * t2));
 }
@@ -54,7 +60,8 @@ vec2 wallFraction(float z)
 vec2 solidFraction(float r, float d)
 {
     float bounded = max(r, 0.25 * d), inverse = 1.0 / sim.fluidReach;
-    float t = clamp(1.0 - (bounded - 0.5 * d) * inverse, 0.0, 1.0), t2 = t * t, t4 = t2 * t2;
+    float gap = FLUID_SOLID_GAP * sim.fluidSpacing;
+    float t = clamp(1.0 - (bounded - 0.5 * d + gap) * inverse, 0.0, 1.0), t2 = t * t, t4 = t2 * t2;
     float slope = t4 * t * inverse * (21.0 - 31.5 * t + 12.0 * t2);
     float bend = t4 * inverse * inverse * (105.0 - 189.0 * t + 84.0 * t2);
     float scale = sim.solidCover * d * d / (6.2831853 * bounded);

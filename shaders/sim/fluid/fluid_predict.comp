@@ -4,12 +4,16 @@
 #include "sim/common/particles.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"
+#include "sim/fluid/pressure/slot_pressures.glsl"
 #include "sim/fluid/fluid.glsl"
+#include "sim/common/fluid_past.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
 uniform samplerBuffer velocities;
+uniform samplerBuffer fluidPasts;
 BUFFER(vec4, SlotPositions, newSlotPositions);
+BUFFER(vec4, SlotLastPositions, newSlotLastPositions);
 
 void main()
 {
@@ -22,5 +26,7 @@ void main()
 #else
     vec3 x = predictedPosition(own.position, texelFetch(velocities, int(i)).xyz);
 #endif
+    FluidPast past = fluidPast(texelFetch(fluidPasts, int(i)));
+    newSlotLastPositions[fetchParticleSlot(i)] = pack(SlotLast(past.position, past.compression == JUST_EMITTED));
     newSlotPositions[fetchParticleSlot(i)] = pack(SlotPosition(x, 1.0 / max(fetchMass(i).inverseMass, 1e-20)));
 }

@@ -6,7 +6,6 @@
 uniform samplerBuffer slotPositions;
 uniform samplerBuffer slotVelocities;
 uniform samplerBuffer slotVorticities;
-uniform samplerBuffer slotPressures;
 uniform usamplerBuffer slotMaterials;
 
 /// Where it is predicted to be at the end of the substep.
@@ -58,23 +57,6 @@ SlotVorticity fetchSlotVorticity(uint slot)
 vec4 pack(SlotVorticity s)
 {
     return vec4(s.vorticity, s.size);
-}
-
-/// The multiplier of its density constraint.
-struct SlotPressure {
-    vec3 position;    // the position that lambda was computed for [m]
-    float lambda;     // <= 0 [kg m2]
-};
-
-SlotPressure fetchSlotPressure(uint slot)
-{
-    vec4 t = texelFetch(slotPressures, int(slot));
-    return SlotPressure(t.xyz, t.w);
-}
-
-vec4 pack(SlotPressure s)
-{
-    return vec4(s.position, s.lambda);
 }
 
 /// The material of the particle in a slot.

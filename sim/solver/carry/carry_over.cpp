@@ -23,6 +23,7 @@ struct Carried {
 constexpr std::array CARRIED{
     Carried{"positions", Per::Particle, 4},
     Carried{"velocities", Per::Particle, 4},
+    Carried{"fluidPasts", Per::Particle, 4},
     Carried{"moverCentres", Per::Mover, 4},
     Carried{"moverRotations", Per::Mover, 4},
     Carried{"moverMoves", Per::Mover, 4},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "sim/solver/fluid/fluid_lattice.h"
@@ -29,12 +30,14 @@ struct LatticeSums {
                 for (int x = -cells; x <= cells; ++x) {
                     const double q = spacing * std::sqrt(double(x * x + y * y + z * z)) / reach, a = 1.0 - q;
                     if (a <= 0.0) continue;
+                    pulls += std::pow(a, 3) * std::pow(reach * q, 2);
                     density += std::pow(a, 4) * (1.0 + 4.0 * q);
                     slopes += std::pow(20.0 / reach * q * a * a * a, 2);
                     spread += std::pow(a, 4) * (1.0 + 4.0 * q) * reach * reach * q * q;
                 }
     }
     double density = 0.0, slopes = 0.0, spread = 0.0;
+    double pulls = 0.0;  ///< a^3 r^2, of viscous pairs.
 };
 
 /// The share of the kernel behind a plane at z, as in sim/fluid/fluid.glsl.
@@ -60,6 +63,48 @@ float solidCover(const gpu::StepParameters& p)
     }
     return static_cast<float>(CALIBRATION * share / listed);
 }
+
+/// Rate at which a thin or a viscous fluid's particles at least lose the difference to their neighbours [1/s]. It keeps
+/// resting fluids quiet.
+constexpr double LEAST_SMOOTHING = 15.0, LEAST_VISCOUS_SMOOTHING = 1.8;
+
+/// Where v = y^2 / 2 along x, the forces k r (r . dv) of pairs add up to the sum of k r^4 / 30, which has to be the
+/// viscosity times the volume of a particle; k is a^3 times this: impulse of a viscous pair over a^3 r^2 and the
+/// difference of velocity [kg/m2].
+float thicknessOf(const gpu::StepParameters& p, double viscosity)
+{
+    const double volume = std::pow(p.fluidSpacing, 3);
+    const double shears = 4.0 * std::numbers::pi / 840.0 * std::pow(p.fluidReach, 7) / volume;
+    return static_cast<float>(30.0 * volume * viscosity * p.substepTime / shears);
+}
+
+/// As in sim/fluid/viscous/viscous_pairs.glsl, times the distance, without slip.
+double wallShear(double z, double reach)
+{
+    const double t = std::min(z / reach, 1.0);
+    return std::numbers::pi / 10080.0 * std::pow(1.0 - t, 6) * (5.0 + t * (30.0 + t * (69.0 + t * 64.0)));
+}
+
+/// Integrals of pair forces over the solid grip: over a layer of solid particles, a diameter apart, that a fluid
+/// particle is next to, and over a half space of fluid that a solid particle is next to.
+struct SolidSums {
+    explicit SolidSums(const gpu::StepParameters& p)
+    {
+        constexpr int SAMPLES = 400;
+        const double nearest = 0.5 * (p.diameter + p.fluidSpacing), end = p.fluidListReach;
+        const double step = (end - nearest) / SAMPLES;
+        const double inLayer = std::pow(p.diameter, -2), inFluid = std::pow(p.fluidSpacing, -3);
+        for (int k = 0; k < SAMPLES; ++k) {
+            const double r = nearest + (k + 0.5) * step,
+                         strength = step * std::numbers::pi * std::pow(1.0 - r / end, 2);
+            along += inLayer * strength * r * (r * r - nearest * nearest);
+            across += inLayer * strength * 2.0 * r * nearest * nearest;
+            onSolid += inFluid * strength * 2.0 * std::pow(r, 4);
+        }
+    }
+    double along = 0.0, across = 0.0;  ///< How the layer holds a fluid particle [m2].
+    double onSolid = 0.0;              ///< The trace of how fluid holds a solid particle [m2].
+};
 
 void setLattice(gpu::StepParameters& p, const World& world)
 {
@@ -90,13 +135,76 @@ void setFluidParameters(gpu::StepParameters& p, const World& world)
     p.fluidSoftness = static_cast<float>(0.01 * lattice.slopes / (lattice.density * lattice.density));
 }
 
-// LEAST keeps resting fluids quiet; explicit steps are stable below 1.
+bool isViscous(const Material& material)
+{
+    constexpr float VISCOUS = 0.1f;  // [Pa s]
+    return material.fluid && material.viscosity >= VISCOUS;
+}
+
+// Explicit steps are stable below 1.
 float smoothing(const gpu::StepParameters& p, const Material& material, float time)
 {
-    constexpr double LEAST = 0.03, MOST = 0.9;
+    constexpr double MOST = 0.9;
+    if (isViscous(material)) return 0.0f;
     const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
     const double kinematic = material.viscosity / material.density;
-    return static_cast<float>(std::clamp(6.0 * kinematic * time * lattice.density / lattice.spread, LEAST, MOST));
+    const double rate = std::max(6.0 * kinematic * lattice.density / lattice.spread, LEAST_SMOOTHING);
+    return static_cast<float>(std::min(rate * time, MOST));
+}
+
+gpu::vec4 viscousMaterial(const gpu::StepParameters& p, const Material& material)
+{
+    if (!isViscous(material)) return {thicknessOf(p, material.viscosity * (material.fluid ? 1.0 : 0.0)), 0, 0, 0};
+    const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
+    const double least = LEAST_VISCOUS_SMOOTHING * lattice.spread / (6.0 * lattice.density);
+    const double viscosity = std::max<double>(material.viscosity, least * material.density);
+    const float thickness = thicknessOf(p, viscosity);
+    const double near = 0.5 * p.fluidSpacing, wall = std::pow(p.fluidReach, 6) * std::pow(p.fluidSpacing, -3);
+    const double depth = near + material.slip - 0.2 * p.fluidSpacing;  // as viscous_start.comp has it of walls
+    const double solid = wall * wallShear(near, p.fluidReach) / (depth * SolidSums(p).along);
+    return {thickness, static_cast<float>(thickness * wall), static_cast<float>(thickness * solid), material.slip};
+}
+
+namespace {
+
+/// [kg]; infinity if there is no solid particle
+double lightestSolid(const World& world)
+{
+    double mass = std::numeric_limits<double>::infinity();
+    for (const Particle& q : world.particles)
+        if (!world.materials[q.material].fluid) mass = std::min(mass, double(q.mass));
+    return mass;
+}
+
+/// About the largest eigenvalue of viscosity, as viscous_stiffness.comp bounds it: in the fluid, of fluid at solids, of
+/// solids in it. Very light solids count as if they were heavier: sweeps must end.
+double stiffness(const gpu::StepParameters& p, const World& world)
+{
+    constexpr double MOST_BY_SOLIDS = 25.0;
+    const double volume = std::pow(p.fluidSpacing, 3), solid = lightestSolid(world);
+    const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
+    const SolidSums solids(p);
+    double stiffest = 0.0;
+    for (const Material& m : world.materials) {
+        if (!m.fluid) continue;
+        const gpu::vec4 viscous = viscousMaterial(p, m);
+        const double fluid = 2.0 * viscous.x * lattice.pulls / 3.0 / (m.density * volume);
+        const double atSolids = 0.5 * fluid + 2.0 * viscous.z * solids.across / (m.density * volume);
+        const double ofSolids = std::min(viscous.z * solids.onSolid / solid, MOST_BY_SOLIDS * fluid);
+        stiffest = std::max({stiffest, fluid, std::isinf(solid) ? 0.0 : atSolids, ofSolids});
+    }
+    return stiffest;
+}
+
+}  // namespace
+
+// Chebyshev's method of n sweeps leaves 2 exp(-2 n / sqrt(k)) of an error, k being the ratio of the largest to the
+// smallest eigenvalue.
+uint32_t viscousSweeps(const gpu::StepParameters& p, const World& world)
+{
+    constexpr double LEFT = 0.1, CROWDED = 1.3;
+    const double largest = 1.0 + CROWDED * stiffness(p, world);
+    return std::max(static_cast<uint32_t>(std::ceil(0.5 * std::sqrt(largest) * std::log(2.0 / LEFT))), 1u);
 }
 
 // A pair force f(r) at the number density n gives the surface tension pi n^2 / 8 times the integral of f r^4 (Fowler
@@ -104,7 +212,7 @@ float smoothing(const gpu::StepParameters& p, const Material& material, float ti
 // fluid they are not: measurements on puddles give 1 / CORRELATION of that.
 float tension(const gpu::StepParameters& p, const Material& material)
 {
-    constexpr double CORRELATION = 1.26;
+    constexpr double CORRELATION = 0.78;
     const double density = std::pow(p.fluidSpacing, -3.0), reach = std::pow(double(p.fluidReach), 5);
     const double unit = std::numbers::pi / 8.0 * density * density * 0.0074777 * reach;
     const double force = CORRELATION * material.surfaceTension / unit;

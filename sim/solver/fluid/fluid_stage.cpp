@@ -20,6 +20,10 @@ constexpr int RELAXATIONS = 24;
 constexpr int MOST_LOOKS = 80;
 /// Fluid is at rest when no particle would start faster than this [m/s].
 constexpr float STARTS_WITH = 0.02f;
+/// Of Settings::vorticity: at 1, swirls lose nearly nothing.
+constexpr float VORTICITY = 0.5f;
+/// Substeps between two looks at the shapes of neighbourhoods.
+constexpr uint32_t SHAPE_SUBSTEPS = 8;
 
 bool hasTensionIn(const World& world)
 {
@@ -37,7 +41,7 @@ FluidStage::FluidStage(const StageSetup& setup)
 void FluidStage::upload(const StageSetup& setup)
 {
     const Settings& settings = setup.world.settings;
-    setup.parameters.vorticity = settings.vorticity * settings.timeStep;
+    setup.parameters.vorticity = VORTICITY * settings.vorticity * settings.timeStep;
     setFluidParameters(setup.parameters, setup.world);
     const size_t cells = parameters_.fluidCellMask + 1;
     fluidCellCounts = {"fluidCellCounts", cells};
@@ -47,6 +51,7 @@ void FluidStage::upload(const StageSetup& setup)
         materials.push_back({smoothing(parameters_, m, settings.timeStep), tension(parameters_, m), 0, 0});
     fluidMaterials = {"fluidMaterials", std::span<const gpu::vec4>(materials)};
     fluidLargestPush = {"fluidLargestPush", 1};
+    fluidPasts = {"fluidPasts", parameters_.particleCount + parameters_.fluidCount};
 }
 
 void FluidStage::makeLists(const Gpu& gpu)
@@ -73,10 +78,14 @@ void FluidStage::makeLists(const Gpu& gpu)
     slotMaterials = {"slotMaterials", count};
     slotVelocities = {"slotVelocities", count};
     slotPositions = {"slotPositions", count};
-    slotPressures = {"slotPressures", count};
+    slotLastPositions = {"slotLastPositions", count};
+    slotShapes = {"slotShapes", 2 * count};
+    slotPressures = {"slotPressures", 2 * count};
     slotVorticities = {"slotVorticities", confines_ ? count : 0};
     slotWalls = {"slotWalls", count};
+    slotCovered = {"slotCovered", count};
     slotSolids = {"slotSolids", count};
+    slotSolidImpulses = {"slotSolidImpulses", count};
 }
 
 void FluidStage::reserve(gpu::StepParameters& parameters, const gpu::Counters& counters) const
@@ -88,10 +97,11 @@ void FluidStage::reserve(gpu::StepParameters& parameters, const gpu::Counters& c
 void FluidStage::addBuffers(BufferTable& table)
 {
     table.add(Lifetime::Constant, fluidMaterials);
-    table.add(Lifetime::State, fluidCellCounts, fluidCellSums);  // they begin a search with zeros
+    table.add(Lifetime::State, fluidCellCounts, fluidCellSums, fluidPasts);  // they begin a search with zeros
     table.add(Lifetime::Scratch, fluidSearchPositions, fluidParticleCells, fluidCellStarts, fluidCellMembers,
               slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, slotMaterials, slotVelocities,
-              slotPositions, slotPressures, slotVorticities, slotWalls, slotSolids, fluidLargestPush);
+              slotPositions, slotLastPositions, slotShapes, slotPressures, slotVorticities, slotWalls, slotCovered,
+              slotSolids, slotSolidImpulses, fluidLargestPush);
     ElementType fourAtATime = elementType<uint32_t>();
     fourAtATime.texelBytes = 16;
     table.add("fluidSorted", fluidSorted, fourAtATime, Lifetime::Scratch);
@@ -138,17 +148,19 @@ void FluidStage::relax(Recorder& recorder)
         recorder.perElement(predictSolidRelaxed_, parameters_.particleCount);
         for (int k = 0; k < RELAXATIONS; ++k) {
             if (k + 1 == RELAXATIONS) fluidLargestPush.clear();
-            perSlot(recorder, density_);
+            if (k == 0) perSlot(recorder, shape_);
+            perSlot(recorder, densityRelaxed_);
             perSlot(recorder, pressureRelaxed_);
         }
         largest = std::bit_cast<float>(fluidLargestPush.download()[0]);
     }
 }
 
-void FluidStage::substep(Recorder& recorder, bool first) const
+void FluidStage::substep(Recorder& recorder, uint32_t index) const
 {
-    if (first) recorder.perElement(predict_, parameters_.fluidCount);
+    if (index == 0) recorder.perElement(predict_, parameters_.fluidCount);
     recorder.perElement(predictSolid_, parameters_.particleCount);
+    if (index % SHAPE_SUBSTEPS == 0) perSlot(recorder, shape_);
     perSlot(recorder, density_);
     perSlot(recorder, pressure_);
     recorder.perElement(coupling_, parameters_.particleCount);

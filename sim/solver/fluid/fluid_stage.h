@@ -28,8 +28,8 @@ public:
     void beginStep(Recorder& recorder) const;
     /// One iteration of pressures, after the movers have been predicted. Afterwards fluid particles are at their
     /// positions of the substep's end.
-    /// @param first of the step
-    void substep(Recorder& recorder, bool first) const;
+    /// @param index of the substep in its step
+    void substep(Recorder& recorder, uint32_t index) const;
     /// Densities of the fluid particles in the last substep over that at rest, in no particular order. Stalls until the
     /// GPU is done.
     std::vector<float> densities() const;
@@ -46,11 +46,16 @@ public:
     Buffer<uint32_t> slotMaterials;                 ///< Index into World::materials.
     Buffer<gpu::vec4> slotVelocities;               ///< When neighbours were found [m/s]; w: smoothing.
     Buffer<gpu::vec4> slotPositions;                ///< Predicted [m]; w: mass [kg].
-    Buffer<gpu::vec4> slotPressures;                ///< Position; w: lambda [kg m2].
+    Buffer<gpu::vec4> slotLastPositions;            ///< Predicted in the last substep [m].
+    Buffer<gpu::vec4> slotShapes;                   ///< Two each: fetchSlotShape() (slot_pressures.glsl).
+    Buffer<gpu::uvec4> slotPressures;               ///< Two each: SlotPressure.
+    Buffer<gpu::vec4> slotSolidImpulses;            ///< What solids gave it in the substep [kg m].
+    Buffer<gpu::vec4> fluidPasts;                   ///< Per particle: FluidPast (fluid_past.glsl).
     Buffer<gpu::vec4> slotVorticities;              ///< [1/s]; w: its length.
     Buffer<uint32_t> fluidLargestPush;              ///< One: largest push of a pass before the first step [m], as bits
                                                     ///< of a float.
     Buffer<gpu::vec4> slotWalls, slotSolids;        ///< Gradients of the density from walls and solids.
+    Buffer<float> slotCovered;                      ///< Share of the kernel that they cover.
 
 private:
     void list(Recorder& recorder) const;
@@ -73,12 +78,14 @@ private:
     Pass confinement_{*this, "fluid/fluid_vorticity_confinement", {}, confines_};
     Pass predict_{*this, "fluid/fluid_predict"};
     Pass predictSolid_{*this, "fluid/fluid_predict_solid"};
-    Pass density_{*this, "fluid/fluid_density"};
-    Pass pressure_{*this, "fluid/fluid_pressure", hasTension_ ? Defines{{"TENSION", "1"}} : Defines{}};
-    Pass coupling_{*this, "fluid/fluid_solid_coupling"};
+    Pass shape_{*this, "fluid/pressure/fluid_shape"};
+    Pass density_{*this, "fluid/pressure/fluid_density", hasPool_ ? Defines{{"EMITTERS", "1"}} : Defines{}};
+    Pass pressure_{*this, "fluid/pressure/fluid_pressure", hasTension_ ? Defines{{"TENSION", "1"}} : Defines{}};
+    Pass coupling_{*this, "fluid/pressure/fluid_solid_coupling"};
     Pass predictRelaxed_{*this, "fluid/fluid_predict", {{"RELAX", "1"}}};
     Pass predictSolidRelaxed_{*this, "fluid/fluid_predict_solid", {{"RELAX", "1"}}};
-    Pass pressureRelaxed_{*this, "fluid/fluid_pressure", {{"RELAX", "1"}}};
+    Pass densityRelaxed_{*this, "fluid/pressure/fluid_density", {{"RELAX", "1"}}};
+    Pass pressureRelaxed_{*this, "fluid/pressure/fluid_pressure", {{"RELAX", "1"}}};
 };
 
 }  // namespace knuckle

@@ -31,9 +31,9 @@ inline auto fieldsOf(const Elasticity& e)
 
 inline auto fieldsOf(const Material& m)
 {
-    const auto& [name, density, sticking, sliding, restitution, rolling, color, fluid, viscosity, tension,
+    const auto& [name, density, sticking, sliding, restitution, rolling, color, fluid, viscosity, slip, tension,
                  elasticity] = m;
-    return counting(density, sticking, sliding, restitution, rolling, fluid, viscosity, tension, elasticity);
+    return counting(density, sticking, sliding, restitution, rolling, fluid, viscosity, slip, tension, elasticity);
 }
 
 inline auto fieldsOf(const SurfaceDistance& s)

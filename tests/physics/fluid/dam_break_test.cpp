@@ -58,8 +58,9 @@ TEST(DamBreak, TheFrontAdvancesAsMartinAndMoyceMeasuredAndEnergyFalls)
         EXPECT_LT(front, 1 + 2 * time + 0.1) << "nothing is faster than Ritter's 2 sqrt(g h)";
         for (; next < measured.size() && measured[next].first <= time; ++next) {
             const double here = last + (front - last) * (measured[next].first - before) / (time - before);
-            // The experiment's column starts late, since the sheet that holds it must first burn away: some 0.2 widths.
-            EXPECT_NEAR(here, measured[next].second + 0.1, 0.25) << "at " << measured[next].first;
+            // The experiment's column starts late, since the sheet that holds it must first burn away, and its floor
+            // rubs: fluid without friction is some 0.25 widths ahead.
+            EXPECT_NEAR(here, measured[next].second + 0.25, 0.2) << "at " << measured[next].first;
         }
     }
     // Before the first step the lattice expands at the walls, which lifts it by a few per cent.

@@ -103,9 +103,9 @@ TEST(Emitter, AJetFliesAlongItsParabola)
                 middle += (state.positions[k * jet.layer() + i] - NOZZLE) / static_cast<float>(jet.layer());
             const auto t = static_cast<float>(0.75 - k * jet.emitter.interval());
             const Vector3f wanted = t * velocity - 0.5f * 9.81f * t * t * Vector3f::UnitY();
-            // Tolerance for the tip's way of some 3 m: 1 %, and 4 % for the tip that slows down, since faster fluid
+            // Tolerance for the tip's way of some 3 m: 1.3 %, and 4 % for the tip that slows down, since faster fluid
             // pushes it from behind.
-            EXPECT_LT((middle - wanted).norm(), velocity.y() == 0.0f ? 0.03f : 0.12f) << "layer " << k;
+            EXPECT_LT((middle - wanted).norm(), velocity.y() == 0.0f ? 0.04f : 0.12f) << "layer " << k;
             mean += (middle - wanted).norm() / static_cast<float>(layers);
         }
         EXPECT_LT(mean, 0.03f);

@@ -121,9 +121,8 @@ TEST(Paddle, WaterGetsNoEnergyThatTheDrumDoesNotGive)
     EXPECT_NEAR(water.turns, 1.0, 0.03);
     EXPECT_LE(water.outside, 3u);        // of 1280: in one of seven starts one particle is pressed through a corner
     EXPECT_GT(water.leastTaken, -0.03);  // measured -0.012, in the second frame: the fluid leaves its lattice
-    // It keeps sloshing in the corners: measured 1.29 times the energy of turning alone.
-    EXPECT_GT(water.energy, 1.0);
-    EXPECT_LT(water.energy, 1.6);
+    EXPECT_GT(water.energy, 0.97);       // of turning alone; measured 0.999
+    EXPECT_LT(water.energy, 1.3);
 }
 
 }  // namespace knuckle::test

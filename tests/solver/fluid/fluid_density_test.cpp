@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -8,11 +9,11 @@ namespace knuckle::test {
 
 namespace {
 
-/// Rounding of sums of some fifty neighbours in single precision.
-constexpr double ROUNDING = 2e-5;
+/// Rounding of sums of some fifty neighbours in single precision, and of multipliers in half.
+constexpr double ROUNDING = 2e-5, HALF_ROUNDING = 1e-3;
 
 /// The share of the kernel behind a plane at z (physics.md).
-double wallFraction(double z, double reach)
+double behind(double z, double reach)
 {
     const double t = std::clamp(1.0 - z / reach, 0.0, 1.0);
     return 3.5 * std::pow(t, 6) - 4.5 * std::pow(t, 7) + 1.5 * std::pow(t, 8);
@@ -22,6 +23,7 @@ double wallFraction(double z, double reach)
 struct Cover {
     double share = 0.0, squares = 0.0;
     Vector3d slope = Vector3d::Zero();
+    Matrix3d moment = Matrix3d::Zero();  ///< The sum of distances times slopes, negative.
 };
 
 /// Also with a grid that wraps too early, whose lists contain particles far away.
@@ -33,11 +35,35 @@ protected:
         fixture.findNeighbours();
         std::vector<uint32_t> colliders(fixture.count(), 0);
         for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) colliders[i] = 3;
-        fill(fixture.stages.fluids->slotColliders, fixture.inSlots(colliders));
-        fixture.forSlots("fluid/fluid_density");
-        pressures = fixture.byParticle(fixture.stages.fluids->slotPressures.download());
-        walls = fixture.byParticle(fixture.stages.fluids->slotWalls.download());
-        solids = fixture.byParticle(fixture.stages.fluids->slotSolids.download());
+        FluidStage& f = *fixture.stages.fluids;
+        fill(f.slotColliders, fixture.inSlots(colliders));
+        Random random(47);
+        for (uint32_t i = 0; i < fixture.count(); ++i) {
+            moves.push_back(random.inCube(0.004f));
+            isNew.push_back(fixture.isFluid(i) && i % 13 == 0);
+            gpu::vec4 last = packed(vec3(fixture.places[i]) - moves.back());
+            last.w = isNew.back() ? 1.0f : 0.0f;
+            lasts.push_back(last);
+            pasts.push_back({0, 0, 0, random.between(-0.02f, 0.3f)});
+        }
+        fill(f.slotLastPositions, fixture.inSlots(lasts));
+        fill(f.fluidPasts, pasts);
+        fixture.forSlots("fluid/pressure/fluid_shape");
+        const auto shapes = f.slotShapes.download();
+        for (uint32_t k = 0; k < fixture.count(); ++k) {
+            const gpu::vec4 s = shapes[2 * k], u = shapes[2 * k + 1];
+            Matrix3d even;
+            even << s.x, s.y, s.z, s.y, u.x, u.y, s.z, u.y, u.z;
+            evens.push_back(even);
+        }
+        evens = fixture.byParticle(evens);
+        fixture.forSlots("fluid/pressure/fluid_density", {{"EMITTERS", "1"}});
+        const auto found = f.slotPressures.download();
+        for (uint32_t k = 0; k < fixture.count(); ++k) pressures.push_back(pressureOf(found[2 * k], found[2 * k + 1]));
+        pressures = fixture.byParticle(pressures);
+        walls = fixture.byParticle(f.slotWalls.download());
+        solids = fixture.byParticle(f.slotSolids.download());
+        after = f.fluidPasts.download();
     }
     const gpu::StepParameters& parameters() const { return fixture.parameters(); }
     Cover byFluid(uint32_t i) const
@@ -48,27 +74,31 @@ protected:
             cover.share += fixture.share(r.norm());
             cover.slope += fixture.slope(r.norm()) * r.normalized();
             cover.squares += std::pow(fixture.slope(r.norm()), 2);
+            cover.moment -= fixture.slope(r.norm()) / r.norm() * r * r.transpose();
         }
         return cover;
     }
-    /// d^2 / (2 pi r) times the growth of a wall's share at r - d / 2; below d / 2 that of d / 2; fading to nothing
-    /// within the last fifth of a diameter of the lists' reach.
+    double spacing() const { return parameters().fluidSpacing; }
+    /// d^2 / (2 pi r) times the growth of a wall's share at r - d / 2 and the gap; below that that of 0; fading to
+    /// nothing within the last fifth of a diameter of the lists' reach.
     double solidFraction(double r) const
     {
         const double d = parameters().diameter, far = std::max(r, 0.25 * d), reach = parameters().fluidReach;
         const double u = std::clamp((parameters().fluidListReach - r) / (0.2 * d), 0.0, 1.0);
-        const double slope = FluidFixture::derivative([&](double z) { return wallFraction(z, reach); },
-                                                      std::max(far - 0.5 * d, 2e-6));
+        const double gap = FLUID_SOLID_GAP * spacing();
+        const double slope = FluidFixture::derivative([&](double z) { return behind(z, reach); },
+                                                      std::max(far - 0.5 * d + gap, 2e-6));
         return -parameters().solidCover * d * d / (2.0 * std::numbers::pi * far) * slope * u * u * (3.0 - 2.0 * u);
     }
     static double weight(double r, double reach) { return std::pow(std::max(1.0 - r / reach, 0.0), 2); }
     /// The slope only across the surface that the nearby particles form together, if they lie on one side; squares: by
     /// how much the slopes of each exceed that.
-    Cover bySolids(uint32_t i, double& weights) const
+    Cover bySolids(uint32_t i, double& weights, Vector3d& move) const
     {
         Cover cover;
         Vector3d way(0, 1e-12, 0);
         weights = 0.0;
+        move.setZero();
         for (uint32_t j : fixture.near(i, false, parameters().fluidListReach)) {
             const Vector3d r = fixture.place(i) - fixture.place(j);
             const double far = r.norm(), w = weight(far, parameters().fluidListReach);
@@ -76,6 +106,7 @@ protected:
             const double slope = FluidFixture::derivative([&](double x) { return solidFraction(x); }, far);
             cover.slope += slope * r.normalized();
             cover.squares += slope * slope;
+            move += w * moves[j].cast<double>();
             // Where the share no longer grows, the slope continues.
             usual = usual && far > 0.25 * parameters().diameter;
             way += w * r.normalized();
@@ -85,34 +116,72 @@ protected:
         const Vector3d across = way.normalized().dot(cover.slope) * way.normalized();
         cover.slope += u * u * (3.0 - 2.0 * u) * (across - cover.slope);
         cover.squares = std::max(cover.squares - cover.slope.squaredNorm(), 0.0);
+        cover.moment = 0.75 * spacing() / std::max(cover.slope.norm(), 1e-20) * cover.slope * cover.slope.transpose();
+        move /= std::max(weights, 1e-20);
         return cover;
     }
     /// The plane below and the one at the side, at right angles: their common part counts once.
     Cover byWalls(uint32_t i) const
     {
         const double reach = parameters().fluidReach;
-        const auto share = [&](double z) { return wallFraction(z, reach); };
+        const double gap = FLUID_WALL_GAP * spacing();
+        const auto share = [&](double z) { return behind(z + gap, reach); };
         const double below = fixture.place(i).y() + 0.25, beside = 0.25 - fixture.place(i).x();
         const double a = share(below), b = share(beside);
-        return {a + b - a * b, 0.0,
-                Vector3d(-(1.0 - a) * FluidFixture::derivative(share, beside),
-                         (1.0 - b) * FluidFixture::derivative(share, below), 0.0)};
+        const double bySide = FluidFixture::derivative(share, beside), byFloor = FluidFixture::derivative(share, below);
+        // The floor comes first: of what the wall at the side covers, it leaves 1 - a.
+        const Vector3d lean(-(1.0 - a) * std::max(beside, 0.0) * bySide, -std::max(below, 0.0) * byFloor, 0.0);
+        return {a + b - a * b, 0.0, Vector3d(-(1.0 - a) * bySide, (1.0 - b) * byFloor, 0.0), lean.asDiagonal()};
+    }
+    /// A multiplier's matrix [kg m2].
+    Matrix3d pressureOf(const gpu::uvec4& a, const gpu::uvec4& b) const
+    {
+        const auto half = [](uint32_t bits) {
+            return static_cast<float>(Eigen::numext::bit_cast<Eigen::half>(static_cast<uint16_t>(bits)));
+        };
+        const auto word = [](uint32_t bits) { return std::bit_cast<float>(bits); };
+        Eigen::Matrix3f m;
+        m << word(b.x), half(a.w), half(a.w >> 16), half(a.w), word(b.y), word(b.w), half(a.w >> 16), word(b.w),
+            word(b.z);
+        return 1000.0 / 256.0 * std::pow(spacing(), 3) / (100.0 * parameters().fluidSoftness) * m.cast<double>();
     }
 
     FluidFixture fixture;
-    std::vector<gpu::vec4> pressures, walls, solids;
+    std::vector<Vector3f> moves;
+    std::vector<bool> isNew;
+    std::vector<gpu::vec4> lasts, pasts, walls, solids, after;
+    std::vector<Matrix3d> evens, pressures;
     mutable bool usual = true;
 };
+
+TEST_P(FluidDensity, ShapesAreThoseOfDoublePrecision)
+{
+    uint32_t count = 0;
+    for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
+        double weights = 0.0;
+        Vector3d move;
+        usual = true;
+        const Cover fluid = byFluid(i), solid = bySolids(i, weights, move), wall = byWalls(i);
+        if (!usual) continue;
+        const double covered = solid.share + wall.share, rest = std::max(1.0 - fluid.share - covered, 0.0);
+        const Matrix3d moment = fluid.moment + solid.moment + wall.moment + (covered + rest) * Matrix3d::Identity();
+        const Matrix3d wanted = (1.0 - FLUID_EVENNESS) * Matrix3d::Identity() + FLUID_EVENNESS * moment.inverse();
+        ASSERT_LT((evens[i] - wanted).norm(), 2e-3 * wanted.norm()) << i;
+        ++count;
+    }
+    EXPECT_GT(count, 300u);
+}
 
 TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
 {
     const double epsilon = parameters().fluidSoftness;
-    uint32_t pressed = 0, free = 0, besideSolids = 0, besideWalls = 0;
+    uint32_t pressed = 0, free = 0, loose = 0, besideNew = 0, besideSolids = 0, besideWalls = 0;
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
         SCOPED_TRACE(i);
         double weights = 0.0;
+        Vector3d solidMove;
         usual = true;
-        const Cover fluid = byFluid(i), solid = bySolids(i, weights), wall = byWalls(i);
+        const Cover fluid = byFluid(i), solid = bySolids(i, weights, solidMove), wall = byWalls(i);
         const double share = fluid.share + solid.share + wall.share;
         ASSERT_NEAR(walls[i].w, share, ROUNDING * (1.0 + share));
         const double size = std::sqrt(fluid.squares) + 10.0;
@@ -123,39 +192,67 @@ TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
         // Closer than a quarter of a diameter the slope is no longer that of the share.
         if (!usual) continue;
         ASSERT_LT((vec3(solids[i]).cast<double>() - solid.slope).norm(), 1e-3 * (size + solid.slope.norm()));
-        const double tooMuch = std::clamp(share - 1.0, 0.0, double(MOST_FLUID_ERROR));
+        // What moves make of the compression that was.
+        const auto across = [&](const Vector3d& slope) -> Vector3d {
+            return slope.dot(evens[i] * slope) / std::max(slope.squaredNorm(), 1e-20) * slope;
+        };
+        double nearer = 2.0 * moves[i].cast<double>().dot(across(wall.slope)) +
+                        2.0 * (moves[i].cast<double>() - solidMove).dot(across(solid.slope));
+        double added = 0.0;
+        for (uint32_t j : fixture.fluidNear(i)) {
+            const Vector3d r = fixture.place(i) - fixture.place(j);
+            if (isNew[j]) added += fixture.share(r.norm());
+            else
+                nearer +=
+                    (evens[i] * fixture.slope(r.norm()) * r.normalized()).dot((moves[i] - moves[j]).cast<double>());
+        }
+        const auto bounded = [](double c) {
+            return std::clamp(c, double(LEAST_FLUID_ERROR), double(MOST_FLUID_ERROR));
+        };
+        const double excess = bounded(share - 1.0), carried = bounded(pasts[i].w + nearer);
+        const double more = std::max(carried, std::min(carried + added, excess));
+        const bool anew = isNew[i] || share < FLUID_LOOSE;
+        const double compression = anew ? excess : more + FLUID_MIXING * (excess - more);
+        ASSERT_NEAR(after[i].w, compression, 1e-3);
         const Vector3d all = fluid.slope + wall.slope + solid.slope;
         const double under = all.squaredNorm() + fluid.squares + solid.squares + epsilon;
-        const double lambda = -FLUID_RELAXATION * tooMuch / under * fixture.mass(i);
-        ASSERT_NEAR(pressures[i].w, lambda, 1e-3 * std::abs(lambda) + ROUNDING / under * fixture.mass(i));
-        ++(tooMuch > 0.0 ? pressed : free);
+        const Matrix3d lambda = -FLUID_RELAXATION * std::max(double(after[i].w), 0.0) / under * fixture.mass(i) *
+                                evens[i];
+        ASSERT_LT((pressures[i] - lambda).norm(), HALF_ROUNDING * lambda.norm() + ROUNDING / under * fixture.mass(i));
+        ++(compression > 0.0 ? pressed : free);
+        loose += anew;
+        besideNew += more > carried;
     }
-    for (uint32_t number : {pressed, free, besideSolids, besideWalls}) EXPECT_GT(number, 50u);
+    for (uint32_t number : {pressed, free, loose, besideNew, besideSolids, besideWalls}) EXPECT_GT(number, 20u);
 }
 
 TEST_P(FluidDensity, SolidParticlesHaveNoPressure)
 {
-    for (uint32_t i = 0; i < fixture.solidCount(); ++i) ASSERT_EQ(pressures[i].w, 0.0f) << i;
+    for (uint32_t i = 0; i < fixture.solidCount(); ++i) ASSERT_EQ(pressures[i], Matrix3d::Zero()) << i;
 }
 
 TEST_P(FluidDensity, SolidsAreGivenWhatTheyGive)
 {
-    // fluid_pressure moves a fluid particle by lambda times solids' slope; fluid_solid_coupling returns that by
-    // weights.
+    // fluid_pressure notes what solids give a fluid particle; fluid_solid_coupling returns that by weights.
+    std::vector<gpu::vec4> shares(fixture.count());
+    Random random(48);
+    for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
+        shares[i] = packed(solids[i].w * random.inCube(1e-3f));
+    }
+    fill(fixture.stages.fluids->slotSolidImpulses, fixture.inSlots(shares));
     fill(fixture.stages.bodies.particleImpulses, std::vector<gpu::vec4>(fixture.count()));
-    fixture.forParticles("fluid/fluid_solid_coupling");
+    fixture.forParticles("fluid/pressure/fluid_solid_coupling");
     const auto impulses = fixture.stages.bodies.particleImpulses.download();
     const auto places = fixture.stages.particles.particleRanks.download();
     std::vector<Vector3d> wanted(fixture.solidCount(), Vector3d::Zero());
     Vector3d given = Vector3d::Zero(), got = Vector3d::Zero();
     double size = 0.0;
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
-        const Vector3d impulse = double(pressures[i].w) * vec3(solids[i]).cast<double>();
-        given += impulse;
-        size += impulse.norm();
+        const Vector3d impulse = vec3(shares[i]).cast<double>();
+        if (solids[i].w > 0.0f) given += impulse / double(solids[i].w);
+        if (solids[i].w > 0.0f) size += impulse.norm() / double(solids[i].w);
         for (uint32_t j : fixture.near(i, false, parameters().fluidListReach))
-            wanted[j] -= weight((fixture.place(i) - fixture.place(j)).norm(), parameters().fluidListReach) *
-                         double(solids[i].w) * impulse;
+            wanted[j] -= weight((fixture.place(i) - fixture.place(j)).norm(), parameters().fluidListReach) * impulse;
     }
     uint32_t pushed = 0;
     for (uint32_t j = 0; j < fixture.solidCount(); ++j) {

@@ -39,11 +39,15 @@ TEST_F(FluidViscosity, VelocitiesEvenOutAndKeepTheirMomentum)
 {
     fixture.findNeighbours();
     setVelocities(randomVectors(fixture.count(), 1.0f, 51));
-    const auto strengths = fixture.stages.fluids->fluidMaterials.download();
+    // As of a thick oil, which would be solved implicitly.
+    auto strengths = fixture.stages.fluids->fluidMaterials.download();
+    EXPECT_EQ(strengths[2].x, 0.0f);
+    strengths[2].x = 0.5f;
+    fill(fixture.stages.fluids->fluidMaterials, strengths);
+    fixture.forSlots("fluid/fluid_gather");
     fixture.forSlots("fluid/fluid_viscosity");
     const auto found = fixture.stages.particles.velocities.download();
     const auto strength = [&](uint32_t i) { return double(strengths[fixture.world.particles[i].material].x); };
-    EXPECT_GT(strengths[2].x, 2.0f * strengths[1].x);
     Vector3d sum = Vector3d::Zero();
     double size = 0.0, energy = 0.0;
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {

@@ -2,6 +2,13 @@
 
 uniform samplerBuffer slotWalls;
 uniform samplerBuffer slotSolids;
+uniform samplerBuffer slotCovered;
+
+/// The share of its kernel that walls and solids cover.
+float fetchSlotCovered(uint slot)
+{
+    return texelFetch(slotCovered, int(slot)).x;
+}
 
 /// Density that walls and everything else add.
 struct SlotWallCover {

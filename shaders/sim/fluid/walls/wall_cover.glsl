@@ -4,10 +4,12 @@
 struct WallCover {
     vec3 gradient;   // of the fraction [1/m]
     float fraction;
+    mat3 moment;     // what it adds to M of fluid_shape, besides the fraction
 };
 
 struct Wall {
     vec3 normal;
+    float distance;
     float fraction, slope;   // what it covers alone, and the change of that along its normal [1/m]
 };
 
@@ -15,7 +17,7 @@ Wall wallOf(uint index, vec3 x)
 {
     ColliderSurface surface = colliderSurface(index, x);
     vec2 covered = wallFraction(surface.distance);
-    return Wall(surface.normal, covered.x, covered.y);
+    return Wall(surface.normal, surface.distance, covered.x, covered.y);
 }
 
 /// The share of what a wall covers that earlier walls do not cover.
@@ -40,7 +42,7 @@ Uncovered without(Uncovered left, Wall wall, Wall other)
 /// What the colliders near a slot cover for a particle at x.
 WallCover wallCover(uint slot, vec3 x)
 {
-    WallCover sum = WallCover(vec3(0), 0.0);
+    WallCover sum = WallCover(vec3(0), 0.0, mat3(0));
     for (NearColliders near = nearColliders(slot); nextCollider(near);) {
         Wall wall = wallOf(near.index, x);
         if (wall.fraction <= 0.0) continue;
@@ -50,6 +52,7 @@ WallCover wallCover(uint slot, vec3 x)
             if (other.fraction > 0.0) left = without(left, wall, other);
         }
         sum.fraction += wall.fraction * left.share;
+        sum.moment -= left.share * max(wall.distance, 0.0) * wall.slope * outerProduct(wall.normal, wall.normal);
         sum.gradient += (left.share + wall.fraction * left.byOwn) * wall.slope * wall.normal +
                         wall.fraction * left.byOthers;
     }

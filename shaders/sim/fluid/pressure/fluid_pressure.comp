@@ -7,17 +7,21 @@
 #include "sim/common/particles.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"
+#include "sim/fluid/pressure/slot_pressures.glsl"
 #include "sim/fluid/fluid.glsl"
 #include "sim/fluid/walls/fluid_colliders.glsl"
-#include "sim/fluid/pressure_impulses.glsl"
+#include "sim/fluid/pressure/pressure_impulses.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
 BUFFER(vec4, SlotPositions, newSlotPositions);
+BUFFER(vec4, FluidPasts, fluidPasts);
 #ifdef RELAX
 BUFFER(uint, FluidLargestPush, fluidLargestPush);
 #else
+BUFFER(vec4, SlotLastPositions, newSlotLastPositions);
+BUFFER(vec4, SlotSolidImpulses, newSlotSolidImpulses);
 BUFFER(Counters, CountersBlock, counters);
 #endif
 
@@ -42,7 +46,7 @@ float mostSpeed(uint k, vec3 x, float before, float now)
     bool among = false;
     for (uint n = 0u; n < count; ++n) {
         uint solid = fetchSolidNeighbour(k, n);
-        if (distance(x, fetchSlotPressure(solid).position) >= sim.fluidListReach) continue;
+        if (distance(x, fetchPressurePosition(solid)) >= sim.fluidListReach) continue;
         among = true;
         fastest = max(fastest, length(fetchSlotVelocity(solid).velocity));
     }
@@ -54,16 +58,21 @@ void main()
     uint k = gl_GlobalInvocationID.x;
     if (k >= slotCount()) return;
     uint i = fetchSlotParticle(k);
-    SlotPressure own = fetchSlotPressure(k);
-    vec3 pressed = own.lambda * (fetchSlotWalls(k).gradient + fetchSlotSolids(k).gradient);
-    FluidImpulses others = fluidImpulses(k, fetchFluidCounts(k, i).fluids, own);
+#ifndef RELAX
+    newSlotSolidImpulses[k] = vec4(0);   // a solid's own, which fills up its list of neighbours
+#endif
     if (!isFluid(i)) return;
-    vec3 push = fetchMass(i).inverseMass * (pressed + fluidSteepness() * others.pressure + others.tension);
+    SlotPressure own = fetchSlotPressure(k);
+    FluidImpulses others = fluidImpulses(k, fetchCounts(k).fluids, own);
+    SlotSolidCover solids = fetchSlotSolids(k);
+    PressureImpulse pressed = pressedBy(own, fetchSlotCovered(k), fetchSlotWalls(k), solids, others.pressure);
+    vec3 push = fetchMass(i).inverseMass * (pressed.all + others.tension);
     FluidVelocity last = fluidVelocity(velocities[i]);
     push *= last.timeHeld > 0.0 ? 0.0 : min(1.0, 0.25 * sim.fluidReach / max(length(push), 1e-20));
     vec3 before = positions[i].xyz, x = outside(k, own.position + push);
 #ifdef RELAX
     positions[i].xyz = x;
+    fluidPasts[i].xyz = x;
     vec3 move = x - before;
     // It stays among the neighbours and walls that are listed for it, and does not go between solids that would squeeze
     // it out in the first step.
@@ -81,5 +90,8 @@ void main()
     velocities[i] = pack(FluidVelocity(v, max(last.timeHeld - sim.substepTime, 0.0)));
     positions[i].xyz = x;
     newSlotPositions[k].xyz = predictedPosition(x, v);
+    newSlotLastPositions[k] = pack(SlotLast(own.position, false));
+    fluidPasts[i].xyz = own.position;
+    newSlotSolidImpulses[k] = vec4(solids.inverseWeight * pressed.bySolids, 0);
 #endif
 }

@@ -5,8 +5,10 @@
 #include "sim/common/particles.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"
+#include "sim/fluid/pressure/slot_pressures.glsl"
 #include "sim/fluid/fluid.glsl"
 
+uniform samplerBuffer slotSolidImpulses;
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(Assembly, AssemblyState, assemblies);
@@ -16,9 +18,8 @@ READ_BUFFER(Counters, CountersBlock, counters);
 /// solids there receive.
 vec3 impulseOf(vec3 x, uint slot)
 {
-    SlotPressure fluid = fetchSlotPressure(slot);
-    SlotSolidCover solids = fetchSlotSolids(slot);
-    return -solidWeight(distance(fluid.position, x)) * solids.inverseWeight * fluid.lambda * solids.gradient;
+    float weight = solidWeight(distance(fetchPressurePosition(slot), x));
+    return -weight * texelFetch(slotSolidImpulses, int(slot)).xyz;
 }
 
 void main()

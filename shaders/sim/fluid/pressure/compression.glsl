@@ -1,0 +1,46 @@
+// Sums over the fluid neighbours of a particle for its density and the compression by their moves.
+
+struct Own {
+    vec3 position, move;
+    mat3 even;
+};
+
+/// Sums over fluid neighbours, in units of the kernel's height and steepness: the fraction of the kernel, its gradient,
+/// the squares of each one's share of that, by how much their moves make the fluid denser, and the fraction of those
+/// that are new.
+struct Sums {
+    vec3 gradient;
+    float fraction, squares, nearer;
+    float added;   // EMITTERS
+};
+
+void add(inout Sums sums, Own own, float inverseReach, uint slot)
+{
+    vec3 there = fetchSlotPosition(slot).position, r = own.position - there;
+    float squared = dot(r, r), a = 1.0 - min(sqrt(squared) * inverseReach, 1.0), cube = a * a * a;
+    SlotLast last = fetchSlotLast(slot);
+    sums.fraction += fluidShape(a);
+    sums.gradient += cube * r;
+    sums.squares += cube * cube * squared;
+    vec3 move = own.move - (there - last.position);
+#ifdef EMITTERS
+    if (last.isNew) move = vec3(0), sums.added += fluidShape(a);
+#endif
+    sums.nearer += cube * dot(own.even * r, move);
+}
+
+Sums sumsOver(uint k, uint count, Own own)
+{
+    // A list whose length is not a multiple of four ends with the slot itself, which is subtracted again.
+    Sums sums = Sums(vec3(0), 1.0 - float(-count & 3u), 0.0, 0.0, 0.0);
+    float inverseReach = 1.0 / sim.fluidReach, steepness = fluidSteepness();
+    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
+        uvec4 slots = fetchNeighbours(texel);
+        add(sums, own, inverseReach, slots.x);
+        add(sums, own, inverseReach, slots.y);
+        add(sums, own, inverseReach, slots.z);
+        add(sums, own, inverseReach, slots.w);
+    }
+    return Sums(steepness * sums.gradient, sim.fluidVolume * sums.fraction, steepness * steepness * sums.squares,
+                steepness * sums.nearer, sim.fluidVolume * sums.added);
+}

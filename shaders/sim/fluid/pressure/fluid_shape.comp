@@ -1,0 +1,72 @@
+// One thread a slot, a few times a step: how uneven the fluid around a particle is. The kernel's sums over neighbours
+// that lean would give it a stress that is not the same in all directions, so that fluid under pressure rubs like sand;
+// the inverse of M = sum V r grad W (Randles and Libersky 1996) evens it. M changes as slowly as the fluid shears.
+#include "sim/common/kernel.glsl"
+#include "sim/common/particles.glsl"
+#include "sim/fluid/fluid_slots.glsl"
+#include "sim/fluid/slot_values.glsl"
+#include "sim/fluid/pressure/slot_pressures.glsl"
+#include "sim/fluid/fluid.glsl"
+#include "sim/fluid/walls/fluid_colliders.glsl"
+#include "sim/fluid/walls/solid_cover.glsl"
+#include "sim/fluid/walls/wall_cover.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+BUFFER(vec4, SlotShapes, newSlotShapes);
+
+/// Sums over fluid neighbours, in units of the kernel's height and steepness: the fraction of the kernel, and M: its
+/// diagonal and yz, zx, xy.
+struct Sums {
+    float fraction;
+    vec3 diagonal, mixed;
+};
+
+void add(inout Sums sums, vec3 x, float inverseReach, uint slot)
+{
+    vec3 r = x - fetchSlotPosition(slot).position;
+    float a = 1.0 - min(sqrt(dot(r, r)) * inverseReach, 1.0);
+    vec3 slope = a * a * a * r;
+    sums.fraction += fluidShape(a);
+    sums.diagonal += slope * r;
+    sums.mixed += slope.yzx * r.zxy;
+}
+
+Sums sumsOver(uint k, uint count, vec3 x)
+{
+    // A list whose length is not a multiple of four ends with the slot itself, which is subtracted again.
+    Sums sums = Sums(1.0 - float(-count & 3u), vec3(0), vec3(0));
+    float inverseReach = 1.0 / sim.fluidReach, steepness = fluidSteepness();
+    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
+        uvec4 slots = fetchNeighbours(texel);
+        add(sums, x, inverseReach, slots.x);
+        add(sums, x, inverseReach, slots.y);
+        add(sums, x, inverseReach, slots.z);
+        add(sums, x, inverseReach, slots.w);
+    }
+    return Sums(sim.fluidVolume * sums.fraction, -steepness * sums.diagonal, -steepness * sums.mixed);
+}
+
+/// The inverse of M. Behind walls and solids, and where nothing is, fluid is taken to go on evenly.
+mat3 evened(Sums sums, SolidCover solids, WallCover walls)
+{
+    vec3 d = sums.diagonal, m = sums.mixed;
+    mat3 moment = mat3(d.x, m.z, m.y, m.z, d.y, m.x, m.y, m.x, d.z) + walls.moment + solidMoment(solids);
+    moment += mat3(walls.fraction + solids.fraction + max(1.0 - sums.fraction - walls.fraction - solids.fraction, 0.0));
+    return mat3(1.0 - FLUID_EVENNESS) + FLUID_EVENNESS * inverse(moment);
+}
+
+void main()
+{
+    uint k = gl_GlobalInvocationID.x;
+    if (k >= slotCount()) return;
+    uint i = fetchSlotParticle(k);
+    if (!isFluid(i)) return;
+    NeighbourCounts counts = fetchFluidCounts(k, i);
+    vec3 x = fetchSlotPosition(k).position;
+    Sums sums = sumsOver(k, counts.fluids, x);
+    SolidCover solids = solidCover(k, counts.solids, x);
+    WallCover walls = wallCover(k, x);
+    mat3 even = evened(sums, solids, walls);
+    newSlotShapes[2u * k] = vec4(even[0], 0);
+    newSlotShapes[2u * k + 1u] = vec4(even[1].yz, even[2].z, 0);
+}

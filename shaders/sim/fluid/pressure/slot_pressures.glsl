@@ -1,0 +1,68 @@
+// What the kernels of pressures know of the particle in each slot, besides sim/fluid/slot_values.glsl.
+
+uniform samplerBuffer slotLastPositions;
+uniform samplerBuffer slotShapes;
+uniform usamplerBuffer slotPressures;
+
+/// Where it was predicted to be in the last substep.
+struct SlotLast {
+    vec3 position;    // [m]
+    bool isNew;       // it has come in this step
+};
+
+SlotLast fetchSlotLast(uint slot)
+{
+    vec4 t = texelFetch(slotLastPositions, int(slot));
+    return SlotLast(t.xyz, t.w > 0.0);
+}
+
+vec4 pack(SlotLast s)
+{
+    return vec4(s.position, s.isNew ? 1.0 : 0.0);
+}
+
+/// What evens the stress of its pressure, as of the last fluid_shape.
+mat3 fetchSlotShape(uint slot)
+{
+    vec3 s = texelFetch(slotShapes, int(2u * slot)).xyz, t = texelFetch(slotShapes, int(2u * slot + 1u)).xyz;
+    return mat3(s, s.y, t.xy, s.z, t.yz);
+}
+
+/// The multiplier of its density constraint.
+struct SlotPressure {
+    vec3 position;    // the position that the multiplier was computed for [m]
+    mat3 lambda;      // multiplier times fetchSlotShape(): symmetric [kg m2]
+};
+
+/// A multiplier that is 2^-8 of the largest that one particle of water can have, so that halves keep small ones
+/// [kg m2].
+float lambdaUnit()
+{
+    float spacing = sim.fluidSpacing;
+    return 1000.0 / 256.0 * spacing * spacing * spacing / (100.0 * sim.fluidSoftness);
+}
+
+/// Two elements beside the diagonal are halves, so that it needs two texels.
+uvec4 firstHalf(SlotPressure s)
+{
+    return uvec4(floatBitsToUint(s.position), packHalf2x16(vec2(s.lambda[0].y, s.lambda[0].z) / lambdaUnit()));
+}
+
+uvec4 secondHalf(SlotPressure s)
+{
+    return floatBitsToUint(vec4(s.lambda[0].x, s.lambda[1].y, s.lambda[2].z, s.lambda[1].z) / lambdaUnit());
+}
+
+vec3 fetchPressurePosition(uint slot)
+{
+    return uintBitsToFloat(texelFetch(slotPressures, int(2u * slot)).xyz);
+}
+
+/// Its multiplier is in units of lambdaUnit().
+SlotPressure fetchSlotPressure(uint slot)
+{
+    uvec4 s = texelFetch(slotPressures, int(2u * slot));
+    vec4 t = uintBitsToFloat(texelFetch(slotPressures, int(2u * slot + 1u)));
+    vec2 h = unpackHalf2x16(s.w);
+    return SlotPressure(uintBitsToFloat(s.xyz), mat3(t.x, h.x, h.y, h.x, t.y, t.w, h.y, t.w, t.z));
+}

@@ -1,0 +1,73 @@
+// One thread a slot, after pressures: what the solve of viscosity starts from.
+#include "sim/common/kernel.glsl"
+#include "sim/common/contacts/collider_moves.glsl"
+#include "sim/common/particles.glsl"
+#include "sim/fluid/viscous/viscous_materials.glsl"
+#include "sim/fluid/viscous/viscous_slots.glsl"
+#include "sim/fluid/viscous/viscous_pairs.glsl"
+#include "sim/fluid/walls/fluid_colliders.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+// No texture of this: colliders need many.
+READ_BUFFER(vec4, Velocities, velocities);
+BUFFER(vec4, SlotGoals, newSlotGoals);
+BUFFER(vec4, SlotGrips, newSlotGrips);
+BUFFER(vec4, SlotFlows, newSlotFlows);
+
+// Between fluid at its thinnest and at its densest, the sum of shears over that of fluid at rest. At a surface it is
+// smaller, since less is sheared there.
+const vec2 SHEARS = vec2(0.67, 1.25);
+
+/// The collider that holds a particle hardest: walls that coincide count once.
+SlotGrip gripOf(uint k, vec3 x, ViscousMaterial material)
+{
+    SlotGrip grip = SlotGrip(vec3(0), 0.0);
+    for (NearColliders near = nearColliders(k); nextCollider(near);) {
+        // Particles stand in a layer at the wall, and the next is further away: the wall counts as nearer.
+        float z = max(colliderSurface(near.index, x).distance, 0.35 * sim.fluidSpacing);
+        float depth = material.slip - 0.2 * sim.fluidSpacing;
+        float shear = material.wallGrip * wallShear(z, depth);
+        if (shear > grip.grip) grip = SlotGrip(surfaceMove(near.index, x) / sim.substepTime, shear);
+    }
+    return grip;
+}
+
+/// The sum of a^3 r^4 over its neighbours, over that of a fluid without surfaces. Particles stand in layers at
+/// walls, and further apart where no pressure holds them together: taken as they are, they would slide past each
+/// other too easily.
+float shearsAround(uint k, vec3 x)
+{
+    float sum = 0.0, inverseReach = 1.0 / sim.fluidReach;
+    uint count = fetchCounts(k).fluids;
+    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
+        uvec4 slots = fetchNeighbours(texel);
+        for (int c = 0; c < 4; ++c) {
+            vec3 r = x - fetchSlotStart(slots[c]).position;
+            float squared = dot(r, r);
+            sum += fluidShear(squared, inverseReach) * squared * squared;
+        }
+    }
+    float reach2 = sim.fluidReach * sim.fluidReach;
+    return sum / (0.01496 * reach2 * reach2 * pow(sim.fluidReach / sim.fluidSpacing, 3.0));
+}
+
+void main()
+{
+    uint k = gl_GlobalInvocationID.x;
+    if (k >= slotCount()) return;
+    uint i = fetchSlotParticle(k);
+    SlotGrip grip = SlotGrip(vec3(0), 0.0);
+    SlotGoal goal = goalOf(newSlotGoals[k]);
+    float thickness = 0.0;
+    if (isFluid(i)) {
+        ViscousMaterial material = fetchViscousMaterial(fetchParticle(i).material);
+        FluidVelocity own = fluidVelocity(velocities[i]);
+        goal = SlotGoal(own.velocity, own.timeHeld > 0.0 ? 0.0 : fetchMass(i).inverseMass);
+        newSlotGoals[k] = pack(goal);
+        vec3 x = fetchSlotStart(k).position;
+        grip = gripOf(k, x, material);
+        thickness = material.thickness / clamp(shearsAround(k, x), SHEARS.x, SHEARS.y);
+    }
+    newSlotGrips[k] = pack(grip);
+    newSlotFlows[k] = pack(SlotFlow(goal.velocity, thickness));
+}
