@@ -1,12 +1,6 @@
 // The smoothing kernel of fluids: Wendland's C2, W(q) = 21 / (2 pi h^3) (1 - q)^4 (1 + 4 q), q = r / h, times the
 // volume of a particle at rest, so that its sum over a fluid at rest is 1.
 
-/// What a wall or solid gives by an evened multiplier. Only across itself, or it would drive what moves along it.
-vec3 across(mat3 even, vec3 gradient)
-{
-    return dot(gradient, even * gradient) / max(dot(gradient, gradient), 1e-20) * gradient;
-}
-
 /// Where a fluid particle is at the end of the substep if no pressure acts [m].
 vec3 predictedPosition(vec3 x, vec3 v)
 {

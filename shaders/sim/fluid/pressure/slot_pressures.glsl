@@ -66,3 +66,9 @@ SlotPressure fetchSlotPressure(uint slot)
     vec2 h = unpackHalf2x16(s.w);
     return SlotPressure(uintBitsToFloat(s.xyz), mat3(t.x, h.x, h.y, h.x, t.y, t.w, h.y, t.w, t.z));
 }
+
+/// What a wall or solid gives by an evened multiplier. Only across itself, or it would drive what moves along it.
+vec3 across(mat3 even, vec3 gradient)
+{
+    return dot(gradient, even * gradient) / max(dot(gradient, gradient), 1e-20) * gradient;
+}
