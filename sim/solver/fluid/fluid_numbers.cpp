@@ -13,8 +13,8 @@ namespace knuckle {
 namespace {
 
 constexpr uint32_t FIRST_NEIGHBOURS = 64;
-/// Radius of the smoothing kernel [rest distances]. Below 2.2 the sums depend so much on the particles' arrangement
-/// that water under pressure rubs like sand; above 2.5 the multipliers overshoot.
+/// Radius of the smoothing kernel [rest distances]. Below 2.2 the sums depend much on the particles' arrangement; above
+/// 2.5 the multipliers overshoot.
 constexpr float FLUID_REACH = 2.2f;
 /// A sum over a lattice divided by the same sum over fluid at rest, whose particles are less regular.
 constexpr double DISORDER = 1.01;

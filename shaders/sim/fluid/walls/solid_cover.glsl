@@ -29,7 +29,7 @@ SolidCover solidCover(uint k, uint count, vec3 x)
         outward += weight / max(r, 1e-9) * offset;
     }
     cover.move /= max(cover.weights, 1e-20);
-    vec3 across = normalize(outward), along = cover.slope - dot(cover.slope, across) * across;
+    vec3 normal = normalize(outward), along = cover.slope - dot(cover.slope, normal) * normal;
     float oneSided = smoothstep(0.3, 0.6, length(outward) / max(cover.weights, 1e-20));
     cover.slope -= oneSided * along;
     return cover;
