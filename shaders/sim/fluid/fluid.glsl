@@ -47,23 +47,18 @@ vec2 wallFraction(float z)
     return vec2(t4 * t2 * (3.5 - 4.5 * t + 1.5 * t2), -(t4 * t) / sim.fluidReach * (21.0 - 31.5 * t + 12.0 * t2));
 }
 
-/// The fraction of the kernel that a solid particle of diameter d at the distance r covers, and its slope over r
-/// [1/m2]. A layer of such particles, a diameter apart, covers on average as much as a half space that ends a radius
-/// from their centres: 2 pi / d^2 times the integral of this times r from z + d / 2 on is wallFraction(z). So every
-/// particle displaces the volume of its cell, at faces and edges, in plates and alone.
-vec2 solidFraction(float r, float d)
+/// How far a plane that covers a fraction of the kernel is away, within a hundredth of the reach [m].
+float wallDistance(float fraction)
 {
-    float bounded = max(r, 0.25 * d), inverse = 1.0 / sim.fluidReach;
-    float gap = FLUID_SOLID_GAP * sim.fluidSpacing;
-    float t = clamp(1.0 - (bounded - 0.5 * d + gap) * inverse, 0.0, 1.0), t2 = t * t, t4 = t2 * t2;
-    float slope = t4 * t * inverse * (21.0 - 31.5 * t + 12.0 * t2);
-    float bend = t4 * inverse * inverse * (105.0 - 189.0 * t + 84.0 * t2);
-    float scale = sim.solidCover * d * d / (6.2831853 * bounded);
-    vec2 covered = scale * vec2(slope, -(bend + slope / bounded) / bounded);
-    // Lists of neighbours end before the kernel does, so the fraction fades out smoothly there.
-    float width = 0.2 * d, u = clamp((sim.fluidListReach - r) / width, 0.0, 1.0), fade = u * u * (3.0 - 2.0 * u);
-    float steep = u > 0.0 && u < 1.0 ? -6.0 * u * (1.0 - u) / width : 0.0;
-    return vec2(covered.x * fade, covered.y * fade + covered.x * steep / bounded);
+    return sim.fluidReach * (1.0 - min(pow(max(2.0 * fraction, 0.0), 0.27), 1.0));
+}
+
+/// In a narrow gap, the kernels of fluid there reach through to the other side. What it gives each side then lacks this
+/// factor. @param one,other  What the sides cover.
+float gapGain(float one, float other)
+{
+    float t = clamp(1.0 - (wallDistance(one) + wallDistance(other)) / sim.fluidReach, 0.0, 1.0), t2 = t * t;
+    return 1.0 / max(1.0 - 2.0 * t2 * t2 * t2 * (3.5 - 4.5 * t + 1.5 * t2), 0.25);
 }
 
 /// The weight of a solid particle at the distance r for a fluid one, when several solid particles share the force on it

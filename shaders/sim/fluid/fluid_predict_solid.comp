@@ -6,6 +6,8 @@
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"
 #include "sim/fluid/pressure/slot_pressures.glsl"
+#include "sim/fluid/fluid.glsl"
+#include "sim/fluid/walls/solid_cells.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
@@ -16,12 +18,16 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.particleCount) return;
+    uint mover = fetchRank(i).mover;
 #ifdef RELAX
     vec3 x = texelFetch(positions, int(i)).xyz, move = vec3(0);
+    vec4 rotation = fetchRotation(mover);
 #else
-    MoverPoint point = moverPoint(fetchRank(i).mover, fetchArm(i).r);
+    MoverPoint point = moverPoint(mover, fetchArm(i).r);
     vec3 x = point.centre + point.arm + point.move, move = point.move;
+    vec4 rotation = quaternionProduct(fetchRotationDelta(mover), fetchRotation(mover));
 #endif
-    newSlotLastPositions[fetchParticleSlot(i)] = pack(SlotLast(x - move, false));
-    newSlotPositions[fetchParticleSlot(i)] = pack(SlotPosition(x, 0.0));
+    vec2 turn = packTurn(rotation);
+    newSlotLastPositions[fetchParticleSlot(i)] = vec4(x - move, -turn.y);
+    newSlotPositions[fetchParticleSlot(i)] = vec4(x, turn.x);
 }

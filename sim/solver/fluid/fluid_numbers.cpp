@@ -40,30 +40,6 @@ struct LatticeSums {
     double pulls = 0.0;  ///< a^3 r^2, of viscous pairs.
 };
 
-/// The share of the kernel behind a plane at z, as in sim/fluid/fluid.glsl.
-double wallFraction(double z, double reach)
-{
-    const double t = std::clamp(1.0 - z / reach, 0.0, 1.0);
-    return std::pow(t, 6) * (3.5 - 4.5 * t + 1.5 * t * t);
-}
-
-/// Factor by which the listed particles of a layer must cover more for a fluid particle next to it, because both the
-/// list and solidFraction() of sim/fluid/fluid.glsl fade out before the kernel ends. With 0.88 of that, bodies float as
-/// deep as their density says.
-float solidCover(const gpu::StepParameters& p)
-{
-    constexpr double CALIBRATION = 0.88;
-    constexpr int SAMPLES = 400;
-    const double d = p.diameter, nearest = 0.5 * (d + p.fluidSpacing), end = p.fluidListReach;
-    double listed = 0.0, share = wallFraction(nearest - 0.5 * d, p.fluidReach);
-    for (int k = 0; k < SAMPLES; ++k) {
-        const double from = nearest + (end - nearest) * k / SAMPLES, to = nearest + (end - nearest) * (k + 1) / SAMPLES;
-        const double u = std::clamp((end - 0.5 * (from + to)) / (0.2 * d), 0.0, 1.0), fade = u * u * (3.0 - 2.0 * u);
-        listed += fade * (wallFraction(from - 0.5 * d, p.fluidReach) - wallFraction(to - 0.5 * d, p.fluidReach));
-    }
-    return static_cast<float>(CALIBRATION * share / listed);
-}
-
 /// Rate at which a thin or a viscous fluid's particles at least lose the difference to their neighbours [1/s]. It keeps
 /// resting fluids quiet.
 constexpr double LEAST_SMOOTHING = 15.0, LEAST_VISCOUS_SMOOTHING = 1.8;
@@ -106,6 +82,14 @@ struct SolidSums {
     double onSolid = 0.0;              ///< The trace of how fluid holds a solid particle [m2].
 };
 
+/// How far solid particles are listed [m]: a fluid particle 1.3 spacings in front of a face lists the cells on all
+/// sides of the spot below it, before they fade out. With less, faces are bumpy for fluids.
+float solidReach(const gpu::StepParameters& p)
+{
+    const float d = p.diameter;
+    return p.particleCount > 0 ? std::hypot(1.3f * p.fluidSpacing + 0.5f * d, std::sqrt(0.5f) * d) + 0.1f * d : 0.0f;
+}
+
 void setLattice(gpu::StepParameters& p, const World& world)
 {
     if (p.fluidCount == 0) return;
@@ -124,10 +108,8 @@ void setFluidParameters(gpu::StepParameters& p, const World& world)
     p.fluidSlots = FIRST_NEIGHBOURS;
     p.fluidSpacing = world.fluidSpacing;
     p.fluidReach = FLUID_REACH * world.fluidSpacing;
-    // Neighbours stay listed for a step; one that comes nearer meanwhile hardly counts yet. Solids reach a radius
-    // beyond their centres.
-    p.fluidListReach = std::max(p.fluidReach, 1.1f * world.diameter());
-    p.solidCover = solidCover(p);
+    // Neighbours stay listed for a step; one that comes nearer meanwhile hardly counts yet.
+    p.fluidListReach = std::max({p.fluidReach, 1.1f * p.diameter, solidReach(p)});
     p.inverseFluidCell = 1.0f / p.fluidListReach;
     setLattice(p, world);
     const LatticeSums lattice(p.fluidSpacing, p.fluidReach);

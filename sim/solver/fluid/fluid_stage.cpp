@@ -84,6 +84,7 @@ void FluidStage::makeLists(const Gpu& gpu)
     slotVorticities = {"slotVorticities", confines_ ? count : 0};
     slotWalls = {"slotWalls", count};
     slotCovered = {"slotCovered", count};
+    slotGains = {"slotGains", count};
     slotSolids = {"slotSolids", count};
     slotSolidImpulses = {"slotSolidImpulses", count};
 }
@@ -101,7 +102,7 @@ void FluidStage::addBuffers(BufferTable& table)
     table.add(Lifetime::Scratch, fluidSearchPositions, fluidParticleCells, fluidCellStarts, fluidCellMembers,
               slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, slotMaterials, slotVelocities,
               slotPositions, slotLastPositions, slotShapes, slotPressures, slotVorticities, slotWalls, slotCovered,
-              slotSolids, slotSolidImpulses, fluidLargestPush);
+              slotGains, slotSolids, slotSolidImpulses, fluidLargestPush);
     ElementType fourAtATime = elementType<uint32_t>();
     fourAtATime.texelBytes = 16;
     table.add("fluidSorted", fluidSorted, fourAtATime, Lifetime::Scratch);

@@ -56,6 +56,7 @@ public:
                                                     ///< of a float.
     Buffer<gpu::vec4> slotWalls, slotSolids;        ///< Gradients of the density from walls and solids.
     Buffer<float> slotCovered;                      ///< Share of the kernel that they cover.
+    Buffer<float> slotGains;                        ///< gapGain() of fluid.glsl.
 
 private:
     void list(Recorder& recorder) const;

@@ -42,6 +42,27 @@ TEST(Fluid, ABodyFloatsAsDeepAsItIsDense)
     }
 }
 
+TEST(Fluid, IceRisesThroughWater)
+{
+    Tank tank(18, 16, 18);
+    Material ice;
+    ice.density = 900.0f;
+    const uint32_t material = tank.builder.addMaterial(ice);
+    tank.builder.beginObject("cube");
+    tank.builder.addBody("cube", boxLattice({3, 3, 3}, DIAMETER), material);
+    const Vector3f start(0.5f * tank.width, 0.3f, 0.5f * tank.depth);
+    tank.builder.endObject({start});
+    const World world = tank.builder.build();
+    Solver solver(gpu(), world);
+    run(solver, world, 1.0);
+    const Vector3f way = solver.readBodies()[0].position - start;
+    // With the drag of a cube (1.05) and an added mass of 0.67 of what it displaces: v / g' ln cosh(g' t / v) = 0.26 m,
+    // the terminal speed v = 0.75 m/s, g' = 0.62 m/s2. A cube of 6 spacings drags a layer along; it stuck with 0.05.
+    EXPECT_GT(way.y(), 0.13f);
+    EXPECT_LT(way.y(), 0.27f);
+    EXPECT_LT(way.head<1>().norm() + way.tail<1>().norm(), 0.1f);
+}
+
 TEST(Fluid, ThinAndSmallBodiesFloatAsDeepAsTheyAreDense)
 {
     struct Case {

@@ -42,7 +42,7 @@ protected:
             moves.push_back(random.inCube(0.004f));
             isNew.push_back(fixture.isFluid(i) && i % 13 == 0);
             gpu::vec4 last = packed(vec3(fixture.places[i]) - moves.back());
-            last.w = isNew.back() ? 1.0f : 0.0f;
+            last.w = !fixture.isFluid(i) ? -fixture.packedTurn(i).y : isNew.back() ? 1.0f : 0.0f;
             lasts.push_back(last);
             pasts.push_back({0, 0, 0, random.between(-0.02f, 0.3f)});
         }
@@ -79,53 +79,85 @@ protected:
         return cover;
     }
     double spacing() const { return parameters().fluidSpacing; }
-    /// d^2 / (2 pi r) times the growth of a wall's share at r - d / 2 and the gap; below that that of 0; fading to
-    /// nothing within the last fifth of a diameter of the lists' reach.
-    double solidFraction(double r) const
+    double wallShare(double z) const { return behind(z + FLUID_WALL_GAP * spacing(), parameters().fluidReach); }
+    /// The part of the kernel below t along one axis.
+    double below(double t) const { return t < 0.0 ? wallShare(-t) : 2.0 * wallShare(0.0) - wallShare(t); }
+    /// What the cell of a solid particle covers: the product of the shares between its faces along its axes, fading to
+    /// nothing within the last tenth of a diameter of the lists' reach.
+    Cover byCell(uint32_t i, uint32_t j) const
     {
-        const double d = parameters().diameter, far = std::max(r, 0.25 * d), reach = parameters().fluidReach;
-        const double u = std::clamp((parameters().fluidListReach - r) / (0.2 * d), 0.0, 1.0);
-        const double gap = FLUID_SOLID_GAP * spacing();
-        const double slope = FluidFixture::derivative([&](double z) { return behind(z, reach); },
-                                                      std::max(far - 0.5 * d + gap, 2e-6));
-        return -parameters().solidCover * d * d / (2.0 * std::numbers::pi * far) * slope * u * u * (3.0 - 2.0 * u);
+        const double d = parameters().diameter, all = 2.0 * wallShare(0.0);
+        const Vector3d offset = fixture.place(i) - fixture.place(j);
+        const Eigen::Quaterniond turn = fixture.turns[j].cast<double>();
+        const Vector3d r = turn.conjugate() * offset;
+        const double u = std::clamp((parameters().fluidListReach - offset.norm()) / (0.1 * d), 0.0, 1.0);
+        const double scale = FLUID_SOLID_COVER * u * u * (3.0 - 2.0 * u);
+        const auto below = [&](double t) { return this->below(t) / all; };
+        Vector3d share, slope, moment;
+        for (int k = 0; k < 3; ++k) {
+            const double low = r[k] - 0.5 * d, high = r[k] + 0.5 * d;
+            const double atLow = FluidFixture::derivative(below, low), atHigh = FluidFixture::derivative(below, high);
+            share[k] = below(high) - below(low);
+            slope[k] = atHigh - atLow;
+            moment[k] = high * atHigh - low * atLow;
+        }
+        const Vector3d sides = scale * Vector3d(share.y() * share.z(), share.x() * share.z(), share.x() * share.y());
+        Cover cover{scale * share.prod()};
+        cover.slope = turn * sides.cwiseProduct(slope);
+        const Matrix3d axes = turn.toRotationMatrix(), moments = sides.cwiseProduct(moment).asDiagonal();
+        cover.moment = axes * moments * axes.transpose();
+        return cover;
     }
     static double weight(double r, double reach) { return std::pow(std::max(1.0 - r / reach, 0.0), 2); }
-    /// The slope only across the surface that the nearby particles form together, if they lie on one side; squares: by
-    /// how much the slopes of each exceed that.
-    Cover bySolids(uint32_t i, double& weights, Vector3d& move) const
+    /// Squares: by how much the slopes of each exceed that of all, as far as solids lie on all sides (between).
+    Cover bySolids(uint32_t i, double& weights, double& between, Vector3d& move) const
     {
         Cover cover;
-        Vector3d way(0, 1e-12, 0);
+        Vector3d way = Vector3d::Zero();
         weights = 0.0;
         move.setZero();
         for (uint32_t j : fixture.near(i, false, parameters().fluidListReach)) {
             const Vector3d r = fixture.place(i) - fixture.place(j);
-            const double far = r.norm(), w = weight(far, parameters().fluidListReach);
-            cover.share += solidFraction(far);
-            const double slope = FluidFixture::derivative([&](double x) { return solidFraction(x); }, far);
-            cover.slope += slope * r.normalized();
-            cover.squares += slope * slope;
+            const double w = weight(r.norm(), parameters().fluidListReach);
+            const Cover cell = byCell(i, j);
+            cover.share += cell.share;
+            cover.slope += cell.slope;
+            cover.squares += cell.slope.squaredNorm();
+            cover.moment += cell.moment;
             move += w * moves[j].cast<double>();
-            // Where the share no longer grows, the slope continues.
-            usual = usual && far > 0.25 * parameters().diameter;
             way += w * r.normalized();
             weights += w;
         }
         const double u = std::clamp((way.norm() / std::max(weights, 1e-20) - 0.3) / 0.3, 0.0, 1.0);
-        const Vector3d across = way.normalized().dot(cover.slope) * way.normalized();
-        cover.slope += u * u * (3.0 - 2.0 * u) * (across - cover.slope);
-        cover.squares = std::max(cover.squares - cover.slope.squaredNorm(), 0.0);
-        cover.moment = 0.75 * spacing() / std::max(cover.slope.norm(), 1e-20) * cover.slope * cover.slope.transpose();
+        between = 1.0 - u * u * (3.0 - 2.0 * u);
+        cover.squares = std::max(cover.squares - cover.slope.squaredNorm(), 0.0) * between;
         move /= std::max(weights, 1e-20);
         return cover;
+    }
+    /// What two sides of a gap lack, as physics.md says.
+    double gapGain(double one, double other) const
+    {
+        const double reach = parameters().fluidReach;
+        const auto distance = [&](double share) { return reach * std::max(1.0 - std::pow(2.0 * share, 0.27), 0.0); };
+        return 1.0 / std::max(1.0 - 2.0 * behind(distance(one) + distance(other), reach), 0.25);
+    }
+    /// An evened multiplier along a slope, or its mean where that vanishes.
+    double evenAcross(const Matrix3d& even, const Vector3d& slope) const
+    {
+        const double least = 0.02 / std::pow(parameters().fluidReach, 2);
+        return (slope.dot(even * slope) + least * even.trace() / 3.0) / (slope.squaredNorm() + least);
+    }
+    double gain(const Cover& wall, const Cover& solid, double between) const
+    {
+        const double among = 1.0 + between * (gapGain(0.5 * solid.share, 0.5 * solid.share) - 1.0);
+        const double sizes = wall.slope.norm() * solid.slope.norm(), facing = -wall.slope.dot(solid.slope);
+        if (facing <= 0.0) return among;
+        return among * (1.0 + facing / std::max(sizes, 1e-12) * (gapGain(wall.share, solid.share) - 1.0));
     }
     /// The plane below and the one at the side, at right angles: their common part counts once.
     Cover byWalls(uint32_t i) const
     {
-        const double reach = parameters().fluidReach;
-        const double gap = FLUID_WALL_GAP * spacing();
-        const auto share = [&](double z) { return behind(z + gap, reach); };
+        const auto share = [&](double z) { return wallShare(z); };
         const double below = fixture.place(i).y() + 0.25, beside = 0.25 - fixture.place(i).x();
         const double a = share(below), b = share(beside);
         const double bySide = FluidFixture::derivative(share, beside), byFloor = FluidFixture::derivative(share, below);
@@ -151,18 +183,15 @@ protected:
     std::vector<bool> isNew;
     std::vector<gpu::vec4> lasts, pasts, walls, solids, after;
     std::vector<Matrix3d> evens, pressures;
-    mutable bool usual = true;
 };
 
 TEST_P(FluidDensity, ShapesAreThoseOfDoublePrecision)
 {
     uint32_t count = 0;
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
-        double weights = 0.0;
+        double weights = 0.0, between = 0.0;
         Vector3d move;
-        usual = true;
-        const Cover fluid = byFluid(i), solid = bySolids(i, weights, move), wall = byWalls(i);
-        if (!usual) continue;
+        const Cover fluid = byFluid(i), solid = bySolids(i, weights, between, move), wall = byWalls(i);
         const double covered = solid.share + wall.share, rest = std::max(1.0 - fluid.share - covered, 0.0);
         const Matrix3d moment = fluid.moment + solid.moment + wall.moment + (covered + rest) * Matrix3d::Identity();
         const Matrix3d wanted = (1.0 - FLUID_EVENNESS) * Matrix3d::Identity() + FLUID_EVENNESS * moment.inverse();
@@ -175,13 +204,17 @@ TEST_P(FluidDensity, ShapesAreThoseOfDoublePrecision)
 TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
 {
     const double epsilon = parameters().fluidSoftness;
-    uint32_t pressed = 0, free = 0, loose = 0, besideNew = 0, besideSolids = 0, besideWalls = 0;
+    uint32_t pressed = 0, free = 0, loose = 0, besideNew = 0, besideSolids = 0, besideWalls = 0, inGap = 0;
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
         SCOPED_TRACE(i);
-        double weights = 0.0;
+        double weights = 0.0, between = 0.0;
         Vector3d solidMove;
-        usual = true;
-        const Cover fluid = byFluid(i), solid = bySolids(i, weights, solidMove), wall = byWalls(i);
+        const Cover fluid = byFluid(i);
+        Cover solid = bySolids(i, weights, between, solidMove), wall = byWalls(i);
+        const double more = gain(wall, solid, between);
+        wall.slope *= more;
+        solid.slope *= more;
+        inGap += more > 1.1;
         const double share = fluid.share + solid.share + wall.share;
         ASSERT_NEAR(walls[i].w, share, ROUNDING * (1.0 + share));
         const double size = std::sqrt(fluid.squares) + 10.0;
@@ -189,15 +222,14 @@ TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
         ASSERT_NEAR(solids[i].w * weights, weights > 0.0 ? 1.0 : 0.0, ROUNDING);
         besideSolids += solid.share > 0.01;
         besideWalls += wall.share > 0.01;
-        // Closer than a quarter of a diameter the slope is no longer that of the share.
-        if (!usual) continue;
         ASSERT_LT((vec3(solids[i]).cast<double>() - solid.slope).norm(), 1e-3 * (size + solid.slope.norm()));
         // What moves make of the compression that was.
         const auto across = [&](const Vector3d& slope) -> Vector3d {
             return slope.dot(evens[i] * slope) / std::max(slope.squaredNorm(), 1e-20) * slope;
         };
+        const double bySolids = evenAcross(evens[i], solid.slope);
         double nearer = 2.0 * moves[i].cast<double>().dot(across(wall.slope)) +
-                        2.0 * (moves[i].cast<double>() - solidMove).dot(across(solid.slope));
+                        2.0 * bySolids * (moves[i].cast<double>() - solidMove).dot(solid.slope);
         double added = 0.0;
         for (uint32_t j : fixture.fluidNear(i)) {
             const Vector3d r = fixture.place(i) - fixture.place(j);
@@ -210,9 +242,9 @@ TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
             return std::clamp(c, double(LEAST_FLUID_ERROR), double(MOST_FLUID_ERROR));
         };
         const double excess = bounded(share - 1.0), carried = bounded(pasts[i].w + nearer);
-        const double more = std::max(carried, std::min(carried + added, excess));
+        const double crowded = std::max(carried, std::min(carried + added, excess));
         const bool anew = isNew[i] || share < FLUID_LOOSE;
-        const double compression = anew ? excess : more + FLUID_MIXING * (excess - more);
+        const double compression = anew ? excess : crowded + FLUID_MIXING * (excess - crowded);
         ASSERT_NEAR(after[i].w, compression, 1e-3);
         const Vector3d all = fluid.slope + wall.slope + solid.slope;
         const double under = all.squaredNorm() + fluid.squares + solid.squares + epsilon;
@@ -221,9 +253,9 @@ TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
         ASSERT_LT((pressures[i] - lambda).norm(), HALF_ROUNDING * lambda.norm() + ROUNDING / under * fixture.mass(i));
         ++(compression > 0.0 ? pressed : free);
         loose += anew;
-        besideNew += more > carried;
+        besideNew += crowded > carried;
     }
-    for (uint32_t number : {pressed, free, loose, besideNew, besideSolids, besideWalls}) EXPECT_GT(number, 20u);
+    for (uint32_t number : {pressed, free, loose, besideNew, besideSolids, besideWalls, inGap}) EXPECT_GT(number, 20u);
 }
 
 TEST_P(FluidDensity, SolidParticlesHaveNoPressure)
@@ -233,26 +265,32 @@ TEST_P(FluidDensity, SolidParticlesHaveNoPressure)
 
 TEST_P(FluidDensity, SolidsAreGivenWhatTheyGive)
 {
-    // fluid_pressure notes what solids give a fluid particle; fluid_solid_coupling returns that by weights.
-    std::vector<gpu::vec4> shares(fixture.count());
+    // fluid_pressure notes what solids give a fluid particle; fluid_solid_coupling returns that, along them by weights
+    // and across them by the slopes of what they cover.
+    std::vector<gpu::vec4> given(fixture.count());
     Random random(48);
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
-        shares[i] = packed(solids[i].w * random.inCube(1e-3f));
+        given[i] = packed(solids[i].w * random.inCube(1e-3f));
+        given[i].w = random.between(0.0f, 1e-5f);
     }
-    fill(fixture.stages.fluids->slotSolidImpulses, fixture.inSlots(shares));
+    fill(fixture.stages.fluids->slotSolidImpulses, fixture.inSlots(given));
     fill(fixture.stages.bodies.particleImpulses, std::vector<gpu::vec4>(fixture.count()));
     fixture.forParticles("fluid/pressure/fluid_solid_coupling");
     const auto impulses = fixture.stages.bodies.particleImpulses.download();
     const auto places = fixture.stages.particles.particleRanks.download();
     std::vector<Vector3d> wanted(fixture.solidCount(), Vector3d::Zero());
-    Vector3d given = Vector3d::Zero(), got = Vector3d::Zero();
+    Vector3d sum = Vector3d::Zero(), got = Vector3d::Zero();
     double size = 0.0;
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
-        const Vector3d impulse = vec3(shares[i]).cast<double>();
-        if (solids[i].w > 0.0f) given += impulse / double(solids[i].w);
-        if (solids[i].w > 0.0f) size += impulse.norm() / double(solids[i].w);
-        for (uint32_t j : fixture.near(i, false, parameters().fluidListReach))
-            wanted[j] -= weight((fixture.place(i) - fixture.place(j)).norm(), parameters().fluidListReach) * impulse;
+        const Vector3d along = vec3(given[i]).cast<double>();
+        if (solids[i].w > 0.0f) sum += along / double(solids[i].w);
+        for (uint32_t j : fixture.near(i, false, parameters().fluidListReach)) {
+            const Vector3d across = given[i].w * byCell(i, j).slope;
+            const double share = weight((fixture.place(i) - fixture.place(j)).norm(), parameters().fluidListReach);
+            wanted[j] -= share * along + across;
+            sum += across;
+            size += (share * along + across).norm();
+        }
     }
     uint32_t pushed = 0;
     for (uint32_t j = 0; j < fixture.solidCount(); ++j) {
@@ -262,7 +300,7 @@ TEST_P(FluidDensity, SolidsAreGivenWhatTheyGive)
         ASSERT_LT((found - wanted[j]).norm(), ROUNDING * (wanted[j].norm() + size / fixture.solidCount())) << j;
     }
     EXPECT_GT(pushed, 50u);
-    EXPECT_LT((given + got).norm(), ROUNDING * size);
+    EXPECT_LT((sum + got).norm(), ROUNDING * size);
 }
 
 INSTANTIATE_TEST_SUITE_P(Lattices, FluidDensity, testing::Bool(),

@@ -10,6 +10,7 @@ namespace {
 
 constexpr uint32_t COUNT = 1033, SLOTS = 200;
 constexpr float HALF = 0.25f;
+constexpr float TURN_STEPS = 2047.0f;
 
 World fluidWorld(const Settings& settings)
 {
@@ -47,6 +48,20 @@ FluidFixture::FluidFixture(const Settings& settings) : KernelFixture(fluidWorld(
     wrap(false);
     masses = stages.particles.masses.download();
     setPlaces(randomVectors(count(), HALF, 31));
+    Random random(32);
+    for (uint32_t i = 0; i < solidCount(); ++i) {
+        Quaternionf turn = random.rotation();
+        if (turn.w() < 0.0f) turn.coeffs() = -turn.coeffs();
+        for (int k = 0; k < 3; ++k) turn.coeffs()[k] = std::round(turn.coeffs()[k] * TURN_STEPS) / TURN_STEPS;
+        turn.w() = std::sqrt(std::max(1.0f - turn.vec().squaredNorm(), 0.0f));
+        turns.push_back(turn);
+    }
+}
+
+gpu::vec4 FluidFixture::packedTurn(uint32_t particle) const
+{
+    const Vector3f t = (turns[particle].vec() * TURN_STEPS).array().round() + 2048.0f;
+    return {4096.0f * t.x() + t.y(), t.z(), 0, 0};
 }
 
 void FluidFixture::setPlaces(const std::vector<gpu::vec4>& positions)
@@ -80,7 +95,7 @@ void FluidFixture::findNeighbours()
     for (const gpu::uvec4& four : f.slotNeighbours.download())
         neighbours.insert(neighbours.end(), {four.x, four.y, four.z, four.w});
     auto slotPositions = places;
-    for (uint32_t i = 0; i < count(); ++i) slotPositions[i].w = static_cast<float>(mass(i));
+    for (uint32_t i = 0; i < count(); ++i) slotPositions[i].w = isFluid(i) ? static_cast<float>(mass(i)) : packedTurn(i).x;
     fill(f.slotPositions, inSlots(slotPositions));
     fill(f.slotColliders, std::vector<uint32_t>(count(), 0));
 }

@@ -65,7 +65,11 @@ public:
         return (function(x + STEP) - function(x - STEP)) / (2.0 * STEP);
     }
 
+    /// How a solid particle's cell is turned, as two whole numbers (sim/fluid/walls/solid_cells.glsl).
+    gpu::vec4 packedTurn(uint32_t particle) const;
+
     std::vector<gpu::vec4> places, masses;
+    std::vector<Quaternionf> turns;  ///< Of solid particles, as exact as they are packed.
     std::vector<uint32_t> slotParticles;
     std::vector<gpu::uvec2> slotCounts;
     std::vector<uint32_t> neighbours;  ///< slotNeighbours, one by one.

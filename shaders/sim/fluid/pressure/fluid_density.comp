@@ -19,7 +19,16 @@ BUFFER(uvec4, SlotPressures, newSlotPressures);
 BUFFER(vec4, SlotWalls, newSlotWalls);
 BUFFER(vec4, SlotSolids, newSlotSolids);
 BUFFER(float, SlotCovered, newSlotCovered);
+BUFFER(float, SlotGains, newSlotGains);
 BUFFER(vec4, FluidPasts, fluidPasts);
+
+/// What walls and solids that face each other lack.
+float gainOf(WallCover walls, SolidCover solids)
+{
+    float side = 0.5 * solids.fraction, gain = mix(1.0, gapGain(side, side), solids.between);
+    float both = length(walls.gradient) * length(solids.slope), facing = -dot(walls.gradient, solids.slope);
+    return gain * mix(1.0, gapGain(walls.fraction, solids.fraction), clamp(facing / max(both, 1e-12), 0.0, 1.0));
+}
 
 void main()
 {
@@ -39,13 +48,15 @@ void main()
     }
     SolidCover solids = solidCover(k, counts.solids, x);
     WallCover walls = wallCover(k, x);
+    float gain = gainOf(walls, solids);
+    walls.gradient *= gain, solids.slope *= gain;
     float covered = walls.fraction + solids.fraction, density = sums.fraction + covered;
     float excess = clamp(density - 1.0, LEAST_FLUID_ERROR, MOST_FLUID_ERROR);
 #ifdef RELAX
     float compression = excess, relaxation = FLUID_START_RELAXATION;
 #else
     float toWalls = dot(own.move, across(even, walls.gradient));
-    float toSolids = dot(own.move - solids.move, across(even, solids.slope));
+    float toSolids = dot(own.move - solids.move, evenAcross(even, solids.slope) * solids.slope);
     // Twice, as fluid_pressure pushes by them.
     float nearer = sums.nearer + 2.0 * (toWalls + toSolids);
     float carried = clamp(fluidPasts[i].w + nearer, LEAST_FLUID_ERROR, MOST_FLUID_ERROR);
@@ -57,13 +68,13 @@ void main()
     fluidPasts[i].w = compression;
     vec3 all = sums.gradient + walls.gradient + solids.slope;
     // Where the slopes of solids cancel, as between two of them, there is no way out: a harder push does not help.
-    float opposed = max(solids.squares - dot(solids.slope, solids.slope), 0.0);
     // All constraints around are solved at once, each as if alone: relaxed less, they would overshoot.
-    float lambda = -relaxation * max(compression, 0.0) / (dot(all, all) + opposed + sums.squares + sim.fluidSoftness);
+    float lambda = -relaxation * max(compression, 0.0) / (dot(all, all) + solids.opposed + sums.squares + sim.fluidSoftness);
     SlotPressure pressure = SlotPressure(x, lambda / max(fetchMass(i).inverseMass, 1e-20) * even);
     newSlotPressures[2u * k] = firstHalf(pressure);
     newSlotPressures[2u * k + 1u] = secondHalf(pressure);
     newSlotCovered[k] = covered;
+    newSlotGains[k] = gain;
     newSlotWalls[k] = pack(SlotWallCover(walls.gradient, density));
     newSlotSolids[k] = pack(SlotSolidCover(solids.slope, solids.weights > 0.0 ? 1.0 / solids.weights : 0.0));
 }

@@ -50,7 +50,7 @@ Sums sumsOver(uint k, uint count, vec3 x)
 mat3 evened(Sums sums, SolidCover solids, WallCover walls)
 {
     vec3 d = sums.diagonal, m = sums.mixed;
-    mat3 moment = mat3(d.x, m.z, m.y, m.z, d.y, m.x, m.y, m.x, d.z) + walls.moment + solidMoment(solids);
+    mat3 moment = mat3(d.x, m.z, m.y, m.z, d.y, m.x, m.y, m.x, d.z) + walls.moment + solids.moment;
     moment += mat3(walls.fraction + solids.fraction + max(1.0 - sums.fraction - walls.fraction - solids.fraction, 0.0));
     return mat3(1.0 - FLUID_EVENNESS) + FLUID_EVENNESS * inverse(moment);
 }

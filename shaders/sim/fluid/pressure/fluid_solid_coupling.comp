@@ -7,6 +7,7 @@
 #include "sim/fluid/slot_values.glsl"
 #include "sim/fluid/pressure/slot_pressures.glsl"
 #include "sim/fluid/fluid.glsl"
+#include "sim/fluid/walls/solid_cells.glsl"
 
 uniform samplerBuffer slotSolidImpulses;
 layout(local_size_x = GROUP_SIZE) in;
@@ -14,12 +15,14 @@ BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(Assembly, AssemblyState, assemblies);
 READ_BUFFER(Counters, CountersBlock, counters);
 
-/// The impulse of the fluid particle in a slot on a solid one at x: the solid's share, by its weight, of what all
-/// solids there receive.
-vec3 impulseOf(vec3 x, uint slot)
+/// The impulse of the fluid particle in a slot on a solid one: across its surface by what it covers, along it the share
+/// by its weight of what all solids there receive.
+vec3 impulseOf(SolidCell cell, uint slot)
 {
-    float weight = solidWeight(distance(fetchPressurePosition(slot), x));
-    return -weight * texelFetch(slotSolidImpulses, int(slot)).xyz;
+    vec4 impulse = texelFetch(slotSolidImpulses, int(slot));
+    if (impulse == vec4(0)) return vec3(0);
+    vec3 offset = fetchPressurePosition(slot) - cell.centre;
+    return -solidWeight(length(offset)) * impulse.xyz - impulse.w * cellCover(cell, offset).slope;
 }
 
 void main()
@@ -27,10 +30,11 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.particleCount) return;
     uint k = fetchParticleSlot(i), count = fetchCounts(k).fluids;
-    vec3 x = fetchSlotPosition(k).position, impulse = vec3(0);
+    SolidCell cell = fetchSolidCell(k);
+    vec3 impulse = vec3(0);
     for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
         uvec4 slots = fetchNeighbours(texel);
-        impulse += impulseOf(x, slots.x) + impulseOf(x, slots.y) + impulseOf(x, slots.z) + impulseOf(x, slots.w);
+        impulse += impulseOf(cell, slots.x) + impulseOf(cell, slots.y) + impulseOf(cell, slots.z) + impulseOf(cell, slots.w);
     }
     if (impulse == vec3(0)) return;
     // Like contacts, this makes its assembly end the substep by first order.

@@ -55,7 +55,8 @@ FluidImpulses fluidImpulses(uint k, uint count, SlotPressure own)
 
 struct PressureImpulse {
     vec3 all;        // on the particle [kg m]
-    vec3 bySolids;   // the part of it that solids give, and get back
+    vec3 bySolids;   // the part of it that solids give along them, and get back
+    float push;      // what they give across them, over the slopes that they cover with [kg m2]
 };
 
 /// What pressure gives a particle, by the impulses of its fluid neighbours, walls and solids. Behind these is fluid of
@@ -69,7 +70,7 @@ PressureImpulse pressedBy(SlotPressure own, float covered, SlotWallCover walls, 
     vec3 normal = sides / max(length(sides), 1e-20), along = pairs - dot(pairs, normal) * normal;
     vec3 rest = FLUID_ALONG_WALLS * part / (1.0 - part) * along;
     float bySolids = length(solids.gradient), share = bySolids / max(bySolids + length(walls.gradient), 1e-20);
-    vec3 ofSolids = 2.0 * unit * across(own.lambda, solids.gradient);
+    float push = 2.0 * unit * evenAcross(own.lambda, solids.gradient);
     vec3 ofWalls = 2.0 * unit * across(own.lambda, walls.gradient);
-    return PressureImpulse(pairs + rest + ofWalls + ofSolids, ofSolids + share * rest);
+    return PressureImpulse(pairs + rest + ofWalls + push * solids.gradient, share * rest, push);
 }

@@ -2,6 +2,7 @@
 
 uniform samplerBuffer slotLastPositions;
 uniform samplerBuffer slotShapes;
+uniform samplerBuffer slotGains;      // gapGain()
 uniform usamplerBuffer slotPressures;
 
 /// Where it was predicted to be in the last substep.
@@ -67,7 +68,14 @@ SlotPressure fetchSlotPressure(uint slot)
     return SlotPressure(uintBitsToFloat(s.xyz), mat3(t.x, h.x, h.y, h.x, t.y, t.w, h.y, t.w, t.z));
 }
 
-/// What a wall or solid gives by an evened multiplier. Only across itself, or it would drive what moves along it.
+/// An evened multiplier across solids, or its mean where their slopes cancel.
+float evenAcross(mat3 even, vec3 gradient)
+{
+    float least = 0.02 / (sim.fluidReach * sim.fluidReach), mean = (even[0].x + even[1].y + even[2].z) / 3.0;
+    return (dot(gradient, even * gradient) + least * mean) / (dot(gradient, gradient) + least);
+}
+
+/// What a wall gives by an evened multiplier. Only across itself, or it would drive what moves along it.
 vec3 across(mat3 even, vec3 gradient)
 {
     return dot(gradient, even * gradient) / max(dot(gradient, gradient), 1e-20) * gradient;
