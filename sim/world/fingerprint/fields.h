@@ -45,9 +45,9 @@ inline auto fieldsOf(const SurfaceDistance& s)
 inline auto fieldsOf(const Particle& p)
 {
     const auto& [position, velocity, mass, material, body, bodyCount, assembly, rest, touches, margin, pinned,
-                 surface] = p;
+                 scale, surface] = p;
     return counting(position, velocity, mass, material, body, bodyCount, assembly, rest, touches, margin, pinned,
-                    surface);
+                    scale, surface);
 }
 
 inline auto fieldsOf(const Link& l)
