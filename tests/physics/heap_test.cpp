@@ -59,8 +59,8 @@ TEST(Heap, AConeThatIsTooSteepCollapsesToTheSlopeOfItsFrictionAndStays)
     // Less than a hundredth of a diameter in a tenth of a second.
     EXPECT_LT(meanSpeed(solver.readParticles()), 0.1 * DIAMETER);
     run(solver, world, 1.5);
-    // A grain that slips shifts the mean of its patch.
-    EXPECT_NEAR(slopeOf(solver.readParticles().positions), slope, 1.0);
+    // A grain at the tip or the foot shifts the mean of its ring, and the line by a degree.
+    EXPECT_NEAR(slopeOf(solver.readParticles().positions), slope, 1.5);
 }
 
 TEST(Heap, OneLeftOnAPlatformIsAsSteepAsItsFriction)
@@ -120,7 +120,7 @@ TEST(Heap, AColumnsCollapseRunsAsFarAsLajeunesseFound)
 
 TEST(Heap, ASiloRunsOutAtBeverloosRate)
 {
-    const float mu = 0.5f, hole = 5.0f, half = 7.0f, floor = 12.0f;
+    const float mu = 0.5f, hole = 6.0f, half = 8.0f, floor = 12.0f;
     GrainFill fill(mu);
     for (float side : {-1.0f, 1.0f}) {
         const float inner = side * half, outer = side * (half + 4), edge = side * hole / 2;
@@ -136,17 +136,17 @@ TEST(Heap, ASiloRunsOutAtBeverloosRate)
         const auto isIn = [&](const Vector3f& p) { return p.y() > DIAMETER * floor; };
         return static_cast<double>(std::ranges::count_if(solver.readParticles().positions, isIn));
     };
-    run(solver, world, 1.0);
+    run(solver, world, 0.5);
     const double atFirst = left();
-    run(solver, world, 1.5);
+    run(solver, world, 2.0);
     const double between = left();
-    run(solver, world, 1.5);
+    run(solver, world, 2.0);
     const double atLast = left();
-    // Beverloo et al. 1961 for a hole of area A and hydraulic diameter D, both without 1.4 d: 0.58 4/pi of the bulk's
-    // density times A sqrt(g D). The constant is known to a tenth; grains come one by one, some 300 in 1.5 s.
-    const double open = DIAMETER * (hole - 1.4), bulk = 0.6 / (M_PI / 6.0 * 1.043 * std::pow(DIAMETER, 3));
-    const double rate = 0.739 * bulk * std::sqrt(GRAVITY * open) * open * open;
-    EXPECT_NEAR((atFirst - between) / 1.5, rate, 0.2 * rate);
+    // Beverloo et al. 1961 for a hole of area A and hydraulic diameter D, both without 1.5 d at the rims: C 4/pi of the
+    // bulk's density times A sqrt(g D), C from 0.5 to 0.65. Grains come in bursts, of some 600 in two seconds.
+    const double open = DIAMETER * (hole - 1.5), bulk = 0.6 / (M_PI / 6.0 * 1.043 * std::pow(DIAMETER, 3));
+    const double rate = 0.575 * 4.0 / M_PI * bulk * std::sqrt(GRAVITY * open) * open * open;
+    EXPECT_NEAR((atFirst - between) / 2.0, rate, 0.2 * rate);
     EXPECT_NEAR(between - atLast, atFirst - between, 0.1 * (atFirst - between));
 }
 

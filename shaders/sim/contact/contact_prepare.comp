@@ -25,6 +25,7 @@ BUFFER(Counters, CountersBlock, counters);
 /// particles of one size get less friction, so that their mass has the material's.
 #define LOOSE_FRICTION 0.63662
 
+/// Static and kinetic friction of a pair. @param excess of both radii [m].
 vec2 pairFriction(Pair pair, uvec2 movers, vec2 excess)
 {
     vec2 mean = 0.5 * (fetchMass(pair.first).friction + fetchMass(pair.second).friction);
@@ -64,7 +65,8 @@ void main()
     ContactSides sides;
     sides.movers = uvec2(a.mover, b.mover);
     sides.exit = exitDirection(pair, sides.movers, sim.diameter);
-    References refs = referencesOf(pair, sides.movers, excess, sides.exit.sameAssembly, difference, rotationA, rotationB);
+    References refs =
+        referencesOf(pair, sides.movers, excess, sides.exit.sameAssembly, difference, rotationA, rotationB);
     float touch = refs.a.radius + refs.b.radius;
     difference += rotate(rotationA, refs.a.r - armA.r) - rotate(rotationB, refs.b.r - armB.r);
     sides.hidden = hiddenBeside(pair.first, rotationA, -difference) |

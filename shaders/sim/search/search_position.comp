@@ -1,5 +1,6 @@
-// One thread a particle: the position for which its contacts are found (search_centre), and a zero count of the pairs
-// that will refer to it; w: the excess of its radius (sim/common/contacts/touch.glsl). FROM_POSITIONS: of the paper's solver, its predicted position.
+// One thread a particle: the position for which its contacts are found (search_centre), with the excess of its radius
+// (sim/common/contacts/touch.glsl), and a zero count of the pairs that will refer to it. FROM_POSITIONS: of the paper's
+// solver, its predicted position.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/contact_lists.glsl"
 #include "sim/common/particles.glsl"

@@ -44,10 +44,10 @@ inline auto fieldsOf(const SurfaceDistance& s)
 
 inline auto fieldsOf(const Particle& p)
 {
-    const auto& [position, velocity, mass, material, body, bodyCount, assembly, rest, touches, margin, pinned,
-                 scale, surface] = p;
-    return counting(position, velocity, mass, material, body, bodyCount, assembly, rest, touches, margin, pinned,
-                    scale, surface);
+    const auto& [position, velocity, mass, material, body, bodyCount, assembly, rest, touches, margin, pinned, scale,
+                 surface] = p;
+    return counting(position, velocity, mass, material, body, bodyCount, assembly, rest, touches, margin, pinned, scale,
+                    surface);
 }
 
 inline auto fieldsOf(const Link& l)

@@ -1,5 +1,5 @@
-// How near a particle comes to what it touches. Grains have sizes of their own (World: Particle::scale), by the excess of
-// their radius that moverCentres and searchPositions have in w; the search looks as far as the largest need.
+// How near a particle comes to what it touches. Grains have sizes of their own (World: Particle::scale): moverCentres
+// and searchPositions have the excess of their radius in w. The search looks as far as the largest need.
 
 /// @param excess over half a diameter [m]. @returns from a particle's centre to its surface [m].
 float particleRadius(float excess)
