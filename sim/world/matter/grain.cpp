@@ -11,14 +11,14 @@ namespace {
 /// How much the two sizes differ from their mean [diameters].
 constexpr float SPREAD = 0.12f;
 /// Static friction between two grains over that of a mass of them.
-constexpr float STICKING = 0.32f;
+constexpr float STICKING = 0.3f;
 
 /// Kinetic friction between two grains of a mass of them with friction `mu`. What moves is braked by more than what
 /// begins to move, so that a heap that was poured is as steep as one that is left; little friction by more than its
 /// share, as a thin layer runs far.
 float sliding(float mu)
 {
-    return std::min(mu, std::max(0.18f, 0.6f * mu));
+    return std::min(mu, std::max(0.17f, 0.62f * mu));
 }
 
 }  // namespace
