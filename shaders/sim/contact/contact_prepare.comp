@@ -10,10 +10,10 @@
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer searchPositions;
 #ifdef RELEASES
-uniform samplerBuffer moverMoves;
+READ_BUFFER(vec4, MoverMoves, moverMoves);   // no texture: sixteen are needed beside it
 #endif
+uniform samplerBuffer grainFrictions;    // by material
 uniform usamplerBuffer pairArrivals;     // by second particle, in the order of arrival, which differs from run to run
-READ_BUFFER(vec4, GrainFrictions, grainFrictions);   // by material; no texture: there are sixteen of others
 BUFFER(uvec4, PairSides, pairSides);
 BUFFER(vec4, PairArms, pairArms);
 BUFFER(vec4, PairImpulses, pairImpulses);
@@ -31,8 +31,8 @@ vec2 pairFriction(Pair pair, uvec2 movers, vec2 excess)
     vec2 mean = 0.5 * (fetchMass(pair.first).friction + fetchMass(pair.second).friction);
     if (min(movers.x, movers.y) < sim.bodyCount) return mean;
     if (excess.x == 0.0 || excess.y == 0.0) return LOOSE_FRICTION * mean;
-    return 0.5 * (grainFrictions[fetchParticle(pair.first).material].xy +
-                  grainFrictions[fetchParticle(pair.second).material].xy);
+    return 0.5 * (texelFetch(grainFrictions, int(fetchParticle(pair.first).material)).xy +
+                  texelFetch(grainFrictions, int(fetchParticle(pair.second).material)).xy);
 }
 
 /// The second particle lists its pairs in their order, so that sums over them always have the same order.
@@ -86,7 +86,7 @@ void main()
     Old old = oldImpulse(parity ^ 1u, pair, a.rank, b.rank);
 #ifdef RELEASES
     // Before its release it has pushed something that did not give way.
-    if (texelFetch(moverMoves, int(a.mover)).w == JUST_LET_GO || texelFetch(moverMoves, int(b.mover)).w == JUST_LET_GO)
+    if (moverMoves[a.mover].w == JUST_LET_GO || moverMoves[b.mover].w == JUST_LET_GO)
         old = Old(Impulse(vec3(0), 0.0), 0.0);
 #endif
     if (separation.distance < touch && old.impulse.normal <= 0.0) old.impulse.normal = ABOUT_TO_ACT;

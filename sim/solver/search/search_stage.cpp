@@ -83,7 +83,9 @@ void SearchStage::setParameters(const StageSetup& setup)
     gpu::StepParameters& p = setup.parameters;
     p.plainReach = ((setup.layout.hasFlatFaces ? FLAT_TOUCH : 1.0f) + s.contactMargin) * p.diameter;
     p.contactReach = setup.layout.hasRounds ? (ROUND_TOUCH + s.contactMargin) * p.diameter : p.plainReach;
-    p.contactReach += largestExcess(setup.world) * p.diameter;
+    if (const float excess = largestExcess(setup.world); excess > 0.0f)
+        p.contactReach = std::max(p.contactReach / p.diameter + 0.5f * excess, 1.0f + s.contactMargin + excess) *
+                         p.diameter;
     p.inverseCellSize = 1.0f / p.contactReach;
     p.drift = (byParticles_ ? 0.25f : 1.0f) * s.contactMargin * p.diameter;
     p.lookAhead = 0.5f * static_cast<float>(s.substeps);

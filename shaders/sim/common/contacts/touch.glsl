@@ -7,10 +7,11 @@ float particleRadius(float excess)
     return 0.5 * sim.diameter + excess;
 }
 
-/// Two particles of those radii are candidates of each other if nearer than this [m].
+/// Two particles of those radii are candidates of each other if nearer than this [m]. Grains touch no flat faces.
 float pairReach(vec2 excess)
 {
-    return sim.plainReach + (excess.x + excess.y);
+    bool grains = excess.x != 0.0 && excess.y != 0.0;
+    return (grains ? sim.diameter + sim.drift : sim.plainReach) + (excess.x + excess.y);
 }
 
 /// A collider is a candidate of a particle whose centre is nearer than this to it [m].
