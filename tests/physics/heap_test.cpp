@@ -33,15 +33,19 @@ double heightAt(const std::vector<Vector3f>& grains, int x, float width)
 TEST(Heap, OnePouredIsAsSteepAsItsFriction)
 {
     for (float mu : {0.35f, 0.7f}) {
-        Settings gentle;
-        gentle.maxSpeed = 2.0f;
-        GrainFill fill(mu, gentle);
-        fill.fill({-3, 1, -3}, {3, 90, 3}, 1.5f);
-        const World world = fill.build();
-        Solver solver(gpu(), world);
-        run(solver, world, 6.0);
-        // Balls of one size, and of the friction that slides have, stand at 29 and 41 degrees.
-        EXPECT_NEAR(slopeOf(solver.readParticles().positions), degrees(mu), 3.0) << "friction " << mu;
+        // A heap of a thousand grains that has just slid is up to 2.5 degrees flatter than before: the mean of two.
+        double slope = 0.0;
+        for (float lift : {0.0f, 0.13f}) {
+            Settings gentle;
+            gentle.maxSpeed = 2.0f;
+            GrainFill fill(mu, gentle);
+            fill.fill({-3, 1 + lift, -3}, {3, 90 + lift, 3}, 1.5f);
+            const World world = fill.build();
+            Solver solver(gpu(), world);
+            run(solver, world, 6.0);
+            slope += 0.5 * slopeOf(solver.readParticles().positions);
+        }
+        EXPECT_NEAR(slope, degrees(mu), 3.0) << "friction " << mu;
     }
 }
 
@@ -72,7 +76,7 @@ TEST(Heap, OneLeftOnAPlatformIsAsSteepAsItsFriction)
     const World world = fill.build();
     Solver solver(gpu(), world);
     run(solver, world, 4.0);
-    // The brink holds a layer, a tenth of the height here.
+    // The brink holds a layer, a tenth of the height here, and what is left has not slid as far as it could.
     EXPECT_NEAR(slopeOf(solver.readParticles().positions, DIAMETER * top), degrees(mu), 5.0);
 }
 
