@@ -16,6 +16,13 @@ size_t runLimit(size_t particleCount)
     return (particleCount + LIST_CHUNK - 1) / LIST_CHUNK + 1;
 }
 
+std::vector<float> scalesOf(const World& world)
+{
+    std::vector<float> scales;
+    for (const Particle& particle : world.particles) scales.push_back(particle.scale);
+    return scales;
+}
+
 uint32_t groupsOf(size_t threads)
 {
     return static_cast<uint32_t>((threads + RENDER_GROUP_SIZE - 1) / RENDER_GROUP_SIZE);
@@ -26,11 +33,12 @@ uint32_t groupsOf(size_t threads)
 SphereLists::SphereLists(const Gpu& gpu, BufferTable& table, const World& world)
     : particleCount_(static_cast<uint32_t>(world.particles.size())),
       covered_("coveredParticles", std::span<const uint32_t>(coveredParticles(world))),
-      drawKinds_("sphereDrawKinds", particleCount_), list_("sphereList", size_t{3} * particleCount_),
-      cells_("burialCells", CELL_COUNT), buried_("buriedCells", CELL_COUNT),
-      counts_("sphereCounts", runLimit(particleCount_)), draws_("sphereDraws", SPHERE_DRAWS)
+      scales_("sphereScales", std::span<const float>(scalesOf(world))), drawKinds_("sphereDrawKinds", particleCount_),
+      list_("sphereList", size_t{3} * particleCount_), cells_("burialCells", CELL_COUNT),
+      buried_("buriedCells", CELL_COUNT), counts_("sphereCounts", runLimit(particleCount_)),
+      draws_("sphereDraws", SPHERE_DRAWS)
 {
-    table.add(Lifetime::Constant, covered_);
+    table.add(Lifetime::Constant, covered_, scales_);
     table.add(Lifetime::Scratch, drawKinds_, list_, cells_, buried_, counts_, draws_);
     const Defines defines = coversParticles(world) ? Defines{{"COVERED", "1"}} : Defines{};
     const auto load = [&](const std::string& name) {

@@ -14,7 +14,8 @@ enum class SphereGroup : uint32_t { Solid = SOLID_SPHERES, Fluid = FLUID_SPHERES
 /// cover, are in neither list.
 class SphereLists {
 public:
-    /// Adds "sphereList" and its own buffers to the table, which must have "frame", "view" and "positions".
+    /// Adds "sphereList", "sphereScales" and its own buffers to the table, which must have "frame", "view" and
+    /// "positions".
     SphereLists(const Gpu& gpu, BufferTable& table, const World& world);
     SphereLists(const SphereLists&) = delete;
     SphereLists& operator=(const SphereLists&) = delete;
@@ -26,6 +27,7 @@ public:
 private:
     uint32_t particleCount_;
     Buffer<uint32_t> covered_;  ///< A bit per particle.
+    Buffer<float> scales_;      ///< Per particle: Particle::scale.
     Buffer<uint32_t> drawKinds_, list_, cells_, buried_;
     Buffer<gpu::uvec4> counts_;
     Buffer<gpu::DrawArguments> draws_;

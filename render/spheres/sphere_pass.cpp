@@ -20,11 +20,13 @@ SpherePass::SpherePass(const Gpu& gpu, BufferTable& table, const World& world, c
 {
     table.add(Lifetime::Constant, colors_);
     points_ = DrawPass(gpu, table, {"spheres/sphere", "spheres/sphere", colorDefines(settings)},
-                       {"frame", "view", "sphereList", "positions", "velocities", "sphereColors"}, targets.geometry);
+                       {"frame", "view", "sphereList", "sphereScales", "positions", "velocities", "sphereColors"},
+                       targets.geometry);
     quads_ = DrawPass(gpu, table, {"spheres/sphere_quad", "spheres/sphere", colorDefines(settings)},
-                      {"frame", "view", "sphereList", "positions", "velocities", "sphereColors"}, targets.geometry);
+                      {"frame", "view", "sphereList", "sphereScales", "positions", "velocities", "sphereColors"},
+                      targets.geometry);
     shadow_ = DrawPass(gpu, table, {"spheres/sphere_shadow", "spheres/sphere_shadow"},
-                       {"frame", "view", "sphereList", "positions"}, targets.shadowMap);
+                       {"frame", "view", "sphereList", "sphereScales", "positions"}, targets.shadowMap);
 }
 
 void SpherePass::drawShadow(KernelTimer& timer, const SphereLists& lists, SphereGroup group) const

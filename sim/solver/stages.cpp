@@ -151,6 +151,7 @@ Defines Stages::worldDefines() const
                       {"HIGHAM", s.rotation == RotationMethod::Higham},
                       {"MASS_SCALING", s.massScaling > 0.0f},
                       {"ROUNDS", layout.hasRounds},
+                      {"GRAINS", layout.hasGrains},
                       {"SLEEP", sleep.has_value()},
                       {"FREEZE", s.freeze > 0.0f},
                       {"PUPPETS", drives.has_value()},

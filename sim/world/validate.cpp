@@ -128,6 +128,8 @@ void validateParticles(const World& world)
         requireInput(p.mass > 0.0f && std::isfinite(p.mass), "particle {}: mass {} kg must be above 0", i, p.mass);
         require(p.material < world.materials.size(), "particle {}: there is no material {}", i, p.material);
         require(p.body == NO_INDEX || p.body < world.bodies.size(), "particle {}: there is no body {}", i, p.body);
+        require(p.body == NO_INDEX ? within(p.scale, 0.8f, 1.2f) : p.scale == 1.0f,
+                "particle {}: scale {} must be 0.8 to 1.2, in a body 1", i, p.scale);
     }
 }
 

@@ -43,7 +43,8 @@ struct Material {
     float kineticFriction = 0.5f;  ///< Coulomb's mu while sliding, 0 ... staticFriction.
     /// Speed after a collision over the speed before it, 0 ... 1. A contact takes the larger of both sides'.
     float restitution = 0.0f;
-    /// Rolling resistance of balls and capsules, >= 0: they do not start to roll on a slope below its arc tangent.
+    /// Rolling resistance, >= 0. Balls and capsules do not start to roll on a slope below its arc tangent; grains have
+    /// it besides their static friction (matter/grain.h).
     float rollingFriction = 0.0f;
     Vector3f color{0.8f, 0.8f, 0.8f};  ///< Linear RGB, 0-1, used when colouring by material.
     bool fluid = false;                ///< Its particles are loose and flow.
@@ -70,6 +71,7 @@ struct Particle {
     /// that the flesh around an actor's joints folds instead of holding the joint open.
     float selfMargin = 0.0f;
     bool pinned = false;      ///< A loose particle, of a soft body, that stays in place.
+    float scale = 1.0f;       ///< Of a loose particle: its contacts' diameter over World's, 0.8 ... 1.2.
     SurfaceDistance surface;  ///< In its body; only used if bodyCount is 1.
 };
 

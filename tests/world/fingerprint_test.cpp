@@ -84,6 +84,7 @@ const std::vector<Field>& fields()
                                          FIELD(particles[0].touchesAssembly),
                                          FIELD(particles[0].selfMargin),
                                          FIELD(particles[0].pinned),
+                                         FIELD(particles[0].scale),
                                          FIELD(particles[0].surface.distance),
                                          FIELD(particles[0].surface.outward.x()),
                                          FIELD(particles[0].surface.ends),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/scene/matter/scene_fill.h"
+#include "sim/world/matter/grain.h"
 
 namespace knuckle {
 
@@ -39,6 +40,7 @@ void addGrains(const ObjectEntry& entry)
     const float jitter = object["jitter"].get<float>() * builder.diameter();
     if (jitter > 0.0f) shiftLayers(lattice, spacing);
     uint32_t seed = object["seed"];
+    const bool impulses = builder.world().settings.solver == SolverKind::Impulse;  // the paper's has one size
     Particle grain;
     grain.velocity = entry.velocity;
     grain.material = entry.material;
@@ -48,6 +50,7 @@ void addGrains(const ObjectEntry& entry)
         std::vector<Vector3f> positions = lattice;
         jitterPositions(positions, jitter, seed++);
         for (const Vector3f& position : positions) {
+            if (impulses) grain.scale = grainScale(builder.particleCount() - first);
             grain.position = grain.restPosition = entry.poses[copy].apply(position);
             builder.addLooseParticle(grain);
         }

@@ -1,5 +1,5 @@
 // One point per listed particle, as large as the sphere's image, which is an ellipse.
-#include "render/common/sphere_sizes.glsl"
+#include "render/spheres/drawn_radius.glsl"
 #include "render/spheres/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
 
@@ -13,7 +13,7 @@ void main()
 {
     int particle = int(texelFetch(sphereList, gl_VertexID).x);
     vec3 centre = toView(texelFetch(positions, particle).xyz);
-    radius = sphereRadius(uint(particle));
+    radius = drawnRadius(uint(particle));
     float aspect = float(frame.width) / float(frame.height);
     vec4 bounds = sphereBounds(centre, radius, vec2(1.0 / aspect, 1.0) / frame.tanHalfFov);
     vec2 size = 0.5 * (bounds.zw - bounds.xy) * vec2(frame.width, frame.height);

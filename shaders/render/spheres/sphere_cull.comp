@@ -2,6 +2,7 @@
 // driver's points, or with a clipped centre), as shadow casters, or not at all.
 #include "render/spheres/burial.glsl"
 #include "render/spheres/covered.glsl"
+#include "render/spheres/drawn_radius.glsl"
 #include "render/spheres/sphere_bounds.glsl"
 #include "render/spheres/sphere_lists.glsl"
 #include "render/spheres/sphere_runs.glsl"
@@ -37,7 +38,7 @@ void main()
     uvec3 count = uvec3(0u);
     for (uint i = run.begin; i < run.end; ++i) {
         vec4 position = texelFetch(positions, int(i));
-        uint how = isShown(i, position) ? howDrawn(position.xyz, sphereRadius(i)) : 0u;
+        uint how = isShown(i, position) ? howDrawn(position.xyz, drawnRadius(i)) : 0u;
         drawKinds[i] = how;
         count += listCounts(how);
     }

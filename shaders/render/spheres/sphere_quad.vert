@@ -1,5 +1,5 @@
 // Two triangles around the image of each listed sphere that is too large for the driver's points.
-#include "render/common/sphere_sizes.glsl"
+#include "render/spheres/drawn_radius.glsl"
 #include "render/spheres/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
 
@@ -13,7 +13,7 @@ void main()
 {
     uint particle = texelFetch(sphereList, gl_VertexID / QUAD_CORNERS).x;
     vec3 centre = toView(texelFetch(positions, int(particle)).xyz);
-    radius = sphereRadius(particle);
+    radius = drawnRadius(particle);
     float aspect = float(frame.width) / float(frame.height);
     vec4 bounds = sphereBounds(centre, radius, vec2(1.0 / aspect, 1.0) / frame.tanHalfFov);
     float nearest = max(-centre.z - radius, 0.0);

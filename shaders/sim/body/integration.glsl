@@ -74,7 +74,7 @@ void finish(uint m, Mover mover, Motions s)
     STORE_FIELD(oldMoverMoves, m, s.move)
     STORE_FIELD(oldMoverVelocities, m, before)
     STORE_FIELD(moverVelocities, m, next)
-    nextCentres[m] = vec4(texelFetch(lastMoverCentres, int(m)).xyz + s.move.t, 0);
+    nextCentres[m] = texelFetch(lastMoverCentres, int(m)) + vec4(s.move.t, 0);
     nextRotations[m] = normalize(quaternionProduct(s.delta, s.rotation));
 }
 

@@ -35,8 +35,9 @@ void main()
     ParticleRank own = fetchRank(pair.particle);
     Arm arm = fetchArm(pair.particle);
     vec4 rotation = texelFetch(searchRotations, int(own.mover));
-    vec3 centre = texelFetch(searchPositions, int(pair.particle)).xyz - rotate(rotation, arm.r);
-    Reference ref = colliderReference(pair.particle, own.mover, pair.collider, centre, rotation);
+    vec4 position = texelFetch(searchPositions, int(pair.particle));
+    vec3 centre = position.xyz - rotate(rotation, arm.r);
+    Reference ref = colliderReference(pair.particle, own.mover, pair.collider, position.w, centre, rotation);
     ColliderSurface surface = colliderSurface(pair.collider, centre + rotate(rotation, ref.r));
     vec2 friction = 0.5 * (fetchMass(pair.particle).friction + fetchColliderFriction(pair.collider));
     vec3 r = ref.r - ref.radius * rotate(conjugate(rotation), surface.normal);

@@ -26,16 +26,20 @@ void main()
     Impulse last = fetchImpulse(lastColliderImpulses, index);
     Arm arm = fetchContactArm(lastColliderArms, q);
     vec4 rotation = quaternionProduct(fetchRotationDelta(sides.mover), fetchRotation(sides.mover));
-    Reference ref = colliderReference(particle, sides.mover, sides.collider, fetchCentre(sides.mover), rotation);
+    float excess = radiusExcess(sides.mover);
+    Reference ref =
+        colliderReference(particle, sides.mover, sides.collider, excess, fetchCentre(sides.mover), rotation);
     MoverPoint point = moverPoint(sides.mover, ref.r);
     vec3 start = point.centre + point.arm;
     ColliderSurface surface = colliderSurface(sides.collider, start + point.move);
     vec3 offset = -ref.radius * surface.normal;
     vec3 surfaceWay = surfaceMove(sides.collider, start + point.move + offset);
     Contact contact;
-    contact.touch = 2.0 * particleRadius(particle);
+    contact.touch = 2.0 * particleRadius(excess);
     contact.normal = surface.normal;
     contact.sameAssembly = false;
+    setKind(contact, vec2(excess));
+    contact.stickSpeed = STICK_SPEED;
     contact.leaving = max(dot(point.move, surface.normal), -dot(surfaceWay, surface.normal));
     contact.gap = surface.distance - ref.radius;
     contact.startGap = colliderSurface(sides.collider, takenAlong(sides.collider, start)).distance - ref.radius;

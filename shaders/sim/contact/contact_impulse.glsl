@@ -2,6 +2,9 @@
 #include "shared/contact_constants.h"
 #include "sim/common/contacts/contacts.glsl"
 
+// The speed above which two grains slide, over that of a fall by half a diameter (Froude number).
+#define GRAIN_STICKING 0.3
+
 /// What a contact is made of.
 struct Contact {
     vec3 normal;              // towards the first side
@@ -14,7 +17,19 @@ struct Contact {
     float inverseMass;        // of both sides together along the normal, each split over its impulses [1/kg]
     float worstInverseMass;   // the same for the worst direction; 0 if neither side responds [1/kg]
     vec2 friction;            // static, kinetic
+    float stickSpeed;         // it sticks while it slides more slowly [m/s]
+    float memory;             // part of its normal impulse that it keeps
 };
+
+/// Contacts of grains forget nothing: what fades has to be pressed back in, so a high column would shrink. Two grains
+/// stick up to a speed that grows with their size, so that slow slides do not creep on.
+/// @param excess of both sides' radii (sim/common/contacts/touch.glsl); of a collider, of the particle.
+void setKind(inout Contact c, vec2 excess)
+{
+    bool grains = excess.x != 0.0 && excess.y != 0.0;
+    c.stickSpeed = grains ? GRAIN_STICKING * sqrt(length(sim.gravity.xyz) * sim.diameter) : STICK_SPEED;
+    c.memory = grains ? 1.0 : c.sameAssembly ? LIMB_MEMORY : sim.warmStart;
+}
 
 /// One Jacobi iteration of an impulse. Only contacts that were counted beforehand act, because the mass is split over
 /// those; so a contact that will act in the next iteration says so (ABOUT_TO_ACT).
@@ -44,13 +59,13 @@ Impulse solveContact(Contact c, Impulse impulse, inout float mean)
     if (c.sameAssembly) last = min(last, max(dot(impulse.whole, c.normal), 0.0));
     mean += (last < mean ? MEAN_FALL : 1.0) * sim.meanRate * (max(last, 0.0) - mean);
     float wave = c.sameAssembly || last <= 0.0 ? 0.0 : min(last - mean, SHOCK * mean);
-    float kept = (c.sameAssembly ? LIMB_MEMORY : sim.warmStart) * (last - sim.impulseDamping * wave);
+    float kept = c.memory * (last - sim.impulseDamping * wave);
     float whole = max(kept - push, -most);
     float normal = max(whole, 0.0), bound = max(whole, SUNK_GRIP * most);
     vec3 tangent = impulse.whole - (acts ? 1.0 / c.worstInverseMass : 0.0) * c.slide;
     tangent -= c.normal * dot(c.normal, tangent);
     float size = length(tangent);
-    bool slides = length(c.slide - c.normal * dot(c.normal, c.slide)) > STICK_SPEED * sim.substepTime;
+    bool slides = length(c.slide - c.normal * dot(c.normal, c.slide)) > c.stickSpeed * sim.substepTime;
     float friction = slides ? c.friction.y : c.friction.x;
     if (size > c.friction.x * bound) tangent *= min(friction * bound / max(size, 1e-20), 1.0);
     bool soon = 2.0 * c.gap < c.startGap;   // it will overlap after another move like this one

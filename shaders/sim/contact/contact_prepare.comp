@@ -10,8 +10,9 @@
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer searchPositions;
 #ifdef RELEASES
-uniform samplerBuffer moverMoves;
+READ_BUFFER(vec4, MoverMoves, moverMoves);   // no texture: sixteen are needed beside it
 #endif
+uniform samplerBuffer grainFrictions;    // by material
 uniform usamplerBuffer pairArrivals;     // by second particle, in the order of arrival, which differs from run to run
 BUFFER(uvec4, PairSides, pairSides);
 BUFFER(vec4, PairArms, pairArms);
@@ -21,8 +22,18 @@ BUFFER(uint, PairReferences, pairReferences);
 BUFFER(Counters, CountersBlock, counters);
 
 /// A mass of balls that slide on each other and cannot turn has pi / 2 times their friction (Caquot 1934). Loose
-/// particles get less friction, so that their mass has the material's.
+/// particles of one size get less friction, so that their mass has the material's.
 #define LOOSE_FRICTION 0.63662
+
+/// Static and kinetic friction of a pair. @param excess of both radii [m].
+vec2 pairFriction(Pair pair, uvec2 movers, vec2 excess)
+{
+    vec2 mean = 0.5 * (fetchMass(pair.first).friction + fetchMass(pair.second).friction);
+    if (min(movers.x, movers.y) < sim.bodyCount) return mean;
+    if (excess.x == 0.0 || excess.y == 0.0) return LOOSE_FRICTION * mean;
+    return 0.5 * (texelFetch(grainFrictions, int(fetchParticle(pair.first).material)).xy +
+                  texelFetch(grainFrictions, int(fetchParticle(pair.second).material)).xy);
+}
 
 /// The second particle lists its pairs in their order, so that sums over them always have the same order.
 void refer(uint parity, uint q, uint secondRank)
@@ -36,7 +47,7 @@ void refer(uint parity, uint q, uint secondRank)
 /// The hidden axes of a particle's lattice towards a point at `towards` from it [m]. @param rotation of its body.
 uint hiddenBeside(uint i, vec4 rotation, vec3 towards)
 {
-    return hiddenAxes(texelFetch(latticeEnds, int(i)).x, rotate(conjugate(rotation), towards), 2.0 * particleRadius(i));
+    return hiddenAxes(texelFetch(latticeEnds, int(i)).x, rotate(conjugate(rotation), towards), sim.diameter);
 }
 
 void main()
@@ -47,13 +58,15 @@ void main()
     Pair pair = fetchPair(pairs, index);
     ParticleRank a = fetchRank(pair.first), b = fetchRank(pair.second);
     Arm armA = fetchArm(pair.first), armB = fetchArm(pair.second);
-    vec3 difference = texelFetch(searchPositions, int(pair.first)).xyz -
-                      texelFetch(searchPositions, int(pair.second)).xyz;
+    vec4 placeA = texelFetch(searchPositions, int(pair.first)), placeB = texelFetch(searchPositions, int(pair.second));
+    vec3 difference = placeA.xyz - placeB.xyz;
+    vec2 excess = vec2(placeA.w, placeB.w);
     vec4 rotationA = texelFetch(searchRotations, int(a.mover)), rotationB = texelFetch(searchRotations, int(b.mover));
     ContactSides sides;
     sides.movers = uvec2(a.mover, b.mover);
-    sides.exit = exitDirection(pair, sides.movers, touchDistance(pair.first, pair.second));
-    References refs = referencesOf(pair, sides.movers, sides.exit.sameAssembly, difference, rotationA, rotationB);
+    sides.exit = exitDirection(pair, sides.movers, sim.diameter);
+    References refs =
+        referencesOf(pair, sides.movers, excess, sides.exit.sameAssembly, difference, rotationA, rotationB);
     float touch = refs.a.radius + refs.b.radius;
     difference += rotate(rotationA, refs.a.r - armA.r) - rotate(rotationB, refs.b.r - armB.r);
     sides.hidden = hiddenBeside(pair.first, rotationA, -difference) |
@@ -61,8 +74,7 @@ void main()
     Separation separation =
         separationOf(difference, exitOf(refs, sides.exit), rotationA, rotationB, sides.hidden, touch);
     Meeting meeting = meetingOf(difference, separation, refs);
-    sides.friction = 0.5 * (fetchMass(pair.first).friction + fetchMass(pair.second).friction);
-    if (min(a.mover, b.mover) >= sim.bodyCount) sides.friction *= LOOSE_FRICTION;
+    sides.friction = pairFriction(pair, sides.movers, excess);
     vec3 rA = refs.a.r + rotate(conjugate(rotationA), meeting.fromA);
     vec3 rB = refs.b.r + rotate(conjugate(rotationB), meeting.fromB);
     SideMass massA = sideMass(a.mover, armA, rA, separation.normal);
@@ -74,7 +86,7 @@ void main()
     Old old = oldImpulse(parity ^ 1u, pair, a.rank, b.rank);
 #ifdef RELEASES
     // Before its release it has pushed something that did not give way.
-    if (texelFetch(moverMoves, int(a.mover)).w == JUST_LET_GO || texelFetch(moverMoves, int(b.mover)).w == JUST_LET_GO)
+    if (moverMoves[a.mover].w == JUST_LET_GO || moverMoves[b.mover].w == JUST_LET_GO)
         old = Old(Impulse(vec3(0), 0.0), 0.0);
 #endif
     if (separation.distance < touch && old.impulse.normal <= 0.0) old.impulse.normal = ABOUT_TO_ACT;

@@ -19,7 +19,9 @@ Contact pairNow(Pair pair, ContactSides sides, inout Arm armA, inout Arm armB, f
     vec4 rotationA = fetchRotation(sides.movers.x), rotationB = fetchRotation(sides.movers.y);
     vec3 between = fetchCentre(sides.movers.x) - fetchCentre(sides.movers.y);
     vec3 particles = between + (rotate(rotationA, fetchArm(pair.first).r) - rotate(rotationB, fetchArm(pair.second).r));
-    References refs = referencesOf(pair, sides.movers, sides.exit.sameAssembly, particles, rotationA, rotationB);
+    vec2 excess = radiusExcess(sides.movers);
+    References refs = referencesOf(pair, sides.movers, excess, sides.exit.sameAssembly, particles, rotationA,
+                                   rotationB);
     ExitDirection exit = exitOf(refs, sides.exit);
     MoverPoint a = moverPoint(sides.movers.x, refs.a.r), b = moverPoint(sides.movers.y, refs.b.r);
     vec3 startDifference = between + (a.arm - b.arm), difference = startDifference + (a.move - b.move);
@@ -44,6 +46,7 @@ Contact pairNow(Pair pair, ContactSides sides, inout Arm armA, inout Arm armB, f
     // As the body turns, its centre line keeps its distance to the surface, but the point that touches does not.
     vec3 parting = (refs.a.round ? a.move : moveA) - (refs.b.round ? b.move : moveB);
     contact.sameAssembly = sides.exit.sameAssembly;
+    setKind(contact, excess);
     contact.leaving = max(dot(a.move, contact.normal), -dot(b.move, contact.normal));
     contact.startGap = (start.oneSided && exit.deepInside ? 0.0 : start.distance) - contact.touch;
     contact.gap = start.keepsNormal ? contact.startGap + dot(parting, start.normal) : apart - contact.touch;

@@ -1,7 +1,6 @@
 // The sum of what a particle's contacts ask of it.
 #include "sim/common/contacts/colliders.glsl"
 #include "sim/common/contacts/list_ranges.glsl"
-#include "sim/common/contacts/touch.glsl"
 #include "sim/paper/averaged_contact.glsl"
 #include "sim/paper/predicted_moves.glsl"
 
@@ -42,17 +41,17 @@ Push allPushes(uint i, Side own, uint parity, uint rank)
     uvec2 range = listRange(parity, LIST_AS_FIRST, rank, 1u);
     for (uint q = range.x; q < range.y; ++q) {
         uint other = fetchPair(pairs, base + q).second;
-        add(sum, pairPush(own, fetchSide(other), true, fetchContactSides(pairSides, q), touchDistance(i, other)));
+        add(sum, pairPush(own, fetchSide(other), true, fetchContactSides(pairSides, q), sim.diameter));
     }
     range = listRange(parity, LIST_AS_SECOND, rank, 1u);
     for (uint k = range.x; k < range.y; ++k) {
         uint q = texelFetch(pairReferences, int(k)).x;
         if (q == NONE) continue;
         uint other = fetchPair(pairs, base + q).first;
-        add(sum, pairPush(own, fetchSide(other), false, fetchContactSides(pairSides, q), touchDistance(i, other)));
+        add(sum, pairPush(own, fetchSide(other), false, fetchContactSides(pairSides, q), sim.diameter));
     }
     range = listRange(parity, LIST_COLLIDERS, rank, 1u);
     for (uint q = range.x; q < range.y; ++q)
-        add(sum, colliderPush(own, fetchColliderContact(colliderSides, q), particleRadius(i)));
+        add(sum, colliderPush(own, fetchColliderContact(colliderSides, q), 0.5 * sim.diameter));
     return sum;
 }

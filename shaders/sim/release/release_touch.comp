@@ -16,7 +16,7 @@ bool overlap(Pair pair, uvec2 movers)
     vec3 armA = fetchArm(pair.first).r, armB = fetchArm(pair.second).r;
     vec3 difference = fetchCentre(movers.x) + rotate(rotationA, armA) - fetchCentre(movers.y) -
                       rotate(rotationB, armB);
-    References refs = referencesOf(pair, movers, false, difference, rotationA, rotationB);
+    References refs = referencesOf(pair, movers, radiusExcess(movers), false, difference, rotationA, rotationB);
     difference += rotate(rotationA, refs.a.r - armA) - rotate(rotationB, refs.b.r - armB);
     return length(difference) < refs.a.radius + refs.b.radius;
 }

@@ -42,7 +42,8 @@ void main()
     vec4 rotationA = fetchRotation(first), rotationB = fetchRotation(second);
     vec3 between = fetchCentre(first) - fetchCentre(second);
     vec3 particles = between + (rotate(rotationA, fetchArm(pair.first).r) - rotate(rotationB, fetchArm(pair.second).r));
-    References refs = referencesOf(pair, sides.movers, sides.exit.sameAssembly, particles, rotationA, rotationB);
+    References refs = referencesOf(pair, sides.movers, radiusExcess(sides.movers), sides.exit.sameAssembly, particles,
+                                   rotationA, rotationB);
     vec3 difference = between + (rotate(rotationA, refs.a.r) - rotate(rotationB, refs.b.r));
     vec3 normal = separationOf(difference, exitOf(refs, sides.exit), rotationA, rotationB, sides.hidden,
                                refs.a.radius + refs.b.radius).normal;

@@ -18,15 +18,16 @@ void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.particleCount) return;
-    vec3 x = texelFetch(searchPositions, int(i)).xyz;
+    vec4 position = texelFetch(searchPositions, int(i));
+    vec3 x = position.xyz;
     ParticleRank own = fetchRank(i);
-    float reach = colliderReach() + max(extraMargin(fetchSearchCentre(searchCentres, own.mover)), 0.0);
+    float reach = colliderReach(position.w) + max(extraMargin(fetchSearchCentre(searchCentres, own.mover)), 0.0);
     uint near = texelFetch(moverColliders, int(own.mover)).x;
     if (isRound(i)) {
         RoundBody body = fetchRound(own.mover);
         vec3 r = fetchArm(i).r;
         x += rotate(texelFetch(searchRotations, int(own.mover)), onLine(body, r) - r);
-        reach += body.radius - particleRadius(i);
+        reach += body.radius - particleRadius(0.0);
         if ((texelFetch(latticeEnds, int(i)).x & CARRIES_ROUND) == 0u) near = 0u;
     }
     uint count = 0u;

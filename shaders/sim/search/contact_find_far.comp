@@ -10,7 +10,6 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer fastParticles;
-uniform samplerBuffer searchPositions;
 uniform samplerBuffer searchCentres;
 
 /// By how much further a particle looks than others [m].

@@ -11,6 +11,7 @@ uniform samplerBuffer sortedPositions;
 uniform usamplerBuffer sortedParticles;
 uniform usamplerBuffer cellStarts;
 uniform samplerBuffer searchRotations;
+uniform samplerBuffer searchPositions;
 
 SortedPosition fetchSortedPosition(uint k)
 {
@@ -41,9 +42,10 @@ bool nearestOfRound(uint body, vec3 r, vec3 towards)
 /// capsule only the nearest particle does. @param difference from j to i [m].
 bool speaks(uint i, uint j, vec3 difference, float further)
 {
-#ifdef ROUNDS
+#if defined(ROUNDS) || defined(GRAINS)
     bool roundI = isRound(i), roundJ = isRound(j);
-    if (!roundI && !roundJ) return length(difference) < sim.plainReach + further;
+    vec2 excess = vec2(texelFetch(searchPositions, int(i)).w, texelFetch(searchPositions, int(j)).w);
+    if (!roundI && !roundJ) return length(difference) < pairReach(excess) + further;
     if (fetchParticle(i).assembly == fetchParticle(j).assembly) return true;   // as particles
     uint a = fetchRank(i).mover, b = fetchRank(j).mover;
     vec3 inA = rotate(conjugate(texelFetch(searchRotations, int(a))), -difference);

@@ -1,5 +1,6 @@
-// One thread a particle: the position for which its contacts are found (search_centre), and a zero count of the pairs
-// that will refer to it. FROM_POSITIONS: of the paper's solver, its predicted position.
+// One thread a particle: the position for which its contacts are found (search_centre), with the excess of its radius
+// (sim/common/contacts/touch.glsl), and a zero count of the pairs that will refer to it. FROM_POSITIONS: of the paper's
+// solver, its predicted position.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/contact_lists.glsl"
 #include "sim/common/particles.glsl"
@@ -7,7 +8,7 @@
 uniform samplerBuffer positions;
 uniform samplerBuffer predicted;
 #else
-#include "math/quaternion.glsl"
+#include "sim/common/bodies/mover_poses.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/contacts/search_margin.glsl"
 #include "sim/search/sorted_particles.glsl"
@@ -27,13 +28,13 @@ void main()
     if (i >= sim.particleCount) return;
     ParticleRank own = fetchRank(i);
 #ifdef FROM_POSITIONS
-    searchPositions[i] = texelFetch(positions, int(i)) + texelFetch(predicted, int(i));
+    searchPositions[i] = vec4(texelFetch(positions, int(i)).xyz + texelFetch(predicted, int(i)).xyz, 0);
 #else
     SearchCentre centre = fetchSearchCentre(searchCentres, own.mover);
     if (centre.margin > sim.drift)
         fastParticles[atomicAdd(counters[0].fastListed, 1u)] = packFastParticle(FastParticle(i, isTold(own.mover)));
     vec4 rotation = texelFetch(searchRotations, int(own.mover));
-    searchPositions[i] = vec4(centre.position + rotate(rotation, fetchArm(i).r), 0);
+    searchPositions[i] = vec4(centre.position + rotate(rotation, fetchArm(i).r), radiusExcess(own.mover));
 #endif
     listCounts[listIndex(LIST_AS_SECOND, own.rank)] = 0u;
 }

@@ -53,6 +53,6 @@ bool mayTouch(uint i, uint j)
 {
     if (fetchParticle(i).assembly != fetchParticle(j).assembly) return true;
     RestPosition a = fetchRestPosition(i), b = fetchRestPosition(j);
-    float least = (0.99 + max(a.margin, b.margin)) * touchDistance(i, j);
+    float least = (0.99 + max(a.margin, b.margin)) * sim.diameter;
     return length(a.position - b.position) > least && !areTogether(i, j);
 }

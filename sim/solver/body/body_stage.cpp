@@ -89,7 +89,7 @@ Movers makeMovers(const World& world, const Layout& layout)
         if (p.body != NO_INDEX) continue;
         movers.infos.push_back({0, 0, layout.assemblies[i], 1.0f / p.mass});
         movers.states.push_back(p.pinned ? MOVER_FIXED : MOVER_DYNAMIC);
-        movers.centres.push_back(pack(p.position, 0));
+        movers.centres.push_back(pack(p.position, (p.scale - 1.0f) * world.particleRadius));
         movers.rotations.push_back({0, 0, 0, 1});
         movers.velocities.push_back(pack(p.pinned ? Vector3f(0, 0, 0) : p.velocity, 0));
     }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/world/matter/grain.h"
+
 namespace knuckle {
 
 ContactStage::ContactStage(const StageSetup& setup)
@@ -13,6 +15,12 @@ ContactStage::ContactStage(const StageSetup& setup)
 void ContactStage::upload(const StageSetup& setup)
 {
     setParameters(setup);
+    std::vector<gpu::vec4> frictions;
+    for (const Material& material : setup.world.materials) {
+        const GrainFriction friction = grainFriction(material);
+        frictions.push_back({friction.sticking, friction.sliding, 0, 0});
+    }
+    grainFrictions = {"grainFrictions", std::span<const gpu::vec4>(frictions)};
 }
 
 /// docs/decisions has the figures that decided these numbers.
@@ -45,6 +53,7 @@ void ContactStage::makeLists(const Gpu&)
 
 void ContactStage::addBuffers(BufferTable& table)
 {
+    table.add(Lifetime::Constant, grainFrictions);
     table.add(Lifetime::State, pairSides, pairArms, pairImpulses, pairMeans, colliderSides, colliderArms,
               colliderImpulses, colliderMeans);
 }

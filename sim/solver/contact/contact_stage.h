@@ -23,6 +23,7 @@ public:
     Buffer<gpu::vec4> pairArms;  ///< Per pair, two: place in the body, worst inverse mass there.
     Buffer<gpu::vec4> pairImpulses;    ///< Halves: the whole impulse, its normal part [kg m].
     Buffer<float> pairMeans;           ///< Halves: the recent mean of its normal part [kg m].
+    Buffer<gpu::vec4> grainFrictions;  ///< Per material: static and kinetic between two grains.
     Buffer<gpu::uvec4> colliderSides;  ///< Per contact with a collider: mover, collider, frictions, fraction.
     Buffer<gpu::vec4> colliderArms, colliderImpulses;  ///< As for pairs.
     Buffer<float> colliderMeans;                       ///< As for pairs.

@@ -72,6 +72,7 @@ void Layout::findShapes(const World& world)
     colliderCount = static_cast<uint32_t>(world.colliders.size());
     hasGrids = std::ranges::any_of(world.colliders, isGrid);
     latticeEnds = latticeEndsOf(world);
+    hasGrains = std::ranges::any_of(world.particles, [](const Particle& p) { return p.scale != 1.0f; });
     hasFlatFaces = std::ranges::any_of(latticeEnds, [](uint32_t end) { return end != ALL_ENDS; });
     markRounds(world, latticeEnds);
     hasRounds = std::ranges::any_of(world.bodies, [](const Body& body) { return body.round.exists(); });

@@ -28,6 +28,7 @@ struct Layout {
     uint32_t colliderCount = 0;  ///< Drains come after them.
     bool hasGrids = false;       ///< Whether any collider is a grid.
     bool hasRounds = false;      ///< Whether any body is a ball or a capsule.
+    bool hasGrains = false;      ///< Whether any particle has a size of its own.
     bool hasFlatFaces = false;   ///< Whether any particle's lattice ends are known.
 
     std::vector<uint32_t> latticeEnds;      ///< Per particle: SurfaceDistance::ends of a body without joints; IN_ROUND.

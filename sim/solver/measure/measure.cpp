@@ -41,9 +41,11 @@ struct Depths {
 Depths penetrations(const World& world, const std::vector<Collider>& colliders, const std::vector<Vector3f>& positions)
 {
     Depths depths;
-    const float diameter = world.diameter();
+    float largest = 1.0f;
+    for (const Particle& p : world.particles) largest = std::max(largest, p.scale);
+    const auto radius = [&](uint32_t i) { return world.particles[i].scale * world.particleRadius; };
     // Fluids have no contacts.
-    Cells cells(diameter);
+    Cells cells(largest * world.diameter());
     for (uint32_t i = 0; i < world.solidCount(); ++i) cells.add(positions[i], i);
     for (const auto& [cell, members] : cells.members())
         for (int k = 0; k < 27; ++k) {
@@ -52,14 +54,14 @@ Depths penetrations(const World& world, const std::vector<Collider>& colliders, 
             for (uint32_t i : members)
                 for (uint32_t j : *others) {
                     if (j <= i) continue;
-                    const float depth = diameter - (positions[i] - positions[j]).norm();
+                    const float depth = radius(i) + radius(j) - (positions[i] - positions[j]).norm();
                     if (depth > 0.0f && mayTouch(world, i, j)) depths.add(depth);
                 }
         }
     for (uint32_t i = 0; i < world.solidCount(); ++i) {
         if (isFixedForEver(world, world.particles[i])) continue;
         for (const Collider& collider : colliders) {
-            const float depth = world.particleRadius - colliderDistance(world, collider, positions[i]);
+            const float depth = radius(i) - colliderDistance(world, collider, positions[i]);
             if (depth > 0.0f) depths.add(depth);
         }
     }

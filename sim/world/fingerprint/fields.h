@@ -44,9 +44,9 @@ inline auto fieldsOf(const SurfaceDistance& s)
 
 inline auto fieldsOf(const Particle& p)
 {
-    const auto& [position, velocity, mass, material, body, bodyCount, assembly, rest, touches, margin, pinned,
+    const auto& [position, velocity, mass, material, body, bodyCount, assembly, rest, touches, margin, pinned, scale,
                  surface] = p;
-    return counting(position, velocity, mass, material, body, bodyCount, assembly, rest, touches, margin, pinned,
+    return counting(position, velocity, mass, material, body, bodyCount, assembly, rest, touches, margin, pinned, scale,
                     surface);
 }
 

@@ -1,12 +1,23 @@
 // Where movers are (bodies, and loose particles as bodies that cannot turn), and how `moverMoves` holds their moves.
 #include "math/quaternion.glsl"
 
-uniform samplerBuffer moverCentres;      // at the start of the substep [m]
+uniform samplerBuffer moverCentres;      // at the start of the substep [m]; w: radiusExcess()
 uniform samplerBuffer moverRotations;
 
 vec3 fetchCentre(uint mover)
 {
     return texelFetch(moverCentres, int(mover)).xyz;
+}
+
+/// By how much the radius of a loose particle differs from others' [m]; 0 for a body.
+float radiusExcess(uint mover)
+{
+    return texelFetch(moverCentres, int(mover)).w;
+}
+
+vec2 radiusExcess(uvec2 movers)
+{
+    return vec2(radiusExcess(movers.x), radiusExcess(movers.y));
 }
 
 vec4 fetchRotation(uint mover)

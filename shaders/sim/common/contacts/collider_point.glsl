@@ -15,10 +15,10 @@ vec3 boxCorner(uint ends, vec3 normal)
     return 0.5 * sim.diameter * mix(high - low, lower, low * high);
 }
 
-/// @param centre, rotation of the mover.
-Reference colliderReference(uint particle, uint mover, uint collider, vec3 centre, vec4 rotation)
+/// @param centre, rotation of the mover. @param excess of the particle's radius [m].
+Reference colliderReference(uint particle, uint mover, uint collider, float excess, vec3 centre, vec4 rotation)
 {
-    Reference ball = Reference(fetchArm(particle).r, particleRadius(particle), false);
+    Reference ball = Reference(fetchArm(particle).r, particleRadius(excess), false);
     if (isRound(particle)) {
         RoundBody body = fetchRound(mover);
         return Reference(onLine(body, ball.r), body.radius, true);

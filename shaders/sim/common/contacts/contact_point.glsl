@@ -18,12 +18,13 @@ struct References {
     Reference a, b;
 };
 
-/// @param difference of the two particles, from the second to the first [m].
-References referencesOf(Pair pair, uvec2 movers, bool sameAssembly, vec3 difference, vec4 rotationA, vec4 rotationB)
+/// @param excess of both particles' radii. @param difference of the two, from the second to the first [m].
+References referencesOf(Pair pair, uvec2 movers, vec2 excess, bool sameAssembly, vec3 difference, vec4 rotationA,
+                        vec4 rotationB)
 {
     vec3 rA = fetchArm(pair.first).r, rB = fetchArm(pair.second).r;
-    References refs = References(Reference(rA, particleRadius(pair.first), false),
-                                 Reference(rB, particleRadius(pair.second), false));
+    References refs = References(Reference(rA, particleRadius(excess.x), false),
+                                 Reference(rB, particleRadius(excess.y), false));
     if (sameAssembly) return refs;
     refs.a.round = isRound(pair.first);
     refs.b.round = isRound(pair.second);

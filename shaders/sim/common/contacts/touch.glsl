@@ -1,20 +1,21 @@
-// How near a particle comes to what it touches. All particles have one size today; contacts ask here for the size of
-// each particle, so that there could be several. The search looks as far as the largest need.
+// How near a particle comes to what it touches. Grains have sizes of their own (World: Particle::scale): moverCentres
+// and searchPositions have the excess of their radius in w. The search looks as far as the largest need.
 
-/// From a particle's centre to its surface [m].
-float particleRadius(uint i)
+/// @param excess over half a diameter [m]. @returns from a particle's centre to its surface [m].
+float particleRadius(float excess)
 {
-    return 0.5 * sim.diameter;
+    return 0.5 * sim.diameter + excess;
 }
 
-/// The distance of the centres of two particles that just touch [m].
-float touchDistance(uint i, uint j)
+/// Two particles of those radii are candidates of each other if nearer than this [m]. Grains touch no flat faces.
+float pairReach(vec2 excess)
 {
-    return sim.diameter;
+    bool grains = excess.x != 0.0 && excess.y != 0.0;
+    return (grains ? sim.diameter + sim.drift : sim.plainReach) + (excess.x + excess.y);
 }
 
 /// A collider is a candidate of a particle whose centre is nearer than this to it [m].
-float colliderReach()
+float colliderReach(float excess)
 {
-    return sim.plainReach - 0.5 * sim.diameter;
+    return sim.plainReach - 0.5 * sim.diameter + excess;
 }
