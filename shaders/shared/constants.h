@@ -84,9 +84,9 @@
 // What pairs lack along walls is this many times what walls cover: at 1.1 water at rest sinks along them, at 1.3 it
 // rises.
 #define FLUID_ALONG_WALLS 1.22f
-// How much farther walls are for fluids than they are [rest distances], so that a tank holds its volume; and the part of
-// its volume that a solid displaces, besides being as much farther, so that bodies float as deep as they are dense: the
-// first layer is neither as even nor as near as a lattice.
+// How much farther walls and solids are for fluids than they are [rest distances], so that a tank holds its volume; and
+// the part that solids cover of what they then would, so that bodies float as deep as they are dense. The first layer
+// is neither as even nor as near as a lattice.
 #define FLUID_WALL_GAP 0.06f
 #define FLUID_SOLID_COVER 0.8f
 // Part of the kernel's density that is mixed into the compression that fluids carry on, whenever it is summed up; and

@@ -119,7 +119,7 @@ TEST(Heap, AColumnsCollapseRunsAsFarAsLajeunesseFound)
     while (heightAt(positions, front, width) + heightAt(positions, front + 1, width) > 1.0) ++front;
     // Lajeunesse et al. 2005, eq. 8: 1.2 a for a < 2.3; a by the volume, of which grains fill 0.62.
     const double a = grains * M_PI / 6.0 * 1.043 / 0.62 / (width * length * length);
-    EXPECT_NEAR((front - length) / length, 1.2 * a, 0.12 * a);
+    EXPECT_NEAR((static_cast<double>(front) - length) / length, 1.2 * a, 0.12 * a);
 }
 
 TEST(Heap, ASiloRunsOutAtBeverloosRate)

@@ -42,7 +42,8 @@ std::vector<double> pathOf(World world, double seconds)
         run(solver, world, world.settings.timeStep);
         double middle = 0.0;
         const ParticleState state = solver.readParticles();
-        for (size_t i = first; i < state.positions.size(); ++i) middle += state.positions[i].x() / world.fluidCount;
+        for (size_t i = first; i < state.positions.size(); ++i)
+            middle += state.positions[i].x() / static_cast<double>(world.fluidCount);
         path.push_back(middle - 0.5);
     }
     return path;

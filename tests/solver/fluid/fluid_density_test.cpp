@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/solver/fluid/fluid_fixture.h"
+#include "tests/solver/fluid/fluid_cover.h"
 
 namespace knuckle::test {
 
@@ -11,20 +11,6 @@ namespace {
 
 /// Rounding of sums of some fifty neighbours in single precision, and of multipliers in half.
 constexpr double ROUNDING = 2e-5, HALF_ROUNDING = 1e-3;
-
-/// The share of the kernel behind a plane at z (physics.md).
-double behind(double z, double reach)
-{
-    const double t = std::clamp(1.0 - z / reach, 0.0, 1.0);
-    return 3.5 * std::pow(t, 6) - 4.5 * std::pow(t, 7) + 1.5 * std::pow(t, 8);
-}
-
-/// Cover of a particle's kernel: the share, its slope, and the sum of squares of slopes.
-struct Cover {
-    double share = 0.0, squares = 0.0;
-    Vector3d slope = Vector3d::Zero();
-    Matrix3d moment = Matrix3d::Zero();  ///< The sum of distances times slopes, negative.
-};
 
 /// Also with a grid that wraps too early, whose lists contain particles far away.
 class FluidDensity : public testing::TestWithParam<bool> {
@@ -79,35 +65,6 @@ protected:
         return cover;
     }
     double spacing() const { return parameters().fluidSpacing; }
-    double wallShare(double z) const { return behind(z + FLUID_WALL_GAP * spacing(), parameters().fluidReach); }
-    /// The part of the kernel below t along one axis.
-    double below(double t) const { return t < 0.0 ? wallShare(-t) : 2.0 * wallShare(0.0) - wallShare(t); }
-    /// What the cell of a solid particle covers: the product of the shares between its faces along its axes, fading to
-    /// nothing within the last tenth of a diameter of the lists' reach.
-    Cover byCell(uint32_t i, uint32_t j) const
-    {
-        const double d = parameters().diameter, all = 2.0 * wallShare(0.0);
-        const Vector3d offset = fixture.place(i) - fixture.place(j);
-        const Eigen::Quaterniond turn = fixture.turns[j].cast<double>();
-        const Vector3d r = turn.conjugate() * offset;
-        const double u = std::clamp((parameters().fluidListReach - offset.norm()) / (0.1 * d), 0.0, 1.0);
-        const double scale = FLUID_SOLID_COVER * u * u * (3.0 - 2.0 * u);
-        const auto below = [&](double t) { return this->below(t) / all; };
-        Vector3d share, slope, moment;
-        for (int k = 0; k < 3; ++k) {
-            const double low = r[k] - 0.5 * d, high = r[k] + 0.5 * d;
-            const double atLow = FluidFixture::derivative(below, low), atHigh = FluidFixture::derivative(below, high);
-            share[k] = below(high) - below(low);
-            slope[k] = atHigh - atLow;
-            moment[k] = high * atHigh - low * atLow;
-        }
-        const Vector3d sides = scale * Vector3d(share.y() * share.z(), share.x() * share.z(), share.x() * share.y());
-        Cover cover{scale * share.prod()};
-        cover.slope = turn * sides.cwiseProduct(slope);
-        const Matrix3d axes = turn.toRotationMatrix(), moments = sides.cwiseProduct(moment).asDiagonal();
-        cover.moment = axes * moments * axes.transpose();
-        return cover;
-    }
     static double weight(double r, double reach) { return std::pow(std::max(1.0 - r / reach, 0.0), 2); }
     /// Squares: by how much the slopes of each exceed that of all, as far as solids lie on all sides (between).
     Cover bySolids(uint32_t i, double& weights, double& between, Vector3d& move) const
@@ -119,7 +76,7 @@ protected:
         for (uint32_t j : fixture.near(i, false, parameters().fluidListReach)) {
             const Vector3d r = fixture.place(i) - fixture.place(j);
             const double w = weight(r.norm(), parameters().fluidListReach);
-            const Cover cell = byCell(i, j);
+            const Cover cell = cellCover(fixture, i, j);
             cover.share += cell.share;
             cover.slope += cell.slope;
             cover.squares += cell.slope.squaredNorm();
@@ -157,7 +114,7 @@ protected:
     /// The plane below and the one at the side, at right angles: their common part counts once.
     Cover byWalls(uint32_t i) const
     {
-        const auto share = [&](double z) { return wallShare(z); };
+        const auto share = [&](double z) { return wallShare(parameters(), z); };
         const double below = fixture.place(i).y() + 0.25, beside = 0.25 - fixture.place(i).x();
         const double a = share(below), b = share(beside);
         const double bySide = FluidFixture::derivative(share, beside), byFloor = FluidFixture::derivative(share, below);
@@ -285,7 +242,7 @@ TEST_P(FluidDensity, SolidsAreGivenWhatTheyGive)
         const Vector3d along = vec3(given[i]).cast<double>();
         if (solids[i].w > 0.0f) sum += along / double(solids[i].w);
         for (uint32_t j : fixture.near(i, false, parameters().fluidListReach)) {
-            const Vector3d across = given[i].w * byCell(i, j).slope;
+            const Vector3d across = given[i].w * cellCover(fixture, i, j).slope;
             const double share = weight((fixture.place(i) - fixture.place(j)).norm(), parameters().fluidListReach);
             wanted[j] -= share * along + across;
             sum += across;

@@ -95,7 +95,8 @@ void FluidFixture::findNeighbours()
     for (const gpu::uvec4& four : f.slotNeighbours.download())
         neighbours.insert(neighbours.end(), {four.x, four.y, four.z, four.w});
     auto slotPositions = places;
-    for (uint32_t i = 0; i < count(); ++i) slotPositions[i].w = isFluid(i) ? static_cast<float>(mass(i)) : packedTurn(i).x;
+    for (uint32_t i = 0; i < count(); ++i)
+        slotPositions[i].w = isFluid(i) ? static_cast<float>(mass(i)) : packedTurn(i).x;
     fill(f.slotPositions, inSlots(slotPositions));
     fill(f.slotColliders, std::vector<uint32_t>(count(), 0));
 }

@@ -27,7 +27,8 @@ float gainOf(WallCover walls, SolidCover solids)
 {
     float side = 0.5 * solids.fraction, gain = mix(1.0, gapGain(side, side), solids.between);
     float both = length(walls.gradient) * length(solids.slope), facing = -dot(walls.gradient, solids.slope);
-    return gain * mix(1.0, gapGain(walls.fraction, solids.fraction), clamp(facing / max(both, 1e-12), 0.0, 1.0));
+    float apart = clamp(facing / max(both, 1e-12), 0.0, 1.0);
+    return gain * mix(1.0, gapGain(walls.fraction, solids.fraction), apart);
 }
 
 void main()
@@ -69,7 +70,8 @@ void main()
     vec3 all = sums.gradient + walls.gradient + solids.slope;
     // Where the slopes of solids cancel, as between two of them, there is no way out: a harder push does not help.
     // All constraints around are solved at once, each as if alone: relaxed less, they would overshoot.
-    float lambda = -relaxation * max(compression, 0.0) / (dot(all, all) + solids.opposed + sums.squares + sim.fluidSoftness);
+    float squares = dot(all, all) + solids.opposed + sums.squares;
+    float lambda = -relaxation * max(compression, 0.0) / (squares + sim.fluidSoftness);
     SlotPressure pressure = SlotPressure(x, lambda / max(fetchMass(i).inverseMass, 1e-20) * even);
     newSlotPressures[2u * k] = firstHalf(pressure);
     newSlotPressures[2u * k + 1u] = secondHalf(pressure);

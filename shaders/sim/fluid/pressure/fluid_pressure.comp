@@ -92,6 +92,7 @@ void main()
     newSlotPositions[k].xyz = predictedPosition(x, v);
     newSlotLastPositions[k] = pack(SlotLast(own.position, false));
     fluidPasts[i].xyz = own.position;
-    newSlotSolidImpulses[k] = vec4(solids.inverseWeight * pressed.bySolids, pressed.push * texelFetch(slotGains, int(k)).x);
+    float answer = pressed.push * texelFetch(slotGains, int(k)).x;
+    newSlotSolidImpulses[k] = vec4(solids.inverseWeight * pressed.bySolids, answer);
 #endif
 }

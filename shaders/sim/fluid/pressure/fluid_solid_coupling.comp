@@ -34,7 +34,8 @@ void main()
     vec3 impulse = vec3(0);
     for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
         uvec4 slots = fetchNeighbours(texel);
-        impulse += impulseOf(cell, slots.x) + impulseOf(cell, slots.y) + impulseOf(cell, slots.z) + impulseOf(cell, slots.w);
+        impulse += impulseOf(cell, slots.x) + impulseOf(cell, slots.y);
+        impulse += impulseOf(cell, slots.z) + impulseOf(cell, slots.w);
     }
     if (impulse == vec3(0)) return;
     // Like contacts, this makes its assembly end the substep by first order.
