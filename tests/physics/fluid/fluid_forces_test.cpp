@@ -9,6 +9,24 @@ namespace knuckle::test {
 
 namespace {
 
+/// Places of a block of fluid of these counts, its lowest corner at the origin.
+std::vector<Vector3f> block(const WorldBuilder& builder, int x, int y, int z)
+{
+    std::vector<Vector3f> places;
+    for (int k = 0; k < x * y * z; ++k)
+        places.push_back(builder.fluidSpacing() *
+                         (Eigen::Vector3i(k % x, k / x % y, k / (x * y)).cast<float>() + Vector3f::Constant(0.5f)));
+    return places;
+}
+
+uint32_t addFluidMaterial(WorldBuilder& builder, float surfaceTension = 0.0f)
+{
+    Material material;
+    material.fluid = true;
+    material.surfaceTension = surfaceTension;
+    return builder.addMaterial(material);
+}
+
 TEST(FluidForces, ADropWithoutWeightBecomesABall)
 {
     WorldBuilder builder = makeBuilder(weightless());

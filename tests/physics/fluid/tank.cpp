@@ -89,21 +89,4 @@ double submergedIn(const World& world, const BodyState& body, const Vector3f& si
     return submerged(body, size, level);
 }
 
-std::vector<Vector3f> block(const WorldBuilder& builder, int x, int y, int z)
-{
-    std::vector<Vector3f> places;
-    for (int k = 0; k < x * y * z; ++k)
-        places.push_back(builder.fluidSpacing() *
-                         (Eigen::Vector3i(k % x, k / x % y, k / (x * y)).cast<float>() + Vector3f::Constant(0.5f)));
-    return places;
-}
-
-uint32_t addFluidMaterial(WorldBuilder& builder, float surfaceTension)
-{
-    Material material;
-    material.fluid = true;
-    material.surfaceTension = surfaceTension;
-    return builder.addMaterial(material);
-}
-
 }  // namespace knuckle::test

@@ -20,9 +20,6 @@ void addPlane(WorldBuilder& builder, const Vector3f& place, const Vector3f& norm
 /// Adds the floor y = 0 and, facing the middle, walls at x = 0, `width` and z = 0, `depth` [m].
 void addWalls(WorldBuilder& builder, float width, float depth);
 Vector3f lattice(int x, int y, int z);
-/// Places of a block of fluid of these counts, its lowest corner at the origin.
-std::vector<Vector3f> block(const WorldBuilder& builder, int x, int y, int z);
-uint32_t addFluidMaterial(WorldBuilder& builder, float surfaceTension = 0.0f);
 /// Of all particles, including those of bodies [m/s].
 double rootMeanSquareSpeed(const ParticleState& state);
 double meanHeight(const World& world, const ParticleState& state, uint32_t material);
