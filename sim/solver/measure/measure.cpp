@@ -8,6 +8,7 @@
 #include <map>
 
 #include "sim/world/collider_distance.h"
+#include "sim/world/matter/grain.h"
 #include "sim/world/space/cells.h"
 
 namespace knuckle {
@@ -41,11 +42,9 @@ struct Depths {
 Depths penetrations(const World& world, const std::vector<Collider>& colliders, const std::vector<Vector3f>& positions)
 {
     Depths depths;
-    float largest = 1.0f;
-    for (const Particle& p : world.particles) largest = std::max(largest, p.scale);
     const auto radius = [&](uint32_t i) { return world.particles[i].scale * world.particleRadius; };
     // Fluids have no contacts.
-    Cells cells(largest * world.diameter());
+    Cells cells(largestScale(world) * world.diameter());
     for (uint32_t i = 0; i < world.solidCount(); ++i) cells.add(positions[i], i);
     for (const auto& [cell, members] : cells.members())
         for (int k = 0; k < 27; ++k) {

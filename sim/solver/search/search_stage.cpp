@@ -7,6 +7,7 @@
 
 #include "sim/base/errors.h"
 #include "sim/solver/scan.h"
+#include "sim/world/matter/grain.h"
 
 namespace knuckle {
 
@@ -18,14 +19,6 @@ constexpr uint64_t MOST_PARTICLES = 1u << 23;  // contacts have 23 bits for a mo
 constexpr float FLAT_TOUCH = 1.2f;
 // The same for a ball or capsule: between its particles, its surface is up to a diameter further out than they are.
 constexpr float ROUND_TOUCH = 1.7f;
-
-/// By how much two particles of a world may be further apart than others when they touch [diameters].
-float largestExcess(const World& world)
-{
-    float largest = 1.0f;
-    for (const Particle& particle : world.particles) largest = std::max(largest, particle.scale);
-    return largest - 1.0f;
-}
 
 }  // namespace
 
@@ -83,7 +76,7 @@ void SearchStage::setParameters(const StageSetup& setup)
     gpu::StepParameters& p = setup.parameters;
     p.plainReach = ((setup.layout.hasFlatFaces ? FLAT_TOUCH : 1.0f) + s.contactMargin) * p.diameter;
     p.contactReach = setup.layout.hasRounds ? (ROUND_TOUCH + s.contactMargin) * p.diameter : p.plainReach;
-    if (const float excess = largestExcess(setup.world); excess > 0.0f)
+    if (const float excess = largestScale(setup.world) - 1.0f; excess > 0.0f)
         p.contactReach = std::max(p.contactReach / p.diameter + 0.5f * excess, 1.0f + s.contactMargin + excess) *
                          p.diameter;
     p.inverseCellSize = 1.0f / p.contactReach;

@@ -30,6 +30,13 @@ float grainScale(uint32_t k)
     return (bits >> 13 & 1u) != 0 ? 1.0f + SPREAD : 1.0f - SPREAD;
 }
 
+float largestScale(const World& world)
+{
+    float largest = 1.0f;
+    for (const Particle& particle : world.particles) largest = std::max(largest, particle.scale);
+    return largest;
+}
+
 GrainFriction grainFriction(const Material& material)
 {
     return {STICKING * (material.staticFriction + material.rollingFriction),
