@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,8 @@ struct SceneContext {
     std::vector<PendingTouch> touches = {};
     uint32_t bodiesOfObjects = 0;                                 ///< Without those that joints of the scene add.
     std::vector<std::pair<uint32_t, uint32_t>> joinedPairs = {};  ///< Bodies that joints of the scene hold.
+    std::map<std::string, HingeBodies> hinges = {};               ///< Joints of the scene, by name.
+    std::set<std::string> gearedHinges = {};                      ///< Names that gears give.
     std::vector<std::string> colliderEntries = {};  ///< Per collider of the world: JSON path of its entry.
 };
 

@@ -12,6 +12,7 @@
 #include "app/scene/actors/scene_releases.h"
 #include "app/scene/actors/scene_skins.h"
 #include "app/scene/colliders/scene_motion.h"
+#include "app/scene/joints/scene_gears.h"
 #include "app/scene/joints/scene_joints.h"
 #include "app/scene/matter/scene_fill.h"
 #include "app/scene/matter/scene_fluid.h"
@@ -195,10 +196,14 @@ void addObjects(SceneContext& context, const Json& objects)
 {
     for (const bool rows : {false, true})
         for (size_t i = 0; i < objects.size(); ++i)
-            if (!isJoint(objects[i]) && isRopeObject(objects[i]) == rows) addObject(context, objects[i], i);
+            if (!isJoint(objects[i]) && !isGear(objects[i]) && isRopeObject(objects[i]) == rows)
+                addObject(context, objects[i], i);
     context.bodiesOfObjects = static_cast<uint32_t>(context.builder.world().bodies.size());
+    noteGearedHinges(context, objects);
     for (size_t i = 0; i < objects.size(); ++i)
         if (isJoint(objects[i])) addSceneJoint({context, objects[i], fmt::format("/objects/{}", i)}, i);
+    for (size_t i = 0; i < objects.size(); ++i)
+        if (isGear(objects[i])) addSceneGear({context, objects[i], fmt::format("/objects/{}", i)}, i);
     addTouches(context);
 }
 

@@ -15,7 +15,8 @@ namespace knuckle {
 /// whose value, if given, is the default), `x-string-means` (the field of an object that a string stands for),
 /// `x-defaults-if` (defaults that precede the others if the document has one of the fields `given`, or all of `equal`
 /// have these values; without a condition always), and `x-needs-one-of` (an object in the document must have one of
-/// these fields, not empty; else `x-remedy` is the message).
+/// these fields, not empty; else `x-remedy` is the message), and `x-refused` (words that users may expect beside those
+/// of `enum`, and what is said of each).
 class Schema {
 public:
     /// @param file name below assets/schema, "scene.schema.json".

@@ -254,6 +254,8 @@ void SchemaCheck::checkWord(const Json& node, const Json& value, const std::stri
     const std::vector<std::string> words = node["enum"];
     const std::string word = value;
     if (std::find(words.begin(), words.end(), word) != words.end()) return;
+    const Json refused = node.value("x-refused", Json::object());
+    if (refused.contains(word)) fail(pointer, fmt::format("{} {}", shown(value), refused[word].get<std::string>()));
     fail(pointer, fmt::format("{} is unknown; {}", shown(value), suggestion(word, words)));
 }
 

@@ -43,6 +43,14 @@ vec3 moveByTurn(vec4 q, vec3 v)
     return movedByTurn(vec3(0), q, v);
 }
 
+/// The angle of a turn about x, with as many whole turns as bring it nearest to another angle [rad].
+float angleAboutX(vec4 turn, float near)
+{
+    const float WHOLE = 6.2831853;
+    float further = 2.0 * atan(turn.x, turn.w) - near;
+    return near + further - WHOLE * round(further / WHOLE);
+}
+
 mat3 matrixFromQuaternion(vec4 q)
 {
     return mat3(rotate(q, vec3(1, 0, 0)), rotate(q, vec3(0, 1, 0)), rotate(q, vec3(0, 0, 1)));

@@ -52,6 +52,18 @@ struct Mover {
     float inverseMass;              // [1/kg], also of movers that do not respond: moverStates tells
 };
 
+// A hinge that gears turn. Those of a train follow each other, each behind one that a gear couples it with.
+struct GearedHinge {
+    uint joint;                     // of the trees
+    uint row;                       // of the channel
+    uint parentRow;                 // NONE: the other never responds
+    uint before;                    // the geared hinge through which it hangs on the train's first; NONE: itself
+    float ratio;                    // its turns per turn of the train's first
+    uint unused1;
+    uint unused2;
+    uint unused3;
+};
+
 // What never changes about a joint of a tree, or one that closes a loop; its body is the one further from the root.
 struct Joint {
     uint body;

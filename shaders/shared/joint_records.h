@@ -14,6 +14,8 @@
 #define ROOT_FACTOR_TEXELS 6       // the same for a body that nothing holds
 // Of each joint that closes a loop.
 #define LOOP_FACTOR_TEXELS 10      // how its ends move apart
+// Of each geared hinge.
+#define GEAR_STATE_TEXELS 2        // how far it is off its train, its torque; sums over its train
 // Of each body.
 #define BODY_LOAD_TEXELS 4         // what acts on a body with joints
 #define BODY_RESPONSE_TEXELS 9     // its motion for a force, with what its joints move along

@@ -29,6 +29,7 @@ struct StepParameters {
     uint jointDriveCount;           // their driven joints
     uint pinCount;                  // and their pins
     uint motorCount;                // motors and springs of joints
+    uint gearTrainCount;            // sets of gears that share hinges
     uint linkCount;
     uint assemblyCount;
     uint colliderCount;

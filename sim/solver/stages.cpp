@@ -62,6 +62,7 @@ RowPlan planRows(const World& world, const Layout& layout)
     JointStage::reserveRows(rows, world, layout);
     reserveDriveRows(rows, world);
     MotorStage::reserveRows(rows, world, layout);
+    GearStage::reserveRows(rows, world, layout);
     rows.place(layout.bodyCount);
     return rows;
 }
@@ -87,6 +88,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
     if (AnimationStage::isNeeded(world)) animations.emplace(setup_);
     if (DriveStage::isNeeded(world)) drives.emplace(setup_);
     if (MotorStage::isNeeded(world)) motors.emplace(setup_);
+    if (GearStage::isNeeded(world)) gears.emplace(setup_);
     if (ForceStage::isNeeded(world)) forces.emplace(setup_);
     if (ReleaseStage::isNeeded(world)) releases.emplace(setup_);
     if (RestitutionStage::isNeeded(world)) restitution.emplace(setup_);
@@ -121,6 +123,7 @@ std::vector<Stage*> Stages::all()
     add(animations);
     add(drives);
     add(motors);
+    add(gears);
     add(forces);
     add(releases);
     add(restitution);

@@ -14,6 +14,7 @@
 #include "sim/solver/fluid/fluid_watch_stage.h"
 #include "sim/solver/fluid/viscosity_stage.h"
 #include "sim/solver/forces/force_stage.h"
+#include "sim/solver/joint/gear_stage.h"
 #include "sim/solver/joint/joint_stage.h"
 #include "sim/solver/list_room.h"
 #include "sim/solver/paper/paper_stage.h"
@@ -84,6 +85,7 @@ public:
     std::optional<AnimationStage> animations;
     std::optional<DriveStage> drives;
     std::optional<MotorStage> motors;
+    std::optional<GearStage> gears;
     std::optional<ForceStage> forces;
     std::optional<ReleaseStage> releases;
     std::optional<RestitutionStage> restitution;

@@ -18,10 +18,11 @@
 //   moves fluids by their pressures (fluid_*), once, and slows them by their viscosity (viscous_*);
 //   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, strand_solve moves ropes
 //     and cloth, colour by colour; contact_solve and collider_solve work out impulses, each contact by itself, from
-//     where the movers are, drive_* the pull of springs towards clips and motor_turn that of joints' motors;
+//     where the movers are, drive_* the pull of springs towards clips, motor_turn that of joints' motors;
 //     impulse_sum adds them up for each body, and body_solve matches it (eqs. 8-9, 11-17) to where they bring its
 //     particles, as loose_solve does for loose particles. For bodies with joints jointed_solve notes what is left to
 //     do, and joint_solve answers it for all bodies of a tree at once, joint_loop_solve for its loops;
+//     gear_solve corrects the torques of gears, and gear_move moves the trees by them;
 //   lets joints tear (joint_tear), and blows weaken what is driven (drive_hit);
 //   ends with velocities and positions (mover_integrate, jointed_integrate), and where materials have restitution,
 //     gives collisions the speeds at which they part (contact_restitution, collider_restitution, mover_restitution);
@@ -76,6 +77,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     if (s.drives) s.drives->pull(recorder);
     if (s.motors) s.motors->begin(recorder);
     if (s.motors) s.motors->turn(recorder);
+    if (s.gears) s.gears->begin(recorder);
     s.search.find(recorder);
     s.contacts.prepare(recorder);
     if (s.sleep) s.sleep->wake(recorder);
@@ -84,6 +86,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     if (s.forces) s.forces->actOnFluids(recorder);
     s.joints.factor(recorder);
     s.joints.solve(recorder, true);
+    if (s.gears) s.gears->solve(recorder);
     for (uint32_t i = 0; i < iterations; ++i) {
         if (s.soft) s.soft->solve(recorder, i, iterations);
         if (s.strands) s.strands->solve(recorder, i == 0);
@@ -93,6 +96,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
         s.bodies.solve(recorder);
         s.joints.factorAgain(recorder, iterations > 1 && i + 1 == iterations);
         s.joints.solve(recorder);
+        if (s.gears) s.gears->solve(recorder);
     }
     s.joints.tear(recorder);
     if (s.drives) s.drives->end(recorder);

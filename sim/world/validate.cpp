@@ -227,6 +227,7 @@ void validate(const World& world)
     validateEmitters(world);
     validateLinks(world);
     validateJoints(world);
+    validateGears(world);
     validateAnimations(world);
     validatePuppets(world);
     validateReleases(world);

@@ -15,6 +15,7 @@
 #include "sim/world/animation/collider_motion.h"
 #include "sim/world/drive/puppet.h"
 #include "sim/world/forces/forces.h"
+#include "sim/world/joint/gear.h"
 #include "sim/world/joint/joint.h"
 #include "sim/world/matter/emitter.h"
 #include "sim/world/matter/skin.h"
@@ -163,6 +164,7 @@ struct World {
     std::vector<Body> bodies;
     std::vector<Link> links;
     std::vector<Joint> joints;  ///< At most one per pair of bodies.
+    std::vector<Gear> gears;
     std::vector<Object> objects;
     std::vector<LooseGroup> looseGroups;
     std::vector<BodyClip> clips;

@@ -50,6 +50,9 @@ TEST_F(SceneJoints, TellWhatIsWrongWithTheirMotorsAndSprings)
     } cases[] = {
         {R"("kind": "ball", "motor": { "speed": 3, "torque": 10 })",
          "/motor: turns a hinge; a ball joint has no one axis to turn about"},
+        {R"("kind": "slider")", "/kind: \"slider\" is no joint here: bodies that share particles turn about them, but "
+                                "cannot slide along them; "
+                                "guide the body between smooth colliders, or move it by a crank and a rod"},
         {R"("kind": "hinge", "motor": { "torque": 10 })",
          "/motor: says neither how fast nor where to; give its `speed` or its `angle`"},
         {R"("kind": "hinge", "motor": { "speed": 3 })",
@@ -100,14 +103,41 @@ TEST_F(SceneJoints, ALoopMayHaveAMotorButNotAtBothEnds)
     constexpr const char* MOTOR = R"(, "motor": { "speed": 3, "torque": 10 })";
     EXPECT_EQ(check(MOTOR, "", "").code, 0);
     EXPECT_EQ(check("", MOTOR, "").code, 0);
-    expectError(
-        check(MOTOR, MOTOR, ""), 2,
-        "loop.json: the joint \"object_5\" closes a loop of joints with motors, springs or limits, which cannot "
-        "be; leave one joint of the loop without");
+    expectError(check(MOTOR, MOTOR, ""), 2,
+                "loop.json: the joint \"object_5\" closes a loop of joints with motors, springs, gears or limits, "
+                "which cannot be; leave one joint of the loop without");
     expectError(
         check(MOTOR, "", R"("solver": "paper",)"), 2,
         "loop.json: the joint \"object_4\": the paper's solver has no motors; take it away, or use solver method "
         "impulse");
+}
+
+TEST_F(SceneJoints, TellWhatIsWrongWithTheirGears)
+{
+    const struct {
+        const char* gear;
+        const char* message;
+    } cases[] = {
+        {R"("joints": ["axle", "pinon"], "ratio": -2)", " /objects/4/joints/1: there is no object \"pinon\" of type "
+                                                        "`joint` and kind `hinge`; did you mean \"pinion\"?"},
+        {R"("joints": ["axle", "axle"], "ratio": -2)", " /objects/4/joints: names one hinge twice; a gear couples two"},
+        {R"("joints": ["axle", "pinion"], "ratio": 0)",
+         " /objects/4/ratio: must not be 0; for instance -1 for two equal wheels"},
+        {R"("joints": ["axle", "pinion"], "ratio": -2 },
+            { "type": "gear", "name": "other", "joints": ["pinion", "axle"], "ratio": -1)",
+         " the gear \"other\" closes a ring that cannot turn: by it \"pinion\" has the ratio -1, by the others "
+         "-2; take it away, or change its ratio"},
+    };
+    for (const auto& entry : cases) {
+        folder.write("gear.json", std::string(R"({ "objects": [
+            { "type": "rigid", "shape": "box", "name": "wheel", "size": [0.5, 0.5, 0.1], "position": [0, 1, 0] },
+            { "type": "rigid", "shape": "box", "name": "small", "size": [0.3, 0.3, 0.1], "position": [0.5, 1, 0] },
+            { "type": "joint", "kind": "hinge", "name": "axle", "bodies": ["wheel", "world"], "at": [0, 1, 0] },
+            { "type": "joint", "kind": "hinge", "name": "pinion", "bodies": ["small", "world"], "at": [0.5, 1, 0] },
+            { "type": "gear", )") + entry.gear +
+                                      "} ] }");
+        expectError(run({"check", "gear.json"}), 2, std::string("gear.json:") + entry.message);
+    }
 }
 
 TEST_F(SceneJoints, AMotorOfAFixedBodyHasNothingToTurn)

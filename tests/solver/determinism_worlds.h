@@ -19,11 +19,11 @@ World drivenWorld();              ///< The same, driven from then on.
 World limitedWorld();             ///< Joints at their limits, rigid and soft, and chains of which some tear.
 World bouncyWorld();              ///< Collisions that bounce.
 World sleepyWorld(float freeze);  ///< Towers that sleep, or freeze, until something falls on them.
-World mechanismWorld();           ///< Motors and springs, on joints that meet limits and boxes, and one that tears.
-World movingWorld();              ///< A piston, a lift and a drum among towers that sleep, bouncy boxes and water.
-World roundWorld();               ///< Balls and capsules.
-World gridWorld();                ///< A mesh and a heightfield, and what falls on them.
-World windyWorld();               ///< Cloth, boxes and a fluid in gusts, with an explosion.
+World mechanismWorld();  ///< Motors, springs, a gear, on joints that meet limits and boxes, and one that tears.
+World movingWorld();     ///< A piston, a lift and a drum among towers that sleep, bouncy boxes and water.
+World roundWorld();      ///< Balls and capsules.
+World gridWorld();       ///< A mesh and a heightfield, and what falls on them.
+World windyWorld();      ///< Cloth, boxes and a fluid in gusts, with an explosion.
 World everyWorld(GridKind grid);  ///< All of that together.
 
 /// One kind of matter by its name.

@@ -120,6 +120,7 @@ JointSpec readSpec(const SceneEntry& entry, size_t index)
     spec.limits = readLimits(json["limits"]);
     spec.strength = readStrength(json);
     requireLimits(entry.context.path, entry.pointer + "/limits", spec.limits, {spec.type});
+    spec.geared = spec.type == JointType::Hinge && entry.context.gearedHinges.contains(spec.name);
     if (json.contains("motor")) spec.drive = readMotor(entry, spec.type);
     if (json.contains("spring")) spec.drive = readSpring(entry, spec.type);
     return spec;
@@ -156,7 +157,8 @@ void addSceneJoint(const SceneEntry& entry, size_t index)
         placed.axis = -spec.axis;
         placed.along = -spec.along;
     }
-    context.builder.joinPlaced(parent, child, placed);
+    parent = context.builder.joinPlaced(parent, child, placed);
+    if (spec.type == JointType::Hinge) context.hinges[spec.name] = {parent, child};
 }
 
 }  // namespace knuckle

@@ -10,12 +10,9 @@
 /// @param last from which it came here.
 vec4 motorPose(Motor motor, vec4 parent, vec4 body, vec4 last)
 {
-    const float TURN = 6.2831853;
     vec4 turn = quaternionProduct(conjugate(quaternionProduct(parent, motor.parentFrame)),
                                   quaternionProduct(body, motor.frame));
-    if (motor.isHinge == 0u) return turn;
-    float further = 2.0 * atan(turn.x, turn.w) - last.x;
-    return vec4(last.x + further - TURN * round(further / TURN), 0, 0, 0);
+    return motor.isHinge == 0u ? turn : vec4(angleAboutX(turn, last.x), 0, 0, 0);
 }
 
 vec3 poseChange(Motor motor, vec4 from, vec4 to)

@@ -48,6 +48,7 @@ constexpr std::array CARRIED{
     Carried{"pinStates", Per::Pin, 4 * PIN_STATE_TEXELS},
     Carried{"pinsGiven", Per::Pin, 4 * PIN_GIVEN_TEXELS},
     Carried{"motorStates", Per::Motor, 4 * MOTOR_STATE_TEXELS},
+    Carried{"gearStates", Per::GearedHinge, 4 * GEAR_STATE_TEXELS},
     Carried{"driveStiffness", Per::TreeJoint, 4 * DRIVE_STIFFNESS_TEXELS},
     Carried{"clusterRotations", Per::Cluster, 4},
     Carried{"clusterRests", Per::Cluster, 12},

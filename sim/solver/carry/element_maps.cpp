@@ -51,6 +51,14 @@ std::vector<uint32_t> bodiesOf(const Buffer<T>& springs)
     return bodies;
 }
 
+template <typename T>
+std::vector<uint32_t> jointsOf(const Buffer<T>& turned)
+{
+    std::vector<uint32_t> joints;
+    for (const T& element : turned.download()) joints.push_back(element.joint);
+    return joints;
+}
+
 }  // namespace
 
 ElementMaps::ElementMaps(const StagesOf& before, const StagesOf& after, const Counterparts& same)
@@ -64,6 +72,7 @@ ElementMaps::ElementMaps(const StagesOf& before, const StagesOf& after, const Co
     mapAnimated(before, after);
     mapDrives(before, after);
     mapMotors(before, after);
+    mapGears(before, after);
     mapLoose(before, after, same);
 }
 
@@ -163,12 +172,15 @@ void ElementMaps::mapDrives(const StagesOf& before, const StagesOf& after)
 void ElementMaps::mapMotors(const StagesOf& before, const StagesOf& after)
 {
     if (!before.stages.motors || !after.stages.motors) return;
-    const auto jointsOf = [](const MotorStage& stage) {
-        std::vector<uint32_t> joints;
-        for (const gpu::Motor& motor : stage.motors.download()) joints.push_back(motor.joint);
-        return joints;
-    };
-    make(Per::Motor, 0) = matched(jointsOf(*before.stages.motors), jointsOf(*after.stages.motors), of(Per::TreeJoint));
+    make(Per::Motor, 0) = matched(jointsOf(before.stages.motors->motors), jointsOf(after.stages.motors->motors),
+                                  of(Per::TreeJoint));
+}
+
+void ElementMaps::mapGears(const StagesOf& before, const StagesOf& after)
+{
+    if (!before.stages.gears || !after.stages.gears) return;
+    make(Per::GearedHinge, 0) = matched(jointsOf(before.stages.gears->gearHinges),
+                                        jointsOf(after.stages.gears->gearHinges), of(Per::TreeJoint));
 }
 
 void ElementMaps::mapLoose(const StagesOf& before, const StagesOf& after, const Counterparts& same)

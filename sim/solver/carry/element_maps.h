@@ -24,6 +24,7 @@ enum class Per {
     JointDrive,
     Pin,
     Motor,
+    GearedHinge,
     Cluster,
     Distance,  ///< A node of a strand.
     Assembly,
@@ -50,6 +51,7 @@ private:
     void mapJoints(const Layout& before, const Layout& after);
     void mapAnimated(const StagesOf& before, const StagesOf& after);
     void mapMotors(const StagesOf& before, const StagesOf& after);
+    void mapGears(const StagesOf& before, const StagesOf& after);
     void mapDrives(const StagesOf& before, const StagesOf& after);
     void mapLoose(const StagesOf& before, const StagesOf& after, const Counterparts& same);
 

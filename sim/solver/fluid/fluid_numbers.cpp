@@ -12,7 +12,9 @@ namespace knuckle {
 
 namespace {
 
-constexpr uint32_t FIRST_NEIGHBOURS = 64;
+/// Room for neighbours at the start: among themselves fluids have some 45; beside solids, whose lists reach further, up
+/// to 70.
+constexpr uint32_t FIRST_NEIGHBOURS = 64, FIRST_NEIGHBOURS_WITH_SOLIDS = 80;
 /// Radius of the smoothing kernel [rest distances]. Below 2.2 the sums depend much on the particles' arrangement; above
 /// 2.5 the multipliers overshoot.
 constexpr float FLUID_REACH = 2.2f;
@@ -105,7 +107,7 @@ void setLattice(gpu::StepParameters& p, const World& world)
 void setFluidParameters(gpu::StepParameters& p, const World& world)
 {
     p.fluidCount = world.fluidCount;
-    p.fluidSlots = FIRST_NEIGHBOURS;
+    p.fluidSlots = p.particleCount > 0 ? FIRST_NEIGHBOURS_WITH_SOLIDS : FIRST_NEIGHBOURS;
     p.fluidSpacing = world.fluidSpacing;
     p.fluidReach = FLUID_REACH * world.fluidSpacing;
     // Neighbours stay listed for a step; one that comes nearer meanwhile hardly counts yet.

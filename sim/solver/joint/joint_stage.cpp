@@ -21,11 +21,6 @@ bool tears(const World& world)
     return std::ranges::any_of(world.joints, [](const Joint& joint) { return joint.strength.tears(); });
 }
 
-bool limits(const World& world)
-{
-    return std::ranges::any_of(world.joints, [](const Joint& joint) { return joint.limits.any(); });
-}
-
 bool drives(const World& world)
 {
     return DriveStage::isNeeded(world) || MotorStage::isNeeded(world);
@@ -67,7 +62,7 @@ bool hasRow(const World& world, uint32_t body)
 
 Defines loopVariant(const StageSetup& setup)
 {
-    return definesOf({{"ANGULAR", setup.rows.hasAngular()}, {"LIMITS", limits(setup.world)}});
+    return definesOf({{"ANGULAR", setup.rows.hasAngular()}, {"LIMITS", hasLimits(setup.world)}});
 }
 
 Defines solveVariant(const StageSetup& setup, bool loops, bool again)
@@ -81,7 +76,7 @@ Defines solveVariant(const StageSetup& setup, bool loops, bool again)
 Defines factorVariant(const StageSetup& setup)
 {
     return definesOf({{"RESPONSES", !setup.world.strands.empty()},
-                      {"LIMITS", limits(setup.world)},
+                      {"LIMITS", hasLimits(setup.world)},
                       {"DRIVES", drives(setup.world)}});
 }
 
@@ -104,7 +99,7 @@ JointStage::JointStage(const StageSetup& setup)
     : parameters_(setup.parameters),
       needed_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.jointTrees.trees.empty()),
       shared_(setup.world.settings.solver == SolverKind::Impulse && !setup.layout.sharedParticles.empty()),
-      hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()), hasLimits_(needed_ && limits(setup.world)),
+      hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()), hasLimits_(needed_ && hasLimits(setup.world)),
       drives_(needed_ && drives(setup.world)), tears_(needed_ && tears(setup.world)),
       again_(needed_ && (hasLimits_ || drives_ || hasLongTree(setup.layout.jointTrees))),
       variant_(solveVariant(setup, hasLoops_, again_)), loopVariant_(loopVariant(setup)),

@@ -30,7 +30,8 @@ void dropJointedRounds(World& world)
 
 void WorldBuilder::assignAssemblies()
 {
-    // Bodies that share a particle belong to one assembly; until it is numbered, the smallest body index names it.
+    // Bodies that share a particle or are geared belong to one assembly; until it is numbered, the smallest body index
+    // names it.
     DisjointSets sets(world_.bodies.size());
     owners_.resize(world_.particles.size());
     for (uint32_t b = 0; b < bodyParticles_.size(); ++b)
@@ -41,6 +42,7 @@ void WorldBuilder::assignAssemblies()
             owners_[p].push_back(b);
             sets.unite(particle.body, b);
         }
+    for (const GearDraft& gear : gears_) sets.unite(gear.first.child, gear.second.child);
     for (uint32_t b = 0; b < sets.size(); ++b) {
         const uint32_t top = sets.find(b);
         world_.bodies[b].assembly = top == b ? world_.assemblyCount++ : world_.bodies[top].assembly;

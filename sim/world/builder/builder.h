@@ -33,6 +33,7 @@ public:
 private:
     /// Fills World::joints, once links exist: from shared particles and descriptions.
     void recordJoints();
+    void recordGears();
     void assignAssemblies();
     /// Balls and capsules weigh density times volume. Not in a world with fluids, in which they displace their
     /// particles' cells.

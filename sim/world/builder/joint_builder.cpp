@@ -23,6 +23,7 @@ void JointBuilder::addJoint(uint32_t parent, uint32_t child, const JointSpec& sp
     JointDraft draft{{spec.name, spec.type, parent, child}};
     draft.joint.strength = spec.strength;
     draft.joint.drive = spec.drive;
+    draft.joint.geared = spec.geared;
     setLimits(draft, spec.limits, spec.type == JointType::Ball ? alongOf(spec) : spec.axis.normalized());
     describeJoint(std::move(draft));
 }
@@ -77,6 +78,7 @@ void JointBuilder::describePlaced(uint32_t parent, uint32_t child, const JointSp
     JointDraft draft{{spec.name, type, parent, child}};
     draft.joint.strength = spec.strength;
     draft.joint.drive = spec.drive;
+    draft.joint.geared = spec.geared;
     draft.joint.turn = turnFrom(its, world_.bodies[parent]);
     setLimits(draft, limits, axis);
     draft.axis = its.rotation.conjugate() * draft.axis;
@@ -126,6 +128,14 @@ uint32_t JointBuilder::joinPlaced(uint32_t parent, uint32_t child, const JointSp
     }
     endObject();
     return parent;
+}
+
+void JointBuilder::addGear(const std::string& name, const HingeBodies& first, const HingeBodies& second, float ratio)
+{
+    for (const uint32_t body : {first.parent, first.child, second.parent, second.child})
+        if (body >= world_.bodies.size())
+            throw std::logic_error(fmt::format("gear \"{}\": there is no body {}", name, body));
+    gears_.push_back({name, first, second, ratio});
 }
 
 void JointBuilder::shareParticle(uint32_t particle, uint32_t body)

@@ -20,7 +20,8 @@ struct JointSpec {
     int limitSide = 0;
     JointLimits limits;
     JointStrength strength;
-    TurnDrive drive;  ///< Of both hinges of a universal joint.
+    TurnDrive drive;      ///< Of both hinges of a universal joint.
+    bool geared = false;  ///< Hinge: whether addGear() will name it.
 };
 
 /// Joints between bodies, by sharing particles (paper, section 4).
@@ -33,6 +34,9 @@ public:
     /// bodies stand. All of the joint's particles are new, and but for those of a universal joint they weigh next to
     /// nothing. @param parent NO_INDEX: the world. What the joint adds is an object of its name. @returns the parent.
     uint32_t joinPlaced(uint32_t parent, uint32_t child, const JointSpec& spec);
+    /// Couples two hinges that are geared (JointSpec); their bodies then form one assembly, so that wheels that mesh do
+    /// not touch. @param ratio turns of the second per turn of the first, not 0.
+    void addGear(const std::string& name, const HingeBodies& first, const HingeBodies& second, float ratio);
     /// Makes an existing particle part of one more body: the paper's joint itself.
     void shareParticle(uint32_t particle, uint32_t body);
     /// Describes a joint that shareParticle() makes; build() finds its particles and frames.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 
 #include "sim/world/builder/builder.h"
@@ -81,6 +82,18 @@ void WorldBuilder::recordJoints()
         }
         world_.joints.push_back(std::move(joint));
     }
+    recordGears();
+}
+
+void WorldBuilder::recordGears()
+{
+    const auto indexOf = [&](const HingeBodies& hinge) {
+        const auto found = std::ranges::find_if(
+            world_.joints, [&](const Joint& joint) { return joint.connects(hinge.parent, hinge.child); });
+        return static_cast<uint32_t>(found - world_.joints.begin());
+    };
+    for (const GearDraft& gear : gears_)
+        world_.gears.push_back({gear.name, indexOf(gear.first), indexOf(gear.second), gear.ratio});
 }
 
 }  // namespace knuckle

@@ -39,6 +39,7 @@ protected:
     /// By body and particle: where particles of joints across objects are in the body's rest pose [m].
     std::map<std::pair<uint32_t, uint32_t>, Vector3f> foreignPlaces_;
     std::vector<JointDraft> joints_;
+    std::vector<GearDraft> gears_;
     bool choosesSubsteps_ = false;         ///< Settings::substeps was 0.
     std::vector<LooseGroup> fluidGroups_;  // ranges of the next
     std::vector<Particle> fluid_;

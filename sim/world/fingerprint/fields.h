@@ -153,9 +153,16 @@ inline auto fieldsOf(const TurnDrive& d)
 
 inline auto fieldsOf(const Joint& j)
 {
-    const auto& [name, type, parent, child, particles, parentSide, childSide, limits, strength, turn, drive] = j;
+    const auto& [name, type, parent, child, particles, parentSide, childSide, limits, strength, turn, drive,
+                 geared] = j;
     // The turn is that between both sides.
-    return counting(type, parent, child, particles, parentSide, childSide, limits, strength, drive);
+    return counting(type, parent, child, particles, parentSide, childSide, limits, strength, drive, geared);
+}
+
+inline auto fieldsOf(const Gear& g)
+{
+    const auto& [name, first, second, ratio] = g;
+    return counting(first, second, ratio);
 }
 
 inline auto fieldsOf(const Pose& p)
@@ -263,12 +270,12 @@ inline auto fieldsOf(const Emitter& e)
 
 inline auto fieldsOf(const World& w)
 {
-    const auto& [radius, settings, materials, particles, bodies, links, joints, objects, groups, clips, animations,
-                 puppets, releases, colliders, motions, softBodies, clusters, clusterLinks, strands, clothTriangles,
-                 grids, skins, assemblies, spacing, fluids, emitters, drains, wind, forceFields] = w;
-    return counting(radius, settings, materials, particles, bodies, links, joints, objects, clips, animations, puppets,
-                    releases, colliders, motions, softBodies, clusters, clusterLinks, strands, clothTriangles, grids,
-                    assemblies, spacing, fluids, emitters, drains, wind, forceFields);
+    const auto& [radius, settings, materials, particles, bodies, links, joints, gears, objects, groups, clips,
+                 animations, puppets, releases, colliders, motions, softBodies, clusters, clusterLinks, strands,
+                 clothTriangles, grids, skins, assemblies, spacing, fluids, emitters, drains, wind, forceFields] = w;
+    return counting(radius, settings, materials, particles, bodies, links, joints, gears, objects, clips, animations,
+                    puppets, releases, colliders, motions, softBodies, clusters, clusterLinks, strands, clothTriangles,
+                    grids, assemblies, spacing, fluids, emitters, drains, wind, forceFields);
 }
 
 }  // namespace knuckle

@@ -150,6 +150,11 @@ void setLimits(JointDraft& draft, const JointLimits& limits, const Vector3f& axi
     if (draft.joint.type == JointType::Ball && !limits.cone.isZero()) draft.cone = limits.cone.normalized();
 }
 
+bool hasLimits(const World& world)
+{
+    return std::ranges::any_of(world.joints, [](const Joint& joint) { return joint.limits.any(); });
+}
+
 size_t jointCount(const World& world)
 {
     return world.joints.size() - static_cast<size_t>(std::ranges::count_if(world.bodies, &Body::isCross));
@@ -182,10 +187,11 @@ void validateJoints(const World& world)
             throw InputError(fmt::format("the joint of \"{}\" and \"{}\" closes a loop of joints with limits, which "
                                          "cannot be; leave one joint of the loop without",
                                          world.bodies[joint.parent].name, world.bodies[joint.child].name));
-        if (joint.drive.acts())
-            throw InputError(fmt::format("the joint \"{}\" closes a loop of joints with motors, springs or limits, "
-                                         "which cannot be; leave one joint of the loop without",
-                                         joint.name));
+        if (joint.turns())
+            throw InputError(
+                fmt::format("the joint \"{}\" closes a loop of joints with motors, springs, gears or limits, "
+                            "which cannot be; leave one joint of the loop without",
+                            joint.name));
     }
 }
 

@@ -85,9 +85,12 @@ struct Joint {
     JointStrength strength = {};
     Quaternionf turn{1, 0, 0, 0};  ///< At rest, from the child's axes to the parent's; bodies of one object share them.
     TurnDrive drive = {};
+    bool geared = false;  ///< Whether gears may turn it (World::gears).
 
-    /// Whether its axes have a direction: limits and drives count angles about them.
-    bool countsAngles() const { return limits.any() || drive.acts(); }
+    /// Whether its axes have a direction: limits, drives and gears count angles about them.
+    bool countsAngles() const { return limits.any() || turns(); }
+    /// Whether something beside its limits turns it.
+    bool turns() const { return drive.acts() || geared; }
     bool connects(uint32_t a, uint32_t b) const { return std::minmax(a, b) == std::minmax(parent, child); }
 };
 
@@ -101,6 +104,9 @@ struct JointDraft {
 /// Sets a joint's limits from those of its type, and its axes, after its drive. @param axis of a hinge, or a ball's
 /// child's; unit, in the rest pose.
 void setLimits(JointDraft& draft, const JointLimits& limits, const Vector3f& axis);
+
+/// Whether any joint of a world is limited.
+bool hasLimits(const World& world);
 
 /// The number of joints in a world; a universal joint counts once.
 size_t jointCount(const World& world);
