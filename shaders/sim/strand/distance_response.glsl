@@ -3,17 +3,21 @@
 #include "sim/common/bodies/body_responses.glsl"
 #include "sim/strand/distance_nodes.glsl"
 
+/// What joints leave no way to move still gives, as a share of what the body alone would: the inverse exists.
+const float HELD = 1e-3;
+
 /// The move of the node by an impulse of 1 along n [1/kg]: for a body, 1/M n + (I^-1 (r x n)) x r.
 vec3 response(DistanceNode node, vec3 n)
 {
 #ifdef BODIES
     if (node.info.mover < sim.bodyCount) {
-        Response response = fetchBodyResponse(node.info.mover);
-        if (response.a[0][0] > 0.0) {
-            vec3 arm = node.point.arm, turn = response.b * n + response.d * cross(arm, n);
-            return node.info.inverseMass * (response.a * n + cross(arm, n) * response.b + cross(turn, arm));
-        }
         InverseInertia body = fetchInverseInertia(node.info.mover);
+        if (hasJoints(node.info.mover)) {
+            Response response = fetchBodyResponse(node.info.mover);
+            vec3 arm = node.point.arm, turn = response.b * n + response.d * cross(arm, n);
+            vec3 move = response.a * n + cross(arm, n) * response.b + cross(turn, arm);
+            return node.info.inverseMass * (move + HELD * body.inverseMass * n);
+        }
         vec4 rotation = texelFetch(moverRotations, int(node.info.mover));
         vec3 angle = symmetricMatrix(body.diagonal, body.offDiagonal) *
                       rotate(conjugate(rotation), cross(node.point.arm, n));
