@@ -49,7 +49,12 @@ public:
         if (count > 0) kernel.dispatch(timer_, count);
     }
     /// As many work groups as earlier kernels have decided. @param slot DISPATCH_*.
-    void decided(const Kernel& kernel, uint32_t slot) { kernel.dispatchIndirect(timer_, sizes_, slot); }
+    void decided(const Kernel& kernel, uint32_t slot) { decided(kernel, sizes_, slot); }
+    /// The same, of sizes that a stage keeps itself.
+    void decided(const Kernel& kernel, const RawBuffer& sizes, uint32_t slot)
+    {
+        kernel.dispatchIndirect(timer_, sizes, slot);
+    }
 
 private:
     KernelTimer& timer_;

@@ -93,6 +93,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
     if (ReleaseStage::isNeeded(world)) releases.emplace(setup_);
     if (RestitutionStage::isNeeded(world)) restitution.emplace(setup_);
     if (SleepStage::isNeeded(world.settings)) sleep.emplace(setup_);
+    if (StackStage::isNeeded(world, layout)) stacks.emplace(setup_);
     if (SoftStage::isNeeded(world)) soft.emplace(setup_);
     if (StrandStage::isNeeded(world)) strands.emplace(setup_);
     if (FluidStage::isNeeded(world)) fluids.emplace(setup_);
@@ -128,6 +129,7 @@ std::vector<Stage*> Stages::all()
     add(releases);
     add(restitution);
     add(sleep);
+    add(stacks);
     add(soft);
     add(strands);
     add(fluids);
@@ -156,6 +158,7 @@ Defines Stages::worldDefines() const
                       {"ROUNDS", layout.hasRounds},
                       {"GRAINS", layout.hasGrains},
                       {"SLEEP", sleep.has_value()},
+                      {"STACKS", stacks.has_value()},
                       {"FREEZE", s.freeze > 0.0f},
                       {"PUPPETS", drives.has_value()},
                       {"TOUCHES", std::ranges::any_of(world_.releases, isByTouch)},

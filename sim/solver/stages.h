@@ -7,6 +7,7 @@
 #include "sim/solver/body/body_stage.h"
 #include "sim/solver/contact/collider_stage.h"
 #include "sim/solver/contact/contact_stage.h"
+#include "sim/solver/contact/stack_stage.h"
 #include "sim/solver/drive/drive_stage.h"
 #include "sim/solver/drive/motor_stage.h"
 #include "sim/solver/emitter/emitter_stage.h"
@@ -90,6 +91,7 @@ public:
     std::optional<ReleaseStage> releases;
     std::optional<RestitutionStage> restitution;
     std::optional<SleepStage> sleep;
+    std::optional<StackStage> stacks;
     std::optional<SoftStage> soft;
     std::optional<StrandStage> strands;
     std::optional<FluidStage> fluids;

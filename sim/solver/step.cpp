@@ -20,7 +20,9 @@
 //     and cloth, colour by colour; contact_solve and collider_solve work out impulses, each contact by itself, from
 //     where the movers are, drive_* the pull of springs towards clips, motor_turn that of joints' motors;
 //     impulse_sum adds them up for each body, and body_solve matches it (eqs. 8-9, 11-17) to where they bring its
-//     particles, as loose_solve does for loose particles. For bodies with joints jointed_solve notes what is left to
+//     particles, as loose_solve does for loose particles. Bodies that stand on each other, found once a step
+//     (stack_touch, stack_trees), then answer to their contacts with each other at once (stack_pairs, stack_colliders,
+//     stack_solve). For bodies with joints jointed_solve notes what is left to
 //     do, and joint_solve answers it for all bodies of a tree at once, joint_loop_solve for its loops;
 //     gear_solve corrects the torques of gears, and gear_move moves the trees by them;
 //   lets joints tear (joint_tear), and blows weaken what is driven (drive_hit);
@@ -81,6 +83,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     s.search.find(recorder);
     s.contacts.prepare(recorder);
     if (s.sleep) s.sleep->wake(recorder);
+    if (s.stacks && index == 0) s.stacks->find(recorder);
     s.bodies.warmStart(recorder);
     if (s.fluids) moveFluids(s, recorder, index);
     if (s.forces) s.forces->actOnFluids(recorder);
@@ -93,11 +96,13 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
         s.contacts.solve(recorder);
         if (s.drives) s.drives->pull(recorder);
         if (s.motors) s.motors->turn(recorder);
-        s.bodies.solve(recorder);
+        s.bodies.solve(recorder, i > 0);
+        if (s.stacks) s.stacks->solve(recorder, i == 0);
         s.joints.factorAgain(recorder, iterations > 1 && i + 1 == iterations);
         s.joints.solve(recorder);
         if (s.gears) s.gears->solve(recorder);
     }
+    if (s.stacks) s.stacks->keep(recorder);
     s.joints.tear(recorder);
     if (s.drives) s.drives->end(recorder);
     s.bodies.integrate(recorder);

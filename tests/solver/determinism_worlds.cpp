@@ -224,6 +224,22 @@ World movingWorld()
     return builder.build();
 }
 
+World towerWorld()
+{
+    WorldBuilder builder = makeBuilder({}, false);
+    builder.addCollider({});
+    builder.beginObject("block");
+    builder.addBody("block", boxLattice({5, 2, 5}, DIAMETER), PLAIN, Motion::Fixed);
+    builder.endObject({Vector3f(0, 0.1f, 0)});
+    for (int k = 0; k < 8; ++k) {
+        builder.beginObject("cube");
+        builder.addBody("cube", boxLattice({3, 3, 3}, DIAMETER), PLAIN);
+        builder.endObject({Vector3f(0.01f * static_cast<float>(k % 2), 0.35f + 0.3f * static_cast<float>(k), 0)});
+    }
+    addBox(builder, {Vector3f(-2, 1.2f, 0.05f)}, PLAIN, {4, 1, 0});
+    return builder.build();
+}
+
 World roundWorld()
 {
     WorldBuilder builder = makeBuilder({}, false);
@@ -265,6 +281,7 @@ std::vector<Matter> matters()
             {"Emitters", emitterWorld},
             {"Bounces", bouncyWorld},
             {"Windy", windyWorld},
+            {"Tower", towerWorld},
             {"Freeze", [] { return sleepyWorld(0.5f); }},
             {"Held", heldWorld},
             {"Animated", animatedWorld},

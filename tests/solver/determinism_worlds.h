@@ -21,6 +21,7 @@ World bouncyWorld();              ///< Collisions that bounce.
 World sleepyWorld(float freeze);  ///< Towers that sleep, or freeze, until something falls on them.
 World mechanismWorld();  ///< Motors, springs, a gear, on joints that meet limits and boxes, and one that tears.
 World movingWorld();     ///< A piston, a lift and a drum among towers that sleep, bouncy boxes and water.
+World towerWorld();      ///< A tower of eight on a fixed block, and what strikes it.
 World roundWorld();      ///< Balls and capsules.
 World gridWorld();       ///< A mesh and a heightfield, and what falls on them.
 World windyWorld();      ///< Cloth, boxes and a fluid in gusts, with an explosion.

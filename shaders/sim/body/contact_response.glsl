@@ -6,6 +6,7 @@
 #include "sim/common/bodies/mass_scaling.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
 #include "sim/common/contacts/impulse_sums.glsl"
+#include "sim/common/contacts/stacks.glsl"
 
 uniform samplerBuffer lastMoverImpulses;
 uniform samplerBuffer lastMoverChanges;
@@ -33,6 +34,8 @@ float relaxation(uint m, Field impulse, float acting)
     }
     relaxation = along < -0.9 * size ? max(0.8 * relaxation, 1.0) : min(1.05 * relaxation, MOST_RELAXATION);
     if (acting == 0.0) relaxation = INITIAL_RELAXATION;
+    // What its stack holds does not change within a substep, and so tells nothing.
+    if (IS_BODY(m) && inStack(m)) relaxation = 1.0;
     STORE_FIELD(moverChanges, m, change)
     STORE_RELAXATION(moverChanges, m, relaxation)
 #endif

@@ -2,6 +2,7 @@
 // ROUNDS: of a world with balls or capsules, whose contacts act elsewhere in each iteration.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/movers.glsl"
+#include "sim/common/contacts/stacks.glsl"
 #include "sim/common/contacts/touch.glsl"
 #include "sim/contact/pair_masses.glsl"
 #ifdef ROUNDS
@@ -29,6 +30,7 @@ void main()
     if (q >= counters[0].pairCount) return;
     uint index = counters[0].listParity * sim.pairCapacity + q;
     ContactSides sides = fetchContactSides(pairSides, q);
+    if (pairInStack(sides.movers)) return;
     Impulse last = fetchImpulse(lastPairImpulses, index);
     Arm armA = fetchContactArm(lastPairArms, firstArm(q)), armB = fetchContactArm(lastPairArms, secondArm(q));
     Contact contact = pairNow(fetchPair(pairs, index), sides, armA, armB, last.normal);

@@ -7,6 +7,7 @@
 
 #include "shared/contact_constants.h"
 #include "shared/joint_records.h"
+#include "sim/solver/contact/stack_stage.h"
 #include "sim/solver/layout/body_mass.h"
 #include "sim/solver/layout/cluster_links.h"
 #include "sim/solver/pack.h"
@@ -113,8 +114,9 @@ BodyStage::BodyStage(const StageSetup& setup, bool onParticles)
       solves_(setup.world.settings.solver == SolverKind::Impulse),
       hasFree_(solves_ && !setup.layout.freeBodies.empty()),
       hasJointed_(solves_ && !setup.layout.jointedBodies.empty()), hasLoose_(solves_ && setup.layout.looseCount > 0),
-      releases_(solves_ && !setup.layout.heldBodies.empty()), onParticle_(definesOf({{"ON_PARTICLES", onParticles}})),
-      warm_(definesOf({{"WARM_START", true}})), angular_(definesOf({{"ANGULAR", setup.rows.hasAngular()}})),
+      releases_(solves_ && !setup.layout.heldBodies.empty()), stacks_(StackStage::isNeeded(setup.world, setup.layout)),
+      onParticle_(definesOf({{"ON_PARTICLES", onParticles}})), warm_(definesOf({{"WARM_START", true}})),
+      angular_(definesOf({{"ANGULAR", setup.rows.hasAngular()}})),
       jointed_(definesOf({{"ON_PARTICLES", onParticles}, {"ANGULAR", setup.rows.hasAngular()}}))
 {
 }
@@ -234,10 +236,10 @@ void BodyStage::warmStart(Recorder& recorder) const
     if (hasLoose_) recorder.decided(solveLooseWarm_, DISPATCH_MOVERS);
 }
 
-void BodyStage::solve(Recorder& recorder) const
+void BodyStage::solve(Recorder& recorder, bool again) const
 {
     if (hasFree_ || hasJointed_) recorder.perElement(sum_, parameters_.bodyCount);
-    recorder.perElement(solveFree_, parameters_.freeBodyCount);
+    recorder.perElement(again && stacks_ ? solveFreeAgain_ : solveFree_, parameters_.freeBodyCount);
     recorder.perElement(solveJointed_, parameters_.jointedBodyCount);
     recorder.perElement(solveLoose_, looseCount());
 }

@@ -16,8 +16,9 @@ public:
     void predict(Recorder& recorder) const;
     /// Applies the last impulses of contacts again, in the order of a new search's lists.
     void warmStart(Recorder& recorder) const;
-    /// Sums the impulses of an iteration, and matches each mover to them.
-    void solve(Recorder& recorder) const;
+    /// Sums the impulses of an iteration, and matches each mover to them. @param again except those of stacks, which
+    /// the iteration before has moved.
+    void solve(Recorder& recorder, bool again) const;
     void integrate(Recorder& recorder) const;
     /// Puts particles where their bodies have them, at the end of a step.
     void placeParticles(Recorder& recorder) const;
@@ -63,7 +64,7 @@ private:
     uint32_t looseCount() const;
 
     const gpu::StepParameters& parameters_;
-    bool onParticles_, solves_, hasFree_, hasJointed_, hasLoose_, releases_;
+    bool onParticles_, solves_, hasFree_, hasJointed_, hasLoose_, releases_, stacks_;
     Defines onParticle_, warm_, angular_, jointed_;
     Pass release_{*this, "body/mover_release", {}, releases_};
     Pass predictFree_{*this, "body/mover_predict", {}, hasFree_};
@@ -76,6 +77,7 @@ private:
     Pass solveLooseWarm_{*this, "body/loose_solve", warm_, hasLoose_};
     Pass sum_{*this, "body/impulse_sum", onParticle_, hasFree_ || hasJointed_};
     Pass solveFree_{*this, "body/body_solve", {}, hasFree_};
+    Pass solveFreeAgain_{*this, "body/body_solve", {{"AGAIN", "1"}}, hasFree_&& stacks_};
     Pass solveJointed_{*this, "body/jointed_solve", jointed_, hasJointed_};
     Pass solveLoose_{*this, "body/loose_solve", onParticle_, hasLoose_};
     Pass integrateFree_{*this, "body/mover_integrate", {}, hasFree_};

@@ -1,0 +1,98 @@
+// One work group: finds stacks. Bodies that touch at most one other are taken off, round by round, which leaves
+// nothing of a tree. Stacks are listed with parents behind their children.
+#include "sim/common/kernel.glsl"
+#include "shared/stack_records.h"
+#include "sim/common/groups.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+uniform usamplerBuffer bodyOrder;
+READ_BUFFER(uint, StackTouches, stackTouches);
+layout(std430) coherent buffer StackRounds { uint stackRounds[]; };      // that a body is taken off in; 0: no part
+layout(std430) coherent buffer StackMembers { uint stackMembers[]; };    // of the stack of a body
+layout(std430) coherent buffer StackParents { uint newStackParents[]; };
+BUFFER(uint, StackOrder, stackOrder);
+BUFFER(uvec2, StackRanges, stackRanges);
+BUFFER(uvec4, StackSizes, stackSizes);
+shared uint changed, stackCount, memberCount;
+
+#define FOR_BODIES(b) \
+    for (uint k = gl_LocalInvocationID.x, b; k < sim.freeBodyCount && (b = texelFetch(bodyOrder, int(k)).x) != NONE; \
+         k += GROUP_SIZE)
+
+/// How many bodies that a body touches are left when a round begins. @param last the last of them.
+uint leftBeside(uint b, uint round, out uint last)
+{
+    uint count = 0u;
+    last = STACK_ROOT;
+    for (uint k = 0u; k < STACK_TOUCHES; ++k) {
+        uint other = stackTouches[STACK_TOUCHES * b + k];
+        if (other == NONE) break;
+        if (stackRounds[other] < round) continue;
+        ++count;
+        last = other;
+    }
+    return count;
+}
+
+void takeOff(uint b, uint round)
+{
+    uint parent, next;
+    uint count = leftBeside(b, round, parent);
+    if (count > 1u) return;
+    // Of the last two, one waits.
+    if (count == 1u && b < parent && leftBeside(parent, round, next) == 1u) return;
+    stackRounds[b] = round;
+    newStackParents[b] = parent;
+    changed = 1u;
+}
+
+/// The body that a tree hangs on; NONE if it hangs on bodies that form a ring.
+uint rootOf(uint b)
+{
+    while (newStackParents[b] < STACK_ROOT) b = newStackParents[b];
+    return newStackParents[b] == STACK_ROOT ? b : NONE;
+}
+
+void list(uint root)
+{
+    uint end = atomicAdd(memberCount, stackMembers[root]) + stackMembers[root], first = end - 1u;
+    stackOrder[first] = root;
+    for (uint i = end; i-- > first;) {
+        uint b = stackOrder[i];
+        for (uint k = 0u; k < STACK_TOUCHES; ++k) {
+            uint other = stackTouches[STACK_TOUCHES * b + k];
+            if (other == NONE) break;
+            if (newStackParents[other] == b) stackOrder[--first] = other;
+        }
+    }
+    for (uint i = first; i < end; ++i) stackMembers[stackOrder[i]] = end - first;
+    stackRanges[atomicAdd(stackCount, 1u)] = uvec2(first, end);
+}
+
+#define MEET memoryBarrierBuffer(); memoryBarrierShared(); barrier();
+
+void main()
+{
+    bool leads = gl_LocalInvocationID.x == 0u;
+    if (leads) stackCount = memberCount = 0u;
+    uint round = 0u;
+    do {
+        MEET
+        if (leads) changed = 0u;
+        ++round;
+        MEET
+        FOR_BODIES(b) if (stackRounds[b] == NONE) takeOff(b, round);
+        MEET
+    } while (changed != 0u);
+    FOR_BODIES(b) {
+        uint root = rootOf(b);
+        if (root != NONE) atomicAdd(stackMembers[root], 1u);
+    }
+    MEET
+    FOR_BODIES(b) if (newStackParents[b] == STACK_ROOT && stackMembers[b] >= LEAST_STACK) list(b);
+    MEET
+    FOR_BODIES(b) if (stackMembers[b] < LEAST_STACK) newStackParents[b] = NONE;
+    if (!leads) return;
+    stackSizes[STACKS_SIZE] = uvec4((stackCount + TREE_GROUP_SIZE - 1u) / TREE_GROUP_SIZE, 1, 1, stackCount);
+    stackSizes[STACK_BODIES_SIZE] = uvec4(groups(memberCount), 1, 1, memberCount);
+}

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "sim/solver/stage.h"
+
+namespace knuckle {
+
+/// Stacks: six or more bodies without joints whose touches form a tree, as a tower's do. All their contacts with each
+/// other, with colliders and with what stands still are solved at once; other contacts are left to ContactStage.
+class StackStage : public Stage {
+public:
+    /// Whether a world has enough bodies that may form a stack.
+    static bool isNeeded(const World& world, const Layout& layout);
+    explicit StackStage(const StageSetup& setup);
+    void upload(const StageSetup& setup) override;
+    void addBuffers(BufferTable& table) override;
+
+    /// Finds stacks, once a step.
+    void find(Recorder& recorder) const;
+    /// Newton steps of each stack, from where the impulses on its bodies leave it.
+    void solve(Recorder& recorder, bool first) const;
+    /// Keeps the impulses of its contacts, at the end of a substep.
+    void keep(Recorder& recorder) const;
+
+    Buffer<uint32_t> stackTouches;   ///< Per body, STACK_TOUCHES: bodies that it touches.
+    Buffer<uint32_t> stackRounds;    ///< Per body: the round in which it was taken off its tree; 0: no part of one.
+    Buffer<uint32_t> stackMembers;   ///< Per body: how many its stack has.
+    Buffer<uint32_t> stackParents;   ///< Per mover: what it hangs on in its stack, or STACK_ROOT.
+    Buffer<uint32_t> stackOrder;     ///< Bodies of stacks, parents behind their children.
+    Buffer<gpu::uvec2> stackRanges;  ///< Per stack: first and end in stackOrder.
+    Buffer<gpu::uvec4> stackSizes;   ///< Work groups of stacks and of their bodies; w: how many.
+    Buffer<gpu::vec4> stackBlocks;   ///< Per body, STACK_TEXELS: shared/stack_records.h.
+
+private:
+    const gpu::StepParameters& parameters_;
+    bool hasColliders_;
+    Pass touch_{*this, "contact/stack/stack_touch"};
+    Pass trees_{*this, "contact/stack/stack_trees"};
+    Pass pairsFirst_{*this, "contact/stack/stack_pairs", {{"FIRST", "1"}}};
+    Pass pairs_{*this, "contact/stack/stack_pairs"};
+    Pass collidersFirst_{*this, "contact/stack/stack_colliders", {{"FIRST", "1"}}, hasColliders_};
+    Pass colliders_{*this, "contact/stack/stack_colliders", {}, hasColliders_};
+    Pass solveFirst_{*this, "contact/stack/stack_solve", {{"FIRST", "1"}, {"BEGINS", "1"}}};
+    Pass solve_{*this, "contact/stack/stack_solve"};
+    Pass solveEnd_{*this, "contact/stack/stack_solve", {{"ENDS", "1"}}};
+    Pass solveAgain_{*this, "contact/stack/stack_solve", {{"AGAIN", "1"}, {"BEGINS", "1"}}};
+    Pass solveAgainOn_{*this, "contact/stack/stack_solve", {{"AGAIN", "1"}}};
+    Pass solveAgainEnd_{*this, "contact/stack/stack_solve", {{"AGAIN", "1"}, {"ENDS", "1"}}};
+    Pass keepPairs_{*this, "contact/stack/stack_pairs", {{"STORE", "1"}}};
+    Pass keepColliders_{*this, "contact/stack/stack_colliders", {{"STORE", "1"}}, hasColliders_};
+};
+
+}  // namespace knuckle
