@@ -40,9 +40,9 @@ void main()
     uint c = gl_GlobalInvocationID.x;
     if (c >= sim.clusterCount) return;
     Cluster info = fetchCluster(c);
-    // Positions are relative to the first particle, which keeps rounding errors as small as the cluster.
-    uint first = fetchRank(fetchLink(info.linkStart).particle).mover;
-    vec3 origin = texelFetch(moverCentres, int(first)).xyz, centre = vec3(0);
+    // Relative to the particle in the middle, so that the centre, from which momentum comes, is rounded little.
+    uint middle = fetchRank(fetchLink(info.linkStart + info.linkCount / 2u).particle).mover;
+    vec3 origin = texelFetch(moverCentres, int(middle)).xyz, centre = vec3(0);
     mat3 now = mat3(0), before = mat3(0);
     for (uint l = info.linkStart; l < info.linkStart + info.linkCount; ++l) {
         LinkValues link = fetchLink(l);
@@ -62,7 +62,7 @@ void main()
 #endif
     // At the end of a substep a force f displaces by h^2 f / m, with BDF2 by less.
     float h = sim.substepTime, factor = accelerationFactor(fetchAssembly(info.assembly));
-    float grip = moments.inverseExtent * (factor * h * h * matter.shear);
+    float grip = moments.bending * (factor * h * h * matter.shear);
     mat3 stress = (factor * h * h) * rotation * hooke(matter, strain) * transpose(inverse(rest)) +
                   (factor * h) * map * viscousStress(matter, map, mapBefore);
     mat3 pull = grip * map - moments.mass * stress * moments.inverse;

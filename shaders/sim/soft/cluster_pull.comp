@@ -1,11 +1,11 @@
-// One thread a particle of a soft body: the sum of its clusters' impulses, implicit in time: one iteration (of
-// Chebyshev's; each has its own root) of p = h^2 f(x + p / m). The whole body has one divisor, so that sums of zero
-// stay zero. The smoothest strains ask for 1 as the divisor, the steepest for 1 + steepest. FIRST_ITERATION: of a
-// substep, starts from no impulse.
+// One thread a particle of a soft body: the sum of its clusters' impulses, implicit in time: one of Chebyshev's
+// iterations of p = h^2 f(x + p / m). The whole body has the same factors, so that sums of zero stay zero. The smoothest
+// strains have the eigenvalue 1, the steepest 1 + steepest. FIRST_ITERATION: of a substep, starts from no impulse.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/links.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
+#include "sim/soft/chebyshev.glsl"
 #include "sim/soft/clusters.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -14,7 +14,7 @@ uniform usamplerBuffer softLinks;
 uniform samplerBuffer lastMoverMoves;
 uniform samplerBuffer lastParticleImpulses;
 uniform samplerBuffer lastSoftImpulses;
-layout(location = 0) uniform float root;   // of the iteration, in 0 ... 1
+layout(location = 0) uniform vec3 chebyshev;   // which iteration; struct Chebyshev of the host
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(vec4, SoftImpulses, softImpulses);
@@ -47,12 +47,17 @@ void main()
         wanted += link.mass * (cluster.pull * link.r - cluster.grip * arm);
         steepest = cluster.steepest;
     }
-    vec3 last = vec3(0);
+    vec3 last = vec3(0), lastChange = vec3(0);
 #ifndef FIRST_ITERATION
-    last = texelFetch(lastSoftImpulses, int(i)).xyz;
+    last = texelFetch(lastSoftImpulses, int(2u * i)).xyz;
+    lastChange = texelFetch(lastSoftImpulses, int(2u * i + 1u)).xyz;
 #endif
-    vec3 change = (wanted - last) / max(1.0, root * (1.0 + steepest));
-    softImpulses[i] = vec4(last + change, 0);
+    float most = 1.0 + steepest;
+    float exact = (2.0 - most * (1.0 - chebyshev.z)) / (1.0 + chebyshev.z);   // has its smallest root at 1
+    vec2 factors = chebyshevFactors(chebyshev.x, max(exact, chebyshev.y * most), most);
+    vec3 change = factors.x * (wanted - last) + factors.y * lastChange;
+    softImpulses[2u * i] = vec4(last + change, 0);
+    softImpulses[2u * i + 1u] = vec4(change, 0);
     particleImpulses[own.rank] = texelFetch(lastParticleImpulses, int(own.rank)) + vec4(change, 0);
     if (!responds(own.mover)) return;   // its clusters pull on the body that holds it
     moved.shift += fetchMover(own.mover).inverseMass * change;

@@ -17,7 +17,7 @@ struct ClusterMoments {
     mat3 inverse;         // of the sum of m r r^T [1/(kg m2)]; zero along empty directions
     mat3 empty;           // the sum of d d^T over directions d in which it has no extent
     float mass;           // [kg]
-    float inverseExtent;  // one over its mean square extent along an axis [1/m2]
+    float bending;        // what holds a bend within it, over the shear modulus [1/m2]
 };
 
 ClusterMoments fetchClusterMoments(uint c)
@@ -36,7 +36,7 @@ SoftMatter fetchSoftMatter(uint softBody)
 
 /// The impulse that a cluster gives a particle of mass m that is at x: m (pull r - grip (x - centre)).
 struct ClusterPull {
-    vec3 origin;      // where its first particle was when the substep began [m]
+    vec3 origin;      // where its middle particle was when the substep began [m]
     vec3 centre;      // from there [m]
     mat3 pull;
     float grip;

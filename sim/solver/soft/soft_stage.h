@@ -13,7 +13,7 @@ public:
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
-    /// @param iteration of `count` in the substep, from 0 on.
+    /// Its share of the iterations that soft bodies need. @param iteration of `count` in the substep, from 0 on.
     void solve(Recorder& recorder, uint32_t iteration, uint32_t count) const;
 
     Buffer<gpu::Cluster> clusterInfo;    ///< Per cluster.
@@ -24,13 +24,14 @@ public:
     Buffer<gpu::vec4> clusterRotations;  ///< Per cluster: quaternion.
     Buffer<gpu::vec4> clusterRests;      ///< Per cluster: three columns of what it has flowed by.
     Buffer<gpu::vec4> clusterPulls;      ///< Per cluster, five: what pulls its particles (cluster_match.comp).
-    Buffer<gpu::vec4> softImpulses;      ///< Per soft particle: from its clusters, in this substep [kg m].
+    Buffer<gpu::vec4> softImpulses;      ///< Per soft particle, two: from its clusters in this substep; last change.
 
 private:
     void uploadClusters(const StageSetup& setup);
     void uploadParticles(const StageSetup& setup);
 
     const gpu::StepParameters& parameters_;
+    const uint32_t iterations_;  ///< A substep, at least.
     Pass matchFirst_{*this, "soft/cluster_match", {{"FIRST_ITERATION", "1"}}};
     Pass match_{*this, "soft/cluster_match"};
     Pass pullFirst_{*this, "soft/cluster_pull", {{"FIRST_ITERATION", "1"}}};

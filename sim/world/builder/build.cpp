@@ -119,7 +119,7 @@ World WorldBuilder::build()
     joinStrandAssemblies(world_);
     placeFluid();
     if (choosesSubsteps_)
-        world_.settings.substeps = std::max({world_.settings.substeps, clothSubsteps(world_), softSubsteps(world_)});
+        world_.settings.substeps = std::max(world_.settings.substeps, clothSubsteps(world_));
     validate(world_);
     return std::move(world_);
 }
