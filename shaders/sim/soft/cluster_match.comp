@@ -11,8 +11,10 @@
 #include "sim/common/particles.glsl"
 #include "sim/soft/clusters.glsl"
 #include "sim/soft/cluster_stress.glsl"
+#include "sim/soft/chebyshev.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
+layout(location = 0) uniform uvec2 iteration;   // of the substep; how many there are
 BUFFER(vec4, ClusterRotations, clusterRotations);
 BUFFER(vec4, ClusterRests, clusterRests);   // three columns a cluster: the map by which it has flowed
 BUFFER(vec4, ClusterPulls, newClusterPulls);
@@ -40,6 +42,11 @@ void main()
     uint c = gl_GlobalInvocationID.x;
     if (c >= sim.clusterCount) return;
     Cluster info = fetchCluster(c);
+    SoftMatter matter = fetchSoftMatter(info.softBody);
+    if (!isDue(iteration.x, iteration.y, uint(matter.iterations))) {
+        STORE_NO_CHANGE(newClusterPulls, c);
+        return;
+    }
     // Relative to the particle in the middle, so that the centre, from which momentum comes, is rounded little.
     uint middle = fetchRank(fetchLink(info.linkStart + info.linkCount / 2u).particle).mover;
     vec3 origin = texelFetch(moverCentres, int(middle)).xyz, centre = vec3(0);
@@ -52,7 +59,6 @@ void main()
         before += outerProduct(link.mass * start, link.r);
         now += outerProduct(link.mass * (start + move), link.r);
     }
-    SoftMatter matter = fetchSoftMatter(info.softBody);
     ClusterMoments moments = fetchClusterMoments(c);
     mat3 map = now * moments.inverse, mapBefore = before * moments.inverse, rest = restOf(c), strain;
     mat3 rotation = rotationOf(c, map, rest, moments.empty, strain);
@@ -66,7 +72,8 @@ void main()
     mat3 stress = (factor * h * h) * rotation * hooke(matter, strain) * transpose(inverse(rest)) +
                   (factor * h) * map * viscousStress(matter, map, mapBefore);
     mat3 pull = grip * map - moments.mass * stress * moments.inverse;
-    float steepest = factor * h * (h + matter.damping) * matter.steepest;
-    ClusterPull pulled = ClusterPull(origin, centre / moments.mass, pull, grip, steepest);
+    float ownIteration = float(iteration.x * uint(matter.iterations) / iteration.y);
+    vec2 factors = chebyshevFactors(matter, ownIteration, factor * h * (h + matter.damping) * matter.steepest);
+    ClusterPull pulled = ClusterPull(origin, centre / moments.mass, pull, grip, factors);
     STORE_CLUSTER_PULL(newClusterPulls, c, pulled);
 }

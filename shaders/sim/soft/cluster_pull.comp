@@ -1,11 +1,9 @@
 // One thread a particle of a soft body: the sum of its clusters' impulses, implicit in time: one of Chebyshev's
-// iterations of p = h^2 f(x + p / m). The whole body has the same factors, so that sums of zero stay zero. The smoothest
-// strains have the eigenvalue 1, the steepest 1 + steepest. FIRST_ITERATION: of a substep, starts from no impulse.
+// iterations of p = h^2 f(x + p / m). The whole body has the same factors, so that sums of zero stay zero. FIRST_ITERATION: of a substep, starts from no impulse.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/links.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
-#include "sim/soft/chebyshev.glsl"
 #include "sim/soft/clusters.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -14,7 +12,6 @@ uniform usamplerBuffer softLinks;
 uniform samplerBuffer lastMoverMoves;
 uniform samplerBuffer lastParticleImpulses;
 uniform samplerBuffer lastSoftImpulses;
-layout(location = 0) uniform vec3 chebyshev;   // which iteration; struct Chebyshev of the host
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(vec4, SoftImpulses, softImpulses);
@@ -36,25 +33,22 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= sim.softCount) return;
     SoftParticle own = fetchSoftParticle(i);
-    vec3 centre = fetchCentre(own.mover);
+    if (own.linkCount == 0u) return;
+    vec2 factors = fetchChebyshevFactors(fetchLink(texelFetch(softLinks, int(own.firstLink)).x).body);
+    if (factors == NO_CHANGE) return;
+    vec3 centre = fetchCentre(own.mover), wanted = vec3(0);
     MoverMove moved = unpackMove(texelFetch(lastMoverMoves, int(own.mover)));
-    vec3 wanted = vec3(0);
-    float steepest = 0.0;
     for (uint k = own.firstLink; k < own.firstLink + own.linkCount; ++k) {
         LinkValues link = fetchLink(texelFetch(softLinks, int(k)).x);
         ClusterPull cluster = fetchClusterPull(link.body);
         vec3 arm = (centre - cluster.origin) + (moved.shift - cluster.centre);
         wanted += link.mass * (cluster.pull * link.r - cluster.grip * arm);
-        steepest = cluster.steepest;
     }
     vec3 last = vec3(0), lastChange = vec3(0);
 #ifndef FIRST_ITERATION
     last = texelFetch(lastSoftImpulses, int(2u * i)).xyz;
     lastChange = texelFetch(lastSoftImpulses, int(2u * i + 1u)).xyz;
 #endif
-    float most = 1.0 + steepest;
-    float exact = (2.0 - most * (1.0 - chebyshev.z)) / (1.0 + chebyshev.z);   // has its smallest root at 1
-    vec2 factors = chebyshevFactors(chebyshev.x, max(exact, chebyshev.y * most), most);
     vec3 change = factors.x * (wanted - last) + factors.y * lastChange;
     softImpulses[2u * i] = vec4(last + change, 0);
     softImpulses[2u * i + 1u] = vec4(change, 0);

@@ -1,7 +1,9 @@
 #include "sim/solver/soft/soft_stage.h"
 
+#include <algorithm>
+
 #include "sim/solver/layout/cluster_links.h"
-#include "sim/solver/layout/soft_iterations.h"
+#include "sim/solver/layout/soft_pace.h"
 #include "sim/solver/pack.h"
 
 namespace knuckle {
@@ -12,18 +14,23 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Lame's two parameters over the density, and values computed from them.
-gpu::SoftMatter matterOf(const World& world, const SoftBody& soft)
+gpu::SoftMatter matterOf(const World& world, const SoftBody& soft, const SoftPace& pace)
 {
     const Material& material = world.materials[soft.material];
     const Elasticity& e = material.elasticity;
-    const float ratio = e.stiffness / material.density, nu = e.poissonRatio;
+    const float ratio = pace.stiffness / material.density, nu = e.poissonRatio;
     gpu::SoftMatter out{};
     out.shear = ratio / (1.0f + nu);
     out.dilation = ratio * nu / ((1.0f + nu) * (1.0f - 2.0f * nu));
-    out.damping = e.damping;
+    out.damping = pace.damping;
     out.yield = e.yield;
     out.creep = e.creep;
     out.maxDeformation = e.maxDeformation;
+    out.steepest = static_cast<float>(pace.steepest);
+    out.iterations = static_cast<float>(pace.iterations);
+    const Chebyshev chebyshev(pace.iterations);
+    out.leastEigenvalue = static_cast<float>(chebyshev.least);
+    out.rootCosine = static_cast<float>(chebyshev.cosine);
     return out;
 }
 
@@ -44,8 +51,7 @@ bool SoftStage::isNeeded(const World& world)
     return world.settings.solver == SolverKind::Impulse && !world.clusters.empty();
 }
 
-SoftStage::SoftStage(const StageSetup& setup)
-    : parameters_(setup.parameters), iterations_(softIterations(setup.world)) {}
+SoftStage::SoftStage(const StageSetup& setup) : parameters_(setup.parameters) {}
 
 void SoftStage::upload(const StageSetup& setup)
 {
@@ -60,8 +66,9 @@ void SoftStage::uploadClusters(const StageSetup& setup)
     std::vector<gpu::vec4> moments, rests, rotations;
     std::vector<gpu::SoftMatter> matter;
     for (const SoftBody& soft : world.softBodies) {
-        matter.push_back(matterOf(world, soft));
-        matter.back().steepest = static_cast<float>(steepestPull(world, soft));
+        const SoftPace pace = softPace(world, soft);
+        iterations_ = std::max(iterations_, pace.iterations);
+        matter.push_back(matterOf(world, soft, pace));
         const float overShear = 1.0f + world.materials[soft.material].elasticity.poissonRatio;
         for (uint32_t c = soft.clusterStart; c < soft.clusterStart + soft.clusterCount; ++c) {
             const Cluster& cluster = world.clusters[c];
@@ -118,11 +125,10 @@ void SoftStage::solve(Recorder& recorder, uint32_t iteration, uint32_t count) co
 {
     const uint32_t all = std::max(iterations_, count);
     for (uint32_t k = all * iteration / count; k < all * (iteration + 1) / count; ++k) {
-        const Kernel& pull = k == 0 ? pullFirst_ : pull_;
-        const Chebyshev c(all);
-        glProgramUniform3f(pull.program(), 0, static_cast<float>(k), c.least, c.cosine);
-        recorder.perElement(k == 0 ? matchFirst_ : match_, parameters_.clusterCount);
-        recorder.perElement(pull, parameters_.softCount);
+        const Kernel& match = k == 0 ? matchFirst_ : match_;
+        glProgramUniform2ui(match.program(), 0, k, all);
+        recorder.perElement(match, parameters_.clusterCount);
+        recorder.perElement(k == 0 ? pullFirst_ : pull_, parameters_.softCount);
     }
 }
 

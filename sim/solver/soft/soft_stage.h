@@ -13,7 +13,7 @@ public:
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
-    /// Its share of the iterations that soft bodies need. @param iteration of `count` in the substep, from 0 on.
+    /// Its share of the iterations that soft bodies need, spread over their own number. @param iteration of `count` in the substep, from 0 on.
     void solve(Recorder& recorder, uint32_t iteration, uint32_t count) const;
 
     Buffer<gpu::Cluster> clusterInfo;    ///< Per cluster.
@@ -31,7 +31,7 @@ private:
     void uploadParticles(const StageSetup& setup);
 
     const gpu::StepParameters& parameters_;
-    const uint32_t iterations_;  ///< A substep, at least.
+    uint32_t iterations_ = 1;  ///< A substep, of the body that needs most.
     Pass matchFirst_{*this, "soft/cluster_match", {{"FIRST_ITERATION", "1"}}};
     Pass match_{*this, "soft/cluster_match"};
     Pass pullFirst_{*this, "soft/cluster_pull", {{"FIRST_ITERATION", "1"}}};

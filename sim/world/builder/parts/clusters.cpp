@@ -103,8 +103,8 @@ std::vector<bool> endPins(const World& world, const SoftBody& soft, std::span<co
     for (uint32_t i = 0; i < positions.size(); ++i) cells.add(positions[i], i);
     const auto isFilled = [&](const Vector3f& place) {
         bool filled = false;
-        cells.forEachAround(place,
-                            [&](uint32_t i) { filled |= (positions[i] - place).norm() < 2 * LATTICE_SLACK * diameter; });
+        cells.forEachAround(
+            place, [&](uint32_t i) { filled |= (positions[i] - place).norm() < 2 * LATTICE_SLACK * diameter; });
         return filled;
     };
     for (uint32_t i = 0; i < positions.size(); ++i) {
