@@ -21,8 +21,8 @@ struct Bar {
     double side() const { return layers * double(SIZE); }
 
     /// Closed form of how far it sags under a gravity of 1 m/s2 [m], by Timoshenko's theory (Cowper's coefficient of
-    /// shear for a rectangle). Its section is what the particles fill as cubes; its length that between supports, beyond
-    /// which a free end has half a particle more.
+    /// shear for a rectangle). Its section is what the particles fill as cubes; its length that between supports,
+    /// beyond which a free end has half a particle more.
     double sagByGravity() const
     {
         const double area = side() * side(), inertia = area * area / 12.0, q = DENSITY * area, l = length();

@@ -1,5 +1,6 @@
 // One thread a particle of a soft body: the sum of its clusters' impulses, implicit in time: one of Chebyshev's
-// iterations of p = h^2 f(x + p / m). The whole body has the same factors, so that sums of zero stay zero. FIRST_ITERATION: of a substep, starts from no impulse.
+// iterations of p = h^2 f(x + p / m). The whole body has the same factors, so that sums of zero stay zero.
+// FIRST_ITERATION: of a substep, starts from no impulse.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/links.glsl"
 #include "sim/common/bodies/mover_info.glsl"

@@ -31,7 +31,8 @@ ClusterMoments fetchClusterMoments(uint c)
 SoftMatter fetchSoftMatter(uint softBody)
 {
     int first = int(3u * softBody);
-    vec4 a = texelFetch(softMatter, first), b = texelFetch(softMatter, first + 1), c = texelFetch(softMatter, first + 2);
+    vec4 a = texelFetch(softMatter, first), b = texelFetch(softMatter, first + 1);
+    vec4 c = texelFetch(softMatter, first + 2);
     return SoftMatter(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.x, c.y, float[2](0.0, 0.0));
 }
 

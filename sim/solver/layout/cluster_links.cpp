@@ -9,10 +9,9 @@ namespace knuckle {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Bent by the curvature c, a cluster's particles at (x, y) move by c x y along x: bending * E / density / 2 times the sum
+// Bent by a curvature c, a cluster's particles at (x, y) move by c x y along x: bending E / density / 2 times the sum
 // of m (c x y)^2. A beam takes E / density / 2 times the sum of m c^2 (y^2 + d^2 / 12), particles being cubes of d. So
-// bending is (1 + d^2 / (12 y^2)) / x^2, of mean squares. Where clusters share the layers at both their ends, x^2 is
-// d^2 / 2.
+// bending is (1 + d^2 / (12 y^2)) / x^2, of mean squares. Where clusters share the layers at both ends, x^2 is d^2 / 2.
 ClusterMoments clusterMoments(const World& world, const Cluster& cluster)
 {
     ClusterMoments out;

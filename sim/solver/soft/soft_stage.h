@@ -13,7 +13,7 @@ public:
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
-    /// Its share of the iterations that soft bodies need, spread over their own number. @param iteration of `count` in the substep, from 0 on.
+    /// As many of their own iterations as are due in this one. @param iteration of `count` in the substep, from 0 on.
     void solve(Recorder& recorder, uint32_t iteration, uint32_t count) const;
 
     Buffer<gpu::Cluster> clusterInfo;    ///< Per cluster.
