@@ -14,7 +14,7 @@
 #include "sim/soft/chebyshev.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-layout(location = 0) uniform uvec2 iteration;   // of the substep; how many there are
+layout(location = 0) uniform uvec4 iteration;   // of the substep; how many there are; first cluster, end
 BUFFER(vec4, ClusterRotations, clusterRotations);
 BUFFER(vec4, ClusterRests, clusterRests);   // three columns a cluster: the map by which it has flowed
 BUFFER(vec4, ClusterPulls, newClusterPulls);
@@ -39,8 +39,8 @@ mat3 rotationOf(uint c, mat3 map, mat3 rest, mat3 empty, out mat3 strain)
 
 void main()
 {
-    uint c = gl_GlobalInvocationID.x;
-    if (c >= sim.clusterCount) return;
+    uint c = iteration.z + gl_GlobalInvocationID.x;
+    if (c >= iteration.w) return;
     Cluster info = fetchCluster(c);
     SoftMatter matter = fetchSoftMatter(info.softBody);
     if (!isDue(iteration.x, iteration.y, uint(matter.iterations))) {

@@ -13,6 +13,7 @@ uniform usamplerBuffer softLinks;
 uniform samplerBuffer lastMoverMoves;
 uniform samplerBuffer lastParticleImpulses;
 uniform samplerBuffer lastSoftImpulses;
+layout(location = 0) uniform uvec2 range;   // of particles: first, end
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(vec4, SoftImpulses, softImpulses);
@@ -31,8 +32,8 @@ SoftParticle fetchSoftParticle(uint i)
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
-    if (i >= sim.softCount) return;
+    uint i = range.x + gl_GlobalInvocationID.x;
+    if (i >= range.y) return;
     SoftParticle own = fetchSoftParticle(i);
     if (own.linkCount == 0u) return;
     vec2 factors = fetchChebyshevFactors(fetchLink(texelFetch(softLinks, int(own.firstLink)).x).body);

@@ -80,7 +80,7 @@ double sizeOf(const std::vector<Vector3d>& values)
 double steepestPull(const World& world, const SoftBody& soft)
 {
     constexpr int ROUNDS = 10;
-    constexpr double MARGIN = 1.15;  // ten rounds find 0.97 of it (jelly's bodies)
+    constexpr double MARGIN = 1.1;  // ten rounds find 0.97 of it (jelly's bodies)
     const PullAtRest pull(world, soft);
     std::vector<Vector3d> x(soft.particleCount);
     uint32_t noise = 1;
@@ -127,7 +127,7 @@ Chebyshev::Chebyshev(uint32_t n)
 {
     // What may be left of the error of any strain, which it may be overshot by. Steep ones, which few iterations do not
     // follow, swing up by BDF2 where they are overshot by more than 0.17.
-    const double left = n <= 4 ? 0.3 : 0.15;
+    const double left = n <= 5 ? 0.3 : 0.15;
     const double shift = std::cosh(std::acosh(1.0 / left) / n);
     least = (shift - 1.0) / (shift + 1.0);
     cosine = std::cos(std::numbers::pi / (2.0 * n));

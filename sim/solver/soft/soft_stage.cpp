@@ -69,6 +69,10 @@ void SoftStage::uploadClusters(const StageSetup& setup)
         const SoftPace pace = softPace(world, soft);
         iterations_ = std::max(iterations_, pace.iterations);
         matter.push_back(matterOf(world, soft, pace));
+        const uint32_t particles = paced_.empty() ? 0 : paced_.back().particles.end;
+        paced_.push_back({pace.iterations,
+                          {soft.clusterStart, soft.clusterStart + soft.clusterCount},
+                          {particles, particles + soft.particleCount}});
         const float overShear = 1.0f + world.materials[soft.material].elasticity.poissonRatio;
         for (uint32_t c = soft.clusterStart; c < soft.clusterStart + soft.clusterCount; ++c) {
             const Cluster& cluster = world.clusters[c];
@@ -125,10 +129,20 @@ void SoftStage::solve(Recorder& recorder, uint32_t iteration, uint32_t count) co
 {
     const uint32_t all = std::max(iterations_, count);
     for (uint32_t k = all * iteration / count; k < all * (iteration + 1) / count; ++k) {
-        const Kernel& match = k == 0 ? matchFirst_ : match_;
-        glProgramUniform2ui(match.program(), 0, k, all);
-        recorder.perElement(match, parameters_.clusterCount);
-        recorder.perElement(k == 0 ? pullFirst_ : pull_, parameters_.softCount);
+        // From the first body that takes part to the last.
+        Paced from = paced_.front(), to = paced_.back();
+        if (k > 0) {
+            const auto isDue = [&](const Paced& p) { return k * p.iterations / all != (k - 1) * p.iterations / all; };
+            const auto first = std::find_if(paced_.begin(), paced_.end(), isDue);
+            if (first == paced_.end()) continue;
+            from = *first;
+            to = *std::find_if(paced_.rbegin(), paced_.rend(), isDue);
+        }
+        const Kernel &match = k == 0 ? matchFirst_ : match_, &pull = k == 0 ? pullFirst_ : pull_;
+        glProgramUniform4ui(match.program(), 0, k, all, from.clusters.begin, to.clusters.end);
+        glProgramUniform2ui(pull.program(), 0, from.particles.begin, to.particles.end);
+        recorder.perElement(match, to.clusters.end - from.clusters.begin);
+        recorder.perElement(pull, to.particles.end - from.particles.begin);
     }
 }
 

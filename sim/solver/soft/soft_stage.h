@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "sim/solver/stage.h"
 
 namespace knuckle {
@@ -31,7 +33,15 @@ private:
     void uploadParticles(const StageSetup& setup);
 
     const gpu::StepParameters& parameters_;
-    uint32_t iterations_ = 1;  ///< A substep, of the body that needs most.
+    struct Span {
+        uint32_t begin = 0, end = 0;
+    };
+    struct Paced {
+        uint32_t iterations;
+        Span clusters, particles;
+    };
+    std::vector<Paced> paced_;  ///< Per body.
+    uint32_t iterations_ = 1;   ///< A substep, of the body that needs most.
     Pass matchFirst_{*this, "soft/cluster_match", {{"FIRST_ITERATION", "1"}}};
     Pass match_{*this, "soft/cluster_match"};
     Pass pullFirst_{*this, "soft/cluster_pull", {{"FIRST_ITERATION", "1"}}};

@@ -136,11 +136,18 @@ protected:
     void match()
     {
         const Kernel kernel = fixture.load("soft/cluster_match", {{"FIRST_ITERATION", "1"}});
-        glProgramUniform2ui(kernel.program(), 0, 0, 2);
+        glProgramUniform4ui(kernel.program(), 0, 0, 2, 0, fixture.stages.parameters.clusterCount);
         fixture.dispatch(kernel, groupsFor(fixture.world.clusters.size()));
         gpu().checkErrors();
     }
-    void pull() { fixture.run("soft/cluster_pull", fixture.stages.parameters.softCount, {{"FIRST_ITERATION", "1"}}); }
+    void pull()
+    {
+        const Kernel kernel = fixture.load("soft/cluster_pull", {{"FIRST_ITERATION", "1"}});
+        const uint32_t count = fixture.stages.parameters.softCount;
+        glProgramUniform2ui(kernel.program(), 0, 0, count);
+        fixture.dispatch(kernel, groupsFor(count));
+        gpu().checkErrors();
+    }
 
     KernelFixture fixture;
     std::vector<gpu::uvec2> places;
