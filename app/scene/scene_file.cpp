@@ -11,6 +11,7 @@
 #include "app/json/fields.h"
 #include "app/scene/colliders/scene_colliders.h"
 #include "app/scene/matter/scene_emitters.h"
+#include "app/scene/matter/soft_limits.h"
 #include "app/scene/scene_context.h"
 #include "app/scene/scene_document.h"
 #include "app/scene/scene_forces.h"
@@ -134,6 +135,7 @@ Scene sceneOf(const SceneDocument& document, bool drawn)
         context.warnings.push_back(
             fmt::format("/solver/substeps: {} are too few for fluid as deep as this: {} are taken", settings.substeps,
                         scene.world.settings.substeps));
+    for (std::string& limit : softLimits(scene.world)) context.warnings.push_back(std::move(limit));
     scene.render = readPicture(document.file, scene.world);
     scene.files = filesOf(context);
     if (root.contains("start")) {

@@ -101,7 +101,10 @@ struct SoftMatter {
     float yield;                    // strain
     float creep;                    // [1/s]
     float maxDeformation;
-    float unused;
+    float iterations;               // a substep
+    float leastEigenvalue;          // of Chebyshev's iterations, over the largest
+    float rootCosine;               // of their smallest root
+    float unused[2];
 };
 
 // What never changes about a collider; colliderPlaces says where it is.

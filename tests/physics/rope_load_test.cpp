@@ -131,7 +131,7 @@ TEST(RopeOnAJib, CarriesWhatHangsOnIt)
             lowest = std::min(lowest, double(bodies[cube].position.y() - before));
             ASSERT_LT(std::abs(bodies[jib].position.y() - world.bodies[jib].position.y()), 1e-3) << "frame " << i;
         }
-        // HELD (distance_response.glsl) gives by a thousandth of a body's own way in a substep, g h^2 / 1000 below 1 um.
+        // HELD (distance_response.glsl) gives by 1/1000 of a body's own way in a substep, g h^2 / 1000: below 1 um.
         EXPECT_GT(lowest, -1e-3);
     }
 }

@@ -11,8 +11,10 @@
 #include "sim/common/particles.glsl"
 #include "sim/soft/clusters.glsl"
 #include "sim/soft/cluster_stress.glsl"
+#include "sim/soft/chebyshev.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
+layout(location = 0) uniform uvec4 iteration;   // of the substep; how many there are; first cluster, end
 BUFFER(vec4, ClusterRotations, clusterRotations);
 BUFFER(vec4, ClusterRests, clusterRests);   // three columns a cluster: the map by which it has flowed
 BUFFER(vec4, ClusterPulls, newClusterPulls);
@@ -37,12 +39,17 @@ mat3 rotationOf(uint c, mat3 map, mat3 rest, mat3 empty, out mat3 strain)
 
 void main()
 {
-    uint c = gl_GlobalInvocationID.x;
-    if (c >= sim.clusterCount) return;
+    uint c = iteration.z + gl_GlobalInvocationID.x;
+    if (c >= iteration.w) return;
     Cluster info = fetchCluster(c);
-    // Positions are relative to the first particle, which keeps rounding errors as small as the cluster.
-    uint first = fetchRank(fetchLink(info.linkStart).particle).mover;
-    vec3 origin = texelFetch(moverCentres, int(first)).xyz, centre = vec3(0);
+    SoftMatter matter = fetchSoftMatter(info.softBody);
+    if (!isDue(iteration.x, iteration.y, uint(matter.iterations))) {
+        STORE_NO_CHANGE(newClusterPulls, c);
+        return;
+    }
+    // Relative to the particle in the middle, so that the centre, from which momentum comes, is rounded little.
+    uint middle = fetchRank(fetchLink(info.linkStart + info.linkCount / 2u).particle).mover;
+    vec3 origin = texelFetch(moverCentres, int(middle)).xyz, centre = vec3(0);
     mat3 now = mat3(0), before = mat3(0);
     for (uint l = info.linkStart; l < info.linkStart + info.linkCount; ++l) {
         LinkValues link = fetchLink(l);
@@ -52,7 +59,6 @@ void main()
         before += outerProduct(link.mass * start, link.r);
         now += outerProduct(link.mass * (start + move), link.r);
     }
-    SoftMatter matter = fetchSoftMatter(info.softBody);
     ClusterMoments moments = fetchClusterMoments(c);
     mat3 map = now * moments.inverse, mapBefore = before * moments.inverse, rest = restOf(c), strain;
     mat3 rotation = rotationOf(c, map, rest, moments.empty, strain);
@@ -62,11 +68,12 @@ void main()
 #endif
     // At the end of a substep a force f displaces by h^2 f / m, with BDF2 by less.
     float h = sim.substepTime, factor = accelerationFactor(fetchAssembly(info.assembly));
-    float grip = moments.inverseExtent * (factor * h * h * matter.shear);
+    float grip = moments.bending * (factor * h * h * matter.shear);
     mat3 stress = (factor * h * h) * rotation * hooke(matter, strain) * transpose(inverse(rest)) +
                   (factor * h) * map * viscousStress(matter, map, mapBefore);
     mat3 pull = grip * map - moments.mass * stress * moments.inverse;
-    float steepest = factor * h * (h + matter.damping) * matter.steepest;
-    ClusterPull pulled = ClusterPull(origin, centre / moments.mass, pull, grip, steepest);
+    float ownIteration = float(iteration.x * uint(matter.iterations) / iteration.y);
+    vec2 factors = chebyshevFactors(matter, ownIteration, factor * h * (h + matter.damping) * matter.steepest);
+    ClusterPull pulled = ClusterPull(origin, centre / moments.mass, pull, grip, factors);
     STORE_CLUSTER_PULL(newClusterPulls, c, pulled);
 }

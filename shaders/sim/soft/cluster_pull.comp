@@ -1,7 +1,6 @@
-// One thread a particle of a soft body: the sum of its clusters' impulses, implicit in time: one iteration (of
-// Chebyshev's; each has its own root) of p = h^2 f(x + p / m). The whole body has one divisor, so that sums of zero
-// stay zero. The smoothest strains ask for 1 as the divisor, the steepest for 1 + steepest. FIRST_ITERATION: of a
-// substep, starts from no impulse.
+// One thread a particle of a soft body: the sum of its clusters' impulses, implicit in time: one of Chebyshev's
+// iterations of p = h^2 f(x + p / m). The whole body has the same factors, so that sums of zero stay zero.
+// FIRST_ITERATION: of a substep, starts from no impulse.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/links.glsl"
 #include "sim/common/bodies/mover_info.glsl"
@@ -14,7 +13,7 @@ uniform usamplerBuffer softLinks;
 uniform samplerBuffer lastMoverMoves;
 uniform samplerBuffer lastParticleImpulses;
 uniform samplerBuffer lastSoftImpulses;
-layout(location = 0) uniform float root;   // of the iteration, in 0 ... 1
+layout(location = 0) uniform uvec2 range;   // of particles: first, end
 BUFFER(vec4, MoverMoves, moverMoves);
 BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(vec4, SoftImpulses, softImpulses);
@@ -33,26 +32,28 @@ SoftParticle fetchSoftParticle(uint i)
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
-    if (i >= sim.softCount) return;
+    uint i = range.x + gl_GlobalInvocationID.x;
+    if (i >= range.y) return;
     SoftParticle own = fetchSoftParticle(i);
-    vec3 centre = fetchCentre(own.mover);
+    if (own.linkCount == 0u) return;
+    vec2 factors = fetchChebyshevFactors(fetchLink(texelFetch(softLinks, int(own.firstLink)).x).body);
+    if (factors == NO_CHANGE) return;
+    vec3 centre = fetchCentre(own.mover), wanted = vec3(0);
     MoverMove moved = unpackMove(texelFetch(lastMoverMoves, int(own.mover)));
-    vec3 wanted = vec3(0);
-    float steepest = 0.0;
     for (uint k = own.firstLink; k < own.firstLink + own.linkCount; ++k) {
         LinkValues link = fetchLink(texelFetch(softLinks, int(k)).x);
         ClusterPull cluster = fetchClusterPull(link.body);
         vec3 arm = (centre - cluster.origin) + (moved.shift - cluster.centre);
         wanted += link.mass * (cluster.pull * link.r - cluster.grip * arm);
-        steepest = cluster.steepest;
     }
-    vec3 last = vec3(0);
+    vec3 last = vec3(0), lastChange = vec3(0);
 #ifndef FIRST_ITERATION
-    last = texelFetch(lastSoftImpulses, int(i)).xyz;
+    last = texelFetch(lastSoftImpulses, int(2u * i)).xyz;
+    lastChange = texelFetch(lastSoftImpulses, int(2u * i + 1u)).xyz;
 #endif
-    vec3 change = (wanted - last) / max(1.0, root * (1.0 + steepest));
-    softImpulses[i] = vec4(last + change, 0);
+    vec3 change = factors.x * (wanted - last) + factors.y * lastChange;
+    softImpulses[2u * i] = vec4(last + change, 0);
+    softImpulses[2u * i + 1u] = vec4(change, 0);
     particleImpulses[own.rank] = texelFetch(lastParticleImpulses, int(own.rank)) + vec4(change, 0);
     if (!responds(own.mover)) return;   // its clusters pull on the body that holds it
     moved.shift += fetchMover(own.mover).inverseMass * change;

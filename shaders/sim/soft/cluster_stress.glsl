@@ -16,12 +16,20 @@ mat3 hooke(SoftMatter matter, mat3 strain)
     return matter.shear * strain + mat3(matter.dilation * trace(strain));
 }
 
+/// Not less than any stretch of a map, squared (Gershgorin's circles).
+float largestStretch(mat3 squares)
+{
+    mat3 sizes = mat3(abs(squares[0]), abs(squares[1]), abs(squares[2]));
+    vec3 rows = sizes * vec3(1);
+    return max(rows.x, max(rows.y, rows.z));
+}
+
 /// Viscous stress times the substep, in the axes at rest: of Green's strain, which rotations do not change. It does not
 /// grow with the cluster's stretch, so that it stays stable.
 mat3 viscousStress(SoftMatter matter, mat3 map, mat3 mapBefore)
 {
-    mat3 change = 0.5 * (transpose(map) * map - transpose(mapBefore) * mapBefore);
-    return (matter.damping / max(1.0, squaredNorm(map) / 3.0)) * hooke(matter, change);
+    mat3 squares = transpose(map) * map, change = 0.5 * (squares - transpose(mapBefore) * mapBefore);
+    return (matter.damping / max(1.0, largestStretch(squares))) * hooke(matter, change);
 }
 
 /// The map by which a cluster has flowed after a substep, from the one before (Mueller et al. 2005, section 4.3): by a

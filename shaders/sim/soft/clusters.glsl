@@ -17,7 +17,7 @@ struct ClusterMoments {
     mat3 inverse;         // of the sum of m r r^T [1/(kg m2)]; zero along empty directions
     mat3 empty;           // the sum of d d^T over directions d in which it has no extent
     float mass;           // [kg]
-    float inverseExtent;  // one over its mean square extent along an axis [1/m2]
+    float bending;        // what holds a bend within it, over the shear modulus [1/m2]
 };
 
 ClusterMoments fetchClusterMoments(uint c)
@@ -30,30 +30,47 @@ ClusterMoments fetchClusterMoments(uint c)
 
 SoftMatter fetchSoftMatter(uint softBody)
 {
-    vec4 a = texelFetch(softMatter, int(2u * softBody)), b = texelFetch(softMatter, int(2u * softBody + 1u));
-    return SoftMatter(a.x, a.y, a.z, a.w, b.x, b.y, b.z, 0.0);
+    int first = int(3u * softBody);
+    vec4 a = texelFetch(softMatter, first), b = texelFetch(softMatter, first + 1);
+    vec4 c = texelFetch(softMatter, first + 2);
+    return SoftMatter(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.x, c.y, float[2](0.0, 0.0));
 }
 
 /// The impulse that a cluster gives a particle of mass m that is at x: m (pull r - grip (x - centre)).
 struct ClusterPull {
-    vec3 origin;      // where its first particle was when the substep began [m]
+    vec3 origin;      // where its middle particle was when the substep began [m]
     vec3 centre;      // from there [m]
     mat3 pull;
     float grip;
-    float steepest;   // no impulse grows by more than this times mass and displacement
+    vec2 factors;     // chebyshevFactors()
 };
+
+/// Those of an iteration in which its particles stay.
+const vec2 NO_CHANGE = vec2(0);
+
+vec2 fetchChebyshevFactors(uint c)
+{
+    return vec2(texelFetch(clusterPulls, int(5u * c + 1u)).w, texelFetch(clusterPulls, int(5u * c + 2u)).w);
+}
 
 ClusterPull fetchClusterPull(uint c)
 {
     int first = int(5u * c);
     vec4 origin = texelFetch(clusterPulls, first), centre = texelFetch(clusterPulls, first + 1);
-    mat3 pull = mat3(texelFetch(clusterPulls, first + 2).xyz, texelFetch(clusterPulls, first + 3).xyz,
+    vec4 column = texelFetch(clusterPulls, first + 2);
+    mat3 pull = mat3(column.xyz, texelFetch(clusterPulls, first + 3).xyz,
                      texelFetch(clusterPulls, first + 4).xyz);
-    return ClusterPull(origin.xyz, centre.xyz, pull, origin.w, centre.w);
+    return ClusterPull(origin.xyz, centre.xyz, pull, origin.w, vec2(centre.w, column.w));
 }
 
 /// Stores one; a macro, as GLSL passes no arrays of unknown size.
 #define STORE_CLUSTER_PULL(pulls, c, values) \
     pulls[5u * c] = vec4((values).origin, (values).grip); \
-    pulls[5u * c + 1u] = vec4((values).centre, (values).steepest); \
-    for (int column = 0; column < 3; ++column) pulls[5u * c + 2u + uint(column)] = vec4((values).pull[column], 0)
+    pulls[5u * c + 1u] = vec4((values).centre, (values).factors.x); \
+    pulls[5u * c + 2u] = vec4((values).pull[0], (values).factors.y); \
+    for (int column = 1; column < 3; ++column) pulls[5u * c + 2u + uint(column)] = vec4((values).pull[column], 0)
+
+/// Stores that its particles stay.
+#define STORE_NO_CHANGE(pulls, c) \
+    pulls[5u * c + 1u].w = NO_CHANGE.x; \
+    pulls[5u * c + 2u].w = NO_CHANGE.y

@@ -2,12 +2,16 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 namespace knuckle {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+// Bent by a curvature c, a cluster's particles at (x, y) move by c x y along x: bending E / density / 2 times the sum
+// of m (c x y)^2. A beam takes E / density / 2 times the sum of m c^2 (y^2 + d^2 / 12), particles being cubes of d. So
+// bending is (1 + d^2 / (12 y^2)) / x^2, of mean squares. Where clusters share the layers at both ends, x^2 is d^2 / 2.
 ClusterMoments clusterMoments(const World& world, const Cluster& cluster)
 {
     ClusterMoments out;
@@ -17,11 +21,11 @@ ClusterMoments clusterMoments(const World& world, const Cluster& cluster)
         out.mass += world.clusterLinks[l].mass;
         sum += world.clusterLinks[l].mass * r * r.transpose();
     }
-    // A layer two particles thick has an extent of a quarter of a diameter squared; flatter clusters count as that
-    // thick.
-    const double thin = 0.25 * world.diameter() * world.diameter();
-    out.extent = std::max(sum.trace() / (3.0 * out.mass), thin);
     const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(sum / out.mass);
+    // Layers two particles thick have a mean square of a quarter of a diameter squared; flatter ones count as that.
+    const double square = std::pow(double(world.diameter()), 2), thin = 0.25 * square;
+    const double across = std::max(eigen.eigenvalues()[0], thin), along = std::max(across, 0.5 * square);
+    out.bending = (1.0 + square / (12.0 * across)) / along;
     for (int k = 0; k < 3; ++k) {
         const Vector3d axis = eigen.eigenvectors().col(k);
         const double value = eigen.eigenvalues()[k];

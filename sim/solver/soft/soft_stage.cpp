@@ -1,11 +1,9 @@
 #include "sim/solver/soft/soft_stage.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "sim/solver/layout/cluster_links.h"
+#include "sim/solver/layout/soft_pace.h"
 #include "sim/solver/pack.h"
 
 namespace knuckle {
@@ -16,49 +14,34 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Lame's two parameters over the density, and values computed from them.
-gpu::SoftMatter matterOf(const World& world, const SoftBody& soft)
+gpu::SoftMatter matterOf(const World& world, const SoftBody& soft, const SoftPace& pace)
 {
     const Material& material = world.materials[soft.material];
     const Elasticity& e = material.elasticity;
-    const float ratio = e.stiffness / material.density, nu = e.poissonRatio;
+    const float ratio = pace.stiffness / material.density, nu = e.poissonRatio;
     gpu::SoftMatter out{};
     out.shear = ratio / (1.0f + nu);
     out.dilation = ratio * nu / ((1.0f + nu) * (1.0f - 2.0f * nu));
-    out.damping = e.damping;
+    out.damping = pace.damping;
     out.yield = e.yield;
     out.creep = e.creep;
     out.maxDeformation = e.maxDeformation;
+    out.steepest = static_cast<float>(pace.steepest);
+    out.iterations = static_cast<float>(pace.iterations);
+    const Chebyshev chebyshev(pace.iterations);
+    out.leastEigenvalue = static_cast<float>(chebyshev.least);
+    out.rootCosine = static_cast<float>(chebyshev.cosine);
     return out;
 }
 
-/// The largest growth of a cluster's pull on a particle with its displacement, per mass [1/s2].
-double steepness(const gpu::SoftMatter& matter, const ClusterMoments& moments)
-{
-    const double hardest = moments.mass * moments.inverse.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff();
-    const double flowed = matter.creep > 0.0f ? 1.0 + matter.maxDeformation : 1.0;
-    return std::max(double(matter.shear + 3.0f * matter.dilation) * hardest * flowed * flowed,
-                    matter.shear / moments.extent);
-}
-
-void addMoments(std::vector<gpu::vec4>& out, const ClusterMoments& m)
+/// @param grip what holds a bend, over the shear modulus [1/m2].
+void addMoments(std::vector<gpu::vec4>& out, const ClusterMoments& m, float grip)
 {
     const Eigen::Matrix3f inverse = m.inverse.cast<float>(), empty = m.empty.cast<float>();
     out.push_back(pack(inverse.diagonal(), static_cast<float>(m.mass)));
-    out.push_back({inverse(0, 1), inverse(0, 2), inverse(1, 2), static_cast<float>(1.0 / m.extent)});
+    out.push_back({inverse(0, 1), inverse(0, 2), inverse(1, 2), grip});
     out.push_back(pack(empty.diagonal(), 0));
     out.push_back({empty(0, 1), empty(0, 2), empty(1, 2), 0});
-}
-
-/// The divisor of an iteration, in 0 ... 1, the largest first. They are the roots of the Chebyshev polynomial that
-/// leaves at most MOST_LEFT of the error of any strain, however stiff. (In a plain Jacobi iteration all are 1, and
-/// smooth strains converge slowly.)
-float rootOf(uint32_t iteration, uint32_t count)
-{
-    constexpr float MOST_LEFT = 0.3f;
-    const auto n = static_cast<float>(count);
-    const float shift = std::cosh(std::acosh(1.0f / MOST_LEFT) / n);
-    const float angle = std::numbers::pi_v<float> * (n - static_cast<float>(iteration) - 0.5f) / n;
-    return (shift - std::cos(angle)) / (shift + 1.0f);
 }
 
 }  // namespace
@@ -83,22 +66,22 @@ void SoftStage::uploadClusters(const StageSetup& setup)
     std::vector<gpu::vec4> moments, rests, rotations;
     std::vector<gpu::SoftMatter> matter;
     for (const SoftBody& soft : world.softBodies) {
-        matter.push_back(matterOf(world, soft));
-        std::vector<double> steep(soft.particleCount);  // per particle, weighted by the clusters' fractions of its mass
+        const SoftPace pace = softPace(world, soft);
+        iterations_ = std::max(iterations_, pace.iterations);
+        matter.push_back(matterOf(world, soft, pace));
+        const uint32_t particles = paced_.empty() ? 0 : paced_.back().particles.end;
+        paced_.push_back({pace.iterations,
+                          {soft.clusterStart, soft.clusterStart + soft.clusterCount},
+                          {particles, particles + soft.particleCount}});
+        const float overShear = 1.0f + world.materials[soft.material].elasticity.poissonRatio;
         for (uint32_t c = soft.clusterStart; c < soft.clusterStart + soft.clusterCount; ++c) {
             const Cluster& cluster = world.clusters[c];
             infos.push_back(
                 {cluster.linkStart + setup.layout.linkCount, cluster.linkCount, cluster.softBody, soft.assembly});
             const ClusterMoments m = knuckle::clusterMoments(world, cluster);
-            addMoments(moments, m);
+            addMoments(moments, m, overShear * static_cast<float>(m.bending));
             for (int column = 0; column < 3; ++column) rests.push_back(pack(Vector3f::Unit(column), 0));
-            for (uint32_t l = cluster.linkStart; l < cluster.linkStart + cluster.linkCount; ++l) {
-                const Link& link = world.clusterLinks[l];
-                steep[link.particle - soft.particleStart] += steepness(matter.back(), m) * link.mass /
-                                                             world.particles[link.particle].mass;
-            }
         }
-        if (!steep.empty()) matter.back().steepest = static_cast<float>(*std::max_element(steep.begin(), steep.end()));
     }
     for (const Cluster& cluster : world.clusters) {
         const Quaternionf q = world.softBodies[cluster.softBody].rotation;
@@ -130,7 +113,7 @@ void SoftStage::uploadParticles(const StageSetup& setup)
         }
     softParticles = {"softParticles", std::span<const gpu::uvec4>(particles)};
     softLinks = {"softLinks", std::span<const uint32_t>(links)};
-    softImpulses = {"softImpulses", particles.size()};
+    softImpulses = {"softImpulses", 2 * particles.size()};
     setup.parameters.softCount = static_cast<uint32_t>(particles.size());
 }
 
@@ -144,10 +127,23 @@ void SoftStage::addBuffers(BufferTable& table)
 
 void SoftStage::solve(Recorder& recorder, uint32_t iteration, uint32_t count) const
 {
-    const Kernel& pull = iteration == 0 ? pullFirst_ : pull_;
-    glProgramUniform1f(pull.program(), 0, rootOf(iteration, count));
-    recorder.perElement(iteration == 0 ? matchFirst_ : match_, parameters_.clusterCount);
-    recorder.perElement(pull, parameters_.softCount);
+    const uint32_t all = std::max(iterations_, count);
+    for (uint32_t k = all * iteration / count; k < all * (iteration + 1) / count; ++k) {
+        // From the first body that takes part to the last.
+        Paced from = paced_.front(), to = paced_.back();
+        if (k > 0) {
+            const auto isDue = [&](const Paced& p) { return k * p.iterations / all != (k - 1) * p.iterations / all; };
+            const auto first = std::find_if(paced_.begin(), paced_.end(), isDue);
+            if (first == paced_.end()) continue;
+            from = *first;
+            to = *std::find_if(paced_.rbegin(), paced_.rend(), isDue);
+        }
+        const Kernel &match = k == 0 ? matchFirst_ : match_, &pull = k == 0 ? pullFirst_ : pull_;
+        glProgramUniform4ui(match.program(), 0, k, all, from.clusters.begin, to.clusters.end);
+        glProgramUniform2ui(pull.program(), 0, from.particles.begin, to.particles.end);
+        recorder.perElement(match, to.clusters.end - from.clusters.begin);
+        recorder.perElement(pull, to.particles.end - from.particles.begin);
+    }
 }
 
 }  // namespace knuckle

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "sim/solver/stage.h"
 
 namespace knuckle {
@@ -13,7 +15,7 @@ public:
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
-    /// @param iteration of `count` in the substep, from 0 on.
+    /// As many of their own iterations as are due in this one. @param iteration of `count` in the substep, from 0 on.
     void solve(Recorder& recorder, uint32_t iteration, uint32_t count) const;
 
     Buffer<gpu::Cluster> clusterInfo;    ///< Per cluster.
@@ -24,13 +26,22 @@ public:
     Buffer<gpu::vec4> clusterRotations;  ///< Per cluster: quaternion.
     Buffer<gpu::vec4> clusterRests;      ///< Per cluster: three columns of what it has flowed by.
     Buffer<gpu::vec4> clusterPulls;      ///< Per cluster, five: what pulls its particles (cluster_match.comp).
-    Buffer<gpu::vec4> softImpulses;      ///< Per soft particle: from its clusters, in this substep [kg m].
+    Buffer<gpu::vec4> softImpulses;      ///< Per soft particle, two: from its clusters in this substep; last change.
 
 private:
     void uploadClusters(const StageSetup& setup);
     void uploadParticles(const StageSetup& setup);
 
     const gpu::StepParameters& parameters_;
+    struct Span {
+        uint32_t begin = 0, end = 0;
+    };
+    struct Paced {
+        uint32_t iterations;
+        Span clusters, particles;
+    };
+    std::vector<Paced> paced_;  ///< Per body.
+    uint32_t iterations_ = 1;   ///< A substep, of the body that needs most.
     Pass matchFirst_{*this, "soft/cluster_match", {{"FIRST_ITERATION", "1"}}};
     Pass match_{*this, "soft/cluster_match"};
     Pass pullFirst_{*this, "soft/cluster_pull", {{"FIRST_ITERATION", "1"}}};

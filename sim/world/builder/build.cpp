@@ -120,8 +120,7 @@ World WorldBuilder::build()
     makeSoftLinks(world_);
     joinStrandAssemblies(world_);
     placeFluid();
-    if (choosesSubsteps_)
-        world_.settings.substeps = std::max({world_.settings.substeps, clothSubsteps(world_), softSubsteps(world_)});
+    if (choosesSubsteps_) world_.settings.substeps = std::max(world_.settings.substeps, clothSubsteps(world_));
     validate(world_);
     return std::move(world_);
 }

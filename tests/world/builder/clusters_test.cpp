@@ -110,6 +110,31 @@ TEST(Clusters, TheSharesOfAParticlesMassSumToIt)
     EXPECT_EQ(world.particles[0].body, NO_INDEX);
 }
 
+TEST(Clusters, OutermostPinsHaveHalfTheirMass)
+{
+    // Of a column, a layer in the middle is strained on both sides, the lowest only above its middle.
+    const std::vector<Vector3f> lattice = boxLattice({3, 6, 3}, DIAMETER);
+    for (int pinned : {0, 3}) {
+        SCOPED_TRACE(pinned);
+        WorldBuilder builder(DIAMETER / 2);
+        builder.addMaterial({});
+        std::vector<uint32_t> pins;
+        for (uint32_t i = 0; i < lattice.size(); ++i)
+            if (std::lround(lattice[i].y() / DIAMETER + 2.5f) == pinned) pins.push_back(i);
+        ASSERT_EQ(pins.size(), 9u);
+        builder.beginObject("column");
+        builder.addSoftBody("column", lattice, 0, pins);
+        builder.endObject();
+        const World world = builder.build();
+        std::vector<double> mass(world.particles.size());
+        for (const Link& link : world.clusterLinks) mass[link.particle] += double(link.mass);
+        for (size_t i = 0; i < mass.size(); ++i) {
+            const bool half = pinned == 0 && world.particles[i].pinned;
+            EXPECT_NEAR(mass[i], double(world.particles[i].mass) * (half ? 0.5 : 1.0), 1e-6);
+        }
+    }
+}
+
 TEST(Clusters, WrongMaterialsGetOneLineEach)
 {
     const auto message = [](float Elasticity::*field, float value) {

@@ -93,7 +93,32 @@ void bridgeGaps(std::vector<Members>& clusters, std::span<const Vector3f> positi
         });
 }
 
-void appendCluster(World& world, uint32_t softBody, const Members& members, const std::vector<uint32_t>& counts)
+/// The pinned particles of a body that are its outermost, seen from a neighbour by a face that is not.
+std::vector<bool> endPins(const World& world, const SoftBody& soft, std::span<const Vector3f> positions)
+{
+    const float diameter = world.diameter();
+    const auto isPinned = [&](uint32_t i) { return world.particles[soft.particleStart + i].pinned; };
+    std::vector<bool> out(positions.size());
+    Cells cells(NEIGHBOUR_DISTANCE * diameter);
+    for (uint32_t i = 0; i < positions.size(); ++i) cells.add(positions[i], i);
+    const auto isFilled = [&](const Vector3f& place) {
+        bool filled = false;
+        cells.forEachAround(
+            place, [&](uint32_t i) { filled |= (positions[i] - place).norm() < 2 * LATTICE_SLACK * diameter; });
+        return filled;
+    };
+    for (uint32_t i = 0; i < positions.size(); ++i) {
+        if (!isPinned(i)) continue;
+        cells.forEachAround(positions[i], [&](uint32_t j) {
+            if (j == i || isPinned(j) || (positions[j] - positions[i]).norm() > (1 + LATTICE_SLACK) * diameter) return;
+            if (!isFilled(2 * positions[i] - positions[j])) out[i] = true;
+        });
+    }
+    return out;
+}
+
+/// @param shares of its particles' masses.
+void appendCluster(World& world, uint32_t softBody, const Members& members, const std::vector<float>& shares)
 {
     const SoftBody& soft = world.softBodies[softBody];
     const auto index = static_cast<uint32_t>(world.clusters.size());
@@ -102,7 +127,7 @@ void appendCluster(World& world, uint32_t softBody, const Members& members, cons
     double mass = 0.0;
     for (uint32_t member : members) {
         const Particle& particle = world.particles[soft.particleStart + member];
-        const float share = particle.mass / static_cast<float>(counts[member]);
+        const float share = particle.mass * shares[member];
         world.clusterLinks.push_back({soft.particleStart + member, index, particle.restPosition, share});
         centre += share * particle.restPosition.cast<double>();
         mass += share;
@@ -139,12 +164,15 @@ void makeSoftLinks(World& world)
             positions.push_back(world.particles[i].restPosition);
         }
         const auto clusters = makeClusters(positions, world.diameter());
-        std::vector<uint32_t> counts(positions.size());
+        const std::vector<bool> ends = endPins(world, soft, positions);
+        std::vector<float> shares(positions.size());
         for (const Members& members : clusters)
-            for (uint32_t member : members) ++counts[member];
+            for (uint32_t member : members) ++shares[member];
+        // A body is held in the middle of its outermost layer: what is beyond is not strained.
+        for (uint32_t i = 0; i < shares.size(); ++i) shares[i] = (ends[i] ? 0.5f : 1.0f) / shares[i];
         soft.clusterStart = static_cast<uint32_t>(world.clusters.size());
         soft.clusterCount = static_cast<uint32_t>(clusters.size());
-        for (const Members& members : clusters) appendCluster(world, b, members, counts);
+        for (const Members& members : clusters) appendCluster(world, b, members, shares);
     }
 }
 

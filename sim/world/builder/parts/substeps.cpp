@@ -42,22 +42,6 @@ float clothImpactSpeed(const World& world)
     return std::sqrt(fastest);
 }
 
-/// The longest substep in which n iterations can follow the pull of a material [s]: h (h + damping) k = 3/4 n^2, k
-/// being the steepest pull of a cluster of 3 x 3 x 3 particles per mass and displacement.
-float longestSubstep(const World& world, const Material& material)
-{
-    const Elasticity& e = material.elasticity;
-    const float n = static_cast<float>(world.settings.iterations), d = world.diameter();
-    const float k = 1.5f * e.stiffness / ((1.0f - 2.0f * e.poissonRatio) * material.density * d * d);
-    return 2.0f * 0.75f * n * n / (k * (e.damping + std::sqrt(e.damping * e.damping + 3.0f * n * n / k)));
-}
-
-bool isPinned(const World& world, const SoftBody& soft)
-{
-    const auto first = world.particles.begin() + soft.particleStart;
-    return std::any_of(first, first + soft.particleCount, [](const Particle& p) { return p.pinned; });
-}
-
 uint32_t wholeSubsteps(float needed)
 {
     return static_cast<uint32_t>(std::min(std::ceil(needed - 0.01f), MOST_SUBSTEPS));
@@ -68,15 +52,6 @@ uint32_t wholeSubsteps(float needed)
 uint32_t clothSubsteps(const World& world)
 {
     return wholeSubsteps(5.0f * clothImpactSpeed(world) * world.settings.timeStep / world.diameter());
-}
-
-uint32_t softSubsteps(const World& world)
-{
-    float needed = 0.0f;
-    for (const SoftBody& soft : world.softBodies)
-        if (isPinned(world, soft))
-            needed = std::max(needed, world.settings.timeStep / longestSubstep(world, world.materials[soft.material]));
-    return wholeSubsteps(needed);
 }
 
 }  // namespace knuckle

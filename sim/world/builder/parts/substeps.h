@@ -10,9 +10,4 @@ namespace knuckle {
 /// light, and anything faster passes through before it can be stopped. 0 without cloth, at most 64.
 uint32_t clothSubsteps(const World& world);
 
-/// Substeps a step for which the iterations can follow the steepest pull of each pinned soft body, so that it is as
-/// stiff as its material (docs/physics.md, soft bodies). 0 for none, at most 64. Free soft bodies would lose momentum
-/// to rounding.
-uint32_t softSubsteps(const World& world);
-
 }  // namespace knuckle
