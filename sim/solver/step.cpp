@@ -63,8 +63,9 @@ void moveFluids(const Stages& s, Recorder& recorder, uint32_t index)
 /// Light ropes under heavy loads need more of them: with two at few substeps their tension does not settle.
 uint32_t iterationsOf(const Stages& s, const Settings& settings)
 {
-    constexpr uint32_t HEAVY = 4;
-    return s.strands && s.strands->isHeavy() ? std::max(settings.iterations, HEAVY) : settings.iterations;
+    constexpr uint32_t MORE = 4;
+    constexpr float HEAVY_LOAD = 4000.0f;
+    return s.strands && s.strands->load() > HEAVY_LOAD ? std::max(settings.iterations, MORE) : settings.iterations;
 }
 
 void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorder, uint32_t index)

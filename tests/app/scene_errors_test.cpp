@@ -45,7 +45,8 @@ const BadScene BAD_SCENES[] = {
     {"NoObjects", "{}", ": /: \"objects\" is missing; add it: What moves."},
     {"EmptyObjects", R"({"objects": []})", ": /objects: is an array of 0, must be at least 1"},
     {"NoType", OBJECT(R"("shape": "box")"),
-     ": /objects/0: \"type\" is missing; known: rigid, soft, joined, actor, grains, fluid, rope, cloth, joint"},
+     ": /objects/0: \"type\" is missing; known: rigid, soft, joined, actor, grains, fluid, rope, cloth, joint, "
+     "gear"},
     {"UnknownType", OBJECT(R"("type": "joind")"), ": /objects/0/type: \"joind\" is unknown; did you mean \"joined\"?"},
     {"UnknownShape", OBJECT(R"("type": "rigid", "shape": "cone")"),
      ": /objects/0/shape: \"cone\" is unknown; known: box, sphere, capsule, mesh"},

@@ -48,11 +48,8 @@ std::vector<uint32_t> nodeCounts(const World& world)
     return counts;
 }
 
-/// From this many times the lightest node of a strand on, what is tied to it is heavy: floats fail from 6000 on.
-constexpr float HEAVY_LOAD = 4000.0f;
-
-/// Whether any assembly with strands has bodies of that weight.
-bool hasHeavyLoads(const World& world)
+/// The largest weight of the bodies and heavy nodes of an assembly with strands, over that of its lightest node.
+float heaviestLoad(const World& world)
 {
     std::vector<float> loads(world.assemblyCount, 0.0f), lightest(world.assemblyCount, NEVER);
     for (const Body& body : world.bodies)
@@ -64,9 +61,10 @@ bool hasHeavyLoads(const World& world)
             lightest[particle.assembly] = std::min(lightest[particle.assembly], particle.mass);
             loads[particle.assembly] = std::max(loads[particle.assembly], particle.mass);
         }
+    float heaviest = 0.0f;
     for (size_t a = 0; a < loads.size(); ++a)
-        if (lightest[a] < NEVER && loads[a] > HEAVY_LOAD * lightest[a]) return true;
-    return false;
+        if (lightest[a] < NEVER) heaviest = std::max(heaviest, loads[a] / lightest[a]);
+    return heaviest;
 }
 
 struct Uploads {
@@ -102,7 +100,7 @@ bool StrandStage::isNeeded(const World& world)
     return world.settings.solver == SolverKind::Impulse && !world.strands.empty();
 }
 
-StrandStage::StrandStage(const StageSetup& setup) : heavy_(hasHeavyLoads(setup.world)) {}
+StrandStage::StrandStage(const StageSetup& setup) : load_(heaviestLoad(setup.world)) {}
 
 void StrandStage::upload(const StageSetup& setup)
 {

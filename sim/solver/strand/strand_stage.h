@@ -20,8 +20,8 @@ public:
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
 
-    /// Whether a load is so heavy for its rope that floats lose what is light.
-    bool isHeavy() const { return heavy_; }
+    /// The largest load of a strand over its lightest node.
+    float load() const { return load_; }
     const std::vector<Color>& colors() const { return colors_; }
     /// One dispatch a colour. @param first whether it is the first iteration of its substep.
     void solve(Recorder& recorder, bool first) const;
@@ -39,7 +39,12 @@ public:
     Buffer<gpu::vec4> distanceFactors;  ///< Per node; used only within a dispatch. Of doubles for heavy loads.
 
 private:
-    bool heavy_;
+    /// From this load on floats lose what is light: two bodies of 100 and 2000 times a node's weight, on a rope between
+    /// them, are thrown apart.
+    static constexpr float HEAVY_LOAD = 100.0f;
+
+    float load_;
+    bool heavy_ = load_ > HEAVY_LOAD;
     std::vector<Color> colors_;
     std::vector<uint32_t> starts_;  ///< Per strand of the World, its first node; its last if that is fixed.
     Pass first_{*this, "strand/strand_solve", definesOf({{"FIRST_ITERATION", true}, {"HEAVY", heavy_}})};

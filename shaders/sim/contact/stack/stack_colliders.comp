@@ -1,5 +1,8 @@
 // One thread a body of a stack: adds what its contacts with colliders push it by, beyond the impulses that they had,
 // and how stiff they are. STORE: at the end of a substep, keeps their impulses.
+// No ball, capsule or grain is in a stack, and what they need are textures too many.
+#undef ROUNDS
+#undef GRAINS
 #include "sim/common/kernel.glsl"
 #include "sim/contact/collider_now.glsl"
 #include "sim/common/contacts/list_ranges.glsl"
