@@ -12,6 +12,9 @@
 // A particle of a lattice counts as beside another up to half a spacing away along an axis, and a little more, so that
 // the other is always beside at least one [diameters].
 #define BESIDE 0.55f
+// The same for a ball or a capsule, whose contacts all act where its surface is nearest: as far as candidates are
+// found, which is about as far as a box reaches beyond its next to last particle.
+#define ROUND_BESIDE 1.45f
 // A box's corner touches a collider if it is nearly as deep as its particle's ball, within this [diameters].
 #define CORNER_TIE 0.05f
 // A box of one layer stands upright, on the middle of the layer, while it leans by less than this (sine).

@@ -45,9 +45,11 @@ void refer(uint parity, uint q, uint secondRank)
 }
 
 /// The hidden axes of a particle's lattice towards a point at `towards` from it [m]. @param rotation of its body.
-uint hiddenBeside(uint i, vec4 rotation, vec3 towards)
+/// @param round whether the point is on the centre line of a ball or capsule.
+uint hiddenBeside(uint i, vec4 rotation, vec3 towards, bool round)
 {
-    return hiddenAxes(texelFetch(latticeEnds, int(i)).x, rotate(conjugate(rotation), towards), sim.diameter);
+    return hiddenAxes(texelFetch(latticeEnds, int(i)).x, rotate(conjugate(rotation), towards),
+                      (round ? ROUND_BESIDE : BESIDE) * sim.diameter);
 }
 
 void main()
@@ -69,8 +71,8 @@ void main()
         referencesOf(pair, sides.movers, excess, sides.exit.sameAssembly, difference, rotationA, rotationB);
     float touch = refs.a.radius + refs.b.radius;
     difference += rotate(rotationA, refs.a.r - armA.r) - rotate(rotationB, refs.b.r - armB.r);
-    sides.hidden = hiddenBeside(pair.first, rotationA, -difference) |
-                   hiddenBeside(pair.second, rotationB, difference) << 3;
+    sides.hidden = hiddenBeside(pair.first, rotationA, -difference, refs.b.round) |
+                   hiddenBeside(pair.second, rotationB, difference, refs.a.round) << 3;
     Separation separation =
         separationOf(difference, exitOf(refs, sides.exit), rotationA, rotationB, sides.hidden, touch);
     Meeting meeting = meetingOf(difference, separation, refs);

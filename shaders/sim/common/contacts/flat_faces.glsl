@@ -9,11 +9,12 @@
 /// The axes along which a lattice continues from a particle towards another one beside it. One that is further off is
 /// nearer to another particle of the lattice: several contacts would carry what one should.
 /// @param ends of the lattice at the particle, bits 2 k and 2 k + 1: towards - and + along axis k.
-/// @param towards the other particle, in the body's axes [m]. @param pitch of the lattice [m].
-uint hiddenAxes(uint ends, vec3 towards, float pitch)
+/// @param towards the other particle, in the body's axes [m]. @param beside how far
+/// off along an axis it may be [m].
+uint hiddenAxes(uint ends, vec3 towards, float beside)
 {
     uvec3 end = uvec3(ends) >> (uvec3(0, 2, 4) + uvec3(greaterThan(towards, vec3(0)))) & 1u;
-    uvec3 hidden = (1u - end) * uvec3(lessThan(abs(towards), vec3(BESIDE * pitch)));
+    uvec3 hidden = (1u - end) * uvec3(lessThan(abs(towards), vec3(beside)));
     return hidden.x | hidden.y << 1 | hidden.z << 2;
 }
 
