@@ -22,6 +22,8 @@ public:
 
     /// The largest load of a strand over its lightest node.
     float load() const { return load_; }
+    /// Whether a load is so heavy that floats lose what is light: strands are solved in doubles.
+    bool isHeavy() const { return heavy_; }
     const std::vector<Color>& colors() const { return colors_; }
     /// One dispatch a colour. @param first whether it is the first iteration of its substep.
     void solve(Recorder& recorder, bool first) const;

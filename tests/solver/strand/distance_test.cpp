@@ -212,6 +212,7 @@ TEST_P(DistanceSolve, ARowIsSolvedAsAllItsEquationsAtOnce)
         Defines defines;
         if (GetParam()) defines.push_back({"FIRST_ITERATION", "1"});
         if (color.hasBodies) defines.push_back({"BODIES", "1"});
+        if (b.strands->isHeavy()) defines.push_back({"HEAVY", "1"});
         const auto impulsesBefore = b.bodies.particleImpulses.download();
         const Kernel kernel = fixture.load("strand/strand_solve", defines);
         glProgramUniform2ui(kernel.program(), 0, color.begin, color.end);
