@@ -66,4 +66,42 @@ TEST(Slosh, SwingsAsLongAsWavesDoAndHardlyLosesHeight)
 
 }  // namespace
 
+/// Two legs of 6 x 5 rest distances, joined below a wall by a passage as wide, one filled higher: as a column of the
+/// length L of their middle line, whose level swings with w^2 = 2 g / L (Bernoulli). The corners make L uncertain by
+/// about a tenth of their width, 1.5 % of L.
+TEST(Slosh, AUTubeSwingsAsItsLengthSays)
+{
+    constexpr int LEG = 6, WALL = 4, DEEP = 5, HIGH = 20, MORE = 2;
+    WorldBuilder builder = makeBuilder();
+    Material material;
+    material.fluid = true;
+    const uint32_t water = builder.addMaterial(material);
+    const float s = builder.fluidSpacing(), leg = LEG * s;
+    addWalls(builder, (2 * LEG + WALL) * s, DEEP * s);
+    Collider wall;
+    wall.shape = ColliderShape::Box;
+    wall.halfExtents = {0.5f * WALL * s, 1, s * DEEP};
+    wall.position = {leg + 0.5f * WALL * s, leg + 1, 0.5f * DEEP * s};
+    builder.addCollider(wall);
+    std::vector<Vector3f> places;
+    for (int x = 0; x < 2 * LEG + WALL; ++x) {
+        const int top = x < LEG ? HIGH + MORE : x < LEG + WALL ? LEG : HIGH - MORE;
+        for (int y = 0; y < top; ++y)
+            for (int z = 0; z < DEEP; ++z) places.push_back(s * (lattice(x, y, z) + Vector3f::Constant(0.5f)));
+    }
+    builder.addFluid(places, {0, 0, 0}, water);
+    const World world = builder.build();
+    Solver solver(gpu(), world);
+    const double length = s * (2 * HIGH - LEG + LEG + WALL), half = std::numbers::pi * std::sqrt(length / 2 / GRAVITY);
+    std::vector<double> difference;
+    for (int k = 0; k < 2.6 * half / world.settings.timeStep; ++k) {
+        run(solver, world, world.settings.timeStep);
+        double sum = 0;
+        for (const Vector3f& x : solver.readParticles().positions)
+            sum += x.x() < leg ? 1 : x.x() > leg + WALL * s ? -1 : 0;
+        difference.push_back(sum);
+    }
+    EXPECT_NEAR(swingOf(difference, world.settings.timeStep).period, 2 * half, 0.03 * 2 * half);
+}
+
 }  // namespace knuckle::test
