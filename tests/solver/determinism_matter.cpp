@@ -140,9 +140,6 @@ World windyWorld()
     return builder.build();
 }
 
-namespace {
-
-/// A builder with ground on which things sleep.
 WorldBuilder sleepyBuilder()
 {
     Settings settings;
@@ -152,6 +149,8 @@ WorldBuilder sleepyBuilder()
     builder.addCollider({});
     return builder;
 }
+
+namespace {
 
 /// Opens an object of joined cubes in a row along x. @param typeOf the joint after a cube. @returns the bodies.
 std::vector<uint32_t> beginRow(WorldBuilder& builder, int count, const std::function<JointType(int)>& typeOf)

@@ -1,4 +1,3 @@
-#include "sim/world/builder/builder.h"
 #include "tests/solver/determinism_worlds.h"
 #include "tests/solver/solver_test.h"
 
@@ -6,11 +5,7 @@ namespace knuckle::test {
 
 World mechanismWorld()
 {
-    Settings settings;
-    settings.sleepSpeed = 0.02f;
-    WorldBuilder builder(DIAMETER / 2, settings);
-    builder.addMaterial({});
-    builder.addCollider({});
+    WorldBuilder builder = sleepyBuilder();
     std::vector<HingeBodies> hinges;
     const TurnDrive spring{.stiffness = 40, .damping = 1};
     const std::vector<TurnDrive> drives = {speedMotor(6, 30), angleMotor(2, 20, 1.5f), spring, spring, spring};

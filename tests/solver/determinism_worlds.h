@@ -3,9 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/world/world.h"
+#include "sim/world/builder/builder.h"
 
 namespace knuckle::test {
+
+/// A builder with ground on which things sleep.
+WorldBuilder sleepyBuilder();
 
 /// Small worlds in which something of one kind happens within a second.
 World softWorld();   ///< Plastic jelly and a rigid box that fall on each other.
