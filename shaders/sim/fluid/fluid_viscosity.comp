@@ -10,13 +10,15 @@ layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, Velocities, velocities);
 
 /// The change of velocity by the neighbour in a slot. Of two masses the lighter changes more, so that momentum is kept.
-vec3 changeBy(SlotPosition at, SlotVelocity own, uint slot)
+vec3 changeBy(SlotPosition at, SlotVelocity own, mat3 slope, uint slot)
 {
     SlotVelocity other = fetchSlotVelocity(slot);
     SlotPosition there = fetchSlotPosition(slot);
-    float q = min(distance(at.position, there.position) / sim.fluidReach, 1.0);
+    vec3 r = there.position - at.position;
+    float q = min(length(r) / sim.fluidReach, 1.0);
     float fraction = there.mass / (at.mass + there.mass) * fluidFraction(q);
-    return (own.smoothing + other.smoothing) * fraction * (other.velocity - own.velocity);
+    vec3 even = (slope + fetchSlotGradient(slot).slope) * r;
+    return fraction * ((own.smoothing + other.smoothing) * (other.velocity - own.velocity) - even);
 }
 
 void main()
@@ -26,13 +28,14 @@ void main()
     uint i = fetchSlotParticle(k), count = fetchFluidCounts(k, i).fluids;
     SlotPosition at = fetchSlotPosition(k);
     SlotVelocity own = fetchSlotVelocity(k);
+    mat3 slope = fetchSlotGradient(k).slope;
     vec3 change = vec3(0);
     for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
         uvec4 slots = fetchNeighbours(texel);
-        change += changeBy(at, own, slots.x);
-        change += changeBy(at, own, slots.y);
-        change += changeBy(at, own, slots.z);
-        change += changeBy(at, own, slots.w);
+        change += changeBy(at, own, slope, slots.x);
+        change += changeBy(at, own, slope, slots.y);
+        change += changeBy(at, own, slope, slots.z);
+        change += changeBy(at, own, slope, slots.w);
     }
     if (isFluid(i) && fluidVelocity(velocities[i]).timeHeld == 0.0) velocities[i].xyz += change;
 }

@@ -6,6 +6,7 @@
 uniform samplerBuffer slotPositions;
 uniform samplerBuffer slotVelocities;
 uniform samplerBuffer slotVorticities;
+uniform usamplerBuffer slotGradients;
 uniform usamplerBuffer slotMaterials;
 
 /// Where it is predicted to be at the end of the substep.
@@ -40,6 +41,26 @@ SlotVelocity fetchSlotVelocity(uint slot)
 vec4 pack(SlotVelocity s)
 {
     return vec4(s.velocity, s.smoothing);
+}
+
+/// How the velocities around it change with place, times the part that a step evens: without its trace, as fluids hardly
+/// change their volume.
+struct SlotGradient {
+    mat3 slope;
+};
+
+SlotGradient fetchSlotGradient(uint slot)
+{
+    uvec4 t = texelFetch(slotGradients, int(slot));
+    vec2 a = unpackHalf2x16(t.x), b = unpackHalf2x16(t.y), c = unpackHalf2x16(t.z), d = unpackHalf2x16(t.w);
+    return SlotGradient(mat3(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y, -a.x - c.x));
+}
+
+uvec4 pack(SlotGradient s)
+{
+    mat3 m = s.slope - mat3((s.slope[0].x + s.slope[1].y + s.slope[2].z) / 3.0);
+    return uvec4(packHalf2x16(m[0].xy), packHalf2x16(vec2(m[0].z, m[1].x)), packHalf2x16(m[1].yz),
+                 packHalf2x16(m[2].xy));
 }
 
 /// How the fluid around it swirls.

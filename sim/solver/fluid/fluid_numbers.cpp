@@ -42,9 +42,9 @@ struct LatticeSums {
     double pulls = 0.0;  ///< a^3 r^2, of viscous pairs.
 };
 
-/// Rate at which a thin or a viscous fluid's particles at least lose the difference to their neighbours [1/s]. It keeps
-/// resting fluids quiet.
-constexpr double LEAST_SMOOTHING = 15.0, LEAST_VISCOUS_SMOOTHING = 1.8;
+/// Rates at which a thin fluid's particles lose what differs from an even change of velocity around them, and a viscous
+/// fluid's at least lose the difference to their neighbours [1/s]. They keep resting fluids quiet.
+constexpr double EVEN_SMOOTHING = 30.0, LEAST_VISCOUS_SMOOTHING = 1.8;
 
 /// Where v = y^2 / 2 along x, the forces k r (r . dv) of pairs add up to the sum of k r^4 / 30, which has to be the
 /// viscosity times the volume of a particle; k is a^3 times this: impulse of a viscous pair over a^3 r^2 and the
@@ -125,17 +125,6 @@ bool isViscous(const Material& material)
     return material.fluid && material.viscosity >= VISCOUS;
 }
 
-// Explicit steps are stable below 1.
-float smoothing(const gpu::StepParameters& p, const Material& material, float time)
-{
-    constexpr double MOST = 0.9;
-    if (isViscous(material)) return 0.0f;
-    const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
-    const double kinematic = material.viscosity / material.density;
-    const double rate = std::max(6.0 * kinematic * lattice.density / lattice.spread, LEAST_SMOOTHING);
-    return static_cast<float>(std::min(rate * time, MOST));
-}
-
 gpu::vec4 viscousMaterial(const gpu::StepParameters& p, const Material& material)
 {
     if (!isViscous(material)) return {thicknessOf(p, material.viscosity * (material.fluid ? 1.0 : 0.0)), 0, 0, 0};
@@ -191,16 +180,33 @@ uint32_t viscousSweeps(const gpu::StepParameters& p, const World& world)
     return std::max(static_cast<uint32_t>(std::ceil(0.5 * std::sqrt(largest) * std::log(2.0 / LEFT))), 1u);
 }
 
+namespace {
+
 // A pair force f(r) at the number density n gives the surface tension pi n^2 / 8 times the integral of f r^4 (Fowler
 // 1937; Rowlinson and Widom 1982, eq. 4.99) if positions are independent; fluidAttraction's is 0.0074777 reach^5. In a
 // fluid they are not: measurements on puddles give 1 / CORRELATION of that.
 float tension(const gpu::StepParameters& p, const Material& material)
 {
-    constexpr double CORRELATION = 0.78;
+    constexpr double CORRELATION = 0.74;
     const double density = std::pow(p.fluidSpacing, -3.0), reach = std::pow(double(p.fluidReach), 5);
     const double unit = std::numbers::pi / 8.0 * density * density * 0.0074777 * reach;
     const double force = CORRELATION * material.surfaceTension / unit;
     return static_cast<float>(force * p.substepTime * p.substepTime);
+}
+
+}  // namespace
+
+// Explicit steps are stable below 1.
+gpu::vec4 fluidMaterial(const gpu::StepParameters& p, const Material& material, float timeStep)
+{
+    constexpr double MOST = 0.9;
+    const float tensionOfPair = tension(p, material);
+    if (isViscous(material)) return {0, 0, tensionOfPair, 0};
+    const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
+    const double kinematic = material.viscosity / material.density;
+    const double rate = 6.0 * kinematic * lattice.density / lattice.spread;
+    const double even = EVEN_SMOOTHING * timeStep, all = std::min(rate * timeStep + even, MOST);
+    return {static_cast<float>(all), static_cast<float>(std::min(even, MOST)), tensionOfPair, 0};
 }
 
 }  // namespace knuckle

@@ -21,7 +21,7 @@ constexpr int MOST_LOOKS = 80;
 /// Fluid is at rest when no particle would start faster than this [m/s].
 constexpr float STARTS_WITH = 0.02f;
 /// Of Settings::vorticity: at 1, swirls lose nearly nothing.
-constexpr float VORTICITY = 0.5f;
+constexpr float VORTICITY = 0.22f;
 /// Substeps between two looks at the shapes of neighbourhoods.
 constexpr uint32_t SHAPE_SUBSTEPS = 8;
 
@@ -48,7 +48,7 @@ void FluidStage::upload(const StageSetup& setup)
     fluidCellSums = scanSums("fluidCellSums", cells);
     std::vector<gpu::vec4> materials;
     for (const Material& m : setup.world.materials)
-        materials.push_back({smoothing(parameters_, m, settings.timeStep), tension(parameters_, m), 0, 0});
+        materials.push_back(fluidMaterial(parameters_, m, settings.timeStep));
     fluidMaterials = {"fluidMaterials", std::span<const gpu::vec4>(materials)};
     fluidLargestPush = {"fluidLargestPush", 1};
     fluidPasts = {"fluidPasts", parameters_.particleCount + parameters_.fluidCount};
@@ -77,6 +77,7 @@ void FluidStage::makeLists(const Gpu& gpu)
     slotColliders = {"slotColliders", count};
     slotMaterials = {"slotMaterials", count};
     slotVelocities = {"slotVelocities", count};
+    slotGradients = {"slotGradients", count};
     slotPositions = {"slotPositions", count};
     slotLastPositions = {"slotLastPositions", count};
     slotShapes = {"slotShapes", 2 * count};
@@ -101,7 +102,7 @@ void FluidStage::addBuffers(BufferTable& table)
     table.add(Lifetime::State, fluidCellCounts, fluidCellSums, fluidPasts);  // they begin a search with zeros
     table.add(Lifetime::Scratch, fluidSearchPositions, fluidParticleCells, fluidCellStarts, fluidCellMembers,
               slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, slotMaterials, slotVelocities,
-              slotPositions, slotLastPositions, slotShapes, slotPressures, slotVorticities, slotWalls, slotCovered,
+              slotGradients, slotPositions, slotLastPositions, slotShapes, slotPressures, slotVorticities, slotWalls, slotCovered,
               slotGains, slotSolids, slotSolidImpulses, fluidLargestPush);
     ElementType fourAtATime = elementType<uint32_t>();
     fourAtATime.texelBytes = 16;
@@ -133,6 +134,7 @@ void FluidStage::beginStep(Recorder& recorder) const
     list(recorder);
     perSlot(recorder, gather_);
     recorder.perElement(predict_, parameters_.fluidCount);
+    perSlot(recorder, gradient_);
     perSlot(recorder, viscosity_);
     if (!confines_) return;
     perSlot(recorder, vorticity_);

@@ -45,6 +45,7 @@ public:
     Buffer<gpu::vec4> fluidMaterials;               ///< Per material: smoothing, tension.
     Buffer<uint32_t> slotMaterials;                 ///< Index into World::materials.
     Buffer<gpu::vec4> slotVelocities;               ///< When neighbours were found [m/s]; w: smoothing.
+    Buffer<gpu::uvec4> slotGradients;               ///< SlotGradient (slot_values.glsl).
     Buffer<gpu::vec4> slotPositions;                ///< Predicted [m]; w: mass [kg].
     Buffer<gpu::vec4> slotLastPositions;            ///< Predicted in the last substep [m].
     Buffer<gpu::vec4> slotShapes;                   ///< Two each: fetchSlotShape() (slot_pressures.glsl).
@@ -74,6 +75,7 @@ private:
     Pass find_{*this, "fluid/fluid_find", {{"FLUIDS", "1"}}};
     Pass colliderNear_{*this, "fluid/walls/fluid_collider_near"};
     Pass gather_{*this, "fluid/fluid_gather"};
+    Pass gradient_{*this, "fluid/fluid_velocity_gradient"};
     Pass viscosity_{*this, "fluid/fluid_viscosity"};
     Pass vorticity_{*this, "fluid/fluid_vorticity", {}, confines_};
     Pass confinement_{*this, "fluid/fluid_vorticity_confinement", {}, confines_};

@@ -180,11 +180,8 @@ TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
         besideWalls += wall.share > 0.01;
         ASSERT_LT((vec3(solids[i]).cast<double>() - solid.slope).norm(), 1e-3 * (size + solid.slope.norm()));
         // What moves make of the compression that was.
-        const auto across = [&](const Vector3d& slope) -> Vector3d {
-            return slope.dot(evens[i] * slope) / std::max(slope.squaredNorm(), 1e-20) * slope;
-        };
         const double bySolids = evenAcross(evens[i], solid.slope);
-        double nearer = 2.0 * moves[i].cast<double>().dot(across(wall.slope)) +
+        double nearer = 2.0 * moves[i].cast<double>().dot(evens[i] * wall.slope) +
                         2.0 * bySolids * (moves[i].cast<double>() - solidMove).dot(solid.slope);
         double added = 0.0;
         for (uint32_t j : fixture.fluidNear(i)) {

@@ -81,12 +81,7 @@ protected:
         const Vector3d normal = (vec3(walls[i]) + vec3(solids[i])).cast<double>().normalized();
         return FLUID_ALONG_WALLS * covered[i] / (1.0 - covered[i]) * (pairs - pairs.dot(normal) * normal);
     }
-    /// What a wall gives, only across itself.
-    Vector3d byWalls(uint32_t i) const
-    {
-        const Vector3d normal = vec3(walls[i]).cast<double>().normalized();
-        return 2.0 * normal.dot(pressure(i) * normal) * vec3(walls[i]).cast<double>();
-    }
+    Vector3d byWalls(uint32_t i) const { return 2.0 * pressure(i) * vec3(walls[i]).cast<double>(); }
     Vector3d bySolids(uint32_t i) const { return twiceAcross(i) * vec3(solids[i]).cast<double>(); }
     /// Twice its pressure across solids, or the mean of it where their slopes cancel [kg m2].
     double twiceAcross(uint32_t i) const
@@ -168,7 +163,7 @@ TEST_F(FluidPressure, ImpulsesOfPairsAddUpToNothing)
 {
     clearWalls();
     fill(fixture.stages.fluids->fluidMaterials,
-         std::vector<gpu::vec4>{{0, 0, 0, 0}, {0, 2e-5f, 0, 0}, {0, 1e-5f, 0, 0}});
+         std::vector<gpu::vec4>{{0, 0, 0, 0}, {0, 0, 2e-5f, 0}, {0, 0, 1e-5f, 0}});
     std::vector<uint32_t> materials;
     for (const Particle& p : fixture.world.particles) materials.push_back(p.material);
     fill(fixture.stages.fluids->slotMaterials, fixture.inSlots(materials));

@@ -56,7 +56,7 @@ void main()
 #ifdef RELAX
     float compression = excess, relaxation = FLUID_START_RELAXATION;
 #else
-    float toWalls = dot(own.move, across(even, walls.gradient));
+    float toWalls = dot(own.move, even * walls.gradient);
     float toSolids = dot(own.move - solids.move, evenAcross(even, solids.slope) * solids.slope);
     // Twice, as fluid_pressure pushes by them.
     float nearer = sums.nearer + 2.0 * (toWalls + toSolids);

@@ -71,6 +71,6 @@ PressureImpulse pressedBy(SlotPressure own, float covered, SlotWallCover walls, 
     vec3 rest = FLUID_ALONG_WALLS * part / (1.0 - part) * along;
     float bySolids = length(solids.gradient), share = bySolids / max(bySolids + length(walls.gradient), 1e-20);
     float push = 2.0 * unit * evenAcross(own.lambda, solids.gradient);
-    vec3 ofWalls = 2.0 * unit * across(own.lambda, walls.gradient);
+    vec3 ofWalls = 2.0 * unit * own.lambda * walls.gradient;
     return PressureImpulse(pairs + rest + ofWalls + push * solids.gradient, share * rest, push);
 }

@@ -74,9 +74,3 @@ float evenAcross(mat3 even, vec3 gradient)
     float least = 0.02 / (sim.fluidReach * sim.fluidReach), mean = (even[0].x + even[1].y + even[2].z) / 3.0;
     return (dot(gradient, even * gradient) + least * mean) / (dot(gradient, gradient) + least);
 }
-
-/// What a wall gives by an evened multiplier. Only across itself, or it would drive what moves along it.
-vec3 across(mat3 even, vec3 gradient)
-{
-    return dot(gradient, even * gradient) / max(dot(gradient, gradient), 1e-20) * gradient;
-}
