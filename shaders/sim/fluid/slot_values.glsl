@@ -43,8 +43,8 @@ vec4 pack(SlotVelocity s)
     return vec4(s.velocity, s.smoothing);
 }
 
-/// How the velocities around it change with place, times the part that a step evens: without its trace, as fluids hardly
-/// change their volume.
+/// How the velocities around it change with place, times the part that a step evens: without its trace, as fluids
+/// hardly change their volume.
 struct SlotGradient {
     mat3 slope;
 };

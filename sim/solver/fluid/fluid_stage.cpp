@@ -102,8 +102,8 @@ void FluidStage::addBuffers(BufferTable& table)
     table.add(Lifetime::State, fluidCellCounts, fluidCellSums, fluidPasts);  // they begin a search with zeros
     table.add(Lifetime::Scratch, fluidSearchPositions, fluidParticleCells, fluidCellStarts, fluidCellMembers,
               slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, slotMaterials, slotVelocities,
-              slotGradients, slotPositions, slotLastPositions, slotShapes, slotPressures, slotVorticities, slotWalls, slotCovered,
-              slotGains, slotSolids, slotSolidImpulses, fluidLargestPush);
+              slotGradients, slotPositions, slotLastPositions, slotShapes, slotPressures, slotVorticities, slotWalls,
+              slotCovered, slotGains, slotSolids, slotSolidImpulses, fluidLargestPush);
     ElementType fourAtATime = elementType<uint32_t>();
     fourAtATime.texelBytes = 16;
     table.add("fluidSorted", fluidSorted, fourAtATime, Lifetime::Scratch);
