@@ -52,7 +52,9 @@ mat3 evened(Sums sums, SolidCover solids, WallCover walls)
     vec3 d = sums.diagonal, m = sums.mixed;
     mat3 moment = mat3(d.x, m.z, m.y, m.z, d.y, m.x, m.y, m.x, d.z) + walls.moment + solids.moment;
     moment += mat3(walls.fraction + solids.fraction + max(1.0 - sums.fraction - walls.fraction - solids.fraction, 0.0));
-    return mat3(1.0 - FLUID_EVENNESS) + FLUID_EVENNESS * inverse(moment);
+    // What rubs along a body would hold it.
+    float part = mix(FLUID_EVENNESS, 1.0, smoothstep(0.0, 0.05, solids.fraction));
+    return mat3(1.0 - part) + part * inverse(moment);
 }
 
 void main()
