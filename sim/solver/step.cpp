@@ -17,7 +17,7 @@
 //     list_start, pair_list), and each contact gets its data (contact_prepare, collider_prepare);
 //   moves fluids by their pressures (fluid_*), once, and slows them by their viscosity (viscous_*);
 //   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, strand_solve moves ropes
-//     and cloth, colour by colour; contact_solve and collider_solve work out impulses, each contact by itself, from
+//     and cloth, colour by colour, ropes with their contacts with colliders (rope_touch, rope_push); contact_solve and collider_solve work out impulses, each contact by itself, from
 //     where the movers are, drive_* the pull of springs towards clips, motor_turn that of joints' motors;
 //     impulse_sum adds them up for each body, and body_solve matches it (eqs. 8-9, 11-17) to where they bring its
 //     particles, as loose_solve does for loose particles. Bodies that stand on each other, found once a step
@@ -60,12 +60,15 @@ void moveFluids(const Stages& s, Recorder& recorder, uint32_t index)
     if (s.viscosity) s.viscosity->solve(recorder);
 }
 
-/// Light ropes under heavy loads need more of them: with two at few substeps their tension does not settle.
+/// Light ropes under heavy loads need more of them: with two at few substeps their tension does not settle. How far a
+/// rope slides on a collider is known after the second.
 uint32_t iterationsOf(const Stages& s, const Settings& settings)
 {
-    constexpr uint32_t MORE = 4;
+    constexpr uint32_t MORE = 4, SLIDING = 2;
     constexpr float HEAVY_LOAD = 4000.0f;
-    return s.strands && s.strands->load() > HEAVY_LOAD ? std::max(settings.iterations, MORE) : settings.iterations;
+    if (!s.strands) return settings.iterations;
+    const uint32_t least = s.strands->load() > HEAVY_LOAD ? MORE : s.strands->touchesColliders() ? SLIDING : 1;
+    return std::max(settings.iterations, least);
 }
 
 void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorder, uint32_t index)

@@ -1,12 +1,13 @@
 #include "tests/physics/physics_fixture.h"
 
 #include <cmath>
+#include <cstdlib>
 
 namespace knuckle::test {
 
 Gpu& gpu()
 {
-    static Gpu instance;
+    static Gpu instance({}, std::getenv("SH") ? std::getenv("SH") : "");
     return instance;
 }
 
