@@ -1,13 +1,12 @@
 #include "tests/physics/physics_fixture.h"
 
 #include <cmath>
-#include <cstdlib>
 
 namespace knuckle::test {
 
 Gpu& gpu()
 {
-    static Gpu instance({}, std::getenv("SH") ? std::getenv("SH") : "");
+    static Gpu instance;
     return instance;
 }
 

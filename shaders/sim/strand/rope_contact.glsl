@@ -38,6 +38,9 @@ void addFriction(inout RopeTouch c, vec2 friction, float normal, float excess, f
 {
     float hold = stiffnessPerMass.y * mass, stiffness = stiffnessPerMass.x * mass;
     float size = max(lastSlide > 0.0 ? lastSlide : length(c.slide), 1e-20);
+#ifndef FIRST_ITERATION
+    size = max(size, length(c.slide));
+#endif
     float bound = size > STICK_SPEED * sim.substepTime ? friction.y : friction.x;
     float drag = min(bound * normal / size, hold);
     c.push -= drag * c.slide;

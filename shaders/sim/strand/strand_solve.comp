@@ -7,74 +7,12 @@
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/strand/distance_response.glsl"
 #include "sim/strand/distance_states.glsl"
+#include "sim/strand/strand_nodes.glsl"
 
 layout(local_size_x = DISTANCE_GROUP_SIZE) in;
 layout(location = 0) uniform uvec2 range;          // the first strand and the end
-BUFFER(vec4, MoverMoves, newMoverMoves);
-BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(vec4, DistanceStates, distanceStates);
 BUFFER(REAL4, DistanceFactors, distanceFactors);
-#ifdef CONTACTS
-#include "sim/strand/node_contacts.glsl"
-uniform usamplerBuffer ropeMovers;
-BUFFER(vec4, NodeContacts, nodeContacts);
-#endif
-
-/// These keep the matrix regular, the larger one at a fixed end: for a taut strand held at both.
-const float REGULAR_END = 1e-3;
-/// The most resistance to turning, relative to the mass of its nodes: more would be lost to rounding.
-#ifdef HEAVY
-const float REGULAR = 1e-6;
-const double MOST_TURNING = 1e7;
-#else
-const float REGULAR = 1e-5;
-const float MOST_TURNING = 30.0;
-#endif
-
-#ifdef CONTACTS
-/// Whether the contacts of a node are solved with it.
-bool hasContacts(uint node, uint mover)
-{
-    return texelFetch(ropeMovers, int(mover)).x == node + 1u;
-}
-#endif
-
-void push(uint node, vec3 impulse)
-{
-    NodeInfo info = fetchNodeInfo(node);
-    if (info.inverseMass == 0.0) return;
-    particleImpulses[info.rank].xyz += impulse;
-    if (info.mover >= sim.bodyCount) newMoverMoves[info.mover].xyz += info.inverseMass * impulse;
-}
-
-/// A node's mass matrix and what acts on it, with its contacts.
-void ownOf(DistanceNode node, uint k, out REAL3X3 mass, out REAL3 r)
-{
-    mass = REAL3X3(massOf(node));
-    r = REAL3(0);
-#ifdef CONTACTS
-    if (!hasContacts(k, node.info.mover)) return;
-    for (int column = 0; column < 3; ++column) {
-        vec4 t = nodeContacts[contactColumn(k, uint(column))];
-        mass[column] += REAL3(t.xyz);
-        r[column] = REAL(t.w);
-    }
-#endif
-}
-
-/// Moves a node: by its links' impulse, and by what its contacts answer.
-void moveNode(uint node, vec3 impulse, vec3 move)
-{
-    push(node, impulse);
-#ifdef CONTACTS
-    NodeInfo info = fetchNodeInfo(node);
-    if (info.inverseMass == 0.0 || !hasContacts(node, info.mover)) return;
-    vec3 last = newMoverMoves[info.mover].xyz - info.inverseMass * impulse;
-    newMoverMoves[info.mover].xyz = last + move;
-    nodeContacts[moveBefore(node)] = vec4(last, 0);
-    nodeContacts[moveOf(node)] = vec4(move, 0);
-#endif
-}
 
 /// Eliminates from the end on. For the node b of a link: A dx = r + f; with its link B = (A + k P)^-1, P = 1 - n n^T.
 /// @returns the move of the first node.
@@ -111,7 +49,7 @@ REAL3 eliminate(Strand strand, float squaredTime)
         distanceStates[k] = pack(EliminatedLink(state.multiplier, float(q), state.torn, none ? 0.0 : float(d)));
         REAL3 own;
         ownOf(a, k, mass, own);
-        if (!none) mass += across - across * inverseB * across + outerProduct(u, n - (n * inverseB) * across) / d;
+        if (!none) mass += across - across * inverseB * across + outerProduct(u, movedResidual(n, inverseB, across)) / d;
         r = none ? own : own + across * asked - u * (q / d);
         b = a;
     }
@@ -131,7 +69,7 @@ void main()
         LOAD_DISTANCE_FACTOR(distanceFactors, k, f)
         EliminatedLink link = eliminatedLink(distanceStates[k]);
         REAL3X3 across = turningMass(f.n, f.turning);
-        REAL3 u = f.n - (f.n * f.inverse) * across;
+        REAL3 u = movedResidual(f.n, f.inverse, across);
         REAL change = link.divisor > 0.0 ? (link.residual + dot(u, move)) / link.divisor : REAL(0);
         REAL3 next = f.inverse * (f.r + change * f.n + across * move);
         REAL3 pull = change * f.n - across * (next - move);

@@ -126,8 +126,7 @@ bool StrandStage::isNeeded(const World& world)
     return world.settings.solver == SolverKind::Impulse && !world.strands.empty();
 }
 
-StrandStage::StrandStage(const StageSetup& setup)
-    : load_(heaviestLoad(setup.world)), touches_(touchesAny(setup.world))
+StrandStage::StrandStage(const StageSetup& setup) : load_(heaviestLoad(setup.world)), touches_(touchesAny(setup.world))
 {
 }
 

@@ -43,7 +43,8 @@ public:
     Buffer<gpu::vec4> distanceFactors;  ///< Per node; used only within a dispatch. Of doubles for heavy loads.
     Buffer<uint32_t> ropeNodes;         ///< Nodes whose contacts with colliders are solved with their rope.
     Buffer<uint32_t> ropeMovers;        ///< Per mover, 1 + the one of these that it is; 0 if none.
-    Buffer<gpu::vec4> nodeContacts;     ///< Per node, five: stiffness, push of its contacts; its moves (node_contacts.glsl).
+    Buffer<gpu::vec4>
+        nodeContacts;  ///< Per node, five: stiffness, push of its contacts; its moves (node_contacts.glsl).
 
 private:
     void recordTouch(Recorder& recorder, const Kernel& kernel) const;
@@ -55,7 +56,8 @@ private:
 
     float load_;
     bool heavy_ = load_ > HEAVY_LOAD, touches_;
-    float contactStiffness_ = 0.0f, contactHold_ = 0.0f;  ///< Per mass of a node: along the normal, and where it sticks.
+    float contactStiffness_ = 0.0f,
+          contactHold_ = 0.0f;  ///< Per mass of a node: along the normal, and where it sticks.
     std::vector<Color> colors_;
     std::vector<uint32_t> starts_;  ///< Per strand of the World, its first node; its last if that is fixed.
     Defines plain_ = definesOf({{"HEAVY", heavy_}, {"CONTACTS", touches_}});

@@ -1,11 +1,7 @@
-#include "tests/physics/capstan_fixture.h"
+#include "tests/physics/rope/capstan_fixture.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstdio>
-#include "sim/solver/state_values.h"
-#include "shared/counters.h"
 
 namespace knuckle::test {
 
@@ -55,6 +51,56 @@ Places placesOf(const Capstan& spec)
     return out;
 }
 
+/// A cube of 27 particles that hangs by the middle of its upper side. @returns that particle.
+uint32_t addBoxLoad(WorldBuilder& builder, const Vector3f& place, float mass, float speed)
+{
+    Material material;
+    material.density = mass / (27 * std::pow(Capstan::THICKNESS, 3.0f));
+    const uint32_t index = builder.addMaterial(material);
+    builder.beginObject("load");
+    builder.addBody("load", boxLattice({3, 3, 3}, Capstan::THICKNESS), index);
+    builder.endObject({place - Vector3f(0, Capstan::THICKNESS, 0)}, {speed, 0, 0});
+    return particleAt(builder, place);
+}
+
+void addDrums(WorldBuilder& builder, const Capstan& spec, const Vector3f& at)
+{
+    Collider drum;
+    drum.shape = ColliderShape::Capsule;
+    drum.radius = Capstan::RADIUS;
+    drum.halfHeight = 2.0f;
+    drum.orientation = Quaternionf(Eigen::AngleAxisf(static_cast<float>(0.5 * M_PI), Vector3f::UnitX()));
+    drum.staticFriction = drum.kineticFriction = spec.friction;
+    const bool corners = spec.way == Capstan::Way::Corners;
+    drum.position = at - Vector3f(corners ? APART : 0.0f, 0, 0);
+    builder.addCollider(drum);
+    if (!corners) return;
+    drum.position = at + Vector3f(APART, 0, 0);
+    builder.addCollider(drum);
+}
+
+/// @param ends particles of the loads, if these are boxes.
+void addRow(WorldBuilder& builder, const Capstan& spec, const Places& places, const uint32_t (&ends)[2])
+{
+    builder.beginObject("rope");
+    Strand row;
+    for (size_t k = 0; k < places.size(); ++k) {
+        const bool first = k == 0, last = k + 1 == places.size();
+        if (k > 0) row.restLengths.push_back((places[k] - places[k - 1]).norm());
+        if (spec.boxes && (first || last)) {
+            row.particles.push_back(ends[first ? 0 : 1]);
+            continue;
+        }
+        Particle particle;
+        particle.position = particle.restPosition = places[k];
+        particle.selfMargin = ROPE_MARGIN;
+        particle.mass = first ? spec.left : last ? spec.right : spec.massPerLength * Capstan::THICKNESS;
+        row.particles.push_back(builder.addLooseParticle(particle));
+    }
+    builder.addStrand(row);
+    builder.endObject({});
+}
+
 }  // namespace
 
 double Capstan::angle() const
@@ -66,45 +112,20 @@ World Capstan::world() const
 {
     Settings settings;
     settings.substeps = substeps;
-    if (std::getenv("ITER")) settings.iterations = static_cast<uint32_t>(std::atoi(std::getenv("ITER")));
-    if (std::getenv("DT")) {
-        settings.timeStep /= static_cast<float>(substeps);
-        settings.substeps = 1;
-    }
     WorldBuilder builder(0.5f * THICKNESS, settings);
     Material material;
     material.staticFriction = material.kineticFriction = friction;
     builder.addMaterial(material);
-    const float far = std::getenv("POS") ? float(std::atof(std::getenv("POS"))) : 0.0f;
-    const Vector3f at(far, far, far);
-    Collider drum;
-    drum.shape = ColliderShape::Capsule;
-    drum.radius = RADIUS;
-    drum.halfHeight = 2.0f;
-    drum.orientation = Quaternionf(Eigen::AngleAxisf(static_cast<float>(0.5 * M_PI), Vector3f::UnitX()));
-    drum.staticFriction = drum.kineticFriction = friction;
-    for (const float side : {-APART, APART}) {
-        drum.position.x() = way == Way::Corners ? side : 0.0f;
-        drum.position += at;
-        builder.addCollider(drum);
-        drum.position -= at;
-        if (way != Way::Corners) break;
+    const Vector3f at(1, 2, 3);
+    addDrums(builder, *this, at);
+    Places places = placesOf(*this);
+    for (Vector3f& place : places) place += at;
+    uint32_t ends[2] = {NO_INDEX, NO_INDEX};
+    if (boxes) {
+        ends[0] = addBoxLoad(builder, places.front(), left, -swing);
+        ends[1] = addBoxLoad(builder, places.back(), right, swing);
     }
-    builder.beginObject("rope");
-    const Places places = placesOf(*this);
-    Strand row;
-    for (size_t k = 0; k < places.size(); ++k) {
-        Particle particle;
-        particle.position = particle.restPosition = at + places[k];
-        particle.selfMargin = ROPE_MARGIN;
-        particle.mass = massPerLength * THICKNESS;
-        if (k == 0) particle.mass = left;
-        if (k + 1 == places.size()) particle.mass = right;
-        row.particles.push_back(builder.addLooseParticle(particle));
-        if (k > 0) row.restLengths.push_back((places[k] - places[k - 1]).norm());
-    }
-    builder.addStrand(row);
-    builder.endObject({});
+    addRow(builder, *this, places, ends);
     return builder.build();
 }
 
@@ -131,34 +152,6 @@ CapstanRun runCapstan(const Capstan& spec, double seconds)
         out.stretched = std::max(out.stretched, std::abs(now - length));
         out.gained = std::max(out.gained, energyOf(world, state) - atStart);
         out.moved = world.particles[nodes[0]].position.y() - state.positions[nodes[0]].y();
-        if (std::getenv("V"))
-            printf("%d sunk %.5f stretch %.5f energy %.4f moved %.5f\n", frame, out.sunk, now - length, energyOf(world, state) - atStart, out.moved);
-        if (std::getenv("DUMP") && frame >= std::atoi(std::getenv("DUMP")) && frame < std::atoi(std::getenv("DUMP")) + 5) {
-            printf("search %llu\n", (unsigned long long)solver.searchCount());
-            for (size_t k = 0; k < nodes.size(); ++k) {
-                const Vector3f& x = state.positions[nodes[k]];
-                const Vector3f& v = state.velocities[nodes[k]];
-                printf("  %zu gap %.6f z %.6f v %.5f %.5f %.5f y %.4f\n", k, regionDistance(world.colliders[0], x) - 0.02f, x.z(), v.x(), v.y(), v.z(), x.y());
-            }
-        }
-        if (std::getenv("IMP") && frame >= std::atoi(std::getenv("IMP")) && frame < std::atoi(std::getenv("IMP")) + 6) {
-            const SolverState saved = solver.saveState();
-            const auto impulses = readState<gpu::vec4>(saved.stages, "colliderImpulses");
-            const auto pairs = readState<gpu::uvec2>(saved.stages, "colliderPairs");
-            const auto slides = readState<float>(saved.stages, "colliderMeans");
-            const auto c = readState<gpu::Counters>(saved.stages, "countersBlock")[0];
-            const size_t base = c.listParity * impulses.size() / 2;
-            const double unit = 9.81 * step * step * 0.1818 / 1;
-            std::printf("frame %d:\n", frame);
-            for (size_t q = 0; q < c.colliderPairCount; ++q) {
-                const auto& p = impulses[base + q];
-                const Vector3f at(p.x, p.y, p.z), r = state.positions[pairs[base + q].x];
-                const Vector3f n = Vector3f(r.x(), r.y(), 0).normalized(), t(-n.y(), n.x(), 0);
-                const Vector3f v = state.velocities[pairs[base + q].x];
-                std::printf("  %u: w %.4f n %.4f t %.4f z %.4f kg, slide %.3g; v n %.5f t %.4f z %.5f\n", pairs[base + q].x, p.w / unit, at.dot(n) / unit,
-                            at.dot(t) / unit, at.z() / unit, slides[base + q], v.dot(n), v.dot(t), v.z());
-            }
-        }
         if (2 * frame <= frames) out.between = out.moved;
     }
     return out;

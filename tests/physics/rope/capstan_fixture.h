@@ -17,6 +17,8 @@ struct Capstan {
     float left = 20.0f, right = 20.0f;  ///< Loads [kg].
     float massPerLength = 0.012f;       ///< [kg/m]
     float hang = 1.0f;                  ///< Length of both ends [m].
+    bool boxes = false;                 ///< Whether the loads are boxes, not particles.
+    float swing = 0.0f;                 ///< Speed of the loads at the start, the left one to the left [m/s].
 
     static constexpr float THICKNESS = 0.04f, RADIUS = 0.2f;
 
