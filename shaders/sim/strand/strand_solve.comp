@@ -13,10 +13,22 @@ layout(local_size_x = DISTANCE_GROUP_SIZE) in;
 layout(location = 0) uniform uvec2 range;          // the first strand and the end
 BUFFER(vec4, DistanceStates, distanceStates);
 BUFFER(REAL4, DistanceFactors, distanceFactors);
+#ifdef LETS_GO
+uniform usamplerBuffer strandReleases;   // the first substeps without the first and the last link
+READ_BUFFER(Counters, CountersBlock, counters);
+
+/// Whether the time of a link at a strand's end is over.
+bool isLetGo(uint index, Strand strand, uint k)
+{
+    uvec2 release = texelFetch(strandReleases, int(index)).xy;
+    uint now = counters[0].substep - 1u;
+    return (k == strand.first && now >= release.x) || (k + 1u == strand.last && now >= release.y);
+}
+#endif
 
 /// Eliminates from the end on. For the node b of a link: A dx = r + f; with its link B = (A + k P)^-1, P = 1 - n n^T.
 /// @returns the move of the first node.
-REAL3 eliminate(Strand strand, float squaredTime)
+REAL3 eliminate(uint index, Strand strand, float squaredTime)
 {
     DistanceNode b = fetchNode(strand.last);
     REAL3X3 mass;
@@ -32,6 +44,9 @@ REAL3 eliminate(Strand strand, float squaredTime)
 #ifdef FIRST_ITERATION
         if (state.tension > link.tearForce || linkLength > link.tearLength) state.torn = 1.0;
         state.multiplier = 0.0;
+#ifdef LETS_GO
+        if (isLetGo(index, strand, k)) state.torn = 1.0;
+#endif
 #endif
         bool held = b.info.inverseMass == 0.0;
         REAL compliance = link.compliance / squaredTime;
@@ -63,7 +78,7 @@ void main()
     Strand strand = fetchStrand(index);
     if (rests(strand)) return;
     float squaredTime = accelerationFactor(fetchAssembly(strand.assembly)) * sim.substepTime * sim.substepTime;
-    REAL3 move = eliminate(strand, squaredTime), before = REAL3(0);
+    REAL3 move = eliminate(index, strand, squaredTime), before = REAL3(0);
     for (uint k = strand.first; k < strand.last; ++k) {
         DistanceFactor f;
         LOAD_DISTANCE_FACTOR(distanceFactors, k, f)

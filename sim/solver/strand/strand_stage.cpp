@@ -95,6 +95,7 @@ bool touchesAny(const World& world)
 
 struct Uploads {
     std::vector<gpu::uvec4> strands, nodes;
+    std::vector<gpu::uvec2> releases;
     std::vector<gpu::vec4> links;
 
     void add(const World& world, const Strand& strand, const std::vector<uint32_t>& counts,
@@ -116,6 +117,8 @@ struct Uploads {
         links.push_back({});
         const uint32_t assembly = world.particles[strand.particles.front()].assembly;
         strands.push_back({first, static_cast<uint32_t>(nodes.size()) - 1, assembly, 0});
+        releases.push_back(
+            {world.settings.substepAt(strand.startRelease), world.settings.substepAt(strand.endRelease)});
     }
 };
 
@@ -126,7 +129,9 @@ bool StrandStage::isNeeded(const World& world)
     return world.settings.solver == SolverKind::Impulse && !world.strands.empty();
 }
 
-StrandStage::StrandStage(const StageSetup& setup) : load_(heaviestLoad(setup.world)), touches_(touchesAny(setup.world))
+StrandStage::StrandStage(const StageSetup& setup)
+    : load_(heaviestLoad(setup.world)), touches_(touchesAny(setup.world)),
+      letsGo_(std::ranges::any_of(setup.world.strands, &Strand::letsGo))
 {
 }
 
@@ -152,6 +157,7 @@ void StrandStage::upload(const StageSetup& setup)
         if (isReversed(world, strand)) {
             std::reverse(strand.particles.begin(), strand.particles.end());
             std::reverse(strand.restLengths.begin(), strand.restLengths.end());
+            std::swap(strand.startRelease, strand.endRelease);
         }
         uploads.add(world, strand, counts, setup.layout.ranks);
         color.end = static_cast<uint32_t>(uploads.strands.size());
@@ -161,6 +167,7 @@ void StrandStage::upload(const StageSetup& setup)
     strands = {"strands", std::span<const gpu::uvec4>(uploads.strands)};
     distanceNodes = {"distanceNodes", std::span<const gpu::uvec4>(uploads.nodes)};
     distanceLinks = {"distanceLinks", std::span<const gpu::vec4>(uploads.links)};
+    strandReleases = {"strandReleases", std::span<const gpu::uvec2>(uploads.releases)};
     distanceStates = {"distanceStates", uploads.nodes.size()};
     distanceFactors = {"distanceFactors", (heavy_ ? 8 : 4) * uploads.nodes.size()};
     if (touches_) uploadRopes(setup, uploads.nodes);
@@ -192,7 +199,7 @@ void StrandStage::uploadRopes(const StageSetup& setup, const std::vector<gpu::uv
 
 void StrandStage::addBuffers(BufferTable& table)
 {
-    table.add(Lifetime::Constant, strands, distanceNodes, distanceLinks);
+    table.add(Lifetime::Constant, strands, distanceNodes, distanceLinks, strandReleases);
     if (touches_) {
         table.add(Lifetime::Constant, ropeNodes, ropeMovers);
         table.add(Lifetime::Scratch, nodeContacts);

@@ -41,6 +41,7 @@ public:
     Buffer<gpu::vec4> distanceLinks;    ///< Per node, to the next: rest length, compliance; force, length that tear.
     Buffer<gpu::vec4> distanceStates;   ///< Per node, to the next: multiplier [kg m], tension [N], 1 if torn.
     Buffer<gpu::vec4> distanceFactors;  ///< Per node; used only within a dispatch. Of doubles for heavy loads.
+    Buffer<gpu::uvec2> strandReleases;  ///< Per strand: first substeps without its first and last link, or NO_SUBSTEP.
     Buffer<uint32_t> ropeNodes;         ///< Nodes whose contacts with colliders are solved with their rope.
     Buffer<uint32_t> ropeMovers;        ///< Per mover, 1 + the one of these that it is; 0 if none.
     Buffer<gpu::vec4>
@@ -55,15 +56,16 @@ private:
     static constexpr float HEAVY_LOAD = 100.0f;
 
     float load_;
-    bool heavy_ = load_ > HEAVY_LOAD, touches_;
+    bool heavy_ = load_ > HEAVY_LOAD, touches_, letsGo_;
     float contactStiffness_ = 0.0f,
           contactHold_ = 0.0f;  ///< Per mass of a node: along the normal, and where it sticks.
     std::vector<Color> colors_;
     std::vector<uint32_t> starts_;  ///< Per strand of the World, its first node; its last if that is fixed.
     Defines plain_ = definesOf({{"HEAVY", heavy_}, {"CONTACTS", touches_}});
-    Pass first_{*this, "strand/strand_solve", with(plain_, "FIRST_ITERATION")};
+    Defines firsts_ = with(letsGo_ ? with(plain_, "LETS_GO") : plain_, "FIRST_ITERATION");
+    Pass first_{*this, "strand/strand_solve", firsts_};
     Pass later_{*this, "strand/strand_solve", plain_};
-    Pass firstWithBodies_{*this, "strand/strand_solve", with(with(plain_, "FIRST_ITERATION"), "BODIES")};
+    Pass firstWithBodies_{*this, "strand/strand_solve", with(firsts_, "BODIES")};
     Pass laterWithBodies_{*this, "strand/strand_solve", with(plain_, "BODIES")};
     Pass firstTouch_{*this, "strand/rope_touch", with({}, "FIRST_ITERATION"), touches_};
     Pass laterTouch_{*this, "strand/rope_touch", {}, touches_};
