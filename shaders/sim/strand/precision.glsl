@@ -12,8 +12,8 @@
 #define REAL3X3 mat3
 #endif
 
-/// These keep the matrix regular, the larger one at a fixed end: for a taut strand held at both. On a drum links have to
-/// agree with their contacts sooner.
+/// These keep the matrix regular, the larger one at a fixed end: for a taut strand held at both. On a drum links have
+/// to agree with their contacts sooner.
 #if defined(HEAVY) && defined(CONTACTS)
 const float REGULAR = 1e-6;
 #else

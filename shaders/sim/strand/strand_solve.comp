@@ -64,7 +64,8 @@ REAL3 eliminate(uint index, Strand strand, float squaredTime)
         distanceStates[k] = pack(EliminatedLink(state.multiplier, float(q), state.torn, none ? 0.0 : float(d)));
         REAL3 own;
         ownOf(a, k, mass, own);
-        if (!none) mass += across - across * inverseB * across + outerProduct(u, movedResidual(n, inverseB, across)) / d;
+        REAL3 moved = movedResidual(n, inverseB, across);
+        if (!none) mass += across - across * inverseB * across + outerProduct(u, moved) / d;
         r = none ? own : own + across * asked - u * (q / d);
         b = a;
     }
