@@ -20,10 +20,10 @@
 //     and cloth, colour by colour, ropes with their contacts with colliders (rope_touch, rope_push); contact_solve and
 //     collider_solve work out impulses, each contact by itself, from where the movers are, drive_* the pull of
 //     springs towards clips, motor_turn that of joints' motors; impulse_sum adds them up for each body, and body_solve
-//     matches it (eqs. 8-9, 11-17) to where they bring its particles, as loose_solve does for loose particles. Bodies that stand on each other, found once a step
-//     (stack_touch, stack_trees), then answer to their contacts with each other at once (stack_pairs, stack_colliders,
-//     stack_solve). For bodies with joints jointed_solve notes what is left to
-//     do, and joint_solve answers it for all bodies of a tree at once, joint_loop_solve for its loops;
+//     matches it (eqs. 8-9, 11-17) to where they bring its particles, as loose_solve does for loose particles. Bodies
+//     that stand on each other, found once a step (stack_touch, stack_trees), then answer to their contacts with each
+//     other at once (stack_pairs, stack_colliders, stack_solve). For bodies with joints jointed_solve notes what is
+//     left to do, and joint_solve answers it for all bodies of a tree at once, joint_loop_solve for its loops;
 //     gear_solve corrects the torques of gears, and gear_move moves the trees by them;
 //   lets joints tear (joint_tear), and blows weaken what is driven (drive_hit);
 //   ends with velocities and positions (mover_integrate, jointed_integrate), and where materials have restitution,

@@ -62,14 +62,14 @@ struct ColliderContact {
 uvec4 packColliderContact(ColliderContact sides)
 {
     return uvec4(sides.mover, sides.collider, packHalf2x16(sides.friction), 
-                 packUnorm2x16(vec2(sides.fraction, sides.ofRope ? 1 : 0)));
+                 packUnorm2x16(vec2(sides.fraction, sides.ofRope ? 0 : 1)));
 }
 
 ColliderContact fetchColliderContact(usamplerBuffer colliderSides, uint q)
 {
     uvec4 t = texelFetch(colliderSides, int(q));
     vec2 rest = unpackUnorm2x16(t.w);
-    return ColliderContact(t.x, t.y, unpackHalf2x16(t.z), rest.x, rest.y != 0.0);
+    return ColliderContact(t.x, t.y, unpackHalf2x16(t.z), rest.x, rest.y == 0.0);
 }
 
 /// Where pairArms has the arms of a pair's two particles.
