@@ -38,7 +38,9 @@ JointLimits readLimits(const Json& json)
 
 JointStrength readStrength(const Json& json)
 {
-    return {readUnlessZero(json["tearForce"]), readUnlessZero(json["tearTorque"])};
+    JointStrength strength{readUnlessZero(json["tearForce"]), readUnlessZero(json["tearTorque"])};
+    if (json.contains("releaseTime")) strength.time = readUnlessZero(json["releaseTime"]);
+    return strength;
 }
 
 void requireLimits(const std::string& path, const std::string& pointer, const JointLimits& limits,

@@ -10,7 +10,8 @@ namespace knuckle {
 /// Reads the `limits` of a scene, an actor or a list of overrides, completed by its schema: converts degrees to
 /// radians, and a stiffness of 0 to infinity.
 JointLimits readLimits(const Json& json);
-/// Reads the `tearForce` and `tearTorque` of a joint, completed in the same way.
+/// Reads the `tearForce` and `tearTorque` of a joint, completed in the same way, and its `releaseTime` if it may have
+/// one.
 JointStrength readStrength(const Json& json);
 /// Checks that each limit exists for some joint of these types. @throws InputError naming the first that does not.
 void requireLimits(const std::string& path, const std::string& pointer, const JointLimits& limits,

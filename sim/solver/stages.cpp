@@ -159,6 +159,7 @@ Defines Stages::worldDefines() const
                       {"GRAINS", layout.hasGrains},
                       {"SLEEP", sleep.has_value()},
                       {"STACKS", stacks.has_value()},
+                      {"ROPES", strands && strands->touchesColliders()},
                       {"FREEZE", s.freeze > 0.0f},
                       {"PUPPETS", drives.has_value()},
                       {"TOUCHES", std::ranges::any_of(world_.releases, isByTouch)},

@@ -17,13 +17,13 @@
 //     list_start, pair_list), and each contact gets its data (contact_prepare, collider_prepare);
 //   moves fluids by their pressures (fluid_*), once, and slows them by their viscosity (viscous_*);
 //   solves, `iterations` times: cluster_match and cluster_pull pull soft bodies together, strand_solve moves ropes
-//     and cloth, colour by colour; contact_solve and collider_solve work out impulses, each contact by itself, from
-//     where the movers are, drive_* the pull of springs towards clips, motor_turn that of joints' motors;
-//     impulse_sum adds them up for each body, and body_solve matches it (eqs. 8-9, 11-17) to where they bring its
-//     particles, as loose_solve does for loose particles. Bodies that stand on each other, found once a step
-//     (stack_touch, stack_trees), then answer to their contacts with each other at once (stack_pairs, stack_colliders,
-//     stack_solve). For bodies with joints jointed_solve notes what is left to
-//     do, and joint_solve answers it for all bodies of a tree at once, joint_loop_solve for its loops;
+//     and cloth, colour by colour, ropes with their contacts with colliders (rope_touch, rope_push); contact_solve and
+//     collider_solve work out impulses, each contact by itself, from where the movers are, drive_* the pull of
+//     springs towards clips, motor_turn that of joints' motors; impulse_sum adds them up for each body, and body_solve
+//     matches it (eqs. 8-9, 11-17) to where they bring its particles, as loose_solve does for loose particles. Bodies
+//     that stand on each other, found once a step (stack_touch, stack_trees), then answer to their contacts with each
+//     other at once (stack_pairs, stack_colliders, stack_solve). For bodies with joints jointed_solve notes what is
+//     left to do, and joint_solve answers it for all bodies of a tree at once, joint_loop_solve for its loops;
 //     gear_solve corrects the torques of gears, and gear_move moves the trees by them;
 //   lets joints tear (joint_tear), and blows weaken what is driven (drive_hit);
 //   ends with velocities and positions (mover_integrate, jointed_integrate), and where materials have restitution,
@@ -60,12 +60,15 @@ void moveFluids(const Stages& s, Recorder& recorder, uint32_t index)
     if (s.viscosity) s.viscosity->solve(recorder);
 }
 
-/// Light ropes under heavy loads need more of them: with two at few substeps their tension does not settle.
+/// Light ropes under heavy loads need more of them: with two at few substeps their tension does not settle. How far a
+/// rope slides on a collider is known after the second.
 uint32_t iterationsOf(const Stages& s, const Settings& settings)
 {
-    constexpr uint32_t MORE = 4;
+    constexpr uint32_t MORE = 4, SLIDING = 2;
     constexpr float HEAVY_LOAD = 4000.0f;
-    return s.strands && s.strands->load() > HEAVY_LOAD ? std::max(settings.iterations, MORE) : settings.iterations;
+    if (!s.strands) return settings.iterations;
+    const uint32_t least = s.strands->load() > HEAVY_LOAD ? MORE : s.strands->touchesColliders() ? SLIDING : 1;
+    return std::max(settings.iterations, least);
 }
 
 void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorder, uint32_t index)

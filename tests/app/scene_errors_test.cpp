@@ -73,8 +73,8 @@ const BadScene BAD_SCENES[] = {
     {"NegativeTearForce", OBJECT(R"("type": "joined", "tearForce": -1)"),
      ": /objects/0/tearForce: -1 is below the minimum 0 [N]"},
     {"TearingOfThePaper", R"({ "solver": "paper", "objects": [{ "type": "joined", "tearTorque": 30 }] })",
-     ": the paper's solver has no joints that tear; take `tearForce` and `tearTorque` away, or use solver method "
-     "impulse"},
+     ": the paper's solver has no joints that tear; take `tearForce`, `tearTorque` and `releaseTime` away, or use "
+     "solver method impulse"},
     {"PinBesideSoftBody",
      OBJECT(R"("type": "soft", "shape": "box", "size": [1, 1, 1], "pins": [[0, 0.5, 0], [0, 1, 0]])"),
      ": /objects/0/pins/1: the nearest particle is 0.555 m away, at [-0.05, 0.45, -0.05], and may be 0.1 m, a "

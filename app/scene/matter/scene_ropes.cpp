@@ -70,7 +70,8 @@ RopeEnd readEnd(const ObjectEntry& entry, const char* key, size_t copy, const Ve
 {
     const Json& json = entry.json[key];
     if (json.is_string()) return {json == "fixed" ? RopeEnd::Kind::Fixed : RopeEnd::Kind::Free, NO_INDEX};
-    return {RopeEnd::Kind::Attached, findParticle(entry, json, copy, place, ATTACH_REACH, fmt::format("/{}", key))};
+    return {RopeEnd::Kind::Attached, findParticle(entry, json, copy, place, ATTACH_REACH, fmt::format("/{}", key)),
+            readUnlessZero(json["releaseTime"])};
 }
 
 float readBendCompliance(const Json& json)

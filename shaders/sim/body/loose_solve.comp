@@ -1,6 +1,9 @@
 // One thread a loose particle: sums the impulses on it and moves it by them. Also counts the contacts that will act
 // next, over which its mass is split. WARM_START: with the old impulses of new contacts.
 #define LOOSE
+#ifdef ROPES
+#define SKIPS_ROPES
+#endif
 #include "sim/common/kernel.glsl"
 #include "sim/body/mover_threads.glsl"
 #include "sim/common/bodies/fields.glsl"

@@ -10,6 +10,9 @@ uniform samplerBuffer searchPositions;
 uniform usamplerBuffer colliderPairs;
 uniform samplerBuffer lastColliderImpulses;
 uniform samplerBuffer lastColliderMeans;
+#ifdef ROPES
+uniform usamplerBuffer ropeMovers;
+#endif
 BUFFER(uvec4, ColliderSides, colliderSides);
 BUFFER(vec4, ColliderArms, colliderArms);
 BUFFER(vec4, ColliderImpulses, colliderImpulses);
@@ -42,7 +45,11 @@ void main()
     vec2 friction = 0.5 * (fetchMass(pair.particle).friction + fetchColliderFriction(pair.collider));
     vec3 r = ref.r - ref.radius * rotate(conjugate(rotation), surface.normal);
     SideMass mass = sideMass(own.mover, arm, r, surface.normal);
-    colliderSides[q] = packColliderContact(ColliderContact(own.mover, pair.collider, friction, mass.fraction));
+    bool ofRope = false;
+#ifdef ROPES
+    ofRope = texelFetch(ropeMovers, int(own.mover)).x != 0u;
+#endif
+    colliderSides[q] = packColliderContact(ColliderContact(own.mover, pair.collider, friction, mass.fraction, ofRope));
     colliderArms[q] = packArm(Arm(r, mass.worst));
     uint old = oldIndex(parity ^ 1u, own.rank, pair.collider);
     Impulse impulse = old == NONE ? Impulse(vec3(0), 0.0) : fetchImpulse(lastColliderImpulses, old);

@@ -21,7 +21,7 @@ void main()
     uint index = counters[0].listParity * sim.colliderPairCapacity + q;
     uint particle = fetchColliderPair(colliderPairs, index).particle;
     ColliderContact sides = fetchColliderContact(colliderSides, q);
-    if (inStack(sides.mover)) return;
+    if (inStack(sides.mover) || sides.ofRope) return;
     float mean = colliderMeans[index];   // no texture of it and of the arms: sixteen are needed beside them
     Impulse last = fetchImpulse(lastColliderImpulses, index);
     Arm arm = armOf(colliderArms[q]);

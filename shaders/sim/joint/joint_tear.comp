@@ -1,13 +1,17 @@
 // One thread a tree of joints: of those that bore more in the substep than they can, the most loaded one tears, which
-// relieves the others. Its body is then the root of what hangs on it, in the same tree; its particles stay with the
-// first of their bodies.
+// relieves the others; and those whose time is over (LETS_GO: of a world that has any). A torn joint's body is then the
+// root of what hangs on it, in the same tree; its particles stay with the first of their bodies.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/joint/joint_rows.glsl"
+#include "sim/joint/joint_strength.glsl"
 
 layout(local_size_x = TREE_GROUP_SIZE) in;
-uniform usamplerBuffer jointStrengths;
 uniform usamplerBuffer jointParticles;
+#ifdef LETS_GO
+uniform usamplerBuffer jointReleases;     // the first substep without it
+READ_BUFFER(Counters, CountersBlock, counters);
+#endif
 BUFFER(uint, JointFreedoms, newJointFreedoms);
 BUFFER(vec4, JointLoads, jointLoads);
 BUFFER(uvec2, ParticleLinks, newParticleLinks);
@@ -22,17 +26,6 @@ void forbid(uint body, uint other)
     if (bit != NONE) atomicAnd(newFilterBits[bit >> 5], ~(1u << (bit & 31u)));
 }
 #endif
-
-struct JointStrength {
-    float force, torque;   // [N, N m]
-    uint first, end;       // of jointParticles
-};
-
-JointStrength fetchJointStrength(uint joint)
-{
-    uvec4 t = texelFetch(jointStrengths, int(joint));
-    return JointStrength(uintBitsToFloat(t.x), uintBitsToFloat(t.y), t.z, t.w);
-}
 
 /// The mean of a joint's loads now and a substep ago: where second order begins, the load is first too low and then too
 /// high.
@@ -85,6 +78,12 @@ void main()
     uint joints = tree.end - tree.first, all = joints + tree.loopEnd - tree.firstLoop;
     for (uint i = 0u; i < all; ++i) {
         uint k = i < joints ? tree.first + i : tree.firstLoop + (i - joints);
+#ifdef LETS_GO
+        if (counters[0].substep >= texelFetch(jointReleases, int(k)).x && fetchFreedom(k) != JOINT_NONE) {
+            tear(k);
+            continue;
+        }
+#endif
         float load = loadOf(k, squaredTime);
         if (load > most) {
             most = load;

@@ -63,3 +63,13 @@ REAL3X3 turningMass(REAL3 n, REAL turning)
 {
     return REAL3X3(turning) - turning * outerProduct(n, n);
 }
+
+/// What a move of a link's first node changes its residual by. Friction makes B asymmetric: n B k P is not k P B n.
+REAL3 movedResidual(REAL3 n, REAL3X3 inverseB, REAL3X3 across)
+{
+#ifdef CONTACTS
+    return n - (n * inverseB) * across;
+#else
+    return n - across * (inverseB * n);
+#endif
+}

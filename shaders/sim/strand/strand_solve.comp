@@ -7,38 +7,33 @@
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/strand/distance_response.glsl"
 #include "sim/strand/distance_states.glsl"
+#include "sim/strand/strand_nodes.glsl"
 
 layout(local_size_x = DISTANCE_GROUP_SIZE) in;
 layout(location = 0) uniform uvec2 range;          // the first strand and the end
-BUFFER(vec4, MoverMoves, newMoverMoves);
-BUFFER(vec4, ParticleImpulses, particleImpulses);
 BUFFER(vec4, DistanceStates, distanceStates);
 BUFFER(REAL4, DistanceFactors, distanceFactors);
+#ifdef LETS_GO
+uniform usamplerBuffer strandReleases;   // the first substeps without the first and the last link
+READ_BUFFER(Counters, CountersBlock, counters);
 
-/// These keep the matrix regular, the larger one at a fixed end: for a taut strand held at both.
-const float REGULAR = 1e-5, REGULAR_END = 1e-3;
-/// The most resistance to turning, relative to the mass of its nodes: more would be lost to rounding.
-#ifdef HEAVY
-const double MOST_TURNING = 1e7;
-#else
-const float MOST_TURNING = 30.0;
-#endif
-
-void push(uint node, vec3 impulse)
+/// Whether the time of a link at a strand's end is over.
+bool isLetGo(uint index, Strand strand, uint k)
 {
-    NodeInfo info = fetchNodeInfo(node);
-    if (info.inverseMass == 0.0) return;
-    particleImpulses[info.rank].xyz += impulse;
-    if (info.mover >= sim.bodyCount) newMoverMoves[info.mover].xyz += info.inverseMass * impulse;
+    uvec2 release = texelFetch(strandReleases, int(index)).xy;
+    uint now = counters[0].substep - 1u;
+    return (k == strand.first && now >= release.x) || (k + 1u == strand.last && now >= release.y);
 }
+#endif
 
 /// Eliminates from the end on. For the node b of a link: A dx = r + f; with its link B = (A + k P)^-1, P = 1 - n n^T.
 /// @returns the move of the first node.
-REAL3 eliminate(Strand strand, float squaredTime)
+REAL3 eliminate(uint index, Strand strand, float squaredTime)
 {
     DistanceNode b = fetchNode(strand.last);
-    REAL3X3 mass = REAL3X3(massOf(b));
-    REAL3 r = REAL3(0);
+    REAL3X3 mass;
+    REAL3 r;
+    ownOf(b, strand.last, mass, r);
     for (uint k = strand.last; k-- > strand.first;) {
         DistanceNode a = fetchNode(k);
         DistanceLink link = fetchDistanceLink(k);
@@ -49,6 +44,9 @@ REAL3 eliminate(Strand strand, float squaredTime)
 #ifdef FIRST_ITERATION
         if (state.tension > link.tearForce || linkLength > link.tearLength) state.torn = 1.0;
         state.multiplier = 0.0;
+#ifdef LETS_GO
+        if (isLetGo(index, strand, k)) state.torn = 1.0;
+#endif
 #endif
         bool held = b.info.inverseMass == 0.0;
         REAL compliance = link.compliance / squaredTime;
@@ -64,9 +62,11 @@ REAL3 eliminate(Strand strand, float squaredTime)
         DistanceFactor factor = DistanceFactor(n, none ? REAL(0) : turning, inverseB, r);
         STORE_DISTANCE_FACTOR(distanceFactors, k, factor);
         distanceStates[k] = pack(EliminatedLink(state.multiplier, float(q), state.torn, none ? 0.0 : float(d)));
-        mass = REAL3X3(massOf(a));
-        if (!none) mass += across - across * inverseB * across + outerProduct(u, u) / d;
-        r = none ? REAL3(0) : across * asked - u * (q / d);
+        REAL3 own;
+        ownOf(a, k, mass, own);
+        REAL3 moved = movedResidual(n, inverseB, across);
+        if (!none) mass += across - across * inverseB * across + outerProduct(u, moved) / d;
+        r = none ? own : own + across * asked - u * (q / d);
         b = a;
     }
     return b.info.inverseMass == 0.0 ? REAL3(0) : inverse(mass) * r;
@@ -79,21 +79,21 @@ void main()
     Strand strand = fetchStrand(index);
     if (rests(strand)) return;
     float squaredTime = accelerationFactor(fetchAssembly(strand.assembly)) * sim.substepTime * sim.substepTime;
-    REAL3 move = eliminate(strand, squaredTime), before = REAL3(0);
+    REAL3 move = eliminate(index, strand, squaredTime), before = REAL3(0);
     for (uint k = strand.first; k < strand.last; ++k) {
         DistanceFactor f;
         LOAD_DISTANCE_FACTOR(distanceFactors, k, f)
         EliminatedLink link = eliminatedLink(distanceStates[k]);
         REAL3X3 across = turningMass(f.n, f.turning);
-        REAL3 u = f.n - across * (f.inverse * f.n);
+        REAL3 u = movedResidual(f.n, f.inverse, across);
         REAL change = link.divisor > 0.0 ? (link.residual + dot(u, move)) / link.divisor : REAL(0);
         REAL3 next = f.inverse * (f.r + change * f.n + across * move);
         REAL3 pull = change * f.n - across * (next - move);
         float multiplier = link.multiplier + float(change);
         distanceStates[k] = pack(DistanceState(multiplier, -multiplier / squaredTime, link.torn));
-        push(k, vec3(before - pull));
+        moveNode(k, vec3(before - pull), vec3(move));
         before = pull;
         move = next;
     }
-    push(strand.last, vec3(before));
+    moveNode(strand.last, vec3(before), vec3(move));
 }

@@ -21,6 +21,11 @@ bool tears(const World& world)
     return std::ranges::any_of(world.joints, [](const Joint& joint) { return joint.strength.tears(); });
 }
 
+bool letsGo(const World& world)
+{
+    return std::ranges::any_of(world.joints, [](const Joint& joint) { return std::isfinite(joint.strength.time); });
+}
+
 bool drives(const World& world)
 {
     return DriveStage::isNeeded(world) || MotorStage::isNeeded(world);
@@ -104,7 +109,8 @@ JointStage::JointStage(const StageSetup& setup)
       again_(needed_ && (hasLimits_ || drives_ || hasLongTree(setup.layout.jointTrees))),
       variant_(solveVariant(setup, hasLoops_, again_)), loopVariant_(loopVariant(setup)),
       factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")),
-      rowVariant_(definesOf({{"ANGULAR", setup.rows.hasAngular()}}))
+      rowVariant_(definesOf({{"ANGULAR", setup.rows.hasAngular()}})),
+      tearVariant_(letsGo(setup.world) ? with(rowVariant_, "LETS_GO") : rowVariant_)
 {
 }
 
@@ -181,7 +187,7 @@ void JointStage::uploadStrengths(const StageSetup& setup)
 {
     std::vector<gpu::uvec4> strengths;
     std::vector<gpu::uvec2> parted;
-    std::vector<uint32_t> particles;
+    std::vector<uint32_t> particles, releases;
     if (tears_) {
         for (const JointTrees::Joint& joint : setup.layout.jointTrees.all()) {
             const auto first = static_cast<uint32_t>(particles.size());
@@ -191,11 +197,13 @@ void JointStage::uploadStrengths(const StageSetup& setup)
             strengths.push_back({std::bit_cast<uint32_t>(strength.force), std::bit_cast<uint32_t>(strength.torque),
                                  first, static_cast<uint32_t>(particles.size())});
             parted.push_back(partedBy(setup.world, joint));
+            releases.push_back(setup.world.settings.substepAt(strength.time));
         }
     }
     jointStrengths = {"jointStrengths", std::span<const gpu::uvec4>(strengths)};
     jointFilters = {"jointFilters", std::span<const gpu::uvec2>(parted)};
     jointParticles = {"jointParticles", std::span<const uint32_t>(particles)};
+    jointReleases = {"jointReleases", std::span<const uint32_t>(releases)};
     jointLoads = {"jointLoads", JOINT_LOAD_TEXELS * strengths.size()};
     jointLoads.clear();
 }
@@ -204,7 +212,7 @@ void JointStage::addBuffers(BufferTable& table)
 {
     table.addFloatStructs(Lifetime::Constant, jointLimits);
     table.add(Lifetime::Constant, sharedParticles, jointTrees, jointInfo, jointPlaces, jointStrengths, jointParticles,
-              jointFilters);
+              jointFilters, jointReleases);
     table.add(Lifetime::State, jointFreedoms, jointLimitStates, jointLoads, bodyResponses, driveStiffness);
     table.add(Lifetime::Scratch, jointFactors, rootFactors, treeTurns, jointInertias, jointSweeps, loopFactors);
 }

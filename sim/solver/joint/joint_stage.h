@@ -69,6 +69,7 @@ public:
     Buffer<gpu::uvec4> jointStrengths;    ///< Per joint: bits of force [N], torque [N m] at which it tears; first of
                                           ///< jointParticles, end.
     Buffer<gpu::uvec2> jointFilters;      ///< Bodies that touch each other once it is torn; if joints can tear.
+    Buffer<uint32_t> jointReleases;       ///< Per joint: the first substep without it, or NO_SUBSTEP; if any can tear.
     Buffer<uint32_t> jointParticles;      ///< Particles that its bodies share; if joints can tear.
     Buffer<gpu::vec4> jointLoads;         ///< Per joint: its load in the substep before [N], [N m].
     Buffer<gpu::vec4> driveStiffness;     ///< Per joint of a tree, if any is driven: what drives, pins and motors add
@@ -83,7 +84,7 @@ private:
 
     const gpu::StepParameters& parameters_;
     bool needed_, shared_, hasLoops_, hasLimits_, drives_, tears_, again_;
-    Defines variant_, loopVariant_, factorVariant_, againVariant_, rowVariant_;
+    Defines variant_, loopVariant_, factorVariant_, againVariant_, rowVariant_, tearVariant_;
     Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
     Pass refactor_{*this, "joint/joint_factor", againVariant_, again_};
     Pass refactorLast_{*this, "joint/joint_factor", with(againVariant_, "LAST"), again_&& hasLimits_};
@@ -91,7 +92,7 @@ private:
     Pass solveFirst_{*this, "joint/joint_solve", with(variant_, "FIRST"), needed_};
     Pass solve_{*this, "joint/joint_solve", variant_, needed_};
     Pass solveLoops_{*this, "joint/loops/joint_loop_solve", loopVariant_, hasLoops_};
-    Pass tear_{*this, "joint/joint_tear", rowVariant_, tears_};
+    Pass tear_{*this, "joint/joint_tear", tearVariant_, tears_};
     Pass place_{*this, "joint/joint_position", {}, shared_};
 };
 

@@ -20,11 +20,12 @@ public:
 
     Buffer<gpu::uvec2> assemblyCalm, assemblyNext;  ///< Per assembly: number of calm steps, name of its island.
     Buffer<uint32_t> islandsWoken;                  ///< By name: 1 if something woke it in this step.
+    Buffer<gpu::uvec2> sleepReleases;               ///< Of joints and ropes that let go: assembly, substep.
     Buffer<gpu::vec4> calmCentres, calmRotations;   ///< Per mover: where its assembly began to count its calm steps.
 
 private:
     const gpu::StepParameters& parameters_;
-    bool freezes_, meetsMoving_, hasMotors_;
+    bool freezes_, meetsMoving_, hasMotors_, letsGo_;
     Pass wakeIsland_{*this, "sleep/sleep_wake_island"};
     Pass wakeByCollider_{*this, "sleep/sleep_collider", {{"WAKE", "1"}}, meetsMoving_};
     Pass wakeAssembly_{*this, "sleep/sleep_wake_assembly"};
@@ -35,6 +36,7 @@ private:
     Pass sleepIsland_{*this, "sleep/sleep_island", {}, !freezes_};
     Pass sleepUpdate_{*this, "sleep/sleep_update", {}, !freezes_};
     Pass motor_{*this, "sleep/sleep_motor", {}, hasMotors_};
+    Pass release_{*this, "sleep/sleep_release", {}, letsGo_};
     Pass freezeMover_{*this, "sleep/freeze_mover", {}, freezes_};
     Pass freezeUpdate_{*this, "sleep/freeze_update", {}, freezes_};
 };

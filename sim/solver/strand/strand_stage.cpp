@@ -12,6 +12,13 @@ namespace {
 // A soft distance that may tear does so at this multiple of its length.
 constexpr float TEAR_STRETCH = 1.5f;
 
+// Contacts of ropes with colliders, in masses of a node and of its load. The stiffer they are, the more of them is
+// rounding; so a load sinks in by what it would fall in a substep over that part of a diameter.
+constexpr float USUAL_ACCELERATION = 9.81f;  // [m/s2]
+constexpr float MOST_SAG = 0.005f;           // [diameters]
+constexpr float MOST_STIFFNESS = 0.3f;       // of the load: beyond it, few iterations do not settle
+constexpr float LEAST_STIFFNESS = 30.0f;     // of the node: ropes without loads
+
 constexpr float NEVER = std::numeric_limits<float>::max();
 
 /// Whether it is uploaded in reverse: elimination begins at a strand's end, which should be free.
@@ -67,8 +74,28 @@ float heaviestLoad(const World& world)
     return heaviest;
 }
 
+/// Per particle, whether its contacts with colliders are solved with its rope: it is loose and no thread of a cloth,
+/// which cross.
+std::vector<bool> ofRopes(const World& world)
+{
+    std::vector<uint32_t> threads(world.particles.size(), 0);
+    for (const Strand& strand : world.strands)
+        if (strand.kind == DistanceKind::Stretch)
+            for (const uint32_t particle : strand.particles) ++threads[particle];
+    std::vector<bool> out;
+    for (size_t p = 0; p < threads.size(); ++p)
+        out.push_back(threads[p] == 1 && world.particles[p].body == NO_INDEX && !world.particles[p].pinned);
+    return out;
+}
+
+bool touchesAny(const World& world)
+{
+    return !world.colliders.empty() && std::ranges::count(ofRopes(world), true) > 0;
+}
+
 struct Uploads {
     std::vector<gpu::uvec4> strands, nodes;
+    std::vector<gpu::uvec2> releases;
     std::vector<gpu::vec4> links;
 
     void add(const World& world, const Strand& strand, const std::vector<uint32_t>& counts,
@@ -90,6 +117,8 @@ struct Uploads {
         links.push_back({});
         const uint32_t assembly = world.particles[strand.particles.front()].assembly;
         strands.push_back({first, static_cast<uint32_t>(nodes.size()) - 1, assembly, 0});
+        releases.push_back(
+            {world.settings.substepAt(strand.startRelease), world.settings.substepAt(strand.endRelease)});
     }
 };
 
@@ -100,7 +129,11 @@ bool StrandStage::isNeeded(const World& world)
     return world.settings.solver == SolverKind::Impulse && !world.strands.empty();
 }
 
-StrandStage::StrandStage(const StageSetup& setup) : load_(heaviestLoad(setup.world)) {}
+StrandStage::StrandStage(const StageSetup& setup)
+    : load_(heaviestLoad(setup.world)), touches_(touchesAny(setup.world)),
+      letsGo_(std::ranges::any_of(setup.world.strands, &Strand::letsGo))
+{
+}
 
 void StrandStage::upload(const StageSetup& setup)
 {
@@ -124,6 +157,7 @@ void StrandStage::upload(const StageSetup& setup)
         if (isReversed(world, strand)) {
             std::reverse(strand.particles.begin(), strand.particles.end());
             std::reverse(strand.restLengths.begin(), strand.restLengths.end());
+            std::swap(strand.startRelease, strand.endRelease);
         }
         uploads.add(world, strand, counts, setup.layout.ranks);
         color.end = static_cast<uint32_t>(uploads.strands.size());
@@ -133,13 +167,43 @@ void StrandStage::upload(const StageSetup& setup)
     strands = {"strands", std::span<const gpu::uvec4>(uploads.strands)};
     distanceNodes = {"distanceNodes", std::span<const gpu::uvec4>(uploads.nodes)};
     distanceLinks = {"distanceLinks", std::span<const gpu::vec4>(uploads.links)};
+    strandReleases = {"strandReleases", std::span<const gpu::uvec2>(uploads.releases)};
     distanceStates = {"distanceStates", uploads.nodes.size()};
     distanceFactors = {"distanceFactors", (heavy_ ? 8 : 4) * uploads.nodes.size()};
+    if (touches_) uploadRopes(setup, uploads.nodes);
+}
+
+void StrandStage::uploadRopes(const StageSetup& setup, const std::vector<gpu::uvec4>& nodes)
+{
+    constexpr size_t NODE_CONTACT_TEXELS = 5;  // shaders/sim/strand/node_contacts.glsl
+    const World& world = setup.world;
+    const std::vector<bool> ofRope = ofRopes(world);
+    std::vector<uint32_t> own, movers(setup.layout.moverCount(), 0);
+    for (size_t s = 0; s < starts_.size(); ++s) {
+        if (world.strands[s].kind != DistanceKind::Stretch) continue;
+        for (size_t k = 0; k < world.strands[s].particles.size(); ++k) {
+            const auto node = static_cast<uint32_t>(starts_[s] + k);
+            if (!ofRope[nodes[node].z]) continue;
+            own.push_back(node);
+            movers[nodes[node].x] = node + 1;
+        }
+    }
+    ropeNodes = {"ropeNodes", std::span<const uint32_t>(own)};
+    ropeMovers = {"ropeMovers", std::span<const uint32_t>(movers)};
+    nodeContacts = {"nodeContacts", NODE_CONTACT_TEXELS * nodes.size()};
+    const float h = setup.parameters.substepTime;
+    const float fall = USUAL_ACCELERATION * h * h / (MOST_SAG * setup.parameters.diameter);
+    contactStiffness_ = std::max(load_ * std::min(fall, MOST_STIFFNESS), LEAST_STIFFNESS);
+    contactHold_ = std::max(load_, LEAST_STIFFNESS);
 }
 
 void StrandStage::addBuffers(BufferTable& table)
 {
-    table.add(Lifetime::Constant, strands, distanceNodes, distanceLinks);
+    table.add(Lifetime::Constant, strands, distanceNodes, distanceLinks, strandReleases);
+    if (touches_) {
+        table.add(Lifetime::Constant, ropeNodes, ropeMovers);
+        table.add(Lifetime::Scratch, nodeContacts);
+    }
     table.add(Lifetime::State, distanceStates);
     ElementType doubles{32, 16, ElementType::Scalar::Float, GL_DOUBLE_VEC4};
     table.add("distanceFactors", distanceFactors, heavy_ ? doubles : elementType<gpu::vec4>(), Lifetime::Scratch);
@@ -147,12 +211,20 @@ void StrandStage::addBuffers(BufferTable& table)
 
 void StrandStage::solve(Recorder& recorder, bool first) const
 {
+    if (touches_) recordTouch(recorder, first ? firstTouch_ : laterTouch_);
     for (const Color& color : colors_) {
         const Kernel& kernel = color.hasBodies ? (first ? firstWithBodies_ : laterWithBodies_)
                                                : (first ? first_ : later_);
         glProgramUniform2ui(kernel.program(), 0, color.begin, color.end);
         recorder.groups(kernel, (color.end - color.begin + DISTANCE_GROUP_SIZE - 1) / DISTANCE_GROUP_SIZE);
     }
+    if (touches_) recordTouch(recorder, first ? firstPush_ : laterPush_);
+}
+
+void StrandStage::recordTouch(Recorder& recorder, const Kernel& kernel) const
+{
+    glProgramUniform2f(kernel.program(), 0, contactStiffness_, contactHold_);
+    recorder.perElement(kernel, ropeNodes.size());
 }
 
 void StrandStage::measure(Measures& out, const World& world, const ParticleState& particles) const

@@ -22,6 +22,8 @@ public:
 
     /// The largest load of a strand over its lightest node.
     float load() const { return load_; }
+    /// Whether contacts of ropes with colliders are solved with them.
+    bool touchesColliders() const { return touches_; }
     /// Whether a load is so heavy that floats lose what is light: strands are solved in doubles.
     bool isHeavy() const { return heavy_; }
     const std::vector<Color>& colors() const { return colors_; }
@@ -39,21 +41,36 @@ public:
     Buffer<gpu::vec4> distanceLinks;    ///< Per node, to the next: rest length, compliance; force, length that tear.
     Buffer<gpu::vec4> distanceStates;   ///< Per node, to the next: multiplier [kg m], tension [N], 1 if torn.
     Buffer<gpu::vec4> distanceFactors;  ///< Per node; used only within a dispatch. Of doubles for heavy loads.
+    Buffer<gpu::uvec2> strandReleases;  ///< Per strand: first substeps without its first and last link, or NO_SUBSTEP.
+    Buffer<uint32_t> ropeNodes;         ///< Nodes whose contacts with colliders are solved with their rope.
+    Buffer<uint32_t> ropeMovers;        ///< Per mover, 1 + the one of these that it is; 0 if none.
+    Buffer<gpu::vec4>
+        nodeContacts;  ///< Per node, five: stiffness, push of its contacts; its moves (node_contacts.glsl).
 
 private:
+    void recordTouch(Recorder& recorder, const Kernel& kernel) const;
+    void uploadRopes(const StageSetup& setup, const std::vector<gpu::uvec4>& nodes);
+
     /// From this load on floats lose what is light: two bodies of 100 and 2000 times a node's weight, on a rope between
     /// them, are thrown apart.
     static constexpr float HEAVY_LOAD = 100.0f;
 
     float load_;
-    bool heavy_ = load_ > HEAVY_LOAD;
+    bool heavy_ = load_ > HEAVY_LOAD, touches_, letsGo_;
+    float contactStiffness_ = 0.0f,
+          contactHold_ = 0.0f;  ///< Per mass of a node: along the normal, and where it sticks.
     std::vector<Color> colors_;
     std::vector<uint32_t> starts_;  ///< Per strand of the World, its first node; its last if that is fixed.
-    Pass first_{*this, "strand/strand_solve", definesOf({{"FIRST_ITERATION", true}, {"HEAVY", heavy_}})};
-    Pass later_{*this, "strand/strand_solve", definesOf({{"HEAVY", heavy_}})};
-    Pass firstWithBodies_{*this, "strand/strand_solve",
-                          definesOf({{"FIRST_ITERATION", true}, {"BODIES", true}, {"HEAVY", heavy_}})};
-    Pass laterWithBodies_{*this, "strand/strand_solve", definesOf({{"BODIES", true}, {"HEAVY", heavy_}})};
+    Defines plain_ = definesOf({{"HEAVY", heavy_}, {"CONTACTS", touches_}});
+    Defines firsts_ = with(letsGo_ ? with(plain_, "LETS_GO") : plain_, "FIRST_ITERATION");
+    Pass first_{*this, "strand/strand_solve", firsts_};
+    Pass later_{*this, "strand/strand_solve", plain_};
+    Pass firstWithBodies_{*this, "strand/strand_solve", with(firsts_, "BODIES")};
+    Pass laterWithBodies_{*this, "strand/strand_solve", with(plain_, "BODIES")};
+    Pass firstTouch_{*this, "strand/rope_touch", with({}, "FIRST_ITERATION"), touches_};
+    Pass laterTouch_{*this, "strand/rope_touch", {}, touches_};
+    Pass firstPush_{*this, "strand/rope_push", with({}, "FIRST_ITERATION"), touches_};
+    Pass laterPush_{*this, "strand/rope_push", {}, touches_};
 };
 
 }  // namespace knuckle

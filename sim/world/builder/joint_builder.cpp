@@ -41,6 +41,7 @@ void JointBuilder::addUniversal(uint32_t parent, uint32_t child, const JointSpec
     JointDraft first{{spec.name + ".cross", JointType::Hinge, parent, cross}};
     JointDraft second{{spec.name, JointType::Hinge, cross, child}};
     first.joint.strength = second.joint.strength = spec.strength;
+    first.joint.strength.time = JointStrength().time;  // the cross stays at the parent
     first.joint.drive = second.joint.drive = spec.drive;
     const Vector3f axis = spec.axis.normalized();
     const auto [atParent, atChild] = hingeLimits(spec.limits);

@@ -15,6 +15,7 @@ void merge(JointDraft& into, const JointDraft& from)
     JointStrength& strength = into.joint.strength;
     strength.force = std::min(strength.force, from.joint.strength.force);
     strength.torque = std::min(strength.torque, from.joint.strength.torque);
+    strength.time = std::min(strength.time, from.joint.strength.time);
     if (!from.joint.limits.any()) return;
     const bool same = into.joint.parent == from.joint.parent;
     into.joint.limits = from.joint.limits;

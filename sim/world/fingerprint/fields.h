@@ -135,8 +135,8 @@ inline auto fieldsOf(const TurnLimits& l)
 
 inline auto fieldsOf(const JointStrength& s)
 {
-    const auto& [force, torque] = s;
-    return counting(force, torque);
+    const auto& [force, torque, time] = s;
+    return counting(force, torque, time);
 }
 
 inline auto fieldsOf(const JointSide& s)
@@ -252,8 +252,8 @@ inline auto fieldsOf(const Cluster& c)
 
 inline auto fieldsOf(const Strand& s)
 {
-    const auto& [kind, particles, restLengths, compliance, tearForce] = s;
-    return counting(kind, particles, restLengths, compliance, tearForce);
+    const auto& [kind, particles, restLengths, compliance, tearForce, startRelease, endRelease] = s;
+    return counting(kind, particles, restLengths, compliance, tearForce, startRelease, endRelease);
 }
 
 inline auto fieldsOf(const Nozzle& n)

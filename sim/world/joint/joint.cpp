@@ -121,7 +121,7 @@ bool JointLimits::any() const
 
 bool JointStrength::tears() const
 {
-    return std::min(force, torque) < std::numeric_limits<float>::infinity();
+    return std::min({force, torque, time}) < std::numeric_limits<float>::infinity();
 }
 
 std::vector<std::string> JointLimits::misplacedIn(JointType type) const
@@ -169,9 +169,12 @@ void validateJoints(const World& world)
         if (!(strength.force > 0 && strength.torque > 0))
             throw InputError(fmt::format("the joint \"{}\": a strength of {} N and {} N m must be above 0", joint.name,
                                          strength.force, strength.torque));
+        if (!(strength.time > 0))
+            throw InputError(fmt::format("the joint \"{}\": the time at which it lets go, {} s, must be above 0",
+                                         joint.name, strength.time));
         if (paper && strength.tears())
-            throw InputError("the paper's solver has no joints that tear; take `tearForce` and `tearTorque` away, or "
-                             "use solver method impulse");
+            throw InputError("the paper's solver has no joints that tear; take `tearForce`, `tearTorque` and "
+                             "`releaseTime` away, or use solver method impulse");
         if (paper && joint.limits.any())
             throw InputError("the paper's solver has no joint limits; take them away, or use solver method impulse");
         if (const std::string fault = faultOf(joint); !fault.empty())

@@ -57,11 +57,12 @@ struct TurnLimits {
     bool any() const { return swing < HALF_TURN || twist.bounded(); }
 };
 
-/// The load that a joint bears: beyond it, the joint tears for good.
+/// The load that a joint bears, and for how long: beyond either, the joint tears for good.
 struct JointStrength {
     float force = std::numeric_limits<float>::infinity();   ///< [N], > 0.
     float torque = std::numeric_limits<float>::infinity();  ///< In directions in which it holds turns, including its
                                                             ///< limits [N m], > 0.
+    float time = std::numeric_limits<float>::infinity();    ///< When it lets go whatever it bears [s], > 0.
     bool tears() const;
 };
 

@@ -36,6 +36,8 @@ void checkStrand(const World& world, const Strand& strand, size_t index)
                            strand.restLengths.size()));
     if (!(strand.compliance >= 0.0f) || !std::isfinite(strand.compliance))
         misuse(fmt::format("compliance {} m/N must be 0 (rigid) or above", strand.compliance));
+    if (!(strand.startRelease > 0.0f && strand.endRelease > 0.0f))
+        fail(fmt::format("lets go at {} s; give it a time above 0", std::min(strand.startRelease, strand.endRelease)));
     if (!(strand.tearForce > 0.0f)) fail(fmt::format("tear force {} N must be above 0", strand.tearForce));
     for (float length : strand.restLengths) {
         if (!(length > 0.0f) || !std::isfinite(length)) fail(fmt::format("rest distance {} m must be above 0", length));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -25,6 +26,11 @@ struct Strand {
     /// Tension at which a distance breaks for good [N], > 0. If finite, distances of Shear and Bend also break at one
     /// and a half times their length: they are soft, and would keep torn pieces together.
     float tearForce = std::numeric_limits<float>::infinity();
+    /// When it lets go of its first and of its last particle for good [s], > 0.
+    float startRelease = std::numeric_limits<float>::infinity();
+    float endRelease = std::numeric_limits<float>::infinity();
+
+    bool letsGo() const { return std::min(startRelease, endRelease) < std::numeric_limits<float>::infinity(); }
 };
 
 /// Particle::selfMargin for strands: neighbours are a diameter apart and must not touch each other.

@@ -56,17 +56,20 @@ struct ColliderContact {
     uint mover, collider;
     vec2 friction;       // static, kinetic
     float fraction;      // of the mover's worst inverse mass, in the direction of the normal: 0 ... 1
+    bool ofRope;         // it is solved with the mover's rope (sim/strand/rope_contact.glsl)
 };
 
 uvec4 packColliderContact(ColliderContact sides)
 {
-    return uvec4(sides.mover, sides.collider, packHalf2x16(sides.friction), packUnorm2x16(vec2(sides.fraction, 1)));
+    return uvec4(sides.mover, sides.collider, packHalf2x16(sides.friction), 
+                 packUnorm2x16(vec2(sides.fraction, sides.ofRope ? 0 : 1)));
 }
 
 ColliderContact fetchColliderContact(usamplerBuffer colliderSides, uint q)
 {
     uvec4 t = texelFetch(colliderSides, int(q));
-    return ColliderContact(t.x, t.y, unpackHalf2x16(t.z), unpackUnorm2x16(t.w).x);
+    vec2 rest = unpackUnorm2x16(t.w);
+    return ColliderContact(t.x, t.y, unpackHalf2x16(t.z), rest.x, rest.y == 0.0);
 }
 
 /// Where pairArms has the arms of a pair's two particles.

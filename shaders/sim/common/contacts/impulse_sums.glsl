@@ -14,6 +14,9 @@ uniform samplerBuffer pairArms;
 uniform usamplerBuffer pairReferences;
 uniform samplerBuffer COLLIDER_IMPULSES;
 uniform samplerBuffer colliderArms;
+#ifdef SKIPS_ROPES
+uniform usamplerBuffer colliderSides;
+#endif
 #ifdef ON_PARTICLES
 uniform samplerBuffer particleImpulses;  // by rank
 #endif
@@ -49,8 +52,12 @@ Sum contactSum(Mover mover, uint parity)
         add(sum, impulse, -1.0, fetchContactArm(pairArms, secondArm(q)));
     }
     range = listRange(parity, LIST_COLLIDERS, mover.firstRank, mover.rankCount);
-    for (uint q = range.x; q < range.y; ++q)
+    for (uint q = range.x; q < range.y; ++q) {
+#ifdef SKIPS_ROPES
+        if (fetchColliderContact(colliderSides, q).ofRope) continue;
+#endif
         add(sum, fetchImpulse(COLLIDER_IMPULSES, colliderBase + q), 1.0, fetchContactArm(colliderArms, q));
+    }
     return sum;
 }
 

@@ -146,6 +146,8 @@ private:
         row.restLengths.assign(count_, link_);
         row.compliance = spec_.compliance / static_cast<float>(count_);
         row.tearForce = spec_.tearForce;
+        row.startRelease = spec_.start.releaseTime;
+        row.endRelease = spec_.end.releaseTime;
         builder_.addStrand(row);
         if (!std::isfinite(spec_.bendCompliance)) return;
         for (uint32_t first = 0; first < 2 && first + 2 <= count_; ++first) {
@@ -155,6 +157,8 @@ private:
             bend.tearForce = spec_.tearForce;
             for (uint32_t k = first; k <= count_; k += 2) bend.particles.push_back(nodes_[k]);
             bend.restLengths.assign(bend.particles.size() - 1, 2.0f * link_);
+            if (first == 0) bend.startRelease = spec_.start.releaseTime;
+            if ((count_ - first) % 2 == 0) bend.endRelease = spec_.end.releaseTime;
             builder_.addStrand(bend);
         }
     }

@@ -14,7 +14,8 @@ struct RopeEnd {
         Attached,  ///< At a particle, of a body or loose, which becomes the rope's last one.
     };
     Kind kind = Kind::Free;
-    uint32_t particle = NO_INDEX;  ///< Attached only.
+    uint32_t particle = NO_INDEX;                                ///< Attached only.
+    float releaseTime = std::numeric_limits<float>::infinity();  ///< When the rope lets go there [s], > 0.
 };
 
 /// A rope: a row of particles, at most a diameter apart, that bends freely unless bendCompliance is set.
