@@ -17,13 +17,14 @@ void eliminate(uint body)
     storeInertia(body, STACK_PASSED, shifted(inSeries(inertia, factors), centreNow(parent) - centreNow(body)));
 }
 
-/// What its parent feels of a force on it, and on all that hangs on it.
-void passForce(uint body, Force force)
+/// What its parent feels of a force on it, and on all that hangs on it. @param besides of what else it feels.
+void passForce(uint body, Force force, Force besides)
 {
     Inertia inertia = loadInertia(body, STACK_OWN);
     FactoredInertia factors = factored(add(inertia, loadInertia(body, STACK_EDGE)));
     Force passed = less(force, product(inertia, solve(factors, force)));
-    storeForce(body, STACK_ON_PARENT, shifted(passed, centreNow(stackParent(body)) - centreNow(body)));
+    vec3 arm = centreNow(stackParent(body)) - centreNow(body);
+    storeForce(body, STACK_ON_PARENT, add(besides, shifted(passed, arm)));
 }
 
 /// How a body moves, once that of its parent is known.
@@ -42,15 +43,16 @@ void answer(uint body)
     storeForce(body, STACK_STEP, Force(motion.t, motion.r));
 }
 
-/// Forces on bodies before anything moves, and their own inertias.
-void gather(uvec2 range)
+/// Forces on bodies before anything moves, and their own inertias. Without loops, what children push by is left to
+/// passForce().
+void gather(uvec2 range, uint loops)
 {
     for (uint k = range.x; k < range.y; ++k) {
         uint body = stackOrder[k];
         Inertia inertia = loadInertia(body, STACK_OWN);
         Force force = loadForce(body, STACK_FORCE);
         addOwn(body, inertia, force);
-        FOR_CHILDREN(body, child) force = add(force, loadForce(child, STACK_ON_PARENT));
+        if (loops > 0u) FOR_CHILDREN(body, child) force = add(force, loadForce(child, STACK_ON_PARENT));
         storeInertia(body, STACK_OWN, inertia);
         storeForce(body, STACK_RESIDUAL, force);
     }
@@ -62,14 +64,17 @@ void gather(uvec2 range)
 }
 
 /// How the tree alone answers to the forces left.
-void answerAll(uvec2 range)
+void answerAll(uvec2 range, uint loops)
 {
     for (uint k = range.x; k < range.y; ++k) {
         uint body = stackOrder[k];
         Force force = loadForce(body, STACK_RESIDUAL);
         FOR_CHILDREN(body, child) force = add(force, loadForce(child, STACK_ON_PARENT));
         storeForce(body, STACK_FORCE, force);
-        if (stackParent(body) != STACK_ROOT) passForce(body, force);
+        if (stackParent(body) == STACK_ROOT) continue;
+        Force besides = Force(vec3(0), vec3(0));
+        if (loops == 0u) besides = loadForce(body, STACK_ON_PARENT);
+        passForce(body, force, besides);
     }
     for (uint k = range.y; k-- > range.x;) answer(stackOrder[k]);
 }

@@ -66,12 +66,12 @@ void turnSearch(uvec2 range, float kept)
 /// Leaves the step in STACK_STEP.
 void takeStep(uvec2 range, uint loops)
 {
-    gather(range);
+    gather(range, loops);
     for (uint k = range.x; k < range.y; ++k) eliminate(stackOrder[k]);
     float left = 0.0, least = 0.0;
     for (uint round = 0u; round <= LOOP_ROUNDS * (loops + 1u); ++round) {
         if (round > 0u) advance(range, left);
-        answerAll(range);
+        answerAll(range, loops);
         if (loops == 0u) return;
         float now = sumOfProducts(range, STACK_RESIDUAL, STACK_STEP);
         if (round == 0u) {
