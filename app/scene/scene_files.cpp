@@ -111,6 +111,7 @@ Actor SceneFiles::voxelize(const Json& object, const std::string& path, const st
     ActorOptions options;
     options.voxels.diameter = diameter;
     options.voxels.particleLimit = MAX_PARTICLES;
+    options.voxels.facets = object["type"] == "rigid";
     options.articulation.limited = isLimited(object);
     if (!isActor) {
         model.bones.clear();

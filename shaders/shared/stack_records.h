@@ -10,7 +10,11 @@
 #define TOUCHING 1e-3f
 #define MOST_OVERLAP 0.005f
 
-// stackParents[] of the body that a stack hangs on; NO_INDEX for movers that are in no stack.
+// Most loops of a stack, touches that are not in its tree, and of a body.
+#define MOST_LOOPS 24u
+#define BODY_LOOPS 3u
+
+// stackParents[].x of the body that a stack hangs on; NO_INDEX for movers that are in no stack.
 #define STACK_ROOT 0xfffffffeu
 
 // stackSizes[]: work groups of stacks and of their bodies; w: how many.
@@ -25,6 +29,13 @@
 #define STACK_PASSED 22u     // inertia passed to its parent, about the parent's centre; its motion
 #define STACK_STEP 31u       // its last step, a motion
 #define STACK_BEFORE 33u     // its move and its rotation delta before the first step
-#define STACK_TEXELS 35u
+#define STACK_RESIDUAL 35u   // of a stack with loops: the force that its step leaves,
+#define STACK_SEARCH 37u     // the direction in which it is looked for next, a motion,
+#define STACK_SEARCH_FORCE 39u  // what that needs without loops,
+#define STACK_SOLUTION 41u   // the step so far, a motion
+#define STACK_LOOPS 43u      // of each loop its stiffness, about the body's centre, and
+#define STACK_ON_PARTNER 9u  // its force on the partner, about the partner's centre
+#define STACK_LOOP_TEXELS 11u
+#define STACK_TEXELS 76u
 
 #endif

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/world/matter/grain.h"
+#include "tests/physics/closed/round_fixture.h"
 
 namespace knuckle::test {
 
@@ -45,6 +46,17 @@ void GrainFill::addWall(const Vector3f& low, const Vector3f& high, float frictio
     wall.halfExtents = 0.5f * DIAMETER * (high - low);
     wall.staticFriction = wall.kineticFriction = friction;
     builder_.addCollider(wall);
+}
+
+uint32_t GrainFill::addBall(float radius, const Vector3f& place, float density, float until)
+{
+    Material material = builder_.world().materials[0];
+    material.name = "ball";
+    material.density = density;
+    const uint32_t index = builder_.addMaterial(material);
+    const uint32_t body = addRoundBody(builder_, {radius, 0}, {place}, {0, 0, 0}, {0, 0, 0}, index);
+    builder_.holdBody(body, until);
+    return body;
 }
 
 double slopeOf(const std::vector<Vector3f>& grains, float base)

@@ -17,6 +17,8 @@ public:
               const std::function<bool(const Vector3f&)>& has = nullptr);
     /// A box between two corners [diameters].
     void addWall(const Vector3f& low, const Vector3f& high, float friction);
+    /// A ball that is held until a time [s], of `density` [kg/m3]. @returns its body's index.
+    uint32_t addBall(float radius, const Vector3f& place, float density, float until);
     World build() { return builder_.build(); }
 
 private:

@@ -42,6 +42,13 @@ TEST(Surface, WhatIsNoBoxLatticeHasNone)
     positions.pop_back();
     EXPECT_TRUE(latticeSurface(positions, DIAMETER).empty());
     EXPECT_TRUE(latticeSurface({}, DIAMETER).empty());
+    // A wedge of as many particles as the box around it.
+    std::vector<Vector3f> wedge = boxLattice({4, 3, 3}, DIAMETER);
+    for (Vector3f& position : wedge) position.x() *= 1.0f + 0.5f * position.y();
+    EXPECT_TRUE(latticeSurface(wedge, DIAMETER).empty());
+    std::vector<Vector3f> stretched = boxLattice({4, 3, 3}, DIAMETER);
+    for (Vector3f& position : stretched) position.x() *= 1.1f;
+    EXPECT_EQ(latticeSurface(stretched, DIAMETER).size(), stretched.size());
 }
 
 TEST(Surface, ACapsulesDistanceIsThatToItsAxis)

@@ -7,6 +7,7 @@
 
 #include "sim/base/short_list.h"
 #include "sim/rig/bodies/bone_bodies.h"
+#include "sim/rig/mesh/polyhedron.h"
 
 namespace knuckle {
 
@@ -16,13 +17,24 @@ constexpr size_t FEWEST = 12;  // least particles of a part that is a body
 
 using Particles = std::vector<uint32_t>;
 
+uint32_t partOf(const Model& model, const Triangle& triangle)
+{
+    return model.skin[triangle[0]].bones[0];
+}
+
+std::vector<std::vector<Triangle>> trianglesOfParts(const Model& model)
+{
+    std::vector<std::vector<Triangle>> triangles(model.bones.size());
+    for (const Triangle& triangle : model.triangles) triangles[partOf(model, triangle)].push_back(triangle);
+    return triangles;
+}
+
 /// Finds the part of a particle: the one that it is inside of, else the one whose surface is nearest. Where two parts
 /// touch, their surfaces are equally near.
 class PartFinder {
 public:
-    explicit PartFinder(const Model& model) : model_(model), triangles_(model.bones.size())
+    explicit PartFinder(const Model& model) : model_(model), triangles_(trianglesOfParts(model))
     {
-        for (const Triangle& triangle : model.triangles) triangles_[partOf(triangle)].push_back(triangle);
         for (const std::vector<Triangle>& triangles : triangles_) {
             Eigen::AlignedBox3f& bounds = bounds_.emplace_back();
             for (const Triangle& triangle : triangles)
@@ -36,15 +48,13 @@ public:
         uint32_t found = NO_INDEX;
         for (uint32_t part = 0; part < trees_.size(); ++part) {
             if (!bounds_[part].contains(position) || !trees_[part].inside(position)) continue;
-            if (found != NO_INDEX) return partOf(model_.triangles[nearest.triangle]);
+            if (found != NO_INDEX) return partOf(model_, model_.triangles[nearest.triangle]);
             found = part;
         }
-        return found != NO_INDEX ? found : partOf(model_.triangles[nearest.triangle]);
+        return found != NO_INDEX ? found : partOf(model_, model_.triangles[nearest.triangle]);
     }
 
 private:
-    uint32_t partOf(const Triangle& triangle) const { return model_.skin[triangle[0]].bones[0]; }
-
     const Model& model_;
     std::vector<std::vector<Triangle>> triangles_;  ///< Per part, as all that follow.
     std::vector<Eigen::AlignedBox3f> bounds_;
@@ -80,11 +90,45 @@ uint32_t nearestPart(const std::vector<uint32_t>& parts, const std::vector<Parti
     return found;
 }
 
+/// The particles of each part, where all are convex polyhedra, and not all are boxes along the axes; else none.
+std::vector<Particles> fillPolyhedra(const Model& model, float diameter, Voxels& voxels)
+{
+    std::vector<Particles> particles;
+    bool allBoxes = true;
+    for (const std::vector<Triangle>& triangles : trianglesOfParts(model)) {
+        const Solid part(model.vertices, triangles);
+        const std::vector<Facet> facets = facetsOf(part);
+        allBoxes = allBoxes && isBoxAlongAxes(facets);
+        Particles& own = particles.emplace_back();
+        for (const Vector3f& place : fillPolyhedron(facets, diameter)) {
+            own.push_back(static_cast<uint32_t>(voxels.positions.size()));
+            voxels.add(part, place);
+        }
+        if (own.empty()) return {};
+    }
+    return allBoxes ? std::vector<Particles>() : particles;
+}
+
+/// The particles of each part on a lattice that all share.
+std::vector<Particles> shareLattice(const Model& model, const Voxels& voxels)
+{
+    std::vector<Particles> particles(model.bones.size());
+    const PartFinder finder(model);
+    for (uint32_t p = 0; p < voxels.positions.size(); ++p)
+        particles[finder.at(voxels.positions[p], voxels.nearest[p])].push_back(p);
+    return particles;
+}
+
 }  // namespace
 
 Actor partBodies(const Model& model, const Solid& solid, const ActorOptions& options)
 {
-    const Voxels voxels = voxelize(solid, options.voxels);
+    const Voxels lattice = voxelize(solid, options.voxels);
+    Voxels facets;
+    facets.diameter = lattice.diameter;
+    std::vector<Particles> particles = fillPolyhedra(model, lattice.diameter, facets);
+    const Voxels& voxels = particles.empty() ? lattice : facets;
+    if (particles.empty()) particles = shareLattice(model, lattice);
     Actor actor;
     actor.name = options.name.empty() ? model.name : options.name;
     actor.diameter = voxels.diameter;
@@ -92,10 +136,6 @@ Actor partBodies(const Model& model, const Solid& solid, const ActorOptions& opt
     actor.signedDistances = voxels.signedDistances;
     actor.outward = voxels.outward;
     actor.notes = model.notes;
-    std::vector<Particles> particles(model.bones.size());
-    const PartFinder finder(model);
-    for (uint32_t p = 0; p < voxels.positions.size(); ++p)
-        particles[finder.at(voxels.positions[p], voxels.nearest[p])].push_back(p);
     const std::vector<uint32_t> large = largeParts(particles);
     std::vector<uint32_t> owner(particles.size());
     std::vector<std::string> small;

@@ -15,6 +15,8 @@ public:
 
     const Eigen::AlignedBox3f& bounds() const { return bounds_; }
     const TriangleTree& tree() const { return tree_; }
+    std::span<const Eigen::Vector3f> vertices() const { return vertices_; }
+    std::span<const Triangle> triangles() const { return triangles_; }
     bool inside(const Eigen::Vector3f& point) const { return tree_.inside(point); }
     /// [m], negative inside.
     float signedDistance(const Eigen::Vector3f& point) const;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "sim/base/errors.h"
+#include "sim/rig/mesh/polyhedron.h"
 
 namespace knuckle {
 
@@ -228,6 +229,12 @@ Voxels voxelize(const Solid& solid, const VoxelOptions& options)
 {
     Voxels voxels;
     voxels.diameter = chooseDiameter(solid, options);
+    if (options.facets) {
+        const std::vector<Facet> facets = facetsOf(solid);
+        if (!isBoxAlongAxes(facets))
+            for (const Vector3f& place : fillPolyhedron(facets, voxels.diameter)) voxels.add(solid, place);
+        if (!voxels.positions.empty()) return voxels;
+    }
     const Lattice lattice = fill(solid, options, voxels.diameter);
     if (lattice.count() > options.particleLimit) {
         const double factor = std::cbrt(static_cast<double>(lattice.count()) / options.particleLimit);

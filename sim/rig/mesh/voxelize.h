@@ -11,6 +11,7 @@ namespace knuckle {
 struct VoxelOptions {
     float diameter = 0.0f;  ///< Particle diameter and lattice spacing [m]; 0: 3 % of the longest side.
     uint32_t particleLimit = 200000;
+    bool facets = false;                         ///< Whether a convex polyhedron gets flat facets (fillPolyhedron()).
     std::optional<Eigen::Vector3f> centre = {};  ///< A point of the lattice [m]; else the centre of the mesh's bounds.
 };
 

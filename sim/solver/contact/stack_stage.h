@@ -21,14 +21,14 @@ public:
     /// Keeps the impulses of its contacts, at the end of a substep.
     void keep(Recorder& recorder) const;
 
-    Buffer<uint32_t> stackTouches;   ///< Per body, STACK_TOUCHES: bodies that it touches.
-    Buffer<uint32_t> stackRounds;    ///< Per body: the round in which it was taken off its tree; 0: no part of one.
-    Buffer<uint32_t> stackMembers;   ///< Per body: how many its stack has.
-    Buffer<uint32_t> stackParents;   ///< Per mover: what it hangs on in its stack, or STACK_ROOT.
-    Buffer<uint32_t> stackOrder;     ///< Bodies of stacks, parents behind their children.
-    Buffer<gpu::uvec2> stackRanges;  ///< Per stack: first and end in stackOrder.
-    Buffer<gpu::uvec4> stackSizes;   ///< Work groups of stacks and of their bodies; w: how many.
-    Buffer<gpu::vec4> stackBlocks;   ///< Per body, STACK_TEXELS: shared/stack_records.h.
+    Buffer<uint32_t> stackTouches;    ///< Per body, STACK_TOUCHES: bodies that it touches.
+    Buffer<uint32_t> stackRounds;     ///< Per body: the round in which it was taken off its tree; 0: no part of one.
+    Buffer<uint32_t> stackMembers;    ///< Per body: how many its stack has.
+    Buffer<gpu::uvec4> stackParents;  ///< Per mover: what it hangs on in its stack, or STACK_ROOT; partners of loops.
+    Buffer<uint32_t> stackOrder;      ///< Bodies of stacks, parents behind their children.
+    Buffer<gpu::uvec4> stackRanges;   ///< Per stack: first and end in stackOrder, number of loops.
+    Buffer<gpu::uvec4> stackSizes;    ///< Work groups of stacks and of their bodies; w: how many.
+    Buffer<gpu::vec4> stackBlocks;    ///< Per body, STACK_TEXELS: shared/stack_records.h.
 
 private:
     const gpu::StepParameters& parameters_;

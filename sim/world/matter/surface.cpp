@@ -55,6 +55,12 @@ std::vector<SurfaceDistance> latticeSurface(std::span<const Vector3f> positions,
     }
     const Eigen::Vector3d counts = ((high - low) / diameter).cast<double>().array().round() + 1.0;
     if (counts.prod() != static_cast<double>(positions.size())) return {};
+    const Vector3f spacing = (high - low).cwiseQuotient((counts.array() - 1.0).max(1.0).matrix().cast<float>());
+    for (const Vector3f& position : positions)
+        for (int axis = 0; axis < 3; ++axis) {
+            const float off = std::fmod(position[axis] - low[axis] + 0.5f * spacing[axis], spacing[axis]);
+            if (spacing[axis] > TIE * diameter && std::abs(off - 0.5f * spacing[axis]) > TIE * diameter) return {};
+        }
     const Vector3f centre = 0.5f * (low + high), half = 0.5f * (high - low).array() + 0.5f * diameter;
     std::vector<SurfaceDistance> surfaces;
     for (const Vector3f& position : positions) {

@@ -1,4 +1,4 @@
-// Stacks: bodies without joints whose touches form a tree, for whose contacts all at once are solved
+// Stacks: bodies without joints that touch each other, for whose contacts all at once are solved
 // (sim/solver/contact/stack_stage.h). STACKS: of a world where there may be any.
 #include "shared/stack_records.h"
 #include "sim/common/bodies/mover_info.glsl"
@@ -6,9 +6,15 @@
 
 uniform usamplerBuffer stackParents;
 
+/// What a body hangs on in its stack, and with which others it forms loops.
+uvec4 stackNeighbours(uint m)
+{
+    return texelFetch(stackParents, int(m));
+}
+
 uint stackParent(uint m)
 {
-    return texelFetch(stackParents, int(m)).x;
+    return stackNeighbours(m).x;
 }
 
 /// Whether a body is solved with its stack.
@@ -31,8 +37,9 @@ bool standsOn(uint parent, uint other)
 bool pairInStack(uvec2 movers)
 {
 #ifdef STACKS
-    uint a = stackParent(movers.x), b = stackParent(movers.y);
-    return a == movers.y || b == movers.x || standsOn(a, movers.y) || standsOn(b, movers.x);
+    uvec4 a = stackNeighbours(movers.x), b = stackNeighbours(movers.y);
+    return any(equal(a, uvec4(movers.y))) || any(equal(b, uvec4(movers.x))) || standsOn(a.x, movers.y) ||
+           standsOn(b.x, movers.x);
 #else
     return false;
 #endif

@@ -48,6 +48,33 @@ Motion loadStep(uint body)
     return Motion(step.t, step.r);
 }
 
+Motion loadMotion(uint body, uint record)
+{
+    Force m = loadForce(body, record);
+    return Motion(m.t, m.r);
+}
+
+void storeMotion(uint body, uint record, Motion m)
+{
+    storeForce(body, record, Force(m.t, m.r));
+}
+
+Motion add(Motion x, Motion y)
+{
+    return Motion(x.t + y.t, x.r + y.r);
+}
+
+float product(Force f, Motion m)
+{
+    return dot(f.t, m.t) + dot(f.r, m.r);
+}
+
+/// Adds a force to that of a record.
+void addForce(uint body, uint record, Force f)
+{
+    storeForce(body, record, add(loadForce(body, record), f));
+}
+
 Inertia noInertia()
 {
     return Inertia(mat3(0), mat3(0), mat3(0));

@@ -1,11 +1,12 @@
-// One thread a body of a stack: what its contacts with its parent and with what stands still push it by, beyond the
-// impulses that they had, and how stiff they are. STORE: at the end of a substep, keeps their impulses.
+// One thread a body of a stack: what its contacts with its parent, with the partners of its loops and with what stands
+// still push it by, beyond the impulses that they had, and how stiff they are. STORE: at the end of a substep, keeps
+// their impulses.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/contacts.glsl"
 #include "sim/common/contacts/list_ranges.glsl"
 #include "sim/common/contacts/stacks.glsl"
-#include "sim/contact/stack/stack_blocks.glsl"
 #include "sim/contact/stack/stack_faces.glsl"
+#include "sim/contact/stack/stack_loop_blocks.glsl"
 #include "sim/contact/stack/stack_push.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -27,15 +28,17 @@ struct Sums {
     Force force, onParent;
 };
 
-void visit(uint body, uint parent, uint q, uint parity, inout Sums sums)
+void visit(uint body, uvec4 neighbours, uint q, uint parity, inout Sums sums)
 {
     ContactSides sides = fetchContactSides(pairSides, q);
     bool first = sides.movers.x == body;
-    uint other = first ? sides.movers.y : sides.movers.x;
-    if (other != parent && !standsOn(parent, other)) return;
+    uint other = first ? sides.movers.y : sides.movers.x, parent = neighbours.x;
+    bvec3 loops = equal(neighbours.yzw, uvec3(other));
+    bool answers = other == parent || any(loops);
+    if (!answers && !standsOn(parent, other)) return;
     uint index = parity * sim.pairCapacity + q;
     Impulse last = unpackImpulse(pairImpulses[index]);
-    float k = stiffnessOf(fetchMover(body)) + (other == parent ? stiffnessOf(fetchMover(parent)) : 0.0);
+    float k = stiffnessOf(fetchMover(body)) + (answers ? stiffnessOf(fetchMover(other)) : 0.0);
     FacePair faces = facePair(fetchPair(pairs, index), sides, fetchContactArm(pairArms, firstArm(q)).r,
                               fetchContactArm(pairArms, secondArm(q)).r);
     if (last.normal <= 0.0 && faces.startGap > FAR_APART * sim.diameter) return;
@@ -46,7 +49,7 @@ void visit(uint body, uint parent, uint q, uint parity, inout Sums sums)
     pairMeans[index] = push.normal;
     if (push.normal <= 0.0) return;
     assemblies[fetchMover(body).assembly].lastContact = counters[0].substep - 1u;
-    if (other == parent) assemblies[fetchMover(parent).assembly].lastContact = counters[0].substep - 1u;
+    if (answers) assemblies[fetchMover(other).assembly].lastContact = counters[0].substep - 1u;
 #else
     // What the body was given already is taken back: it acts where it is kept, at the particles' centres.
     Force onA = add(forceAt(armNow(a), push.impulse), forceAt(a.kept, -last.whole));
@@ -58,6 +61,8 @@ void visit(uint body, uint parent, uint q, uint parity, inout Sums sums)
         sums.edge = add(sums.edge, stiff);
         if (first) sums.onParent = add(sums.onParent, onB);
         else sums.onParent = add(sums.onParent, onA);
+    } else if (answers) {
+        addToLoop(body, loops.x ? 0u : loops.y ? 1u : 2u, stiff, first ? onB : onA);
     } else {
         sums.own = add(sums.own, stiff);
     }
@@ -67,17 +72,21 @@ void visit(uint body, uint parent, uint q, uint parity, inout Sums sums)
 void main()
 {
     if (gl_GlobalInvocationID.x >= stackSizes[STACK_BODIES_SIZE].w) return;
-    uint body = stackOrder[gl_GlobalInvocationID.x], parent = stackParent(body), parity = counters[0].listParity;
-    if (parent == NONE) return;
+    uint body = stackOrder[gl_GlobalInvocationID.x], parity = counters[0].listParity;
+    uvec4 neighbours = stackNeighbours(body);
+    if (neighbours.x == NONE) return;
     Force none = Force(vec3(0), vec3(0));
     Sums sums = Sums(noInertia(), noInertia(), none, none);
+#ifndef STORE
+    FOR_LOOPS(body, loop, partner) clearLoop(body, loop);
+#endif
     Mover mover = fetchMover(body);
     uvec2 range = listRange(parity, LIST_AS_FIRST, mover.firstRank, mover.rankCount);
-    for (uint q = range.x; q < range.y; ++q) visit(body, parent, q, parity, sums);
+    for (uint q = range.x; q < range.y; ++q) visit(body, neighbours, q, parity, sums);
     range = listRange(parity, LIST_AS_SECOND, mover.firstRank, mover.rankCount);
     for (uint k = range.x; k < range.y; ++k) {
         uint q = texelFetch(pairReferences, int(k)).x;
-        if (q != NONE) visit(body, parent, q, parity, sums);
+        if (q != NONE) visit(body, neighbours, q, parity, sums);
     }
 #ifndef STORE
     storeInertia(body, STACK_EDGE, sums.edge);

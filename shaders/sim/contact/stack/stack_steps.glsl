@@ -10,7 +10,7 @@
 #define MOST_STEP 0.01
 #endif
 
-BUFFER(uint, StackParents, newStackParents);
+BUFFER(uvec4, StackParents, newStackParents);
 
 /// Where a body is before the first step.
 void note(uint body)
@@ -35,6 +35,6 @@ void giveUp(uint body)
     newMoves[body].xyz = stackBlocks[t].xyz;
     newDeltas[body] = stackBlocks[t + 1u];
 #ifndef AGAIN
-    newStackParents[body] = NONE;
+    newStackParents[body] = uvec4(NONE);
 #endif
 }

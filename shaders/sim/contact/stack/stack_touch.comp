@@ -18,7 +18,7 @@ READ_BUFFER(Counters, CountersBlock, counters);
 BUFFER(uint, StackTouches, stackTouches);
 BUFFER(uint, StackRounds, stackRounds);
 BUFFER(uint, StackMembers, stackMembers);
-BUFFER(uint, StackParents, newStackParents);
+BUFFER(uvec4, StackParents, newStackParents);
 
 bool isPart(uint m)
 {
@@ -45,7 +45,7 @@ void main()
 {
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
-    newStackParents[m] = NONE;
+    newStackParents[m] = uvec4(NONE);
     if (m >= sim.bodyCount) return;
     stackMembers[m] = stackRounds[m] = 0u;
     if (!isPart(m)) return;

@@ -1,5 +1,5 @@
-// One work group: finds stacks. Bodies that touch at most one other are taken off, round by round, which leaves
-// nothing of a tree. Stacks are listed with parents behind their children.
+// One work group: finds stacks. Bodies that touch at most one other are taken off, round by round; what is left forms
+// rings. Stacks are listed with parents behind their children.
 #include "sim/common/kernel.glsl"
 #include "shared/stack_records.h"
 #include "sim/common/groups.glsl"
@@ -9,9 +9,9 @@ uniform usamplerBuffer bodyOrder;
 READ_BUFFER(uint, StackTouches, stackTouches);
 layout(std430) coherent buffer StackRounds { uint stackRounds[]; };      // that a body is taken off in; 0: no part
 layout(std430) coherent buffer StackMembers { uint stackMembers[]; };    // of the stack of a body
-layout(std430) coherent buffer StackParents { uint newStackParents[]; };
+layout(std430) coherent buffer StackParents { uvec4 newStackParents[]; };
 BUFFER(uint, StackOrder, stackOrder);
-BUFFER(uvec2, StackRanges, stackRanges);
+BUFFER(uvec4, StackRanges, stackRanges);
 BUFFER(uvec4, StackSizes, stackSizes);
 shared uint changed, stackCount, memberCount;
 
@@ -42,15 +42,18 @@ void takeOff(uint b, uint round)
     // Of the last two, one waits.
     if (count == 1u && b < parent && leftBeside(parent, round, next) == 1u) return;
     stackRounds[b] = round;
-    newStackParents[b] = parent;
+    newStackParents[b].x = parent;
     changed = 1u;
 }
 
-/// The body that a tree hangs on; NONE if it hangs on bodies that form a ring.
+#define MEET memoryBarrierBuffer(); memoryBarrierShared(); barrier();
+#include "sim/contact/stack/stack_rings.glsl"
+
+/// The body that a stack hangs on; NONE if it has too many loops.
 uint rootOf(uint b)
 {
-    while (newStackParents[b] < STACK_ROOT) b = newStackParents[b];
-    return newStackParents[b] == STACK_ROOT ? b : NONE;
+    while (newStackParents[b].x < STACK_ROOT) b = newStackParents[b].x;
+    return newStackParents[b].x == STACK_ROOT && loopsOf(b) <= MOST_LOOPS ? b : NONE;
 }
 
 void list(uint root)
@@ -62,14 +65,12 @@ void list(uint root)
         for (uint k = 0u; k < STACK_TOUCHES; ++k) {
             uint other = stackTouches[STACK_TOUCHES * b + k];
             if (other == NONE) break;
-            if (newStackParents[other] == b) stackOrder[--first] = other;
+            if (newStackParents[other].x == b) stackOrder[--first] = other;
         }
     }
     for (uint i = first; i < end; ++i) stackMembers[stackOrder[i]] = end - first;
-    stackRanges[atomicAdd(stackCount, 1u)] = uvec2(first, end);
+    stackRanges[atomicAdd(stackCount, 1u)] = uvec4(first, end, loopsOf(root), 0);
 }
-
-#define MEET memoryBarrierBuffer(); memoryBarrierShared(); barrier();
 
 void main()
 {
@@ -84,14 +85,15 @@ void main()
         FOR_BODIES(b) if (stackRounds[b] == NONE) takeOff(b, round);
         MEET
     } while (changed != 0u);
+    spanRings();
     FOR_BODIES(b) {
         uint root = rootOf(b);
         if (root != NONE) atomicAdd(stackMembers[root], 1u);
     }
     MEET
-    FOR_BODIES(b) if (newStackParents[b] == STACK_ROOT && stackMembers[b] >= LEAST_STACK) list(b);
+    FOR_BODIES(b) if (rootOf(b) == b && stackMembers[b] >= LEAST_STACK) list(b);
     MEET
-    FOR_BODIES(b) if (stackMembers[b] < LEAST_STACK) newStackParents[b] = NONE;
+    FOR_BODIES(b) if (stackMembers[b] < LEAST_STACK) newStackParents[b] = uvec4(NONE);
     if (!leads) return;
     stackSizes[STACKS_SIZE] = uvec4((stackCount + TREE_GROUP_SIZE - 1u) / TREE_GROUP_SIZE, 1, 1, stackCount);
     stackSizes[STACK_BODIES_SIZE] = uvec4(groups(memberCount), 1, 1, memberCount);
