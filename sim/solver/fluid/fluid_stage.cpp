@@ -34,7 +34,8 @@ bool hasTensionIn(const World& world)
 
 FluidStage::FluidStage(const StageSetup& setup)
     : parameters_(setup.parameters), hasPool_(EmitterStage::isNeeded(setup.world)),
-      confines_(setup.world.settings.vorticity > 0.0f), hasTension_(hasTensionIn(setup.world))
+      confines_(setup.world.settings.vorticity > 0.0f), hasTension_(hasTensionIn(setup.world)),
+      seals_(!setup.world.bodies.empty() && !setup.world.colliders.empty())
 {
 }
 
@@ -51,6 +52,8 @@ void FluidStage::upload(const StageSetup& setup)
         materials.push_back(fluidMaterial(parameters_, m, settings.timeStep));
     fluidMaterials = {"fluidMaterials", std::span<const gpu::vec4>(materials)};
     fluidLargestPush = {"fluidLargestPush", 1};
+    particleWets = {"particleWets", 3 * parameters_.particleCount};
+    bodySeals = {"bodySeals", seals_ ? parameters_.bodyCount : 0};
     fluidPasts = {"fluidPasts", parameters_.particleCount + parameters_.fluidCount};
 }
 
@@ -103,7 +106,7 @@ void FluidStage::addBuffers(BufferTable& table)
     table.add(Lifetime::Scratch, fluidSearchPositions, fluidParticleCells, fluidCellStarts, fluidCellMembers,
               slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, slotMaterials, slotVelocities,
               slotGradients, slotPositions, slotLastPositions, slotShapes, slotPressures, slotVorticities, slotWalls,
-              slotCovered, slotGains, slotSolids, slotSolidImpulses, fluidLargestPush);
+              slotCovered, slotGains, slotSolids, slotSolidImpulses, particleWets, bodySeals, fluidLargestPush);
     ElementType fourAtATime = elementType<uint32_t>();
     fourAtATime.texelBytes = 16;
     table.add("fluidSorted", fluidSorted, fourAtATime, Lifetime::Scratch);
@@ -167,6 +170,9 @@ void FluidStage::substep(Recorder& recorder, uint32_t index) const
     perSlot(recorder, density_);
     perSlot(recorder, pressure_);
     recorder.perElement(coupling_, parameters_.particleCount);
+    if (!seals_) return;
+    recorder.perElement(bodySeal_, parameters_.bodyCount);
+    recorder.perElement(seal_, parameters_.particleCount);
 }
 
 std::vector<float> FluidStage::densities() const

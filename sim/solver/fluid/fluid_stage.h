@@ -57,6 +57,8 @@ public:
                                                     ///< of a float.
     Buffer<gpu::vec4> slotWalls, slotSolids;        ///< Gradients of the density from walls and solids.
     Buffer<float> slotCovered;                      ///< Share of the kernel that they cover.
+    Buffer<gpu::vec4> particleWets;                 ///< Three each: body_wets.glsl.
+    Buffer<float> bodySeals;                        ///< The same.
     Buffer<float> slotGains;                        ///< gapGain() of fluid.glsl.
 
 private:
@@ -66,6 +68,7 @@ private:
     const gpu::StepParameters& parameters_;
     bool hasPool_;  ///< The GPU decides how many slots there are.
     bool confines_, hasTension_;
+    bool seals_;  ///< Bodies may lie on colliders.
     Pass searchPosition_{*this, "fluid/fluid_search_position"};
     Pass count_{*this, "common/grid/grid_count", {{"FLUIDS", "1"}}};
     Pass sum_{*this, "common/grid/scan_sum", {{"FLUIDS", "1"}}};
@@ -85,6 +88,8 @@ private:
     Pass density_{*this, "fluid/pressure/fluid_density", hasPool_ ? Defines{{"EMITTERS", "1"}} : Defines{}};
     Pass pressure_{*this, "fluid/pressure/fluid_pressure", hasTension_ ? Defines{{"TENSION", "1"}} : Defines{}};
     Pass coupling_{*this, "fluid/pressure/fluid_solid_coupling"};
+    Pass bodySeal_{*this, "fluid/pressure/fluid_body_seal", {}, seals_};
+    Pass seal_{*this, "fluid/pressure/fluid_seal", {}, seals_};
     Pass predictRelaxed_{*this, "fluid/fluid_predict", {{"RELAX", "1"}}};
     Pass predictSolidRelaxed_{*this, "fluid/fluid_predict_solid", {{"RELAX", "1"}}};
     Pass densityRelaxed_{*this, "fluid/pressure/fluid_density", {{"RELAX", "1"}}};

@@ -63,6 +63,38 @@ TEST(Fluid, IceRisesThroughWater)
     EXPECT_LT(way.head<1>().norm() + way.tail<1>().norm(), 0.1f);
 }
 
+/// A cube that lies on the floor leaves it as if there were water below it, or stays.
+TEST(Fluid, WhatLiesOnTheFloorRisesIfItIsLighter)
+{
+    for (const float density : {900.0f, 1060.0f}) {
+        Tank tank(14, 10, 14);
+        Material ice;
+        ice.density = density;
+        const uint32_t material = tank.builder.addMaterial(ice);
+        tank.builder.beginObject("cube");
+        tank.builder.addBody("cube", boxLattice({3, 3, 3}, DIAMETER), material);
+        const float start = 1.5f * DIAMETER;
+        tank.builder.endObject({Vector3f(0.5f * tank.width, start, 0.5f * tank.depth)});
+        const World world = tank.builder.build();
+        Solver solver(gpu(), world);
+        float highest = 0.0f, fastest = 0.0f;
+        for (int k = 0; k < 15; ++k) {
+            run(solver, world, 0.1);
+            const BodyState cube = solver.readBodies()[0];
+            highest = std::max(highest, cube.position.y() - start);
+            fastest = std::max(fastest, cube.velocity.y());
+        }
+        // Without drag, and with an added mass of 0.67 of what it displaces, what is lighter moves at sqrt(2 a y) <= a t.
+        const double most = GRAVITY * (1000 - density) / (density + 670) * 1.5f;
+        if (density < 1000) {
+            EXPECT_GT(highest, 0.15f) << density;
+            EXPECT_LT(fastest, most) << density;
+        } else {
+            EXPECT_LT(highest, 0.002f) << density;
+        }
+    }
+}
+
 TEST(Fluid, ThinAndSmallBodiesFloatAsDeepAsTheyAreDense)
 {
     struct Case {

@@ -7,22 +7,44 @@
 #include "sim/fluid/slot_values.glsl"
 #include "sim/fluid/pressure/slot_pressures.glsl"
 #include "sim/fluid/fluid.glsl"
+#include "sim/fluid/walls/fluid_colliders.glsl"
 #include "sim/fluid/walls/solid_cells.glsl"
 
 uniform samplerBuffer slotSolidImpulses;
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, ParticleImpulses, particleImpulses);
+BUFFER(vec4, ParticleWets, newParticleWets);
 BUFFER(Assembly, AssemblyState, assemblies);
 READ_BUFFER(Counters, CountersBlock, counters);
 
+struct Sums {
+    vec3 impulse, slope;
+    vec3 sizes;   // of slopes: alone, times what pressure gives over them, times masses
+};
+
 /// The impulse of the fluid particle in a slot on a solid one: across its surface by what it covers, along it the share
 /// by its weight of what all solids there receive.
-vec3 impulseOf(SolidCell cell, uint slot)
+void addFluid(inout Sums sums, SolidCell cell, uint slot)
 {
     vec4 impulse = texelFetch(slotSolidImpulses, int(slot));
-    if (impulse == vec4(0)) return vec3(0);
-    vec3 offset = fetchPressurePosition(slot) - cell.centre;
-    return -solidWeight(length(offset)) * impulse.xyz - impulse.w * cellCover(cell, offset).slope;
+    if (impulse == vec4(0)) return;
+    vec3 offset = fetchPressurePosition(slot) - cell.centre, slope = cellCover(cell, offset).slope;
+    sums.impulse -= solidWeight(length(offset)) * impulse.xyz + impulse.w * slope;
+    float size = length(slope);
+    sums.slope += slope;
+    sums.sizes += size * vec3(1.0, impulse.w, fetchSlotPosition(slot).mass);
+}
+
+/// The directions out of colliders that the particle lies on, if no fluid gets between.
+vec3 sealOf(uint k, vec3 x)
+{
+    vec3 seal = vec3(0);
+    for (NearColliders near = nearColliders(k); nextCollider(near);) {
+        ColliderSurface surface = colliderSurface(near.index, x);
+        float gap = surface.distance - 0.5 * sim.diameter;
+        seal += (1.0 - smoothstep(0.5, 1.2, gap / sim.fluidSpacing)) * surface.normal;
+    }
+    return seal;
 }
 
 void main()
@@ -31,14 +53,17 @@ void main()
     if (i >= sim.particleCount) return;
     uint k = fetchParticleSlot(i), count = fetchCounts(k).fluids;
     SolidCell cell = fetchSolidCell(k);
-    vec3 impulse = vec3(0);
+    Sums sums = Sums(vec3(0), vec3(0), vec3(0));
     for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
         uvec4 slots = fetchNeighbours(texel);
-        impulse += impulseOf(cell, slots.x) + impulseOf(cell, slots.y);
-        impulse += impulseOf(cell, slots.z) + impulseOf(cell, slots.w);
+        for (int c = 0; c < 4; ++c) addFluid(sums, cell, slots[c]);
     }
-    if (impulse == vec3(0)) return;
+    uint rank = fetchRank(i).rank;
+    newParticleWets[3u * rank] = vec4(sums.slope, sums.sizes.x);
+    newParticleWets[3u * rank + 1u] = vec4(sums.impulse, sums.sizes.y);
+    newParticleWets[3u * rank + 2u] = vec4(sealOf(k, cell.centre), sums.sizes.z);
+    if (sums.impulse == vec3(0)) return;
     // Like contacts, this makes its assembly end the substep by first order.
     assemblies[fetchParticle(i).assembly].lastContact = counters[0].substep - 1u;
-    particleImpulses[fetchRank(i).rank].xyz += impulse;
+    particleImpulses[rank].xyz += sums.impulse;
 }

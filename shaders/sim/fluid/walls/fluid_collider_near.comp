@@ -1,4 +1,4 @@
-// One thread a slot: the colliders that its fluid particle may come near in this step, as bits: bit k for colliders k,
+// One thread a slot: the colliders that its particle may come near in this step, as bits: bit k for colliders k,
 // k + 32, ...
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
@@ -29,5 +29,5 @@ void main()
 #endif
         near |= (colliderSurface(c, x).distance < reach + ahead ? 1u : 0u) << (c & 31u);
     }
-    slotColliders[k] = isFluid(i) ? near : 0u;
+    slotColliders[k] = near;
 }
