@@ -84,7 +84,7 @@ TEST(Fluid, WhatLiesOnTheFloorRisesIfItIsLighter)
             highest = std::max(highest, cube.position.y() - start);
             fastest = std::max(fastest, cube.velocity.y());
         }
-        // Without drag, and with an added mass of 0.67 of what it displaces, what is lighter moves at sqrt(2 a y) <= a t.
+        // Without drag, and with an added mass of 0.67 of what it displaces, what is lighter moves at a t.
         const double most = GRAVITY * (1000 - density) / (density + 670) * 1.5f;
         if (density < 1000) {
             EXPECT_GT(highest, 0.15f) << density;

@@ -118,6 +118,6 @@ TEST_P(CapstanAt, CarriesBoxesThatSwing)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Capstan, CapstanAt, testing::Values(4u, 10u, 16u, 64u));
+INSTANTIATE_TEST_SUITE_P(Capstan, CapstanAt, testing::Values(4u, 10u, 32u));
 
 }  // namespace knuckle::test
