@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "sim/solver/measure/measure.h"
 #include "tests/physics/fluid/tank.h"
@@ -21,39 +22,37 @@ TEST(Fluid, WaterAtRestKeepsItsDensityAndVolumeAndIsQuiet)
     EXPECT_LT(rootMeanSquareSpeed(state), 0.05);
 }
 
+/// A tank with a cube of `edge` particles in its middle, its centre at a height [m].
+World withCube(Tank&& tank, int edge, float density, float height)
+{
+    Material material;
+    material.density = density;
+    const uint32_t light = tank.builder.addMaterial(material);
+    tank.builder.beginObject("cube");
+    tank.builder.addBody("cube", boxLattice(Eigen::Vector3i::Constant(edge), DIAMETER), light);
+    tank.builder.endObject({Vector3f(0.5f * tank.width, height, 0.5f * tank.depth)});
+    return tank.builder.build();
+}
+
 TEST(Fluid, ABodyFloatsAsDeepAsItIsDense)
 {
     for (float density : {300.0f, 600.0f}) {
-        Tank tank(20, 11, 20);
-        Material light;
-        light.density = density;
-        const uint32_t material = tank.builder.addMaterial(light);
-        tank.builder.beginObject("cube");
-        tank.builder.addBody("cube", boxLattice({4, 4, 4}, DIAMETER), material);
         const float edge = 4 * DIAMETER;
-        tank.builder.endObject(
-            {Vector3f(0.5f * tank.width, 0.55f + 0.5f * edge - 0.8f * edge * density / 1000.0f, 0.5f * tank.depth)});
-        const World world = tank.builder.build();
+        const World world = withCube({20, 11, 20}, 4, density, 0.55f + edge * (0.5f - 0.0008f * density));
         Solver solver(gpu(), world);
         run(solver, world, 3.0);
         const BodyState cube = solver.readBodies()[0];
-        EXPECT_NEAR(submergedIn(world, cube, Vector3f::Constant(edge), tank.width * tank.depth), density / 1000.0, 0.05)
+        EXPECT_NEAR(submergedIn(world, cube, Vector3f::Constant(edge), std::pow(20 * world.fluidSpacing, 2)),
+                    density / 1000.0, 0.05)
             << "density " << density;
     }
 }
 
 TEST(Fluid, IceRisesThroughWater)
 {
-    Tank tank(18, 16, 18);
-    Material ice;
-    ice.density = 900.0f;
-    const uint32_t material = tank.builder.addMaterial(ice);
-    tank.builder.beginObject("cube");
-    tank.builder.addBody("cube", boxLattice({3, 3, 3}, DIAMETER), material);
-    const Vector3f start(0.5f * tank.width, 0.3f, 0.5f * tank.depth);
-    tank.builder.endObject({start});
-    const World world = tank.builder.build();
+    const World world = withCube({18, 16, 18}, 3, 900.0f, 0.3f);
     Solver solver(gpu(), world);
+    const Vector3f start = solver.readBodies()[0].position;
     run(solver, world, 1.0);
     const Vector3f way = solver.readBodies()[0].position - start;
     // With the drag of a cube (1.05) and an added mass of 0.67 of what it displaces: v / g' ln cosh(g' t / v) = 0.26 m,
@@ -67,15 +66,8 @@ TEST(Fluid, IceRisesThroughWater)
 TEST(Fluid, WhatLiesOnTheFloorRisesIfItIsLighter)
 {
     for (const float density : {900.0f, 1060.0f}) {
-        Tank tank(14, 10, 14);
-        Material ice;
-        ice.density = density;
-        const uint32_t material = tank.builder.addMaterial(ice);
-        tank.builder.beginObject("cube");
-        tank.builder.addBody("cube", boxLattice({3, 3, 3}, DIAMETER), material);
         const float start = 1.5f * DIAMETER;
-        tank.builder.endObject({Vector3f(0.5f * tank.width, start, 0.5f * tank.depth)});
-        const World world = tank.builder.build();
+        const World world = withCube({14, 10, 14}, 3, density, start);
         Solver solver(gpu(), world);
         float highest = 0.0f, fastest = 0.0f;
         for (int k = 0; k < 15; ++k) {
