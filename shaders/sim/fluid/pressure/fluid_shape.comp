@@ -14,6 +14,9 @@
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, SlotShapes, newSlotShapes);
 
+/// The size of the difference to 1 beyond which what evens is scaled down.
+const float MOST_UNEVEN = 4.0;
+
 /// Sums over fluid neighbours, in units of the kernel's height and steepness: the fraction of the kernel, and M: its
 /// diagonal and yz, zx, xy.
 struct Sums {
@@ -46,7 +49,16 @@ Sums sumsOver(uint k, uint count, vec3 x)
     return Sums(sim.fluidVolume * sums.fraction, -steepness * sums.diagonal, -steepness * sums.mixed);
 }
 
-/// The inverse of M. Behind walls and solids, and where nothing is, fluid is taken to go on evenly.
+/// The inverse of M. Of a few particles in a line or a plane it would be anything: it stays near 1.
+mat3 boundedInverse(mat3 moment)
+{
+    if (determinant(moment) < 0.01) return mat3(1.0);
+    mat3 even = inverse(moment), beyond = even - mat3(1.0);
+    float size = sqrt(dot(beyond[0], beyond[0]) + dot(beyond[1], beyond[1]) + dot(beyond[2], beyond[2]));
+    return size > MOST_UNEVEN ? mat3(1.0) + MOST_UNEVEN / size * beyond : even;
+}
+
+/// What evens the stress. Behind walls and solids, and where nothing is, fluid is taken to go on evenly.
 mat3 evened(Sums sums, SolidCover solids, WallCover walls)
 {
     vec3 d = sums.diagonal, m = sums.mixed;
@@ -54,7 +66,7 @@ mat3 evened(Sums sums, SolidCover solids, WallCover walls)
     moment += mat3(walls.fraction + solids.fraction + max(1.0 - sums.fraction - walls.fraction - solids.fraction, 0.0));
     // What rubs along a body would hold it.
     float part = mix(FLUID_EVENNESS, 1.0, smoothstep(0.0, 0.05, solids.fraction));
-    return mat3(1.0 - part) + part * inverse(moment);
+    return mat3(1.0 - part) + part * boundedInverse(moment);
 }
 
 void main()
