@@ -1,17 +1,23 @@
-// One thread a mover: adds the change by its collisions' impulses to its velocity. DETECT: counts the impulses, and
-// notes the velocity without them.
+// One thread a mover: adds the change by its collisions' impulses to its velocity. DETECT: counts the impulses. REACH:
+// notes that blows have come this far. BEGIN: takes back what was passed on, of its place as well, so that it does not
+// stay in what struck it, and notes the velocity without bounces.
 #define PAIR_IMPULSES pairRestitutions
 #define COLLIDER_IMPULSES colliderRestitutions
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/bodies.glsl"
 #include "sim/common/contacts/impulse_sums.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
+#include "sim/restitution/blows.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer lastMoverVelocities;
 BUFFER(vec4, MoverVelocities, moverVelocities);
-#ifdef DETECT
+#ifdef BEGIN
 BUFFER(vec4, MoverSolvedVelocities, moverSolvedVelocities);
+BUFFER(vec4, MoverCentres, nextCentres);
+BUFFER(vec4, OldMoverMoves, oldMoverMoves);
+#endif
+#if defined(DETECT) || defined(REACH)
 BUFFER(float, MoverRestitutionSplits, moverRestitutionSplits);
 #endif
 READ_BUFFER(Counters, CountersBlock, counters);
@@ -33,16 +39,27 @@ void main()
     uint m = gl_GlobalInvocationID.x;
     if (m >= sim.moverCount) return;
     Mover mover = fetchMover(m);
-    Field v = fetchField(lastMoverVelocities, m);
-#ifdef DETECT
+#if defined(DETECT)
     moverRestitutionSplits[m] = responds(m) ? contactSum(mover, counters[0].listParity).acting : 0.0;
-    STORE_FIELD(moverSolvedVelocities, m, v)
+#elif defined(REACH)
+    if (responds(m) && moverRestitutionSplits[m] == 0.0 && contactSum(mover, counters[0].listParity).acting > 0.0)
+        moverRestitutionSplits[m] = REACHED;
 #else
-    if (!responds(m)) return;
-    Sum sum = contactSum(mover, counters[0].listParity);
-    Field change = Field(mover.inverseMass * sum.impulse.t, mat3(0));
-    if (m < sim.bodyCount) change = velocityChange(m, sum.impulse);
-    Field next = Field(v.t + change.t, v.f + change.f);
-    STORE_FIELD(moverVelocities, m, next)
+    Field v = fetchField(lastMoverVelocities, m);
+    if (responds(m)) {
+        Sum sum = contactSum(mover, counters[0].listParity);
+        Field change = Field(mover.inverseMass * sum.impulse.t, mat3(0));
+        if (m < sim.bodyCount) change = velocityChange(m, sum.impulse);
+        v = Field(v.t + change.t, v.f + change.f);
+        STORE_FIELD(moverVelocities, m, v)
+#ifdef BEGIN
+        vec4 shift = vec4(sim.substepTime * change.t, 0);
+        nextCentres[m] += shift;
+        oldMoverMoves[fieldStart(m)] += shift;
+#endif
+    }
+#ifdef BEGIN
+    STORE_FIELD(moverSolvedVelocities, m, v)
+#endif
 #endif
 }

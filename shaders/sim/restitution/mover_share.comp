@@ -60,7 +60,7 @@ void main()
     if (m >= sim.moverCount || !responds(m)) return;
     Mover mover = fetchMover(m);
     moverRestitutionShares[m] = vec4(1);
-    if (texelFetch(moverRestitutionSplits, int(m)).x == 0.0) return;
+    if (texelFetch(moverRestitutionSplits, int(m)).x <= 0.0) return;
     if (IS_BODY(m) && hasJoints(m)) return;
     vec3 ledger = ledgerSum(mover, counters[0].listParity);
     float mass = 1.0 / mover.inverseMass;

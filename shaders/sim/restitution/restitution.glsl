@@ -5,11 +5,12 @@
 // energy that the impulses give and cost. SHARE: scales them to what the movers can afford.
 #include "sim/common/contacts/contacts.glsl"
 #include "sim/restitution/arrival.glsl"
+#include "sim/restitution/blows.glsl"
 
 uniform samplerBuffer moverRestitutionSplits;
 uniform samplerBuffer moverRestitutionShares;
 
-/// Number of impulses over which a mover's mass is split; 0: it does not respond.
+/// Number of impulses over which a mover's mass is split; 0: it does not collide.
 float restitutionSplits(uint mover)
 {
     return texelFetch(moverRestitutionSplits, int(mover)).x;
@@ -48,7 +49,7 @@ Impulse solveRestitution(Impulse last, float impulse, vec3 normal, float approac
     bool collides = restitution > 0.0 && impulse > 0.0 && approach > sim.restitutionThreshold;
     return Impulse(vec3(0), collides ? ABOUT_TO_ACT : 0.0);
 #else
-    if (last.normal == 0.0) return Impulse(vec3(0), 0.0);
+    if (last.normal == 0.0 || last.normal == TAKEN_BACK) return Impulse(vec3(0), last.normal);
 #ifdef EAGER
     inverseMass /= 1.8;
 #endif

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shared/stack_records.h"
+#include "sim/solver/restitution/restitution_stage.h"
 
 namespace knuckle {
 
@@ -16,6 +17,8 @@ constexpr uint32_t STEPS = 6, STEPS_AGAIN = 3;
 bool StackStage::isNeeded(const World& world, const Layout& layout)
 {
     const auto mayStack = [&](uint32_t b) { return world.bodies[b].round.radius == 0.0f; };
+    // What touches without weight is not pressed: as a stack it would answer to a blow at once, without restitution.
+    if (world.settings.gravity.isZero() && RestitutionStage::isNeeded(world)) return false;
     return world.settings.solver == SolverKind::Impulse && world.settings.massScaling == 0.0f &&
            std::ranges::count_if(layout.freeBodies, mayStack) >= LEAST_STACK;
 }

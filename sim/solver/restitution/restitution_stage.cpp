@@ -18,7 +18,8 @@ bool RestitutionStage::isNeeded(const World& world)
 }
 
 RestitutionStage::RestitutionStage(const StageSetup& setup)
-    : parameters_(setup.parameters), hasColliders_(!setup.world.colliders.empty())
+    : parameters_(setup.parameters), iterations_(setup.world.settings.iterations),
+      hasColliders_(!setup.world.colliders.empty())
 {
 }
 
@@ -57,6 +58,11 @@ void RestitutionStage::iterate(Recorder& recorder, const Kernel& pairs, const Ke
 void RestitutionStage::apply(Recorder& recorder) const
 {
     iterate(recorder, detectPairs_, detectColliders_, countMovers_);
+    for (uint32_t i = 0; i < iterations_; ++i) {
+        recorder.decided(takeBack_, DISPATCH_PAIRS);
+        recorder.perElement(reachMovers_, parameters_.moverCount);
+    }
+    recorder.perElement(beginMovers_, parameters_.moverCount);
     for (uint32_t i = 0; i < SOLVES; ++i) {
         iterate(recorder, solvePairs_, solveColliders_, moveMovers_);
         iterate(recorder, solvePairsEagerly_, solveCollidersEagerly_, moveMovers_);

@@ -21,9 +21,9 @@ public:
                                                                ///< m/s].
     Buffer<gpu::vec4> pairLedgers, colliderLedgers;            ///< Energy: linear and square gain, what the first side
                                                                ///< may give back beyond its loss [J].
-    Buffer<gpu::vec4> moverSolvedVelocities;                   ///< Velocity fields without restitution [m/s].
+    Buffer<gpu::vec4> moverSolvedVelocities;                   ///< Velocity fields without bounces [m/s].
     Buffer<float> moverRestitutionSplits;                      ///< Per mover: number of collisions' impulses over which
-                                                               ///< its mass is split.
+                                                               ///< its mass is split; REACHED (blows.glsl).
     Buffer<gpu::vec4> moverRestitutionShares;                  ///< Per mover: the shares of these impulses and of the
                                                                ///< solver's impulses that its energy affords.
 
@@ -31,6 +31,7 @@ private:
     void iterate(Recorder& recorder, const Kernel& pairs, const Kernel& colliders, const Kernel& movers) const;
 
     const gpu::StepParameters& parameters_;
+    uint32_t iterations_;  // of the solver: as many contacts a blow passes in a substep
     bool hasColliders_;
     Pass detectPairs_{*this, "restitution/contact_restitution", {{"DETECT", "1"}}};
     Pass detectColliders_{*this, "restitution/collider_restitution", {{"DETECT", "1"}}, hasColliders_};
@@ -43,6 +44,9 @@ private:
     Pass sharePairs_{*this, "restitution/contact_restitution", {{"SHARE", "1"}}};
     Pass shareColliders_{*this, "restitution/collider_restitution", {{"SHARE", "1"}}, hasColliders_};
     Pass countMovers_{*this, "restitution/mover_restitution", {{"DETECT", "1"}}};
+    Pass takeBack_{*this, "restitution/contact_take_back"};
+    Pass reachMovers_{*this, "restitution/mover_restitution", {{"REACH", "1"}}};
+    Pass beginMovers_{*this, "restitution/mover_restitution", {{"BEGIN", "1"}}};
     Pass moveMovers_{*this, "restitution/mover_restitution"};
     Pass moverShares_{*this, "restitution/mover_share"};
 };
