@@ -52,7 +52,7 @@ void FluidStage::upload(const StageSetup& setup)
         materials.push_back(fluidMaterial(parameters_, m, settings.timeStep));
     fluidMaterials = {"fluidMaterials", std::span<const gpu::vec4>(materials)};
     fluidLargestPush = {"fluidLargestPush", 1};
-    particleWets = {"particleWets", 3 * parameters_.particleCount};
+    particleWets = {"particleWets", seals_ ? 3 * parameters_.particleCount : 0};
     bodySeals = {"bodySeals", seals_ ? parameters_.bodyCount : 0};
     fluidPasts = {"fluidPasts", parameters_.particleCount + parameters_.fluidCount};
 }

@@ -8,7 +8,6 @@ namespace knuckle {
 /// Fluids: position based fluids (Macklin and Mueller 2013) on the particles that come after all others. They are not
 /// movers; their pressure on solids goes through BodyStage::particleImpulses. A slot is a particle's place in the
 /// order of the cells of the fluids' own grid.
-/// order of the cells of the fluids' own grid.
 class FluidStage : public Stage {
 public:
     static bool isNeeded(const World& world) { return world.fluidCount > 0; }
@@ -87,7 +86,7 @@ private:
     Pass shape_{*this, "fluid/pressure/fluid_shape"};
     Pass density_{*this, "fluid/pressure/fluid_density", hasPool_ ? Defines{{"EMITTERS", "1"}} : Defines{}};
     Pass pressure_{*this, "fluid/pressure/fluid_pressure", hasTension_ ? Defines{{"TENSION", "1"}} : Defines{}};
-    Pass coupling_{*this, "fluid/pressure/fluid_solid_coupling"};
+    Pass coupling_{*this, "fluid/pressure/fluid_solid_coupling", seals_ ? Defines{{"SEALS", "1"}} : Defines{}};
     Pass bodySeal_{*this, "fluid/pressure/fluid_body_seal", {}, seals_};
     Pass seal_{*this, "fluid/pressure/fluid_seal", {}, seals_};
     Pass predictRelaxed_{*this, "fluid/fluid_predict", {{"RELAX", "1"}}};

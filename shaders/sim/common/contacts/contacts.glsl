@@ -61,7 +61,7 @@ struct ColliderContact {
 
 uvec4 packColliderContact(ColliderContact sides)
 {
-    return uvec4(sides.mover, sides.collider, packHalf2x16(sides.friction), 
+    return uvec4(sides.mover, sides.collider, packHalf2x16(sides.friction),
                  packUnorm2x16(vec2(sides.fraction, sides.ofRope ? 0 : 1)));
 }
 

@@ -7,6 +7,7 @@
 #include "sim/fluid/slot_values.glsl"
 #include "sim/fluid/pressure/slot_pressures.glsl"
 #include "sim/fluid/fluid.glsl"
+#include "sim/fluid/neighbour_moments.glsl"
 #include "sim/fluid/walls/fluid_colliders.glsl"
 #include "sim/fluid/walls/solid_cover.glsl"
 #include "sim/fluid/walls/wall_cover.glsl"
@@ -17,36 +18,15 @@ BUFFER(vec4, SlotShapes, newSlotShapes);
 /// The size of the difference to 1 beyond which what evens is scaled down.
 const float MOST_UNEVEN = 4.0;
 
-/// Sums over fluid neighbours, in units of the kernel's height and steepness: the fraction of the kernel, and M: its
-/// diagonal and yz, zx, xy.
-struct Sums {
-    float fraction;
-    vec3 diagonal, mixed;
-};
-
-void add(inout Sums sums, vec3 x, float inverseReach, uint slot)
+Moments momentsOver(uint k, uint count, vec3 x)
 {
-    vec3 r = x - fetchSlotPosition(slot).position;
-    float a = 1.0 - min(sqrt(dot(r, r)) * inverseReach, 1.0);
-    vec3 slope = a * a * a * r;
-    sums.fraction += fluidShape(a);
-    sums.diagonal += slope * r;
-    sums.mixed += slope.yzx * r.zxy;
-}
-
-Sums sumsOver(uint k, uint count, vec3 x)
-{
-    // A list whose length is not a multiple of four ends with the slot itself, which is subtracted again.
-    Sums sums = Sums(1.0 - float(-count & 3u), vec3(0), vec3(0));
-    float inverseReach = 1.0 / sim.fluidReach, steepness = fluidSteepness();
+    Moments sums = noMoments(count);
+    float inverseReach = 1.0 / sim.fluidReach;
     for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
         uvec4 slots = fetchNeighbours(texel);
-        add(sums, x, inverseReach, slots.x);
-        add(sums, x, inverseReach, slots.y);
-        add(sums, x, inverseReach, slots.z);
-        add(sums, x, inverseReach, slots.w);
+        for (int c = 0; c < 4; ++c) addMoment(sums, x - fetchSlotPosition(slots[c]).position, inverseReach);
     }
-    return Sums(sim.fluidVolume * sums.fraction, -steepness * sums.diagonal, -steepness * sums.mixed);
+    return sums;
 }
 
 /// The inverse of M. Of a few particles in a line or a plane it would be anything: it stays near 1.
@@ -59,11 +39,11 @@ mat3 boundedInverse(mat3 moment)
 }
 
 /// What evens the stress. Behind walls and solids, and where nothing is, fluid is taken to go on evenly.
-mat3 evened(Sums sums, SolidCover solids, WallCover walls)
+mat3 evened(Moments sums, SolidCover solids, WallCover walls)
 {
-    vec3 d = sums.diagonal, m = sums.mixed;
-    mat3 moment = mat3(d.x, m.z, m.y, m.z, d.y, m.x, m.y, m.x, d.z) + walls.moment + solids.moment;
-    moment += mat3(walls.fraction + solids.fraction + max(1.0 - sums.fraction - walls.fraction - solids.fraction, 0.0));
+    float fraction = sim.fluidVolume * sums.fraction;
+    mat3 moment = momentMatrix(sums) + walls.moment + solids.moment;
+    moment += mat3(walls.fraction + solids.fraction + max(1.0 - fraction - walls.fraction - solids.fraction, 0.0));
     // What rubs along a body would hold it.
     float part = mix(FLUID_EVENNESS, 1.0, smoothstep(0.0, 0.05, solids.fraction));
     return mat3(1.0 - part) + part * boundedInverse(moment);
@@ -77,7 +57,7 @@ void main()
     if (!isFluid(i)) return;
     NeighbourCounts counts = fetchFluidCounts(k, i);
     vec3 x = fetchSlotPosition(k).position;
-    Sums sums = sumsOver(k, counts.fluids, x);
+    Moments sums = momentsOver(k, counts.fluids, x);
     SolidCover solids = solidCover(k, counts.solids, x);
     WallCover walls = wallCover(k, x);
     mat3 even = evened(sums, solids, walls);

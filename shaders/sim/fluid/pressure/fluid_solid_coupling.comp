@@ -1,5 +1,5 @@
 // One thread a solid particle: the impulse of the fluid around it, opposite to the one that fluid_pressure gives to the
-// fluid.
+// fluid. SEALS: notes what fluid_body_seal asks for, in a world of bodies and colliders.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/common/particles.glsl"
@@ -13,7 +13,9 @@
 uniform samplerBuffer slotSolidImpulses;
 layout(local_size_x = GROUP_SIZE) in;
 BUFFER(vec4, ParticleImpulses, particleImpulses);
+#ifdef SEALS
 BUFFER(vec4, ParticleWets, newParticleWets);
+#endif
 BUFFER(Assembly, AssemblyState, assemblies);
 READ_BUFFER(Counters, CountersBlock, counters);
 
@@ -35,6 +37,7 @@ void addFluid(inout Sums sums, SolidCell cell, uint slot)
     sums.sizes += size * vec3(1.0, impulse.w, fetchSlotPosition(slot).mass);
 }
 
+#ifdef SEALS
 /// The directions out of colliders that the particle lies on, if no fluid gets between.
 vec3 sealOf(uint k, vec3 x)
 {
@@ -46,6 +49,7 @@ vec3 sealOf(uint k, vec3 x)
     }
     return seal;
 }
+#endif
 
 void main()
 {
@@ -59,9 +63,11 @@ void main()
         for (int c = 0; c < 4; ++c) addFluid(sums, cell, slots[c]);
     }
     uint rank = fetchRank(i).rank;
+#ifdef SEALS
     newParticleWets[3u * rank] = vec4(sums.slope, sums.sizes.x);
     newParticleWets[3u * rank + 1u] = vec4(sums.impulse, sums.sizes.y);
     newParticleWets[3u * rank + 2u] = vec4(sealOf(k, cell.centre), sums.sizes.z);
+#endif
     if (sums.impulse == vec3(0)) return;
     // Like contacts, this makes its assembly end the substep by first order.
     assemblies[fetchParticle(i).assembly].lastContact = counters[0].substep - 1u;
