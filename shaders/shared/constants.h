@@ -15,7 +15,7 @@
 // Threads in a work group that solves strands: there are few strands, and each takes long.
 #define DISTANCE_GROUP_SIZE 8
 // Slots whose lists of neighbours lie together.
-#define NEIGHBOUR_BLOCK 32u
+#define NEIGHBOUR_BLOCK 8u
 
 // ColliderShape of sim/world/world.h.
 #define COLLIDER_PLANE 0u

@@ -36,6 +36,21 @@ GLenum texelFormat(uint32_t bytes, bool isUnsigned)
     }
 }
 
+std::string lowercaseFirst(std::string name)
+{
+    if (!name.empty()) name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+    return name;
+}
+
+/// "slotPressures" for "newSlotPressures": a shader may have a sampler of the same buffer.
+std::string withoutNew(const std::string& name)
+{
+    const std::string prefix = "new";
+    const bool isNew = name.starts_with(prefix) && name.size() > prefix.size() &&
+                       std::isupper(static_cast<unsigned char>(name[prefix.size()])) != 0;
+    return isNew ? lowercaseFirst(name.substr(prefix.size())) : name;
+}
+
 /// Whether a member of a kernel's struct fits the host's elements of that scalar.
 bool fits(GLenum member, Scalar scalar)
 {
@@ -84,8 +99,7 @@ std::string Bindings::resourceName(GLenum interface, GLuint index) const
 {
     char declared[128] = "";
     glGetProgramResourceName(program_, interface, index, sizeof declared, nullptr, declared);
-    std::string name = declared;
-    if (!name.empty()) name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+    const std::string name = lowercaseFirst(declared);
     for (const auto& [from, to] : renames_) {
         const bool isWord = name.size() == from.size() ||
                             (name.size() > from.size() &&
@@ -139,15 +153,17 @@ void Bindings::findSamplers(const BufferTable& table, const std::string& user)
 void Bindings::findImages(const BufferTable& table, const std::string& user)
 {
     for (GLuint i = 0; i < resourceCount(program_, GL_UNIFORM); ++i) {
-        if (property(program_, GL_UNIFORM, i, GL_TYPE) != GL_IMAGE_BUFFER) continue;
-        const std::string image = resourceName(GL_UNIFORM, i);
+        const auto type = static_cast<GLenum>(property(program_, GL_UNIFORM, i, GL_TYPE));
+        const bool isFloat = type == GL_IMAGE_BUFFER;
+        if (!isFloat && type != GL_UNSIGNED_INT_IMAGE_BUFFER) continue;
+        const std::string image = withoutNew(resourceName(GL_UNIFORM, i));
         const BufferTable::Entry& entry = table.find(image, user);
-        if (entry.element.scalar != Scalar::Float)
-            throw DeviceError(fmt::format("{} declares \"{}\" as an imageBuffer, which the host's buffer does not hold",
-                                          user, image));
+        if (isFloat != (entry.element.scalar == Scalar::Float))
+            throw DeviceError(fmt::format("{} declares \"{}\" as {} imageBuffer, which the host's buffer does not hold",
+                                          user, image, isFloat ? "an" : "an unsigned"));
         glProgramUniform1i(program_, property(program_, GL_UNIFORM, i, GL_LOCATION),
                            static_cast<GLint>(images_.size()));
-        images_.push_back({entry.buffer, texelFormat(entry.element.texelBytes, false)});
+        images_.push_back({entry.buffer, texelFormat(entry.element.texelBytes, !isFloat)});
     }
 }
 

@@ -10,7 +10,7 @@
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer fluidSearchPositions;
 BUFFER(uvec2, SlotCounts, newSlotCounts);
-BUFFER(uvec4, SlotNeighbours, newSlotNeighbours);
+UINT_TEXELS(newSlotNeighbours)
 BUFFER(Counters, CountersBlock, counters);
 
 /// Lists the fluid neighbours of a batch, from the front of the list on. @param counts  Numbers listed so far.
@@ -21,10 +21,11 @@ void listFluids(uint k, uint slots, inout NeighbourCounts counts, inout uvec4 fo
     for (int range = 0; range < AROUND_RANGES; ++range) ranges |= fluids[range] != 0u ? 1u << range : 0u;
     int range = max(findLSB(ranges), 0);
     uint bits = fluids[range], first = firsts[range];
-    while (ranges != 0u && (counts.fluids & ~3u) + 4u + counts.solids <= sim.fluidSlots) {
+    bool fits = (counts.fluids & ~3u) + 4u + counts.solids <= sim.fluidSlots;
+    do {
         uint texel = neighbourTexel(k, counts.fluids / 4u);
         for (uint c = 0u; c < 4u; ++c) {
-            if (c < held || ranges == 0u) continue;
+            if (c < held || ranges == 0u || !fits) continue;
             uint index = first + uint(findLSB(bits));
             four[c] = index < slots ? index : index - slots;
             ++counts.fluids;
@@ -35,21 +36,26 @@ void listFluids(uint k, uint slots, inout NeighbourCounts counts, inout uvec4 fo
             bits = fluids[range];
             first = firsts[range];
         }
-        newSlotNeighbours[texel] = four;
+        if (fits) imageStore(newSlotNeighbours, int(texel), four);
         if ((counts.fluids & 3u) == 0u) four = uvec4(k);
         held = 0u;
-    }
+        fits = (counts.fluids & ~3u) + 4u + counts.solids <= sim.fluidSlots;
+    } while (ranges != 0u && fits);
 }
 
-/// Lists the solid neighbours of a batch, from the end of the list on.
-void listSolids(uint k, uint slots, inout NeighbourCounts counts)
+/// Lists the solid neighbours of a batch, from the end of the list on. @param four  The last four listed.
+void listSolids(uint k, uint slots, inout NeighbourCounts counts, inout uvec4 four)
 {
-    for (int range = 0; range < AROUND_RANGES; ++range)
-        for (uint bits = solids[range]; bits != 0u; bits &= bits - 1u) {
-            if ((counts.fluids + 3u & ~3u) + counts.solids >= sim.fluidSlots) return;
-            uint index = firsts[range] + uint(findLSB(bits)), n = sim.fluidSlots - ++counts.solids;
-            newSlotNeighbours[neighbourTexel(k, n / 4u)][n % 4u] = index < slots ? index : index - slots;
-        }
+    uint ranges = 0u;
+    for (int range = 0; range < AROUND_RANGES; ++range) ranges |= solids[range] != 0u ? 1u << range : 0u;
+    while (ranges != 0u && (counts.fluids + 3u & ~3u) + counts.solids < sim.fluidSlots) {
+        int range = findLSB(ranges);
+        uint bits = solids[range], index = firsts[range] + uint(findLSB(bits)), n = sim.fluidSlots - ++counts.solids;
+        four[n % 4u] = index < slots ? index : index - slots;
+        imageStore(newSlotNeighbours, int(neighbourTexel(k, n / 4u)), four);
+        solids[range] = bits & bits - 1u;
+        if (solids[range] == 0u) ranges &= ranges - 1u;
+    }
 }
 
 void main()
@@ -59,14 +65,15 @@ void main()
     vec3 at = texelFetch(fluidSearchPositions, int(fetchSlotParticle(k))).xyz * inverseGridCell();
     Seeker seeker = seekerAt(texelFetch(fluidSorted, int(k / 4u))[k % 4u]);
     NeighbourCounts counts = NeighbourCounts(0u, 0u);
-    uvec4 four = uvec4(k);
-    uint wanted = 0u;
-    bool more = true;
-    for (uint batch = 0u; more; batch += 32u) {
+    uvec4 four = uvec4(k), fourSolids = uvec4(k);
+    uint wanted = 0u, batch = 0u;
+    bool more;
+    do {
         wanted += findBatch(seeker, at, k, slots, batch, more);
         listFluids(k, slots, counts, four);
-        listSolids(k, slots, counts);
-    }
+        listSolids(k, slots, counts, fourSolids);
+        batch += 32u;
+    } while (more);
     if (wanted > counts.fluids + counts.solids) {
         atomicOr(counters[0].problems, PROBLEM_FLUID);
         atomicMax(counters[0].wantedNeighbours, wanted + 3u);

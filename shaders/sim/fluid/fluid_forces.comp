@@ -14,7 +14,7 @@ BUFFER(vec4, SlotPositions, newSlotPositions);
 /// The part of a particle that the air reaches, by the density around it.
 float exposure(uint k)
 {
-    return 1.0 - smoothstep(ALONE_DENSITY, SURFACE_DENSITY, fetchSlotWalls(k).density);
+    return 1.0 - smoothstep(ALONE_DENSITY, SURFACE_DENSITY, fetchSlotCover(k).density);
 }
 
 void main()

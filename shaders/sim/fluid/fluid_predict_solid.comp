@@ -13,6 +13,9 @@ layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
 BUFFER(vec4, SlotPositions, newSlotPositions);
 BUFFER(vec4, SlotLastPositions, newSlotLastPositions);
+#ifndef RELAX
+BUFFER(vec4, SlotSolidImpulses, newSlotSolidImpulses);
+#endif
 
 void main()
 {
@@ -30,4 +33,7 @@ void main()
     vec2 turn = packTurn(rotation);
     newSlotLastPositions[fetchParticleSlot(i)] = vec4(x - move, -turn.y);
     newSlotPositions[fetchParticleSlot(i)] = vec4(x, turn.x);
+#ifndef RELAX
+    newSlotSolidImpulses[fetchParticleSlot(i)] = vec4(0);   // it fills up its list of neighbours
+#endif
 }

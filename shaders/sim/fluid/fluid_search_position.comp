@@ -1,17 +1,21 @@
 // One thread a particle: the position for which fluids' neighbours are found: where it is in the middle of the step.
+// Empties the lists of slots.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_state.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/common/fluid_particles.glsl"
+#include "shared/slot_lists.h"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
 uniform samplerBuffer velocities;
 BUFFER(vec4, FluidSearchPositions, fluidSearchPositions);
+BUFFER(uvec4, SlotListSizes, slotListSizes);
 
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
+    if (i < SLOT_LISTS) slotListSizes[i] = uvec4(0, 1, 1, 0);
     if (i >= sim.particleCount + sim.fluidCount) return;
     float time = sim.lookAhead * sim.substepTime;
     vec4 position = texelFetch(positions, int(i));

@@ -52,10 +52,33 @@ uint neighbourTexel(uint slot, uint four)
     return (slot / NEIGHBOUR_BLOCK * (sim.fluidSlots / 4u) + four) * NEIGHBOUR_BLOCK + slot % NEIGHBOUR_BLOCK;
 }
 
-/// Four fluid neighbours. After the last one the slot itself is listed.
+/// Four fluid neighbours. After the last one, or if there are none, the slot itself is listed.
 uvec4 fetchNeighbours(uint texel)
 {
     return texelFetch(slotNeighbours, int(texel));
+}
+
+/// How often the slot itself is listed.
+uint paddingOf(uint count)
+{
+    return max(count + 3u & ~3u, 4u) - count;
+}
+
+/// The texels of a slot's fluid neighbours, at least one: `do ... texels.now ... while (nextTexel(texels))`. A software
+/// driver runs a loop that asks before its rounds once more than needed.
+struct NeighbourTexels {
+    uint now, end;
+};
+
+NeighbourTexels neighbourTexels(uint slot, uint count)
+{
+    return NeighbourTexels(neighbourTexel(slot, 0u), neighbourTexel(slot, (count + 3u) / 4u));
+}
+
+bool nextTexel(inout NeighbourTexels texels)
+{
+    texels.now += NEIGHBOUR_BLOCK;
+    return texels.now < texels.end;
 }
 
 /// The nth solid neighbour.

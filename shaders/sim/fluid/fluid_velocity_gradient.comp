@@ -8,7 +8,7 @@
 #include "sim/fluid/neighbour_moments.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-BUFFER(uvec4, SlotGradients, newSlotGradients);
+UINT_TEXELS(newSlotGradients)
 
 void main()
 {
@@ -19,16 +19,18 @@ void main()
     Moments sums = noMoments(count);
     mat3 slopes = mat3(0);
     float inverseReach = 1.0 / sim.fluidReach;
-    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
-        uvec4 slots = fetchNeighbours(texel);
+    NeighbourTexels texels = neighbourTexels(k, count);
+    do {
+        uvec4 slots = fetchNeighbours(texels.now);
         for (int c = 0; c < 4; ++c) {
             vec3 slope = addMoment(sums, x - fetchSlotPosition(slots[c]).position, inverseReach);
             slopes += outerProduct(velocity - fetchSlotVelocity(slots[c]).velocity, slope);
         }
-    }
+    } while (nextTexel(texels));
     // Where neighbours lack, velocities are taken to change less.
     float lacking = 0.1 * max(1.0 - sim.fluidVolume * sums.fraction, 0.0) + 0.005;
     mat3 moment = momentMatrix(sums) + mat3(lacking);
     float even = fetchFluidMaterial(fetchSlotMaterial(k)).evenSmoothing;
-    newSlotGradients[k] = pack(SlotGradient(even * -fluidSteepness() * slopes * inverse(moment)));
+    SlotGradient gradient = SlotGradient(even * -fluidSteepness() * slopes * inverse(moment));
+    imageStore(newSlotGradients, int(k), pack(gradient));
 }

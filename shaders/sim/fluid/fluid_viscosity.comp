@@ -30,12 +30,13 @@ void main()
     SlotVelocity own = fetchSlotVelocity(k);
     mat3 slope = fetchSlotGradient(k).slope;
     vec3 change = vec3(0);
-    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
-        uvec4 slots = fetchNeighbours(texel);
+    NeighbourTexels texels = neighbourTexels(k, count);
+    do {
+        uvec4 slots = fetchNeighbours(texels.now);
         change += changeBy(at, own, slope, slots.x);
         change += changeBy(at, own, slope, slots.y);
         change += changeBy(at, own, slope, slots.z);
         change += changeBy(at, own, slope, slots.w);
-    }
+    } while (nextTexel(texels));
     if (isFluid(i) && fluidVelocity(velocities[i]).timeHeld == 0.0) velocities[i].xyz += change;
 }

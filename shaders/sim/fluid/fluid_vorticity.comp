@@ -20,9 +20,10 @@ void main()
     if (k >= slotCount()) return;
     uint count = fetchFluidCounts(k, fetchSlotParticle(k)).fluids;
     vec3 x = fetchSlotPosition(k).position, velocity = fetchSlotVelocity(k).velocity, vorticity = vec3(0);
-    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
-        uvec4 slots = fetchNeighbours(texel);
+    NeighbourTexels texels = neighbourTexels(k, count);
+    do {
+        uvec4 slots = fetchNeighbours(texels.now);
         for (int c = 0; c < 4; ++c) vorticity += vorticityBy(x, velocity, slots[c]);
-    }
+    } while (nextTexel(texels));
     newSlotVorticities[k] = pack(SlotVorticity(vorticity, length(vorticity)));
 }

@@ -24,10 +24,11 @@ void main()
     uint i = fetchSlotParticle(k), count = fetchFluidCounts(k, i).fluids;
     vec3 x = fetchSlotPosition(k).position, gradient = vec3(0);
     SlotVorticity own = fetchSlotVorticity(k);
-    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
-        uvec4 slots = fetchNeighbours(texel);
+    NeighbourTexels texels = neighbourTexels(k, count);
+    do {
+        uvec4 slots = fetchNeighbours(texels.now);
         for (int c = 0; c < 4; ++c) gradient += gradientBy(x, own.size, slots[c]);
-    }
+    } while (nextTexel(texels));
     if (count == 0u || fluidVelocity(velocities[i]).timeHeld > 0.0) return;
     // If the vorticity is the same all around, there is no centre of rotation.
     vec3 towards = gradient / (length(gradient) + 0.01 * own.size / sim.fluidSpacing + 1e-6);

@@ -8,11 +8,10 @@ struct Moments {
     vec3 diagonal, mixed;
 };
 
-/// Of the first `count` neighbours. A list whose length is not a multiple of four ends with the slot itself, which is
-/// subtracted again.
+/// Of the first `count` neighbours. What the list ends with is subtracted again.
 Moments noMoments(uint count)
 {
-    return Moments(1.0 - float(-count & 3u), vec3(0), vec3(0));
+    return Moments(1.0 - float(paddingOf(count)), vec3(0), vec3(0));
 }
 
 /// Adds a neighbour at -r from the particle, and gives the slope of the kernel there.

@@ -8,13 +8,14 @@ uniform usamplerBuffer cellStarts;
 /// The slot whose neighbours are looked for.
 struct Seeker {
     uvec3 coordinates;
-    vec2 reach;     // squared, of fluid and of solid particles [quanta^2]
+    vec2 reach;     // squared, of fluid and of solid particles, as packedSquare() has it
 };
 
 /// Only fluid acts on a solid. Fluid particles act on each other up to the kernel's reach.
 Seeker seekerAt(uint code)
 {
     vec2 reach = sim.inverseFluidCell * QUANTA_PER_CELL * vec2(sim.fluidReach, sim.fluidListReach) + 2.0;
+    reach *= PACKED_QUANTUM;
     bool solid = (code & PACKED_SOLID) != 0u;
     return Seeker(packedCoordinates(code), solid ? vec2(reach.y * reach.y, -1.0) : reach * reach);
 }
@@ -37,13 +38,15 @@ Hits hitsFrom(Seeker seeker, uint first, uvec2 range)
 {
     Hits hits = Hits(0u, 0u);
     uint stop = min(range.y, first + 32u);
-    for (uint m = first, bit = 1u; m < stop; m += 4u, bit <<= 4) {
+    uint m = first, bit = 1u;
+    do {
         uvec4 four = texelFetch(fluidSorted, int(m / 4u));
         look(hits, seeker, four.x, bit);
         look(hits, seeker, four.y, bit << 1);
         look(hits, seeker, four.z, bit << 2);
         look(hits, seeker, four.w, bit << 3);
-    }
+        m += 4u, bit <<= 4;
+    } while (m < stop);
     if (first < range.x) hits.near &= ~0u << (range.x - first);
     if (range.y < first + 32u) hits.near &= range.y > first ? (1u << (range.y - first)) - 1u : 0u;
     return hits;

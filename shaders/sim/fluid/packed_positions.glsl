@@ -2,6 +2,7 @@
 // of solid particles. Neighbours are less than two cells apart, so their difference is unambiguous.
 
 #define QUANTA_PER_CELL 256.0
+#define PACKED_QUANTUM 4194304.0   // a quantum in packedSquare()
 #define PACKED_SOLID 0x40000000u
 
 uint packPosition(vec3 x, bool solid)
@@ -16,9 +17,9 @@ uvec3 packedCoordinates(uint code)
     return uvec3(code << 22, (code << 12) & 0xffc00000u, (code << 2) & 0xffc00000u);
 }
 
-/// The squared distance of two positions [quanta^2]. An axis is wrong by less than one quantum.
+/// The squared distance of two positions, in which a quantum is PACKED_QUANTUM. An axis is wrong by less than one quantum.
 float packedSquare(uvec3 a, uvec3 b)
 {
-    vec3 r = vec3(ivec3(a - b)) * (1.0 / 4194304.0);
+    vec3 r = vec3(ivec3(a - b));
     return dot(r, r);
 }

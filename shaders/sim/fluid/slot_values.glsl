@@ -1,6 +1,7 @@
 // What the kernels of fluids know of the particle in each slot (sim/fluid/fluid_slots.glsl): fetch...() reads a struct,
 // pack() converts it for storing. The samplers here have the buffers' names, so a kernel that stores into one of them
 // calls its block new...
+#include "math/upper_halves.glsl"
 #include "sim/fluid/walls/slot_covers.glsl"
 
 uniform samplerBuffer slotPositions;
@@ -52,15 +53,14 @@ struct SlotGradient {
 SlotGradient fetchSlotGradient(uint slot)
 {
     uvec4 t = texelFetch(slotGradients, int(slot));
-    vec2 a = unpackHalf2x16(t.x), b = unpackHalf2x16(t.y), c = unpackHalf2x16(t.z), d = unpackHalf2x16(t.w);
+    vec2 a = unpackUpper(t.x), b = unpackUpper(t.y), c = unpackUpper(t.z), d = unpackUpper(t.w);
     return SlotGradient(mat3(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y, -a.x - c.x));
 }
 
 uvec4 pack(SlotGradient s)
 {
     mat3 m = s.slope - mat3((s.slope[0].x + s.slope[1].y + s.slope[2].z) / 3.0);
-    return uvec4(packHalf2x16(m[0].xy), packHalf2x16(vec2(m[0].z, m[1].x)), packHalf2x16(m[1].yz),
-                 packHalf2x16(m[2].xy));
+    return uvec4(packUpper(m[0].xy), packUpper(vec2(m[0].z, m[1].x)), packUpper(m[1].yz), packUpper(m[2].xy));
 }
 
 /// How the fluid around it swirls.

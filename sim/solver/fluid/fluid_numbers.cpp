@@ -13,8 +13,8 @@ namespace knuckle {
 namespace {
 
 /// Room for neighbours at the start: among themselves fluids have some 45; beside solids, whose lists reach further, up
-/// to 70.
-constexpr uint32_t FIRST_NEIGHBOURS = 64, FIRST_NEIGHBOURS_WITH_SOLIDS = 80;
+/// to 90.
+constexpr uint32_t FIRST_NEIGHBOURS = 64, FIRST_NEIGHBOURS_WITH_SOLIDS = 96;
 /// Radius of the smoothing kernel [rest distances]. Below 2.2 the sums depend much on the particles' arrangement; above
 /// 2.5 the multipliers overshoot.
 constexpr float FLUID_REACH = 2.2f;

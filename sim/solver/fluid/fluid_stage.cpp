@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "shared/slot_lists.h"
 #include "sim/base/errors.h"
 #include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_numbers.h"
@@ -54,6 +55,7 @@ void FluidStage::upload(const StageSetup& setup)
     fluidLargestPush = {"fluidLargestPush", 1};
     particleWets = {"particleWets", seals_ ? 3 * parameters_.particleCount : 0};
     bodySeals = {"bodySeals", seals_ ? parameters_.bodyCount : 0};
+    slotListSizes = {"slotListSizes", SLOT_LISTS};
     fluidPasts = {"fluidPasts", parameters_.particleCount + parameters_.fluidCount};
 }
 
@@ -78,6 +80,8 @@ void FluidStage::makeLists(const Gpu& gpu)
     slotCounts = {"slotCounts", count};
     slotNeighbours = {"slotNeighbours", p.fluidSlots / 4 * slots};
     slotColliders = {"slotColliders", count};
+    freeSlots = {"freeSlots", count};
+    coveredSlots = {"coveredSlots", count};
     slotMaterials = {"slotMaterials", count};
     slotVelocities = {"slotVelocities", count};
     slotGradients = {"slotGradients", count};
@@ -87,8 +91,7 @@ void FluidStage::makeLists(const Gpu& gpu)
     slotPressures = {"slotPressures", 2 * count};
     slotVorticities = {"slotVorticities", confines_ ? count : 0};
     slotWalls = {"slotWalls", count};
-    slotCovered = {"slotCovered", count};
-    slotGains = {"slotGains", count};
+    slotCovers = {"slotCovers", count};
     slotSolids = {"slotSolids", count};
     slotSolidImpulses = {"slotSolidImpulses", count};
 }
@@ -106,7 +109,8 @@ void FluidStage::addBuffers(BufferTable& table)
     table.add(Lifetime::Scratch, fluidSearchPositions, fluidParticleCells, fluidCellStarts, fluidCellMembers,
               slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, slotMaterials, slotVelocities,
               slotGradients, slotPositions, slotLastPositions, slotShapes, slotPressures, slotVorticities, slotWalls,
-              slotCovered, slotGains, slotSolids, slotSolidImpulses, particleWets, bodySeals, fluidLargestPush);
+              slotCovers, slotSolids, slotSolidImpulses, particleWets, bodySeals, fluidLargestPush, freeSlots,
+              coveredSlots, slotListSizes);
     ElementType fourAtATime = elementType<uint32_t>();
     fourAtATime.texelBytes = 16;
     table.add("fluidSorted", fluidSorted, fourAtATime, Lifetime::Scratch);
@@ -116,6 +120,20 @@ void FluidStage::perSlot(Recorder& recorder, const Kernel& kernel) const
 {
     if (hasPool_) recorder.decided(kernel, DISPATCH_SLOTS);
     else recorder.perElement(kernel, parameters_.particleCount + parameters_.fluidCount);
+}
+
+Defines FluidStage::densityOf(const char* list) const
+{
+    Defines defines = {{list, "1"}};
+    if (hasPool_) defines.push_back({"EMITTERS", "1"});
+    return defines;
+}
+
+Defines FluidStage::pressureOf(const char* list) const
+{
+    Defines defines = {{list, "1"}};
+    if (hasTension_) defines.push_back({"TENSION", "1"});
+    return defines;
 }
 
 void FluidStage::list(Recorder& recorder) const
@@ -130,6 +148,7 @@ void FluidStage::list(Recorder& recorder) const
     recorder.perElement(order_, particles);
     perSlot(recorder, find_);
     perSlot(recorder, colliderNear_);
+    perSlot(recorder, slotLists_);
 }
 
 void FluidStage::beginStep(Recorder& recorder) const
@@ -167,8 +186,10 @@ void FluidStage::substep(Recorder& recorder, uint32_t index) const
     if (index == 0) recorder.perElement(predict_, parameters_.fluidCount);
     recorder.perElement(predictSolid_, parameters_.particleCount);
     if (index % SHAPE_SUBSTEPS == 0) perSlot(recorder, shape_);
-    perSlot(recorder, density_);
-    perSlot(recorder, pressure_);
+    recorder.decided(densityFree_, slotListSizes, FREE_SLOTS_SIZE);
+    recorder.decided(densityCovered_, slotListSizes, COVERED_SLOTS_SIZE);
+    recorder.decided(pressureFree_, slotListSizes, FREE_SLOTS_SIZE);
+    recorder.decided(pressureCovered_, slotListSizes, COVERED_SLOTS_SIZE);
     recorder.perElement(coupling_, parameters_.particleCount);
     if (!seals_) return;
     recorder.perElement(bodySeal_, parameters_.bodyCount);
@@ -177,14 +198,14 @@ void FluidStage::substep(Recorder& recorder, uint32_t index) const
 
 std::vector<float> FluidStage::densities() const
 {
-    const std::vector<gpu::vec4> walls = slotWalls.download();
+    const std::vector<gpu::vec4> covers = slotCovers.download();
     const std::vector<uint32_t> particles = slotParticles.download();
     std::vector<float> densities;
     // Inactive particles have no slot.
     uint32_t slots = 0;
     fluidCellStarts.read(&slots, sizeof slots, (parameters_.fluidCellMask + 1) * sizeof slots);
     for (size_t k = 0; k < slots; ++k)
-        if (particles[k] >= parameters_.particleCount) densities.push_back(walls[k].w);
+        if (particles[k] >= parameters_.particleCount) densities.push_back(covers[k].w);
     return densities;
 }
 

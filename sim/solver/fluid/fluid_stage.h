@@ -41,6 +41,8 @@ public:
     Buffer<gpu::uvec2> slotCounts;                  ///< Fluid and solid neighbours.
     Buffer<gpu::uvec4> slotNeighbours;              ///< fluidSlots a slot (fluid_slots.glsl).
     Buffer<uint32_t> slotColliders;                 ///< Bits of nearby colliders.
+    Buffer<uint32_t> freeSlots, coveredSlots;       ///< Slots of fluid: slot_lists.glsl.
+    Buffer<gpu::uvec4> slotListSizes;               ///< Of these lists: slot_lists.h.
     Buffer<gpu::vec4> fluidMaterials;               ///< Per material: smoothing, tension.
     Buffer<uint32_t> slotMaterials;                 ///< Index into World::materials.
     Buffer<gpu::vec4> slotVelocities;               ///< When neighbours were found [m/s]; w: smoothing.
@@ -55,14 +57,16 @@ public:
     Buffer<uint32_t> fluidLargestPush;              ///< One: largest push of a pass before the first step [m], as bits
                                                     ///< of a float.
     Buffer<gpu::vec4> slotWalls, slotSolids;        ///< Gradients of the density from walls and solids.
-    Buffer<float> slotCovered;                      ///< Share of the kernel that they cover.
+    Buffer<gpu::vec4> slotCovers;                   ///< SlotCover (slot_covers.glsl).
     Buffer<gpu::vec4> particleWets;                 ///< Three each: body_wets.glsl.
     Buffer<float> bodySeals;                        ///< The same.
-    Buffer<float> slotGains;                        ///< gapGain() of fluid.glsl.
 
 private:
     void list(Recorder& recorder) const;
     void perSlot(Recorder& recorder, const Kernel& kernel) const;
+    /// Of the kernels for the slots of a list (slot_lists.glsl).
+    Defines densityOf(const char* list) const;
+    Defines pressureOf(const char* list) const;
 
     const gpu::StepParameters& parameters_;
     bool hasPool_;  ///< The GPU decides how many slots there are.
@@ -76,6 +80,7 @@ private:
     Pass order_{*this, "fluid/fluid_order", {{"FLUIDS", "1"}}};
     Pass find_{*this, "fluid/fluid_find", {{"FLUIDS", "1"}}};
     Pass colliderNear_{*this, "fluid/walls/fluid_collider_near"};
+    Pass slotLists_{*this, "fluid/walls/fluid_slot_lists"};
     Pass gather_{*this, "fluid/fluid_gather"};
     Pass gradient_{*this, "fluid/fluid_velocity_gradient"};
     Pass viscosity_{*this, "fluid/fluid_viscosity"};
@@ -84,8 +89,10 @@ private:
     Pass predict_{*this, "fluid/fluid_predict"};
     Pass predictSolid_{*this, "fluid/fluid_predict_solid"};
     Pass shape_{*this, "fluid/pressure/fluid_shape"};
-    Pass density_{*this, "fluid/pressure/fluid_density", hasPool_ ? Defines{{"EMITTERS", "1"}} : Defines{}};
-    Pass pressure_{*this, "fluid/pressure/fluid_pressure", hasTension_ ? Defines{{"TENSION", "1"}} : Defines{}};
+    Pass densityFree_{*this, "fluid/pressure/fluid_density", densityOf("FREE")};
+    Pass densityCovered_{*this, "fluid/pressure/fluid_density", densityOf("COVERED")};
+    Pass pressureFree_{*this, "fluid/pressure/fluid_pressure", pressureOf("FREE")};
+    Pass pressureCovered_{*this, "fluid/pressure/fluid_pressure", pressureOf("COVERED")};
     Pass coupling_{*this, "fluid/pressure/fluid_solid_coupling", seals_ ? Defines{{"SEALS", "1"}} : Defines{}};
     Pass bodySeal_{*this, "fluid/pressure/fluid_body_seal", {}, seals_};
     Pass seal_{*this, "fluid/pressure/fluid_seal", {}, seals_};

@@ -5,6 +5,15 @@ struct Own {
     mat3 even;
 };
 
+/// What walls and solids add.
+struct Sides {
+    vec3 gradient;    // of what they cover [1/m]
+    float fraction;   // of the kernel, which they cover
+    float opposed;    // SolidCover
+    float nearer;     // by how much moves make the fluid denser there
+    float gain, fastest;   // SlotCover
+};
+
 /// Sums over fluid neighbours, in units of the kernel's height and steepness: the fraction of the kernel, its gradient,
 /// the squares of each one's share of that, by how much their moves make the fluid denser, and the fraction of those
 /// that are new.
@@ -31,16 +40,17 @@ void add(inout Sums sums, Own own, float inverseReach, uint slot)
 
 Sums sumsOver(uint k, uint count, Own own)
 {
-    // A list whose length is not a multiple of four ends with the slot itself, which is subtracted again.
-    Sums sums = Sums(vec3(0), 1.0 - float(-count & 3u), 0.0, 0.0, 0.0);
+    // What the list ends with is subtracted again.
+    Sums sums = Sums(vec3(0), 1.0 - float(paddingOf(count)), 0.0, 0.0, 0.0);
     float inverseReach = 1.0 / sim.fluidReach, steepness = fluidSteepness();
-    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
-        uvec4 slots = fetchNeighbours(texel);
+    NeighbourTexels texels = neighbourTexels(k, count);
+    do {
+        uvec4 slots = fetchNeighbours(texels.now);
         add(sums, own, inverseReach, slots.x);
         add(sums, own, inverseReach, slots.y);
         add(sums, own, inverseReach, slots.z);
         add(sums, own, inverseReach, slots.w);
-    }
+    } while (nextTexel(texels));
     return Sums(steepness * sums.gradient, sim.fluidVolume * sums.fraction, steepness * steepness * sums.squares,
                 steepness * sums.nearer, sim.fluidVolume * sums.added);
 }

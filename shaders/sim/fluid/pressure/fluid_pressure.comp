@@ -1,7 +1,7 @@
 // One thread a slot: moves its fluid particle by the pressures around it (Macklin and Mueller 2013, eq. 12, with
 // masses: a pair exchanges the impulse (lambda_i + lambda_j) grad W, so momentum is kept), ends its substep, and
 // predicts the next. RELAX: moves it without changing its velocity, and a little further along its moves of earlier
-// passes, so that what the walls press out of a column rises through it in few passes.
+// passes, so that what the walls press out of a column rises through it in few passes. FREE, COVERED: one thread a slot of a list.
 #include "sim/common/kernel.glsl"
 #include "sim/common/nan_report.glsl"
 #include "sim/common/particles.glsl"
@@ -9,22 +9,33 @@
 #include "sim/fluid/slot_values.glsl"
 #include "sim/fluid/pressure/slot_pressures.glsl"
 #include "sim/fluid/fluid.glsl"
+#include "sim/fluid/walls/slot_lists.glsl"
+#ifndef FREE
 #include "sim/fluid/walls/fluid_colliders.glsl"
+#endif
 #include "sim/fluid/pressure/pressure_impulses.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-BUFFER(vec4, Positions, positions);
-BUFFER(vec4, Velocities, velocities);
-BUFFER(vec4, SlotPositions, newSlotPositions);
-BUFFER(vec4, FluidPasts, fluidPasts);
+FLOAT_TEXELS(positions)
+FLOAT_TEXELS(newSlotPositions)
 #ifdef RELAX
+READ_BUFFER(vec4, Velocities, velocities);
+#define LAST_VELOCITY(i) velocities[i]
+BUFFER(vec4, FluidPasts, fluidPasts);
 BUFFER(uint, FluidLargestPush, fluidLargestPush);
 #else
-BUFFER(vec4, SlotLastPositions, newSlotLastPositions);
-BUFFER(vec4, SlotSolidImpulses, newSlotSolidImpulses);
+FLOAT_TEXELS(velocities)
+#define LAST_VELOCITY(i) imageLoad(velocities, int(i))
+FLOAT_TEXELS(newSlotLastPositions)
+#ifndef FREE
+FLOAT_TEXELS(newSlotSolidImpulses)
+#endif
 BUFFER(Counters, CountersBlock, counters);
 #endif
 
+#ifdef FREE
+float mostSpeed(SlotCover cover, float before, float now) { return sim.maxSpeed; }
+#else
 /// Pushes x out of the colliders, at least a quarter of the rest distance away from them.
 vec3 outside(uint k, vec3 x)
 {
@@ -38,46 +49,46 @@ vec3 outside(uint k, vec3 x)
 /// The highest speed that a particle may reach if it had the speed `before` and would have `now`. Being pushed out
 /// between solids, or a solid and a wall, in one substep would make it as fast as that takes. It keeps the largest
 /// speed that it or they had, and gets a little more.
-float mostSpeed(uint k, vec3 x, float before, float now)
+float mostSpeed(SlotCover cover, float before, float now)
 {
-    float gain = MOST_SQUEEZE * sim.substepTime, fastest = before;
-    if (now <= before + gain) return sim.maxSpeed;
-    uint count = fetchCounts(k).solids;
-    bool among = false;
-    for (uint n = 0u; n < count; ++n) {
-        uint solid = fetchSolidNeighbour(k, n);
-        if (distance(x, fetchPressurePosition(solid)) >= sim.fluidListReach) continue;
-        among = true;
-        fastest = max(fastest, length(fetchSlotVelocity(solid).velocity));
-    }
-    return among ? min(fastest + gain, sim.maxSpeed) : sim.maxSpeed;
+    float gain = MOST_SQUEEZE * sim.substepTime;
+    bool free = cover.fastest == NO_SOLID || now <= before + gain;
+    return free ? sim.maxSpeed : min(max(before, cover.fastest) + gain, sim.maxSpeed);
 }
+#endif
 
 void main()
 {
-    uint k = gl_GlobalInvocationID.x;
-    if (k >= slotCount()) return;
-    uint i = fetchSlotParticle(k);
-#ifndef RELAX
-    newSlotSolidImpulses[k] = vec4(0);   // a solid's own, which fills up its list of neighbours
-#endif
+    if (gl_GlobalInvocationID.x >= listedSlots()) return;
+    uint k = listedSlot(gl_GlobalInvocationID.x), i = fetchSlotParticle(k);
     if (!isFluid(i)) return;
     SlotPressure own = fetchSlotPressure(k);
     FluidImpulses others = fluidImpulses(k, fetchCounts(k).fluids, own);
+    vec3 impulse = others.pressure + others.tension;
+    SlotCover cover = fetchSlotCover(k);
+#ifndef FREE
     SlotSolidCover solids = fetchSlotSolids(k);
-    PressureImpulse pressed = pressedBy(own, fetchSlotCovered(k), fetchSlotWalls(k), solids, others.pressure);
-    vec3 push = fetchMass(i).inverseMass * (pressed.all + others.tension);
-    FluidVelocity last = fluidVelocity(velocities[i]);
+    PressureImpulse pressed = pressedBy(own, cover.fraction, fetchSlotWalls(k), solids, others.pressure);
+    impulse = pressed.all + others.tension;
+#endif
+    FluidVelocity last = fluidVelocity(LAST_VELOCITY(i));
+    float inverseMass = fetchMass(i).inverseMass, mass = 1.0 / max(inverseMass, 1e-20);
+    vec3 push = inverseMass * impulse;
     push *= last.timeHeld > 0.0 ? 0.0 : min(1.0, 0.25 * sim.fluidReach / max(length(push), 1e-20));
-    vec3 before = positions[i].xyz, x = outside(k, own.position + push);
+    vec4 place = imageLoad(positions, int(i));
+    vec3 before = place.xyz, x = own.position + push;
+#ifndef FREE
+    x = outside(k, x);
+#endif
+    imageStore(positions, int(i), withPosition(place, x));
 #ifdef RELAX
-    positions[i].xyz = x;
     fluidPasts[i].xyz = x;
     vec3 move = x - before;
     // It stays among the neighbours and walls that are listed for it, and does not go between solids that would squeeze
     // it out in the first step.
     move *= min(1.0, 0.1 * sim.fluidSpacing / max(length(move), 1e-20));
-    newSlotPositions[k].xyz = fetchCounts(k).solids > 0u ? x : x + FLUID_MOMENTUM * move;
+    vec3 next = fetchCounts(k).solids > 0u ? x : x + FLUID_MOMENTUM * move;
+    imageStore(newSlotPositions, int(k), pack(SlotPosition(next, mass)));
     atomicMax(fluidLargestPush[0], floatBitsToUint(length(push)));
 #else
     vec3 v = (x - before) * (sim.damping / sim.substepTime);
@@ -85,14 +96,13 @@ void main()
     if (isnan(speed) || isinf(speed)) {
         REPORT_NAN(i);
     }
-    float most = mostSpeed(k, own.position, length(last.velocity), speed);
-    v *= min(1.0, most / max(speed, 1e-20));
-    velocities[i] = pack(FluidVelocity(v, max(last.timeHeld - sim.substepTime, 0.0)));
-    positions[i].xyz = x;
-    newSlotPositions[k].xyz = predictedPosition(x, v);
-    newSlotLastPositions[k] = pack(SlotLast(own.position, false));
-    fluidPasts[i].xyz = own.position;
-    float answer = pressed.push * texelFetch(slotGains, int(k)).x;
-    newSlotSolidImpulses[k] = vec4(solids.inverseWeight * pressed.bySolids, answer);
+    v *= min(1.0, mostSpeed(cover, length(last.velocity), speed) / max(speed, 1e-20));
+    imageStore(velocities, int(i), pack(FluidVelocity(v, max(last.timeHeld - sim.substepTime, 0.0))));
+    imageStore(newSlotPositions, int(k), pack(SlotPosition(predictedPosition(x, v), mass)));
+    imageStore(newSlotLastPositions, int(k), pack(SlotLast(own.position, false)));
+#ifndef FREE
+    vec4 toSolids = vec4(solids.inverseWeight * pressed.bySolids, pressed.push * cover.gain);
+    imageStore(newSlotSolidImpulses, int(k), toSolids);
+#endif
 #endif
 }

@@ -13,7 +13,7 @@
 #include "sim/fluid/walls/wall_cover.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-BUFFER(vec4, SlotShapes, newSlotShapes);
+FLOAT_TEXELS(newSlotShapes)
 
 /// The size of the difference to 1 beyond which what evens is scaled down.
 const float MOST_UNEVEN = 4.0;
@@ -22,10 +22,11 @@ Moments momentsOver(uint k, uint count, vec3 x)
 {
     Moments sums = noMoments(count);
     float inverseReach = 1.0 / sim.fluidReach;
-    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
-        uvec4 slots = fetchNeighbours(texel);
+    NeighbourTexels texels = neighbourTexels(k, count);
+    do {
+        uvec4 slots = fetchNeighbours(texels.now);
         for (int c = 0; c < 4; ++c) addMoment(sums, x - fetchSlotPosition(slots[c]).position, inverseReach);
-    }
+    } while (nextTexel(texels));
     return sums;
 }
 
@@ -61,6 +62,6 @@ void main()
     SolidCover solids = solidCover(k, counts.solids, x);
     WallCover walls = wallCover(k, x);
     mat3 even = evened(sums, solids, walls);
-    newSlotShapes[2u * k] = vec4(even[0], 0);
-    newSlotShapes[2u * k + 1u] = vec4(even[1].yz, even[2].z, 0);
+    imageStore(newSlotShapes, int(2u * k), vec4(even[0], 0));
+    imageStore(newSlotShapes, int(2u * k + 1u), vec4(even[1].yz, even[2].z, 0));
 }

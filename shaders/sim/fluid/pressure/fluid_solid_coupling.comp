@@ -58,10 +58,11 @@ void main()
     uint k = fetchParticleSlot(i), count = fetchCounts(k).fluids;
     SolidCell cell = fetchSolidCell(k);
     Sums sums = Sums(vec3(0), vec3(0), vec3(0));
-    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
-        uvec4 slots = fetchNeighbours(texel);
+    NeighbourTexels texels = neighbourTexels(k, count);
+    do {
+        uvec4 slots = fetchNeighbours(texels.now);
         for (int c = 0; c < 4; ++c) addFluid(sums, cell, slots[c]);
-    }
+    } while (nextTexel(texels));
     uint rank = fetchRank(i).rank;
 #ifdef SEALS
     newParticleWets[3u * rank] = vec4(sums.slope, sums.sizes.x);

@@ -26,7 +26,7 @@ vec3 tensionOf(SlotPressure own, uint material, float tension, uint slot)
 }
 
 struct FluidImpulses {
-    vec3 pressure;   // in units of the kernel's steepness
+    vec3 pressure;   // [kg m]
     vec3 tension;    // [kg m]; TENSION: of a world that has any
 };
 
@@ -40,8 +40,9 @@ FluidImpulses fluidImpulses(uint k, uint count, SlotPressure own)
     uint material = fetchSlotMaterial(k);
     float tension = fetchFluidMaterial(material).tension;
 #endif
-    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
-        uvec4 slots = fetchNeighbours(texel);
+    NeighbourTexels texels = neighbourTexels(k, count);
+    do {
+        uvec4 slots = fetchNeighbours(texels.now);
         addPressure(pairs, own.position, inverseReach, slots.x);
         addPressure(pairs, own.position, inverseReach, slots.y);
         addPressure(pairs, own.position, inverseReach, slots.z);
@@ -49,8 +50,8 @@ FluidImpulses fluidImpulses(uint k, uint count, SlotPressure own)
 #ifdef TENSION
         for (int c = 0; c < 4; ++c) pulled += tensionOf(own, material, tension, slots[c]);
 #endif
-    }
-    return FluidImpulses(pairs.byOther + own.lambda * pairs.slope, pulled);
+    } while (nextTexel(texels));
+    return FluidImpulses(lambdaUnit() * fluidSteepness() * (pairs.byOther + own.lambda * pairs.slope), pulled);
 }
 
 struct PressureImpulse {
@@ -62,15 +63,15 @@ struct PressureImpulse {
 /// What pressure gives a particle, by the impulses of its fluid neighbours, walls and solids. Behind these is fluid of
 /// the same pressure. So across them comes as much again as what they cover; along them neighbours make up only a part
 /// of what fluid on all sides would give: without the rest, fluid would sink along walls for ever.
-PressureImpulse pressedBy(SlotPressure own, float covered, SlotWallCover walls, SlotSolidCover solids,
-                          vec3 neighbours)
+PressureImpulse pressedBy(SlotPressure own, float covered, vec3 walls, SlotSolidCover solids,
+                          vec3 pairs)
 {
     float unit = lambdaUnit(), part = min(covered, 0.75);
-    vec3 pairs = unit * fluidSteepness() * neighbours, sides = walls.gradient + solids.gradient;
+    vec3 sides = walls + solids.gradient;
     vec3 normal = sides / max(length(sides), 1e-20), along = pairs - dot(pairs, normal) * normal;
     vec3 rest = FLUID_ALONG_WALLS * part / (1.0 - part) * along;
-    float bySolids = length(solids.gradient), share = bySolids / max(bySolids + length(walls.gradient), 1e-20);
+    float bySolids = length(solids.gradient), share = bySolids / max(bySolids + length(walls), 1e-20);
     float push = 2.0 * unit * evenAcross(own.lambda, solids.gradient);
-    vec3 ofWalls = 2.0 * unit * own.lambda * walls.gradient;
+    vec3 ofWalls = 2.0 * unit * own.lambda * walls;
     return PressureImpulse(pairs + rest + ofWalls + push * solids.gradient, share * rest, push);
 }

@@ -1,8 +1,8 @@
 // What the kernels of pressures know of the particle in each slot, besides sim/fluid/slot_values.glsl.
+#include "math/upper_halves.glsl"
 
 uniform samplerBuffer slotLastPositions;
 uniform samplerBuffer slotShapes;
-uniform samplerBuffer slotGains;      // gapGain()
 uniform usamplerBuffer slotPressures;
 
 /// Where it was predicted to be in the last substep.
@@ -43,10 +43,10 @@ float lambdaUnit()
     return 1000.0 / 256.0 * spacing * spacing * spacing / (100.0 * sim.fluidSoftness);
 }
 
-/// Two elements beside the diagonal are halves, so that it needs two texels.
+/// Two elements beside the diagonal have 16 bits, so that it needs two texels.
 uvec4 firstHalf(SlotPressure s)
 {
-    return uvec4(floatBitsToUint(s.position), packHalf2x16(vec2(s.lambda[0].y, s.lambda[0].z) / lambdaUnit()));
+    return uvec4(floatBitsToUint(s.position), packUpper(vec2(s.lambda[0].y, s.lambda[0].z) / lambdaUnit()));
 }
 
 uvec4 secondHalf(SlotPressure s)
@@ -64,7 +64,7 @@ SlotPressure fetchSlotPressure(uint slot)
 {
     uvec4 s = texelFetch(slotPressures, int(2u * slot));
     vec4 t = uintBitsToFloat(texelFetch(slotPressures, int(2u * slot + 1u)));
-    vec2 h = unpackHalf2x16(s.w);
+    vec2 h = unpackUpper(s.w);
     return SlotPressure(uintBitsToFloat(s.xyz), mat3(t.x, h.x, h.y, h.x, t.y, t.w, h.y, t.w, t.z));
 }
 

@@ -39,14 +39,15 @@ float shearsAround(uint k, vec3 x)
 {
     float sum = 0.0, inverseReach = 1.0 / sim.fluidReach;
     uint count = fetchCounts(k).fluids;
-    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < count; n += 4u, texel += NEIGHBOUR_BLOCK) {
-        uvec4 slots = fetchNeighbours(texel);
+    NeighbourTexels texels = neighbourTexels(k, count);
+    do {
+        uvec4 slots = fetchNeighbours(texels.now);
         for (int c = 0; c < 4; ++c) {
             vec3 r = x - fetchSlotStart(slots[c]).position;
             float squared = dot(r, r);
             sum += fluidShear(squared, inverseReach) * squared * squared;
         }
-    }
+    } while (nextTexel(texels));
     float reach2 = sim.fluidReach * sim.fluidReach;
     return sum / (0.01496 * reach2 * reach2 * pow(sim.fluidReach / sim.fluidSpacing, 3.0));
 }

@@ -37,15 +37,16 @@ Stiffness stiffnessAround(uint k, bool fluid)
     SlotStart own = fetchSlotStart(k);
     NeighbourCounts counts = fetchCounts(k);
     float inverseReach = 1.0 / sim.fluidReach, thickness = thicknessOf(k);
-    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < counts.fluids; n += 4u, texel += NEIGHBOUR_BLOCK) {
-        uvec4 slots = fetchNeighbours(texel);
+    NeighbourTexels texels = neighbourTexels(k, counts.fluids);
+    do {
+        uvec4 slots = fetchNeighbours(texels.now);
         for (int c = 0; c < 4; ++c) {
             SlotStart other = fetchSlotStart(slots[c]);
             vec3 r = own.position - other.position;
             float squared = dot(r, r);
             add(sum, pairStrength(fluid, squared, inverseReach, thickness, thicknessOf(slots[c]), other.grip), r);
         }
-    }
+    } while (nextTexel(texels));
     for (uint n = 0u; fluid && n < counts.solids; ++n) {
         vec3 r = own.position - fetchSlotStart(fetchSolidNeighbour(k, n)).position;
         add(sum, own.grip * solidShear(dot(r, r)), r);

@@ -42,13 +42,14 @@ vec3 impulseOn(uint k, bool fluid, SlotFlow own)
     SlotStart start = fetchSlotStart(k);
     NeighbourCounts counts = fetchCounts(k);
     float inverseReach = 1.0 / sim.fluidReach;
-    for (uint n = 0u, texel = neighbourTexel(k, 0u); n < counts.fluids; n += 4u, texel += NEIGHBOUR_BLOCK) {
-        uvec4 slots = fetchNeighbours(texel);
+    NeighbourTexels texels = neighbourTexels(k, counts.fluids);
+    do {
+        uvec4 slots = fetchNeighbours(texels.now);
         sum += impulseBy(slots.x, fluid, start, own, inverseReach);
         sum += impulseBy(slots.y, fluid, start, own, inverseReach);
         sum += impulseBy(slots.z, fluid, start, own, inverseReach);
         sum += impulseBy(slots.w, fluid, start, own, inverseReach);
-    }
+    } while (nextTexel(texels));
     for (uint n = 0u; fluid && n < counts.solids; ++n) {
         uint slot = fetchSolidNeighbour(k, n);
         vec3 r = start.position - fetchSlotStart(slot).position;

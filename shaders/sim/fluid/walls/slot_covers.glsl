@@ -2,29 +2,33 @@
 
 uniform samplerBuffer slotWalls;
 uniform samplerBuffer slotSolids;
-uniform samplerBuffer slotCovered;
+uniform samplerBuffer slotCovers;
 
-/// The share of its kernel that walls and solids cover.
-float fetchSlotCovered(uint slot)
-{
-    return texelFetch(slotCovered, int(slot)).x;
-}
-
-/// Density that walls and everything else add.
-struct SlotWallCover {
-    vec3 gradient;    // of the density constraint, from walls [1/m]
+/// What walls and solids are around a particle.
+struct SlotCover {
+    float fraction;   // of the kernel, which they cover
+    float gain;       // gapGain()
+    float fastest;    // speed of the fastest solid nearby [m/s]; NO_SOLID
     float density;    // total density over the density at rest
 };
 
-SlotWallCover fetchSlotWalls(uint slot)
+#define NO_SOLID -1.0
+
+SlotCover fetchSlotCover(uint slot)
 {
-    vec4 t = texelFetch(slotWalls, int(slot));
-    return SlotWallCover(t.xyz, t.w);
+    vec4 t = texelFetch(slotCovers, int(slot));
+    return SlotCover(t.x, t.y, t.z, t.w);
 }
 
-vec4 pack(SlotWallCover s)
+vec4 pack(SlotCover s)
 {
-    return vec4(s.gradient, s.density);
+    return vec4(s.fraction, s.gain, s.fastest, s.density);
+}
+
+/// The gradient of the density constraint from walls [1/m].
+vec3 fetchSlotWalls(uint slot)
+{
+    return texelFetch(slotWalls, int(slot)).xyz;
 }
 
 /// Density that solid particles add.

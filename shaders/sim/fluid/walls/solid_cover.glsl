@@ -9,16 +9,18 @@ struct SolidCover {
     vec3 move;       // mean of the solids', by their weights [m]
     float opposed;   // squares of the slopes of each, as far as they push against each other [1/m2]
     mat3 moment;     // what they add to M of fluid_shape, besides the fraction
+    float fastest;   // speed of the fastest of them when the step began [m/s]; NO_SOLID
     float between;   // 1 where solids are on all sides, 0 where they are on one
 };
 
 /// The cover by the solid neighbours of slot k, for a particle at x.
 SolidCover solidCover(uint k, uint count, vec3 x)
 {
-    SolidCover cover = SolidCover(vec3(0), 0.0, 0.0, vec3(0), 0.0, mat3(0), 0.0);
+    SolidCover cover = SolidCover(vec3(0), 0.0, 0.0, vec3(0), 0.0, mat3(0), NO_SOLID, 0.0);
     vec3 outward = vec3(0);
     for (uint n = 0u; n < count; ++n) {
-        SolidCell cell = fetchSolidCell(fetchSolidNeighbour(k, n));
+        uint solid = fetchSolidNeighbour(k, n);
+        SolidCell cell = fetchSolidCell(solid);
         vec3 offset = x - cell.centre;
         float r = length(offset), weight = solidWeight(r);
         CellCover covered = cellCover(cell, offset);
@@ -27,6 +29,7 @@ SolidCover solidCover(uint k, uint count, vec3 x)
         cover.moment += covered.moment;
         cover.opposed += dot(covered.slope, covered.slope);
         cover.weights += weight;
+        if (r < sim.fluidListReach) cover.fastest = max(cover.fastest, length(fetchSlotVelocity(solid).velocity));
         cover.move += weight * cell.move;
         outward += weight / max(r, 1e-9) * offset;
     }

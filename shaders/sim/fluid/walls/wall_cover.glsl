@@ -39,22 +39,31 @@ Uncovered without(Uncovered left, Wall wall, Wall other)
                      left.byOthers * share + left.share * byOther * other.slope * other.normal);
 }
 
-/// What the colliders near a slot cover for a particle at x.
+void add(inout WallCover sum, Wall wall, Uncovered left)
+{
+    sum.fraction += wall.fraction * left.share;
+    sum.moment -= left.share * max(wall.distance, 0.0) * wall.slope * outerProduct(wall.normal, wall.normal);
+    sum.gradient += (left.share + wall.fraction * left.byOwn) * wall.slope * wall.normal +
+                    wall.fraction * left.byOthers;
+}
+
+/// What the colliders near a slot cover for a particle at x. Each collider is followed by those before it, one a round:
+/// a software driver runs every loop once even where no lane needs it.
 WallCover wallCover(uint slot, vec3 x)
 {
     WallCover sum = WallCover(vec3(0), 0.0, mat3(0));
-    for (NearColliders near = nearColliders(slot); nextCollider(near);) {
-        Wall wall = wallOf(near.index, x);
-        if (wall.fraction <= 0.0) continue;
-        Uncovered left = Uncovered(1.0, 0.0, vec3(0));
-        for (NearColliders before = nearColliders(slot); nextCollider(before) && before.index < near.index;) {
-            Wall other = wallOf(before.index, x);
-            if (other.fraction > 0.0) left = without(left, wall, other);
-        }
-        sum.fraction += wall.fraction * left.share;
-        sum.moment -= left.share * max(wall.distance, 0.0) * wall.slope * outerProduct(wall.normal, wall.normal);
-        sum.gradient += (left.share + wall.fraction * left.byOwn) * wall.slope * wall.normal +
-                        wall.fraction * left.byOthers;
-    }
+    NearColliders near = nearColliders(slot), before = near;
+    bool any = nextCollider(near), isOwn = true;
+    Wall wall = Wall(vec3(0), 0.0, 0.0, 0.0);
+    Uncovered left = Uncovered(1.0, 0.0, vec3(0));
+    do {
+        Wall seen = wallOf(isOwn ? near.index : before.index, x);
+        if (isOwn) wall = seen, left = Uncovered(1.0, 0.0, vec3(0)), before = nearColliders(slot);
+        else if (seen.fraction > 0.0) left = without(left, wall, seen);
+        isOwn = !any || wall.fraction <= 0.0 || !nextCollider(before) || before.index >= near.index;
+        if (!isOwn) continue;
+        if (any && wall.fraction > 0.0) add(sum, wall, left);
+        any = any && nextCollider(near);
+    } while (any);
     return sum;
 }
