@@ -3,7 +3,8 @@
 #define KNUCKLE_SLOT_LISTS_H
 
 #define FREE_SLOTS_SIZE 0
-#define COVERED_SLOTS_SIZE 1
-#define SLOT_LISTS 2
+#define WALLED_SLOTS_SIZE 1
+#define COVERED_SLOTS_SIZE 2
+#define SLOT_LISTS 3
 
 #endif

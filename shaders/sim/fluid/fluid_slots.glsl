@@ -64,20 +64,25 @@ uint paddingOf(uint count)
     return max(count + 3u & ~3u, 4u) - count;
 }
 
-/// The texels of a slot's fluid neighbours, at least one: `do ... texels.now ... while (nextTexel(texels))`. A software
-/// driver runs a loop that asks before its rounds once more than needed.
+/// Walks over a slot's fluid neighbours, four at a time, at least once: `do ... texels.slots ... while
+/// (nextTexel(texels))`. A software driver runs a loop that asks before its rounds once more than needed. The next four
+/// are fetched while these are used.
 struct NeighbourTexels {
+    uvec4 slots, next;
     uint now, end;
 };
 
 NeighbourTexels neighbourTexels(uint slot, uint count)
 {
-    return NeighbourTexels(neighbourTexel(slot, 0u), neighbourTexel(slot, (count + 3u) / 4u));
+    uint first = neighbourTexel(slot, 0u), end = neighbourTexel(slot, (count + 3u) / 4u);
+    return NeighbourTexels(fetchNeighbours(first), fetchNeighbours(first + NEIGHBOUR_BLOCK), first, end);
 }
 
 bool nextTexel(inout NeighbourTexels texels)
 {
     texels.now += NEIGHBOUR_BLOCK;
+    texels.slots = texels.next;
+    texels.next = fetchNeighbours(texels.now + NEIGHBOUR_BLOCK);
     return texels.now < texels.end;
 }
 

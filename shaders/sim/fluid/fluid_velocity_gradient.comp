@@ -21,7 +21,7 @@ void main()
     float inverseReach = 1.0 / sim.fluidReach;
     NeighbourTexels texels = neighbourTexels(k, count);
     do {
-        uvec4 slots = fetchNeighbours(texels.now);
+        uvec4 slots = texels.slots;
         for (int c = 0; c < 4; ++c) {
             vec3 slope = addMoment(sums, x - fetchSlotPosition(slots[c]).position, inverseReach);
             slopes += outerProduct(velocity - fetchSlotVelocity(slots[c]).velocity, slope);

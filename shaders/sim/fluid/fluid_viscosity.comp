@@ -32,7 +32,7 @@ void main()
     vec3 change = vec3(0);
     NeighbourTexels texels = neighbourTexels(k, count);
     do {
-        uvec4 slots = fetchNeighbours(texels.now);
+        uvec4 slots = texels.slots;
         change += changeBy(at, own, slope, slots.x);
         change += changeBy(at, own, slope, slots.y);
         change += changeBy(at, own, slope, slots.z);

@@ -22,7 +22,7 @@ void main()
     vec3 x = fetchSlotPosition(k).position, velocity = fetchSlotVelocity(k).velocity, vorticity = vec3(0);
     NeighbourTexels texels = neighbourTexels(k, count);
     do {
-        uvec4 slots = fetchNeighbours(texels.now);
+        uvec4 slots = texels.slots;
         for (int c = 0; c < 4; ++c) vorticity += vorticityBy(x, velocity, slots[c]);
     } while (nextTexel(texels));
     newSlotVorticities[k] = pack(SlotVorticity(vorticity, length(vorticity)));

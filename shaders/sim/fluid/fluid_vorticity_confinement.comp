@@ -26,7 +26,7 @@ void main()
     SlotVorticity own = fetchSlotVorticity(k);
     NeighbourTexels texels = neighbourTexels(k, count);
     do {
-        uvec4 slots = fetchNeighbours(texels.now);
+        uvec4 slots = texels.slots;
         for (int c = 0; c < 4; ++c) gradient += gradientBy(x, own.size, slots[c]);
     } while (nextTexel(texels));
     if (count == 0u || fluidVelocity(velocities[i]).timeHeld > 0.0) return;

@@ -36,6 +36,7 @@ bool hasTensionIn(const World& world)
 FluidStage::FluidStage(const StageSetup& setup)
     : parameters_(setup.parameters), hasPool_(EmitterStage::isNeeded(setup.world)),
       confines_(setup.world.settings.vorticity > 0.0f), hasTension_(hasTensionIn(setup.world)),
+      hasColliders_(!setup.world.colliders.empty()), hasSolids_(setup.layout.solidCount > 0),
       seals_(!setup.world.bodies.empty() && !setup.world.colliders.empty())
 {
 }
@@ -81,6 +82,7 @@ void FluidStage::makeLists(const Gpu& gpu)
     slotNeighbours = {"slotNeighbours", p.fluidSlots / 4 * slots};
     slotColliders = {"slotColliders", count};
     freeSlots = {"freeSlots", count};
+    walledSlots = {"walledSlots", count};
     coveredSlots = {"coveredSlots", count};
     slotMaterials = {"slotMaterials", count};
     slotVelocities = {"slotVelocities", count};
@@ -110,7 +112,7 @@ void FluidStage::addBuffers(BufferTable& table)
               slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, slotMaterials, slotVelocities,
               slotGradients, slotPositions, slotLastPositions, slotShapes, slotPressures, slotVorticities, slotWalls,
               slotCovers, slotSolids, slotSolidImpulses, particleWets, bodySeals, fluidLargestPush, freeSlots,
-              coveredSlots, slotListSizes);
+              walledSlots, coveredSlots, slotListSizes);
     ElementType fourAtATime = elementType<uint32_t>();
     fourAtATime.texelBytes = 16;
     table.add("fluidSorted", fluidSorted, fourAtATime, Lifetime::Scratch);
@@ -134,6 +136,13 @@ Defines FluidStage::pressureOf(const char* list) const
     Defines defines = {{list, "1"}};
     if (hasTension_) defines.push_back({"TENSION", "1"});
     return defines;
+}
+
+void FluidStage::perList(Recorder& recorder, const Kernel& free, const Kernel& walled, const Kernel& covered) const
+{
+    recorder.decided(free, slotListSizes, FREE_SLOTS_SIZE);
+    if (hasColliders_) recorder.decided(walled, slotListSizes, WALLED_SLOTS_SIZE);
+    if (hasSolids_) recorder.decided(covered, slotListSizes, COVERED_SLOTS_SIZE);
 }
 
 void FluidStage::list(Recorder& recorder) const
@@ -186,10 +195,8 @@ void FluidStage::substep(Recorder& recorder, uint32_t index) const
     if (index == 0) recorder.perElement(predict_, parameters_.fluidCount);
     recorder.perElement(predictSolid_, parameters_.particleCount);
     if (index % SHAPE_SUBSTEPS == 0) perSlot(recorder, shape_);
-    recorder.decided(densityFree_, slotListSizes, FREE_SLOTS_SIZE);
-    recorder.decided(densityCovered_, slotListSizes, COVERED_SLOTS_SIZE);
-    recorder.decided(pressureFree_, slotListSizes, FREE_SLOTS_SIZE);
-    recorder.decided(pressureCovered_, slotListSizes, COVERED_SLOTS_SIZE);
+    perList(recorder, densityFree_, densityWalled_, densityCovered_);
+    perList(recorder, pressureFree_, pressureWalled_, pressureCovered_);
     recorder.perElement(coupling_, parameters_.particleCount);
     if (!seals_) return;
     recorder.perElement(bodySeal_, parameters_.bodyCount);

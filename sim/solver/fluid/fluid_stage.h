@@ -41,7 +41,7 @@ public:
     Buffer<gpu::uvec2> slotCounts;                  ///< Fluid and solid neighbours.
     Buffer<gpu::uvec4> slotNeighbours;              ///< fluidSlots a slot (fluid_slots.glsl).
     Buffer<uint32_t> slotColliders;                 ///< Bits of nearby colliders.
-    Buffer<uint32_t> freeSlots, coveredSlots;       ///< Slots of fluid: slot_lists.glsl.
+    Buffer<uint32_t> freeSlots, walledSlots, coveredSlots;  ///< Slots of fluid: slot_lists.glsl.
     Buffer<gpu::uvec4> slotListSizes;               ///< Of these lists: slot_lists.h.
     Buffer<gpu::vec4> fluidMaterials;               ///< Per material: smoothing, tension.
     Buffer<uint32_t> slotMaterials;                 ///< Index into World::materials.
@@ -64,13 +64,14 @@ public:
 private:
     void list(Recorder& recorder) const;
     void perSlot(Recorder& recorder, const Kernel& kernel) const;
-    /// Of the kernels for the slots of a list (slot_lists.glsl).
+    /// Kernels for the slots of each list (slot_lists.glsl).
+    void perList(Recorder& recorder, const Kernel& free, const Kernel& walled, const Kernel& covered) const;
     Defines densityOf(const char* list) const;
     Defines pressureOf(const char* list) const;
 
     const gpu::StepParameters& parameters_;
     bool hasPool_;  ///< The GPU decides how many slots there are.
-    bool confines_, hasTension_;
+    bool confines_, hasTension_, hasColliders_, hasSolids_;
     bool seals_;  ///< Bodies may lie on colliders.
     Pass searchPosition_{*this, "fluid/fluid_search_position"};
     Pass count_{*this, "common/grid/grid_count", {{"FLUIDS", "1"}}};
@@ -90,9 +91,11 @@ private:
     Pass predictSolid_{*this, "fluid/fluid_predict_solid"};
     Pass shape_{*this, "fluid/pressure/fluid_shape"};
     Pass densityFree_{*this, "fluid/pressure/fluid_density", densityOf("FREE")};
-    Pass densityCovered_{*this, "fluid/pressure/fluid_density", densityOf("COVERED")};
+    Pass densityWalled_{*this, "fluid/pressure/fluid_density", densityOf("WALLED"), hasColliders_};
+    Pass densityCovered_{*this, "fluid/pressure/fluid_density", densityOf("COVERED"), hasSolids_};
     Pass pressureFree_{*this, "fluid/pressure/fluid_pressure", pressureOf("FREE")};
-    Pass pressureCovered_{*this, "fluid/pressure/fluid_pressure", pressureOf("COVERED")};
+    Pass pressureWalled_{*this, "fluid/pressure/fluid_pressure", pressureOf("WALLED"), hasColliders_};
+    Pass pressureCovered_{*this, "fluid/pressure/fluid_pressure", pressureOf("COVERED"), hasSolids_};
     Pass coupling_{*this, "fluid/pressure/fluid_solid_coupling", seals_ ? Defines{{"SEALS", "1"}} : Defines{}};
     Pass bodySeal_{*this, "fluid/pressure/fluid_body_seal", {}, seals_};
     Pass seal_{*this, "fluid/pressure/fluid_seal", {}, seals_};

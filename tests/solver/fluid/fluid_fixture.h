@@ -1,8 +1,16 @@
 #pragma once
 
+#include <bit>
+
 #include "tests/solver/solver_test.h"
 
 namespace knuckle::test {
+
+/// A float of which only the upper half of its bits is kept (shaders/math/upper_halves.glsl).
+inline float upperHalf(float v)
+{
+    return std::bit_cast<float>((std::bit_cast<uint32_t>(v) + 0x8000u) & 0xffff0000u);
+}
 
 /// A block, a plate, loose particles and water and oil, 1033 particles in all (no multiple of any group size), mixed at
 /// random on both sides of the origin, on average as dense as water at rest; a plane below and one at the side. Lists

@@ -9,12 +9,13 @@ namespace knuckle::test {
 namespace {
 
 constexpr double ROUNDING = 1e-5;
+/// slot_covers.glsl
+constexpr float NO_SOLID = -1.0f;
 
-/// Two halves of a word.
+/// Two upper halves in a word.
 uint32_t halves(float a, float b)
 {
-    const auto bits = [](float v) { return uint32_t(std::bit_cast<uint16_t>(Eigen::half(v))); };
-    return bits(a) | bits(b) << 16;
+    return std::bit_cast<uint32_t>(upperHalf(a)) | std::bit_cast<uint32_t>(upperHalf(b)) >> 16;
 }
 
 /// Random pressures of particles up to twice too dense, uneven ones; starts are slightly off the places.
@@ -31,7 +32,7 @@ protected:
                 const Vector3f even = Vector3f::Ones() + random.inCube(0.3f), lean = random.inCube(0.2f);
                 lambda << even.x(), lean.z(), lean.y(), lean.z(), even.y(), lean.x(), lean.y(), lean.x(), even.z();
                 lambda *= -random.between(0.0f, 2e-4f) * float(fixture.mass(i)) / unit();
-                for (const int k : {1, 2}) lambda(0, k) = lambda(k, 0) = float(Eigen::half(lambda(k, 0)));
+                for (const int k : {1, 2}) lambda(0, k) = lambda(k, 0) = upperHalf(lambda(k, 0));
             }
             pressures.push_back(lambda);
             covered.push_back(fixture.isFluid(i) ? random.between(0.0f, 0.5f) : 0.0f);
@@ -55,8 +56,14 @@ protected:
         fill(fixture.stages.particles.velocities, before);
         fill(fixture.stages.fluids->slotVelocities, fixture.inSlots(before));
         fill(fixture.stages.fluids->slotPressures, p);
-        fill(fixture.stages.fluids->slotCovered, fixture.inSlots(covered));
-        fill(fixture.stages.fluids->slotGains, fixture.inSlots(gains));
+        std::vector<gpu::vec4> covers;
+        for (uint32_t i = 0; i < fixture.count(); ++i) {
+            float fastest = NO_SOLID;
+            for (uint32_t j : fixture.near(i, false, fixture.parameters().fluidListReach))
+                fastest = std::max(fastest, vec3(before[j]).norm());
+            covers.push_back({covered[i], gains[i], fastest, 0});
+        }
+        fill(fixture.stages.fluids->slotCovers, fixture.inSlots(covers));
         fill(fixture.stages.fluids->slotWalls, fixture.inSlots(walls));
         fill(fixture.stages.fluids->slotSolids, fixture.inSlots(solids));
         fixture.forSlots("fluid/pressure/fluid_pressure", defines);
@@ -134,14 +141,11 @@ TEST_F(FluidPressure, NotesWhatSolidsGive)
 {
     push();
     const auto given = fixture.byParticle(fixture.stages.fluids->slotSolidImpulses.download());
-    for (uint32_t i = 0; i < fixture.count(); ++i) {
-        Vector3d wanted = Vector3d::Zero();
-        if (fixture.isFluid(i)) {
-            const double bySolids = vec3(solids[i]).norm(), share = bySolids / (bySolids + vec3(walls[i]).norm());
-            wanted = solids[i].w * share * alongWalls(i, byPairs(i));
-            const double across = gains[i] * twiceAcross(i);
-            ASSERT_NEAR(given[i].w, across, 1e-4 * std::abs(across)) << i;
-        }
+    for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
+        const double bySolids = vec3(solids[i]).norm(), share = bySolids / (bySolids + vec3(walls[i]).norm());
+        const Vector3d wanted = solids[i].w * share * alongWalls(i, byPairs(i));
+        const double across = gains[i] * twiceAcross(i);
+        ASSERT_NEAR(given[i].w, across, 1e-4 * std::abs(across)) << i;
         ASSERT_LT((vec3(given[i]).cast<double>() - wanted).norm(), 1e-4 * (wanted.norm() + fixture.mass(i) * 1e-3))
             << i;
     }
@@ -151,11 +155,9 @@ TEST_F(FluidPressure, NotesWhereParticlesWerePredicted)
 {
     push();
     const auto lasts = fixture.byParticle(fixture.stages.fluids->slotLastPositions.download());
-    const auto pasts = fixture.stages.fluids->fluidPasts.download();
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
         ASSERT_EQ(vec3(lasts[i]), vec3(fixture.places[i])) << i;
         ASSERT_EQ(lasts[i].w, 0.0f) << i;
-        ASSERT_EQ(vec3(pasts[i]), vec3(fixture.places[i])) << i;
     }
 }
 
@@ -193,7 +195,7 @@ TEST_F(FluidPressure, NobodyIsPushedByMoreThanAQuarterOfTheReach)
         ASSERT_LT(move(i).norm(), most * 1.0001) << i;
         if (wanted.norm() < most) continue;
         ++held;
-        ASSERT_LT((move(i).normalized() - wanted.normalized()).norm(), 2e-3) << i;  // halves
+        ASSERT_LT((move(i).normalized() - wanted.normalized()).norm(), 4e-3) << i;  // halves
     }
     EXPECT_GT(held, 500u);
 }

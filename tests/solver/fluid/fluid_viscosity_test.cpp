@@ -101,7 +101,7 @@ TEST_F(FluidViscosity, VelocitiesEvenOutAndKeepTheirMomentum)
             change += lighter * fixture.share(r.norm()) * (2.0 * ALL * (velocity(j) - velocity(i)) - spared);
         }
         const Vector3d now = vec3(found[i]).cast<double>(), got = now - velocity(i);
-        ASSERT_LT((got - change).norm(), 1e-3 * (1.0 + change.norm())) << i;  // gradients are halves
+        ASSERT_LT((got - change).norm(), 2e-3 * (1.0 + change.norm())) << i;  // gradients are halves
         sum += fixture.mass(i) * got;
         size += fixture.mass(i) * got.norm();
         energy += fixture.mass(i) * (now.squaredNorm() - velocity(i).squaredNorm());

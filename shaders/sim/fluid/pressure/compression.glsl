@@ -45,7 +45,7 @@ Sums sumsOver(uint k, uint count, Own own)
     float inverseReach = 1.0 / sim.fluidReach, steepness = fluidSteepness();
     NeighbourTexels texels = neighbourTexels(k, count);
     do {
-        uvec4 slots = fetchNeighbours(texels.now);
+        uvec4 slots = texels.slots;
         add(sums, own, inverseReach, slots.x);
         add(sums, own, inverseReach, slots.y);
         add(sums, own, inverseReach, slots.z);

@@ -2,7 +2,7 @@
 // Mueller 2013, eqs. 8-11, with masses). Compression grows by the divergence of the moves since the last substep, with
 // the same gradients by which fluid_pressure pushes: so what is pressed gives back the work that went in. (The density
 // that kernels sum up would change where fluid only shears.) RELAX: as kernels sum it up.
-// FREE, COVERED: one thread a slot of a list.
+// FREE, WALLED, COVERED: one thread a slot of a list.
 #include "sim/common/kernel.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/fluid/fluid_slots.glsl"
@@ -12,7 +12,7 @@
 #include "sim/common/fluid_past.glsl"
 #include "sim/fluid/walls/slot_lists.glsl"
 #include "sim/fluid/pressure/compression.glsl"
-#ifndef FREE
+#ifdef WALLS
 #include "sim/fluid/walls/sides.glsl"
 #endif
 
@@ -35,10 +35,10 @@ void main()
         imageStore(newSlotPressures, int(2u * k + 1u), uvec4(0u));
         return;
     }
-#ifdef FREE
-    Sides sides = Sides(vec3(0), 0.0, 0.0, 0.0, 1.0, NO_SOLID);
-#else
+#ifdef WALLS
     Sides sides = sidesOf(k, counts.solids, own);
+#else
+    Sides sides = Sides(vec3(0), 0.0, 0.0, 0.0, 1.0, NO_SOLID);
 #endif
     float density = sums.fraction + sides.fraction;
     float excess = clamp(density - 1.0, LEAST_FLUID_ERROR, MOST_FLUID_ERROR);

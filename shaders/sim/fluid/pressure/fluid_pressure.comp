@@ -1,7 +1,7 @@
 // One thread a slot: moves its fluid particle by the pressures around it (Macklin and Mueller 2013, eq. 12, with
 // masses: a pair exchanges the impulse (lambda_i + lambda_j) grad W, so momentum is kept), ends its substep, and
 // predicts the next. RELAX: moves it without changing its velocity, and a little further along its moves of earlier
-// passes, so that what the walls press out of a column rises through it in few passes. FREE, COVERED: one thread a slot of a list.
+// passes, so that what the walls press out of a column rises through it in few passes. FREE, WALLED, COVERED: one thread a slot of a list.
 #include "sim/common/kernel.glsl"
 #include "sim/common/nan_report.glsl"
 #include "sim/common/particles.glsl"
@@ -10,7 +10,7 @@
 #include "sim/fluid/pressure/slot_pressures.glsl"
 #include "sim/fluid/fluid.glsl"
 #include "sim/fluid/walls/slot_lists.glsl"
-#ifndef FREE
+#ifdef WALLS
 #include "sim/fluid/walls/fluid_colliders.glsl"
 #endif
 #include "sim/fluid/pressure/pressure_impulses.glsl"
@@ -27,15 +27,13 @@ BUFFER(uint, FluidLargestPush, fluidLargestPush);
 FLOAT_TEXELS(velocities)
 #define LAST_VELOCITY(i) imageLoad(velocities, int(i))
 FLOAT_TEXELS(newSlotLastPositions)
-#ifndef FREE
+#ifdef SOLIDS
 FLOAT_TEXELS(newSlotSolidImpulses)
 #endif
 BUFFER(Counters, CountersBlock, counters);
 #endif
 
-#ifdef FREE
-float mostSpeed(SlotCover cover, float before, float now) { return sim.maxSpeed; }
-#else
+#ifdef WALLS
 /// Pushes x out of the colliders, at least a quarter of the rest distance away from them.
 vec3 outside(uint k, vec3 x)
 {
@@ -45,6 +43,7 @@ vec3 outside(uint k, vec3 x)
     }
     return x;
 }
+#endif
 
 /// The highest speed that a particle may reach if it had the speed `before` and would have `now`. Being pushed out
 /// between solids, or a solid and a wall, in one substep would make it as fast as that takes. It keeps the largest
@@ -55,7 +54,6 @@ float mostSpeed(SlotCover cover, float before, float now)
     bool free = cover.fastest == NO_SOLID || now <= before + gain;
     return free ? sim.maxSpeed : min(max(before, cover.fastest) + gain, sim.maxSpeed);
 }
-#endif
 
 void main()
 {
@@ -66,8 +64,12 @@ void main()
     FluidImpulses others = fluidImpulses(k, fetchCounts(k).fluids, own);
     vec3 impulse = others.pressure + others.tension;
     SlotCover cover = fetchSlotCover(k);
-#ifndef FREE
+#ifdef WALLS
+#ifdef SOLIDS
     SlotSolidCover solids = fetchSlotSolids(k);
+#else
+    SlotSolidCover solids = SlotSolidCover(vec3(0), 0.0);
+#endif
     PressureImpulse pressed = pressedBy(own, cover.fraction, fetchSlotWalls(k), solids, others.pressure);
     impulse = pressed.all + others.tension;
 #endif
@@ -77,7 +79,7 @@ void main()
     push *= last.timeHeld > 0.0 ? 0.0 : min(1.0, 0.25 * sim.fluidReach / max(length(push), 1e-20));
     vec4 place = imageLoad(positions, int(i));
     vec3 before = place.xyz, x = own.position + push;
-#ifndef FREE
+#ifdef WALLS
     x = outside(k, x);
 #endif
     imageStore(positions, int(i), withPosition(place, x));
@@ -100,7 +102,7 @@ void main()
     imageStore(velocities, int(i), pack(FluidVelocity(v, max(last.timeHeld - sim.substepTime, 0.0))));
     imageStore(newSlotPositions, int(k), pack(SlotPosition(predictedPosition(x, v), mass)));
     imageStore(newSlotLastPositions, int(k), pack(SlotLast(own.position, false)));
-#ifndef FREE
+#ifdef SOLIDS
     vec4 toSolids = vec4(solids.inverseWeight * pressed.bySolids, pressed.push * cover.gain);
     imageStore(newSlotSolidImpulses, int(k), toSolids);
 #endif

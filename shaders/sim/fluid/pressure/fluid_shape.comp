@@ -24,7 +24,7 @@ Moments momentsOver(uint k, uint count, vec3 x)
     float inverseReach = 1.0 / sim.fluidReach;
     NeighbourTexels texels = neighbourTexels(k, count);
     do {
-        uvec4 slots = fetchNeighbours(texels.now);
+        uvec4 slots = texels.slots;
         for (int c = 0; c < 4; ++c) addMoment(sums, x - fetchSlotPosition(slots[c]).position, inverseReach);
     } while (nextTexel(texels));
     return sums;

@@ -29,9 +29,12 @@ struct Sums {
 void addFluid(inout Sums sums, SolidCell cell, uint slot)
 {
     vec4 impulse = texelFetch(slotSolidImpulses, int(slot));
-    if (impulse == vec4(0)) return;
-    vec3 offset = fetchPressurePosition(slot) - cell.centre, slope = cellCover(cell, offset).slope;
-    sums.impulse -= solidWeight(length(offset)) * impulse.xyz + impulse.w * slope;
+    vec3 offset = fetchPressurePosition(slot) - cell.centre;
+    float r = length(offset);
+    // Who is listed beyond that need not list the solid itself, and notes nothing.
+    if (impulse == vec4(0) || r >= sim.fluidListReach) return;
+    vec3 slope = cellCover(cell, offset).slope;
+    sums.impulse -= solidWeight(r) * impulse.xyz + impulse.w * slope;
     float size = length(slope);
     sums.slope += slope;
     sums.sizes += size * vec3(1.0, impulse.w, fetchSlotPosition(slot).mass);
@@ -60,7 +63,7 @@ void main()
     Sums sums = Sums(vec3(0), vec3(0), vec3(0));
     NeighbourTexels texels = neighbourTexels(k, count);
     do {
-        uvec4 slots = fetchNeighbours(texels.now);
+        uvec4 slots = texels.slots;
         for (int c = 0; c < 4; ++c) addFluid(sums, cell, slots[c]);
     } while (nextTexel(texels));
     uint rank = fetchRank(i).rank;

@@ -42,7 +42,7 @@ FluidImpulses fluidImpulses(uint k, uint count, SlotPressure own)
 #endif
     NeighbourTexels texels = neighbourTexels(k, count);
     do {
-        uvec4 slots = fetchNeighbours(texels.now);
+        uvec4 slots = texels.slots;
         addPressure(pairs, own.position, inverseReach, slots.x);
         addPressure(pairs, own.position, inverseReach, slots.y);
         addPressure(pairs, own.position, inverseReach, slots.z);

@@ -41,7 +41,7 @@ float shearsAround(uint k, vec3 x)
     uint count = fetchCounts(k).fluids;
     NeighbourTexels texels = neighbourTexels(k, count);
     do {
-        uvec4 slots = fetchNeighbours(texels.now);
+        uvec4 slots = texels.slots;
         for (int c = 0; c < 4; ++c) {
             vec3 r = x - fetchSlotStart(slots[c]).position;
             float squared = dot(r, r);

@@ -39,7 +39,7 @@ Stiffness stiffnessAround(uint k, bool fluid)
     float inverseReach = 1.0 / sim.fluidReach, thickness = thicknessOf(k);
     NeighbourTexels texels = neighbourTexels(k, counts.fluids);
     do {
-        uvec4 slots = fetchNeighbours(texels.now);
+        uvec4 slots = texels.slots;
         for (int c = 0; c < 4; ++c) {
             SlotStart other = fetchSlotStart(slots[c]);
             vec3 r = own.position - other.position;

@@ -44,7 +44,7 @@ vec3 impulseOn(uint k, bool fluid, SlotFlow own)
     float inverseReach = 1.0 / sim.fluidReach;
     NeighbourTexels texels = neighbourTexels(k, counts.fluids);
     do {
-        uvec4 slots = fetchNeighbours(texels.now);
+        uvec4 slots = texels.slots;
         sum += impulseBy(slots.x, fluid, start, own, inverseReach);
         sum += impulseBy(slots.y, fluid, start, own, inverseReach);
         sum += impulseBy(slots.z, fluid, start, own, inverseReach);

@@ -1,4 +1,4 @@
-// One thread a slot: lists those of fluid particles, apart by whether walls or solids are near. Slots of one work group
+// One thread a slot: lists those of fluid particles, apart by whether walls or solids are near them. Slots of one work group
 // stand together, since their neighbours do; the groups' order does not matter.
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
@@ -8,6 +8,7 @@ layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer slotColliders;
 BUFFER(uvec4, SlotListSizes, slotListSizes);
 BUFFER(uint, FreeSlots, freeSlots);
+BUFFER(uint, WalledSlots, walledSlots);
 BUFFER(uint, CoveredSlots, coveredSlots);
 
 /// By list: bits of the group's threads whose slots it gets, and the place of the first of these.
@@ -27,8 +28,8 @@ void main()
 {
     uint k = gl_GlobalInvocationID.x, thread = gl_LocalInvocationID.x, list = SLOT_LISTS;
     if (k < slotCount() && isFluid(fetchSlotParticle(k))) {
-        bool covered = texelFetch(slotColliders, int(k)).x != 0u || fetchCounts(k).solids > 0u;
-        list = covered ? COVERED_SLOTS_SIZE : FREE_SLOTS_SIZE;
+        bool walled = texelFetch(slotColliders, int(k)).x != 0u;
+        list = fetchCounts(k).solids > 0u ? COVERED_SLOTS_SIZE : walled ? WALLED_SLOTS_SIZE : FREE_SLOTS_SIZE;
     }
     if (thread < SLOT_LISTS) listed[thread] = uvec2(0u);
     barrier();
@@ -45,5 +46,6 @@ void main()
     uvec2 before = thread < 32u ? uvec2(own.x & bit - 1u, 0u) : uvec2(own.x, own.y & bit - 1u);
     uint place = firsts[list] + uint(bitCount(before.x) + bitCount(before.y));
     if (list == COVERED_SLOTS_SIZE) coveredSlots[place] = k;
+    else if (list == WALLED_SLOTS_SIZE) walledSlots[place] = k;
     else freeSlots[place] = k;
 }

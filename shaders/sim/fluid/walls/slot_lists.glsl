@@ -1,17 +1,31 @@
-// Which slots a kernel works on: all of them; FREE: those of fluid near which is nothing but fluid; COVERED: those of
-// other fluid. What walls and solids do takes a software driver as long where there are none.
+// Which slots a kernel works on: all of them; FREE: those of fluid near which is nothing but fluid; WALLED: those near
+// colliders only; COVERED: those near solid particles. What walls and solids do takes a software driver as long where
+// there are none.
 #include "shared/slot_lists.h"
 
 #if defined(FREE)
-uniform usamplerBuffer slotListSizes;
 uniform usamplerBuffer freeSlots;
-uint listedSlots() { return texelFetch(slotListSizes, FREE_SLOTS_SIZE).w; }
-uint listedSlot(uint n) { return texelFetch(freeSlots, int(n)).x; }
-#elif defined(COVERED)
-uniform usamplerBuffer slotListSizes;
+#define LISTED_SLOTS freeSlots
+#define LIST_SIZE FREE_SLOTS_SIZE
+#elif defined(WALLED)
+uniform usamplerBuffer walledSlots;
+#define LISTED_SLOTS walledSlots
+#define LIST_SIZE WALLED_SLOTS_SIZE
+#define WALLS
+#else
+#define WALLS
+#define SOLIDS
+#ifdef COVERED
 uniform usamplerBuffer coveredSlots;
-uint listedSlots() { return texelFetch(slotListSizes, COVERED_SLOTS_SIZE).w; }
-uint listedSlot(uint n) { return texelFetch(coveredSlots, int(n)).x; }
+#define LISTED_SLOTS coveredSlots
+#define LIST_SIZE COVERED_SLOTS_SIZE
+#endif
+#endif
+
+#ifdef LISTED_SLOTS
+uniform usamplerBuffer slotListSizes;
+uint listedSlots() { return texelFetch(slotListSizes, LIST_SIZE).w; }
+uint listedSlot(uint n) { return texelFetch(LISTED_SLOTS, int(n)).x; }
 #else
 uint listedSlots() { return slotCount(); }
 uint listedSlot(uint n) { return n; }

@@ -13,10 +13,15 @@ struct SolidCover {
     float between;   // 1 where solids are on all sides, 0 where they are on one
 };
 
+SolidCover noSolids()
+{
+    return SolidCover(vec3(0), 0.0, 0.0, vec3(0), 0.0, mat3(0), NO_SOLID, 0.0);
+}
+
 /// The cover by the solid neighbours of slot k, for a particle at x.
 SolidCover solidCover(uint k, uint count, vec3 x)
 {
-    SolidCover cover = SolidCover(vec3(0), 0.0, 0.0, vec3(0), 0.0, mat3(0), NO_SOLID, 0.0);
+    SolidCover cover = noSolids();
     vec3 outward = vec3(0);
     for (uint n = 0u; n < count; ++n) {
         uint solid = fetchSolidNeighbour(k, n);
