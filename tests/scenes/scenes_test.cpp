@@ -111,8 +111,8 @@ TEST(Scenes, PotpourriStaysInItsBasin)
                     .strain = 1.3f,
                     .densityError = 0.045f};
     expectWithin(watch(solver, scene, 2, 0), falling);
-    // Measured: 3.3e-6, 0.13 (0.6 where the splash has caught one thing under another), 0.0016, 2.0e-6, 3.4 m/s (a drop), 0.013 (what drops do differs from driver
-    // to driver), 7.8e-5, 0.12, 0.0204; 0.51 m/s on the mean.
+    // Measured: 3.3e-6, 0.13 (0.6 where the splash has caught one thing under another), 0.0016, 2.0e-6, 3.4 m/s (a
+    // drop), 0.013 (what drops do differs from driver to driver), 7.8e-5, 0.12, 0.0204; 0.51 m/s on the mean.
     Watched sloshing{.gap = 7e-6f,
                      .penetration = 1.2f,
                      .meanPenetration = 0.0031f,
