@@ -4,10 +4,10 @@
 #include "shared/step_parameters.h"
 
 #define BUFFER(type, Block, name) layout(std430) restrict buffer Block { type name[]; }
+#define READ_BUFFER(type, Block, name) layout(std430) restrict readonly buffer Block { type name[]; }
 // The same as texels, whole ones: a software driver stores and reads those faster.
 #define FLOAT_TEXELS(name) layout(rgba32f) restrict uniform imageBuffer name;
 #define UINT_TEXELS(name) layout(rgba32ui) restrict uniform uimageBuffer name;
-#define READ_BUFFER(type, Block, name) layout(std430) restrict readonly buffer Block { type name[]; }
 
 layout(std140) uniform Step { StepParameters sim; };
 

@@ -48,7 +48,7 @@ void listSolids(uint k, uint slots, inout NeighbourCounts counts, inout uvec4 fo
 {
     uint ranges = 0u;
     for (int range = 0; range < AROUND_RANGES; ++range) ranges |= solids[range] != 0u ? 1u << range : 0u;
-    while (ranges != 0u && (counts.fluids + 3u & ~3u) + counts.solids < sim.fluidSlots) {
+    while (ranges != 0u && paddedCount(counts.fluids) + counts.solids < sim.fluidSlots) {
         int range = findLSB(ranges);
         uint bits = solids[range], index = firsts[range] + uint(findLSB(bits)), n = sim.fluidSlots - ++counts.solids;
         four[n % 4u] = index < slots ? index : index - slots;

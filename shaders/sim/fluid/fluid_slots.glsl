@@ -58,10 +58,16 @@ uvec4 fetchNeighbours(uint texel)
     return texelFetch(slotNeighbours, int(texel));
 }
 
+/// How many entries the fluid neighbours of a list take: whole texels, at least one.
+uint paddedCount(uint count)
+{
+    return max(count + 3u & ~3u, 4u);
+}
+
 /// How often the slot itself is listed.
 uint paddingOf(uint count)
 {
-    return max(count + 3u & ~3u, 4u) - count;
+    return paddedCount(count) - count;
 }
 
 /// Walks over a slot's fluid neighbours, four at a time, at least once: `do ... texels.slots ... while
