@@ -17,7 +17,7 @@ uvec3 packedCoordinates(uint code)
     return uvec3(code << 22, (code << 12) & 0xffc00000u, (code << 2) & 0xffc00000u);
 }
 
-/// The squared distance of two positions, in which a quantum is PACKED_QUANTUM. An axis is wrong by less than one quantum.
+/// The squared distance of two positions, a quantum being PACKED_QUANTUM. An axis is wrong by less than one quantum.
 float packedSquare(uvec3 a, uvec3 b)
 {
     vec3 r = vec3(ivec3(a - b));

@@ -36,30 +36,30 @@ public:
     Buffer<gpu::vec4> fluidSearchPositions;  ///< Per particle: where it was when neighbours were found.
     Buffer<gpu::uvec2> fluidParticleCells;   ///< Cell, arrival in it.
     Buffer<uint32_t> fluidCellCounts, fluidCellSums, fluidCellStarts, fluidCellMembers;  ///< As of SearchStage.
-    Buffer<uint32_t> fluidSorted;                   ///< Per slot: its position, packed (packed_positions.glsl).
-    Buffer<uint32_t> slotParticles, particleSlots;  ///< Each other's inverse.
-    Buffer<gpu::uvec2> slotCounts;                  ///< Fluid and solid neighbours.
-    Buffer<gpu::uvec4> slotNeighbours;              ///< fluidSlots a slot (fluid_slots.glsl).
-    Buffer<uint32_t> slotColliders;                 ///< Bits of nearby colliders.
+    Buffer<uint32_t> fluidSorted;                           ///< Per slot: its position, packed (packed_positions.glsl).
+    Buffer<uint32_t> slotParticles, particleSlots;          ///< Each other's inverse.
+    Buffer<gpu::uvec2> slotCounts;                          ///< Fluid and solid neighbours.
+    Buffer<gpu::uvec4> slotNeighbours;                      ///< fluidSlots a slot (fluid_slots.glsl).
+    Buffer<uint32_t> slotColliders;                         ///< Bits of nearby colliders.
     Buffer<uint32_t> freeSlots, walledSlots, coveredSlots;  ///< Slots of fluid: slot_lists.glsl.
-    Buffer<gpu::uvec4> slotListSizes;               ///< Of these lists: slot_lists.h.
-    Buffer<gpu::vec4> fluidMaterials;               ///< Per material: smoothing, tension.
-    Buffer<uint32_t> slotMaterials;                 ///< Index into World::materials.
-    Buffer<gpu::vec4> slotVelocities;               ///< When neighbours were found [m/s]; w: smoothing.
-    Buffer<gpu::uvec4> slotGradients;               ///< SlotGradient (slot_values.glsl).
-    Buffer<gpu::vec4> slotPositions;                ///< Predicted [m]; w: mass [kg].
-    Buffer<gpu::vec4> slotLastPositions;            ///< Predicted in the last substep [m].
-    Buffer<gpu::vec4> slotShapes;                   ///< Two each: fetchSlotShape() (slot_pressures.glsl).
-    Buffer<gpu::uvec4> slotPressures;               ///< Two each: SlotPressure.
-    Buffer<gpu::vec4> slotSolidImpulses;            ///< What solids gave it in the substep [kg m].
-    Buffer<gpu::vec4> fluidPasts;                   ///< Per particle: FluidPast (fluid_past.glsl).
-    Buffer<gpu::vec4> slotVorticities;              ///< [1/s]; w: its length.
-    Buffer<uint32_t> fluidLargestPush;              ///< One: largest push of a pass before the first step [m], as bits
-                                                    ///< of a float.
-    Buffer<gpu::vec4> slotWalls, slotSolids;        ///< Gradients of the density from walls and solids.
-    Buffer<gpu::vec4> slotCovers;                   ///< SlotCover (slot_covers.glsl).
-    Buffer<gpu::vec4> particleWets;                 ///< Three each: body_wets.glsl.
-    Buffer<float> bodySeals;                        ///< The same.
+    Buffer<gpu::uvec4> slotListSizes;                       ///< Of these lists: slot_lists.h.
+    Buffer<gpu::vec4> fluidMaterials;                       ///< Per material: smoothing, tension.
+    Buffer<uint32_t> slotMaterials;                         ///< Index into World::materials.
+    Buffer<gpu::vec4> slotVelocities;                       ///< When neighbours were found [m/s]; w: smoothing.
+    Buffer<gpu::uvec4> slotGradients;                       ///< SlotGradient (slot_values.glsl).
+    Buffer<gpu::vec4> slotPositions;                        ///< Predicted [m]; w: mass [kg].
+    Buffer<gpu::vec4> slotLastPositions;                    ///< Predicted in the last substep [m].
+    Buffer<gpu::vec4> slotShapes;                           ///< Two each: fetchSlotShape() (slot_pressures.glsl).
+    Buffer<gpu::uvec4> slotPressures;                       ///< Two each: SlotPressure.
+    Buffer<gpu::vec4> slotSolidImpulses;                    ///< What solids gave it in the substep [kg m].
+    Buffer<gpu::vec4> fluidPasts;                           ///< Per particle: FluidPast (fluid_past.glsl).
+    Buffer<gpu::vec4> slotVorticities;                      ///< [1/s]; w: its length.
+    Buffer<uint32_t> fluidLargestPush;        ///< One: largest push of a pass before the first step [m], as bits
+                                              ///< of a float.
+    Buffer<gpu::vec4> slotWalls, slotSolids;  ///< Gradients of the density from walls and solids.
+    Buffer<gpu::vec4> slotCovers;             ///< SlotCover (slot_covers.glsl).
+    Buffer<gpu::vec4> particleWets;           ///< Three each: body_wets.glsl.
+    Buffer<float> bodySeals;                  ///< The same.
 
 private:
     void list(Recorder& recorder) const;

@@ -1,7 +1,8 @@
 // One thread a slot: moves its fluid particle by the pressures around it (Macklin and Mueller 2013, eq. 12, with
 // masses: a pair exchanges the impulse (lambda_i + lambda_j) grad W, so momentum is kept), ends its substep, and
 // predicts the next. RELAX: moves it without changing its velocity, and a little further along its moves of earlier
-// passes, so that what the walls press out of a column rises through it in few passes. FREE, WALLED, COVERED: one thread a slot of a list.
+// passes, so that what the walls press out of a column rises through it in few passes. FREE, WALLED, COVERED: one
+// thread a slot of a list.
 #include "sim/common/kernel.glsl"
 #include "sim/common/nan_report.glsl"
 #include "sim/common/particles.glsl"
@@ -32,28 +33,6 @@ FLOAT_TEXELS(newSlotSolidImpulses)
 #endif
 BUFFER(Counters, CountersBlock, counters);
 #endif
-
-#ifdef WALLS
-/// Pushes x out of the colliders, at least a quarter of the rest distance away from them.
-vec3 outside(uint k, vec3 x)
-{
-    for (NearColliders near = nearColliders(k); nextCollider(near);) {
-        ColliderSurface wall = colliderSurface(near.index, x);
-        x += max(0.25 * sim.fluidSpacing - wall.distance, 0.0) * wall.normal;
-    }
-    return x;
-}
-#endif
-
-/// The highest speed that a particle may reach if it had the speed `before` and would have `now`. Being pushed out
-/// between solids, or a solid and a wall, in one substep would make it as fast as that takes. It keeps the largest
-/// speed that it or they had, and gets a little more.
-float mostSpeed(SlotCover cover, float before, float now)
-{
-    float gain = MOST_SQUEEZE * sim.substepTime;
-    bool free = cover.fastest == NO_SOLID || now <= before + gain;
-    return free ? sim.maxSpeed : min(max(before, cover.fastest) + gain, sim.maxSpeed);
-}
 
 void main()
 {

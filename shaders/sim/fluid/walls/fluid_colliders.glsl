@@ -27,3 +27,13 @@ bool nextCollider(inout NearColliders near)
     near.left &= near.left - 1u;
     return near.bits != 0u && near.index < sim.colliderCount;
 }
+
+/// Pushes x out of the colliders, at least a quarter of the rest distance away from them.
+vec3 outside(uint k, vec3 x)
+{
+    for (NearColliders near = nearColliders(k); nextCollider(near);) {
+        ColliderSurface wall = colliderSurface(near.index, x);
+        x += max(0.25 * sim.fluidSpacing - wall.distance, 0.0) * wall.normal;
+    }
+    return x;
+}

@@ -1,5 +1,5 @@
-// One thread a slot: lists those of fluid particles, apart by whether walls or solids are near them. Slots of one work group
-// stand together, since their neighbours do; the groups' order does not matter.
+// One thread a slot: lists those of fluid particles, apart by whether walls or solids are near them. Slots of one work
+// group stand together, since their neighbours do; the groups' order does not matter.
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "shared/slot_lists.h"

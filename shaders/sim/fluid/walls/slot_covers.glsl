@@ -25,6 +25,16 @@ vec4 pack(SlotCover s)
     return vec4(s.fraction, s.gain, s.fastest, s.density);
 }
 
+/// The highest speed that a particle may reach if it had the speed `before` and would have `now`. Being pushed out
+/// between solids, or a solid and a wall, in one substep would make it as fast as that takes. It keeps the largest
+/// speed that it or they had, and gets a little more.
+float mostSpeed(SlotCover cover, float before, float now)
+{
+    float gain = MOST_SQUEEZE * sim.substepTime;
+    bool free = cover.fastest == NO_SOLID || now <= before + gain;
+    return free ? sim.maxSpeed : min(max(before, cover.fastest) + gain, sim.maxSpeed);
+}
+
 /// The gradient of the density constraint from walls [1/m].
 vec3 fetchSlotWalls(uint slot)
 {
