@@ -39,8 +39,9 @@ void DrawPass::begin(KernelTimer& timer) const
     glBindVertexArray(noAttributes_.id());
     enable(GL_DEPTH_TEST, target_->hasDepth());
     cull(culled_);
-    enable(GL_BLEND, opacity_ < 1.0f);
-    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+    enable(GL_BLEND, additive_ || opacity_ < 1.0f);
+    if (additive_) glBlendFunc(GL_ONE, GL_ONE);
+    else glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
     glBlendColor(0.0f, 0.0f, 0.0f, opacity_);
 }
 

@@ -35,6 +35,8 @@ public:
 
     /// Blends its output with the target, 0 (invisible) ... 1 (the default, opaque).
     void setOpacity(float opacity) { opacity_ = opacity; }
+    /// Adds its output to the target.
+    void setAdditive() { additive_ = true; }
     const std::string& name() const { return program_.name(); }
     /// One triangle per instance over the whole target.
     void drawScreen(KernelTimer& timer, uint32_t instances = 1) const;
@@ -57,6 +59,7 @@ private:
     const Framebuffer* target_ = nullptr;
     GLenum culled_ = GL_NONE;
     float opacity_ = 1.0f;
+    bool additive_ = false;
 };
 
 }  // namespace knuckle

@@ -62,11 +62,11 @@ gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, c
     return input;
 }
 
-void describeParticles(gpu::FrameInput& input, const ParticleView& view)
+void describeParticles(gpu::FrameInput& input, const ParticleView& view, bool hasSurfaces)
 {
     input.radius = view.radius;
     input.solidCount = std::min(view.solidCount, view.particleCount);
-    input.fluidRadius = FLUID_RADIUS * view.fluidSpacing;
+    input.fluidRadius = (hasSurfaces ? SURFACE_RADIUS : FLUID_RADIUS) * view.fluidSpacing;
     input.fluidSpace = static_cast<uint32_t>(
         std::round(static_cast<float>(SPACE_UNITS) * std::pow(0.5f * view.fluidSpacing / view.radius, 3.0f)));
 }

@@ -12,7 +12,7 @@ namespace knuckle {
 gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, const SceneExtent& extent,
                            const Camera& camera);
 /// Adds a view's values about its particles.
-void describeParticles(gpu::FrameInput& input, const ParticleView& view);
+void describeParticles(gpu::FrameInput& input, const ParticleView& view, bool hasSurfaces);
 /// Adds the camera's place at `time` [s], `passed` seconds after its last look; below 0: its first look.
 void placeCamera(gpu::FrameInput& input, const CameraAim& aim, float passed);
 

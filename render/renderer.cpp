@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "render/colliders/collider_pass.h"
+#include "render/fluids/fluid_looks.h"
+#include "render/fluids/fluid_pass.h"
 #include "render/frame_input.h"
 #include "render/marks/joint_marks.h"
 #include "render/marks/mark_pass.h"
@@ -31,16 +33,19 @@ struct Renderer::Impl {
     SceneExtent extent;
     Camera camera;
     gpu::FrameInput input;
+    bool beads;                      ///< Whether fluids are drawn as spheres.
     std::optional<double> lookedAt;  ///< Time of the state at the camera's last look [s].
     Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
     RawBuffer positions, velocities, bodyCentres, bodyRotations, colliderPlaces;  ///< Stand in for the view's.
     RenderTargets targets;
     BufferTable table;
     ViewPasses view;
+    FluidLooks looks;
     SphereLists lists;
     ColliderPass colliders;
     SkinPass skins;
     SpherePass spheres;
+    FluidPass fluids;
     PicturePasses picture;
     MarkPass marks;
     PictureReader reader;
@@ -50,10 +55,13 @@ struct Renderer::Impl {
 Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
     : settings((checkSettings(chosen), chosen)), extent(sceneExtent(world)),
       camera(settings.camera, world, float(settings.width) / float(settings.height)),
-      input(frameInput(world, settings, extent, camera)),
-      targets(settings.width, settings.height, settings.antialiasing), view(gpu, addInputs()), lists(gpu, table, world),
+      input(frameInput(world, settings, extent, camera)), beads(drawsFluids(world, settings, DrawnAs::Particles)),
+      targets(settings.width, settings.height, settings.antialiasing, drawsFluids(world, settings, DrawnAs::Surface)),
+      view(gpu, addInputs()), looks(table, world, settings),
+      lists(gpu, table, world, targets.hasSurfaces()),
       colliders(gpu, table, world, extent, targets), skins(gpu, table, world, targets),
-      spheres(gpu, table, world, settings, targets), picture(gpu, table, targets, settings.skinOpacity),
+      spheres(gpu, table, world, settings, targets), fluids(gpu, table, world, targets),
+      picture(gpu, table, targets, settings.skinOpacity),
       marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets),
       reader(settings.width, settings.height)
 {
@@ -62,6 +70,7 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
 
 BufferTable& Renderer::Impl::addInputs()
 {
+    targets.addTo(table);
     table.add(Lifetime::Scratch, inputBuffer);
     table.add("positions", positions, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("velocities", velocities, elementType<gpu::vec4>(), Lifetime::Scratch);
@@ -76,7 +85,7 @@ void Renderer::Impl::attach(const ParticleView& shown)
     if (shown.particleCount != input.particleCount)
         throw RunError(fmt::format("the renderer was made for {} particles, and the solver has {}", input.particleCount,
                                    shown.particleCount));
-    describeParticles(input, shown);
+    describeParticles(input, shown, targets.hasSurfaces());
     // Needed even for equal names: the solver may have enlarged a buffer and got its old name again.
     positions = RawBuffer::standIn("positions", shown.positions, shown.particleCount * sizeof(gpu::vec4));
     velocities = RawBuffer::standIn("velocities", shown.velocities, shown.particleCount * sizeof(gpu::vec4));
@@ -100,12 +109,13 @@ void Renderer::Impl::aimCamera(double time)
 void Renderer::Impl::drawSurfaces(bool withSkins, bool withParticles)
 {
     const bool hasSolids = withParticles && input.solidCount > 0;
-    const bool hasFluids = withParticles && input.solidCount < input.particleCount;
+    const bool hasFluids = withParticles && beads;
     targets.shadowMap.clear();
     colliders.drawShadow(timer);
     if (withSkins) skins.drawShadow(timer);
     if (hasSolids) spheres.drawShadow(timer, lists, SphereGroup::Solid);
     if (hasFluids) spheres.drawShadow(timer, lists, SphereGroup::Fluid);
+    if (withParticles && !fluids.empty()) fluids.drawShadow(timer, lists);
 
     targets.geometry.clear();
     colliders.draw(timer);
@@ -124,6 +134,7 @@ void Renderer::Impl::draw()
     skins.update(timer);
     drawSurfaces(!veiled, true);
     picture.drawLighting(timer);
+    if (!fluids.empty()) fluids.draw(timer, lists);
     if (veiled) {
         drawSurfaces(true, false);
         picture.drawVeil(timer);

@@ -57,6 +57,11 @@ struct EnumWords<FieldFalloff> {
     static constexpr std::array WORDS{"none", "linear", "inverseSquare"};
 };
 
+template <>
+struct EnumWords<DrawnAs> {
+    static constexpr std::array WORDS{"particles", "surface"};
+};
+
 template <typename T>
 std::string wordOf(T value)
 {
@@ -146,6 +151,9 @@ void visitFields(Material& m, Visitor&& visit)
     visit("slip", m.slip);
     visit("surfaceTension", m.surfaceTension);
     visit("color", m.color);
+    visit("draw", m.look.drawn);
+    visit("absorption", m.look.absorption);
+    visit("scattering", m.look.scattering);
     visit("stiffness", m.elasticity.stiffness);
     visit("poissonRatio", m.elasticity.poissonRatio);
     visit("damping", m.elasticity.damping);

@@ -5,18 +5,25 @@ namespace knuckle {
 PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& targets, float veilOpacity)
     : targets_(targets), isResolved_(targets.resolved.id() != 0)
 {
-    table.add(targets.surface, targets.depth, targets.shadow, targets.shade, targets.lit, targets.smoothed);
     occlusion_ = DrawPass(gpu, table, {"picture/screen", "picture/occlusion"},
                           {"frame", "view", "depthPicture", "surfacePicture", "shadowPicture"}, targets.occlusion);
-    lighting_ = DrawPass(gpu, table, {"picture/screen", "picture/lighting"},
-                         {"frame", "view", "depthPicture", "surfacePicture", "shadePicture"}, targets.lighting);
+    lighting_ = targets.hasSurfaces()
+                    ? DrawPass(gpu, table, {"picture/screen", "picture/lighting", {{"FLUIDS", "1"}}},
+                               {"frame", "view", "depthPicture", "surfacePicture", "shadePicture", "fluidShadowPicture",
+                                "fluidLooks", "fluidMaterials"},
+                               targets.lighting)
+                    : DrawPass(gpu, table, {"picture/screen", "picture/lighting"},
+                               {"frame", "view", "depthPicture", "surfacePicture", "shadePicture"}, targets.lighting);
     if (veilOpacity < 1.0f) {
         veil_ = DrawPass(gpu, table, {"picture/screen", "picture/lighting", {{"VEIL", "1"}}},
                          {"frame", "view", "depthPicture", "surfacePicture", "shadePicture"}, targets.lighting);
         veil_.setOpacity(veilOpacity);
     }
-    edgeFilter_ = DrawPass(gpu, table, {"picture/edge_tile", "picture/edge_filter"},
-                           {"frame", "litPicture", "shadePicture"}, targets.edges);
+    edgeFilter_ = targets.hasSurfaces()
+                      ? DrawPass(gpu, table, {"picture/edge_tile", "picture/edge_filter", {{"FLUIDS", "1"}}},
+                                 {"frame", "litPicture", "shadePicture", "fluidDepthPicture"}, targets.edges)
+                      : DrawPass(gpu, table, {"picture/edge_tile", "picture/edge_filter"},
+                                 {"frame", "litPicture", "shadePicture"}, targets.edges);
     if (isResolved_)
         resolve_ = DrawPass(gpu, table, {"picture/screen", "picture/resolve"}, {"frame", "smoothedPicture"},
                             targets.resolve);

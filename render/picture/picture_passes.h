@@ -9,7 +9,7 @@ namespace knuckle {
 /// Makes the frame from the geometry buffers and the shadow map.
 class PicturePasses {
 public:
-    /// @param table must have "frame" and "view". @param targets get added to it.
+    /// @param table must have "frame", "view", the targets' textures, and the buffers of FluidPass.
     /// @param veilOpacity of drawVeil(), 0 ... 1; 1: no veil.
     PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& targets, float veilOpacity);
     PicturePasses(const PicturePasses&) = delete;

@@ -2,7 +2,7 @@
 
 namespace knuckle {
 
-RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor)
+RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces)
 {
     const uint32_t w = width * factor, h = height * factor, halfW = (w + 1) / 2, halfH = (h + 1) / 2;
     surface = Texture("surfacePicture", GL_RG32UI, w, h);
@@ -16,9 +16,29 @@ RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor)
     occlusion = Framebuffer("occlusion", {&shade}, nullptr);
     lighting = Framebuffer("lighting", {&lit}, nullptr);
     edges = Framebuffer("edge filter", {&smoothed}, nullptr);
-    if (factor == 1) return;
-    resolved = Texture("resolvedPicture", GL_RGBA8, width, height);
-    resolve = Framebuffer("resolve", {&resolved}, nullptr);
+    if (factor > 1) {
+        resolved = Texture("resolvedPicture", GL_RGBA8, width, height);
+        resolve = Framebuffer("resolve", {&resolved}, nullptr);
+    }
+    if (!hasSurfaces) return;
+    fluidDepth = Texture("fluidDepthPicture", GL_DEPTH_COMPONENT32F, w, h);
+    fluidWide = Texture("fluidWidePicture", GL_R32F, w, h);
+    fluidSmooth = Texture("fluidSmoothPicture", GL_R32F, w, h);
+    fluidTint = Texture("fluidTintPicture", GL_RGBA16F, halfW, halfH, GL_LINEAR);
+    fluidGlow = Texture("fluidGlowPicture", GL_RGBA16F, halfW, halfH, GL_LINEAR);
+    fluidShadow = Texture("fluidShadowPicture", GL_DEPTH_COMPONENT32F, FLUID_SHADOW_SIZE, FLUID_SHADOW_SIZE);
+    fluidFront = Framebuffer("fluid front", {}, &fluidDepth);
+    fluidRows = Framebuffer("fluid rows", {&fluidWide}, nullptr);
+    fluidColumns = Framebuffer("fluid columns", {&fluidSmooth}, nullptr);
+    fluidInside = Framebuffer("fluid inside", {&fluidTint, &fluidGlow}, nullptr);
+    fluidShadowMap = Framebuffer("fluid shadow map", {}, &fluidShadow);
+    wet = Framebuffer("wet", {&smoothed}, nullptr);
+}
+
+void RenderTargets::addTo(BufferTable& table) const
+{
+    table.add(surface, depth, shadow, shade, lit, smoothed);
+    if (hasSurfaces()) table.add(fluidDepth, fluidWide, fluidSmooth, fluidTint, fluidGlow, fluidShadow);
 }
 
 }  // namespace knuckle

@@ -30,7 +30,7 @@ uint32_t groupsOf(size_t threads)
 
 }  // namespace
 
-SphereLists::SphereLists(const Gpu& gpu, BufferTable& table, const World& world)
+SphereLists::SphereLists(const Gpu& gpu, BufferTable& table, const World& world, bool seesThrough)
     : particleCount_(static_cast<uint32_t>(world.particles.size())),
       covered_("coveredParticles", std::span<const uint32_t>(coveredParticles(world))),
       scales_("sphereScales", std::span<const float>(scalesOf(world))), drawKinds_("sphereDrawKinds", particleCount_),
@@ -40,7 +40,9 @@ SphereLists::SphereLists(const Gpu& gpu, BufferTable& table, const World& world)
 {
     table.add(Lifetime::Constant, covered_, scales_);
     table.add(Lifetime::Scratch, drawKinds_, list_, cells_, buried_, counts_, draws_);
-    const Defines defines = coversParticles(world) ? Defines{{"COVERED", "1"}} : Defines{};
+    Defines defines;
+    if (coversParticles(world)) defines.push_back({"COVERED", "1"});
+    if (seesThrough) defines.push_back({"SURFACES", "1"});
     const auto load = [&](const std::string& name) {
         return Kernel(gpu, table, "render/spheres/" + name + ".comp", defines);
     };

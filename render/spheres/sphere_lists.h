@@ -15,8 +15,8 @@ enum class SphereGroup : uint32_t { Solid = SOLID_SPHERES, Fluid = FLUID_SPHERES
 class SphereLists {
 public:
     /// Adds "sphereList", "sphereScales" and its own buffers to the table, which must have "frame", "view" and
-    /// "positions".
-    SphereLists(const Gpu& gpu, BufferTable& table, const World& world);
+    /// "positions". @param seesThrough  Whether things are seen through fluids, which then bury nothing.
+    SphereLists(const Gpu& gpu, BufferTable& table, const World& world, bool seesThrough);
     SphereLists(const SphereLists&) = delete;
     SphereLists& operator=(const SphereLists&) = delete;
 

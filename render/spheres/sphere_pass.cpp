@@ -1,5 +1,6 @@
 #include "render/spheres/sphere_pass.h"
 
+#include "render/fluids/fluid_looks.h"
 #include "render/spheres/palette.h"
 
 namespace knuckle {
@@ -19,25 +20,42 @@ SpherePass::SpherePass(const Gpu& gpu, BufferTable& table, const World& world, c
     : colors_("sphereColors", particleColors(world, settings))
 {
     table.add(Lifetime::Constant, colors_);
-    points_ = DrawPass(gpu, table, {"spheres/sphere", "spheres/sphere", colorDefines(settings)},
-                       {"frame", "view", "sphereList", "sphereScales", "positions", "velocities", "sphereColors"},
-                       targets.geometry);
-    quads_ = DrawPass(gpu, table, {"spheres/sphere_quad", "spheres/sphere", colorDefines(settings)},
-                      {"frame", "view", "sphereList", "sphereScales", "positions", "velocities", "sphereColors"},
-                      targets.geometry);
-    shadow_ = DrawPass(gpu, table, {"spheres/sphere_shadow", "spheres/sphere_shadow"},
-                       {"frame", "view", "sphereList", "sphereScales", "positions"}, targets.shadowMap);
+    const auto passes = [&](const Defines& more, bool apart) {
+        Defines defines = colorDefines(settings);
+        defines.insert(defines.end(), more.begin(), more.end());
+        const auto pass = [&](const char* vertex, const char* fragment, const Framebuffer& target) {
+            return apart ? DrawPass(gpu, table, {vertex, fragment, defines},
+                                    {"frame", "view", "sphereList", "sphereScales", "positions", "velocities",
+                                     "sphereColors", "fluidMaterials"},
+                                    target)
+                         : DrawPass(gpu, table, {vertex, fragment, defines},
+                                    {"frame", "view", "sphereList", "sphereScales", "positions", "velocities",
+                                     "sphereColors"},
+                                    target);
+        };
+        return Passes{pass("spheres/sphere", "spheres/sphere", targets.geometry),
+                      pass("spheres/sphere_quad", "spheres/sphere", targets.geometry),
+                      pass("spheres/sphere_shadow", "spheres/sphere_shadow", targets.shadowMap)};
+    };
+    all_ = passes({}, false);
+    if (targets.hasSurfaces() && drawsFluids(world, settings, DrawnAs::Particles))
+        beads_ = passes({{"BEADS", "1"}}, true);
+}
+
+const SpherePass::Passes& SpherePass::of(SphereGroup group) const
+{
+    return group == SphereGroup::Fluid && beads_ ? *beads_ : all_;
 }
 
 void SpherePass::drawShadow(KernelTimer& timer, const SphereLists& lists, SphereGroup group) const
 {
-    lists.draw(timer, shadow_, group, SHADOW_DRAW);
+    lists.draw(timer, of(group).shadow, group, SHADOW_DRAW);
 }
 
 void SpherePass::draw(KernelTimer& timer, const SphereLists& lists, SphereGroup group) const
 {
-    lists.draw(timer, points_, group, POINT_DRAW);
-    lists.draw(timer, quads_, group, QUAD_DRAW);
+    lists.draw(timer, of(group).points, group, POINT_DRAW);
+    lists.draw(timer, of(group).quads, group, QUAD_DRAW);
 }
 
 float pointSizeLimit()

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "render/picture/render_targets.h"
 #include "render/settings.h"
 #include "render/spheres/sphere_lists.h"
@@ -22,8 +24,14 @@ public:
     void draw(KernelTimer& timer, const SphereLists& lists, SphereGroup group) const;
 
 private:
+    struct Passes {
+        DrawPass points, quads, shadow;
+    };
+    const Passes& of(SphereGroup group) const;
+
     Buffer<uint32_t> colors_;
-    DrawPass points_, quads_, shadow_;
+    Passes all_;
+    std::optional<Passes> beads_;  ///< Of fluids, if others of them are drawn as surfaces.
 };
 
 /// gl_PointSize above which spheres are listed as quads [pixels].

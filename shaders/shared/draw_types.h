@@ -27,6 +27,8 @@ namespace knuckle::gpu {
 #define SHADOW_DRAW 2
 #define DRAWS_PER_GROUP 3
 #define SPHERE_DRAWS 6
+// Instead of the material of a fluid particle that is drawn as a sphere.
+#define NO_SURFACE 0xffffffffu
 // Corners of the two triangles of a quad.
 #define QUAD_CORNERS 6
 

@@ -23,6 +23,8 @@ namespace knuckle::gpu {
 #define SPACE_UNITS 64u
 // Radius of fluid particles in their rest distances: they overlap a little, so that still water has no holes.
 #define FLUID_RADIUS 0.58f
+// The same where a surface is made of them, which must not have holes.
+#define SURFACE_RADIUS 0.72f
 // Particles that one thread counts and lists, in order: solids or fluids.
 #define LIST_CHUNK 64
 // Pixels per side of the tiles that the edge filter processes or skips.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <utility>
-#include <vector>
 
 #include "sim/base/errors.h"
 #include "sim/base/memory.h"
@@ -12,7 +11,7 @@
 namespace knuckle {
 
 Texture::Texture(std::string label, GLenum format, uint32_t width, uint32_t height, GLint filter)
-    : handle_(TextureHandle::make()), label_(std::move(label)), width_(width), height_(height)
+    : handle_(TextureHandle::make()), label_(std::move(label)), format_(format), width_(width), height_(height)
 {
     glBindTexture(GL_TEXTURE_2D, id());
     glTexStorage2D(GL_TEXTURE_2D, 1, format, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
@@ -23,6 +22,11 @@ Texture::Texture(std::string label, GLenum format, uint32_t width, uint32_t heig
     glObjectLabel(GL_TEXTURE, id(), -1, label_.c_str());
 }
 
+bool Texture::isInteger() const
+{
+    return format_ == GL_R32UI || format_ == GL_RG32UI;
+}
+
 void Texture::copy(const Texture& source)
 {
     glCopyImageSubData(source.id(), GL_TEXTURE_2D, 0, 0, 0, 0, id(), GL_TEXTURE_2D, 0, 0, 0, 0,
@@ -30,13 +34,14 @@ void Texture::copy(const Texture& source)
 }
 
 Framebuffer::Framebuffer(std::string label, std::initializer_list<const Texture*> colors, const Texture* depth)
-    : handle_(FramebufferHandle::make()), colorCount_(static_cast<GLint>(colors.size())), hasDepth_(depth != nullptr)
+    : handle_(FramebufferHandle::make()), hasDepth_(depth != nullptr)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, id());
     std::vector<GLenum> buffers;
     for (const Texture* color : colors) {
         buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size()));
         glFramebufferTexture(GL_FRAMEBUFFER, buffers.back(), color->id(), 0);
+        integers_.push_back(color->isInteger());
     }
     if (depth != nullptr) glFramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth->id(), 0);
     const Texture& sized = depth != nullptr ? *depth : **colors.begin();
@@ -60,7 +65,11 @@ void Framebuffer::clear() const
 {
     bind();
     const GLuint nothing[4] = {0, 0, 0, 0};
-    for (GLint color = 0; color < colorCount_; ++color) glClearBufferuiv(GL_COLOR, color, nothing);
+    const GLfloat black[4] = {0, 0, 0, 0};
+    for (GLint color = 0; color < static_cast<GLint>(integers_.size()); ++color) {
+        if (integers_[static_cast<size_t>(color)]) glClearBufferuiv(GL_COLOR, color, nothing);
+        else glClearBufferfv(GL_COLOR, color, black);
+    }
     if (hasDepth_) glClear(GL_DEPTH_BUFFER_BIT);
 }
 

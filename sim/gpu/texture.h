@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "sim/gpu/gl_handle.h"
 
@@ -19,12 +20,15 @@ public:
     const std::string& label() const { return label_; }
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
+    /// Whether its texels are integers.
+    bool isInteger() const;
     /// Copies from a texture of the same size and format.
     void copy(const Texture& source);
 
 private:
     TextureHandle handle_;
     std::string label_;
+    GLenum format_ = GL_NONE;
     uint32_t width_ = 0, height_ = 0;
 };
 
@@ -40,13 +44,13 @@ public:
     bool hasDepth() const { return hasDepth_; }
     /// Makes it the target of what follows, with a viewport over all of it.
     void bind() const;
-    /// Clears colours, which must be integers, to 0, and depth to 1.
+    /// Clears colours to 0, and depth to 1.
     void clear() const;
 
 private:
     FramebufferHandle handle_;
     uint32_t width_ = 0, height_ = 0;
-    GLint colorCount_ = 0;
+    std::vector<bool> integers_;  ///< Of each colour, whether its texels are.
     bool hasDepth_ = false;
 };
 

@@ -18,6 +18,7 @@
 #include "sim/world/joint/gear.h"
 #include "sim/world/joint/joint.h"
 #include "sim/world/matter/emitter.h"
+#include "sim/world/matter/fluid_look.h"
 #include "sim/world/matter/skin.h"
 #include "sim/world/matter/soft_matter.h"
 #include "sim/world/matter/strand.h"
@@ -52,6 +53,7 @@ struct Material {
     float viscosity = 0.001f;          ///< Fluids: dynamic [Pa s], >= 0. Water 0.001, honey 10.
     float slip = 0.0f;                 ///< Fluids: slip length at walls and solids [m], >= 0; thin ones always slip.
     float surfaceTension = 0.0f;       ///< Fluids: of their free surface [N/m], >= 0. Water 0.073.
+    FluidLook look = {};               ///< Fluids: how they are drawn.
     Elasticity elasticity = {};        ///< Of soft bodies.
 };
 

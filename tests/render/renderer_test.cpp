@@ -63,17 +63,6 @@ TEST(Renderer, DrawsOddSizesAndNoParticlesAtAll)
     EXPECT_EQ(image.rgb.size(), size_t{37} * 19 * 3);
 }
 
-/// Adds fluid particles at `positions`, behind the particles that exist.
-void addFluid(World& world, const std::vector<Vector3f>& positions)
-{
-    for (const Vector3f& position : positions) {
-        Particle particle;
-        particle.position = position;
-        world.particles.push_back(particle);
-        ++world.fluidCount;
-    }
-}
-
 TEST(Renderer, DrawsFluidsInTheirOwnSize)
 {
     RenderSettings settings = tiny();
@@ -84,6 +73,7 @@ TEST(Renderer, DrawsFluidsInTheirOwnSize)
     StillWorld solid(0.2f), fluid(0.2f);
     solid.addBody({{0, 0, 0}}, {0, 0, 0});
     fluid.world.fluidSpacing = 0.2f;
+    fluid.world.materials[0].look.drawn = DrawnAs::Particles;
     addFluid(fluid.world, {{0, 0, 0}});
     // In front of the sky only: counts pixels that differ from those without the particle.
     const auto covered = [&](const World& world) {

@@ -117,6 +117,16 @@ ParticleView StillBuffers::view() const
             fluidSpacing_};
 }
 
+void addFluid(World& world, const std::vector<Vector3f>& positions)
+{
+    for (const Vector3f& position : positions) {
+        Particle particle;
+        particle.position = position;
+        world.particles.push_back(particle);
+        ++world.fluidCount;
+    }
+}
+
 std::vector<Vector3f> cubeLattice(int count, float diameter)
 {
     std::vector<Vector3f> points;

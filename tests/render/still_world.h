@@ -36,6 +36,9 @@ private:
     Buffer<gpu::vec4> positions_, velocities_, centres_, rotations_, places_;
 };
 
+/// Adds fluid particles at `positions`, behind the particles that exist.
+void addFluid(World& world, const std::vector<Vector3f>& positions);
+
 /// Lattice points of a cube of `count` particles a side, spaced by `diameter`, centred on the origin [m].
 std::vector<Vector3f> cubeLattice(int count, float diameter);
 

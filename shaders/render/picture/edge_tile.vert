@@ -5,6 +5,10 @@
 
 uniform usampler2D shadePicture;
 
+#ifdef FLUIDS
+uniform sampler2D fluidDepthPicture;
+#endif
+
 const int HALF_TILE = EDGE_TILE / 2;
 
 void main()
@@ -16,7 +20,13 @@ void main()
     // Half-resolution pixels of the tile and one more all around, four at a time.
     for (int y = 0; y <= HALF_TILE; y += 2)
         for (int x = 0; x <= HALF_TILE; x += 2)
-            things |= shadeThing(textureGather(shadePicture, vec2(tile * HALF_TILE + ivec2(x, y)) * texel));
+        {
+            vec2 place = vec2(tile * HALF_TILE + ivec2(x, y)) * texel;
+            things |= shadeThing(textureGather(shadePicture, place));
+#ifdef FLUIDS
+            things |= uvec4(lessThan(textureGather(fluidDepthPicture, place), vec4(1.0)));
+#endif
+        }
     bool empty = things == uvec4(0u);
     vec2 centre = (vec2(tile) + 0.5) * float(EDGE_TILE) / vec2(frame.width, frame.height);
     gl_Position = vec4(empty ? vec2(-2.0) : 2.0 * centre - 1.0, 0.0, 1.0);

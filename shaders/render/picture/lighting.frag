@@ -4,6 +4,9 @@
 #include "render/picture/shade.glsl"
 #include "render/picture/sky.glsl"
 #include "render/picture/tone_map.glsl"
+#ifdef FLUIDS
+#include "render/fluids/fluid_shadow.glsl"
+#endif
 
 uniform sampler2D depthPicture;
 uniform usampler2D surfacePicture;
@@ -35,7 +38,10 @@ vec3 litSurface(ivec2 pixel, vec3 p, uvec2 surface, float depth)
     float upright = max(dot(n, toEye), 0.0);
     vec2 reach = shadeAt(pixel, depth, upright);
     vec3 key = view.keyInView.xyz;
-    float facing = max(dot(n, key), 0.0) * reach.y;
+    vec3 facing = max(dot(n, key), 0.0) * reach.y * vec3(1.0);
+#ifdef FLUIDS
+    facing *= throughFluid(p);
+#endif
     vec3 halfway = normalize(key + toEye);
 
     vec3 sky = mix(frame.groundColor.rgb, frame.skyColor.rgb, 0.5 + 0.5 * dot(n, view.upInView.xyz));

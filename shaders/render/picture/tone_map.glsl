@@ -7,3 +7,10 @@ vec3 filmic(vec3 light)
     vec3 x = max(light - 0.004, 0.0);
     return x * (6.2 * x + 0.5) / (x * (6.2 * x + 1.7) + 0.06);
 }
+
+// The light that filmic() makes a display value of.
+vec3 unfilmic(vec3 shown)
+{
+    vec3 y = min(shown, 0.99), a = 6.2 * (1.0 - y), b = 0.5 - 1.7 * y, c = 0.06 * y;
+    return (sqrt(b * b + 4.0 * a * c) - b) / (2.0 * a) + 0.004;
+}

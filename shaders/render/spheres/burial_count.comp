@@ -11,5 +11,9 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= frame.particleCount) return;
     vec4 position = texelFetch(positions, int(i));
+#ifdef SURFACES
+    // Things are seen through fluid.
+    if (i >= frame.solidCount) return;
+#endif
     if (isShown(i, position)) atomicAdd(cells[burialCell(position.xyz)], sphereSpace(i));
 }

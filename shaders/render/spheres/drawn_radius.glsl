@@ -5,5 +5,10 @@ uniform samplerBuffer sphereScales;
 
 float drawnRadius(uint particle)
 {
-    return sphereRadius(particle) * texelFetch(sphereScales, int(particle)).x;
+    float radius = sphereRadius(particle) * texelFetch(sphereScales, int(particle)).x;
+#ifdef BEADS
+    // frame.fluidRadius is that of surfaces.
+    radius *= FLUID_RADIUS / SURFACE_RADIUS;
+#endif
+    return radius;
 }

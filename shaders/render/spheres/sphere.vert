@@ -1,4 +1,5 @@
 // One point per listed particle, as large as the sphere's image, which is an ellipse.
+#include "render/fluids/fluid_kind.glsl"
 #include "render/spheres/drawn_radius.glsl"
 #include "render/spheres/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
@@ -20,4 +21,5 @@ void main()
     sphere = vec4(centre, uintBitsToFloat(sphereColor(particle)));
     gl_PointSize = max(size.x, size.y) + 1.0;
     gl_Position = vec4(0.5 * (bounds.xy + bounds.zw), 2.0 * (-centre.z - radius) / frame.farDepth - 1.0, 1.0);
+    if (isLeftOut(uint(particle))) gl_Position = NOWHERE;
 }

@@ -1,4 +1,5 @@
 // Two triangles around the image of each listed sphere that is too large for the driver's points.
+#include "render/fluids/fluid_kind.glsl"
 #include "render/spheres/drawn_radius.glsl"
 #include "render/spheres/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
@@ -23,4 +24,5 @@ void main()
     vec2 corner = vec2(place & 1, place >> 1);
     gl_Position = vec4(clamp(mix(bounds.xy, bounds.zw, corner), -1.0, 1.0),
                        2.0 * nearest / frame.farDepth - 1.0, 1.0);
+    if (isLeftOut(particle)) gl_Position = NOWHERE;
 }

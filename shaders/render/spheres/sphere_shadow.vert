@@ -1,5 +1,10 @@
 // One point per particle in the light's view.
+#include "render/fluids/fluid_kind.glsl"
 #include "render/spheres/drawn_radius.glsl"
+
+#ifndef SHADOW_TEXELS
+#define SHADOW_TEXELS frame.shadowSize
+#endif
 
 uniform usamplerBuffer sphereList;
 uniform samplerBuffer positions;
@@ -8,5 +13,6 @@ void main()
 {
     uint particle = texelFetch(sphereList, gl_VertexID).x;
     gl_Position = vec4(worldToLight(texelFetch(positions, int(particle)).xyz), 1.0);
-    gl_PointSize = drawnRadius(particle) / view.lightCentre.w * frame.shadowSize;
+    if (isLeftOut(particle)) gl_Position = NOWHERE;
+    gl_PointSize = drawnRadius(particle) / view.lightCentre.w * SHADOW_TEXELS;
 }

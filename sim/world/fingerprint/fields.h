@@ -31,7 +31,7 @@ inline auto fieldsOf(const Elasticity& e)
 
 inline auto fieldsOf(const Material& m)
 {
-    const auto& [name, density, sticking, sliding, restitution, rolling, color, fluid, viscosity, slip, tension,
+    const auto& [name, density, sticking, sliding, restitution, rolling, color, fluid, viscosity, slip, tension, look,
                  elasticity] = m;
     return counting(density, sticking, sliding, restitution, rolling, fluid, viscosity, slip, tension, elasticity);
 }

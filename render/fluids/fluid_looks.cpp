@@ -1,0 +1,55 @@
+#include "render/fluids/fluid_looks.h"
+
+#include <algorithm>
+
+#include "shared/draw_types.h"
+
+namespace knuckle {
+
+namespace {
+
+/// As in fluid_looks.glsl.
+std::vector<gpu::vec4> looksOf(const World& world)
+{
+    std::vector<gpu::vec4> looks;
+    for (const Material& m : world.materials) {
+        // What is left of white light after 1 / absorption is the colour.
+        const Vector3f dims = -m.color.cwiseMax(1e-3f).array().log() * m.look.absorption;
+        looks.push_back({dims.x(), dims.y(), dims.z(), m.look.scattering});
+        looks.push_back({m.color.x(), m.color.y(), m.color.z(), 0.0f});
+    }
+    return looks;
+}
+
+DrawnAs drawnAs(const Material& material, const RenderSettings& settings)
+{
+    const bool byParticle = settings.colorBy == ColorBy::Speed || settings.colorBy == ColorBy::Particle;
+    return byParticle ? DrawnAs::Particles : material.look.drawn;
+}
+
+std::vector<uint32_t> materialsOf(const World& world, const RenderSettings& settings)
+{
+    std::vector<uint32_t> materials;
+    for (size_t i = world.particles.size() - world.fluidCount; i < world.particles.size(); ++i) {
+        const uint32_t material = world.particles[i].material;
+        materials.push_back(drawnAs(world.materials[material], settings) == DrawnAs::Surface ? material : NO_SURFACE);
+    }
+    return materials;
+}
+
+}  // namespace
+
+bool drawsFluids(const World& world, const RenderSettings& settings, DrawnAs as)
+{
+    const auto isSo = [&](const Particle& p) { return drawnAs(world.materials[p.material], settings) == as; };
+    return std::any_of(world.particles.end() - world.fluidCount, world.particles.end(), isSo);
+}
+
+FluidLooks::FluidLooks(BufferTable& table, const World& world, const RenderSettings& settings)
+    : looks_("fluidLooks", std::span<const gpu::vec4>(looksOf(world))),
+      materials_("fluidMaterials", std::span<const uint32_t>(materialsOf(world, settings)))
+{
+    table.add(Lifetime::Constant, looks_, materials_);
+}
+
+}  // namespace knuckle

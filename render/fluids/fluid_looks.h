@@ -1,0 +1,27 @@
+#pragma once
+
+#include "render/settings.h"
+#include "shared/gpu_types.h"
+#include "sim/gpu/buffer.h"
+#include "sim/gpu/buffer_table.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// Whether any fluid of a world is drawn in that way (FluidLook): all as particles where these have colours of their own.
+bool drawsFluids(const World& world, const RenderSettings& settings, DrawnAs as);
+
+/// How fluids look, on the device: "fluidLooks" and "fluidMaterials".
+class FluidLooks {
+public:
+    /// Adds its buffers to the table.
+    FluidLooks(BufferTable& table, const World& world, const RenderSettings& settings);
+    FluidLooks(const FluidLooks&) = delete;
+    FluidLooks& operator=(const FluidLooks&) = delete;
+
+private:
+    Buffer<gpu::vec4> looks_;
+    Buffer<uint32_t> materials_;
+};
+
+}  // namespace knuckle

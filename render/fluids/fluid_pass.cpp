@@ -1,0 +1,59 @@
+#include "render/fluids/fluid_pass.h"
+
+#include "render/fluids/fluid_looks.h"
+
+namespace knuckle {
+
+FluidPass::FluidPass(const Gpu& gpu, const BufferTable& table, const World& world, RenderTargets& targets)
+    : targets_(targets), count_(targets.hasSurfaces() ? world.fluidCount : 0)
+{
+    if (empty()) return;
+    const Defines surface = {{"SURFACE", "1"}};
+    points_ = DrawPass(gpu, table, {"spheres/sphere", "fluids/fluid_front", surface},
+                       {"frame", "view", "sphereList", "sphereScales", "sphereColors", "positions", "fluidMaterials"},
+                       targets.fluidFront);
+    quads_ = DrawPass(gpu, table, {"spheres/sphere_quad", "fluids/fluid_front", surface},
+                      {"frame", "view", "sphereList", "sphereScales", "sphereColors", "positions", "fluidMaterials"},
+                      targets.fluidFront);
+    const Defines map = {{"SURFACE", "1"}, {"SHADOW_TEXELS", std::to_string(FLUID_SHADOW_SIZE) + ".0"}};
+    shadow_ = DrawPass(gpu, table, {"spheres/sphere_shadow", "spheres/sphere_shadow", map},
+                       {"frame", "view", "sphereList", "sphereScales", "positions", "fluidMaterials"},
+                       targets.fluidShadowMap);
+    tint_ = DrawPass(gpu, table, {"fluids/fluid_tint", "fluids/fluid_tint"},
+                     {"frame", "view", "positions", "sphereScales", "fluidLooks", "fluidMaterials", "depthPicture"},
+                     targets.fluidInside);
+    tint_.setAdditive();
+    rows_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_smooth"}, {"frame", "view", "fluidDepthPicture"},
+                     targets.fluidRows);
+    columns_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_smooth", {{"COLUMNS", "1"}}},
+                        {"frame", "view", "fluidWidePicture"}, targets.fluidColumns);
+    clean_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_clean"}, {"frame", "view", "fluidSmoothPicture"},
+                      targets.fluidRows);
+    shade_ = DrawPass(
+        gpu, table, {"picture/screen", "fluids/fluid_shade"},
+        {"frame", "view", "litPicture", "depthPicture", "fluidWidePicture", "fluidTintPicture", "fluidGlowPicture"},
+        targets.wet);
+}
+
+void FluidPass::drawShadow(KernelTimer& timer, const SphereLists& lists) const
+{
+    targets_.fluidShadowMap.clear();
+    lists.draw(timer, shadow_, SphereGroup::Fluid, SHADOW_DRAW);
+}
+
+void FluidPass::draw(KernelTimer& timer, const SphereLists& lists)
+{
+    targets_.fluidFront.clear();
+    lists.draw(timer, points_, SphereGroup::Fluid, POINT_DRAW);
+    lists.draw(timer, quads_, SphereGroup::Fluid, QUAD_DRAW);
+    targets_.fluidInside.clear();
+    tint_.draw(timer, GL_POINTS, count_);
+    rows_.drawScreen(timer);
+    columns_.drawScreen(timer);
+    clean_.drawScreen(timer);
+    targets_.smoothed.copy(targets_.lit);
+    shade_.drawScreen(timer);
+    targets_.lit.copy(targets_.smoothed);
+}
+
+}  // namespace knuckle

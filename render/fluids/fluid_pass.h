@@ -1,0 +1,31 @@
+#pragma once
+
+#include "render/picture/render_targets.h"
+#include "render/settings.h"
+#include "render/spheres/sphere_lists.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// Draws fluids as surfaces: the depth of their spheres, smoothed, over the lit picture of all else.
+class FluidPass {
+public:
+    /// @param table must have "frame", "view", "positions", the targets' textures and the buffers of FluidLooks,
+    /// SphereLists and SpherePass.
+    FluidPass(const Gpu& gpu, const BufferTable& table, const World& world, RenderTargets& targets);
+    FluidPass(const FluidPass&) = delete;
+    FluidPass& operator=(const FluidPass&) = delete;
+
+    bool empty() const { return count_ == 0; }
+    /// Into the shadow map of fluids.
+    void drawShadow(KernelTimer& timer, const SphereLists& lists) const;
+    /// After lighting: changes the lit picture.
+    void draw(KernelTimer& timer, const SphereLists& lists);
+
+private:
+    RenderTargets& targets_;
+    uint32_t count_;
+    DrawPass points_, quads_, shadow_, tint_, rows_, columns_, clean_, shade_;
+};
+
+}  // namespace knuckle

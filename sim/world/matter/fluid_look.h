@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+namespace knuckle {
+
+/// What is drawn of a fluid: its particles as spheres, or the surface around them.
+enum class DrawnAs : uint32_t { Particles, Surface };
+
+/// How a fluid's surface looks; Material::color is what white light becomes after 1 / absorption.
+struct FluidLook {
+    DrawnAs drawn = DrawnAs::Surface;
+    float absorption = 1.0f;  ///< [1/m], >= 0.
+    float scattering = 0.3f;  ///< Light that comes back out of it, as from milk [1/m], >= 0.
+};
+
+}  // namespace knuckle

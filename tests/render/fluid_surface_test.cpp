@@ -1,0 +1,178 @@
+#include <cmath>
+#include <numbers>
+
+#include "shared/frame_types.h"
+#include "sim/base/random.h"
+#include "tests/render/render_fixture.h"
+
+namespace knuckle::test {
+namespace {
+
+constexpr float SPACING = 0.04f, DEPTH = 0.5f;
+constexpr uint32_t SIZE = 240;
+constexpr float FIELD_OF_VIEW = 8.0f, DISTANCE = 6.0f;
+
+/// A pool of clear fluid 0.5 m deep, 1.2 m square, on a floor that is black up to x = edge and white beyond.
+World pool(float edge, bool wet)
+{
+    StillWorld still(0.04f);
+    World& world = still.world;
+    for (const float side : {-1.0f, 1.0f}) {
+        Collider& floor = still.addCollider(ColliderShape::Box, {edge + side, -0.1f, 0.0f});
+        floor.halfExtents = {1.0f, 0.1f, 3.0f};
+        floor.color = side < 0.0f ? Vector3f(0.02f, 0.02f, 0.02f) : Vector3f(0.9f, 0.9f, 0.9f);
+    }
+    world.fluidSpacing = SPACING;
+    world.materials[0].look = {DrawnAs::Surface, 0.0f, 0.0f};
+    std::vector<Vector3f> places;
+    std::mt19937 random(7);
+    const auto jitter = [&] { return 0.2f * SPACING * (uniformFraction(random) - 0.5f); };
+    const int across = 30, up = static_cast<int>(std::round(DEPTH / SPACING));
+    // Water at rest stands a tenth of its spacing off a lattice.
+    for (int z = 0; z < across; ++z)
+        for (int y = 0; y < up; ++y)
+            for (int x = 0; x < across; ++x) {
+                const Vector3f cell(float(x - across / 2), float(y), float(z - across / 2));
+                places.emplace_back(SPACING * (cell.array() + 0.5f).matrix() + Vector3f(jitter(), jitter(), jitter()));
+            }
+    if (wet) addFluid(world, places);
+    return world;
+}
+
+/// At 45 degrees, along x, at the surface above the origin.
+RenderSettings slantedLook()
+{
+    RenderSettings settings = lookFrom({-DISTANCE * std::sqrt(0.5f), DEPTH + DISTANCE * std::sqrt(0.5f), 0.0f},
+                                       {0.0f, DEPTH, 0.0f}, SIZE, SIZE);
+    settings.camera.fieldOfView = FIELD_OF_VIEW;
+    settings.colorBy = ColorBy::Material;
+    return settings;
+}
+
+/// The row, from the bottom, at which a column turns from dark to light.
+double edgeIn(const Image& image, uint32_t column)
+{
+    const auto light = [&](uint32_t fromBottom) { return pixelAt(image, column, SIZE - 1 - fromBottom).sum() / 3.0; };
+    for (uint32_t row = 0; row + 1 < SIZE; ++row)
+        if (light(row) < 120.0 && light(row + 1) >= 120.0)
+            return row + 0.5 + (120.0 - light(row)) / (light(row + 1) - light(row));
+    return NAN;
+}
+
+/// The row at which a point of the floor is seen through fluid of a refractive index, by Snell's law.
+double rowOf(double x, double index)
+{
+    const double focal = 0.5 * SIZE / std::tan(FIELD_OF_VIEW * std::numbers::pi / 360.0);
+    double low = 0.0, high = SIZE;
+    for (int k = 0; k < 60; ++k) {
+        const double row = 0.5 * (low + high), tilt = 0.25 * std::numbers::pi - std::atan((row - 0.5 * SIZE) / focal);
+        // The ray's angle from the vertical is the complement of its tilt downwards.
+        const double angle = 0.5 * std::numbers::pi - tilt, height = DISTANCE * std::sqrt(0.5);
+        const double surface = -height + height * std::tan(angle);
+        const double floor = surface + DEPTH * std::tan(std::asin(std::sin(angle) / index));
+        (floor < x ? low : high) = row;
+    }
+    return 0.5 * (low + high);
+}
+
+TEST(FluidSurface, BendsLightAsSnellsLawHasIt)
+{
+    const float edge = 0.2f;
+    const Image dry = drawn(pool(edge, false), slantedLook()), wet = drawn(pool(edge, true), slantedLook());
+    const double middle = SIZE / 2;
+    EXPECT_NEAR(edgeIn(dry, SIZE / 2), rowOf(edge, 1.0), 1.0);
+    const double shift = rowOf(edge, 1.333) - rowOf(edge, 1.0);
+    ASSERT_GT(shift, 20.0);
+    double sum = 0.0, squares = 0.0;
+    int count = 0;
+    for (uint32_t column = 60; column < 180; column += 4, ++count) {
+        const double found = edgeIn(wet, column) - edgeIn(dry, column);
+        sum += found;
+        squares += found * found;
+    }
+    const double mean = sum / count, deviation = std::sqrt(std::max(squares / count - mean * mean, 0.0));
+    // The pixels of the edge are uncertain by half of one.
+    EXPECT_NEAR(mean, shift, 0.03 * shift + 0.5) << middle;
+    // A slope of the surface shifts what is seen on the floor by 0.35 of the depth times it (Snell at 45 degrees), and
+    // bumps of a height are as wide as the filter, some two radii on both sides: slopes are their height over 0.6 radii.
+    const double metre = SIZE / (2.0 * DISTANCE * std::tan(FIELD_OF_VIEW * std::numbers::pi / 360.0)) * std::sqrt(0.5);
+    const double slope = deviation / metre / (0.35 * DEPTH), height = slope * 0.6 * SURFACE_RADIUS * SPACING;
+    EXPECT_LT(height, 0.1 * SPACING) << "the surface is not flat: " << deviation << " pixels";
+}
+
+TEST(FluidSurface, OfADropIsRound)
+{
+    StillWorld still(0.1f);
+    still.world.fluidSpacing = 0.3f;
+    still.world.materials[0].look = {DrawnAs::Surface, 0.0f, 1000.0f};
+    still.world.materials[0].color = {0.9f, 0.05f, 0.05f};
+    RenderSettings settings = lookFrom({0, 0, 1.2f}, {0, 0, 0}, SIZE, SIZE);
+    settings.camera.fieldOfView = 30.0f;
+    const Image without = drawn(still.world, settings);
+    addFluid(still.world, {{0, 0, 0}});
+    const Image with = drawn(still.world, settings);
+    double area = 0.0;
+    uint32_t low[2] = {SIZE, SIZE}, high[2] = {0, 0};
+    for (uint32_t y = 0; y < SIZE; ++y)
+        for (uint32_t x = 0; x < SIZE; ++x) {
+            if ((pixelAt(with, x, y) - pixelAt(without, x, y)).cwiseAbs().sum() < 30) continue;
+            area += 1.0;
+            low[0] = std::min(low[0], x), high[0] = std::max(high[0], x);
+            low[1] = std::min(low[1], y), high[1] = std::max(high[1], y);
+        }
+    const double wide = high[0] - low[0] + 1, tall = high[1] - low[1] + 1;
+    const double angle = std::asin(SURFACE_RADIUS * 0.3 / 1.2), scale = 0.5 * SIZE / std::tan(15.0 * std::numbers::pi / 180.0);
+    EXPECT_NEAR(wide, 2.0 * scale * std::tan(angle), 0.03 * wide);
+    EXPECT_NEAR(wide, tall, 0.03 * wide);
+    EXPECT_NEAR(area, 0.25 * std::numbers::pi * wide * tall, 0.03 * area);
+}
+
+/// Mean colours of the left and the right half of the picture's middle.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> halves(const Image& image)
+{
+    Eigen::Vector3d left(0, 0, 0), right(0, 0, 0);
+    for (uint32_t y = 100; y < 140; ++y)
+        for (uint32_t x = 0; x < 30; ++x) {
+            left += pixelAt(image, 80 + x, y).cast<double>() / 1200.0;
+            right += pixelAt(image, 130 + x, y).cast<double>() / 1200.0;
+        }
+    return {left, right};
+}
+
+TEST(FluidSurface, OfTwoFluidsHasTheColourOfEachAndBeadsStaySpheres)
+{
+    World world = pool(-10.0f, true);
+    world.materials[0].look = {DrawnAs::Surface, 5.0f, 0.0f};
+    world.materials[0].color = {0.02f, 0.3f, 0.9f};
+    world.materials[1].look = {DrawnAs::Surface, 5.0f, 0.0f};
+    world.materials[1].color = {0.9f, 0.3f, 0.02f};
+    for (Particle& p : world.particles) p.material = p.position.z() > 0.0f ? 1 : 0;
+    RenderSettings settings = slantedLook();
+    const auto [cold, warm] = halves(drawn(world, settings));
+    EXPECT_GT(cold.z(), cold.x() + 60.0);
+    EXPECT_GT(warm.x(), warm.z() + 60.0);
+    world.materials[1].look.drawn = DrawnAs::Particles;
+    const Image mixed = drawn(world, settings);
+    settings.colorBy = ColorBy::Particle;
+    EXPECT_NE(drawn(world, settings).rgb, mixed.rgb) << "particles' own colours are shown on particles";
+    EXPECT_GT(halves(mixed).first.z(), halves(mixed).first.x() + 60.0);
+}
+
+TEST(FluidSurface, IsHiddenByWhatStandsInFront)
+{
+    World world = pool(-10.0f, true);
+    world.materials[0].look = {DrawnAs::Surface, 5.0f, 0.0f};
+    const RenderSettings settings = slantedLook();
+    Collider wall;
+    wall.shape = ColliderShape::Box;
+    wall.position = {-1.5f, 1.5f, 0.0f};
+    wall.halfExtents = {0.05f, 1.5f, 1.5f};
+    wall.color = {0.9f, 0.02f, 0.02f};
+    world.colliders.push_back(wall);
+    const Image image = drawn(world, settings);
+    const Eigen::Vector3i middle = pixelAt(image, SIZE / 2, SIZE / 2);
+    EXPECT_GT(middle.x(), middle.z() + 60);
+}
+
+}  // namespace
+}  // namespace knuckle::test
