@@ -8,7 +8,8 @@
 
 namespace knuckle {
 
-/// Whether any fluid of a world is drawn in that way (FluidLook): all as particles where these have colours of their own.
+/// Whether any fluid of a world is drawn in that way (FluidLook). Where particles have colours of their own, all are
+/// drawn as particles.
 bool drawsFluids(const World& world, const RenderSettings& settings, DrawnAs as);
 
 /// How fluids look, on the device: "fluidLooks" and "fluidMaterials".

@@ -99,7 +99,7 @@ std::string Bindings::resourceName(GLenum interface, GLuint index) const
 {
     char declared[128] = "";
     glGetProgramResourceName(program_, interface, index, sizeof declared, nullptr, declared);
-    const std::string name = lowercaseFirst(declared);
+    std::string name = lowercaseFirst(declared);
     for (const auto& [from, to] : renames_) {
         const bool isWord = name.size() == from.size() ||
                             (name.size() > from.size() &&

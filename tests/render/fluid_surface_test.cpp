@@ -94,7 +94,8 @@ TEST(FluidSurface, BendsLightAsSnellsLawHasIt)
     // The pixels of the edge are uncertain by half of one.
     EXPECT_NEAR(mean, shift, 0.03 * shift + 0.5) << middle;
     // A slope of the surface shifts what is seen on the floor by 0.35 of the depth times it (Snell at 45 degrees), and
-    // bumps of a height are as wide as the filter, some two radii on both sides: slopes are their height over 0.6 radii.
+    // bumps of a height are as wide as the filter, some two radii on both sides: slopes are their height over 0.6 of
+    // a radius.
     const double metre = SIZE / (2.0 * DISTANCE * std::tan(FIELD_OF_VIEW * std::numbers::pi / 360.0)) * std::sqrt(0.5);
     const double slope = deviation / metre / (0.35 * DEPTH), height = slope * 0.6 * SURFACE_RADIUS * SPACING;
     EXPECT_LT(height, 0.1 * SPACING) << "the surface is not flat: " << deviation << " pixels";
@@ -121,7 +122,8 @@ TEST(FluidSurface, OfADropIsRound)
             low[1] = std::min(low[1], y), high[1] = std::max(high[1], y);
         }
     const double wide = high[0] - low[0] + 1, tall = high[1] - low[1] + 1;
-    const double angle = std::asin(SURFACE_RADIUS * 0.3 / 1.2), scale = 0.5 * SIZE / std::tan(15.0 * std::numbers::pi / 180.0);
+    const double angle = std::asin(SURFACE_RADIUS * 0.3 / 1.2),
+                 scale = 0.5 * SIZE / std::tan(15.0 * std::numbers::pi / 180.0);
     EXPECT_NEAR(wide, 2.0 * scale * std::tan(angle), 0.03 * wide);
     EXPECT_NEAR(wide, tall, 0.03 * wide);
     EXPECT_NEAR(area, 0.25 * std::numbers::pi * wide * tall, 0.03 * area);

@@ -1,5 +1,5 @@
 // The depth of the nearest fluid.
-#include "render/spheres/sphere_hit.glsl"
+#include "render/common/sphere_hit.glsl"
 
 flat in vec4 sphere;
 flat in float radius;

@@ -1,8 +1,8 @@
-// The surface of fluid over the lit picture: what is seen through it, bent (Snell) and dimmed (Beer and Lambert), what comes
-// back from inside, and what it mirrors (Fresnel, after Schlick 1994).
+// The surface of fluid over the lit picture: what is seen through it, bent (Snell) and dimmed (Beer and Lambert), what
+// comes back from inside, and what it mirrors (Fresnel, after Schlick 1994).
 #include "render/common/frame_blocks.glsl"
-#include "render/picture/sky.glsl"
-#include "render/picture/tone_map.glsl"
+#include "render/common/sky.glsl"
+#include "render/common/tone_map.glsl"
 
 uniform sampler2D litPicture;
 uniform sampler2D depthPicture;

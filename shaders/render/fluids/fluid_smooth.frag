@@ -1,6 +1,6 @@
-// Smooths the depth of fluid along rows, or, COLUMNS, along columns of what was smoothed along rows: a narrow-range filter
-// (Truong and Yuksel 2018). Depths out of range do not count if they are nearer, and count as a little behind if they
-// are further: so edges stay where they are, and nothing shrinks.
+// Smooths the depth of fluid along rows, or, COLUMNS, along columns of what was smoothed along rows: a narrow-range
+// filter (Truong and Yuksel 2018). Depths out of range do not count if they are nearer, and count as a little behind if
+// they are further: so edges stay where they are, and nothing shrinks.
 #include "render/common/frame_blocks.glsl"
 
 #ifdef COLUMNS

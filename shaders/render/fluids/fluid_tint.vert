@@ -1,8 +1,8 @@
 // One point per fluid particle, at half resolution. What is behind things is left out.
-#include "render/spheres/drawn_radius.glsl"
-#include "render/spheres/sphere_bounds.glsl"
-#include "render/fluids/fluid_kind.glsl"
-#include "render/fluids/fluid_looks.glsl"
+#include "render/common/drawn_radius.glsl"
+#include "render/common/sphere_bounds.glsl"
+#include "render/common/fluid_kind.glsl"
+#include "render/common/fluid_looks.glsl"
 
 uniform samplerBuffer positions;
 uniform usamplerBuffer fluidMaterials;   // by fluid particle

@@ -2,10 +2,10 @@
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 #include "render/picture/shade.glsl"
-#include "render/picture/sky.glsl"
-#include "render/picture/tone_map.glsl"
+#include "render/common/sky.glsl"
+#include "render/common/tone_map.glsl"
 #ifdef FLUIDS
-#include "render/fluids/fluid_shadow.glsl"
+#include "render/common/fluid_shadow.glsl"
 #endif
 
 uniform sampler2D depthPicture;

@@ -2,8 +2,8 @@
 // driver's points, or with a clipped centre), as shadow casters, or not at all.
 #include "render/spheres/burial.glsl"
 #include "render/spheres/covered.glsl"
-#include "render/spheres/drawn_radius.glsl"
-#include "render/spheres/sphere_bounds.glsl"
+#include "render/common/drawn_radius.glsl"
+#include "render/common/sphere_bounds.glsl"
 #include "render/spheres/sphere_lists.glsl"
 #include "render/spheres/sphere_runs.glsl"
 

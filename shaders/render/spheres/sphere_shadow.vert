@@ -1,6 +1,6 @@
 // One point per particle in the light's view.
-#include "render/fluids/fluid_kind.glsl"
-#include "render/spheres/drawn_radius.glsl"
+#include "render/common/fluid_kind.glsl"
+#include "render/common/drawn_radius.glsl"
 
 #ifndef SHADOW_TEXELS
 #define SHADOW_TEXELS frame.shadowSize

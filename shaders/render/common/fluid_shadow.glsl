@@ -1,5 +1,5 @@
 // How much of the key light comes through fluid.
-#include "render/fluids/fluid_looks.glsl"
+#include "render/common/fluid_looks.glsl"
 
 uniform sampler2D fluidShadowPicture;
 uniform usamplerBuffer fluidMaterials;

@@ -1,4 +1,5 @@
-// Which fluid particles a pass leaves out: SURFACE: those that are drawn as spheres; BEADS: those whose surface is drawn.
+// Which fluid particles a pass leaves out: SURFACE: those that are drawn as spheres; BEADS: those whose surface is
+// drawn.
 #include "render/common/frame_blocks.glsl"
 
 #if defined(SURFACE) || defined(BEADS)
