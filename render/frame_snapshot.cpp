@@ -56,6 +56,7 @@ void FrameSnapshot::take(const ParticleView& view)
     view_.bodyCentres = copyVectors(view.bodyCentres, centres, centres_, "drawn centres");
     view_.bodyRotations = copyVectors(view.bodyRotations, rotations, rotations_, "drawn rotations");
     view_.colliderPlaces = copyVectors(view.colliderPlaces, 2 * view.colliderCount, colliders_, "drawn colliders");
+    view_.foamPlaces = copyVectors(view.foamPlaces, view.foamCount, foam_, "drawn foam");
     taken_.set();
 }
 

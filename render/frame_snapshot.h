@@ -36,7 +36,7 @@ private:
     };
 
     bool showsSpeeds_, showsCentres_, showsSkins_;
-    RawBuffer positions_, velocities_, centres_, rotations_, colliders_;
+    RawBuffer positions_, velocities_, centres_, rotations_, colliders_, foam_;
     ParticleView view_;
     Fence taken_, drawn_;
 };

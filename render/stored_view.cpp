@@ -2,12 +2,15 @@
 
 #include <stdexcept>
 
+#include "sim/solver/fluid/foam_stage.h"
+
 namespace knuckle {
 
 StoredView::StoredView(const World& world)
     : world_(world), positions_("stored positions", world.particles.size()),
       velocities_("stored velocities", world.particles.size()), centres_("stored centres", world.bodies.size()),
-      rotations_("stored rotations", world.bodies.size()), colliders_("stored colliders", 2 * world.colliders.size())
+      rotations_("stored rotations", world.bodies.size()), colliders_("stored colliders", 2 * world.colliders.size()),
+      foam_("stored foam", FoamStage::capacity(world))
 {
 }
 
@@ -24,6 +27,10 @@ ParticleView StoredView::upload(const ViewState& state)
     view.bodyCentres = fill(centres_, state.bodyCentres);
     view.bodyRotations = fill(rotations_, state.bodyRotations);
     view.colliderPlaces = fill(colliders_, state.colliderPlaces);
+    // A file of an earlier version has no foam.
+    const std::vector<gpu::vec4> none(foam_.size());
+    view.foamPlaces = fill(foam_, state.foamPlaces.empty() ? none : state.foamPlaces);
+    view.foamCount = static_cast<uint32_t>(foam_.size());
     view.particleCount = static_cast<uint32_t>(world_.particles.size());
     view.bodyCount = static_cast<uint32_t>(world_.bodies.size());
     view.colliderCount = static_cast<uint32_t>(world_.colliders.size());

@@ -154,6 +154,7 @@ void visitFields(Material& m, Visitor&& visit)
     visit("draw", m.look.drawn);
     visit("absorption", m.look.absorption);
     visit("scattering", m.look.scattering);
+    visit("foam", m.look.foam);
     visit("stiffness", m.elasticity.stiffness);
     visit("poissonRatio", m.elasticity.poissonRatio);
     visit("damping", m.elasticity.damping);

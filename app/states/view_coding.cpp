@@ -158,6 +158,7 @@ std::vector<std::string> ViewCoding::pack(uint64_t frame, const ViewState& view)
     const auto isInactive = [&](size_t p) { return view.positions[p].w != 0.0f; };
     blocks.push_back(packWords(frame, "inactive", bitsOf(particles_, isInactive)));
     blocks.push_back(packWords(frame, "torn", bitsOf(view.torn.size(), [&](size_t p) { return view.torn[p]; })));
+    if (!view.foamPlaces.empty()) blocks.push_back(packWords(frame, "foam", toWords<4>(view.foamPlaces)));
     return blocks;
 }
 
@@ -181,6 +182,8 @@ ViewState ViewCoding::unpack(const BlockReader& file, uint64_t frame) const
     view.velocities = fromWords<3>(words("velocities", 3 * particles_));
     const Words inactive = words("inactive", (particles_ + 31) / 32);
     for (size_t p = 0; p < particles_; ++p) view.positions[p].w = bitOf(inactive, p) ? 1.0f : 0.0f;
+    if (file.has(frameBlock(frame, "foam")))
+        view.foamPlaces = fromWords<4>(file.readArray<uint32_t>(frameBlock(frame, "foam")));
     const Words torn = file.readArray<uint32_t>(frameBlock(frame, "torn"));
     if (torn.empty()) return view;
     if (torn.size() != (particles_ + 31) / 32) file.refuse("has joints that tear, and the scene has none");

@@ -94,6 +94,7 @@ struct StepParameters {
     uint fluidCellMask;             // as for the other grid
     uint fluidStrideY;
     uint fluidStrideZ;
+    uint foamCapacity;              // points of foam, spray and bubbles
     // Emitters and drains.
     uint fluidFilled;               // fluid particles that belong to no emitter; they come first
     uint poolCapacity;              // entries in the lists of all emitters' pools

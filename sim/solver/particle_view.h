@@ -20,6 +20,8 @@ struct ParticleView {
     float radius = 0.05f;               ///< [m]
     uint32_t solidCount = 0xffffffffu;  ///< Particles after these are fluid.
     float fluidSpacing = 0.05f;         ///< Rest distance of fluid particles [m].
+    GLuint foamPlaces = 0;              ///< foamCount x vec4: xyz [m], w: opacity of a point of foam, 0: none is there.
+    uint32_t foamCount = 0;
 };
 
 }  // namespace knuckle

@@ -124,6 +124,8 @@ ParticleView Solver::view() const
     view.solidCount = s.parameters.particleCount;
     view.radius = impl_->world.particleRadius;
     view.fluidSpacing = impl_->world.fluidSpacing;
+    if (s.foam) view.foamPlaces = s.foam->foamPlaces.id();
+    view.foamCount = s.parameters.foamCapacity;
     return view;
 }
 
@@ -137,6 +139,7 @@ ViewState Solver::readView()
     view.bodyCentres.resize(impl_->world.bodies.size());
     view.bodyRotations.resize(impl_->world.bodies.size());
     view.colliderPlaces.resize(2 * impl_->world.colliders.size());
+    if (s.foam) view.foamPlaces = s.foam->foamPlaces.download();
     return view;
 }
 

@@ -99,6 +99,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
     if (FluidStage::isNeeded(world)) fluids.emplace(setup_);
     if (ViscosityStage::isNeeded(world)) viscosity.emplace(setup_);
     if (FluidWatchStage::isNeeded(world)) fluidWatch.emplace();
+    if (FoamStage::isNeeded(world)) foam.emplace(setup_);
     if (EmitterStage::isNeeded(world)) emitters.emplace(setup_);
     if (world.settings.solver == SolverKind::Paper) paper.emplace(setup_);
     std::vector<Stage*> stages = all();
@@ -135,6 +136,7 @@ std::vector<Stage*> Stages::all()
     add(fluids);
     add(viscosity);
     add(fluidWatch);
+    add(foam);
     add(emitters);
     add(paper);
     return stages;

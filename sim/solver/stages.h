@@ -13,6 +13,7 @@
 #include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_stage.h"
 #include "sim/solver/fluid/fluid_watch_stage.h"
+#include "sim/solver/fluid/foam_stage.h"
 #include "sim/solver/fluid/viscosity_stage.h"
 #include "sim/solver/forces/force_stage.h"
 #include "sim/solver/joint/gear_stage.h"
@@ -97,6 +98,7 @@ public:
     std::optional<FluidStage> fluids;
     std::optional<ViscosityStage> viscosity;
     std::optional<FluidWatchStage> fluidWatch;
+    std::optional<FoamStage> foam;
     std::optional<EmitterStage> emitters;
     std::optional<PaperStage> paper;
 };

@@ -35,7 +35,8 @@
 // sleep_wake_assembly, in each substep).
 //
 // A step ends by placing particles where their bodies have them (particle_position); shared ones go to the mean of
-// their goals, which is the joint (joint_position). If there are emitters or drains, fluid particles then leave the
+// their goals, which is the joint (joint_position). Fluids then make and move
+// points of foam (foam_*), which act on nothing. If there are emitters or drains, fluid particles then leave the
 // pools (emitter_update, pool_order, fluid_emit) or go back to them (fluid_drain). If nothing drives fluids,
 // fluid_energy and fluid_energy_limit check whether their energy has risen.
 //
@@ -135,6 +136,7 @@ void impulseStep(const Stages& s, const Settings& settings, Recorder& recorder)
     s.joints.placeParticles(recorder);
     if (s.sleep) s.sleep->endStep(recorder);
     if (s.fluidWatch) s.fluidWatch->watch(recorder);
+    if (s.foam) s.foam->endStep(recorder);  // before fluid comes and goes: its slots are those of the step
     if (s.emitters) s.emitters->endStep(recorder);
 }
 

@@ -55,10 +55,11 @@ constexpr std::array CARRIED{
     Carried{"distanceStates", Per::Distance, 4},
 };
 
-/// What carryContacts(), carryReleases() and carryCounted() do.
+/// What carryContacts(), carryReleases(), carryCounted() and carryFoam() do.
 constexpr std::array BY_HAND{
     "assemblyState", "bodyReleases",  "colliderImpulses", "colliderMeans", "colliderPairs",
-    "countersBlock", "dispatches",    "filterBits",       "fluidTotals",   "jointFreedoms",
+    "countersBlock", "dispatches",    "filterBits",       "fluidTotals",   "foamMoves",
+    "foamPlaces", "foamRing", "jointFreedoms",
     "limpSubsteps",  "listStarts",    "moverStates",      "pairImpulses",  "pairMeans",
     "pairs",         "particleLinks", "poolInactive",     "poolOrder",     "puppetStates",
 };
@@ -68,7 +69,7 @@ constexpr std::array BY_HAND{
 constexpr std::array ANEW{
     "assemblyCalm",    "assemblyNext",   "bodyActing",      "calmCentres",     "calmRotations",     "cellCounts",
     "cellSums",        "colliderAheads", "colliderArms",    "colliderFounds",  "colliderMoves",     "colliderPlaces",
-    "colliderSides",   "emitterStates",  "fluidCellCounts", "fluidCellSums",   "fluidEnergyLimits", "islandsWoken",
+    "colliderSides",   "emitterStates",  "fluidCellCounts", "fluidCellSums",   "fluidEnergyLimits", "foamSums", "islandsWoken",
     "linkPulls",       "listCounts",     "listSums",        "oldMoves",        "oldVelocities",     "pairArms",
     "pairReferences",  "pairSides",      "poolSums",        "releaseImpulses", "searchCentres",     "searchPositions",
     "searchRotations", "step",
@@ -112,6 +113,7 @@ StagesState carriedOver(const StagesOf& before, const StagesOf& after, const Cou
     carryReleases(carrying);
     carryContacts(carrying);
     carryCounted(carrying);
+    carryFoam(carrying);
     return to;
 }
 

@@ -39,5 +39,7 @@ void carryContacts(const Carrying& carrying);
 void carryReleases(const Carrying& carrying);
 /// Order of assemblies, torn joints, pools of emitters, counters. @throws as carriedOver().
 void carryCounted(const Carrying& carrying);
+/// Points of foam, spray and bubbles.
+void carryFoam(const Carrying& carrying);
 
 }  // namespace knuckle

@@ -121,7 +121,6 @@ void setFluidParameters(gpu::StepParameters& p, const World& world)
 
 bool isViscous(const Material& material)
 {
-    constexpr float VISCOUS = 0.1f;  // [Pa s]
     return material.fluid && material.viscosity >= VISCOUS;
 }
 

@@ -8,6 +8,9 @@ namespace knuckle {
 /// Sets the parameters of fluids, after those of the step.
 void setFluidParameters(gpu::StepParameters& parameters, const World& world);
 
+/// Fluids of this viscosity and more are solved implicitly [Pa s].
+inline constexpr float VISCOUS = 0.1f;
+
 /// Whether a fluid is viscous enough for the implicit solve (ViscosityStage); it then sticks to walls and solids.
 /// Thinner ones are smoothed once a step (fluid_viscosity.comp) and slip freely.
 bool isViscous(const Material& material);

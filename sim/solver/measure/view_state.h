@@ -17,6 +17,7 @@ struct ViewState {
     std::vector<gpu::vec4> bodyRotations{};   ///< Quaternions xyzw from the rest pose.
     std::vector<gpu::vec4> colliderPlaces{};  ///< Of each collider: xyz [m]; quaternion xyzw.
     std::vector<bool> torn{};                 ///< As ParticleState::torn.
+    std::vector<gpu::vec4> foamPlaces{};      ///< Of points of foam: xyz [m], w: opacity, 0: none is there.
 };
 
 /// The two sums of a state's hash as one number; see shaders/shared/state_hash.h.

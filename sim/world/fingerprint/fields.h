@@ -29,11 +29,19 @@ inline auto fieldsOf(const Elasticity& e)
     return counting(stiffness, poissonRatio, damping, yield, creep, maxDeformation);
 }
 
+/// The points of foam are part of a state.
+inline auto fieldsOf(const FluidLook& l)
+{
+    const auto& [drawn, absorption, scattering, foam] = l;
+    return counting(foam);
+}
+
 inline auto fieldsOf(const Material& m)
 {
     const auto& [name, density, sticking, sliding, restitution, rolling, color, fluid, viscosity, slip, tension, look,
                  elasticity] = m;
-    return counting(density, sticking, sliding, restitution, rolling, fluid, viscosity, slip, tension, elasticity);
+    return counting(density, sticking, sliding, restitution, rolling, fluid, viscosity, slip, tension, look,
+                    elasticity);
 }
 
 inline auto fieldsOf(const SurfaceDistance& s)

@@ -12,6 +12,7 @@ struct FluidLook {
     DrawnAs drawn = DrawnAs::Surface;
     float absorption = 1.0f;  ///< [1/m], >= 0.
     float scattering = 0.3f;  ///< Light that comes back out of it, as from milk [1/m], >= 0.
+    float foam = 1.0f;        ///< How readily it makes foam, spray and bubbles where it breaks, >= 0; thin ones only.
 };
 
 }  // namespace knuckle

@@ -1,6 +1,6 @@
 // The values that a prefix sum runs over: the number of particles in each cell of the grid, or (LISTS) the number of
 // contacts of each particle in the lists of contact_lists.glsl, or (POOLS) which particles of the pools' lists are
-// inactive.
+// inactive, or (FOAM) points of foam that each slot makes.
 #include "sim/common/grid/fluid_grid.glsl"
 
 #ifdef LISTS
@@ -13,6 +13,11 @@ uint scanCount() { return 3u * sim.particleCount; }
 #define SCAN_SUMS poolSums
 #define SCAN_BLOCK PoolSums
 uint scanCount() { return sim.poolCapacity; }
+#elif defined(FOAM)
+#define SCAN_VALUES foamBirths
+#define SCAN_SUMS foamSums
+#define SCAN_BLOCK FoamSums
+uint scanCount() { return slotCount(); }
 #else
 #define SCAN_VALUES cellCounts
 #define SCAN_SUMS cellSums
