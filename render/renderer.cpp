@@ -37,6 +37,8 @@ struct Renderer::Impl {
     std::optional<double> lookedAt;  ///< Time of the state at the camera's last look [s].
     Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
     RawBuffer positions, velocities, bodyCentres, bodyRotations, colliderPlaces;  ///< Stand in for the view's.
+    RawBuffer foamPlaces;                                                         ///< The same.
+    uint32_t foamCount = 0;
     RenderTargets targets;
     BufferTable table;
     ViewPasses view;
@@ -76,6 +78,7 @@ BufferTable& Renderer::Impl::addInputs()
     table.add("bodyCentres", bodyCentres, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("bodyRotations", bodyRotations, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("colliderPlaces", colliderPlaces, elementType<gpu::vec4>(), Lifetime::Scratch);
+    table.add("foamPlaces", foamPlaces, elementType<gpu::vec4>(), Lifetime::Scratch);
     return table;
 }
 
@@ -92,6 +95,8 @@ void Renderer::Impl::attach(const ParticleView& shown)
     bodyRotations = RawBuffer::standIn("bodyRotations", shown.bodyRotations, shown.bodyCount * sizeof(gpu::vec4));
     colliderPlaces = RawBuffer::standIn("colliderPlaces", shown.colliderPlaces,
                                         size_t{2} * shown.colliderCount * sizeof(gpu::vec4));
+    foamCount = shown.foamCount;
+    foamPlaces = RawBuffer::standIn("foamPlaces", shown.foamPlaces, foamCount * sizeof(gpu::vec4));
     // The solver's last step wrote the inputs of everything below.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -133,7 +138,7 @@ void Renderer::Impl::draw()
     skins.update(timer);
     drawSurfaces(!veiled, true);
     picture.drawLighting(timer);
-    if (!fluids.empty()) fluids.draw(timer, lists);
+    if (!fluids.empty()) fluids.draw(timer, lists, foamCount);
     if (veiled) {
         drawSurfaces(true, false);
         picture.drawVeil(timer);

@@ -1,6 +1,7 @@
 #include "render/fluids/fluid_pass.h"
 
 #include "render/fluids/fluid_looks.h"
+#include "sim/solver/fluid/foam_stage.h"
 
 namespace knuckle {
 
@@ -33,6 +34,14 @@ FluidPass::FluidPass(const Gpu& gpu, const BufferTable& table, const World& worl
         gpu, table, {"picture/screen", "fluids/fluid_shade"},
         {"frame", "view", "litPicture", "depthPicture", "fluidWidePicture", "fluidTintPicture", "fluidGlowPicture"},
         targets.wet);
+    if (!FoamStage::isNeeded(world)) return;
+    foam_ = DrawPass(gpu, table, {"fluids/foam", "fluids/foam"},
+                     {"frame", "view", "foamPlaces", "fluidLooks", "fluidMaterials", "depthPicture", "shadowPicture",
+                      "fluidWidePicture", "fluidGlowPicture"},
+                     targets.foamCover);
+    foam_.setAdditive();
+    foamShade_ = DrawPass(gpu, table, {"picture/screen", "fluids/foam_shade"},
+                          {"frame", "view", "litPicture", "foamPicture"}, targets.wet);
 }
 
 void FluidPass::drawShadow(KernelTimer& timer, const SphereLists& lists) const
@@ -41,7 +50,7 @@ void FluidPass::drawShadow(KernelTimer& timer, const SphereLists& lists) const
     lists.draw(timer, shadow_, SphereGroup::Fluid, SHADOW_DRAW);
 }
 
-void FluidPass::draw(KernelTimer& timer, const SphereLists& lists)
+void FluidPass::draw(KernelTimer& timer, const SphereLists& lists, uint32_t foamCount)
 {
     targets_.fluidFront.clear();
     lists.draw(timer, points_, SphereGroup::Fluid, POINT_DRAW);
@@ -53,6 +62,15 @@ void FluidPass::draw(KernelTimer& timer, const SphereLists& lists)
     clean_.drawScreen(timer);
     targets_.smoothed.copy(targets_.lit);
     shade_.drawScreen(timer);
+    targets_.lit.copy(targets_.smoothed);
+    if (foamCount > 0) drawFoam(timer, foamCount);
+}
+
+void FluidPass::drawFoam(KernelTimer& timer, uint32_t count)
+{
+    targets_.foamCover.clear();
+    foam_.draw(timer, GL_POINTS, count);
+    foamShade_.drawScreen(timer);
     targets_.lit.copy(targets_.smoothed);
 }
 

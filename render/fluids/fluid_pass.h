@@ -10,7 +10,7 @@ namespace knuckle {
 /// Draws fluids as surfaces: the depth of their spheres, smoothed, over the lit picture of all else.
 class FluidPass {
 public:
-    /// @param table must have "frame", "view", "positions", the targets' textures and the buffers of FluidLooks,
+    /// @param table must have "frame", "view", "positions", "foamPlaces", the targets' textures and the buffers of FluidLooks,
     /// SphereLists and SpherePass.
     FluidPass(const Gpu& gpu, const BufferTable& table, const World& world, RenderTargets& targets);
     FluidPass(const FluidPass&) = delete;
@@ -20,12 +20,16 @@ public:
     /// Into the shadow map of fluids.
     void drawShadow(KernelTimer& timer, const SphereLists& lists) const;
     /// After lighting: changes the lit picture.
-    void draw(KernelTimer& timer, const SphereLists& lists);
+    /// @param foamCount  Points of foam, spray and bubbles.
+    void draw(KernelTimer& timer, const SphereLists& lists, uint32_t foamCount);
 
 private:
+    /// Over the lit picture, with the surface's depth still there.
+    void drawFoam(KernelTimer& timer, uint32_t count);
+
     RenderTargets& targets_;
     uint32_t count_;
-    DrawPass points_, quads_, shadow_, tint_, rows_, columns_, clean_, shade_;
+    DrawPass points_, quads_, shadow_, tint_, rows_, columns_, clean_, shade_, foam_, foamShade_;
 };
 
 }  // namespace knuckle

@@ -26,19 +26,21 @@ RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, b
     fluidSmooth = Texture("fluidSmoothPicture", GL_R32F, w, h);
     fluidTint = Texture("fluidTintPicture", GL_RGBA16F, halfW, halfH, GL_LINEAR);
     fluidGlow = Texture("fluidGlowPicture", GL_RGBA16F, halfW, halfH, GL_LINEAR);
+    foam = Texture("foamPicture", GL_RGBA16F, w, h);
     fluidShadow = Texture("fluidShadowPicture", GL_DEPTH_COMPONENT32F, FLUID_SHADOW_SIZE, FLUID_SHADOW_SIZE);
     fluidFront = Framebuffer("fluid front", {}, &fluidDepth);
     fluidRows = Framebuffer("fluid rows", {&fluidWide}, nullptr);
     fluidColumns = Framebuffer("fluid columns", {&fluidSmooth}, nullptr);
     fluidInside = Framebuffer("fluid inside", {&fluidTint, &fluidGlow}, nullptr);
     fluidShadowMap = Framebuffer("fluid shadow map", {}, &fluidShadow);
+    foamCover = Framebuffer("foam", {&foam}, nullptr);
     wet = Framebuffer("wet", {&smoothed}, nullptr);
 }
 
 void RenderTargets::addTo(BufferTable& table) const
 {
     table.add(surface, depth, shadow, shade, lit, smoothed);
-    if (hasSurfaces()) table.add(fluidDepth, fluidWide, fluidSmooth, fluidTint, fluidGlow, fluidShadow);
+    if (hasSurfaces()) table.add(fluidDepth, fluidWide, fluidSmooth, fluidTint, fluidGlow, fluidShadow, foam);
 }
 
 }  // namespace knuckle

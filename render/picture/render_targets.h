@@ -25,7 +25,8 @@ struct RenderTargets {
     Texture fluidWide, fluidSmooth;  ///< View depth of its surface, smoothed along rows, and along columns too [m].
     Texture fluidTint, fluidGlow;    ///< Half resolution: fluid_tint.frag.
     Texture fluidShadow;             ///< Depth of fluid as seen by the key light.
-    Framebuffer fluidFront, fluidRows, fluidColumns, fluidInside, fluidShadowMap, wet;
+    Texture foam;                    ///< Light times coverage, coverage (foam.frag).
+    Framebuffer fluidFront, fluidRows, fluidColumns, fluidInside, fluidShadowMap, foamCover, wet;
     Framebuffer geometry, shadowMap, occlusion, lighting, edges, resolve;
 };
 

@@ -70,6 +70,7 @@ protected:
         EXPECT_TRUE(sameBits(back.bodyCentres, view.bodyCentres, 3));
         EXPECT_TRUE(sameBits(back.bodyRotations, view.bodyRotations, 4));
         EXPECT_TRUE(sameBits(back.colliderPlaces, view.colliderPlaces, 4));
+        EXPECT_TRUE(sameBits(back.foamPlaces, view.foamPlaces, 4));
         EXPECT_EQ(back.torn, view.torn);
     }
 
@@ -86,6 +87,7 @@ TEST_F(ViewCodingTest, KeepsEveryBit)
         if (round % 2 == 1)
             for (size_t p = 0; p < world.particles.size(); ++p) view.torn.push_back(random() % 3 == 0);
         for (gpu::vec4& position : view.positions) position.w = random() % 2 == 0 ? 1.0f : 0.0f;
+        for (int k = 0; k < round; ++k) view.foamPlaces.push_back({1.0f / float(k), -float(k), 0.1f, 0.3f * float(k)});
         expectSame(view);
     }
 }
