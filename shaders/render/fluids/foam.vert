@@ -15,7 +15,7 @@ flat out vec4 foam;   // rgb: its light times coverage; coverage in its middle
 
 // Radius of the points, least and most [rest distances], and least radius as drawn [pixels].
 const vec2 RADIUS = vec2(0.05, 0.16);
-const float LEAST_PIXELS = 1.5;
+const float LEAST_PIXELS = 1.6;
 // How far below the surface foam still lies on it, as the surface is smoothed [radii of fluid].
 const float AFLOAT = 1.2;
 const float ALBEDO = 0.9, KEY_SHARE = 0.4, AMBIENT_SHARE = 0.6;
