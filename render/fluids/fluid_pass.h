@@ -10,7 +10,8 @@ namespace knuckle {
 /// Draws fluids as surfaces: the depth of their spheres, smoothed, over the lit picture of all else.
 class FluidPass {
 public:
-    /// @param table must have "frame", "view", "positions", "foamPlaces", the targets' textures and the buffers of FluidLooks,
+    /// @param table must have "frame", "view", "positions", "foamPlaces", the targets' textures and the buffers of
+    /// FluidLooks,
     /// SphereLists and SpherePass.
     FluidPass(const Gpu& gpu, const BufferTable& table, const World& world, RenderTargets& targets);
     FluidPass(const FluidPass&) = delete;

@@ -57,22 +57,22 @@ constexpr std::array CARRIED{
 
 /// What carryContacts(), carryReleases(), carryCounted() and carryFoam() do.
 constexpr std::array BY_HAND{
-    "assemblyState", "bodyReleases",  "colliderImpulses", "colliderMeans", "colliderPairs",
-    "countersBlock", "dispatches",    "filterBits",       "fluidTotals",   "foamMoves",
-    "foamPlaces", "foamRing", "jointFreedoms",
-    "limpSubsteps",  "listStarts",    "moverStates",      "pairImpulses",  "pairMeans",
+    "assemblyState", "bodyReleases",  "colliderImpulses", "colliderMeans", "colliderPairs", "countersBlock",
+    "dispatches",    "filterBits",    "fluidTotals",      "foamMoves",     "foamPlaces",    "foamRing",
+    "jointFreedoms", "limpSubsteps",  "listStarts",       "moverStates",   "pairImpulses",  "pairMeans",
     "pairs",         "particleLinks", "poolInactive",     "poolOrder",     "puppetStates",
 };
 
 /// What begins anew: the next search, step or count of calm steps fills it. Clips say where colliders are, the world
 /// what `step` holds; what fluids may gain is found again.
 constexpr std::array ANEW{
-    "assemblyCalm",    "assemblyNext",   "bodyActing",      "calmCentres",     "calmRotations",     "cellCounts",
-    "cellSums",        "colliderAheads", "colliderArms",    "colliderFounds",  "colliderMoves",     "colliderPlaces",
-    "colliderSides",   "emitterStates",  "fluidCellCounts", "fluidCellSums",   "fluidEnergyLimits", "foamSums", "islandsWoken",
-    "linkPulls",       "listCounts",     "listSums",        "oldMoves",        "oldVelocities",     "pairArms",
-    "pairReferences",  "pairSides",      "poolSums",        "releaseImpulses", "searchCentres",     "searchPositions",
-    "searchRotations", "step",
+    "assemblyCalm",    "assemblyNext",      "bodyActing",     "calmCentres",     "calmRotations",
+    "cellCounts",      "cellSums",          "colliderAheads", "colliderArms",    "colliderFounds",
+    "colliderMoves",   "colliderPlaces",    "colliderSides",  "emitterStates",   "fluidCellCounts",
+    "fluidCellSums",   "fluidEnergyLimits", "foamSums",       "islandsWoken",    "linkPulls",
+    "listCounts",      "listSums",          "oldMoves",       "oldVelocities",   "pairArms",
+    "pairReferences",  "pairSides",         "poolSums",       "releaseImpulses", "searchCentres",
+    "searchPositions", "searchRotations",   "step",
 };
 
 void carry(const Carrying& c, const Carried& rule)

@@ -19,14 +19,14 @@ public:
     /// Moves all points, and makes those of the step. Slots must be those that the step has listed.
     void endStep(Recorder& recorder) const;
 
-    Buffer<gpu::vec4> foamPlaces;                ///< Per point: place [m]; w: opacity, 0 where there is none.
-    Buffer<gpu::vec4> foamMoves;                 ///< Per point: velocity [m/s]; w: how long it still lives [s].
-    Buffer<gpu::uvec4> foamRing;                 ///< RingState and sizes of dispatches (foam_points.glsl).
-    Buffer<float> foamRates;                     ///< Per material: FluidLook::foam, 0 of thick ones.
-    Buffer<gpu::vec4> foamFlows;                 ///< Per slot: velocity at the step's end [m/s]; w: 0 of solids.
-    Buffer<gpu::vec4> foamFacings;               ///< Per slot: the way out of the fluid; w: how little is on that side.
-    Buffer<uint32_t> foamBirths, foamSums;       ///< Per slot: points that it makes; per chunk: those before it.
-    Buffer<uint32_t> foamParents;                ///< Per point of the step: the slot that makes it.
+    Buffer<gpu::vec4> foamPlaces;           ///< Per point: place [m]; w: opacity, 0 where there is none.
+    Buffer<gpu::vec4> foamMoves;            ///< Per point: velocity [m/s]; w: how long it still lives [s].
+    Buffer<gpu::uvec4> foamRing;            ///< RingState and sizes of dispatches (foam_points.glsl).
+    Buffer<float> foamRates;                ///< Per material: FluidLook::foam, 0 of thick ones.
+    Buffer<gpu::vec4> foamFlows;            ///< Per slot: velocity at the step's end [m/s]; w: 0 of solids.
+    Buffer<gpu::vec4> foamFacings;          ///< Per slot: the way out of the fluid; w: how little is on that side.
+    Buffer<uint32_t> foamBirths, foamSums;  ///< Per slot: points that it makes; per chunk: those before it.
+    Buffer<uint32_t> foamParents;           ///< Per point of the step: the slot that makes it.
 
 private:
     void perSlot(Recorder& recorder, const Kernel& kernel) const;

@@ -12,9 +12,9 @@ constexpr float SPACING = 0.5f * DIAMETER;
 
 /// Water in a tank 0.6 m wide, whose walls are planes.
 struct Tank {
-    float height = 0.4f;                     ///< Of the water [m].
-    float lift = 0.0f;                       ///< Of its bottom above the floor [m].
-    Vector3f velocity{0, 0, 0};              ///< [m/s]
+    float height = 0.4f;         ///< Of the water [m].
+    float lift = 0.0f;           ///< Of its bottom above the floor [m].
+    Vector3f velocity{0, 0, 0};  ///< [m/s]
     float foam = 1.0f, viscosity = 0.001f;
 };
 

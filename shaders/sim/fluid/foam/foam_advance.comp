@@ -1,5 +1,5 @@
-// One thread a point: moves it for a step. Where little fluid is around, it is spray and flies; where some is, foam that
-// goes with it; in its middle, a bubble that rises.
+// One thread a point: moves it for a step. Where little fluid is around, it is spray and flies; where some is, foam
+// that goes with it; in its middle, a bubble that rises.
 #include "sim/common/kernel.glsl"
 #include "sim/common/contacts/colliders.glsl"
 #include "sim/fluid/foam/foam_points.glsl"

@@ -60,7 +60,8 @@ void main()
     vec3 v = texelFetch(foamFlows, int(k)).xyz;
     vec2 made = potentials(k, count, v);
     float energy = within(dot(v, v) / (foamSpeed() * foamSpeed()), ENERGY);
-    float rate = texelFetch(foamRates, int(fetchSlotMaterial(k))).x * energy * dot(made, vec2(TRAPPED_RATE, CREST_RATE));
+    float rate = energy * dot(made, vec2(TRAPPED_RATE, CREST_RATE));
+    rate *= texelFetch(foamRates, int(fetchSlotMaterial(k))).x;
     uint hash = mixedHash(mixedHash(STATE_HASH_HIGH, i), counters[0].substep);
     newFoamBirths[k] = isFluid(i) ? uint(rate * stepTime() + nextRandom(hash)) : 0u;
 }

@@ -1,5 +1,5 @@
-// Points of foam, spray and bubbles (Ihmsen et al. 2012), which fluid carries and which change nothing of it. They stand
-// in a ring: those of a step take the slots after the last ones, whatever stood there.
+// Points of foam, spray and bubbles (Ihmsen et al. 2012), which fluid carries and which change nothing of it. They
+// stand in a ring: those of a step take the slots after the last ones, whatever stood there.
 #include "shared/foam_ring.h"
 #include "shared/state_hash.h"
 
