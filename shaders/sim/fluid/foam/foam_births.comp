@@ -15,7 +15,7 @@ BUFFER(uint, FoamBirths, newFoamBirths);
 
 // Least and most that counts: of the speed of neighbours towards each other, in foamSpeed(); of how much the surface
 // turns; of the energy, in that of foamSpeed().
-const vec2 TRAPPED = vec2(0.8, 3.0), CREST = vec2(0.25, 0.8), ENERGY = vec2(4.0, 30.0);
+const vec2 TRAPPED = vec2(0.8, 3.0), CREST = vec2(0.25, 0.8), ENERGY = vec2(6.0, 30.0);
 // Points a second that a particle makes at most.
 const float TRAPPED_RATE = 160.0, CREST_RATE = 60.0;
 
