@@ -14,6 +14,7 @@
 #include "render/picture/picture_reader.h"
 #include "render/skins/skin_pass.h"
 #include "render/spheres/sphere_pass.h"
+#include "render/unseen.h"
 #include "render/view/view_passes.h"
 #include "sim/base/errors.h"
 
@@ -36,6 +37,7 @@ struct Renderer::Impl {
     bool beads;                      ///< Whether fluids are drawn as spheres.
     std::optional<double> lookedAt;  ///< Time of the state at the camera's last look [s].
     Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
+    Buffer<uint32_t> unseen;
     RawBuffer positions, velocities, bodyCentres, bodyRotations, colliderPlaces;  ///< Stand in for the view's.
     RawBuffer foamPlaces;                                                         ///< The same.
     uint32_t foamCount = 0;
@@ -58,11 +60,12 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
     : settings((checkSettings(chosen), chosen)), extent(sceneExtent(world)),
       camera(settings.camera, world, float(settings.width) / float(settings.height)),
       input(frameInput(world, settings, extent, camera)), beads(drawsFluids(world, settings, DrawnAs::Particles)),
+      unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
       targets(settings.width, settings.height, settings.antialiasing, drawsFluids(world, settings, DrawnAs::Surface)),
-      view(gpu, addInputs()), looks(table, world, settings), lists(gpu, table, world, targets.hasSurfaces()),
-      colliders(gpu, table, world, extent, targets), skins(gpu, table, world, targets),
-      spheres(gpu, table, world, settings, targets), fluids(gpu, table, world, targets),
-      picture(gpu, table, targets, settings.skinOpacity),
+      view(gpu, addInputs(), !world.unseen.empty()), looks(table, world, settings),
+      lists(gpu, table, world, targets.hasSurfaces()), colliders(gpu, table, world, extent, targets),
+      skins(gpu, table, world, targets), spheres(gpu, table, world, settings, targets),
+      fluids(gpu, table, world, targets), picture(gpu, table, targets, settings.skinOpacity),
       marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets),
       reader(settings.width, settings.height)
 {
@@ -73,6 +76,7 @@ BufferTable& Renderer::Impl::addInputs()
 {
     targets.addTo(table);
     table.add(Lifetime::Scratch, inputBuffer);
+    table.add(Lifetime::Constant, unseen);
     table.add("positions", positions, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("velocities", velocities, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("bodyCentres", bodyCentres, elementType<gpu::vec4>(), Lifetime::Scratch);

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "app/bench/bench_run.h"
+#include "app/bench/draw_timing.h"
 #include "app/bench/troupe_world.h"
-#include "render/renderer.h"
 #include "sim/base/errors.h"
 #include "sim/solver/workload.h"
 
@@ -36,39 +35,23 @@ World withoutFigures(World world)
     return world;
 }
 
-double median(std::vector<double> values)
-{
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
-
 DrawRun runOnce(Gpu& gpu, uint32_t actorCount, const BenchOptions& options)
 {
     const World world = crowdWorld(actorCount, options.model), spheres = withoutSkins(world),
                 bare = withoutFigures(world);
     Solver solver(gpu, world);
     std::array<Renderer, 3> renderers = {Renderer(gpu, bare, {}), Renderer(gpu, spheres, {}), Renderer(gpu, world, {})};
-    std::array<std::vector<double>, 3> milliseconds;
-    const InterruptGuard interrupt;
-    // Alternates, so that a machine that changes its speed affects all alike. The first frame compiles.
-    for (uint32_t frame = 0; frame <= options.drawnSteps; ++frame) {
-        interrupt.check();
-        solver.step();
-        solver.checkCounters(frame + 1);
-        glFinish();
-        for (size_t i = 0; i < renderers.size(); ++i) {
-            const auto start = std::chrono::steady_clock::now();
-            renderers[i].draw(solver.view(), frame * static_cast<double>(world.settings.timeStep));
-            glFinish();
-            if (frame > 0) milliseconds[i].push_back(1e3 * secondsSince(start));
-        }
-    }
+    const std::vector<double> times = timeDrawing(renderers, solver, options.drawnSteps,
+                                                  static_cast<double>(world.settings.timeStep), [&](uint32_t frame) {
+                                                      solver.step();
+                                                      solver.checkCounters(frame + 1);
+                                                  });
     return {.actorCount = actorCount,
             .particleCount = world.particles.size(),
             .triangleCount = world.skins[0].mesh->triangles.size(),
-            .bare = median(milliseconds[0]),
-            .spheres = median(milliseconds[1]),
-            .skins = median(milliseconds[2])};
+            .bare = times[0],
+            .spheres = times[1],
+            .skins = times[2]};
 }
 
 nlohmann::ordered_json toJson(const DrawRun& run)

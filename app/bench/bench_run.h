@@ -58,5 +58,7 @@ nlohmann::ordered_json runsToJson(const BenchOptions& options, const Gpu& gpu, u
 int benchTroupe(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common);
 /// `bench draw`. @returns the exit code.
 int benchDraw(const BenchOptions& options, const CommonOptions& common);
+/// `bench water`. @returns the exit code.
+int benchWater(const BenchOptions& options, const CommonOptions& common);
 
 }  // namespace knuckle

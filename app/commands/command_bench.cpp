@@ -139,11 +139,13 @@ int benchTable2(const BenchOptions& options, const std::vector<Preset>& presets,
 int bench(BenchOptions options, const CommonOptions& common)
 {
     options.model = findAsset(options.model);
-    const bool troupe = options.name == "troupe", draw = options.name == "draw";
+    const bool troupe = options.name == "troupe", draw = options.name == "draw", water = options.name == "water";
     if (options.objects.empty() && draw) options.objects = {25};
+    if (options.objects.empty() && water) options.objects = {16};
     if (options.objects.empty() && troupe) options.objects = {100};
     if (options.objects.empty()) options.objects = {300, 600, 1200};
     if (draw) return benchDraw(options, common);
+    if (water) return benchWater(options, common);
     std::vector<Preset> presets;
     for (const std::string& preset : options.presets) presets.emplace_back(preset, loadSettings(preset, options.sets));
     return troupe ? benchTroupe(options, presets, common) : benchTable2(options, presets, common);
@@ -154,22 +156,26 @@ int bench(BenchOptions options, const CommonOptions& common)
 void addBenchCommand(CommandLine line)
 {
     auto* command = line.program.add_subcommand(
-        "bench", "Time the solver (the paper's table 2, a troupe of actors) or the drawing of a crowd");
+        "bench", "Time the solver (the paper's table 2, a troupe of actors) or the drawing of a crowd or water");
     command->fallthrough();
     command->footer(
         "table2: objects are pairs of 3x3x3 cubes with a joint, the four types in equal shares, dropped in\n"
         "layers into a 4 x 4 m box. troupe: objects are actors in that box, who walk on the spot for half of\n"
         "the steps and are limp for the rest. Penetration and gaps stand beside the speed, since a squashed\n"
-        "pile is fast. draw: objects are actors who walk on the spot, drawn as spheres and in their skins.\n\n"
+        "pile is fast. draw: objects are actors who walk on the spot, drawn as spheres and in their skins.\n"
+        "water: objects are blocks of 4096 particles of water, drawn as spheres and as a surface.\n\n"
         "Example:\n  knuckle bench table2 --objects 300,1200 --json\n"
         "  knuckle bench table2 --preset default,paper --objects 300\n"
         "  knuckle bench troupe\n"
-        "  knuckle bench draw --objects 1,25,100");
+        "  knuckle bench draw --objects 1,25,100\n"
+        "  knuckle bench water --drawn-steps 20");
     auto options = std::make_shared<BenchOptions>();
     command->add_option("BENCHMARK", options->name, "What to run")
-        ->check(CLI::IsMember({"table2", "troupe", "draw"}))
+        ->check(CLI::IsMember({"table2", "troupe", "draw", "water"}))
         ->capture_default_str();
-    command->add_option("--objects", options->objects, "Numbers of objects [300,600,1200; troupe: 100; draw: 25]")
+    command
+        ->add_option("--objects", options->objects,
+                     "Numbers of objects [300,600,1200; troupe: 100; draw: 25; water: 16]")
         ->delimiter(',')
         ->check(CLI::Range(1, 10000));
     command->add_option("--preset", options->presets, "Solver presets, each with every number of objects")
@@ -185,7 +191,7 @@ void addBenchCommand(CommandLine line)
         ->capture_default_str();
     command
         ->add_option("--drawn-steps", options->drawnSteps,
-                     "Further steps of table2 that are drawn as well, 0 for none; steps of draw")
+                     "Further steps of table2 that are drawn as well, 0 for none; frames of draw and water")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
     command->add_option("--model", options->model, "The figure of troupe and draw; it has a clip \"walk\"")

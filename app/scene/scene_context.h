@@ -16,11 +16,6 @@
 // Shared data of the parts of a scene file. All read documents that the schema has completed.
 namespace knuckle {
 
-/// Particles of an object, or of one of its copies: first and end.
-struct ParticleRange {
-    uint32_t first = 0, end = 0;
-};
-
 /// A release by touch that waits until all objects exist that it may name.
 struct PendingTouch {
     std::string pointer, name;

@@ -128,7 +128,7 @@ Actor SceneFiles::voxelize(const Json& object, const std::string& path, const st
 
 bool showsSkin(const Json& object)
 {
-    return object.value("skin", "particles") != "particles";
+    return object.value("visible", true) && object.value("skin", "particles") != "particles";
 }
 
 }  // namespace knuckle

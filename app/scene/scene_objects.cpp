@@ -181,6 +181,7 @@ void addObject(SceneContext& context, const Json& json, size_t index)
     const uint32_t first = context.builder.particleCount();
     try {
         KINDS.at(type)(entry);
+        if (!json.value("visible", true)) context.builder.hideParticles(first, context.builder.particleCount());
         noteParticles(entry, first);
     } catch (const InputError& error) {
         const std::string text = error.what();

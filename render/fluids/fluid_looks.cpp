@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/unseen.h"
 #include "shared/draw_types.h"
 
 namespace knuckle {
@@ -29,10 +30,12 @@ DrawnAs drawnAs(const Material& material, const RenderSettings& settings)
 
 std::vector<uint32_t> materialsOf(const World& world, const RenderSettings& settings)
 {
+    const std::vector<uint32_t> unseen = unseenBits(world);
     std::vector<uint32_t> materials;
     for (size_t i = world.particles.size() - world.fluidCount; i < world.particles.size(); ++i) {
         const uint32_t material = world.particles[i].material;
-        materials.push_back(drawnAs(world.materials[material], settings) == DrawnAs::Surface ? material : NO_SURFACE);
+        const bool surface = !hasBit(unseen, i) && drawnAs(world.materials[material], settings) == DrawnAs::Surface;
+        materials.push_back(surface ? material : NO_SURFACE);
     }
     return materials;
 }

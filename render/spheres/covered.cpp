@@ -2,16 +2,18 @@
 
 #include <algorithm>
 
+#include "render/unseen.h"
+
 namespace knuckle {
 
 bool coversParticles(const World& world)
 {
-    return std::ranges::find(world.skins, SkinUse::Hide, &Skin::use) != world.skins.end();
+    return !world.unseen.empty() || std::ranges::find(world.skins, SkinUse::Hide, &Skin::use) != world.skins.end();
 }
 
 std::vector<uint32_t> coveredParticles(const World& world)
 {
-    std::vector<uint32_t> bits(world.particles.size() / 32 + 1, 0);
+    std::vector<uint32_t> bits = unseenBits(world);
     for (const Skin& skin : world.skins) {
         if (skin.use != SkinUse::Hide) continue;
         for (const uint32_t index : skin.objects) {

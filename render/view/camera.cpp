@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "render/unseen.h"
 #include "sim/base/angles.h"
 #include "sim/base/errors.h"
 #include "sim/world/space/bounds.h"
@@ -94,7 +95,7 @@ SceneExtent sceneExtent(const World& world)
 {
     SceneExtent extent;
     findGround(world, extent);
-    AlignedBox3f box = particleBounds(world);
+    AlignedBox3f box = seenBounds(world);
     for (const double time : timesOfMotions(world))
         for (const Collider& collider : collidersAt(world, time))
             if (collider.visible && collider.shape != ColliderShape::Plane)

@@ -2,11 +2,11 @@
 
 namespace knuckle {
 
-ViewPasses::ViewPasses(const Gpu& gpu, BufferTable& table)
+ViewPasses::ViewPasses(const Gpu& gpu, BufferTable& table, bool hasUnseen)
 {
     table.add(Lifetime::State, view_);  // for an automatic camera, whose place follows from its last one
     table.add(Lifetime::Scratch, boxes_);
-    bounds_ = Kernel(gpu, table, "render/view/frame_bounds.comp");
+    bounds_ = Kernel(gpu, table, "render/view/frame_bounds.comp", hasUnseen ? Defines{{"UNSEEN", "1"}} : Defines());
     camera_ = Kernel(gpu, table, "render/view/frame_camera.comp");
     fit_ = Kernel(gpu, table, "render/view/frame_view.comp");
 }

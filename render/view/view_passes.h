@@ -8,8 +8,9 @@ namespace knuckle {
 /// Computes the frame's view on the device, since only the device knows where particles are.
 class ViewPasses {
 public:
-    /// Adds "view" to the table, which must have "frame", "positions" and "bodyCentres".
-    ViewPasses(const Gpu& gpu, BufferTable& table);
+    /// Adds "view" to the table, which must have "frame", "positions", "bodyCentres" and, if particles are unseen,
+    /// "unseenParticles".
+    ViewPasses(const Gpu& gpu, BufferTable& table, bool hasUnseen);
     ViewPasses(const ViewPasses&) = delete;
     ViewPasses& operator=(const ViewPasses&) = delete;
 

@@ -137,6 +137,10 @@ struct LooseGroup {
     uint32_t first = 0, end = 0;  ///< Particles.
 };
 
+struct ParticleRange {
+    uint32_t first = 0, end = 0;
+};
+
 /// An obstacle: it stays in place, or moves as World::colliderMotions say, and answers to nothing.
 struct Collider : Region {
     uint32_t grid = NO_INDEX;  ///< Mesh and heightfield: index into World::colliderGrids.
@@ -182,7 +186,8 @@ struct World {
     std::vector<std::array<uint32_t, 3>> clothTriangles;  ///< Particles at the corners of cloth's triangles, on which
                                                           ///< the air acts.
     std::vector<ColliderGrid> colliderGrids;
-    std::vector<Skin> skins;  ///< Only drawn.
+    std::vector<Skin> skins;            ///< Only drawn.
+    std::vector<ParticleRange> unseen;  ///< Not drawn, and nothing that an automatic camera looks at.
     uint32_t assemblyCount = 0;
     /// Rest distance of fluid particles [m], 0.3 ... 0.6 diameters. A fluid particle weighs density * spacing^3.
     float fluidSpacing = 0.05f;

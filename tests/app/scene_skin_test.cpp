@@ -2,6 +2,7 @@
 #include "sim/rig/bodies/make_actor.h"
 #include "sim/rig/gltf/glb.h"
 #include "sim/rig/import/import.h"
+#include "sim/world/fingerprint/fingerprint.h"
 #include "tests/app/one_object_scene.h"
 
 namespace knuckle::test {
@@ -48,6 +49,18 @@ TEST(SceneSkin, ARigidMeshWearsItsOwn)
     const World world = worldOf(R"({ "type": "rigid", "shape": "mesh", "file": "FILE", "skin": "mesh" })");
     ASSERT_EQ(world.skins.size(), 1u);
     for (const SkinVertex& vertex : world.skins[0].mesh->vertices) EXPECT_EQ(vertex.weights[0], 1.0f);
+}
+
+TEST(SceneSkin, WhatIsNotVisibleWearsNoneAndMovesAlike)
+{
+    const std::string doll = R"({ "type": "actor", "file": "FILE", "skin": "mesh")";
+    const World seen = worldOf(doll + " }"), unseen = worldOf(doll + R"(, "visible": false })");
+    EXPECT_TRUE(seen.unseen.empty());
+    ASSERT_EQ(unseen.unseen.size(), 1u);
+    EXPECT_EQ(unseen.unseen[0].first, 0u);
+    EXPECT_EQ(unseen.unseen[0].end, unseen.particles.size());
+    EXPECT_TRUE(unseen.skins.empty());
+    EXPECT_EQ(fingerprint(unseen), fingerprint(seen));
 }
 
 TEST(SceneSkin, ASkinDoesNotChangeWhatMoves)

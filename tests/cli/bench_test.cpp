@@ -88,11 +88,27 @@ TEST_F(Bench, TimesACrowdAsSpheresAndInItsSkins)
     expectDescribed(first);
 }
 
-TEST_F(Bench, DrawingNeedsFramesAndAMesh)
+TEST_F(Bench, TimesWaterAsSpheresAndAsASurface)
 {
-    const RunResult none = run({"bench", "draw", "--drawn-steps", "0"});
-    EXPECT_EQ(none.code, 2);
-    EXPECT_NE(none.err.find("--drawn-steps"), std::string::npos) << none.err;
+    const std::vector<std::string> water = {"bench", "water", "--objects", "1", "--drawn-steps", "3"};
+    const RunResult table = run(water);
+    EXPECT_EQ(table.code, 0) << table.err;
+    EXPECT_NE(table.out.find("\n     1       4096"), std::string::npos) << table.out;
+    std::vector<std::string> words = water;
+    words.push_back("--json");
+    const Json first = parseJson(run(words).out, "figures")["runs"][0];
+    for (const char* key : {"bareMilliseconds", "spheresMilliseconds", "surfaceMilliseconds"})
+        EXPECT_GT(first[key].get<double>(), 0.0) << key;
+    expectDescribed(first);
+}
+
+TEST_F(Bench, DrawingNeedsFrames)
+{
+    for (const char* benchmark : {"draw", "water"}) {
+        const RunResult none = run({"bench", benchmark, "--drawn-steps", "0"});
+        EXPECT_EQ(none.code, 2) << benchmark;
+        EXPECT_NE(none.err.find("--drawn-steps"), std::string::npos) << none.err;
+    }
 }
 
 TEST_F(Bench, ATroupeNeedsAModelThatWalks)

@@ -63,6 +63,21 @@ TEST(Renderer, DrawsOddSizesAndNoParticlesAtAll)
     EXPECT_EQ(image.rgb.size(), size_t{37} * 19 * 3);
 }
 
+TEST(Renderer, NeitherDrawsNorFramesWhatIsUnseen)
+{
+    StillWorld one(0.1f), two(0.1f);
+    for (StillWorld* still : {&one, &two}) {
+        still->addGround();
+        still->addBody(cubeLattice(3, 0.2f), {0, 0.3f, 0});
+    }
+    two.addBody(cubeLattice(3, 0.2f), {1.0f, 3.0f, 0});
+    RenderSettings settings = tiny();
+    settings.colorBy = ColorBy::Material;
+    EXPECT_NE(drawn(two.world, settings).rgb, drawn(one.world, settings).rgb);
+    two.world.unseen = {{27, 54}};
+    EXPECT_EQ(drawn(two.world, settings).rgb, drawn(one.world, settings).rgb);
+}
+
 TEST(Renderer, DrawsFluidsInTheirOwnSize)
 {
     RenderSettings settings = tiny();

@@ -1,4 +1,4 @@
-// Particles that are drawn as spheres: active ones that no skin covers.
+// Particles that are drawn as spheres: active ones that are not hidden and that no skin covers.
 #include "render/common/sphere_sizes.glsl"
 
 #ifdef COVERED

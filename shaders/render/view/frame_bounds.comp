@@ -1,9 +1,16 @@
-// One thread finds the bounds and the moments of every BOUNDS_THREADS-th particle that is active.
+// One thread finds the bounds and the moments of every BOUNDS_THREADS-th particle that is active and not unseen.
 #include "render/common/sphere_sizes.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
 layout(std430) readonly buffer Positions { vec4 positions[]; };
 layout(std430) writeonly buffer ParticleBoxes { ParticleBounds bounds[]; };
+
+#ifdef UNSEEN
+layout(std430) readonly buffer UnseenParticles { uint unseenParticles[]; };   // a bit each
+bool isUnseen(uint particle) { return (unseenParticles[particle >> 5] >> (particle & 31u) & 1u) != 0u; }
+#else
+bool isUnseen(uint particle) { return false; }
+#endif
 
 void main()
 {
@@ -13,7 +20,7 @@ void main()
     vec3 middle = 0.5 * (frame.shadowLimitLow.xyz + frame.shadowLimitHigh.xyz);
     for (uint i = thread; i < frame.particleCount; i += BOUNDS_THREADS) {
         vec3 p = positions[i].xyz;
-        if (!isThere(positions[i])) continue;
+        if (!isThere(positions[i]) || isUnseen(i)) continue;
         count += 1.0;
         low = min(low, p);
         high = max(high, p);
