@@ -38,8 +38,9 @@ World waterWorld(uint32_t blockCount, DrawnAs drawn)
     const float pitch = builder.fluidSpacing();
     for (uint32_t block = 0; block < blockCount; ++block) {
         const uint32_t layer = block / (ACROSS * ACROSS), place = block % (ACROSS * ACROSS);
+        const uint32_t row = place / ACROSS;
         const Vector3f corner(static_cast<float>(place % ACROSS) - 0.5f * ACROSS, static_cast<float>(layer),
-                              static_cast<float>(place / ACROSS) - 0.5f * ACROSS);
+                              static_cast<float>(row) - 0.5f * ACROSS);
         std::vector<Vector3f> positions = boxLattice({SIDE, SIDE, SIDE}, pitch);
         for (Vector3f& p : positions) p += SIDE * pitch * (corner + Vector3f::Constant(0.5f));
         builder.addFluid(positions, Vector3f::Zero(), material);
