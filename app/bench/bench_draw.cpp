@@ -76,21 +76,13 @@ int benchDraw(const BenchOptions& options, const CommonOptions& common)
     if (options.drawnSteps == 0) throw InputError("bench draw needs --drawn-steps of 1 or more");
     const uint32_t most = *std::max_element(options.objects.begin(), options.objects.end());
     const auto gpu = openGpu(common, FrameWork{stepWorkload(crowdWorld(most, options.model)), drawingWorkload({})});
-    if (!options.json) {
-        fmt::print("A crowd on {}:\n"
-                   "ms a frame of 1280x720, the median of {}, with the figures unseen, as spheres and in\n"
-                   "their skins; and what skins cost of what spheres cost.\n\n"
-                   "actors  particles  triangles     bare  spheres    skins  skins / spheres\n",
-                   gpu->device().name, options.drawnSteps);
-    }
-    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
-    for (const uint32_t actorCount : options.objects) {
-        const DrawRun run = runOnce(*gpu, actorCount, options);
-        if (options.json) runs.push_back(toJson(run));
-        else printRow(run);
-    }
-    if (options.json) fmt::print("{}\n", runsToJson(options, *gpu, 0, std::move(runs)).dump(2));
-    return EXIT_FINE;
+    const std::string heading = fmt::format(
+        "A crowd on {}:\n"
+        "ms a frame of 1280x720, the median of {}, with the figures unseen, as spheres and in\n"
+        "their skins; and what skins cost of what spheres cost.\n\n"
+        "actors  particles  triangles     bare  spheres    skins  skins / spheres\n",
+        gpu->device().name, options.drawnSteps);
+    return reportDrawing(options, *gpu, heading, runOnce);
 }
 
 }  // namespace knuckle

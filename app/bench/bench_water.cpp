@@ -89,20 +89,12 @@ int benchWater(const BenchOptions& options, const CommonOptions& common)
     if (options.drawnSteps == 0) throw InputError("bench water needs --drawn-steps of 1 or more");
     const uint32_t most = *std::max_element(options.objects.begin(), options.objects.end());
     const auto gpu = openGpu(common, FrameWork{stepWorkload(waterWorld(most, DrawnAs::Surface)), drawingWorkload({})});
-    if (!options.json) {
-        fmt::print("Water at rest on {}:\n"
-                   "ms a frame of 1280x720, the median of {}, with the water unseen, as spheres and as a surface.\n\n"
-                   "blocks  particles     bare  spheres  surface  surface / spheres\n",
-                   gpu->device().name, options.drawnSteps);
-    }
-    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
-    for (const uint32_t blockCount : options.objects) {
-        const WaterRun run = runOnce(*gpu, blockCount, options);
-        if (options.json) runs.push_back(toJson(run));
-        else printRow(run);
-    }
-    if (options.json) fmt::print("{}\n", runsToJson(options, *gpu, 0, std::move(runs)).dump(2));
-    return EXIT_FINE;
+    const std::string heading = fmt::format(
+        "Water at rest on {}:\n"
+        "ms a frame of 1280x720, the median of {}, with the water unseen, as spheres and as a surface.\n\n"
+        "blocks  particles     bare  spheres  surface  surface / spheres\n",
+        gpu->device().name, options.drawnSteps);
+    return reportDrawing(options, *gpu, heading, runOnce);
 }
 
 }  // namespace knuckle

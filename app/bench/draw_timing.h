@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <span>
@@ -34,6 +36,22 @@ inline std::vector<double> timeDrawing(std::span<Renderer> renderers, const Solv
         medians.push_back(times[times.size() / 2]);
     }
     return medians;
+}
+
+/// Runs the benchmark for each number of objects and prints its rows below a heading, or JSON. @param runOnce makes a
+/// run, which has toJson() and printRow(). @returns the exit code.
+template <typename RunOnce>
+int reportDrawing(const BenchOptions& options, Gpu& gpu, const std::string& heading, RunOnce runOnce)
+{
+    if (!options.json) fmt::print("{}", heading);
+    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+    for (const uint32_t objectCount : options.objects) {
+        const auto run = runOnce(gpu, objectCount, options);
+        if (options.json) runs.push_back(toJson(run));
+        else printRow(run);
+    }
+    if (options.json) fmt::print("{}\n", runsToJson(options, gpu, 0, std::move(runs)).dump(2));
+    return EXIT_FINE;
 }
 
 }  // namespace knuckle

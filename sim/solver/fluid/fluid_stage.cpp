@@ -7,7 +7,6 @@
 
 #include "shared/slot_lists.h"
 #include "sim/base/errors.h"
-#include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_numbers.h"
 #include "sim/solver/scan.h"
 
@@ -34,8 +33,7 @@ bool hasTensionIn(const World& world)
 }  // namespace
 
 FluidStage::FluidStage(const StageSetup& setup)
-    : parameters_(setup.parameters), hasPool_(EmitterStage::isNeeded(setup.world)),
-      confines_(setup.world.settings.vorticity > 0.0f), hasTension_(hasTensionIn(setup.world)),
+    : SlotStage(setup), confines_(setup.world.settings.vorticity > 0.0f), hasTension_(hasTensionIn(setup.world)),
       hasColliders_(!setup.world.colliders.empty()), hasSolids_(setup.layout.solidCount > 0),
       seals_(!setup.world.bodies.empty() && !setup.world.colliders.empty())
 {
@@ -116,12 +114,6 @@ void FluidStage::addBuffers(BufferTable& table)
     ElementType fourAtATime = elementType<uint32_t>();
     fourAtATime.texelBytes = 16;
     table.add("fluidSorted", fluidSorted, fourAtATime, Lifetime::Scratch);
-}
-
-void FluidStage::perSlot(Recorder& recorder, const Kernel& kernel) const
-{
-    if (hasPool_) recorder.decided(kernel, DISPATCH_SLOTS);
-    else recorder.perElement(kernel, parameters_.particleCount + parameters_.fluidCount);
 }
 
 Defines FluidStage::densityOf(const char* list) const

@@ -1,14 +1,14 @@
 #pragma once
 
+#include "sim/solver/fluid/slot_stage.h"
 #include "sim/solver/measure/measure.h"
-#include "sim/solver/stage.h"
 
 namespace knuckle {
 
 /// Fluids: position based fluids (Macklin and Mueller 2013) on the particles that come after all others. They are not
 /// movers; their pressure on solids goes through BodyStage::particleImpulses. A slot is a particle's place in the
 /// order of the cells of the fluids' own grid.
-class FluidStage : public Stage {
+class FluidStage : public SlotStage {
 public:
     static bool isNeeded(const World& world) { return world.fluidCount > 0; }
     /// @throws DeviceError when the device's limits are too small for the lists of neighbours.
@@ -63,14 +63,11 @@ public:
 
 private:
     void list(Recorder& recorder) const;
-    void perSlot(Recorder& recorder, const Kernel& kernel) const;
     /// Kernels for the slots of each list (slot_lists.glsl).
     void perList(Recorder& recorder, const Kernel& free, const Kernel& walled, const Kernel& covered) const;
     Defines densityOf(const char* list) const;
     Defines pressureOf(const char* list) const;
 
-    const gpu::StepParameters& parameters_;
-    bool hasPool_;  ///< The GPU decides how many slots there are.
     bool confines_, hasTension_, hasColliders_, hasSolids_;
     bool seals_;  ///< Bodies may lie on colliders.
     Pass searchPosition_{*this, "fluid/fluid_search_position"};

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "shared/foam_ring.h"
-#include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_numbers.h"
 #include "sim/solver/scan.h"
 
@@ -27,10 +26,7 @@ uint32_t FoamStage::capacity(const World& world)
     return std::clamp(world.fluidCount, LEAST_POINTS, MOST_POINTS);
 }
 
-FoamStage::FoamStage(const StageSetup& setup)
-    : parameters_(setup.parameters), hasPool_(EmitterStage::isNeeded(setup.world))
-{
-}
+FoamStage::FoamStage(const StageSetup& setup) : SlotStage(setup) {}
 
 void FoamStage::upload(const StageSetup& setup)
 {
@@ -54,12 +50,6 @@ void FoamStage::addBuffers(BufferTable& table)
     table.add(Lifetime::Constant, foamRates);
     table.add(Lifetime::State, foamPlaces, foamMoves, foamRing, foamSums);
     table.add(Lifetime::Scratch, foamFlows, foamFacings, foamBirths, foamParents);
-}
-
-void FoamStage::perSlot(Recorder& recorder, const Kernel& kernel) const
-{
-    if (hasPool_) recorder.decided(kernel, DISPATCH_SLOTS);
-    else recorder.perElement(kernel, parameters_.particleCount + parameters_.fluidCount);
 }
 
 void FoamStage::endStep(Recorder& recorder) const

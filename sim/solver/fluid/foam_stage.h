@@ -1,12 +1,12 @@
 #pragma once
 
-#include "sim/solver/stage.h"
+#include "sim/solver/fluid/slot_stage.h"
 
 namespace knuckle {
 
 /// Foam, spray and bubbles (Ihmsen et al. 2012) that fluids make where they break: points of their own, once a step,
 /// which nothing of the simulation depends on. They stand in a ring (shaders/sim/fluid/foam/foam_points.glsl).
-class FoamStage : public Stage {
+class FoamStage : public SlotStage {
 public:
     /// For worlds with a fluid that makes any (FluidLook::foam) and is thin.
     static bool isNeeded(const World& world) { return capacity(world) > 0; }
@@ -29,10 +29,6 @@ public:
     Buffer<uint32_t> foamParents;           ///< Per point of the step: the slot that makes it.
 
 private:
-    void perSlot(Recorder& recorder, const Kernel& kernel) const;
-
-    const gpu::StepParameters& parameters_;
-    bool hasPool_;  ///< The GPU decides how many slots there are.
     Pass surface_{*this, "fluid/foam/foam_surface"};
     Pass births_{*this, "fluid/foam/foam_births"};
     Pass sum_{*this, "common/grid/scan_sum", {{"FLUIDS", "1"}, {"FOAM", "1"}}};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sim/solver/emitter/emitter_stage.h"
 #include "sim/solver/fluid/fluid_numbers.h"
 
 namespace knuckle {
@@ -12,10 +11,7 @@ bool ViscosityStage::isNeeded(const World& world)
     return world.fluidCount > 0 && std::ranges::any_of(world.materials, isViscous);
 }
 
-ViscosityStage::ViscosityStage(const StageSetup& setup)
-    : parameters_(setup.parameters), hasPool_(EmitterStage::isNeeded(setup.world))
-{
-}
+ViscosityStage::ViscosityStage(const StageSetup& setup) : SlotStage(setup) {}
 
 void ViscosityStage::upload(const StageSetup& setup)
 {
@@ -43,12 +39,6 @@ void ViscosityStage::addBuffers(BufferTable& table)
     table.add(Lifetime::Constant, viscousMaterials);
     table.add(Lifetime::State, viscousStiffness);  // it begins a substep with zero
     table.add(Lifetime::Scratch, slotStarts, slotGoals, slotGrips, slotFlows, slotOtherFlows);
-}
-
-void ViscosityStage::perSlot(Recorder& recorder, const Kernel& kernel) const
-{
-    if (hasPool_) recorder.decided(kernel, DISPATCH_SLOTS);
-    else recorder.perElement(kernel, parameters_.particleCount + parameters_.fluidCount);
 }
 
 void ViscosityStage::begin(Recorder& recorder) const

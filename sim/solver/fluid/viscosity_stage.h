@@ -1,12 +1,12 @@
 #pragma once
 
-#include "sim/solver/stage.h"
+#include "sim/solver/fluid/slot_stage.h"
 
 namespace knuckle {
 
 /// Implicit viscosity, of worlds that have a viscous fluid (isViscous()): after the pressures of a substep, velocities
 /// are solved for that viscosity leaves at its end.
-class ViscosityStage : public Stage {
+class ViscosityStage : public SlotStage {
 public:
     static bool isNeeded(const World& world);
     explicit ViscosityStage(const StageSetup& setup);
@@ -27,10 +27,6 @@ public:
     Buffer<gpu::vec4> slotFlows, slotOtherFlows;  ///< Iterates of its velocity [m/s]; w: thickness [kg/m2].
 
 private:
-    void perSlot(Recorder& recorder, const Kernel& kernel) const;
-
-    const gpu::StepParameters& parameters_;
-    bool hasPool_;         ///< The GPU decides how many slots there are.
     uint32_t sweeps_ = 0;  ///< Of each half of the solve.
     Pass begin_{*this, "fluid/viscous/viscous_begin"};
     Pass movers_{*this, "fluid/viscous/viscous_movers"};
