@@ -111,7 +111,7 @@ struct SoftMatter {
 struct Collider {
     vec4 size;                      // box: half extents; sphere, capsule: radius, half height; grids: a cell [m];
                                     // w: COLLIDER_*, as a float
-    vec4 friction;                  // static, kinetic
+    vec4 friction;                  // static, kinetic; z: 1 for a plane that repeats an earlier one
     vec4 gridLow;                   // where the first value stands [m]
     uvec4 grid;                     // values along x, y, z; the first in gridValues
 };

@@ -168,6 +168,8 @@ Defines Stages::worldDefines() const
                       {"POOL", emitters.has_value()},
                       {"FORCES", forces.has_value()},
                       {"GRIDS", layout.hasGrids},
+                      {"BOX_REGIONS", layout.hasBoxRegions},
+                      {"ROUND_REGIONS", layout.hasRoundRegions},
                       {"MOVING", !world_.colliderMotions.empty()},
                       {"RELEASES", releases.has_value()},
                       {"FILTERS", std::ranges::any_of(world_.bodies, filtersAny)},

@@ -38,6 +38,28 @@ gpu::Collider packCollider(const World& world, const Collider& c, const std::vec
     return collider;
 }
 
+bool isMoved(const World& world, size_t collider)
+{
+    return std::ranges::any_of(world.colliderMotions, [&](const ColliderMotion& m) {
+        return collider >= m.firstCollider && collider < m.firstCollider + m.places.size();
+    });
+}
+
+/// Whether it is a plane at rest where an earlier one is, as the floor of a container on the ground.
+bool repeatsPlane(const World& world, size_t index)
+{
+    const Collider& plane = world.colliders[index];
+    if (plane.shape != ColliderShape::Plane || isMoved(world, index)) return false;
+    const Vector3f up = plane.orientation * Vector3f::UnitY();
+    for (size_t k = 0; k < index; ++k) {
+        const Collider& other = world.colliders[k];
+        if (other.shape != ColliderShape::Plane || isMoved(world, k)) continue;
+        const float apart = up.dot(other.position - plane.position);
+        if (apart == 0.0f && up == other.orientation * Vector3f::UnitY()) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 void ColliderStage::upload(const StageSetup& setup)
@@ -59,7 +81,10 @@ void ColliderStage::upload(const StageSetup& setup)
         places.push_back(pack(c.position, 0));
         places.push_back(pack(c.orientation));
     };
-    for (const Collider& c : world.colliders) add(c);
+    for (size_t c = 0; c < world.colliders.size(); ++c) {
+        add(world.colliders[c]);
+        all.back().friction.z = repeatsPlane(world, c) ? 1.0f : 0.0f;
+    }
     const auto addRegion = [&](const Region& region) { add({region}); };
     for (const Region& drain : world.drains) addRegion(drain);
     for (const Release& release : world.releases) addRegion(release.region);

@@ -71,11 +71,23 @@ void Layout::findShapes(const World& world)
 {
     colliderCount = static_cast<uint32_t>(world.colliders.size());
     hasGrids = std::ranges::any_of(world.colliders, isGrid);
+    findRegionShapes(world);
     latticeEnds = latticeEndsOf(world);
     hasGrains = std::ranges::any_of(world.particles, [](const Particle& p) { return p.scale != 1.0f; });
     hasFlatFaces = std::ranges::any_of(latticeEnds, [](uint32_t end) { return end != ALL_ENDS; });
     markRounds(world, latticeEnds);
     hasRounds = std::ranges::any_of(world.bodies, [](const Body& body) { return body.round.exists(); });
+}
+
+void Layout::findRegionShapes(const World& world)
+{
+    const auto note = [this](const Region& region) {
+        hasBoxRegions |= region.shape == ColliderShape::Box;
+        hasRoundRegions |= region.shape == ColliderShape::Sphere || region.shape == ColliderShape::Capsule;
+    };
+    for (const Collider& collider : world.colliders) note(collider);
+    for (const Region& drain : world.drains) note(drain);
+    for (const Release& release : world.releases) note(release.region);
 }
 
 void Layout::assignAssemblies(const World& world)

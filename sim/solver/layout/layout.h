@@ -27,6 +27,8 @@ struct Layout {
     uint32_t heldIndex(uint32_t body) const;
     uint32_t colliderCount = 0;  ///< Drains come after them.
     bool hasGrids = false;       ///< Whether any collider is a grid.
+    bool hasBoxRegions = false, hasRoundRegions = false;  ///< Whether any collider, drain or region of a release is a
+                                                          ///< box; a sphere or a capsule.
     bool hasRounds = false;      ///< Whether any body is a ball or a capsule.
     bool hasGrains = false;      ///< Whether any particle has a size of its own.
     bool hasFlatFaces = false;   ///< Whether any particle's lattice ends are known.
@@ -53,6 +55,7 @@ private:
     void orderLinks(const World& world);
     void listShared();
     void findShapes(const World& world);
+    void findRegionShapes(const World& world);
 };
 
 }  // namespace knuckle

@@ -1,5 +1,6 @@
 // Colliders, where they are now: signed distance of a point and the direction out of the obstacle.
 #include "math/quaternion.glsl"
+#include "sim/common/contacts/collider_shapes.glsl"
 #ifdef GRIDS
 #include "sim/common/contacts/collider_grids.glsl"
 #endif
@@ -40,45 +41,38 @@ vec2 fetchColliderFriction(uint index)
     return colliderAt(index).friction.xy;
 }
 
+/// Whether it is a plane at rest where an earlier one is.
+bool repeatsPlane(uint index)
+{
+    return colliderAt(index).friction.z > 0.0;
+}
+
 /// The point of a collider's surface that is nearest to a point.
 struct ColliderSurface {
     vec3 normal;      // outward, unit
     float distance;   // to it, negative inside [m]
 };
 
+/// A software driver takes as long for a shape that is not there, so a scene has only the code of its own.
 ColliderSurface colliderSurface(uint index, vec3 x)
 {
     Collider c = colliderAt(index);
     uint shape = colliderShape(c);
     ColliderPlace place = fetchColliderPlace(index);
     vec3 p = inColliderFrame(place, x);
-    vec3 normal = vec3(0, 1, 0);
-    float gap = p.y;
-    if (shape == COLLIDER_BOX) {
-        vec3 q = abs(p) - c.size.xyz;
-        vec3 side = vec3(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0, p.z < 0.0 ? -1.0 : 1.0);
-        vec3 outside = max(q, 0.0);
-        float apart = length(outside);
-        float inner = max(q.x, max(q.y, q.z));
-        vec3 face = q.x >= inner ? vec3(1, 0, 0) : q.y >= inner ? vec3(0, 1, 0) : vec3(0, 0, 1);
-        gap = apart > 0.0 ? apart : inner;
-        normal = side * (apart > 1e-9 ? outside / apart : face);
-    } else if (shape == COLLIDER_SPHERE || shape == COLLIDER_CAPSULE) {
-        float halfHeight = shape == COLLIDER_CAPSULE ? c.size.y : 0.0;
-        vec3 fromAxis = p - vec3(0, clamp(p.y, -halfHeight, halfHeight), 0);
-        float apart = length(fromAxis);
-        gap = apart - c.size.x;
-        normal = apart > 1e-9 ? fromAxis / apart : vec3(1, 0, 0);
-    }
-#ifdef GRIDS
-    if (shape >= COLLIDER_MESH) {
-        vec4 surface = shape == COLLIDER_MESH ? meshSurface(p, c.gridLow.xyz, c.size.xyz, c.grid)
-                                              : heightfieldSurface(p, c.gridLow.xyz, c.size.xyz, c.grid);
-        normal = surface.xyz;
-        gap = surface.w;
-    }
+    vec4 surface = vec4(0, 1, 0, p.y);
+#ifdef BOX_REGIONS
+    if (shape == COLLIDER_BOX) surface = boxSurface(p, c.size.xyz);
 #endif
-    return ColliderSurface(rotate(place.orientation, normal), gap);
+#ifdef ROUND_REGIONS
+    if (shape == COLLIDER_SPHERE) surface = ballSurface(p, c.size.x);
+    if (shape == COLLIDER_CAPSULE) surface = ballSurface(p - vec3(0, clamp(p.y, -c.size.y, c.size.y), 0), c.size.x);
+#endif
+#ifdef GRIDS
+    if (shape == COLLIDER_MESH) surface = meshSurface(p, c.gridLow.xyz, c.size.xyz, c.grid);
+    if (shape == COLLIDER_HEIGHTFIELD) surface = heightfieldSurface(p, c.gridLow.xyz, c.size.xyz, c.grid);
+#endif
+    return ColliderSurface(rotate(place.orientation, surface.xyz), surface.w);
 }
 
 /// A lower bound of the distance from a point to a collider [m]. Of a heightfield none is known:

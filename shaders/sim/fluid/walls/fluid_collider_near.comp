@@ -20,9 +20,12 @@ void main()
     vec3 x = texelFetch(fluidSearchPositions, int(i)).xyz;
     // Its position in the middle of the step; half of its path lies on each side, and may grow by half as much again.
     float halfPath = sim.lookAhead * sim.substepTime * length(texelFetch(velocities, int(i)).xyz);
-    float reach = sim.fluidListReach + 1.5 * halfPath;
+    // Solids look for what they lie on, too.
+    bool fluid = isFluid(i);
+    float reach = (fluid ? sim.fluidReach : sim.fluidListReach) + 1.5 * halfPath;
     uint near = 0u;
     for (uint c = 0u; c < sim.colliderCount; ++c) {
+        if (fluid && repeatsPlane(c)) continue;
         float ahead = 0.0;
 #ifdef MOVING
         ahead = texelFetch(colliderAheads, int(c)).x;
