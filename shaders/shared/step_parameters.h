@@ -88,6 +88,8 @@ struct StepParameters {
     float fluidListReach;           // neighbours are listed up to here [m]
     float fluidVolume;              // of a particle, over the volume that the kernel is normalized to [1/m3]
     float fluidSoftness;            // epsilon of Macklin and Mueller 2013, eq. 11 [1/m2]
+    float evenSmoothing;            // part of what differs from an even change of velocity that a step takes
+    float quietSpeed;               // what differs by more is flow, and keeps most of it [m/s]
     float vorticity;                // strength of vorticity confinement times the step [s]
     uint fluidSlots;                // neighbours that one particle can have in fluids, a multiple of 4
     float inverseFluidCell;         // [1/m]

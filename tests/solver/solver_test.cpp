@@ -93,7 +93,9 @@ Settings byThePaper()
 
 Kernel KernelFixture::load(const std::string& name, const Defines& defines)
 {
-    return Kernel(gpu(), stages.table(), "sim/" + name + ".comp", defines, {}, gridRenames(defines));
+    Defines all = defines;
+    all.insert(all.end(), {{"BOX_REGIONS", "1"}, {"ROUND_REGIONS", "1"}});
+    return Kernel(gpu(), stages.table(), "sim/" + name + ".comp", all, {}, gridRenames(defines));
 }
 
 void KernelFixture::run(const std::string& name, uint64_t threads, const Defines& defines)

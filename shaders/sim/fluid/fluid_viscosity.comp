@@ -1,6 +1,7 @@
 // One thread a slot: viscosity, as smoothing of velocities (Macklin and Mueller 2013, eq. 17, XSPH). The strength
 // follows from the fluid's viscosity: c = 6 nu t / <r^2> spreads momentum in the time t as the kinematic viscosity nu
-// does, <r^2> being the kernel's mean.
+// does, <r^2> being the kernel's mean. What differs from an even change of velocity is smoothed more, to quiet fluids at
+// rest; where it is larger than such noise it is flow, and is let be.
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"
@@ -17,8 +18,11 @@ vec3 changeBy(SlotPosition at, SlotVelocity own, mat3 slope, uint slot)
     vec3 r = there.position - at.position;
     float q = min(length(r) / sim.fluidReach, 1.0);
     float fraction = there.mass / (at.mass + there.mass) * fluidFraction(q);
-    vec3 even = (slope + fetchSlotGradient(slot).slope) * r;
-    return fraction * ((own.smoothing + other.smoothing) * (other.velocity - own.velocity) - even);
+    vec3 apart = other.velocity - own.velocity;
+    float even = evenSmoothing(own) + evenSmoothing(other), quiet = max(even * sim.quietSpeed, 1e-12);
+    vec3 uneven = even * apart - (slope + fetchSlotGradient(slot).slope) * r;
+    uneven /= 1.0 + dot(uneven, uneven) / (quiet * quiet);
+    return fraction * ((max(own.smoothing, 0.0) + max(other.smoothing, 0.0)) * apart + uneven);
 }
 
 void main()

@@ -30,7 +30,7 @@ vec4 pack(SlotPosition s)
 /// Its velocity when the step began.
 struct SlotVelocity {
     vec3 velocity;    // [m/s]
-    float smoothing;  // part of its difference to its neighbours that a step takes away, 0 ... 1
+    float smoothing;  // FluidMaterial
 };
 
 SlotVelocity fetchSlotVelocity(uint slot)
@@ -42,6 +42,12 @@ SlotVelocity fetchSlotVelocity(uint slot)
 vec4 pack(SlotVelocity s)
 {
     return vec4(s.velocity, s.smoothing);
+}
+
+/// The part of what differs from an even change around it that a step takes away.
+float evenSmoothing(SlotVelocity s)
+{
+    return s.smoothing < 0.0 ? 0.0 : sim.evenSmoothing;
 }
 
 /// How the velocities around it change with place, times the part that a step evens: without its trace, as fluids

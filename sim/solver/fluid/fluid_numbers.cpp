@@ -44,7 +44,11 @@ struct LatticeSums {
 
 /// Rates at which a thin fluid's particles lose what differs from an even change of velocity around them, and a viscous
 /// fluid's at least lose the difference to their neighbours [1/s]. They keep resting fluids quiet.
-constexpr double EVEN_SMOOTHING = 30.0, LEAST_VISCOUS_SMOOTHING = 1.8;
+constexpr double EVEN_SMOOTHING = 35.0, LEAST_VISCOUS_SMOOTHING = 1.8;
+/// Explicit smoothing is stable below 1.
+constexpr double MOST_SMOOTHING = 0.9;
+/// At rest a fluid's particles move at a few times of what weight gives them in a substep, which pressures take back.
+constexpr float QUIET = 6.0f;
 
 /// Where v = y^2 / 2 along x, the forces k r (r . dv) of pairs add up to the sum of k r^4 / 30, which has to be the
 /// viscosity times the volume of a particle; k is a^3 times this: impulse of a viscous pair over a^3 r^2 and the
@@ -114,6 +118,9 @@ void setFluidParameters(gpu::StepParameters& p, const World& world)
     p.fluidListReach = std::max({p.fluidReach, 1.1f * p.diameter, solidReach(p)});
     p.inverseFluidCell = 1.0f / p.fluidListReach;
     setLattice(p, world);
+    const Settings& s = world.settings;
+    p.evenSmoothing = static_cast<float>(std::min(EVEN_SMOOTHING * s.timeStep, MOST_SMOOTHING));
+    p.quietSpeed = QUIET * std::max(s.gravity.norm(), 1.0f) * p.substepTime;
     const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
     p.fluidVolume = static_cast<float>(DISORDER / lattice.density);
     p.fluidSoftness = static_cast<float>(0.01 * lattice.slopes / (lattice.density * lattice.density));
@@ -186,7 +193,7 @@ namespace {
 // fluid they are not: measurements on puddles give 1 / CORRELATION of that.
 float tension(const gpu::StepParameters& p, const Material& material)
 {
-    constexpr double CORRELATION = 0.74;
+    constexpr double CORRELATION = 0.77;
     const double density = std::pow(p.fluidSpacing, -3.0), reach = std::pow(double(p.fluidReach), 5);
     const double unit = std::numbers::pi / 8.0 * density * density * 0.0074777 * reach;
     const double force = CORRELATION * material.surfaceTension / unit;
@@ -195,17 +202,14 @@ float tension(const gpu::StepParameters& p, const Material& material)
 
 }  // namespace
 
-// Explicit steps are stable below 1.
 gpu::vec4 fluidMaterial(const gpu::StepParameters& p, const Material& material, float timeStep)
 {
-    constexpr double MOST = 0.9;
-    const float tensionOfPair = tension(p, material);
-    if (isViscous(material)) return {0, 0, tensionOfPair, 0};
+    if (isViscous(material)) return {-1, tension(p, material), 0, 0};
     const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
     const double kinematic = material.viscosity / material.density;
     const double rate = 6.0 * kinematic * lattice.density / lattice.spread;
-    const double even = EVEN_SMOOTHING * timeStep, all = std::min(rate * timeStep + even, MOST);
-    return {static_cast<float>(all), static_cast<float>(std::min(even, MOST)), tensionOfPair, 0};
+    return {static_cast<float>(std::min(rate * timeStep, MOST_SMOOTHING - p.evenSmoothing)), tension(p, material), 0,
+            0};
 }
 
 }  // namespace knuckle

@@ -21,7 +21,7 @@ constexpr int MOST_LOOKS = 80;
 /// Fluid is at rest when no particle would start faster than this [m/s].
 constexpr float STARTS_WITH = 0.02f;
 /// Of Settings::vorticity: at 1, swirls lose nearly nothing.
-constexpr float VORTICITY = 0.22f;
+constexpr float VORTICITY = 0.12f;
 /// Substeps between two looks at the shapes of neighbourhoods.
 constexpr uint32_t SHAPE_SUBSTEPS = 8;
 

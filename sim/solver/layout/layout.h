@@ -25,13 +25,13 @@ struct Layout {
     uint32_t moverCount() const { return bodyCount + looseCount; }
     /// Place of a body in heldBodies; NO_INDEX if it is not there.
     uint32_t heldIndex(uint32_t body) const;
-    uint32_t colliderCount = 0;  ///< Drains come after them.
-    bool hasGrids = false;       ///< Whether any collider is a grid.
+    uint32_t colliderCount = 0;                           ///< Drains come after them.
+    bool hasGrids = false;                                ///< Whether any collider is a grid.
     bool hasBoxRegions = false, hasRoundRegions = false;  ///< Whether any collider, drain or region of a release is a
                                                           ///< box; a sphere or a capsule.
-    bool hasRounds = false;      ///< Whether any body is a ball or a capsule.
-    bool hasGrains = false;      ///< Whether any particle has a size of its own.
-    bool hasFlatFaces = false;   ///< Whether any particle's lattice ends are known.
+    bool hasRounds = false;                               ///< Whether any body is a ball or a capsule.
+    bool hasGrains = false;                               ///< Whether any particle has a size of its own.
+    bool hasFlatFaces = false;                            ///< Whether any particle's lattice ends are known.
 
     std::vector<uint32_t> latticeEnds;      ///< Per particle: SurfaceDistance::ends of a body without joints; IN_ROUND.
     std::vector<uint32_t> assemblies;       ///< Per particle; NO_INDEX for fluids.

@@ -165,7 +165,7 @@ TEST_F(FluidPressure, ImpulsesOfPairsAddUpToNothing)
 {
     clearWalls();
     fill(fixture.stages.fluids->fluidMaterials,
-         std::vector<gpu::vec4>{{0, 0, 0, 0}, {0, 0, 2e-5f, 0}, {0, 0, 1e-5f, 0}});
+         std::vector<gpu::vec4>{{0, 0, 0, 0}, {0, 2e-5f, 0, 0}, {0, 1e-5f, 0, 0}});
     std::vector<uint32_t> materials;
     for (const Particle& p : fixture.world.particles) materials.push_back(p.material);
     fill(fixture.stages.fluids->slotMaterials, fixture.inSlots(materials));
