@@ -4,19 +4,16 @@
 #include "render/shapes/ray_rounded.glsl"
 
 flat in vec4 rounded;
-flat in vec3 source;
+flat in vec4 source;
 flat in mat3 toShape;
-flat in uint colorWord;
-in vec3 boxPoint;
-in float boxDepth;
 layout(location = 0) out uvec2 surface;
 layout(depth_greater) out float gl_FragDepth;
 
 void main()
 {
     vec3 normal;
-    float depth = rayRounded(source, toShape * viewRay(gl_FragCoord.xy), rounded.xyz, rounded.w, normal);
+    float depth = rayRounded(source.xyz, toShape * viewRay(gl_FragCoord.xy), rounded.xyz, rounded.w, normal);
     if (depth <= 0.0) discard;
-    surface = uvec2(packNormal(normal * toShape), colorWord);
+    surface = uvec2(packNormal(normal * toShape), packRoots(unpackRoots(uint(source.w)), 1.0));
     gl_FragDepth = depth / frame.farDepth;
 }

@@ -9,31 +9,31 @@ uniform samplerBuffer bodyCentres;
 uniform samplerBuffer bodyRotations;
 
 flat out vec4 rounded;                      // half sides of the box; w: radius
-flat out vec3 source;                       // the eye, or the direction to the light, in the shape's frame
+flat out vec4 source;                       // the eye, or the direction to the light, in the shape's frame; w: colour
+#ifdef LIGHT_VIEW
+out vec4 boxPoint;                          // in the shape's frame; w: its depth in the light's view
+#else
 flat out mat3 toShape;                      // from the view's axes
-flat out uint colorWord;
-out vec3 boxPoint;                          // in the shape's frame
-out float boxDepth;                         // in the light's view
+#endif
 
 void main()
 {
-    int first = SHAPE_TEXELS * gl_InstanceID;
+    int first = SHAPE_TEXELS * (gl_VertexID / JOINED_BOX_STRIP);
+    int vertex = clamp(gl_VertexID % JOINED_BOX_STRIP - 1, 0, BOX_STRIP - 1);
     rounded = texelFetch(bodyShapes, first);
     vec4 place = texelFetch(bodyShapes, first + 1);
     vec4 rotation = texelFetch(bodyRotations, int(place.w));
     vec3 middle = texelFetch(bodyCentres, int(place.w)).xyz + rotate(rotation, place.xyz);
     mat3 axes = matrixFromQuaternion(rotation);
-    boxPoint = boxCorner(gl_VertexID) * (rounded.xyz + rounded.w);
-    vec3 world = middle + axes * boxPoint;
-    toShape = transpose(axes) * mat3(view.cameraRight.xyz, view.cameraUp.xyz, view.cameraBack.xyz);
-    colorWord = shapeColor(texelFetch(bodyShapes, first + 2).xyz);
+    vec3 corner = boxCorner(vertex) * (rounded.xyz + rounded.w);
+    vec3 world = middle + axes * corner;
 #ifdef LIGHT_VIEW
-    source = frame.keyDirection.xyz * axes;
+    source = vec4(frame.keyDirection.xyz * axes, 0.0);
     gl_Position = vec4(worldToLight(world), 1.0);
-    boxDepth = gl_Position.z;
+    boxPoint = vec4(corner, gl_Position.z);
 #else
-    source = (view.cameraPosition.xyz - middle) * axes;
-    boxDepth = 0.0;
+    source = vec4((view.cameraPosition.xyz - middle) * axes, shapeColor(texelFetch(bodyShapes, first + 2).xyz));
+    toShape = transpose(axes) * mat3(view.cameraRight.xyz, view.cameraUp.xyz, view.cameraBack.xyz);
     gl_Position = projectView(toView(world));
     // The depth of the nearest point that it may have: what is hidden can be skipped before the ray.
     float nearest = max(-toView(middle).z - length(rounded.xyz) - rounded.w, 0.0);

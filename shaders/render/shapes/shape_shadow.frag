@@ -3,19 +3,16 @@
 #include "render/shapes/ray_rounded.glsl"
 
 flat in vec4 rounded;
-flat in vec3 source;
-flat in mat3 toShape;
-flat in uint colorWord;
-in vec3 boxPoint;
-in float boxDepth;
+flat in vec4 source;
+in vec4 boxPoint;
 
 void main()
 {
     // Starts outside, towards the light.
     float reach = 2.0 * (length(rounded.xyz) + 2.0 * rounded.w);
     vec3 normal;
-    float along = rayRounded(boxPoint + reach * source, -source, rounded.xyz, rounded.w, normal);
+    float along = rayRounded(boxPoint.xyz + reach * source.xyz, -source.xyz, rounded.xyz, rounded.w, normal);
     if (along < 0.0) discard;
-    float depth = boxDepth + (along - reach) / view.lightDepth.x;
+    float depth = boxPoint.w + (along - reach) / view.lightDepth.x;
     gl_FragDepth = clamp(0.5 * depth + 0.5, 0.0, 1.0);
 }
