@@ -228,8 +228,7 @@ TEST(Shapes, OfUnseenBodiesAreNotDrawn)
         still->addGround();
         addShape(*still, BALL, {0, 0.5f, 0});
     }
-    RenderSettings settings;
-    settings.width = settings.height = SIZE;
+    const RenderSettings settings = lookFrom({0, 1, 6}, {0, 1, 0}, SIZE, SIZE);
     addShape(two, CRATE, {1.2f, 2.0f, 0});
     EXPECT_GT(differing(drawn(two.world, settings), drawn(one.world, settings)), 200);
     two.world.unseen = {{1, 2}};
