@@ -214,7 +214,8 @@ World crate(bool whole, const std::vector<Vector3f>& more = {})
 
 TEST(Shapes, HideTheParticlesInsideAndNoOthers)
 {
-    const RenderSettings settings = lookFrom({1, 1, 2}, {0, 0.4f, 0}, SIZE, SIZE);
+    RenderSettings settings = lookFrom({1, 1, 2}, {0, 0.4f, 0}, SIZE, SIZE);
+    settings.colorBy = ColorBy::Particle;  // of the shape: the body's
     const Image bare = drawn(crate(false), settings);
     EXPECT_EQ(drawn(crate(true), settings).rgb, bare.rgb);
     // A particle of a joint, in a layer beside the face: 0.1 m of radius at 2.2 m is 10 pixels.
