@@ -72,17 +72,16 @@ ShapePass::ShapePass(const Gpu& gpu, BufferTable& table, const World& world, con
     if (settings.colorBy == ColorBy::Speed) defines.push_back({"COLOR_BY_SPEED", "1"});
     const std::initializer_list<std::string> reads = {"frame",      "view",        "velocities",
                                                       "bodyShapes", "bodyCentres", "bodyRotations"};
-    // Draws the far sides of the boxes: they are visible even when the eye is inside. Their strips begin with a doubled
-    // vertex, which turns front and back.
-    shapes_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape", defines}, reads, targets.geometry, GL_BACK);
+    // Draws the far sides of the boxes: they are visible even when the eye is inside.
+    shapes_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape", defines}, reads, targets.geometry, GL_FRONT);
     defines.push_back({"LIGHT_VIEW", "1"});
-    shadow_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape_shadow", defines}, reads, targets.shadowMap, GL_BACK);
+    shadow_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape_shadow", defines}, reads, targets.shadowMap,
+                       GL_FRONT);
 }
 
 void ShapePass::draw(KernelTimer& timer, const DrawPass& pass) const
 {
-    const auto count = static_cast<uint32_t>(bodyShapes_.size() / SHAPE_TEXELS);
-    pass.draw(timer, GL_TRIANGLE_STRIP, JOINED_BOX_STRIP * count);
+    pass.draw(timer, GL_TRIANGLE_STRIP, BOX_STRIP, static_cast<uint32_t>(bodyShapes_.size() / SHAPE_TEXELS));
 }
 
 }  // namespace knuckle

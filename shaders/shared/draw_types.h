@@ -21,8 +21,6 @@ namespace knuckle::gpu {
 
 // Vertices of a strip of triangles around a box.
 #define BOX_STRIP 14
-// The same with its first and last vertex doubled, so that many boxes are one strip: instances take long in llvmpipe.
-#define JOINED_BOX_STRIP 16
 // Per shape of a body: half sides of its box, radius around it; its middle from the body's mass centre at rest, w: the
 // body; colour, two particles whose mean moves as the middle does.
 #define SHAPE_TEXELS 3

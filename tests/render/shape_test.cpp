@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "render/spheres/covered.h"
+#include "render/unseen.h"
 #include "sim/base/angles.h"
 #include "tests/render/render_fixture.h"
 
@@ -220,6 +222,22 @@ TEST(Shapes, HideTheParticlesInsideAndNoOthers)
     EXPECT_EQ(drawn(crate(true), settings).rgb, bare.rgb);
     // A particle of a joint, in a layer beside the face: 0.1 m of radius at 2.2 m is 10 pixels.
     EXPECT_GT(differing(drawn(crate(true, {{0, 0, 0.5f}}), settings), bare), 200);
+}
+
+TEST(Shapes, HidePinsOfJointsButNotTheLayerBetweenBoxes)
+{
+    World world = crate(true, {{0, 0, 0.5f}});
+    EXPECT_TRUE(hasBit(coveredParticles(world), 63));
+    EXPECT_FALSE(hasBit(coveredParticles(world), 64));
+    world.particles[64].touchesAssembly = false;
+    EXPECT_TRUE(hasBit(coveredParticles(world), 64)) << "a pin";
+    world.links.push_back({64, 1, {0, 0, 0}, 1.0f});
+    Body cross;
+    cross.isCross = true;
+    cross.linkStart = 65;
+    cross.linkCount = 1;
+    world.bodies.push_back(cross);
+    EXPECT_FALSE(hasBit(coveredParticles(world), 64)) << "of a universal joint";
 }
 
 TEST(Shapes, OfUnseenBodiesAreNotDrawn)

@@ -18,14 +18,13 @@ flat out mat3 toShape;                      // from the view's axes
 
 void main()
 {
-    int first = SHAPE_TEXELS * (gl_VertexID / JOINED_BOX_STRIP);
-    int vertex = clamp(gl_VertexID % JOINED_BOX_STRIP - 1, 0, BOX_STRIP - 1);
+    int first = SHAPE_TEXELS * gl_InstanceID;
     rounded = texelFetch(bodyShapes, first);
     vec4 place = texelFetch(bodyShapes, first + 1);
     vec4 rotation = texelFetch(bodyRotations, int(place.w));
     vec3 middle = texelFetch(bodyCentres, int(place.w)).xyz + rotate(rotation, place.xyz);
     mat3 axes = matrixFromQuaternion(rotation);
-    vec3 corner = boxCorner(vertex) * (rounded.xyz + rounded.w);
+    vec3 corner = boxCorner(gl_VertexID) * (rounded.xyz + rounded.w);
     vec3 world = middle + axes * corner;
 #ifdef LIGHT_VIEW
     source = vec4(frame.keyDirection.xyz * axes, 0.0);
