@@ -6,6 +6,9 @@
 
 namespace knuckle {
 
+/// The colour in a word of packColor(), without its alpha: a number that floats represent exactly.
+inline constexpr uint32_t COLOR_BITS = 0xFFFFFF;
+
 /// A colour, linear RGB of 0 to 1, as a word of square roots, like packAlbedo() of shaders/render/common/surface.glsl;
 /// opaque.
 uint32_t packColor(const Vector3f& color);

@@ -39,8 +39,8 @@ void FrameSnapshot::Fence::wait()
 
 FrameSnapshot::FrameSnapshot(const World& world, const RenderSettings& settings)
     : showsSpeeds_(settings.colorBy == ColorBy::Speed),
-      showsCentres_(settings.camera.kind == CameraKind::Follow || !world.skins.empty()),
-      showsSkins_(!world.skins.empty())
+      showsRotations_(!world.skins.empty() || !world.bodyShapes.empty()),
+      showsCentres_(settings.camera.kind == CameraKind::Follow || showsRotations_)
 {
 }
 
@@ -51,7 +51,7 @@ void FrameSnapshot::take(const ParticleView& view)
     view_ = view;
     view_.positions = copyVectors(view.positions, view.particleCount, positions_, "drawn positions");
     const uint32_t speeds = showsSpeeds_ ? view.particleCount : 0;
-    const uint32_t centres = showsCentres_ ? view.bodyCount : 0, rotations = showsSkins_ ? view.bodyCount : 0;
+    const uint32_t centres = showsCentres_ ? view.bodyCount : 0, rotations = showsRotations_ ? view.bodyCount : 0;
     view_.velocities = copyVectors(view.velocities, speeds, velocities_, "drawn velocities");
     view_.bodyCentres = copyVectors(view.bodyCentres, centres, centres_, "drawn centres");
     view_.bodyRotations = copyVectors(view.bodyRotations, rotations, rotations_, "drawn rotations");

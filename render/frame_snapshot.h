@@ -35,7 +35,7 @@ private:
         GLsync sync_ = nullptr;
     };
 
-    bool showsSpeeds_, showsCentres_, showsSkins_;
+    bool showsSpeeds_, showsRotations_, showsCentres_;
     RawBuffer positions_, velocities_, centres_, rotations_, colliders_, foam_;
     ParticleView view_;
     Fence taken_, drawn_;

@@ -12,6 +12,7 @@
 #include "render/marks/mark_pass.h"
 #include "render/picture/picture_passes.h"
 #include "render/picture/picture_reader.h"
+#include "render/shapes/shape_pass.h"
 #include "render/skins/skin_pass.h"
 #include "render/spheres/sphere_pass.h"
 #include "render/unseen.h"
@@ -48,6 +49,7 @@ struct Renderer::Impl {
     SphereLists lists;
     ColliderPass colliders;
     SkinPass skins;
+    ShapePass shapes;
     SpherePass spheres;
     FluidPass fluids;
     PicturePasses picture;
@@ -64,8 +66,9 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
       targets(settings.width, settings.height, settings.antialiasing, drawsFluids(world, settings, DrawnAs::Surface)),
       view(gpu, addInputs(), !world.unseen.empty()), looks(table, world, settings),
       lists(gpu, table, world, targets.hasSurfaces()), colliders(gpu, table, world, extent, targets),
-      skins(gpu, table, world, targets), spheres(gpu, table, world, settings, targets),
-      fluids(gpu, table, world, targets), picture(gpu, table, targets, settings.skinOpacity),
+      skins(gpu, table, world, targets), shapes(gpu, table, world, settings, targets),
+      spheres(gpu, table, world, settings, targets), fluids(gpu, table, world, targets),
+      picture(gpu, table, targets, settings.skinOpacity),
       marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets),
       reader(settings.width, settings.height)
 {
@@ -121,6 +124,7 @@ void Renderer::Impl::drawSurfaces(bool withSkins, bool withParticles)
     targets.shadowMap.clear();
     colliders.drawShadow(timer);
     if (withSkins) skins.drawShadow(timer);
+    if (withParticles) shapes.drawShadow(timer);
     if (hasSolids) spheres.drawShadow(timer, lists, SphereGroup::Solid);
     if (hasFluids) spheres.drawShadow(timer, lists, SphereGroup::Fluid);
     if (withParticles && !fluids.empty()) fluids.drawShadow(timer, lists);
@@ -128,6 +132,7 @@ void Renderer::Impl::drawSurfaces(bool withSkins, bool withParticles)
     targets.geometry.clear();
     colliders.draw(timer);
     if (withSkins) skins.draw(timer);
+    if (withParticles) shapes.draw(timer);
     if (hasSolids) spheres.draw(timer, lists, SphereGroup::Solid);
     if (hasFluids) spheres.draw(timer, lists, SphereGroup::Fluid);
 

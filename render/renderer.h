@@ -24,7 +24,8 @@ struct RendererState {
     BufferState buffers;
 };
 
-/// Draws particles as spheres, and skins, directly from the solver's buffers, with the world's colliders around them.
+/// Draws particles as spheres, shapes of bodies, and skins, directly from the solver's buffers, with the world's
+/// colliders around them.
 class Renderer {
 public:
     /// @throws InputError for a camera that follows an unknown object or a setting out of range.

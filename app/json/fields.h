@@ -59,7 +59,7 @@ struct EnumWords<FieldFalloff> {
 
 template <>
 struct EnumWords<DrawnAs> {
-    static constexpr std::array WORDS{"particles", "surface"};
+    static constexpr std::array WORDS{"auto", "particles", "surface", "shape"};
 };
 
 template <typename T>

@@ -14,10 +14,26 @@ void checkFriction(const SceneEntry& entry)
                                                kineticFriction, staticFriction));
 }
 
+namespace {
+
+/// What is drawn must be what there is.
+void checkDraw(const SceneEntry& entry)
+{
+    const std::string draw = entry.json["draw"];
+    if (entry.json["fluid"].get<bool>() && draw == "shape")
+        entry.fail("/draw", "a fluid has no shape; take \"surface\" or \"particles\"");
+    if (!entry.json["fluid"].get<bool>() && draw == "surface")
+        entry.fail("/draw", "only a fluid has a surface; take \"shape\" or \"particles\", or say \"fluid\": true");
+}
+
+}  // namespace
+
 void addMaterials(SceneContext& context, const Json& materials)
 {
     for (const auto& [name, json] : materials.items()) {
-        checkFriction({context, json, "/materials/" + name});
+        const SceneEntry entry{context, json, "/materials/" + name};
+        checkFriction(entry);
+        checkDraw(entry);
         Material material = readFields<Material>(json);
         material.name = name;
         context.materials[name] = context.builder.addMaterial(material);

@@ -56,6 +56,23 @@ RoundShape roundShapeOf(const Entry& entry)
     return {};
 }
 
+/// Draws the body's shape if the object or its material says so.
+void chooseDraw(const Entry& entry, uint32_t body, const BodyShape& shape)
+{
+    WorldBuilder& builder = entry.context.builder;
+    const std::string draw = entry.json.value("draw", "particles");
+    const DrawnAs ofMaterial = builder.material(builder.world().bodies[body].material).look.drawn;
+    if (draw == "shape" || (draw == "auto" && ofMaterial == DrawnAs::Shape)) builder.drawShape(body, shape);
+}
+
+/// The shape that the particles of a rigid body fill; without meaning for a mesh.
+BodyShape shapeOf(const Entry& entry, const std::vector<Vector3f>& positions)
+{
+    const RoundShape round = roundShapeOf(entry);
+    if (round.exists()) return {0, {0, 0, 0}, {0, round.halfHeight, 0}, round.radius};
+    return shapeAround(positions, 0.5f * entry.context.builder.diameter());
+}
+
 /// When a held or moved body is let go [s]; infinity: never.
 float releaseTime(const Entry& entry, bool held)
 {
@@ -75,6 +92,7 @@ void addRigidOrSoft(const Entry& entry)
     const std::vector<Vector3f> positions = fillRegion(entry, builder.diameter());
     const std::vector<SurfaceDistance> surface = soft ? std::vector<SurfaceDistance>() : surfaceOf(entry, positions);
     const std::vector<uint32_t> pinned = soft ? pinnedPoints(entry, positions) : std::vector<uint32_t>();
+    const BodyShape shape = soft ? BodyShape() : shapeOf(entry, positions);
     const bool held = entry.json["fixed"];
     const bool moved = hasMotion(entry.json);
     const float time = soft ? 0.0f : releaseTime(entry, held || moved);
@@ -88,6 +106,7 @@ void addRigidOrSoft(const Entry& entry)
             const uint32_t body = builder.addBody("body", positions, entry.material, Motion::Dynamic, surface,
                                                   roundShapeOf(entry));
             if (held) builder.holdBody(body, time + delay);
+            chooseDraw(entry, body, shape);
         }
         const uint32_t object = builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
         objects.push_back(object);
@@ -118,6 +137,7 @@ void addChain(const Entry& entry, const JointSpec& common, uint32_t lastMaterial
         const bool held = (b == 0 && hold != "last" && hold != "none") || (last && hold != "first" && hold != "none");
         indices.push_back(
             builder.addBody(fmt::format("body_{}", b + 1), positions, last ? lastMaterial : entry.material));
+        chooseDraw(entry, indices.back(), shapeAround(positions, 0.5f * builder.diameter()));
         if (held) builder.holdBody(indices.back(), releaseTime(entry, true) + delayOf(json, copy));
     }
     const Json& types = json["joints"];

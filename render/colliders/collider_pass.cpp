@@ -2,12 +2,12 @@
 
 #include <array>
 
+#include "shared/draw_types.h"
+
 namespace knuckle {
 
 namespace {
 
-/// Corners of the strip in collider.vert.
-constexpr uint32_t BOX_STRIP = 14;
 constexpr size_t INSTANCE_VECTORS = sizeof(gpu::ColliderInstance) / sizeof(gpu::vec4);
 
 std::array<gpu::vec4, INSTANCE_VECTORS> instanceOf(const Collider& collider, uint32_t index)

@@ -25,7 +25,7 @@ std::vector<gpu::vec4> looksOf(const World& world)
 DrawnAs drawnAs(const Material& material, const RenderSettings& settings)
 {
     const bool byParticle = settings.colorBy == ColorBy::Speed || settings.colorBy == ColorBy::Particle;
-    return byParticle ? DrawnAs::Particles : material.look.drawn;
+    return byParticle || material.look.drawn == DrawnAs::Particles ? DrawnAs::Particles : DrawnAs::Surface;
 }
 
 std::vector<uint32_t> materialsOf(const World& world, const RenderSettings& settings)

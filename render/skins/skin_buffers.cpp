@@ -14,8 +14,6 @@ namespace knuckle {
 
 namespace {
 
-constexpr uint32_t COLOR_BITS = 0xFFFFFF;  // a number that floats represent exactly
-
 /// Numbers of 0 ... 1 in the format of packUnorm2x16().
 uint32_t packUnorm(float x, float y)
 {

@@ -23,7 +23,7 @@ uint32_t colorWord(const World& world, uint32_t index, const RenderSettings& set
         case ColorBy::Particle: return packColor(paletteColor(index));
         case ColorBy::Body: break;
     }
-    if (particle.body != NO_INDEX) return packColor(paletteColor(particle.body));
+    if (particle.body != NO_INDEX) return bodyColor(world, particle.body, settings);
     if (world.materials[particle.material].fluid) return packColor(world.materials[particle.material].color);
     // Soft bodies by their assembly, after the rigid ones.
     const auto bodies = static_cast<uint32_t>(world.bodies.size());
@@ -53,6 +53,13 @@ Vector3f paletteColor(uint32_t index)
     // Three tones, so that repeated hues still differ.
     const float tone = static_cast<float>(index % 3);
     return fromOklch(0.70f - 0.06f * tone, 0.125f + 0.01f * tone, static_cast<float>(hue));
+}
+
+uint32_t bodyColor(const World& world, uint32_t body, const RenderSettings& settings)
+{
+    if (settings.colorBy == ColorBy::Speed) return 0;
+    const bool byMaterial = settings.colorBy == ColorBy::Material;
+    return packColor(byMaterial ? world.materials[world.bodies[body].material].color : paletteColor(body));
 }
 
 std::vector<uint32_t> particleColors(const World& world, const RenderSettings& settings)

@@ -19,6 +19,12 @@ namespace knuckle::gpu {
 // In place of a body: the place is on the picture, from its upper left corner, in heights of the picture.
 #define MARK_ON_PICTURE -1.0f
 
+// Vertices of a strip of triangles around a box.
+#define BOX_STRIP 14
+// Per shape of a body: half sides of its box, radius around it; its middle from the body's mass centre at rest, w: the
+// body; colour, two particles whose mean moves as the middle does.
+#define SHAPE_TEXELS 3
+
 // Spheres of a list, and how they are drawn from it; each list has its own draw arguments.
 #define SOLID_SPHERES 0
 #define FLUID_SPHERES 1

@@ -242,6 +242,7 @@ void validate(const World& world)
     validateStrands(world);
     validateGrids(world);
     validateSkins(world);
+    validateBodyShapes(world);
     for (const ParticleRange& range : world.unseen)
         require(range.first <= range.end && range.end <= world.particles.size(),
                 "unseen particles {} to {}: there are not so many", range.first, range.end);

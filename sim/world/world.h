@@ -17,6 +17,7 @@
 #include "sim/world/forces/forces.h"
 #include "sim/world/joint/gear.h"
 #include "sim/world/joint/joint.h"
+#include "sim/world/matter/body_shape.h"
 #include "sim/world/matter/emitter.h"
 #include "sim/world/matter/fluid_look.h"
 #include "sim/world/matter/skin.h"
@@ -53,7 +54,7 @@ struct Material {
     float viscosity = 0.001f;          ///< Fluids: dynamic [Pa s], >= 0. Water 0.001, honey 10.
     float slip = 0.0f;                 ///< Fluids: slip length at walls and solids [m], >= 0; thin ones always slip.
     float surfaceTension = 0.0f;       ///< Fluids: of their free surface [N/m], >= 0. Water 0.073.
-    FluidLook look = {};               ///< Fluids: how they are drawn.
+    FluidLook look = {};               ///< Fluids: how they are drawn. Others: only what is drawn of them.
     Elasticity elasticity = {};        ///< Of soft bodies.
 };
 
@@ -187,6 +188,7 @@ struct World {
                                                           ///< the air acts.
     std::vector<ColliderGrid> colliderGrids;
     std::vector<Skin> skins;            ///< Only drawn.
+    std::vector<BodyShape> bodyShapes;  ///< Only drawn.
     std::vector<ParticleRange> unseen;  ///< Not drawn, and nothing that an automatic camera looks at.
     uint32_t assemblyCount = 0;
     /// Rest distance of fluid particles [m], 0.3 ... 0.6 diameters. A fluid particle weighs density * spacing^3.

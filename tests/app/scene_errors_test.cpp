@@ -85,8 +85,8 @@ const BadScene BAD_SCENES[] = {
     {"PaperWithSoftBody", R"({ "solver": "paper", "objects": [{ "type": "soft", "shape": "box" }] })",
      ": soft body \"object_1\": the paper's solver has none; use solver method impulse"},
     {"FieldOfAnotherShape", OBJECT(R"("type": "rigid", "shape": "box", "radius": 1)"),
-     ": /objects/0/radius: unknown field; known: type, shape, size, name, visible, position, rotation, velocity, "
-     "spin, material, motion, fixed, release, repeat"},
+     ": /objects/0/radius: unknown field; known: type, shape, size, name, visible, draw, position, rotation, "
+     "velocity, spin, material, motion, fixed, release, repeat"},
     {"MeshWithoutFile", OBJECT(R"("type": "rigid", "shape": "mesh")"),
      ": /objects/0: \"file\" is missing; add it: Path relative to the scene file."},
     {"UnknownMaterial", OBJECT(R"("type": "rigid", "shape": "box", "material": "wod")"),

@@ -83,6 +83,7 @@ TEST(Schema, WordsAreThoseOfTheEnums)
     expectSameWords<VelocityOrder>("solver", "velocityOrder");
     expectSameWords<CameraKind>("camera", "kind");
     expectSameWords<ColorBy>("render", "colorBy");
+    expectSameWords<DrawnAs>("material", "draw");
     expectSameWords<JointType>("jointTypes", "");
 }
 

@@ -262,7 +262,8 @@ const std::vector<Field>& looks()
                                          FIELD(colliders[0].visible),
                                          FIELD(colliderGrids[0].vertices),
                                          FIELD(colliderGrids[0].triangles),
-                                         FIELD(skins)};
+                                         FIELD(skins),
+                                         FIELD(bodyShapes)};
     return LIST;
 }
 

@@ -1,4 +1,5 @@
 // The box around an obstacle, whose faces away from the eye start the rays of collider.frag.
+#include "render/common/box_corner.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/colliders/collider_place.glsl"
 #include "render/colliders/ray_shapes.glsl"
@@ -19,9 +20,7 @@ void main()
     ColliderPlace place = fetchColliderPlace(texelFetch(colliderShapes, first + 2).x);
     shapePosition = vec4(place.position, shapeHalfExtents.w);
     shapeOrientation = place.orientation;
-    // A cube's 14-vertex strip, one bit per axis and vertex.
-    vec3 corner = vec3(uvec3(0x287au, 0x02afu, 0x31e3u) >> gl_VertexID & 1u) * 2.0 - 1.0;
-    vec3 world = shapePosition.xyz + rotate(shapeOrientation, corner * shapeHalfExtents.xyz);
+    vec3 world = shapePosition.xyz + rotate(shapeOrientation, boxCorner(gl_VertexID) * shapeHalfExtents.xyz);
     boxPoint = world;
 #ifdef LIGHT_VIEW
     gl_Position = vec4(worldToLight(world), 1.0);

@@ -1,23 +1,19 @@
 // Rays against the colliders' shapes, in the shape's own frame: parametric distance of the first hit in front of the
 // origin, or a negative number, with the outward normal.
 #include "math/quaternion.glsl"
+#include "render/common/ray_slabs.glsl"
 
 vec3 rotateBack(vec4 q, vec3 v)
 {
     return rotate(conjugate(q), v);
 }
 
-// Slabs (Kay and Kajiya 1986).
 float rayBox(vec3 origin, vec3 direction, vec3 halfExtents, out vec3 normal)
 {
-    vec3 inverse = 1.0 / mix(direction, vec3(1e-9), equal(direction, vec3(0.0)));
-    vec3 near = (-sign(inverse) * halfExtents - origin) * inverse;
-    vec3 far = (sign(inverse) * halfExtents - origin) * inverse;
-    float enter = max(max(near.x, near.y), near.z);
-    float leave = min(min(far.x, far.y), far.z);
-    normal = -sign(direction) * vec3(equal(near, vec3(enter)));
+    Slabs slabs = raySlabs(origin, direction, halfExtents);
+    normal = -sign(direction) * vec3(equal(slabs.near, vec3(slabs.enter)));
     normal = normalize(normal + vec3(0.0, 1e-12, 0.0));
-    return enter < leave && leave > 0.0 ? enter : -1.0;
+    return isMet(slabs) ? slabs.enter : -1.0;
 }
 
 // A sphere swept from -halfHeight to +halfHeight along y; halfHeight 0 gives the sphere.

@@ -16,6 +16,12 @@ void BodyBuilder::addSkin(const std::shared_ptr<const SkinMesh>& mesh, std::span
     skin->objects.insert(skin->objects.end(), objects.begin(), objects.end());
 }
 
+void BodyBuilder::drawShape(uint32_t body, BodyShape shape)
+{
+    shape.body = body;
+    world_.bodyShapes.push_back(shape);
+}
+
 void BodyBuilder::beginObject(std::string name)
 {
     if (objectOpen_) throw std::logic_error(fmt::format("object \"{}\": the one before is still open", name));

@@ -37,6 +37,8 @@ public:
     std::span<const uint32_t> particlesOf(uint32_t body) const { return bodyParticles_.at(body); }
     /// The particles of a body so far that it does not share.
     std::vector<uint32_t> ownParticles(uint32_t body) const;
+    /// Draws a shape instead of particles of a body that exists (World::bodyShapes).
+    void drawShape(uint32_t body, BodyShape shape);
     /// Gives existing objects a mesh, which moves with their bodies.
     void addSkin(const std::shared_ptr<const SkinMesh>& mesh, std::span<const uint32_t> objects, SkinUse use);
 };

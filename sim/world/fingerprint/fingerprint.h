@@ -10,8 +10,8 @@ namespace knuckle {
 /// every field that a run depends on, in the order of the structs, so that equal Worlds have the same number on every
 /// machine.
 ///
-/// Leaves out fields that are only printed or drawn: names, colours, `Collider::visible`, `World::unseen`, skins, the
-/// triangles of a mesh. A run may go on after such a change, in other colours.
+/// Leaves out fields that are only printed or drawn: names, colours, `Collider::visible`, `World::unseen`, skins,
+/// shapes, the triangles of a mesh. A run may go on after such a change, in other colours.
 uint64_t fingerprint(const World& world);
 
 }  // namespace knuckle

@@ -1,0 +1,87 @@
+#include "render/shapes/shape_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "render/color_word.h"
+#include "render/spheres/palette.h"
+#include "render/unseen.h"
+#include "shared/draw_types.h"
+
+namespace knuckle {
+
+namespace {
+
+std::span<const Link> linksOf(const World& world, const BodyShape& shape)
+{
+    const Body& body = world.bodies[shape.body];
+    return std::span(world.links).subspan(body.linkStart, body.linkCount);
+}
+
+/// The particle of the body that is nearest to a place, from the shape's middle.
+uint32_t particleAt(const World& world, const BodyShape& shape, const Vector3f& place)
+{
+    const Vector3f wanted = shape.middle + place - world.bodies[shape.body].restCentre;
+    const auto distance = [&](const Link& link) { return (link.restOffset - wanted).squaredNorm(); };
+    return std::ranges::min_element(linksOf(world, shape), {}, distance)->particle;
+}
+
+/// Two particles on both sides of the middle, or the one that is there twice.
+std::array<uint32_t, 2> middleParticles(const World& world, const BodyShape& shape)
+{
+    const Body& body = world.bodies[shape.body];
+    const uint32_t first = particleAt(world, shape, {0, 0, 0});
+    for (const Link& link : linksOf(world, shape))
+        if (link.particle == first)
+            return {first, particleAt(world, shape, shape.middle - body.restCentre - link.restOffset)};
+    return {first, first};
+}
+
+bool isSeen(const World& world, const BodyShape& shape, const std::vector<uint32_t>& unseen)
+{
+    return std::ranges::any_of(linksOf(world, shape), [&](const Link& link) { return !hasBit(unseen, link.particle); });
+}
+
+std::vector<gpu::vec4> texelsOf(const World& world, const RenderSettings& settings)
+{
+    const std::vector<uint32_t> unseen = unseenBits(world);
+    std::vector<gpu::vec4> texels;
+    for (const BodyShape& shape : world.bodyShapes) {
+        if (!isSeen(world, shape, unseen)) continue;
+        const Vector3f &half = shape.halfSides, arm = shape.middle - world.bodies[shape.body].restCentre;
+        const auto [first, second] = middleParticles(world, shape);
+        const uint32_t color = bodyColor(world, shape.body, settings) & COLOR_BITS;
+        texels.push_back({half.x(), half.y(), half.z(), shape.radius});
+        texels.push_back({arm.x(), arm.y(), arm.z(), static_cast<float>(shape.body)});
+        texels.push_back({static_cast<float>(color), static_cast<float>(first), static_cast<float>(second), 0.0f});
+    }
+    return texels;
+}
+
+}  // namespace
+
+ShapePass::ShapePass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings,
+                     const RenderTargets& targets)
+    : bodyShapes_("bodyShapes", std::span<const gpu::vec4>(texelsOf(world, settings)))
+{
+    table.add(Lifetime::Constant, bodyShapes_);
+    if (bodyShapes_.size() == 0) return;
+    Defines defines;
+    if (settings.colorBy == ColorBy::Speed) defines.push_back({"COLOR_BY_SPEED", "1"});
+    const std::initializer_list<std::string> reads = {"frame",      "view",        "velocities",
+                                                      "bodyShapes", "bodyCentres", "bodyRotations"};
+    // Draws the far sides of the boxes: they are visible even when the eye is inside.
+    shapes_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape", defines}, reads, targets.geometry, GL_FRONT);
+    defines.push_back({"LIGHT_VIEW", "1"});
+    shadow_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape_shadow", defines}, reads, targets.shadowMap,
+                       GL_FRONT);
+}
+
+void ShapePass::draw(KernelTimer& timer, const DrawPass& pass) const
+{
+    pass.draw(timer, GL_TRIANGLE_STRIP, BOX_STRIP, static_cast<uint32_t>(bodyShapes_.size() / SHAPE_TEXELS));
+}
+
+}  // namespace knuckle

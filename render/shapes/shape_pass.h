@@ -1,0 +1,32 @@
+#pragma once
+
+#include "render/draw_pass.h"
+#include "render/picture/render_targets.h"
+#include "render/settings.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// Draws the shapes of bodies, ray-cast inside boxes, where the solver has the bodies.
+class ShapePass {
+public:
+    /// Adds "bodyShapes" to the table, which must have "frame", "view", "velocities", "bodyCentres" and
+    /// "bodyRotations".
+    ShapePass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings,
+              const RenderTargets& targets);
+    ShapePass(const ShapePass&) = delete;
+    ShapePass& operator=(const ShapePass&) = delete;
+
+    /// Into the shadow map.
+    void drawShadow(KernelTimer& timer) const { draw(timer, shadow_); }
+    /// Into the geometry buffers.
+    void draw(KernelTimer& timer) const { draw(timer, shapes_); }
+
+private:
+    void draw(KernelTimer& timer, const DrawPass& pass) const;
+
+    Buffer<gpu::vec4> bodyShapes_;  ///< SHAPE_TEXELS each, of those that are not unseen.
+    DrawPass shapes_, shadow_;
+};
+
+}  // namespace knuckle
