@@ -1,5 +1,8 @@
 #include "render/frame_snapshot.h"
 
+#include <algorithm>
+
+#include "render/view/framed_sets.h"
 #include "shared/gpu_types.h"
 
 namespace knuckle {
@@ -39,7 +42,9 @@ void FrameSnapshot::Fence::wait()
 
 FrameSnapshot::FrameSnapshot(const World& world, const RenderSettings& settings)
     : showsSpeeds_(settings.colorBy == ColorBy::Speed),
-      showsCentres_(settings.camera.kind == CameraKind::Follow || !world.skins.empty()),
+      showsCentres_(!world.skins.empty() ||
+                    std::ranges::any_of(shotsOf(settings),
+                                        [](const Shot& shot) { return shot.camera.kind == CameraKind::Follow; })),
       showsSkins_(!world.skins.empty())
 {
 }
