@@ -92,6 +92,8 @@ struct ParticleBounds {
     vec4 squares;               // xyz [m2]
     vec4 framedLow;             // xyz [m]: of those of FrameInput::framedBit
     vec4 framedHigh;
+    vec4 framedMost;            // of the same: x + y + z, -x + y + z, x - y + z, x + y - z [m]
+    vec4 framedLeast;
 };
 
 // Values that frame_camera.comp and frame_view.comp compute from both on the GPU.
@@ -114,7 +116,8 @@ struct FrameView {
     vec4 shadedInLight;         // shadow map coordinates (left, bottom, right, top): the ground outside is not shaded
     vec4 particleLow;           // xyz [m]: bounds of the particles' centres
     vec4 particleHigh;
-    vec4 trackedLow;            // xyz [m]: what the camera shows or follows, smoothed; kept from frame to frame
+    vec4 trackedLow;            // xyz [m]: what the camera shows or follows, smoothed; kept from frame to frame. Of
+                                // named particles: where it aims, w: its distance from there [m]
     vec4 trackedHigh;
 };
 

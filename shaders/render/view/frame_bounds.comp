@@ -24,6 +24,7 @@ void main()
     uint thread = gl_GlobalInvocationID.x;
     vec3 low = vec3(1e30), high = vec3(-1e30), sum = vec3(0.0), squares = vec3(0.0);
     vec3 framedLow = low, framedHigh = high;
+    vec4 framedMost = vec4(-1e30), framedLeast = vec4(1e30);
     float count = 0.0;
     vec3 middle = 0.5 * (frame.shadowLimitLow.xyz + frame.shadowLimitHigh.xyz);
     for (uint i = thread; i < frame.particleCount; i += BOUNDS_THREADS) {
@@ -32,6 +33,9 @@ void main()
         if (isFramed(i)) {
             framedLow = min(framedLow, p);
             framedHigh = max(framedHigh, p);
+            vec4 across = vec4(p.x + p.y + p.z, p.y + p.z - p.x, p.x + p.z - p.y, p.x + p.y - p.z);
+            framedMost = max(framedMost, across);
+            framedLeast = min(framedLeast, across);
         }
         if (isUnseen(i)) continue;
         count += 1.0;
@@ -41,5 +45,5 @@ void main()
         squares += (p - middle) * (p - middle);
     }
     bounds[thread] = ParticleBounds(vec4(low, 0.0), vec4(high, 0.0), vec4(sum, count), vec4(squares, 0.0),
-                                    vec4(framedLow, 0.0), vec4(framedHigh, 0.0));
+                                    vec4(framedLow, 0.0), vec4(framedHigh, 0.0), framedMost, framedLeast);
 }

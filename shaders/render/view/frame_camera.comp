@@ -12,21 +12,21 @@ layout(std430) readonly buffer CameraPlanes { vec4 planes[]; };   // xyz: unit n
 layout(std430) buffer View { FrameView view; };
 
 #include "render/view/framed_box.glsl"
+#include "render/view/kept_whole.glsl"
 
 Box followedBox()
 {
     vec3 sum = vec3(0.0);
     for (uint i = 0; i < frame.followedBodyCount; ++i) sum += centres[frame.followedBodyStart + i].xyz;
-    return Box(sum / float(frame.followedBodyCount), sum / float(frame.followedBodyCount));
+    return boxOf(sum / float(frame.followedBodyCount), sum / float(frame.followedBodyCount));
 }
 
 Box tracked(Box now)
 {
-    Box before = Box(view.trackedLow.xyz, view.trackedHigh.xyz);
+    Box before = boxOf(view.trackedLow.xyz, view.trackedHigh.xyz);
     if (frame.trackSeconds < 0.0) before = now;
-    Box box = Box(mix(before.low, now.low, approachFraction(lessThan(now.low, before.low))),
-                  mix(before.high, now.high, approachFraction(greaterThan(now.high, before.high))));
-    if (frame.framedBit != 0u && frame.cameraMode != CAMERA_LOOKS) box = keptNear(box, now);
+    Box box = boxOf(mix(before.low, now.low, approachFraction(lessThan(now.low, before.low))),
+                    mix(before.high, now.high, approachFraction(greaterThan(now.high, before.high))));
     view.trackedLow = vec4(box.low, 0.0);
     view.trackedHigh = vec4(box.high, 0.0);
     return box;
@@ -43,13 +43,22 @@ vec3 inFrontOfPlanes(vec3 eye)
 // Where the camera sees the box; where a plane is in its way, from a side where it is not.
 vec3 placeInFront(Box box, inout vec3 back)
 {
-    vec3 eye = vec3(0.0), middle = 0.5 * (box.low + box.high);
+    bool isNamed = frame.framedBit != 0u;
+    Stand before = Stand(view.trackedLow.xyz, view.trackedLow.w);
+    vec3 eye = vec3(0.0);
+    if (!isNamed) box = tracked(box);
     for (int attempt = 0; attempt < 8; ++attempt) {
-        vec3 right = perpendicular(back);
-        vec3 wanted = placeThatFrames(box, right, cross(back, right), back);
+        vec3 right = perpendicular(back), up = cross(back, right), wanted, target = 0.5 * (box.low + box.high);
+        if (isNamed) {
+            Stand stand = keptWhole(before, box, right, up, back);
+            target = stand.target;
+            wanted = target + stand.distance * back;
+        } else {
+            wanted = placeThatFrames(box, right, up, back);
+        }
         eye = inFrontOfPlanes(wanted);
         if (eye == wanted) return eye;
-        back = normalize(eye - middle);
+        back = normalize(eye - target);
     }
     return eye;
 }
@@ -69,7 +78,7 @@ void main()
     vec3 back = normalize(eye - frame.cameraTarget.xyz);
     if (frame.cameraMode == CAMERA_FOLLOWS) eye = inFrontOfPlanes(eye + tracked(followedBox()).low);
     if (frame.cameraMode == CAMERA_FRAMES || frame.cameraMode == CAMERA_FRAMES_AROUND)
-        eye = placeInFront(tracked(framed), back);
+        eye = placeInFront(framed, back);
     if (frame.cameraMode == CAMERA_LOOKS) {
         Box seen = tracked(framed);
         back = normalize(eye - 0.5 * (seen.low + seen.high));

@@ -6,14 +6,17 @@ const float GROWING = 0.12;
 const float SHRINKING = 0.6;
 const float FOLLOWING = 0.1;
 
+// A box whose corners are cut off across, by as much of each edge: those where x + y + z, -x + y + z, x - y + z and
+// x + y - z are largest, and those where they are smallest [m].
 struct Box {
     vec3 low, high;
+    vec4 cutsMost, cutsLeast;
 };
 
-// How far the camera may lag behind named particles: into the margin that they leave in the picture, so that no part
-// is cut off, and so that they fill no less than two thirds of their share. In their own sizes.
-const float LAG_INTO_MARGIN = 0.4;
-const float LAG_AROUND = 0.5;
+Box boxOf(vec3 low, vec3 high)
+{
+    return Box(low, high, vec4(0.0), vec4(0.0));
+}
 
 // The part of the way to `now` that this frame covers. `outward`: where the box grows.
 vec3 approachFraction(bvec3 outward)
@@ -23,34 +26,44 @@ vec3 approachFraction(bvec3 outward)
     return 1.0 - exp(-frame.trackSeconds / time);
 }
 
-// A lag, bent so that it never comes to its limit and never stops abruptly.
-vec3 bentLag(vec3 lag, vec3 limit)
+// Bit 0 of a corner: at the largest x; then y, z.
+float cutOf(Box box, int corner)
 {
-    limit = max(limit, vec3(1e-6));
-    return limit * tanh(clamp(lag / limit, -9.0, 9.0));
+    bool most = bitCount(corner) > 1;
+    int other = most ? 7 ^ corner : corner;   // 0, 1, 2 or 4
+    int cut = other == 4 ? 3 : other;
+    return most ? box.cutsMost[cut] : box.cutsLeast[cut];
 }
 
-// The tracked box of named particles: behind their real one by no more than keeps them in the picture.
-Box keptNear(Box box, Box now)
+// How far out to the right and up a side of the view must be to have the box within it, and to the left and down, where
+// it passes the origin's depth. `slope` of the sides.
+vec4 limitsOf(Box box, vec3 right, vec3 up, vec3 back, vec2 slope)
 {
-    vec3 size = now.high - now.low;
-    vec3 into = LAG_INTO_MARGIN * (1.0 / frame.frameShare - 1.0) * size, around = LAG_AROUND * size;
-    vec3 low = box.low - now.low, high = box.high - now.high;
-    return Box(now.low + bentLag(low, mix(around, into, greaterThan(low, vec3(0.0)))),
-               now.high + bentLag(high, mix(into, around, greaterThan(high, vec3(0.0)))));
+    vec2 most = vec2(-1e30), least = vec2(1e30);
+    for (int point = 0; point < 24; ++point) {
+        int corner = point / 3, axis = point % 3;
+        vec3 inward = vec3(axis == 0, axis == 1, axis == 2) * min(box.high - box.low, cutOf(box, corner));
+        bvec3 isHigh = bvec3((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
+        vec3 p = mix(box.low + inward, box.high - inward, isHigh);
+        vec2 side = vec2(dot(p, right), dot(p, up));
+        most = max(most, side + slope * dot(p, back));
+        least = min(least, side - slope * dot(p, back));
+    }
+    return vec4(most, least);
+}
+
+// Of the sides of a picture's part.
+vec2 slopeOf(float share)
+{
+    return share * frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);
 }
 
 // The place where the four sides of the view touch the box, or two of them if the proportions differ.
 vec3 placeThatFrames(Box box, vec3 right, vec3 up, vec3 back)
 {
-    vec2 slope = frame.frameShare * frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);
-    vec2 most = vec2(-1e30), least = vec2(1e30);
-    for (int corner = 0; corner < 8; ++corner) {
-        vec3 p = mix(box.low, box.high, vec3(corner & 1, corner >> 1 & 1, corner >> 2));
-        vec2 side = vec2(dot(p, right), dot(p, up));
-        most = max(most, side + slope * dot(p, back));
-        least = min(least, side - slope * dot(p, back));
-    }
+    vec2 slope = slopeOf(frame.frameShare);
+    vec4 limits = limitsOf(box, right, up, back, slope);
+    vec2 most = limits.xy, least = limits.zw;
     vec2 middle = 0.5 * (most + least), away = 0.5 * (most - least) / slope;
     return middle.x * right + middle.y * up + max(away.x, away.y) * back;
 }
