@@ -40,17 +40,21 @@ Vector3f placeOf(const gpu::vec4& v)
     return {v.x, v.y, v.z};
 }
 
-TEST(BetweenSteps, AFallIsAParabola)
+TEST(BetweenSteps, ParticlesGoOnCubics)
 {
-    const Vector3f start(1, 2, 3), velocity(2, 1, 0), gravity(0, -9.81f, 0);
-    const auto place = [&](float time) -> Vector3f { return start + time * velocity + 0.5f * time * time * gravity; };
-    const World before = moving(start, velocity), after = moving(place(STEP), velocity + STEP * gravity);
+    const Vector3f start(1, 2, 3), velocity(2, 1, 0), gravity(0, -9.81f, 0), jerk(0, 0, 1000);
+    const auto place = [&](float time) -> Vector3f {
+        return start + time * velocity + 0.5f * time * time * gravity + time * time * time * jerk;
+    };
+    const Vector3f faster = velocity + STEP * gravity + 3 * STEP * STEP * jerk;
+    const World before = moving(start, velocity), after = moving(place(STEP), faster);
     for (const float part : {0.25f, 0.5f, 0.9f}) {
         const ViewState view = between(before, after, part);
         EXPECT_NEAR((placeOf(view.positions[0]) - place(part * STEP)).norm(), 0, 1e-6f) << part;
-        EXPECT_NEAR((placeOf(view.velocities[0]) - velocity - part * STEP * gravity).norm(), 0, 1e-5f) << part;
-        // Where bodies and skins are, a step is straight: g dt^2 / 8 is 0.3 mm.
-        EXPECT_NEAR((placeOf(view.bodyCentres[0]) - place(part * STEP)).norm(), 0, 4e-4f) << part;
+        EXPECT_NEAR((placeOf(view.velocities[0]) - velocity - part * (faster - velocity)).norm(), 0, 1e-5f) << part;
+        // Where bodies and skins are, a step is straight.
+        const Vector3f straight = start + part * (place(STEP) - start);
+        EXPECT_NEAR((placeOf(view.bodyCentres[0]) - straight).norm(), 0, 1e-6f) << part;
     }
 }
 
@@ -67,6 +71,7 @@ TEST(BetweenSteps, BodiesTurnEvenly)
     const World before = moving({0, 0, 0}, {0, 0, 0}, 0.1f), after = moving({0, 0, 0}, {0, 0, 0}, 0.4f);
     const gpu::vec4 half = between(before, after, 0.5).bodyRotations[0],
                     third = between(before, after, 1.0 / 3).bodyRotations[0];
+    EXPECT_NEAR(std::hypot(third.y, third.w), 1.0f, 1e-6f);
     EXPECT_NEAR(2 * std::atan2(half.y, half.w), 0.25f, 1e-5f);
     EXPECT_NEAR(2 * std::atan2(third.y, third.w), 0.2f, 2e-4f);
 }
